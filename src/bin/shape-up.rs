@@ -1,0 +1,3 @@
+//! The command line (design section 6).
+
+fn main() {}

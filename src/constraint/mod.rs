@@ -1,0 +1,203 @@
+//! Shape constraints `C_i`: projection operators (paper section 3), the list of kinds, and which
+//! vertices they act on.
+//!
+//! # Adding an operator
+//!
+//! 1. Write `constraint/<kind>.rs`: a struct whose fields are the parameters of the scene file, and
+//!    its [`Projection`]. It sees its own mean-centred points and their rest points, and nothing
+//!    else: no indices, no mesh, no weights.
+//! 2. Add one line to the list at the end of this file.
+//!
+//! The scene format, the command line, the controls of the page, the property tests and the
+//! operator table follow from the declaration.
+
+mod circle;
+mod line;
+mod plane;
+mod select;
+mod sphere;
+
+pub use select::{Element, SelectError, Selector, Set, Sets};
+
+use crate::math::{Lane, Vec3};
+use serde::Serialize;
+
+/// One projection operator `P_i` (paper section 2.1, Eq. 2, and section 3).
+pub trait Projection: Clone + PartialEq + std::fmt::Debug + 'static {
+    /// What the operator is called, takes and guarantees.
+    const INFO: Info;
+
+    /// Replaces the points `v` (`n` of them, mean-centred) by the closest points that have the
+    /// shape. `rest` are the mean-centred rest points `V'`, `n` of them.
+    ///
+    /// The result need not be mean-centred: whoever scatters it centres it again. It is finite for
+    /// every finite input, degenerate ones included, and equivariant under scaling: no absolute
+    /// thresholds.
+    fn project<S: Lane>(&self, rest: &[Vec3<S>], v: &mut [Vec3<S>]);
+
+    /// The shape that fits the points `v` (in place, not centred), to be drawn. None where the
+    /// projection itself says all there is to see.
+    fn fitted(&self, v: &[Vec3<f64>]) -> Option<Fitted> {
+        let _ = v;
+        None
+    }
+}
+
+/// A fitted shape, to be drawn over the mesh.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Fitted {
+    /// A circle in space: centre, unit normal, radius.
+    Circle {
+        /// Centre.
+        centre: Vec3<f64>,
+        /// Unit normal of its plane.
+        normal: Vec3<f64>,
+        /// Radius, positive and finite.
+        radius: f64,
+    },
+    /// A sphere: centre, radius.
+    Sphere {
+        /// Centre.
+        centre: Vec3<f64>,
+        /// Radius, positive and finite.
+        radius: f64,
+    },
+}
+
+/// The declaration of a kind: everything that hosts show or check without knowing it.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Info {
+    /// The id in scene files and on the command line.
+    pub id: &'static str,
+    /// The name on the page.
+    pub label: &'static str,
+    /// What it asks of its vertices, in one sentence.
+    pub summary: &'static str,
+    /// Where the paper defines it.
+    pub paper: &'static str,
+    /// How many vertices it takes.
+    pub arity: Arity,
+    /// Whether the projection is the closest point of the set. Where it is not, the total energy
+    /// can rise in a late digit, unless the `monotone` guard is on.
+    pub exact: bool,
+    /// The colour of its members on the page, as sRGB bytes.
+    pub colour: [u8; 3],
+    /// The parameters of the scene file.
+    pub params: &'static [Param],
+}
+
+/// How many vertices a constraint takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Arity {
+    /// This many or more.
+    AtLeast(usize),
+    /// Exactly this many.
+    Exactly(usize),
+}
+
+impl Arity {
+    /// Whether `n` vertices fit.
+    pub fn fits(self, n: usize) -> bool {
+        match self {
+            Arity::AtLeast(least) => n >= least,
+            Arity::Exactly(exactly) => n == exactly,
+        }
+    }
+}
+
+/// A number that a kind takes from the scene file.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Param {
+    /// The key in scene files.
+    pub id: &'static str,
+    /// The name on the page.
+    pub label: &'static str,
+    /// `"length"`, `"degrees"`, or empty for a plain number.
+    pub unit: &'static str,
+    /// The value when the key is absent.
+    pub default: f64,
+    /// Least and greatest value.
+    pub range: [f64; 2],
+}
+
+/// Makes the enum of kinds and everything that is the same for each of them. The only list of
+/// kinds in the project.
+macro_rules! kinds {
+    ($($module:ident :: $Kind:ident),* $(,)?) => {
+        /// A kind of constraint with its parameters.
+        #[derive(Clone, Debug, PartialEq)]
+        pub enum Kind {
+            $(#[doc = concat!("See `constraint/", stringify!($module), ".rs`.")]
+            $Kind($module::$Kind),)*
+        }
+
+        /// Every kind, in the order in which hosts list them.
+        pub const KINDS: &[Info] = &[$($module::$Kind::INFO),*];
+
+        impl Kind {
+            /// The kind named `id` with the parameters `params`.
+            ///
+            /// # Errors
+            /// When no kind has that id, or a parameter is unknown or out of type.
+            pub fn new(id: &str, params: serde_json::Value) -> Result<Kind, KindError> {
+                $(if id == $module::$Kind::INFO.id {
+                    return serde_path_to_error::deserialize(params)
+                        .map(Kind::$Kind)
+                        .map_err(|e| KindError::Params {
+                            path: e.path().to_string(),
+                            message: e.inner().to_string(),
+                        });
+                })*
+                Err(KindError::Unknown)
+            }
+
+            /// The declaration.
+            pub fn info(&self) -> &'static Info {
+                const ALL: &[Info] = KINDS;
+                let id = match self { $(Kind::$Kind(_) => $module::$Kind::INFO.id),* };
+                ALL.iter().find(|info| info.id == id).expect("every kind is in the list of kinds")
+            }
+
+            /// The parameters as the object of a scene file.
+            pub fn params(&self) -> serde_json::Value {
+                match self { $(Kind::$Kind(p) => serde_json::to_value(p)),* }
+                    .expect("parameters are plain numbers, strings and arrays")
+            }
+
+            /// Calls `visitor` with the operator itself.
+            pub fn visit<V: KindVisitor>(&self, visitor: V) -> V::Output {
+                match self { $(Kind::$Kind(p) => visitor.visit(p)),* }
+            }
+        }
+    };
+}
+
+/// A computation that needs the operator's type, such as making a batch of it.
+pub trait KindVisitor {
+    /// What it gives.
+    type Output;
+    /// The computation for one operator.
+    fn visit<P: Projection>(self, operator: &P) -> Self::Output;
+}
+
+/// Why [`Kind::new`] gave none.
+#[derive(Clone, Debug, PartialEq)]
+pub enum KindError {
+    /// No kind has that id.
+    Unknown,
+    /// A parameter is unknown, missing or out of type.
+    Params {
+        /// Where below the constraint, such as `scale[0]`.
+        path: String,
+        /// What is wrong and what was expected.
+        message: String,
+    },
+}
+
+kinds! {
+    line::Line,
+    plane::Plane,
+    circle::Circle,
+    sphere::Sphere,
+}

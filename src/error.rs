@@ -1,0 +1,45 @@
+//! The one error type that a host sees. Each variant lives beside its stage and is converted here.
+
+use std::fmt;
+
+/// What can go wrong between a file and a solved mesh. All of it is the input's fault: a broken
+/// internal contract panics instead.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Error {
+    /// A mesh file could not be read.
+    Mesh(crate::mesh::ReadError),
+    /// A scene is not valid.
+    Scene(crate::scene::SceneError),
+    /// The scene is valid, but cannot be solved as it stands.
+    Solve(crate::solve::SolveError),
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Error::Mesh(e) => e.fmt(f),
+            Error::Scene(e) => e.fmt(f),
+            Error::Solve(e) => e.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for Error {}
+
+impl From<crate::mesh::ReadError> for Error {
+    fn from(e: crate::mesh::ReadError) -> Self {
+        Error::Mesh(e)
+    }
+}
+
+impl From<crate::scene::SceneError> for Error {
+    fn from(e: crate::scene::SceneError) -> Self {
+        Error::Scene(e)
+    }
+}
+
+impl From<crate::solve::SolveError> for Error {
+    fn from(e: crate::solve::SolveError) -> Self {
+        Error::Solve(e)
+    }
+}

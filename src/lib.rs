@@ -1,0 +1,66 @@
+//! Shape-Up in a browser tab: shaping discrete geometry with projections.
+//!
+//! An implementation of *Shape-Up: Shaping Discrete Geometry with Projections* (Bouaziz, Deuss,
+//! Schwartzburg, Weise, Pauly; Symposium on Geometry Processing 2012), for polygon meshes, curves,
+//! tetrahedra and point sets. Everything is computed where the user is: the solver is compiled to
+//! WebAssembly and runs in a worker, the view draws with wgpu, a thin page connects them.
+//!
+//! # Data flow
+//!
+//! ```text
+//! OBJ / scene  ->  mesh  ->  constraint  ->  solve  ->  session  ->  positions  ->  view
+//!                           math lies under all of them
+//! ```
+//!
+//! Nothing to the left knows of anything to the right; [`view`] sees positions and index buffers,
+//! never the solver.
+//!
+//! | room | holds | knows of |
+//! |---|---|---|
+//! | [`math`] | small vectors in lanes, symmetric 3x3 eigenvectors | nothing |
+//! | [`mesh`] | polygon mesh, files in and out, topology, Laplacian, closest point, error measures | math |
+//! | [`constraint`] | one projection operator per file, the list of kinds, selectors, batches | math, mesh |
+//! | [`scene`] | the scene file: serde form and validation; the examples | mesh, constraint |
+//! | [`solve`] | assembly, ordering, LDL^T, the two-step iteration | constraint, scene |
+//! | [`session`] | what every host drives: load, edit, drag, step, undo, report | all above |
+//! | `web` | wasm-bindgen faces: one for the worker (solver), one for the page (view) | session, view |
+//! | [`view`] | wgpu: camera, picking, faces, edges, handles, fitted shapes | math |
+//!
+//! # Notation of the paper, and its names here
+//!
+//! | paper | code |
+//! |---|---|
+//! | `C_i`, `P_i`, `n_i`, `w_i` | constraint, [`constraint::Projection::project`], `n`, `weight` |
+//! | `V`, `V'`, `V*` | positions, rest positions (`rest`), the projection |
+//! | `N_i` (Eq. 5) | mean-centring: `centre` |
+//! | `phi` = `E_shape` (Eq. 4) | `energy.shape` |
+//! | `Q`, `p`, `Q^T Q` (Eq. 6) | `Q` is never formed; `Q^T Q` is the normal matrix |
+//! | step I, step II | local step, global step |
+//! | `lambda_shape`, `lambda_close`, `lambda_smooth` (Eq. 13) | `weights.{shape, close, smooth}` |
+//! | `c(v)` (Eq. 11) | closest point on the reference surface |
+//! | `w_ij`, `l_i` (Eq. 12) | edge weight; the position or the displacement that is smoothed |
+//! | `e_p`, `e_c` (Fig. 5) | planarity and circularity error: mean squared distance |
+//!
+//! # Conventions
+//!
+//! Arrays state their shape as in `#V by 3`. Indices are 0-based everywhere but in files that
+//! count from one. Lengths are in the units of the mesh. Energies, gradients and positions are
+//! `f64`. The solver uses only `+ - * / sqrt`, so that native and wasm builds give the same bits.
+
+#[cfg(any(feature = "cli", feature = "solver"))]
+pub mod constraint;
+#[cfg(any(feature = "cli", feature = "solver"))]
+pub mod error;
+pub mod math;
+#[cfg(any(feature = "cli", feature = "solver"))]
+pub mod mesh;
+#[cfg(any(feature = "cli", feature = "solver"))]
+pub mod scene;
+#[cfg(any(feature = "cli", feature = "solver"))]
+pub mod session;
+#[cfg(any(feature = "cli", feature = "solver"))]
+pub mod solve;
+#[cfg(feature = "view")]
+pub mod view;
+#[cfg(all(target_arch = "wasm32", any(feature = "solver", feature = "view")))]
+pub mod web;

@@ -1,0 +1,133 @@
+//! A 3-vector whose components are lanes.
+
+use super::Lane;
+use std::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
+
+/// A 3-vector; with [`super::Lanes`] one vector for each of several constraints.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Vec3<S> {
+    /// First component.
+    pub x: S,
+    /// Second component.
+    pub y: S,
+    /// Third component.
+    pub z: S,
+}
+
+impl<S: Lane> Vec3<S> {
+    /// The vector (x, y, z).
+    #[inline(always)]
+    pub fn new(x: S, y: S, z: S) -> Self {
+        Vec3 { x, y, z }
+    }
+    /// The zero vector.
+    #[inline(always)]
+    pub fn zero() -> Self {
+        Vec3::new(S::zero(), S::zero(), S::zero())
+    }
+    /// Inner product.
+    #[inline(always)]
+    pub fn dot(self, o: Self) -> S {
+        self.x * o.x + self.y * o.y + self.z * o.z
+    }
+    /// Cross product.
+    #[inline(always)]
+    pub fn cross(self, o: Self) -> Self {
+        Vec3::new(
+            self.y * o.z - self.z * o.y,
+            self.z * o.x - self.x * o.z,
+            self.x * o.y - self.y * o.x,
+        )
+    }
+    /// Squared Euclidean length.
+    #[inline(always)]
+    pub fn length_squared(self) -> S {
+        self.dot(self)
+    }
+    /// Euclidean length.
+    #[inline(always)]
+    pub fn length(self) -> S {
+        self.dot(self).sqrt()
+    }
+    /// Lane by lane: `yes` where `key > bound`, else `no`.
+    #[inline(always)]
+    pub fn if_greater(key: S, bound: S, yes: Self, no: Self) -> Self {
+        Vec3::new(
+            key.if_greater(bound, yes.x, no.x),
+            key.if_greater(bound, yes.y, no.y),
+            key.if_greater(bound, yes.z, no.z),
+        )
+    }
+    /// The vector of lane `i`.
+    #[inline(always)]
+    pub fn lane(self, i: usize) -> Vec3<f64> {
+        Vec3::new(self.x.lane(i), self.y.lane(i), self.z.lane(i))
+    }
+    /// Replaces the vector of lane `i`.
+    #[inline(always)]
+    pub fn set_lane(&mut self, i: usize, v: Vec3<f64>) {
+        self.x.set_lane(i, v.x);
+        self.y.set_lane(i, v.y);
+        self.z.set_lane(i, v.z);
+    }
+}
+
+impl From<[f64; 3]> for Vec3<f64> {
+    #[inline(always)]
+    fn from([x, y, z]: [f64; 3]) -> Self {
+        Vec3 { x, y, z }
+    }
+}
+
+impl From<Vec3<f64>> for [f64; 3] {
+    #[inline(always)]
+    fn from(v: Vec3<f64>) -> Self {
+        [v.x, v.y, v.z]
+    }
+}
+
+impl<S: Lane> Add for Vec3<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, o: Self) -> Self {
+        Vec3::new(self.x + o.x, self.y + o.y, self.z + o.z)
+    }
+}
+
+impl<S: Lane> Sub for Vec3<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, o: Self) -> Self {
+        Vec3::new(self.x - o.x, self.y - o.y, self.z - o.z)
+    }
+}
+
+impl<S: Lane> Mul<S> for Vec3<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, s: S) -> Self {
+        Vec3::new(self.x * s, self.y * s, self.z * s)
+    }
+}
+
+impl<S: Lane> Neg for Vec3<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Vec3::new(-self.x, -self.y, -self.z)
+    }
+}
+
+impl<S: Lane> AddAssign for Vec3<S> {
+    #[inline(always)]
+    fn add_assign(&mut self, o: Self) {
+        *self = *self + o;
+    }
+}
+
+impl<S: Lane> SubAssign for Vec3<S> {
+    #[inline(always)]
+    fn sub_assign(&mut self, o: Self) {
+        *self = *self - o;
+    }
+}

@@ -1,0 +1,82 @@
+//! Polygon meshes, curves and tetrahedra: what a file holds, and what can be said of it.
+//!
+//! | file | holds |
+//! |---|---|
+//! | [`ragged`](self) | lists of lists of vertex indices |
+//! | `read`, `obj`, `off`, `medit` | files in; `obj_write`: OBJ out |
+//! | `problem` | what a file has wrong that can be survived |
+//! | `topology` | edges, one-rings, boundary loops, straight edge lines, components |
+//! | `laplacian` | the weights `w_ij` of Eq. 12 |
+//! | `closest` | closest point `c(v)` on the reference surface, Eq. 11 |
+//! | `measure` | planarity, circularity, diagonal ratio of faces; bounding sphere |
+
+mod ragged;
+
+pub use ragged::Ragged;
+
+/// A position in space, in the units of the mesh.
+pub type Point = [f64; 3];
+
+/// A polygon mesh with its curves and tetrahedra, as a file gives it. The order of vertices, faces,
+/// curves and groups is the file's and never changes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mesh {
+    /// `#V by 3`, finite.
+    pub positions: Vec<Point>,
+    /// The corners of each face, at least three, as indices of vertices.
+    pub faces: Ragged,
+    /// The vertices of each polyline, at least two; a closed one repeats its first vertex at the end.
+    pub curves: Ragged,
+    /// `#T by 4` indices of vertices.
+    pub tets: Vec<[u32; 4]>,
+    /// Named sets of faces and curves, which may overlap.
+    pub groups: Vec<Group>,
+}
+
+/// A named set of faces and curves.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Group {
+    /// The name in the file.
+    pub name: String,
+    /// Which statement of an OBJ file named it.
+    pub keyword: GroupKeyword,
+    /// Indices of faces, ascending.
+    pub faces: Vec<u32>,
+    /// Indices of curves, ascending.
+    pub curves: Vec<u32>,
+}
+
+/// The statement of an OBJ file that opens a group.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum GroupKeyword {
+    /// `o`
+    Object,
+    /// `g`
+    Group,
+    /// `usemtl`
+    Material,
+}
+
+/// Why a mesh file was refused.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ReadError {
+    /// Name of the file.
+    pub file: String,
+    /// Line, counted from one; none when the file as a whole is at fault.
+    pub line: Option<usize>,
+    /// The text of that line, shortened; empty when the file as a whole is at fault.
+    pub text: String,
+    /// What is wrong and what was expected.
+    pub message: String,
+}
+
+impl std::fmt::Display for ReadError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self.line {
+            Some(line) => write!(f, "{}:{line}: `{}`: {}", self.file, self.text, self.message),
+            None => write!(f, "{}: {}", self.file, self.message),
+        }
+    }
+}
+
+impl std::error::Error for ReadError {}

@@ -1,0 +1,62 @@
+//! A list of lists of indices in two flat arrays.
+
+/// A list of rows of different lengths, such as the corners of each face.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Ragged {
+    /// `#rows + 1`: row `i` is `indices[offsets[i]..offsets[i + 1]]`.
+    offsets: Vec<u32>,
+    indices: Vec<u32>,
+}
+
+impl Default for Ragged {
+    fn default() -> Self {
+        Ragged { offsets: vec![0], indices: Vec::new() }
+    }
+}
+
+impl Ragged {
+    /// No rows.
+    pub fn new() -> Self {
+        Self::default()
+    }
+    /// How many rows.
+    pub fn len(&self) -> usize {
+        self.offsets.len() - 1
+    }
+    /// Whether there is no row.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+    /// Row `i`; panics when there is none.
+    #[inline]
+    pub fn row(&self, i: usize) -> &[u32] {
+        &self.indices[self.offsets[i] as usize..self.offsets[i + 1] as usize]
+    }
+    /// Appends a row.
+    pub fn push(&mut self, row: &[u32]) {
+        self.indices.extend_from_slice(row);
+        self.offsets.push(self.indices.len() as u32);
+    }
+    /// All rows in order.
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = &[u32]> + Clone {
+        self.offsets.windows(2).map(|w| &self.indices[w[0] as usize..w[1] as usize])
+    }
+    /// `#rows + 1` offsets into [`Ragged::indices`].
+    pub fn offsets(&self) -> &[u32] {
+        &self.offsets
+    }
+    /// The entries of all rows, one after another.
+    pub fn indices(&self) -> &[u32] {
+        &self.indices
+    }
+}
+
+impl<R: AsRef<[u32]>> FromIterator<R> for Ragged {
+    fn from_iter<T: IntoIterator<Item = R>>(rows: T) -> Self {
+        let mut ragged = Ragged::new();
+        for row in rows {
+            ragged.push(row.as_ref());
+        }
+        ragged
+    }
+}

@@ -1,0 +1,1 @@
+//! What every host drives: load, edit, drag, step, undo, report.

@@ -1,0 +1,1 @@
+//! wasm-bindgen faces: `solver` for the worker, `view` for the page.
