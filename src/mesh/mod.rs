@@ -10,9 +10,16 @@
 //! | `closest` | closest point `c(v)` on the reference surface, Eq. 11 |
 //! | `measure` | planarity, circularity, diagonal ratio of faces; bounding sphere |
 
+mod boundary;
+mod components;
+mod laplacian;
 mod ragged;
+mod topology;
 
+pub use components::components;
+pub use laplacian::{LARGEST_COTANGENT, Laplacian};
 pub use ragged::Ragged;
+pub use topology::Topology;
 
 /// A position in space, in the units of the mesh.
 pub type Point = [f64; 3];
