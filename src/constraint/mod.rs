@@ -11,12 +11,14 @@
 //! The scene format, the command line, the controls of the page, the property tests and the
 //! operator table follow from the declaration.
 
+mod batch;
 mod circle;
 mod line;
 mod plane;
 mod select;
 mod sphere;
 
+pub use batch::{Batch, LocalSettings, LocalStep, Row, batches};
 pub use select::{Element, SelectError, Selector, Set, Sets};
 
 use crate::math::{Lane, Vec3};
@@ -26,6 +28,9 @@ use serde::Serialize;
 pub trait Projection: Clone + PartialEq + std::fmt::Debug + 'static {
     /// What the operator is called, takes and guarantees.
     const INFO: Info;
+
+    /// Whether [`Projection::project`] reads the rest points; without, it gets none.
+    const READS_REST: bool = false;
 
     /// Replaces the points `v` (`n` of them, mean-centred) by the closest points that have the
     /// shape. `rest` are the mean-centred rest points `V'`, `n` of them.
@@ -102,6 +107,15 @@ impl Arity {
         match self {
             Arity::AtLeast(least) => n >= least,
             Arity::Exactly(exactly) => n == exactly,
+        }
+    }
+}
+
+impl std::fmt::Display for Arity {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Arity::AtLeast(least) => write!(f, "{least} or more vertices"),
+            Arity::Exactly(exactly) => write!(f, "exactly {exactly} vertices"),
         }
     }
 }
