@@ -34,8 +34,9 @@ impl Topology {
         }
         let numbered = || edges.iter().zip(0..);
         let by_vertex = |of_end: fn([u32; 2], u32, bool) -> u32| {
-            let ends = numbered()
-                .flat_map(|(&[a, b], e)| [(a, of_end([a, b], e, true)), (b, of_end([a, b], e, false))]);
+            let ends = numbered().flat_map(|(&[a, b], e)| {
+                [(a, of_end([a, b], e, true)), (b, of_end([a, b], e, false))]
+            });
             gather(n_vertices, ends)
         };
         // Edges come in lexicographic order, so both lists of a vertex are in ascending order of its
@@ -46,10 +47,13 @@ impl Topology {
             n_vertices,
             mesh.faces.iter().zip(0..).flat_map(|(face, f)| {
                 // A vertex that a face repeats still has that face once.
-                (0..face.len()).filter(|&k| !face[..k].contains(&face[k])).map(move |k| (face[k], f))
+                (0..face.len())
+                    .filter(|&k| !face[..k].contains(&face[k]))
+                    .map(move |k| (face[k], f))
             }),
         );
-        let boundary_loops = super::boundary::boundary_loops(mesh, &edges, &vertex_edges, &edge_faces);
+        let boundary_loops =
+            super::boundary::boundary_loops(mesh, &edges, &vertex_edges, &edge_faces);
         let quads = mesh.faces.iter().filter(|face| face.len() == 4).count();
         Topology {
             triangle_mesh: !mesh.faces.is_empty()
@@ -161,8 +165,7 @@ fn sides(mesh: &Mesh) -> Vec<Side> {
     });
     let of_curves =
         mesh.curves.iter().flat_map(|curve| curve.windows(2).map(|ends| (ends[0], ends[1], None)));
-    let of_tets =
-        mesh.tets.iter().flat_map(|tet| TET_EDGES.map(|[a, b]| (tet[a], tet[b], None)));
+    let of_tets = mesh.tets.iter().flat_map(|tet| TET_EDGES.map(|[a, b]| (tet[a], tet[b], None)));
     let mut sides: Vec<Side> = of_faces
         .chain(of_curves)
         .chain(of_tets)
