@@ -11,11 +11,14 @@
 //! | `measure` | planarity, circularity, diagonal ratio of faces; bounding sphere |
 
 mod boundary;
+mod closest;
 mod components;
 mod laplacian;
 mod ragged;
 mod topology;
+mod triangle;
 
+pub use closest::Surface;
 pub use components::components;
 pub use laplacian::{LARGEST_COTANGENT, Laplacian};
 pub use ragged::Ragged;
