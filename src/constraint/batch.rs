@@ -20,21 +20,14 @@ pub struct LocalStep {
     pub worst_squared: f64,
 }
 
-/// How the local step is done; the same for all batches of a solver.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LocalSettings {
-    /// `lambda_shape`: the gradient is scaled by it, the energy is not.
-    pub scale: f64,
-    /// Whether `N_i` is used in the gradient; see [`crate::scene::SolverSettings::mean_centring`].
-    pub mean_centring: bool,
-}
-
 /// Constraints of one kind and one number of points, whatever the kind.
 pub trait Batch {
     /// The local step at positions `x` (`#nodes` rows): adds half the gradient of
     /// `scale * E_shape` to `gradient` (`#nodes` rows).
-    fn local_step(&mut self, x: &[Row], gradient: &mut [Row], settings: LocalSettings)
-    -> LocalStep;
+    ///
+    /// It is the same with `N_i` and without: a translated projection has the shape too, so that
+    /// the residual is centred in both cases. Only the normal matrix differs.
+    fn local_step(&mut self, x: &[Row], gradient: &mut [Row], scale: f64) -> LocalStep;
 
     /// Appends the shapes that fit the constraints at positions `x`, to be drawn.
     fn fitted(&self, x: &[Row], shapes: &mut Vec<Fitted>);
@@ -137,6 +130,9 @@ impl<P: Projection> KindBatch<P> {
         self.projected.copy_from_slice(&self.centred);
         let rest = if P::READS_REST { &self.rest[first..first + self.n] } else { &[] };
         self.operator.project(rest, &mut self.projected);
+        // The set of a shape is closed under translation, so that the centred projection has the
+        // shape too, and is nearer. Circle and sphere results are not centred by themselves.
+        centre(&mut self.projected);
     }
 
     /// Replaces the projection of chunk `chunk` lane by lane by the previous one where that is nearer.
@@ -174,13 +170,8 @@ impl<P: Projection> KindBatch<P> {
 }
 
 impl<P: Projection> Batch for KindBatch<P> {
-    fn local_step(
-        &mut self,
-        x: &[Row],
-        gradient: &mut [Row],
-        settings: LocalSettings,
-    ) -> LocalStep {
-        let scale = settings.scale * self.weight;
+    fn local_step(&mut self, x: &[Row], gradient: &mut [Row], scale: f64) -> LocalStep {
+        let scale = scale * self.weight;
         let mut found = LocalStep::default();
         for chunk in 0..self.count.div_ceil(LANES) {
             self.project_chunk(x, chunk);
@@ -188,11 +179,6 @@ impl<P: Projection> Batch for KindBatch<P> {
                 self.keep_nearer(chunk);
             }
             let (sum, worst) = self.residuals();
-            if settings.mean_centring {
-                // Circle and sphere results are not centred: without this the gradient has a part
-                // that no translation can remove.
-                centre(&mut self.projected);
-            }
             let lanes = LANES.min(self.count - chunk * LANES);
             for lane in 0..lanes {
                 found.energy += self.weight * sum.lane(lane);

@@ -18,7 +18,7 @@ mod plane;
 mod select;
 mod sphere;
 
-pub use batch::{Batch, LocalSettings, LocalStep, Row, batches};
+pub use batch::{Batch, LocalStep, Row, batches};
 pub use select::{Element, SelectError, Selector, Set, Sets};
 
 use crate::math::{Lane, Vec3};

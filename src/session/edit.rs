@@ -122,8 +122,7 @@ impl Session {
                 "Change weights".to_owned()
             }
             Edit::AddHandles { vertices, fixed } => {
-                let hold =
-                    if fixed { Hold::Fixed } else { Hold::Soft { weight: HANDLE_WEIGHT } };
+                let hold = if fixed { Hold::Fixed } else { Hold::Soft { weight: HANDLE_WEIGHT } };
                 self.hold(&vertices, hold, handles, positions)?;
                 format!("{} {}", if fixed { "Fix" } else { "Hold" }, counted(vertices.len()))
             }

@@ -32,7 +32,8 @@ impl History {
     pub fn push(&mut self, name: String, before: Snapshot) {
         self.redo.clear();
         self.undo.push((name, before));
-        let bytes = |(_, snapshot): &(String, Snapshot)| std::mem::size_of_val(&*snapshot.positions);
+        let bytes =
+            |(_, snapshot): &(String, Snapshot)| std::mem::size_of_val(&*snapshot.positions);
         while self.undo.len() > 1 && self.undo.iter().map(bytes).sum::<usize>() > LIMIT_BYTES {
             self.undo.remove(0);
         }

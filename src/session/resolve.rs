@@ -39,15 +39,14 @@ pub fn row(
     mesh: &Mesh,
     topology: &Topology,
 ) -> Result<ResolvedRow, String> {
-    let selected =
-        resolve(&spec.on, mesh, topology, &scene.sets).map_err(|error| match error {
-            SelectError::UnknownSet(name) => {
-                format!("there is no set or group named \"{name}\"")
-            }
-            SelectError::VertexOutOfRange(v) => {
-                format!("vertex {v} is out of range: the mesh has {}", mesh.positions.len())
-            }
-        })?;
+    let selected = resolve(&spec.on, mesh, topology, &scene.sets).map_err(|error| match error {
+        SelectError::UnknownSet(name) => {
+            format!("there is no set or group named \"{name}\"")
+        }
+        SelectError::VertexOutOfRange(v) => {
+            format!("vertex {v} is out of range: the mesh has {}", mesh.positions.len())
+        }
+    })?;
     let info = spec.kind.info();
     let fits = |members: &&[u32]| info.arity.fits(members.len());
     let members: Ragged = selected.iter().filter(fits).collect();

@@ -1,7 +1,7 @@
 //! `E_shape` (Eq. 4): the constraints of a scene, batched, with their part of the normal matrix.
 
 use super::assemble::Terms;
-use crate::constraint::{Batch, Fitted, Kind, LocalSettings, LocalStep, Row, batches};
+use crate::constraint::{Batch, Fitted, Kind, LocalStep, Row, batches};
 use crate::mesh::Ragged;
 
 /// A constraint on more points than this gets its mean as one extra unknown, coupled to each of its
@@ -57,7 +57,6 @@ pub fn terms(constraints: &[Constraints], n_vertices: usize, mean_centring: bool
 /// The batches of every row of constraints.
 pub struct ShapeEnergy {
     rows: Vec<ShapeRow>,
-    mean_centring: bool,
 }
 
 struct ShapeRow {
@@ -67,13 +66,7 @@ struct ShapeRow {
 
 impl ShapeEnergy {
     /// Batches `constraints`, whose vertices are called `node_of[v]` from here on.
-    pub fn new(
-        constraints: &[Constraints],
-        node_of: &[u32],
-        rest: &[Row],
-        mean_centring: bool,
-        guarded: bool,
-    ) -> Self {
+    pub fn new(constraints: &[Constraints], node_of: &[u32], rest: &[Row], guarded: bool) -> Self {
         let rows = constraints
             .iter()
             .map(|row| {
@@ -86,17 +79,16 @@ impl ShapeEnergy {
                 ShapeRow { batches, found: LocalStep::default() }
             })
             .collect();
-        ShapeEnergy { rows, mean_centring }
+        ShapeEnergy { rows }
     }
 
     /// Step I: projects at `x`, adds half the gradient of `lambda * E_shape`, and gives `E_shape`.
     pub fn local_step(&mut self, x: &[Row], gradient: &mut [Row], lambda: f64) -> f64 {
-        let settings = LocalSettings { scale: lambda, mean_centring: self.mean_centring };
         let mut energy = 0.0;
         for row in &mut self.rows {
             row.found = LocalStep::default();
             for batch in &mut row.batches {
-                let found = batch.local_step(x, gradient, settings);
+                let found = batch.local_step(x, gradient, lambda);
                 row.found.energy += found.energy;
                 row.found.worst_squared = row.found.worst_squared.max(found.worst_squared);
             }

@@ -105,13 +105,7 @@ impl Solver {
         let x = to_rows(start);
         let energies = Energies {
             weights,
-            shape: ShapeEnergy::new(
-                constraints,
-                node_of,
-                &rest,
-                settings.mean_centring,
-                settings.monotone,
-            ),
+            shape: ShapeEnergy::new(constraints, node_of, &rest, settings.monotone),
             smooth: laplacian.map(|laplacian| {
                 let rest = match problem.smoothness.of {
                     SmoothnessOf::Surface => Vec::new(),
