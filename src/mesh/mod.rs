@@ -13,6 +13,7 @@
 mod boundary;
 mod closest;
 mod components;
+pub mod generate;
 mod laplacian;
 mod ragged;
 mod topology;
