@@ -6,6 +6,7 @@
 //! | `validate` | the checks that need the mesh |
 //! | `examples` | the example scenes, on meshes that the project's own generators make |
 
+pub mod examples;
 mod json;
 mod validate;
 
