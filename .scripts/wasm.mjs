@@ -1,0 +1,40 @@
+// The crate as two WebAssembly modules for the page, each with its JavaScript side.
+
+import { rmSync } from 'node:fs';
+import { join } from 'node:path';
+import { at, targetFolder, wasmTarget } from './project.mjs';
+import { outputOf, run, say } from './run.mjs';
+import { wasmBindgen } from './setup-bindgen.mjs';
+import { filesUnder, unlessUnchanged } from './stamp.mjs';
+
+/** The Cargo features that are modules: the worker's and the page's. */
+export const modules = ['solver', 'view'];
+
+/** Builds one of them into `www/pkg/<feature>/`. */
+export async function buildModule(feature) {
+  const folder = at('www', 'pkg', feature);
+  // The names of functions are most of what could be left out of the file.
+  const flags = ['--target', 'web', '--remove-name-section', '--remove-producers-section'];
+  const work = {
+    name: feature,
+    // Cargo gives both modules the same file name, so it would link each anew every time.
+    inputs: [
+      ...filesUnder(at('src')),
+      ...['Cargo.toml', 'Cargo.lock', '.cargo/config.toml'].map((name) => at(name)),
+    ],
+    settings: [flags, outputOf('rustc', ['--version'])],
+    output: join(folder, 'shape_up_bg.wasm'),
+  };
+  await unlessUnchanged(work, async () => {
+    say(`compiling the ${feature} module`);
+    // The crate type is named here because with the two of Cargo.toml cargo leaves out the
+    // link-time optimisation without a word.
+    await run('cargo', [
+      ...['rustc', '--locked', '--lib', '--release', '--crate-type', 'cdylib'],
+      ...['--target', wasmTarget, '--no-default-features', '--features', feature],
+    ]);
+    rmSync(folder, { recursive: true, force: true });
+    const compiled = join(targetFolder, wasmTarget, 'release', 'shape_up.wasm');
+    await run(wasmBindgen, [...flags, '--out-dir', folder, compiled]);
+  });
+}
