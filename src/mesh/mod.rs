@@ -15,7 +15,9 @@ mod closest;
 mod components;
 mod laplacian;
 mod ragged;
+mod surroundings;
 mod topology;
+mod tree;
 mod triangle;
 
 pub use closest::Surface;
