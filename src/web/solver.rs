@@ -1,6 +1,7 @@
 //! The face of the solver in the worker.
 
 use super::report::{Document, Frame, Loaded, elements, kinds};
+use super::{log_panics, thrown};
 
 use crate::constraint::{Fitted, Set};
 use crate::mesh::{Read, read, write_obj};
@@ -46,6 +47,7 @@ impl Solver {
     /// No model.
     #[wasm_bindgen(constructor)]
     pub fn new() -> Solver {
+        log_panics();
         Solver::default()
     }
 
@@ -302,11 +304,6 @@ impl Solver {
     fn open_mut(&mut self) -> Result<&mut Session, JsValue> {
         self.session.as_mut().ok_or_else(nothing_open)
     }
-}
-
-/// The error that the page sees: `{ message }`, one line that says all.
-fn thrown(error: impl std::fmt::Display) -> JsValue {
-    js_sys::Error::new(&error.to_string()).into()
 }
 
 fn nothing_open() -> JsValue {

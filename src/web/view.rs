@@ -3,6 +3,7 @@
 //! Screen positions are CSS pixels from the upper left corner of the canvas. Coordinates are those
 //! of the file. What is thrown is an `Error` whose message is one complete line.
 
+use super::{log_panics, thrown};
 use crate::view::camera::Up;
 use crate::view::colour_map;
 use crate::view::device::{Device, DeviceError};
@@ -36,15 +37,6 @@ impl Drop for View {
 }
 
 const CONTEXT_LOST: &str = "webglcontextlost";
-
-fn thrown(error: impl std::fmt::Display) -> JsValue {
-    js_sys::Error::new(&error.to_string()).into()
-}
-
-/// Writes panics to the console: the page sees only "unreachable" otherwise.
-fn log_panics() {
-    std::panic::set_hook(Box::new(|panic| web_sys::console::error_1(&panic.to_string().into())));
-}
 
 /// Opens the backend asked for, with its name. `auto` tries WebGPU first: that leaves the canvas
 /// untouched when there is no adapter.
