@@ -14,10 +14,12 @@
 mod circle;
 mod line;
 mod plane;
+mod resolve;
 mod select;
 mod sphere;
 
-pub use select::{Element, SelectError, Selector, Set, Sets};
+pub use resolve::resolve;
+pub use select::{Element, SelectError, Selector, Set, Sets, describe};
 
 use crate::math::{Lane, Vec3};
 use serde::Serialize;

@@ -11,18 +11,25 @@
 //! | `measure` | planarity, circularity, diagonal ratio of faces; bounding sphere |
 
 mod boundary;
+mod bounds;
 mod closest;
 mod components;
+mod edge_lines;
+mod face_fit;
 mod laplacian;
+mod measure;
 mod ragged;
 mod surroundings;
 mod topology;
 mod tree;
 mod triangle;
 
+pub use bounds::BoundingSphere;
 pub use closest::Surface;
 pub use components::components;
+pub use edge_lines::edge_lines;
 pub use laplacian::{LARGEST_COTANGENT, Laplacian};
+pub use measure::{Circularity, Measures, Planarity, diagonal_ratio};
 pub use ragged::Ragged;
 pub use topology::Topology;
 
