@@ -130,18 +130,20 @@ impl std::error::Error for SelectError {}
 pub fn describe(selector: &Selector) -> String {
     match selector {
         Selector::Each { element, within, radius } => {
-            let [one, many] = element.words();
-            let mut words = match within {
+            let [one, many] = match element {
+                Element::Ring => ["vertex", "vertices"],
+                element => element.words(),
+            };
+            let words = match within {
                 Some(name) => format!("each {one} of {name}"),
                 None => format!("all {many}"),
             };
             match (element, radius) {
-                (Element::Ring, 1) | (_, 0) => {}
-                (Element::Ring, radius) => words += &format!(", {radius} rings"),
-                (_, 1) => words += ", with 1 ring around",
-                (_, radius) => words += &format!(", with {radius} rings around"),
+                (_, 0) => words,
+                (Element::Ring, 1) => words + " with neighbours",
+                (_, 1) => words + " with 1 ring of neighbours",
+                (_, radius) => words + &format!(" with {radius} rings of neighbours"),
             }
-            words
         }
         Selector::Set(name) => format!("the vertices of {name}"),
         Selector::Vertices(vertices) if vertices.len() == 1 => "1 vertex".to_string(),

@@ -36,15 +36,22 @@ impl FaceFit {
         }));
     }
 
-    /// Distance of each corner to the plane.
-    pub(super) fn heights(&self) -> impl Iterator<Item = f64> {
-        self.corners.iter().map(|p| p[2].abs())
+    /// The errors to the plane.
+    pub(super) fn plane_errors(&self) -> Errors {
+        let mut errors = Errors::default();
+        for [_, _, height] in &self.corners {
+            errors.add(height * height, self.share());
+        }
+        errors
     }
 
-    /// Distance of each corner to the circle. Corners on one line have that line for a circle, and
-    /// coincident ones have distance 0.
-    pub(super) fn circle_distances(&self) -> impl Iterator<Item = f64> {
-        let share = 1.0 / self.corners.len() as f64;
+    /// The errors to the circle. Corners on one line have that line for a circle, and coincident
+    /// ones have no error.
+    ///
+    /// The mean square is that of the energy `E_shape` (Eq. 4), in which the closest points on the
+    /// circle are moved so that they have the mean of the corners.
+    pub(super) fn circle_errors(&self) -> Errors {
+        let share = self.share();
         let (mut xx, mut yy, mut x_rr, mut y_rr) = (0.0, 0.0, 0.0, 0.0);
         for [x, y, _] in &self.corners {
             let rr = x * x + y * y;
@@ -57,14 +64,45 @@ impl FaceFit {
         // x axis. All is taken times yy, and then nothing grows without bound.
         let centre = if xx > 0.0 { [0.5 * x_rr * (yy / xx), 0.5 * y_rr] } else { [0.0; 2] };
         let radius = (centre[0] * centre[0] + centre[1] * centre[1] + yy * yy * (xx + yy)).sqrt();
-        self.corners.iter().map(move |&[x, y, height]| {
-            // | |p - c| - r | without a difference of great numbers.
-            let (u, v) = (yy * x - centre[0], yy * y - centre[1]);
+        let mut errors = Errors::default();
+        let mut mean = [0.0; 2];
+        for [x, y, height] in &self.corners {
+            let from_centre = [yy * x - centre[0], yy * y - centre[1]];
+            let length = (from_centre[0] * from_centre[0] + from_centre[1] * from_centre[1]).sqrt();
+            // |p - c| - r without a difference of great numbers.
             let power = yy * (x * x + y * y - xx - yy) - 2.0 * (centre[0] * x + centre[1] * y);
-            let sum = (u * u + v * v).sqrt() + radius;
-            let in_plane = if sum > 0.0 { power / sum } else { y };
-            (in_plane * in_plane + height * height).sqrt()
-        })
+            let outside = if length + radius > 0.0 { power / (length + radius) } else { 0.0 };
+            errors.add(outside * outside + height * height, share);
+            if length > 0.0 {
+                mean[0] += share * outside * from_centre[0] / length;
+                mean[1] += share * outside * from_centre[1] / length;
+            }
+        }
+        let moved = errors.mean_square - mean[0] * mean[0] - mean[1] * mean[1];
+        errors.mean_square = if moved > 0.0 { moved } else { 0.0 };
+        errors
+    }
+
+    fn share(&self) -> f64 {
+        1.0 / self.corners.len() as f64
+    }
+}
+
+/// How far the corners of a face are from a fitted shape.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Errors {
+    /// The largest squared distance.
+    pub(super) largest_square: f64,
+    /// The mean squared distance.
+    pub(super) mean_square: f64,
+}
+
+impl Errors {
+    fn add(&mut self, square: f64, share: f64) {
+        self.mean_square += share * square;
+        if square > self.largest_square {
+            self.largest_square = square;
+        }
     }
 }
 

@@ -12,7 +12,8 @@ pub struct Planarity {
     pub max_distance: f64,
     /// The mean over faces of the largest distance of their vertices.
     pub mean_distance: f64,
-    /// The largest `e_p` of a face, bounding sphere of diameter 1.
+    /// The largest `e_p` of a face, bounding sphere of diameter 1: the mean squared distance of its
+    /// vertices to the plane.
     pub e_p_max: f64,
     /// The mean `e_p`.
     pub e_p_mean: f64,
@@ -28,7 +29,9 @@ pub struct Circularity {
     pub max_distance: f64,
     /// The mean over faces of the largest distance of their vertices.
     pub mean_distance: f64,
-    /// The largest `e_c` of a face, bounding sphere of diameter 1.
+    /// The largest `e_c` of a face, bounding sphere of diameter 1: the mean squared distance of its
+    /// vertices to their closest points on the circle, these moved to the mean of the vertices as in
+    /// `E_shape` (Eq. 4).
     pub e_c_max: f64,
     /// The mean `e_c`.
     pub e_c_mean: f64,
@@ -59,7 +62,8 @@ impl Measures {
         for face in faces.iter() {
             let corners = face.iter().map(|&v| positions[v as usize]);
             fit.fit(corners);
-            let (distance, e_p) = largest_and_mean_square(fit.heights());
+            let errors = fit.plane_errors();
+            let (distance, e_p) = (errors.largest_square.sqrt(), errors.mean_square);
             all.planarity_distances.push(distance);
             planarity.max_distance = greater(planarity.max_distance, distance);
             planarity.mean_distance += share * distance;
@@ -69,7 +73,8 @@ impl Measures {
                 let ratio = diagonal_ratio([a, b, c, d].map(|v| positions[v as usize]));
                 planarity.diagonal_ratio_max = greater(planarity.diagonal_ratio_max, ratio);
             }
-            let (distance, e_c) = largest_and_mean_square(fit.circle_distances());
+            let errors = fit.circle_errors();
+            let (distance, e_c) = (errors.largest_square.sqrt(), errors.mean_square);
             all.circularity_distances.push(distance);
             circularity.max_distance = greater(circularity.max_distance, distance);
             circularity.mean_distance += share * distance;
@@ -82,16 +87,6 @@ impl Measures {
 
 fn greater(a: f64, b: f64) -> f64 {
     if b > a { b } else { a }
-}
-
-fn largest_and_mean_square(distances: impl Iterator<Item = f64>) -> (f64, f64) {
-    let (mut largest, mut sum, mut n) = (0.0, 0.0, 0.0);
-    for distance in distances {
-        largest = greater(largest, distance);
-        sum += distance * distance;
-        n += 1.0;
-    }
-    (largest, sum / n)
 }
 
 /// The distance between the lines of the two diagonals of a quad, over their mean length; 0 where
