@@ -12,7 +12,7 @@ use minimise::least_distance_squared;
 use random::{Points, Random, centred, distance_squared, farthest, in_frame, size};
 use serde_json::json;
 use shape_up::constraint::{Arity, KINDS, Kind, KindVisitor, Projection};
-use shape_up::math::{LANES, Lane, Lanes, Vec3};
+use shape_up::math::{LANES, Lanes, Vec3};
 use shapes::{NOISE, Shape, shape};
 use std::fmt;
 
@@ -291,7 +291,7 @@ fn approximate_kinds_stay_within_their_stated_excess() {
         let id = kind.info().id;
         let Shape { sample, parameters, closest, excess, .. } = shape(id);
         for (noise, bound) in NOISE.into_iter().zip(excess) {
-            for n in [6, 8] {
+            for n in [8, 12] {
                 let (mut sum, mut worst) = (0.0, 0.0f64);
                 for seed in 0..25 {
                     let mut random = Random::new(seed);
@@ -387,9 +387,12 @@ fn finite_and_feasible_on_degenerate_input() {
                     assert!(finite, "{}, n = {n}, {name} times {scale}: {found:?}", info.id);
                 }
                 let found = centred(&project(&kind, &rest, &points));
+                if size(&found) == 0.0 {
+                    continue;
+                }
                 let residual = (shape(info.id).residual)(&found);
                 assert!(
-                    residual <= 1e-10 || size(&found) == 0.0,
+                    residual <= 1e-10,
                     "{}, n = {n}, {name}: misses the shape by {residual:e}",
                     info.id
                 );

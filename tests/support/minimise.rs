@@ -7,7 +7,7 @@ use shape_up::math::Vec3;
 
 /// The least sum of squared distances that `starts` searches find. `closest` gives the point of
 /// the shape with the given parameters that is closest to a point.
-pub fn least_distance_squared(
+pub(crate) fn least_distance_squared(
     points: &[Vec3<f64>],
     parameters: usize,
     closest: fn(&[f64], Vec3<f64>) -> Vec3<f64>,
@@ -38,7 +38,7 @@ fn descend(
 ) -> f64 {
     let mut r = residual(&p);
     let mut damping = 1e-2;
-    for _ in 0..200 {
+    for _ in 0..60 {
         let mut jacobian = DMatrix::zeros(r.len(), p.len());
         for j in 0..p.len() {
             let step = 1e-6 * extent.max(p[j].abs());

@@ -3,13 +3,13 @@
 use shape_up::math::Vec3;
 
 /// A point set in one constraint.
-pub type Points = Vec<Vec3<f64>>;
+pub(crate) type Points = Vec<Vec3<f64>>;
 
 /// Marsaglia's xorshift.
-pub struct Random(u64);
+pub(crate) struct Random(u64);
 
 impl Random {
-    pub fn new(seed: u64) -> Random {
+    pub(crate) fn new(seed: u64) -> Random {
         let mut random = Random(0x9E37_79B9_7F4A_7C15 ^ seed.wrapping_mul(0xD129_42D7_35A1_5B57));
         for _ in 0..8 {
             random.uniform();
@@ -18,7 +18,7 @@ impl Random {
     }
 
     /// Between -1 and 1.
-    pub fn uniform(&mut self) -> f64 {
+    pub(crate) fn uniform(&mut self) -> f64 {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;
         self.0 ^= self.0 << 17;
@@ -26,12 +26,12 @@ impl Random {
     }
 
     /// In the cube from -1 to 1.
-    pub fn vector(&mut self) -> Vec3<f64> {
+    pub(crate) fn vector(&mut self) -> Vec3<f64> {
         Vec3::new(self.uniform(), self.uniform(), self.uniform())
     }
 
     /// On the unit sphere, evenly.
-    pub fn direction(&mut self) -> Vec3<f64> {
+    pub(crate) fn direction(&mut self) -> Vec3<f64> {
         loop {
             let v = self.vector();
             let length = v.length();
@@ -42,7 +42,7 @@ impl Random {
     }
 
     /// An orthonormal, right-handed frame.
-    pub fn frame(&mut self) -> [Vec3<f64>; 3] {
+    pub(crate) fn frame(&mut self) -> [Vec3<f64>; 3] {
         let a = self.direction();
         loop {
             let b = self.direction();
@@ -55,7 +55,7 @@ impl Random {
     }
 
     /// The numbers from 0 to `n` - 1 in random order.
-    pub fn permutation(&mut self, n: usize) -> Vec<usize> {
+    pub(crate) fn permutation(&mut self, n: usize) -> Vec<usize> {
         let mut order: Vec<usize> = (0..n).collect();
         for i in (1..n).rev() {
             let j = ((self.uniform() + 1.0) / 2.0 * (i + 1) as f64) as usize;
@@ -65,7 +65,7 @@ impl Random {
     }
 
     /// `n` points in a box whose sides are up to 1, 1 and `flatness`, turned at random.
-    pub fn cloud(&mut self, n: usize, flatness: f64) -> Points {
+    pub(crate) fn cloud(&mut self, n: usize, flatness: f64) -> Points {
         let frame = self.frame();
         (0..n)
             .map(|_| {
@@ -77,23 +77,23 @@ impl Random {
 }
 
 /// The point with coordinates `v` in `frame`.
-pub fn in_frame(frame: [Vec3<f64>; 3], v: Vec3<f64>) -> Vec3<f64> {
+pub(crate) fn in_frame(frame: [Vec3<f64>; 3], v: Vec3<f64>) -> Vec3<f64> {
     frame[0] * v.x + frame[1] * v.y + frame[2] * v.z
 }
 
 /// The points minus their mean.
-pub fn centred(points: &[Vec3<f64>]) -> Points {
+pub(crate) fn centred(points: &[Vec3<f64>]) -> Points {
     let sum = points.iter().fold(Vec3::zero(), |sum, v| sum + *v);
     points.iter().map(|v| *v - sum * (1.0 / points.len() as f64)).collect()
 }
 
 /// The greatest distance from the origin.
-pub fn size(points: &[Vec3<f64>]) -> f64 {
+pub(crate) fn size(points: &[Vec3<f64>]) -> f64 {
     points.iter().fold(0.0, |m, v| v.length().max(m))
 }
 
 /// The greatest distance between points of the same index.
-pub fn farthest(a: &[Vec3<f64>], b: &[Vec3<f64>]) -> f64 {
+pub(crate) fn farthest(a: &[Vec3<f64>], b: &[Vec3<f64>]) -> f64 {
     a.iter().zip(b).fold(0.0, |m, (p, q)| {
         let distance = (*p - *q).length();
         if distance.is_nan() { f64::INFINITY } else { distance.max(m) }
@@ -101,6 +101,6 @@ pub fn farthest(a: &[Vec3<f64>], b: &[Vec3<f64>]) -> f64 {
 }
 
 /// The sum of squared distances between points of the same index.
-pub fn distance_squared(a: &[Vec3<f64>], b: &[Vec3<f64>]) -> f64 {
+pub(crate) fn distance_squared(a: &[Vec3<f64>], b: &[Vec3<f64>]) -> f64 {
     a.iter().zip(b).map(|(p, q)| (*p - *q).length_squared()).sum()
 }

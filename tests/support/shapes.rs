@@ -7,27 +7,27 @@ use nalgebra::DMatrix;
 use shape_up::math::Vec3;
 
 /// An independent account of one kind.
-pub struct Shape {
+pub(crate) struct Shape {
     /// `n` points that have the shape, of size about one.
-    pub sample: fn(&mut Random, usize) -> Points,
+    pub(crate) sample: fn(&mut Random, usize) -> Points,
     /// Zero exactly where the centred points have the shape; relative to their size.
-    pub residual: fn(&[Vec3<f64>]) -> f64,
+    pub(crate) residual: fn(&[Vec3<f64>]) -> f64,
     /// Whether the order of the vertices matters (up to where one begins to count).
-    pub ordered: bool,
+    pub(crate) ordered: bool,
     /// How many free parameters describe the shape.
-    pub parameters: usize,
+    pub(crate) parameters: usize,
     /// The point closest to `v` on the shape with these parameters.
-    pub closest: fn(&[f64], Vec3<f64>) -> Vec3<f64>,
+    pub(crate) closest: fn(&[f64], Vec3<f64>) -> Vec3<f64>,
     /// For kinds that are not exact: how much greater than the least the squared distance may be,
     /// as a fraction, for shapes disturbed by [`NOISE`].
-    pub excess: [f64; 3],
+    pub(crate) excess: [f64; 3],
 }
 
 /// Disturbance of a shape of size about one, for [`Shape::excess`].
-pub const NOISE: [f64; 3] = [0.01, 0.1, 0.3];
+pub(crate) const NOISE: [f64; 3] = [0.01, 0.1, 0.3];
 
 /// The account of the kind named `id`.
-pub fn shape(id: &str) -> Shape {
+pub(crate) fn shape(id: &str) -> Shape {
     match id {
         "line" => Shape {
             sample: |random, n| {
@@ -68,7 +68,7 @@ pub fn shape(id: &str) -> Shape {
                 let d = d - n * (d.dot(n) / n.length_squared());
                 c + d * (p[6] / d.length())
             },
-            excess: [1e-3, 0.1, 1.0],
+            excess: [5e-4, 0.05, 0.3],
         },
         "sphere" => Shape {
             sample: |random, n| {
@@ -105,6 +105,7 @@ fn on_circle(random: &mut Random, e: Vec3<f64>, f: Vec3<f64>) -> Vec3<f64> {
 
 /// The three singular values of the points as an n-by-3 matrix, greatest first.
 fn singular_values(v: &[Vec3<f64>]) -> [f64; 3] {
+    assert!(v.iter().all(|p| p.length_squared().is_finite()), "not finite: {v:?}");
     let rows: Vec<f64> = v.iter().flat_map(|p| [p.x, p.y, p.z]).collect();
     let mut values: Vec<f64> = DMatrix::from_row_slice(v.len(), 3, &rows)
         .svd(false, false)
