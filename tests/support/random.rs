@@ -53,27 +53,6 @@ impl Random {
             }
         }
     }
-
-    /// The numbers from 0 to `n` - 1 in random order.
-    pub(crate) fn permutation(&mut self, n: usize) -> Vec<usize> {
-        let mut order: Vec<usize> = (0..n).collect();
-        for i in (1..n).rev() {
-            let j = ((self.uniform() + 1.0) / 2.0 * (i + 1) as f64) as usize;
-            order.swap(i, j.min(i));
-        }
-        order
-    }
-
-    /// `n` points in a box whose sides are up to 1, 1 and `flatness`, turned at random.
-    pub(crate) fn cloud(&mut self, n: usize, flatness: f64) -> Points {
-        let frame = self.frame();
-        (0..n)
-            .map(|_| {
-                let v = self.vector();
-                in_frame(frame, Vec3::new(v.x, v.y, v.z * flatness))
-            })
-            .collect()
-    }
 }
 
 /// The point with coordinates `v` in `frame`.

@@ -2,7 +2,7 @@
 //! a measure of how far points are from having it, and its set described by free parameters, for
 //! brute force. A new kind adds its row to [`shape`].
 
-use crate::random::{Points, Random, size};
+use crate::random::{Points, Random, in_frame, size};
 use nalgebra::DMatrix;
 use shape_up::math::Vec3;
 
@@ -44,7 +44,7 @@ pub(crate) fn shape(id: &str) -> Shape {
             excess: [0.0; 3],
         },
         "plane" => Shape {
-            sample: |random, n| random.cloud(n, 0.0),
+            sample: |random, n| cloud(random, n, 0.0),
             residual: |v| singular_values(v)[2] / size(v),
             ordered: false,
             parameters: 4,
@@ -86,6 +86,17 @@ pub(crate) fn shape(id: &str) -> Shape {
         },
         _ => panic!("the kind '{id}' has no account in tests/support/shapes.rs"),
     }
+}
+
+/// `n` points in a box whose sides are up to 1, 1 and `flatness`, turned at random.
+pub(crate) fn cloud(random: &mut Random, n: usize, flatness: f64) -> Points {
+    let frame = random.frame();
+    (0..n)
+        .map(|_| {
+            let v = random.vector();
+            in_frame(frame, Vec3::new(v.x, v.y, v.z * flatness))
+        })
+        .collect()
 }
 
 fn at(p: &[f64], i: usize) -> Vec3<f64> {
