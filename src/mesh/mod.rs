@@ -29,8 +29,10 @@ mod problem;
 mod ragged;
 mod read;
 mod stream;
+mod surroundings;
 mod survey;
 mod topology;
+mod tree;
 mod triangle;
 
 pub use closest::Surface;
