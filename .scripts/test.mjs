@@ -19,6 +19,9 @@ const forModule = (feature) => [
 const clippy = (...args) => ['cargo', ['clippy', '--locked', ...args, '--', '-D', 'warnings']];
 
 const styled = '**/*.{js,mjs,css,html}';
+const scriptTests = readdirSync(at('tests', 'scripts'))
+  .filter((name) => name.endsWith('.test.mjs'))
+  .map((name) => `tests/scripts/${name}`);
 const wasmTests = modules.filter((feature) =>
   readdirSync(at('tests')).some(
     (name) => name.startsWith(`wasm_${feature}`) && name.endsWith('.rs'),
@@ -35,7 +38,7 @@ const steps = [
   },
   {
     title: 'tests of the scripts',
-    run: ['node', ['--test', '--test-reporter=tap', 'tests/scripts/']],
+    run: ['node', ['--test', '--test-reporter=tap', ...scriptTests]],
     count: 'node',
   },
   { title: 'lints of Rust, native', run: clippy('--all-targets') },
