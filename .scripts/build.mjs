@@ -1,0 +1,27 @@
+// npm run build: the static site in dist/.
+
+import { fileURLToPath } from 'node:url';
+import { writeExamples } from './examples.mjs';
+import { main } from './run.mjs';
+import { setUp } from './setup.mjs';
+import { bundleSite } from './site.mjs';
+import { buildModule, modules } from './wasm.mjs';
+
+/** Everything that the page loads, in `www/`. */
+export async function buildParts() {
+  for (const feature of modules) await buildModule(feature);
+  await writeExamples();
+}
+
+/** The site, in `dist/`. */
+export async function build() {
+  await buildParts();
+  await bundleSite();
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  await main(async () => {
+    await setUp({ checks: false });
+    await build();
+  });
+}

@@ -1,0 +1,70 @@
+// A server of static files on this machine: dist/ for `npm start` and for the page tests.
+// As a program: node .scripts/serve.mjs [PORT] [BASE], the base being the path in front of the site.
+
+import { createReadStream, statSync } from 'node:fs';
+import { createServer } from 'node:http';
+import { extname, join, sep } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { at } from './project.mjs';
+import { main, Problem } from './run.mjs';
+
+const host = '127.0.0.1';
+
+// A browser refuses to compile .wasm, or to run a module, of another type.
+const types = {
+  '.css': 'text/css; charset=utf-8',
+  '.html': 'text/html; charset=utf-8',
+  '.js': 'text/javascript; charset=utf-8',
+  '.json': 'application/json; charset=utf-8',
+  '.map': 'application/json; charset=utf-8',
+  '.obj': 'model/obj',
+  '.svg': 'image/svg+xml',
+  '.wasm': 'application/wasm',
+  '.webmanifest': 'application/manifest+json',
+};
+
+/** The file that a request means, or null. */
+function fileOf(folder, base, url) {
+  try {
+    const path = decodeURIComponent(new URL(url, 'http://localhost').pathname);
+    if (!path.startsWith(base)) return null;
+    const file = join(folder, path.slice(base.length), path.endsWith('/') ? 'index.html' : '');
+    return file.startsWith(folder + sep) && statSync(file).isFile() ? file : null;
+  } catch {
+    return null;
+  }
+}
+
+/** Serves `folder` and resolves with { address, close }. Takes the next free port if one is taken. */
+export function serve(folder, { port, base = '/' }) {
+  const server = createServer((request, response) => {
+    const file = fileOf(folder, base, request.url);
+    if (!file) {
+      response.writeHead(404, { 'content-type': 'text/plain' }).end('Not found\n');
+      return;
+    }
+    const type = types[extname(file)] ?? 'application/octet-stream';
+    response.writeHead(200, { 'content-type': type, 'cache-control': 'no-cache' });
+    createReadStream(file).pipe(response);
+  });
+  return new Promise((done, reject) => {
+    let next = port;
+    server.on('error', (error) => {
+      if (error.code === 'EADDRINUSE' && next < port + 100) server.listen(++next, host);
+      else reject(new Problem(`Cannot serve on ${host}:${next}: ${error.message}`));
+    });
+    server.on('listening', () => {
+      const address = `http://${host}:${server.address().port}${base}`;
+      done({ address, close: () => server.close() });
+    });
+    server.listen(next, host);
+  });
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  const [port = '4173', base = '/'] = process.argv.slice(2);
+  await main(async () => {
+    const { address } = await serve(at('dist'), { port: Number(port), base });
+    console.log(address);
+  });
+}

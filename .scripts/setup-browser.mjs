@@ -1,0 +1,35 @@
+// A browser for the tests: the system's where there is one, else Playwright's own download, else
+// the system's package.
+
+import * as apt from './apt.mjs';
+import { findBrowser } from './browser.mjs';
+import { Problem, run, say } from './run.mjs';
+
+/** Makes sure that `findBrowser` finds one. */
+export async function setUpBrowser() {
+  if (await findBrowser()) return;
+  const ways = [downloadChromium, ...(apt.canInstall() ? [installChromium] : [])];
+  for (const way of ways) {
+    try {
+      await way();
+      if (await findBrowser()) return;
+    } catch (error) {
+      if (!(error instanceof Problem)) throw error;
+      say(error.message);
+    }
+  }
+  throw new Problem('No browser for the tests. Install one: sudo apt install chromium');
+}
+
+async function downloadChromium() {
+  say("downloading Playwright's Chromium");
+  const withLibraries = apt.canInstall() ? ['--with-deps'] : [];
+  await run('npx', ['playwright', 'install', ...withLibraries, 'chromium'], {
+    env: { PLAYWRIGHT_DOWNLOAD_CONNECTION_TIMEOUT: '10000' },
+  });
+}
+
+async function installChromium() {
+  say('installing the system package chromium');
+  await apt.install('chromium');
+}

@@ -1,0 +1,24 @@
+// Everything that a fresh machine with Rust and Node lacks. Looks first, so that the second time
+// takes well under a second.
+
+import { setUpBindgen } from './setup-bindgen.mjs';
+import { setUpBrowser } from './setup-browser.mjs';
+import { setUpPackages } from './setup-packages.mjs';
+import { setUpRust } from './setup-rust.mjs';
+import { Problem } from './run.mjs';
+
+const oldestNode = [20, 19];
+
+/** Sets up what building needs; with `checks` also what `npm test` needs. */
+export async function setUp({ checks }) {
+  const [major, minor] = process.versions.node.split('.').map(Number);
+  if (major < oldestNode[0] || (major === oldestNode[0] && minor < oldestNode[1])) {
+    throw new Problem(
+      `Node ${oldestNode.join('.')} or newer is needed, this is ${process.version}`,
+    );
+  }
+  await setUpRust({ checks });
+  await setUpPackages();
+  await setUpBindgen();
+  if (checks) await setUpBrowser();
+}

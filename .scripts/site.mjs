@@ -1,0 +1,22 @@
+// The static site: the page bundled with everything it loads, in dist/.
+
+import { at } from './project.mjs';
+import { Problem, say } from './run.mjs';
+import { filesUnder, unlessUnchanged } from './stamp.mjs';
+
+export const viteConfig = at('.scripts', 'vite.config.mjs');
+
+/** Bundles `www/` into `dist/`. */
+export async function bundleSite() {
+  say('bundling the page into dist/');
+  const inputs = [...filesUnder(at('www')), viteConfig, at('package-lock.json')];
+  const output = at('dist', 'index.html');
+  await unlessUnchanged({ name: 'site', inputs, output }, async () => {
+    const vite = await import('vite');
+    try {
+      await vite.build({ configFile: viteConfig, logLevel: 'warn' });
+    } catch (error) {
+      throw new Problem(`The page cannot be bundled: ${error.message}`);
+    }
+  });
+}

@@ -1,0 +1,96 @@
+// npm test: every check, the fast ones first, and at the end how many tests passed.
+
+import { readdirSync } from 'node:fs';
+import { countTests } from './count.mjs';
+import { at, wasmTarget } from './project.mjs';
+import { main } from './run.mjs';
+import { setUp } from './setup.mjs';
+import { step } from './step.mjs';
+import { modules } from './wasm.mjs';
+
+const tool = (name) => at('node_modules', '.bin', name);
+const forModule = (feature) => [
+  '--target',
+  wasmTarget,
+  '--no-default-features',
+  '--features',
+  feature,
+];
+const clippy = (...args) => ['cargo', ['clippy', '--locked', ...args, '--', '-D', 'warnings']];
+
+const styled = '**/*.{js,mjs,css,html}';
+const wasmTests = modules.filter((feature) =>
+  readdirSync(at('tests')).some(
+    (name) => name.startsWith(`wasm_${feature}`) && name.endsWith('.rs'),
+  ),
+);
+
+/** Title, program, arguments, and which kind of test counts it prints, if any. */
+const steps = [
+  { title: 'format of Rust', run: ['cargo', ['fmt', '--check']] },
+  { title: 'format of the page', run: [tool('prettier'), ['--check', styled]] },
+  {
+    title: 'lints of JavaScript',
+    run: [tool('eslint'), ['--config', '.scripts/eslint.config.mjs', '--max-warnings', '0', '.']],
+  },
+  {
+    title: 'tests of the scripts',
+    run: ['node', ['--test', '--test-reporter=tap', 'tests/scripts/']],
+    count: 'node',
+  },
+  { title: 'lints of Rust, native', run: clippy('--all-targets') },
+  ...modules.map((feature) => ({
+    title: `lints of Rust, ${feature} module`,
+    run: clippy('--lib', ...forModule(feature)),
+  })),
+  {
+    // Compiled with both features, or the links between the rooms would not all resolve.
+    title: 'documentation',
+    run: ['cargo', ['doc', '--locked', '--no-deps', ...forModule(modules.join(','))]],
+    env: { RUSTDOCFLAGS: '-D warnings' },
+  },
+  { title: 'native tests', run: ['cargo', ['test', '--locked', '--no-fail-fast']], count: 'cargo' },
+  ...wasmTests.map((feature) => ({
+    title: `tests of the ${feature} module in the browser`,
+    run: [
+      'cargo',
+      ['test', '--locked', '--no-fail-fast', ...forModule(feature), '--test', `wasm_${feature}*`],
+    ],
+    env: { CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER: 'node .scripts/wasm-test-runner.mjs' },
+    count: 'cargo',
+  })),
+  { title: 'build of the site', run: ['node', ['.scripts/build.mjs']] },
+  {
+    // After the build, which writes the declarations of the two modules.
+    title: 'types of the page',
+    run: [tool('tsc'), ['--project', '.scripts/tsconfig.json']],
+  },
+  {
+    title: 'tests of the page in the browser',
+    run: [tool('playwright'), ['test', '--config', 'tests/page/playwright.config.mjs']],
+    count: 'playwright',
+  },
+  { title: 'sizes', run: ['node', ['.scripts/sizes.mjs']], show: true },
+];
+
+await main(async () => {
+  await setUp({ checks: true });
+  const sum = { passed: 0, failed: 0 };
+  for (const { title, run, env, count, show } of steps) {
+    const { ok, output } = await step(title, ...run, env);
+    if (count) {
+      const { passed, failed } = countTests(count, output);
+      console.log(`    ${passed} passed, ${failed} failed`);
+      sum.passed += passed;
+      sum.failed += failed;
+    }
+    if (show && ok) console.log(output);
+    if (!ok) {
+      // A step without tests of its own fails as one.
+      sum.failed = Math.max(sum.failed, 1);
+      process.exitCode = 1;
+      break;
+    }
+  }
+  console.log(`${sum.passed} passed, ${sum.failed} failed`);
+});

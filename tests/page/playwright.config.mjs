@@ -1,0 +1,50 @@
+// The page tests: dist/ on a port of its own, in a desktop and in a phone window.
+
+import { defineConfig } from '@playwright/test';
+import { createServer } from 'node:net';
+import { browserFlags, findBrowser } from '../../.scripts/browser.mjs';
+
+/** A port that nobody listens on now. */
+function freePort() {
+  return new Promise((done) => {
+    const probe = createServer().listen(0, '127.0.0.1', () => {
+      const { port } = probe.address();
+      probe.close(() => done(port));
+    });
+  });
+}
+
+// This file is read again in every worker process, which inherits the choice of the first.
+process.env.SHAPE_UP_TEST_PORT ??= String(await freePort());
+const port = process.env.SHAPE_UP_TEST_PORT;
+// Not the top of the host: the site has to work from any sub-path.
+const base = '/some/sub-path/';
+const url = `http://127.0.0.1:${port}${base}`;
+
+export default defineConfig({
+  testDir: '.',
+  testMatch: '*.spec.mjs',
+  outputDir: '../../test-results',
+  reporter: 'list',
+  retries: 0,
+  workers: 1,
+  forbidOnly: true,
+  // SwiftShader draws a few pictures a second on two cores.
+  timeout: 120_000,
+  expect: { timeout: 30_000 },
+  use: {
+    baseURL: url,
+    trace: 'retain-on-failure',
+    screenshot: 'only-on-failure',
+    launchOptions: { executablePath: (await findBrowser()) ?? undefined, args: browserFlags },
+  },
+  projects: [
+    { name: 'desktop', use: { viewport: { width: 1440, height: 900 } } },
+    { name: 'phone', use: { viewport: { width: 390, height: 844 } } },
+  ],
+  webServer: {
+    command: `node ../../.scripts/serve.mjs ${port} ${base}`,
+    url,
+    reuseExistingServer: false,
+  },
+});

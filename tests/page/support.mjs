@@ -1,0 +1,85 @@
+// What the page tests share: a `test` that fails on any complaint of the browser, and the page's
+// own scripting interface, `window.shapeUp`.
+
+import { test as base, expect } from '@playwright/test';
+import { decodePng, distinctColours } from './picture.mjs';
+
+export { expect };
+
+/** What the console may say, and why. */
+const allowed = [
+  // wgpu says so where WebGPU has no adapter, then takes WebGL2.
+  /No available adapters\./,
+  // Chromium, while a screenshot reads the canvas back.
+  /GPU stall due to ReadPixels/,
+];
+
+/** Fails a test when the page throws, or when the console has an error or a warning. */
+export const test = base.extend({
+  complaints: [
+    async ({ page }, use) => {
+      const complaints = [];
+      page.on('pageerror', (error) => complaints.push(`uncaught: ${error.stack ?? error}`));
+      page.on('console', (message) => {
+        if (!['error', 'warning'].includes(message.type())) return;
+        if (allowed.some((pattern) => pattern.test(message.text()))) return;
+        complaints.push(`console ${message.type()}: ${message.text()} ${message.location().url}`);
+      });
+      await use(complaints);
+      expect(complaints, 'complaints of the browser').toEqual([]);
+    },
+    { auto: true },
+  ],
+});
+
+/** Opens the page and waits until a mesh is there. `query`: the address's, without "?". */
+export async function openPage(page, query = '') {
+  await page.goto(query ? `./?${query}` : './');
+  await page.waitForFunction(() => window.shapeUp?.state().vertices > 0);
+}
+
+/** `window.shapeUp.state()`. */
+export const state = (page) => page.evaluate(() => window.shapeUp.state());
+
+/**
+ * Waits until `condition(state, argument)` holds and returns the state. The condition runs in the
+ * page: it sees nothing of the test but its argument.
+ */
+export async function waitForState(page, condition, argument, options) {
+  await page.waitForFunction(
+    ([text, given]) => {
+      const now = window.shapeUp.state();
+      // The text is a function of this file's callers.
+      return new Function('state', 'given', `return (${text})(state, given)`)(now, given);
+    },
+    [condition.toString(), argument],
+    options,
+  );
+  return state(page);
+}
+
+/** The position of a vertex, in file coordinates. */
+export const positionOf = (page, vertex) =>
+  page.evaluate((v) => [...window.shapeUp.positions().slice(3 * v, 3 * v + 3)], vertex);
+
+/** Where a vertex is on the page, [x, y] in CSS pixels. Fails when it is hidden. */
+export async function screenOf(page, vertex) {
+  const point = await page.evaluate((v) => window.shapeUp.screen(v), vertex);
+  expect(point, `vertex ${vertex} is on the screen`).not.toBeNull();
+  return point;
+}
+
+/** Drags a vertex by [dx, dy] CSS pixels with the mouse, in a few moves. */
+export async function dragVertex(page, vertex, [dx, dy]) {
+  const [x, y] = await screenOf(page, vertex);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + dx, y + dy, { steps: 5 });
+  await page.mouse.up();
+}
+
+/** How many different colours the 3D view shows; a blank one has one. */
+export async function coloursOfView(page) {
+  const view = page.getByRole('application', { name: '3D view' });
+  return distinctColours(decodePng(await view.screenshot()));
+}
