@@ -8,12 +8,16 @@ const DIGITS = 3;
  * @returns {string}
  */
 export function number(value) {
-  if (!Number.isFinite(value)) return "–";
-  if (value === 0) return "0";
+  if (!Number.isFinite(value)) return '–';
+  if (value === 0) return '0';
   const size = Math.abs(value);
-  if (size < 1e-3 || size >= 1e6) return value.toExponential(DIGITS - 1).replace("-", "−").replace("e+", "e");
+  if (size < 1e-3 || size >= 1e6)
+    return value
+      .toExponential(DIGITS - 1)
+      .replace('-', '−')
+      .replace('e+', 'e');
   if (size >= 1000) return String(Math.round(value));
-  return value.toPrecision(DIGITS).replace("-", "−");
+  return value.toPrecision(DIGITS).replace('-', '−');
 }
 
 /**
@@ -24,19 +28,27 @@ export function number(value) {
  * @returns {{ unit: string, factor: number }}
  */
 export function lengthUnit(size, units) {
-  if (units === "m" && Math.abs(size) < 0.1) return { unit: "mm", factor: 1000 };
+  if (units === 'm' && Math.abs(size) < 0.1) return { unit: 'mm', factor: 1000 };
   return { unit: units, factor: 1 };
 }
 
+/** Below this many millimetres a length says nothing about a building. */
+const LEAST_MM = 0.001;
+
 /**
- * A length with its unit; what is below a nanometre-like fraction of everything reads as zero.
+ * A length with its unit.
  * @param {number} value in units of the mesh
  * @param {string} units
  * @returns {string}
  */
 export function length(value, units) {
   const { unit, factor } = lengthUnit(value, units);
-  return unit ? `${number(value * factor)} ${unit}` : number(value);
+  const scaled = value * factor;
+  if (!unit) return number(scaled);
+  if (unit === 'mm' && scaled !== 0 && Math.abs(scaled) < 1) {
+    return Math.abs(scaled) < LEAST_MM ? `< ${LEAST_MM} mm` : `${scaled.toFixed(3)} mm`;
+  }
+  return `${number(scaled)} ${unit}`;
 }
 
 /**
@@ -65,5 +77,5 @@ export function count(value, noun, plural = `${noun}s`) {
  */
 export function groupDigits(value) {
   const digits = String(value);
-  return digits.length < 5 ? digits : digits.replace(/\B(?=(\d{3})+$)/g, "\u2009");
+  return digits.length < 5 ? digits : digits.replace(/\B(?=(\d{3})+$)/g, '\u2009');
 }

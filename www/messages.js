@@ -197,7 +197,7 @@
  * - `scene`: the scene file's text, whenever it changed and the solver rests, and now and then
  *   during a run: what a dead worker is replaced with.
  * - `frame`: a state of the iteration. `trace` has six numbers per iteration since the last frame:
- *   iteration, shape, close, smooth, handles, total. `values` is the chosen measure, `#F`;
+ *   iteration, shape, close, smooth, handles, total. `values` are those of `measure`, `#F`;
  *   `shapes` the fitted shapes, eight numbers each.
  * - `activity`: whether the solver runs (Run was pressed and it has not converged); sent after the
  *   frame that belongs to it.
@@ -208,7 +208,7 @@
  *   | { type: "document", document: SceneDocument }
  *   | { type: "scene", text: string, iteration: number }
  *   | { type: "frame", numbers: Numbers, trace: Float64Array, positions: Float64Array,
- *       values: Float32Array | null, shapes: Float32Array | null }
+ *       measure: Measure | null, values: Float32Array | null, shapes: Float32Array | null }
  *   | { type: "activity", running: boolean, converged: boolean }
  *   | { type: "trouble", message: string }
  *   | { type: "died", message: string }
@@ -228,7 +228,7 @@ export const TRACE_WIDTH = 6;
  * @returns {string}
  */
 export function messageOf(thrown) {
-  if (typeof thrown === "string") return thrown;
-  if (thrown && typeof thrown === "object" && "message" in thrown) return String(thrown.message);
+  if (typeof thrown === 'string') return thrown;
+  if (thrown && typeof thrown === 'object' && 'message' in thrown) return String(thrown.message);
   return String(thrown);
 }

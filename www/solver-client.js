@@ -5,7 +5,7 @@
  * given the last scene that it sent.
  */
 
-import { messageOf } from "./messages.js";
+import { messageOf } from './messages.js';
 
 /** @typedef {import("./messages.js").FromWorker} FromWorker */
 /** @typedef {import("./messages.js").Replies} Replies */
@@ -68,7 +68,7 @@ export class SolverClient extends EventTarget {
    * @param {Transferable[]} [transfer]
    */
   tell(command, transfer = []) {
-    if (command.type === "show") this.#show = command;
+    if (command.type === 'show') this.#show = command;
     this.#say(command, transfer);
   }
 
@@ -77,17 +77,20 @@ export class SolverClient extends EventTarget {
     if (!this.#previous) return;
     const positions = this.#previous;
     this.#previous = null;
-    this.tell({ type: "recycle", positions }, [positions.buffer]);
+    this.tell({ type: 'recycle', positions }, [positions.buffer]);
   }
 
   #start() {
-    const worker = new Worker(new URL("./solver-worker.js", import.meta.url), { type: "module", name: "solver" });
+    const worker = new Worker(new URL('./solver-worker.js', import.meta.url), {
+      type: 'module',
+      name: 'solver',
+    });
     this.#worker = worker;
     this.#ready = false;
     worker.onmessage = (event) => this.#receive(event.data);
     worker.onerror = (event) => {
       event.preventDefault();
-      this.#died(event.message || "its worker could not be loaded");
+      this.#died(event.message || 'its worker could not be loaded');
     };
   }
 
@@ -97,7 +100,8 @@ export class SolverClient extends EventTarget {
    */
   #say(message, transfer = []) {
     if (!this.#worker) {
-      if ("id" in message) this.#answer(message.id, null, new Error("the solver has stopped: reload the page"));
+      if ('id' in message)
+        this.#answer(message.id, null, new Error('the solver has stopped: reload the page'));
     } else if (this.#ready) {
       this.#worker.postMessage(message, transfer);
     } else {
@@ -108,14 +112,14 @@ export class SolverClient extends EventTarget {
   /** @param {FromWorker} message */
   #receive(message) {
     switch (message.type) {
-      case "ready": {
+      case 'ready': {
         this.#ready = true;
         const held = this.#held;
         this.#held = [];
         for (const [early, transfer] of held) this.#say(early, transfer);
         break;
       }
-      case "model":
+      case 'model':
         this.#previous = null;
         this.geometry = {
           connectivity: message.connectivity,
@@ -124,11 +128,11 @@ export class SolverClient extends EventTarget {
           shapes: null,
         };
         break;
-      case "scene":
+      case 'scene':
         this.sceneText = message.text;
         this.sceneIteration = message.iteration;
         break;
-      case "frame": {
+      case 'frame': {
         const { geometry } = this;
         if (!geometry || geometry.positions.length !== message.positions.length) return;
         this.#previous = geometry.positions;
@@ -137,11 +141,11 @@ export class SolverClient extends EventTarget {
         geometry.shapes = message.shapes;
         break;
       }
-      case "reply":
+      case 'reply':
         return this.#answer(message.id, message.value, null);
-      case "refused":
+      case 'refused':
         return this.#answer(message.id, null, new Error(message.message));
-      case "died":
+      case 'died':
         return this.#died(message.message);
     }
     this.dispatchEvent(new CustomEvent(message.type, { detail: message }));
@@ -167,12 +171,19 @@ export class SolverClient extends EventTarget {
     this.#worker?.terminate();
     this.#worker = null;
     this.#held = [];
-    for (const id of [...this.#waiting.keys()]) this.#answer(id, null, new Error(`the solver stopped (${reason})`));
-    this.dispatchEvent(new CustomEvent("activity", { detail: { type: "activity", running: false, converged: false } }));
+    for (const id of [...this.#waiting.keys()])
+      this.#answer(id, null, new Error(`the solver stopped (${reason})`));
+    this.dispatchEvent(
+      new CustomEvent('activity', {
+        detail: { type: 'activity', running: false, converged: false },
+      }),
+    );
 
     if (atStart || again) {
-      const what = again ? "stopped again on the same model" : "could not be started";
-      return this.#notice(`The solver ${what} (${reason}). Reload the page; the last scene can still be saved.`);
+      const what = again ? 'stopped again on the same model' : 'could not be started';
+      return this.#notice(
+        `The solver ${what} (${reason}). Reload the page; the last scene can still be saved.`,
+      );
     }
     this.#start();
     if (this.#show) this.tell(this.#show);
@@ -181,12 +192,15 @@ export class SolverClient extends EventTarget {
     const iteration = this.sceneIteration;
     try {
       const bytes = new TextEncoder().encode(lastScene);
-      await this.request({ type: "open", files: [{ name: "restored.shapeup.json", bytes }] });
+      await this.request({ type: 'open', files: [{ name: 'restored.shapeup.json', bytes }] });
       this.#notice(
         `The solver stopped (${reason}) and was restarted; your model is back at iteration ${iteration}.`,
       );
     } catch (error) {
-      if (this.#worker) this.#notice(`The solver was restarted, but could not take up the scene: ${messageOf(error)}`);
+      if (this.#worker)
+        this.#notice(
+          `The solver was restarted, but could not take up the scene: ${messageOf(error)}`,
+        );
     } finally {
       this.#restoring = false;
     }
@@ -194,6 +208,6 @@ export class SolverClient extends EventTarget {
 
   /** @param {string} message */
   #notice(message) {
-    this.dispatchEvent(new CustomEvent("restarted", { detail: { message } }));
+    this.dispatchEvent(new CustomEvent('restarted', { detail: { message } }));
   }
 }

@@ -4,8 +4,8 @@
  * between messages: whether the solver runs, what is dragged, which buffer is free.
  */
 
-import init, { Solver } from "./pkg/solver/shape_up.js";
-import { SLICE_MS, messageOf } from "./messages.js";
+import init, { Solver } from './pkg/solver/shape_up.js';
+import { SLICE_MS, messageOf } from './messages.js';
 
 /** @typedef {import("./messages.js").ToWorker} ToWorker */
 /** @typedef {import("./messages.js").FromWorker} FromWorker */
@@ -51,12 +51,12 @@ onmessage = (event) => {
 try {
   await init();
   solver = new Solver();
-  post({ type: "ready", kinds: solver.kinds(), elements: solver.elements() });
+  post({ type: 'ready', kinds: solver.kinds(), elements: solver.elements() });
   const held = early ?? [];
   early = null;
   held.forEach(receive);
 } catch (thrown) {
-  post({ type: "died", message: messageOf(thrown) });
+  post({ type: 'died', message: messageOf(thrown) });
 }
 
 /**
@@ -69,43 +69,44 @@ function post(message, transfer = []) {
 
 /** The solver, for calls that only happen after `ready`. */
 function live() {
-  if (!solver) throw new Error("the solver is not there");
+  if (!solver) throw new Error('the solver is not there');
   return solver;
 }
 
 /** @param {ToWorker} message */
 function receive(message) {
   if (!solver) return;
-  if (!("id" in message)) return guard(() => command(message));
+  if (!('id' in message)) return guard(() => command(message));
   try {
-    post({ type: "reply", id: message.id, value: answer(message) });
+    post({ type: 'reply', id: message.id, value: answer(message) });
   } catch (thrown) {
     if (isDeath(thrown)) die(thrown);
-    post({ type: "refused", id: message.id, message: messageOf(thrown) });
+    post({ type: 'refused', id: message.id, message: messageOf(thrown) });
   }
 }
 
 /** @param {Exclude<ToWorker, { id: number }>} message */
 function command(message) {
   switch (message.type) {
-    case "recycle":
-      if (message.positions.length === positionsLength && free.length < 2) free.push(message.positions);
+    case 'recycle':
+      if (message.positions.length === positionsLength && free.length < 2)
+        free.push(message.positions);
       return sendFrame();
-    case "show":
+    case 'show':
       measure = message.measure;
       showShapes = message.shapes;
       unseen = loaded;
       return sendFrame();
-    case "run":
+    case 'run':
       if (!loaded || running) return;
       live().beginRun();
       running = true;
       settled = false;
       sendActivity();
       return queueSlice();
-    case "pause":
+    case 'pause':
       return pause();
-    case "drag":
+    case 'drag':
       return drag(message);
   }
 }
@@ -116,26 +117,26 @@ function command(message) {
  */
 function answer(message) {
   switch (message.type) {
-    case "open":
+    case 'open':
       return open(message.files);
-    case "edit":
+    case 'edit':
       return betweenRuns(() => live().edit(message.edit), null);
-    case "undo":
+    case 'undo':
       pause();
       return betweenRuns(() => live().undo());
-    case "redo":
+    case 'redo':
       pause();
       return betweenRuns(() => live().redo());
-    case "step":
+    case 'step':
       pause();
       return step();
-    case "members":
+    case 'members':
       return live().members(message.constraint);
-    case "preview":
+    case 'preview':
       return live().preview(message.kind, message.on);
-    case "scene":
+    case 'scene':
       return live().scene();
-    case "obj":
+    case 'obj':
       return live().obj();
   }
 }
@@ -144,10 +145,12 @@ function answer(message) {
 function open(files) {
   const isScene = (/** @type {{ name: string }} */ file) => /\.json$/i.test(file.name);
   const main = files.find(isScene) ?? files[0];
+  /** @type {import('./messages.js').NamedBytes | null} */
+  /** @type {import('./messages.js').NamedBytes | null} */
   let companion = null;
   if (isScene(main)) {
     const wanted = live().sceneMeshFile(main.bytes);
-    const base = wanted?.split("/").pop();
+    const base = wanted?.split('/').pop();
     companion = files.find((file) => file !== main && file.name === base) ?? null;
     if (wanted && !companion) {
       throw new Error(`${main.name} needs the mesh file ${wanted}: open both files together`);
@@ -169,7 +172,7 @@ function open(files) {
     curveOffsets: live().curveOffsets(),
     curveIndices: live().curveIndices(),
   };
-  post({ type: "model", loaded: about, connectivity, positions }, [
+  post({ type: 'model', loaded: about, connectivity, positions }, [
     positions.buffer,
     ...Object.values(connectivity).map((array) => array.buffer),
   ]);
@@ -194,6 +197,7 @@ function betweenRuns(edit, value) {
     if (running) live().beginRun();
   }
   settled = false;
+  activityDue = true;
   changed();
   if (running) queueSlice();
   return value === undefined ? result : value;
@@ -228,13 +232,14 @@ function endRun() {
 
 /** @param {Extract<ToWorker, { type: "drag" }>} message */
 function drag({ vertices, targets, phase }) {
-  if (phase === "start") {
+  if (phase === 'start') {
     if (running) live().endRun();
     dragging = true;
-    live().drag(vertices, targets, "start");
+    activityDue = true;
+    live().drag(vertices, targets, 'start');
   } else if (!dragging) {
     return;
-  } else if (phase === "move") {
+  } else if (phase === 'move') {
     move = { vertices, targets };
   } else {
     move = null;
@@ -252,7 +257,7 @@ function slice() {
   sliceQueued = false;
   guard(() => {
     if (move) {
-      live().drag(move.vertices, move.targets, "move");
+      live().drag(move.vertices, move.targets, 'move');
       move = null;
       settled = false;
     }
@@ -284,20 +289,20 @@ function queueSlice() {
 
 /** After an edit, a load, the end of a run or a drag: everything the page keeps is renewed. */
 function changed() {
-  post({ type: "document", document: live().document() });
+  post({ type: 'document', document: live().document() });
   unseen = true;
   sendFrame();
   sendScene();
 }
 
 function sendScene() {
-  post({ type: "scene", text: live().scene(), iteration: numbers().iteration });
+  post({ type: 'scene', text: live().scene(), iteration: numbers().iteration });
   sceneSentAt = performance.now();
 }
 
 function sendActivity() {
   activityDue = false;
-  post({ type: "activity", running, converged: settled });
+  post({ type: 'activity', running, converged: settled });
 }
 
 /** The state of the iteration; what it says of the trace is kept for the next frame. */
@@ -324,7 +329,7 @@ function sendFrame() {
   const transfer = [positions.buffer, told.buffer];
   if (values) transfer.push(values.buffer);
   if (shapes) transfer.push(shapes.buffer);
-  post({ type: "frame", numbers: now, trace: told, positions, values, shapes }, transfer);
+  post({ type: 'frame', numbers: now, trace: told, positions, measure, values, shapes }, transfer);
   unseen = false;
   if (activityDue) sendActivity();
 }
@@ -342,8 +347,8 @@ function guard(action) {
     running = false;
     dragging = false;
     settled = true;
-    post({ type: "trouble", message: messageOf(thrown) });
-    post({ type: "activity", running, converged: false });
+    post({ type: 'trouble', message: messageOf(thrown) });
+    post({ type: 'activity', running, converged: false });
   }
 }
 
@@ -358,5 +363,5 @@ function die(thrown) {
   running = false;
   dragging = false;
   loaded = false;
-  post({ type: "died", message: messageOf(thrown) });
+  post({ type: 'died', message: messageOf(thrown) });
 }

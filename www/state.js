@@ -13,6 +13,7 @@
  * @property {import("./messages.js").KindInfo[]} kinds
  * @property {import("./messages.js").ElementInfo[]} elements
  * @property {Loaded | null} model
+ * @property {boolean} firstExample the model is the one that the page opens with
  * @property {SceneDocument | null} document
  * @property {Numbers | null} numbers
  * @property {boolean} running Run was pressed and the iteration has not converged
@@ -46,21 +47,22 @@ const INITIAL = {
   kinds: [],
   elements: [],
   model: null,
+  firstExample: false,
   document: null,
   numbers: null,
   running: false,
   converged: false,
-  tool: "drag",
-  mode: "vertices",
+  tool: 'drag',
+  mode: 'vertices',
   selection: { vertices: new Set(), faces: new Set() },
   dragged: [],
   tint: null,
-  measure: "circularity",
+  measure: 'circularity',
   range: [0, 0],
   display: { edges: true, vertices: false, shapes: false },
   dark: false,
-  renderer: "starting",
-  status: "",
+  renderer: 'starting',
+  status: '',
 };
 
 /** @returns {Store} */
@@ -82,7 +84,9 @@ export function createStore() {
   return {
     get: () => state,
     set(patch) {
-      const keys = /** @type {(keyof State)[]} */ (Object.keys(patch)).filter((key) => patch[key] !== state[key]);
+      const keys = /** @type {(keyof State)[]} */ (Object.keys(patch)).filter(
+        (key) => patch[key] !== state[key],
+      );
       if (keys.length === 0) return;
       state = { ...state, ...patch };
       if (changed.size === 0) queueMicrotask(notify);
