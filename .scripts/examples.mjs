@@ -8,7 +8,7 @@ import { unlessUnchanged } from './stamp.mjs';
 
 /** Writes them into `www/examples/`. */
 export async function writeExamples() {
-  say('writing the examples');
+  say('building the command line, which writes the examples');
   await run('cargo', ['build', '--locked', '--bin', 'shape-up']);
   const program = join(targetFolder, 'debug', 'shape-up');
   const folder = at('www', 'examples');

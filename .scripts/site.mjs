@@ -8,10 +8,10 @@ export const viteConfig = at('.scripts', 'vite.config.mjs');
 
 /** Bundles `www/` into `dist/`. */
 export async function bundleSite() {
-  say('bundling the page into dist/');
   const inputs = [...filesUnder(at('www')), viteConfig, at('package-lock.json')];
   const output = at('dist', 'index.html');
   await unlessUnchanged({ name: 'site', inputs, output }, async () => {
+    say('bundling the page into dist/');
     const vite = await import('vite');
     try {
       await vite.build({ configFile: viteConfig, logLevel: 'warn' });

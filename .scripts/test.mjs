@@ -63,7 +63,7 @@ const steps = [
   {
     // After the build, which writes the declarations of the two modules.
     title: 'types of the page',
-    run: [tool('tsc'), ['--project', '.scripts/tsconfig.json']],
+    run: [tool('tsc'), ['--pretty', 'false', '--project', '.scripts/tsconfig.json']],
   },
   {
     title: 'tests of the page in the browser',

@@ -1,3 +1,7 @@
-//! The command line (design section 6).
+//! The command line (design section 6): `shape-up solve | check | examples | operators`.
 
-fn main() {}
+mod cli;
+
+fn main() -> std::process::ExitCode {
+    cli::run(std::env::args_os().skip(1).collect())
+}

@@ -11,12 +11,14 @@
 //! The scene format, the command line, the controls of the page, the property tests and the
 //! operator table follow from the declaration.
 
+mod batch;
 mod circle;
 mod line;
 mod plane;
 mod select;
 mod sphere;
 
+pub use batch::{Batch, LocalStep, Row, batches};
 pub use select::{Element, SelectError, Selector, Set, Sets};
 
 use crate::math::{Lane, Vec3};
@@ -26,6 +28,9 @@ use serde::Serialize;
 pub trait Projection: Clone + PartialEq + std::fmt::Debug + 'static {
     /// What the operator is called, takes and guarantees.
     const INFO: Info;
+
+    /// Whether [`Projection::project`] reads the rest points; without, it gets none.
+    const READS_REST: bool = false;
 
     /// Replaces the points `v` (`n` of them, mean-centred) by the closest points that have the
     /// shape. `rest` are the mean-centred rest points `V'`, `n` of them.
@@ -41,6 +46,16 @@ pub trait Projection: Clone + PartialEq + std::fmt::Debug + 'static {
         let _ = v;
         None
     }
+}
+
+/// The mean of the points, and the points minus their mean: `N_i` of paper Eq. 5.
+fn centred(v: &[Vec3<f64>]) -> (Vec3<f64>, Vec<Vec3<f64>>) {
+    let mut sum = Vec3::zero();
+    for p in v {
+        sum += *p;
+    }
+    let mean = sum * (1.0 / v.len() as f64);
+    (mean, v.iter().map(|p| *p - mean).collect())
 }
 
 /// A fitted shape, to be drawn over the mesh.
@@ -102,6 +117,15 @@ impl Arity {
         match self {
             Arity::AtLeast(least) => n >= least,
             Arity::Exactly(exactly) => n == exactly,
+        }
+    }
+}
+
+impl std::fmt::Display for Arity {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Arity::AtLeast(least) => write!(f, "{least} or more vertices"),
+            Arity::Exactly(exactly) => write!(f, "exactly {exactly} vertices"),
         }
     }
 }

@@ -1,10 +1,15 @@
-//! Sphere (paper section 3.1).
+//! Sphere (paper section 3.1): the circle's equation minimised directly over the points in space
+//! (Thomas and Chan).
 
-use super::{Arity, Info, Projection};
-use crate::math::{Lane, Vec3};
+use super::{Arity, Fitted, Info, Projection};
+use crate::math::{Lane, PrincipalAxes, Round, Scatter, Vec3, each_lane};
 use serde::{Deserialize, Serialize};
 
-/// Sphere.
+/// All vertices on one sphere.
+///
+/// Coplanar vertices stay in their plane, the limit of great spheres, and do not move; neither do
+/// collinear and coincident ones. A vertex at the centre goes to the sphere along the longest
+/// principal axis.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Sphere {}
@@ -13,13 +18,66 @@ impl Projection for Sphere {
     const INFO: Info = Info {
         id: "sphere",
         label: "Sphere",
-        summary: "",
+        summary: "The vertices lie on one sphere.",
         paper: "3.1",
-        arity: Arity::AtLeast(3),
+        arity: Arity::AtLeast(4),
         exact: false,
-        colour: [128, 128, 128],
+        colour: [220, 50, 47],
         params: &[],
     };
 
-    fn project<S: Lane>(&self, _rest: &[Vec3<S>], _v: &mut [Vec3<S>]) {}
+    fn project<S: Lane>(&self, _rest: &[Vec3<S>], v: &mut [Vec3<S>]) {
+        if let Some(round) = fit(v) {
+            for p in v {
+                *p = round.closest(*p);
+            }
+        } else if S::WIDTH > 1 {
+            each_lane(v, |one| self.project(&[], one));
+        } else {
+            each_lane(v, project_in_principal_axes);
+        }
+    }
+
+    fn fitted(&self, v: &[Vec3<f64>]) -> Option<Fitted> {
+        let (mean, mut centred) = super::centred(v);
+        let sphere = match fit(&centred) {
+            Some(round) => round.centre_and_radius(),
+            None => {
+                let axes = PrincipalAxes::rotate(&mut centred);
+                let sphere = Round::fit_principal(&centred, 3).centre_and_radius();
+                sphere.map(|(c, r)| (axes.point(c), r * axes.scale))
+            }
+        };
+        sphere.map(|(centre, radius)| Fitted::Sphere { centre: mean + centre, radius })
+    }
+}
+
+/// The sphere in closed form; None when that is not accurate in every lane.
+#[inline(always)]
+fn fit<S: Lane>(v: &[Vec3<S>]) -> Option<Round<S>> {
+    let scatter = Scatter::of(v);
+    let mut h = Vec3::zero();
+    for p in v {
+        h += *p * p.length_squared();
+    }
+    let h = h * S::splat(0.5 / v.len() as f64);
+
+    let adjugate = scatter.unit.adjugate();
+    let determinant = scatter.unit.determinant(adjugate);
+    let s = scatter.mean_square;
+    let round = Round::new(adjugate.times(h), determinant * s, s);
+    let mut good = round.accurate(scatter.in_range);
+    for p in v {
+        good = round.off_centre(*p, good);
+    }
+    good.all_greater(S::zero()).then_some(round)
+}
+
+/// The same for one constraint, accurate for every input.
+fn project_in_principal_axes(v: &mut [Vec3<f64>]) {
+    let axes = PrincipalAxes::rotate(v);
+    let round = Round::fit_principal(v, 3);
+    for p in v {
+        *p = axes.point(round.closest_or_chosen(*p));
+    }
 }

@@ -36,6 +36,8 @@ pub trait Lane:
     fn min(self, other: Self) -> Self;
     /// Lane by lane: `yes` where `self > bound`, else `no`.
     fn if_greater(self, bound: Self, yes: Self, no: Self) -> Self;
+    /// Whether every lane is greater than that of `bound`; false where one is NaN.
+    fn all_greater(self, bound: Self) -> bool;
     /// The value of lane `i`.
     fn lane(self, i: usize) -> f64;
     /// Replaces the value of lane `i`.
@@ -75,6 +77,10 @@ impl Lane for f64 {
     #[inline(always)]
     fn if_greater(self, bound: Self, yes: Self, no: Self) -> Self {
         if self > bound { yes } else { no }
+    }
+    #[inline(always)]
+    fn all_greater(self, bound: Self) -> bool {
+        self > bound
     }
     #[inline(always)]
     fn lane(self, _: usize) -> f64 {
@@ -158,6 +164,10 @@ impl Lane for Lanes {
     #[inline(always)]
     fn if_greater(self, bound: Self, yes: Self, no: Self) -> Self {
         Lanes(std::array::from_fn(|i| if self.0[i] > bound.0[i] { yes.0[i] } else { no.0[i] }))
+    }
+    #[inline(always)]
+    fn all_greater(self, bound: Self) -> bool {
+        (0..LANES).all(|i| self.0[i] > bound.0[i])
     }
     #[inline(always)]
     fn lane(self, i: usize) -> f64 {

@@ -1,8 +1,16 @@
 //! Small dense mathematics under everything else: lanes, 3-vectors of lanes, symmetric 3x3
-//! eigenvectors. Knows of nothing else in the crate.
+//! eigenvectors, principal axes, fitted circles and spheres. Knows of nothing else in the crate.
 
+mod eigenvector;
 mod lane;
+mod principal;
+mod round;
+mod symmetric3;
 mod vec3;
 
+pub use eigenvector::Eigenvector;
 pub use lane::{LANES, Lane, Lanes};
-pub use vec3::Vec3;
+pub use principal::PrincipalAxes;
+pub use round::Round;
+pub use symmetric3::{Scatter, Symmetric3};
+pub use vec3::{Vec3, each_lane};

@@ -3,16 +3,47 @@
 //! | file | holds |
 //! |---|---|
 //! | [`ragged`](self) | lists of lists of vertex indices |
-//! | `read`, `obj`, `off`, `medit` | files in; `obj_write`: OBJ out |
-//! | `problem` | what a file has wrong that can be survived |
+//! | `read` | files in, by format: `obj` with `groups`, `off`, `medit` |
+//! | `lines`, `stream`, `number`, `draft` | what the formats share: text, rows, numbers, the mesh so far |
+//! | `problem`, `survey` | what a file, and a mesh as a whole, has wrong that can be survived |
+//! | `obj_write` | OBJ out |
 //! | `topology` | edges, one-rings, boundary loops, straight edge lines, components |
 //! | `laplacian` | the weights `w_ij` of Eq. 12 |
 //! | `closest` | closest point `c(v)` on the reference surface, Eq. 11 |
 //! | `measure` | planarity, circularity, diagonal ratio of faces; bounding sphere |
 
+mod boundary;
+mod closest;
+mod components;
+mod draft;
+pub mod generate;
+mod groups;
+mod laplacian;
+mod lines;
+mod medit;
+mod number;
+mod obj;
+mod obj_write;
+mod off;
+mod problem;
 mod ragged;
+mod read;
+mod stream;
+mod surroundings;
+mod survey;
+mod topology;
+mod tree;
+mod triangle;
 
+pub use closest::Surface;
+pub use components::components;
+pub use laplacian::{LARGEST_COTANGENT, Laplacian};
+pub use obj_write::write_obj;
+pub use problem::{Element, Problem, ProblemKind};
 pub use ragged::Ragged;
+pub use read::{Read, read};
+pub use survey::survey;
+pub use topology::Topology;
 
 /// A position in space, in the units of the mesh.
 pub type Point = [f64; 3];
@@ -29,7 +60,7 @@ pub struct Mesh {
     pub curves: Ragged,
     /// `#T by 4` indices of vertices.
     pub tets: Vec<[u32; 4]>,
-    /// Named sets of faces and curves, which may overlap.
+    /// Named sets of faces and curves, which may overlap; none is empty. From a file: by first member.
     pub groups: Vec<Group>,
 }
 

@@ -37,6 +37,12 @@ impl Ragged {
         self.indices.extend_from_slice(row);
         self.offsets.push(self.indices.len() as u32);
     }
+    /// Sorts the entries of each row.
+    pub fn sort_rows(&mut self) {
+        for ends in self.offsets.windows(2) {
+            self.indices[ends[0] as usize..ends[1] as usize].sort_unstable();
+        }
+    }
     /// All rows in order.
     pub fn iter(&self) -> impl ExactSizeIterator<Item = &[u32]> + Clone {
         self.offsets.windows(2).map(|w| &self.indices[w[0] as usize..w[1] as usize])

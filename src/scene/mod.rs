@@ -6,6 +6,12 @@
 //! | `validate` | the checks that need the mesh |
 //! | `examples` | the example scenes, on meshes that the project's own generators make |
 
+pub mod examples;
+mod json;
+mod validate;
+
+pub use json::{FORMAT, VERSION};
+
 use crate::constraint::{Kind, Selector, Sets};
 use crate::mesh::{Mesh, Point};
 use std::fmt;

@@ -1,1 +1,276 @@
-//! What every host drives: load, edit, drag, step, undo, report.
+//! What every host drives: open, edit, drag, step, undo, report.
+//!
+//! A session holds one mesh and one document (constraints, handles, weights), and a solver for
+//! it. Every edit is one step of undo; iterating from one point to another is one step too.
+//!
+//! | file | holds |
+//! |---|---|
+//! | `edit` | the edits, and what each one costs |
+//! | `resolve` | rows of constraints: selectors resolved, misfits counted |
+//! | `history` | undo and redo |
+//! | `report` | the report of design section 6 |
+
+mod edit;
+mod history;
+mod report;
+mod resolve;
+
+pub use edit::Edit;
+pub use report::{EnergyReport, Report, Seconds, TraceEntry};
+pub use resolve::ResolvedRow;
+
+use crate::error::Error;
+use crate::mesh::{Mesh, Point, Topology};
+use crate::scene::{HandleSpec, Hold, Scene};
+use crate::solve::{Constraints, Energy, Handle, Problem, Solver};
+use history::{History, Snapshot};
+
+/// A scene that is open.
+pub struct Session {
+    mesh: Mesh,
+    topology: Topology,
+    /// Without handles and current positions: these are the solver's.
+    document: Scene,
+    rows: Vec<ResolvedRow>,
+    solver: Solver,
+    /// See [`Session::iteration`].
+    iteration: u32,
+    initial: Energy,
+    trace: Option<Vec<TraceEntry>>,
+    load_seconds: f64,
+    history: History,
+    gesture: Option<Gesture>,
+}
+
+/// A drag or a run that has begun and is not yet a step of undo.
+struct Gesture {
+    kind: GestureKind,
+    before: Snapshot,
+}
+
+#[derive(PartialEq)]
+enum GestureKind {
+    Drag,
+    Run,
+}
+
+/// What one iteration did.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Step {
+    /// Whether the total changed by no more than the tolerance.
+    pub converged: bool,
+}
+
+impl Session {
+    /// Checks the scene against `mesh`, which is what `scene.mesh` stands for, and sets up the solver.
+    ///
+    /// # Errors
+    /// When the scene does not fit the mesh, a row of constraints is empty, or the system is singular.
+    pub fn open(mut scene: Scene, mesh: Mesh) -> Result<Session, Error> {
+        scene.validate(&mesh)?;
+        let topology = Topology::new(&mesh);
+        let start = scene.current.take().unwrap_or_else(|| mesh.positions.clone());
+        let handles = flat(&std::mem::take(&mut scene.handles), &mesh.positions);
+        let rows = resolve::rows(&scene, &mesh, &topology)?;
+        let solver = solver(&scene, &mesh, &topology, &rows, handles, &start)?;
+        let initial = solver.energy();
+        Ok(Session {
+            mesh,
+            topology,
+            document: scene,
+            rows,
+            solver,
+            iteration: 0,
+            initial,
+            trace: None,
+            load_seconds: 0.0,
+            history: History::default(),
+            gesture: None,
+        })
+    }
+
+    /// The rest shape.
+    pub fn mesh(&self) -> &Mesh {
+        &self.mesh
+    }
+    /// Its topology.
+    pub fn topology(&self) -> &Topology {
+        &self.topology
+    }
+    /// The solver at its current positions.
+    pub fn solver(&self) -> &Solver {
+        &self.solver
+    }
+    /// The document; its handles are those of the solver.
+    pub fn document(&self) -> &Scene {
+        &self.document
+    }
+    /// The rows of constraints, resolved, in the order of the document.
+    pub fn rows(&self) -> &[ResolvedRow] {
+        &self.rows
+    }
+    /// Current positions, `#V by 3`.
+    pub fn positions(&self) -> Vec<Point> {
+        self.solver.positions().collect()
+    }
+    /// Iterations from where the scene starts to the current shape; undo takes them back.
+    pub fn iteration(&self) -> u32 {
+        self.iteration
+    }
+
+    /// The scene as it stands, with current positions when they are not at rest.
+    pub fn scene(&self) -> Scene {
+        let mut scene = self.document.clone();
+        let positions = self.positions();
+        scene.current = (positions != self.mesh.positions).then_some(positions);
+        scene.handles = grouped(self.solver.handles());
+        scene
+    }
+
+    /// One iteration.
+    ///
+    /// # Errors
+    /// When a position leaves the finite numbers; the shape is then that before the step.
+    pub fn step(&mut self) -> Result<Step, Error> {
+        self.solver.step()?;
+        self.iteration += 1;
+        if let Some(trace) = &mut self.trace {
+            trace.push(TraceEntry::new(self.iteration, self.solver.energy()));
+        }
+        Ok(Step { converged: self.solver.converged() })
+    }
+
+    /// Iterates until the tolerance or the limit of the scene is reached.
+    ///
+    /// # Errors
+    /// As [`Session::step`].
+    pub fn solve(&mut self, trace: bool) -> Result<(), Error> {
+        if trace {
+            self.start_trace();
+        }
+        for _ in 0..self.document.solver.iterations {
+            if self.step()?.converged {
+                break;
+            }
+        }
+        self.solver.settle();
+        Ok(())
+    }
+
+    /// Records the energies of every iteration from here on, this one included.
+    pub fn start_trace(&mut self) {
+        self.trace = Some(vec![TraceEntry::new(self.iteration, self.solver.energy())]);
+    }
+
+    /// The energies recorded since the last call.
+    pub fn take_trace(&mut self) -> Vec<TraceEntry> {
+        self.trace.as_mut().map(std::mem::take).unwrap_or_default()
+    }
+
+    /// Begins to drag vertices that are handles; targets move until [`Session::end_drag`].
+    pub fn begin_drag(&mut self) {
+        self.begin(GestureKind::Drag);
+    }
+
+    /// Moves the targets of handles.
+    pub fn drag(&mut self, targets: impl IntoIterator<Item = (u32, Point)>) {
+        self.solver.move_handles(targets);
+    }
+
+    /// Ends a drag: keeps it as one step of undo, or puts everything back.
+    pub fn end_drag(&mut self, keep: bool) {
+        let Some(gesture) = self.gesture.take_if(|g| g.kind == GestureKind::Drag) else {
+            return;
+        };
+        let moved = gesture.before.handles != self.solver.handles();
+        if !keep {
+            self.solver.move_handles(gesture.before.handles.iter().map(|h| (h.vertex, h.target)));
+            self.solver.set_positions(&gesture.before.positions);
+        } else if moved {
+            self.history.push("Move handle".to_owned(), gesture.before);
+        }
+    }
+
+    /// Begins a run: iterations up to [`Session::end_run`] are one step of undo.
+    pub fn begin_run(&mut self) {
+        if self.gesture.is_none() {
+            self.begin(GestureKind::Run);
+        }
+    }
+
+    /// Ends a run, at the lowest total that it saw.
+    pub fn end_run(&mut self) {
+        let Some(gesture) = self.gesture.take_if(|g| g.kind == GestureKind::Run) else {
+            return;
+        };
+        self.solver.settle();
+        let iterations = self.iteration - gesture.before.iteration;
+        if iterations > 0 {
+            let plural = if iterations == 1 { "" } else { "s" };
+            self.history.push(format!("Run, {iterations} iteration{plural}"), gesture.before);
+        }
+    }
+
+    fn begin(&mut self, kind: GestureKind) {
+        self.end_run();
+        self.end_drag(true);
+        self.gesture = Some(Gesture { kind, before: self.snapshot() });
+    }
+
+    /// Seconds that reading the files took, for the report.
+    pub fn set_load_seconds(&mut self, seconds: f64) {
+        self.load_seconds = seconds;
+    }
+}
+
+/// Sets up a solver for the enabled rows.
+fn solver(
+    document: &Scene,
+    mesh: &Mesh,
+    topology: &Topology,
+    rows: &[ResolvedRow],
+    handles: Vec<Handle>,
+    start: &[Point],
+) -> Result<Solver, Error> {
+    let constraints: Vec<Constraints> =
+        rows.iter().filter(|row| row.enabled).map(|row| row.constraints.clone()).collect();
+    let problem = Problem {
+        mesh,
+        topology,
+        constraints: &constraints,
+        weights: document.weights,
+        closeness: document.closeness,
+        smoothness: document.smoothness,
+        settings: document.solver,
+    };
+    Ok(Solver::new(&problem, handles, start)?)
+}
+
+/// One handle per vertex.
+fn flat(specs: &[HandleSpec], rest: &[Point]) -> Vec<Handle> {
+    let mut handles = Vec::new();
+    for spec in specs {
+        for (k, &vertex) in spec.vertices.iter().enumerate() {
+            let target = spec.targets.as_ref().map_or(rest[vertex as usize], |targets| targets[k]);
+            handles.push(Handle { vertex, target, hold: spec.hold });
+        }
+    }
+    handles
+}
+
+/// Runs of handles that hold alike, as the scene file lists them.
+fn grouped(handles: &[Handle]) -> Vec<HandleSpec> {
+    let alike = |a: &Handle, b: &Handle| match (a.hold, b.hold) {
+        (Hold::Fixed, Hold::Fixed) => true,
+        (Hold::Soft { weight: a }, Hold::Soft { weight: b }) => a == b,
+        _ => false,
+    };
+    handles
+        .chunk_by(alike)
+        .map(|run| HandleSpec {
+            vertices: run.iter().map(|handle| handle.vertex).collect(),
+            targets: Some(run.iter().map(|handle| handle.target).collect()),
+            hold: run[0].hold,
+        })
+        .collect()
+}

@@ -1,4 +1,37 @@
 //! The solver (paper section 2.2): assembly, ordering, factorisation, the two-step iteration.
+//!
+//! | file | holds |
+//! |---|---|
+//! | `shape`, `close`, `smooth`, `hold` | the energies of Eq. 13, each with its gradient and its part of the matrix |
+//! | `energy` | their weighted total |
+//! | `assemble` | the normal matrix `Q^T Q` in compressed columns |
+//! | `order` | the order of elimination |
+//! | `factor`, `panels` | `L D L^T`, and the triangular sweeps |
+//! | `system` | these four together: the linear system of the global step |
+//! | `solver` | the iteration |
+//! | `accelerate`, `quasi_newton`, `anderson` | steps that learn from the steps before |
+
+mod accelerate;
+mod anderson;
+mod assemble;
+pub mod clock;
+mod close;
+mod energy;
+mod factor;
+mod hold;
+mod order;
+mod panels;
+mod quasi_newton;
+mod shape;
+mod smooth;
+mod solver;
+mod system;
+
+pub use energy::{Energy, IterateSeconds};
+pub use hold::Handle;
+pub use shape::Constraints;
+pub use solver::{Problem, Solver};
+pub use system::{SetUpSeconds, System};
 
 use std::fmt;
 

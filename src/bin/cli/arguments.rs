@@ -1,0 +1,227 @@
+//! The words of the command line.
+
+use shape_up::constraint::KINDS;
+use shape_up::scene::Accelerator;
+use std::ffi::{OsStr, OsString};
+use std::path::PathBuf;
+
+/// What is asked for.
+#[derive(Debug, PartialEq)]
+pub(super) enum Command {
+    Solve(Solve),
+    Check { mesh: PathBuf, report: Option<PathBuf> },
+    Examples { out: Option<PathBuf> },
+    Operators,
+    Help,
+    Version,
+}
+
+/// `shape-up solve`.
+#[derive(Debug, Default, PartialEq)]
+pub(super) struct Solve {
+    /// A scene or a mesh.
+    pub(super) input: PathBuf,
+    /// Ids of the kinds to put on every face.
+    pub(super) kinds: Vec<&'static str>,
+    pub(super) iterations: Option<u32>,
+    pub(super) tolerance: Option<f64>,
+    pub(super) accelerator: Option<Accelerator>,
+    pub(super) out: Option<PathBuf>,
+    pub(super) report: Option<PathBuf>,
+    pub(super) trace: bool,
+}
+
+/// How the program is called.
+pub(super) fn usage() -> String {
+    let flags: Vec<_> = KINDS.iter().map(|info| format!("[--{}]", info.id)).collect();
+    let accelerators: Vec<_> = Accelerator::WORDS.iter().map(|(word, _)| *word).collect();
+    format!(
+        "\
+usage: shape-up solve SCENE|MESH {}
+                [--iterations N] [--tolerance T] [--accelerator {}]
+                [--out FILE.obj] [--report FILE.json] [--trace]
+       shape-up check MESH [--report FILE.json]
+       shape-up examples [--out DIR]
+       shape-up operators
+       shape-up --help | --version
+
+A SCENE is a *.json file, a MESH is OBJ, OFF or Medit (.obj, .off, .mesh).
+The name of a kind puts one constraint of it on every face, with weight 1, beside those of the scene.
+--iterations, --tolerance (0 never stops early) and --accelerator replace the settings of the scene.
+--trace records the energies of every iteration, in the report and on standard output.
+Exit code: 0 done, 1 the input is at fault, 2 usage, 3 internal.",
+        flags.join(" "),
+        accelerators.join("|"),
+    )
+}
+
+/// Reads the arguments after the name of the program; the error says what is wrong with them.
+pub(super) fn parse(arguments: Vec<OsString>) -> Result<Command, String> {
+    let mut words = Words { rest: arguments.into_iter(), seen: Vec::new(), only_files: false };
+    let command = words.rest.next().ok_or("expected a command")?;
+    match command.to_str() {
+        Some("solve") => solve(words),
+        Some("check") => {
+            let (mut mesh, mut report) = (None, None);
+            while let Some(word) = words.next()? {
+                match word {
+                    Word::File(file) => one(&mut mesh, file)?,
+                    Word::Option(name, value) if name == "--report" => {
+                        report = Some(words.file(&name, value)?);
+                    }
+                    Word::Option(name, _) => return Err(unknown(&name, "check")),
+                }
+            }
+            Ok(Command::Check { mesh: mesh.ok_or("check needs a mesh file")?, report })
+        }
+        Some("examples") => {
+            let mut out = None;
+            while let Some(word) = words.next()? {
+                match word {
+                    Word::Option(name, value) if name == "--out" => {
+                        out = Some(words.file(&name, value)?);
+                    }
+                    Word::Option(name, _) => return Err(unknown(&name, "examples")),
+                    Word::File(file) => return Err(unknown(&file.to_string_lossy(), "examples")),
+                }
+            }
+            Ok(Command::Examples { out })
+        }
+        Some("operators") => match words.rest.next() {
+            None => Ok(Command::Operators),
+            Some(word) => Err(unknown(&word.to_string_lossy(), "operators")),
+        },
+        Some("--help" | "-h" | "help") => Ok(Command::Help),
+        Some("--version" | "-V") => Ok(Command::Version),
+        _ => Err(format!(
+            "unknown command `{}`, expected solve, check, examples or operators",
+            command.to_string_lossy()
+        )),
+    }
+}
+
+fn solve(mut words: Words) -> Result<Command, String> {
+    let (mut solve, mut input) = (Solve::default(), None);
+    while let Some(word) = words.next()? {
+        let (name, value) = match word {
+            Word::File(file) => {
+                one(&mut input, file)?;
+                continue;
+            }
+            Word::Option(name, value) => (name, value),
+        };
+        let kind = KINDS.iter().find(|info| name.strip_prefix("--") == Some(info.id));
+        match (name.as_str(), kind) {
+            (_, Some(info)) => {
+                no_value(&name, value)?;
+                solve.kinds.push(info.id);
+            }
+            ("--trace", _) => {
+                no_value(&name, value)?;
+                solve.trace = true;
+            }
+            ("--out", _) => solve.out = Some(words.file(&name, value)?),
+            ("--report", _) => solve.report = Some(words.file(&name, value)?),
+            ("--iterations", _) => {
+                let value = words.text(&name, value)?;
+                let expected = format!("--iterations takes a whole number from 0, found `{value}`");
+                solve.iterations = Some(value.parse().map_err(|_| expected)?);
+            }
+            ("--tolerance", _) => {
+                let value = words.text(&name, value)?;
+                let parsed = value.parse().ok().filter(|t: &f64| t.is_finite() && *t >= 0.0);
+                let expected = format!("--tolerance takes a number from 0, found `{value}`");
+                solve.tolerance = Some(parsed.ok_or(expected)?);
+            }
+            ("--accelerator", _) => {
+                let value = words.text(&name, value)?;
+                let found = Accelerator::WORDS.iter().find(|(word, _)| *word == value);
+                let known: Vec<_> = Accelerator::WORDS.iter().map(|(word, _)| *word).collect();
+                let expected =
+                    format!("--accelerator takes {}, found `{value}`", known.join(" or "));
+                solve.accelerator = Some(found.ok_or(expected)?.1);
+            }
+            _ => return Err(unknown(&name, "solve")),
+        }
+    }
+    solve.input = input.ok_or("solve needs a scene or a mesh file")?;
+    if solve.out.is_some() && solve.out == solve.report {
+        return Err("--out and --report name the same file".to_owned());
+    }
+    Ok(Command::Solve(solve))
+}
+
+fn unknown(word: &str, command: &str) -> String {
+    format!("{command} does not take `{word}`")
+}
+
+fn one(place: &mut Option<PathBuf>, file: OsString) -> Result<(), String> {
+    match place.replace(file.into()) {
+        None => Ok(()),
+        Some(first) => {
+            Err(format!("expected one file, found a second after `{}`", first.display()))
+        }
+    }
+}
+
+fn no_value(name: &str, value: Option<OsString>) -> Result<(), String> {
+    match value {
+        None => Ok(()),
+        Some(value) => Err(format!("{name} takes no value, found `{}`", value.to_string_lossy())),
+    }
+}
+
+/// The arguments of a command, one after another.
+struct Words {
+    rest: std::vec::IntoIter<OsString>,
+    /// The options so far: none is given twice.
+    seen: Vec<String>,
+    /// After `--` nothing is an option.
+    only_files: bool,
+}
+
+enum Word {
+    File(OsString),
+    /// The name with its dashes, and the value behind `=`.
+    Option(String, Option<OsString>),
+}
+
+impl Words {
+    fn next(&mut self) -> Result<Option<Word>, String> {
+        let Some(word) = self.rest.next() else { return Ok(None) };
+        if word == "--" && !self.only_files {
+            self.only_files = true;
+            return self.next();
+        }
+        if self.only_files || !word.as_encoded_bytes().starts_with(b"-") {
+            return Ok(Some(Word::File(word)));
+        }
+        let text = word.to_str().ok_or("an option is not UTF-8 text")?;
+        let (name, value) = match text.split_once('=') {
+            Some((name, value)) => (name, Some(value.into())),
+            None => (text, None),
+        };
+        if self.seen.iter().any(|seen| seen == name) {
+            return Err(format!("{name} is given twice"));
+        }
+        self.seen.push(name.to_owned());
+        Ok(Some(Word::Option(name.to_owned(), value)))
+    }
+
+    /// The value of an option: behind its `=`, or the next word.
+    fn value(&mut self, name: &str, value: Option<OsString>) -> Result<OsString, String> {
+        let value = value.or_else(|| self.rest.next());
+        let present = |v: &OsString| !v.is_empty() && !v.as_encoded_bytes().starts_with(b"--");
+        value.filter(present).ok_or_else(|| format!("{name} needs a value"))
+    }
+
+    fn file(&mut self, name: &str, value: Option<OsString>) -> Result<PathBuf, String> {
+        self.value(name, value).map(PathBuf::from)
+    }
+
+    fn text(&mut self, name: &str, value: Option<OsString>) -> Result<String, String> {
+        let value = self.value(name, value)?;
+        let text = |value: &OsStr| value.to_str().map(str::to_owned);
+        text(&value).ok_or_else(|| format!("the value of {name} is not UTF-8 text"))
+    }
+}

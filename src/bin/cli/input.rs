@@ -1,0 +1,81 @@
+//! Mesh and scene files in.
+
+use super::Failure;
+use shape_up::constraint::{Element, Kind, Selector};
+use shape_up::mesh::{self, Mesh, Read};
+use shape_up::scene::{ConstraintSpec, MeshSource, Scene};
+use std::path::Path;
+
+/// A scene with its mesh.
+pub(super) struct Input {
+    pub(super) scene: Scene,
+    pub(super) mesh: Mesh,
+    /// What the mesh file has wrong that could be survived, and what was found out about it.
+    pub(super) remarks: Vec<String>,
+}
+
+/// Whether the name is that of a scene rather than of a mesh.
+pub(super) fn is_scene(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("json"))
+}
+
+/// Reads a scene and the mesh that it names, or a mesh as a scene without constraints.
+pub(super) fn read(path: &Path) -> Result<Input, Failure> {
+    if !is_scene(path) {
+        let read = read_mesh(path)?;
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        return Ok(Input {
+            remarks: remarks(&read),
+            scene: Scene::new(MeshSource::File(name)),
+            mesh: read.mesh,
+        });
+    }
+    let at = |message: String| Failure::Input(format!("{}: {message}", path.display()));
+    let text = String::from_utf8(bytes(path)?)
+        .map_err(|_| at("the file is not UTF-8 text, expected a scene in JSON".to_owned()))?;
+    let scene = Scene::from_json(&text).map_err(|error| at(error.to_string()))?;
+    match &scene.mesh {
+        MeshSource::Inline(mesh) => {
+            Ok(Input { mesh: (**mesh).clone(), remarks: Vec::new(), scene })
+        }
+        MeshSource::File(file) => {
+            let beside = path.parent().unwrap_or(Path::new("")).join(file);
+            let bytes = std::fs::read(&beside).map_err(|error| {
+                at(format!(
+                    "mesh.file: cannot read {}: {error}, expected a mesh file beside the scene",
+                    beside.display()
+                ))
+            })?;
+            let read = mesh::read(&beside.to_string_lossy(), &bytes)
+                .map_err(|error| Failure::Input(error.to_string()))?;
+            Ok(Input { remarks: remarks(&read), mesh: read.mesh, scene })
+        }
+    }
+}
+
+/// Reads a mesh file.
+pub(super) fn read_mesh(path: &Path) -> Result<Read, Failure> {
+    mesh::read(&path.to_string_lossy(), &bytes(path)?)
+        .map_err(|error| Failure::Input(error.to_string()))
+}
+
+/// What the reader has to say of a mesh, one line each.
+pub(super) fn remarks(read: &Read) -> Vec<String> {
+    read.problems.iter().map(ToString::to_string).chain(read.notes.iter().cloned()).collect()
+}
+
+/// The constraint that the flag of a kind stands for: one on every face.
+pub(super) fn on_faces(id: &str) -> Result<ConstraintSpec, Failure> {
+    let kind = Kind::new(id, serde_json::json!({})).map_err(|_| {
+        Failure::Usage(format!("--{id} has parameters without a default, expected it in a scene"))
+    })?;
+    let on = Selector::Each { element: Element::Face, within: None, radius: 0 };
+    Ok(ConstraintSpec { kind, on, weight: 1.0, enabled: true })
+}
+
+fn bytes(path: &Path) -> Result<Vec<u8>, Failure> {
+    std::fs::read(path).map_err(|error| {
+        let what = if is_scene(path) { "a scene file" } else { "a mesh file" };
+        Failure::Input(format!("{}: cannot be read: {error}, expected {what}", path.display()))
+    })
+}

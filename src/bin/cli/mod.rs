@@ -1,0 +1,75 @@
+//! The commands, and how they end: exit code 0 done, 1 the input is at fault, 2 usage, 3 internal.
+//!
+//! | file | holds |
+//! |---|---|
+//! | `arguments` | the words of the command line, and the usage |
+//! | `input` | mesh and scene files in |
+//! | `output` | files and standard output, whole or not at all |
+//! | `solve`, `check`, `examples` | the commands of these names |
+
+mod arguments;
+mod check;
+mod examples;
+mod input;
+mod output;
+mod solve;
+
+use arguments::Command;
+use std::ffi::OsString;
+use std::process::ExitCode;
+
+/// Why a command was not done.
+pub(crate) enum Failure {
+    /// The input is at fault: file, line or JSON path, what is wrong, what was expected.
+    Input(String),
+    /// The command line is at fault.
+    Usage(String),
+}
+
+/// Runs the command that the arguments ask for. An error of the input is one line on standard error.
+pub(crate) fn run(arguments: Vec<OsString>) -> ExitCode {
+    std::panic::set_hook(Box::new(|panic| {
+        let place = panic.location().map(ToString::to_string).unwrap_or_default();
+        let what = panic.payload_as_str().unwrap_or("a contract is broken");
+        eprintln!("shape-up: internal error at {place}: {}", one_line(what));
+        std::process::exit(3);
+    }));
+    let done = match arguments::parse(arguments) {
+        Ok(command) => perform(command),
+        Err(message) => Err(Failure::Usage(message)),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(Failure::Input(message)) => {
+            eprintln!("{}", one_line(&message));
+            ExitCode::from(1)
+        }
+        Err(Failure::Usage(message)) => {
+            eprintln!("shape-up: {}\n\n{}", one_line(&message), arguments::usage());
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn perform(command: Command) -> Result<(), Failure> {
+    match command {
+        Command::Solve(solve) => solve::solve(&solve),
+        Command::Check { mesh, report } => check::check(&mesh, report.as_deref()),
+        Command::Examples { out: None } => examples::list(),
+        Command::Examples { out: Some(folder) } => examples::write(&folder),
+        Command::Operators => {
+            let kinds = serde_json::to_string_pretty(shape_up::constraint::KINDS);
+            output::print(&(kinds.expect("declarations are plain data") + "\n"))
+        }
+        Command::Help => output::print(&(arguments::usage() + "\n")),
+        Command::Version => output::print(concat!("shape-up ", env!("CARGO_PKG_VERSION"), "\n")),
+    }
+}
+
+fn one_line(text: &str) -> String {
+    text.split(['\n', '\r'])
+        .map(str::trim)
+        .filter(|line| !line.is_empty())
+        .collect::<Vec<_>>()
+        .join(" ")
+}

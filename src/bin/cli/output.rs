@@ -1,0 +1,101 @@
+//! What goes out: files written whole or not at all, and text on standard output.
+
+use super::Failure;
+use shape_up::mesh::{Circularity, Planarity};
+use std::fs::{self, OpenOptions};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// Writes all files. Each goes beside its place first and is then moved there, all of them once
+/// all are complete: whatever fails, no file is there in part.
+pub(super) fn write(files: &[(&Path, String)]) -> Result<(), Failure> {
+    let mut complete: Vec<PathBuf> = Vec::new();
+    let result = files
+        .iter()
+        .try_for_each(|(path, text)| {
+            let beside = beside(path)?;
+            let file = OpenOptions::new().write(true).create_new(true).open(&beside);
+            let mut file = file.map_err(|error| cannot(path, &error))?;
+            complete.push(beside);
+            let written = file.write_all(text.as_bytes()).and_then(|()| file.sync_all());
+            written.map_err(|error| cannot(path, &error))
+        })
+        .and_then(|()| {
+            files.iter().zip(&complete).try_for_each(|((path, _), beside)| {
+                fs::rename(beside, path).map_err(|error| cannot(path, &error))
+            })
+        });
+    if result.is_err() {
+        for file in &complete {
+            // Those that are in their place already are not here any more.
+            let _ = fs::remove_file(file);
+        }
+    }
+    result
+}
+
+/// The name under which the file is written first.
+fn beside(path: &Path) -> Result<PathBuf, Failure> {
+    let Some(name) = path.file_name().filter(|_| !path.is_dir()) else {
+        return Err(Failure::Input(format!(
+            "{}: cannot be written: it is a folder, expected the name of a file",
+            path.display()
+        )));
+    };
+    let mut hidden = std::ffi::OsString::from(".");
+    hidden.push(name);
+    hidden.push(format!(".{}.part", std::process::id()));
+    Ok(path.with_file_name(hidden))
+}
+
+fn cannot(path: &Path, error: &io::Error) -> Failure {
+    Failure::Input(format!(
+        "{}: cannot be written: {error}, expected a place that can be written to",
+        path.display()
+    ))
+}
+
+/// Writes to standard output. A reader that has gone away, such as `head`, is no error.
+pub(super) fn print(text: &str) -> Result<(), Failure> {
+    let mut out = io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+            Err(Failure::Input(format!("standard output: cannot be written: {error}")))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Planarity in one line.
+pub(super) fn planarity(planarity: &Planarity, units: &str) -> String {
+    format!(
+        "planarity   worst {}, mean {}, largest diagonal ratio {}",
+        length(planarity.max_distance, units),
+        length(planarity.mean_distance, units),
+        short(planarity.diagonal_ratio_max)
+    )
+}
+
+/// Circularity in one line.
+pub(super) fn circularity(circularity: &Circularity, units: &str) -> String {
+    format!(
+        "circularity worst {}, mean {}",
+        length(circularity.max_distance, units),
+        length(circularity.mean_distance, units)
+    )
+}
+
+fn length(value: f64, units: &str) -> String {
+    format!("{} {units}", short(value)).trim_end().to_owned()
+}
+
+/// A number with the digits that a person reads.
+pub(super) fn short(value: f64) -> String {
+    match value.abs() {
+        size if size == 0.0 => "0".to_owned(),
+        size if size >= 1e6 || size < 1e-4 => format!("{value:.3e}"),
+        size if size >= 100.0 => format!("{value:.1}"),
+        size if size >= 1.0 => format!("{value:.3}"),
+        _ => format!("{value:.6}"),
+    }
+}

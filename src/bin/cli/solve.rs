@@ -1,0 +1,130 @@
+//! `shape-up solve`: solves a scene, or a mesh with the kinds of the command line on every face.
+
+use super::arguments::Solve;
+use super::{Failure, input, output};
+use shape_up::error::Error;
+use shape_up::mesh::write_obj;
+use shape_up::scene::SceneError;
+use shape_up::session::{Report, Session};
+use std::fmt::Write;
+use std::path::Path;
+use std::time::Instant;
+
+pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
+    let start = Instant::now();
+    let input::Input { mut scene, mesh, remarks } = input::read(&command.input)?;
+    let of_scene = scene.constraints.len();
+    for id in &command.kinds {
+        scene.constraints.push(input::on_faces(id)?);
+    }
+    if scene.constraints.is_empty() && !input::is_scene(&command.input) {
+        return Err(Failure::Usage(
+            "a mesh alone has nothing to solve, expected at least one kind, such as --plane"
+                .to_owned(),
+        ));
+    }
+    scene.solver.iterations = command.iterations.unwrap_or(scene.solver.iterations);
+    scene.solver.tolerance = command.tolerance.unwrap_or(scene.solver.tolerance);
+    scene.solver.accelerator = command.accelerator.unwrap_or(scene.solver.accelerator);
+    let units = scene.units.clone();
+    let load_seconds = start.elapsed().as_secs_f64();
+
+    let at_input = |error: Error| {
+        let message = match error {
+            Error::Scene(error) => place_flag(error, of_scene, &command.kinds).to_string(),
+            error => error.to_string(),
+        };
+        Failure::Input(format!("{}: {message}", command.input.display()))
+    };
+    let mut session = Session::open(scene, mesh).map_err(at_input)?;
+    session.set_load_seconds(load_seconds);
+    session.solve(command.trace).map_err(at_input)?;
+    let report = session.report();
+
+    let mut files: Vec<(&Path, String)> = Vec::new();
+    if let Some(path) = &command.out {
+        files.push((path, write_obj(session.mesh(), &session.positions())));
+    }
+    if let Some(path) = &command.report {
+        let text = serde_json::to_string_pretty(&report);
+        files.push((path, text.expect("a report is plain data with finite numbers") + "\n"));
+    }
+    output::write(&files)?;
+    output::print(&summary(&command.input, &report, &remarks, &units))
+}
+
+/// An error of a constraint that the command line asked for names its flag, not a place in a file.
+fn place_flag(error: SceneError, of_scene: usize, kinds: &[&str]) -> SceneError {
+    let index = error.path.strip_prefix("constraints[").and_then(|rest| rest.split(']').next());
+    let index = index.and_then(|index| index.parse::<usize>().ok());
+    match index.and_then(|index| kinds.get(index.checked_sub(of_scene)?)) {
+        Some(kind) => SceneError { path: format!("--{kind}"), ..error },
+        None => error,
+    }
+}
+
+fn summary(input: &Path, report: &Report, remarks: &[String], units: &str) -> String {
+    let mut text = String::new();
+    let mut line = |words: std::fmt::Arguments<'_>| {
+        writeln!(text, "{words}").expect("writing to a string does not fail");
+    };
+    let kinds: Vec<_> =
+        report.constraints.iter().map(|(kind, count)| format!("{count} {kind}")).collect();
+    line(format_args!(
+        "{}: {} vertices, {} faces, constraints: {}",
+        input.display(),
+        report.vertices,
+        report.faces,
+        if kinds.is_empty() { "none".to_owned() } else { kinds.join(", ") }
+    ));
+    for remark in remarks {
+        line(format_args!("note: {remark}"));
+    }
+    if report.skipped > 0 {
+        line(format_args!(
+            "note: {} elements skipped, their number of vertices does not fit the kind",
+            report.skipped
+        ));
+    }
+    if !report.pinned.is_empty() {
+        let pinned: Vec<_> = report.pinned.iter().map(ToString::to_string).collect();
+        line(format_args!(
+            "note: nothing holds the mesh, so it was pinned at vertices {}",
+            pinned.join(", ")
+        ));
+    }
+    let (initial, last) = (report.energy.initial, report.energy.last);
+    for (name, before, after) in [
+        ("total", initial.total, last.total),
+        ("shape", initial.shape, last.shape),
+        ("close", initial.close, last.close),
+        ("smooth", initial.smooth, last.smooth),
+        ("handles", initial.handles, last.handles),
+    ] {
+        line(format_args!(
+            "energy {name:<8} {} -> {}",
+            output::short(before),
+            output::short(after)
+        ));
+    }
+    line(format_args!(
+        "iterations {}, stopped by {}, {} s",
+        report.iterations,
+        report.stopped_by,
+        output::short(report.seconds.iterate)
+    ));
+    line(format_args!("{}", output::planarity(&report.planarity, units)));
+    line(format_args!("{}", output::circularity(&report.circularity, units)));
+    for entry in report.trace.iter().flatten() {
+        line(format_args!(
+            "iteration {:>4}  total {:e}  shape {:e}  close {:e}  smooth {:e}  handles {:e}",
+            entry.iteration,
+            entry.energy.total,
+            entry.energy.shape,
+            entry.energy.close,
+            entry.energy.smooth,
+            entry.energy.handles
+        ));
+    }
+    text
+}

@@ -1,0 +1,234 @@
+//! Many constraints of one kind and one number of points, projected in lanes.
+//!
+//! This is the only place between the whole mesh and an operator: it gathers the points of
+//! `LANES` constraints at a time, centres them (`N_i` of Eq. 5), projects them, and scatters
+//! the gradient `w_i N_i (N_i V_i - P_i)` (Appendix A). The operator sees points and nothing else.
+
+use super::{Fitted, Kind, KindVisitor, Projection};
+use crate::math::{LANES, Lane, Lanes, Vec3};
+use crate::mesh::Ragged;
+
+/// A position or a gradient with a pad, so that a row is two 128-bit registers.
+pub type Row = [f64; 4];
+
+/// What the local step of a batch found.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LocalStep {
+    /// `sum_i w_i |N_i V_i - P_i|^2` over the batch, in squared length.
+    pub energy: f64,
+    /// The largest squared distance of a vertex to its projection.
+    pub worst_squared: f64,
+}
+
+/// Constraints of one kind and one number of points, whatever the kind.
+pub trait Batch {
+    /// The local step at positions `x` (`#nodes` rows): adds half the gradient of
+    /// `scale * E_shape` to `gradient` (`#nodes` rows).
+    ///
+    /// It is the same with `N_i` and without: a translated projection has the shape too, so that
+    /// the residual is centred in both cases. Only the normal matrix differs.
+    fn local_step(&mut self, x: &[Row], gradient: &mut [Row], scale: f64) -> LocalStep;
+
+    /// Appends the shapes that fit the constraints at positions `x`, to be drawn.
+    fn fitted(&self, x: &[Row], shapes: &mut Vec<Fitted>);
+}
+
+/// Batches the constraints of one kind: one batch for each number of points, fewest first.
+///
+/// `members` are the node indices of each constraint, `rest` the rest position of each node,
+/// `weight` is `w_i`, the same for all. With `guarded`, each constraint keeps the nearer of the new
+/// and the previous projection, so that the energy never rises with operators that are not exact.
+pub fn batches(
+    kind: &Kind,
+    members: &Ragged,
+    rest: &[Row],
+    weight: f64,
+    guarded: bool,
+) -> Vec<Box<dyn Batch>> {
+    let mut by_size: Vec<&[u32]> = members.iter().collect();
+    // Sorted by first node, neighbours in a batch read and write neighbouring rows.
+    by_size.sort_by_key(|nodes| (nodes.len(), nodes.iter().min().copied()));
+    by_size
+        .chunk_by(|a, b| a.len() == b.len())
+        .map(|same_size| kind.visit(MakeBatch { members: same_size, rest, weight, guarded }))
+        .collect()
+}
+
+struct MakeBatch<'a> {
+    members: &'a [&'a [u32]],
+    rest: &'a [Row],
+    weight: f64,
+    guarded: bool,
+}
+
+impl KindVisitor for MakeBatch<'_> {
+    type Output = Box<dyn Batch>;
+    fn visit<P: Projection>(self, operator: &P) -> Box<dyn Batch> {
+        Box::new(KindBatch::new(operator.clone(), self))
+    }
+}
+
+struct KindBatch<P> {
+    operator: P,
+    weight: f64,
+    /// Points per constraint.
+    n: usize,
+    /// Constraints; the last chunk is padded with copies of the last one.
+    count: usize,
+    /// Chunk by chunk, point by point, lane by lane.
+    nodes: Vec<[u32; LANES]>,
+    /// Centred rest points in the layout of `nodes`; empty where the operator does not read them.
+    rest: Vec<Vec3<Lanes>>,
+    /// The previous projections in the layout of `nodes`; only with the guard, from its second step on.
+    previous: Vec<Vec3<Lanes>>,
+    guarded: bool,
+    /// The points of one chunk, centred, and their projections.
+    centred: Vec<Vec3<Lanes>>,
+    projected: Vec<Vec3<Lanes>>,
+}
+
+impl<P: Projection> KindBatch<P> {
+    fn new(operator: P, make: MakeBatch<'_>) -> Self {
+        let n = make.members[0].len();
+        let mut nodes = Vec::with_capacity(make.members.len().next_multiple_of(LANES) / LANES * n);
+        for chunk in make.members.chunks(LANES) {
+            let last = chunk.len() - 1;
+            nodes.extend((0..n).map(|k| std::array::from_fn(|lane| chunk[lane.min(last)][k])));
+        }
+        let mut rest = Vec::new();
+        if P::READS_REST {
+            rest = nodes.iter().map(|point| gather(make.rest, point)).collect();
+            rest.chunks_mut(n).for_each(|chunk| {
+                centre(chunk);
+            });
+        }
+        let scratch = vec![Vec3::zero(); n];
+        KindBatch {
+            operator,
+            weight: make.weight,
+            n,
+            count: make.members.len(),
+            nodes,
+            rest,
+            previous: Vec::new(),
+            guarded: make.guarded,
+            centred: scratch.clone(),
+            projected: scratch,
+        }
+    }
+
+    /// Gathers and centres chunk `chunk` into `centred` and projects it into `projected`.
+    // A function of its own: V8 replaces a wasm function by optimised code only between calls, so
+    // hot kernels are entered often.
+    #[inline(never)]
+    fn project_chunk(&mut self, x: &[Row], chunk: usize) {
+        let first = chunk * self.n;
+        for (point, nodes) in self.centred.iter_mut().zip(&self.nodes[first..first + self.n]) {
+            *point = gather(x, nodes);
+        }
+        centre(&mut self.centred);
+        self.projected.copy_from_slice(&self.centred);
+        let rest = if P::READS_REST { &self.rest[first..first + self.n] } else { &[] };
+        self.operator.project(rest, &mut self.projected);
+        // The set of a shape is closed under translation, so that the centred projection has the
+        // shape too, and is nearer. Circle and sphere results are not centred by themselves.
+        centre(&mut self.projected);
+    }
+
+    /// Replaces the projection of chunk `chunk` lane by lane by the previous one where that is nearer.
+    fn keep_nearer(&mut self, chunk: usize) {
+        let first = chunk * self.n;
+        if self.previous.len() < self.nodes.len() {
+            self.previous.extend_from_slice(&self.projected);
+            return;
+        }
+        let previous = &mut self.previous[first..first + self.n];
+        let (mut new, mut old) = (Lanes::zero(), Lanes::zero());
+        for ((v, p), q) in self.centred.iter().zip(&self.projected).zip(&*previous) {
+            new += (*v - *p).length_squared();
+            old += (*v - *q).length_squared();
+        }
+        for (p, q) in self.projected.iter_mut().zip(&mut *previous) {
+            *p = Vec3::if_greater(new, old, *q, *p);
+            *q = *p;
+        }
+    }
+
+    /// Turns `projected` into the residuals `N_i V_i - P_i`; gives the squared distance of each
+    /// lane's constraint and its largest at one point.
+    #[inline(always)]
+    fn residuals(&mut self) -> (Lanes, Lanes) {
+        let (mut sum, mut worst) = (Lanes::zero(), Lanes::zero());
+        for (v, p) in self.centred.iter().zip(&mut self.projected) {
+            *p = *v - *p;
+            let squared = p.length_squared();
+            sum += squared;
+            worst = worst.max(squared);
+        }
+        (sum, worst)
+    }
+}
+
+impl<P: Projection> Batch for KindBatch<P> {
+    fn local_step(&mut self, x: &[Row], gradient: &mut [Row], scale: f64) -> LocalStep {
+        let scale = scale * self.weight;
+        let mut found = LocalStep::default();
+        for chunk in 0..self.count.div_ceil(LANES) {
+            self.project_chunk(x, chunk);
+            if self.guarded {
+                self.keep_nearer(chunk);
+            }
+            let (sum, worst) = self.residuals();
+            let lanes = LANES.min(self.count - chunk * LANES);
+            for lane in 0..lanes {
+                found.energy += self.weight * sum.lane(lane);
+                found.worst_squared = found.worst_squared.max(worst.lane(lane));
+            }
+            let first = chunk * self.n;
+            for (nodes, residual) in self.nodes[first..first + self.n].iter().zip(&self.projected) {
+                for lane in 0..lanes {
+                    let row = &mut gradient[nodes[lane] as usize];
+                    row[0] += scale * residual.x.lane(lane);
+                    row[1] += scale * residual.y.lane(lane);
+                    row[2] += scale * residual.z.lane(lane);
+                }
+            }
+        }
+        found
+    }
+
+    fn fitted(&self, x: &[Row], shapes: &mut Vec<Fitted>) {
+        let mut points = vec![Vec3::zero(); self.n];
+        for i in 0..self.count {
+            let chunk = &self.nodes[i / LANES * self.n..][..self.n];
+            for (point, nodes) in points.iter_mut().zip(chunk) {
+                let row = x[nodes[i % LANES] as usize];
+                *point = Vec3::new(row[0], row[1], row[2]);
+            }
+            shapes.extend(self.operator.fitted(&points));
+        }
+    }
+}
+
+#[inline(always)]
+fn gather(x: &[Row], nodes: &[u32; LANES]) -> Vec3<Lanes> {
+    let rows: [Row; LANES] = nodes.map(|node| x[node as usize]);
+    Vec3::new(
+        Lanes(rows.map(|row| row[0])),
+        Lanes(rows.map(|row| row[1])),
+        Lanes(rows.map(|row| row[2])),
+    )
+}
+
+/// `N_i` of Eq. 5: subtracts the mean.
+#[inline(always)]
+fn centre(points: &mut [Vec3<Lanes>]) {
+    let mut sum = Vec3::zero();
+    for point in &*points {
+        sum += *point;
+    }
+    let mean = sum * (Lanes::one() / Lanes::splat(points.len() as f64));
+    for point in points {
+        *point -= mean;
+    }
+}

@@ -1,0 +1,147 @@
+//! The circle or sphere that fits centred points best in the sense of Thomas and Chan [TC89]
+//! (paper section 3.1), in homogeneous form.
+//!
+//! They minimise `sum (|v - c|^2 - r^2)^2`. With centred points, `M = mean v v^T`,
+//! `h = mean |v|^2 v / 2` and `s = mean |v|^2`, the centre is `c = M^-1 h` and
+//! `r^2 = s + |c|^2`. Near a line (or a plane) the centre runs to infinity. We keep
+//! `a = adj(M) h` and `d = det M`, or any common multiple of them, instead of `c = a / d`. The
+//! point of the circle closest to `v` is
+//!
+//! ```text
+//! v' = v + (d v - a) q / (D (R + D)),   D = |d v - a|,  R = (d^2 s + |a|^2)^1/2 = d r,
+//!                                       q = d (s - |v|^2) + 2 v.a = (R^2 - D^2) / d
+//! ```
+//!
+//! which divides by nothing that vanishes with `d`: at `d = 0` it is the projection onto the line
+//! (or plane) through the mean that is orthogonal to `a`, the limit circle.
+
+use super::{Lane, Vec3};
+
+/// Below this fraction of the longest, an extent is rounding error: the points are collinear (or
+/// coplanar).
+const FLAT: f64 = 32.0 * f64::EPSILON;
+
+/// A point nearer to the centre than this fraction of the radius is at the centre: the direction in
+/// which it lies is rounding error.
+const AT_CENTRE: f64 = 1e-14;
+
+/// The least `R`, relative to the points (unit trace, lengths over `s^1/2`), at which the closed
+/// form, whose rounding error is a few ulp of one, is accurate to 1e-12 of the size of the points.
+const LEAST_REACH: f64 = 1e-3;
+
+/// A fitted circle or sphere around the mean of its points, or the line or plane that is its limit.
+#[derive(Clone, Copy, Debug)]
+pub struct Round<S> {
+    /// The centre times `d`.
+    pub a: Vec3<S>,
+    /// Not negative; zero where the circle is a line (or the sphere a plane).
+    pub d: S,
+    /// The radius times `d`.
+    pub reach: S,
+    /// The mean of `|v|^2`.
+    mean_square: S,
+}
+
+impl<S: Lane> Round<S> {
+    /// From `a = adj(M) h`, `d = det M`, or a common multiple of them, and `s = mean |v|^2`.
+    #[inline(always)]
+    pub fn new(a: Vec3<S>, d: S, mean_square: S) -> Self {
+        let reach = (d * d * mean_square + a.length_squared()).sqrt();
+        Round { a, d, reach, mean_square }
+    }
+
+    /// Keeps `flag` in the lanes where `a` and `d`, formed from a scatter matrix of unit trace, are
+    /// accurate; zero in the others, those of nearly collinear (or coplanar) points.
+    #[inline(always)]
+    pub fn accurate(&self, flag: S) -> S {
+        let s = self.mean_square;
+        let bound = S::splat(LEAST_REACH * LEAST_REACH) * (s * s * s);
+        (self.reach * self.reach).if_greater(bound, flag, S::zero())
+    }
+
+    /// `R^2 - D^2` divided by `d`.
+    #[inline(always)]
+    fn q(&self, v: Vec3<S>) -> S {
+        let va = v.dot(self.a);
+        self.d * (self.mean_square - v.length_squared()) + (va + va)
+    }
+
+    /// The closest point of the circle (for `v` in its plane) or of the sphere. Not finite where
+    /// `v` is at the centre.
+    #[inline(always)]
+    pub fn closest(&self, v: Vec3<S>) -> Vec3<S> {
+        let from_centre = v * self.d - self.a;
+        let distance = from_centre.length();
+        v + from_centre * (self.q(v) / (distance * (self.reach + distance)))
+    }
+
+    /// Keeps `flag` in the lanes where `v` is not at the centre; zero in the others.
+    #[inline(always)]
+    pub fn off_centre(&self, v: Vec3<S>, flag: S) -> S {
+        let bound = self.reach * S::splat(AT_CENTRE);
+        (v * self.d - self.a).length_squared().if_greater(bound * bound, flag, S::zero())
+    }
+}
+
+impl Round<f64> {
+    /// Fits points given in principal coordinates, of which the first `dimensions` count: two for
+    /// a circle, three for a sphere.
+    ///
+    /// `M` is diagonal there, with the squared extents `e_k^2`. Dividing `a` and `d` by the product
+    /// of the extents, the smallest of them once more left in, gives `d = e_min` and
+    /// `a_k = (e_min / e_k) mean(|v|^2 v_k / e_k) / 2`, which has lost no digits when `e_min` is
+    /// 1e-12 of the longest.
+    pub fn fit_principal(points: &[Vec3<f64>], dimensions: usize) -> Self {
+        let inverse_n = 1.0 / points.len() as f64;
+        let coordinates = |v: &Vec3<f64>| [v.x, v.y, if dimensions == 3 { v.z } else { 0.0 }];
+        let mut squares = [0.0; 3];
+        for v in points {
+            let x = coordinates(v);
+            for k in 0..3 {
+                squares[k] += x[k] * x[k] * inverse_n;
+            }
+        }
+        let mut extents = squares.map(f64::sqrt);
+        for k in 1..3 {
+            if extents[k] <= FLAT * extents[0] {
+                extents[k] = 0.0;
+            }
+        }
+        let least = extents[dimensions - 1];
+        let mut a = [0.0; 3];
+        for k in 0..dimensions {
+            if extents[k] > 0.0 {
+                for v in points {
+                    let x = coordinates(v);
+                    let square = x[0] * x[0] + x[1] * x[1] + x[2] * x[2];
+                    a[k] += square * (x[k] / extents[k]);
+                }
+                a[k] *= 0.5 * inverse_n * (least / extents[k]);
+            }
+        }
+        Round::new(Vec3::from(a), least, squares.iter().sum())
+    }
+
+    /// The closest point, defined everywhere. On a line or in a plane (for a sphere) nothing
+    /// moves when all points are there; a point at the centre goes to where the first axis meets
+    /// the circle.
+    pub fn closest_or_chosen(&self, v: Vec3<f64>) -> Vec3<f64> {
+        if self.reach == 0.0 {
+            v
+        } else if self.off_centre(v, 1.0) > 0.0 {
+            self.closest(v)
+        } else {
+            v + Vec3::new(self.reach / self.d, 0.0, 0.0)
+        }
+    }
+
+    /// Centre and radius, unless the radius exceeds 1e6 times the size of the points (the root
+    /// mean square of their distances to the mean), or they have no size.
+    pub fn centre_and_radius(&self) -> Option<(Vec3<f64>, f64)> {
+        let drawable = self.reach > 0.0 && self.reach <= 1e6 * self.d * self.mean_square.sqrt();
+        drawable.then(|| {
+            let c = Vec3::new(self.a.x / self.d, self.a.y / self.d, self.a.z / self.d);
+            (c, self.reach / self.d)
+        })
+    }
+}

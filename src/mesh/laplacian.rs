@@ -1,0 +1,106 @@
+//! The weights `w_ij` of the smoothness energy (paper section 4, Eq. 12).
+
+use super::{Mesh, Point, Ragged, Topology};
+use crate::math::Vec3;
+
+/// Cotangents beyond this count as this, which is the cotangent of 0.057 degrees. A triangle with a
+/// smaller angle, or with no area, so keeps finite weights; the bound is on a ratio of lengths, and
+/// the same at every scale.
+pub const LARGEST_COTANGENT: f64 = 1e3;
+
+/// For each vertex `i` its neighbours `N(i)` and their weights `w_ij`. The Laplacian of `l` at `i`
+/// is `sum_j w_ij (l_j - l_i)`; a vertex without edges has none.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Laplacian {
+    neighbours: Ragged,
+    /// One weight per entry of `neighbours`, in its order.
+    weights: Vec<f64>,
+}
+
+impl Laplacian {
+    /// `w_ij = 1` along every edge.
+    pub fn uniform(topology: &Topology) -> Laplacian {
+        let neighbours = topology.neighbours().clone();
+        let weights = vec![1.0; neighbours.indices().len()];
+        Laplacian { neighbours, weights }
+    }
+
+    /// `w_ij = (cot a + cot b) / 2` on the rest mesh, where `a` and `b` are the angles opposite to
+    /// the edge. A boundary edge has one term, an edge with three or more faces one for each.
+    /// Cotangents are clamped to [`LARGEST_COTANGENT`]; the angle at coincident points counts as a
+    /// right angle.
+    ///
+    /// Panics when `topology` is not that of a triangle mesh: see [`Topology::is_triangle_mesh`].
+    pub fn cotangent(mesh: &Mesh, topology: &Topology) -> Laplacian {
+        assert!(topology.is_triangle_mesh(), "cotangent weights need a triangle mesh");
+        let mut of_edge = vec![0.0; topology.edges().len()];
+        for face in mesh.faces.iter() {
+            for k in 0..3 {
+                let [a, b, opposite] = [face[k], face[(k + 1) % 3], face[(k + 2) % 3]];
+                // A triangle that repeats a corner has sides that are no edges.
+                if let Some(e) = topology.edge(a, b) {
+                    let corner = [opposite, a, b].map(|v| mesh.positions[v as usize]);
+                    of_edge[e as usize] += 0.5 * cotangent(corner);
+                }
+            }
+        }
+        let weights =
+            topology.vertex_edges().indices().iter().map(|&e| of_edge[e as usize]).collect();
+        Laplacian { neighbours: topology.neighbours().clone(), weights }
+    }
+
+    /// How many vertices.
+    pub fn len(&self) -> usize {
+        self.neighbours.len()
+    }
+    /// Whether there is no vertex.
+    pub fn is_empty(&self) -> bool {
+        self.neighbours.is_empty()
+    }
+    /// The neighbours of vertex `i`, ascending, and their weights `w_ij`.
+    pub fn row(&self, i: usize) -> (&[u32], &[f64]) {
+        let offsets = self.neighbours.offsets();
+        let range = offsets[i] as usize..offsets[i + 1] as usize;
+        (&self.neighbours.indices()[range.clone()], &self.weights[range])
+    }
+    /// All rows in order.
+    pub fn rows(&self) -> impl ExactSizeIterator<Item = (&[u32], &[f64])> {
+        (0..self.len()).map(|i| self.row(i))
+    }
+}
+
+/// The clamped cotangent of the angle at the first point.
+fn cotangent([at, a, b]: [Point; 3]) -> f64 {
+    let at = Vec3::from(at);
+    let (u, v) = (Vec3::from(a) - at, Vec3::from(b) - at);
+    let (cos, sin) = (u.dot(v), u.cross(v).length());
+    if cos.abs() > LARGEST_COTANGENT * sin {
+        LARGEST_COTANGENT.copysign(cos)
+    } else if sin > 0.0 {
+        cos / sin
+    } else {
+        0.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cotangents_of_known_angles() {
+        let o = [0.0; 3];
+        assert_eq!(cotangent([o, [2.0, 0.0, 0.0], [0.0, 3.0, 0.0]]), 0.0);
+        assert_eq!(cotangent([o, [2.0, 0.0, 0.0], [3.0, 3.0, 0.0]]), 1.0);
+        assert_eq!(cotangent([o, [2.0, 0.0, 0.0], [-3.0, 0.0, 3.0]]), -1.0);
+    }
+
+    #[test]
+    fn cotangents_of_degenerate_triangles_are_finite() {
+        let (o, x) = ([0.0; 3], [1.0, 0.0, 0.0]);
+        assert_eq!(cotangent([o, x, [2.0, 0.0, 0.0]]), LARGEST_COTANGENT);
+        assert_eq!(cotangent([o, x, [-2.0, 0.0, 0.0]]), -LARGEST_COTANGENT);
+        assert_eq!(cotangent([o, o, x]), 0.0);
+        assert_eq!(cotangent([o, o, o]), 0.0);
+    }
+}

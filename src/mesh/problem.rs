@@ -1,0 +1,152 @@
+//! What a mesh has wrong that can be survived: counted by kind, with the first line of each.
+
+use std::collections::BTreeMap;
+use std::fmt;
+
+/// What joins vertices.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Element {
+    /// A polygon.
+    Face,
+    /// A polyline.
+    Curve,
+    /// A tetrahedron.
+    Tetrahedron,
+}
+
+/// One sort of problem. An element that is skipped is skipped whole.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum ProblemKind {
+    /// A coordinate is missing or not a number. The vertex keeps its number and takes the middle of
+    /// the extent of all vertices for that coordinate.
+    MalformedCoordinate,
+    /// A coordinate is infinite or not a number (`nan`). The vertex is kept in the same way.
+    NonFiniteCoordinate,
+    /// A coordinate such as `0,046`, read as `0.046`.
+    DecimalComma,
+    /// A corner is not a whole number; the element is skipped.
+    MalformedCorner(Element),
+    /// A corner is zero where vertices are counted from one; the element is skipped.
+    CornerZero(Element),
+    /// A corner names a vertex that the file does not have; the element is skipped.
+    CornerOutOfRange(Element),
+    /// Fewer than three different corners (faces), two (curves), four (tetrahedra); skipped.
+    TooFewCorners(Element),
+    /// The same corner twice in a row; it is kept once.
+    RepeatedCorner(Element),
+    /// A face comes back to one of its corners; it is skipped.
+    SelfTouchingFace,
+    /// A statement that the format does not have; it is ignored.
+    UnknownStatement,
+    /// More names in one `g` statement than are kept; the rest is ignored.
+    TooManyNames,
+    /// A vertex of no element.
+    UnusedVertex,
+    /// A face on the same vertices as an earlier one.
+    DuplicateFace,
+    /// An edge of more than two faces.
+    NonManifoldEdge,
+    /// An edge that its two faces run through in the same direction.
+    FlippedNeighbour,
+}
+
+impl ProblemKind {
+    /// What is counted, as singular and plural, and what is the matter with it.
+    fn words(self) -> (&'static str, &'static str, &'static str) {
+        use ProblemKind::*;
+        let (one, many) = match self {
+            MalformedCoordinate | NonFiniteCoordinate | DecimalComma | UnusedVertex => {
+                ("vertex", "vertices")
+            }
+            MalformedCorner(element)
+            | CornerZero(element)
+            | CornerOutOfRange(element)
+            | TooFewCorners(element)
+            | RepeatedCorner(element) => match element {
+                Element::Face => ("face", "faces"),
+                Element::Curve => ("polyline", "polylines"),
+                Element::Tetrahedron => ("tetrahedron", "tetrahedra"),
+            },
+            SelfTouchingFace | DuplicateFace => ("face", "faces"),
+            UnknownStatement => ("unknown statement", "unknown statements"),
+            TooManyNames => ("`g` statement", "`g` statements"),
+            NonManifoldEdge | FlippedNeighbour => ("edge", "edges"),
+        };
+        let matter = match self {
+            MalformedCoordinate => {
+                "with a coordinate that is not a number, moved to the middle of the mesh"
+            }
+            NonFiniteCoordinate => {
+                "with a coordinate that is not finite, moved to the middle of the mesh"
+            }
+            DecimalComma => "with decimal commas, read as decimal points",
+            MalformedCorner(_) => "with a corner that is not a vertex number skipped",
+            CornerZero(_) => "with vertex number 0 skipped, as vertices count from 1",
+            CornerOutOfRange(_) => "with the number of a vertex that is not there skipped",
+            TooFewCorners(Element::Face) => "with fewer than three corners skipped",
+            TooFewCorners(Element::Curve) => "with fewer than two vertices skipped",
+            TooFewCorners(Element::Tetrahedron) => "with fewer than four corners skipped",
+            RepeatedCorner(_) => "with the same vertex twice in a row, which is kept once",
+            SelfTouchingFace => "with the same vertex at two corners skipped",
+            UnknownStatement => "ignored",
+            TooManyNames => "with too many names, of which the first are kept",
+            UnusedVertex => "that nothing uses",
+            DuplicateFace => "on the same vertices as an earlier face",
+            NonManifoldEdge => "with more than two faces",
+            FlippedNeighbour => "whose two faces are oriented against each other",
+        };
+        (one, many, matter)
+    }
+}
+
+/// All problems of one kind in a mesh.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Problem {
+    /// Which sort.
+    pub kind: ProblemKind,
+    /// How many, at least one.
+    pub count: usize,
+    /// Line of the first in the file, counted from one; none when the mesh is not from a file.
+    pub line: Option<usize>,
+    /// The text of that line, shortened; empty when there is no line.
+    pub text: String,
+}
+
+impl fmt::Display for Problem {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (one, many, matter) = self.kind.words();
+        write!(f, "{} {matter}", counted(self.count, one, many))?;
+        if let Some(line) = self.line {
+            let first = if self.count == 1 { "at" } else { "first at" };
+            write!(f, ", {first} line {line}: `{}`", self.text)?;
+        }
+        Ok(())
+    }
+}
+
+/// `1 face`, `2 faces`.
+pub(super) fn counted(count: usize, one: &str, many: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { many })
+}
+
+/// Problems as they are met.
+#[derive(Default)]
+pub(super) struct Tally(BTreeMap<ProblemKind, (usize, Option<usize>)>);
+
+impl Tally {
+    /// Counts one problem. Problems of one kind come in the order of their lines.
+    pub(super) fn add(&mut self, kind: ProblemKind, line: Option<usize>) {
+        self.0.entry(kind).or_insert((0, line)).0 += 1;
+    }
+
+    /// The problems, by kind; `text` gives the text of a line.
+    pub(super) fn problems(self, text: impl Fn(usize) -> String) -> Vec<Problem> {
+        let problem = |(kind, (count, line)): (_, (_, Option<usize>))| Problem {
+            kind,
+            count,
+            line,
+            text: line.map(&text).unwrap_or_default(),
+        };
+        self.0.into_iter().map(problem).collect()
+    }
+}

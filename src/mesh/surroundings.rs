@@ -1,0 +1,117 @@
+//! Which triangles are near each triangle of a surface.
+//!
+//! If the closest point of one triangle is at distance `d` of `p`, whatever is nearer to `p` is
+//! within `2 d` of that triangle. So where `d` is short against the triangle, a short list made
+//! beforehand has all that can be nearer, and no tree needs to be searched.
+
+use super::Ragged;
+use super::tree::{Box3, Tree};
+use super::triangle::{Corners, Planes};
+
+/// How far the surroundings of a triangle reach, relative to the diagonal of its box.
+const REACH: f64 = 0.5;
+
+/// The same for what is close.
+const CLOSE_REACH: f64 = 0.125;
+
+/// A triangle with more surroundings than this has none listed, so that ten thousand triangles
+/// around one corner do not cost ten thousand squared.
+const MOST: usize = 64;
+
+/// What is near each triangle.
+#[derive(Clone, Debug)]
+pub(super) struct Surroundings {
+    /// For each triangle those in its reach, the close ones first.
+    lists: Ragged,
+    limits: Vec<Limits>,
+}
+
+/// For squared distances of a point to a triangle: how much of the list is needed.
+#[derive(Clone, Debug)]
+struct Limits {
+    /// Up to this, nothing, if the point is farther from the sides than from the triangle.
+    alone: f64,
+    /// Up to this, the close ones.
+    close: f64,
+    /// Up to this, the list.
+    listed: f64,
+    /// How many of the list are close.
+    n_close: u32,
+}
+
+impl Surroundings {
+    /// Lists the surroundings of all triangles. `boxes` are theirs, in the order of `tree`.
+    pub(super) fn new(
+        tree: &Tree,
+        boxes: &[Box3],
+        planes: &[Planes],
+        corners: &[Corners],
+    ) -> Surroundings {
+        let mut lists = Ragged::new();
+        let mut limits = Vec::with_capacity(boxes.len());
+        // A negative limit allows nothing, and a little less than half allows for rounding.
+        let limit = |reach: f64| (0.5 - 1e-9) * reach * (0.5 - 1e-9) * reach;
+        for t in 0..boxes.len() {
+            let size = boxes[t].diagonal();
+            let reach = REACH * size;
+            let around = boxes[t].grown(reach);
+            let (mut close, mut others, mut unfolded) = (Vec::new(), Vec::new(), true);
+            tree.meeting(&around, |leaf| {
+                for s in leaf.filter(|&s| s != t && boxes[s].meets(&around)) {
+                    let gap = gap([(&planes[t], &corners[t]), (&planes[s], &corners[s])]);
+                    if gap <= reach {
+                        let list = if gap <= CLOSE_REACH * size { &mut close } else { &mut others };
+                        list.push(s as u32);
+                        unfolded &= planes[t].gap_of_sides(corners[s].at) >= -1e-12 * size;
+                    }
+                }
+                close.len() + others.len() <= MOST
+            });
+            let n_close = close.len() as u32;
+            close.append(&mut others);
+            if close.len() > MOST || size == 0.0 {
+                limits.push(Limits { alone: -1.0, close: -1.0, listed: -1.0, n_close: 0 });
+                lists.push(&[]);
+            } else {
+                limits.push(Limits {
+                    alone: if unfolded { limit(reach) } else { -1.0 },
+                    close: limit(CLOSE_REACH * size),
+                    listed: limit(reach),
+                    n_close,
+                });
+                lists.push(&close);
+            }
+        }
+        Surroundings { lists, limits }
+    }
+
+    /// The triangles that can be nearer to a point than triangle `t`; none when they are not
+    /// listed. The point is at this squared distance of `t`, and `inside` its sides by this much.
+    #[inline(always)]
+    pub(super) fn of(&self, t: usize, distance_squared: f64, inside: f64) -> Option<&[u32]> {
+        let limits = &self.limits[t];
+        if distance_squared <= limits.alone
+            && inside > 0.0
+            && distance_squared < inside * inside * (1.0 - 1e-9)
+        {
+            return Some(&[]);
+        }
+        let list = self.lists.row(t);
+        if distance_squared <= limits.close {
+            Some(&list[..limits.n_close as usize])
+        } else if distance_squared <= limits.listed {
+            Some(list)
+        } else {
+            None
+        }
+    }
+}
+
+/// Two triangles are at least this far apart.
+fn gap([(planes, corners), (other_planes, other_corners)]: [(&Planes, &Corners); 2]) -> f64 {
+    if corners.at.iter().any(|a| other_corners.at.contains(a)) {
+        return 0.0;
+    }
+    let (one, other) = (planes.gap(other_corners.at), other_planes.gap(corners.at));
+    if one > other { one } else { other }
+}

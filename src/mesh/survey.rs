@@ -1,0 +1,132 @@
+//! What a mesh as a whole has wrong: unused vertices, duplicate faces, edges that are no surface's.
+
+use super::problem::{Problem, ProblemKind, Tally};
+use super::{Mesh, Point};
+
+/// The problems of a mesh that is not from a file, such as one inside a scene.
+pub fn survey(mesh: &Mesh) -> Vec<Problem> {
+    let mut tally = Tally::default();
+    examine(mesh, &[], &[], &mut tally);
+    tally.problems(|_| String::new())
+}
+
+/// Counts the problems of a mesh whose vertices and faces are from these lines of a file, or from
+/// nowhere (no lines).
+pub(super) fn examine(mesh: &Mesh, vertex_lines: &[u32], face_lines: &[u32], tally: &mut Tally) {
+    let line = |lines: &[u32], index: usize| lines.get(index).map(|&line| line as usize);
+    for vertex in unused(mesh) {
+        tally.add(ProblemKind::UnusedVertex, line(vertex_lines, vertex));
+    }
+    for face in duplicates(mesh) {
+        tally.add(ProblemKind::DuplicateFace, line(face_lines, face as usize));
+    }
+    for edge in half_edges(mesh).chunk_by(|a, b| a.ends == b.ends) {
+        let kind = match edge {
+            [a, b] if a.ascending == b.ascending => ProblemKind::FlippedNeighbour,
+            [_] | [_, _] => continue,
+            _ => ProblemKind::NonManifoldEdge,
+        };
+        tally.add(kind, line(face_lines, edge[edge.len() - 1].face as usize));
+    }
+}
+
+/// The vertices of no element. A mesh without elements is a set of points, all of which are meant.
+fn unused(mesh: &Mesh) -> Vec<usize> {
+    let elements = [mesh.faces.indices(), mesh.curves.indices(), mesh.tets.as_flattened()];
+    if elements.iter().all(|indices| indices.is_empty()) {
+        return Vec::new();
+    }
+    let mut used = vec![false; mesh.positions.len()];
+    for &vertex in elements.into_iter().flatten() {
+        used[vertex as usize] = true;
+    }
+    (0..used.len()).filter(|&vertex| !used[vertex]).collect()
+}
+
+/// The faces on the same vertices as an earlier one, in whatever order.
+fn duplicates(mesh: &Mesh) -> Vec<u32> {
+    let mut sorted = mesh.faces.clone();
+    sorted.sort_rows();
+    let mut faces: Vec<u32> = (0..sorted.len() as u32).collect();
+    let row = |face: u32| sorted.row(face as usize);
+    faces.sort_unstable_by(|&a, &b| row(a).cmp(row(b)).then(a.cmp(&b)));
+    faces.windows(2).filter(|pair| row(pair[0]) == row(pair[1])).map(|pair| pair[1]).collect()
+}
+
+/// The side of one face along one edge.
+#[derive(PartialEq, Eq, PartialOrd, Ord)]
+struct HalfEdge {
+    /// Lower vertex first.
+    ends: [u32; 2],
+    face: u32,
+    /// Whether the face runs from the lower to the higher vertex.
+    ascending: bool,
+}
+
+/// All sides of all faces, those of one edge together, by face.
+fn half_edges(mesh: &Mesh) -> Vec<HalfEdge> {
+    let mut sides = Vec::with_capacity(mesh.faces.indices().len());
+    for (face, corners) in mesh.faces.iter().enumerate() {
+        let mut from = corners[corners.len() - 1];
+        for &to in corners {
+            let ends = [from.min(to), from.max(to)];
+            sides.push(HalfEdge { ends, face: face as u32, ascending: from < to });
+            from = to;
+        }
+    }
+    sides.sort_unstable();
+    sides
+}
+
+/// How many vertices lie exactly where an earlier one does, and the first of them.
+pub(super) fn coincident(positions: &[Point]) -> Option<(usize, usize)> {
+    let is_number = |p: &Point| !p.iter().any(|x| x.is_nan());
+    // Adding zero makes one zero of the two.
+    let mut vertices: Vec<(Point, usize)> = (positions.iter().enumerate())
+        .filter(|(_, p)| is_number(p))
+        .map(|(vertex, p)| (p.map(|x| x + 0.0), vertex))
+        .collect();
+    vertices.sort_unstable_by(|(p, a), (q, b)| {
+        let axes = p.iter().zip(q).map(|(x, y)| x.total_cmp(y));
+        axes.fold(std::cmp::Ordering::Equal, |order, next| order.then(next)).then(a.cmp(b))
+    });
+    let later = vertices.windows(2).filter(|pair| pair[0].0 == pair[1].0).map(|pair| pair[1].1);
+    Some((later.clone().count(), later.min()?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Problems of faces on `vertices` vertices somewhere: kinds with counts.
+    fn problems(vertices: usize, faces: &[&[u32]]) -> Vec<(ProblemKind, usize)> {
+        let positions = (0..vertices).map(|i| [i as f64, 0.0, 0.0]).collect();
+        let mesh = Mesh { positions, faces: faces.iter().collect(), ..Mesh::default() };
+        survey(&mesh).iter().map(|problem| (problem.kind, problem.count)).collect()
+    }
+
+    #[test]
+    fn a_sound_mesh_has_no_problems() {
+        assert_eq!(problems(4, &[&[0, 1, 2], &[0, 2, 3]]), []);
+        assert_eq!(problems(7, &[]), []);
+    }
+
+    #[test]
+    fn each_problem_is_counted() {
+        use ProblemKind::*;
+        assert_eq!(problems(5, &[&[0, 1, 2]]), [(UnusedVertex, 2)]);
+        assert_eq!(problems(4, &[&[0, 1, 2], &[0, 3, 2]]), [(FlippedNeighbour, 1)]);
+        assert_eq!(problems(5, &[&[0, 1, 2], &[1, 0, 3], &[0, 1, 4]]), [(NonManifoldEdge, 1)]);
+        assert_eq!(problems(3, &[&[0, 1, 2], &[2, 1, 0], &[2, 0, 1]])[0], (DuplicateFace, 2));
+    }
+
+    #[test]
+    fn coincident_vertices_are_found_once_each() {
+        let [p, q] = [[0.0, 1.0, -0.0], [1.0, 2.0, 3.0]];
+        assert_eq!(coincident(&[p, q]), None);
+        assert_eq!(
+            coincident(&[q, p, [f64::NAN; 3], [f64::NAN; 3], p, q, [-0.0, 1.0, 0.0]]),
+            Some((3, 4))
+        );
+    }
+}

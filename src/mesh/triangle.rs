@@ -1,0 +1,177 @@
+//! Closest point on a triangle, and a cheap bound that tells when it need not be found.
+//!
+//! The plane of a triangle and the three planes that stand on its sides give, without a branch, a
+//! distance below which the triangle cannot be. The bound is met wherever the closest point is
+//! inside or on a side, so that of all triangles around a point few are looked at twice.
+
+use super::Point;
+use crate::math::{Lane, Lanes, Vec3};
+
+/// The plane of a triangle, and the planes through its sides that stand on it and look outwards.
+/// They are packed in pairs, as one multiplication takes two lanes.
+///
+/// A segment `ab` is the triangle `abb`; its planes stand on it at both ends. A point is the
+/// triangle `aaa`, which has none.
+#[derive(Clone, Debug)]
+#[repr(align(64))]
+pub(super) struct Planes {
+    /// Unit normals: of the triangle and side ab; of the sides bc and ca.
+    normals: [Vec3<Lanes>; 2],
+    /// What is added to the inner product with the normal.
+    offsets: [Lanes; 2],
+}
+
+/// The signed distances of a point to the four planes.
+#[derive(Clone, Copy)]
+pub(super) struct Over {
+    height: f64,
+    out: [f64; 3],
+}
+
+impl Planes {
+    /// The planes of the triangle with these corners.
+    pub(super) fn new([a, b, c]: [Vec3<f64>; 3]) -> Planes {
+        let normal = (b - a).cross(c - a);
+        let area = normal.length();
+        let nothing = (Vec3::zero(), 0.0);
+        let [plane, ab, bc, ca] = if area > 0.0 {
+            let normal = normal * (1.0 / area);
+            let side = |from: Vec3<f64>, to: Vec3<f64>| plane(from, (to - from).cross(normal));
+            [plane(a, normal), side(a, b), side(b, c), side(c, a)]
+        } else {
+            // The side ca is the whole segment. A plane that everything is just outside of says so.
+            let whole = (Vec3::zero(), f64::MIN_POSITIVE);
+            if a == b {
+                [nothing, nothing, nothing, whole]
+            } else {
+                [nothing, plane(b, b - a), plane(a, a - b), whole]
+            }
+        };
+        let mut planes = Planes {
+            normals: [Vec3::new(Lanes::zero(), Lanes::zero(), Lanes::zero()); 2],
+            offsets: [Lanes([plane.1, ab.1]), Lanes([bc.1, ca.1])],
+        };
+        for (i, pair) in [[plane, ab], [bc, ca]].into_iter().enumerate() {
+            for (lane, (normal, _)) in pair.into_iter().enumerate() {
+                planes.normals[i].set_lane(lane, normal);
+            }
+        }
+        planes
+    }
+
+    /// Where the point `p`, the same in both lanes, is.
+    #[inline(always)]
+    pub(super) fn over(&self, p: Vec3<Lanes>) -> Over {
+        let first = self.normals[0].dot(p) + self.offsets[0];
+        let second = self.normals[1].dot(p) + self.offsets[1];
+        Over { height: first.0[0], out: [first.0[1], second.0[0], second.0[1]] }
+    }
+
+    /// A distance by which one of the planes parts this triangle from another one; 0 or less when
+    /// none does.
+    pub(super) fn gap(&self, corners: [Vec3<f64>; 3]) -> f64 {
+        let over = corners.map(|p| self.over(splat(p)));
+        let least = |of: fn(&Over) -> f64| {
+            over.iter().map(of).fold(f64::INFINITY, |least, x| Lane::min(least, x))
+        };
+        [least(|o| o.height), least(|o| -o.height), self.gap_of_sides(corners)]
+            .into_iter()
+            .fold(0.0, |gap, x| Lane::max(gap, x))
+    }
+
+    /// The same for the planes on the sides alone; negative where the other triangle reaches over
+    /// this one.
+    pub(super) fn gap_of_sides(&self, corners: [Vec3<f64>; 3]) -> f64 {
+        let over = corners.map(|p| self.over(splat(p)));
+        (0..3).fold(f64::NEG_INFINITY, |gap, side| {
+            let least = over.iter().fold(f64::INFINITY, |least, o| Lane::min(least, o.out[side]));
+            Lane::max(gap, least)
+        })
+    }
+}
+
+impl Over {
+    /// The triangle is at least as far as the square root of this.
+    #[inline(always)]
+    pub(super) fn bound(&self) -> f64 {
+        let out = Lane::max(Lane::max(self.out[0], 0.0), Lane::max(self.out[1], self.out[2]));
+        self.height * self.height + out * out
+    }
+
+    /// How far inside all sides the point is; negative outside.
+    #[inline(always)]
+    pub(super) fn inside(&self) -> f64 {
+        -Lane::max(self.out[0], Lane::max(self.out[1], self.out[2]))
+    }
+}
+
+/// A plane through a point: unit normal, and what is added to the inner product with it.
+fn plane(through: Vec3<f64>, direction: Vec3<f64>) -> (Vec3<f64>, f64) {
+    let normal = direction * (1.0 / direction.length());
+    (normal, -normal.dot(through))
+}
+
+/// The same point in both lanes.
+#[inline(always)]
+pub(super) fn splat(p: Vec3<f64>) -> Vec3<Lanes> {
+    Vec3::new(Lanes::splat(p.x), Lanes::splat(p.y), Lanes::splat(p.z))
+}
+
+/// The corners of a triangle.
+#[derive(Clone, Debug)]
+pub(super) struct Corners {
+    pub(super) at: [Vec3<f64>; 3],
+    /// One over the squared lengths of the sides ab, bc, ca; 0 where the ends coincide.
+    inverse: [f64; 3],
+}
+
+/// A point of a surface and its squared distance to the point that was asked for.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Hit {
+    pub(super) point: Vec3<f64>,
+    pub(super) distance_squared: f64,
+}
+
+impl Corners {
+    /// The triangle with these corners. It must not be a sliver, unless two corners are the same.
+    pub(super) fn new(at: [Vec3<f64>; 3]) -> Corners {
+        let inverse = std::array::from_fn(|k| {
+            let squared = (at[(k + 1) % 3] - at[k]).length_squared();
+            if squared > 0.0 { 1.0 / squared } else { 0.0 }
+        });
+        Corners { at, inverse }
+    }
+
+    /// The point of the triangle that is closest to `p`, which is `over` its `planes`.
+    #[inline(always)]
+    pub(super) fn closest(&self, planes: &Planes, p: Vec3<f64>, over: Over) -> Hit {
+        if over.inside() >= 0.0 {
+            let point = p - planes.normals[0].lane(0) * over.height;
+            return Hit { point, distance_squared: over.height * over.height };
+        }
+        let mut best = Hit { point: p, distance_squared: f64::INFINITY };
+        for k in 0..3 {
+            if over.out[k] > 0.0 {
+                let from = self.at[k];
+                let side = self.at[(k + 1) % 3] - from;
+                let along = side.dot(p - from) * self.inverse[k];
+                let point = from + side * Lane::min(Lane::max(along, 0.0), 1.0);
+                let distance_squared = (p - point).length_squared();
+                if distance_squared < best.distance_squared {
+                    best = Hit { point, distance_squared };
+                }
+            }
+        }
+        best
+    }
+}
+
+/// Whether a triangle is so thin that rounding decides what is inside: its height is less than 1e-8
+/// of its longest side. Its three sides then stand for it.
+pub(super) fn is_sliver(corners: [Point; 3]) -> bool {
+    const THINNEST: f64 = 1e-8;
+    let [a, b, c] = corners.map(Vec3::from);
+    let longest_squared =
+        (b - a).length_squared().max((c - b).length_squared()).max((a - c).length_squared());
+    (b - a).cross(c - a).length() <= THINNEST * longest_squared
+}

@@ -1,0 +1,147 @@
+//! The example scenes, on meshes that the project's own generators make.
+
+use super::{
+    Closeness, ConstraintSpec, HANDLE_WEIGHT, HandleSpec, Hold, MeshSource, Scene, Smoothness,
+    SmoothnessOf, Weighting, Weights,
+};
+use crate::constraint::{Element, Kind, Selector, Set};
+use crate::mesh::Mesh;
+use crate::mesh::generate::{Canopy, Dome, Hypar};
+
+/// A scene to start from.
+#[derive(Clone, Copy, Debug)]
+pub struct Example {
+    /// The name of its files without their endings.
+    pub id: &'static str,
+    /// Shown as the name of the model.
+    pub title: &'static str,
+    /// What to look for, in one sentence.
+    pub summary: &'static str,
+    /// The name of its scene file.
+    pub file: &'static str,
+    /// The name of its mesh file, beside the scene.
+    pub mesh_file: &'static str,
+    make: fn(&mut Scene) -> Mesh,
+}
+
+/// All examples; the page opens the first.
+pub const EXAMPLES: &[Example] = &[
+    Example {
+        id: "canopy",
+        title: "Canopy of circular panels",
+        summary: "Each panel moves until its corners lie on a circle, while the blue handle lifts the edge over the entrance.",
+        file: "canopy.shapeup.json",
+        mesh_file: "canopy.obj",
+        make: canopy,
+    },
+    Example {
+        id: "dome",
+        title: "Dome with a hole",
+        summary: "The panels become flat, the rim of the hole becomes a true circle, and the rows around it settle on one sphere.",
+        file: "dome.shapeup.json",
+        mesh_file: "dome.obj",
+        make: dome,
+    },
+    Example {
+        id: "hypar",
+        title: "Hypar of straight beams",
+        summary: "Every line of edges becomes straight, and then no panel can be flat: switch the lines off to see the panels win.",
+        file: "hypar.shapeup.json",
+        mesh_file: "hypar.obj",
+        make: hypar,
+    },
+];
+
+impl Example {
+    /// The scene, which names its mesh as a file beside it, and that mesh.
+    pub fn build(&self) -> (Scene, Mesh) {
+        let mut scene = Scene::new(MeshSource::File(self.mesh_file.to_owned()));
+        scene.title = self.title.to_owned();
+        scene.units = "m".to_owned();
+        let mesh = (self.make)(&mut scene);
+        (scene, mesh)
+    }
+}
+
+fn canopy(scene: &mut Scene) -> Mesh {
+    let canopy = Canopy::default();
+    let mesh = canopy.mesh();
+    let [nx, ny] = canopy.panels.map(|n| n as u32);
+    let vertex = |i: u32, j: u32| j * (nx + 1) + i;
+    scene.constraints = vec![constraint("circle", each(Element::Face), 1.0)];
+    let entrance = vertex(nx / 2, 0);
+    let [x, y, z] = mesh.positions[entrance as usize];
+    scene.handles = vec![
+        HandleSpec {
+            vertices: vec![vertex(0, 0), vertex(nx, 0), vertex(0, ny), vertex(nx, ny)],
+            targets: None,
+            hold: Hold::Fixed,
+        },
+        HandleSpec {
+            vertices: vec![entrance],
+            targets: Some(vec![[x, y - 1.0, z + 2.0]]),
+            hold: Hold::Soft { weight: HANDLE_WEIGHT },
+        },
+    ];
+    scene.weights = Weights { shape: 5.0, close: 1.0, smooth: 2.0 };
+    scene.smoothness =
+        Smoothness { of: SmoothnessOf::Displacement, weighting: Weighting::Uniform };
+    mesh
+}
+
+fn dome(scene: &mut Scene) -> Mesh {
+    let dome = Dome::default();
+    let mesh = dome.mesh();
+    let vertices = |rings: std::ops::Range<usize>| -> Vec<u32> {
+        let of_ring = |(first, count)| first..first + count;
+        rings.flat_map(|k| of_ring(dome.ring(k))).collect()
+    };
+    let last = dome.rings() - 1;
+    scene.sets.insert(
+        "crown".to_owned(),
+        Set { vertices: vertices(dome.rows[0] + 1..last + 1), faces: Vec::new() },
+    );
+    scene
+        .sets
+        .insert("rim".to_owned(), Set { vertices: vertices(last..last + 1), faces: Vec::new() });
+    scene.constraints = vec![
+        constraint("plane", each(Element::Face), 1.0),
+        constraint("sphere", Selector::Set("crown".to_owned()), 1.0),
+        constraint("circle", Selector::Set("rim".to_owned()), 1.0),
+    ];
+    // The four corners of the eaves stand on piers: three vertices each.
+    let (first, count) = dome.ring(0);
+    let piers = (0..4).flat_map(|corner| {
+        let middle = count / 8 + corner * count / 4;
+        (middle - 1..=middle + 1).map(move |i| first + i)
+    });
+    scene.handles =
+        vec![HandleSpec { vertices: piers.collect(), targets: None, hold: Hold::Fixed }];
+    scene.weights = Weights { shape: 5.0, close: 0.5, smooth: 1.0 };
+    scene.smoothness =
+        Smoothness { of: SmoothnessOf::Displacement, weighting: Weighting::Uniform };
+    mesh
+}
+
+fn hypar(scene: &mut Scene) -> Mesh {
+    let hypar = Hypar::default();
+    scene.constraints = vec![
+        constraint("line", each(Element::Curve), 1.0),
+        constraint("plane", each(Element::Face), 0.1),
+    ];
+    // The beams along the sides stand already.
+    scene.handles =
+        vec![HandleSpec { vertices: hypar.sides(), targets: None, hold: Hold::Fixed }];
+    scene.weights = Weights { shape: 10.0, close: 0.0, smooth: 0.1 };
+    scene.closeness = Closeness::None;
+    hypar.mesh()
+}
+
+fn each(element: Element) -> Selector {
+    Selector::Each { element, within: None, radius: 0 }
+}
+
+fn constraint(id: &str, on: Selector, weight: f64) -> ConstraintSpec {
+    let kind = Kind::new(id, serde_json::json!({})).expect("the kind is in the list of kinds");
+    ConstraintSpec { kind, on, weight, enabled: true }
+}

@@ -1,0 +1,363 @@
+//! The scene file, version 1 (design section 5), as JSON in and out.
+//!
+//! What is wrong is named by its JSON path, with what was found and what was expected. Here the
+//! form is checked; whether indices and names fit the mesh is checked by `validate`.
+//!
+//! | file | holds |
+//! |---|---|
+//! | `node` | the document as a tree, and typed access that names the place |
+//! | `indices` | index lists: arrays or strings of ranges |
+//! | `selector` | the forms of `on` |
+//! | `inline_mesh` | a mesh inside the scene |
+//! | `write` | JSON out |
+
+mod indices;
+mod inline_mesh;
+mod node;
+mod selector;
+mod write;
+
+pub(super) use node::push_key;
+
+use super::{
+    Accelerator, Closeness, ConstraintSpec, HANDLE_WEIGHT, HandleSpec, Hold, MeshSource, Scene,
+    SceneError, Smoothness, SmoothnessOf, SolverSettings, Up, Weighting, Weights,
+};
+use crate::constraint::{KINDS, Kind, KindError, Set, Sets};
+use crate::mesh::Point;
+use node::{At, Node};
+
+/// The value of `format` in every scene file.
+pub const FORMAT: &str = "shape-up-scene";
+/// The version of the scene file that is read and written.
+pub const VERSION: u32 = 1;
+
+const KEYS: &[&str] = &[
+    "format",
+    "version",
+    "title",
+    "units",
+    "up",
+    "mesh",
+    "current",
+    "sets",
+    "constraints",
+    "handles",
+    "weights",
+    "closeness",
+    "smoothness",
+    "solver",
+];
+
+const UPS: &[(&str, Up)] = &[("z", Up::Z), ("y", Up::Y)];
+const CLOSENESSES: &[(&str, Closeness)] =
+    &[("surface", Closeness::Surface), ("rest", Closeness::Rest), ("none", Closeness::None)];
+const SMOOTHNESSES: &[(&str, SmoothnessOf)] =
+    &[("surface", SmoothnessOf::Surface), ("displacement", SmoothnessOf::Displacement)];
+const WEIGHTINGS: &[(&str, Weighting)] = &[
+    ("auto", Weighting::Auto),
+    ("uniform", Weighting::Uniform),
+    ("cotangent", Weighting::Cotangent),
+];
+const ACCELERATORS: &[(&str, Accelerator)] = &[
+    ("quasi-newton", Accelerator::QuasiNewton),
+    ("anderson", Accelerator::Anderson),
+    ("none", Accelerator::None),
+];
+
+/// The word that scene files use for `value`.
+fn word_of<T: PartialEq + Copy>(words: &[(&'static str, T)], value: T) -> &'static str {
+    let found = words.iter().find(|(_, v)| *v == value);
+    found.expect("every value of an enumeration has a word").0
+}
+
+impl Accelerator {
+    /// Every accelerator with its word in scene files and on the command line.
+    pub const WORDS: &'static [(&'static str, Accelerator)] = ACCELERATORS;
+}
+
+impl Scene {
+    /// Reads a scene file.
+    ///
+    /// # Errors
+    /// When the text is not JSON (line and column), or not a scene of version 1 (the JSON path,
+    /// what was found there and what was expected).
+    pub fn from_json(text: &str) -> Result<Scene, SceneError> {
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        let document: Node = serde_json::from_str(text).map_err(|e| syntax_error(text, &e))?;
+        let scene = read_scene(&At::root(&document))?;
+        scene.check_numbers()?;
+        Ok(scene)
+    }
+
+    /// Writes the scene as a file: `mesh` goes inline where [`Scene::mesh`] is inline. What has its
+    /// default value is left out. The same scene always gives the same text, and numbers read
+    /// back to the same bits.
+    pub fn to_json(&self, mesh: &crate::mesh::Mesh) -> String {
+        write::scene(self, mesh)
+    }
+}
+
+fn syntax_error(text: &str, error: &serde_json::Error) -> SceneError {
+    let message = if text.trim().is_empty() {
+        "the file is empty, expected a scene".to_owned()
+    } else {
+        let what = error.to_string();
+        let what = what.split(" at line ").next().unwrap_or_default();
+        format!("line {}, column {}: not JSON: {what}", error.line(), error.column())
+    };
+    SceneError { path: String::new(), message }
+}
+
+fn read_scene(at: &At<'_>) -> Result<Scene, SceneError> {
+    if !matches!(at.node, Node::Object(_)) {
+        return Err(at.expected("a scene: an object"));
+    }
+    // These two first: a later version may have keys that are unknown here.
+    let format = at.need("format", &format!("\"format\": \"{FORMAT}\""))?;
+    if format.node != &Node::Text(FORMAT.to_owned()) {
+        return Err(format.expected(&format!("\"{FORMAT}\"")));
+    }
+    let version = at.need("version", &VERSION.to_string())?;
+    match version.whole(&VERSION.to_string())? {
+        VERSION => {}
+        later if later > VERSION => {
+            return Err(version.error(format!(
+                "this is version {later} of the scene file, this program reads version {VERSION}: it needs a later program"
+            )));
+        }
+        _ => return Err(version.expected(&VERSION.to_string())),
+    }
+    at.only_keys(KEYS)?;
+
+    let mut scene = Scene::new(read_mesh(&at.need("mesh", "{\"file\": ...} or a mesh")?)?);
+    if let Some(title) = at.get("title") {
+        scene.title = title.text("a text")?.to_owned();
+    }
+    if let Some(units) = at.get("units") {
+        scene.units = units.text("a unit of length such as \"m\"")?.to_owned();
+    }
+    if let Some(up) = at.get("up") {
+        scene.up = up.one_of(UPS)?;
+    }
+    if let Some(current) = at.get("current") {
+        scene.current = Some(read_points(&current)?);
+    }
+    if let Some(sets) = at.get("sets") {
+        scene.sets = read_sets(&sets)?;
+    }
+    if let Some(constraints) = at.get("constraints") {
+        let items = constraints.array("an array of constraints")?;
+        scene.constraints = items.iter().map(read_constraint).collect::<Result<_, _>>()?;
+    }
+    if let Some(handles) = at.get("handles") {
+        let items = handles.array("an array of handles")?;
+        scene.handles = items.iter().map(read_handle).collect::<Result<_, _>>()?;
+    }
+    if let Some(weights) = at.get("weights") {
+        scene.weights = read_weights(&weights)?;
+    }
+    if let Some(closeness) = at.get("closeness") {
+        closeness.only_keys(&["to"])?;
+        if let Some(to) = closeness.get("to") {
+            scene.closeness = to.one_of(CLOSENESSES)?;
+        }
+    }
+    if let Some(smoothness) = at.get("smoothness") {
+        scene.smoothness = read_smoothness(&smoothness)?;
+    }
+    if let Some(solver) = at.get("solver") {
+        scene.solver = read_solver(&solver)?;
+    }
+    Ok(scene)
+}
+
+fn read_mesh(at: &At<'_>) -> Result<MeshSource, SceneError> {
+    let Some(file) = at.get("file") else {
+        return Ok(MeshSource::Inline(Box::new(inline_mesh::read(at)?)));
+    };
+    at.only_keys(&["file"])?;
+    match file.text("the path of a mesh file, relative to the scene")? {
+        "" => Err(file.expected("the path of a mesh file, relative to the scene")),
+        path => Ok(MeshSource::File(path.to_owned())),
+    }
+}
+
+fn read_points(at: &At<'_>) -> Result<Vec<Point>, SceneError> {
+    at.array("an array of points [x, y, z]")?.iter().map(At::point).collect()
+}
+
+fn read_sets(at: &At<'_>) -> Result<Sets, SceneError> {
+    let mut sets = Sets::new();
+    for (name, entry) in at.entries("an object of named sets")? {
+        entry.only_keys(&["vertices", "faces"])?;
+        let mut set = Set::default();
+        if let Some(vertices) = entry.get("vertices") {
+            set.vertices = indices::read(&vertices)?;
+        }
+        if let Some(faces) = entry.get("faces") {
+            set.faces = indices::read(&faces)?;
+        }
+        if set.vertices.is_empty() && set.faces.is_empty() {
+            return Err(entry.error("the set is empty, expected \"vertices\" or \"faces\""));
+        }
+        sets.insert(name.to_owned(), set);
+    }
+    Ok(sets)
+}
+
+/// The keys that every constraint has; all others are parameters of its kind.
+const CONSTRAINT_KEYS: [&str; 4] = ["kind", "on", "weight", "enabled"];
+
+fn read_constraint(at: &At<'_>) -> Result<ConstraintSpec, SceneError> {
+    let entries = at.entries("a constraint: an object with \"kind\" and \"on\"")?;
+    let ids: Vec<_> = KINDS.iter().map(|info| info.id).collect();
+    let what = format!("one of {}", ids.join(", "));
+    let kind = at.need("kind", &what)?;
+    let id = kind.text(&what)?;
+    let own = entries.iter().filter(|(key, _)| !CONSTRAINT_KEYS.contains(key));
+    let params = own.clone().map(|(key, value)| ((*key).to_owned(), value.node.to_value()));
+    let kind = Kind::new(id, serde_json::Value::Object(params.collect())).map_err(|e| match e {
+        KindError::Unknown => kind.error(format!("unknown kind {id:?}, expected {what}")),
+        KindError::Params { path, message } => {
+            let known = parameter_keys(id);
+            match own.clone().find(|(key, _)| !known.iter().any(|k| k == key)) {
+                Some((key, _)) => {
+                    let known: Vec<_> =
+                        CONSTRAINT_KEYS.iter().copied().chain(known.iter().map(|k| &**k)).collect();
+                    at.unknown_key(key, &known)
+                }
+                None => SceneError { path: join(&at.path(), &path), message },
+            }
+        }
+    })?;
+    let on = at.need("on", selector::WHAT)?;
+    let mut spec = ConstraintSpec { kind, on: selector::read(&on)?, weight: 1.0, enabled: true };
+    if let Some(weight) = at.get("weight") {
+        spec.weight = weight.number("a number from 0")?;
+    }
+    if let Some(enabled) = at.get("enabled") {
+        spec.enabled = enabled.truth()?;
+    }
+    Ok(spec)
+}
+
+/// The keys of the parameters of a kind.
+fn parameter_keys(id: &str) -> Vec<String> {
+    let declared = KINDS.iter().filter(|info| info.id == id).flat_map(|info| info.params);
+    let mut keys: Vec<_> = declared.map(|param| param.id.to_owned()).collect();
+    for key in default_params(id).keys() {
+        if !keys.contains(key) {
+            keys.push(key.clone());
+        }
+    }
+    keys
+}
+
+/// The parameters that a kind has when the scene gives none; empty when some have no default.
+fn default_params(id: &str) -> serde_json::Map<String, serde_json::Value> {
+    match Kind::new(id, serde_json::json!({})).map(|kind| kind.params()) {
+        Ok(serde_json::Value::Object(params)) => params,
+        _ => serde_json::Map::new(),
+    }
+}
+
+/// A JSON path and one below it, where `.` is serde's name for the value itself.
+fn join(path: &str, below: &str) -> String {
+    match below {
+        "" | "." | "?" => path.to_owned(),
+        _ if below.starts_with('[') => format!("{path}{below}"),
+        _ => format!("{path}.{below}"),
+    }
+}
+
+fn read_handle(at: &At<'_>) -> Result<HandleSpec, SceneError> {
+    at.only_keys(&["vertices", "targets", "weight", "fixed"])?;
+    let list = at.need("vertices", "a list of indices")?;
+    let vertices = indices::read(&list)?;
+    if vertices.is_empty() {
+        return Err(list.error("the list is empty, expected at least one vertex"));
+    }
+    let targets = match at.get("targets") {
+        None => None,
+        Some(targets) => {
+            let points = read_points(&targets)?;
+            if points.len() != vertices.len() {
+                return Err(targets.error(format!(
+                    "found {} targets, expected one for each of the {} vertices",
+                    points.len(),
+                    vertices.len()
+                )));
+            }
+            Some(points)
+        }
+    };
+    let fixed = at.get("fixed").map_or(Ok(false), |fixed| fixed.truth())?;
+    let hold = match at.get("weight") {
+        Some(weight) if fixed => {
+            return Err(weight.error("a fixed handle is met exactly and takes no weight"));
+        }
+        Some(weight) => Hold::Soft { weight: weight.number("a number above 0")? },
+        None if fixed => Hold::Fixed,
+        None => Hold::Soft { weight: HANDLE_WEIGHT },
+    };
+    Ok(HandleSpec { vertices, targets, hold })
+}
+
+fn read_weights(at: &At<'_>) -> Result<Weights, SceneError> {
+    at.only_keys(&["shape", "close", "smooth"])?;
+    let mut weights = Weights::default();
+    for (key, weight) in [
+        ("shape", &mut weights.shape),
+        ("close", &mut weights.close),
+        ("smooth", &mut weights.smooth),
+    ] {
+        if let Some(value) = at.get(key) {
+            *weight = value.number("a number from 0")?;
+        }
+    }
+    Ok(weights)
+}
+
+fn read_smoothness(at: &At<'_>) -> Result<Smoothness, SceneError> {
+    at.only_keys(&["of", "weighting"])?;
+    let mut smoothness = Smoothness::default();
+    if let Some(of) = at.get("of") {
+        smoothness.of = of.one_of(SMOOTHNESSES)?;
+    }
+    if let Some(weighting) = at.get("weighting") {
+        smoothness.weighting = weighting.one_of(WEIGHTINGS)?;
+    }
+    Ok(smoothness)
+}
+
+fn read_solver(at: &At<'_>) -> Result<SolverSettings, SceneError> {
+    at.only_keys(&[
+        "iterations",
+        "tolerance",
+        "accelerator",
+        "window",
+        "mean_centring",
+        "monotone",
+    ])?;
+    let mut solver = SolverSettings::default();
+    if let Some(iterations) = at.get("iterations") {
+        solver.iterations = iterations.whole("a whole number from 0")?;
+    }
+    if let Some(tolerance) = at.get("tolerance") {
+        solver.tolerance = tolerance.number("a number from 0")?;
+    }
+    if let Some(accelerator) = at.get("accelerator") {
+        solver.accelerator = accelerator.one_of(ACCELERATORS)?;
+    }
+    if let Some(window) = at.get("window") {
+        solver.window = window.whole("a whole number from 0")?;
+    }
+    if let Some(mean_centring) = at.get("mean_centring") {
+        solver.mean_centring = mean_centring.truth()?;
+    }
+    if let Some(monotone) = at.get("monotone") {
+        solver.monotone = monotone.truth()?;
+    }
+    Ok(solver)
+}

@@ -1,0 +1,254 @@
+//! A JSON document as a tree that keeps the order of keys and refuses a key that occurs twice, and
+//! [`At`], a place in it: values are taken out by type, and what does not fit names the place.
+
+use crate::scene::SceneError;
+use serde::de::{self, Deserialize, Deserializer, MapAccess, SeqAccess, Visitor};
+use serde_json::{Number, Value};
+use std::fmt;
+
+/// A JSON value.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Node {
+    Null,
+    Bool(bool),
+    Number(Number),
+    Text(String),
+    Array(Vec<Node>),
+    /// Keys in the order of the document, none twice.
+    Object(Vec<(String, Node)>),
+}
+
+impl<'de> Deserialize<'de> for Node {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Node, D::Error> {
+        deserializer.deserialize_any(NodeVisitor)
+    }
+}
+
+struct NodeVisitor;
+
+impl<'de> Visitor<'de> for NodeVisitor {
+    type Value = Node;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a JSON value")
+    }
+    fn visit_unit<E>(self) -> Result<Node, E> {
+        Ok(Node::Null)
+    }
+    fn visit_bool<E>(self, value: bool) -> Result<Node, E> {
+        Ok(Node::Bool(value))
+    }
+    fn visit_u64<E>(self, value: u64) -> Result<Node, E> {
+        Ok(Node::Number(value.into()))
+    }
+    fn visit_i64<E>(self, value: i64) -> Result<Node, E> {
+        Ok(Node::Number(value.into()))
+    }
+    fn visit_f64<E: de::Error>(self, value: f64) -> Result<Node, E> {
+        Number::from_f64(value).map(Node::Number).ok_or_else(|| E::custom("number is not finite"))
+    }
+    fn visit_str<E>(self, value: &str) -> Result<Node, E> {
+        Ok(Node::Text(value.to_owned()))
+    }
+    fn visit_seq<A: SeqAccess<'de>>(self, mut array: A) -> Result<Node, A::Error> {
+        let mut items = Vec::new();
+        while let Some(item) = array.next_element()? {
+            items.push(item);
+        }
+        Ok(Node::Array(items))
+    }
+    fn visit_map<A: MapAccess<'de>>(self, mut object: A) -> Result<Node, A::Error> {
+        let mut entries = Vec::new();
+        let mut seen = std::collections::BTreeSet::new();
+        while let Some(key) = object.next_key::<String>()? {
+            if !seen.insert(key.clone()) {
+                return Err(de::Error::custom(format_args!("the key `{key}` occurs twice")));
+            }
+            entries.push((key, object.next_value()?));
+        }
+        Ok(Node::Object(entries))
+    }
+}
+
+impl Node {
+    /// The same value for serde.
+    pub(super) fn to_value(&self) -> Value {
+        match self {
+            Node::Null => Value::Null,
+            Node::Bool(value) => Value::Bool(*value),
+            Node::Number(value) => Value::Number(value.clone()),
+            Node::Text(value) => Value::String(value.clone()),
+            Node::Array(items) => items.iter().map(Node::to_value).collect(),
+            Node::Object(entries) => {
+                Value::Object(entries.iter().map(|(k, v)| (k.clone(), v.to_value())).collect())
+            }
+        }
+    }
+
+    /// What it is, for the "found" of a message.
+    fn describe(&self) -> String {
+        match self {
+            Node::Null => "null".to_owned(),
+            Node::Bool(value) => value.to_string(),
+            Node::Number(value) => value.to_string(),
+            Node::Text(text) if text.chars().count() > 40 => {
+                format!("{:?}...", text.chars().take(40).collect::<String>())
+            }
+            Node::Text(text) => format!("{text:?}"),
+            Node::Array(items) => format!("an array of {}", items.len()),
+            Node::Object(_) => "an object".to_owned(),
+        }
+    }
+}
+
+/// A value and where it stands in the document.
+#[derive(Clone, Copy)]
+pub(super) struct At<'a> {
+    parent: Option<&'a At<'a>>,
+    step: Step<'a>,
+    pub(super) node: &'a Node,
+}
+
+#[derive(Clone, Copy)]
+enum Step<'a> {
+    Root,
+    Key(&'a str),
+    Index(usize),
+}
+
+impl<'a> At<'a> {
+    pub(super) fn root(node: &'a Node) -> At<'a> {
+        At { parent: None, step: Step::Root, node }
+    }
+
+    /// The JSON path, such as `constraints[2].on.set`; empty at the root.
+    pub(super) fn path(&self) -> String {
+        let mut path = self.parent.map(At::path).unwrap_or_default();
+        match self.step {
+            Step::Root => {}
+            Step::Key(key) => push_key(&mut path, key),
+            Step::Index(index) => path.push_str(&format!("[{index}]")),
+        }
+        path
+    }
+
+    pub(super) fn error(&self, message: impl Into<String>) -> SceneError {
+        SceneError { path: self.path(), message: message.into() }
+    }
+
+    /// "found ..., expected ..." at this place.
+    pub(super) fn expected(&self, what: &str) -> SceneError {
+        self.error(format!("found {}, expected {what}", self.node.describe()))
+    }
+
+    /// The entries of an object, whatever their keys are.
+    pub(super) fn entries(&'a self, what: &str) -> Result<Vec<(&'a str, At<'a>)>, SceneError> {
+        let Node::Object(entries) = self.node else { return Err(self.expected(what)) };
+        Ok(entries
+            .iter()
+            .map(|(key, node)| {
+                (key.as_str(), At { parent: Some(self), step: Step::Key(key), node })
+            })
+            .collect())
+    }
+
+    /// Checks that this is an object with no other keys than `known`.
+    pub(super) fn only_keys(&self, known: &[&str]) -> Result<(), SceneError> {
+        let Node::Object(entries) = self.node else { return Err(self.expected("an object")) };
+        match entries.iter().find(|(key, _)| !known.contains(&key.as_str())) {
+            Some((key, _)) => Err(self.unknown_key(key, known)),
+            None => Ok(()),
+        }
+    }
+
+    /// The error for a key that has no meaning in this object.
+    pub(super) fn unknown_key(&self, key: &str, known: &[&str]) -> SceneError {
+        self.error(format!("unknown key `{key}`, known here: {}", known.join(", ")))
+    }
+
+    /// The value of `key` when this is an object that has it.
+    pub(super) fn get(&'a self, key: &'a str) -> Option<At<'a>> {
+        let Node::Object(entries) = self.node else { return None };
+        let (key, node) = entries.iter().find(|(k, _)| k == key)?;
+        Some(At { parent: Some(self), step: Step::Key(key), node })
+    }
+
+    /// The value of `key`, which must be there; `what` says what it would be.
+    pub(super) fn need(&'a self, key: &'a str, what: &str) -> Result<At<'a>, SceneError> {
+        self.get(key).ok_or_else(|| self.error(format!("`{key}` is missing, expected {what}")))
+    }
+
+    pub(super) fn array(&'a self, what: &str) -> Result<Vec<At<'a>>, SceneError> {
+        let Node::Array(items) = self.node else { return Err(self.expected(what)) };
+        Ok(items
+            .iter()
+            .enumerate()
+            .map(|(i, node)| At { parent: Some(self), step: Step::Index(i), node })
+            .collect())
+    }
+
+    pub(super) fn text(&self, what: &str) -> Result<&'a str, SceneError> {
+        match self.node {
+            Node::Text(text) => Ok(text),
+            _ => Err(self.expected(what)),
+        }
+    }
+
+    pub(super) fn truth(&self) -> Result<bool, SceneError> {
+        match self.node {
+            Node::Bool(value) => Ok(*value),
+            _ => Err(self.expected("true or false")),
+        }
+    }
+
+    /// A finite number.
+    pub(super) fn number(&self, what: &str) -> Result<f64, SceneError> {
+        match self.node {
+            Node::Number(number) => {
+                let value = number.as_f64().filter(|value| value.is_finite());
+                value.ok_or_else(|| self.expected(what))
+            }
+            _ => Err(self.expected(what)),
+        }
+    }
+
+    /// A whole number that an index or a count can have.
+    pub(super) fn whole(&self, what: &str) -> Result<u32, SceneError> {
+        let Node::Number(number) = self.node else { return Err(self.expected(what)) };
+        let whole = number.as_u64().and_then(|value| u32::try_from(value).ok());
+        whole.ok_or_else(|| self.expected(what))
+    }
+
+    /// Three finite numbers.
+    pub(super) fn point(&'a self) -> Result<[f64; 3], SceneError> {
+        const WHAT: &str = "a point [x, y, z]";
+        let items = self.array(WHAT)?;
+        let [x, y, z] = items.as_slice() else { return Err(self.expected(WHAT)) };
+        Ok([x.number("a number")?, y.number("a number")?, z.number("a number")?])
+    }
+
+    /// One of the words of `choices`.
+    pub(super) fn one_of<T: Copy>(&self, choices: &[(&str, T)]) -> Result<T, SceneError> {
+        let found = match self.node {
+            Node::Text(text) => choices.iter().find(|(word, _)| word == text),
+            _ => None,
+        };
+        found.map(|&(_, value)| value).ok_or_else(|| {
+            let words: Vec<_> = choices.iter().map(|(word, _)| format!("{word:?}")).collect();
+            self.expected(&words.join(" or "))
+        })
+    }
+}
+
+/// Appends a key to a JSON path; one that is not a plain word is quoted.
+pub(in crate::scene) fn push_key(path: &mut String, key: &str) {
+    let plain = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
+    if key.is_empty() || !key.chars().all(plain) {
+        path.push_str(&format!("[{key:?}]"));
+    } else {
+        if !path.is_empty() {
+            path.push('.');
+        }
+        path.push_str(key);
+    }
+}

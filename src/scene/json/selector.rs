@@ -1,0 +1,104 @@
+//! The forms of `on`: which vertices a constraint acts on.
+
+use super::indices;
+use super::node::{At, Node};
+use crate::constraint::{Element, Selector};
+use crate::scene::SceneError;
+
+pub(super) const WHAT: &str = "\"faces\", \"edges\", \"rings\", \"tets\", \"curves\", \"boundary\", \
+     {\"each\": ...}, {\"set\": NAME} or {\"vertices\": LIST}";
+
+/// The words that stand for one constraint per element.
+const ALL_OF: &[(&str, Element)] = &[
+    ("faces", Element::Face),
+    ("edges", Element::Edge),
+    ("rings", Element::Ring),
+    ("tets", Element::Tet),
+    ("curves", Element::Curve),
+    ("boundary", Element::Boundary),
+];
+
+const EACH: &[(&str, Element)] = &[
+    ("face", Element::Face),
+    ("edge", Element::Edge),
+    ("ring", Element::Ring),
+    ("tet", Element::Tet),
+    ("curve", Element::Curve),
+    ("boundary", Element::Boundary),
+    ("group", Element::Group),
+];
+
+/// The radius of an element that does not say its own.
+fn default_radius(element: Element) -> u32 {
+    if element == Element::Ring { 1 } else { 0 }
+}
+
+pub(super) fn read(at: &At<'_>) -> Result<Selector, SceneError> {
+    match at.node {
+        Node::Text(word) => {
+            let element = ALL_OF.iter().find(|(known, _)| known == word);
+            let &(_, element) = element.ok_or_else(|| at.expected(WHAT))?;
+            Ok(Selector::Each { element, within: None, radius: default_radius(element) })
+        }
+        Node::Object(_) => read_object(at),
+        _ => Err(at.expected(WHAT)),
+    }
+}
+
+fn read_object(at: &At<'_>) -> Result<Selector, SceneError> {
+    if let Some(set) = at.get("set") {
+        at.only_keys(&["set"])?;
+        return Ok(Selector::Set(set.text("the name of a set or group")?.to_owned()));
+    }
+    if let Some(list) = at.get("vertices") {
+        at.only_keys(&["vertices"])?;
+        let vertices = indices::read(&list)?;
+        if vertices.is_empty() {
+            return Err(list.error("the list is empty, expected at least one vertex"));
+        }
+        return Ok(Selector::Vertices(vertices));
+    }
+    at.only_keys(&["each", "in", "radius", "set", "vertices"])?;
+    let element = at.need("each", WHAT)?.one_of(EACH)?;
+    let within = match at.get("in") {
+        Some(name) => Some(name.text("the name of a set or group")?.to_owned()),
+        None => None,
+    };
+    let radius = match at.get("radius") {
+        Some(radius) => {
+            let what = format!("a whole number from {}", default_radius(element));
+            match radius.whole(&what)? {
+                found if found < default_radius(element) => return Err(radius.expected(&what)),
+                found => found,
+            }
+        }
+        None => default_radius(element),
+    };
+    Ok(Selector::Each { element, within, radius })
+}
+
+/// The shortest form that reads back to the selector.
+pub(super) fn write(selector: &Selector) -> String {
+    let text = |name: &String| serde_json::Value::from(name.as_str()).to_string();
+    match selector {
+        Selector::Set(name) => format!("{{ \"set\": {} }}", text(name)),
+        Selector::Vertices(vertices) => {
+            format!("{{ \"vertices\": {} }}", indices::write(vertices))
+        }
+        Selector::Each { element, within, radius } => {
+            let plain = within.is_none() && *radius == default_radius(*element);
+            let all_of = ALL_OF.iter().find(|(_, e)| plain && e == element);
+            if let Some((word, _)) = all_of {
+                return format!("\"{word}\"");
+            }
+            let mut fields = vec![format!("\"each\": \"{}\"", super::word_of(EACH, *element))];
+            if let Some(name) = within {
+                fields.push(format!("\"in\": {}", text(name)));
+            }
+            if *radius != default_radius(*element) {
+                fields.push(format!("\"radius\": {radius}"));
+            }
+            format!("{{ {} }}", fields.join(", "))
+        }
+    }
+}

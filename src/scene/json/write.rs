@@ -1,0 +1,186 @@
+//! The scene as JSON: one line per constraint, handle and set; only what is not the default.
+
+use super::{
+    ACCELERATORS, CLOSENESSES, FORMAT, SMOOTHNESSES, UPS, VERSION, WEIGHTINGS, default_params,
+    indices, inline_mesh, selector, word_of,
+};
+use crate::constraint::Set;
+use crate::mesh::{Mesh, Point};
+use crate::scene::{ConstraintSpec, HANDLE_WEIGHT, HandleSpec, Hold, MeshSource, Scene, Up};
+
+pub(super) fn scene(scene: &Scene, mesh: &Mesh) -> String {
+    let mut fields = vec![field("format", text(FORMAT)), field("version", VERSION.to_string())];
+    if !scene.title.is_empty() {
+        fields.push(field("title", text(&scene.title)));
+    }
+    if !scene.units.is_empty() {
+        fields.push(field("units", text(&scene.units)));
+    }
+    if scene.up != Up::Z {
+        fields.push(field("up", text(word_of(UPS, scene.up))));
+    }
+    fields.push(field(
+        "mesh",
+        match &scene.mesh {
+            MeshSource::File(path) => object(vec![field("file", text(path))]),
+            MeshSource::Inline(_) => inline_mesh::write(mesh, "  "),
+        },
+    ));
+    if let Some(current) = &scene.current {
+        fields.push(field("current", points(current)));
+    }
+    if !scene.sets.is_empty() {
+        let sets =
+            scene.sets.iter().map(|(name, set)| format!("{}: {}", text(name), write_set(set)));
+        fields.push(field("sets", lines('{', sets.collect(), '}')));
+    }
+    // Also when empty: the list is what a scene is about.
+    fields.push(field(
+        "constraints",
+        lines('[', scene.constraints.iter().map(constraint).collect(), ']'),
+    ));
+    if !scene.handles.is_empty() {
+        fields.push(field("handles", lines('[', scene.handles.iter().map(handle).collect(), ']')));
+    }
+    let defaults = Scene::new(scene.mesh.clone());
+    let mut add = |name, fields_of: Vec<String>| {
+        if !fields_of.is_empty() {
+            fields.push(field(name, object(fields_of)));
+        }
+    };
+    let (w, dw) = (scene.weights, defaults.weights);
+    add(
+        "weights",
+        [
+            ("shape", w.shape, dw.shape),
+            ("close", w.close, dw.close),
+            ("smooth", w.smooth, dw.smooth),
+        ]
+        .into_iter()
+        .filter(|(_, value, default)| value != default)
+        .map(|(key, value, _)| field(key, number(value)))
+        .collect(),
+    );
+    let mut closeness = Vec::new();
+    if scene.closeness != defaults.closeness {
+        closeness.push(field("to", text(word_of(CLOSENESSES, scene.closeness))));
+    }
+    add("closeness", closeness);
+    let mut smoothness = Vec::new();
+    if scene.smoothness.of != defaults.smoothness.of {
+        smoothness.push(field("of", text(word_of(SMOOTHNESSES, scene.smoothness.of))));
+    }
+    if scene.smoothness.weighting != defaults.smoothness.weighting {
+        smoothness.push(field("weighting", text(word_of(WEIGHTINGS, scene.smoothness.weighting))));
+    }
+    add("smoothness", smoothness);
+    add("solver", solver(scene, &defaults));
+    format!("{{\n  {}\n}}\n", fields.join(",\n  "))
+}
+
+fn solver(scene: &Scene, defaults: &Scene) -> Vec<String> {
+    let (s, d) = (scene.solver, defaults.solver);
+    let mut fields = Vec::new();
+    if s.iterations != d.iterations {
+        fields.push(field("iterations", s.iterations.to_string()));
+    }
+    if s.tolerance != d.tolerance {
+        fields.push(field("tolerance", number(s.tolerance)));
+    }
+    if s.accelerator != d.accelerator {
+        fields.push(field("accelerator", text(word_of(ACCELERATORS, s.accelerator))));
+    }
+    if s.window != d.window {
+        fields.push(field("window", s.window.to_string()));
+    }
+    if s.mean_centring != d.mean_centring {
+        fields.push(field("mean_centring", s.mean_centring.to_string()));
+    }
+    if s.monotone != d.monotone {
+        fields.push(field("monotone", s.monotone.to_string()));
+    }
+    fields
+}
+
+fn constraint(spec: &ConstraintSpec) -> String {
+    let id = spec.kind.info().id;
+    let mut fields = vec![field("kind", text(id)), field("on", selector::write(&spec.on))];
+    if spec.weight != 1.0 {
+        fields.push(field("weight", number(spec.weight)));
+    }
+    if !spec.enabled {
+        fields.push(field("enabled", "false".to_owned()));
+    }
+    let defaults = default_params(id);
+    if let serde_json::Value::Object(params) = spec.kind.params() {
+        for (key, value) in params {
+            if defaults.get(&key) != Some(&value) {
+                fields.push(field(&key, value.to_string()));
+            }
+        }
+    }
+    object(fields)
+}
+
+fn handle(handle: &HandleSpec) -> String {
+    let mut fields = vec![field("vertices", indices::write(&handle.vertices))];
+    if let Some(targets) = &handle.targets {
+        fields.push(field("targets", points(targets)));
+    }
+    match handle.hold {
+        Hold::Fixed => fields.push(field("fixed", "true".to_owned())),
+        Hold::Soft { weight } if weight != HANDLE_WEIGHT => {
+            fields.push(field("weight", number(weight)));
+        }
+        Hold::Soft { .. } => {}
+    }
+    object(fields)
+}
+
+fn write_set(set: &Set) -> String {
+    let mut fields = Vec::new();
+    if !set.vertices.is_empty() {
+        fields.push(field("vertices", indices::write(&set.vertices)));
+    }
+    if !set.faces.is_empty() {
+        fields.push(field("faces", indices::write(&set.faces)));
+    }
+    object(fields)
+}
+
+fn field(key: &str, value: String) -> String {
+    format!("{}: {value}", text(key))
+}
+
+fn object(fields: Vec<String>) -> String {
+    format!("{{ {} }}", fields.join(", "))
+}
+
+/// One item per line.
+fn lines(open: char, items: Vec<String>, close: char) -> String {
+    if items.is_empty() {
+        return format!("{open}{close}");
+    }
+    format!("{open}\n    {}\n  {close}", items.join(",\n    "))
+}
+
+fn points(points: &[Point]) -> String {
+    let items: Vec<_> = points.iter().map(point).collect();
+    format!("[{}]", items.join(", "))
+}
+
+pub(super) fn point(point: &Point) -> String {
+    let [x, y, z] = point.map(number);
+    format!("[{x}, {y}, {z}]")
+}
+
+/// The shortest decimal that reads back to the same bits.
+fn number(value: f64) -> String {
+    let text = serde_json::Value::from(value).to_string();
+    text.strip_suffix(".0").map(str::to_owned).unwrap_or(text)
+}
+
+/// A JSON string.
+pub(super) fn text(value: &str) -> String {
+    serde_json::Value::from(value).to_string()
+}

@@ -1,0 +1,194 @@
+//! The checks of a scene beyond its form: numbers in range, and indices and names that the mesh has.
+
+use super::json::push_key;
+use super::{Closeness, HandleSpec, Hold, Scene, SceneError, Weighting};
+use crate::constraint::Selector;
+use crate::mesh::Mesh;
+use std::collections::{BTreeMap, BTreeSet};
+
+impl Scene {
+    /// Checks that everything in the scene fits `mesh`, the mesh that [`Scene::mesh`] stands for.
+    ///
+    /// # Errors
+    /// The first thing that does not: its JSON path, what is wrong and what was expected.
+    pub fn validate(&self, mesh: &Mesh) -> Result<(), SceneError> {
+        self.check_numbers()?;
+        let vertices = mesh.positions.len();
+        if let Some(current) = &self.current
+            && current.len() != vertices
+        {
+            let found = current.len();
+            return error(
+                "current",
+                format!(
+                    "found {found} positions, expected one for each of the {vertices} vertices"
+                ),
+            );
+        }
+        self.check_sets(mesh)?;
+        self.check_constraints(mesh)?;
+        self.check_handles(vertices)?;
+        if self.smoothness.weighting == Weighting::Cotangent {
+            let other = mesh.faces.iter().position(|face| face.len() != 3);
+            if let Some(face) = other {
+                let corners = mesh.faces.row(face).len();
+                return error(
+                    "smoothness.weighting",
+                    format!(
+                        "cotangent weights need a triangle mesh, but face {face} has {corners} corners, expected \"auto\" or \"uniform\""
+                    ),
+                );
+            }
+        }
+        if self.closeness == Closeness::Surface && self.weights.close > 0.0 && mesh.faces.is_empty()
+        {
+            return error(
+                "closeness.to",
+                "the mesh has no faces, so it has no surface to be close to, expected \"rest\" or \"none\"",
+            );
+        }
+        Ok(())
+    }
+
+    /// The checks that need no mesh: every number is finite and in its range.
+    pub(super) fn check_numbers(&self) -> Result<(), SceneError> {
+        let from_zero = |path: &str, value: f64| match value.is_finite() && value >= 0.0 {
+            true => Ok(()),
+            false => error(path, format!("found {value}, expected a number from 0")),
+        };
+        for (i, spec) in self.constraints.iter().enumerate() {
+            from_zero(&format!("constraints[{i}].weight"), spec.weight)?;
+        }
+        for (i, handle) in self.handles.iter().enumerate() {
+            check_handle_numbers(i, handle)?;
+        }
+        from_zero("weights.shape", self.weights.shape)?;
+        from_zero("weights.close", self.weights.close)?;
+        from_zero("weights.smooth", self.weights.smooth)?;
+        from_zero("solver.tolerance", self.solver.tolerance)?;
+        for (i, point) in self.current.iter().flatten().enumerate() {
+            if !point.iter().all(|x| x.is_finite()) {
+                return error(&format!("current[{i}]"), "the position is not finite");
+            }
+        }
+        Ok(())
+    }
+
+    fn check_sets(&self, mesh: &Mesh) -> Result<(), SceneError> {
+        for (name, set) in &self.sets {
+            let mut path = "sets".to_owned();
+            push_key(&mut path, name);
+            check_indices(
+                &format!("{path}.vertices"),
+                "vertex",
+                &set.vertices,
+                mesh.positions.len(),
+            )?;
+            check_indices(&format!("{path}.faces"), "face", &set.faces, mesh.faces.len())?;
+        }
+        Ok(())
+    }
+
+    fn check_constraints(&self, mesh: &Mesh) -> Result<(), SceneError> {
+        let groups = mesh.groups.iter().map(|group| group.name.as_str());
+        let names: BTreeSet<&str> = self.sets.keys().map(String::as_str).chain(groups).collect();
+        for (i, spec) in self.constraints.iter().enumerate() {
+            let path = format!("constraints[{i}].on");
+            let (key, name) = match &spec.on {
+                Selector::Set(name) => ("set", name),
+                Selector::Each { within: Some(name), .. } => ("in", name),
+                Selector::Each { within: None, .. } => continue,
+                Selector::Vertices(vertices) => {
+                    check_indices(
+                        &format!("{path}.vertices"),
+                        "vertex",
+                        vertices,
+                        mesh.positions.len(),
+                    )?;
+                    continue;
+                }
+            };
+            if !names.contains(name.as_str()) {
+                let known: Vec<_> = names.iter().copied().collect();
+                let known = match known.as_slice() {
+                    [] => "there are none".to_owned(),
+                    known => format!("there are: {}", known.join(", ")),
+                };
+                return error(
+                    &format!("{path}.{key}"),
+                    format!(
+                        "found {name:?}, expected the name of a set or of a group of the mesh; {known}"
+                    ),
+                );
+            }
+        }
+        Ok(())
+    }
+
+    fn check_handles(&self, vertices: usize) -> Result<(), SceneError> {
+        let mut held: BTreeMap<u32, usize> = BTreeMap::new();
+        for (i, handle) in self.handles.iter().enumerate() {
+            check_indices(&format!("handles[{i}].vertices"), "vertex", &handle.vertices, vertices)?;
+            for (k, &vertex) in handle.vertices.iter().enumerate() {
+                if let Some(earlier) = held.insert(vertex, i) {
+                    return error(
+                        &format!("handles[{i}].vertices[{k}]"),
+                        format!(
+                            "vertex {vertex} is in handles[{earlier}] already, expected each vertex in one handle at most"
+                        ),
+                    );
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+fn check_handle_numbers(i: usize, handle: &HandleSpec) -> Result<(), SceneError> {
+    if let Hold::Soft { weight } = handle.hold
+        && !(weight.is_finite() && weight > 0.0)
+    {
+        return error(
+            &format!("handles[{i}].weight"),
+            format!("found {weight}, expected a number above 0"),
+        );
+    }
+    let Some(targets) = &handle.targets else { return Ok(()) };
+    if targets.len() != handle.vertices.len() {
+        let (found, expected) = (targets.len(), handle.vertices.len());
+        return error(
+            &format!("handles[{i}].targets"),
+            format!("found {found} targets, expected one for each of the {expected} vertices"),
+        );
+    }
+    match targets.iter().position(|point| !point.iter().all(|x| x.is_finite())) {
+        Some(k) => error(&format!("handles[{i}].targets[{k}]"), "the target is not finite"),
+        None => Ok(()),
+    }
+}
+
+/// Every index is below `count`, and none is listed twice.
+fn check_indices(path: &str, what: &str, indices: &[u32], count: usize) -> Result<(), SceneError> {
+    let mut seen = BTreeSet::new();
+    for (k, &index) in indices.iter().enumerate() {
+        if index as usize >= count {
+            return error(
+                &format!("{path}[{k}]"),
+                format!(
+                    "there is no {what} {index}, expected an index below {count}: the mesh has {count}, counted from 0"
+                ),
+            );
+        }
+        if !seen.insert(index) {
+            return error(
+                &format!("{path}[{k}]"),
+                format!("{what} {index} is listed twice, expected it once"),
+            );
+        }
+    }
+    Ok(())
+}
+
+fn error(path: &str, message: impl Into<String>) -> Result<(), SceneError> {
+    Err(SceneError { path: path.to_owned(), message: message.into() })
+}

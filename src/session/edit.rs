@@ -1,0 +1,207 @@
+//! Edits of the document. Each is one step of undo, and fails without leaving a trace.
+
+use super::history::Snapshot;
+use super::{Session, resolve, solver};
+use crate::error::Error;
+use crate::mesh::Point;
+use crate::scene::{ConstraintSpec, HANDLE_WEIGHT, Hold, Scene, SceneError, Weights};
+use crate::solve::Handle;
+
+/// An edit of the document.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Edit {
+    /// Appends a row of constraints.
+    AddConstraint(ConstraintSpec),
+    /// Removes row `index`.
+    RemoveConstraint {
+        /// Which row.
+        index: usize,
+    },
+    /// Changes row `index`.
+    SetConstraint {
+        /// Which row.
+        index: usize,
+        /// New `w_i`.
+        weight: Option<f64>,
+        /// Whether it counts.
+        enabled: Option<bool>,
+    },
+    /// Replaces the weights of Eq. 13.
+    SetWeights(Weights),
+    /// Makes vertices handles where they are now; those that are handles already change how they hold.
+    AddHandles {
+        /// Which vertices.
+        vertices: Vec<u32>,
+        /// Fixed or soft.
+        fixed: bool,
+    },
+    /// Releases vertices.
+    RemoveHandles {
+        /// Which vertices.
+        vertices: Vec<u32>,
+    },
+    /// Goes back to the rest shape; constraints, handles and weights stay.
+    Reset,
+}
+
+impl Session {
+    /// Makes an edit.
+    ///
+    /// # Errors
+    /// When it names a row or vertex that is not there, leaves a row without constraints, or makes the
+    /// system singular; nothing has changed then.
+    pub fn edit(&mut self, edit: Edit) -> Result<(), Error> {
+        self.end_run();
+        self.end_drag(true);
+        let before = self.snapshot();
+        let mut after = before.clone();
+        let name = self.apply(edit, &mut after)?;
+        self.go_to(after)?;
+        self.history.push(name, before);
+        Ok(())
+    }
+
+    /// Takes back the last step; gives its name, or none when there is none.
+    ///
+    /// # Errors
+    /// Never in practice: the state was solvable before.
+    pub fn undo(&mut self) -> Result<Option<String>, Error> {
+        self.end_run();
+        self.end_drag(true);
+        let now = self.snapshot();
+        self.history.undo(now).map(|(name, to)| self.go_to(to).map(|()| name)).transpose()
+    }
+
+    /// Repeats the step that was last undone; gives its name, or none when there is none.
+    ///
+    /// # Errors
+    /// Never in practice: the state was solvable before.
+    pub fn redo(&mut self) -> Result<Option<String>, Error> {
+        self.end_run();
+        self.end_drag(true);
+        let now = self.snapshot();
+        self.history.redo(now).map(|(name, to)| self.go_to(to).map(|()| name)).transpose()
+    }
+
+    /// The names of the steps that undo and redo would take.
+    pub fn undo_and_redo(&self) -> [Option<&str>; 2] {
+        [self.history.undo_name(), self.history.redo_name()]
+    }
+
+    pub(super) fn snapshot(&self) -> Snapshot {
+        Snapshot {
+            document: self.document.clone(),
+            handles: self.solver.handles().to_vec(),
+            positions: self.positions(),
+            iteration: self.iteration,
+        }
+    }
+
+    /// Applies an edit to a state, and gives its name.
+    fn apply(&self, edit: Edit, state: &mut Snapshot) -> Result<String, SceneError> {
+        let Snapshot { document, handles, positions, iteration } = state;
+        let name = match edit {
+            Edit::AddConstraint(spec) => {
+                let name = format!("Add {}", spec.kind.info().label.to_lowercase());
+                document.constraints.push(spec);
+                name
+            }
+            Edit::RemoveConstraint { index } => {
+                let label = row(document, index)?.kind.info().label.to_lowercase();
+                document.constraints.remove(index);
+                format!("Remove {label}")
+            }
+            Edit::SetConstraint { index, weight, enabled } => {
+                let spec = row(document, index)?;
+                spec.weight = weight.unwrap_or(spec.weight);
+                spec.enabled = enabled.unwrap_or(spec.enabled);
+                format!("Change {}", spec.kind.info().label.to_lowercase())
+            }
+            Edit::SetWeights(weights) => {
+                document.weights = weights;
+                "Change weights".to_owned()
+            }
+            Edit::AddHandles { vertices, fixed } => {
+                let hold = if fixed { Hold::Fixed } else { Hold::Soft { weight: HANDLE_WEIGHT } };
+                self.hold(&vertices, hold, handles, positions)?;
+                format!("{} {}", if fixed { "Fix" } else { "Hold" }, counted(vertices.len()))
+            }
+            Edit::RemoveHandles { vertices } => {
+                handles.retain(|handle| !vertices.contains(&handle.vertex));
+                format!("Release {}", counted(vertices.len()))
+            }
+            Edit::Reset => {
+                positions.clone_from(&self.mesh.positions);
+                *iteration = 0;
+                "Reset".to_owned()
+            }
+        };
+        Ok(name)
+    }
+
+    fn hold(
+        &self,
+        vertices: &[u32],
+        hold: Hold,
+        handles: &mut Vec<Handle>,
+        positions: &[Point],
+    ) -> Result<(), SceneError> {
+        for &vertex in vertices {
+            let Some(&target) = positions.get(vertex as usize) else {
+                let message =
+                    format!("vertex {vertex} is out of range: the mesh has {}", positions.len());
+                return Err(SceneError { path: "handles".to_owned(), message });
+            };
+            match handles.iter_mut().find(|handle| handle.vertex == vertex) {
+                Some(handle) => handle.hold = hold,
+                None => handles.push(Handle { vertex, target, hold }),
+            }
+        }
+        Ok(())
+    }
+
+    /// Makes `state` the current one at the least cost.
+    fn go_to(&mut self, state: Snapshot) -> Result<(), Error> {
+        let Snapshot { document, handles, positions, iteration } = state;
+        let moved = self.positions() != positions;
+        if document == self.document {
+            let same_holds = handles.len() == self.solver.handles().len()
+                && handles
+                    .iter()
+                    .zip(self.solver.handles())
+                    .all(|(a, b)| a.vertex == b.vertex && a.hold == b.hold);
+            if same_holds {
+                self.solver.move_handles(handles.iter().map(|h| (h.vertex, h.target)));
+            } else {
+                let old = self.solver.handles().to_vec();
+                if let Err(error) = self.solver.hold(handles) {
+                    self.solver.hold(old)?;
+                    return Err(error.into());
+                }
+            }
+            if moved {
+                self.solver.set_positions(&positions);
+            }
+        } else {
+            let rows = resolve::rows(&document, &self.mesh, &self.topology)?;
+            self.solver =
+                solver(&document, &self.mesh, &self.topology, &rows, handles, &positions)?;
+            self.rows = rows;
+            self.document = document;
+        }
+        self.iteration = iteration;
+        Ok(())
+    }
+}
+
+fn row(document: &mut Scene, index: usize) -> Result<&mut ConstraintSpec, SceneError> {
+    let count = document.constraints.len();
+    document.constraints.get_mut(index).ok_or_else(|| SceneError {
+        path: format!("constraints[{index}]"),
+        message: format!("there is no such row: the scene has {count}"),
+    })
+}
+
+fn counted(vertices: usize) -> String {
+    if vertices == 1 { "1 vertex".to_owned() } else { format!("{vertices} vertices") }
+}

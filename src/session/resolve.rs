@@ -1,0 +1,70 @@
+//! Rows of constraints with their vertices.
+
+use crate::constraint::{SelectError, resolve};
+use crate::mesh::{Mesh, Ragged, Topology};
+use crate::scene::{ConstraintSpec, Scene, SceneError};
+use crate::solve::Constraints;
+
+/// A row of the list of constraints with the vertices that it acts on.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ResolvedRow {
+    /// Kind, weight, and the vertices of each constraint.
+    pub constraints: Constraints,
+    /// Elements whose number of vertices does not fit the kind.
+    pub skipped: usize,
+    /// Whether it counts.
+    pub enabled: bool,
+}
+
+/// Resolves every row of a scene.
+///
+/// # Errors
+/// When a row has no constraint left, with its JSON path.
+pub fn rows(
+    scene: &Scene,
+    mesh: &Mesh,
+    topology: &Topology,
+) -> Result<Vec<ResolvedRow>, SceneError> {
+    let resolved = scene.constraints.iter().enumerate().map(|(i, spec)| {
+        row(spec, scene, mesh, topology)
+            .map_err(|message| SceneError { path: format!("constraints[{i}].on"), message })
+    });
+    resolved.collect()
+}
+
+/// Resolves one row; the error says why none is left.
+pub fn row(
+    spec: &ConstraintSpec,
+    scene: &Scene,
+    mesh: &Mesh,
+    topology: &Topology,
+) -> Result<ResolvedRow, String> {
+    let selected = resolve(&spec.on, mesh, topology, &scene.sets).map_err(|error| match error {
+        SelectError::UnknownSet(name) => {
+            format!("there is no set or group named \"{name}\"")
+        }
+        SelectError::VertexOutOfRange(v) => {
+            format!("vertex {v} is out of range: the mesh has {}", mesh.positions.len())
+        }
+    })?;
+    let info = spec.kind.info();
+    let fits = |members: &&[u32]| info.arity.fits(members.len());
+    let members: Ragged = selected.iter().filter(fits).collect();
+    if members.is_empty() {
+        return Err(if selected.is_empty() {
+            "nothing is selected: the mesh has no such element".to_owned()
+        } else {
+            format!(
+                "{} takes {}, and none of the {} selected elements has that",
+                info.id,
+                info.arity,
+                selected.len()
+            )
+        });
+    }
+    Ok(ResolvedRow {
+        skipped: selected.len() - members.len(),
+        constraints: Constraints { kind: spec.kind.clone(), weight: spec.weight, members },
+        enabled: spec.enabled,
+    })
+}

@@ -1,0 +1,85 @@
+//! The total energy (Eq. 13) with its gradient.
+
+use super::clock;
+use super::close::CloseEnergy;
+use super::hold::SoftHandles;
+use super::shape::ShapeEnergy;
+use super::smooth::SmoothEnergy;
+use crate::constraint::Row;
+use crate::scene::Weights;
+use serde::Serialize;
+
+/// The energies at one iterate: unweighted parts, weighted total.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Energy {
+    /// `E_shape`, Eq. 4, with the weights `w_i`.
+    pub shape: f64,
+    /// `E_close`, Eq. 11.
+    pub close: f64,
+    /// `E_smooth`, Eq. 12.
+    pub smooth: f64,
+    /// `sum weight * |v - target|^2` over soft handles.
+    pub handles: f64,
+    /// `lambda_shape * shape + lambda_close * close + lambda_smooth * smooth + handles`.
+    pub total: f64,
+}
+
+/// Seconds that iterating took, by part.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct IterateSeconds {
+    /// The projections and their scatter.
+    pub shape: f64,
+    /// Closest points.
+    pub close: f64,
+    /// The Laplacian.
+    pub smooth: f64,
+    /// The triangular sweeps and the accelerator.
+    pub global: f64,
+}
+
+impl IterateSeconds {
+    /// All of it.
+    pub fn total(&self) -> f64 {
+        self.shape + self.close + self.smooth + self.global
+    }
+}
+
+/// The parts of the total that a problem has.
+pub struct Energies {
+    /// The weights of Eq. 13.
+    pub weights: Weights,
+    /// Constraints.
+    pub shape: ShapeEnergy,
+    /// Closeness; none when it has no weight or nothing to be close to.
+    pub close: Option<CloseEnergy>,
+    /// Smoothness; none when it has no weight.
+    pub smooth: Option<SmoothEnergy>,
+    /// Soft handles.
+    pub handles: SoftHandles,
+}
+
+impl Energies {
+    /// Step I: the energies at `x`; replaces `gradient` by half the gradient of the total.
+    pub fn evaluate(
+        &mut self,
+        x: &[Row],
+        gradient: &mut [Row],
+        seconds: &mut IterateSeconds,
+    ) -> Energy {
+        gradient.fill([0.0; 4]);
+        let weights = self.weights;
+        let started = clock::now();
+        let shape = self.shape.local_step(x, gradient, weights.shape);
+        let shaped = clock::now();
+        let close = self.close.as_mut().map_or(0.0, |e| e.step(x, gradient, weights.close));
+        let closed = clock::now();
+        let smooth = self.smooth.as_mut().map_or(0.0, |e| e.step(x, gradient, weights.smooth));
+        let handles = self.handles.step(x, gradient);
+        seconds.shape += shaped - started;
+        seconds.close += closed - shaped;
+        seconds.smooth += clock::now() - closed;
+        let total =
+            shape * weights.shape + close * weights.close + smooth * weights.smooth + handles;
+        Energy { shape, close, smooth, handles, total }
+    }
+}

@@ -1,0 +1,72 @@
+//! What holds vertices in place: soft and fixed handles, and pins of parts that nothing holds.
+
+use crate::constraint::Row;
+use crate::mesh::Point;
+use crate::scene::Hold;
+
+/// A vertex held at a target.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Handle {
+    /// The vertex.
+    pub vertex: u32,
+    /// Where it shall be.
+    pub target: Point,
+    /// How it is held.
+    pub hold: Hold,
+}
+
+/// One vertex of each connected part that nothing holds: without, the system would be singular.
+///
+/// `node_of` names the node of each vertex, `parts` labels the connected part of each node, `held` says of
+/// each node whether closeness or a handle holds it.
+pub fn pins(node_of: &[u32], parts: &[u32], held: &[bool]) -> Vec<u32> {
+    let mut part_is_held = vec![false; parts.len()];
+    for (&part, &held) in parts.iter().zip(held) {
+        part_is_held[part as usize] |= held;
+    }
+    let mut pins = Vec::new();
+    for (vertex, &node) in node_of.iter().enumerate() {
+        let part = parts[node as usize] as usize;
+        if !std::mem::replace(&mut part_is_held[part], true) {
+            pins.push(vertex as u32);
+        }
+    }
+    pins
+}
+
+/// Soft handles, in terms of nodes.
+#[derive(Default)]
+pub struct SoftHandles {
+    held: Vec<(u32, f64, Row)>,
+}
+
+impl SoftHandles {
+    /// The soft ones among `handles`, whose vertices are called `node_of[v]`; targets relative to `centre`.
+    pub fn new(handles: &[Handle], node_of: &[u32], centre: Point) -> Self {
+        let held = handles.iter().filter_map(|handle| match handle.hold {
+            Hold::Soft { weight } => {
+                Some((node_of[handle.vertex as usize], weight, relative(handle.target, centre)))
+            }
+            Hold::Fixed => None,
+        });
+        SoftHandles { held: held.collect() }
+    }
+
+    /// Adds half the gradient of `sum weight |v - target|^2` at `x`, and gives the sum.
+    pub fn step(&self, x: &[Row], gradient: &mut [Row]) -> f64 {
+        let mut energy = 0.0;
+        for &(node, weight, target) in &self.held {
+            for i in 0..3 {
+                let away = x[node as usize][i] - target[i];
+                energy += weight * away * away;
+                gradient[node as usize][i] += weight * away;
+            }
+        }
+        energy
+    }
+}
+
+/// A point relative to the centre of the model, so that site coordinates do not cost digits.
+pub fn relative(point: Point, centre: Point) -> Row {
+    [point[0] - centre[0], point[1] - centre[1], point[2] - centre[2], 0.0]
+}

@@ -1,0 +1,113 @@
+//! `E_shape` (Eq. 4): the constraints of a scene, batched, with their part of the normal matrix.
+
+use super::assemble::Terms;
+use crate::constraint::{Batch, Fitted, Kind, LocalStep, Row, batches};
+use crate::mesh::Ragged;
+
+/// A constraint on more points than this gets its mean as one extra unknown, coupled to each of its
+/// points, instead of coupling all its points with each other. The minimiser is exactly the same:
+/// minimising over the mean alone gives back `N_i`.
+pub const BIG: usize = 32;
+
+/// One row of the list of constraints, resolved: the same kind on several sets of vertices.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Constraints {
+    /// The operator.
+    pub kind: Kind,
+    /// `w_i`, the same for all of them.
+    pub weight: f64,
+    /// The vertices of each constraint.
+    pub members: Ragged,
+}
+
+impl Constraints {
+    /// Vertices of each constraint that takes an extra unknown.
+    fn big(&self) -> impl Iterator<Item = &[u32]> {
+        self.members.iter().filter(|members| members.len() > BIG)
+    }
+}
+
+/// How many extra unknowns these constraints take.
+pub fn extra_unknowns(constraints: &[Constraints], mean_centring: bool) -> usize {
+    if mean_centring { constraints.iter().map(|c| c.big().count()).sum() } else { 0 }
+}
+
+/// The terms `sum_i w_i N_i` over vertices and extra unknowns, which are numbered from `n_vertices` on.
+pub fn terms(constraints: &[Constraints], n_vertices: usize, mean_centring: bool) -> Terms {
+    let mut terms = Terms::default();
+    let mut mean = n_vertices as u32;
+    for row in constraints {
+        for members in row.members.iter() {
+            let n = members.len();
+            if !mean_centring {
+                members.iter().for_each(|&v| terms.push(&[v], [1.0], row.weight, 0.0));
+            } else if n > BIG {
+                for &v in members {
+                    terms.push(&[v, mean], [1.0, -1.0], 0.0, row.weight);
+                }
+                mean += 1;
+            } else {
+                terms.push(members, (0..n).map(|_| 1.0), row.weight, -row.weight / n as f64);
+            }
+        }
+    }
+    terms
+}
+
+/// The batches of every row of constraints.
+pub struct ShapeEnergy {
+    rows: Vec<ShapeRow>,
+}
+
+struct ShapeRow {
+    batches: Vec<Box<dyn Batch>>,
+    found: LocalStep,
+}
+
+impl ShapeEnergy {
+    /// Batches `constraints`, whose vertices are called `node_of[v]` from here on.
+    pub fn new(constraints: &[Constraints], node_of: &[u32], rest: &[Row], guarded: bool) -> Self {
+        let rows = constraints
+            .iter()
+            .map(|row| {
+                let members: Ragged = row
+                    .members
+                    .iter()
+                    .map(|m| m.iter().map(|&v| node_of[v as usize]).collect::<Vec<_>>())
+                    .collect();
+                let batches = batches(&row.kind, &members, rest, row.weight, guarded);
+                ShapeRow { batches, found: LocalStep::default() }
+            })
+            .collect();
+        ShapeEnergy { rows }
+    }
+
+    /// Step I: projects at `x`, adds half the gradient of `lambda * E_shape`, and gives `E_shape`.
+    pub fn local_step(&mut self, x: &[Row], gradient: &mut [Row], lambda: f64) -> f64 {
+        let mut energy = 0.0;
+        for row in &mut self.rows {
+            row.found = LocalStep::default();
+            for batch in &mut row.batches {
+                let found = batch.local_step(x, gradient, lambda);
+                row.found.energy += found.energy;
+                row.found.worst_squared = row.found.worst_squared.max(found.worst_squared);
+            }
+            energy += row.found.energy;
+        }
+        energy
+    }
+
+    /// What the last local step found in each row of constraints.
+    pub fn found(&self) -> impl Iterator<Item = LocalStep> {
+        self.rows.iter().map(|row| row.found)
+    }
+
+    /// The shapes that fit at `x`, to be drawn.
+    pub fn fitted(&self, x: &[Row]) -> Vec<Fitted> {
+        let mut shapes = Vec::new();
+        for batch in self.rows.iter().flat_map(|row| &row.batches) {
+            batch.fitted(x, &mut shapes);
+        }
+        shapes
+    }
+}

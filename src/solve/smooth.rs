@@ -1,0 +1,91 @@
+//! `E_smooth` (Eq. 12): the Laplacian of the surface or of its displacement.
+
+use super::assemble::Terms;
+use crate::constraint::Row;
+use crate::mesh::{Laplacian, Ragged};
+
+/// The terms of `L^T L` over vertices: one for each row `sum_j w_ij (l_j - l_i)`.
+pub fn terms(laplacian: &Laplacian) -> Terms {
+    let mut terms = Terms::default();
+    let mut nodes = Vec::new();
+    for (i, (neighbours, weights)) in laplacian.rows().enumerate() {
+        nodes.clear();
+        nodes.push(i as u32);
+        nodes.extend_from_slice(neighbours);
+        let own = -weights.iter().sum::<f64>();
+        terms.push(&nodes, std::iter::once(own).chain(weights.iter().copied()), 0.0, 1.0);
+    }
+    terms
+}
+
+/// The Laplacian in the order of elimination.
+pub struct SmoothEnergy {
+    neighbours: Ragged,
+    /// `w_ij`, aligned with `neighbours`.
+    weights: Vec<f64>,
+    /// `v'` where displacements are smoothed, empty where positions are.
+    rest: Vec<Row>,
+    /// `sum_j w_ij (l_j - l_i)` of each node.
+    rows: Vec<Row>,
+    l: Vec<Row>,
+}
+
+impl SmoothEnergy {
+    /// For vertices called `node_of[v]` among `n_nodes` nodes; `rest` is empty or their rest positions.
+    pub fn new(laplacian: &Laplacian, node_of: &[u32], n_nodes: usize, rest: Vec<Row>) -> Self {
+        let mut by_node: Vec<(Vec<u32>, &[f64])> = vec![(Vec::new(), &[]); n_nodes];
+        for (v, (neighbours, weights)) in laplacian.rows().enumerate() {
+            let neighbours = neighbours.iter().map(|&u| node_of[u as usize]).collect();
+            by_node[node_of[v] as usize] = (neighbours, weights);
+        }
+        SmoothEnergy {
+            neighbours: by_node.iter().map(|(neighbours, _)| neighbours).collect(),
+            weights: by_node.iter().flat_map(|(_, weights)| weights.iter().copied()).collect(),
+            l: vec![[0.0; 4]; rest.len()],
+            rest,
+            rows: vec![[0.0; 4]; n_nodes],
+        }
+    }
+
+    /// Adds half the gradient of `lambda * E_smooth` at `x`, and gives `E_smooth`.
+    pub fn step(&mut self, x: &[Row], gradient: &mut [Row], lambda: f64) -> f64 {
+        let SmoothEnergy { neighbours, weights, rest, rows, l } = self;
+        let smoothed = if rest.is_empty() {
+            x
+        } else {
+            for ((l, x), rest) in l.iter_mut().zip(x).zip(&*rest) {
+                *l = std::array::from_fn(|i| x[i] - rest[i]);
+            }
+            l
+        };
+        for (node, row) in rows.iter_mut().enumerate() {
+            *row = laplace(neighbours, weights, node, smoothed);
+        }
+        let mut energy = [0.0; 3];
+        // w_ij = w_ji, so that L^T = L and the gradient is the same gather once more.
+        for (node, gradient) in gradient.iter_mut().enumerate() {
+            let twice = laplace(neighbours, weights, node, rows);
+            for i in 0..3 {
+                energy[i] += rows[node][i] * rows[node][i];
+                gradient[i] += lambda * twice[i];
+            }
+        }
+        energy[0] + energy[1] + energy[2]
+    }
+}
+
+/// `sum_j w_ij (l_j - l_i)` for `i = node`.
+#[inline(never)]
+fn laplace(neighbours: &Ragged, weights: &[f64], node: usize, l: &[Row]) -> Row {
+    let own = l[node];
+    let first = neighbours.offsets()[node] as usize;
+    let neighbours = neighbours.row(node);
+    let mut sum = [0.0; 4];
+    for (&j, &w) in neighbours.iter().zip(&weights[first..]) {
+        let other = l[j as usize];
+        for i in 0..4 {
+            sum[i] += w * (other[i] - own[i]);
+        }
+    }
+    sum
+}

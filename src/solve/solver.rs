@@ -1,0 +1,390 @@
+//! The two-step iteration (paper sections 2.1 and 2.2) on one mesh.
+//!
+//! In delta form: `x -= A^-1 g(x)`, where `A = Q^T Q` is the normal matrix and `g(x) = A x - Q^T p(x)`
+//! half the gradient of the total energy (Appendix A). The local step gives `g` as a by-product, and
+//! the factor of `A` is only a metric: its rounding cannot move the fixed point.
+
+use super::accelerate::{Accelerator, add_scaled};
+use super::close::CloseEnergy;
+use super::energy::{Energies, Energy, IterateSeconds};
+use super::hold::{Handle, SoftHandles, pins, relative};
+use super::shape::{Constraints, ShapeEnergy, extra_unknowns};
+use super::smooth::SmoothEnergy;
+use super::system::{SetUpSeconds, System};
+use super::{SolveError, clock, shape, smooth};
+use crate::constraint::{Fitted, LocalStep, Row};
+use crate::mesh::{Laplacian, Mesh, Point, Surface, Topology};
+use crate::scene::{Closeness, Hold, Smoothness, SmoothnessOf, SolverSettings, Weighting, Weights};
+
+/// What is solved: the rest shape and what its parts shall be.
+pub struct Problem<'a> {
+    /// The rest shape.
+    pub mesh: &'a Mesh,
+    /// Its topology.
+    pub topology: &'a Topology,
+    /// Every row of constraints, resolved.
+    pub constraints: &'a [Constraints],
+    /// The weights of Eq. 13.
+    pub weights: Weights,
+    /// What vertices are kept close to.
+    pub closeness: Closeness,
+    /// What is smoothed.
+    pub smoothness: Smoothness,
+    /// How it is solved.
+    pub settings: SolverSettings,
+}
+
+/// A problem that is assembled, factored, and evaluated at its current positions.
+pub struct Solver {
+    centre: Point,
+    n_vertices: usize,
+    settings: SolverSettings,
+    system: System,
+    energies: Energies,
+    /// Nodes that the energies themselves hold, such as by closeness.
+    held: Vec<bool>,
+    handles: Vec<Handle>,
+    pinned: Vec<u32>,
+    accelerator: Accelerator,
+    x: Vec<Row>,
+    /// Half the gradient of the total at `x`; zero where fixed.
+    gradient: Vec<Row>,
+    energy: Energy,
+    /// Positions and gradient before the last step, then scratch.
+    previous: Vec<Row>,
+    step: Vec<Row>,
+    /// The lowest total of an accelerated run, and where.
+    best: Option<(f64, Vec<Row>)>,
+    /// Changes of the total below this are rounding: positions have no more digits.
+    rounding: f64,
+    converged: bool,
+    seconds: IterateSeconds,
+}
+
+impl Solver {
+    /// Assembles, orders, factors, and evaluates at the positions `start`, `#V by 3`. Each vertex
+    /// has one handle at most.
+    ///
+    /// # Errors
+    /// When the normal matrix is not positive definite.
+    pub fn new(
+        problem: &Problem<'_>,
+        handles: Vec<Handle>,
+        start: &[Point],
+    ) -> Result<Solver, SolveError> {
+        let started = clock::now();
+        let Problem { mesh, constraints, weights, settings, .. } = *problem;
+        let n_vertices = mesh.positions.len();
+        let n = n_vertices + extra_unknowns(constraints, settings.mean_centring);
+        let laplacian = (weights.smooth > 0.0).then(|| laplacian(problem));
+        let shape_terms = if weights.shape > 0.0 {
+            shape::terms(constraints, n_vertices, settings.mean_centring)
+        } else {
+            Default::default()
+        };
+        let smooth_terms = laplacian.as_ref().map(smooth::terms).unwrap_or_default();
+        let mut held = vec![weights.close > 0.0 && problem.closeness != Closeness::None; n];
+        if !settings.mean_centring {
+            // Without N_i a constraint holds its points against translation too.
+            shape_terms.nodes().indices().iter().for_each(|&v| held[v as usize] = true);
+        }
+        let before_system = clock::now();
+        let mut system = System::new(n, &[shape_terms, smooth_terms]);
+        let after_system = clock::now();
+
+        let (centre, diameter) = centre_and_extent(&mesh.positions);
+        let node_of = &system.node_of()[..n_vertices];
+        let to_rows = |points: &[Point]| {
+            let mut rows = vec![[0.0; 4]; n];
+            for (&point, &node) in points.iter().zip(node_of) {
+                rows[node as usize] = relative(point, centre);
+            }
+            rows
+        };
+        let rest = to_rows(&mesh.positions);
+        let x = to_rows(start);
+        let energies = Energies {
+            weights,
+            shape: ShapeEnergy::new(constraints, node_of, &rest, settings.monotone),
+            smooth: laplacian.map(|laplacian| {
+                let rest = match problem.smoothness.of {
+                    SmoothnessOf::Surface => Vec::new(),
+                    SmoothnessOf::Displacement => rest.clone(),
+                };
+                SmoothEnergy::new(&laplacian, node_of, n, rest)
+            }),
+            close: (weights.close > 0.0)
+                .then(|| closeness(problem, centre, node_of, rest))
+                .flatten(),
+            handles: SoftHandles::default(),
+        };
+        let held = {
+            let mut by_node = vec![false; n];
+            held.iter().zip(system.node_of()).for_each(|(&h, &node)| by_node[node as usize] = h);
+            by_node
+        };
+        system.seconds.assemble += before_system - started + clock::now() - after_system;
+
+        let mut solver = Solver {
+            centre,
+            n_vertices,
+            settings,
+            system,
+            energies,
+            held,
+            handles: Vec::new(),
+            pinned: Vec::new(),
+            accelerator: Accelerator::new(&settings),
+            gradient: vec![[0.0; 4]; n],
+            previous: vec![[0.0; 4]; n],
+            step: vec![[0.0; 4]; n],
+            x,
+            energy: Energy::default(),
+            best: None,
+            rounding: 1e-30 * diameter * diameter * n_vertices as f64,
+            converged: false,
+            seconds: IterateSeconds::default(),
+        };
+        solver.hold(handles)?;
+        Ok(solver)
+    }
+
+    /// Replaces the handles, each vertex at most once; numbers and order stay, the factor is made anew.
+    ///
+    /// # Errors
+    /// When the normal matrix is not positive definite.
+    pub fn hold(&mut self, handles: Vec<Handle>) -> Result<(), SolveError> {
+        let n = self.x.len();
+        let node_of = &self.system.node_of()[..self.n_vertices];
+        let (mut fixed, mut held, mut diagonal) = (vec![false; n], self.held.clone(), vec![0.0; n]);
+        if self.energies.close.is_some() {
+            node_of.iter().for_each(|&node| diagonal[node as usize] = self.energies.weights.close);
+        }
+        for handle in &handles {
+            let node = node_of[handle.vertex as usize] as usize;
+            held[node] = true;
+            match handle.hold {
+                Hold::Soft { weight } => diagonal[node] += weight,
+                Hold::Fixed => fixed[node] = true,
+            }
+        }
+        self.pinned = pins(node_of, self.system.parts(), &held);
+        self.pinned.iter().for_each(|&v| fixed[node_of[v as usize] as usize] = true);
+        let weights = self.energies.weights;
+        self.system.factor(&[weights.shape, weights.smooth], &diagonal, fixed)?;
+        self.handles = handles;
+        self.retarget();
+        Ok(())
+    }
+
+    /// Moves the targets of handles. Costs no factorisation: only the gradient changes.
+    pub fn move_handles(&mut self, targets: impl IntoIterator<Item = (u32, Point)>) {
+        for (vertex, target) in targets {
+            if let Some(handle) = self.handles.iter_mut().find(|h| h.vertex == vertex) {
+                handle.target = target;
+            }
+        }
+        self.retarget();
+    }
+
+    /// Replaces the positions, `#V by 3`.
+    pub fn set_positions(&mut self, positions: &[Point]) {
+        for (&point, &node) in positions.iter().zip(self.system.node_of()) {
+            self.x[node as usize] = relative(point, self.centre);
+        }
+        self.retarget();
+    }
+
+    /// Puts fixed vertices on their targets and evaluates anew.
+    fn retarget(&mut self) {
+        let node_of = &self.system.node_of()[..self.n_vertices];
+        for handle in self.handles.iter().filter(|handle| handle.hold == Hold::Fixed) {
+            self.x[node_of[handle.vertex as usize] as usize] = relative(handle.target, self.centre);
+        }
+        self.energies.handles = SoftHandles::new(&self.handles, node_of, self.centre);
+        self.accelerator.forget();
+        self.best = None;
+        self.converged = false;
+        self.evaluate();
+    }
+
+    /// Step I at `x`.
+    fn evaluate(&mut self) {
+        self.energy = self.energies.evaluate(&self.x, &mut self.gradient, &mut self.seconds);
+        self.system.clear_fixed(&mut self.gradient);
+    }
+
+    /// One iteration: step II from the projections at hand, then step I at the new positions.
+    ///
+    /// # Errors
+    /// When a position leaves the finite numbers; the positions are then those before the step.
+    pub fn step(&mut self) -> Result<(), SolveError> {
+        let before = self.energy;
+        let started = clock::now();
+        self.previous.copy_from_slice(&self.x);
+        self.step.copy_from_slice(&self.gradient);
+        let system = &self.system;
+        let accelerated =
+            self.accelerator.propose(&self.x, &mut self.step, |right| system.solve(right));
+        let plain_gradient = accelerated.then(|| self.gradient.clone());
+        add_scaled(&mut self.x, -1.0, &self.step);
+        self.seconds.global += clock::now() - started;
+        self.evaluate();
+        if let Some(gradient) = plain_gradient {
+            // Written so that NaN falls back too.
+            let falls = self.energy.total < before.total;
+            if !falls {
+                self.take_plain_step(gradient);
+            }
+            self.keep_best(before.total);
+        }
+        self.stop_non_finite()?;
+        let change = (self.energy.total - before.total).abs();
+        let tolerance = self.settings.tolerance;
+        self.converged = tolerance > 0.0 && change <= (tolerance * before.total).max(self.rounding);
+        Ok(())
+    }
+
+    /// The step of the plain iteration from the positions before, where `gradient` was the gradient.
+    fn take_plain_step(&mut self, mut gradient: Vec<Row>) {
+        let started = clock::now();
+        self.system.solve(&mut gradient);
+        self.x.copy_from_slice(&self.previous);
+        add_scaled(&mut self.x, -1.0, &gradient);
+        self.seconds.global += clock::now() - started;
+        self.evaluate();
+    }
+
+    /// With operators that are not exact even the plain step can raise the total in a late digit.
+    fn keep_best(&mut self, before: f64) {
+        if self.energy.total > before && self.best.as_ref().is_none_or(|best| before < best.0) {
+            self.best = Some((before, self.previous.clone()));
+        }
+    }
+
+    /// Goes back to the lowest total of the run, if the last step was not it.
+    pub fn settle(&mut self) {
+        if let Some((total, x)) = self.best.take()
+            && total < self.energy.total
+        {
+            self.x = x;
+            self.accelerator.forget();
+            self.evaluate();
+        }
+    }
+
+    /// The second of two gates for non-finite numbers; the first is where input is read.
+    fn stop_non_finite(&mut self) -> Result<(), SolveError> {
+        let finite = |row: &Row| row.iter().all(|value| value.is_finite());
+        if self.energy.total.is_finite() && self.x.iter().all(finite) {
+            return Ok(());
+        }
+        let node = self.x.iter().position(|row| !finite(row)).unwrap_or(0) as u32;
+        let vertex = self.system.node_of()[..self.n_vertices].iter().position(|&of| of == node);
+        self.x.copy_from_slice(&self.previous);
+        self.accelerator.forget();
+        self.evaluate();
+        Err(SolveError::NotFinite { vertex: vertex.unwrap_or(0) as u32 })
+    }
+
+    /// Current positions, `#V by 3`.
+    pub fn positions(&self) -> impl ExactSizeIterator<Item = Point> {
+        self.system.node_of()[..self.n_vertices].iter().map(|&node| {
+            let row = self.x[node as usize];
+            std::array::from_fn(|i| row[i] + self.centre[i])
+        })
+    }
+
+    /// The energies at the current positions.
+    pub fn energy(&self) -> Energy {
+        self.energy
+    }
+    /// Whether the last step changed the total by no more than the tolerance.
+    pub fn converged(&self) -> bool {
+        self.converged
+    }
+    /// The handles.
+    pub fn handles(&self) -> &[Handle] {
+        &self.handles
+    }
+    /// Vertices pinned because nothing holds their part.
+    pub fn pinned(&self) -> &[u32] {
+        &self.pinned
+    }
+    /// What the last local step found in each row of constraints.
+    pub fn found(&self) -> impl Iterator<Item = LocalStep> {
+        self.energies.shape.found()
+    }
+    /// The linear system.
+    pub fn system(&self) -> &System {
+        &self.system
+    }
+    /// What setting up took.
+    pub fn set_up_seconds(&self) -> SetUpSeconds {
+        self.system.seconds
+    }
+    /// What iterating took.
+    pub fn iterate_seconds(&self) -> IterateSeconds {
+        self.seconds
+    }
+
+    /// The shapes that fit the constraints at the current positions, to be drawn.
+    pub fn fitted(&self) -> Vec<Fitted> {
+        let offset = self.centre.into();
+        let mut shapes = self.energies.shape.fitted(&self.x);
+        for shape in &mut shapes {
+            match shape {
+                Fitted::Circle { centre, .. } | Fitted::Sphere { centre, .. } => *centre += offset,
+            }
+        }
+        shapes
+    }
+}
+
+fn laplacian(problem: &Problem<'_>) -> Laplacian {
+    let cotangent = match problem.smoothness.weighting {
+        Weighting::Auto => problem.topology.is_triangle_mesh(),
+        Weighting::Uniform => false,
+        Weighting::Cotangent => true,
+    };
+    if cotangent {
+        Laplacian::cotangent(problem.mesh, problem.topology)
+    } else {
+        Laplacian::uniform(problem.topology)
+    }
+}
+
+fn closeness(
+    problem: &Problem<'_>,
+    centre: Point,
+    node_of: &[u32],
+    rest: Vec<Row>,
+) -> Option<CloseEnergy> {
+    match problem.closeness {
+        Closeness::None => None,
+        Closeness::Rest => Some(CloseEnergy::Rest { rest, nodes: node_of.to_vec() }),
+        Closeness::Surface => {
+            let around_centre: Vec<Point> = problem
+                .mesh
+                .positions
+                .iter()
+                .map(|&p| std::array::from_fn(|i| p[i] - centre[i]))
+                .collect();
+            let surface = Surface::new(&around_centre, problem.mesh);
+            Some(CloseEnergy::to_surface(surface, node_of.to_vec()))
+        }
+    }
+}
+
+/// Centre and diagonal of the bounding box.
+fn centre_and_extent(points: &[Point]) -> (Point, f64) {
+    let bound = |i: usize, pick: fn(f64, f64) -> f64| points.iter().map(|p| p[i]).reduce(pick);
+    let (mut centre, mut squared) = ([0.0; 3], 0.0);
+    for i in 0..3 {
+        let low = bound(i, f64::min).unwrap_or(0.0);
+        let high = bound(i, f64::max).unwrap_or(0.0);
+        centre[i] = 0.5 * low + 0.5 * high;
+        squared += (high - low) * (high - low);
+    }
+    (centre, squared.sqrt())
+}

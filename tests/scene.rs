@@ -1,0 +1,477 @@
+//! The scene file: what is read, what is refused and how it is said, and that writing loses nothing.
+
+use proptest::prelude::*;
+use shape_up::constraint::{Element, KINDS, Kind, Selector, Set};
+use shape_up::mesh::{Group, GroupKeyword, Mesh, Ragged};
+use shape_up::scene::{
+    Accelerator, Closeness, ConstraintSpec, HandleSpec, Hold, MeshSource, Scene, SceneError,
+    Smoothness, SmoothnessOf, SolverSettings, Up, Weighting, Weights,
+};
+
+/// Two squares side by side.
+fn two_squares() -> Mesh {
+    let positions = (0..6).map(|i| [f64::from(i % 3), f64::from(i / 3), 0.0]).collect();
+    let faces = Ragged::from_iter([[0, 1, 4, 3], [1, 2, 5, 4]]);
+    Mesh { positions, faces, ..Mesh::default() }
+}
+
+/// A scene file whose mesh is a file, with `rest` after the mesh.
+fn file_with(rest: &str) -> String {
+    format!(
+        r#"{{ "format": "shape-up-scene", "version": 1, "mesh": {{ "file": "roof.obj" }}{rest} }}"#
+    )
+}
+
+fn refused(text: &str) -> SceneError {
+    Scene::from_json(text).expect_err(text)
+}
+
+#[test]
+fn a_scene_without_settings_has_the_defaults() {
+    let scene = Scene::from_json(&file_with("")).unwrap();
+    assert_eq!(scene, Scene::new(MeshSource::File("roof.obj".into())));
+    assert_eq!(scene.weights, Weights { shape: 1.0, close: 0.0, smooth: 0.0 });
+    assert_eq!(scene.closeness, Closeness::Surface);
+    assert_eq!(scene.solver.iterations, 200);
+    assert_eq!(scene.solver.accelerator, Accelerator::QuasiNewton);
+}
+
+#[test]
+fn everything_the_format_has_is_read() {
+    let scene = Scene::from_json(&file_with(
+        r#", "title": "Roof", "units": "m", "up": "y",
+        "current": [[0, 0, 0.5]],
+        "sets": { "eaves": { "vertices": "0-2,5" }, "skylight": { "faces": [1] } },
+        "constraints": [
+          { "kind": "circle", "on": "faces", "weight": 2.5 },
+          { "kind": "sphere", "on": { "set": "eaves" }, "enabled": false },
+          { "kind": "line", "on": { "each": "ring", "radius": 2, "in": "eaves" } },
+          { "kind": "plane", "on": { "vertices": [3, 5, 4] } },
+          { "kind": "plane", "on": { "each": "group" } },
+          { "kind": "plane", "on": "rings" } ],
+        "handles": [ { "vertices": [2], "targets": [[1.25, 0.5, 2]], "weight": 10 },
+                     { "vertices": "0-1", "fixed": true }, { "vertices": [4] } ],
+        "weights": { "shape": 5, "close": 10, "smooth": 2 },
+        "closeness": { "to": "rest" },
+        "smoothness": { "of": "displacement", "weighting": "uniform" },
+        "solver": { "iterations": 7, "tolerance": 0, "accelerator": "none", "window": 0,
+                    "mean_centring": false, "monotone": true }"#,
+    ))
+    .unwrap();
+    assert_eq!((scene.title.as_str(), scene.units.as_str(), scene.up), ("Roof", "m", Up::Y));
+    assert_eq!(scene.current, Some(vec![[0.0, 0.0, 0.5]]));
+    assert_eq!(scene.sets["eaves"].vertices, [0, 1, 2, 5]);
+    assert_eq!(scene.sets["skylight"].faces, [1]);
+    let ons: Vec<_> = scene.constraints.iter().map(|spec| spec.on.clone()).collect();
+    let each = |element, within: Option<&str>, radius| Selector::Each {
+        element,
+        within: within.map(str::to_owned),
+        radius,
+    };
+    assert_eq!(
+        ons,
+        [
+            each(Element::Face, None, 0),
+            Selector::Set("eaves".into()),
+            each(Element::Ring, Some("eaves"), 2),
+            Selector::Vertices(vec![3, 5, 4]),
+            each(Element::Group, None, 0),
+            each(Element::Ring, None, 1),
+        ]
+    );
+    assert_eq!(scene.constraints[0].weight, 2.5);
+    assert_eq!(scene.constraints[0].kind.info().id, "circle");
+    assert!(!scene.constraints[1].enabled && scene.constraints[2].enabled);
+    assert_eq!(scene.handles[0].targets, Some(vec![[1.25, 0.5, 2.0]]));
+    assert_eq!(scene.handles[0].hold, Hold::Soft { weight: 10.0 });
+    assert_eq!(scene.handles[1].hold, Hold::Fixed);
+    assert_eq!(scene.handles[2].hold, Hold::Soft { weight: 100.0 });
+    assert_eq!(scene.weights, Weights { shape: 5.0, close: 10.0, smooth: 2.0 });
+    assert_eq!(scene.closeness, Closeness::Rest);
+    assert_eq!(
+        scene.smoothness,
+        Smoothness { of: SmoothnessOf::Displacement, weighting: Weighting::Uniform }
+    );
+    assert_eq!(
+        scene.solver,
+        SolverSettings {
+            iterations: 7,
+            tolerance: 0.0,
+            accelerator: Accelerator::None,
+            window: 0,
+            mean_centring: false,
+            monotone: true
+        }
+    );
+}
+
+/// What is wrong, the JSON path, and words that the message must have.
+#[rustfmt::skip]
+const REFUSED: &[(&str, &str, &[&str])] = &[
+    (r#", "titel": "x""#, "", &["`titel`", "title", "constraints"]),
+    (r#", "title": 3"#, "title", &["found 3", "a text"]),
+    (r#", "up": "x""#, "up", &["found \"x\"", "\"z\" or \"y\""]),
+    (r#", "current": [[0, 1]]"#, "current[0]", &["an array of 2", "[x, y, z]"]),
+    (r#", "sets": { "a": { "vertex": [0] } }"#, "sets.a", &["`vertex`", "vertices, faces"]),
+    (r#", "sets": { "two words": { "vertices": [0.5] } }"#, "sets[\"two words\"].vertices[0]", &["found 0.5", "index"]),
+    (r#", "sets": { "a": {} }"#, "sets.a", &["empty"]),
+    (r#", "sets": { "a": { "vertices": "5-2" } }"#, "sets.a.vertices", &["\"5-2\"", "backwards"]),
+    (r#", "sets": { "a": { "vertices": "1,x" } }"#, "sets.a.vertices", &["\"x\"", "0-199"]),
+    (r#", "sets": { "a": { "vertices": [-1] } }"#, "sets.a.vertices[0]", &["found -1"]),
+    (r#", "sets": { "a": { "vertices": [4294967296] } }"#, "sets.a.vertices[0]", &["found 4294967296"]),
+    (r#", "sets": { "a": { "faces": {} } }"#, "sets.a.faces", &["an object", "list of indices"]),
+    (r#", "constraints": {}"#, "constraints", &["an object", "array"]),
+    (r#", "constraints": [7]"#, "constraints[0]", &["found 7", "\"kind\""]),
+    (r#", "constraints": [{ "on": "faces" }]"#, "constraints[0]", &["`kind` is missing", "circle"]),
+    (r#", "constraints": [{ "kind": "circel", "on": "faces" }]"#, "constraints[0].kind", &["\"circel\"", "line", "plane", "circle", "sphere"]),
+    (r#", "constraints": [{ "kind": "plane" }]"#, "constraints[0]", &["`on` is missing", "\"faces\""]),
+    (r#", "constraints": [{ "kind": "plane", "on": "face" }]"#, "constraints[0].on", &["\"face\"", "\"faces\""]),
+    (r#", "constraints": [{ "kind": "plane", "on": { "each": "faces" } }]"#, "constraints[0].on.each", &["\"faces\"", "\"face\""]),
+    (r#", "constraints": [{ "kind": "plane", "on": { "set": 4 } }]"#, "constraints[0].on.set", &["found 4"]),
+    (r#", "constraints": [{ "kind": "plane", "on": { "set": "a", "radius": 2 } }]"#, "constraints[0].on", &["`radius`", "set"]),
+    (r#", "constraints": [{ "kind": "plane", "on": { "each": "ring", "radius": 0 } }]"#, "constraints[0].on.radius", &["found 0", "from 1"]),
+    (r#", "constraints": [{ "kind": "plane", "on": { "vertices": [] } }]"#, "constraints[0].on.vertices", &["empty"]),
+    (r#", "constraints": [{ "kind": "plane", "on": { "in": "a" } }]"#, "constraints[0].on", &["`each` is missing"]),
+    (r#", "constraints": [{ "kind": "plane", "on": "faces" }, { "kind": "plane", "on": "faces", "wieght": 2 }]"#, "constraints[1]", &["`wieght`", "weight"]),
+    (r#", "constraints": [{ "kind": "plane", "on": "faces", "weight": -1 }]"#, "constraints[0].weight", &["found -1", "from 0"]),
+    (r#", "constraints": [{ "kind": "plane", "on": "faces", "weight": "1" }]"#, "constraints[0].weight", &["found \"1\"", "number"]),
+    (r#", "constraints": [{ "kind": "plane", "on": "faces", "enabled": 1 }]"#, "constraints[0].enabled", &["found 1", "true or false"]),
+    (r#", "handles": [{ "vertices": [0], "target": [[0, 0, 0]] }]"#, "handles[0]", &["`target`", "targets"]),
+    (r#", "handles": [{ "targets": [[0, 0, 0]] }]"#, "handles[0]", &["`vertices` is missing"]),
+    (r#", "handles": [{ "vertices": [] }]"#, "handles[0].vertices", &["empty"]),
+    (r#", "handles": [{ "vertices": [0, 1], "targets": [[0, 0, 0]] }]"#, "handles[0].targets", &["found 1", "2 vertices"]),
+    (r#", "handles": [{ "vertices": [0], "targets": [[0, null, 0]] }]"#, "handles[0].targets[0][1]", &["found null", "number"]),
+    (r#", "handles": [{ "vertices": [0], "weight": 0 }]"#, "handles[0].weight", &["found 0", "above 0"]),
+    (r#", "handles": [{ "vertices": [0], "weight": 2, "fixed": true }]"#, "handles[0].weight", &["fixed"]),
+    (r#", "weights": { "shape": -0.5 }"#, "weights.shape", &["found -0.5", "from 0"]),
+    (r#", "weights": { "closeness": 1 }"#, "weights", &["`closeness`", "shape, close, smooth"]),
+    (r#", "closeness": { "to": "curve" }"#, "closeness.to", &["\"curve\"", "\"surface\"", "\"none\""]),
+    (r#", "smoothness": { "of": 1 }"#, "smoothness.of", &["found 1", "\"displacement\""]),
+    (r#", "smoothness": { "weighting": "cot" }"#, "smoothness.weighting", &["\"cot\"", "\"cotangent\""]),
+    (r#", "solver": { "iterations": -3 }"#, "solver.iterations", &["found -3", "from 0"]),
+    (r#", "solver": { "iterations": 1.5 }"#, "solver.iterations", &["found 1.5", "whole"]),
+    (r#", "solver": { "tolerance": -1e-9 }"#, "solver.tolerance", &["-0.000000001", "from 0"]),
+    (r#", "solver": { "accelerator": "newton" }"#, "solver.accelerator", &["\"newton\"", "\"anderson\""]),
+    (r#", "solver": { "threads": 4 }"#, "solver", &["`threads`", "iterations"]),
+];
+
+#[test]
+fn what_does_not_fit_is_refused_with_its_path() {
+    for (rest, path, words) in REFUSED {
+        let error = refused(&file_with(rest));
+        assert_eq!(error.path, *path, "{rest}: {error}");
+        for word in *words {
+            assert!(error.message.contains(word), "{rest}: {error}: expected {word}");
+        }
+        assert!(!error.to_string().contains('\n'), "{error}");
+    }
+}
+
+#[test]
+fn another_format_or_version_is_refused_before_its_keys_are_looked_at() {
+    let error = refused(r#"{ "format": "svg", "shapes": [] }"#);
+    assert_eq!(error.path, "format");
+    assert!(error.message.contains("\"svg\"") && error.message.contains("\"shape-up-scene\""));
+    let error = refused(r#"{ "vertices": [] }"#);
+    assert!(error.path.is_empty() && error.message.contains("`format` is missing"), "{error}");
+    let error = refused(r#"{ "format": "shape-up-scene", "version": 2, "threads": 4 }"#);
+    assert_eq!(error.path, "version");
+    assert!(error.message.contains("version 2") && error.message.contains("version 1"), "{error}");
+    for version in ["0", "\"1\"", "1.5", "null"] {
+        let error = refused(&format!(r#"{{ "format": "shape-up-scene", "version": {version} }}"#));
+        assert_eq!(error.path, "version", "{error}");
+    }
+    for text in ["[]", "3", "null", "\"scene\""] {
+        let error = refused(text);
+        assert!(error.path.is_empty() && error.message.contains("expected a scene"), "{error}");
+    }
+}
+
+#[test]
+fn what_is_not_json_is_refused_with_line_and_column() {
+    let error = refused("{\n  \"format\": shape,\n}");
+    assert!(error.message.contains("line 2, column 13"), "{error}");
+    assert!(refused("").message.contains("empty"));
+    assert!(refused(" \n").message.contains("empty"));
+    let error = refused(&file_with(r#", "title": "a", "title": "b""#));
+    assert!(error.message.contains("`title` occurs twice"), "{error}");
+    let error = refused(&file_with(r#", "weights": { "shape": 1e999 }"#));
+    assert!(error.message.contains("line 1") && error.message.contains("number"), "{error}");
+    let deep = "[".repeat(5000);
+    assert!(refused(&deep).message.contains("recursion"));
+}
+
+#[test]
+fn a_byte_order_mark_is_no_syntax_error() {
+    assert!(Scene::from_json(&format!("\u{feff}{}", file_with(""))).is_ok());
+}
+
+/// A mesh object, the JSON path below `mesh`, and words that the message must have.
+#[rustfmt::skip]
+const REFUSED_MESHES: &[(&str, &str, &[&str])] = &[
+    (r#"{}"#, "mesh", &["`positions` is missing", "\"file\""]),
+    (r#"{ "file": "" }"#, "mesh.file", &["path"]),
+    (r#"{ "file": "a.obj", "positions": [] }"#, "mesh", &["`positions`", "file"]),
+    (r#"{ "positions": [] }"#, "mesh.positions", &["empty"]),
+    (r#"{ "positions": [[0, 0, "0"]] }"#, "mesh.positions[0][2]", &["found \"0\""]),
+    (r#"{ "positions": [[0,0,0],[1,0,0]], "faces": [[0, 1]] }"#, "mesh.faces[0]", &["found 2", "at least 3"]),
+    (r#"{ "positions": [[0,0,0],[1,0,0]], "faces": [[0, 1, 2]] }"#, "mesh.faces[0]", &["no vertex 2", "has 2"]),
+    (r#"{ "positions": [[0,0,0],[1,0,0]], "curves": [[0]] }"#, "mesh.curves[0]", &["at least 2"]),
+    (r#"{ "positions": [[0,0,0],[1,0,0]], "tets": [[0,1,0,1,0]] }"#, "mesh.tets[0]", &["four"]),
+    (r#"{ "positions": [[0,0,0]], "groups": { "wall": { "faces": [0] } } }"#, "mesh.groups.wall.faces", &["no face 0"]),
+    (r#"{ "positions": [[0,0,0]], "groups": { "wall": { "keyword": "s" } } }"#, "mesh.groups.wall.keyword", &["\"s\"", "\"usemtl\""]),
+];
+
+#[test]
+fn an_inline_mesh_that_is_none_is_refused_with_its_path() {
+    for (mesh, path, words) in REFUSED_MESHES {
+        let error =
+            refused(&format!(r#"{{ "format": "shape-up-scene", "version": 1, "mesh": {mesh} }}"#));
+        assert_eq!(error.path, *path, "{mesh}: {error}");
+        for word in *words {
+            assert!(error.message.contains(word), "{mesh}: {error}: expected {word}");
+        }
+    }
+}
+
+fn constraint(id: &str, on: Selector) -> ConstraintSpec {
+    let kind = Kind::new(id, serde_json::json!({})).unwrap();
+    ConstraintSpec { kind, on, weight: 1.0, enabled: true }
+}
+
+/// A change that makes the scene unfit for the two squares, and the path of what is then wrong.
+type Unfit = (&'static str, fn(&mut Scene));
+
+const UNFIT: &[Unfit] = &[
+    ("current", |s| s.current = Some(vec![[0.0; 3]; 5])),
+    ("current[1]", |s| {
+        s.current = Some(vec![[0.0; 3], [f64::NAN; 3], [0.0; 3], [0.0; 3], [0.0; 3], [0.0; 3]]);
+    }),
+    ("sets.a.vertices[1]", |s| {
+        s.sets.insert("a".into(), Set { vertices: vec![0, 6], faces: vec![] });
+    }),
+    ("sets.a.faces[0]", |s| {
+        s.sets.insert("a".into(), Set { vertices: vec![], faces: vec![2] });
+    }),
+    ("sets.a.vertices[2]", |s| {
+        s.sets.insert("a".into(), Set { vertices: vec![4, 3, 4], faces: vec![] });
+    }),
+    ("constraints[0].on.set", |s| {
+        s.constraints.push(constraint("plane", Selector::Set("nowhere".into())));
+    }),
+    ("constraints[1].on.in", |s| {
+        let each =
+            |w| Selector::Each { element: Element::Face, within: Some(String::from(w)), radius: 0 };
+        s.constraints = vec![constraint("plane", each("wall")), constraint("plane", each("eaves"))];
+    }),
+    ("constraints[0].on.vertices[3]", |s| {
+        s.constraints.push(constraint("plane", Selector::Vertices(vec![0, 1, 2, 9])));
+    }),
+    ("constraints[0].weight", |s| {
+        s.constraints.push(constraint("plane", Selector::Vertices(vec![0, 1, 2, 3])));
+        s.constraints[0].weight = f64::NAN;
+    }),
+    ("handles[0].vertices[0]", |s| s.handles.push(handle(&[6]))),
+    ("handles[1].vertices[0]", |s| s.handles = vec![handle(&[1, 2]), handle(&[2])]),
+    ("handles[0].targets", |s| {
+        s.handles = vec![handle(&[1, 2])];
+        s.handles[0].targets = Some(vec![[0.0; 3]]);
+    }),
+    ("handles[0].targets[0]", |s| {
+        s.handles = vec![handle(&[1])];
+        s.handles[0].targets = Some(vec![[0.0, f64::INFINITY, 0.0]]);
+    }),
+    ("weights.close", |s| s.weights.close = f64::INFINITY),
+    ("smoothness.weighting", |s| s.smoothness.weighting = Weighting::Cotangent),
+];
+
+fn handle(vertices: &[u32]) -> HandleSpec {
+    HandleSpec { vertices: vertices.to_vec(), targets: None, hold: Hold::Fixed }
+}
+
+#[test]
+fn what_the_mesh_does_not_have_is_named() {
+    let mut mesh = two_squares();
+    mesh.groups.push(Group {
+        name: "wall".into(),
+        keyword: GroupKeyword::Group,
+        faces: vec![0],
+        curves: vec![],
+    });
+    let good = Scene::new(MeshSource::File("roof.obj".into()));
+    good.validate(&mesh).unwrap();
+    for (path, change) in UNFIT {
+        let mut scene = good.clone();
+        change(&mut scene);
+        let error = scene.validate(&mesh).expect_err(path);
+        assert_eq!(&error.path, path, "{error}");
+    }
+}
+
+#[test]
+fn a_mesh_without_faces_has_no_surface_to_be_close_to() {
+    let mesh = Mesh { positions: vec![[0.0; 3], [1.0, 0.0, 0.0]], ..Mesh::default() };
+    let mut scene = Scene::new(MeshSource::File("curve.obj".into()));
+    scene.validate(&mesh).unwrap();
+    scene.weights.close = 1.0;
+    assert_eq!(scene.validate(&mesh).unwrap_err().path, "closeness.to");
+    scene.closeness = Closeness::Rest;
+    scene.validate(&mesh).unwrap();
+}
+
+#[test]
+fn only_what_is_not_the_default_is_written() {
+    let scene = Scene::new(MeshSource::File("roof.obj".into()));
+    assert_eq!(
+        scene.to_json(&Mesh::default()),
+        "{\n  \"format\": \"shape-up-scene\",\n  \"version\": 1,\n  \
+         \"mesh\": { \"file\": \"roof.obj\" },\n  \"constraints\": []\n}\n"
+    );
+}
+
+#[test]
+fn an_inline_mesh_is_written_with_its_groups() {
+    let mut mesh = two_squares();
+    mesh.curves.push(&[0, 1, 2]);
+    mesh.tets.push([0, 1, 2, 3]);
+    let group = |name: &str, keyword, faces: &[u32]| Group {
+        name: name.into(),
+        keyword,
+        faces: faces.to_vec(),
+        curves: vec![],
+    };
+    mesh.groups = vec![
+        group("wall \"east\"", GroupKeyword::Object, &[0]),
+        group("wall \"east\"", GroupKeyword::Material, &[0, 1]),
+        Group { curves: vec![0], ..group("rail", GroupKeyword::Group, &[]) },
+    ];
+    let scene = Scene::new(MeshSource::Inline(Box::new(mesh.clone())));
+    let text = scene.to_json(&mesh);
+    assert_eq!(Scene::from_json(&text).unwrap(), scene, "{text}");
+    assert!(text.lines().count() < 30, "long lists go on few lines: {text}");
+}
+
+fn finite() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        any::<f64>().prop_filter("JSON has finite numbers only", |x| x.is_finite()),
+        -10.0..10.0f64,
+        Just(-0.0),
+        Just(1e22),
+        Just(5e-324)
+    ]
+}
+
+fn not_negative() -> impl Strategy<Value = f64> {
+    finite().prop_map(f64::abs)
+}
+
+fn list(most: usize) -> impl Strategy<Value = Vec<u32>> {
+    prop::collection::vec(0u32..40, 1..most)
+}
+
+fn selector() -> impl Strategy<Value = Selector> {
+    let element = prop::sample::select(vec![
+        Element::Face,
+        Element::Edge,
+        Element::Ring,
+        Element::Tet,
+        Element::Curve,
+        Element::Boundary,
+        Element::Group,
+    ]);
+    prop_oneof![
+        (element, prop::option::of(".{0,4}"), 0u32..4).prop_map(|(element, within, radius)| {
+            let radius = if element == Element::Ring { radius + 1 } else { radius };
+            Selector::Each { element, within, radius }
+        }),
+        ".{0,6}".prop_map(Selector::Set),
+        list(9).prop_map(Selector::Vertices),
+    ]
+}
+
+prop_compose! {
+    fn handle_spec()(
+        vertices in list(6),
+        targets in prop::option::of(prop::collection::vec(prop::array::uniform3(finite()), 6)),
+        weight in prop::option::of(prop_oneof![Just(100.0), 1e-9..1e9f64]),
+    ) -> HandleSpec {
+        let n = vertices.len();
+        HandleSpec {
+            vertices,
+            targets: targets.map(|t| t[..n].to_vec()),
+            hold: weight.map_or(Hold::Fixed, |weight| Hold::Soft { weight }),
+        }
+    }
+}
+
+prop_compose! {
+    fn scene()(
+        texts in ("\\PC{0,8}", ".{0,4}"),
+        up in any::<bool>(),
+        current in prop::option::of(prop::collection::vec(prop::array::uniform3(finite()), 0..4)),
+        sets in prop::collection::btree_map(".{0,6}", (list(9), list(3)), 0..3),
+        constraints in prop::collection::vec(
+            (0..KINDS.len(), selector(), not_negative(), any::<bool>()), 0..4),
+        handles in prop::collection::vec(handle_spec(), 0..3),
+        weights in prop::array::uniform3(not_negative()),
+        choices in (0..3usize, 0..2usize, 0..3usize, 0..3usize),
+        solver in (any::<u32>(), not_negative(), any::<u32>(), any::<bool>(), any::<bool>()),
+    ) -> Scene {
+        Scene {
+            title: texts.0,
+            units: texts.1,
+            up: if up { Up::Y } else { Up::Z },
+            mesh: MeshSource::File("a/b \"c\".obj".into()),
+            current,
+            sets: sets.into_iter().map(|(name, (vertices, faces))| (name, Set { vertices, faces }))
+                .collect(),
+            constraints: constraints.into_iter().map(|(kind, on, weight, enabled)| ConstraintSpec {
+                weight, enabled, ..constraint(KINDS[kind].id, on)
+            }).collect(),
+            handles,
+            weights: Weights { shape: weights[0], close: weights[1], smooth: weights[2] },
+            closeness: [Closeness::Surface, Closeness::Rest, Closeness::None][choices.0],
+            smoothness: Smoothness {
+                of: [SmoothnessOf::Surface, SmoothnessOf::Displacement][choices.1],
+                weighting: [Weighting::Auto, Weighting::Uniform, Weighting::Cotangent][choices.2],
+            },
+            solver: SolverSettings {
+                iterations: solver.0,
+                tolerance: solver.1,
+                accelerator: Accelerator::WORDS[choices.3].1,
+                window: solver.2,
+                mean_centring: solver.3,
+                monotone: solver.4,
+            },
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn what_is_written_reads_back_the_same(scene in scene()) {
+        let text = scene.to_json(&Mesh::default());
+        let again = Scene::from_json(&text).map_err(|e| TestCaseError::fail(format!("{e}\n{text}")))?;
+        prop_assert_eq!(&again, &scene, "{}", text);
+        prop_assert_eq!(again.to_json(&Mesh::default()), text);
+    }
+
+    #[test]
+    fn numbers_keep_their_bits(points in prop::collection::vec(prop::array::uniform3(finite()), 1..9)) {
+        let mesh = Mesh { positions: points, ..Mesh::default() };
+        let scene = Scene::new(MeshSource::Inline(Box::new(mesh.clone())));
+        let MeshSource::Inline(again) = Scene::from_json(&scene.to_json(&mesh)).unwrap().mesh else {
+            panic!("the mesh was inline");
+        };
+        let bits = |mesh: &Mesh| -> Vec<_> { mesh.positions.as_flattened().iter().map(|x| x.to_bits()).collect() };
+        prop_assert_eq!(bits(&again), bits(&mesh));
+    }
+
+    #[test]
+    fn no_text_makes_it_panic(text in ".{0,80}") {
+        let _ = Scene::from_json(&text);
+        let _ = Scene::from_json(&file_with(&format!(", {text}")));
+    }
+}
