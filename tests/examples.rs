@@ -18,7 +18,8 @@ fn dot(a: Point, b: Point) -> f64 {
 fn area_vector(points: &[Point]) -> Point {
     let mut sum = [0.0; 3];
     for k in 0..points.len() {
-        let (a, b) = (minus(points[k], points[0]), minus(points[(k + 1) % points.len()], points[0]));
+        let (a, b) =
+            (minus(points[k], points[0]), minus(points[(k + 1) % points.len()], points[0]));
         for (i, total) in sum.iter_mut().enumerate() {
             let (j, k) = ((i + 1) % 3, (i + 2) % 3);
             *total += a[j] * b[k] - a[k] * b[j];

@@ -95,7 +95,8 @@ impl Dome {
             let (first, count) = self.ring(k);
             debug_assert_eq!(first as usize, mesh.positions.len());
             let up = k as f64 / (self.rings() - 1) as f64;
-            mesh.positions.extend((0..count).map(|i| self.point(f64::from(i) / f64::from(count), up)));
+            mesh.positions
+                .extend((0..count).map(|i| self.point(f64::from(i) / f64::from(count), up)));
         }
         for k in 0..self.rings() - 1 {
             let ((low, below), (high, above)) = (self.ring(k), self.ring(k + 1));

@@ -84,8 +84,7 @@ fn canopy(scene: &mut Scene) -> Mesh {
         },
     ];
     scene.weights = Weights { shape: 5.0, close: 1.0, smooth: 2.0 };
-    scene.smoothness =
-        Smoothness { of: SmoothnessOf::Displacement, weighting: Weighting::Uniform };
+    scene.smoothness = Smoothness { of: SmoothnessOf::Displacement, weighting: Weighting::Uniform };
     mesh
 }
 
@@ -118,8 +117,7 @@ fn dome(scene: &mut Scene) -> Mesh {
     scene.handles =
         vec![HandleSpec { vertices: piers.collect(), targets: None, hold: Hold::Fixed }];
     scene.weights = Weights { shape: 5.0, close: 0.5, smooth: 1.0 };
-    scene.smoothness =
-        Smoothness { of: SmoothnessOf::Displacement, weighting: Weighting::Uniform };
+    scene.smoothness = Smoothness { of: SmoothnessOf::Displacement, weighting: Weighting::Uniform };
     mesh
 }
 
@@ -130,8 +128,7 @@ fn hypar(scene: &mut Scene) -> Mesh {
         constraint("plane", each(Element::Face), 0.1),
     ];
     // The beams along the sides stand already.
-    scene.handles =
-        vec![HandleSpec { vertices: hypar.sides(), targets: None, hold: Hold::Fixed }];
+    scene.handles = vec![HandleSpec { vertices: hypar.sides(), targets: None, hold: Hold::Fixed }];
     scene.weights = Weights { shape: 10.0, close: 0.0, smooth: 0.1 };
     scene.closeness = Closeness::None;
     hypar.mesh()

@@ -98,6 +98,17 @@ impl Scene {
     }
 }
 
+impl ConstraintSpec {
+    /// Reads one entry of a scene's list of constraints.
+    ///
+    /// # Errors
+    /// As [`Scene::from_json`].
+    pub fn from_json(text: &str) -> Result<ConstraintSpec, SceneError> {
+        let entry: Node = serde_json::from_str(text).map_err(|e| syntax_error(text, &e))?;
+        read_constraint(&At::root(&entry))
+    }
+}
+
 fn syntax_error(text: &str, error: &serde_json::Error) -> SceneError {
     let message = if text.trim().is_empty() {
         "the file is empty, expected a scene".to_owned()

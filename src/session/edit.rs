@@ -2,6 +2,7 @@
 
 use super::history::Snapshot;
 use super::{Session, resolve, solver};
+use crate::constraint::{Selector, Set};
 use crate::error::Error;
 use crate::mesh::Point;
 use crate::scene::{ConstraintSpec, HANDLE_WEIGHT, Hold, Scene, SceneError, Weights};
@@ -11,7 +12,7 @@ use crate::solve::Handle;
 #[derive(Clone, Debug, PartialEq)]
 pub enum Edit {
     /// Appends a row of constraints.
-    AddConstraint(ConstraintSpec),
+    AddConstraint(NewConstraint),
     /// Removes row `index`.
     RemoveConstraint {
         /// Which row.
@@ -42,6 +43,40 @@ pub enum Edit {
     },
     /// Goes back to the rest shape; constraints, handles and weights stay.
     Reset,
+}
+
+/// A row of constraints to be added, on a set that has no name yet or on what its selector says.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NewConstraint {
+    /// The row.
+    pub spec: ConstraintSpec,
+    /// What [`NewConstraint::UNNAMED`] stands for in the selector.
+    pub set: Option<Set>,
+}
+
+impl NewConstraint {
+    /// The name in the selector that stands for `set`.
+    pub const UNNAMED: &str = "";
+
+    /// Adds the row to `document`, and its set under a name of its own.
+    pub(super) fn add_to(self, document: &mut Scene) {
+        let NewConstraint { mut spec, set } = self;
+        if let Some(set) = set {
+            let known = document.sets.iter().find(|(_, other)| **other == set);
+            let name = match known {
+                Some((name, _)) => name.clone(),
+                None => (1..)
+                    .map(|k| format!("selection {k}"))
+                    .find(|name| !document.sets.contains_key(name))
+                    .expect("some number is free"),
+            };
+            if let Selector::Each { within: Some(within), .. } = &mut spec.on {
+                within.clone_from(&name);
+            }
+            document.sets.insert(name, set);
+        }
+        document.constraints.push(spec);
+    }
 }
 
 impl Session {
@@ -101,9 +136,9 @@ impl Session {
     fn apply(&self, edit: Edit, state: &mut Snapshot) -> Result<String, SceneError> {
         let Snapshot { document, handles, positions, iteration } = state;
         let name = match edit {
-            Edit::AddConstraint(spec) => {
-                let name = format!("Add {}", spec.kind.info().label.to_lowercase());
-                document.constraints.push(spec);
+            Edit::AddConstraint(new) => {
+                let name = format!("Add {}", new.spec.kind.info().label.to_lowercase());
+                new.add_to(document);
                 name
             }
             Edit::RemoveConstraint { index } => {
@@ -183,6 +218,7 @@ impl Session {
                 self.solver.set_positions(&positions);
             }
         } else {
+            document.validate(&self.mesh)?;
             let rows = resolve::rows(&document, &self.mesh, &self.topology)?;
             self.solver =
                 solver(&document, &self.mesh, &self.topology, &rows, handles, &positions)?;

@@ -8,14 +8,16 @@
 //! | `edit` | the edits, and what each one costs |
 //! | `resolve` | rows of constraints: selectors resolved, misfits counted |
 //! | `history` | undo and redo |
+//! | `inspect` | what hosts show of a session: errors of faces, members, previews |
 //! | `report` | the report of design section 6 |
 
 mod edit;
 mod history;
+mod inspect;
 mod report;
 mod resolve;
 
-pub use edit::Edit;
+pub use edit::{Edit, NewConstraint};
 pub use report::{EnergyReport, Report, Seconds, TraceEntry};
 pub use resolve::ResolvedRow;
 

@@ -3,7 +3,7 @@
 use super::Session;
 use crate::mesh::{Circularity, Planarity};
 use crate::scene::Accelerator;
-use crate::solve::Energy;
+use crate::solve::{Energy, IterateSeconds};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -66,6 +66,8 @@ pub struct Seconds {
     pub factor: f64,
     /// All iterations.
     pub iterate: f64,
+    /// All iterations by part.
+    pub parts: IterateSeconds,
 }
 
 /// The energies after an iteration; iteration 0 is the input.
@@ -123,6 +125,7 @@ impl Session {
                 order: set_up.order,
                 factor: set_up.factor,
                 iterate: self.solver.iterate_seconds().total(),
+                parts: self.solver.iterate_seconds(),
             },
             trace: self.trace.clone(),
         }

@@ -10,8 +10,15 @@ pub fn elimination_order(adjacency: &Ragged) -> Vec<u32> {
     if n == 0 {
         return Vec::new();
     }
-    let columns: Vec<i32> = adjacency.offsets().iter().map(|&k| k as i32).collect();
-    let rows: Vec<i32> = adjacency.indices().iter().map(|&k| k as i32).collect();
+    // With the diagonal, which the crate counts on without saying so.
+    let (mut columns, mut rows) = (vec![0], Vec::new());
+    for (v, neighbours) in adjacency.iter().enumerate() {
+        let (below, above) = neighbours.split_at(neighbours.partition_point(|&u| u < v as u32));
+        rows.extend(below.iter().map(|&u| u as i32));
+        rows.push(v as i32);
+        rows.extend(above.iter().map(|&u| u as i32));
+        columns.push(rows.len() as i32);
+    }
     let (order, _, _) = amd::order(n as i32, &columns, &rows, &amd::Control::default())
         .expect("the pattern is valid: columns are sorted and in range");
     let order: Vec<u32> = order.iter().map(|&v| v as u32).collect();

@@ -132,3 +132,116 @@ fn renumbered(pattern: &Ragged, order: &[u32], node_of: &[u32]) -> Ragged {
     }
     renumbered
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::{DMatrix, DVector};
+    use proptest::prelude::*;
+
+    /// Terms over `n` nodes: what they add to a dense matrix, and themselves.
+    fn dense(n: usize, terms: &[(Vec<u32>, f64, f64)], diagonal: &[f64]) -> (DMatrix<f64>, Terms) {
+        let mut matrix = DMatrix::from_diagonal(&DVector::from_column_slice(diagonal));
+        let mut sparse = Terms::default();
+        for (nodes, on_diagonal, outer) in terms {
+            let a: Vec<f64> = nodes.iter().map(|&v| 1.0 + f64::from(v) / n as f64).collect();
+            for (i, &u) in nodes.iter().enumerate() {
+                matrix[(u as usize, u as usize)] += on_diagonal;
+                for (j, &v) in nodes.iter().enumerate() {
+                    matrix[(u as usize, v as usize)] += outer * a[i] * a[j];
+                }
+            }
+            sparse.push(nodes, a, *on_diagonal, *outer);
+        }
+        (matrix, sparse)
+    }
+
+    fn right_side(n: usize) -> Vec<Row> {
+        (0..n).map(|i| std::array::from_fn(|k| ((i * 7 + k * 3) % 11) as f64 - 5.0)).collect()
+    }
+
+    /// `system.solve` against a dense solution of the rows and columns that are not fixed.
+    fn check(system: &System, matrix: &DMatrix<f64>, fixed: &[bool]) {
+        let n = fixed.len();
+        let mut rows = right_side(n);
+        for (row, _) in rows.iter_mut().zip(fixed).filter(|(_, fixed)| **fixed) {
+            *row = [0.0; 4];
+        }
+        let mut reduced = matrix.clone();
+        for v in (0..n).filter(|&v| fixed[v]) {
+            reduced.fill_row(v, 0.0);
+            reduced.fill_column(v, 0.0);
+            reduced[(v, v)] = 1.0;
+        }
+        let mut by_node = vec![[0.0; 4]; n];
+        for (v, &node) in system.node_of().iter().enumerate() {
+            by_node[node as usize] = rows[v];
+        }
+        system.solve(&mut by_node);
+        let dense = reduced.cholesky().expect("the matrix is positive definite");
+        for k in 0..4 {
+            let expected = dense.solve(&DVector::from_fn(n, |v, _| rows[v][k]));
+            for v in 0..n {
+                let found = by_node[system.node_of()[v] as usize][k];
+                assert!(
+                    (found - expected[v]).abs() <= 1e-9 * expected.amax().max(1.0),
+                    "unknown {v}: {found} is not {}",
+                    expected[v]
+                );
+            }
+        }
+    }
+
+    fn any_terms() -> impl Strategy<Value = (usize, Vec<(Vec<u32>, f64, f64)>)> {
+        (2usize..60).prop_flat_map(|n| {
+            let nodes = proptest::collection::btree_set(0..n as u32, 1..n.min(7));
+            let term = (nodes, 0.0..2.0, 0.0..3.0).prop_map(|(nodes, diagonal, outer)| {
+                (nodes.into_iter().collect(), diagonal, outer)
+            });
+            (Just(n), proptest::collection::vec(term, 0..80))
+        })
+    }
+
+    proptest! {
+        #[test]
+        fn solves_what_a_dense_factor_solves(
+            (n, terms) in any_terms(),
+            weight in 0.1..10.0,
+            fixed in proptest::collection::vec(any::<bool>(), 60),
+        ) {
+            let (matrix, sparse) = dense(n, &terms, &vec![weight; n]);
+            let mut system = System::new(n, &[sparse]);
+            let fixed = &fixed[..n];
+            let by_node = |fixed: &[bool]| {
+                let mut by_node = vec![false; n];
+                fixed.iter().zip(system.node_of()).for_each(|(&f, &node)| by_node[node as usize] = f);
+                by_node
+            };
+            let (some_fixed, none_fixed) = (by_node(fixed), vec![false; n]);
+            system.factor(&[1.0], &vec![weight; n], some_fixed.clone()).expect("positive definite");
+            check(&system, &matrix, fixed);
+            // Other values in the same pattern, and back.
+            system.factor(&[1.0], &vec![weight; n], none_fixed).expect("positive definite");
+            check(&system, &matrix, &vec![false; n]);
+            system.factor(&[1.0], &vec![weight; n], some_fixed).expect("positive definite");
+            check(&system, &matrix, fixed);
+        }
+    }
+
+    #[test]
+    fn names_a_vertex_where_the_matrix_is_singular() {
+        // Two parts that only hold themselves together: constants are in the kernel, and rounding
+        // leaves a pivot that is tiny and not zero.
+        let mut terms = Terms::default();
+        for nodes in [[0, 1, 2, 3], [4, 5, 6, 7]] {
+            terms.push(&nodes, [1.0; 4], 0.3, -0.3 / 4.0);
+        }
+        let mut system = System::new(8, &[terms]);
+        let free = vec![false; 8];
+        let error = system.factor(&[1.0], &[0.0; 8], free.clone()).expect_err("it is singular");
+        let SolveError::NotPositiveDefinite { vertex } = error else { panic!("{error}") };
+        assert!(vertex < 8);
+        let parts = system.parts();
+        assert_ne!(parts[system.node_of()[0] as usize], parts[system.node_of()[4] as usize]);
+    }
+}

@@ -1,0 +1,253 @@
+//! What the worker tells the page, as plain objects in camelCase.
+
+use crate::constraint::{Element, KINDS, describe};
+use crate::mesh::{Circularity, Planarity, Read};
+use crate::scene::{Closeness, Hold, SmoothnessOf, Up, Weighting};
+use crate::session::Session;
+use crate::solve::Energy;
+use serde::Serialize;
+
+/// What was read from a file.
+#[derive(Serialize)]
+pub struct Loaded {
+    name: String,
+    title: String,
+    vertices: usize,
+    faces: usize,
+    curves: usize,
+    tets: usize,
+    groups: Vec<Group>,
+    units: String,
+    up: &'static str,
+    problems: Vec<Problem>,
+    notes: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct Group {
+    name: String,
+    faces: usize,
+}
+
+#[derive(Serialize)]
+struct Problem {
+    message: String,
+    count: usize,
+    line: Option<usize>,
+}
+
+impl Loaded {
+    /// About the file `name`, opened as `session`; `read` holds what its reader said.
+    pub fn new(name: &str, session: &Session, read: &Read) -> Self {
+        let mesh = session.mesh();
+        let groups = mesh.groups.iter();
+        let problems = read.problems.iter();
+        Loaded {
+            name: name.to_owned(),
+            title: session.document().title.clone(),
+            vertices: mesh.positions.len(),
+            faces: mesh.faces.len(),
+            curves: mesh.curves.len(),
+            tets: mesh.tets.len(),
+            groups: groups
+                .map(|group| Group { name: group.name.clone(), faces: group.faces.len() })
+                .collect(),
+            units: session.document().units.clone(),
+            up: up(session.document().up),
+            problems: problems
+                .map(|p| Problem { message: p.to_string(), count: p.count, line: p.line })
+                .collect(),
+            notes: read.notes.clone(),
+        }
+    }
+}
+
+fn up(up: Up) -> &'static str {
+    match up {
+        Up::Y => "y",
+        Up::Z => "z",
+    }
+}
+
+/// The document as it stands.
+#[derive(Serialize)]
+pub struct Document<'a> {
+    title: &'a str,
+    units: &'a str,
+    up: &'static str,
+    constraints: Vec<ConstraintRow>,
+    handles: Vec<HandleRow>,
+    weights: Weights,
+    closeness: &'static str,
+    smoothness: SmoothnessWords,
+    undo: Option<&'a str>,
+    redo: Option<&'a str>,
+    pinned: &'a [u32],
+}
+
+#[derive(Serialize)]
+struct ConstraintRow {
+    index: usize,
+    kind: &'static str,
+    label: &'static str,
+    colour: [u8; 3],
+    on: String,
+    count: usize,
+    skipped: usize,
+    weight: f64,
+    enabled: bool,
+}
+
+#[derive(Serialize)]
+struct HandleRow {
+    vertex: u32,
+    target: [f64; 3],
+    weight: f64,
+    fixed: bool,
+}
+
+#[derive(Serialize)]
+struct Weights {
+    shape: f64,
+    close: f64,
+    smooth: f64,
+}
+
+#[derive(Serialize)]
+struct SmoothnessWords {
+    of: &'static str,
+    weighting: &'static str,
+}
+
+impl<'a> Document<'a> {
+    /// The document of `session`.
+    pub fn new(session: &'a Session) -> Self {
+        let scene = session.document();
+        let specs = scene.constraints.iter();
+        let constraints = specs
+            .zip(session.rows())
+            .enumerate()
+            .map(|(index, (spec, row))| {
+                let info = spec.kind.info();
+                ConstraintRow {
+                    index,
+                    kind: info.id,
+                    label: info.label,
+                    colour: info.colour,
+                    on: describe(&spec.on),
+                    count: row.constraints.members.len(),
+                    skipped: row.skipped,
+                    weight: spec.weight,
+                    enabled: spec.enabled,
+                }
+            })
+            .collect();
+        let handles = session.solver().handles().iter();
+        let handles = handles
+            .map(|handle| {
+                let (weight, fixed) = match handle.hold {
+                    Hold::Soft { weight } => (weight, false),
+                    Hold::Fixed => (0.0, true),
+                };
+                HandleRow { vertex: handle.vertex, target: handle.target, weight, fixed }
+            })
+            .collect();
+        let [undo, redo] = session.undo_and_redo();
+        let crate::scene::Weights { shape, close, smooth } = scene.weights;
+        Document {
+            title: &scene.title,
+            units: &scene.units,
+            up: up(scene.up),
+            constraints,
+            handles,
+            weights: Weights { shape, close, smooth },
+            closeness: match scene.closeness {
+                Closeness::Surface => "surface",
+                Closeness::Rest => "rest",
+                Closeness::None => "none",
+            },
+            smoothness: SmoothnessWords {
+                of: match scene.smoothness.of {
+                    SmoothnessOf::Surface => "surface",
+                    SmoothnessOf::Displacement => "displacement",
+                },
+                weighting: match scene.smoothness.weighting {
+                    Weighting::Auto => "auto",
+                    Weighting::Uniform => "uniform",
+                    Weighting::Cotangent => "cotangent",
+                },
+            },
+            undo,
+            redo,
+            pinned: session.solver().pinned(),
+        }
+    }
+}
+
+/// The numbers of one state of the iteration.
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Frame {
+    iteration: u32,
+    converged: bool,
+    energy: Energy,
+    planarity: Planarity,
+    circularity: Circularity,
+    /// Of each row of the document, disabled ones included as zero.
+    worst: Vec<f64>,
+    /// Six numbers per iteration since the last frame.
+    trace: Vec<f64>,
+    step_ms: f64,
+}
+
+impl Frame {
+    /// The state of `session`, whose last step took `step_ms`.
+    pub fn new(session: &mut Session, step_ms: f64) -> Self {
+        let trace = session.take_trace();
+        let trace = trace.iter().flat_map(|entry| {
+            let e = entry.energy;
+            [f64::from(entry.iteration), e.shape, e.close, e.smooth, e.handles, e.total]
+        });
+        let positions = session.positions();
+        let mut found = session.solver().found();
+        let worst = session.rows().iter().map(|row| {
+            let found = row.enabled.then(|| found.next()).flatten();
+            found.map_or(0.0, |found| found.worst_squared.sqrt())
+        });
+        Frame {
+            iteration: session.iteration(),
+            converged: session.solver().converged(),
+            energy: session.solver().energy(),
+            planarity: session.planarity(&positions),
+            circularity: session.circularity(&positions),
+            worst: worst.collect(),
+            trace: trace.collect(),
+            step_ms,
+        }
+    }
+}
+
+/// An element that can carry one constraint each.
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct ElementWords {
+    id: &'static str,
+    label: &'static str,
+    face_based: bool,
+}
+
+/// Every element.
+pub fn elements() -> Vec<ElementWords> {
+    let all = Element::ALL.iter();
+    all.map(|&element| ElementWords {
+        id: element.id(),
+        label: element.label(),
+        face_based: element == Element::Face,
+    })
+    .collect()
+}
+
+/// Every kind.
+pub fn kinds() -> &'static [crate::constraint::Info] {
+    KINDS
+}

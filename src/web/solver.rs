@@ -1,0 +1,357 @@
+//! The face of the solver in the worker.
+
+use super::report::{Document, Frame, Loaded, elements, kinds};
+use super::{log_panics, thrown};
+
+use crate::constraint::{Fitted, Set};
+use crate::mesh::{Read, read, write_obj};
+use crate::scene::{ConstraintSpec, MeshSource, Scene};
+use crate::session::{Edit, NewConstraint, Session};
+use crate::solve::clock;
+use js_sys::{Float32Array, Float64Array, Uint32Array};
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
+use wasm_bindgen::prelude::*;
+
+/// Everything that the worker does, on the one model that is open.
+#[wasm_bindgen]
+#[derive(Default)]
+pub struct Solver {
+    session: Option<Session>,
+    step_ms: f64,
+}
+
+/// An edit as the page sends it.
+#[derive(Deserialize)]
+#[serde(tag = "type", rename_all = "camelCase")]
+enum PageEdit {
+    AddConstraint { kind: String, params: Map<String, Value>, on: Value, weight: f64 },
+    RemoveConstraint { index: usize },
+    SetConstraint { index: usize, weight: Option<f64>, enabled: Option<bool> },
+    SetWeights { shape: Option<f64>, close: Option<f64>, smooth: Option<f64> },
+    AddHandles { vertices: Vec<u32>, fixed: bool },
+    RemoveHandles { vertices: Vec<u32> },
+    Reset,
+}
+
+/// What a constraint acts on.
+#[derive(Serialize)]
+struct Preview {
+    constraints: usize,
+    skipped: usize,
+    vertices: usize,
+}
+
+#[wasm_bindgen]
+impl Solver {
+    /// No model.
+    #[wasm_bindgen(constructor)]
+    pub fn new() -> Solver {
+        log_panics();
+        Solver::default()
+    }
+
+    /// The list of kinds.
+    pub fn kinds(&self) -> Result<JsValue, JsValue> {
+        plain(&kinds())
+    }
+
+    /// The elements that can carry one constraint each.
+    pub fn elements(&self) -> Result<JsValue, JsValue> {
+        plain(&elements())
+    }
+
+    /// The mesh file that a scene names, or null.
+    #[wasm_bindgen(js_name = sceneMeshFile)]
+    pub fn scene_mesh_file(&self, bytes: &[u8]) -> Result<Option<String>, JsValue> {
+        Ok(match scene_of(bytes)?.mesh {
+            MeshSource::File(path) => Some(path),
+            MeshSource::Inline(_) => None,
+        })
+    }
+
+    /// Opens a mesh, or a scene with the mesh file that it names as `companion`. The model that is
+    /// open stays when this one is refused.
+    pub fn load(
+        &mut self,
+        name: &str,
+        bytes: &[u8],
+        companion: Option<Vec<u8>>,
+    ) -> Result<JsValue, JsValue> {
+        let started = clock::now();
+        let is_scene = name.to_ascii_lowercase().ends_with(".json");
+        let (scene, mut file) = if is_scene {
+            let in_scene = |message: String| thrown(format!("{name}: {message}"));
+            let mut scene = scene_of(bytes).map_err(|e| in_scene(message_of(&e)))?;
+            let file = match std::mem::replace(&mut scene.mesh, MeshSource::File(String::new())) {
+                MeshSource::Inline(mesh) => {
+                    Read { mesh: *mesh, problems: Vec::new(), notes: Vec::new() }
+                }
+                MeshSource::File(path) => {
+                    let bytes = companion.ok_or_else(|| {
+                        in_scene(format!("it needs the mesh file {path}: open both files together"))
+                    })?;
+                    let file = read(&path, &bytes).map_err(thrown)?;
+                    scene.mesh = MeshSource::File(path);
+                    file
+                }
+            };
+            (scene, file)
+        } else {
+            (Scene::new(MeshSource::File(name.to_owned())), read(name, bytes).map_err(thrown)?)
+        };
+        let mesh = std::mem::take(&mut file.mesh);
+        let mut session = Session::open(scene, mesh).map_err(|error| {
+            thrown(if is_scene { format!("{name}: {error}") } else { error.to_string() })
+        })?;
+        session.set_load_seconds(clock::now() - started);
+        session.start_trace();
+        let loaded = plain(&Loaded::new(name, &session, &file))?;
+        self.session = Some(session);
+        self.step_ms = 0.0;
+        Ok(loaded)
+    }
+
+    /// The document: constraints, handles, weights, what can be undone.
+    pub fn document(&self) -> Result<JsValue, JsValue> {
+        plain(&Document::new(self.open()?))
+    }
+
+    /// Makes an edit, one step of undo.
+    pub fn edit(&mut self, edit: JsValue) -> Result<(), JsValue> {
+        let edit: PageEdit = serde_wasm_bindgen::from_value(edit).map_err(thrown)?;
+        let session = self.open_mut()?;
+        let edit = match edit {
+            PageEdit::AddConstraint { kind, params, on, weight } => {
+                Edit::AddConstraint(new_constraint(kind, params, on, weight)?)
+            }
+            PageEdit::RemoveConstraint { index } => Edit::RemoveConstraint { index },
+            PageEdit::SetConstraint { index, weight, enabled } => {
+                Edit::SetConstraint { index, weight, enabled }
+            }
+            PageEdit::SetWeights { shape, close, smooth } => {
+                let mut weights = session.document().weights;
+                weights.shape = shape.unwrap_or(weights.shape);
+                weights.close = close.unwrap_or(weights.close);
+                weights.smooth = smooth.unwrap_or(weights.smooth);
+                Edit::SetWeights(weights)
+            }
+            PageEdit::AddHandles { vertices, fixed } => Edit::AddHandles { vertices, fixed },
+            PageEdit::RemoveHandles { vertices } => Edit::RemoveHandles { vertices },
+            PageEdit::Reset => Edit::Reset,
+        };
+        session.edit(edit).map_err(thrown)
+    }
+
+    /// Takes back the last step; its name, or null.
+    pub fn undo(&mut self) -> Result<Option<String>, JsValue> {
+        self.open_mut()?.undo().map_err(thrown)
+    }
+
+    /// Repeats the step that was last undone; its name, or null.
+    pub fn redo(&mut self) -> Result<Option<String>, JsValue> {
+        self.open_mut()?.redo().map_err(thrown)
+    }
+
+    /// Drags handles: `phase` is "start", "move", "end" or "cancel"; `targets` is `#vertices by 3`.
+    pub fn drag(&mut self, vertices: &[u32], targets: &[f64], phase: &str) -> Result<(), JsValue> {
+        let session = self.open_mut()?;
+        if phase == "start" {
+            session.begin_drag();
+        }
+        if phase != "cancel" {
+            let (targets, _) = targets.as_chunks::<3>();
+            session.drag(vertices.iter().copied().zip(targets.iter().copied()));
+        }
+        match phase {
+            "end" => session.end_drag(true),
+            "cancel" => session.end_drag(false),
+            _ => {}
+        }
+        Ok(())
+    }
+
+    /// One iteration; true when it has converged.
+    pub fn step(&mut self) -> Result<bool, JsValue> {
+        let started = clock::now();
+        let step = self.open_mut()?.step().map_err(thrown)?;
+        self.step_ms = 1e3 * (clock::now() - started);
+        Ok(step.converged)
+    }
+
+    /// Begins a run: iterations up to [`Solver::end_run`] are one step of undo.
+    #[wasm_bindgen(js_name = beginRun)]
+    pub fn begin_run(&mut self) -> Result<(), JsValue> {
+        self.open_mut()?.begin_run();
+        Ok(())
+    }
+
+    /// Ends a run.
+    #[wasm_bindgen(js_name = endRun)]
+    pub fn end_run(&mut self) -> Result<(), JsValue> {
+        self.open_mut()?.end_run();
+        Ok(())
+    }
+
+    /// The numbers of the current state, and the energies of the iterations since the last call.
+    pub fn frame(&mut self) -> Result<JsValue, JsValue> {
+        let step_ms = self.step_ms;
+        plain(&Frame::new(self.open_mut()?, step_ms))
+    }
+
+    /// Writes the current positions, `#V by 3`.
+    #[wasm_bindgen(js_name = writePositions)]
+    pub fn write_positions(&self, out: &Float64Array) -> Result<(), JsValue> {
+        out.copy_from(self.open()?.positions().as_flattened());
+        Ok(())
+    }
+
+    /// The error of each face, `#F`, in units of the mesh; `measure` is "planarity" or "circularity".
+    #[wasm_bindgen(js_name = faceErrors)]
+    pub fn face_errors(&self, measure: &str) -> Result<Float32Array, JsValue> {
+        let session = self.open()?;
+        let positions = session.positions();
+        let errors = match measure {
+            "planarity" => session.planarity_of_faces(&positions),
+            "circularity" => session.circularity_of_faces(&positions),
+            _ => return Err(thrown(format!("unknown measure {measure:?}"))),
+        };
+        let narrow: Vec<f32> = errors.iter().map(|&error| error as f32).collect();
+        Ok(Float32Array::from(&narrow[..]))
+    }
+
+    /// The fitted shapes to be drawn, eight numbers each: 0 for a circle and 1 for a sphere,
+    /// centre, normal, radius.
+    pub fn fitted(&self) -> Result<Float32Array, JsValue> {
+        let shapes = self.open()?.solver().fitted();
+        let numbers = shapes.iter().flat_map(|shape| match *shape {
+            Fitted::Circle { centre: c, normal: n, radius } => {
+                [0.0, c.x, c.y, c.z, n.x, n.y, n.z, radius]
+            }
+            Fitted::Sphere { centre: c, radius } => [1.0, c.x, c.y, c.z, 0.0, 0.0, 1.0, radius],
+        });
+        let narrow: Vec<f32> = numbers.map(|number| number as f32).collect();
+        Ok(Float32Array::from(&narrow[..]))
+    }
+
+    /// The faces and vertices that row `constraint` acts on.
+    pub fn members(&self, constraint: usize) -> Result<JsValue, JsValue> {
+        let [faces, vertices] = self.open()?.members(constraint);
+        let members = js_sys::Object::new();
+        for (key, indices) in [("faces", faces), ("vertices", vertices)] {
+            js_sys::Reflect::set(&members, &key.into(), &Uint32Array::from(&indices[..]))?;
+        }
+        Ok(members.into())
+    }
+
+    /// How many constraints a row would hold; refused when nothing fits.
+    pub fn preview(&self, kind: &str, on: JsValue) -> Result<JsValue, JsValue> {
+        let on: Value = serde_wasm_bindgen::from_value(on).map_err(thrown)?;
+        let new = new_constraint(kind.to_owned(), Map::new(), on, 1.0)?;
+        let row = self.open()?.preview(&new).map_err(thrown)?;
+        let members = &row.constraints.members;
+        let (constraints, vertices) = (members.len(), members.indices().len());
+        plain(&Preview { constraints, skipped: row.skipped, vertices })
+    }
+
+    /// The report, in the words and units of the command line.
+    pub fn report(&self) -> Result<JsValue, JsValue> {
+        plain(&self.open()?.report())
+    }
+
+    /// The scene file with the mesh inline.
+    pub fn scene(&self) -> Result<String, JsValue> {
+        let session = self.open()?;
+        let mut scene = session.scene();
+        scene.mesh = MeshSource::Inline(Box::new(session.mesh().clone()));
+        Ok(scene.to_json(session.mesh()))
+    }
+
+    /// The current shape as OBJ.
+    pub fn obj(&self) -> Result<String, JsValue> {
+        let session = self.open()?;
+        Ok(write_obj(session.mesh(), &session.positions()))
+    }
+
+    /// Where the corners of each face start, `#F + 1`.
+    #[wasm_bindgen(js_name = faceOffsets)]
+    pub fn face_offsets(&self) -> Result<Uint32Array, JsValue> {
+        Ok(Uint32Array::from(self.open()?.mesh().faces.offsets()))
+    }
+
+    /// The corners of all faces.
+    #[wasm_bindgen(js_name = faceIndices)]
+    pub fn face_indices(&self) -> Result<Uint32Array, JsValue> {
+        Ok(Uint32Array::from(self.open()?.mesh().faces.indices()))
+    }
+
+    /// Where the vertices of each polyline start, `#curves + 1`.
+    #[wasm_bindgen(js_name = curveOffsets)]
+    pub fn curve_offsets(&self) -> Result<Uint32Array, JsValue> {
+        Ok(Uint32Array::from(self.open()?.mesh().curves.offsets()))
+    }
+
+    /// The vertices of all polylines.
+    #[wasm_bindgen(js_name = curveIndices)]
+    pub fn curve_indices(&self) -> Result<Uint32Array, JsValue> {
+        Ok(Uint32Array::from(self.open()?.mesh().curves.indices()))
+    }
+
+    fn open(&self) -> Result<&Session, JsValue> {
+        self.session.as_ref().ok_or_else(nothing_open)
+    }
+
+    fn open_mut(&mut self) -> Result<&mut Session, JsValue> {
+        self.session.as_mut().ok_or_else(nothing_open)
+    }
+}
+
+fn nothing_open() -> JsValue {
+    thrown("no model is open")
+}
+
+/// As a plain object: maps become objects, absent values null.
+fn plain(value: &impl Serialize) -> Result<JsValue, JsValue> {
+    let serializer = serde_wasm_bindgen::Serializer::json_compatible();
+    value.serialize(&serializer).map_err(thrown)
+}
+
+fn message_of(error: &JsValue) -> String {
+    error.dyn_ref::<js_sys::Error>().map(|e| String::from(e.message())).unwrap_or_default()
+}
+
+fn scene_of(bytes: &[u8]) -> Result<Scene, JsValue> {
+    let text =
+        std::str::from_utf8(bytes).map_err(|_| thrown("a scene is UTF-8 text, and this is not"))?;
+    Scene::from_json(text).map_err(thrown)
+}
+
+/// A constraint as the page describes it: like an entry of a scene file, but `on.in` may be a set
+/// without a name, `{ faces }` or `{ vertices }`.
+fn new_constraint(
+    kind: String,
+    mut entry: Map<String, Value>,
+    mut on: Value,
+    weight: f64,
+) -> Result<NewConstraint, JsValue> {
+    #[derive(Default, Deserialize)]
+    #[serde(default)]
+    struct Unnamed {
+        vertices: Vec<u32>,
+        faces: Vec<u32>,
+    }
+    let within = on.get_mut("in").filter(|within| within.is_object());
+    let set = match within {
+        Some(within) => {
+            let unnamed: Unnamed = serde_json::from_value(within.take()).map_err(thrown)?;
+            *within = NewConstraint::UNNAMED.into();
+            Some(Set { vertices: unnamed.vertices, faces: unnamed.faces })
+        }
+        None => None,
+    };
+    entry.insert("kind".to_owned(), kind.into());
+    entry.insert("on".to_owned(), on);
+    entry.insert("weight".to_owned(), weight.into());
+    let spec = ConstraintSpec::from_json(&Value::Object(entry).to_string()).map_err(thrown)?;
+    Ok(NewConstraint { spec, set })
+}

@@ -1,0 +1,10 @@
+//! Native and wasm give the same bits: the digest of the positions after 30 steps is one constant.
+//! `wasm_solver.rs` holds the same scenes to the same constants in a browser.
+
+#[path = "data/golden.rs"]
+mod golden;
+
+#[test]
+fn thirty_steps_give_the_same_bits_natively() {
+    golden::check();
+}

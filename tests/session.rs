@@ -1,0 +1,270 @@
+//! Stories of a session: what hosts do with it, in the order in which people do it.
+
+use shape_up::mesh::Mesh;
+use shape_up::scene::{Accelerator, Hold, MeshSource, Scene, Weights};
+use shape_up::session::{Edit, NewConstraint, Session};
+
+/// A bumpy grid of `n` by `n` quads, a unit apart.
+fn grid(n: u32) -> Mesh {
+    let mut mesh = Mesh::default();
+    for j in 0..=n {
+        for i in 0..=n {
+            let bump = f64::from((i * 5 + j * 7) % 4) / 8.0;
+            mesh.positions.push([f64::from(i), f64::from(j), bump]);
+        }
+    }
+    for j in 0..n {
+        for i in 0..n {
+            let a = j * (n + 1) + i;
+            mesh.faces.push(&[a, a + 1, a + n + 2, a + n + 1]);
+        }
+    }
+    mesh
+}
+
+fn scene(rest: &str) -> Scene {
+    let text = format!(
+        r#"{{ "format": "shape-up-scene", "version": 1, "mesh": {{ "file": "grid.obj" }}{rest} }}"#
+    );
+    Scene::from_json(&text).expect("the scene is valid")
+}
+
+fn new(kind: &str, on: &str) -> Edit {
+    let text = format!(r#"{{ "kind": "{kind}", "on": {on} }}"#);
+    let spec = shape_up::scene::ConstraintSpec::from_json(&text).expect("the constraint is valid");
+    Edit::AddConstraint(NewConstraint { spec, set: None })
+}
+
+const PLANES: &str = r#", "constraints": [{ "kind": "plane", "on": "faces" }]"#;
+
+fn run(session: &mut Session, steps: usize) {
+    session.begin_run();
+    for _ in 0..steps {
+        session.step().expect("positions stay finite");
+    }
+    session.end_run();
+}
+
+#[test]
+fn a_part_that_nothing_holds_is_pinned_and_named() {
+    // Two separate quads, and a vertex of nothing.
+    let mut mesh = grid(1);
+    let second: Vec<_> = mesh.positions.iter().map(|p| [p[0] + 5.0, p[1], p[2]]).collect();
+    mesh.positions.extend(second);
+    mesh.faces.push(&[4, 5, 7, 6]);
+    mesh.positions.push([9.0, 9.0, 9.0]);
+    let mut session = Session::open(scene(PLANES), mesh.clone()).expect("pins make it regular");
+    assert_eq!(session.report().pinned, [0, 4, 8]);
+    assert_eq!(session.report().unknowns, 6);
+    run(&mut session, 5);
+    for v in [0, 4, 8] {
+        assert_eq!(session.positions()[v], mesh.positions[v], "a pinned vertex stays");
+    }
+    // A handle on the second quad takes the place of its pin.
+    session.edit(Edit::AddHandles { vertices: vec![6], fixed: false }).expect("it is regular");
+    assert_eq!(session.report().pinned, [0, 8]);
+}
+
+#[test]
+fn a_fixed_handle_is_met_exactly_and_a_soft_one_by_its_weight() {
+    let handles = r#", "handles": [{ "vertices": [0], "targets": [[0, 0, 1]], "fixed": true },
+                                    { "vertices": [15], "targets": [[3, 3, 2]], "weight": 50 }]"#;
+    let mut session =
+        Session::open(scene(&format!("{PLANES}{handles}")), grid(3)).expect("it is regular");
+    session.solve(false).expect("positions stay finite");
+    assert_eq!(session.positions()[0], [0.0, 0.0, 1.0]);
+    let energy = session.solver().energy();
+    let soft = session.positions()[15];
+    let away: f64 = soft.iter().zip([3.0, 3.0, 2.0]).map(|(a, b)| (a - b) * (a - b)).sum();
+    assert!((energy.handles - 50.0 * away).abs() <= 1e-12, "{energy:?}");
+    assert!((energy.total - energy.shape - energy.handles).abs() <= 1e-12, "{energy:?}");
+}
+
+#[test]
+fn every_edit_is_undone_and_redone() {
+    let mut session = Session::open(scene(PLANES), grid(4)).expect("it is regular");
+    let start = (session.scene(), session.positions());
+    let edits = [
+        new("circle", "\"faces\""),
+        Edit::SetConstraint { index: 1, weight: Some(2.0), enabled: None },
+        Edit::AddHandles { vertices: vec![0, 4], fixed: true },
+        Edit::AddHandles { vertices: vec![24, 4], fixed: false },
+        Edit::SetWeights(Weights { shape: 5.0, close: 1.0, smooth: 0.5 }),
+        Edit::SetConstraint { index: 0, weight: None, enabled: Some(false) },
+        Edit::RemoveHandles { vertices: vec![0] },
+        Edit::RemoveConstraint { index: 0 },
+        Edit::Reset,
+    ];
+    let mut states = vec![start];
+    for edit in edits {
+        session.edit(edit).expect("the edit fits");
+        run(&mut session, 2);
+        states.push((session.scene(), session.positions()));
+    }
+    for state in states.iter().rev().skip(1) {
+        assert_eq!(session.undo(), Ok(Some("Run, 2 iterations".to_owned())));
+        assert!(session.undo().expect("undo works").is_some(), "the edit itself");
+        assert_eq!((&session.scene(), &session.positions()), (&state.0, &state.1));
+    }
+    assert_eq!(session.undo(), Ok(None));
+    for state in &states[1..] {
+        assert!(session.redo().expect("redo works").is_some(), "the edit itself");
+        assert_eq!(session.redo(), Ok(Some("Run, 2 iterations".to_owned())));
+        assert_eq!((&session.scene(), &session.positions()), (&state.0, &state.1));
+    }
+    assert_eq!(session.redo(), Ok(None));
+}
+
+#[test]
+fn a_drag_is_one_step_and_can_be_cancelled() {
+    let handles = r#", "handles": [{ "vertices": [0, 20], "fixed": true }, { "vertices": [24] }]"#;
+    let mut session =
+        Session::open(scene(&format!("{PLANES}{handles}")), grid(4)).expect("it is regular");
+    let before = session.positions();
+    let drag = |session: &mut Session| {
+        session.begin_drag();
+        for k in 1..=5 {
+            session.drag([(24, [4.0, 4.0, 0.2 * f64::from(k)])]);
+            session.step().expect("positions stay finite");
+        }
+    };
+    drag(&mut session);
+    session.end_drag(false);
+    assert_eq!(session.positions(), before, "a cancelled drag leaves nothing");
+    assert_eq!(session.undo_and_redo(), [None, None]);
+
+    drag(&mut session);
+    session.end_drag(true);
+    assert!(session.positions()[24][2] > 0.9, "the vertex follows: {:?}", session.positions()[24]);
+    assert_eq!(session.undo(), Ok(Some("Move handle".to_owned())));
+    assert_eq!(session.positions(), before);
+
+    // A drag that ends where it began is no step.
+    session.begin_drag();
+    session.end_drag(true);
+    assert_eq!(session.undo_and_redo()[0], None);
+}
+
+#[test]
+fn a_refused_edit_leaves_everything_as_it_was() {
+    let mut session = Session::open(scene(PLANES), grid(2)).expect("it is regular");
+    run(&mut session, 3);
+    let before = (session.scene(), session.positions());
+    let refused = [
+        (new("sphere", r#"{ "set": "eaves" }"#), "eaves"),
+        (new("circle", "\"tets\""), "tet"),
+        (Edit::RemoveConstraint { index: 7 }, "constraints[7]"),
+        (Edit::AddHandles { vertices: vec![99], fixed: true }, "99"),
+        (Edit::SetConstraint { index: 0, weight: Some(-1.0), enabled: None }, "weight"),
+        (Edit::SetWeights(Weights { shape: f64::NAN, close: 0.0, smooth: 0.0 }), "weights.shape"),
+    ];
+    for (edit, names) in refused {
+        let error = session.edit(edit).expect_err("the edit does not fit").to_string();
+        assert!(error.contains(names), "{error}");
+        assert_eq!((&session.scene(), &session.positions()), (&before.0, &before.1));
+        assert_eq!(session.undo_and_redo()[0], Some("Run, 3 iterations"));
+    }
+}
+
+#[test]
+fn a_scene_that_is_saved_opens_where_it_was() {
+    let mut session = Session::open(scene(PLANES), grid(3)).expect("it is regular");
+    session.edit(Edit::AddHandles { vertices: vec![0, 3], fixed: true }).expect("it fits");
+    session.edit(new("sphere", r#"{ "vertices": "0-7" }"#)).expect("it fits");
+    run(&mut session, 4);
+    let mut saved = session.scene();
+    saved.mesh = MeshSource::Inline(Box::new(session.mesh().clone()));
+    let text = saved.to_json(session.mesh());
+    let read = Scene::from_json(&text).expect("what is written can be read");
+    let MeshSource::Inline(mesh) = read.mesh.clone() else { panic!("the mesh is inline") };
+    let reopened = Session::open(read, *mesh).expect("it fits");
+    assert_eq!(reopened.positions(), session.positions());
+    assert_eq!(reopened.solver().handles(), session.solver().handles());
+    let (found, expected) = (reopened.solver().energy().total, session.solver().energy().total);
+    assert!((found - expected).abs() <= 1e-12 * expected, "{found} is not {expected}");
+}
+
+#[test]
+fn far_from_the_origin_and_at_any_scale_the_answer_is_the_same() {
+    let total = |scale: f64, offset: f64| {
+        let mut mesh = grid(5);
+        for coordinate in mesh.positions.as_flattened_mut() {
+            *coordinate = *coordinate * scale + offset;
+        }
+        let extra = r#", "constraints": [{ "kind": "circle", "on": "faces" }],
+                        "weights": { "shape": 5, "close": 10, "smooth": 2 }"#;
+        let mut session = Session::open(scene(extra), mesh).expect("it is regular");
+        run(&mut session, 30);
+        session.solver().energy().total / (scale * scale)
+    };
+    let expected = total(1.0, 0.0);
+    for (scale, offset) in [(1e-3, 0.0), (1e3, 0.0), (1.0, 4096.0), (1.0, 1e6)] {
+        let found = total(scale, offset);
+        assert!((found - expected).abs() <= 1e-7 * expected, "{scale}, {offset}: {found}");
+    }
+}
+
+#[test]
+fn a_big_set_has_the_same_minimiser_with_its_extra_unknown() {
+    // 36 vertices take an extra unknown for their mean, 30 do not; one step of the plain iteration
+    // solves the same dense problem either way, so that the energy of neither can rise.
+    for last in [29, 35] {
+        let extra = format!(
+            r#", "constraints": [{{ "kind": "sphere", "on": {{ "vertices": "0-{last}" }} }}],
+               "weights": {{ "shape": 1, "smooth": 0.01 }}, "solver": {{ "accelerator": "none", "monotone": true }}"#
+        );
+        let mut session = Session::open(scene(&extra), grid(6)).expect("it is regular");
+        let mut before = session.solver().energy().total;
+        let first = before;
+        for _ in 0..50 {
+            session.step().expect("positions stay finite");
+            let now = session.solver().energy().total;
+            assert!(now <= before * (1.0 + 1e-12), "0-{last}: {before} rises to {now}");
+            before = now;
+        }
+        assert!(before < 0.9 * first, "0-{last}: {first} falls to {before}");
+    }
+}
+
+#[test]
+fn accelerators_reach_the_plain_minimum_in_fewer_iterations() {
+    let handles = r#", "handles": [{ "vertices": [0, 8, 72], "fixed": true },
+                                    { "vertices": [80], "targets": [[8, 8, 3]] }],
+                      "weights": { "shape": 1, "smooth": 0.001 },
+                      "constraints": [{ "kind": "plane", "on": "faces" }]"#;
+    let iterations = |accelerator, until: Option<f64>| {
+        let mut scene = scene(handles);
+        scene.solver.accelerator = accelerator;
+        scene.solver.tolerance = 0.0;
+        let mut session = Session::open(scene, grid(8)).expect("it is regular");
+        for k in 0..3000 {
+            let total = session.solver().energy().total;
+            if until.is_some_and(|until| total <= until) {
+                return (k, total);
+            }
+            session.step().expect("positions stay finite");
+        }
+        (3000, session.solver().energy().total)
+    };
+    let (_, lowest) = iterations(Accelerator::None, None);
+    let until = Some(lowest * 1.001);
+    let (plain, _) = iterations(Accelerator::None, until);
+    for accelerator in [Accelerator::QuasiNewton, Accelerator::Anderson] {
+        let (accelerated, _) = iterations(accelerator, until);
+        assert!(accelerated * 2 < plain, "{accelerator:?}: {accelerated} against {plain}");
+    }
+}
+
+#[test]
+fn a_handle_group_is_written_as_it_holds() {
+    let handles =
+        r#", "handles": [{ "vertices": [0, 1], "fixed": true }, { "vertices": [2], "weight": 7 }]"#;
+    let session = Session::open(scene(handles), grid(2)).expect("it is regular");
+    let specs = session.scene().handles;
+    assert_eq!(specs.len(), 2);
+    assert_eq!((specs[0].vertices.as_slice(), specs[0].hold), (&[0, 1][..], Hold::Fixed));
+    assert_eq!(
+        (specs[1].vertices.as_slice(), specs[1].hold),
+        (&[2][..], Hold::Soft { weight: 7.0 })
+    );
+}
