@@ -243,7 +243,11 @@ export class AddConstraintDialog {
     this.#add.disabled = !offer;
     if (!offer) return setText(this.#preview, 'No shape fits here.');
     const { constraints, skipped, vertices } = offer.preview;
-    const made = `${count(constraints, 'constraint')} on ${count(vertices, 'vertex', 'vertices')}.`;
+    const each = vertices / constraints;
+    const size = Number.isInteger(each)
+      ? count(each, 'vertex', 'vertices')
+      : `${each.toFixed(1)} vertices on average`;
+    const made = `${count(constraints, 'constraint')} of ${size}.`;
     const left =
       skipped > 0
         ? ` ${groupDigits(skipped)} skipped: their number of vertices does not fit this shape.`

@@ -69,7 +69,8 @@
  */
 
 /**
- * Something wrong in a file that could be survived; `line` is the first of `count`.
+ * Something wrong in a file that could be survived: a sentence that says how often and where first;
+ * `line` is the first of `count`.
  * @typedef {{ message: string, count: number, line: number | null }} Problem
  */
 

@@ -66,14 +66,8 @@ export class Viewport extends EventTarget {
    */
   with(action) {
     if (!this.view) return undefined;
-    try {
-      return action(this.view);
-    } catch (thrown) {
-      this.#lost(messageOf(thrown));
-      return undefined;
-    } finally {
-      this.ask();
-    }
+    this.ask();
+    return action(this.view);
   }
 
   async #create() {
@@ -259,6 +253,7 @@ function showSelection(view, { selection }) {
  * @param {State} state
  */
 function showTint(view, { tint }) {
-  if (tint) view.setTint(tint.vertices, tint.faces, ...tint.colour);
-  else view.setTint(NONE, NONE, 0, 0, 0);
+  const { vertices, faces, colour } = tint ?? { vertices: NONE, faces: NONE, colour: [0, 0, 0] };
+  const [red, green, blue] = colour.map((byte) => byte / 255);
+  view.setTint(vertices, faces, red, green, blue);
 }

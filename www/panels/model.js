@@ -58,16 +58,7 @@ function groups(model) {
 
 /** The import report. @param {import("../messages.js").Loaded} model */
 function report(model) {
-  const problems = model.problems.map((problem) =>
-    element(
-      'li',
-      {},
-      problem.message,
-      ...(problem.line === null || problem.line === undefined
-        ? []
-        : [element('span', { class: 'line' }, ` ${placeOf(problem)}`)]),
-    ),
-  );
+  const problems = model.problems.map((problem) => element('li', {}, problem.message));
   const notes = model.notes.map((note) => element('li', { class: 'quiet' }, note));
   if (problems.length + notes.length === 0) return [];
   const title =
@@ -75,11 +66,6 @@ function report(model) {
       ? `${count(problems.length, 'problem')} in the file`
       : count(notes.length, 'note');
   return [details(title, [...problems, ...notes], problems.length > 0)];
-}
-
-/** @param {import("../messages.js").Problem} problem */
-function placeOf({ count: times, line }) {
-  return times > 1 ? `(${groupDigits(times)} times, first in line ${line})` : `(line ${line})`;
 }
 
 /**
