@@ -53,7 +53,8 @@ export function bindKeys(commands, store) {
     if (!chord.startsWith('Ctrl+') && chord !== 'Escape' && isTyping(event)) return;
     const command = commands.find(({ keys }) => keys.includes(chord));
     if (!command) return;
-    if (document.querySelector('dialog:modal') && chord !== 'Escape') return;
+    // They have the keys to themselves, and Escape closes them.
+    if (document.querySelector('dialog:modal, :popover-open')) return;
     // The browser's own meaning (open, save, print) never applies here, even when there is nothing to do.
     if (chord !== 'Escape') event.preventDefault();
     if (!command.enabled || command.enabled(store.get())) command.action();

@@ -113,7 +113,11 @@ export class AddConstraintDialog {
   /** Where a constraint could be, before asking which of it fits. @returns {Place[]} */
   #allPlaces() {
     const { elements, selection } = this.#store.get();
-    const places = elements.map(({ id, label }) => ({ id: `each-${id}`, label, on: { each: id } }));
+    const places = elements.map(({ id, label }) => ({
+      id: `each-${id}`,
+      label: `each ${label}`,
+      on: { each: id },
+    }));
     const vertices = this.#actions.chosenVertices();
     const faces = [...selection.faces];
     if (faces.length > 0) {

@@ -112,7 +112,14 @@ function takeUp(client) {
 
   on('ready', ({ kinds, elements }) => store.set({ kinds, elements }));
   on('model', ({ loaded }) =>
-    store.set({ model: loaded, document: null, numbers: null, selection: NOTHING, dragged: [], tint: null }),
+    store.set({
+      model: loaded,
+      document: null,
+      numbers: null,
+      selection: NOTHING,
+      dragged: [],
+      tint: null,
+    }),
   );
   on('document', ({ document }) => store.set({ document }));
   on('frame', ({ numbers }) => store.set({ numbers }));

@@ -106,7 +106,7 @@
  * @property {Handle[]} handles
  * @property {Weights} weights
  * @property {"surface" | "rest" | "none"} closeness
- * @property {{ of: string, weighting: string }} smoothness
+ * @property {{ of: "surface" | "displacement", weighting: string }} smoothness
  * @property {string | null} undo what Undo would take back
  * @property {string | null} redo what Redo would do again
  * @property {number[]} pinned vertices that were pinned because nothing else holds their part

@@ -98,6 +98,7 @@ export class Viewport extends EventTarget {
 
   /** @param {string} reason */
   #lost(reason) {
+    this.view?.free();
     this.view = null;
     this.#attempts += 1;
     if (this.#attempts > ATTEMPTS) return this.#giveUp(reason);

@@ -3,18 +3,29 @@
 import { element, setText, throttled } from '../dom.js';
 import { number } from '../format.js';
 
+/** @typedef {import("../messages.js").SceneDocument} SceneDocument */
+
 const NUMBERS_EVERY_MS = 100;
 /** The slider's ends as powers of ten; its left end is off. */
 const LEAST = -3;
 const MOST = 4;
 const STEPS_PER_DECADE = 20;
 
-/** @type {{ id: "shape" | "close" | "smooth", label: string, words: string }[]} */
+/**
+ * What each term asks for depends on what the scene says of it.
+ * @type {{ id: "shape" | "close" | "smooth", label: string, words: (document: SceneDocument) => string }[]}
+ */
 const TERMS = [
-  { id: 'shape', label: 'Shape', words: 'meet the constraints' },
-  { id: 'close', label: 'Close', words: 'stay near the original' },
-  { id: 'smooth', label: 'Smooth', words: 'keep it smooth' },
+  { id: 'shape', label: 'Shape', words: () => 'meet the constraints' },
+  { id: 'close', label: 'Close', words: ({ closeness }) => CLOSENESS[closeness] },
+  { id: 'smooth', label: 'Smooth', words: ({ smoothness }) => SMOOTHNESS[smoothness.of] },
 ];
+const CLOSENESS = {
+  surface: 'stay near the original',
+  rest: 'stay where each vertex was',
+  none: 'not used in this scene',
+};
+const SMOOTHNESS = { surface: 'keep it smooth', displacement: 'keep the change smooth' };
 
 /**
  * @param {HTMLElement} place
@@ -38,7 +49,7 @@ export function energiesPanel(place, store, actions) {
   );
 
   store.subscribe(['document'], ({ document }) => {
-    if (document) rows.forEach((row) => row.setWeight(document.weights[row.id]));
+    if (document) rows.forEach((row) => row.show(document));
   });
   store.subscribe(
     ['numbers'],
@@ -82,6 +93,7 @@ function termRow({ id, label, words }, actions) {
     // One gesture is one edit: the weight is set when the slider is let go.
     onchange: () => send(weightAt(slider.valueAsNumber)),
   });
+  const explanation = element('span', { class: 'words' });
   const energy = element('output', {
     class: 'value',
     title: `${label} energy, without its weight`,
@@ -93,12 +105,14 @@ function termRow({ id, label, words }, actions) {
       { class: 'energy' },
       element('span', { class: 'name' }, swatch(id), label, energy),
       element('span', { class: 'weight' }, field),
-      element('span', { class: 'words' }, words),
+      explanation,
       element('span', { class: 'slider' }, slider),
     ),
-    /** @param {number} value */
-    setWeight(value) {
+    /** @param {SceneDocument} scene */
+    show(scene) {
+      const value = scene.weights[id];
       weight = value;
+      setText(explanation, words(scene));
       if (document.activeElement !== field || Number(field.value) !== value)
         field.value = String(value);
       slider.value = String(placeOf(value));
