@@ -5,6 +5,7 @@
 
 import { createActions } from './actions.js';
 import { Alerts } from './alerts.js';
+import { BoxSelection } from './box-selection.js';
 import { colourFaces } from './colouring.js';
 import { commandTable } from './command-table.js';
 import { bindButtons, bindKeys, bindRunButton } from './commands.js';
@@ -29,6 +30,7 @@ import { NOTHING } from './selection.js';
 import { SolverClient } from './solver-client.js';
 import { createStore } from './state.js';
 import { followTheme } from './theme.js';
+import { bindViewKeys } from './view-keys.js';
 import { Viewport } from './viewport.js';
 
 const store = createStore();
@@ -40,10 +42,12 @@ takeUp(solver);
 const viewport = new Viewport(byId('viewport'), store, solver);
 const files = new Files(store, solver, alerts);
 const actions = createActions(store, solver, alerts);
-const pointer = new PointerInput(store, solver, viewport, byId('marquee'), {
+const box = new BoxSelection(store, viewport, byId('marquee'));
+const pointer = new PointerInput(store, solver, viewport, box, {
   addHandles: (vertices) => actions.addHandles(vertices, false),
   fitAll: () => viewport.with((view) => view.fit()),
 });
+bindViewKeys(viewport);
 const addConstraint = new AddConstraintDialog(byId('add-constraint'), store, solver, actions);
 const { refit } = colourFaces(store, solver);
 
@@ -91,6 +95,7 @@ viewport.addEventListener('none', (event) => {
   const notice = byId('no-picture');
   notice.textContent = `No 3D picture: ${detail}. Everything else works: the panels, Run, and Export.`;
   notice.hidden = false;
+  byId('view-buttons').hidden = true;
 });
 
 Object.assign(window, { shapeUp: scriptApi(store, solver, viewport, files) });

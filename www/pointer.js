@@ -23,9 +23,6 @@ const CLICK_SLOP = 4;
 const WHEEL_PIXELS = 700;
 const PINCH_PIXELS = 100;
 const LINE_PIXELS = 16;
-/** An arrow key orbits, and a page key zooms, by this much. */
-const ORBIT_STEP = 24;
-const ZOOM_STEP = 1.25;
 
 /**
  * What a press has become: nothing yet, or one of these until it is released.
@@ -37,7 +34,7 @@ export class PointerInput {
   #solver;
   #viewport;
   #element;
-  #marquee;
+  #box;
   #commands;
   /** Where each pointer that is down was last. @type {Map<number, [number, number]>} */
   #down = new Map();
@@ -52,15 +49,15 @@ export class PointerInput {
    * @param {import("./state.js").Store} store
    * @param {import("./solver-client.js").SolverClient} solver
    * @param {import("./viewport.js").Viewport} viewport
-   * @param {HTMLElement} marquee the rectangle of a box selection
+   * @param {import("./box-selection.js").BoxSelection} box
    * @param {{ addHandles: (vertices: number[]) => void, fitAll: () => void }} commands
    */
-  constructor(store, solver, viewport, marquee, commands) {
+  constructor(store, solver, viewport, box, commands) {
     this.#store = store;
     this.#solver = solver;
     this.#viewport = viewport;
     this.#element = viewport.element;
-    this.#marquee = marquee;
+    this.#box = box;
     this.#commands = commands;
     const listen = /** @type {HTMLElement["addEventListener"]} */ (
       this.#element.addEventListener.bind(this.#element)
@@ -72,7 +69,6 @@ export class PointerInput {
     listen('dblclick', (event) => this.#doubleClick(event));
     listen('wheel', (event) => this.#wheel(event), { passive: false });
     listen('contextmenu', (event) => event.preventDefault());
-    listen('keydown', (event) => this.#key(event));
     store.subscribe(['tool'], ({ tool }) => (this.#element.dataset.tool = tool));
   }
 
@@ -141,7 +137,7 @@ export class PointerInput {
       case 'pan':
         return void this.#viewport.with((view) => view.pan(dx, dy));
       case 'box':
-        return this.#drawBox(at);
+        return this.#box.draw(this.#start, at);
     }
   }
 
@@ -170,7 +166,7 @@ export class PointerInput {
         this.#click(event, at);
         break;
       case 'box':
-        this.#selectBox(event, at);
+        this.#box.select(this.#start, at, combineOf(event));
         break;
     }
     this.#become(this.#down.size > 0 ? { kind: 'spent' } : null);
@@ -207,34 +203,6 @@ export class PointerInput {
     }
   }
 
-  /** @param {[number, number]} at */
-  #drawBox([x, y]) {
-    const [x0, y0] = this.#start;
-    this.#marquee.classList.toggle('crossing', x < x0);
-    this.#marquee.style.left = `${Math.min(x, x0)}px`;
-    this.#marquee.style.top = `${Math.min(y, y0)}px`;
-    this.#marquee.style.width = `${Math.abs(x - x0)}px`;
-    this.#marquee.style.height = `${Math.abs(y - y0)}px`;
-    this.#marquee.hidden = false;
-  }
-
-  /**
-   * @param {PointerEvent} event
-   * @param {[number, number]} at
-   */
-  #selectBox(event, at) {
-    const { mode, selection } = this.#store.get();
-    const crossing = at[0] < this.#start[0];
-    const x = [this.#start[0], at[0]].sort((a, b) => a - b);
-    const y = [this.#start[1], at[1]].sort((a, b) => a - b);
-    const found = this.#viewport.with((view) =>
-      mode === 'vertices'
-        ? view.boxVertices(x[0], y[0], x[1], y[1])
-        : view.boxFaces(x[0], y[0], x[1], y[1], crossing),
-    );
-    this.#store.set({ selection: select(selection, mode, found ?? [], combineOf(event)) });
-  }
-
   /**
    * Two fingers: their middle pans, their distance zooms.
    * @param {number} id
@@ -260,29 +228,6 @@ export class PointerInput {
     const exponent = (-event.deltaY * unit) / (event.ctrlKey ? PINCH_PIXELS : WHEEL_PIXELS);
     const factor = Math.exp(Math.max(-0.5, Math.min(0.5, exponent)));
     this.#viewport.with((view) => view.zoom(factor, ...this.#at(event)));
-  }
-
-  /** @param {KeyboardEvent} event */
-  #key(event) {
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
-    const { clientWidth, clientHeight } = this.#element;
-    const zoom = (/** @type {number} */ factor) =>
-      this.#viewport.with((view) => view.zoom(factor, clientWidth / 2, clientHeight / 2));
-    const orbit = (/** @type {number} */ dx, /** @type {number} */ dy) =>
-      this.#viewport.with((view) => view.orbit(dx * ORBIT_STEP, dy * ORBIT_STEP));
-    /** @type {Record<string, () => void>} */
-    const keys = {
-      ArrowLeft: () => orbit(-1, 0),
-      ArrowRight: () => orbit(1, 0),
-      ArrowUp: () => orbit(0, -1),
-      ArrowDown: () => orbit(0, 1),
-      PageUp: () => zoom(ZOOM_STEP),
-      PageDown: () => zoom(1 / ZOOM_STEP),
-    };
-    const action = keys[event.key];
-    if (!action) return;
-    event.preventDefault();
-    action();
   }
 
   /**
@@ -315,7 +260,7 @@ export class PointerInput {
   #become(gesture) {
     this.#gesture = gesture;
     this.#element.dataset.gesture = gesture?.kind ?? '';
-    if (gesture?.kind !== 'box') this.#marquee.hidden = true;
+    if (gesture?.kind !== 'box') this.#box.hide();
   }
 }
 

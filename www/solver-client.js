@@ -90,7 +90,8 @@ export class SolverClient extends EventTarget {
     worker.onmessage = (event) => this.#receive(event.data);
     worker.onerror = (event) => {
       event.preventDefault();
-      this.#died(event.message || 'its worker could not be loaded');
+      const message = event.message?.replace(/^Uncaught /, '');
+      this.#died(message || 'its worker could not be loaded');
     };
   }
 
@@ -194,7 +195,7 @@ export class SolverClient extends EventTarget {
       const bytes = new TextEncoder().encode(lastScene);
       await this.request({ type: 'open', files: [{ name: 'restored.shapeup.json', bytes }] });
       this.#notice(
-        `The solver stopped (${reason}) and was restarted; your model is back at iteration ${iteration}.`,
+        `The solver stopped (${reason}) and was restarted; your model is back as it was at iteration ${iteration}.`,
       );
     } catch (error) {
       if (this.#worker)

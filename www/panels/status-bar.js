@@ -15,7 +15,7 @@ export function statusBar(places, store) {
   const cells = new Map();
   for (const [key, name, style] of [
     ['selection', '', 'wide narrow-hidden'],
-    ['iteration', 'iteration', ''],
+    ['iteration', 'iteration', 'narrow-hidden'],
     ['energy', 'energy', 'wide narrow-hidden'],
     ['worst', 'worst panel', ''],
     ['step', '', 'narrow-hidden'],
