@@ -18,6 +18,7 @@ mod edge_lines;
 mod face_fit;
 mod laplacian;
 mod measure;
+mod principal_axes;
 mod ragged;
 mod surroundings;
 mod topology;
