@@ -5,10 +5,12 @@
 //! | [`ragged`](self) | lists of lists of vertex indices |
 //! | `read`, `obj`, `off`, `medit` | files in; `obj_write`: OBJ out |
 //! | `problem` | what a file has wrong that can be survived |
-//! | `topology` | edges, one-rings, boundary loops, straight edge lines, components |
+//! | `topology` | edges, neighbours, rings, faces around edges and vertices |
+//! | `boundary`, `edge_lines`, `components` | boundary loops, straight edge lines, connected components |
 //! | `laplacian` | the weights `w_ij` of Eq. 12 |
-//! | `closest` | closest point `c(v)` on the reference surface, Eq. 11 |
-//! | `measure` | planarity, circularity, diagonal ratio of faces; bounding sphere |
+//! | `closest` | closest point `c(v)` on the reference surface, Eq. 11; with its parts `triangle`, `tree`, `surroundings` |
+//! | `measure` | planarity, circularity, diagonal ratio of faces; with its parts `face_fit`, `principal_axes` |
+//! | `bounds` | bounding sphere |
 
 mod boundary;
 mod bounds;

@@ -50,8 +50,9 @@ fn smallest_first(a: [[f64; 3]; 3]) -> Option<[Vec3<f64>; 3]> {
     let image = times(n);
     let residual = image - n * n.dot(image);
     let bound = ANGLE * (diagonal[0] + diagonal[1] + diagonal[2]);
-    // Where the trace is 0 or not finite, so that all is NaN, this is false.
-    if !(residual.length_squared() < bound * bound) {
+    // False also where the trace is 0, so that all is NaN.
+    let accurate = residual.length_squared() < bound * bound;
+    if !accurate {
         return None;
     }
 
