@@ -159,11 +159,9 @@ fn every_kind_is_declared_for_people() {
         assert!(1.05 / (luminance + 0.05) >= 3.0, "{id}: too light on white");
         assert!((luminance + 0.05) / (0.014 + 0.05) >= 3.0, "{id}: too dark on dark");
         for param in info.params {
-            assert!(
-                param.range[0] <= param.default && param.default <= param.range[1],
-                "{id}: the default of {} is out of its range",
-                param.id
-            );
+            let [least, greatest] = param.range;
+            let fits = least <= param.default && param.default <= greatest;
+            assert!(fits, "{id}: the default of {} is out of its range", param.id);
         }
     }
 }
@@ -363,7 +361,7 @@ fn degenerate(n: usize) -> Vec<(&'static str, Points)> {
         ("collinear, far away", line.iter().map(|v| *v + f * 1e8).collect()),
         ("coplanar", flat.clone()),
         ("a cross and its centre", with_centre),
-        ("cube corners", (0..n).map(|i| corner(i)).collect()),
+        ("cube corners", (0..n).map(corner).collect()),
         ("random, far away", cloud(&mut random, n, 1.0).iter().map(|v| *v + f * 1e8).collect()),
     ];
     for d in [1e-15, 1e-12, 1e-9, 1e-6, 1e-3] {
