@@ -26,7 +26,8 @@ const FLAT: f64 = 32.0 * f64::EPSILON;
 const AT_CENTRE: f64 = 1e-14;
 
 /// The least `R`, relative to the points (unit trace, lengths over `s^1/2`), at which the closed
-/// form, whose rounding error is a few ulp of one, is accurate to 1e-12 of the size of the points.
+/// form is used. Its rounding error is a few ulp of one, divided by this: about 1e-12 of the size of
+/// the points, and more only for points near the centre, by the radius over their distance.
 const LEAST_REACH: f64 = 1e-4;
 
 /// A fitted circle or sphere around the mean of its points, or the line or plane that is its limit.
