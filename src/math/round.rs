@@ -1,5 +1,6 @@
-//! The circle or sphere that fits centred points best in the sense of Thomas and Chan [TC89]
-//! (paper section 3.1), in homogeneous form.
+//! The circle or sphere that fits centred points best in the sense of Thomas and Chan, "A simple
+//! approach for the estimation of circular arc center and its radius", 1989 (paper section 3.1), in
+//! homogeneous form.
 //!
 //! They minimise `sum (|v - c|^2 - r^2)^2`. With centred points, `M = mean v v^T`,
 //! `h = mean |v|^2 v / 2` and `s = mean |v|^2`, the centre is `c = M^-1 h` and
