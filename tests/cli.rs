@@ -416,7 +416,7 @@ fn check_says_what_a_mesh_is_like() {
     assert!(report["circularity"]["e_c_max"].as_f64().unwrap() > 0.0);
     let problems = report["problems"].as_array().unwrap();
     assert!(problems.iter().any(|problem| problem["line"] == 20), "{problems:?}");
-    for words in ["10", "4 of 4", "1 loops", "planarity", "circularity", "problem: "] {
+    for words in ["10", "4 of 4", "loops: 1, edges: 8", "planarity", "circularity", "problem: "] {
         assert!(out.contains(words), "expected `{words}` in {out}");
     }
 }
