@@ -1,24 +1,28 @@
 // The Chromium that runs the tests: which one, and how it is started.
 
 import { existsSync } from 'node:fs';
-import { outputOf } from './run.mjs';
+import { outputOf, Problem } from './run.mjs';
 
 const names = ['chromium', 'chromium-browser', 'google-chrome', 'google-chrome-stable'];
 
+// Ubuntu's chromium-browser is there without a Chromium behind it: a browser has to answer.
+const starts = (path) => outputOf(path, ['--version']) !== null;
+
 /**
- * The path of a Chromium that starts: the one named by the environment variable CHROME, the
- * system's, or Playwright's own. Null where there is none.
+ * The path of a Chromium that starts: the one named by the environment variable CHROME, else the
+ * system's, else Playwright's own. Null where there is none.
  */
 export async function findBrowser() {
   const named = process.env.CHROME;
-  for (const name of named ? [named] : names) {
+  if (named && !starts(named)) throw new Problem(`CHROME=${named}: no browser starts there`);
+  if (named) return named;
+  for (const name of names) {
     const path = outputOf('which', [name]);
-    // Ubuntu's chromium-browser is there without a Chromium behind it: it has to answer.
-    if (path && outputOf(path, ['--version']) !== null) return path;
+    if (path && starts(path)) return path;
   }
   const { chromium } = await import('@playwright/test');
   const own = chromium.executablePath();
-  return existsSync(own) && outputOf(own, ['--version']) !== null ? own : null;
+  return existsSync(own) && starts(own) ? own : null;
 }
 
 /**

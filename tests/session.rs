@@ -152,14 +152,11 @@ fn a_refused_edit_leaves_everything_as_it_was() {
     let before = (session.scene(), session.positions());
     let refused = [
         (new("sphere", r#"{ "set": "eaves" }"#), "eaves"),
-        (new("circle", "\"tets\""), "tet"),
+        (new("circle", "\"tets\""), "no such element"),
         (Edit::RemoveConstraint { index: 7 }, "constraints[7]"),
         (Edit::AddHandles { vertices: vec![99], fixed: true }, "99"),
         (Edit::SetConstraint { index: 0, weight: Some(-1.0), enabled: None }, "weight"),
-        (
-            Edit::SetWeights(Weights { shape: f64::NAN, close: 0.0, smooth: 0.0 }),
-            "weights.shape",
-        ),
+        (Edit::SetWeights(Weights { shape: f64::NAN, close: 0.0, smooth: 0.0 }), "weights.shape"),
     ];
     for (edit, names) in refused {
         let error = session.edit(edit).expect_err("the edit does not fit").to_string();
@@ -260,10 +257,14 @@ fn accelerators_reach_the_plain_minimum_in_fewer_iterations() {
 
 #[test]
 fn a_handle_group_is_written_as_it_holds() {
-    let handles = r#", "handles": [{ "vertices": [0, 1], "fixed": true }, { "vertices": [2], "weight": 7 }]"#;
+    let handles =
+        r#", "handles": [{ "vertices": [0, 1], "fixed": true }, { "vertices": [2], "weight": 7 }]"#;
     let session = Session::open(scene(handles), grid(2)).expect("it is regular");
     let specs = session.scene().handles;
     assert_eq!(specs.len(), 2);
     assert_eq!((specs[0].vertices.as_slice(), specs[0].hold), (&[0, 1][..], Hold::Fixed));
-    assert_eq!((specs[1].vertices.as_slice(), specs[1].hold), (&[2][..], Hold::Soft { weight: 7.0 }));
+    assert_eq!(
+        (specs[1].vertices.as_slice(), specs[1].hold),
+        (&[2][..], Hold::Soft { weight: 7.0 })
+    );
 }

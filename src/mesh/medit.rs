@@ -62,6 +62,6 @@ pub(super) fn read(text: &str) -> Result<Draft, Fault> {
             )?;
         }
     }
-    draft.settle(Numbering::FromOne);
+    draft.settle(Numbering::OneBased);
     Ok(draft)
 }

@@ -28,10 +28,10 @@ pub(super) fn whole(word: &str) -> Option<i32> {
 /// How a format numbers its vertices.
 #[derive(Clone, Copy)]
 pub(super) enum Numbering {
-    FromZero,
-    FromOne,
-    /// From one; negative numbers count back from the last of the vertices `read` so far.
-    FromOneOrBack {
+    ZeroBased,
+    OneBased,
+    /// One-based; negative numbers count back from the last of the vertices `read` so far.
+    OneBasedOrBack {
         read: usize,
     },
 }
@@ -47,9 +47,9 @@ impl Numbering {
     ) -> Result<u32, ProblemKind> {
         let number = i64::from(number.ok_or(ProblemKind::MalformedCorner(element))?);
         let index = match self {
-            Numbering::FromZero => number,
+            Numbering::ZeroBased => number,
             _ if number == 0 => return Err(ProblemKind::CornerZero(element)),
-            Numbering::FromOneOrBack { read } if number < 0 => read as i64 + number,
+            Numbering::OneBasedOrBack { read } if number < 0 => read as i64 + number,
             _ => number - 1,
         };
         match (0..vertices as i64).contains(&index) {
@@ -88,17 +88,17 @@ mod tests {
     #[test]
     fn vertex_numbers_mean_the_same_vertex_in_every_numbering() {
         let vertex = |numbering: Numbering, word| numbering.vertex(whole(word), 4, Element::Face);
-        let back = Numbering::FromOneOrBack { read: 3 };
-        assert_eq!(vertex(Numbering::FromZero, "2"), Ok(2));
-        assert_eq!(vertex(Numbering::FromOne, "3"), Ok(2));
+        let back = Numbering::OneBasedOrBack { read: 3 };
+        assert_eq!(vertex(Numbering::ZeroBased, "2"), Ok(2));
+        assert_eq!(vertex(Numbering::OneBased, "3"), Ok(2));
         assert_eq!(vertex(back, "3"), Ok(2));
         assert_eq!(vertex(back, "-1"), Ok(2));
         let out_of_range = Err(ProblemKind::CornerOutOfRange(Element::Face));
         for (numbering, word) in [
-            (Numbering::FromZero, "4"),
-            (Numbering::FromZero, "-1"),
-            (Numbering::FromOne, "5"),
-            (Numbering::FromOne, "-1"),
+            (Numbering::ZeroBased, "4"),
+            (Numbering::ZeroBased, "-1"),
+            (Numbering::OneBased, "5"),
+            (Numbering::OneBased, "-1"),
             (back, "-4"),
             (back, "99999999999"),
         ] {

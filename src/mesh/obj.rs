@@ -10,40 +10,8 @@ use super::number::{Numbering, whole};
 use super::problem::{Element, ProblemKind, counted};
 
 /// Statements that say nothing of the shape, or only to a free-form element.
-const SILENT: [&str; 32] = [
-    "vt",
-    "vn",
-    "vp",
-    "s",
-    "mg",
-    "mtllib",
-    "maplib",
-    "usemap",
-    "parm",
-    "trim",
-    "hole",
-    "scrv",
-    "sp",
-    "end",
-    "con",
-    "bmat",
-    "step",
-    "ctech",
-    "stech",
-    "bevel",
-    "c_interp",
-    "d_interp",
-    "lod",
-    "shadow_obj",
-    "trace_obj",
-    "call",
-    "csh",
-    "cdc",
-    "cdp",
-    "bzp",
-    "bsp",
-    "res",
-];
+const SILENT: &str = "vt vn vp s mg mtllib maplib usemap parm trim hole scrv sp end con bmat step \
+    ctech stech bevel c_interp d_interp lod shadow_obj trace_obj call csh";
 
 pub(super) fn read(text: &str) -> Draft {
     let mut draft = Draft::default();
@@ -103,14 +71,14 @@ pub(super) fn read(text: &str) -> Draft {
                     if groups.open(keyword, &text) {
                         draft.tally.add(ProblemKind::TooManyNames, Some(line));
                     }
-                } else if !SILENT.contains(&statement) {
+                } else if !SILENT.split(' ').any(|silent| silent == statement) {
                     draft.tally.add(ProblemKind::UnknownStatement, Some(line));
                 }
                 continue;
             }
         };
         let corners = words.map(|word| ignored.corner(word));
-        let numbering = Numbering::FromOneOrBack { read: vertices_read };
+        let numbering = Numbering::OneBasedOrBack { read: vertices_read };
         if let Some(index) = draft.element(element, corners, numbering, line) {
             groups.add(element, index);
         }

@@ -42,8 +42,10 @@ pub(super) fn read(text: &str) -> Result<Draft, Fault> {
         face_rests += usize::from(stream.element(Element::Face, corners, what, &mut draft)?);
     }
     if let Some(word) = stream.word() {
-        let header = format!("the header says {vertices} vertices and {faces} faces");
-        return Err(stream.fault(format!("{header}, but after them comes `{word}`")));
+        let vertices = counted(vertices, "vertex", "vertices");
+        let faces = counted(faces, "face", "faces");
+        let message = format!("the header says {vertices} and {faces}, but after them is `{word}`");
+        return Err(stream.fault(message));
     }
 
     if vertex_rests > 0 {
@@ -55,10 +57,10 @@ pub(super) fn read(text: &str) -> Result<Draft, Fault> {
         draft.notes.push(format!("colours of {faces} ignored"));
     }
     let numbering = match counts_from_one(&draft, vertices) {
-        true => Numbering::FromOne,
-        false => Numbering::FromZero,
+        true => Numbering::OneBased,
+        false => Numbering::ZeroBased,
     };
-    if matches!(numbering, Numbering::FromOne) {
+    if matches!(numbering, Numbering::OneBased) {
         draft.notes.push("the faces count vertices from one, unlike OFF: read so".to_owned());
     }
     draft.settle(numbering);

@@ -74,10 +74,10 @@ impl ProblemKind {
         };
         let matter = match self {
             MalformedCoordinate => {
-                "with a coordinate that is not a number, moved to the middle of the mesh"
+                "with a coordinate that is not a number, set to the middle of the mesh"
             }
             NonFiniteCoordinate => {
-                "with a coordinate that is not finite, moved to the middle of the mesh"
+                "with a coordinate that is not finite, set to the middle of the mesh"
             }
             DecimalComma => "with decimal commas, read as decimal points",
             MalformedCorner(_) => "with a corner that is not a vertex number skipped",

@@ -3,7 +3,7 @@
 use super::Session;
 use crate::mesh::{Circularity, Planarity};
 use crate::scene::Accelerator;
-use crate::solve::Energy;
+use crate::solve::{Energy, IterateSeconds};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -66,6 +66,8 @@ pub struct Seconds {
     pub factor: f64,
     /// All iterations.
     pub iterate: f64,
+    /// All iterations by part.
+    pub parts: IterateSeconds,
 }
 
 /// The energies after an iteration; iteration 0 is the input.
@@ -95,7 +97,7 @@ impl Session {
                 row.constraints.members.len();
             skipped += row.skipped;
         }
-        let positions = self.positions();
+        let measures = self.measures();
         let set_up = self.solver.set_up_seconds();
         let settings = &self.document.solver;
         Report {
@@ -115,14 +117,15 @@ impl Session {
             },
             pinned: self.solver.pinned().to_vec(),
             energy: EnergyReport { initial: self.initial, last: self.solver.energy() },
-            planarity: self.planarity(&positions),
-            circularity: self.circularity(&positions),
+            planarity: measures.planarity,
+            circularity: measures.circularity,
             seconds: Seconds {
                 load: self.load_seconds,
                 assemble: set_up.assemble,
                 order: set_up.order,
                 factor: set_up.factor,
                 iterate: self.solver.iterate_seconds().total(),
+                parts: self.solver.iterate_seconds(),
             },
             trace: self.trace.clone(),
         }

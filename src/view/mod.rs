@@ -1,2 +1,35 @@
 //! The picture: camera, picking, and one primitive per file with its shader. Sees positions and
 //! index buffers, never the solver.
+//!
+//! The room has two halves. [`stage`] and what it holds know the mesh as it is shown, the camera,
+//! and what is picked or marked; they need no GPU, so that native tests can hold them to account.
+//! [`picture`] and the primitives turn a stage into draw calls.
+//!
+//! Positions come in as `f64` in file coordinates. The view subtracts its own centre, the middle
+//! of the first bounding box of the mesh, before it rounds to `f32`: a mesh at site coordinates
+//! neither jitters nor loses digits.
+
+pub mod camera;
+pub mod circles;
+pub mod colour_map;
+pub mod depth_map;
+pub mod device;
+pub mod faces;
+pub mod framing;
+pub mod globals;
+pub mod lines;
+pub mod lists;
+pub mod looks;
+pub mod normals;
+pub mod palette;
+pub mod picking;
+pub mod picture;
+pub mod pipeline;
+pub mod points;
+pub mod polygon_edges;
+pub mod ray;
+pub mod spheres;
+pub mod stage;
+pub mod store;
+pub mod subject;
+pub mod triangulate;

@@ -4,10 +4,17 @@
 mod report;
 #[cfg(feature = "solver")]
 pub mod solver;
+#[cfg(feature = "view")]
+pub mod view;
 
-use wasm_bindgen::prelude::*;
+use wasm_bindgen::JsValue;
 
 /// The error that a host sees: `{ message }`, one line that says all.
-pub(crate) fn thrown(error: impl std::fmt::Display) -> JsValue {
+fn thrown(error: impl std::fmt::Display) -> JsValue {
     js_sys::Error::new(&error.to_string()).into()
+}
+
+/// Writes panics to the console: the host sees only "unreachable" otherwise.
+fn log_panics() {
+    std::panic::set_hook(Box::new(|panic| web_sys::console::error_1(&panic.to_string().into())));
 }

@@ -1,7 +1,8 @@
 //! The face of the solver in the worker.
 
 use super::report::{Document, Frame, Loaded, elements, kinds};
-use super::thrown;
+use super::{log_panics, thrown};
+
 use crate::constraint::{Fitted, Set};
 use crate::mesh::{Read, read, write_obj};
 use crate::scene::{ConstraintSpec, MeshSource, Scene};
@@ -46,6 +47,7 @@ impl Solver {
     /// No model.
     #[wasm_bindgen(constructor)]
     pub fn new() -> Solver {
+        log_panics();
         Solver::default()
     }
 
@@ -208,10 +210,10 @@ impl Solver {
     #[wasm_bindgen(js_name = faceErrors)]
     pub fn face_errors(&self, measure: &str) -> Result<Float32Array, JsValue> {
         let session = self.open()?;
-        let positions = session.positions();
+        let measures = session.measures();
         let errors = match measure {
-            "planarity" => session.planarity_of_faces(&positions),
-            "circularity" => session.circularity_of_faces(&positions),
+            "planarity" => measures.planarity_distances,
+            "circularity" => measures.circularity_distances,
             _ => return Err(thrown(format!("unknown measure {measure:?}"))),
         };
         let narrow: Vec<f32> = errors.iter().map(|&error| error as f32).collect();

@@ -1,0 +1,284 @@
+//! A turntable camera in perspective: it turns about the vertical axis and tilts, and never rolls.
+//!
+//! Lengths are those of the scene relative to the view's centre; screen positions are CSS pixels
+//! from the upper left corner of the canvas.
+
+use super::lists::ViewError;
+use glam::{Mat4, Vec2, Vec3, Vec4};
+use std::f32::consts::FRAC_PI_2;
+
+/// Half the vertical angle of view, radians. A long lens: verticals stay nearly parallel.
+const HALF_ANGLE: f32 = 0.28;
+/// Turn per CSS pixel of an orbiting drag, radians.
+const TURN_PER_PIXEL: f32 = 0.006;
+/// The three-quarter view that every mesh is first seen from, radians.
+const HOME: (f32, f32) = (0.6, 0.5);
+
+/// Which axis of the file points to the sky.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Up {
+    /// Architecture, Rhino, Blender.
+    #[default]
+    Z,
+    /// Games and animation.
+    Y,
+}
+
+impl Up {
+    /// Right, away, and up, as seen from the front.
+    pub fn axes(self) -> [Vec3; 3] {
+        match self {
+            Up::Z => [Vec3::X, Vec3::Y, Vec3::Z],
+            Up::Y => [Vec3::X, Vec3::NEG_Z, Vec3::Y],
+        }
+    }
+}
+
+/// Where the eye is and how it looks. All fields can be set freely; [`Camera::tilt`] stays within
+/// a quarter turn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera {
+    /// The point in the middle of the canvas, which the eye turns about.
+    pub pivot: Vec3,
+    /// From the pivot to the eye.
+    pub distance: f32,
+    /// Angle about the vertical, radians; 0 looks from the front, growing to the right.
+    pub turn: f32,
+    /// Angle above the horizon, radians, from -pi/2 to pi/2.
+    pub tilt: f32,
+    /// Vertical axis.
+    pub up: Up,
+    /// Size of the canvas, CSS pixels.
+    pub canvas: Vec2,
+}
+
+/// The camera's axes and place, computed once per use.
+#[derive(Clone, Copy, Debug)]
+pub struct Eye {
+    /// Where the eye is.
+    pub at: Vec3,
+    /// To the right on the screen.
+    pub right: Vec3,
+    /// Up on the screen.
+    pub up: Vec3,
+    /// Into the screen.
+    pub forward: Vec3,
+    /// CSS pixels that a unit length covers at depth 1.
+    pub focal: f32,
+    /// The middle of the canvas, CSS pixels.
+    pub middle: Vec2,
+}
+
+impl Default for Camera {
+    fn default() -> Self {
+        Camera {
+            pivot: Vec3::ZERO,
+            distance: 4.0,
+            turn: HOME.0,
+            tilt: HOME.1,
+            up: Up::Z,
+            canvas: Vec2::new(300.0, 150.0),
+        }
+    }
+}
+
+impl Camera {
+    /// The eye as the camera stands.
+    pub fn eye(&self) -> Eye {
+        let [x, y, z] = self.up.axes();
+        let (sin_turn, cos_turn) = self.turn.sin_cos();
+        let (sin_tilt, cos_tilt) = self.tilt.sin_cos();
+        let right = x * cos_turn + y * sin_turn;
+        let forward = (y * cos_turn - x * sin_turn) * cos_tilt - z * sin_tilt;
+        Eye {
+            at: self.pivot - forward * self.distance,
+            right,
+            up: right.cross(forward),
+            forward,
+            focal: 0.5 * self.canvas.y / HALF_ANGLE.tan(),
+            middle: self.canvas * 0.5,
+        }
+    }
+
+    /// Turns the eye about the pivot by a drag of so many CSS pixels.
+    pub fn orbit(&mut self, dx: f32, dy: f32) {
+        self.turn = (self.turn - dx * TURN_PER_PIXEL).rem_euclid(std::f32::consts::TAU);
+        self.tilt = (self.tilt + dy * TURN_PER_PIXEL).clamp(-FRAC_PI_2, FRAC_PI_2);
+    }
+
+    /// Slides the picture by so many CSS pixels: what lies at the pivot's depth follows the cursor.
+    pub fn pan(&mut self, dx: f32, dy: f32) {
+        let eye = self.eye();
+        self.pivot -= eye.across(Vec2::new(dx, dy), self.distance);
+    }
+
+    /// Comes `factor` times nearer to `anchor`, which keeps its place on the screen. `nearest` and
+    /// `farthest` bound the distance from the pivot.
+    pub fn zoom(&mut self, factor: f32, anchor: Vec3, nearest: f32, farthest: f32) {
+        let distance = (self.distance / factor).clamp(nearest, farthest);
+        let shrink = distance / self.distance;
+        self.pivot = anchor + (self.pivot - anchor) * shrink;
+        self.distance = distance;
+    }
+
+    /// The point under a screen position in the plane through the pivot that faces the eye.
+    pub fn on_pivot_plane(&self, screen: Vec2) -> Vec3 {
+        let eye = self.eye();
+        self.pivot + eye.across(screen - eye.middle, self.distance)
+    }
+
+    /// Looks from a named side: `top`, `bottom`, `front`, `back`, `left`, `right`, or `home`, the
+    /// three-quarter view. Place and distance stay.
+    ///
+    /// # Errors
+    /// Any other name.
+    pub fn look_from(&mut self, side: &str) -> Result<(), ViewError> {
+        let half = std::f32::consts::PI;
+        (self.turn, self.tilt) = match side {
+            "top" => (0.0, FRAC_PI_2),
+            "bottom" => (0.0, -FRAC_PI_2),
+            "front" => (0.0, 0.0),
+            "back" => (half, 0.0),
+            "right" => (FRAC_PI_2, 0.0),
+            "left" => (half + FRAC_PI_2, 0.0),
+            "home" => HOME,
+            _ => {
+                return Err(ViewError::Word {
+                    what: "view",
+                    got: side.to_owned(),
+                    known: "top, bottom, front, back, left, right or home",
+                });
+            }
+        };
+        Ok(())
+    }
+
+    /// From scene to clip coordinates (x and y from -w to w, z from 0 to w), with the near and far
+    /// depths given.
+    pub fn clip_from_scene(&self, near: f32, far: f32) -> Mat4 {
+        let eye = self.eye();
+        let row = |axis: Vec3, scale: f32| axis.extend(-axis.dot(eye.at)) * scale;
+        let depth = row(eye.forward, 1.0);
+        let stretch = far / (far - near);
+        Mat4::from_cols(
+            row(eye.right, eye.focal / eye.middle.x),
+            row(eye.up, eye.focal / eye.middle.y),
+            depth * stretch - Vec4::new(0.0, 0.0, 0.0, stretch * near),
+            depth,
+        )
+        .transpose()
+    }
+}
+
+impl Eye {
+    /// Screen position and depth of a point. The screen position means nothing where the depth is
+    /// not positive.
+    pub fn project(&self, point: Vec3) -> (Vec2, f32) {
+        let from_eye = point - self.at;
+        let depth = from_eye.dot(self.forward);
+        let offset = Vec2::new(from_eye.dot(self.right), -from_eye.dot(self.up));
+        (self.middle + offset * (self.focal / depth), depth)
+    }
+
+    /// The displacement parallel to the screen that covers `pixels` at a depth.
+    pub fn across(&self, pixels: Vec2, depth: f32) -> Vec3 {
+        (self.right * pixels.x - self.up * pixels.y) * (depth / self.focal)
+    }
+
+    /// The direction through a screen position; its depth is 1, its length is not.
+    pub fn direction(&self, screen: Vec2) -> Vec3 {
+        self.forward + self.across(screen - self.middle, 1.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn camera() -> Camera {
+        Camera {
+            pivot: Vec3::new(1.0, -2.0, 0.5),
+            distance: 7.0,
+            canvas: Vec2::new(800.0, 600.0),
+            ..Camera::default()
+        }
+    }
+
+    #[test]
+    fn the_matrix_and_the_projection_agree() {
+        let camera = camera();
+        let eye = camera.eye();
+        let matrix = camera.clip_from_scene(0.5, 50.0);
+        for point in [Vec3::ZERO, Vec3::new(0.3, 1.0, -0.7), camera.pivot] {
+            let (screen, depth) = eye.project(point);
+            let clip = matrix * point.extend(1.0);
+            let expected = Vec2::new(clip.x, -clip.y) / clip.w * eye.middle + eye.middle;
+            assert!((screen - expected).length() < 1e-2, "{screen} {expected}");
+            assert!((clip.w - depth).abs() < 1e-5);
+            assert!(clip.z > 0.0 && clip.z < clip.w);
+        }
+        assert!((eye.project(camera.pivot).0 - eye.middle).length() < 1e-3);
+    }
+
+    #[test]
+    fn the_sky_is_up_and_sides_are_where_they_should_be() {
+        for (up, sky, side) in [(Up::Z, Vec3::Z, Vec3::NEG_Y), (Up::Y, Vec3::Y, Vec3::Z)] {
+            let mut camera = Camera { up, ..camera() };
+            for (name, towards) in [
+                ("front", side),
+                ("right", Vec3::X),
+                ("left", Vec3::NEG_X),
+                ("top", sky),
+                ("bottom", -sky),
+            ] {
+                camera.look_from(name).unwrap();
+                let eye = camera.eye();
+                let from = (eye.at - camera.pivot).normalize();
+                assert!((from - towards).length() < 1e-5, "{name}: {from}");
+                assert!(eye.up.dot(sky) > -1e-6, "{name}");
+            }
+        }
+        assert!(camera().look_from("above").unwrap_err().to_string().contains("\"above\""));
+    }
+
+    #[test]
+    fn tilt_stops_at_the_pole_and_nothing_rolls() {
+        let mut camera = camera();
+        camera.orbit(130.0, 1e6);
+        assert_eq!(camera.tilt, FRAC_PI_2);
+        camera.orbit(-77.0, -300.0);
+        let eye = camera.eye();
+        assert!(eye.right.z.abs() < 1e-6);
+        assert!((eye.right.cross(eye.forward) - eye.up).length() < 1e-6);
+    }
+
+    #[test]
+    fn a_pan_carries_the_pivot_plane_with_the_cursor() {
+        let mut camera = camera();
+        let grabbed = camera.on_pivot_plane(Vec2::new(200.0, 150.0));
+        camera.pan(60.0, -35.0);
+        let (screen, _) = camera.eye().project(grabbed);
+        assert!((screen - Vec2::new(260.0, 115.0)).length() < 1e-2);
+    }
+
+    #[test]
+    fn a_zoom_holds_the_point_under_the_cursor() {
+        let mut camera = camera();
+        let anchor = Vec3::new(0.0, -1.0, 1.0);
+        let (before, depth) = camera.eye().project(anchor);
+        camera.zoom(1.5, anchor, 0.1, 100.0);
+        let (after, nearer) = camera.eye().project(anchor);
+        assert!((after - before).length() < 1e-2);
+        assert!((nearer - depth / 1.5).abs() < 1e-4);
+        camera.zoom(1e9, anchor, 0.1, 100.0);
+        assert!((camera.distance - 0.1).abs() < 1e-6);
+    }
+
+    #[test]
+    fn a_ray_through_a_projection_meets_the_point() {
+        let eye = camera().eye();
+        let point = Vec3::new(-0.4, 0.9, 0.2);
+        let (screen, depth) = eye.project(point);
+        assert!((eye.at + eye.direction(screen) * depth - point).length() < 1e-4);
+    }
+}

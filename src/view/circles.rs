@@ -1,0 +1,57 @@
+//! Draws fitted circles: `shaders/circles.wgsl`.
+
+use super::pipeline::{Layer, Recipe, SCENE_WGSL, STROKE_WGSL, VertexBuffer, build};
+use super::stage::SHAPE_NUMBERS;
+use super::store::Store;
+
+/// The shader.
+pub const WGSL: &str = include_str!("shaders/circles.wgsl");
+
+const CIRCLE: [wgpu::VertexAttribute; 3] =
+    wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32];
+/// Pieces of a circle; the shader knows it too.
+const PIECES: u32 = 48;
+
+/// Circles by centre, normal and radius.
+#[derive(Debug)]
+pub struct Circles {
+    pipeline: wgpu::RenderPipeline,
+    circles: VertexBuffer,
+}
+
+impl Circles {
+    /// Nothing to draw yet.
+    pub fn new(device: &wgpu::Device, store: &Store, format: wgpu::TextureFormat) -> Circles {
+        let recipe = Recipe {
+            label: "circles",
+            source: &[SCENE_WGSL, STROKE_WGSL, WGSL].concat(),
+            vertex: "corner_of_circle",
+            fragment: "drawn",
+            attributes: &CIRCLE,
+            stride: 28,
+            step: wgpu::VertexStepMode::Instance,
+            layer: Layer::InFront,
+        };
+        let pipeline = build(device, store, format, &recipe);
+        Circles { pipeline, circles: VertexBuffer::new(device) }
+    }
+
+    /// Takes the circles among fitted shapes in view coordinates.
+    pub fn update(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, shapes: &[f32]) {
+        let circles: Vec<[f32; 7]> = shapes
+            .chunks_exact(SHAPE_NUMBERS)
+            .filter(|shape| shape[0] == 0.0)
+            .map(|shape| std::array::from_fn(|i| shape[i + 1]))
+            .collect();
+        self.circles.write(device, queue, &circles);
+    }
+
+    /// Draws them.
+    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
+        if self.circles.count() > 0 {
+            pass.set_pipeline(&self.pipeline);
+            pass.set_vertex_buffer(0, self.circles.slice());
+            pass.draw(0..6 * PIECES, 0..self.circles.count());
+        }
+    }
+}

@@ -1,0 +1,247 @@
+//! Adapter, device, and the canvas that pictures appear on.
+//!
+//! A canvas that has once given out a WebGPU context can never give a WebGL one. So the WebGPU
+//! adapter and device are asked for without a canvas, and the canvas is touched only when it is
+//! certain which backend draws on it.
+
+use super::pipeline::{DEPTH_FORMAT, SAMPLES};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Device, queue and canvas.
+#[derive(Debug)]
+pub struct Device {
+    /// Makes things.
+    pub device: wgpu::Device,
+    /// Takes commands.
+    pub queue: wgpu::Queue,
+    surface: wgpu::Surface<'static>,
+    config: wgpu::SurfaceConfiguration,
+    colour: wgpu::TextureView,
+    depth: wgpu::TextureView,
+    lost: Arc<AtomicBool>,
+}
+
+/// Why no picture can be drawn.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct DeviceError(pub String);
+
+impl std::fmt::Display for DeviceError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for DeviceError {}
+
+/// Views of the frame that is being drawn.
+#[derive(Debug)]
+pub struct Frame {
+    texture: wgpu::SurfaceTexture,
+    view: wgpu::TextureView,
+}
+
+/// An adapter with its device.
+type Opened = (wgpu::Instance, wgpu::Adapter, wgpu::Device, wgpu::Queue);
+
+fn instance(backends: wgpu::Backends) -> wgpu::Instance {
+    let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
+    descriptor.backends = backends;
+    wgpu::Instance::new(descriptor)
+}
+
+/// Asks an instance for an adapter and its device.
+async fn open(
+    instance: wgpu::Instance,
+    surface: Option<&wgpu::Surface<'static>>,
+) -> Result<Opened, String> {
+    let options = wgpu::RequestAdapterOptions { compatible_surface: surface, ..Default::default() };
+    let adapter = instance.request_adapter(&options).await.map_err(|e| e.to_string())?;
+    // The limits of WebGL2 are enough on both; only the size of the canvas may be larger.
+    let required_limits =
+        wgpu::Limits::downlevel_webgl2_defaults().using_resolution(adapter.limits());
+    let descriptor =
+        wgpu::DeviceDescriptor { label: Some("view"), required_limits, ..Default::default() };
+    let (device, queue) = adapter.request_device(&descriptor).await.map_err(|e| e.to_string())?;
+    Ok((instance, adapter, device, queue))
+}
+
+impl Device {
+    /// Opens a WebGPU device for the canvas. The canvas is untouched when this fails.
+    ///
+    /// # Errors
+    /// No adapter answers.
+    pub async fn webgpu(target: wgpu::SurfaceTarget<'static>) -> Result<Device, DeviceError> {
+        let opened = open(instance(wgpu::Backends::BROWSER_WEBGPU), None).await;
+        let opened = opened.map_err(|e| DeviceError(format!("No WebGPU adapter: {e}")))?;
+        let surface = opened.0.create_surface(target).map_err(|e| DeviceError(e.to_string()))?;
+        Device::new(opened, surface)
+    }
+
+    /// Opens a WebGL2 device for the canvas.
+    ///
+    /// # Errors
+    /// The canvas has another context already, or WebGL2 is not available.
+    pub async fn webgl2(target: wgpu::SurfaceTarget<'static>) -> Result<Device, DeviceError> {
+        let instance = instance(wgpu::Backends::GL);
+        let failed = |e: String| DeviceError(format!("No WebGL2 context: {e}"));
+        let surface = instance.create_surface(target).map_err(|e| failed(e.to_string()))?;
+        let opened = open(instance, Some(&surface)).await.map_err(failed)?;
+        Device::new(opened, surface)
+    }
+
+    fn new(
+        (_, adapter, device, queue): Opened,
+        surface: wgpu::Surface<'static>,
+    ) -> Result<Device, DeviceError> {
+        let mut config = surface
+            .get_default_config(&adapter, 1, 1)
+            .ok_or_else(|| DeviceError("The adapter cannot draw on a canvas".to_owned()))?;
+        // The first format differs in being sRGB from backend to backend: take one that is not.
+        let formats = surface.get_capabilities(&adapter).formats;
+        if let Some(&format) = formats.iter().find(|format| !format.is_srgb()) {
+            config.format = format;
+        }
+        let lost = Arc::new(AtomicBool::new(false));
+        let flag = Arc::clone(&lost);
+        device.set_device_lost_callback(move |_, _| flag.store(true, Ordering::Relaxed));
+        surface.configure(&device, &config);
+        let colour = target(&device, &config, config.format);
+        let depth = target(&device, &config, DEPTH_FORMAT);
+        Ok(Device { device, queue, surface, config, colour, depth, lost })
+    }
+
+    /// Format of the canvas.
+    pub fn format(&self) -> wgpu::TextureFormat {
+        self.config.format
+    }
+
+    /// Width and height of the canvas in pixels.
+    pub fn size(&self) -> (u32, u32) {
+        (self.config.width, self.config.height)
+    }
+
+    /// A flag that is raised when the device is lost.
+    pub fn lost(&self) -> Arc<AtomicBool> {
+        Arc::clone(&self.lost)
+    }
+
+    /// Sets the size of the canvas, at most what the adapter allows; the proportions are kept.
+    pub fn resize(&mut self, width: u32, height: u32) {
+        let (width, height) =
+            clamp_size(width, height, self.device.limits().max_texture_dimension_2d);
+        if (width, height) == self.size() {
+            return;
+        }
+        (self.config.width, self.config.height) = (width, height);
+        self.surface.configure(&self.device, &self.config);
+        self.colour = target(&self.device, &self.config, self.config.format);
+        self.depth = target(&self.device, &self.config, DEPTH_FORMAT);
+    }
+
+    /// The next frame; `None` when the canvas cannot be seen at the moment.
+    ///
+    /// # Errors
+    /// The device is lost.
+    pub fn frame(&mut self) -> Result<Option<Frame>, DeviceError> {
+        use wgpu::CurrentSurfaceTexture as Current;
+        for _ in 0..2 {
+            if self.lost.load(Ordering::Relaxed) {
+                break;
+            }
+            match self.surface.get_current_texture() {
+                Current::Success(texture) | Current::Suboptimal(texture) => {
+                    let view = texture.texture.create_view(&wgpu::TextureViewDescriptor::default());
+                    return Ok(Some(Frame { texture, view }));
+                }
+                Current::Timeout | Current::Occluded => return Ok(None),
+                Current::Outdated | Current::Lost => {
+                    self.surface.configure(&self.device, &self.config);
+                }
+                Current::Validation => break,
+            }
+        }
+        Err(DeviceError("The graphics device was lost".to_owned()))
+    }
+
+    /// A pass that clears the frame and draws on it.
+    pub fn pass<'a>(
+        &self,
+        encoder: &'a mut wgpu::CommandEncoder,
+        frame: &Frame,
+        background: [f32; 4],
+    ) -> wgpu::RenderPass<'a> {
+        let [r, g, b, a] = background.map(f64::from);
+        encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("picture"),
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view: &self.colour,
+                depth_slice: None,
+                resolve_target: Some(&frame.view),
+                ops: wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(wgpu::Color { r, g, b, a }),
+                    store: wgpu::StoreOp::Discard,
+                },
+            })],
+            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
+                view: &self.depth,
+                depth_ops: Some(wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(1.0),
+                    store: wgpu::StoreOp::Discard,
+                }),
+                stencil_ops: None,
+            }),
+            ..Default::default()
+        })
+    }
+
+    /// Sends the commands and shows the frame.
+    pub fn show(&self, encoder: wgpu::CommandEncoder, frame: Frame) {
+        self.queue.submit([encoder.finish()]);
+        self.queue.present(frame.texture);
+    }
+}
+
+/// The largest size of the same proportions with no side over `limit`, and none under 1.
+pub fn clamp_size(width: u32, height: u32, limit: u32) -> (u32, u32) {
+    let longer = width.max(height);
+    if longer <= limit {
+        return (width.max(1), height.max(1));
+    }
+    let scale = |side: u32| (u64::from(side) * u64::from(limit) / u64::from(longer)).max(1) as u32;
+    (scale(width), scale(height))
+}
+
+/// A texture of the canvas's size with several samples per pixel.
+fn target(
+    device: &wgpu::Device,
+    config: &wgpu::SurfaceConfiguration,
+    format: wgpu::TextureFormat,
+) -> wgpu::TextureView {
+    let size =
+        wgpu::Extent3d { width: config.width, height: config.height, depth_or_array_layers: 1 };
+    let texture = device.create_texture(&wgpu::TextureDescriptor {
+        label: Some("target"),
+        size,
+        mip_level_count: 1,
+        sample_count: SAMPLES,
+        dimension: wgpu::TextureDimension::D2,
+        format,
+        usage: wgpu::TextureUsages::RENDER_ATTACHMENT,
+        view_formats: &[],
+    });
+    texture.create_view(&wgpu::TextureViewDescriptor::default())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_canvas_over_the_limit_keeps_its_proportions() {
+        assert_eq!(clamp_size(1440, 900, 8192), (1440, 900));
+        assert_eq!(clamp_size(10240, 5760, 8192), (8192, 4608));
+        assert_eq!(clamp_size(0, 5, 8192), (1, 5));
+        assert_eq!(clamp_size(100_000, 1, 2048), (2048, 1));
+    }
+}

@@ -1,0 +1,123 @@
+//! Places the camera so that points fill the canvas, and finds the depths between which they lie.
+//!
+//! With the direction of view given, the nearest eye that sees all points is found exactly: each
+//! point bounds the eye by the four side planes of the field of view.
+
+use super::camera::Camera;
+use glam::{Vec2, Vec3};
+
+/// Free part of the canvas on each side.
+const MARGIN: f32 = 0.06;
+/// The near depth is at least this part of the far one, for the sake of the depth buffer.
+const NEAREST: f32 = 1e-3;
+
+/// Moves `camera` along and across its direction of view until the balls of `radius` about all
+/// `points` are inside the canvas with a small margin. No points leave it as it was.
+pub fn frame(camera: &mut Camera, points: impl Iterator<Item = Vec3> + Clone, radius: f32) {
+    let eye = camera.eye();
+    let slope = eye.middle * (1.0 - 2.0 * MARGIN) / eye.focal;
+    // How far the ball reaches beyond its centre, measured across the side planes.
+    let reach =
+        Vec2::new((1.0 + slope.x * slope.x).sqrt(), (1.0 + slope.y * slope.y).sqrt()) * radius;
+    let seen = points.map(|p| Vec3::new(p.dot(eye.right), p.dot(eye.up), p.dot(eye.forward)));
+    let nowhere = Vec2::splat(f32::NEG_INFINITY);
+    let (mut high, mut low) = (nowhere, nowhere);
+    let (mut front, mut back) = (f32::INFINITY, f32::NEG_INFINITY);
+    for p in seen {
+        high = high.max(p.truncate() - slope * p.z);
+        low = low.max(-p.truncate() - slope * p.z);
+        front = front.min(p.z - radius);
+        back = back.max(p.z + radius);
+    }
+    if !back.is_finite() {
+        return;
+    }
+    let (high, low) = (high + reach, low + reach);
+    let depth = (-(high + low) / (slope * 2.0)).min_element();
+    let middle = 0.5 * (front + back);
+    // Points on one line of sight give no width to go by.
+    let depth = depth.min(front - 0.05 * (back - front)).min(middle - f32::MIN_POSITIVE.sqrt());
+    let across = (high - low) * 0.5;
+    camera.pivot = eye.right * across.x + eye.up * across.y + eye.forward * middle;
+    camera.distance = middle - depth;
+}
+
+/// Near and far depths that hold all `points` tightly.
+pub fn depth_range(camera: &Camera, points: impl Iterator<Item = Vec3>) -> (f32, f32) {
+    let eye = camera.eye();
+    let (mut front, mut back) = (f32::INFINITY, f32::NEG_INFINITY);
+    for p in points {
+        let depth = (p - eye.at).dot(eye.forward);
+        front = front.min(depth);
+        back = back.max(depth);
+    }
+    if back <= 0.0 || !back.is_finite() {
+        (front, back) = (camera.distance, camera.distance);
+    }
+    let far = back * 1.02;
+    ((front * 0.98).clamp(far * NEAREST, far * 0.96), far)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::view::camera::Up;
+
+    fn corners() -> Vec<Vec3> {
+        (0..8)
+            .map(|i| {
+                Vec3::new((i & 1) as f32 * 20.0, (i >> 1 & 1) as f32 * 8.0, (i >> 2) as f32 * 3.0)
+            })
+            .collect()
+    }
+
+    #[test]
+    fn a_framed_box_touches_the_margin_and_nothing_leaves_the_canvas() {
+        for canvas in [Vec2::new(1440.0, 900.0), Vec2::new(390.0, 844.0)] {
+            for (side, up) in [("home", Up::Z), ("top", Up::Z), ("left", Up::Y)] {
+                let mut camera = Camera { canvas, up, ..Camera::default() };
+                camera.look_from(side).unwrap();
+                frame(&mut camera, corners().into_iter(), 0.0);
+                let eye = camera.eye();
+                let mut spare = f32::INFINITY;
+                for p in corners() {
+                    let (screen, depth) = eye.project(p);
+                    assert!(depth > 0.0);
+                    let edge = screen.min(canvas - screen) / canvas;
+                    spare = spare.min(edge.min_element());
+                }
+                assert!((spare - MARGIN).abs() < 1e-3, "{side} {canvas}: {spare}");
+            }
+        }
+    }
+
+    #[test]
+    fn one_point_and_points_on_a_line_of_sight_give_a_finite_view() {
+        let mut camera = Camera::default();
+        let point = Vec3::new(3.0, 1.0, 2.0);
+        frame(&mut camera, std::iter::once(point), 0.5);
+        let (screen, depth) = camera.eye().project(point);
+        assert!((screen - camera.canvas * 0.5).length() < 0.1 && depth > 0.5);
+        frame(&mut camera, std::iter::once(point), 0.0);
+        assert!(camera.distance.is_finite() && camera.distance > 0.0);
+        camera.look_from("front").unwrap();
+        frame(&mut camera, [Vec3::ZERO, Vec3::Y].into_iter(), 0.0);
+        assert!(camera.eye().project(Vec3::ZERO).1 > 0.0);
+    }
+
+    #[test]
+    fn depths_hold_the_scene_from_outside_and_inside() {
+        let mut camera = Camera::default();
+        frame(&mut camera, corners().into_iter(), 0.0);
+        let (near, far) = depth_range(&camera, corners().into_iter());
+        for p in corners() {
+            let depth = camera.eye().project(p).1;
+            assert!(near < depth && depth < far);
+        }
+        assert!(far / near < 10.0);
+        camera.distance = 0.1;
+        let (near, far) = depth_range(&camera, corners().into_iter());
+        assert!(near > 0.0 && near < far && far.is_finite());
+        assert!(depth_range(&camera, std::iter::empty()).1.is_finite());
+    }
+}

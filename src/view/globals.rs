@@ -1,0 +1,61 @@
+//! The numbers that every shader reads: camera, canvas, colours. The order is that of `Scene` in
+//! `shaders/scene.wgsl`, all of it in groups of four.
+
+use super::palette::{DOT_KINDS, Dot, LINE_KINDS, Stroke};
+use super::stage::Stage;
+use glam::{Vec3, Vec4};
+
+/// How many numbers there are.
+pub const NUMBERS: usize = 16 + 4 * (5 + 1 + 6) + 8 + 8 * LINE_KINDS + 12 * DOT_KINDS;
+
+/// The numbers for a canvas of `width` by `height` pixels.
+pub fn numbers(stage: &Stage, width: u32, height: u32) -> Vec<f32> {
+    let camera = &stage.camera;
+    let eye = camera.eye();
+    let palette = stage.palette();
+    let ratio = width as f32 / camera.canvas.x;
+    let (near, far) = stage.depth_range();
+    let [_, _, sky] = camera.up.axes();
+    let [r, g, b] = stage.tint;
+
+    let mut numbers = Vec::with_capacity(NUMBERS);
+    numbers.extend(camera.clip_from_scene(near, far).to_cols_array());
+    for axis in [eye.at, eye.right, eye.up, eye.forward, sky] {
+        numbers.extend(Vec3::extend(axis, 0.0).to_array());
+    }
+    let pixel = 1.0 / (eye.focal * ratio);
+    numbers.extend(Vec4::new(width as f32, height as f32, ratio, pixel).to_array());
+    for colour in [palette.material, palette.shade, palette.no_value, palette.selected] {
+        numbers.extend(colour);
+    }
+    numbers.extend([r, g, b, TINT_STRENGTH]);
+    numbers.extend(palette.sphere);
+    extend_stroke(&mut numbers, &palette.circle);
+    for stroke in &palette.strokes {
+        extend_stroke(&mut numbers, stroke);
+    }
+    for Dot { fill, rim, radius, rim_width, square } in palette.dots {
+        numbers.extend(fill);
+        numbers.extend(rim);
+        numbers.extend([radius, rim_width, square, 0.0]);
+    }
+    numbers
+}
+
+/// How much of the tint is mixed into a face.
+const TINT_STRENGTH: f32 = 0.55;
+
+fn extend_stroke(numbers: &mut Vec<f32>, stroke: &Stroke) {
+    numbers.extend(stroke.colour);
+    numbers.extend([stroke.width, 0.0, 0.0, 0.0]);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn there_are_as_many_numbers_as_the_shaders_read() {
+        assert_eq!(numbers(&Stage::default(), 800, 400).len(), NUMBERS);
+    }
+}

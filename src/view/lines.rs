@@ -1,0 +1,104 @@
+//! Draws edges, polylines, and the lines from handles to their targets: `shaders/lines.wgsl`.
+
+use super::palette::LineKind;
+use super::pipeline::{Layer, Recipe, SCENE_WGSL, STROKE_WGSL, VertexBuffer, build};
+use super::stage::Stage;
+use super::store::Store;
+use super::subject::Subject;
+
+/// The shader.
+pub const WGSL: &str = include_str!("shaders/lines.wgsl");
+
+const LINE: [wgpu::VertexAttribute; 2] = wgpu::vertex_attr_array![0 => Uint32x2, 1 => Uint32];
+
+/// Lines between entries of the table of positions.
+#[derive(Debug)]
+pub struct Lines {
+    pipeline: wgpu::RenderPipeline,
+    /// Per line its two ends and its [`LineKind`].
+    edges: VertexBuffer,
+    curves: VertexBuffer,
+    pulls: VertexBuffer,
+}
+
+impl Lines {
+    /// Nothing to draw yet.
+    pub fn new(device: &wgpu::Device, store: &Store, format: wgpu::TextureFormat) -> Lines {
+        let recipe = Recipe {
+            label: "lines",
+            source: &[SCENE_WGSL, STROKE_WGSL, WGSL].concat(),
+            vertex: "corner_of_line",
+            fragment: "drawn",
+            attributes: &LINE,
+            stride: 12,
+            step: wgpu::VertexStepMode::Instance,
+            layer: Layer::InFront,
+        };
+        Lines {
+            pipeline: build(device, store, format, &recipe),
+            edges: VertexBuffer::new(device),
+            curves: VertexBuffer::new(device),
+            pulls: VertexBuffer::new(device),
+        }
+    }
+
+    /// Takes the edges and curves of a mesh.
+    pub fn update_mesh(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, subject: &Subject) {
+        self.edges.write(device, queue, &edge_lines(subject));
+        let curves: Vec<[u32; 3]> = subject
+            .curves
+            .iter()
+            .flat_map(|curve| curve.windows(2).map(|ends| line(ends[0], ends[1], LineKind::Curve)))
+            .collect();
+        self.curves.write(device, queue, &curves);
+    }
+
+    /// Takes the handles; their targets come after the vertices in the table of positions.
+    pub fn update_handles(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, stage: &Stage) {
+        let first = stage.counts().0 as u32;
+        let pulls: Vec<[u32; 3]> = stage
+            .handles
+            .iter()
+            .zip(first..)
+            .map(|(handle, target)| line(handle.vertex, target, LineKind::Pull))
+            .collect();
+        self.pulls.write(device, queue, &pulls);
+    }
+
+    /// Draws edges, if wanted, and curves.
+    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, edges: bool) {
+        if edges {
+            self.draw_one(pass, &self.edges);
+        }
+        self.draw_one(pass, &self.curves);
+    }
+
+    /// Draws the lines from handles to targets.
+    pub fn draw_pulls(&self, pass: &mut wgpu::RenderPass<'_>) {
+        self.draw_one(pass, &self.pulls);
+    }
+
+    fn draw_one(&self, pass: &mut wgpu::RenderPass<'_>, lines: &VertexBuffer) {
+        if lines.count() > 0 {
+            pass.set_pipeline(&self.pipeline);
+            pass.set_vertex_buffer(0, lines.slice());
+            pass.draw(0..6, 0..lines.count());
+        }
+    }
+}
+
+fn line(from: u32, to: u32, kind: LineKind) -> [u32; 3] {
+    [from, to, kind as u32]
+}
+
+/// Inner edges first, so that the heavier rim lies over them.
+fn edge_lines(subject: &Subject) -> Vec<[u32; 3]> {
+    let kinds = [(false, LineKind::Edge), (true, LineKind::Boundary)];
+    kinds
+        .into_iter()
+        .flat_map(|(boundary, kind)| {
+            let chosen = subject.edges.iter().filter(move |edge| edge.boundary == boundary);
+            chosen.map(move |edge| line(edge.ends[0], edge.ends[1], kind))
+        })
+        .collect()
+}

@@ -1,0 +1,165 @@
+//! A list of lists of vertex indices in two flat arrays, checked once when it comes in.
+
+use std::fmt;
+
+/// Rows of vertex indices, such as the corners of each face.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Lists {
+    offsets: Vec<u32>,
+    indices: Vec<u32>,
+}
+
+/// Why arrays that came from outside cannot be shown.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum ViewError {
+    /// An array has another length than its partners ask for.
+    Length {
+        /// Which array.
+        what: &'static str,
+        /// How many entries it has.
+        got: usize,
+        /// How many it should have.
+        expected: usize,
+    },
+    /// Row offsets that do not start at 0, fall, or end elsewhere than at the end of the indices.
+    Offsets {
+        /// Which rows: faces or curves.
+        what: &'static str,
+        /// The entry that is wrong.
+        row: usize,
+    },
+    /// An index that names nothing.
+    Index {
+        /// Which array.
+        what: &'static str,
+        /// The index.
+        index: u32,
+        /// How many things there are to name.
+        count: usize,
+    },
+    /// A coordinate that is not a number.
+    NotFinite {
+        /// The vertex whose coordinate it is.
+        vertex: usize,
+    },
+    /// A word that is none of those known here.
+    Word {
+        /// What the word chooses.
+        what: &'static str,
+        /// The word.
+        got: String,
+        /// The words that are known.
+        known: &'static str,
+    },
+}
+
+impl fmt::Display for ViewError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            ViewError::Length { what, got, expected } => {
+                write!(f, "{what}: {got} entries, expected {expected}")
+            }
+            ViewError::Offsets { what, row } => write!(
+                f,
+                "{what}: offset {row} is wrong: expected offsets that start at 0, never fall and \
+                 end at the number of indices"
+            ),
+            ViewError::Index { what, index, count } => {
+                write!(f, "{what}: index {index}, expected less than {count}")
+            }
+            ViewError::NotFinite { vertex } => {
+                write!(f, "vertex {vertex} has a coordinate that is not finite")
+            }
+            ViewError::Word { what, got, known } => {
+                write!(f, "{what}: \"{got}\", expected {known}")
+            }
+        }
+    }
+}
+
+impl std::error::Error for ViewError {}
+
+impl Lists {
+    /// Takes `#rows + 1` offsets and the indices of all rows, each less than `count`. No offsets at
+    /// all stand for no rows.
+    ///
+    /// # Errors
+    /// Offsets that do not cut the indices into rows, or an index that is too large. `what` names
+    /// the rows in the message.
+    pub fn new(
+        what: &'static str,
+        offsets: Vec<u32>,
+        indices: Vec<u32>,
+        count: usize,
+    ) -> Result<Lists, ViewError> {
+        let offsets = if offsets.is_empty() { vec![0] } else { offsets };
+        if offsets[0] != 0 {
+            return Err(ViewError::Offsets { what, row: 0 });
+        }
+        if let Some(row) = offsets.windows(2).position(|w| w[0] > w[1]) {
+            return Err(ViewError::Offsets { what, row: row + 1 });
+        }
+        let last = offsets.len() - 1;
+        if offsets[last] as usize != indices.len() {
+            return Err(ViewError::Offsets { what, row: last });
+        }
+        check_indices(what, &indices, count)?;
+        Ok(Lists { offsets, indices })
+    }
+
+    /// How many rows.
+    pub fn len(&self) -> usize {
+        self.offsets.len().saturating_sub(1)
+    }
+
+    /// Whether there is no row.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Row `i`; panics when there is none.
+    pub fn row(&self, i: usize) -> &[u32] {
+        &self.indices[self.offsets[i] as usize..self.offsets[i + 1] as usize]
+    }
+
+    /// All rows in order.
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = &[u32]> + Clone {
+        self.offsets.windows(2).map(|w| &self.indices[w[0] as usize..w[1] as usize])
+    }
+}
+
+/// Checks that every index is less than `count`.
+///
+/// # Errors
+/// The first index that is not.
+pub fn check_indices(what: &'static str, indices: &[u32], count: usize) -> Result<(), ViewError> {
+    match indices.iter().find(|&&i| i as usize >= count) {
+        Some(&index) => Err(ViewError::Index { what, index, count }),
+        None => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_come_out_as_they_went_in() {
+        let lists = Lists::new("faces", vec![0, 3, 3, 7], vec![0, 1, 2, 4, 3, 2, 1], 5).unwrap();
+        let rows: Vec<&[u32]> = lists.iter().collect();
+        assert_eq!(rows, [&[0, 1, 2][..], &[], &[4, 3, 2, 1]]);
+        assert_eq!(lists.row(2), [4, 3, 2, 1]);
+        assert!(Lists::new("curves", vec![], vec![], 0).unwrap().is_empty());
+    }
+
+    #[test]
+    fn bad_rows_are_refused_by_name() {
+        let message = |offsets: &[u32], indices: &[u32]| {
+            Lists::new("faces", offsets.to_vec(), indices.to_vec(), 4).unwrap_err().to_string()
+        };
+        assert!(message(&[0, 3], &[0, 1, 4]).contains("faces: index 4, expected less than 4"));
+        assert!(message(&[0, 4], &[0, 1, 2]).contains("offset 1"));
+        assert!(message(&[1, 3], &[0, 1, 2]).contains("offset 0"));
+        assert!(message(&[0, 3, 2, 3], &[0, 1, 2]).contains("offset 2"));
+    }
+}

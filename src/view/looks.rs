@@ -1,0 +1,126 @@
+//! What a face looks like beside its shape: its value on the colour map, whether it is selected,
+//! whether it is a member of the constraint that is pointed at. Four bytes per face.
+
+use super::colour_map::texel;
+use super::lists::{ViewError, check_indices};
+
+/// Byte 1: the face has the material's colour.
+const PLAIN: u8 = 0;
+/// Byte 1: the face has a value, whose texel is byte 0.
+const VALUE: u8 = 127;
+/// Byte 1: the face should have a value, but it is not a number.
+const NO_VALUE: u8 = 255;
+
+/// Values and marks of the faces and vertices.
+#[derive(Clone, Debug, Default)]
+pub struct Looks {
+    /// Per face, or nothing for the plain material.
+    values: Option<(Vec<f32>, f32, f32)>,
+    /// Selected vertices.
+    pub selected_vertices: Vec<u32>,
+    selected_faces: Vec<u32>,
+    /// Members of the constraint pointed at.
+    pub tinted_vertices: Vec<u32>,
+    tinted_faces: Vec<u32>,
+}
+
+impl Looks {
+    /// Colours faces by `values` (#F) between `low` and `high`; `None` is the plain material.
+    ///
+    /// # Errors
+    /// Another number of values than faces.
+    pub fn set_values(
+        &mut self,
+        values: Option<Vec<f32>>,
+        low: f32,
+        high: f32,
+        faces: usize,
+    ) -> Result<(), ViewError> {
+        if let Some(values) = &values
+            && values.len() != faces
+        {
+            let got = values.len();
+            return Err(ViewError::Length { what: "face values", got, expected: faces });
+        }
+        self.values = values.map(|v| (v, low, high));
+        Ok(())
+    }
+
+    /// Marks vertices and faces as selected, and no others.
+    ///
+    /// # Errors
+    /// An index that names nothing.
+    pub fn select(
+        &mut self,
+        vertices: Vec<u32>,
+        faces: Vec<u32>,
+        (vertex_count, face_count): (usize, usize),
+    ) -> Result<(), ViewError> {
+        check_indices("selected vertices", &vertices, vertex_count)?;
+        check_indices("selected faces", &faces, face_count)?;
+        (self.selected_vertices, self.selected_faces) = (vertices, faces);
+        Ok(())
+    }
+
+    /// Marks vertices and faces as members of a constraint, and no others.
+    ///
+    /// # Errors
+    /// An index that names nothing.
+    pub fn tint(
+        &mut self,
+        vertices: Vec<u32>,
+        faces: Vec<u32>,
+        (vertex_count, face_count): (usize, usize),
+    ) -> Result<(), ViewError> {
+        check_indices("tinted vertices", &vertices, vertex_count)?;
+        check_indices("tinted faces", &faces, face_count)?;
+        (self.tinted_vertices, self.tinted_faces) = (vertices, faces);
+        Ok(())
+    }
+
+    /// Per face: texel, kind of colour, selected, tinted; #F by 4 bytes.
+    pub fn bytes(&self, faces: usize) -> Vec<u8> {
+        let mut bytes = vec![0; faces * 4];
+        if let Some((values, low, high)) = &self.values {
+            for (look, &value) in bytes.chunks_exact_mut(4).zip(values) {
+                (look[0], look[1]) = match texel(value, *low, *high) {
+                    Some(texel) => (texel, VALUE),
+                    None => (0, NO_VALUE),
+                };
+            }
+        } else {
+            bytes.chunks_exact_mut(4).for_each(|look| look[1] = PLAIN);
+        }
+        for &face in &self.selected_faces {
+            bytes[face as usize * 4 + 2] = 255;
+        }
+        for &face in &self.tinted_faces {
+            bytes[face as usize * 4 + 3] = 255;
+        }
+        bytes
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_and_marks_end_in_their_bytes() {
+        let mut looks = Looks::default();
+        looks.set_values(Some(vec![0.0, f32::NAN, 1.0]), 0.0, 1.0, 3).unwrap();
+        looks.select(vec![], vec![2], (0, 3)).unwrap();
+        looks.tint(vec![], vec![0], (0, 3)).unwrap();
+        assert_eq!(looks.bytes(3), [0, VALUE, 0, 255, 0, NO_VALUE, 0, 0, 255, VALUE, 255, 0]);
+        looks.set_values(None, 0.0, 1.0, 3).unwrap();
+        assert_eq!(looks.bytes(3)[..4], [0, PLAIN, 0, 255]);
+    }
+
+    #[test]
+    fn marks_on_things_that_do_not_exist_are_refused() {
+        let mut looks = Looks::default();
+        assert!(looks.set_values(Some(vec![1.0]), 0.0, 1.0, 2).is_err());
+        assert!(looks.select(vec![4], vec![], (4, 2)).is_err());
+        assert!(looks.tint(vec![], vec![2], (4, 2)).is_err());
+    }
+}

@@ -1,0 +1,160 @@
+//! All colours and sizes of the picture, for light and dark. Colours are sRGB, sizes CSS pixels.
+
+/// An sRGB colour with opacity, each 0 to 1.
+pub type Colour = [f32; 4];
+
+/// How a line is drawn.
+#[derive(Clone, Copy, Debug)]
+pub struct Stroke {
+    /// Colour and opacity.
+    pub colour: Colour,
+    /// Width.
+    pub width: f32,
+}
+
+/// How a dot is drawn.
+#[derive(Clone, Copy, Debug)]
+pub struct Dot {
+    /// Inside.
+    pub fill: Colour,
+    /// The rim around it.
+    pub rim: Colour,
+    /// From the middle to the outside of the rim.
+    pub radius: f32,
+    /// Width of the rim.
+    pub rim_width: f32,
+    /// 0 is round, 1 is square.
+    pub square: f32,
+}
+
+/// What a line stands for; its number is its place in [`Palette::strokes`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LineKind {
+    /// Between two faces.
+    Edge = 0,
+    /// On the rim of the surface.
+    Boundary = 1,
+    /// Part of a polyline.
+    Curve = 2,
+    /// From a handle to where it should be.
+    Pull = 3,
+}
+
+/// What a dot stands for; its number is its place in [`Palette::dots`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DotKind {
+    /// A vertex.
+    Vertex = 0,
+    /// A member of the constraint pointed at.
+    Tinted = 1,
+    /// Selected.
+    Selected = 2,
+    /// Where a handle should be.
+    Target = 3,
+    /// A soft handle.
+    Handle = 4,
+    /// A fixed handle.
+    Fixed = 5,
+    /// The handle that is being moved.
+    Active = 6,
+}
+
+/// How many kinds of lines there are.
+pub const LINE_KINDS: usize = 4;
+/// How many kinds of dots there are.
+pub const DOT_KINDS: usize = 7;
+
+/// One theme.
+#[derive(Clone, Copy, Debug)]
+pub struct Palette {
+    /// Behind everything.
+    pub background: Colour,
+    /// Faces in full light.
+    pub material: Colour,
+    /// Faces in shade; the light goes from one to the other.
+    pub shade: Colour,
+    /// Faces whose value is not a number.
+    pub no_value: Colour,
+    /// Selected faces; the opacity is how much of it is mixed in.
+    pub selected: Colour,
+    /// By [`LineKind`].
+    pub strokes: [Stroke; LINE_KINDS],
+    /// By [`DotKind`].
+    pub dots: [Dot; DOT_KINDS],
+    /// Fitted circles.
+    pub circle: Stroke,
+    /// Fitted spheres.
+    pub sphere: Colour,
+}
+
+const BLUE: Colour = [0.13, 0.40, 0.93, 1.0];
+const DEEP_BLUE: Colour = [0.07, 0.19, 0.47, 1.0];
+const ORANGE: Colour = [0.96, 0.52, 0.07, 1.0];
+const WHITE: Colour = [1.0, 1.0, 1.0, 1.0];
+const INK: Colour = [0.06, 0.08, 0.11, 1.0];
+
+const fn stroke(colour: Colour, width: f32) -> Stroke {
+    Stroke { colour, width }
+}
+
+const fn dot(fill: Colour, rim: Colour, radius: f32, rim_width: f32) -> Dot {
+    Dot { fill, rim, radius, rim_width, square: 0.0 }
+}
+
+/// On a light page.
+pub const LIGHT: Palette = Palette {
+    background: [0.957, 0.961, 0.969, 1.0],
+    material: [0.985, 0.980, 0.968, 1.0],
+    shade: [0.525, 0.560, 0.625, 1.0],
+    no_value: [0.72, 0.72, 0.73, 1.0],
+    selected: [0.99, 0.62, 0.16, 0.72],
+    strokes: [
+        stroke([0.27, 0.31, 0.37, 0.85], 1.1),
+        stroke([0.13, 0.16, 0.21, 1.0], 1.9),
+        stroke([0.10, 0.12, 0.16, 1.0], 2.4),
+        stroke([0.13, 0.40, 0.93, 0.9], 1.5),
+    ],
+    dots: [
+        dot([0.16, 0.19, 0.24, 1.0], [0.985, 0.985, 0.985, 0.9], 3.1, 0.8),
+        dot(WHITE, INK, 4.2, 1.2),
+        dot(ORANGE, WHITE, 5.0, 1.3),
+        dot([0.13, 0.40, 0.93, 0.12], BLUE, 5.0, 1.5),
+        dot(BLUE, WHITE, 6.75, 1.6),
+        Dot { fill: DEEP_BLUE, rim: WHITE, radius: 6.25, rim_width: 1.6, square: 1.0 },
+        dot(BLUE, WHITE, 8.75, 2.0),
+    ],
+    circle: stroke([0.84, 0.16, 0.20, 0.95], 1.4),
+    sphere: [0.84, 0.16, 0.20, 1.0],
+};
+
+/// On a dark page.
+pub const DARK: Palette = Palette {
+    background: [0.086, 0.094, 0.110, 1.0],
+    material: [0.660, 0.680, 0.715, 1.0],
+    shade: [0.215, 0.235, 0.280, 1.0],
+    no_value: [0.40, 0.41, 0.43, 1.0],
+    selected: [0.96, 0.56, 0.10, 0.72],
+    strokes: [
+        stroke([0.075, 0.085, 0.105, 0.9], 1.1),
+        stroke([0.80, 0.83, 0.88, 1.0], 1.7),
+        stroke([0.90, 0.92, 0.95, 1.0], 2.4),
+        stroke([0.45, 0.65, 1.0, 0.95], 1.5),
+    ],
+    dots: [
+        dot([0.93, 0.95, 0.97, 1.0], [0.08, 0.09, 0.11, 0.9], 3.1, 0.8),
+        dot(WHITE, INK, 4.2, 1.2),
+        dot([1.0, 0.60, 0.15, 1.0], INK, 5.0, 1.3),
+        dot([0.45, 0.65, 1.0, 0.15], [0.45, 0.65, 1.0, 1.0], 5.0, 1.5),
+        dot([0.22, 0.50, 1.0, 1.0], WHITE, 6.75, 1.6),
+        Dot {
+            fill: [0.11, 0.26, 0.62, 1.0],
+            rim: WHITE,
+            radius: 6.25,
+            rim_width: 1.6,
+            square: 1.0,
+        },
+        dot([0.22, 0.50, 1.0, 1.0], WHITE, 8.75, 2.0),
+    ],
+    circle: stroke([1.0, 0.40, 0.38, 0.95], 1.4),
+    sphere: [1.0, 0.40, 0.38, 1.0],
+};

@@ -1,0 +1,95 @@
+//! Draws vertices, marks, handles and targets as dots: `shaders/points.wgsl`.
+
+use super::palette::DotKind;
+use super::pipeline::{Layer, Recipe, SCENE_WGSL, VertexBuffer, build};
+use super::stage::Stage;
+use super::store::Store;
+
+/// The shader.
+pub const WGSL: &str = include_str!("shaders/points.wgsl");
+
+const DOT: [wgpu::VertexAttribute; 1] = wgpu::vertex_attr_array![0 => Uint32x2];
+
+/// Dots at entries of the table of positions.
+#[derive(Debug)]
+pub struct Points {
+    in_front: wgpu::RenderPipeline,
+    behind: wgpu::RenderPipeline,
+    /// Per dot its place in the table and its [`DotKind`].
+    vertices: VertexBuffer,
+    marks: VertexBuffer,
+}
+
+impl Points {
+    /// Nothing to draw yet.
+    pub fn new(device: &wgpu::Device, store: &Store, format: wgpu::TextureFormat) -> Points {
+        let pipeline = |fragment: &str, layer: Layer| {
+            let recipe = Recipe {
+                label: "points",
+                source: &[SCENE_WGSL, WGSL].concat(),
+                vertex: "corner_of_dot",
+                fragment,
+                attributes: &DOT,
+                stride: 8,
+                step: wgpu::VertexStepMode::Instance,
+                layer,
+            };
+            build(device, store, format, &recipe)
+        };
+        Points {
+            in_front: pipeline("in_front", Layer::InFront),
+            behind: pipeline("behind", Layer::Behind),
+            vertices: VertexBuffer::new(device),
+            marks: VertexBuffer::new(device),
+        }
+    }
+
+    /// Takes the vertices of a mesh.
+    pub fn update_mesh(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, stage: &Stage) {
+        let count = stage.counts().0 as u32;
+        let dots: Vec<[u32; 2]> = (0..count).map(|v| [v, DotKind::Vertex as u32]).collect();
+        self.vertices.write(device, queue, &dots);
+    }
+
+    /// Takes marks and handles.
+    pub fn update_marks(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, stage: &Stage) {
+        self.marks.write(device, queue, &marks(stage));
+    }
+
+    /// Draws a dot on every vertex in sight.
+    pub fn draw_vertices(&self, pass: &mut wgpu::RenderPass<'_>) {
+        draw(pass, &self.in_front, &self.vertices);
+    }
+
+    /// Draws marks and handles: dim where the surface hides them, then those in sight.
+    pub fn draw_marks(&self, pass: &mut wgpu::RenderPass<'_>) {
+        draw(pass, &self.behind, &self.marks);
+        draw(pass, &self.in_front, &self.marks);
+    }
+}
+
+fn draw(pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline, dots: &VertexBuffer) {
+    if dots.count() > 0 {
+        pass.set_pipeline(pipeline);
+        pass.set_vertex_buffer(0, dots.slice());
+        pass.draw(0..6, 0..dots.count());
+    }
+}
+
+/// The least important first: later dots lie over earlier ones. Targets come after the vertices in
+/// the table of positions.
+fn marks(stage: &Stage) -> Vec<[u32; 2]> {
+    let of_kind = |vertices: &[u32], kind: DotKind| {
+        vertices.iter().map(|&v| [v, kind as u32]).collect::<Vec<_>>()
+    };
+    let mut dots = of_kind(&stage.looks.tinted_vertices, DotKind::Tinted);
+    dots.extend(of_kind(&stage.looks.selected_vertices, DotKind::Selected));
+    let first = stage.counts().0 as u32;
+    let soft = stage.handles.iter().zip(first..).filter(|(h, _)| h.kind != DotKind::Fixed);
+    dots.extend(soft.map(|(_, target)| [target, DotKind::Target as u32]));
+    for kind in [DotKind::Fixed, DotKind::Handle, DotKind::Active] {
+        let handles = stage.handles.iter().filter(|handle| handle.kind == kind);
+        dots.extend(handles.map(|handle| [handle.vertex, kind as u32]));
+    }
+    dots
+}

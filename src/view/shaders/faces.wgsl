@@ -1,0 +1,54 @@
+// Faces: flat panels, lit from both sides by a light over the viewer's left shoulder, a sky, and a
+// little light from the eye, so that shape reads from everywhere.
+
+struct Corner {
+    @builtin(position) position: vec4f,
+    @location(0) at: vec3f,
+    @location(1) soft_normal: vec3f,
+    @location(2) @interpolate(flat) normal: vec3f,
+    @location(3) @interpolate(flat) look: vec4f,
+}
+
+@vertex
+fn corner_of_face(@location(0) ids: vec2u) -> Corner {
+    let at = position_of(ids.x);
+    var out: Corner;
+    out.position = scene.clip_from_scene * vec4f(at, 1.0);
+    out.at = at;
+    out.soft_normal = textureLoad(vertex_normals, texel(ids.x), 0).xyz;
+    out.normal = textureLoad(face_normals, texel(ids.y), 0).xyz;
+    out.look = textureLoad(face_looks, texel(ids.y), 0);
+    return out;
+}
+
+fn light_on(in: Corner) -> f32 {
+    let to_eye = normalize(scene.eye.xyz - in.at);
+    var normal = in.normal;
+    if dot(normal, normal) < 0.5 {
+        normal = to_eye;
+    }
+    normal = select(-normal, normal, dot(normal, to_eye) >= 0.0);
+    let soft = select(-in.soft_normal, in.soft_normal, dot(in.soft_normal, normal) >= 0.0);
+    let bent = normalize(normal + 0.4 * soft);
+    let key = normalize(scene.up.xyz * 0.75 - scene.right.xyz * 0.62 - scene.forward.xyz * 0.45);
+    let from_key = max(dot(bent, key) * 0.8 + 0.2, 0.0);
+    let from_sky = 0.5 + 0.5 * dot(bent, scene.sky.xyz);
+    let from_eye = max(dot(bent, to_eye), 0.0);
+    return clamp(0.62 * from_key + 0.24 * from_sky + 0.2 * from_eye, 0.0, 1.0);
+}
+
+@fragment
+fn lit(in: Corner) -> @location(0) vec4f {
+    let light = light_on(in);
+    let modelled = mix(0.74, 1.06, light);
+    let value = textureLoad(colour_map, vec2u(u32(in.look.x * 255.0 + 0.5), 0u), 0).rgb;
+    var colour = mix(scene.shade.rgb, scene.material.rgb, light);
+    if in.look.y > 0.75 {
+        colour = scene.no_value.rgb * modelled;
+    } else if in.look.y > 0.25 {
+        colour = value * modelled;
+    }
+    colour = mix(colour, scene.tint.rgb * modelled, in.look.w * scene.tint.a);
+    colour = mix(colour, scene.selected.rgb * modelled, in.look.z * scene.selected.a);
+    return vec4f(min(colour, vec3f(1.0)), 1.0);
+}

@@ -1,0 +1,39 @@
+// Edges of polygons, polylines, and lines from handles to their targets.
+
+struct Corner {
+    @builtin(position) position: vec4f,
+    @location(0) at: vec2f,
+    @location(1) @interpolate(flat) ends: vec4f,
+    @location(2) @interpolate(flat) colour: vec4f,
+    @location(3) @interpolate(flat) half_width: f32,
+}
+
+@vertex
+fn corner_of_line(
+    @builtin(vertex_index) corner: u32,
+    @location(0) ends: vec2u,
+    @location(1) kind: u32,
+) -> Corner {
+    let stroke = scene.strokes[kind];
+    let ratio = scene.canvas.z;
+    let half_width = 0.5 * stroke.size.x * ratio;
+    let quad = stroke_corner(position_of(ends.x), position_of(ends.y), corner, half_width);
+    var out: Corner;
+    out.position = quad.position;
+    out.at = quad.at;
+    out.ends = vec4f(quad.start, quad.end);
+    out.colour = stroke.colour;
+    out.half_width = half_width;
+    if kind == 0u {
+        // Where panels are only a few pixels wide, their edges fade instead of filling everything.
+        let length_on_screen = distance(quad.start, quad.end) / ratio;
+        out.colour.a *= clamp(length_on_screen / 7.0, 0.12, 1.0);
+    }
+    return out;
+}
+
+@fragment
+fn drawn(in: Corner) -> @location(0) vec4f {
+    let coverage = stroke_coverage(in.at, in.ends.xy, in.ends.zw, in.half_width);
+    return vec4f(in.colour.rgb, in.colour.a * coverage);
+}

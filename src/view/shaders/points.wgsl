@@ -1,0 +1,57 @@
+// Dots: vertices, selected vertices, handles, targets. Round or square, always facing the eye,
+// with a rim; the part of a dot that lies behind the surface is drawn dim.
+
+struct Corner {
+    @builtin(position) position: vec4f,
+    // From the middle of the dot, pixels.
+    @location(0) at: vec2f,
+    @location(1) @interpolate(flat) kind: u32,
+}
+
+@vertex
+fn corner_of_dot(
+    @builtin(vertex_index) corner: u32,
+    @location(0) ids: vec2u,
+) -> Corner {
+    let size = scene.dots[ids.y].size;
+    let reach = size.x * scene.canvas.z + 1.0;
+    let right = corner == 1u || corner == 2u || corner == 4u;
+    let high = corner == 2u || corner == 4u || corner == 5u;
+    let middle = position_of(ids.x);
+    let depth = dot(middle - scene.eye.xyz, scene.forward.xyz);
+    // In front of the surface around its vertex, also where that surface is steep.
+    let forward = reach * scene.canvas.w * 1.6 + 0.0012;
+    let clip = scene.clip_from_scene * vec4f(mix(middle, scene.eye.xyz, min(forward, 0.5)), 1.0);
+    var out: Corner;
+    out.at = vec2f(select(-reach, reach, right), select(-reach, reach, high));
+    out.kind = ids.y;
+    let offset = out.at / (0.5 * scene.canvas.xy);
+    out.position = vec4f(clip.xy + offset * clip.w, clip.z, clip.w);
+    if depth <= 0.0 {
+        out.position = vec4f(0.0, 0.0, -1.0, 1.0);
+    }
+    return out;
+}
+
+fn dot_colour(in: Corner) -> vec4f {
+    let style = scene.dots[in.kind];
+    let ratio = scene.canvas.z;
+    let corner = max(abs(in.at) - vec2f(style.size.x * ratio - 2.0 * ratio), vec2f(0.0));
+    let to_square = length(corner) + (style.size.x - 2.0) * ratio;
+    let away = select(length(in.at), to_square, style.size.z > 0.5);
+    let coverage = clamp(style.size.x * ratio + 0.5 - away, 0.0, 1.0);
+    let inside = clamp((style.size.x - style.size.y) * ratio + 0.5 - away, 0.0, 1.0);
+    let colour = mix(style.rim, style.fill, inside);
+    return vec4f(colour.rgb, colour.a * coverage);
+}
+
+@fragment
+fn in_front(in: Corner) -> @location(0) vec4f {
+    return dot_colour(in);
+}
+
+@fragment
+fn behind(in: Corner) -> @location(0) vec4f {
+    let colour = dot_colour(in);
+    return vec4f(colour.rgb, colour.a * 0.38);
+}

@@ -1,0 +1,50 @@
+// What all primitives share: the scene's numbers, and tables from which vertices are pulled.
+// WebGL2 has no storage buffers, so the tables are textures, 1024 texels wide.
+
+struct Stroke {
+    colour: vec4f,
+    // Width in CSS pixels, then nothing.
+    size: vec4f,
+}
+
+struct Dot {
+    fill: vec4f,
+    rim: vec4f,
+    // Radius and rim width in CSS pixels, 1 for a square, then nothing.
+    size: vec4f,
+}
+
+struct Scene {
+    clip_from_scene: mat4x4f,
+    eye: vec4f,
+    right: vec4f,
+    up: vec4f,
+    forward: vec4f,
+    sky: vec4f,
+    // Width and height in pixels, pixels per CSS pixel, length of a pixel at depth 1.
+    canvas: vec4f,
+    material: vec4f,
+    shade: vec4f,
+    no_value: vec4f,
+    selected: vec4f,
+    tint: vec4f,
+    sphere: vec4f,
+    circle: Stroke,
+    strokes: array<Stroke, 4>,
+    dots: array<Dot, 7>,
+}
+
+@group(0) @binding(0) var<uniform> scene: Scene;
+@group(0) @binding(1) var positions: texture_2d<f32>;
+@group(0) @binding(2) var vertex_normals: texture_2d<f32>;
+@group(0) @binding(3) var face_normals: texture_2d<f32>;
+@group(0) @binding(4) var face_looks: texture_2d<f32>;
+@group(0) @binding(5) var colour_map: texture_2d<f32>;
+
+fn texel(index: u32) -> vec2u {
+    return vec2u(index & 1023u, index >> 10u);
+}
+
+fn position_of(vertex: u32) -> vec3f {
+    return textureLoad(positions, texel(vertex), 0).xyz;
+}

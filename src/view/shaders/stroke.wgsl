@@ -1,0 +1,60 @@
+// A line of constant width on the screen: a quad around each segment, with round ends, whose rim
+// is smoothed over one pixel.
+
+struct StrokeCorner {
+    position: vec4f,
+    // On the screen, pixels.
+    at: vec2f,
+    start: vec2f,
+    end: vec2f,
+}
+
+// Towards the eye by a part of the distance: the place on the screen stays, and the line comes in
+// front of the faces that it bounds.
+fn towards_eye(point: vec3f) -> vec3f {
+    return mix(point, scene.eye.xyz, 0.0006);
+}
+
+fn pixels(clip: vec4f) -> vec2f {
+    return clip.xy / clip.w * 0.5 * scene.canvas.xy;
+}
+
+// Corner 0 to 5 of the two triangles around the segment from a to b.
+fn stroke_corner(a: vec3f, b: vec3f, corner: u32, half_width: f32) -> StrokeCorner {
+    var from_clip = scene.clip_from_scene * vec4f(towards_eye(a), 1.0);
+    var to_clip = scene.clip_from_scene * vec4f(towards_eye(b), 1.0);
+    var out: StrokeCorner;
+    if from_clip.z < 0.0 && to_clip.z < 0.0 {
+        out.position = vec4f(0.0, 0.0, -1.0, 1.0);
+        return out;
+    }
+    // Cut at the near plane before the division.
+    let part = from_clip.z / (from_clip.z - to_clip.z);
+    if from_clip.z < 0.0 {
+        from_clip = mix(from_clip, to_clip, part);
+    } else if to_clip.z < 0.0 {
+        to_clip = mix(from_clip, to_clip, part);
+    }
+    out.start = pixels(from_clip);
+    out.end = pixels(to_clip);
+    let span = out.end - out.start;
+    var along = vec2f(1.0, 0.0);
+    if dot(span, span) > 1e-8 {
+        along = normalize(span);
+    }
+    let across = vec2f(-along.y, along.x);
+    let reach = half_width + 1.0;
+    let ahead = corner == 1u || corner == 2u || corner == 4u;
+    let left = corner == 2u || corner == 4u || corner == 5u;
+    let origin = select(out.start - along * reach, out.end + along * reach, ahead);
+    out.at = origin + across * select(-reach, reach, left);
+    let depth = select(from_clip.z / from_clip.w, to_clip.z / to_clip.w, ahead);
+    out.position = vec4f(out.at / (0.5 * scene.canvas.xy), depth, 1.0);
+    return out;
+}
+
+fn stroke_coverage(at: vec2f, start: vec2f, end: vec2f, half_width: f32) -> f32 {
+    let span = end - start;
+    let part = clamp(dot(at - start, span) / max(dot(span, span), 1e-8), 0.0, 1.0);
+    return clamp(half_width + 0.5 - distance(at, start + span * part), 0.0, 1.0);
+}

@@ -1,0 +1,382 @@
+//! Everything that a picture shows, without a GPU: the mesh, the camera, marks, handles, fitted
+//! shapes, and what has changed since the last picture.
+
+use super::camera::{Camera, Up};
+use super::depth_map::DepthMap;
+use super::framing::{depth_range, frame};
+use super::lists::{Lists, ViewError, check_indices};
+use super::looks::Looks;
+use super::palette::{DARK, DotKind, LIGHT, Palette};
+use super::picking::{self, ScreenBox};
+use super::subject::{Subject, read_points};
+use glam::{DVec3, Vec2, Vec3};
+
+/// Numbers per fitted shape: kind (0 circle, 1 sphere), centre, normal, radius.
+pub const SHAPE_NUMBERS: usize = 8;
+
+/// A vertex that is held, softly or exactly.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Handle {
+    /// The vertex.
+    pub vertex: u32,
+    /// [`DotKind::Handle`], [`DotKind::Fixed`] or [`DotKind::Active`].
+    pub kind: DotKind,
+    /// Where it should be, in file coordinates.
+    pub target: DVec3,
+}
+
+/// What is switched on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Display {
+    /// Edges of the polygons.
+    pub edges: bool,
+    /// A dot on every vertex.
+    pub vertices: bool,
+    /// Fitted circles and spheres.
+    pub shapes: bool,
+}
+
+/// What has changed since the last picture.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Changes {
+    /// Faces, curves, edges.
+    pub mesh: bool,
+    /// Where vertices or handle targets are.
+    pub positions: bool,
+    /// Values and marks of faces.
+    pub looks: bool,
+    /// Which dots and pulling lines there are.
+    pub marks: bool,
+    /// Fitted shapes.
+    pub shapes: bool,
+    /// Camera, theme, size, display: all that needs a new picture but no new data.
+    pub view: bool,
+}
+
+impl Changes {
+    /// Everything.
+    pub const ALL: Changes =
+        Changes { mesh: true, positions: true, looks: true, marks: true, shapes: true, view: true };
+
+    /// Whether there is anything.
+    pub fn any(self) -> bool {
+        self != Changes::default()
+    }
+}
+
+/// The state of the view.
+#[derive(Debug)]
+pub struct Stage {
+    /// The mesh.
+    pub subject: Subject,
+    /// The camera.
+    pub camera: Camera,
+    /// Values and marks.
+    pub looks: Looks,
+    /// Colour of the tint.
+    pub tint: [f32; 3],
+    /// All handles.
+    pub handles: Vec<Handle>,
+    /// Fitted shapes in view coordinates, `SHAPE_NUMBERS` each.
+    pub shapes: Vec<f32>,
+    /// What is switched on.
+    pub display: Display,
+    /// Dark theme.
+    pub dark: bool,
+    /// Since the last picture.
+    pub changes: Changes,
+    /// Whether the camera stands as `fit` left it, and follows the canvas when that is resized.
+    framed: bool,
+    map: Option<DepthMap>,
+}
+
+impl Default for Stage {
+    fn default() -> Self {
+        Stage {
+            subject: Subject::default(),
+            camera: Camera::default(),
+            looks: Looks::default(),
+            tint: [0.2, 0.7, 0.3],
+            handles: Vec::new(),
+            shapes: Vec::new(),
+            display: Display { edges: true, vertices: false, shapes: false },
+            dark: false,
+            changes: Changes::ALL,
+            framed: true,
+            map: None,
+        }
+    }
+}
+
+impl Stage {
+    /// Shows a mesh. Another mesh than before comes without marks, handles and shapes, and is
+    /// framed from the three-quarter view; the same faces and curves only move.
+    ///
+    /// # Errors
+    /// Arrays that do not fit together; the old mesh stays.
+    pub fn set_mesh(
+        &mut self,
+        faces: (Vec<u32>, Vec<u32>),
+        curves: (Vec<u32>, Vec<u32>),
+        coordinates: &[f64],
+    ) -> Result<(), ViewError> {
+        let count = coordinates.len() / 3;
+        let faces = Lists::new("faces", faces.0, faces.1, count)?;
+        let curves = Lists::new("curves", curves.0, curves.1, count)?;
+        let same = faces == self.subject.faces
+            && curves == self.subject.curves
+            && count == self.subject.exact.len();
+        if same {
+            return self.set_positions(coordinates);
+        }
+        self.subject = Subject::new(faces, curves, coordinates)?;
+        self.looks = Looks::default();
+        self.handles.clear();
+        self.shapes.clear();
+        self.changes = Changes::ALL;
+        self.preset("home")
+    }
+
+    /// Moves the vertices; #V by 3 in file coordinates.
+    ///
+    /// # Errors
+    /// Another number of vertices or a coordinate that is not finite.
+    pub fn set_positions(&mut self, coordinates: &[f64]) -> Result<(), ViewError> {
+        self.subject.set_positions(coordinates)?;
+        self.changes.positions = true;
+        self.map = None;
+        Ok(())
+    }
+
+    /// How many vertices and faces there are.
+    pub fn counts(&self) -> (usize, usize) {
+        (self.subject.positions.len(), self.subject.faces.len())
+    }
+
+    /// Sets all handles; states are 0 soft, 1 fixed, 2 active; targets are #H by 3.
+    ///
+    /// # Errors
+    /// Arrays that do not fit together, or a state that is not known.
+    pub fn set_handles(
+        &mut self,
+        vertices: &[u32],
+        states: &[u8],
+        targets: &[f64],
+    ) -> Result<(), ViewError> {
+        check_indices("handles", vertices, self.counts().0)?;
+        let targets = read_points(targets)?;
+        for (what, got) in [("handle states", states.len()), ("handle targets", targets.len())] {
+            if got != vertices.len() {
+                return Err(ViewError::Length { what, got, expected: vertices.len() });
+            }
+        }
+        let mut handles = Vec::with_capacity(vertices.len());
+        for ((&vertex, &state), &target) in vertices.iter().zip(states).zip(&targets) {
+            let kind = match state {
+                0 => DotKind::Handle,
+                1 => DotKind::Fixed,
+                2 => DotKind::Active,
+                _ => {
+                    let (index, count) = (u32::from(state), 3);
+                    return Err(ViewError::Index { what: "handle states", index, count });
+                }
+            };
+            handles.push(Handle { vertex, kind, target });
+        }
+        let same = handles.len() == self.handles.len()
+            && handles
+                .iter()
+                .zip(&self.handles)
+                .all(|(a, b)| a.vertex == b.vertex && a.kind == b.kind);
+        self.handles = handles;
+        self.changes.marks |= !same;
+        self.changes.positions = true;
+        Ok(())
+    }
+
+    /// Sets the fitted shapes: eight numbers each, centres in file coordinates.
+    ///
+    /// # Errors
+    /// A length that is no multiple of eight.
+    pub fn set_shapes(&mut self, shapes: &[f32]) -> Result<(), ViewError> {
+        let (rows, rest) = shapes.as_chunks::<SHAPE_NUMBERS>();
+        if !rest.is_empty() {
+            let expected = (rows.len() + 1) * SHAPE_NUMBERS;
+            return Err(ViewError::Length { what: "shapes", got: shapes.len(), expected });
+        }
+        self.shapes.clear();
+        for row in rows.iter().filter(|row| row.iter().all(|x| x.is_finite())) {
+            let centre = DVec3::new(f64::from(row[1]), f64::from(row[2]), f64::from(row[3]));
+            self.shapes.push(row[0]);
+            self.shapes.extend(self.subject.relative(centre).to_array());
+            self.shapes.extend(&row[4..]);
+        }
+        self.changes.shapes = true;
+        Ok(())
+    }
+
+    /// The colours of the theme.
+    pub fn palette(&self) -> &'static Palette {
+        if self.dark { &DARK } else { &LIGHT }
+    }
+
+    /// Says that the next picture differs without new data.
+    pub fn view_changed(&mut self) {
+        self.changes.view = true;
+        self.map = None;
+    }
+
+    /// Sets the size of the canvas in CSS pixels.
+    pub fn resize(&mut self, canvas: Vec2) {
+        self.camera.canvas = canvas.max(Vec2::ONE);
+        if self.framed {
+            self.fit();
+        }
+        self.view_changed();
+    }
+
+    /// Sets the vertical axis.
+    pub fn set_up(&mut self, up: Up) {
+        if up != self.camera.up {
+            self.camera.up = up;
+            self.fit();
+        }
+    }
+
+    /// Turns the camera by a drag in CSS pixels.
+    pub fn orbit(&mut self, dx: f32, dy: f32) {
+        self.camera.orbit(dx, dy);
+        self.framed = false;
+        self.view_changed();
+    }
+
+    /// Slides the picture by a drag in CSS pixels.
+    pub fn pan(&mut self, dx: f32, dy: f32) {
+        self.camera.pan(dx, dy);
+        self.framed = false;
+        self.view_changed();
+    }
+
+    /// Comes `factor` times nearer (farther when less than one) to what is under the cursor.
+    pub fn zoom(&mut self, factor: f32, cursor: Vec2) {
+        if !(factor.is_finite() && factor > 0.0) {
+            return;
+        }
+        let eye = self.camera.eye();
+        let anchor = match picking::pick_face(&self.subject, &self.camera, cursor) {
+            Some(hit) => eye.at + eye.direction(cursor) * hit.along,
+            None => self.camera.on_pivot_plane(cursor),
+        };
+        let size = self.size();
+        self.camera.zoom(factor, anchor, size * 1e-3, size * 50.0);
+        self.framed = false;
+        self.view_changed();
+    }
+
+    /// Fills the canvas with the whole mesh, from where the camera looks now.
+    pub fn fit(&mut self) {
+        let radius = self.size() * 1e-3;
+        frame(&mut self.camera, self.subject.positions.iter().copied(), radius);
+        self.framed = true;
+        self.view_changed();
+    }
+
+    /// Fills the canvas with some vertices and a little around them.
+    ///
+    /// # Errors
+    /// A vertex that does not exist.
+    pub fn fit_vertices(&mut self, vertices: &[u32]) -> Result<(), ViewError> {
+        check_indices("vertices", vertices, self.counts().0)?;
+        let points = vertices.iter().map(|&v| self.subject.positions[v as usize]);
+        let radius = self.size() * 0.04;
+        frame(&mut self.camera, points, radius);
+        self.framed = false;
+        self.view_changed();
+        Ok(())
+    }
+
+    /// Looks from a named side and fills the canvas.
+    ///
+    /// # Errors
+    /// An unknown name.
+    pub fn preset(&mut self, side: &str) -> Result<(), ViewError> {
+        self.camera.look_from(side)?;
+        self.fit();
+        Ok(())
+    }
+
+    /// Half the diagonal of the bounding box; 1 where there is none.
+    pub fn size(&self) -> f32 {
+        let [low, high] = self.bounds();
+        let size = (high - low).length() * 0.5;
+        if size > 0.0 && size.is_finite() { size } else { 1.0 }
+    }
+
+    fn bounds(&self) -> [Vec3; 2] {
+        let points = self.subject.positions.iter().copied();
+        let low = points.clone().reduce(Vec3::min).unwrap_or_default();
+        [low, points.reduce(Vec3::max).unwrap_or_default()]
+    }
+
+    /// Near and far depths around everything drawn.
+    pub fn depth_range(&self) -> (f32, f32) {
+        let [low, high] = self.bounds();
+        let corners = (0..8).map(|i| {
+            let pick = |axis: usize| if i >> axis & 1 == 0 { low[axis] } else { high[axis] };
+            Vec3::new(pick(0), pick(1), pick(2))
+        });
+        depth_range(&self.camera, corners.chain(self.targets()))
+    }
+
+    /// Where each handle should be, relative to the view's centre.
+    pub fn targets(&self) -> impl Iterator<Item = Vec3> + '_ {
+        self.handles.iter().map(|handle| self.subject.relative(handle.target))
+    }
+
+    /// The visible vertex nearest to the cursor.
+    pub fn pick_vertex(&self, at: Vec2, radius: f32) -> Option<u32> {
+        picking::pick_vertex(&self.subject, &self.camera, at, radius)
+    }
+
+    /// The handle nearest to the cursor, hidden or not.
+    pub fn pick_handle(&self, at: Vec2, radius: f32) -> Option<u32> {
+        let handles = self.handles.iter().map(|handle| handle.vertex);
+        picking::pick_any(&self.subject, &self.camera, handles, at, radius)
+    }
+
+    /// The face under the cursor.
+    pub fn pick_face(&self, at: Vec2) -> Option<u32> {
+        picking::pick_face(&self.subject, &self.camera, at).map(|hit| hit.face)
+    }
+
+    /// Visible vertices between two corners of a box.
+    pub fn box_vertices(&mut self, a: Vec2, b: Vec2) -> Vec<u32> {
+        let map = self.map.get_or_insert_with(|| DepthMap::new(&self.subject, &self.camera));
+        picking::box_vertices(&self.subject, &self.camera, map, ScreenBox::new(a, b))
+    }
+
+    /// Visible faces between two corners of a box; with `crossing` also those partly inside.
+    pub fn box_faces(&mut self, a: Vec2, b: Vec2, crossing: bool) -> Vec<u32> {
+        let map = self.map.get_or_insert_with(|| DepthMap::new(&self.subject, &self.camera));
+        picking::box_faces(&self.subject, &self.camera, map, ScreenBox::new(a, b), crossing)
+    }
+
+    /// Where a vertex is on the canvas; `None` when hidden or outside.
+    pub fn screen(&self, vertex: u32) -> Option<Vec2> {
+        let point = *self.subject.positions.get(vertex as usize)?;
+        let (screen, _) = self.camera.eye().project(point);
+        let inside = screen.cmpge(Vec2::ZERO).all() && screen.cmple(self.camera.canvas).all();
+        (inside && picking::visible(&self.subject, &self.camera, vertex)).then_some(screen)
+    }
+
+    /// Where a vertex goes when it is dragged, parallel to the screen, to a screen position; in file
+    /// coordinates.
+    ///
+    /// # Errors
+    /// A vertex that does not exist.
+    pub fn drag_target(&self, vertex: u32, to: Vec2) -> Result<DVec3, ViewError> {
+        check_indices("dragged vertex", &[vertex], self.counts().0)?;
+        let offset = picking::drag_offset(&self.subject, &self.camera, vertex, to);
+        Ok(self.subject.exact[vertex as usize] + offset.as_dvec3())
+    }
+}

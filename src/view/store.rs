@@ -1,0 +1,241 @@
+//! What vertex shaders pull from: tables of four numbers per vertex or face. They are textures
+//! because WebGL2 has no storage buffers; one small write per picture moves the whole mesh.
+
+use super::colour_map;
+use super::globals::{NUMBERS, numbers};
+use super::stage::Stage;
+use glam::Vec3;
+
+/// Texels in a row of a table; the shaders know it too.
+const WIDTH: u32 = 1024;
+
+/// A growing table.
+#[derive(Debug)]
+struct Table {
+    texture: wgpu::Texture,
+    label: &'static str,
+}
+
+impl Table {
+    fn new(device: &wgpu::Device, label: &'static str, format: wgpu::TextureFormat) -> Table {
+        Table { texture: create(device, label, format, WIDTH, 1), label }
+    }
+
+    /// Writes all texels; returns whether the texture is another one than before.
+    fn write(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, texels: &[u8]) -> bool {
+        let format = self.texture.format();
+        let texel = format.block_copy_size(None).expect("tables have plain colour formats");
+        let count = texels.len() as u32 / texel;
+        let rows = count.div_ceil(WIDTH).max(1);
+        let grown = rows > self.texture.height();
+        if grown {
+            // Room to grow by a few handles without a new texture each time.
+            self.texture = create(device, self.label, format, WIDTH, rows + 1);
+        }
+        let whole = count / WIDTH;
+        let row_bytes = WIDTH * texel;
+        let (full, rest) = texels.split_at((whole * row_bytes) as usize);
+        write(queue, &self.texture, full, row_bytes, [0, WIDTH, whole]);
+        write(queue, &self.texture, rest, row_bytes, [whole, count % WIDTH, 1]);
+        grown
+    }
+}
+
+fn create(
+    device: &wgpu::Device,
+    label: &str,
+    format: wgpu::TextureFormat,
+    width: u32,
+    height: u32,
+) -> wgpu::Texture {
+    device.create_texture(&wgpu::TextureDescriptor {
+        label: Some(label),
+        size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format,
+        usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
+        view_formats: &[],
+    })
+}
+
+/// Writes `height` rows of `width` texels from row `first` on.
+fn write(
+    queue: &wgpu::Queue,
+    texture: &wgpu::Texture,
+    bytes: &[u8],
+    row_bytes: u32,
+    [first, width, height]: [u32; 3],
+) {
+    if width == 0 || height == 0 {
+        return;
+    }
+    queue.write_texture(
+        wgpu::TexelCopyTextureInfo {
+            texture,
+            mip_level: 0,
+            origin: wgpu::Origin3d { x: 0, y: first, z: 0 },
+            aspect: wgpu::TextureAspect::All,
+        },
+        bytes,
+        wgpu::TexelCopyBufferLayout {
+            offset: 0,
+            bytes_per_row: Some(row_bytes),
+            rows_per_image: Some(height),
+        },
+        wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
+    );
+}
+
+/// All that the shaders read, bound as one group.
+#[derive(Debug)]
+pub struct Store {
+    globals: wgpu::Buffer,
+    positions: Table,
+    vertex_normals: Table,
+    face_normals: Table,
+    face_looks: Table,
+    colour_map: wgpu::Texture,
+    layout: wgpu::BindGroupLayout,
+    group: wgpu::BindGroup,
+}
+
+impl Store {
+    /// Empty tables.
+    pub fn new(device: &wgpu::Device, queue: &wgpu::Queue) -> Store {
+        let float = wgpu::TextureFormat::Rgba32Float;
+        let bytes = wgpu::TextureFormat::Rgba8Unorm;
+        let globals = device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("globals"),
+            size: (NUMBERS * size_of::<f32>()) as u64,
+            usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
+        let texels = colour_map::TEXELS as u32;
+        let colours = create(device, "colour map", bytes, texels, 1);
+        write(queue, &colours, &colour_map::texels(), texels * 4, [0, texels, 1]);
+        let layout = group_layout(device);
+        let positions = Table::new(device, "positions", float);
+        let vertex_normals = Table::new(device, "vertex normals", float);
+        let face_normals = Table::new(device, "face normals", float);
+        let face_looks = Table::new(device, "face looks", bytes);
+        let textures = [
+            &positions.texture,
+            &vertex_normals.texture,
+            &face_normals.texture,
+            &face_looks.texture,
+            &colours,
+        ];
+        let group = bind(device, &layout, &globals, textures);
+        Store {
+            globals,
+            positions,
+            vertex_normals,
+            face_normals,
+            face_looks,
+            colour_map: colours,
+            layout,
+            group,
+        }
+    }
+
+    /// How the group is bound.
+    pub fn layout(&self) -> &wgpu::BindGroupLayout {
+        &self.layout
+    }
+
+    /// The group.
+    pub fn group(&self) -> &wgpu::BindGroup {
+        &self.group
+    }
+
+    /// Writes what has changed on the stage, and always the globals, for a canvas of `width` by
+    /// `height` pixels.
+    pub fn update(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        stage: &Stage,
+        (width, height): (u32, u32),
+    ) {
+        let changes = stage.changes;
+        let subject = &stage.subject;
+        let mut rebind = false;
+        if changes.mesh || changes.positions {
+            let points = subject.positions.iter().copied().chain(stage.targets());
+            rebind |= self.positions.write(device, queue, &four_each(points));
+            let normals = &subject.normals;
+            let soft = four_each(normals.vertices.iter().copied());
+            rebind |= self.vertex_normals.write(device, queue, &soft);
+            let flat = four_each(normals.faces.iter().copied());
+            rebind |= self.face_normals.write(device, queue, &flat);
+        }
+        if changes.mesh || changes.looks {
+            let looks = stage.looks.bytes(subject.faces.len());
+            rebind |= self.face_looks.write(device, queue, &looks);
+        }
+        if rebind {
+            let textures = [
+                &self.positions.texture,
+                &self.vertex_normals.texture,
+                &self.face_normals.texture,
+                &self.face_looks.texture,
+                &self.colour_map,
+            ];
+            self.group = bind(device, &self.layout, &self.globals, textures);
+        }
+        let numbers = numbers(stage, width, height);
+        queue.write_buffer(&self.globals, 0, bytemuck::cast_slice(&numbers));
+    }
+}
+
+/// Vectors as bytes of four floats each.
+fn four_each(vectors: impl Iterator<Item = Vec3>) -> Vec<u8> {
+    let floats: Vec<[f32; 4]> = vectors.map(|v| v.extend(0.0).to_array()).collect();
+    bytemuck::cast_slice(&floats).to_vec()
+}
+
+fn group_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
+    let entry = |binding: u32, ty: wgpu::BindingType| wgpu::BindGroupLayoutEntry {
+        binding,
+        visibility: wgpu::ShaderStages::VERTEX_FRAGMENT,
+        ty,
+        count: None,
+    };
+    let globals = wgpu::BindingType::Buffer {
+        ty: wgpu::BufferBindingType::Uniform,
+        has_dynamic_offset: false,
+        min_binding_size: None,
+    };
+    let table = wgpu::BindingType::Texture {
+        sample_type: wgpu::TextureSampleType::Float { filterable: false },
+        view_dimension: wgpu::TextureViewDimension::D2,
+        multisampled: false,
+    };
+    let entries: Vec<_> = (0..6).map(|i| entry(i, if i == 0 { globals } else { table })).collect();
+    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+        label: Some("scene"),
+        entries: &entries,
+    })
+}
+
+fn bind(
+    device: &wgpu::Device,
+    layout: &wgpu::BindGroupLayout,
+    globals: &wgpu::Buffer,
+    textures: [&wgpu::Texture; 5],
+) -> wgpu::BindGroup {
+    let views = textures.map(|t| t.create_view(&wgpu::TextureViewDescriptor::default()));
+    let mut entries =
+        vec![wgpu::BindGroupEntry { binding: 0, resource: globals.as_entire_binding() }];
+    entries.extend(views.iter().zip(1..).map(|(view, binding)| wgpu::BindGroupEntry {
+        binding,
+        resource: wgpu::BindingResource::TextureView(view),
+    }));
+    device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some("scene"),
+        layout,
+        entries: &entries,
+    })
+}

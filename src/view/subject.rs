@@ -1,0 +1,126 @@
+//! The mesh as it is shown: positions about the view's own centre, triangles and edges.
+
+use super::lists::{Lists, ViewError};
+use super::normals::Normals;
+use super::polygon_edges::{PolygonEdge, polygon_edges};
+use super::triangulate::triangulate;
+use glam::{DVec3, Vec3};
+
+/// What is looked at.
+#[derive(Clone, Debug, Default)]
+pub struct Subject {
+    /// The middle of the first bounding box, in file coordinates. It stays when vertices move.
+    pub centre: DVec3,
+    /// #V, in file coordinates.
+    pub exact: Vec<DVec3>,
+    /// #V, relative to the centre.
+    pub positions: Vec<Vec3>,
+    /// Corners of each face.
+    pub faces: Lists,
+    /// Vertices of each polyline.
+    pub curves: Lists,
+    /// Vertex indices of the triangles that stand for the faces.
+    pub triangles: Vec<[u32; 3]>,
+    /// Per triangle, the face that it is part of.
+    pub triangle_face: Vec<u32>,
+    /// The polygons' own edges, each once.
+    pub edges: Vec<PolygonEdge>,
+    /// Per face and per vertex.
+    pub normals: Normals,
+}
+
+impl Subject {
+    /// Takes a mesh; `coordinates` is #V by 3 in a flat array, in file coordinates.
+    ///
+    /// # Errors
+    /// Arrays that do not fit together, or a coordinate that is not finite.
+    pub fn new(faces: Lists, curves: Lists, coordinates: &[f64]) -> Result<Subject, ViewError> {
+        let exact = read_points(coordinates)?;
+        let low = exact.iter().copied().reduce(DVec3::min).unwrap_or_default();
+        let high = exact.iter().copied().reduce(DVec3::max).unwrap_or_default();
+        let edges = polygon_edges(&faces);
+        let centre = low + (high - low) * 0.5;
+        let mut subject = Subject { centre, faces, curves, edges, ..Subject::default() };
+        subject.place(exact);
+        for (f, face) in subject.faces.iter().enumerate() {
+            triangulate(&subject.positions, face, &mut subject.triangles);
+            subject.triangle_face.resize(subject.triangles.len(), f as u32);
+        }
+        Ok(subject)
+    }
+
+    /// Moves the vertices; the same shape as in [`Subject::new`].
+    ///
+    /// # Errors
+    /// Another number of vertices, or a coordinate that is not finite. Nothing has moved then.
+    pub fn set_positions(&mut self, coordinates: &[f64]) -> Result<(), ViewError> {
+        let expected = self.exact.len() * 3;
+        if coordinates.len() != expected {
+            let got = coordinates.len();
+            return Err(ViewError::Length { what: "positions", got, expected });
+        }
+        self.place(read_points(coordinates)?);
+        Ok(())
+    }
+
+    fn place(&mut self, exact: Vec<DVec3>) {
+        self.positions.clear();
+        self.positions.extend(exact.iter().map(|&p| (p - self.centre).as_vec3()));
+        self.exact = exact;
+        self.normals.update(&self.positions, &self.faces);
+    }
+
+    /// A point in file coordinates as the view sees it.
+    pub fn relative(&self, point: DVec3) -> Vec3 {
+        (point - self.centre).as_vec3()
+    }
+}
+
+/// Reads #P by 3 coordinates.
+///
+/// # Errors
+/// A length that is no multiple of three, or a coordinate that is not finite.
+pub fn read_points(coordinates: &[f64]) -> Result<Vec<DVec3>, ViewError> {
+    let (points, rest) = coordinates.as_chunks::<3>();
+    if !rest.is_empty() {
+        let expected = points.len() * 3 + 3;
+        return Err(ViewError::Length { what: "positions", got: coordinates.len(), expected });
+    }
+    if let Some(vertex) = points.iter().position(|p| !p.iter().all(|x| x.is_finite())) {
+        return Err(ViewError::NotFinite { vertex });
+    }
+    Ok(points.iter().map(|&p| DVec3::from(p)).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn square(at: DVec3) -> Subject {
+        let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.25]];
+        let coordinates: Vec<f64> =
+            corners.iter().flat_map(|&c| (DVec3::from(c) + at).to_array()).collect();
+        let faces = Lists::new("faces", vec![0, 4], vec![0, 1, 2, 3], 4).unwrap();
+        Subject::new(faces, Lists::default(), &coordinates).unwrap()
+    }
+
+    #[test]
+    fn site_coordinates_lose_no_digits() {
+        let (here, there) =
+            (square(DVec3::ZERO), square(DVec3::new(2_679_500.0, 1_247_250.0, 408.0)));
+        assert_eq!(here.positions, there.positions);
+        assert_eq!(here.triangles.len(), 2);
+        assert_eq!(here.edges.len(), 4);
+    }
+
+    #[test]
+    fn bad_positions_change_nothing() {
+        let mut subject = square(DVec3::ZERO);
+        let before = subject.positions.clone();
+        let mut wrong = [0.0; 12];
+        wrong[7] = f64::NAN;
+        assert_eq!(subject.set_positions(&wrong), Err(ViewError::NotFinite { vertex: 2 }));
+        assert!(subject.set_positions(&wrong[..9]).is_err());
+        assert_eq!(subject.positions, before);
+    }
+}

@@ -1,0 +1,347 @@
+//! The page's view: a canvas, what is shown on it, and what is under the cursor.
+//!
+//! Screen positions are CSS pixels from the upper left corner of the canvas. Coordinates are those
+//! of the file. What is thrown is an `Error` whose message is one complete line.
+
+use super::{log_panics, thrown};
+use crate::view::camera::Up;
+use crate::view::colour_map;
+use crate::view::device::{Device, DeviceError};
+use crate::view::lists::ViewError;
+use crate::view::picture::Picture;
+use crate::view::stage::{Display, Stage};
+use glam::Vec2;
+use std::sync::atomic::Ordering;
+use wasm_bindgen::prelude::*;
+use web_sys::HtmlCanvasElement;
+use wgpu::SurfaceTarget;
+
+/// A view on one canvas.
+#[wasm_bindgen]
+#[derive(Debug)]
+pub struct View {
+    stage: Stage,
+    picture: Picture,
+    backend: &'static str,
+    frames: u32,
+    canvas: HtmlCanvasElement,
+    context_lost: Closure<dyn FnMut()>,
+}
+
+impl Drop for View {
+    fn drop(&mut self) {
+        let listener = self.context_lost.as_ref().unchecked_ref();
+        // Nothing is left to do when the listener was gone already.
+        let _ = self.canvas.remove_event_listener_with_callback(CONTEXT_LOST, listener);
+    }
+}
+
+const CONTEXT_LOST: &str = "webglcontextlost";
+
+/// Opens the backend asked for, with its name. `auto` tries WebGPU first: that leaves the canvas
+/// untouched when there is no adapter.
+async fn open(
+    canvas: &HtmlCanvasElement,
+    backend: &str,
+) -> Result<(Device, &'static str), DeviceError> {
+    let target = || SurfaceTarget::Canvas(canvas.clone());
+    match backend {
+        "webgpu" => Ok((Device::webgpu(target()).await?, "webgpu")),
+        "webgl2" => Ok((Device::webgl2(target()).await?, "webgl2")),
+        "auto" => match Device::webgpu(target()).await {
+            Ok(device) => Ok((device, "webgpu")),
+            Err(no_webgpu) => match Device::webgl2(target()).await {
+                Ok(device) => Ok((device, "webgl2")),
+                Err(no_webgl2) => Err(DeviceError(format!("{no_webgpu}; {no_webgl2}"))),
+            },
+        },
+        _ => Err(DeviceError(format!("backend \"{backend}\", expected auto, webgpu or webgl2"))),
+    }
+}
+
+#[wasm_bindgen]
+impl View {
+    /// Opens a view on a canvas that has no context yet. `backend` is `auto`, `webgpu` or `webgl2`.
+    ///
+    /// # Errors
+    /// Rejects when there is no adapter, with the reason of each backend.
+    pub async fn create(canvas: HtmlCanvasElement, backend: String) -> Result<View, JsValue> {
+        log_panics();
+        let (device, backend) = open(&canvas, &backend).await.map_err(thrown)?;
+        device.device.on_uncaptured_error(std::sync::Arc::new(|error| {
+            web_sys::console::error_1(&format!("view: {error}").into());
+        }));
+        let lost = device.lost();
+        let context_lost = Closure::<dyn FnMut()>::new(move || lost.store(true, Ordering::Relaxed));
+        canvas.add_event_listener_with_callback(
+            CONTEXT_LOST,
+            context_lost.as_ref().unchecked_ref(),
+        )?;
+        let picture = Picture::new(device);
+        let stage = Stage::default();
+        Ok(View { stage, picture, backend, frames: 0, canvas, context_lost })
+    }
+
+    /// `webgpu` or `webgl2`.
+    pub fn backend(&self) -> String {
+        self.backend.to_owned()
+    }
+
+    /// Sets the size of the canvas in physical pixels; at most what the adapter allows. A view that
+    /// nobody has moved since it was fitted is fitted again.
+    pub fn resize(&mut self, width: u32, height: u32, device_pixel_ratio: f32) {
+        self.picture.device.resize(width, height);
+        let ratio = if device_pixel_ratio > 0.0 { device_pixel_ratio } else { 1.0 };
+        self.stage.resize(Vec2::new(width as f32, height as f32) / ratio);
+    }
+
+    /// Shows a mesh: rows of faces and of curves as offsets and indices, #V by 3 positions. Another
+    /// mesh than before is framed from the three-quarter view, without marks.
+    ///
+    /// # Errors
+    /// Arrays that do not fit together; the old mesh stays.
+    #[wasm_bindgen(js_name = setMesh)]
+    pub fn set_mesh(
+        &mut self,
+        face_offsets: Vec<u32>,
+        face_indices: Vec<u32>,
+        curve_offsets: Vec<u32>,
+        curve_indices: Vec<u32>,
+        positions: &[f64],
+    ) -> Result<(), JsValue> {
+        let faces = (face_offsets, face_indices);
+        let curves = (curve_offsets, curve_indices);
+        self.stage.set_mesh(faces, curves, positions).map_err(thrown)
+    }
+
+    /// Moves the vertices, #V by 3.
+    ///
+    /// # Errors
+    /// Another number of vertices, or a coordinate that is not finite.
+    #[wasm_bindgen(js_name = setPositions)]
+    pub fn set_positions(&mut self, positions: &[f64]) -> Result<(), JsValue> {
+        self.stage.set_positions(positions).map_err(thrown)
+    }
+
+    /// Colours faces by a value each, from `low` to `high`; NaN is grey; null is the plain material.
+    ///
+    /// # Errors
+    /// Another number of values than faces.
+    #[wasm_bindgen(js_name = setFaceValues)]
+    pub fn set_face_values(
+        &mut self,
+        values: Option<Vec<f32>>,
+        low: f32,
+        high: f32,
+    ) -> Result<(), JsValue> {
+        let (_, faces) = self.stage.counts();
+        self.stage.looks.set_values(values, low, high, faces).map_err(thrown)?;
+        self.stage.changes.looks = true;
+        Ok(())
+    }
+
+    /// CSS colours of the map from low to high, for a legend.
+    #[wasm_bindgen(js_name = colourStops)]
+    pub fn colour_stops(&self, count: usize) -> Vec<String> {
+        colour_map::stops(count)
+    }
+
+    /// Light or dark.
+    #[wasm_bindgen(js_name = setTheme)]
+    pub fn set_theme(&mut self, dark: bool) {
+        self.stage.changes.view |= dark != self.stage.dark;
+        self.stage.dark = dark;
+    }
+
+    /// Switches edges, dots on vertices, and fitted shapes on or off.
+    #[wasm_bindgen(js_name = setDisplay)]
+    pub fn set_display(&mut self, edges: bool, vertices: bool, shapes: bool) {
+        let display = Display { edges, vertices, shapes };
+        self.stage.changes.view |= display != self.stage.display;
+        self.stage.display = display;
+    }
+
+    /// Sets all handles: vertices, states (0 soft, 1 fixed, 2 active), and #H by 3 targets.
+    ///
+    /// # Errors
+    /// Arrays that do not fit together.
+    #[wasm_bindgen(js_name = setHandles)]
+    pub fn set_handles(
+        &mut self,
+        vertices: &[u32],
+        states: &[u8],
+        targets: &[f64],
+    ) -> Result<(), JsValue> {
+        self.stage.set_handles(vertices, states, targets).map_err(thrown)
+    }
+
+    /// Marks vertices and faces as selected, and no others.
+    ///
+    /// # Errors
+    /// An index that names nothing.
+    #[wasm_bindgen(js_name = setSelection)]
+    pub fn set_selection(&mut self, vertices: Vec<u32>, faces: Vec<u32>) -> Result<(), JsValue> {
+        let counts = self.stage.counts();
+        self.stage.looks.select(vertices, faces, counts).map_err(thrown)?;
+        (self.stage.changes.looks, self.stage.changes.marks) = (true, true);
+        Ok(())
+    }
+
+    /// Marks the members of a constraint in a colour (each part 0 to 1), and no others.
+    ///
+    /// # Errors
+    /// An index that names nothing.
+    #[wasm_bindgen(js_name = setTint)]
+    pub fn set_tint(
+        &mut self,
+        vertices: Vec<u32>,
+        faces: Vec<u32>,
+        red: f32,
+        green: f32,
+        blue: f32,
+    ) -> Result<(), JsValue> {
+        let counts = self.stage.counts();
+        self.stage.looks.tint(vertices, faces, counts).map_err(thrown)?;
+        self.stage.tint = [red, green, blue];
+        (self.stage.changes.looks, self.stage.changes.marks) = (true, true);
+        Ok(())
+    }
+
+    /// Sets the fitted shapes, eight numbers each: kind (0 circle, 1 sphere), centre, normal, radius.
+    ///
+    /// # Errors
+    /// A length that is no multiple of eight.
+    #[wasm_bindgen(js_name = setShapes)]
+    pub fn set_shapes(&mut self, shapes: &[f32]) -> Result<(), JsValue> {
+        self.stage.set_shapes(shapes).map_err(thrown)
+    }
+
+    /// Sets the vertical axis, `z` or `y`.
+    ///
+    /// # Errors
+    /// Any other axis.
+    #[wasm_bindgen(js_name = setUp)]
+    pub fn set_up(&mut self, up: &str) -> Result<(), JsValue> {
+        let up = match up {
+            "z" => Up::Z,
+            "y" => Up::Y,
+            _ => {
+                let got = up.to_owned();
+                return Err(thrown(ViewError::Word { what: "up", got, known: "z or y" }));
+            }
+        };
+        self.stage.set_up(up);
+        Ok(())
+    }
+
+    /// Turns the camera about its pivot by a drag.
+    pub fn orbit(&mut self, dx: f32, dy: f32) {
+        self.stage.orbit(dx, dy);
+    }
+
+    /// Slides the picture by a drag.
+    pub fn pan(&mut self, dx: f32, dy: f32) {
+        self.stage.pan(dx, dy);
+    }
+
+    /// Comes `factor` times nearer (farther when less than one) to what is under the cursor.
+    pub fn zoom(&mut self, factor: f32, x: f32, y: f32) {
+        self.stage.zoom(factor, Vec2::new(x, y));
+    }
+
+    /// Fills the canvas with the mesh, from where the camera looks now.
+    pub fn fit(&mut self) {
+        self.stage.fit();
+    }
+
+    /// Fills the canvas with some vertices.
+    ///
+    /// # Errors
+    /// A vertex that does not exist.
+    #[wasm_bindgen(js_name = fitVertices)]
+    pub fn fit_vertices(&mut self, vertices: &[u32]) -> Result<(), JsValue> {
+        self.stage.fit_vertices(vertices).map_err(thrown)
+    }
+
+    /// Looks from `top`, `bottom`, `front`, `back`, `left`, `right` or `home`, and fits.
+    ///
+    /// # Errors
+    /// Any other name.
+    pub fn preset(&mut self, name: &str) -> Result<(), JsValue> {
+        self.stage.preset(name).map_err(thrown)
+    }
+
+    /// The visible vertex nearest to the cursor.
+    #[wasm_bindgen(js_name = pickVertex)]
+    pub fn pick_vertex(&self, x: f32, y: f32, radius: f32) -> Option<u32> {
+        self.stage.pick_vertex(Vec2::new(x, y), radius)
+    }
+
+    /// The vertex of the handle nearest to the cursor, hidden or not.
+    #[wasm_bindgen(js_name = pickHandle)]
+    pub fn pick_handle(&self, x: f32, y: f32, radius: f32) -> Option<u32> {
+        self.stage.pick_handle(Vec2::new(x, y), radius)
+    }
+
+    /// The face under the cursor.
+    #[wasm_bindgen(js_name = pickFace)]
+    pub fn pick_face(&self, x: f32, y: f32) -> Option<u32> {
+        self.stage.pick_face(Vec2::new(x, y))
+    }
+
+    /// Visible vertices between two corners of a box.
+    #[wasm_bindgen(js_name = boxVertices)]
+    pub fn box_vertices(&mut self, x0: f32, y0: f32, x1: f32, y1: f32) -> Vec<u32> {
+        self.stage.box_vertices(Vec2::new(x0, y0), Vec2::new(x1, y1))
+    }
+
+    /// Visible faces between two corners of a box; with `crossing` also those partly inside.
+    #[wasm_bindgen(js_name = boxFaces)]
+    pub fn box_faces(&mut self, x0: f32, y0: f32, x1: f32, y1: f32, crossing: bool) -> Vec<u32> {
+        self.stage.box_faces(Vec2::new(x0, y0), Vec2::new(x1, y1), crossing)
+    }
+
+    /// Where a vertex is on the canvas; nothing when it is hidden, outside, or not there.
+    pub fn screen(&self, vertex: u32) -> Option<Vec<f64>> {
+        self.stage.screen(vertex).map(|at| vec![f64::from(at.x), f64::from(at.y)])
+    }
+
+    /// Where a vertex goes when the cursor, which grabbed it `(grab_dx, grab_dy)` beside its middle,
+    /// is at `(x, y)`: in the plane through the vertex that faces the eye.
+    ///
+    /// # Errors
+    /// A vertex that does not exist.
+    #[wasm_bindgen(js_name = dragTarget)]
+    pub fn drag_target(
+        &self,
+        vertex: u32,
+        x: f32,
+        y: f32,
+        grab_dx: f32,
+        grab_dy: f32,
+    ) -> Result<Vec<f64>, JsValue> {
+        let to = Vec2::new(x - grab_dx, y - grab_dy);
+        self.stage.drag_target(vertex, to).map(|p| p.to_array().to_vec()).map_err(thrown)
+    }
+
+    /// Whether the next `draw` has something new to show.
+    #[wasm_bindgen(js_name = needsDraw)]
+    pub fn needs_draw(&self) -> bool {
+        self.stage.changes.any()
+    }
+
+    /// Draws if anything has changed; returns whether it did.
+    ///
+    /// # Errors
+    /// The device is lost; the page makes a new view on a new canvas.
+    pub fn draw(&mut self) -> Result<bool, JsValue> {
+        let drawn = self.picture.draw(&mut self.stage).map_err(thrown)?;
+        self.frames += u32::from(drawn);
+        Ok(drawn)
+    }
+
+    /// Pictures drawn so far.
+    pub fn frames(&self) -> u32 {
+        self.frames
+    }
+}
