@@ -1,0 +1,66 @@
+// What a user does, by the names that a user sees. On a phone the panels are behind tabs and some
+// of the tools behind "More".
+
+import { expect, waitForState } from './support.mjs';
+import { file } from './meshes.mjs';
+
+/** Shows the panel with that name, where panels are behind tabs. */
+export async function showPanel(page, name) {
+  const tab = page.getByRole('tab', { name });
+  const panel = page.getByRole('complementary', { name });
+  if (!(await panel.isVisible())) await tab.click();
+  await expect(panel).toBeVisible();
+}
+
+/** Closes the sheet of a phone again, so that the view is large. */
+export async function hidePanels(page) {
+  const open = page.getByRole('tab', { selected: true });
+  const bar = page.getByRole('toolbar', { name: 'Main tools' });
+  if ((await bar.isVisible()) && (await open.count()) > 0) await open.click();
+}
+
+/** Opens the text of a file through the file input and waits until it is the model. */
+export async function openText(page, name, text, vertices) {
+  await page.getByLabel('Open file').setInputFiles(file(name, text));
+  await waitForState(page, (state, count) => state.vertices === count, vertices);
+}
+
+/** Adds a constraint through the dialog, and waits until it is there. */
+export async function addConstraint(page, kind, where) {
+  const before = await constraintCount(page);
+  await showPanel(page, 'Model');
+  await page.getByRole('button', { name: 'Add constraint' }).click();
+  const dialog = page.getByRole('dialog', { name: 'New constraint' });
+  await dialog.getByRole('radio', { name: kind }).check();
+  await dialog.getByRole('radio', { name: where }).check();
+  await dialog.getByRole('button', { name: 'Add', exact: true }).click();
+  await expect(dialog).toBeHidden();
+  await expect.poll(() => constraintCount(page)).toBe(before + 1);
+}
+
+/** The length of the list of constraints. */
+export const constraintCount = (page) =>
+  page.evaluate(() => window.shapeUp.scene().constraints.length);
+
+/** Runs until the solver has converged. */
+export async function runToTheEnd(page) {
+  await page.getByRole('button', { name: 'Run' }).click();
+  return waitForState(page, (state) => state.converged && !state.running);
+}
+
+/** Clicks a button of the toolbar, which may be behind "More". */
+export async function tool(page, name) {
+  const button = page.getByRole('button', { name });
+  if (!(await button.isVisible())) await page.getByRole('button', { name: 'More' }).click();
+  await button.click();
+}
+
+/** Clicks and returns the text of the file that is saved. */
+export async function saved(page, name) {
+  const download = page.waitForEvent('download');
+  await tool(page, name);
+  const got = await download;
+  const chunks = [];
+  for await (const chunk of await got.createReadStream()) chunks.push(chunk);
+  return { name: got.suggestedFilename(), text: Buffer.concat(chunks).toString() };
+}

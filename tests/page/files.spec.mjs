@@ -1,0 +1,121 @@
+// Files in and out.
+
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { addConstraint, openText, saved, showPanel } from './actions.mjs';
+import { file, wavyGrid } from './meshes.mjs';
+import { expect, openPage, state, test, waitForState } from './support.mjs';
+
+const root = fileURLToPath(new URL('../..', import.meta.url));
+
+test('a mesh opens, with a report of what was wrong in it', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'roof.obj', `${wavyGrid(4)}f 1 2\n`, 25);
+  const { faces, problems } = await state(page);
+  expect(faces).toBe(16);
+  expect(problems).toHaveLength(1);
+  await expect(page.getByRole('status')).toHaveText(/roof\.obj: 25 vertices, 16 faces/);
+  await showPanel(page, 'Model');
+  await expect(page.getByText('1 problem in the file')).toBeVisible();
+});
+
+test('a broken file is refused by line, and the old mesh stays', async ({ page }) => {
+  await openPage(page);
+  const before = await state(page);
+  await page.getByLabel('Open file').setInputFiles(file('broken.obj', 'v 0 0 0\nv 1 zero 0\n'));
+  await expect(page.getByRole('alert')).toContainText('broken.obj');
+  await expect(page.getByRole('alert')).toContainText('2');
+  const after = await state(page);
+  expect([after.vertices, after.faces]).toEqual([before.vertices, before.faces]);
+});
+
+test('what cannot be read says so', async ({ page }) => {
+  await openPage(page);
+  await page.getByLabel('Open file').setInputFiles(file('house.ifc', 'ISO-10303-21;'));
+  await expect(page.getByRole('alert')).toContainText('house.ifc');
+});
+
+test('a file dropped anywhere on the window opens', async ({ page }) => {
+  await openPage(page);
+  const data = await page.evaluateHandle((text) => {
+    const transfer = new DataTransfer();
+    transfer.items.add(new File([text], 'dropped.obj'));
+    return transfer;
+  }, wavyGrid(3));
+  await page.dispatchEvent('footer', 'dragover', { dataTransfer: data });
+  await expect(page.getByText('Drop to open')).toBeVisible();
+  await page.dispatchEvent('footer', 'drop', { dataTransfer: data });
+  await waitForState(page, (now) => now.vertices === 16);
+  await expect(page.getByText('Drop to open')).toBeHidden();
+});
+
+test('a scene needs its mesh beside it, and opens with it', async ({ page }) => {
+  await openPage(page);
+  const scene = JSON.stringify({
+    format: 'shape-up-scene',
+    version: 1,
+    mesh: { file: 'grid.obj' },
+    constraints: [{ kind: 'circle', on: 'faces' }],
+  });
+  const input = page.getByLabel('Open file');
+  await input.setInputFiles(file('grid.shapeup.json', scene));
+  await expect(page.getByRole('alert')).toContainText('grid.obj');
+  await input.setInputFiles([file('grid.shapeup.json', scene), file('grid.obj', wavyGrid(3))]);
+  await waitForState(page, (now) => now.vertices === 16 && now.constraints.circle === 9);
+  await expect(page.getByRole('alert')).toBeEmpty();
+});
+
+test('a saved scene opens as it was', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  await addConstraint(page, 'Circle', 'each face');
+  const { name, text } = await saved(page, 'Save scene');
+  expect(name).toBe('roof.shapeup.json');
+  await openText(page, 'other.obj', wavyGrid(2), 9);
+  await openText(page, name, text, 25);
+  expect((await state(page)).constraints).toEqual({ circle: 16 });
+});
+
+test('the export is what the command line makes of the same scene', async ({ page }) => {
+  const iterations = 5;
+  await openPage(page);
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  await addConstraint(page, 'Circle', 'each face');
+  const scene = await saved(page, 'Save scene');
+  for (let i = 1; i <= iterations; i++) {
+    await page.getByRole('button', { name: 'Step' }).click();
+    await waitForState(page, (now, count) => now.iteration === count, i);
+  }
+  const exported = await saved(page, 'Export');
+  expect(exported.name).toBe('roof.obj');
+
+  const folder = mkdtempSync(join(tmpdir(), 'shape-up-'));
+  try {
+    const input = join(folder, 'roof.shapeup.json');
+    const output = join(folder, 'roof.obj');
+    writeFileSync(input, scene.text);
+    const options = ['solve', input, '--iterations', String(iterations), '--out', output];
+    execFileSync('cargo', ['run', '--quiet', '--locked', '--', ...options], { cwd: root });
+    expect(exported.text).toBe(readFileSync(output, 'utf8'));
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+});
+
+test('scripts open scenes and meshes, and hear why not', async ({ page }) => {
+  await openPage(page);
+  const loaded = await page.evaluate((text) => window.shapeUp.open(text, 'a.obj'), wavyGrid(2));
+  expect(loaded.vertices).toBe(9);
+  expect((await state(page)).vertices).toBe(9);
+  const refused = await page.evaluate(() =>
+    window.shapeUp.open({ format: 'shape-up-scene', version: 99 }).then(
+      () => null,
+      (error) => error.message,
+    ),
+  );
+  expect(refused).toContain('99');
+  expect((await state(page)).vertices).toBe(9);
+});

@@ -1,0 +1,70 @@
+// What somebody sees who opens the page for the first time.
+
+import { runToTheEnd } from './actions.mjs';
+import { coloursOfView, dragVertex, expect, openPage, state, test } from './support.mjs';
+
+test('text and tools are there before the solver and the view', async ({ page }) => {
+  // Neither module ever arrives.
+  await page.route('**/*.wasm', () => {});
+  await page.goto('./');
+  await expect(page.getByRole('heading', { level: 1, name: 'Shape-Up' })).toBeVisible();
+  await expect(page.getByRole('button', { name: 'Run' })).toBeVisible();
+  await expect(page.getByRole('application', { name: '3D view' })).toBeVisible();
+  await expect(page.getByLabel('Open file')).toBeAttached();
+});
+
+test('the example is drawn, and Run makes its panels round', async ({ page }) => {
+  await openPage(page);
+  await expect.poll(() => coloursOfView(page)).toBeGreaterThan(50);
+  const before = await state(page);
+  expect(['webgpu', 'webgl2']).toContain(before.renderer);
+  expect(before.handles.length).toBeGreaterThan(0);
+  expect(Object.keys(before.constraints).length).toBeGreaterThan(0);
+
+  const card = page.getByText('These panels are not round. Press Run.');
+  await expect(card).toBeVisible();
+  const after = await runToTheEnd(page);
+  expect(after.iteration).toBeGreaterThan(0);
+  expect(after.circularity.max_distance).toBeLessThan(0.5 * before.circularity.max_distance);
+  expect(after.energy.total).toBeLessThan(before.energy.total);
+  await expect(page.getByRole('button', { name: 'Run' })).toBeVisible();
+  await expect(page.getByRole('status')).toHaveText(/Converged after \d+ iterations/);
+  await expect(card).toBeHidden();
+});
+
+test('the hints lead on and, once dismissed, stay away', async ({ page }) => {
+  await openPage(page);
+  await runToTheEnd(page);
+  await expect(page.getByText('Drag a blue dot')).toBeVisible();
+  const soft = (await state(page)).handles.find((handle) => !handle.fixed);
+  await dragVertex(page, soft.vertex, [10, -20]);
+  await expect(page.getByText('open a mesh of your own')).toBeVisible();
+  await page.getByRole('button', { name: 'Dismiss hint' }).click();
+  await openPage(page);
+  await expect(page.getByRole('button', { name: 'Dismiss hint' })).toBeHidden();
+});
+
+test('the theme is a choice that is remembered', async ({ page }) => {
+  await openPage(page);
+  const theme = () => page.evaluate(() => document.documentElement.dataset.theme);
+  if (!(await page.getByRole('button', { name: 'Light or dark' }).isVisible())) {
+    await page.getByRole('button', { name: 'More' }).click();
+  }
+  await page.getByRole('button', { name: 'Light or dark' }).click();
+  const chosen = await theme();
+  expect(['light', 'dark']).toContain(chosen);
+  await openPage(page);
+  expect(await theme()).toBe(chosen);
+});
+
+test('the examples menu opens another model', async ({ page }) => {
+  await openPage(page);
+  const before = await state(page);
+  const examples = page.getByRole('button', { name: 'Examples' });
+  if (!(await examples.isVisible())) await page.getByRole('button', { name: 'More' }).click();
+  await examples.click();
+  const items = page.getByRole('menuitem');
+  expect(await items.count()).toBeGreaterThanOrEqual(3);
+  await items.last().click();
+  await expect.poll(async () => (await state(page)).vertices).not.toBe(before.vertices);
+});

@@ -1,0 +1,61 @@
+// The layout in both windows, the help, and what assistive technology sees.
+
+import { tool } from './actions.mjs';
+import { expect, openPage, test } from './support.mjs';
+
+const NAMES = ['Run', 'Step', 'Reset', 'Undo', 'Redo', 'Export'];
+
+test('nothing is cut off, and the view has at least half of the window', async ({ page }) => {
+  await openPage(page);
+  const { width, height } = page.viewportSize();
+  for (const name of NAMES) {
+    const box = await page.getByRole('button', { name }).boundingBox();
+    expect(box, name).not.toBeNull();
+    expect(box.x, name).toBeGreaterThanOrEqual(0);
+    expect(box.x + box.width, name).toBeLessThanOrEqual(width);
+    expect(box.y + box.height, name).toBeLessThanOrEqual(height);
+  }
+  const view = page.getByRole('application', { name: '3D view' });
+  const area = async () => {
+    const box = await view.boundingBox();
+    return (box.width * box.height) / (width * height);
+  };
+  expect(await area()).toBeGreaterThanOrEqual(0.5);
+  const tab = page.getByRole('tab', { name: 'Model' });
+  if (await tab.isVisible()) {
+    await tab.click();
+    await expect(page.getByRole('complementary', { name: 'Model' })).toBeVisible();
+    expect(await area()).toBeGreaterThanOrEqual(0.5);
+  }
+  const scrolls = await page.evaluate(() => {
+    const { scrollWidth, scrollHeight } = document.documentElement;
+    return scrollWidth > innerWidth || scrollHeight > innerHeight;
+  });
+  expect(scrolls).toBe(false);
+});
+
+test('every control has a name', async ({ page }) => {
+  await openPage(page);
+  const nameless = await page.evaluate(() =>
+    [...document.querySelectorAll('button, input, select')]
+      .filter((control) => {
+        const label = control.getAttribute('aria-label') ?? control.labels?.[0]?.textContent;
+        return !(label || control.textContent).trim();
+      })
+      .map((control) => control.outerHTML),
+  );
+  expect(nameless).toEqual([]);
+  await expect(page.getByRole('heading', { level: 1 })).toHaveCount(1);
+  await expect(page.getByRole('status')).toHaveCount(1);
+  await expect(page.getByRole('alert')).toHaveCount(1);
+});
+
+test('the help lists the keys', async ({ page }) => {
+  await openPage(page);
+  await tool(page, 'Help');
+  const help = page.getByRole('dialog', { name: 'Mouse and keys' });
+  await expect(help).toBeVisible();
+  await expect(help.getByText('Run or pause')).toBeVisible();
+  await page.keyboard.press('Escape');
+  await expect(help).toBeHidden();
+});

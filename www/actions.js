@@ -1,0 +1,112 @@
+/**
+ * What the page can do with the solver, each with its words for the status line and its errors.
+ * Buttons, keys, panels and scripts all come through here.
+ */
+
+import { count } from './format.js';
+import { messageOf } from './messages.js';
+import { NOTHING, selectedVertices } from './selection.js';
+
+/**
+ * @param {import("./state.js").Store} store
+ * @param {import("./solver-client.js").SolverClient} solver
+ * @param {import("./alerts.js").Alerts} alerts
+ */
+export function createActions(store, solver, alerts) {
+  const say = (/** @type {string} */ status) => store.set({ status });
+
+  /**
+   * Tells what went wrong and goes on.
+   * @template T
+   * @param {Promise<T>} promise
+   * @returns {Promise<T | undefined>}
+   */
+  async function told(promise) {
+    try {
+      return await promise;
+    } catch (error) {
+      alerts.error(messageOf(error));
+      return undefined;
+    }
+  }
+
+  /**
+   * @param {import("./messages.js").Edit} edit
+   * @returns {Promise<null | undefined>}
+   */
+  function edit(edit) {
+    return told(solver.request({ type: 'edit', edit }));
+  }
+
+  /** Vertices of the selection, corners of selected faces included. */
+  function chosenVertices() {
+    const { geometry } = solver;
+    return geometry ? selectedVertices(store.get().selection, geometry.connectivity) : [];
+  }
+
+  /** Selected vertices that are handles. */
+  function chosenHandles() {
+    const { selection, document } = store.get();
+    return (document?.handles ?? [])
+      .map((handle) => handle.vertex)
+      .filter((vertex) => selection.vertices.has(vertex));
+  }
+
+  /**
+   * @param {number[]} vertices
+   * @param {boolean} fixed
+   */
+  async function addHandles(vertices, fixed) {
+    if (vertices.length === 0) return say('Select a vertex first, then press H.');
+    if ((await edit({ type: 'addHandles', vertices, fixed })) === undefined) return;
+    say(`${count(vertices.length, 'handle')} ${fixed ? 'fixed' : 'added'}`);
+  }
+
+  /** @param {number[]} vertices */
+  async function removeHandles(vertices) {
+    const handles = new Set(store.get().document?.handles.map((handle) => handle.vertex));
+    const held = vertices.filter((vertex) => handles.has(vertex));
+    if (held.length === 0) return say('No handle is selected.');
+    if ((await edit({ type: 'removeHandles', vertices: held })) === undefined) return;
+    say(`${count(held.length, 'handle')} removed`);
+  }
+
+  return {
+    edit,
+    told,
+    say,
+    chosenVertices,
+    chosenHandles,
+    addHandles,
+    removeHandles,
+
+    runOrPause() {
+      solver.tell({ type: store.get().running ? 'pause' : 'run' });
+    },
+
+    async step() {
+      const converged = await told(solver.request({ type: 'step' }));
+      if (converged !== undefined && !converged) say('One iteration');
+    },
+
+    async reset() {
+      if ((await edit({ type: 'reset' })) !== undefined) say('Back to the shape of the file');
+    },
+
+    async undo() {
+      const what = await told(solver.request({ type: 'undo' }));
+      if (what) say(`Undid: ${what}`);
+    },
+
+    async redo() {
+      const what = await told(solver.request({ type: 'redo' }));
+      if (what) say(`Did again: ${what}`);
+    },
+
+    selectNothing() {
+      store.set({ selection: NOTHING });
+    },
+  };
+}
+
+/** @typedef {ReturnType<typeof createActions>} Actions */

@@ -1,0 +1,219 @@
+/** The commands of the page: what each is called, its keys, and when there is something to do. */
+
+import { toggleTheme } from './theme.js';
+
+/** @typedef {import("./commands.js").Command} Command */
+/** @typedef {import("./state.js").State} State */
+
+/**
+ * @typedef {object} Parts
+ * @property {import("./state.js").Store} store
+ * @property {import("./viewport.js").Viewport} viewport
+ * @property {import("./pointer.js").PointerInput} pointer
+ * @property {import("./files.js").Files} files
+ * @property {import("./actions.js").Actions} actions
+ * @property {import("./alerts.js").Alerts} alerts
+ * @property {import("./dialog-add-constraint.js").AddConstraintDialog} addConstraint
+ * @property {HTMLInputElement} fileInput
+ * @property {HTMLDialogElement} help
+ */
+
+/**
+ * @param {Parts} parts
+ * @returns {Command[]}
+ */
+export function commandTable(parts) {
+  const { store, viewport, pointer, files, actions, alerts, addConstraint, fileInput, help } =
+    parts;
+  const isOpen = (/** @type {State} */ state) => state.model !== null;
+  const hasView = (/** @type {State} */ { renderer }) =>
+    renderer === 'webgpu' || renderer === 'webgl2';
+
+  function fitSelection() {
+    const vertices = actions.chosenVertices();
+    viewport.with((view) =>
+      vertices.length > 0 ? view.fitVertices(Uint32Array.from(vertices)) : view.fit(),
+    );
+  }
+
+  function escape() {
+    if (pointer.cancel()) return;
+    if (addConstraint.isOpen) return addConstraint.close();
+    alerts.clear();
+    actions.selectNothing();
+  }
+
+  return [
+    {
+      id: 'run',
+      group: 'Solver',
+      label: 'Run or pause',
+      keys: [' '],
+      action: actions.runOrPause,
+      enabled: isOpen,
+      title: ({ running }) => (running ? 'Pause the iteration' : 'Iterate until nothing changes'),
+    },
+    {
+      id: 'step',
+      group: 'Solver',
+      label: 'One iteration',
+      keys: ['.'],
+      action: actions.step,
+      enabled: isOpen,
+    },
+    {
+      id: 'reset',
+      group: 'Solver',
+      label: 'Back to the shape of the file',
+      keys: ['Shift+R'],
+      action: actions.reset,
+      enabled: isOpen,
+    },
+    {
+      id: 'undo',
+      group: 'Edit',
+      label: 'Undo',
+      keys: ['Ctrl+Z'],
+      action: actions.undo,
+      enabled: ({ document }) => Boolean(document?.undo),
+      title: ({ document }) => (document?.undo ? `Undo: ${document.undo}` : 'Nothing to undo'),
+    },
+    {
+      id: 'redo',
+      group: 'Edit',
+      label: 'Redo',
+      keys: ['Ctrl+Shift+Z', 'Ctrl+Y'],
+      action: actions.redo,
+      enabled: ({ document }) => Boolean(document?.redo),
+      title: ({ document }) => (document?.redo ? `Redo: ${document.redo}` : 'Nothing to redo'),
+    },
+    {
+      id: 'add-constraint',
+      group: 'Edit',
+      label: 'Add constraint',
+      keys: [],
+      action: () => addConstraint.open(),
+      enabled: isOpen,
+    },
+    {
+      id: 'add-handles',
+      group: 'Edit',
+      label: 'Make the selected vertices handles',
+      keys: ['H'],
+      action: () => actions.addHandles(actions.chosenVertices(), false),
+      enabled: isOpen,
+    },
+    {
+      id: 'remove-handles',
+      group: 'Edit',
+      label: 'Remove the selected handles',
+      keys: ['Shift+H', 'Delete'],
+      action: () => actions.removeHandles(actions.chosenVertices()),
+      enabled: isOpen,
+    },
+    {
+      id: 'tool-drag',
+      group: 'Tools',
+      label: 'Drag handles and orbit',
+      keys: ['V'],
+      action: () => store.set({ tool: 'drag' }),
+      pressed: ({ tool }) => tool === 'drag',
+    },
+    {
+      id: 'tool-select',
+      group: 'Tools',
+      label: 'Select with a box',
+      keys: ['B'],
+      action: () => store.set({ tool: 'select' }),
+      pressed: ({ tool }) => tool === 'select',
+    },
+    {
+      id: 'mode-vertices',
+      group: 'Tools',
+      label: 'Select vertices',
+      keys: ['1'],
+      action: () => store.set({ mode: 'vertices' }),
+      pressed: ({ mode }) => mode === 'vertices',
+    },
+    {
+      id: 'mode-faces',
+      group: 'Tools',
+      label: 'Select faces',
+      keys: ['3'],
+      action: () => store.set({ mode: 'faces' }),
+      pressed: ({ mode }) => mode === 'faces',
+    },
+    {
+      id: 'nothing',
+      group: 'Tools',
+      label: 'Take back the drag, close, select nothing',
+      keys: ['Escape'],
+      action: escape,
+    },
+    {
+      id: 'fit-selection',
+      group: 'View',
+      label: 'Fit the selection',
+      keys: ['F'],
+      action: fitSelection,
+      enabled: hasView,
+    },
+    {
+      id: 'fit-all',
+      group: 'View',
+      label: 'Fit all',
+      keys: ['Home'],
+      action: () => viewport.with((view) => view.fit()),
+      enabled: hasView,
+    },
+    {
+      id: 'edges',
+      group: 'View',
+      label: 'Show or hide edges',
+      keys: ['W'],
+      action: () => {
+        const { display } = store.get();
+        store.set({ display: { ...display, edges: !display.edges } });
+      },
+    },
+    {
+      id: 'open',
+      group: 'File',
+      label: 'Open file',
+      keys: ['Ctrl+O'],
+      action: () => fileInput.click(),
+    },
+    {
+      id: 'save',
+      group: 'File',
+      label: 'Save scene',
+      keys: ['Ctrl+S'],
+      action: () => files.saveScene(),
+      enabled: isOpen,
+      title: () => 'Save the mesh with its constraints, handles and weights',
+    },
+    {
+      id: 'export',
+      group: 'File',
+      label: 'Export the current shape as OBJ',
+      keys: ['Ctrl+E'],
+      action: () => files.exportMesh(),
+      enabled: isOpen,
+    },
+    {
+      id: 'theme',
+      group: 'Page',
+      label: 'Light or dark',
+      keys: [],
+      action: () => toggleTheme(store),
+    },
+    {
+      id: 'help',
+      group: 'Page',
+      label: 'This list',
+      keys: ['?'],
+      action: () => (help.open ? help.close() : help.showModal()),
+      title: () => 'Mouse and keys',
+    },
+  ];
+}

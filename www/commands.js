@@ -1,0 +1,114 @@
+/**
+ * Everything that a button or a key does: one table. It binds the buttons (`data-command`), binds
+ * the keys, and writes the help.
+ */
+
+import { setText } from './dom.js';
+
+/**
+ * @typedef {object} Command
+ * @property {string} id what `data-command` names
+ * @property {string} group heading in the help
+ * @property {string} label in the help
+ * @property {string[]} keys such as "Ctrl+Shift+Z"; letters are what is written on the key
+ * @property {() => void} action
+ * @property {(state: import("./state.js").State) => boolean} [enabled] always, when absent
+ * @property {(state: import("./state.js").State) => boolean} [pressed] for buttons that are toggles
+ * @property {(state: import("./state.js").State) => string} [title] instead of the label
+ */
+
+/** The keys that press a button or open a list themselves. */
+const ACTIVATING = new Set([' ', 'Enter']);
+
+/**
+ * @param {Command[]} commands
+ * @param {import("./state.js").Store} store
+ */
+export function bindButtons(commands, store) {
+  const byName = new Map(commands.map((command) => [command.id, command]));
+  for (const button of document.querySelectorAll('button[data-command]')) {
+    if (!(button instanceof HTMLButtonElement)) continue;
+    const command = byName.get(button.dataset.command ?? '');
+    if (!command) throw new Error(`no command is called ${button.dataset.command}`);
+    button.addEventListener('click', () => command.action());
+    const shortcut = command.keys.length > 0 ? ` (${keyName(command.keys[0])})` : '';
+    const anything = /** @type {(keyof import("./state.js").State)[]} */ (Object.keys(store.get()));
+    store.subscribe(anything, (state) => {
+      const title = (command.title ? command.title(state) : command.label) + shortcut;
+      if (button.title !== title) button.title = title;
+      button.disabled = command.enabled ? !command.enabled(state) : false;
+      if (command.pressed) button.setAttribute('aria-pressed', String(command.pressed(state)));
+    });
+  }
+}
+
+/**
+ * @param {Command[]} commands
+ * @param {import("./state.js").Store} store
+ */
+export function bindKeys(commands, store) {
+  window.addEventListener('keydown', (event) => {
+    if (event.defaultPrevented || event.altKey) return;
+    const chord = chordOf(event);
+    if (!chord.startsWith('Ctrl+') && chord !== 'Escape' && isTyping(event)) return;
+    const command = commands.find(({ keys }) => keys.includes(chord));
+    if (!command) return;
+    // They have the keys to themselves, and Escape closes them.
+    if (document.querySelector('dialog:modal, :popover-open')) return;
+    // The browser's own meaning (open, save, print) never applies here, even when there is nothing to do.
+    if (chord !== 'Escape') event.preventDefault();
+    if (!command.enabled || command.enabled(store.get())) command.action();
+  });
+}
+
+/**
+ * The keys of an event as the table writes them. Letters by what they print, not by where they
+ * are: keyboards differ.
+ * @param {KeyboardEvent} event
+ */
+function chordOf(event) {
+  const letter = event.key.length === 1;
+  const key = letter ? event.key.toUpperCase() : event.key;
+  const isLetter = letter && key !== event.key.toLowerCase();
+  const shift = event.shiftKey && (isLetter || !letter);
+  return `${event.ctrlKey || event.metaKey ? 'Ctrl+' : ''}${shift ? 'Shift+' : ''}${key}`;
+}
+
+/** @param {KeyboardEvent} event */
+function isTyping({ target, key }) {
+  if (!(target instanceof HTMLElement)) return false;
+  if (
+    target.matches('select, textarea, input:not([type="checkbox"], [type="radio"], [type="file"])')
+  ) {
+    return true;
+  }
+  return ACTIVATING.has(key) && target.matches('button, input, summary, a');
+}
+
+const IS_MAC = /Mac|iPhone|iPad/.test(navigator.platform);
+
+/**
+ * A key as people read it.
+ * @param {string} chord
+ */
+export function keyName(chord) {
+  return chord
+    .replace('Ctrl+', IS_MAC ? '⌘' : 'Ctrl+')
+    .replace('Shift+', IS_MAC ? '⇧' : 'Shift+')
+    .replace(/ $/, 'Space')
+    .replace('Escape', 'Esc');
+}
+
+/**
+ * The one button that is Run and Pause.
+ * @param {HTMLButtonElement} button
+ * @param {import("./state.js").Store} store
+ */
+export function bindRunButton(button, store) {
+  const label = button.querySelector('span');
+  const use = button.querySelector('use');
+  store.subscribe(['running'], ({ running }) => {
+    if (label) setText(label, running ? 'Pause' : 'Run');
+    use?.setAttribute('href', running ? '#icon-pause' : '#icon-run');
+  });
+}

@@ -1,0 +1,86 @@
+/** Small helpers to build the page's elements. */
+
+/**
+ * Makes an element. Keys that start with "on" are listeners, boolean values set or leave out the
+ * attribute, everything else is an attribute.
+ * @template {keyof HTMLElementTagNameMap} Tag
+ * @param {Tag} tag
+ * @param {Record<string, string | number | boolean | ((event: any) => void)>} [attributes]
+ * @param {...(Node | string)} children
+ * @returns {HTMLElementTagNameMap[Tag]}
+ */
+export function element(tag, attributes = {}, ...children) {
+  const made = document.createElement(tag);
+  for (const [key, value] of Object.entries(attributes)) {
+    if (typeof value === 'function') made.addEventListener(key.slice(2), value);
+    else if (typeof value === 'boolean') made.toggleAttribute(key, value);
+    else made.setAttribute(key, String(value));
+  }
+  made.append(...children);
+  return made;
+}
+
+/**
+ * An icon of the sprite in index.html; decoration only, the control has the name.
+ * @param {string} name
+ */
+export function icon(name) {
+  const space = 'http://www.w3.org/2000/svg';
+  const svg = document.createElementNS(space, 'svg');
+  svg.setAttribute('class', 'icon');
+  svg.setAttribute('aria-hidden', 'true');
+  const use = document.createElementNS(space, 'use');
+  use.setAttribute('href', `#icon-${name}`);
+  svg.append(use);
+  return svg;
+}
+
+/**
+ * The element with that id, which index.html is bound to have.
+ * @template {HTMLElement} [Kind=HTMLElement]
+ * @param {string} id
+ * @returns {Kind}
+ */
+export function byId(id) {
+  const found = document.getElementById(id);
+  if (!found) throw new Error(`index.html has no #${id}`);
+  return /** @type {Kind} */ (found);
+}
+
+/**
+ * Sets the text only when it differs: no needless layout at ten times a second.
+ * @param {Node} node
+ * @param {string} text
+ */
+export function setText(node, text) {
+  if (node.textContent !== text) node.textContent = text;
+}
+
+/**
+ * Calls `action` at most once per `interval` milliseconds, and once more for the last call.
+ * @template {unknown[]} Arguments
+ * @param {number} interval
+ * @param {(...values: Arguments) => void} action
+ * @returns {(...values: Arguments) => void}
+ */
+export function throttled(interval, action) {
+  let last = -Infinity;
+  let timer = 0;
+  /** @type {Arguments} */
+  let latest;
+  return (...values) => {
+    latest = values;
+    if (timer) return;
+    const wait = last + interval - performance.now();
+    if (wait <= 0) {
+      last = performance.now();
+      action(...latest);
+    } else {
+      timer = window.setTimeout(() => {
+        timer = 0;
+        last = performance.now();
+        action(...latest);
+      }, wait);
+    }
+  };
+}

@@ -1,0 +1,81 @@
+/** Numbers and units as the page writes them. */
+
+const DIGITS = 3;
+
+/**
+ * A number with three significant digits; powers of ten beyond six places.
+ * @param {number} value
+ * @returns {string}
+ */
+export function number(value) {
+  if (!Number.isFinite(value)) return '–';
+  if (value === 0) return '0';
+  const size = Math.abs(value);
+  if (size < 1e-3 || size >= 1e6)
+    return value
+      .toExponential(DIGITS - 1)
+      .replace('-', '−')
+      .replace('e+', 'e');
+  if (size >= 1000) return String(Math.round(value));
+  return value.toPrecision(DIGITS).replace('-', '−');
+}
+
+/**
+ * The unit in which a length of this size reads well, and the factor to it. Metres become
+ * millimetres below a decimetre; other units stay as they are.
+ * @param {number} size
+ * @param {string} units of the mesh; empty when not known
+ * @returns {{ unit: string, factor: number }}
+ */
+export function lengthUnit(size, units) {
+  if (units === 'm' && Math.abs(size) < 0.1) return { unit: 'mm', factor: 1000 };
+  return { unit: units, factor: 1 };
+}
+
+/** Below this many millimetres a length says nothing about a building. */
+const LEAST_MM = 0.001;
+
+/**
+ * A length with its unit.
+ * @param {number} value in units of the mesh
+ * @param {string} units
+ * @returns {string}
+ */
+export function length(value, units) {
+  const { unit, factor } = lengthUnit(value, units);
+  const scaled = value * factor;
+  if (!unit) return number(scaled);
+  if (unit === 'mm' && scaled !== 0 && Math.abs(scaled) < 1) {
+    return Math.abs(scaled) < LEAST_MM ? `< ${LEAST_MM} mm` : `${scaled.toFixed(3)} mm`;
+  }
+  return `${number(scaled)} ${unit}`;
+}
+
+/**
+ * @param {number} milliseconds
+ * @returns {string}
+ */
+export function duration(milliseconds) {
+  return `${milliseconds >= 100 ? Math.round(milliseconds) : milliseconds.toPrecision(2)} ms`;
+}
+
+/**
+ * A count with its noun: "1 face", "12 faces".
+ * @param {number} value
+ * @param {string} noun
+ * @param {string} [plural]
+ * @returns {string}
+ */
+export function count(value, noun, plural = `${noun}s`) {
+  return `${groupDigits(value)} ${value === 1 ? noun : plural}`;
+}
+
+/**
+ * A whole number with thin spaces between thousands, from five digits on.
+ * @param {number} value
+ * @returns {string}
+ */
+export function groupDigits(value) {
+  const digits = String(value);
+  return digits.length < 5 ? digits : digits.replace(/\B(?=(\d{3})+$)/g, '\u2009');
+}

@@ -1,0 +1,98 @@
+/** The help: everything that keys and the mouse do, from the table that binds them. */
+
+import { keyName } from './commands.js';
+import { element, icon } from './dom.js';
+
+/** What the pointer does; see `pointer.js`. @type {[string, string][]} */
+const POINTER = [
+  ['Drag a handle', 'move it, parallel to the screen'],
+  ['Drag elsewhere', 'orbit; with Select, a box'],
+  ['Box to the right', 'what is inside'],
+  ['Box to the left', 'what it touches'],
+  ['Click', 'select; Shift adds, Ctrl removes'],
+  ['Double-click', 'a vertex: make it a handle'],
+  ['Right drag', 'orbit'],
+  ['Middle drag', 'pan, as Shift + right drag'],
+  ['Wheel, pinch', 'zoom to the cursor'],
+  ['Two fingers', 'pan and zoom'],
+];
+/** Keys of the view itself; see `pointer.js`. @type {[string, string][]} */
+const VIEW_KEYS = [
+  ['Arrows', 'orbit, when the view has the focus'],
+  ['PgUp PgDn', 'zoom'],
+];
+
+/**
+ * @param {HTMLDialogElement} dialog
+ * @param {import("./commands.js").Command[]} commands
+ */
+export function buildHelp(dialog, commands) {
+  const bound = commands.filter((command) => command.keys.length > 0);
+  const groups = [...new Set(bound.map((command) => command.group))];
+  const close = element(
+    'button',
+    { type: 'button', class: 'square', 'aria-label': 'Close', onclick: () => dialog.close() },
+    icon('close'),
+  );
+  dialog.replaceChildren(
+    element(
+      'div',
+      { class: 'dialog-head' },
+      element('h2', { id: 'help-title' }, 'Mouse and keys'),
+      close,
+    ),
+    element(
+      'div',
+      { class: 'columns' },
+      section(
+        'Mouse and touch',
+        POINTER.map(([what, effect]) => [[what], effect]),
+      ),
+      ...groups.map((group) =>
+        section(group, [
+          ...bound.filter((command) => command.group === group).map((command) => keysOf(command)),
+          ...(group === 'View' ? VIEW_KEYS.map(([key, effect]) => keyRow([key], effect)) : []),
+        ]),
+      ),
+    ),
+    element(
+      'p',
+      { class: 'about' },
+      'Everything is computed in this browser; nothing is uploaded. After “Shape-Up: Shaping Discrete Geometry with Projections”, Bouaziz, Deuss, Schwartzburg, Weise, Pauly, 2012.',
+    ),
+  );
+  dialog.addEventListener('click', (event) => {
+    if (event.target === dialog) dialog.close();
+  });
+}
+
+/** @param {import("./commands.js").Command} command @returns {[(Node | string)[], string]} */
+function keysOf({ keys, label }) {
+  return keyRow(keys.map(keyName), label);
+}
+
+/**
+ * @param {string[]} keys
+ * @param {string} effect
+ * @returns {[(Node | string)[], string]}
+ */
+function keyRow(keys, effect) {
+  return [keys.flatMap((key) => [element('kbd', {}, key), ' ']), effect];
+}
+
+/**
+ * @param {string} title
+ * @param {[(Node | string)[], string][]} rows
+ */
+function section(title, rows) {
+  return element(
+    'section',
+    {},
+    element('h3', {}, title),
+    element(
+      'dl',
+      {},
+      ...rows.flatMap(([term, effect]) => [element('dt', {}, ...term), element('dd', {}, effect)]),
+    ),
+  );
+}

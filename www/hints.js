@@ -1,0 +1,70 @@
+/**
+ * The card of the first visit: three hints, each leading to the next by doing what it says. Shown
+ * once, and only over the example.
+ */
+
+import { element, icon } from './dom.js';
+
+const KEY = 'shape-up.hints';
+const HINTS = [
+  'These panels are not round. Press Run.',
+  'Now they are. Drag a blue dot: the panels stay round.',
+  'Your turn: open a mesh of your own, or try another example.',
+];
+
+/**
+ * @param {HTMLElement} card
+ * @param {import("./state.js").Store} store
+ */
+export function firstHints(card, store) {
+  if (recall() === 'done') return;
+  const text = element('p');
+  const close = element(
+    'button',
+    { type: 'button', class: 'tiny', 'aria-label': 'Dismiss hint', onclick: () => finish() },
+    icon('close'),
+  );
+  card.replaceChildren(text, close);
+  let at = 0;
+  let ran = false;
+  let dragged = false;
+  let done = false;
+
+  store.subscribe(['firstExample', 'running', 'dragged'], (state) => {
+    if (done) return;
+    if (!state.firstExample) {
+      if (at > 0) finish();
+      else card.hidden = true;
+      return;
+    }
+    ran ||= state.running;
+    if (at === 0 && ran && !state.running) at = 1;
+    if (at <= 1 && dragged && state.dragged.length === 0) at = 2;
+    dragged ||= state.dragged.length > 0;
+    text.textContent = HINTS[at];
+    card.hidden = false;
+  });
+
+  function finish() {
+    done = true;
+    card.hidden = true;
+    remember('done');
+  }
+}
+
+function recall() {
+  try {
+    return localStorage.getItem(KEY);
+  } catch {
+    return null;
+  }
+}
+
+/** @param {string} value */
+function remember(value) {
+  try {
+    localStorage.setItem(KEY, value);
+  } catch {
+    // Storage is blocked: the card comes again next time.
+  }
+}

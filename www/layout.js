@@ -1,0 +1,88 @@
+/**
+ * What style sheets cannot do for narrow windows: the tabs of the panels, the sheet at the bottom,
+ * and where the groups of the toolbar are.
+ */
+
+import { byId, element, icon } from './dom.js';
+
+const PHONE = matchMedia('(max-width: 699px)');
+/** Where each group of the toolbar is on a phone; the others stay in the header. */
+const IN_BAR = ['group-run', 'group-file'];
+const IN_MORE = ['group-mode', 'group-scene', 'group-page'];
+
+export function arrangeForWidth() {
+  const header = byId('header');
+  const groups = [...header.querySelectorAll('.group')];
+  const bar = byId('phone-bar');
+  const more = byId('more');
+  const moreButton = element(
+    'button',
+    { type: 'button', popovertarget: 'more', 'aria-haspopup': 'true' },
+    icon('more'),
+    element('span', {}, 'More'),
+  );
+  bar.append(moreButton);
+
+  function arrange() {
+    if (PHONE.matches) {
+      moreButton.before(...IN_BAR.map(byId));
+      more.append(...IN_MORE.map(byId));
+    } else {
+      header.append(...groups);
+    }
+  }
+  PHONE.addEventListener('change', arrange);
+  arrange();
+  more.addEventListener('click', (event) => {
+    const inside = event.target instanceof Element && event.target.closest('button');
+    if (inside && !inside.hasAttribute('popovertarget')) more.hidePopover();
+  });
+  tabs();
+  placeMenu(byId('examples'), () => (PHONE.matches ? moreButton : byId('examples-button')));
+  placeMenu(more, () => moreButton);
+}
+
+/** Two panels in one place: the model and the inspector. On a phone a tab also closes the sheet. */
+function tabs() {
+  const { dataset } = document.body;
+  const names = ['model', 'inspector'];
+  const buttons = names.map((name) => byId(`tab-${name}`));
+  dataset.sheet = 'closed';
+  const show = (/** @type {string} */ name) => {
+    const same = (dataset.tab ?? 'model') === name;
+    dataset.sheet = same && dataset.sheet === 'open' ? 'closed' : 'open';
+    dataset.tab = name;
+    buttons.forEach((button, i) => {
+      const open = !PHONE.matches || dataset.sheet === 'open';
+      button.setAttribute('aria-selected', String(names[i] === name && open));
+      button.tabIndex = names[i] === name ? 0 : -1;
+    });
+  };
+  buttons.forEach((button, i) => {
+    button.addEventListener('click', () => show(names[i]));
+    button.addEventListener('keydown', (event) => {
+      if (event.key !== 'ArrowLeft' && event.key !== 'ArrowRight') return;
+      buttons[1 - i].focus();
+      buttons[1 - i].click();
+    });
+  });
+}
+
+/**
+ * Puts a popover at its button, inside the window.
+ * @param {HTMLElement} menu
+ * @param {() => HTMLElement} anchor
+ */
+function placeMenu(menu, anchor) {
+  menu.addEventListener('toggle', (event) => {
+    if (/** @type {ToggleEvent} */ (event).newState !== 'open') return;
+    const at = anchor().getBoundingClientRect();
+    const gap = 4;
+    const left = Math.min(at.left, innerWidth - menu.offsetWidth - 2 * gap);
+    const below = at.bottom + gap;
+    const fits = below + menu.offsetHeight < innerHeight;
+    menu.style.left = `${Math.max(2 * gap, left)}px`;
+    menu.style.top = `${fits ? below : Math.max(gap, at.top - gap - menu.offsetHeight)}px`;
+    menu.querySelector('button')?.focus();
+  });
+}

@@ -1,0 +1,143 @@
+/**
+ * The page: makes its parts and connects them. The solver's worker and the view's module start at
+ * the same time and neither waits for the other.
+ */
+
+import { createActions } from './actions.js';
+import { Alerts } from './alerts.js';
+import { BoxSelection } from './box-selection.js';
+import { colourFaces } from './colouring.js';
+import { commandTable } from './command-table.js';
+import { bindButtons, bindKeys, bindRunButton } from './commands.js';
+import { AddConstraintDialog } from './dialog-add-constraint.js';
+import { byId } from './dom.js';
+import { Files } from './files.js';
+import { count } from './format.js';
+import { buildHelp } from './help.js';
+import { firstHints } from './hints.js';
+import { arrangeForWidth } from './layout.js';
+import { messageOf } from './messages.js';
+import { constraintsPanel } from './panels/constraints.js';
+import { Convergence } from './panels/convergence.js';
+import { displayPanel, legend } from './panels/display.js';
+import { energiesPanel } from './panels/energies.js';
+import { handlesPanel } from './panels/handles.js';
+import { modelPanel } from './panels/model.js';
+import { statusBar } from './panels/status-bar.js';
+import { PointerInput } from './pointer.js';
+import { scriptApi } from './script-api.js';
+import { NOTHING } from './selection.js';
+import { SolverClient } from './solver-client.js';
+import { createStore } from './state.js';
+import { followTheme } from './theme.js';
+import { bindViewKeys } from './view-keys.js';
+import { Viewport } from './viewport.js';
+
+const store = createStore();
+followTheme(store);
+const alerts = new Alerts(byId('alert'));
+const solver = new SolverClient();
+takeUp(solver);
+
+const viewport = new Viewport(byId('viewport'), store, solver);
+const files = new Files(store, solver, alerts);
+const actions = createActions(store, solver, alerts);
+const box = new BoxSelection(store, viewport, byId('marquee'));
+const pointer = new PointerInput(store, solver, viewport, box, {
+  addHandles: (vertices) => actions.addHandles(vertices, false),
+  fitAll: () => viewport.with((view) => view.fit()),
+});
+bindViewKeys(viewport);
+const addConstraint = new AddConstraintDialog(byId('add-constraint'), store, solver, actions);
+const { refit } = colourFaces(store, solver);
+
+modelPanel(byId('model'), store);
+constraintsPanel(byId('constraints'), store, solver, actions);
+handlesPanel(byId('handles'), store, actions);
+energiesPanel(byId('energies'), store, actions);
+displayPanel(byId('display'), store);
+legend(byId('legend'), store, viewport, refit);
+new Convergence(byId('convergence'), store, solver);
+statusBar({ status: byId('status'), hint: byId('hint'), numbers: byId('numbers') }, store);
+firstHints(byId('hint-card'), store);
+arrangeForWidth();
+
+/** @type {HTMLInputElement} */
+const fileInput = byId('file');
+fileInput.addEventListener('change', async () => {
+  const chosen = [...(fileInput.files ?? [])];
+  // So that the same file can be opened again after it changed on disk.
+  fileInput.value = '';
+  await files.openFiles(chosen);
+});
+files.acceptDrops(byId('drop-overlay'));
+
+/** @type {HTMLDialogElement} */
+const help = byId('help');
+const commands = commandTable({
+  store,
+  viewport,
+  pointer,
+  files,
+  actions,
+  alerts,
+  addConstraint,
+  fileInput,
+  help,
+});
+bindButtons(commands, store);
+bindKeys(commands, store);
+bindRunButton(byId('run'), store);
+buildHelp(help, commands);
+
+viewport.addEventListener('none', (event) => {
+  const { detail } = /** @type {CustomEvent} */ (event);
+  const notice = byId('no-picture');
+  notice.textContent = `No 3D picture: ${detail}. Everything else works: the panels, Run, and Export.`;
+  notice.hidden = false;
+  byId('view-buttons').hidden = true;
+});
+
+Object.assign(window, { shapeUp: scriptApi(store, solver, viewport, files) });
+
+files.offerExamples(byId('examples')).catch((error) => alerts.error(messageOf(error)));
+
+/**
+ * Takes the solver's news into the store.
+ * @param {SolverClient} client
+ */
+function takeUp(client) {
+  /**
+   * @template {import("./messages.js").FromWorker["type"]} Type
+   * @param {Type} type
+   * @param {(message: Extract<import("./messages.js").FromWorker, { type: Type }>) => void} take
+   */
+  const on = (type, take) =>
+    client.addEventListener(type, (event) => take(/** @type {CustomEvent} */ (event).detail));
+
+  on('ready', ({ kinds, elements }) => store.set({ kinds, elements }));
+  on('model', ({ loaded }) =>
+    store.set({
+      model: loaded,
+      document: null,
+      numbers: null,
+      selection: NOTHING,
+      dragged: [],
+      tint: null,
+    }),
+  );
+  on('document', ({ document }) => store.set({ document }));
+  on('frame', ({ numbers }) => store.set({ numbers }));
+  on('activity', ({ running, converged }) => {
+    const before = store.get();
+    const iterations = count(before.numbers?.iteration ?? 0, 'iteration');
+    store.set({ running, converged });
+    if (running && !before.running) store.set({ status: 'Running' });
+    else if (converged && !before.converged) store.set({ status: `Converged after ${iterations}` });
+    else if (!running && before.running) store.set({ status: `Paused after ${iterations}` });
+  });
+  on('trouble', ({ message }) => alerts.error(message));
+  client.addEventListener('restarted', (event) =>
+    alerts.notice(/** @type {CustomEvent} */ (event).detail.message),
+  );
+}

@@ -1,0 +1,235 @@
+/**
+ * The messages between the page and the solver's worker. Both sides import this file; nothing else
+ * crosses.
+ *
+ * Page to worker: a {@link Command} is told and forgotten; a {@link Request} carries an `id` and is
+ * answered by exactly one `reply` or `refused` with the same `id`. Worker to page: those answers,
+ * and the events of {@link FromWorker}. Events that a request causes are sent before its answer, so
+ * that the page is up to date when its promise settles.
+ *
+ * The worker says `ready` first, once; the page holds back what it has to say until then.
+ *
+ * Positions travel in two buffers of `#V by 3` numbers that are transferred, never copied: the
+ * worker writes one and sends it in a `frame`; the page gives back the one before it by `recycle`
+ * when it has drawn. No free buffer, no frame: so there is at most one frame per picture, and the
+ * solver never waits.
+ *
+ * Lengths are in the unit of the mesh, energies in its square, times in milliseconds. Indices
+ * count from 0.
+ */
+
+/**
+ * A declared operator: everything that the page shows of a kind.
+ * @typedef {object} KindInfo
+ * @property {string} id
+ * @property {string} label
+ * @property {string} summary one sentence
+ * @property {string} paper where the paper defines it
+ * @property {boolean} exact
+ * @property {[number, number, number]} colour sRGB bytes
+ * @property {{ id: string, label: string, unit: string, default: number, range: [number, number] }[]} params
+ */
+
+/**
+ * Elements of a mesh that can carry one constraint each.
+ * @typedef {{ id: string, label: string, faceBased: boolean }} ElementInfo
+ */
+
+/**
+ * Which vertices a constraint acts on: the scene file's `on`. In an edit, `in` may also be a set
+ * that has no name yet.
+ * @typedef {{ each: string, in?: string | { faces: number[] } } | { vertices: number[] }} Selector
+ */
+
+/**
+ * One edit of the document; each is one step of undo.
+ * @typedef {{ type: "addConstraint", kind: string, params: Record<string, number>, on: Selector, weight: number }
+ *   | { type: "removeConstraint", index: number }
+ *   | { type: "setConstraint", index: number, weight?: number, enabled?: boolean }
+ *   | { type: "setWeights", shape?: number, close?: number, smooth?: number }
+ *   | { type: "addHandles", vertices: number[], fixed: boolean }
+ *   | { type: "removeHandles", vertices: number[] }
+ *   | { type: "reset" }} Edit
+ */
+
+/**
+ * What was read from a file.
+ * @typedef {object} Loaded
+ * @property {string} name the file's name
+ * @property {string} title
+ * @property {number} vertices
+ * @property {number} faces
+ * @property {number} curves
+ * @property {number} tets
+ * @property {{ name: string, faces: number }[]} groups
+ * @property {string} units
+ * @property {"y" | "z"} up
+ * @property {Problem[]} problems
+ * @property {string[]} notes
+ */
+
+/**
+ * Something wrong in a file that could be survived: a sentence that says how often and where first;
+ * `line` is the first of `count`.
+ * @typedef {{ message: string, count: number, line: number | null }} Problem
+ */
+
+/**
+ * A row of the list of constraints.
+ * @typedef {object} ConstraintRow
+ * @property {number} index
+ * @property {string} kind
+ * @property {string} label
+ * @property {[number, number, number]} colour sRGB bytes
+ * @property {string} on in words
+ * @property {number} count
+ * @property {number} skipped
+ * @property {number} weight
+ * @property {boolean} enabled
+ */
+
+/**
+ * @typedef {{ vertex: number, target: [number, number, number], weight: number, fixed: boolean }} Handle
+ */
+
+/**
+ * @typedef {{ shape: number, close: number, smooth: number }} Weights
+ */
+
+/**
+ * The document as it stands.
+ * @typedef {object} SceneDocument
+ * @property {string} title
+ * @property {string} units
+ * @property {"y" | "z"} up
+ * @property {ConstraintRow[]} constraints
+ * @property {Handle[]} handles
+ * @property {Weights} weights
+ * @property {"surface" | "rest" | "none"} closeness
+ * @property {{ of: "surface" | "displacement", weighting: string }} smoothness
+ * @property {string | null} undo what Undo would take back
+ * @property {string | null} redo what Redo would do again
+ * @property {number[]} pinned vertices that were pinned because nothing else holds their part
+ */
+
+/**
+ * @typedef {{ shape: number, close: number, smooth: number, handles: number, total: number }} Energy
+ */
+
+/**
+ * The numbers of one state of the iteration.
+ * @typedef {object} Numbers
+ * @property {number} iteration
+ * @property {boolean} converged
+ * @property {Energy} energy
+ * @property {{ max_distance: number, mean_distance: number, [measure: string]: number }} planarity
+ * @property {{ max_distance: number, mean_distance: number, [measure: string]: number }} circularity
+ * @property {number[]} worst per row of the list of constraints: the largest distance of a vertex to its projection
+ * @property {number} stepMs
+ */
+
+/**
+ * The connectivity of the mesh, sent once.
+ * @typedef {object} Connectivity
+ * @property {Uint32Array} faceOffsets `#F + 1`
+ * @property {Uint32Array} faceIndices
+ * @property {Uint32Array} curveOffsets `#curves + 1`
+ * @property {Uint32Array} curveIndices
+ */
+
+/** @typedef {"planarity" | "circularity"} Measure */
+
+/** @typedef {{ name: string, bytes: Uint8Array }} NamedBytes */
+
+/**
+ * Told and forgotten.
+ *
+ * - `run`, `pause`: iterate until converged, or stop.
+ * - `drag`: targets (`#vertices by 3`) for handles under the pointer. Of several `move`s only the
+ *   last one counts. While something is dragged the solver iterates even when paused.
+ * - `show`: what to send with each frame besides positions.
+ * - `recycle`: gives a buffer of positions back.
+ * @typedef {{ type: "run" }
+ *   | { type: "pause" }
+ *   | { type: "drag", vertices: Uint32Array, targets: Float64Array, phase: "start" | "move" | "end" | "cancel" }
+ *   | { type: "show", measure: Measure | null, shapes: boolean }
+ *   | { type: "recycle", positions: Float64Array }} Command
+ */
+
+/**
+ * Answered by `reply` with the value named in {@link Replies}, or `refused`.
+ *
+ * - `open`: the first file that is a scene, else the first file; the others may be the mesh that it
+ *   names. When it is refused the old model stays. `iteration` is where a restored scene stood.
+ * - `edit`, `undo`, `redo`, `step`.
+ * - `members`: what a constraint acts on. `preview`: what adding one would make.
+ * - `scene`, `obj`: the texts of the files.
+ * @typedef {{ type: "open", files: NamedBytes[] }
+ *   | { type: "edit", edit: Edit }
+ *   | { type: "undo" }
+ *   | { type: "redo" }
+ *   | { type: "step" }
+ *   | { type: "members", constraint: number }
+ *   | { type: "preview", kind: string, on: Selector }
+ *   | { type: "scene" }
+ *   | { type: "obj" }} Request
+ */
+
+/**
+ * What each request is answered with.
+ * @typedef {object} Replies
+ * @property {Loaded} open
+ * @property {null} edit
+ * @property {string | null} undo the name of what was undone
+ * @property {string | null} redo the name of what was redone
+ * @property {boolean} step whether it has converged
+ * @property {{ faces: Uint32Array, vertices: Uint32Array }} members
+ * @property {{ constraints: number, skipped: number, vertices: number }} preview
+ * @property {string} scene
+ * @property {string} obj
+ */
+
+/** @typedef {Command | (Request & { id: number })} ToWorker */
+
+/**
+ * - `ready`: the solver can be spoken to. First, once.
+ * - `model`: another mesh is open. `positions` is one of the two buffers.
+ * - `document`: after every edit and every load.
+ * - `scene`: the scene file's text, whenever it changed and the solver rests, and now and then
+ *   during a run: what a dead worker is replaced with.
+ * - `frame`: a state of the iteration. `trace` has six numbers per iteration since the last frame:
+ *   iteration, shape, close, smooth, handles, total. `values` are those of `measure`, `#F`;
+ *   `shapes` the fitted shapes, eight numbers each.
+ * - `activity`: whether the solver runs (Run was pressed and it has not converged); sent after the
+ *   frame that belongs to it.
+ * - `trouble`: an iteration failed; the last good state stays.
+ * - `died`: the state is unusable, the worker must be replaced.
+ * @typedef {{ type: "ready", kinds: KindInfo[], elements: ElementInfo[] }
+ *   | { type: "model", loaded: Loaded, connectivity: Connectivity, positions: Float64Array }
+ *   | { type: "document", document: SceneDocument }
+ *   | { type: "scene", text: string, iteration: number }
+ *   | { type: "frame", numbers: Numbers, trace: Float64Array, positions: Float64Array,
+ *       measure: Measure | null, values: Float32Array | null, shapes: Float32Array | null }
+ *   | { type: "activity", running: boolean, converged: boolean }
+ *   | { type: "trouble", message: string }
+ *   | { type: "died", message: string }
+ *   | { type: "reply", id: number, value: unknown }
+ *   | { type: "refused", id: number, message: string }} FromWorker
+ */
+
+/** How long the worker iterates before it looks for messages, in milliseconds. */
+export const SLICE_MS = 8;
+
+/** Numbers per iteration in the trace of a frame. */
+export const TRACE_WIDTH = 6;
+
+/**
+ * One line for whatever was thrown.
+ * @param {unknown} thrown
+ * @returns {string}
+ */
+export function messageOf(thrown) {
+  if (typeof thrown === 'string') return thrown;
+  if (thrown && typeof thrown === 'object' && 'message' in thrown) return String(thrown.message);
+  return String(thrown);
+}

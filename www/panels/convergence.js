@@ -1,0 +1,94 @@
+/**
+ * The energies of every iteration since the model was opened or reset. The plotting library comes
+ * with the first iteration, not with the page.
+ */
+
+import { element, throttled } from '../dom.js';
+import { TRACE_WIDTH, messageOf } from '../messages.js';
+
+/** @typedef {import("../plot.js").EnergyPlot} EnergyPlot */
+
+const PLOT_EVERY_MS = 100;
+
+export class Convergence {
+  /** Columns: iteration, shape, close, smooth, handles, total. @type {number[][]} */
+  #columns = emptyColumns();
+  /** @type {Promise<EnergyPlot> | null} */
+  #plot = null;
+  #place;
+  #store;
+  #draw;
+
+  /**
+   * @param {HTMLElement} place
+   * @param {import("../state.js").Store} store
+   * @param {import("../solver-client.js").SolverClient} solver
+   */
+  constructor(place, store, solver) {
+    this.#place = place;
+    this.#store = store;
+    this.#draw = throttled(PLOT_EVERY_MS, () => this.#drawNow());
+    this.#empty();
+    solver.addEventListener('model', () => this.#empty());
+    solver.addEventListener('frame', (event) => {
+      const { numbers, trace } = /** @type {CustomEvent} */ (event).detail;
+      this.#add(trace);
+      // Undo and reset go back: what came after is no longer so.
+      this.#forgetAfter(numbers.iteration);
+    });
+    store.subscribe(['dark'], () => this.#plot?.then((plot) => plot.restyle()));
+  }
+
+  /** @param {Float64Array} trace */
+  #add(trace) {
+    for (let at = 0; at < trace.length; at += TRACE_WIDTH) {
+      this.#forgetAfter(trace[at] - 1);
+      this.#columns.forEach((column, i) => column.push(trace[at + i]));
+    }
+    if (trace.length > 0) this.#draw();
+  }
+
+  /** @param {number} iteration */
+  #forgetAfter(iteration) {
+    const [iterations] = this.#columns;
+    const keep = iterations.findIndex((value) => value > iteration);
+    if (keep < 0) return;
+    this.#columns.forEach((column) => column.splice(keep));
+    this.#draw();
+  }
+
+  #empty() {
+    this.#columns = emptyColumns();
+    this.#plot?.then((plot) => plot.destroy());
+    this.#plot = null;
+    this.#place.replaceChildren(
+      element('p', { class: 'quiet' }, 'The energies of each iteration appear here.'),
+    );
+  }
+
+  async #drawNow() {
+    if (this.#columns[0].length === 0) return;
+    this.#plot ??= this.#load();
+    const { document } = this.#store.get();
+    const units = document?.units ? `${document.units}²` : '';
+    (await this.#plot.catch(() => null))?.show(this.#columns, units);
+  }
+
+  async #load() {
+    try {
+      const { EnergyPlot } = await import('../plot.js');
+      this.#place.replaceChildren();
+      return new EnergyPlot(this.#place);
+    } catch (error) {
+      this.#place.replaceChildren(
+        element('p', {}, `The plot could not be loaded: ${messageOf(error)}`),
+      );
+      throw error;
+    }
+  }
+}
+
+/** @returns {number[][]} */
+function emptyColumns() {
+  return Array.from({ length: TRACE_WIDTH }, () => []);
+}

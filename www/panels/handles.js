@@ -1,0 +1,54 @@
+/** The handles: how many, and what to do with the selected ones. */
+
+import { element } from '../dom.js';
+import { count } from '../format.js';
+
+/**
+ * @param {HTMLElement} place
+ * @param {import("../state.js").Store} store
+ * @param {import("../actions.js").Actions} actions
+ */
+export function handlesPanel(place, store, actions) {
+  const summary = element('p');
+  const button = (
+    /** @type {string} */ label,
+    /** @type {string} */ title,
+    /** @type {() => void} */ onclick,
+  ) => element('button', { type: 'button', title, onclick }, label);
+  const add = button('Make handle', 'Make the selected vertices handles (H)', () =>
+    actions.addHandles(actions.chosenVertices(), false),
+  );
+  const fix = button('Fix', 'Hold the selected vertices exactly where they are', () =>
+    actions.addHandles(actions.chosenVertices(), true),
+  );
+  const remove = button('Remove', 'Let the selected handles go (Shift+H)', () =>
+    actions.removeHandles(actions.chosenVertices()),
+  );
+  const row = element('div', { class: 'handles-row' }, add, fix, remove);
+  place.replaceChildren(summary, row);
+
+  store.subscribe(['document', 'selection'], ({ document, selection }) => {
+    const handles = document?.handles ?? [];
+    const fixed = handles.filter((handle) => handle.fixed).length;
+    const chosen = selection.vertices.size + selection.faces.size > 0;
+    summary.className = 'quiet';
+    summary.textContent =
+      handles.length === 0
+        ? 'None. Double-click a vertex to make one.'
+        : `${count(handles.length, 'handle')}, ${fixed} of them fixed. Drag the dots in the view.`;
+    if (handles.length > 0 && fixed === 0) {
+      summary.textContent = `${count(handles.length, 'handle')}. Drag the blue dots in the view.`;
+    }
+    const pinned = document?.pinned.length ?? 0;
+    if (pinned > 0) {
+      summary.textContent += ` ${count(pinned, 'vertex was', 'vertices were')} pinned, because nothing else holds that part.`;
+    }
+    add.disabled = fix.disabled = !chosen;
+    remove.disabled = !handles.some((handle) => isChosen(handle.vertex));
+  });
+
+  /** @param {number} vertex */
+  function isChosen(vertex) {
+    return actions.chosenVertices().includes(vertex);
+  }
+}

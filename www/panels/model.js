@@ -1,0 +1,83 @@
+/** The model: its name, what it holds, and what was wrong in its file. */
+
+import { element } from '../dom.js';
+import { count, groupDigits } from '../format.js';
+
+/**
+ * @param {HTMLElement} place
+ * @param {import("../state.js").Store} store
+ */
+export function modelPanel(place, store) {
+  store.subscribe(['model', 'document'], ({ model, document }) => {
+    if (!model) return;
+    const units = document?.units || model.units;
+    const up = document?.up ?? model.up;
+    place.replaceChildren(
+      element('p', { class: 'model-name' }, model.title || model.name),
+      facts([
+        ['Vertices', groupDigits(model.vertices)],
+        ['Faces', groupDigits(model.faces)],
+        ...optional('Curves', model.curves),
+        ...optional('Tetrahedra', model.tets),
+        ...optional('Groups', model.groups.length),
+        ['Unit', units || 'not given'],
+        ['Up', up],
+      ]),
+      ...groups(model),
+      ...report(model),
+    );
+  });
+}
+
+/**
+ * @param {string} name
+ * @param {number} value
+ * @returns {[string, string][]}
+ */
+function optional(name, value) {
+  return value > 0 ? [[name, groupDigits(value)]] : [];
+}
+
+/** @param {[string, string][]} rows */
+function facts(rows) {
+  return element(
+    'dl',
+    { class: 'facts' },
+    ...rows.flatMap(([name, value]) => [element('dt', {}, name), element('dd', {}, value)]),
+  );
+}
+
+/** @param {import("../messages.js").Loaded} model */
+function groups(model) {
+  if (model.groups.length === 0) return [];
+  const rows = model.groups.map((group) =>
+    element('li', {}, `${group.name}: ${count(group.faces, 'face')}`),
+  );
+  return [details(count(model.groups.length, 'group'), rows, false)];
+}
+
+/** The import report. @param {import("../messages.js").Loaded} model */
+function report(model) {
+  const problems = model.problems.map((problem) => element('li', {}, problem.message));
+  const notes = model.notes.map((note) => element('li', { class: 'quiet' }, note));
+  if (problems.length + notes.length === 0) return [];
+  const title =
+    problems.length > 0
+      ? `${count(problems.length, 'problem')} in the file`
+      : count(notes.length, 'note');
+  return [details(title, [...problems, ...notes], problems.length > 0)];
+}
+
+/**
+ * @param {string} title
+ * @param {HTMLElement[]} rows
+ * @param {boolean} open
+ */
+function details(title, rows, open) {
+  return element(
+    'details',
+    { class: 'report', open },
+    element('summary', {}, title),
+    element('ul', {}, ...rows),
+  );
+}

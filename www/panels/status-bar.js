@@ -1,0 +1,81 @@
+/** The status bar: what happened, what to do next, and the numbers of the iteration. */
+
+import { element, setText, throttled } from '../dom.js';
+import { count, duration, groupDigits, length, number } from '../format.js';
+import { describe } from '../selection.js';
+
+const NUMBERS_EVERY_MS = 100;
+const RENDERERS = { webgpu: 'WebGPU', webgl2: 'WebGL2', none: 'no 3D', starting: '' };
+
+/**
+ * @param {{ status: HTMLElement, hint: HTMLElement, numbers: HTMLElement }} places
+ * @param {import("../state.js").Store} store
+ */
+export function statusBar(places, store) {
+  const cells = new Map();
+  for (const [key, name, style] of [
+    ['selection', '', 'wide narrow-hidden'],
+    ['iteration', 'iteration', 'narrow-hidden'],
+    ['energy', 'energy', 'wide narrow-hidden'],
+    ['worst', 'worst panel', ''],
+    ['step', '', 'narrow-hidden'],
+    ['units', '', 'wide narrow-hidden'],
+    ['renderer', '', 'wide narrow-hidden'],
+  ]) {
+    const value = element('dd');
+    const row = element('div', { class: style }, ...(name ? [element('dt', {}, name)] : []), value);
+    places.numbers.append(row);
+    cells.set(key, { row, value });
+  }
+  const set = (/** @type {string} */ key, /** @type {string} */ text) => {
+    const { row, value } = cells.get(key);
+    setText(value, text);
+    row.hidden = text === '';
+  };
+
+  const showNumbers = throttled(NUMBERS_EVERY_MS, () => {
+    const { numbers, document, model, measure } = store.get();
+    if (!numbers) return;
+    const units = document?.units ?? '';
+    const error = numbers[measure ?? 'circularity'];
+    set('iteration', groupDigits(numbers.iteration));
+    set('energy', number(numbers.energy.total));
+    set('worst', model?.faces ? length(error.max_distance, units) : '');
+    cells.get('worst').row.title = `Largest ${measure ?? 'circularity'} error of a face`;
+    set('step', numbers.stepMs > 0 ? `${duration(numbers.stepMs)} per iteration` : '');
+  });
+
+  store.subscribe(['status'], ({ status }) => setText(places.status, status));
+  store.subscribe(['numbers', 'measure', 'model', 'document'], showNumbers);
+  store.subscribe(['selection'], ({ selection }) => {
+    const what = describe(selection, count);
+    set('selection', what && `${what} selected`);
+  });
+  store.subscribe(['document', 'model'], ({ document, model }) => {
+    if (document && model) set('units', `${document.units || 'no unit'} · ${document.up}-up`);
+  });
+  store.subscribe(['renderer'], ({ renderer }) => set('renderer', RENDERERS[renderer]));
+  store.subscribe(
+    ['model', 'document', 'tool', 'running', 'converged', 'selection', 'dragged', 'renderer'],
+    (state) => setText(places.hint, hintOf(state)),
+  );
+}
+
+/** What to do next. @param {import("../state.js").State} state */
+function hintOf(state) {
+  const { model, document, tool, mode, running, converged, selection, dragged, renderer } = state;
+  if (!model || !document) return '';
+  if (dragged.length > 0) return 'Release to leave it there · Esc puts it back';
+  if (document.constraints.length === 0)
+    return 'Add a constraint to say what shape the faces should take';
+  if (selection.vertices.size + selection.faces.size > 0) {
+    return 'H makes handles of the selection · Add constraint can use it · Esc selects nothing';
+  }
+  if (renderer === 'none') return 'Run, Export and the panels work without the picture';
+  if (tool === 'select')
+    return `Drag a box over ${mode} · Shift adds, Ctrl removes · V goes back to Drag`;
+  if (document.handles.length === 0)
+    return 'Double-click a vertex to make it a handle · drag to orbit';
+  if (!running && !converged) return 'Space runs · drag a blue dot · drag elsewhere to orbit';
+  return 'Drag a blue dot · drag elsewhere to orbit, wheel to zoom';
+}

@@ -1,0 +1,79 @@
+/**
+ * `window.shapeUp`: the page for scripts, lessons and tests, in the words and units of the command
+ * line's report.
+ */
+
+/**
+ * @param {import("./state.js").Store} store
+ * @param {import("./solver-client.js").SolverClient} solver
+ * @param {import("./viewport.js").Viewport} viewport
+ * @param {import("./files.js").Files} files
+ */
+export function scriptApi(store, solver, viewport, files) {
+  return {
+    /**
+     * Everything at a glance. `energy` is of the current shape; `constraints` counts by kind;
+     * `handles` and `selection` name vertices and faces from 0.
+     */
+    state() {
+      const { model, document, numbers, running, converged, selection, renderer } = store.get();
+      /** @type {Record<string, number>} */
+      const constraints = {};
+      for (const { kind, count, enabled } of document?.constraints ?? []) {
+        if (enabled) constraints[kind] = (constraints[kind] ?? 0) + count;
+      }
+      return {
+        vertices: model?.vertices ?? 0,
+        faces: model?.faces ?? 0,
+        iteration: numbers?.iteration ?? 0,
+        running,
+        converged,
+        energy: numbers?.energy ?? null,
+        planarity: numbers?.planarity ?? null,
+        circularity: numbers?.circularity ?? null,
+        constraints,
+        handles: document?.handles ?? [],
+        selection: { vertices: [...selection.vertices], faces: [...selection.faces] },
+        renderer: renderer === 'starting' ? 'none' : renderer,
+        threads: 1,
+        last_step_ms: numbers?.stepMs ?? 0,
+        problems: model?.problems ?? [],
+      };
+    },
+
+    /** The scene as JSON (an object), as of the last edit or the end of the last run. */
+    scene() {
+      return solver.sceneText === null ? null : JSON.parse(solver.sceneText);
+    },
+
+    /** The current shape, `#V by 3`, in file coordinates: a copy. */
+    positions() {
+      return solver.geometry?.positions.slice() ?? new Float64Array(0);
+    },
+
+    /**
+     * Where a vertex is on the page, [x, y] in CSS pixels; null when it is hidden or outside.
+     * @param {number} vertex
+     */
+    screen(vertex) {
+      const at = viewport.with((view) => view.screen(vertex));
+      if (!at) return null;
+      const box = viewport.element.getBoundingClientRect();
+      return [box.left + at[0], box.top + at[1]];
+    },
+
+    /**
+     * Opens a mesh or a scene as the file input would.
+     * @param {string | object} textOrScene the text of a file, or a scene as an object
+     * @param {string} [name] decides how the text is read
+     * @returns {Promise<import("./messages.js").Loaded>} rejects when it is refused
+     */
+    open(textOrScene, name) {
+      const isText = typeof textOrScene === 'string';
+      const text = isText ? textOrScene : JSON.stringify(textOrScene);
+      const isScene = !isText || /^\s*\{/.test(text);
+      const bytes = new TextEncoder().encode(text);
+      return files.open([{ name: name ?? (isScene ? 'scene.shapeup.json' : 'mesh.obj'), bytes }]);
+    },
+  };
+}

@@ -1,0 +1,214 @@
+/**
+ * The page's end of the solver's worker: its life, its answers, and the geometry it sends.
+ *
+ * What is said before the worker is ready is kept and said then. A worker that dies is replaced and
+ * given the last scene that it sent.
+ */
+
+import { messageOf } from './messages.js';
+
+/** @typedef {import("./messages.js").FromWorker} FromWorker */
+/** @typedef {import("./messages.js").Replies} Replies */
+/** @typedef {import("./messages.js").Command} Command */
+
+/**
+ * The mesh that is open.
+ * @typedef {object} Geometry
+ * @property {import("./messages.js").Connectivity} connectivity
+ * @property {Float64Array} positions `#V by 3`, the newest; replaced with every frame, so do not keep it
+ * @property {Float32Array | null} values of the chosen measure, `#F`
+ * @property {Float32Array | null} shapes fitted shapes, eight numbers each
+ */
+
+export class SolverClient extends EventTarget {
+  /** @type {Geometry | null} */
+  geometry = null;
+  /** The text of the scene as the worker last sent it. @type {string | null} */
+  sceneText = null;
+  /** The iteration of that scene. */
+  sceneIteration = 0;
+
+  /** @type {Worker | null} */
+  #worker = null;
+  #ready = false;
+  /** The worker was started to replace one that died, and has not opened its scene yet. */
+  #restoring = false;
+  /** @type {[import("./messages.js").ToWorker, Transferable[]][]} */
+  #held = [];
+  /** @type {Map<number, { resolve: (value: any) => void, reject: (error: Error) => void }>} */
+  #waiting = new Map();
+  #nextId = 1;
+  /** A buffer that the view may still be reading. @type {Float64Array | null} */
+  #previous = null;
+  /** The last `show`, said again to a new worker. @type {Command | null} */
+  #show = null;
+
+  constructor() {
+    super();
+    this.#start();
+  }
+
+  /**
+   * Asks; the promise settles when the answer is here, with everything that it changed.
+   * @template {keyof Replies} Type
+   * @param {Extract<import("./messages.js").Request, { type: Type }>} request
+   * @returns {Promise<Replies[Type]>}
+   */
+  request(request) {
+    const id = this.#nextId++;
+    return new Promise((resolve, reject) => {
+      this.#waiting.set(id, { resolve, reject });
+      this.#say({ ...request, id });
+    });
+  }
+
+  /**
+   * Tells, and expects no answer.
+   * @param {Command} command
+   * @param {Transferable[]} [transfer]
+   */
+  tell(command, transfer = []) {
+    if (command.type === 'show') this.#show = command;
+    this.#say(command, transfer);
+  }
+
+  /** The newest positions were taken over: the buffer before them can be written again. */
+  recycle() {
+    if (!this.#previous) return;
+    const positions = this.#previous;
+    this.#previous = null;
+    this.tell({ type: 'recycle', positions }, [positions.buffer]);
+  }
+
+  #start() {
+    const worker = new Worker(new URL('./solver-worker.js', import.meta.url), {
+      type: 'module',
+      name: 'solver',
+    });
+    this.#worker = worker;
+    this.#ready = false;
+    worker.onmessage = (event) => this.#receive(event.data);
+    worker.onerror = (event) => {
+      event.preventDefault();
+      const message = event.message?.replace(/^Uncaught /, '');
+      this.#died(message || 'its worker could not be loaded');
+    };
+  }
+
+  /**
+   * @param {import("./messages.js").ToWorker} message
+   * @param {Transferable[]} [transfer]
+   */
+  #say(message, transfer = []) {
+    if (!this.#worker) {
+      if ('id' in message)
+        this.#answer(message.id, null, new Error('the solver has stopped: reload the page'));
+    } else if (this.#ready) {
+      this.#worker.postMessage(message, transfer);
+    } else {
+      this.#held.push([message, transfer]);
+    }
+  }
+
+  /** @param {FromWorker} message */
+  #receive(message) {
+    switch (message.type) {
+      case 'ready': {
+        this.#ready = true;
+        const held = this.#held;
+        this.#held = [];
+        for (const [early, transfer] of held) this.#say(early, transfer);
+        break;
+      }
+      case 'model':
+        this.#previous = null;
+        this.geometry = {
+          connectivity: message.connectivity,
+          positions: message.positions,
+          values: null,
+          shapes: null,
+        };
+        break;
+      case 'scene':
+        this.sceneText = message.text;
+        this.sceneIteration = message.iteration;
+        break;
+      case 'frame': {
+        const { geometry } = this;
+        if (!geometry || geometry.positions.length !== message.positions.length) return;
+        this.#previous = geometry.positions;
+        geometry.positions = message.positions;
+        geometry.values = message.values;
+        geometry.shapes = message.shapes;
+        break;
+      }
+      case 'reply':
+        return this.#answer(message.id, message.value, null);
+      case 'refused':
+        return this.#answer(message.id, null, new Error(message.message));
+      case 'died':
+        return this.#died(message.message);
+    }
+    this.dispatchEvent(new CustomEvent(message.type, { detail: message }));
+  }
+
+  /**
+   * @param {number} id
+   * @param {unknown} value
+   * @param {Error | null} error
+   */
+  #answer(id, value, error) {
+    const waiting = this.#waiting.get(id);
+    this.#waiting.delete(id);
+    if (error) waiting?.reject(error);
+    else waiting?.resolve(value);
+  }
+
+  /** @param {string} reason */
+  async #died(reason) {
+    const lastScene = this.sceneText;
+    const again = this.#restoring;
+    const atStart = !this.#ready;
+    this.#worker?.terminate();
+    this.#worker = null;
+    this.#held = [];
+    for (const id of [...this.#waiting.keys()])
+      this.#answer(id, null, new Error(`the solver stopped (${reason})`));
+    this.dispatchEvent(
+      new CustomEvent('activity', {
+        detail: { type: 'activity', running: false, converged: false },
+      }),
+    );
+
+    if (atStart || again) {
+      const what = again ? 'stopped again on the same model' : 'could not be started';
+      return this.#notice(
+        `The solver ${what} (${reason}). Reload the page; the last scene can still be saved.`,
+      );
+    }
+    this.#start();
+    if (this.#show) this.tell(this.#show);
+    if (!lastScene) return this.#notice(`The solver stopped (${reason}) and was restarted.`);
+    this.#restoring = true;
+    const iteration = this.sceneIteration;
+    try {
+      const bytes = new TextEncoder().encode(lastScene);
+      await this.request({ type: 'open', files: [{ name: 'restored.shapeup.json', bytes }] });
+      this.#notice(
+        `The solver stopped (${reason}) and was restarted; your model is back as it was at iteration ${iteration}.`,
+      );
+    } catch (error) {
+      if (this.#worker)
+        this.#notice(
+          `The solver was restarted, but could not take up the scene: ${messageOf(error)}`,
+        );
+    } finally {
+      this.#restoring = false;
+    }
+  }
+
+  /** @param {string} message */
+  #notice(message) {
+    this.dispatchEvent(new CustomEvent('restarted', { detail: { message } }));
+  }
+}

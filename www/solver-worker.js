@@ -1,0 +1,367 @@
+/**
+ * The worker: owns the one Solver, iterates it in short slices, and speaks the messages of
+ * `messages.js`. It decides nothing that the page should decide; it keeps what must be consistent
+ * between messages: whether the solver runs, what is dragged, which buffer is free.
+ */
+
+import init, { Solver } from './pkg/solver/shape_up.js';
+import { SLICE_MS, messageOf } from './messages.js';
+
+/** @typedef {import("./messages.js").ToWorker} ToWorker */
+/** @typedef {import("./messages.js").FromWorker} FromWorker */
+
+/** A run sends its scene this often, so that little is lost when the worker dies, in milliseconds. */
+const SCENE_EVERY_MS = 2000;
+
+/** @type {InstanceType<typeof Solver> | null} */
+let solver = null;
+let loaded = false;
+/** Run was pressed, and the iteration has not converged since. */
+let running = false;
+let dragging = false;
+/** Nothing would change by iterating on; a moved handle or an edit ends it. */
+let settled = false;
+/** Something that the page has not seen. */
+let unseen = false;
+/** The newest move of a drag that is not applied yet. @type {{ vertices: Uint32Array, targets: Float64Array } | null} */
+let move = null;
+/** Buffers of positions that are here and free. @type {Float64Array[]} */
+let free = [];
+let positionsLength = 0;
+/** @type {import("./messages.js").Measure | null} */
+let measure = null;
+let showShapes = false;
+let sceneSentAt = 0;
+let sliceQueued = false;
+/** Whether it runs has changed; told after the frame that belongs to it. */
+let activityDue = false;
+/** Iterations that no frame has told yet. @type {number[]} */
+let trace = [];
+
+const yielding = new MessageChannel();
+yielding.port1.onmessage = slice;
+
+/** Messages that came before the solver was there. @type {ToWorker[] | null} */
+let early = [];
+onmessage = (event) => {
+  if (early) early.push(event.data);
+  else receive(event.data);
+};
+
+try {
+  await init();
+  solver = new Solver();
+  post({ type: 'ready', kinds: solver.kinds(), elements: solver.elements() });
+  const held = early ?? [];
+  early = null;
+  held.forEach(receive);
+} catch (thrown) {
+  post({ type: 'died', message: messageOf(thrown) });
+}
+
+/**
+ * @param {FromWorker} message
+ * @param {Transferable[]} [transfer]
+ */
+function post(message, transfer = []) {
+  postMessage(message, { transfer });
+}
+
+/** The solver, for calls that only happen after `ready`. */
+function live() {
+  if (!solver) throw new Error('the solver is not there');
+  return solver;
+}
+
+/** @param {ToWorker} message */
+function receive(message) {
+  if (!solver) return;
+  if (!('id' in message)) return guard(() => command(message));
+  try {
+    post({ type: 'reply', id: message.id, value: answer(message) });
+  } catch (thrown) {
+    if (isDeath(thrown)) die(thrown);
+    post({ type: 'refused', id: message.id, message: messageOf(thrown) });
+  }
+}
+
+/** @param {Exclude<ToWorker, { id: number }>} message */
+function command(message) {
+  switch (message.type) {
+    case 'recycle':
+      if (message.positions.length === positionsLength && free.length < 2)
+        free.push(message.positions);
+      return sendFrame();
+    case 'show':
+      measure = message.measure;
+      showShapes = message.shapes;
+      unseen = loaded;
+      return sendFrame();
+    case 'run':
+      if (!loaded || running) return;
+      live().beginRun();
+      running = true;
+      settled = false;
+      sendActivity();
+      return queueSlice();
+    case 'pause':
+      return pause();
+    case 'drag':
+      return drag(message);
+  }
+}
+
+/**
+ * @param {Extract<ToWorker, { id: number }>} message
+ * @returns {unknown}
+ */
+function answer(message) {
+  switch (message.type) {
+    case 'open':
+      return open(message.files);
+    case 'edit':
+      return betweenRuns(() => live().edit(message.edit), null);
+    case 'undo':
+      pause();
+      return betweenRuns(() => live().undo());
+    case 'redo':
+      pause();
+      return betweenRuns(() => live().redo());
+    case 'step':
+      pause();
+      return step();
+    case 'members':
+      return live().members(message.constraint);
+    case 'preview':
+      return live().preview(message.kind, message.on);
+    case 'scene':
+      return live().scene();
+    case 'obj':
+      return live().obj();
+  }
+}
+
+/** @param {import("./messages.js").NamedBytes[]} files */
+function open(files) {
+  const isScene = (/** @type {{ name: string }} */ file) => /\.json$/i.test(file.name);
+  const main = files.find(isScene) ?? files[0];
+  /** @type {import('./messages.js').NamedBytes | null} */
+  /** @type {import('./messages.js').NamedBytes | null} */
+  let companion = null;
+  if (isScene(main)) {
+    const wanted = live().sceneMeshFile(main.bytes);
+    const base = wanted?.split('/').pop();
+    companion = files.find((file) => file !== main && file.name === base) ?? null;
+    if (wanted && !companion) {
+      throw new Error(`${main.name} needs the mesh file ${wanted}: open both files together`);
+    }
+  }
+  if (running) endRun();
+  const about = live().load(main.name, main.bytes, companion ? companion.bytes : null);
+  loaded = true;
+  settled = false;
+  dragging = false;
+  move = null;
+  positionsLength = about.vertices * 3;
+  const positions = new Float64Array(positionsLength);
+  live().writePositions(positions);
+  free = [new Float64Array(positionsLength)];
+  const connectivity = {
+    faceOffsets: live().faceOffsets(),
+    faceIndices: live().faceIndices(),
+    curveOffsets: live().curveOffsets(),
+    curveIndices: live().curveIndices(),
+  };
+  post({ type: 'model', loaded: about, connectivity, positions }, [
+    positions.buffer,
+    ...Object.values(connectivity).map((array) => array.buffer),
+  ]);
+  trace = [];
+  activityDue = true;
+  changed();
+  return about;
+}
+
+/**
+ * Does an edit, outside of the run's own step of undo, and tells the page.
+ * @template T
+ * @param {() => T} edit
+ * @param {T} [value] answered instead of what the edit returns
+ */
+function betweenRuns(edit, value) {
+  if (running) live().endRun();
+  let result;
+  try {
+    result = edit();
+  } finally {
+    if (running) live().beginRun();
+  }
+  settled = false;
+  activityDue = true;
+  changed();
+  if (running) queueSlice();
+  return value === undefined ? result : value;
+}
+
+function step() {
+  live().beginRun();
+  let converged;
+  try {
+    converged = live().step();
+  } finally {
+    live().endRun();
+  }
+  settled = converged;
+  activityDue = true;
+  changed();
+  return converged;
+}
+
+function pause() {
+  if (!running) return;
+  endRun();
+  changed();
+}
+
+/** Closes the run's step of undo. */
+function endRun() {
+  running = false;
+  live().endRun();
+  activityDue = true;
+}
+
+/** @param {Extract<ToWorker, { type: "drag" }>} message */
+function drag({ vertices, targets, phase }) {
+  if (phase === 'start') {
+    if (running) live().endRun();
+    dragging = true;
+    activityDue = true;
+    live().drag(vertices, targets, 'start');
+  } else if (!dragging) {
+    return;
+  } else if (phase === 'move') {
+    move = { vertices, targets };
+  } else {
+    move = null;
+    dragging = false;
+    live().drag(vertices, targets, phase);
+    if (running) live().beginRun();
+    changed();
+  }
+  settled = false;
+  queueSlice();
+}
+
+/** Iterates for a slice, sends what there is to see, and comes back for more. */
+function slice() {
+  sliceQueued = false;
+  guard(() => {
+    if (move) {
+      live().drag(move.vertices, move.targets, 'move');
+      move = null;
+      settled = false;
+    }
+    const until = performance.now() + SLICE_MS;
+    while (iterating() && performance.now() < until) {
+      settled = live().step();
+      unseen = true;
+    }
+    if (settled && running && !dragging) {
+      endRun();
+      changed();
+    } else if (running && performance.now() - sceneSentAt > SCENE_EVERY_MS) {
+      sendScene();
+    }
+    sendFrame();
+  });
+  if (iterating()) queueSlice();
+}
+
+function iterating() {
+  return loaded && (running || dragging) && !settled;
+}
+
+function queueSlice() {
+  if (sliceQueued) return;
+  sliceQueued = true;
+  yielding.port2.postMessage(null);
+}
+
+/** After an edit, a load, the end of a run or a drag: everything the page keeps is renewed. */
+function changed() {
+  post({ type: 'document', document: live().document() });
+  unseen = true;
+  sendFrame();
+  sendScene();
+}
+
+function sendScene() {
+  post({ type: 'scene', text: live().scene(), iteration: numbers().iteration });
+  sceneSentAt = performance.now();
+}
+
+function sendActivity() {
+  activityDue = false;
+  post({ type: 'activity', running, converged: settled });
+}
+
+/** The state of the iteration; what it says of the trace is kept for the next frame. */
+function numbers() {
+  const { trace: since, ...rest } = live().frame();
+  trace.push(...since);
+  return rest;
+}
+
+/**
+ * Sends the state of the iteration, if the page has not seen it and a buffer is free. That a run
+ * has ended is told after its last frame, so that whoever waits for the end sees the end.
+ */
+function sendFrame() {
+  if (!unseen || free.length === 0) return;
+  const positions = /** @type {Float64Array} */ (free.pop());
+  live().writePositions(positions);
+  const now = numbers();
+  const values = measure ? live().faceErrors(measure) : null;
+  const shapes = showShapes ? live().fitted() : null;
+  const told = Float64Array.from(trace);
+  trace = [];
+  /** @type {Transferable[]} */
+  const transfer = [positions.buffer, told.buffer];
+  if (values) transfer.push(values.buffer);
+  if (shapes) transfer.push(shapes.buffer);
+  post({ type: 'frame', numbers: now, trace: told, positions, measure, values, shapes }, transfer);
+  unseen = false;
+  if (activityDue) sendActivity();
+}
+
+/**
+ * Runs what no request is waiting for. An ordinary error stops the run and is told; a trap of the
+ * wasm machine leaves the solver unusable.
+ * @param {() => void} action
+ */
+function guard(action) {
+  try {
+    action();
+  } catch (thrown) {
+    if (isDeath(thrown)) return die(thrown);
+    running = false;
+    dragging = false;
+    settled = true;
+    post({ type: 'trouble', message: messageOf(thrown) });
+    post({ type: 'activity', running, converged: false });
+  }
+}
+
+/** @param {unknown} thrown */
+function isDeath(thrown) {
+  return thrown instanceof WebAssembly.RuntimeError || thrown instanceof RangeError;
+}
+
+/** @param {unknown} thrown */
+function die(thrown) {
+  solver = null;
+  running = false;
+  dragging = false;
+  loaded = false;
+  post({ type: 'died', message: messageOf(thrown) });
+}

@@ -1,0 +1,100 @@
+/**
+ * What the page knows, in one place: panels subscribe to the parts they show. Geometry is not in
+ * here (it would be copied and compared for nothing); see `solver-client.js`.
+ */
+
+/** @typedef {import("./messages.js").Loaded} Loaded */
+/** @typedef {import("./messages.js").SceneDocument} SceneDocument */
+/** @typedef {import("./messages.js").Numbers} Numbers */
+/** @typedef {import("./messages.js").Measure} Measure */
+
+/**
+ * @typedef {object} State
+ * @property {import("./messages.js").KindInfo[]} kinds
+ * @property {import("./messages.js").ElementInfo[]} elements
+ * @property {Loaded | null} model
+ * @property {boolean} firstExample the model is the one that the page opens with
+ * @property {SceneDocument | null} document
+ * @property {Numbers | null} numbers
+ * @property {boolean} running Run was pressed and the iteration has not converged
+ * @property {boolean} converged
+ * @property {"drag" | "select"} tool
+ * @property {"vertices" | "faces"} mode what a click selects
+ * @property {Selection} selection
+ * @property {number[]} dragged handles under the pointer
+ * @property {Tint | null} tint members of the constraint that is pointed at
+ * @property {Measure | null} measure what the faces are coloured by
+ * @property {[number, number]} range of the colours, in units of the mesh
+ * @property {{ edges: boolean, vertices: boolean, shapes: boolean }} display
+ * @property {boolean} dark
+ * @property {"webgpu" | "webgl2" | "none" | "starting"} renderer
+ * @property {string} status what happened last, in words
+ */
+
+/** @typedef {{ vertices: ReadonlySet<number>, faces: ReadonlySet<number> }} Selection */
+/** @typedef {{ vertices: Uint32Array, faces: Uint32Array, colour: [number, number, number] }} Tint */
+
+/**
+ * @typedef {object} Store
+ * @property {() => Readonly<State>} get
+ * @property {(patch: Partial<State>) => void} set
+ * @property {(keys: (keyof State)[], listener: (state: Readonly<State>) => void) => void} subscribe
+ *   calls the listener now, and after every task in which one of the keys changed
+ */
+
+/** @type {State} */
+const INITIAL = {
+  kinds: [],
+  elements: [],
+  model: null,
+  firstExample: false,
+  document: null,
+  numbers: null,
+  running: false,
+  converged: false,
+  tool: 'drag',
+  mode: 'vertices',
+  selection: { vertices: new Set(), faces: new Set() },
+  dragged: [],
+  tint: null,
+  measure: 'circularity',
+  range: [0, 0],
+  display: { edges: true, vertices: false, shapes: false },
+  dark: false,
+  renderer: 'starting',
+  status: '',
+};
+
+/** @returns {Store} */
+export function createStore() {
+  let state = INITIAL;
+  /** @type {{ keys: (keyof State)[], listener: (state: Readonly<State>) => void }[]} */
+  const subscriptions = [];
+  /** @type {Set<keyof State>} */
+  let changed = new Set();
+
+  function notify() {
+    const keys = changed;
+    changed = new Set();
+    for (const subscription of subscriptions) {
+      if (subscription.keys.some((key) => keys.has(key))) subscription.listener(state);
+    }
+  }
+
+  return {
+    get: () => state,
+    set(patch) {
+      const keys = /** @type {(keyof State)[]} */ (Object.keys(patch)).filter(
+        (key) => patch[key] !== state[key],
+      );
+      if (keys.length === 0) return;
+      state = { ...state, ...patch };
+      if (changed.size === 0) queueMicrotask(notify);
+      keys.forEach((key) => changed.add(key));
+    },
+    subscribe(keys, listener) {
+      subscriptions.push({ keys, listener });
+      listener(state);
+    },
+  };
+}

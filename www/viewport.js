@@ -1,0 +1,260 @@
+/**
+ * The 3D view's life: its wasm module, its canvas, its size, its pictures, and what to do without
+ * it. Everything that is drawn is a function of the store and of the solver's geometry; this module
+ * hands over what changed and asks for one picture.
+ */
+
+import { messageOf } from './messages.js';
+
+/** @typedef {import("./pkg/view/shape_up.js").View} View */
+/** @typedef {import("./state.js").State} State */
+
+/** A view that is lost this often in a row is given up. */
+const ATTEMPTS = 3;
+const NONE = new Uint32Array(0);
+const BACKENDS = ['webgpu', 'webgl2'];
+
+export class Viewport extends EventTarget {
+  /** The element that gestures and sizes refer to; canvases come and go in it. @type {HTMLElement} */
+  element;
+  /** None while it starts, and where nothing can draw. @type {View | null} */
+  view = null;
+
+  #store;
+  #solver;
+  /** @type {HTMLCanvasElement | null} */
+  #canvas = null;
+  #attempts = 0;
+  /** A picture is asked for. */
+  #asked = false;
+  /** The mesh itself is another one. */
+  #newMesh = false;
+  /** The positions, values or fitted shapes are newer than the picture. */
+  #newFrame = false;
+
+  /**
+   * @param {HTMLElement} element
+   * @param {import("./state.js").Store} store
+   * @param {import("./solver-client.js").SolverClient} solver
+   */
+  constructor(element, store, solver) {
+    super();
+    this.element = element;
+    this.#store = store;
+    this.#solver = solver;
+    this.#watchSize();
+    this.#watchSolver();
+    this.#watchStore();
+    this.#create();
+  }
+
+  /** Asks for a picture before the next one of the page. */
+  ask() {
+    if (this.#asked) return;
+    this.#asked = true;
+    requestAnimationFrame(() => {
+      this.#asked = false;
+      this.#draw();
+    });
+  }
+
+  /**
+   * Does something with the view, if there is one, and draws what changed.
+   * @template T
+   * @param {(view: View) => T} action
+   * @returns {T | undefined}
+   */
+  with(action) {
+    if (!this.view) return undefined;
+    this.ask();
+    return action(this.view);
+  }
+
+  async #create() {
+    const canvas = document.createElement('canvas');
+    canvas.addEventListener('webglcontextlost', (event) => {
+      event.preventDefault();
+      if (canvas === this.#canvas) this.#lost('the graphics context was lost');
+    });
+    this.#canvas = canvas;
+    this.element.replaceChildren(canvas);
+    try {
+      const { default: init, View } = await import('./pkg/view/shape_up.js');
+      await init();
+      const wanted = new URLSearchParams(location.search).get('backend') ?? 'auto';
+      const view = await View.create(canvas, BACKENDS.includes(wanted) ? wanted : 'auto');
+      if (canvas !== this.#canvas) return view.free();
+      this.view = view;
+    } catch (thrown) {
+      if (canvas === this.#canvas) this.#giveUp(messageOf(thrown));
+      return;
+    }
+    this.#resize();
+    this.#newMesh = true;
+    this.#handOver(this.#store.get());
+    this.#store.set({ renderer: /** @type {"webgpu" | "webgl2"} */ (this.view.backend()) });
+    this.dispatchEvent(new Event('ready'));
+  }
+
+  /** @param {string} reason */
+  #lost(reason) {
+    this.view?.free();
+    this.view = null;
+    this.#attempts += 1;
+    if (this.#attempts > ATTEMPTS) return this.#giveUp(reason);
+    this.#canvas = null;
+    this.#create();
+  }
+
+  /** @param {string} reason */
+  #giveUp(reason) {
+    this.view = null;
+    this.#canvas = null;
+    this.element.replaceChildren();
+    this.#store.set({ renderer: 'none' });
+    this.dispatchEvent(new CustomEvent('none', { detail: reason }));
+  }
+
+  #watchSize() {
+    const observer = new ResizeObserver((entries) => {
+      const pixels = entries[0].devicePixelContentBoxSize?.[0];
+      this.#resize(pixels && [pixels.inlineSize, pixels.blockSize]);
+    });
+    try {
+      observer.observe(this.element, { box: 'device-pixel-content-box' });
+    } catch {
+      observer.observe(this.element);
+    }
+  }
+
+  /** @param {[number, number]} [pixels] the exact size, where the browser tells */
+  #resize(pixels) {
+    const ratio = devicePixelRatio;
+    const { clientWidth, clientHeight } = this.element;
+    const [width, height] = pixels ?? [
+      Math.round(clientWidth * ratio),
+      Math.round(clientHeight * ratio),
+    ];
+    if (width > 0 && height > 0) this.with((view) => view.resize(width, height, ratio));
+  }
+
+  #watchSolver() {
+    this.#solver.addEventListener('model', () => {
+      this.#newMesh = true;
+      this.ask();
+    });
+    this.#solver.addEventListener('frame', () => {
+      this.#newFrame = true;
+      this.ask();
+    });
+  }
+
+  #watchStore() {
+    const { subscribe } = this.#store;
+    /** @type {[(keyof State)[], (view: View, state: State) => void][]} */
+    const parts = [
+      [['dark'], (view, state) => view.setTheme(state.dark)],
+      [['display'], showDisplay],
+      [['document', 'dragged', 'selection', 'model'], showHandles],
+      [['selection', 'model'], showSelection],
+      [['tint', 'model'], showTint],
+      [['measure', 'range'], (view, state) => this.#showValues(view, state)],
+    ];
+    for (const [keys, show] of parts) {
+      subscribe(keys, (state) => {
+        // A mesh that has not been handed over yet brings all of this with it.
+        if (!this.#newMesh) this.with((view) => show(view, state));
+      });
+    }
+    this.#showAll = (view, state) => parts.forEach(([, show]) => show(view, state));
+  }
+
+  /** @type {(view: View, state: State) => void} */
+  #showAll = () => {};
+
+  /**
+   * @param {View} view
+   * @param {State} state
+   */
+  #showValues(view, state) {
+    const values = state.measure ? (this.#solver.geometry?.values ?? null) : null;
+    view.setFaceValues(values ?? undefined, state.range[0], state.range[1]);
+  }
+
+  /** Gives the view what is newer than its picture. @param {State} state */
+  #handOver(state) {
+    const { geometry } = this.#solver;
+    if (!this.view || !geometry) return;
+    if (this.#newMesh) {
+      const { faceOffsets, faceIndices, curveOffsets, curveIndices } = geometry.connectivity;
+      this.#newMesh = false;
+      this.#newFrame = true;
+      this.with((view) => {
+        if (state.model) view.setUp(state.model.up);
+        view.setMesh(faceOffsets, faceIndices, curveOffsets, curveIndices, geometry.positions);
+        this.#showAll(view, state);
+        view.fit();
+      });
+    }
+    if (this.#newFrame) {
+      this.#newFrame = false;
+      this.with((view) => {
+        view.setPositions(geometry.positions);
+        this.#showValues(view, state);
+        if (geometry.shapes) view.setShapes(geometry.shapes);
+      });
+    }
+  }
+
+  #draw() {
+    this.#handOver(this.#store.get());
+    this.#solver.recycle();
+    if (!this.view?.needsDraw()) return;
+    try {
+      if (this.view.draw()) this.#attempts = 0;
+    } catch (thrown) {
+      this.#lost(messageOf(thrown));
+    }
+  }
+}
+
+/**
+ * @param {View} view
+ * @param {State} state
+ */
+function showDisplay(view, { display }) {
+  view.setDisplay(display.edges, display.vertices, display.shapes);
+}
+
+/**
+ * Handles as the view takes them: 0 soft, 1 fixed, 2 under the pointer.
+ * @param {View} view
+ * @param {State} state
+ */
+function showHandles(view, { document, dragged }) {
+  const handles = document?.handles ?? [];
+  const vertices = Uint32Array.from(handles, (handle) => handle.vertex);
+  const states = Uint8Array.from(handles, (handle) =>
+    dragged.includes(handle.vertex) ? 2 : handle.fixed ? 1 : 0,
+  );
+  const targets = Float64Array.from(handles.flatMap((handle) => handle.target));
+  view.setHandles(vertices, states, targets);
+}
+
+/**
+ * @param {View} view
+ * @param {State} state
+ */
+function showSelection(view, { selection }) {
+  view.setSelection(Uint32Array.from(selection.vertices), Uint32Array.from(selection.faces));
+}
+
+/**
+ * @param {View} view
+ * @param {State} state
+ */
+function showTint(view, { tint }) {
+  const { vertices, faces, colour } = tint ?? { vertices: NONE, faces: NONE, colour: [0, 0, 0] };
+  const [red, green, blue] = colour.map((byte) => byte / 255);
+  view.setTint(vertices, faces, red, green, blue);
+}
