@@ -1,7 +1,6 @@
 // npm run bench: problem A (a circle on every quad, weights 5, 10, 2, closeness to the surface) in
 // headless Chromium, in a worker as the page runs it: milliseconds by part, medians of single steps.
 
-import { chromium } from '@playwright/test';
 import { findBrowser, browserFlags } from './browser.mjs';
 import { at } from './project.mjs';
 import { main } from './run.mjs';
@@ -65,6 +64,7 @@ const median = (values) => values.toSorted((a, b) => a - b)[values.length >> 1];
 
 await main(async () => {
   await setUp({ checks: true });
+  const { chromium } = await import('@playwright/test');
   await buildModule('solver');
   const { address, close } = await serve(at('www', 'pkg'), { port: 4400 });
   const browser = await chromium.launch({
@@ -79,7 +79,9 @@ await main(async () => {
     route.fulfill({ contentType: 'text/html', body: '<!doctype html><title>bench</title>' }),
   );
   await page.goto(address);
-  console.log('| vertices | ms per iteration | circles | closeness | smoothness | solve | order | factor | nonzeros of L |');
+  console.log(
+    '| vertices | ms per iteration | circles | closeness | smoothness | solve | order | factor | nonzeros of L |',
+  );
   console.log('|---|---|---|---|---|---|---|---|---|');
   for (const side of sides) {
     const { report, parts } = await page.evaluate(

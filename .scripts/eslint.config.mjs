@@ -20,13 +20,9 @@ export default [
     languageOptions: { globals: { ...globals.browser, ...globals.worker } },
   },
   {
-    // Page tests run in Node, the functions that they evaluate in the page.
-    files: ['tests/**/*.mjs'],
+    // These run in Node, the functions that they evaluate in a page.
+    files: ['tests/**/*.mjs', '.scripts/**/*.mjs'],
     languageOptions: { globals: { ...globals.node, ...globals.browser } },
   },
-  {
-    files: ['.scripts/**/*.mjs'],
-    languageOptions: { globals: globals.node },
-    rules: { 'no-console': 'off' },
-  },
+  { files: ['.scripts/**/*.mjs'], rules: { 'no-console': 'off' } },
 ];

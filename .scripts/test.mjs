@@ -9,21 +9,20 @@ import { step } from './step.mjs';
 import { modules } from './wasm.mjs';
 
 const tool = (name) => at('node_modules', '.bin', name);
-const forModule = (feature) => [
-  '--target',
-  wasmTarget,
-  '--no-default-features',
-  '--features',
-  feature,
-];
+const wasm = ['--target', wasmTarget, '--no-default-features'];
+const forModule = (feature) => [...wasm, '--features', feature];
 const clippy = (...args) => ['cargo', ['clippy', '--locked', ...args, '--', '-D', 'warnings']];
 
 const styled = '**/*.{js,mjs,css,html}';
-const wasmTests = modules.filter((feature) =>
-  readdirSync(at('tests')).some(
-    (name) => name.startsWith(`wasm_${feature}`) && name.endsWith('.rs'),
-  ),
-);
+const scriptTests = readdirSync(at('tests', 'scripts'))
+  .filter((name) => name.endsWith('.test.mjs'))
+  .map((name) => `tests/scripts/${name}`);
+
+/** The arguments that name the browser tests of a module; none where it has none. */
+const browserTests = (feature) => {
+  const isOne = (name) => name.startsWith(`wasm_${feature}`) && name.endsWith('.rs');
+  return readdirSync(at('tests')).some(isOne) ? ['--test', `wasm_${feature}*`] : [];
+};
 
 /** Title, program, arguments, and which kind of test counts it prints, if any. */
 const steps = [
@@ -35,13 +34,13 @@ const steps = [
   },
   {
     title: 'tests of the scripts',
-    run: ['node', ['--test', '--test-reporter=tap', 'tests/scripts/']],
+    run: ['node', ['--test', '--test-reporter=tap', ...scriptTests]],
     count: 'node',
   },
   { title: 'lints of Rust, native', run: clippy('--all-targets') },
   ...modules.map((feature) => ({
     title: `lints of Rust, ${feature} module`,
-    run: clippy('--lib', ...forModule(feature)),
+    run: clippy('--lib', ...browserTests(feature), ...forModule(feature)),
   })),
   {
     // Compiled with both features, or the links between the rooms would not all resolve.
@@ -50,15 +49,17 @@ const steps = [
     env: { RUSTDOCFLAGS: '-D warnings' },
   },
   { title: 'native tests', run: ['cargo', ['test', '--locked', '--no-fail-fast']], count: 'cargo' },
-  ...wasmTests.map((feature) => ({
-    title: `tests of the ${feature} module in the browser`,
-    run: [
-      'cargo',
-      ['test', '--locked', '--no-fail-fast', ...forModule(feature), '--test', `wasm_${feature}*`],
-    ],
-    env: { CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER: 'node .scripts/wasm-test-runner.mjs' },
-    count: 'cargo',
-  })),
+  ...modules
+    .filter((feature) => browserTests(feature).length)
+    .map((feature) => ({
+      title: `tests of the ${feature} module in the browser`,
+      run: [
+        'cargo',
+        ['test', '--locked', '--no-fail-fast', ...forModule(feature), ...browserTests(feature)],
+      ],
+      env: { CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER: 'node .scripts/wasm-test-runner.mjs' },
+      count: 'cargo',
+    })),
   { title: 'build of the site', run: ['node', ['.scripts/build.mjs']] },
   {
     // After the build, which writes the declarations of the two modules.

@@ -152,7 +152,7 @@ fn a_refused_edit_leaves_everything_as_it_was() {
     let before = (session.scene(), session.positions());
     let refused = [
         (new("sphere", r#"{ "set": "eaves" }"#), "eaves"),
-        (new("circle", "\"tets\""), "tet"),
+        (new("circle", "\"tets\""), "no such element"),
         (Edit::RemoveConstraint { index: 7 }, "constraints[7]"),
         (Edit::AddHandles { vertices: vec![99], fixed: true }, "99"),
         (Edit::SetConstraint { index: 0, weight: Some(-1.0), enabled: None }, "weight"),

@@ -15,11 +15,13 @@ mod batch;
 mod circle;
 mod line;
 mod plane;
+mod resolve;
 mod select;
 mod sphere;
 
 pub use batch::{Batch, LocalStep, Row, batches};
-pub use select::{Element, SelectError, Selector, Set, Sets};
+pub use resolve::resolve;
+pub use select::{Element, SelectError, Selector, Set, Sets, describe};
 
 use crate::math::{Lane, Vec3};
 use serde::Serialize;

@@ -1,6 +1,7 @@
 //! Selectors: which vertices a constraint acts on, orthogonal to its kind.
 
 use std::collections::BTreeMap;
+use std::fmt;
 
 /// The named sets of a scene.
 pub type Sets = BTreeMap<String, Set>;
@@ -51,11 +52,101 @@ pub enum Selector {
     Vertices(Vec<u32>),
 }
 
-/// Why a selector selects nothing.
+impl Element {
+    /// All of them, in the order in which hosts list them.
+    pub const ALL: [Element; 7] = [
+        Element::Face,
+        Element::Edge,
+        Element::Ring,
+        Element::Tet,
+        Element::Curve,
+        Element::Boundary,
+        Element::Group,
+    ];
+
+    /// The id in scene files.
+    pub fn id(self) -> &'static str {
+        match self {
+            Element::Face => "face",
+            Element::Edge => "edge",
+            Element::Ring => "ring",
+            Element::Tet => "tet",
+            Element::Curve => "curve",
+            Element::Boundary => "boundary",
+            Element::Group => "group",
+        }
+    }
+
+    /// The element with that id.
+    pub fn from_id(id: &str) -> Option<Element> {
+        Element::ALL.into_iter().find(|element| element.id() == id)
+    }
+
+    /// What one of them is called on the page.
+    pub fn label(self) -> &'static str {
+        self.words()[0]
+    }
+
+    /// One and many.
+    fn words(self) -> [&'static str; 2] {
+        match self {
+            Element::Face => ["face", "faces"],
+            Element::Edge => ["edge", "edges"],
+            Element::Ring => ["vertex with its neighbours", "vertices with their neighbours"],
+            Element::Tet => ["tetrahedron", "tetrahedra"],
+            Element::Curve => ["curve", "curves"],
+            Element::Boundary => ["boundary loop", "boundary loops"],
+            Element::Group => ["group", "groups"],
+        }
+    }
+}
+
+/// Why a selector cannot be resolved.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SelectError {
     /// There is no set or group of that name.
     UnknownSet(String),
     /// A vertex that the mesh does not have.
     VertexOutOfRange(u32),
+    /// A face that the mesh does not have.
+    FaceOutOfRange(u32),
+}
+
+impl fmt::Display for SelectError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            SelectError::UnknownSet(name) => {
+                write!(f, "`{name}` is neither a set of the scene nor a group of the mesh")
+            }
+            SelectError::VertexOutOfRange(v) => write!(f, "the mesh has no vertex {v}"),
+            SelectError::FaceOutOfRange(face) => write!(f, "the mesh has no face {face}"),
+        }
+    }
+}
+
+impl std::error::Error for SelectError {}
+
+/// What a selector selects, in words: "all faces", "each face of eaves", "12 vertices".
+pub fn describe(selector: &Selector) -> String {
+    match selector {
+        Selector::Each { element, within, radius } => {
+            let [one, many] = match element {
+                Element::Ring => ["vertex", "vertices"],
+                element => element.words(),
+            };
+            let words = match within {
+                Some(name) => format!("each {one} of {name}"),
+                None => format!("all {many}"),
+            };
+            match (element, radius) {
+                (_, 0) => words,
+                (Element::Ring, 1) => words + " with neighbours",
+                (_, 1) => words + " with 1 ring of neighbours",
+                (_, radius) => words + &format!(" with {radius} rings of neighbours"),
+            }
+        }
+        Selector::Set(name) => format!("the vertices of {name}"),
+        Selector::Vertices(vertices) if vertices.len() == 1 => "1 vertex".to_string(),
+        Selector::Vertices(vertices) => format!("{} vertices", vertices.len()),
+    }
 }

@@ -124,3 +124,45 @@ fn component_mut(v: &mut Vec3<f64>, k: usize) -> &mut f64 {
         _ => &mut v.z,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{PrincipalAxes, component};
+    use crate::math::Vec3;
+    use nalgebra::DMatrix;
+
+    #[test]
+    fn agrees_with_the_singular_values_of_nalgebra() {
+        for height in [1.0, 1e-3, 1e-8, 1e-12, 0.0] {
+            for depth in [1.0, 1e-4, 1e-9, 0.0] {
+                let points: Vec<Vec3<f64>> = (0..9)
+                    .map(|i| {
+                        let (x, y, z) =
+                            (f64::from(i * 7 % 9), f64::from(i * i % 5), f64::from(i % 4));
+                        let (x, y, z) = (x - 4.0, height * (y - 2.0), height * depth * (z - 1.5));
+                        Vec3::new(0.6 * x - 0.8 * y, 0.8 * x + 0.6 * y, z)
+                    })
+                    .collect();
+                let mut rotated = points.clone();
+                let axes = PrincipalAxes::rotate(&mut rotated);
+
+                let rows: Vec<f64> = points.iter().flat_map(|v| [v.x, v.y, v.z]).collect();
+                let svd = DMatrix::from_row_slice(9, 3, &rows).svd(false, false);
+                let size = svd.singular_values[0];
+                for k in 0..3 {
+                    let squares = rotated.iter().map(|v| component(*v, k) * component(*v, k));
+                    let extent = squares.sum::<f64>().sqrt() * axes.scale;
+                    let expected = svd.singular_values[k];
+                    assert!((extent - expected).abs() <= 1e-14 * size, "{height} {depth} {k}");
+                    for j in 0..3 {
+                        let unit = f64::from(u8::from(j == k));
+                        assert!((axes.axes[k].dot(axes.axes[j]) - unit).abs() <= 1e-14);
+                    }
+                }
+                for (v, w) in points.iter().zip(&rotated) {
+                    assert!((*v - axes.point(*w)).length() <= 1e-14 * size);
+                }
+            }
+        }
+    }
+}

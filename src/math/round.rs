@@ -27,7 +27,7 @@ const AT_CENTRE: f64 = 1e-14;
 
 /// The least `R`, relative to the points (unit trace, lengths over `s^1/2`), at which the closed
 /// form, whose rounding error is a few ulp of one, is accurate to 1e-12 of the size of the points.
-const LEAST_REACH: f64 = 1e-3;
+const LEAST_REACH: f64 = 1e-4;
 
 /// A fitted circle or sphere around the mean of its points, or the line or plane that is its limit.
 #[derive(Clone, Copy, Debug)]

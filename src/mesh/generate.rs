@@ -27,8 +27,8 @@ impl Default for Canopy {
             span: [36.0, 26.0],
             rise: 5.0,
             crown: 2.0,
-            waist: 0.16,
-            wave: 0.9,
+            waist: 0.1,
+            wave: 0.8,
         }
     }
 }
@@ -53,7 +53,7 @@ impl Canopy {
     }
 }
 
-/// A dome over a square with round corners, open on its four sides, with a round hole away from its
+/// A dome over a square with round corners, open on its four sides, with an oval hole away from its
 /// middle. Half of the meridians end on the way up, in a row of pentagons.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dome {
@@ -63,8 +63,10 @@ pub struct Dome {
     pub rows: [usize; 2],
     /// Half the width of the square.
     pub half_width: f64,
-    /// Radius of the hole.
+    /// Mean radius of the hole.
     pub hole: f64,
+    /// How much longer than this the hole is along x, and shorter along y, as a part of it.
+    pub oval: f64,
     /// How far the middle of the hole is from the middle of the square, along x.
     pub shift: f64,
     /// Height of the hole over the corners of the eaves.
@@ -79,8 +81,9 @@ impl Default for Dome {
             meridians: 24,
             rows: [5, 3],
             half_width: 14.0,
-            hole: 3.5,
-            shift: 2.5,
+            hole: 3.2,
+            oval: 0.15,
+            shift: 3.0,
             rise: 8.0,
             arch: 2.4,
         }
@@ -135,7 +138,8 @@ impl Dome {
         // The curve x^4 + y^4 = 1, a square with round corners.
         let square = self.half_width / (cc * cc + ss * ss).sqrt().sqrt();
         let down = 1.0 - up;
-        let radius = down * square + up * self.hole;
+        let hole = self.hole * (1.0 + self.oval * cosine(2.0 * turn));
+        let radius = down * square + up * hole;
         let arch = 0.5 * self.arch * (1.0 + cosine(4.0 * turn));
         [
             radius * c + self.shift * up,

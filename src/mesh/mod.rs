@@ -13,13 +13,17 @@
 //! | `measure` | planarity, circularity, diagonal ratio of faces; bounding sphere |
 
 mod boundary;
+mod bounds;
 mod closest;
 mod components;
 mod draft;
+mod edge_lines;
+mod face_fit;
 pub mod generate;
 mod groups;
 mod laplacian;
 mod lines;
+mod measure;
 mod medit;
 mod number;
 mod obj;
@@ -35,9 +39,12 @@ mod topology;
 mod tree;
 mod triangle;
 
+pub use bounds::BoundingSphere;
 pub use closest::Surface;
 pub use components::components;
+pub use edge_lines::edge_lines;
 pub use laplacian::{LARGEST_COTANGENT, Laplacian};
+pub use measure::{Circularity, Measures, Planarity, diagonal_ratio};
 pub use obj_write::write_obj;
 pub use problem::{Element, Problem, ProblemKind};
 pub use ragged::Ragged;

@@ -9,7 +9,7 @@ const LIMIT_BYTES: usize = 64 << 20;
 
 /// A state to go back to.
 #[derive(Clone)]
-pub struct Snapshot {
+pub(super) struct Snapshot {
     /// The document without handles and positions.
     pub document: Scene,
     /// The handles.
@@ -22,42 +22,41 @@ pub struct Snapshot {
 
 /// Steps of undo and redo, each with its name and the state on its other side.
 #[derive(Default)]
-pub struct History {
+pub(super) struct History {
     undo: Vec<(String, Snapshot)>,
     redo: Vec<(String, Snapshot)>,
 }
 
 impl History {
     /// Adds a step that started at `before`; what was undone can no longer be redone.
-    pub fn push(&mut self, name: String, before: Snapshot) {
+    pub(super) fn push(&mut self, name: String, before: Snapshot) {
         self.redo.clear();
         self.undo.push((name, before));
-        let bytes =
-            |(_, snapshot): &(String, Snapshot)| std::mem::size_of_val(&*snapshot.positions);
+        let bytes = |(_, snapshot): &(String, Snapshot)| size_of_val(&*snapshot.positions);
         while self.undo.len() > 1 && self.undo.iter().map(bytes).sum::<usize>() > LIMIT_BYTES {
             self.undo.remove(0);
         }
     }
 
     /// The name of the last step.
-    pub fn undo_name(&self) -> Option<&str> {
+    pub(super) fn undo_name(&self) -> Option<&str> {
         self.undo.last().map(|(name, _)| name.as_str())
     }
 
     /// The name of the step that was last undone.
-    pub fn redo_name(&self) -> Option<&str> {
+    pub(super) fn redo_name(&self) -> Option<&str> {
         self.redo.last().map(|(name, _)| name.as_str())
     }
 
     /// Takes back a step from the state `now`: its name and the state to go to.
-    pub fn undo(&mut self, now: Snapshot) -> Option<(String, Snapshot)> {
+    pub(super) fn undo(&mut self, now: Snapshot) -> Option<(String, Snapshot)> {
         let (name, before) = self.undo.pop()?;
         self.redo.push((name.clone(), now));
         Some((name, before))
     }
 
     /// Repeats a step from the state `now`: its name and the state to go to.
-    pub fn redo(&mut self, now: Snapshot) -> Option<(String, Snapshot)> {
+    pub(super) fn redo(&mut self, now: Snapshot) -> Option<(String, Snapshot)> {
         let (name, after) = self.redo.pop()?;
         self.undo.push((name.clone(), now));
         Some((name, after))

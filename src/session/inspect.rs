@@ -1,13 +1,13 @@
 //! What hosts show of a session: errors of faces, members of constraints, previews.
 
 use super::{NewConstraint, ResolvedRow, Session, resolve};
-use crate::mesh::{Circularity, Planarity, Point, circularity, planarity};
+use crate::mesh::Measures;
 use crate::scene::SceneError;
 
 impl Session {
-    /// Planarity of the faces at `positions` (`#V by 3`).
-    pub fn planarity(&self, positions: &[Point]) -> Planarity {
-        todo!()
+    /// How planar and circular the faces are now.
+    pub fn measures(&self) -> Measures {
+        Measures::new(&self.positions(), &self.mesh.faces, self.diameter)
     }
 
     /// The row that adding `new` would make, without adding it.

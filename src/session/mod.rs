@@ -22,7 +22,7 @@ pub use report::{EnergyReport, Report, Seconds, TraceEntry};
 pub use resolve::ResolvedRow;
 
 use crate::error::Error;
-use crate::mesh::{Mesh, Point, Topology};
+use crate::mesh::{BoundingSphere, Mesh, Point, Topology};
 use crate::scene::{HandleSpec, Hold, Scene};
 use crate::solve::{Constraints, Energy, Handle, Problem, Solver};
 use history::{History, Snapshot};
@@ -31,6 +31,8 @@ use history::{History, Snapshot};
 pub struct Session {
     mesh: Mesh,
     topology: Topology,
+    /// Of the bounding sphere of the rest shape.
+    diameter: f64,
     /// Without handles and current positions: these are the solver's.
     document: Scene,
     rows: Vec<ResolvedRow>,
@@ -77,6 +79,7 @@ impl Session {
         let solver = solver(&scene, &mesh, &topology, &rows, handles, &start)?;
         let initial = solver.energy();
         Ok(Session {
+            diameter: BoundingSphere::of(&mesh.positions).diameter(),
             mesh,
             topology,
             document: scene,

@@ -97,7 +97,7 @@ impl Session {
                 row.constraints.members.len();
             skipped += row.skipped;
         }
-        let positions = self.positions();
+        let measures = self.measures();
         let set_up = self.solver.set_up_seconds();
         let settings = &self.document.solver;
         Report {
@@ -117,8 +117,8 @@ impl Session {
             },
             pinned: self.solver.pinned().to_vec(),
             energy: EnergyReport { initial: self.initial, last: self.solver.energy() },
-            planarity: self.planarity(&positions),
-            circularity: self.circularity(&positions),
+            planarity: measures.planarity,
+            circularity: measures.circularity,
             seconds: Seconds {
                 load: self.load_seconds,
                 assemble: set_up.assemble,

@@ -1,6 +1,6 @@
 //! Rows of constraints with their vertices.
 
-use crate::constraint::{SelectError, resolve};
+use crate::constraint::resolve;
 use crate::mesh::{Mesh, Ragged, Topology};
 use crate::scene::{ConstraintSpec, Scene, SceneError};
 use crate::solve::Constraints;
@@ -20,7 +20,7 @@ pub struct ResolvedRow {
 ///
 /// # Errors
 /// When a row has no constraint left, with its JSON path.
-pub fn rows(
+pub(super) fn rows(
     scene: &Scene,
     mesh: &Mesh,
     topology: &Topology,
@@ -33,20 +33,14 @@ pub fn rows(
 }
 
 /// Resolves one row; the error says why none is left.
-pub fn row(
+pub(super) fn row(
     spec: &ConstraintSpec,
     scene: &Scene,
     mesh: &Mesh,
     topology: &Topology,
 ) -> Result<ResolvedRow, String> {
-    let selected = resolve(&spec.on, mesh, topology, &scene.sets).map_err(|error| match error {
-        SelectError::UnknownSet(name) => {
-            format!("there is no set or group named \"{name}\"")
-        }
-        SelectError::VertexOutOfRange(v) => {
-            format!("vertex {v} is out of range: the mesh has {}", mesh.positions.len())
-        }
-    })?;
+    let selected =
+        resolve(&spec.on, mesh, topology, &scene.sets).map_err(|error| error.to_string())?;
     let info = spec.kind.info();
     let fits = |members: &&[u32]| info.arity.fits(members.len());
     let members: Ragged = selected.iter().filter(fits).collect();

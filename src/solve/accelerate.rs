@@ -11,7 +11,7 @@ use crate::constraint::Row;
 use crate::scene;
 
 /// The chosen accelerator with its memory.
-pub enum Accelerator {
+pub(super) enum Accelerator {
     /// The plain iteration.
     None,
     /// See [`QuasiNewton`].
@@ -22,7 +22,7 @@ pub enum Accelerator {
 
 impl Accelerator {
     /// The one that the settings ask for; a window of 0 is the plain iteration.
-    pub fn new(settings: &scene::SolverSettings) -> Self {
+    pub(super) fn new(settings: &scene::SolverSettings) -> Self {
         let window = settings.window as usize;
         match settings.accelerator {
             _ if window == 0 => Accelerator::None,
@@ -35,7 +35,12 @@ impl Accelerator {
     /// Turns `step`, which is half the gradient at `x` when it comes in, into the step to be
     /// subtracted from `x`. `solve` applies the inverse of the normal matrix in place. False when
     /// it is the plain step.
-    pub fn propose(&mut self, x: &[Row], step: &mut [Row], solve: impl Fn(&mut [Row])) -> bool {
+    pub(super) fn propose(
+        &mut self,
+        x: &[Row],
+        step: &mut [Row],
+        solve: impl Fn(&mut [Row]),
+    ) -> bool {
         match self {
             Accelerator::None => {
                 solve(step);
@@ -47,7 +52,7 @@ impl Accelerator {
     }
 
     /// Forgets all steps: the problem has changed.
-    pub fn forget(&mut self) {
+    pub(super) fn forget(&mut self) {
         match self {
             Accelerator::None => {}
             Accelerator::QuasiNewton(quasi_newton) => quasi_newton.forget(),

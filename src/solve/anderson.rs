@@ -8,7 +8,7 @@ use nalgebra::{DMatrix, DVector};
 use std::collections::VecDeque;
 
 /// The last changes of `G(x)` and of the residual `F(x) = G(x) - x`, at most `window` of them.
-pub struct Anderson {
+pub(super) struct Anderson {
     window: usize,
     changes: VecDeque<Change>,
     /// `G` and `F` of the step before; empty at the start.
@@ -24,19 +24,24 @@ struct Change {
 
 impl Anderson {
     /// With room for `window` steps.
-    pub fn new(window: usize) -> Self {
+    pub(super) fn new(window: usize) -> Self {
         Anderson { window, changes: VecDeque::new(), plain: Vec::new(), residual: Vec::new() }
     }
 
     /// Forgets all steps.
-    pub fn forget(&mut self) {
+    pub(super) fn forget(&mut self) {
         self.changes.clear();
         self.plain.clear();
         self.residual.clear();
     }
 
     /// See [`super::accelerate::Accelerator::propose`].
-    pub fn propose(&mut self, x: &[Row], step: &mut [Row], solve: impl Fn(&mut [Row])) -> bool {
+    pub(super) fn propose(
+        &mut self,
+        x: &[Row],
+        step: &mut [Row],
+        solve: impl Fn(&mut [Row]),
+    ) -> bool {
         solve(step);
         let residual: Vec<Row> = step.iter().map(|row| row.map(|value| -value)).collect();
         let mut plain = x.to_vec();

@@ -90,7 +90,7 @@ impl Occurrences {
 /// The upper triangle of a symmetric matrix in compressed columns, rows ascending, diagonal
 /// included in every column.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Normal {
+pub(super) struct Normal {
     /// `#nodes + 1`.
     pub columns: Vec<u32>,
     /// Row of each entry.
@@ -101,7 +101,7 @@ pub struct Normal {
 
 /// The pattern of the whole symmetric matrix without its diagonal, as ordering wants it:
 /// the neighbours of each node, ascending.
-pub fn adjacency(n: usize, energies: &[&Terms]) -> Ragged {
+pub(super) fn adjacency(n: usize, energies: &[&Terms]) -> Ragged {
     let occurrences: Vec<_> = energies.iter().map(|terms| Occurrences::new(n, terms)).collect();
     let mut seen = vec![u32::MAX; n];
     let mut column = Vec::new();
@@ -126,7 +126,7 @@ pub fn adjacency(n: usize, energies: &[&Terms]) -> Ragged {
 }
 
 /// Assembles and re-assembles the normal matrix in one pattern.
-pub struct Assembler {
+pub(super) struct Assembler {
     energies: Vec<Terms>,
     occurrences: Vec<Occurrences>,
     n: usize,
@@ -134,13 +134,13 @@ pub struct Assembler {
 
 impl Assembler {
     /// For the terms of several energies over `n` nodes.
-    pub fn new(n: usize, energies: Vec<Terms>) -> Self {
+    pub(super) fn new(n: usize, energies: Vec<Terms>) -> Self {
         let occurrences = energies.iter().map(|terms| Occurrences::new(n, terms)).collect();
         Assembler { energies, occurrences, n }
     }
 
     /// The pattern with zeros, from the neighbours of each node (see [`adjacency`]).
-    pub fn pattern(&self, adjacency: &Ragged) -> Normal {
+    pub(super) fn pattern(&self, adjacency: &Ragged) -> Normal {
         let (mut columns, mut rows) = (vec![0], Vec::new());
         for v in 0..self.n as u32 {
             rows.extend(adjacency.row(v as usize).iter().filter(|&&u| u < v));
@@ -155,7 +155,13 @@ impl Assembler {
     ///
     /// A node that is `fixed` is no unknown: its row and column become those of the identity, which
     /// keeps the pattern, so that fixing and releasing needs no new ordering.
-    pub fn assemble(&self, scales: &[f64], diagonal: &[f64], fixed: &[bool], normal: &mut Normal) {
+    pub(super) fn assemble(
+        &self,
+        scales: &[f64],
+        diagonal: &[f64],
+        fixed: &[bool],
+        normal: &mut Normal,
+    ) {
         normal.values.fill(0.0);
         let mut slot = vec![0u32; self.n];
         for v in 0..self.n {

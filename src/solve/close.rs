@@ -4,7 +4,7 @@ use crate::constraint::Row;
 use crate::mesh::Surface;
 
 /// What vertices are kept close to.
-pub enum CloseEnergy {
+pub(super) enum CloseEnergy {
     /// The closest point `c(v)` on the rest surface.
     Surface {
         /// The rest surface.
@@ -26,13 +26,13 @@ pub enum CloseEnergy {
 
 impl CloseEnergy {
     /// Closeness to the surface, for the vertices at `nodes`.
-    pub fn to_surface(surface: Surface, mut nodes: Vec<u32>) -> Self {
+    pub(super) fn to_surface(surface: Surface, mut nodes: Vec<u32>) -> Self {
         nodes.sort_unstable();
         CloseEnergy::Surface { surface, warm: vec![u32::MAX; nodes.len()], nodes }
     }
 
     /// Adds half the gradient of `lambda * E_close` at `x`, and gives `E_close`.
-    pub fn step(&mut self, x: &[Row], gradient: &mut [Row], lambda: f64) -> f64 {
+    pub(super) fn step(&mut self, x: &[Row], gradient: &mut [Row], lambda: f64) -> f64 {
         let mut energy = 0.0;
         let mut pull = |node: u32, target: [f64; 3]| {
             let (row, gradient) = (x[node as usize], &mut gradient[node as usize]);

@@ -45,7 +45,7 @@ impl IterateSeconds {
 }
 
 /// The parts of the total that a problem has.
-pub struct Energies {
+pub(super) struct Energies {
     /// The weights of Eq. 13.
     pub weights: Weights,
     /// Constraints.
@@ -60,7 +60,7 @@ pub struct Energies {
 
 impl Energies {
     /// Step I: the energies at `x`; replaces `gradient` by half the gradient of the total.
-    pub fn evaluate(
+    pub(super) fn evaluate(
         &mut self,
         x: &[Row],
         gradient: &mut [Row],

@@ -11,14 +11,14 @@ use sprs_ldl::{LdlNumeric, LdlSymbolic};
 const SMALLEST_PIVOT: f64 = 1e-13;
 
 /// A factored symmetric positive definite matrix.
-pub struct Factor {
+pub(super) struct Factor {
     numeric: LdlNumeric<f64, u32>,
     panels: Panels,
 }
 
 /// Why a matrix has no factor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Singular {
+pub(super) struct Singular {
     /// The column whose pivot is not positive.
     pub column: usize,
 }
@@ -28,7 +28,7 @@ impl Factor {
     ///
     /// # Errors
     /// When it is not positive definite to working precision.
-    pub fn new(normal: &Normal) -> Result<Factor, Singular> {
+    pub(super) fn new(normal: &Normal) -> Result<Factor, Singular> {
         let view = view(normal);
         // The columns are in order already. The upper triangle is all that is read, and its
         // symmetry check would compare it with a lower one that is not there.
@@ -48,7 +48,7 @@ impl Factor {
     /// # Errors
     /// When the matrix is not positive definite; the factor is then that of the last good one only
     /// in [`Factor::solve`], and must be updated again before anything else.
-    pub fn update(&mut self, normal: &Normal) -> Result<(), Singular> {
+    pub(super) fn update(&mut self, normal: &Normal) -> Result<(), Singular> {
         self.numeric.update(view(normal)).map_err(|_| Singular { column: 0 })?;
         check(self.numeric.d(), normal)?;
         let Factor { numeric, panels } = self;
@@ -57,12 +57,12 @@ impl Factor {
     }
 
     /// Solves in place for the right-hand sides in the columns of `x`, `#unknowns` rows.
-    pub fn solve(&self, x: &mut [Row]) {
+    pub(super) fn solve(&self, x: &mut [Row]) {
         self.panels.solve(x);
     }
 
     /// Nonzeros of `L` with its diagonal.
-    pub fn nonzeros(&self) -> usize {
+    pub(super) fn nonzeros(&self) -> usize {
         self.numeric.nnz() + self.numeric.problem_size()
     }
 }

@@ -19,7 +19,7 @@ pub struct Handle {
 ///
 /// `node_of` names the node of each vertex, `parts` labels the connected part of each node, `held` says of
 /// each node whether closeness or a handle holds it.
-pub fn pins(node_of: &[u32], parts: &[u32], held: &[bool]) -> Vec<u32> {
+pub(super) fn pins(node_of: &[u32], parts: &[u32], held: &[bool]) -> Vec<u32> {
     let mut part_is_held = vec![false; parts.len()];
     for (&part, &held) in parts.iter().zip(held) {
         part_is_held[part as usize] |= held;
@@ -36,13 +36,13 @@ pub fn pins(node_of: &[u32], parts: &[u32], held: &[bool]) -> Vec<u32> {
 
 /// Soft handles, in terms of nodes.
 #[derive(Default)]
-pub struct SoftHandles {
+pub(super) struct SoftHandles {
     held: Vec<(u32, f64, Row)>,
 }
 
 impl SoftHandles {
     /// The soft ones among `handles`, whose vertices are called `node_of[v]`; targets relative to `centre`.
-    pub fn new(handles: &[Handle], node_of: &[u32], centre: Point) -> Self {
+    pub(super) fn new(handles: &[Handle], node_of: &[u32], centre: Point) -> Self {
         let held = handles.iter().filter_map(|handle| match handle.hold {
             Hold::Soft { weight } => {
                 Some((node_of[handle.vertex as usize], weight, relative(handle.target, centre)))
@@ -53,7 +53,7 @@ impl SoftHandles {
     }
 
     /// Adds half the gradient of `sum weight |v - target|^2` at `x`, and gives the sum.
-    pub fn step(&self, x: &[Row], gradient: &mut [Row]) -> f64 {
+    pub(super) fn step(&self, x: &[Row], gradient: &mut [Row]) -> f64 {
         let mut energy = 0.0;
         for &(node, weight, target) in &self.held {
             for i in 0..3 {
@@ -67,6 +67,6 @@ impl SoftHandles {
 }
 
 /// A point relative to the centre of the model, so that site coordinates do not cost digits.
-pub fn relative(point: Point, centre: Point) -> Row {
+pub(super) fn relative(point: Point, centre: Point) -> Row {
     [point[0] - centre[0], point[1] - centre[1], point[2] - centre[2], 0.0]
 }

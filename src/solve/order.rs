@@ -5,7 +5,7 @@ use crate::mesh::Ragged;
 
 /// The order of elimination of a matrix with this symmetric pattern: `order[k]` is the node that
 /// is eliminated `k`-th. `adjacency` holds the neighbours of each node, ascending, without itself.
-pub fn elimination_order(adjacency: &Ragged) -> Vec<u32> {
+pub(super) fn elimination_order(adjacency: &Ragged) -> Vec<u32> {
     let n = adjacency.len();
     if n == 0 {
         return Vec::new();
@@ -27,7 +27,7 @@ pub fn elimination_order(adjacency: &Ragged) -> Vec<u32> {
 }
 
 /// The inverse of a permutation.
-pub fn inverse(order: &[u32]) -> Vec<u32> {
+pub(super) fn inverse(order: &[u32]) -> Vec<u32> {
     let mut inverse = vec![0; order.len()];
     for (k, &v) in order.iter().enumerate() {
         inverse[v as usize] = k as u32;

@@ -13,7 +13,7 @@ const WIDTH: usize = 4;
 
 /// The strict lower triangle of a factor in compressed columns, rows ascending.
 #[derive(Clone, Copy)]
-pub struct Columns<'a> {
+pub(super) struct Columns<'a> {
     /// `#columns + 1`.
     pub offsets: &'a [u32],
     /// Row of each entry.
@@ -44,7 +44,7 @@ struct Panel {
 }
 
 /// A factor in panels.
-pub struct Panels {
+pub(super) struct Panels {
     panels: Vec<Panel>,
     /// The rows of each supernode, its own columns first, ascending.
     rows: Vec<u32>,
@@ -60,7 +60,7 @@ pub struct Panels {
 impl Panels {
     /// Lays out panels for the pattern of `l`, which is in a postorder of its elimination tree, and
     /// fills them.
-    pub fn new(l: Columns<'_>, pivots: &[f64]) -> Panels {
+    pub(super) fn new(l: Columns<'_>, pivots: &[f64]) -> Panels {
         let supernodes = supernodes(l);
         let (mut rows, mut row_starts, mut panels) = (Vec::new(), Vec::new(), Vec::new());
         let mut n_values = 0;
@@ -94,7 +94,7 @@ impl Panels {
     }
 
     /// Fills the panels with other values in the same pattern.
-    pub fn fill(&mut self, l: Columns<'_>, pivots: &[f64]) {
+    pub(super) fn fill(&mut self, l: Columns<'_>, pivots: &[f64]) {
         for (inverse, pivot) in self.inverse_pivots.iter_mut().zip(pivots) {
             *inverse = 1.0 / pivot;
         }
@@ -127,13 +127,8 @@ impl Panels {
         }
     }
 
-    /// Stored values, explicit zeros included.
-    pub fn stored(&self) -> usize {
-        self.values.len() + self.inverse_pivots.len()
-    }
-
     /// Solves `L D L^T x = b` in place for the three right-hand sides in the columns of `x`.
-    pub fn solve(&self, x: &mut [Row]) {
+    pub(super) fn solve(&self, x: &mut [Row]) {
         assert_eq!(x.len(), self.inverse_pivots.len(), "one row for each column of the factor");
         for panel in &self.panels {
             match panel.width {

@@ -15,7 +15,7 @@ struct Pair {
 }
 
 /// The last steps, at most `window` of them.
-pub struct QuasiNewton {
+pub(super) struct QuasiNewton {
     window: usize,
     pairs: VecDeque<Pair>,
     /// Positions and half gradient of the step before; empty at the start.
@@ -25,19 +25,24 @@ pub struct QuasiNewton {
 
 impl QuasiNewton {
     /// With room for `window` steps.
-    pub fn new(window: usize) -> Self {
+    pub(super) fn new(window: usize) -> Self {
         QuasiNewton { window, pairs: VecDeque::new(), x: Vec::new(), gradient: Vec::new() }
     }
 
     /// Forgets all steps.
-    pub fn forget(&mut self) {
+    pub(super) fn forget(&mut self) {
         self.pairs.clear();
         self.x.clear();
         self.gradient.clear();
     }
 
     /// See [`super::accelerate::Accelerator::propose`].
-    pub fn propose(&mut self, x: &[Row], step: &mut [Row], solve: impl Fn(&mut [Row])) -> bool {
+    pub(super) fn propose(
+        &mut self,
+        x: &[Row],
+        step: &mut [Row],
+        solve: impl Fn(&mut [Row]),
+    ) -> bool {
         self.learn(x, step);
         self.x.clear();
         self.x.extend_from_slice(x);

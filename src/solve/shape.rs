@@ -7,7 +7,7 @@ use crate::mesh::Ragged;
 /// A constraint on more points than this gets its mean as one extra unknown, coupled to each of its
 /// points, instead of coupling all its points with each other. The minimiser is exactly the same:
 /// minimising over the mean alone gives back `N_i`.
-pub const BIG: usize = 32;
+pub(super) const BIG: usize = 32;
 
 /// One row of the list of constraints, resolved: the same kind on several sets of vertices.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,12 +28,12 @@ impl Constraints {
 }
 
 /// How many extra unknowns these constraints take.
-pub fn extra_unknowns(constraints: &[Constraints], mean_centring: bool) -> usize {
+pub(super) fn extra_unknowns(constraints: &[Constraints], mean_centring: bool) -> usize {
     if mean_centring { constraints.iter().map(|c| c.big().count()).sum() } else { 0 }
 }
 
 /// The terms `sum_i w_i N_i` over vertices and extra unknowns, which are numbered from `n_vertices` on.
-pub fn terms(constraints: &[Constraints], n_vertices: usize, mean_centring: bool) -> Terms {
+pub(super) fn terms(constraints: &[Constraints], n_vertices: usize, mean_centring: bool) -> Terms {
     let mut terms = Terms::default();
     let mut mean = n_vertices as u32;
     for row in constraints {
@@ -55,7 +55,7 @@ pub fn terms(constraints: &[Constraints], n_vertices: usize, mean_centring: bool
 }
 
 /// The batches of every row of constraints.
-pub struct ShapeEnergy {
+pub(super) struct ShapeEnergy {
     rows: Vec<ShapeRow>,
 }
 
@@ -66,7 +66,12 @@ struct ShapeRow {
 
 impl ShapeEnergy {
     /// Batches `constraints`, whose vertices are called `node_of[v]` from here on.
-    pub fn new(constraints: &[Constraints], node_of: &[u32], rest: &[Row], guarded: bool) -> Self {
+    pub(super) fn new(
+        constraints: &[Constraints],
+        node_of: &[u32],
+        rest: &[Row],
+        guarded: bool,
+    ) -> Self {
         let rows = constraints
             .iter()
             .map(|row| {
@@ -83,7 +88,7 @@ impl ShapeEnergy {
     }
 
     /// Step I: projects at `x`, adds half the gradient of `lambda * E_shape`, and gives `E_shape`.
-    pub fn local_step(&mut self, x: &[Row], gradient: &mut [Row], lambda: f64) -> f64 {
+    pub(super) fn local_step(&mut self, x: &[Row], gradient: &mut [Row], lambda: f64) -> f64 {
         let mut energy = 0.0;
         for row in &mut self.rows {
             row.found = LocalStep::default();
@@ -98,12 +103,12 @@ impl ShapeEnergy {
     }
 
     /// What the last local step found in each row of constraints.
-    pub fn found(&self) -> impl Iterator<Item = LocalStep> {
+    pub(super) fn found(&self) -> impl Iterator<Item = LocalStep> {
         self.rows.iter().map(|row| row.found)
     }
 
     /// The shapes that fit at `x`, to be drawn.
-    pub fn fitted(&self, x: &[Row]) -> Vec<Fitted> {
+    pub(super) fn fitted(&self, x: &[Row]) -> Vec<Fitted> {
         let mut shapes = Vec::new();
         for batch in self.rows.iter().flat_map(|row| &row.batches) {
             batch.fitted(x, &mut shapes);

@@ -5,7 +5,7 @@ use crate::constraint::Row;
 use crate::mesh::{Laplacian, Ragged};
 
 /// The terms of `L^T L` over vertices: one for each row `sum_j w_ij (l_j - l_i)`.
-pub fn terms(laplacian: &Laplacian) -> Terms {
+pub(super) fn terms(laplacian: &Laplacian) -> Terms {
     let mut terms = Terms::default();
     let mut nodes = Vec::new();
     for (i, (neighbours, weights)) in laplacian.rows().enumerate() {
@@ -19,7 +19,7 @@ pub fn terms(laplacian: &Laplacian) -> Terms {
 }
 
 /// The Laplacian in the order of elimination.
-pub struct SmoothEnergy {
+pub(super) struct SmoothEnergy {
     neighbours: Ragged,
     /// `w_ij`, aligned with `neighbours`.
     weights: Vec<f64>,
@@ -32,7 +32,12 @@ pub struct SmoothEnergy {
 
 impl SmoothEnergy {
     /// For vertices called `node_of[v]` among `n_nodes` nodes; `rest` is empty or their rest positions.
-    pub fn new(laplacian: &Laplacian, node_of: &[u32], n_nodes: usize, rest: Vec<Row>) -> Self {
+    pub(super) fn new(
+        laplacian: &Laplacian,
+        node_of: &[u32],
+        n_nodes: usize,
+        rest: Vec<Row>,
+    ) -> Self {
         let mut by_node: Vec<(Vec<u32>, &[f64])> = vec![(Vec::new(), &[]); n_nodes];
         for (v, (neighbours, weights)) in laplacian.rows().enumerate() {
             let neighbours = neighbours.iter().map(|&u| node_of[u as usize]).collect();
@@ -48,7 +53,7 @@ impl SmoothEnergy {
     }
 
     /// Adds half the gradient of `lambda * E_smooth` at `x`, and gives `E_smooth`.
-    pub fn step(&mut self, x: &[Row], gradient: &mut [Row], lambda: f64) -> f64 {
+    pub(super) fn step(&mut self, x: &[Row], gradient: &mut [Row], lambda: f64) -> f64 {
         let SmoothEnergy { neighbours, weights, rest, rows, l } = self;
         let smoothed = if rest.is_empty() {
             x

@@ -208,7 +208,7 @@ impl Frame {
             let e = entry.energy;
             [f64::from(entry.iteration), e.shape, e.close, e.smooth, e.handles, e.total]
         });
-        let positions = session.positions();
+        let measures = session.measures();
         let mut found = session.solver().found();
         let worst = session.rows().iter().map(|row| {
             let found = row.enabled.then(|| found.next()).flatten();
@@ -218,8 +218,8 @@ impl Frame {
             iteration: session.iteration(),
             converged: session.solver().converged(),
             energy: session.solver().energy(),
-            planarity: session.planarity(&positions),
-            circularity: session.circularity(&positions),
+            planarity: measures.planarity,
+            circularity: measures.circularity,
             worst: worst.collect(),
             trace: trace.collect(),
             step_ms,

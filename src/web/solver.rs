@@ -210,10 +210,10 @@ impl Solver {
     #[wasm_bindgen(js_name = faceErrors)]
     pub fn face_errors(&self, measure: &str) -> Result<Float32Array, JsValue> {
         let session = self.open()?;
-        let positions = session.positions();
+        let measures = session.measures();
         let errors = match measure {
-            "planarity" => session.planarity_of_faces(&positions),
-            "circularity" => session.circularity_of_faces(&positions),
+            "planarity" => measures.planarity_distances,
+            "circularity" => measures.circularity_distances,
             _ => return Err(thrown(format!("unknown measure {measure:?}"))),
         };
         let narrow: Vec<f32> = errors.iter().map(|&error| error as f32).collect();

@@ -29,7 +29,7 @@ const SCENES: &[(&str, [u64; 3])] = &[
     (
         r#""constraints": [{ "kind": "circle", "on": "faces" }],
            "weights": { "shape": 5, "close": 10, "smooth": 2 }"#,
-        [0, 0, 0],
+        [0xbb62_9771_0042_c2f6, 0x98c5_ce0a_42ae_9758, 0xf413_0cdd_bae7_4b5e],
     ),
     (
         r#""constraints": [{ "kind": "plane", "on": "faces" },
@@ -39,7 +39,7 @@ const SCENES: &[(&str, [u64; 3])] = &[
                        { "vertices": [168], "targets": [[1.2, 1.1, 0.4]] }],
            "weights": { "shape": 3, "smooth": 0.1 },
            "smoothness": { "of": "displacement" }"#,
-        [0, 0, 0],
+        [0x55a4_9f23_08b9_4179, 0x9598_db07_db5d_a721, 0x4250_89ef_83be_76e7],
     ),
 ];
 

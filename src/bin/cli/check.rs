@@ -2,7 +2,9 @@
 
 use super::{Failure, input, output};
 use serde::Serialize;
-use shape_up::mesh::{Circularity, Mesh, Planarity, Topology, components};
+use shape_up::mesh::{
+    BoundingSphere, Circularity, Measures, Mesh, Planarity, Topology, components,
+};
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -47,6 +49,8 @@ pub(super) fn check(path: &Path, report: Option<&Path>) -> Result<(), Failure> {
     let topology = Topology::new(mesh);
     let boundary_edges =
         (0..topology.edges().len()).filter(|&e| topology.is_boundary_edge(e as u32)).count();
+    let diameter = 2.0 * BoundingSphere::of(&mesh.positions).radius;
+    let measures = Measures::new(&mesh.positions, &mesh.faces, diameter);
     let problems = read.problems.iter().map(|problem| Problem {
         message: problem.to_string(),
         count: problem.count,
@@ -63,8 +67,8 @@ pub(super) fn check(path: &Path, report: Option<&Path>) -> Result<(), Failure> {
         vertex_degrees: tally(topology.neighbours().iter().map(<[u32]>::len)),
         boundary: Boundary { loops: topology.boundary_loops().len(), edges: boundary_edges },
         components: parts(mesh),
-        planarity: Planarity::of(mesh, &mesh.positions),
-        circularity: Circularity::of(mesh, &mesh.positions),
+        planarity: measures.planarity,
+        circularity: measures.circularity,
         problems: problems.collect(),
         notes: read.notes.clone(),
     };

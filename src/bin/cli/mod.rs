@@ -30,7 +30,10 @@ pub(crate) enum Failure {
 pub(crate) fn run(arguments: Vec<OsString>) -> ExitCode {
     std::panic::set_hook(Box::new(|panic| {
         let place = panic.location().map(ToString::to_string).unwrap_or_default();
-        let what = panic.payload_as_str().unwrap_or("a contract is broken");
+        let payload = panic.payload();
+        let text = payload.downcast_ref::<&str>().copied();
+        let text = text.or(payload.downcast_ref::<String>().map(String::as_str));
+        let what = text.unwrap_or("a contract is broken");
         eprintln!("shape-up: internal error at {place}: {}", one_line(what));
         std::process::exit(3);
     }));

@@ -98,15 +98,16 @@ pub(super) fn write(mesh: &Mesh, indent: &str) -> String {
         let items: Vec<_> = row.iter().map(u32::to_string).collect();
         format!("[{}]", items.join(", "))
     };
-    let mut fields = vec![("positions", rows(mesh.positions.iter().map(point), indent))];
+    let mut fields =
+        vec![("positions", super::write::rows(mesh.positions.iter().map(point), indent))];
     if !mesh.faces.is_empty() {
-        fields.push(("faces", rows(mesh.faces.iter().map(row), indent)));
+        fields.push(("faces", super::write::rows(mesh.faces.iter().map(row), indent)));
     }
     if !mesh.curves.is_empty() {
-        fields.push(("curves", rows(mesh.curves.iter().map(row), indent)));
+        fields.push(("curves", super::write::rows(mesh.curves.iter().map(row), indent)));
     }
     if !mesh.tets.is_empty() {
-        fields.push(("tets", rows(mesh.tets.iter().map(|tet| row(tet)), indent)));
+        fields.push(("tets", super::write::rows(mesh.tets.iter().map(|tet| row(tet)), indent)));
     }
     if !mesh.groups.is_empty() {
         fields.push(("groups", write_groups(&mesh.groups, indent)));
@@ -114,27 +115,6 @@ pub(super) fn write(mesh: &Mesh, indent: &str) -> String {
     let fields: Vec<_> =
         fields.iter().map(|(key, value)| format!("{indent}  \"{key}\": {value}")).collect();
     format!("{{\n{}\n{indent}}}", fields.join(",\n"))
-}
-
-/// Rows in as few lines as are good to read: what a scene holds is long, not deep.
-fn rows(rows: impl Iterator<Item = String>, indent: &str) -> String {
-    let mut text = String::from("[");
-    let mut width = 0;
-    for (i, row) in rows.enumerate() {
-        if i > 0 {
-            text.push(',');
-        }
-        if i == 0 || width + row.len() > 96 {
-            text.push_str(&format!("\n{indent}    "));
-            width = 0;
-        } else {
-            text.push(' ');
-        }
-        width += row.len() + 2;
-        text.push_str(&row);
-    }
-    text.push_str(&format!("\n{indent}  ]"));
-    text
 }
 
 fn write_groups(groups: &[Group], indent: &str) -> String {

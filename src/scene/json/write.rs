@@ -27,7 +27,7 @@ pub(super) fn scene(scene: &Scene, mesh: &Mesh) -> String {
         },
     ));
     if let Some(current) = &scene.current {
-        fields.push(field("current", points(current)));
+        fields.push(field("current", rows(current.iter().map(point), "")));
     }
     if !scene.sets.is_empty() {
         let sets =
@@ -162,6 +162,27 @@ fn lines(open: char, items: Vec<String>, close: char) -> String {
         return format!("{open}{close}");
     }
     format!("{open}\n    {}\n  {close}", items.join(",\n    "))
+}
+
+/// Rows in as few lines as are good to read: what a scene holds is long, not deep.
+pub(super) fn rows(rows: impl Iterator<Item = String>, indent: &str) -> String {
+    let mut text = String::from("[");
+    let mut width = 0;
+    for (i, row) in rows.enumerate() {
+        if i > 0 {
+            text.push(',');
+        }
+        if i == 0 || width + row.len() > 96 {
+            text.push_str(&format!("\n{indent}    "));
+            width = 0;
+        } else {
+            text.push(' ');
+        }
+        width += row.len() + 2;
+        text.push_str(&row);
+    }
+    text.push_str(&format!("\n{indent}  ]"));
+    text
 }
 
 fn points(points: &[Point]) -> String {

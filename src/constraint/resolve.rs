@@ -1,0 +1,189 @@
+//! From a selector to the vertices of each constraint that it makes.
+
+use super::{Element, SelectError, Selector, Sets};
+use crate::mesh::{Mesh, Ragged, Topology, edge_lines};
+
+/// The vertices of each constraint that a selector makes: one row of distinct vertices for each.
+///
+/// | selected | rows | vertices of a row |
+/// |---|---|---|
+/// | faces, tets | in the order of the mesh | as its corners |
+/// | edges | in the order of [`Topology::edges`] | the smaller first |
+/// | rings | one per vertex | the vertex, then ring by ring, each ring ascending |
+/// | curves | those of the file, then the lines of [`edge_lines`] | along the curve |
+/// | boundary | as [`Topology::boundary_loops`] | along the loop |
+/// | groups, sets | groups in the order of the mesh; a set is one row | vertices as listed, then those of faces, then those of curves |
+/// | vertices | one row | as listed |
+///
+/// A name stands for a set, or where there is none, for all groups of that name. `within` keeps
+/// the faces that it lists, if it lists any, and likewise curves of the file; a ring whose centre is
+/// in it; and any other element all of whose vertices are in it, those of its faces and curves
+/// included. Then `radius` adds rings of neighbours to what is left, each ring ascending.
+///
+/// # Errors
+/// When a name is unknown, or a set or list has an index that the mesh does not have.
+pub fn resolve(
+    selector: &Selector,
+    mesh: &Mesh,
+    topology: &Topology,
+    sets: &Sets,
+) -> Result<Ragged, SelectError> {
+    let mut rows = Rows { seen: vec![0; mesh.positions.len()], round: 0, rows: Ragged::new() };
+    match selector {
+        Selector::Vertices(vertices) => {
+            rows.push(&Members::of_vertices(vertices, mesh)?.vertices);
+        }
+        Selector::Set(name) => rows.push(&Members::named(name, mesh, sets)?.vertices),
+        Selector::Each { element, within, radius } => {
+            let within =
+                within.as_ref().map(|name| Members::named(name, mesh, sets)).transpose()?;
+            let kept = within.as_ref().map(|members| Kept::new(members, mesh));
+            let keeps = |place: Place, vertices: &[u32]| {
+                kept.as_ref().is_none_or(|kept| kept.keeps(place, vertices))
+            };
+            let mut push = |place: Place, vertices: &[u32]| {
+                if keeps(place, vertices) {
+                    let own = rows.distinct(vertices);
+                    rows.rows.push(&topology.grow(&own, *radius));
+                }
+            };
+            match element {
+                Element::Face => each(&mesh.faces, |f, face| push(Place::Face(f), face)),
+                Element::Edge => topology.edges().iter().for_each(|ends| push(Place::Other, ends)),
+                Element::Ring => {
+                    (0..mesh.positions.len() as u32).for_each(|v| push(Place::Other, &[v]));
+                }
+                Element::Tet => mesh.tets.iter().for_each(|tet| push(Place::Other, tet)),
+                Element::Curve => {
+                    each(&mesh.curves, |c, curve| push(Place::Curve(c), curve));
+                    each(&edge_lines(topology), |_, line| push(Place::Other, line));
+                }
+                Element::Boundary => {
+                    each(topology.boundary_loops(), |_, one| push(Place::Other, one));
+                }
+                Element::Group => {
+                    for group in &mesh.groups {
+                        let members = Members::new(&[], &group.faces, &group.curves, mesh)?;
+                        push(Place::Other, &members.vertices);
+                    }
+                }
+            }
+        }
+    }
+    Ok(rows.rows)
+}
+
+fn each(rows: &Ragged, mut visit: impl FnMut(usize, &[u32])) {
+    rows.iter().enumerate().for_each(|(i, row)| visit(i, row));
+}
+
+/// Rows of distinct vertices in the making.
+struct Rows {
+    /// The last round in which a vertex came by.
+    seen: Vec<u32>,
+    round: u32,
+    rows: Ragged,
+}
+
+impl Rows {
+    /// The vertices without repetitions, in the order in which they first come.
+    fn distinct(&mut self, vertices: &[u32]) -> Vec<u32> {
+        self.round += 1;
+        let mut distinct = vertices.to_vec();
+        distinct
+            .retain(|&v| std::mem::replace(&mut self.seen[v as usize], self.round) != self.round);
+        distinct
+    }
+
+    fn push(&mut self, vertices: &[u32]) {
+        let distinct = self.distinct(vertices);
+        self.rows.push(&distinct);
+    }
+}
+
+/// Where an element comes from, as far as sets and groups list it by its index.
+#[derive(Clone, Copy)]
+enum Place {
+    Face(usize),
+    Curve(usize),
+    Other,
+}
+
+/// What a set or group holds.
+struct Members {
+    /// Those listed, those of the faces, those of the curves; may repeat.
+    vertices: Vec<u32>,
+    faces: Vec<u32>,
+    curves: Vec<u32>,
+}
+
+impl Members {
+    fn named(name: &str, mesh: &Mesh, sets: &Sets) -> Result<Members, SelectError> {
+        if let Some(set) = sets.get(name) {
+            return Members::new(&set.vertices, &set.faces, &[], mesh);
+        }
+        let groups: Vec<_> = mesh.groups.iter().filter(|group| group.name == name).collect();
+        if groups.is_empty() {
+            return Err(SelectError::UnknownSet(name.to_string()));
+        }
+        let faces: Vec<u32> = groups.iter().flat_map(|group| &group.faces).copied().collect();
+        let curves: Vec<u32> = groups.iter().flat_map(|group| &group.curves).copied().collect();
+        Members::new(&[], &faces, &curves, mesh)
+    }
+
+    fn of_vertices(vertices: &[u32], mesh: &Mesh) -> Result<Members, SelectError> {
+        Members::new(vertices, &[], &[], mesh)
+    }
+
+    fn new(
+        vertices: &[u32],
+        faces: &[u32],
+        curves: &[u32],
+        mesh: &Mesh,
+    ) -> Result<Members, SelectError> {
+        if let Some(&v) = vertices.iter().find(|&&v| v as usize >= mesh.positions.len()) {
+            return Err(SelectError::VertexOutOfRange(v));
+        }
+        if let Some(&f) = faces.iter().find(|&&f| f as usize >= mesh.faces.len()) {
+            return Err(SelectError::FaceOutOfRange(f));
+        }
+        let mut all = vertices.to_vec();
+        faces.iter().for_each(|&f| all.extend_from_slice(mesh.faces.row(f as usize)));
+        curves.iter().for_each(|&c| all.extend_from_slice(mesh.curves.row(c as usize)));
+        Ok(Members { vertices: all, faces: faces.to_vec(), curves: curves.to_vec() })
+    }
+}
+
+/// Which elements `within` keeps.
+struct Kept {
+    /// `#V`.
+    vertices: Vec<bool>,
+    /// `#F`; none when no face is listed.
+    faces: Option<Vec<bool>>,
+    /// `#curves`; none when no curve is listed.
+    curves: Option<Vec<bool>>,
+}
+
+impl Kept {
+    fn new(members: &Members, mesh: &Mesh) -> Kept {
+        let mark = |n: usize, listed: &[u32]| {
+            let mut marks = vec![false; n];
+            listed.iter().for_each(|&i| marks[i as usize] = true);
+            marks
+        };
+        let if_listed = |n, listed: &[u32]| (!listed.is_empty()).then(|| mark(n, listed));
+        Kept {
+            vertices: mark(mesh.positions.len(), &members.vertices),
+            faces: if_listed(mesh.faces.len(), &members.faces),
+            curves: if_listed(mesh.curves.len(), &members.curves),
+        }
+    }
+
+    fn keeps(&self, place: Place, vertices: &[u32]) -> bool {
+        match (place, &self.faces, &self.curves) {
+            (Place::Face(f), Some(faces), _) => faces[f],
+            (Place::Curve(c), _, Some(curves)) => curves[c],
+            _ => vertices.iter().all(|&v| self.vertices[v as usize]),
+        }
+    }
+}

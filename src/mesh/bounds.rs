@@ -1,0 +1,114 @@
+//! The bounding sphere: the smallest ball that holds all points.
+//!
+//! Errors `e_p` and `e_c` are stated in the scale where its diameter is 1 (paper Fig. 5).
+
+use super::Point;
+use crate::math::Vec3;
+
+/// A ball.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BoundingSphere {
+    /// Its centre.
+    pub centre: Point,
+    /// Its radius; 0 around one point.
+    pub radius: f64,
+}
+
+impl BoundingSphere {
+    /// The smallest ball that holds the finite `points`, up to rounding; around no points, the
+    /// origin.
+    ///
+    /// The ball is that of at most four of the points. Starting from one point, the farthest point
+    /// outside joins those that carry the ball, and the smallest ball of these at most five, which
+    /// is found by trying, replaces it. Each ball is greater than the one before, so this ends; it
+    /// takes about ten rounds (compare Gaertner, *Fast and robust smallest enclosing balls*, 1999).
+    pub fn of(points: &[Point]) -> BoundingSphere {
+        let Some(&first) = points.first() else {
+            return BoundingSphere { centre: [0.0; 3], radius: 0.0 };
+        };
+        let origin = Vec3::from(first);
+        let at = |i: usize| Vec3::from(points[i]) - origin;
+        let mut ball = Ball { centre: Vec3::zero(), radius_squared: 0.0, carriers: vec![0] };
+        let mut farthest = ball.farthest(points.len(), at);
+        while !ball.carriers.contains(&farthest.0) && farthest.1 > ball.radius_squared {
+            // None is greater when only rounding is left to gain.
+            let Some(greater) = ball.with(farthest.0, at) else { break };
+            ball = greater;
+            farthest = ball.farthest(points.len(), at);
+        }
+        let radius_squared = if farthest.1 > 0.0 { farthest.1 } else { 0.0 };
+        BoundingSphere { centre: (origin + ball.centre).into(), radius: radius_squared.sqrt() }
+    }
+
+    /// Twice the radius.
+    pub fn diameter(&self) -> f64 {
+        2.0 * self.radius
+    }
+}
+
+struct Ball {
+    centre: Vec3<f64>,
+    radius_squared: f64,
+    /// The points on its surface that make it this great, at most four.
+    carriers: Vec<usize>,
+}
+
+impl Ball {
+    /// The first of the points that are farthest from the centre, and its squared distance.
+    fn farthest(&self, n: usize, at: impl Fn(usize) -> Vec3<f64>) -> (usize, f64) {
+        (0..n).fold((0, -1.0), |farthest, i| {
+            let squared = (at(i) - self.centre).length_squared();
+            if squared > farthest.1 { (i, squared) } else { farthest }
+        })
+    }
+
+    /// The smallest ball of the carriers and one more point outside, which is on its surface; none
+    /// where that is not greater.
+    fn with(&self, outside: usize, at: impl Fn(usize) -> Vec3<f64>) -> Option<Ball> {
+        let mut least: Option<Ball> = None;
+        for subset in 0..1_usize << self.carriers.len() {
+            let chosen = self.carriers.iter().enumerate().filter(|(k, _)| subset >> k & 1 == 1);
+            let mut carriers = vec![outside];
+            carriers.extend(chosen.map(|(_, &i)| i));
+            if carriers.len() > 4 {
+                continue;
+            }
+            let sides: Vec<Vec3<f64>> =
+                carriers[1..].iter().map(|&i| at(i) - at(outside)).collect();
+            let Some(to_centre) = circumcentre(&sides) else { continue };
+            let (centre, radius_squared) = (at(outside) + to_centre, to_centre.length_squared());
+            // Rounding moves points on the surface out by a little.
+            let holds =
+                |i: &usize| (at(*i) - centre).length_squared() <= radius_squared * (1.0 + 1e-12);
+            if radius_squared > self.radius_squared
+                && least.as_ref().is_none_or(|least| radius_squared < least.radius_squared)
+                && self.carriers.iter().all(holds)
+            {
+                least = Some(Ball { centre, radius_squared, carriers });
+            }
+        }
+        least
+    }
+}
+
+/// The point at the same distance from the origin and from all `points`, at most three, in the
+/// plane or line through them; none where they lie in one of lower dimension.
+fn circumcentre(points: &[Vec3<f64>]) -> Option<Vec3<f64>> {
+    let half = |p: Vec3<f64>| 0.5 * p.length_squared();
+    let (sum, weight) = match *points {
+        [] => return Some(Vec3::zero()),
+        [a] => (a * half(a), a.length_squared()),
+        [a, b] => {
+            let normal = a.cross(b);
+            let sum = b.cross(normal) * half(a) + normal.cross(a) * half(b);
+            (sum, normal.length_squared())
+        }
+        [a, b, c] => {
+            let sum = b.cross(c) * half(a) + c.cross(a) * half(b) + a.cross(b) * half(c);
+            (sum, a.dot(b.cross(c)))
+        }
+        _ => panic!("a ball in space is carried by at most four points"),
+    };
+    let centre = sum * (1.0 / weight);
+    (weight != 0.0 && centre.length_squared().is_finite()).then_some(centre)
+}

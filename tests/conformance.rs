@@ -1,0 +1,453 @@
+//! The one property suite over the list of kinds: a new kind is tested by existing. What a kind
+//! means is told independently in `support/shapes.rs`.
+
+#[path = "support/minimise.rs"]
+mod minimise;
+#[path = "support/random.rs"]
+mod random;
+#[path = "support/shapes.rs"]
+mod shapes;
+
+use minimise::least_distance_squared;
+use random::{Points, Random, centred, distance_squared, farthest, in_frame, size};
+use serde_json::json;
+use shape_up::constraint::{Arity, KINDS, Kind, KindVisitor, Projection};
+use shape_up::math::{LANES, Lanes, Vec3};
+use shapes::{NOISE, Shape, cloud, shape};
+use std::fmt;
+
+/// One constraint to try: centred points and centred rest points.
+struct Case {
+    kind: Kind,
+    n: usize,
+    seed: u64,
+    rest: Points,
+    points: Points,
+}
+
+impl fmt::Display for Case {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}, n = {}, seed {}", self.kind.info().id, self.n, self.seed)
+    }
+}
+
+impl Case {
+    fn project(&self) -> Points {
+        project(&self.kind, &self.rest, &self.points)
+    }
+    fn shape(&self) -> Shape {
+        shape(self.kind.info().id)
+    }
+    fn with(
+        &self,
+        map: impl Fn(Vec3<f64>) -> Vec3<f64>,
+        rest: impl Fn(Vec3<f64>) -> Vec3<f64>,
+    ) -> Case {
+        Case {
+            kind: self.kind.clone(),
+            rest: self.rest.iter().map(|v| rest(*v)).collect(),
+            points: self.points.iter().map(|v| map(*v)).collect(),
+            ..*self
+        }
+    }
+}
+
+/// Projects as plain scalars, or with [`Lanes`] when there are as many point sets as lanes.
+struct Project<'a> {
+    rest: &'a [Points],
+    points: &'a mut [Points],
+}
+
+impl KindVisitor for Project<'_> {
+    type Output = ();
+    fn visit<P: Projection>(self, operator: &P) {
+        if let [points] = self.points {
+            return operator.project(&self.rest[0], points);
+        }
+        let pack = |sets: &[Points]| -> Vec<Vec3<Lanes>> {
+            (0..sets[0].len())
+                .map(|k| {
+                    let mut packed = Vec3::zero();
+                    (0..LANES).for_each(|i| packed.set_lane(i, sets[i][k]));
+                    packed
+                })
+                .collect()
+        };
+        let (rest, mut v) = (pack(self.rest), pack(self.points));
+        operator.project(&rest, &mut v);
+        for (i, points) in self.points.iter_mut().enumerate() {
+            points.iter_mut().zip(&v).for_each(|(to, from)| *to = from.lane(i));
+        }
+    }
+}
+
+fn project(kind: &Kind, rest: &Points, points: &Points) -> Points {
+    let mut result = [points.clone()];
+    kind.visit(Project { rest: std::slice::from_ref(rest), points: &mut result });
+    let [result] = result;
+    result
+}
+
+/// Every kind, with its default parameters.
+fn kinds() -> Vec<Kind> {
+    KINDS.iter().map(|info| Kind::new(info.id, json!({})).expect("defaults are valid")).collect()
+}
+
+/// Numbers of vertices to try.
+fn sizes(arity: Arity) -> Vec<usize> {
+    match arity {
+        Arity::AtLeast(n) => vec![n, n + 1, n + 2, 2 * n + 3, 40],
+        Arity::Exactly(n) => vec![n],
+    }
+}
+
+/// Every kind and size with `seeds` point sets: clouds of three flatnesses and disturbed shapes.
+fn cases(seeds: u64) -> Vec<Case> {
+    let mut cases = Vec::new();
+    for kind in kinds() {
+        for n in sizes(kind.info().arity) {
+            for seed in 0..seeds {
+                let mut random = Random::new(seed);
+                let sample = (shape(kind.info().id).sample)(&mut random, n);
+                let disturbed: Points = sample.iter().map(|v| *v + random.vector() * 0.1).collect();
+                let points = match seed % 4 {
+                    0 => disturbed,
+                    1 => cloud(&mut random, n, 1.0),
+                    2 => cloud(&mut random, n, 0.1),
+                    _ => cloud(&mut random, n, 1e-3),
+                };
+                cases.push(Case {
+                    kind: kind.clone(),
+                    n,
+                    seed,
+                    rest: centred(&sample),
+                    points: centred(&points),
+                });
+            }
+        }
+    }
+    cases
+}
+
+/// Fails unless `found` and `expected` agree to `tolerance`, as a fraction of the size of the case.
+fn assert_close(
+    case: &Case,
+    what: &str,
+    found: &[Vec3<f64>],
+    expected: &[Vec3<f64>],
+    tolerance: f64,
+) {
+    let error = farthest(found, expected) / size(&case.points);
+    assert!(error <= tolerance, "{case}: {what}: off by {error:e} of the size");
+}
+
+#[test]
+fn every_kind_is_declared_for_people() {
+    for info in KINDS {
+        let id = info.id;
+        assert!(id.bytes().all(|b| b.is_ascii_lowercase() || b == b'-'), "{id}: the id");
+        assert!(!info.label.is_empty() && info.summary.ends_with('.'), "{id}: label or summary");
+        assert_eq!(KINDS.iter().filter(|other| other.id == id).count(), 1, "{id} is there twice");
+        assert_eq!(
+            KINDS.iter().filter(|other| other.colour == info.colour).count(),
+            1,
+            "{id} shares its colour"
+        );
+        // Contrast of 3 : 1 with white and with #1e1e1e, as for graphics in WCAG 2.1.
+        let [r, g, b] = info.colour.map(|c| (f64::from(c) / 255.0) * (f64::from(c) / 255.0));
+        let luminance = 0.2126 * r + 0.7152 * g + 0.0722 * b;
+        assert!(1.05 / (luminance + 0.05) >= 3.0, "{id}: too light on white");
+        assert!((luminance + 0.05) / (0.014 + 0.05) >= 3.0, "{id}: too dark on dark");
+        for param in info.params {
+            assert!(
+                param.range[0] <= param.default && param.default <= param.range[1],
+                "{id}: the default of {} is out of its range",
+                param.id
+            );
+        }
+    }
+}
+
+#[test]
+fn points_that_have_the_shape_stay() {
+    for case in cases(40) {
+        let mut random = Random::new(case.seed);
+        let points = centred(&(case.shape().sample)(&mut random, case.n));
+        let stayed = project(&case.kind, &points, &points);
+        assert_close(&case, "a point of the shape moved", &stayed, &points, 1e-11);
+    }
+}
+
+#[test]
+fn idempotent() {
+    for case in cases(80) {
+        let once = centred(&case.project());
+        let twice = project(&case.kind, &case.rest, &once);
+        assert_close(&case, "a second projection moved", &twice, &once, 1e-10);
+    }
+}
+
+#[test]
+fn feasible_by_an_independent_check() {
+    for case in cases(80) {
+        let residual = (case.shape().residual)(&centred(&case.project()));
+        assert!(residual <= 1e-11, "{case}: the projection misses the shape by {residual:e}");
+        let residual = (case.shape().residual)(&case.points);
+        let may_fit = case.n <= 4;
+        assert!(may_fit || residual > 1e-8, "{case}: the check takes anything: {residual:e}");
+    }
+}
+
+#[test]
+fn equivariant_under_rigid_motion() {
+    for case in cases(80) {
+        let mut random = Random::new(case.seed + 1);
+        let (frame, offset) = (random.frame(), random.vector() * 10.0);
+        let mut moved = case.with(|v| in_frame(frame, v) + offset, |v| v);
+        moved.points = centred(&moved.points);
+        let expected: Points = case.project().iter().map(|v| in_frame(frame, *v)).collect();
+        assert_close(&case, "turned", &moved.project(), &expected, 1e-9);
+    }
+}
+
+#[test]
+fn equivariant_under_scale() {
+    for case in cases(40) {
+        for scale in [1e-6, 1e-3, 3.0, 1e6] {
+            let scaled = case.with(|v| v * scale, |v| v * scale);
+            let expected: Points = case.project().iter().map(|v| *v * scale).collect();
+            assert_close(
+                &scaled,
+                &format!("scaled by {scale}"),
+                &scaled.project(),
+                &expected,
+                1e-10,
+            );
+        }
+    }
+}
+
+/// The numbers from 0 to `n` - 1 in random order.
+fn permutation(random: &mut Random, n: usize) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..n).collect();
+    for i in (1..n).rev() {
+        let j = ((random.uniform() + 1.0) / 2.0 * (i + 1) as f64) as usize;
+        order.swap(i, j.min(i));
+    }
+    order
+}
+
+#[test]
+fn equivariant_under_relabelling() {
+    for case in cases(80) {
+        let shift = (0..case.n).map(|i| (i + 1) % case.n).collect();
+        let mut orders: Vec<Vec<usize>> = vec![shift];
+        if !case.shape().ordered {
+            orders.push(permutation(&mut Random::new(case.seed), case.n));
+        }
+        for order in orders {
+            let pick = |points: &Points| -> Points { order.iter().map(|&i| points[i]).collect() };
+            let found = project(&case.kind, &pick(&case.rest), &pick(&case.points));
+            assert_close(&case, "relabelled", &found, &pick(&case.project()), 1e-9);
+        }
+    }
+}
+
+/// Bit for bit: a lane goes through the same operations as a scalar, in the same order, and IEEE 754
+/// leaves no choice about their results. A lane that needs the accurate path does not disturb its
+/// neighbours.
+#[test]
+fn lanes_and_scalars_give_the_same_bits() {
+    let cases = cases(80);
+    let bits = |points: &Points| -> Vec<[u64; 3]> {
+        points.iter().map(|v| <[f64; 3]>::from(*v).map(f64::to_bits)).collect()
+    };
+    for pair in cases.chunks(LANES) {
+        if pair.iter().any(|case| case.n != pair[0].n || case.kind != pair[0].kind) {
+            continue;
+        }
+        let collinear = pair[0].with(|v| Vec3::new(v.x, v.x, v.x), |v| v);
+        for (first, others) in [(&pair[0], &pair[1..]), (&collinear, &pair[1..])] {
+            let all: Vec<&Case> = std::iter::once(first).chain(others).collect();
+            let rest: Vec<Points> = all.iter().map(|case| case.rest.clone()).collect();
+            let mut found: Vec<Points> = all.iter().map(|case| case.points.clone()).collect();
+            first.kind.visit(Project { rest: &rest, points: &mut found });
+            for (case, found) in all.iter().zip(&found) {
+                assert_eq!(bits(found), bits(&case.project()), "{case}: the lane differs");
+            }
+        }
+    }
+}
+
+#[test]
+fn exact_kinds_are_never_farther_than_brute_force_finds() {
+    for case in cases(12).into_iter().filter(|case| case.kind.info().exact && case.n <= 10) {
+        let found = distance_squared(&case.points, &case.project());
+        let Shape { parameters, closest, .. } = case.shape();
+        let least = least_distance_squared(&case.points, parameters, closest, 20);
+        let rounding = 1e-24 * size(&case.points).powi(2);
+        assert!(found <= least * (1.0 + 1e-9) + rounding, "{case}: {found:e}, least {least:e}");
+        assert!(
+            least <= found * (1.0 + 1e-6) + rounding,
+            "{case}: brute force found only {least:e}"
+        );
+    }
+}
+
+/// The bounds are in `support/shapes.rs`; what is measured is printed (`--nocapture`).
+#[test]
+fn approximate_kinds_stay_within_their_stated_excess() {
+    for kind in kinds().into_iter().filter(|kind| !kind.info().exact) {
+        let id = kind.info().id;
+        let Shape { sample, parameters, closest, excess, .. } = shape(id);
+        for (noise, bound) in NOISE.into_iter().zip(excess) {
+            for n in [8, 12] {
+                let (mut sum, mut worst) = (0.0, 0.0f64);
+                for seed in 0..25 {
+                    let mut random = Random::new(seed);
+                    let shape = sample(&mut random, n);
+                    let disturbed: Points =
+                        shape.iter().map(|v| *v + random.vector() * noise).collect();
+                    let points = centred(&disturbed);
+                    let found =
+                        distance_squared(&points, &project(&kind, &centred(&shape), &points));
+                    let least = least_distance_squared(&points, parameters, closest, 20);
+                    let more = found / least - 1.0;
+                    assert!(
+                        more <= bound,
+                        "{id}, n = {n}, seed {seed}, noise {noise}: {more:e} more"
+                    );
+                    assert!(
+                        more >= -1e-6,
+                        "{id}, n = {n}, seed {seed}: brute force found only {least}"
+                    );
+                    sum += more;
+                    worst = worst.max(more);
+                }
+                println!(
+                    "{id} n={n} noise {noise}: excess mean {:.1e} max {worst:.1e}",
+                    sum / 25.0
+                );
+            }
+        }
+    }
+}
+
+/// Inputs on which closed forms fail, by name.
+fn degenerate(n: usize) -> Vec<(&'static str, Points)> {
+    let mut random = Random::new(n as u64);
+    let [e, f, g] = random.frame();
+    let ramp = |i: usize| i as f64 - 0.4 * (i * i % 3) as f64;
+    let line: Points = (0..n).map(|i| e * ramp(i)).collect();
+    let flat: Points = (0..n).map(|i| e * ramp(i) + f * ((i * i) % 5) as f64).collect();
+    let near = |points: &Points, d: f64, random: &mut Random| -> Points {
+        points.iter().map(|v| *v + random.vector() * d).collect()
+    };
+    let with_centre: Points = (0..n)
+        .map(|i| match i % 5 {
+            0 => e,
+            1 => f,
+            2 => -e,
+            3 => -f,
+            _ => Vec3::zero(),
+        })
+        .collect();
+    let mut sets = vec![
+        ("zeros", vec![Vec3::zero(); n]),
+        ("all equal", vec![e * 3.7; n]),
+        ("all equal, far away", vec![e * 1e9 + f * 3.3e8 + g; n]),
+        ("two places", (0..n).map(|i| if i % 2 == 0 { e } else { f }).collect()),
+        ("one apart", (0..n).map(|i| if i == 0 { e } else { f }).collect()),
+        ("collinear", line.clone()),
+        ("along an axis", (0..n).map(|i| Vec3::new(0.0, ramp(i), 0.0)).collect()),
+        ("collinear, far away", line.iter().map(|v| *v + f * 1e8).collect()),
+        ("coplanar", flat.clone()),
+        ("a cross and its centre", with_centre),
+        ("cube corners", (0..n).map(|i| corner(i)).collect()),
+        ("random, far away", cloud(&mut random, n, 1.0).iter().map(|v| *v + f * 1e8).collect()),
+    ];
+    for d in [1e-15, 1e-12, 1e-9, 1e-6, 1e-3] {
+        sets.push(("nearly coincident", near(&vec![e; n], d, &mut random)));
+        sets.push(("nearly collinear", near(&line, d, &mut random)));
+        sets.push(("nearly coplanar", near(&flat, d, &mut random)));
+    }
+    sets
+}
+
+fn corner(i: usize) -> Vec3<f64> {
+    let side = |bit: usize| if (i >> bit) & 1 == 0 { -1.0 } else { 1.0 };
+    Vec3::new(side(0), side(1), side(2))
+}
+
+#[test]
+fn finite_and_feasible_on_degenerate_input() {
+    for kind in kinds() {
+        let info = kind.info();
+        for n in sizes(info.arity) {
+            let rest = centred(&(shape(info.id).sample)(&mut Random::new(1), n));
+            for (name, set) in degenerate(n) {
+                let points = centred(&set);
+                for scale in [1.0, 1e-200, 1e-310, 1e200, 1e290] {
+                    let scaled: Points = points.iter().map(|v| *v * scale).collect();
+                    let found = project(&kind, &rest, &scaled);
+                    let coordinates = found.iter().flat_map(|v| <[f64; 3]>::from(*v));
+                    let finite = coordinates.into_iter().all(f64::is_finite);
+                    assert!(finite, "{}, n = {n}, {name} times {scale}: {found:?}", info.id);
+                }
+                let found = centred(&project(&kind, &rest, &points));
+                if size(&found) == 0.0 {
+                    continue;
+                }
+                let residual = (shape(info.id).residual)(&found);
+                assert!(
+                    residual <= 1e-10,
+                    "{}, n = {n}, {name}: misses the shape by {residual:e}",
+                    info.id
+                );
+            }
+        }
+    }
+}
+
+/// Paper Appendix A: the gradient of the proximity function is `2 (x - P(x))`.
+#[test]
+fn exact_kinds_have_the_gradient_of_appendix_a() {
+    for case in cases(20).into_iter().filter(|case| case.kind.info().exact) {
+        let proximity = |points: &Points| {
+            let points = centred(points);
+            distance_squared(&points, &project(&case.kind, &case.rest, &points))
+        };
+        let projected = case.project();
+        let step = 1e-6;
+        for i in 0..case.n.min(5) {
+            let mut numerical = [0.0; 3];
+            for (k, axis) in
+                [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].into_iter().enumerate()
+            {
+                let (mut above, mut below) = (case.points.clone(), case.points.clone());
+                above[i] += Vec3::from(axis) * step;
+                below[i] -= Vec3::from(axis) * step;
+                numerical[k] = (proximity(&above) - proximity(&below)) / (2.0 * step);
+            }
+            let gradient = (case.points[i] - projected[i]) * 2.0;
+            let error = (gradient - Vec3::from(numerical)).length() / size(&case.points);
+            assert!(error <= 1e-7, "{case}: vertex {i}: off by {error:e}");
+        }
+    }
+}
+
+/// The set of a shape is translated into itself, so the closest point to centred points is centred.
+#[test]
+fn centring_a_projection_again_brings_it_nearer() {
+    for case in cases(80) {
+        let projected = case.project();
+        let again = centred(&projected);
+        if case.kind.info().exact {
+            assert_close(&case, "not centred", &projected, &again, 1e-11);
+        }
+        let (before, after) =
+            (distance_squared(&case.points, &projected), distance_squared(&case.points, &again));
+        let rounding = 1e-14 * size(&case.points).powi(2);
+        assert!(after <= before + rounding, "{case}: centring went from {before:e} to {after:e}");
+    }
+}

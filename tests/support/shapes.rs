@@ -1,0 +1,149 @@
+//! What each kind means, told a second time and without its operator: points that have the shape,
+//! a measure of how far points are from having it, and its set described by free parameters, for
+//! brute force. A new kind adds its row to [`shape`].
+
+use crate::random::{Points, Random, in_frame, size};
+use nalgebra::DMatrix;
+use shape_up::math::Vec3;
+
+/// An independent account of one kind.
+pub(crate) struct Shape {
+    /// `n` points that have the shape, of size about one.
+    pub(crate) sample: fn(&mut Random, usize) -> Points,
+    /// Zero exactly where the centred points have the shape; relative to their size.
+    pub(crate) residual: fn(&[Vec3<f64>]) -> f64,
+    /// Whether the order of the vertices matters (up to where one begins to count).
+    pub(crate) ordered: bool,
+    /// How many free parameters describe the shape.
+    pub(crate) parameters: usize,
+    /// The point closest to `v` on the shape with these parameters.
+    pub(crate) closest: fn(&[f64], Vec3<f64>) -> Vec3<f64>,
+    /// For kinds that are not exact: how much greater than the least the squared distance may be,
+    /// as a fraction, for shapes disturbed by [`NOISE`].
+    pub(crate) excess: [f64; 3],
+}
+
+/// Disturbance of a shape of size about one, for [`Shape::excess`].
+pub(crate) const NOISE: [f64; 3] = [0.01, 0.1, 0.3];
+
+/// The account of the kind named `id`.
+pub(crate) fn shape(id: &str) -> Shape {
+    match id {
+        "line" => Shape {
+            sample: |random, n| {
+                let (p, e) = (random.vector(), random.direction());
+                (0..n).map(|_| p + e * random.uniform()).collect()
+            },
+            residual: |v| singular_values(v)[1] / size(v),
+            ordered: false,
+            parameters: 6,
+            closest: |p, v| {
+                let (o, e) = (at(p, 0), at(p, 3));
+                o + e * ((v - o).dot(e) / e.length_squared())
+            },
+            excess: [0.0; 3],
+        },
+        "plane" => Shape {
+            sample: |random, n| cloud(random, n, 0.0),
+            residual: |v| singular_values(v)[2] / size(v),
+            ordered: false,
+            parameters: 4,
+            closest: |p, v| {
+                let n = at(p, 0);
+                v - n * ((v.dot(n) - p[3]) / n.length_squared())
+            },
+            excess: [0.0; 3],
+        },
+        "circle" => Shape {
+            sample: |random, n| {
+                let (centre, [e, f, _]) = (random.vector(), random.frame());
+                (0..n).map(|_| centre + on_circle(random, e, f)).collect()
+            },
+            residual: |v| (singular_values(v)[2] / size(v)).max(round_residual(v, 2)),
+            ordered: false,
+            parameters: 7,
+            closest: |p, v| {
+                let (c, n) = (at(p, 0), at(p, 3));
+                let d = v - c;
+                let d = d - n * (d.dot(n) / n.length_squared());
+                c + d * (p[6] / d.length())
+            },
+            excess: [5e-4, 0.05, 0.3],
+        },
+        "sphere" => Shape {
+            sample: |random, n| {
+                let centre = random.vector();
+                (0..n).map(|_| centre + random.direction()).collect()
+            },
+            residual: |v| round_residual(v, 3),
+            ordered: false,
+            parameters: 4,
+            closest: |p, v| {
+                let c = at(p, 0);
+                c + (v - c) * (p[3] / (v - c).length())
+            },
+            excess: [1e-3, 0.1, 1.0],
+        },
+        _ => panic!("the kind '{id}' has no account in tests/support/shapes.rs"),
+    }
+}
+
+/// `n` points in a box whose sides are up to 1, 1 and `flatness`, turned at random.
+pub(crate) fn cloud(random: &mut Random, n: usize, flatness: f64) -> Points {
+    let frame = random.frame();
+    (0..n)
+        .map(|_| {
+            let v = random.vector();
+            in_frame(frame, Vec3::new(v.x, v.y, v.z * flatness))
+        })
+        .collect()
+}
+
+fn at(p: &[f64], i: usize) -> Vec3<f64> {
+    Vec3::new(p[i], p[i + 1], p[i + 2])
+}
+
+/// A point of the unit circle spanned by `e` and `f`.
+fn on_circle(random: &mut Random, e: Vec3<f64>, f: Vec3<f64>) -> Vec3<f64> {
+    loop {
+        let (x, y) = (random.uniform(), random.uniform());
+        let length = (x * x + y * y).sqrt();
+        if length > 0.1 && length <= 1.0 {
+            return e * (x / length) + f * (y / length);
+        }
+    }
+}
+
+/// The three singular values of the points as an n-by-3 matrix, greatest first.
+fn singular_values(v: &[Vec3<f64>]) -> [f64; 3] {
+    assert!(v.iter().all(|p| p.length_squared().is_finite()), "not finite: {v:?}");
+    let rows: Vec<f64> = v.iter().flat_map(|p| [p.x, p.y, p.z]).collect();
+    let mut values: Vec<f64> = DMatrix::from_row_slice(v.len(), 3, &rows)
+        .svd(false, false)
+        .singular_values
+        .as_slice()
+        .to_vec();
+    values.resize(3, 0.0);
+    values.sort_by(|a, b| b.total_cmp(a));
+    [values[0], values[1], values[2]]
+}
+
+/// How far the points are from one circle or line (2 dimensions), one sphere or plane (3): they are
+/// on one exactly when `A |x|^2 + b.x + c = 0` has a solution, that is when the rows
+/// `(|x|^2, x, 1)` have not full rank.
+fn round_residual(v: &[Vec3<f64>], dimensions: usize) -> f64 {
+    let columns = dimensions + 2;
+    if v.len() < columns {
+        return 0.0;
+    }
+    let rows: Vec<f64> = v.iter().flat_map(|p| [p.x, p.y, p.z]).collect();
+    let points = DMatrix::from_row_slice(v.len(), 3, &rows) / size(v);
+    let axes = points.clone().svd(false, true).v_t.expect("asked for");
+    let x = &points * axes.rows(0, dimensions).transpose();
+    let matrix = DMatrix::from_fn(v.len(), columns, |i, j| match j {
+        0 => x.row(i).norm_squared(),
+        j if j <= dimensions => x[(i, j - 1)],
+        _ => 1.0,
+    });
+    matrix.svd(false, false).singular_values.min()
+}
