@@ -39,7 +39,7 @@ const SCENES: &[(&str, [u64; 3])] = &[
                        { "vertices": [168], "targets": [[1.2, 1.1, 0.4]] }],
            "weights": { "shape": 3, "smooth": 0.1 },
            "smoothness": { "of": "displacement" }"#,
-        [0x55a4_9f23_08b9_4179, 0x9598_db07_db5d_a721, 0x4250_89ef_83be_76e7],
+        [0x5e76_2310_5f9b_1648, 0x2946_e437_c970_d376, 0xa514_beef_8810_c181],
     ),
 ];
 
