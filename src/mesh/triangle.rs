@@ -92,11 +92,17 @@ pub(super) struct Parting {
 }
 
 impl Over {
-    /// The triangle is at least as far as the square root of this.
+    /// Whether the triangle can be nearer than the square root of `bound`. Without a branch and
+    /// without a maximum, which WebAssembly engines make a branch of.
     #[inline(always)]
-    pub(super) fn bound(&self) -> f64 {
-        let out = Lane::max(Lane::max(self.out[0], 0.0), Lane::max(self.out[1], self.out[2]));
-        self.height * self.height + out * out
+    pub(super) fn within(&self, bound: f64) -> bool {
+        let height_squared = self.height * self.height;
+        let beyond = |out: f64| {
+            let positive = 0.5 * (out + out.abs());
+            height_squared + positive * positive
+        };
+        let [ab, bc, ca] = self.out.map(beyond);
+        (ab < bound) & (bc < bound) & (ca < bound)
     }
 
     /// How far inside all sides the point is; negative outside.
