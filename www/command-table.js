@@ -75,7 +75,7 @@ export function commandTable(parts) {
       label: 'Undo',
       keys: ['Ctrl+Z'],
       action: actions.undo,
-      enabled: ({ document }) => Boolean(document?.undo),
+      enabled: ({ document, dragged }) => Boolean(document?.undo) && dragged.length === 0,
       title: ({ document }) => (document?.undo ? `Undo: ${document.undo}` : 'Nothing to undo'),
     },
     {
@@ -84,7 +84,7 @@ export function commandTable(parts) {
       label: 'Redo',
       keys: ['Ctrl+Shift+Z', 'Ctrl+Y'],
       action: actions.redo,
-      enabled: ({ document }) => Boolean(document?.redo),
+      enabled: ({ document, dragged }) => Boolean(document?.redo) && dragged.length === 0,
       title: ({ document }) => (document?.redo ? `Redo: ${document.redo}` : 'Nothing to redo'),
     },
     {

@@ -19,6 +19,7 @@ import { setText } from './dom.js';
 
 /** The keys that press a button or open a list themselves. */
 const ACTIVATING = new Set([' ', 'Enter']);
+const NOT_TYPED_INTO = '[type="checkbox"], [type="radio"], [type="file"], [type="range"]';
 
 /**
  * @param {Command[]} commands
@@ -77,12 +78,9 @@ function chordOf(event) {
 /** @param {KeyboardEvent} event */
 function isTyping({ target, key }) {
   if (!(target instanceof HTMLElement)) return false;
-  if (
-    target.matches('select, textarea, input:not([type="checkbox"], [type="radio"], [type="file"])')
-  ) {
+  if (target.matches('select, textarea') || target.matches(`input:not(${NOT_TYPED_INTO})`))
     return true;
-  }
-  return ACTIVATING.has(key) && target.matches('button, input, summary, a');
+  return ACTIVATING.has(key) && target.matches('button, summary, a, input:not([type="range"])');
 }
 
 const IS_MAC = /Mac|iPhone|iPad/.test(navigator.platform);

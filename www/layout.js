@@ -85,4 +85,12 @@ function placeMenu(menu, anchor) {
     menu.style.top = `${fits ? below : Math.max(gap, at.top - gap - menu.offsetHeight)}px`;
     menu.querySelector('button')?.focus();
   });
+  menu.addEventListener('keydown', (event) => {
+    const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
+    if (!step) return;
+    event.preventDefault();
+    const items = [...menu.querySelectorAll('button')];
+    const at = items.findIndex((item) => item === document.activeElement);
+    items[(at + step + items.length) % items.length].focus();
+  });
 }

@@ -120,6 +120,7 @@ function answer(message) {
     case 'open':
       return open(message.files);
     case 'edit':
+      if (message.edit.type === 'reset') pause();
       return betweenRuns(() => live().edit(message.edit), null);
     case 'undo':
       pause();
@@ -290,9 +291,9 @@ function queueSlice() {
 /** After an edit, a load, the end of a run or a drag: everything the page keeps is renewed. */
 function changed() {
   post({ type: 'document', document: live().document() });
+  sendScene();
   unseen = true;
   sendFrame();
-  sendScene();
 }
 
 function sendScene() {

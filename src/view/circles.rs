@@ -1,11 +1,9 @@
 //! Draws fitted circles: `shaders/circles.wgsl`.
 
-use super::pipeline::{Layer, Recipe, SCENE_WGSL, STROKE_WGSL, VertexBuffer, build};
+use super::pipeline::{Layer, Recipe, VertexBuffer, build};
+use super::shaders::CIRCLES;
 use super::stage::SHAPE_NUMBERS;
 use super::store::Store;
-
-/// The shader.
-pub const WGSL: &str = include_str!("shaders/circles.wgsl");
 
 const CIRCLE: [wgpu::VertexAttribute; 3] =
     wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32];
@@ -24,7 +22,7 @@ impl Circles {
     pub fn new(device: &wgpu::Device, store: &Store, format: wgpu::TextureFormat) -> Circles {
         let recipe = Recipe {
             label: "circles",
-            source: &[SCENE_WGSL, STROKE_WGSL, WGSL].concat(),
+            source: &CIRCLES.concat(),
             vertex: "corner_of_circle",
             fragment: "drawn",
             attributes: &CIRCLE,

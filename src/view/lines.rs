@@ -1,13 +1,11 @@
 //! Draws edges, polylines, and the lines from handles to their targets: `shaders/lines.wgsl`.
 
 use super::palette::LineKind;
-use super::pipeline::{Layer, Recipe, SCENE_WGSL, STROKE_WGSL, VertexBuffer, build};
+use super::pipeline::{Layer, Recipe, VertexBuffer, build};
+use super::shaders::LINES;
 use super::stage::Stage;
 use super::store::Store;
 use super::subject::Subject;
-
-/// The shader.
-pub const WGSL: &str = include_str!("shaders/lines.wgsl");
 
 const LINE: [wgpu::VertexAttribute; 2] = wgpu::vertex_attr_array![0 => Uint32x2, 1 => Uint32];
 
@@ -26,7 +24,7 @@ impl Lines {
     pub fn new(device: &wgpu::Device, store: &Store, format: wgpu::TextureFormat) -> Lines {
         let recipe = Recipe {
             label: "lines",
-            source: &[SCENE_WGSL, STROKE_WGSL, WGSL].concat(),
+            source: &LINES.concat(),
             vertex: "corner_of_line",
             fragment: "drawn",
             attributes: &LINE,

@@ -1,12 +1,10 @@
 //! Draws vertices, marks, handles and targets as dots: `shaders/points.wgsl`.
 
 use super::palette::DotKind;
-use super::pipeline::{Layer, Recipe, SCENE_WGSL, VertexBuffer, build};
+use super::pipeline::{Layer, Recipe, VertexBuffer, build};
+use super::shaders::POINTS;
 use super::stage::Stage;
 use super::store::Store;
-
-/// The shader.
-pub const WGSL: &str = include_str!("shaders/points.wgsl");
 
 const DOT: [wgpu::VertexAttribute; 1] = wgpu::vertex_attr_array![0 => Uint32x2];
 
@@ -26,7 +24,7 @@ impl Points {
         let pipeline = |fragment: &str, layer: Layer| {
             let recipe = Recipe {
                 label: "points",
-                source: &[SCENE_WGSL, WGSL].concat(),
+                source: &POINTS.concat(),
                 vertex: "corner_of_dot",
                 fragment,
                 attributes: &DOT,

@@ -52,7 +52,7 @@ fn digest(positions: &[Point]) -> u64 {
 }
 
 /// Compares every digest.
-pub fn check() {
+pub(crate) fn check() {
     let mut wrong = Vec::new();
     for (scene, expected) in SCENES {
         for (accelerator, expected) in ["none", "quasi-newton", "anderson"].iter().zip(expected) {
