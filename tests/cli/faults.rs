@@ -58,7 +58,9 @@ fn a_faulty_mesh_is_one_line_with_its_place() {
 fn a_kind_that_fits_no_face_names_its_flag() {
     let folder = Folder::new("fits");
     folder.write("curve.obj", "v 0 0 0\nv 1 0 0\nv 2 1 0\nl 1 2 3\n");
-    folder.run(&["solve", "curve.obj", "--plane"]).refused(&["curve.obj: --plane: "]);
+    folder
+        .run(&["solve", "curve.obj", "--plane"])
+        .refused(&["curve.obj: --plane: ", "expected faces"]);
 }
 
 #[test]
