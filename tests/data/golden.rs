@@ -39,7 +39,7 @@ const SCENES: &[(&str, [u64; 3])] = &[
                        { "vertices": [168], "targets": [[1.2, 1.1, 0.4]] }],
            "weights": { "shape": 3, "smooth": 0.1 },
            "smoothness": { "of": "displacement" }"#,
-        [0x5e76_2310_5f9b_1648, 0x2946_e437_c970_d376, 0xa514_beef_8810_c181],
+        [0x015d_375e_9452_bef8, 0x46b5_f14d_5931_e1b6, 0x3a89_0114_d3ea_0b01],
     ),
 ];
 
