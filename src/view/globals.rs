@@ -1,7 +1,7 @@
 //! The numbers that every shader reads: camera, canvas, colours. The order is that of `Scene` in
 //! `shaders/scene.wgsl`, all of it in groups of four.
 
-use super::palette::{DOT_KINDS, Dot, LINE_KINDS, Stroke};
+use super::palette::{DOT_KINDS, Dot, DotKind, LINE_KINDS, Stroke};
 use super::stage::Stage;
 use glam::{Vec3, Vec4};
 
@@ -34,7 +34,9 @@ pub fn numbers(stage: &Stage, width: u32, height: u32) -> Vec<f32> {
     for stroke in &palette.strokes {
         extend_stroke(&mut numbers, stroke);
     }
-    for Dot { fill, rim, radius, rim_width, square } in palette.dots {
+    let mut dots = palette.dots;
+    dots[DotKind::Tinted as usize].fill = [r, g, b, 1.0];
+    for Dot { fill, rim, radius, rim_width, square } in dots {
         numbers.extend(fill);
         numbers.extend(rim);
         numbers.extend([radius, rim_width, square, 0.0]);

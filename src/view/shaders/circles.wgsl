@@ -4,10 +4,7 @@ struct Corner {
     @builtin(position) position: vec4f,
     @location(0) at: vec2f,
     @location(1) @interpolate(flat) ends: vec4f,
-}
-
-fn half_width() -> f32 {
-    return 0.5 * scene.circle.size.x * scene.canvas.z;
+    @location(2) @interpolate(flat) half_width: f32,
 }
 
 @vertex
@@ -25,16 +22,22 @@ fn corner_of_circle(
     let end = f32((index / 6u + 1u) % 48u) * step;
     let a = centre + u * cos(start) + v * sin(start);
     let b = centre + u * cos(end) + v * sin(end);
-    let quad = stroke_corner(a, b, index % 6u, half_width());
+    // Circles of a few pixels are drawn finer, or many of them would be one red patch.
+    let depth = max(dot(centre - scene.eye.xyz, scene.forward.xyz), 1e-12);
+    let radius_on_screen = radius / (depth * scene.canvas.w * scene.canvas.z);
+    let fineness = clamp(radius_on_screen / 16.0, 0.5, 1.0);
+    let half_width = 0.5 * scene.circle.size.x * scene.canvas.z * fineness;
+    let quad = stroke_corner(a, b, index % 6u, half_width);
     var out: Corner;
     out.position = quad.position;
     out.at = quad.at;
     out.ends = vec4f(quad.start, quad.end);
+    out.half_width = half_width;
     return out;
 }
 
 @fragment
 fn drawn(in: Corner) -> @location(0) vec4f {
-    let coverage = stroke_coverage(in.at, in.ends.xy, in.ends.zw, half_width());
+    let coverage = stroke_coverage(in.at, in.ends.xy, in.ends.zw, in.half_width);
     return vec4f(scene.circle.colour.rgb, scene.circle.colour.a * coverage);
 }
