@@ -1,4 +1,5 @@
 //! The page's view in a real browser: it draws, and it answers where things are.
+#![allow(clippy::unwrap_used, reason = "a helper that fails here fails its test")]
 #![cfg(all(target_arch = "wasm32", feature = "view"))]
 
 use shape_up::web::view::View;

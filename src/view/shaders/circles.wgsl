@@ -1,4 +1,5 @@
-// Fitted circles, as thin lines of 48 pieces.
+// Fitted circles, as thin lines of many pieces. They come before the faces that they are fitted to,
+// which are not flat yet.
 
 struct Corner {
     @builtin(position) position: vec4f,
@@ -17,9 +18,11 @@ fn corner_of_circle(
     let across = select(vec3f(1.0, 0.0, 0.0), vec3f(0.0, 1.0, 0.0), abs(normal.x) > 0.6);
     let u = normalize(cross(normal, across)) * radius;
     let v = cross(normal, u);
-    let step = 6.283185307 / 48.0;
-    let start = f32(index / 6u) * step;
-    let end = f32((index / 6u + 1u) % 48u) * step;
+    let pieces = scene.circle.size.y;
+    let piece = f32(index / 6u);
+    let start = piece / pieces * 6.283185307;
+    // The last piece ends exactly where the first began.
+    let end = select((piece + 1.0) / pieces * 6.283185307, 0.0, piece + 1.5 > pieces);
     let a = centre + u * cos(start) + v * sin(start);
     let b = centre + u * cos(end) + v * sin(end);
     // Circles of a few pixels are drawn finer, or many of them would be one red patch.
@@ -27,7 +30,8 @@ fn corner_of_circle(
     let radius_on_screen = radius / (depth * scene.canvas.w * scene.canvas.z);
     let fineness = clamp(radius_on_screen / 16.0, 0.5, 1.0);
     let half_width = 0.5 * scene.circle.size.x * scene.canvas.z * fineness;
-    let quad = stroke_corner(a, b, index % 6u, half_width);
+    let lift = LIFT + min(0.12 * radius / depth, 0.1);
+    let quad = stroke_corner(a, b, index % 6u, half_width, lift);
     var out: Corner;
     out.position = quad.position;
     out.at = quad.at;
