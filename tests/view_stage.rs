@@ -1,4 +1,5 @@
 //! The view without a GPU, as a user meets it: framing, pointing, boxes, dragging.
+#![allow(clippy::unwrap_used, reason = "a helper that fails here fails its test")]
 #![cfg(feature = "view")]
 
 use glam::{DVec3, Vec2};

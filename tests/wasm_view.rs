@@ -1,4 +1,5 @@
 //! The page's view in a real browser: it draws, and it answers where things are.
+#![allow(clippy::unwrap_used, reason = "a helper that fails here fails its test")]
 #![cfg(all(target_arch = "wasm32", feature = "view"))]
 
 use shape_up::web::view::View;
@@ -44,8 +45,8 @@ fn pixels(canvas: &HtmlCanvasElement) -> Vec<u8> {
     let flat = copy.get_context("2d").unwrap().unwrap();
     let flat = flat.unchecked_into::<web_sys::CanvasRenderingContext2d>();
     flat.draw_image_with_html_canvas_element(canvas, 0.0, 0.0).unwrap();
-    let (width, height) = (copy.width() as i32, copy.height() as i32);
-    flat.get_image_data(0, 0, width, height).unwrap().data().0
+    let (width, height) = (f64::from(copy.width()), f64::from(copy.height()));
+    flat.get_image_data(0.0, 0.0, width, height).unwrap().data().0
 }
 
 fn differing(a: &[u8], b: &[u8]) -> usize {

@@ -7,8 +7,6 @@ use super::store::Store;
 
 const CIRCLE: [wgpu::VertexAttribute; 3] =
     wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32];
-/// Pieces of a circle; the shader knows it too.
-const PIECES: u32 = 48;
 
 /// Circles by centre, normal and radius.
 #[derive(Debug)]
@@ -44,12 +42,12 @@ impl Circles {
         self.circles.write(device, queue, &circles);
     }
 
-    /// Draws them.
-    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
+    /// Draws them, each in so many pieces.
+    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, pieces: u32) {
         if self.circles.count() > 0 {
             pass.set_pipeline(&self.pipeline);
             pass.set_vertex_buffer(0, self.circles.slice());
-            pass.draw(0..6 * PIECES, 0..self.circles.count());
+            pass.draw(0..6 * pieces, 0..self.circles.count());
         }
     }
 }

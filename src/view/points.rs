@@ -80,7 +80,7 @@ fn marks(stage: &Stage) -> Vec<[u32; 2]> {
     let of_kind = |vertices: &[u32], kind: DotKind| {
         vertices.iter().map(|&v| [v, kind as u32]).collect::<Vec<_>>()
     };
-    let mut dots = of_kind(&stage.looks.tinted_vertices, DotKind::Tinted);
+    let mut dots = of_kind(stage.looks.tinted_dots(), DotKind::Tinted);
     dots.extend(of_kind(&stage.looks.selected_vertices, DotKind::Selected));
     let first = stage.counts().0 as u32;
     let soft = stage.handles.iter().zip(first..).filter(|(h, _)| h.kind != DotKind::Fixed);
