@@ -35,7 +35,7 @@ test('the example is drawn, and Run makes its panels round', async ({ page }) =>
 test('the hints lead on and, once dismissed, stay away', async ({ page }) => {
   await openPage(page);
   await runToTheEnd(page);
-  await expect(page.getByText('Drag a blue dot')).toBeVisible();
+  await expect(page.getByText('the panels stay round')).toBeVisible();
   const soft = (await state(page)).handles.find((handle) => !handle.fixed);
   await dragVertex(page, soft.vertex, [10, -20]);
   await expect(page.getByText('open a mesh of your own')).toBeVisible();
