@@ -44,6 +44,31 @@ test('the hints lead on and, once dismissed, stay away', async ({ page }) => {
   await expect(page.getByRole('button', { name: 'Dismiss hint' })).toBeHidden();
 });
 
+test('a page that has converged is at rest', async ({ page }) => {
+  await page.addInitScript(() => {
+    const { requestAnimationFrame: ask } = window;
+    window.pictures = 0;
+    window.requestAnimationFrame = (draw) => {
+      window.pictures += 1;
+      return ask(draw);
+    };
+  });
+  await openPage(page);
+  await runToTheEnd(page);
+  const pictures = () => page.evaluate(() => window.pictures);
+  expect(await pictures()).toBeGreaterThan(0);
+  // Whatever was under way has ended when the count stays.
+  let before = -1;
+  await expect
+    .poll(async () => {
+      const now = await pictures();
+      const drawn = now - before;
+      before = now;
+      return drawn;
+    })
+    .toBe(0);
+});
+
 test('the theme is a choice that is remembered', async ({ page }) => {
   await openPage(page);
   const theme = () => page.evaluate(() => document.documentElement.dataset.theme);
