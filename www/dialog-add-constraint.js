@@ -181,6 +181,8 @@ export class AddConstraintDialog {
       type: 'radio',
       name: 'new-kind',
       id: `new-kind-${kind.id}`,
+      'aria-label': kind.label,
+      'aria-describedby': `new-kind-${kind.id}-summary`,
       onchange: () => {
         this.#kindId = kind.id;
         this.#ask();
@@ -193,7 +195,7 @@ export class AddConstraintDialog {
       radio,
       element('span', { class: 'chip', style: `--chip: rgb(${kind.colour.join(' ')})` }),
       element('span', {}, kind.label),
-      element('span', { class: 'summary' }, kind.summary),
+      element('span', { class: 'summary', id: `new-kind-${kind.id}-summary` }, kind.summary),
     );
   }
 

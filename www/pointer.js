@@ -245,7 +245,7 @@ export class PointerInput {
    * @param {[number, number]} at
    */
   #handleAt(event, at) {
-    return this.#viewport.view?.pickHandle(...at, near(event));
+    return this.#viewport.with((view) => view.pickHandle(...at, near(event)));
   }
 
   /**
@@ -253,7 +253,7 @@ export class PointerInput {
    * @param {[number, number]} at
    */
   #vertexAt(event, at) {
-    return this.#viewport.view?.pickVertex(...at, near(event));
+    return this.#viewport.with((view) => view.pickVertex(...at, near(event)));
   }
 
   /** @param {Gesture | null} gesture */

@@ -59,13 +59,15 @@ export class Viewport extends EventTarget {
   }
 
   /**
-   * Does something with the view, if there is one, and draws what changed.
+   * Does something with the view, if there is one, and draws what changed. The view has the newest
+   * mesh and positions then, also when no picture shows them yet.
    * @template T
    * @param {(view: View) => T} action
    * @returns {T | undefined}
    */
   with(action) {
     if (!this.view) return undefined;
+    this.#handOver();
     this.ask();
     return action(this.view);
   }
@@ -91,7 +93,7 @@ export class Viewport extends EventTarget {
     }
     this.#resize();
     this.#newMesh = true;
-    this.#handOver(this.#store.get());
+    this.#handOver();
     this.#store.set({ renderer: /** @type {"webgpu" | "webgl2"} */ (this.view.backend()) });
     this.dispatchEvent(new Event('ready'));
   }
@@ -181,35 +183,31 @@ export class Viewport extends EventTarget {
     view.setFaceValues(values ?? undefined, state.range[0], state.range[1]);
   }
 
-  /** Gives the view what is newer than its picture. @param {State} state */
-  #handOver(state) {
+  /** Gives the view what is newer than what it has. */
+  #handOver() {
     const { geometry } = this.#solver;
-    if (!this.view || !geometry) return;
+    const { view } = this;
+    if (!view || !geometry || !(this.#newMesh || this.#newFrame)) return;
+    const state = this.#store.get();
     if (this.#newMesh) {
       const { faceOffsets, faceIndices, curveOffsets, curveIndices } = geometry.connectivity;
+      if (state.model) view.setUp(state.model.up);
+      view.setMesh(faceOffsets, faceIndices, curveOffsets, curveIndices, geometry.positions);
       this.#newMesh = false;
-      this.#newFrame = true;
-      this.with((view) => {
-        if (state.model) view.setUp(state.model.up);
-        view.setMesh(faceOffsets, faceIndices, curveOffsets, curveIndices, geometry.positions);
-        this.#showAll(view, state);
-        view.fit();
-      });
+      this.#showAll(view, state);
+      view.fit();
     }
-    if (this.#newFrame) {
-      this.#newFrame = false;
-      this.with((view) => {
-        view.setPositions(geometry.positions);
-        this.#showValues(view, state);
-        if (geometry.shapes) view.setShapes(geometry.shapes);
-      });
-    }
+    this.#newFrame = false;
+    view.setPositions(geometry.positions);
+    this.#showValues(view, state);
+    if (geometry.shapes) view.setShapes(geometry.shapes);
   }
 
   #draw() {
-    this.#handOver(this.#store.get());
+    this.#handOver();
     this.#solver.recycle();
-    if (!this.view?.needsDraw()) return;
+    // Without a mesh there is nothing to draw.
+    if (!this.#solver.geometry || !this.view?.needsDraw()) return;
     try {
       if (this.view.draw()) this.#attempts = 0;
     } catch (thrown) {

@@ -35,13 +35,38 @@ test('the example is drawn, and Run makes its panels round', async ({ page }) =>
 test('the hints lead on and, once dismissed, stay away', async ({ page }) => {
   await openPage(page);
   await runToTheEnd(page);
-  await expect(page.getByText('Drag a blue dot')).toBeVisible();
+  await expect(page.getByText('the panels stay round')).toBeVisible();
   const soft = (await state(page)).handles.find((handle) => !handle.fixed);
   await dragVertex(page, soft.vertex, [10, -20]);
   await expect(page.getByText('open a mesh of your own')).toBeVisible();
   await page.getByRole('button', { name: 'Dismiss hint' }).click();
   await openPage(page);
   await expect(page.getByRole('button', { name: 'Dismiss hint' })).toBeHidden();
+});
+
+test('a page that has converged is at rest', async ({ page }) => {
+  await page.addInitScript(() => {
+    const { requestAnimationFrame: ask } = window;
+    window.pictures = 0;
+    window.requestAnimationFrame = (draw) => {
+      window.pictures += 1;
+      return ask(draw);
+    };
+  });
+  await openPage(page);
+  await runToTheEnd(page);
+  const pictures = () => page.evaluate(() => window.pictures);
+  expect(await pictures()).toBeGreaterThan(0);
+  // Whatever was under way has ended when the count stays.
+  let before = -1;
+  await expect
+    .poll(async () => {
+      const now = await pictures();
+      const drawn = now - before;
+      before = now;
+      return drawn;
+    })
+    .toBe(0);
 });
 
 test('the theme is a choice that is remembered', async ({ page }) => {

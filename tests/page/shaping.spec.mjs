@@ -160,7 +160,7 @@ test('the weights of the energies are edits too', async ({ page }) => {
   const weight = page.getByRole('spinbutton', { name: 'Close weight' });
   await weight.fill('12');
   await weight.press('Enter');
-  const close = () => page.evaluate(() => window.shapeUp.scene().weights.close);
+  const close = () => page.evaluate(() => window.shapeUp.scene().weights?.close);
   await expect.poll(close).toBe(12);
   await tool(page, 'Undo');
   await expect(weight).not.toHaveValue('12');

@@ -74,7 +74,7 @@ export function constraintsPanel(place, store, solver, actions) {
       },
       icon('close'),
     );
-    const worst = element('output', { class: 'worst' });
+    const worst = element('span', { class: 'worst figure' });
     worstCells.push(worst);
     const skipped = row.skipped > 0 ? `, ${groupDigits(row.skipped)} skipped` : '';
     return element(

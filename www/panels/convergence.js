@@ -7,6 +7,7 @@ import { element, throttled } from '../dom.js';
 import { TRACE_WIDTH, messageOf } from '../messages.js';
 
 /** @typedef {import("../plot.js").EnergyPlot} EnergyPlot */
+/** @typedef {import("../messages.js").Numbers} Numbers */
 
 const PLOT_EVERY_MS = 100;
 
@@ -35,6 +36,7 @@ export class Convergence {
       this.#add(trace);
       // Undo and reset go back: what came after is no longer so.
       this.#forgetAfter(numbers.iteration);
+      this.#correctLast(numbers);
     });
     store.subscribe(['dark'], () => this.#plot?.then((plot) => plot.restyle()));
   }
@@ -57,6 +59,16 @@ export class Convergence {
     this.#draw();
   }
 
+  /** An edit changes the energies of the iteration that it was made at. @param {Numbers} numbers */
+  #correctLast({ iteration, energy }) {
+    const [iterations, ...energies] = this.#columns;
+    if (iterations.at(-1) !== iteration) return;
+    const { shape, close, smooth, handles, total } = energy;
+    [shape, close, smooth, handles, total].forEach((value, i) => {
+      energies[i][iterations.length - 1] = value;
+    });
+  }
+
   #empty() {
     this.#columns = emptyColumns();
     this.#plot?.then((plot) => plot.destroy());
@@ -67,7 +79,7 @@ export class Convergence {
   }
 
   async #drawNow() {
-    if (this.#columns[0].length === 0) return;
+    if (this.#columns[0].length < 2) return;
     this.#plot ??= this.#load();
     const { document } = this.#store.get();
     const units = document?.units ? `${document.units}²` : '';

@@ -94,8 +94,8 @@ function termRow({ id, label, words }, actions) {
     onchange: () => send(weightAt(slider.valueAsNumber)),
   });
   const explanation = element('span', { class: 'words' });
-  const energy = element('output', {
-    class: 'value',
+  const energy = element('span', {
+    class: 'value figure',
     title: `${label} energy, without its weight`,
   });
   return {

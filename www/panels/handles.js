@@ -40,8 +40,9 @@ export function handlesPanel(place, store, actions) {
       summary.textContent = `${count(handles.length, 'handle')}. Drag the blue dots in the view.`;
     }
     const pinned = document?.pinned.length ?? 0;
-    if (pinned > 0) {
-      summary.textContent += ` ${count(pinned, 'vertex was', 'vertices were')} pinned, because nothing else holds that part.`;
+    // Without constraints nothing moves, and that something is pinned would only puzzle.
+    if (pinned > 0 && document?.constraints.length) {
+      summary.textContent += ` ${count(pinned, 'vertex is', 'vertices are')} pinned, so that the mesh does not float away.`;
     }
     add.disabled = fix.disabled = !chosen;
     remove.disabled = !handles.some((handle) => isChosen(handle.vertex));
