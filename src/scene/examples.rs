@@ -83,9 +83,10 @@ fn canopy(scene: &mut Scene) -> Mesh {
             hold: Hold::Soft { weight: HANDLE_WEIGHT },
         },
     ];
-    scene.weights = Weights { shape: 10.0, close: 0.05, smooth: 1.0 };
+    scene.weights = Weights { shape: 100.0, close: 0.05, smooth: 1.0 };
     // The circle's projection is not exact: with the guard the total falls to the end.
     scene.solver.monotone = true;
+    scene.solver.iterations = 500;
     scene.smoothness = Smoothness { of: SmoothnessOf::Displacement, weighting: Weighting::Uniform };
     mesh
 }
