@@ -1,8 +1,11 @@
 //! The closest point of a surface: against brute force, from every warm start.
 
+#[path = "support/meshes.rs"]
 mod meshes;
+#[path = "support/shared.rs"]
+mod shared;
 
-use meshes::{grid, mixed, shared};
+use meshes::{mixed, wavy};
 use proptest::prelude::*;
 use shape_up::mesh::{Mesh, Point, Ragged, Surface};
 
@@ -141,7 +144,7 @@ proptest! {
 #[test]
 fn vertices_are_on_their_own_surface() {
     for name in ["halftunnel.off", "bunny_poly.obj", "horse_quad.obj", "decimated-knight.off"] {
-        let Some(mesh) = shared(name) else { continue };
+        let Some(mesh) = shared::mesh(name) else { continue };
         let surface = Surface::new(&mesh.positions, &mesh);
         for &p in &mesh.positions {
             let mut warm = Surface::COLD;
@@ -198,7 +201,7 @@ fn ten_thousand_triangles_around_one_corner_are_no_burden() {
 
 #[test]
 fn a_search_ends_where_coordinates_are_not_finite() {
-    let mesh = grid(1, 1);
+    let mesh = wavy(1, 1);
     let surface = Surface::new(&mesh.positions, &mesh);
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         let mut warm = Surface::COLD;

@@ -5,6 +5,8 @@
 mod degenerate;
 #[path = "support/minimise.rs"]
 mod minimise;
+#[path = "support/project.rs"]
+mod project;
 #[path = "support/random.rs"]
 mod random;
 #[path = "support/shapes.rs"]
@@ -12,10 +14,11 @@ mod shapes;
 
 use degenerate::degenerate;
 use minimise::least_distance_squared;
+use project::{Project, project};
 use random::{Points, Random, centred, distance_squared, farthest, in_frame, size};
 use serde_json::json;
-use shape_up::constraint::{Arity, KINDS, Kind, KindVisitor, Projection};
-use shape_up::math::{LANES, Lanes, Vec3};
+use shape_up::constraint::{Arity, KINDS, Kind};
+use shape_up::math::{LANES, Vec3};
 use shapes::{NOISE, Shape, cloud, shape};
 use std::fmt;
 
@@ -53,42 +56,6 @@ impl Case {
             ..*self
         }
     }
-}
-
-/// Projects as plain scalars, or with [`Lanes`] when there are as many point sets as lanes.
-struct Project<'a> {
-    rest: &'a [Points],
-    points: &'a mut [Points],
-}
-
-impl KindVisitor for Project<'_> {
-    type Output = ();
-    fn visit<P: Projection>(self, operator: &P) {
-        if let [points] = self.points {
-            return operator.project(&self.rest[0], points);
-        }
-        let pack = |sets: &[Points]| -> Vec<Vec3<Lanes>> {
-            (0..sets[0].len())
-                .map(|k| {
-                    let mut packed = Vec3::zero();
-                    (0..LANES).for_each(|i| packed.set_lane(i, sets[i][k]));
-                    packed
-                })
-                .collect()
-        };
-        let (rest, mut v) = (pack(self.rest), pack(self.points));
-        operator.project(&rest, &mut v);
-        for (i, points) in self.points.iter_mut().enumerate() {
-            points.iter_mut().zip(&v).for_each(|(to, from)| *to = from.lane(i));
-        }
-    }
-}
-
-fn project(kind: &Kind, rest: &Points, points: &Points) -> Points {
-    let mut result = [points.clone()];
-    kind.visit(Project { rest: std::slice::from_ref(rest), points: &mut result });
-    let [result] = result;
-    result
 }
 
 /// Every kind, with its default parameters.

@@ -1,32 +1,11 @@
 //! Agreement with an independent implementation (slow, direct, double precision), whose energies
 //! over the iterations of the plain scheme lie in `../shared/expected`. Says so where they are absent.
 
-use serde_json::Value;
-use shape_up::mesh::{Mesh, read};
+#[path = "support/shared.rs"]
+mod shared;
+
 use shape_up::scene::{Accelerator, MeshSource, Scene};
 use shape_up::session::Session;
-use std::path::PathBuf;
-
-fn shared(path: &str) -> Option<Vec<u8>> {
-    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared").join(path);
-    let bytes = std::fs::read(&path).ok();
-    if bytes.is_none() {
-        println!("skipped: {} is absent", path.display());
-    }
-    bytes
-}
-
-fn mesh(file: &str) -> Option<Mesh> {
-    let bytes = shared(&format!("meshes/{file}"))?;
-    Some(read(file, &bytes).expect("the meshes are valid").mesh)
-}
-
-/// The number behind `words` in a sentence.
-fn number_after(sentence: &str, words: &str) -> f64 {
-    let (_, rest) = sentence.split_once(words).expect("the sentence has these words");
-    let number = rest.split([' ', ',']).next().expect("there is a number");
-    number.parse().expect("it is a number")
-}
 
 /// One case: the energies of `name`, a kind on every face.
 struct Case {
@@ -81,15 +60,11 @@ fn scene(case: &Case) -> Scene {
 #[test]
 fn energies_agree_with_an_independent_implementation() {
     for case in CASES {
-        let (Some(expected), Some(mut mesh)) =
-            (shared(&format!("expected/{}.json", case.name)), mesh(case.mesh))
+        let (Some((expected, diameter)), Some(mut mesh)) =
+            (shared::expected(case.name), shared::mesh(case.mesh))
         else {
             continue;
         };
-        let expected: Value = serde_json::from_slice(&expected).expect("it is JSON");
-        // Those energies are of the mesh scaled so that its bounding sphere has diameter 1.
-        let sentence = expected["normalised"].as_str().expect("a sentence");
-        let diameter = number_after(sentence, "original diameter ");
         for coordinate in mesh.positions.as_flattened_mut() {
             *coordinate /= diameter;
         }

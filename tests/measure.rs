@@ -1,8 +1,11 @@
 //! Planarity, circularity and diagonal ratio of faces, and the bounding sphere they are scaled by.
 
+#[path = "support/meshes.rs"]
 mod meshes;
+#[path = "support/shared.rs"]
+mod shared;
 
-use meshes::{mixed, shared, shared_folder};
+use meshes::mixed;
 use proptest::prelude::*;
 use shape_up::mesh::{BoundingSphere, Measures, Point, Ragged, diagonal_ratio};
 
@@ -195,18 +198,16 @@ fn the_words_of_the_report_are_the_names_of_the_fields() {
 #[test]
 fn agrees_with_the_expected_errors_before_the_iteration() {
     let cases = [
-        ("M2_eq_quad2.obj", "M2_eq_quad2_circle_5_10_2_surface_displacement.json"),
-        ("compas_hypar.obj", "compas_hypar_circle_5_10_2_surface_displacement.json"),
-        ("halftunnel.off", "halftunnel_circle_5_10_2_surface_surface.json"),
+        ("M2_eq_quad2.obj", "M2_eq_quad2_circle_5_10_2_surface_displacement"),
+        ("compas_hypar.obj", "compas_hypar_circle_5_10_2_surface_displacement"),
+        ("halftunnel.off", "halftunnel_circle_5_10_2_surface_surface"),
     ];
     for (name, expected) in cases {
-        let Some(mesh) = shared(name) else { continue };
-        let text = std::fs::read_to_string(shared_folder().join("expected").join(expected));
-        let expected: serde_json::Value =
-            serde_json::from_str(&text.expect("it is beside the meshes")).expect("it is JSON");
-        let words: Vec<&str> = expected["normalised"].as_str().expect("words").split(' ').collect();
-        let place = words.iter().position(|&word| word == "original").expect("the diameter");
-        let diameter: f64 = words[place + 2].parse().expect("the diameter");
+        let (Some(mesh), Some((expected, diameter))) =
+            (shared::mesh(name), shared::expected(expected))
+        else {
+            continue;
+        };
 
         // Theirs comes from an iteration that ends above the smallest ball.
         let smallest = BoundingSphere::of(&mesh.positions).diameter();

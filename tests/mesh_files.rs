@@ -1,7 +1,10 @@
 //! Every mesh file that nobody here made: what is read from it, what is said of it, and what is
 //! refused. The files lie beside the project; where they are absent, these tests say that they skip.
 
-use std::path::{Path, PathBuf};
+#[path = "support/shared.rs"]
+mod shared;
+
+use std::path::PathBuf;
 
 use shape_up::mesh::{
     Element, GroupKeyword, Mesh,
@@ -11,11 +14,8 @@ use shape_up::mesh::{
 
 /// The files of a folder beside the project, by name.
 fn files(folder: &str) -> Vec<(String, PathBuf)> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared").join(folder);
-    let Ok(entries) = std::fs::read_dir(&folder) else {
-        println!("skipped: there is no {}", folder.display());
-        return Vec::new();
-    };
+    let Some(folder) = shared::path(folder) else { return Vec::new() };
+    let entries = std::fs::read_dir(folder).expect("the folder can be listed");
     let mut files: Vec<_> = entries
         .map(|entry| entry.expect("the folder can be listed").path())
         .filter(|path| {

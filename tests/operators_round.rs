@@ -1,6 +1,8 @@
 //! Circle and sphere where they are delicate: shallow arcs and caps, their limits, and what is
 //! drawn of them.
 
+#[path = "support/project.rs"]
+mod project;
 #[path = "support/random.rs"]
 mod random;
 
@@ -9,15 +11,6 @@ use random::{Points, Random, centred, distance_squared, farthest, in_frame, size
 use serde_json::json;
 use shape_up::constraint::{Fitted, Kind, KindVisitor, Projection};
 use shape_up::math::Vec3;
-
-struct Project<'a>(&'a mut Points);
-
-impl KindVisitor for Project<'_> {
-    type Output = ();
-    fn visit<P: Projection>(self, operator: &P) {
-        operator.project(&self.0.clone(), self.0);
-    }
-}
 
 struct Draw<'a>(&'a Points);
 
@@ -33,9 +26,7 @@ fn kind(id: &str) -> Kind {
 }
 
 fn project(id: &str, points: &Points) -> Points {
-    let mut result = points.clone();
-    kind(id).visit(Project(&mut result));
-    result
+    project::project(&kind(id), points, points)
 }
 
 fn placed(frame: [Vec3<f64>; 3], points: &[Vec3<f64>]) -> Points {

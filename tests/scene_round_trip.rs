@@ -32,15 +32,7 @@ fn list(most: usize) -> impl Strategy<Value = Vec<u32>> {
 }
 
 fn selector() -> impl Strategy<Value = Selector> {
-    let element = prop::sample::select(vec![
-        Element::Face,
-        Element::Edge,
-        Element::Ring,
-        Element::Tet,
-        Element::Curve,
-        Element::Boundary,
-        Element::Group,
-    ]);
+    let element = prop::sample::select(Element::ALL.to_vec());
     prop_oneof![
         (element, prop::option::of(".{0,4}"), 0u32..4).prop_map(|(element, within, radius)| {
             let radius = if element == Element::Ring { radius + 1 } else { radius };

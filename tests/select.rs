@@ -1,8 +1,9 @@
 //! Selectors: which vertices the constraints of a scene act on.
 
+#[path = "support/meshes.rs"]
 mod meshes;
 
-use meshes::{grid, mixed};
+use meshes::{mixed, wavy};
 use proptest::prelude::*;
 use shape_up::constraint::{Element, SelectError, Selector, Set, Sets, describe, resolve};
 use shape_up::mesh::{Group, GroupKeyword, Mesh, Ragged, Topology};
@@ -32,7 +33,7 @@ fn roof() -> Mesh {
     Mesh {
         curves: Ragged::from_iter([vec![0, 5, 10], vec![1, 2, 6, 5, 1]]),
         groups: vec![group("left", &[0, 3, 6], &[]), group("ribs", &[], &[1])],
-        ..grid(3, 3)
+        ..wavy(3, 3)
     }
 }
 

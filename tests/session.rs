@@ -1,25 +1,19 @@
 //! Stories of a session: what hosts do with it, in the order in which people do it.
 
+#[path = "support/grid.rs"]
+mod grid;
+
+use grid::grid;
 use shape_up::mesh::Mesh;
 use shape_up::scene::{Accelerator, Hold, MeshSource, Scene, Weights};
 use shape_up::session::{Edit, NewConstraint, Session};
 
 /// A bumpy grid of `n` by `n` quads, a unit apart.
-fn grid(n: u32) -> Mesh {
-    let mut mesh = Mesh::default();
-    for j in 0..=n {
-        for i in 0..=n {
-            let bump = f64::from((i * 5 + j * 7) % 4) / 8.0;
-            mesh.positions.push([f64::from(i), f64::from(j), bump]);
-        }
-    }
-    for j in 0..n {
-        for i in 0..n {
-            let a = j * (n + 1) + i;
-            mesh.faces.push(&[a, a + 1, a + n + 2, a + n + 1]);
-        }
-    }
-    mesh
+fn bumpy(n: u32) -> Mesh {
+    grid(n, n, |i, j| {
+        let bump = f64::from((i * 5 + j * 7) % 4) / 8.0;
+        [f64::from(i), f64::from(j), bump]
+    })
 }
 
 fn scene(rest: &str) -> Scene {
@@ -48,7 +42,7 @@ fn run(session: &mut Session, steps: usize) {
 #[test]
 fn a_part_that_nothing_holds_is_pinned_and_named() {
     // Two separate quads, and a vertex of nothing.
-    let mut mesh = grid(1);
+    let mut mesh = bumpy(1);
     let second: Vec<_> = mesh.positions.iter().map(|p| [p[0] + 5.0, p[1], p[2]]).collect();
     mesh.positions.extend(second);
     mesh.faces.push(&[4, 5, 7, 6]);
@@ -70,7 +64,7 @@ fn a_fixed_handle_is_met_exactly_and_a_soft_one_by_its_weight() {
     let handles = r#", "handles": [{ "vertices": [0], "targets": [[0, 0, 1]], "fixed": true },
                                     { "vertices": [15], "targets": [[3, 3, 2]], "weight": 50 }]"#;
     let mut session =
-        Session::open(scene(&format!("{PLANES}{handles}")), grid(3)).expect("it is regular");
+        Session::open(scene(&format!("{PLANES}{handles}")), bumpy(3)).expect("it is regular");
     session.solve(false).expect("positions stay finite");
     assert_eq!(session.positions()[0], [0.0, 0.0, 1.0]);
     let energy = session.solver().energy();
@@ -82,7 +76,7 @@ fn a_fixed_handle_is_met_exactly_and_a_soft_one_by_its_weight() {
 
 #[test]
 fn every_edit_is_undone_and_redone() {
-    let mut session = Session::open(scene(PLANES), grid(4)).expect("it is regular");
+    let mut session = Session::open(scene(PLANES), bumpy(4)).expect("it is regular");
     let start = (session.scene(), session.positions());
     let edits = [
         new("circle", "\"faces\""),
@@ -119,7 +113,7 @@ fn every_edit_is_undone_and_redone() {
 fn a_drag_is_one_step_and_can_be_cancelled() {
     let handles = r#", "handles": [{ "vertices": [0, 20], "fixed": true }, { "vertices": [24] }]"#;
     let mut session =
-        Session::open(scene(&format!("{PLANES}{handles}")), grid(4)).expect("it is regular");
+        Session::open(scene(&format!("{PLANES}{handles}")), bumpy(4)).expect("it is regular");
     let before = session.positions();
     let drag = |session: &mut Session| {
         session.begin_drag();
@@ -147,7 +141,7 @@ fn a_drag_is_one_step_and_can_be_cancelled() {
 
 #[test]
 fn a_refused_edit_leaves_everything_as_it_was() {
-    let mut session = Session::open(scene(PLANES), grid(2)).expect("it is regular");
+    let mut session = Session::open(scene(PLANES), bumpy(2)).expect("it is regular");
     run(&mut session, 3);
     let before = (session.scene(), session.positions());
     let refused = [
@@ -168,7 +162,7 @@ fn a_refused_edit_leaves_everything_as_it_was() {
 
 #[test]
 fn a_scene_that_is_saved_opens_where_it_was() {
-    let mut session = Session::open(scene(PLANES), grid(3)).expect("it is regular");
+    let mut session = Session::open(scene(PLANES), bumpy(3)).expect("it is regular");
     session.edit(Edit::AddHandles { vertices: vec![0, 3], fixed: true }).expect("it fits");
     session.edit(new("sphere", r#"{ "vertices": "0-7" }"#)).expect("it fits");
     run(&mut session, 4);
@@ -187,7 +181,7 @@ fn a_scene_that_is_saved_opens_where_it_was() {
 #[test]
 fn far_from_the_origin_and_at_any_scale_the_answer_is_the_same() {
     let total = |scale: f64, offset: f64| {
-        let mut mesh = grid(5);
+        let mut mesh = bumpy(5);
         for coordinate in mesh.positions.as_flattened_mut() {
             *coordinate = *coordinate * scale + offset;
         }
@@ -213,7 +207,7 @@ fn a_big_set_has_the_same_minimiser_with_its_extra_unknown() {
             r#", "constraints": [{{ "kind": "sphere", "on": {{ "vertices": "0-{last}" }} }}],
                "weights": {{ "shape": 1, "smooth": 0.01 }}, "solver": {{ "accelerator": "none", "monotone": true }}"#
         );
-        let mut session = Session::open(scene(&extra), grid(6)).expect("it is regular");
+        let mut session = Session::open(scene(&extra), bumpy(6)).expect("it is regular");
         let mut before = session.solver().energy().total;
         let first = before;
         for _ in 0..50 {
@@ -236,7 +230,7 @@ fn accelerators_reach_the_plain_minimum_in_fewer_iterations() {
         let mut scene = scene(handles);
         scene.solver.accelerator = accelerator;
         scene.solver.tolerance = 0.0;
-        let mut session = Session::open(scene, grid(8)).expect("it is regular");
+        let mut session = Session::open(scene, bumpy(8)).expect("it is regular");
         for k in 0..3000 {
             let total = session.solver().energy().total;
             if until.is_some_and(|until| total <= until) {
@@ -259,7 +253,7 @@ fn accelerators_reach_the_plain_minimum_in_fewer_iterations() {
 fn a_handle_group_is_written_as_it_holds() {
     let handles =
         r#", "handles": [{ "vertices": [0, 1], "fixed": true }, { "vertices": [2], "weight": 7 }]"#;
-    let session = Session::open(scene(handles), grid(2)).expect("it is regular");
+    let session = Session::open(scene(handles), bumpy(2)).expect("it is regular");
     let specs = session.scene().handles;
     assert_eq!(specs.len(), 2);
     assert_eq!((specs[0].vertices.as_slice(), specs[0].hold), (&[0, 1][..], Hold::Fixed));

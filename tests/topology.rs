@@ -1,8 +1,11 @@
 //! Edges, neighbours, boundary loops, components, edge lines and Laplacian weights.
 
+#[path = "support/meshes.rs"]
 mod meshes;
+#[path = "support/shared.rs"]
+mod shared;
 
-use meshes::{grid, mixed, shared, triangles};
+use meshes::{mixed, triangles, wavy};
 use proptest::prelude::*;
 use shape_up::mesh::{Laplacian, Mesh, Point, Ragged, Topology, components, edge_lines};
 
@@ -172,7 +175,7 @@ proptest! {
 #[test]
 fn a_regular_grid_has_its_rows_and_columns_for_edge_lines() {
     let (columns, rows) = (4_u32, 3_u32);
-    let topology = Topology::new(&grid(columns as usize, rows as usize));
+    let topology = Topology::new(&wavy(columns, rows));
     let mut expected: Vec<Vec<u32>> = Vec::new();
     let width = columns + 1;
     expected.extend((0..=rows).map(|j| (0..width).map(|i| j * width + i).collect()));
@@ -226,7 +229,7 @@ fn loops_that_touch_are_told_apart() {
     let bow_tie = Topology::new(&with_faces(5, &[[0, 1, 2], [2, 3, 4]]));
     assert_eq!(rows(bow_tie.boundary_loops()).len(), 2);
 
-    let mut mesh = grid(4, 4);
+    let mut mesh = wavy(4, 4);
     let hole = [5, 6];
     mesh.faces =
         mesh.faces.iter().enumerate().filter(|(f, _)| !hole.contains(f)).map(|(_, f)| f).collect();
@@ -246,9 +249,9 @@ fn loops_that_touch_are_told_apart() {
 
 #[test]
 fn a_loop_runs_as_its_faces_do() {
-    let topology = Topology::new(&grid(2, 2));
+    let topology = Topology::new(&wavy(2, 2));
     assert_eq!(rows(topology.boundary_loops()), [[0, 1, 2, 5, 8, 7, 6, 3]]);
-    let mut flipped = grid(2, 2);
+    let mut flipped = wavy(2, 2);
     flipped.faces =
         flipped.faces.iter().map(|face| face.iter().rev().copied().collect::<Vec<_>>()).collect();
     let topology = Topology::new(&flipped);
@@ -310,7 +313,7 @@ fn curves_and_tets_have_edges_too() {
 #[test]
 fn the_kind_of_mesh_is_told_by_its_faces() {
     assert!(Topology::new(&with_faces(3, &[[0, 1, 2]])).is_triangle_mesh());
-    let quads = Topology::new(&grid(2, 2));
+    let quads = Topology::new(&wavy(2, 2));
     assert!(quads.is_quad_dominant() && !quads.is_triangle_mesh());
     let nothing = Topology::new(&Mesh::default());
     assert!(!nothing.is_quad_dominant() && !nothing.is_triangle_mesh());
@@ -355,7 +358,7 @@ fn closed_meshes_have_the_euler_characteristic_of_their_genus() {
         ("trimesh_quadknot.obj", 0),
     ];
     for (name, expected) in known {
-        let Some(mesh) = shared(name) else { continue };
+        let Some(mesh) = shared::mesh(name) else { continue };
         let topology = Topology::new(&mesh);
         assert!(topology.boundary_loops().is_empty(), "{name} is closed");
         let count = |n: usize| n as i64;
@@ -372,7 +375,7 @@ fn open_meshes_have_the_boundary_loops_that_one_sees() {
     let known =
         [("halftunnel.off", 3), ("compas_hypar.obj", 1), ("camelhead.off", 1), ("cmc1.obj", 2)];
     for (name, loops) in known {
-        let Some(mesh) = shared(name) else { continue };
+        let Some(mesh) = shared::mesh(name) else { continue };
         assert_eq!(Topology::new(&mesh).boundary_loops().len(), loops, "{name}");
     }
 }

@@ -5,7 +5,7 @@
 //! the gradient `w_i N_i (N_i V_i - P_i)` (Appendix A). The operator sees points and nothing else.
 
 use super::{Fitted, Kind, KindVisitor, Projection};
-use crate::math::{LANES, Lane, Lanes, Vec3};
+use crate::math::{LANES, Lane, Lanes, Vec3, centre};
 use crate::mesh::Ragged;
 
 /// A position or a gradient with a pad, so that a row is two 128-bit registers.
@@ -97,7 +97,9 @@ impl<P: Projection> KindBatch<P> {
         let mut rest = Vec::new();
         if P::READS_REST {
             rest = nodes.iter().map(|point| gather(make.rest, point)).collect();
-            rest.chunks_mut(n).for_each(centre);
+            for chunk in rest.chunks_mut(n) {
+                centre(chunk);
+            }
         }
         KindBatch {
             operator,
@@ -252,17 +254,4 @@ fn gather(x: &[Row], nodes: &[u32; LANES]) -> Vec3<Lanes> {
         Lanes(rows.map(|row| row[1])),
         Lanes(rows.map(|row| row[2])),
     )
-}
-
-/// `N_i` of Eq. 5: subtracts the mean.
-#[inline(always)]
-fn centre(points: &mut [Vec3<Lanes>]) {
-    let mut sum = Vec3::zero();
-    for point in &*points {
-        sum += *point;
-    }
-    let mean = sum * (Lanes::one() / Lanes::splat(points.len() as f64));
-    for point in points {
-        *point -= mean;
-    }
 }

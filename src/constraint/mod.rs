@@ -52,16 +52,6 @@ pub trait Projection: Clone + PartialEq + std::fmt::Debug + 'static {
     }
 }
 
-/// The mean of the points, and the points minus their mean: `N_i` of paper Eq. 5.
-fn centred(v: &[Vec3<f64>]) -> (Vec3<f64>, Vec<Vec3<f64>>) {
-    let mut sum = Vec3::zero();
-    for p in v {
-        sum += *p;
-    }
-    let mean = sum * (1.0 / v.len() as f64);
-    (mean, v.iter().map(|p| *p - mean).collect())
-}
-
 /// A fitted shape, to be drawn over the mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Fitted {

@@ -2,7 +2,7 @@
 //! (Thomas and Chan).
 
 use super::{Arity, Fitted, Info, Projection};
-use crate::math::{Lane, PrincipalAxes, Round, Scatter, Vec3, each_lane};
+use crate::math::{Lane, PrincipalAxes, Round, Scatter, Vec3, centre, each_lane};
 use serde::{Deserialize, Serialize};
 
 /// All vertices on one sphere.
@@ -42,7 +42,8 @@ impl Projection for Sphere {
     }
 
     fn fitted(&self, v: &[Vec3<f64>]) -> Option<Fitted> {
-        let (mean, mut centred) = super::centred(v);
+        let mut centred = v.to_vec();
+        let mean = centre(&mut centred);
         let sphere = match fit(&centred) {
             Some(round) => round.centre_and_radius(),
             None => {

@@ -1,6 +1,7 @@
 //! Small dense mathematics under everything else: lanes, 3-vectors of lanes, symmetric 3x3
 //! eigenvectors, principal axes, fitted circles and spheres. Knows of nothing else in the crate.
 
+mod circle_fit;
 mod eigenvector;
 mod lane;
 mod principal;
@@ -8,9 +9,10 @@ mod round;
 mod symmetric3;
 mod vec3;
 
+pub use circle_fit::{CircleFit, PrincipalCircle};
 pub use eigenvector::Eigenvector;
 pub use lane::{LANES, Lane, Lanes};
 pub use principal::PrincipalAxes;
 pub use round::Round;
 pub use symmetric3::{Scatter, Symmetric3};
-pub use vec3::{Vec3, each_lane};
+pub use vec3::{Vec3, centre, each_lane};

@@ -72,9 +72,16 @@ impl<S: Lane> Round<S> {
     /// `v` is at the centre.
     #[inline(always)]
     pub fn closest(&self, v: Vec3<S>) -> Vec3<S> {
+        v + self.step(v)
+    }
+
+    /// The way from `v` to its closest point, which keeps more digits than the difference of the
+    /// two.
+    #[inline(always)]
+    pub fn step(&self, v: Vec3<S>) -> Vec3<S> {
         let from_centre = v * self.d - self.a;
         let distance = from_centre.length();
-        v + from_centre * (self.q(v) / (distance * (self.reach + distance)))
+        from_centre * (self.q(v) / (distance * (self.reach + distance)))
     }
 
     /// Keeps `flag` in the lanes where `v` is not at the centre; zero in the others.
@@ -128,12 +135,17 @@ impl Round<f64> {
     /// moves when all points are there; a point at the centre goes to where the first axis meets
     /// the circle.
     pub fn closest_or_chosen(&self, v: Vec3<f64>) -> Vec3<f64> {
+        v + self.step_or_chosen(v)
+    }
+
+    /// The way from `v` to the point of [`Round::closest_or_chosen`].
+    pub fn step_or_chosen(&self, v: Vec3<f64>) -> Vec3<f64> {
         if self.reach == 0.0 {
-            v
+            Vec3::zero()
         } else if self.off_centre(v, 1.0) > 0.0 {
-            self.closest(v)
+            self.step(v)
         } else {
-            v + Vec3::new(self.reach / self.d, 0.0, 0.0)
+            Vec3::new(self.reach / self.d, 0.0, 0.0)
         }
     }
 

@@ -72,6 +72,20 @@ impl<S: Lane> Vec3<S> {
     }
 }
 
+/// Subtracts the mean from the points, `N_i` of paper Eq. 5, and gives the mean.
+#[inline(always)]
+pub fn centre<S: Lane>(points: &mut [Vec3<S>]) -> Vec3<S> {
+    let mut sum = Vec3::zero();
+    for point in &*points {
+        sum += *point;
+    }
+    let mean = sum * S::splat(1.0 / points.len() as f64);
+    for point in points {
+        *point -= mean;
+    }
+    mean
+}
+
 /// Treats each lane of `points` as plain scalars: the rare path beside a closed form.
 #[cold]
 #[inline(never)]

@@ -61,9 +61,8 @@ impl Measures {
         let (planarity, circularity) = (&mut all.planarity, &mut all.circularity);
         for face in faces.iter() {
             let corners = face.iter().map(|&v| positions[v as usize]);
-            fit.fit(corners);
-            let errors = fit.plane_errors();
-            let (distance, e_p) = (errors.largest_square.sqrt(), errors.mean_square);
+            let errors = fit.errors(corners);
+            let (distance, e_p) = (errors.plane.largest_square.sqrt(), errors.plane.mean_square);
             all.planarity_distances.push(distance);
             planarity.max_distance = greater(planarity.max_distance, distance);
             planarity.mean_distance += share * distance;
@@ -73,8 +72,7 @@ impl Measures {
                 let ratio = diagonal_ratio([a, b, c, d].map(|v| positions[v as usize]));
                 planarity.diagonal_ratio_max = greater(planarity.diagonal_ratio_max, ratio);
             }
-            let errors = fit.circle_errors();
-            let (distance, e_c) = (errors.largest_square.sqrt(), errors.mean_square);
+            let (distance, e_c) = (errors.circle.largest_square.sqrt(), errors.circle.mean_square);
             all.circularity_distances.push(distance);
             circularity.max_distance = greater(circularity.max_distance, distance);
             circularity.mean_distance += share * distance;

@@ -12,7 +12,7 @@
 //! | `boundary`, `edge_lines`, `components` | boundary loops, straight edge lines, connected components |
 //! | `laplacian` | the weights `w_ij` of Eq. 12 |
 //! | `closest` | closest point `c(v)` on the reference surface, Eq. 11; with its parts `triangle`, `tree`, `surroundings` |
-//! | `measure` | planarity, circularity, diagonal ratio of faces; with its parts `face_fit`, `principal_axes` |
+//! | `measure` | planarity, circularity, diagonal ratio of faces; with its part `face_fit` |
 //! | `bounds` | bounding sphere |
 
 mod boundary;
@@ -32,7 +32,6 @@ mod number;
 mod obj;
 mod obj_write;
 mod off;
-mod principal_axes;
 mod problem;
 mod ragged;
 mod read;

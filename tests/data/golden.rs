@@ -1,27 +1,21 @@
 //! Scenes whose positions after 30 steps have a known digest, for native and wasm tests alike.
 
+#[path = "../support/grid.rs"]
+mod grid;
+
+use grid::grid;
 use shape_up::mesh::{Mesh, Point};
 use shape_up::scene::Scene;
 use shape_up::session::Session;
 
 /// A grid of quads over a bumpy height field, made with exactly rounded operations only.
-fn grid(n: u32) -> Mesh {
-    let mut mesh = Mesh::default();
-    for j in 0..=n {
-        for i in 0..=n {
-            let (x, y) = (f64::from(i) / f64::from(n), f64::from(j) / f64::from(n));
-            let bump = f64::from((i * 31 + j * 17) % 23) / 23.0;
-            let z = x * (1.0 - x) * y + 0.02 * bump;
-            mesh.positions.push([x + 0.01 * bump, y - 0.013 * bump, z]);
-        }
-    }
-    for j in 0..n {
-        for i in 0..n {
-            let a = j * (n + 1) + i;
-            mesh.faces.push(&[a, a + 1, a + n + 2, a + n + 1]);
-        }
-    }
-    mesh
+fn bumpy(n: u32) -> Mesh {
+    grid(n, n, |i, j| {
+        let (x, y) = (f64::from(i) / f64::from(n), f64::from(j) / f64::from(n));
+        let bump = f64::from((i * 31 + j * 17) % 23) / 23.0;
+        let z = x * (1.0 - x) * y + 0.02 * bump;
+        [x + 0.01 * bump, y - 0.013 * bump, z]
+    })
 }
 
 /// What is put on the grid, with the digest for each accelerator: none, quasi-newton, anderson.
@@ -61,7 +55,7 @@ pub(crate) fn check() {
                       "solver": {{ "accelerator": "{accelerator}", "tolerance": 0 }} }}"#
             );
             let scene = Scene::from_json(&text).expect("the scene is valid");
-            let mut session = Session::open(scene, grid(12)).expect("the scene fits the grid");
+            let mut session = Session::open(scene, bumpy(12)).expect("the scene fits the grid");
             for _ in 0..30 {
                 session.step().expect("positions stay finite");
             }

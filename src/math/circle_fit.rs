@@ -1,0 +1,153 @@
+//! The circle that fits centred points in space (paper section 3.1): the plane whose normal is the
+//! eigenvector of the smallest eigenvalue of their scatter matrix, and in it the circle of Thomas
+//! and Chan, see [`Round`].
+//!
+//! [`CircleFit`] is the closed form, in lanes. Where it is not accurate, [`PrincipalCircle`] is.
+
+use super::{Lane, PrincipalAxes, Round, Scatter, Vec3};
+
+/// The circle in closed form.
+#[derive(Clone, Copy, Debug)]
+pub struct CircleFit<S> {
+    /// Unit normal of the plane, of either sign.
+    pub normal: Vec3<S>,
+    /// The circle, for points in the plane.
+    pub round: Round<S>,
+}
+
+impl<S: Lane> CircleFit<S> {
+    /// Fits mean-centred points; none when the closed form is not accurate in every lane: nearly
+    /// collinear or coincident points, more than one plane that fits, a point at the centre.
+    #[inline(always)]
+    pub fn of(points: &[Vec3<S>]) -> Option<Self> {
+        let scatter = Scatter::of(points);
+        let n = scatter.unit.smallest_eigenvector();
+        let in_plane = |p: Vec3<S>| p - n.vector * n.vector.dot(p);
+        let mut h = Vec3::zero();
+        for p in points {
+            let w = in_plane(*p);
+            h += w * w.length_squared();
+        }
+        let h = h * S::splat(0.5 / points.len() as f64);
+
+        // In the plane the scatter has trace t = 1 - l and adjugate t I - M; M h is the 3x3
+        // product, as h is orthogonal to n.
+        let t = S::one() - n.value;
+        let a = h * t - scatter.unit.times(h);
+        let determinant = scatter.unit.adjugate().trace() - n.value * t;
+        let round = Round::new(a, determinant * scatter.mean_square, t * scatter.mean_square);
+        let mut good = round.accurate(n.accurate * scatter.in_range);
+        for p in points {
+            good = round.off_centre(in_plane(*p), good);
+        }
+        good.all_greater(S::zero()).then_some(CircleFit { normal: n.vector, round })
+    }
+
+    /// The closest point of the circle.
+    #[inline(always)]
+    pub fn closest(&self, v: Vec3<S>) -> Vec3<S> {
+        self.round.closest(v - self.normal * self.normal.dot(v))
+    }
+
+    /// The height of `v` over the plane, and the way from its foot on the plane to the closest
+    /// point of the circle.
+    #[inline(always)]
+    pub fn height_and_step(&self, v: Vec3<S>) -> (S, Vec3<S>) {
+        let height = self.normal.dot(v);
+        (height, self.round.step(v - self.normal * height))
+    }
+}
+
+/// The circle found in principal axes: slower, and accurate for every input.
+#[derive(Clone, Copy, Debug)]
+pub struct PrincipalCircle {
+    axes: PrincipalAxes,
+    round: Round<f64>,
+}
+
+impl PrincipalCircle {
+    /// Fits mean-centred points, and replaces the points by their principal coordinates.
+    pub fn rotate(points: &mut [Vec3<f64>]) -> Self {
+        let axes = PrincipalAxes::rotate(points);
+        PrincipalCircle { axes, round: Round::fit_principal(points, 2) }
+    }
+
+    /// The closest point of the circle, in space, to the point with principal coordinates `v`. What
+    /// [`Round::closest_or_chosen`] says of lines and of the centre holds here.
+    pub fn closest(&self, v: Vec3<f64>) -> Vec3<f64> {
+        self.axes.point(self.round.closest_or_chosen(Vec3::new(v.x, v.y, 0.0)))
+    }
+
+    /// As [`CircleFit::height_and_step`], for the point with principal coordinates `v`: lengths are
+    /// those in space, the step is along the principal axes.
+    pub fn height_and_step(&self, v: Vec3<f64>) -> (f64, Vec3<f64>) {
+        let step = self.round.step_or_chosen(Vec3::new(v.x, v.y, 0.0));
+        (v.z * self.axes.scale, step * self.axes.scale)
+    }
+
+    /// Unit normal of the plane, of either sign.
+    pub fn normal(&self) -> Vec3<f64> {
+        self.axes.axes[2]
+    }
+
+    /// As [`Round::centre_and_radius`], in space.
+    pub fn centre_and_radius(&self) -> Option<(Vec3<f64>, f64)> {
+        let circle = self.round.centre_and_radius();
+        circle.map(|(c, r)| (self.axes.point(c), r * self.axes.scale))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{CircleFit, PrincipalCircle};
+    use crate::math::{Vec3, centre};
+
+    /// Every way to move the four corners of a square of side two by a step or none in one
+    /// coordinate each.
+    fn quads(step: f64) -> impl Iterator<Item = [Vec3<f64>; 4]> {
+        (0..4_usize.pow(4)).map(move |k| {
+            let mut quad = [[1.0, 1.0, 0.0], [-1.0, 1.0, 0.0], [-1.0, -1.0, 0.0], [1.0, -1.0, 0.0]];
+            for (i, corner) in quad.iter_mut().enumerate() {
+                if let Some(x) = corner.get_mut(k / 4_usize.pow(i as u32) % 4) {
+                    *x += step;
+                }
+            }
+            quad.map(Vec3::from)
+        })
+    }
+
+    #[test]
+    fn the_closed_form_agrees_with_principal_axes() {
+        for step in [1e-6, 0.01, 0.3] {
+            for (k, mut quad) in quads(step).enumerate() {
+                centre(&mut quad);
+                let circle = CircleFit::of(&quad).expect("the heights are far below the width");
+                let mut principal = quad;
+                let slow = PrincipalCircle::rotate(&mut principal);
+                for (v, w) in quad.into_iter().zip(principal) {
+                    let (height, step_to) = circle.height_and_step(v);
+                    let (slow_height, slow_step) = slow.height_and_step(w);
+                    assert!((height.abs() - slow_height.abs()).abs() < 1e-12, "{step}, {k}");
+                    assert!((step_to.length() - slow_step.length()).abs() < 1e-12, "{step}, {k}");
+                    assert!((circle.closest(v) - slow.closest(w)).length() < 1e-12, "{step}, {k}");
+                    let reached = v - circle.normal * height + step_to;
+                    assert!((reached - circle.closest(v)).length() < 1e-15, "{step}, {k}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn says_when_there_is_no_closed_form() {
+        let line = [-1.0, -0.25, 0.25, 1.0].map(|x| Vec3::new(x, 2.0 * x, -x));
+        let one_place = [Vec3::zero(); 4];
+        let tetrahedron =
+            [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]]
+                .map(Vec3::from);
+        for points in [line, one_place, tetrahedron] {
+            assert!(CircleFit::of(&points).is_none(), "{points:?}");
+        }
+        let cross = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0], [0.0, 0.0]];
+        assert!(CircleFit::of(&cross.map(|[x, y]| Vec3::new(x, y, 0.0))).is_none());
+    }
+}

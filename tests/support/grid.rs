@@ -1,0 +1,20 @@
+//! Grids of quads for tests.
+
+use shape_up::mesh::{Mesh, Point};
+
+/// `columns * rows` quads. The vertices come row by row, the one of column `i` and row `j` at
+/// `point(i, j)`; so do the faces.
+pub(crate) fn grid(columns: u32, rows: u32, point: impl Fn(u32, u32) -> Point) -> Mesh {
+    let mut mesh = Mesh::default();
+    for j in 0..=rows {
+        mesh.positions.extend((0..=columns).map(|i| point(i, j)));
+    }
+    let width = columns + 1;
+    for j in 0..rows {
+        for i in 0..columns {
+            let corner = j * width + i;
+            mesh.faces.push(&[corner, corner + 1, corner + 1 + width, corner + width]);
+        }
+    }
+    mesh
+}

@@ -1,0 +1,42 @@
+//! Runs the operator of a kind.
+
+use crate::random::Points;
+use shape_up::constraint::{Kind, KindVisitor, Projection};
+use shape_up::math::{LANES, Lanes, Vec3};
+
+/// Projects as plain scalars, or with [`Lanes`] when there are as many point sets as lanes.
+pub(crate) struct Project<'a> {
+    pub(crate) rest: &'a [Points],
+    pub(crate) points: &'a mut [Points],
+}
+
+impl KindVisitor for Project<'_> {
+    type Output = ();
+    fn visit<P: Projection>(self, operator: &P) {
+        if let [points] = self.points {
+            return operator.project(&self.rest[0], points);
+        }
+        let pack = |sets: &[Points]| -> Vec<Vec3<Lanes>> {
+            (0..sets[0].len())
+                .map(|k| {
+                    let mut packed = Vec3::zero();
+                    (0..LANES).for_each(|i| packed.set_lane(i, sets[i][k]));
+                    packed
+                })
+                .collect()
+        };
+        let (rest, mut v) = (pack(self.rest), pack(self.points));
+        operator.project(&rest, &mut v);
+        for (i, points) in self.points.iter_mut().enumerate() {
+            points.iter_mut().zip(&v).for_each(|(to, from)| *to = from.lane(i));
+        }
+    }
+}
+
+/// The projection of one constraint.
+pub(crate) fn project(kind: &Kind, rest: &Points, points: &Points) -> Points {
+    let mut result = [points.clone()];
+    kind.visit(Project { rest: std::slice::from_ref(rest), points: &mut result });
+    let [result] = result;
+    result
+}
