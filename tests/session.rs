@@ -60,6 +60,20 @@ fn a_part_that_nothing_holds_is_pinned_and_named() {
 }
 
 #[test]
+fn a_mesh_of_one_vertex_stays_where_it_is() {
+    // The factorisation underneath panics below two unknowns.
+    let mesh = Mesh { positions: vec![[1.0, 2.0, 3.0]], ..Mesh::default() };
+    for handles in ["", r#", "handles": [{ "vertices": [0], "targets": [[4, 5, 6]] }]"#] {
+        let mut session = Session::open(scene(handles), mesh.clone()).expect("it is regular");
+        session.solve(false).expect("positions stay finite");
+        let expected = if handles.is_empty() { [1.0, 2.0, 3.0] } else { [4.0, 5.0, 6.0] };
+        for (found, expected) in session.positions()[0].iter().zip(expected) {
+            assert!((found - expected).abs() < 1e-12, "{found} is not {expected}");
+        }
+    }
+}
+
+#[test]
 fn a_fixed_handle_is_met_exactly_and_a_soft_one_by_its_weight() {
     let handles = r#", "handles": [{ "vertices": [0], "targets": [[0, 0, 1]], "fixed": true },
                                     { "vertices": [15], "targets": [[3, 3, 2]], "weight": 50 }]"#;

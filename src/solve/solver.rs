@@ -38,6 +38,8 @@ pub struct Problem<'a> {
 pub struct Solver {
     centre: Point,
     n_vertices: usize,
+    /// Vertices and extra unknowns; nodes beyond are padding.
+    n_unknowns: usize,
     settings: SolverSettings,
     system: System,
     energies: Energies,
@@ -78,7 +80,9 @@ impl Solver {
         let started = clock::now();
         let Problem { mesh, constraints, weights, settings, .. } = *problem;
         let n_vertices = mesh.positions.len();
-        let n = n_vertices + extra_unknowns(constraints, settings.mean_centring);
+        let n_unknowns = n_vertices + extra_unknowns(constraints, settings.mean_centring);
+        // `sprs-ldl` panics below two unknowns: the rest is padding, and fixed.
+        let n = n_unknowns.max(2);
         let laplacian = (weights.smooth > 0.0).then(|| laplacian(problem));
         let shape_terms = if weights.shape > 0.0 {
             shape::terms(constraints, n_vertices, settings.mean_centring)
@@ -131,6 +135,7 @@ impl Solver {
         let mut solver = Solver {
             centre,
             n_vertices,
+            n_unknowns,
             settings,
             system,
             energies,
@@ -161,6 +166,8 @@ impl Solver {
         let n = self.x.len();
         let node_of = &self.system.node_of()[..self.n_vertices];
         let (mut fixed, mut held, mut diagonal) = (vec![false; n], self.held.clone(), vec![0.0; n]);
+        let padding = &self.system.node_of()[self.n_unknowns..];
+        padding.iter().for_each(|&node| fixed[node as usize] = true);
         if self.energies.close.is_some() {
             node_of.iter().for_each(|&node| diagonal[node as usize] = self.energies.weights.close);
         }
