@@ -16,7 +16,7 @@ export async function setUpBindgen() {
   const current = [wasmBindgen, testRunner].map((program) => outputOf(program, ['--version']));
   if (current.every((line) => line?.split(' ')[1] === version)) return;
 
-  say(`building wasm-bindgen ${version} into .tools/ (once, two to five minutes)`);
+  say(`building wasm-bindgen ${version} into .tools/ (once, some minutes)`);
   const args = ['install', 'wasm-bindgen-cli', '--version', `=${version}`, '--root', at('.tools')];
   try {
     await run('cargo', [...args, '--force', '--locked']);

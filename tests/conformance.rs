@@ -1,6 +1,8 @@
 //! The one property suite over the list of kinds: a new kind is tested by existing. What a kind
 //! means is told independently in `support/shapes.rs`.
 
+#[path = "support/degenerate.rs"]
+mod degenerate;
 #[path = "support/minimise.rs"]
 mod minimise;
 #[path = "support/random.rs"]
@@ -8,6 +10,7 @@ mod random;
 #[path = "support/shapes.rs"]
 mod shapes;
 
+use degenerate::degenerate;
 use minimise::least_distance_squared;
 use random::{Points, Random, centred, distance_squared, farthest, in_frame, size};
 use serde_json::json;
@@ -159,11 +162,9 @@ fn every_kind_is_declared_for_people() {
         assert!(1.05 / (luminance + 0.05) >= 3.0, "{id}: too light on white");
         assert!((luminance + 0.05) / (0.014 + 0.05) >= 3.0, "{id}: too dark on dark");
         for param in info.params {
-            assert!(
-                param.range[0] <= param.default && param.default <= param.range[1],
-                "{id}: the default of {} is out of its range",
-                param.id
-            );
+            let [least, greatest] = param.range;
+            let fits = least <= param.default && param.default <= greatest;
+            assert!(fits, "{id}: the default of {} is out of its range", param.id);
         }
     }
 }
@@ -300,8 +301,12 @@ fn approximate_kinds_stay_within_their_stated_excess() {
     for kind in kinds().into_iter().filter(|kind| !kind.info().exact) {
         let id = kind.info().id;
         let Shape { sample, parameters, closest, excess, .. } = shape(id);
+        let sizes = match kind.info().arity {
+            Arity::AtLeast(_) => [8, 12],
+            Arity::Exactly(n) => [n, n],
+        };
         for (noise, bound) in NOISE.into_iter().zip(excess) {
-            for n in [8, 12] {
+            for n in sizes {
                 let (mut sum, mut worst) = (0.0, 0.0f64);
                 for seed in 0..25 {
                     let mut random = Random::new(seed);
@@ -331,52 +336,6 @@ fn approximate_kinds_stay_within_their_stated_excess() {
             }
         }
     }
-}
-
-/// Inputs on which closed forms fail, by name.
-fn degenerate(n: usize) -> Vec<(&'static str, Points)> {
-    let mut random = Random::new(n as u64);
-    let [e, f, g] = random.frame();
-    let ramp = |i: usize| i as f64 - 0.4 * (i * i % 3) as f64;
-    let line: Points = (0..n).map(|i| e * ramp(i)).collect();
-    let flat: Points = (0..n).map(|i| e * ramp(i) + f * ((i * i) % 5) as f64).collect();
-    let near = |points: &Points, d: f64, random: &mut Random| -> Points {
-        points.iter().map(|v| *v + random.vector() * d).collect()
-    };
-    let with_centre: Points = (0..n)
-        .map(|i| match i % 5 {
-            0 => e,
-            1 => f,
-            2 => -e,
-            3 => -f,
-            _ => Vec3::zero(),
-        })
-        .collect();
-    let mut sets = vec![
-        ("zeros", vec![Vec3::zero(); n]),
-        ("all equal", vec![e * 3.7; n]),
-        ("all equal, far away", vec![e * 1e9 + f * 3.3e8 + g; n]),
-        ("two places", (0..n).map(|i| if i % 2 == 0 { e } else { f }).collect()),
-        ("one apart", (0..n).map(|i| if i == 0 { e } else { f }).collect()),
-        ("collinear", line.clone()),
-        ("along an axis", (0..n).map(|i| Vec3::new(0.0, ramp(i), 0.0)).collect()),
-        ("collinear, far away", line.iter().map(|v| *v + f * 1e8).collect()),
-        ("coplanar", flat.clone()),
-        ("a cross and its centre", with_centre),
-        ("cube corners", (0..n).map(|i| corner(i)).collect()),
-        ("random, far away", cloud(&mut random, n, 1.0).iter().map(|v| *v + f * 1e8).collect()),
-    ];
-    for d in [1e-15, 1e-12, 1e-9, 1e-6, 1e-3] {
-        sets.push(("nearly coincident", near(&vec![e; n], d, &mut random)));
-        sets.push(("nearly collinear", near(&line, d, &mut random)));
-        sets.push(("nearly coplanar", near(&flat, d, &mut random)));
-    }
-    sets
-}
-
-fn corner(i: usize) -> Vec3<f64> {
-    let side = |bit: usize| if (i >> bit) & 1 == 0 { -1.0 } else { 1.0 };
-    Vec3::new(side(0), side(1), side(2))
 }
 
 #[test]

@@ -82,15 +82,14 @@ struct KindBatch<P> {
     /// The previous projections in the layout of `nodes`; only with the guard, from its second step on.
     previous: Vec<Vec3<Lanes>>,
     guarded: bool,
-    /// The points of one chunk, centred, and their projections.
-    centred: Vec<Vec3<Lanes>>,
-    projected: Vec<Vec3<Lanes>>,
+    /// Points of one chunk and their projections, where there are too many for the stack.
+    scratch: Vec<Vec3<Lanes>>,
 }
 
 impl<P: Projection> KindBatch<P> {
     fn new(operator: P, make: MakeBatch<'_>) -> Self {
         let n = make.members[0].len();
-        let mut nodes = Vec::with_capacity(make.members.len().next_multiple_of(LANES) / LANES * n);
+        let mut nodes = Vec::with_capacity(make.members.len().div_ceil(LANES) * n);
         for chunk in make.members.chunks(LANES) {
             let last = chunk.len() - 1;
             nodes.extend((0..n).map(|k| std::array::from_fn(|lane| chunk[lane.min(last)][k])));
@@ -98,11 +97,8 @@ impl<P: Projection> KindBatch<P> {
         let mut rest = Vec::new();
         if P::READS_REST {
             rest = nodes.iter().map(|point| gather(make.rest, point)).collect();
-            rest.chunks_mut(n).for_each(|chunk| {
-                centre(chunk);
-            });
+            rest.chunks_mut(n).for_each(centre);
         }
-        let scratch = vec![Vec3::zero(); n];
         KindBatch {
             operator,
             weight: make.weight,
@@ -112,89 +108,127 @@ impl<P: Projection> KindBatch<P> {
             rest,
             previous: Vec::new(),
             guarded: make.guarded,
-            centred: scratch.clone(),
-            projected: scratch,
+            scratch: vec![Vec3::zero(); 2 * n],
         }
     }
 
-    /// Gathers and centres chunk `chunk` into `centred` and projects it into `projected`.
+    /// The local step of chunk `chunk`. `centred` and `projected` are scratch for `n` points each:
+    /// where their length is known at compile time, everything stays in registers.
+    #[inline(always)]
+    fn step_chunk(
+        &mut self,
+        chunk: usize,
+        (centred, projected): (&mut [Vec3<Lanes>], &mut [Vec3<Lanes>]),
+        (x, gradient): (&[Row], &mut [Row]),
+        scale: f64,
+    ) -> LocalStep {
+        let n = centred.len();
+        let first = chunk * n;
+        for (point, nodes) in centred.iter_mut().zip(&self.nodes[first..first + n]) {
+            *point = gather(x, nodes);
+        }
+        centre(centred);
+        projected.copy_from_slice(centred);
+        let rest = if P::READS_REST { &self.rest[first..first + n] } else { &[] };
+        self.operator.project(rest, projected);
+        // The set of a shape is closed under translation, so that the centred projection has the
+        // shape too, and is nearer. Circle and sphere results are not centred by themselves.
+        centre(projected);
+        if self.guarded {
+            self.keep_nearer(first, centred, projected);
+        }
+        // A lane that only pads the last chunk has no weight.
+        let lanes = LANES.min(self.count - chunk * LANES);
+        let counts = Lanes(std::array::from_fn(|lane| f64::from(u8::from(lane < lanes))));
+        let scale = counts * Lanes::splat(scale);
+        let (mut sum, mut worst) = (Lanes::zero(), Lanes::zero());
+        let points = centred.iter().zip(projected.iter()).zip(&self.nodes[first..first + n]);
+        for ((v, p), nodes) in points {
+            let residual = *v - *p;
+            let squared = residual.length_squared();
+            sum += squared;
+            worst = worst.max(squared);
+            let scaled = residual * scale;
+            for lane in 0..LANES {
+                let row = &mut gradient[nodes[lane] as usize];
+                row[0] += scaled.x.lane(lane);
+                row[1] += scaled.y.lane(lane);
+                row[2] += scaled.z.lane(lane);
+            }
+        }
+        let (sum, worst) = (sum * counts, worst * counts);
+        let mut found = LocalStep::default();
+        for lane in 0..LANES {
+            found.energy += self.weight * sum.lane(lane);
+            found.worst_squared = found.worst_squared.max(worst.lane(lane));
+        }
+        found
+    }
+
+    /// [`KindBatch::step_chunk`] for `N` points.
     // A function of its own: V8 replaces a wasm function by optimised code only between calls, so
     // hot kernels are entered often.
     #[inline(never)]
-    fn project_chunk(&mut self, x: &[Row], chunk: usize) {
-        let first = chunk * self.n;
-        for (point, nodes) in self.centred.iter_mut().zip(&self.nodes[first..first + self.n]) {
-            *point = gather(x, nodes);
-        }
-        centre(&mut self.centred);
-        self.projected.copy_from_slice(&self.centred);
-        let rest = if P::READS_REST { &self.rest[first..first + self.n] } else { &[] };
-        self.operator.project(rest, &mut self.projected);
-        // The set of a shape is closed under translation, so that the centred projection has the
-        // shape too, and is nearer. Circle and sphere results are not centred by themselves.
-        centre(&mut self.projected);
+    fn step_few<const N: usize>(
+        &mut self,
+        chunk: usize,
+        rows: (&[Row], &mut [Row]),
+        scale: f64,
+    ) -> LocalStep {
+        let (mut centred, mut projected) = ([Vec3::zero(); N], [Vec3::zero(); N]);
+        self.step_chunk(chunk, (&mut centred, &mut projected), rows, scale)
     }
 
-    /// Replaces the projection of chunk `chunk` lane by lane by the previous one where that is nearer.
-    fn keep_nearer(&mut self, chunk: usize) {
-        let first = chunk * self.n;
+    /// [`KindBatch::step_chunk`] for any number of points.
+    #[inline(never)]
+    fn step_many(&mut self, chunk: usize, rows: (&[Row], &mut [Row]), scale: f64) -> LocalStep {
+        let mut scratch = std::mem::take(&mut self.scratch);
+        let found = self.step_chunk(chunk, scratch.split_at_mut(self.n), rows, scale);
+        self.scratch = scratch;
+        found
+    }
+
+    /// Replaces the projections of the chunk whose points start at `first` lane by lane by the previous
+    /// ones where these are nearer.
+    fn keep_nearer(
+        &mut self,
+        first: usize,
+        centred: &[Vec3<Lanes>],
+        projected: &mut [Vec3<Lanes>],
+    ) {
         if self.previous.len() < self.nodes.len() {
-            self.previous.extend_from_slice(&self.projected);
+            self.previous.extend_from_slice(projected);
             return;
         }
-        let previous = &mut self.previous[first..first + self.n];
+        let previous = &mut self.previous[first..first + centred.len()];
         let (mut new, mut old) = (Lanes::zero(), Lanes::zero());
-        for ((v, p), q) in self.centred.iter().zip(&self.projected).zip(&*previous) {
+        for ((v, p), q) in centred.iter().zip(&*projected).zip(&*previous) {
             new += (*v - *p).length_squared();
             old += (*v - *q).length_squared();
         }
-        for (p, q) in self.projected.iter_mut().zip(&mut *previous) {
+        for (p, q) in projected.iter_mut().zip(previous) {
             *p = Vec3::if_greater(new, old, *q, *p);
             *q = *p;
         }
-    }
-
-    /// Turns `projected` into the residuals `N_i V_i - P_i`; gives the squared distance of each
-    /// lane's constraint and its largest at one point.
-    #[inline(always)]
-    fn residuals(&mut self) -> (Lanes, Lanes) {
-        let (mut sum, mut worst) = (Lanes::zero(), Lanes::zero());
-        for (v, p) in self.centred.iter().zip(&mut self.projected) {
-            *p = *v - *p;
-            let squared = p.length_squared();
-            sum += squared;
-            worst = worst.max(squared);
-        }
-        (sum, worst)
     }
 }
 
 impl<P: Projection> Batch for KindBatch<P> {
     fn local_step(&mut self, x: &[Row], gradient: &mut [Row], scale: f64) -> LocalStep {
         let scale = scale * self.weight;
-        let mut found = LocalStep::default();
+        let mut all = LocalStep::default();
         for chunk in 0..self.count.div_ceil(LANES) {
-            self.project_chunk(x, chunk);
-            if self.guarded {
-                self.keep_nearer(chunk);
-            }
-            let (sum, worst) = self.residuals();
-            let lanes = LANES.min(self.count - chunk * LANES);
-            for lane in 0..lanes {
-                found.energy += self.weight * sum.lane(lane);
-                found.worst_squared = found.worst_squared.max(worst.lane(lane));
-            }
-            let first = chunk * self.n;
-            for (nodes, residual) in self.nodes[first..first + self.n].iter().zip(&self.projected) {
-                for lane in 0..lanes {
-                    let row = &mut gradient[nodes[lane] as usize];
-                    row[0] += scale * residual.x.lane(lane);
-                    row[1] += scale * residual.y.lane(lane);
-                    row[2] += scale * residual.z.lane(lane);
-                }
-            }
+            let rows = (x, &mut *gradient);
+            // Triangles and quads are most of what there is.
+            let found = match self.n {
+                3 => self.step_few::<3>(chunk, rows, scale),
+                4 => self.step_few::<4>(chunk, rows, scale),
+                _ => self.step_many(chunk, rows, scale),
+            };
+            all.energy += found.energy;
+            all.worst_squared = all.worst_squared.max(found.worst_squared);
         }
-        found
+        all
     }
 
     fn fitted(&self, x: &[Row], shapes: &mut Vec<Fitted>) {

@@ -6,6 +6,9 @@ use serde::{Deserialize, Serialize};
 
 /// All vertices on one circle, in any order and at any spacing.
 ///
+/// Not exact: with vertices off a circle by 1 %, 10 % or 30 % of its radius, the squared distance is
+/// on average 3e-5, 3e-3 or 2.5 % greater than the least possible (8 vertices all around).
+///
 /// Collinear vertices stay on their line, the limit of great circles; coincident ones stay where
 /// they are. A vertex at the centre goes to the circle along the longest principal axis.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]

@@ -7,6 +7,8 @@
 //!    its [`Projection`]. It sees its own mean-centred points and their rest points, and nothing
 //!    else: no indices, no mesh, no weights.
 //! 2. Add one line to the list at the end of this file.
+//! 3. Tell what the kind means a second time, without the operator, in `tests/support/shapes.rs`:
+//!    the property tests run over the list of kinds.
 //!
 //! The scene format, the command line, the controls of the page, the property tests and the
 //! operator table follow from the declaration.

@@ -8,9 +8,13 @@
 
 use super::Vec3;
 
-/// The columns are orthogonal long before: convergence is quadratic, and six sweeps were the most
-/// in a million random and degenerate inputs.
+/// Convergence is quadratic: of a million random and degenerate inputs 99 % needed at most six
+/// sweeps. What the others still turn after twelve is rounding error.
 const SWEEPS: usize = 12;
+
+/// Columns whose cosine is below this are orthogonal, and a column shorter than this fraction of
+/// another is rounding error beside it.
+const NEGLIGIBLE: f64 = 4.0 * f64::EPSILON;
 
 /// The principal axes of points around the origin, and their scale.
 #[derive(Clone, Copy, Debug)]
@@ -79,7 +83,8 @@ impl Frame<'_> {
             qq += b * b;
             pq += a * b;
         }
-        if pq * pq <= f64::EPSILON * f64::EPSILON * pp * qq {
+        let negligible = NEGLIGIBLE * NEGLIGIBLE;
+        if pq * pq <= negligible * pp * qq || pp.min(qq) <= negligible * pp.max(qq) {
             return false;
         }
         let difference = pp - qq;

@@ -1,5 +1,6 @@
-//! The circle or sphere that fits centred points best in the sense of Thomas and Chan [TC89]
-//! (paper section 3.1), in homogeneous form.
+//! The circle or sphere that fits centred points best in the sense of Thomas and Chan, "A simple
+//! approach for the estimation of circular arc center and its radius", 1989 (paper section 3.1), in
+//! homogeneous form.
 //!
 //! They minimise `sum (|v - c|^2 - r^2)^2`. With centred points, `M = mean v v^T`,
 //! `h = mean |v|^2 v / 2` and `s = mean |v|^2`, the centre is `c = M^-1 h` and
@@ -26,7 +27,8 @@ const FLAT: f64 = 32.0 * f64::EPSILON;
 const AT_CENTRE: f64 = 1e-14;
 
 /// The least `R`, relative to the points (unit trace, lengths over `s^1/2`), at which the closed
-/// form, whose rounding error is a few ulp of one, is accurate to 1e-12 of the size of the points.
+/// form is used. Its rounding error is a few ulp of one, divided by this: about 1e-12 of the size of
+/// the points, and more only for points near the centre, by the radius over their distance.
 const LEAST_REACH: f64 = 1e-4;
 
 /// A fitted circle or sphere around the mean of its points, or the line or plane that is its limit.

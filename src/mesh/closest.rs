@@ -99,7 +99,7 @@ impl Surface {
     #[inline(always)]
     fn consider(&self, t: usize, p: Vec3<f64>, lanes: Vec3<Lanes>, best: &mut Hit, warm: &mut u32) {
         let over = self.planes[t].over(lanes);
-        if over.bound() < best.distance_squared {
+        if over.within(best.distance_squared) {
             let hit = self.corners[t].closest(&self.planes[t], p, over);
             if hit.distance_squared < best.distance_squared {
                 *best = hit;

@@ -4,6 +4,7 @@
 //! and Chan 1989, which minimises `sum (|p - c|^2 - r^2)^2` in closed form.
 
 use super::Point;
+use super::principal_axes::principal_axes;
 use crate::math::Vec3;
 
 /// The corners of a face, seen from their mean along their principal axes.
@@ -104,39 +105,4 @@ impl Errors {
             self.largest_square = square;
         }
     }
-}
-
-/// The orthonormal eigenvectors of a symmetric matrix, of which the upper half is given, by
-/// descending eigenvalues: Jacobi's method, cyclic by rows (Golub and Van Loan, section 8.5).
-fn principal_axes(mut a: [[f64; 3]; 3]) -> [Vec3<f64>; 3] {
-    /// Three or four are enough; convergence is quadratic.
-    const SWEEPS: usize = 12;
-    let mut axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Vec3::from);
-    let trace = a[0][0] + a[1][1] + a[2][2];
-    for _ in 0..SWEEPS {
-        let off = a[0][1].abs() + a[0][2].abs() + a[1][2].abs();
-        if off <= 1e-17 * trace {
-            break;
-        }
-        for (p, q, r) in [(0, 1, 2), (0, 2, 1), (1, 2, 0)] {
-            if a[p][q] == 0.0 {
-                continue;
-            }
-            let theta = 0.5 * (a[q][q] - a[p][p]) / a[p][q];
-            let t = 1.0_f64.copysign(theta) / (theta.abs() + (theta * theta + 1.0).sqrt());
-            let cos = 1.0 / (t * t + 1.0).sqrt();
-            let sin = t * cos;
-            a[p][p] -= t * a[p][q];
-            a[q][q] += t * a[p][q];
-            a[p][q] = 0.0;
-            let (rp, rq) = ((p.min(r), p.max(r)), (q.min(r), q.max(r)));
-            let (x, y) = (a[rp.0][rp.1], a[rq.0][rq.1]);
-            a[rp.0][rp.1] = cos * x - sin * y;
-            a[rq.0][rq.1] = sin * x + cos * y;
-            (axes[p], axes[q]) = (axes[p] * cos - axes[q] * sin, axes[p] * sin + axes[q] * cos);
-        }
-    }
-    let mut order = [0, 1, 2];
-    order.sort_by(|&i, &j| a[j][j].total_cmp(&a[i][i]));
-    order.map(|i| axes[i])
 }

@@ -7,10 +7,13 @@
 //! | `lines`, `stream`, `number`, `draft` | what the formats share: text, rows, numbers, the mesh so far |
 //! | `problem`, `survey` | what a file, and a mesh as a whole, has wrong that can be survived |
 //! | `obj_write` | OBJ out |
-//! | `topology` | edges, one-rings, boundary loops, straight edge lines, components |
+//! | `generate` | meshes of the examples |
+//! | `topology` | edges, neighbours, rings, faces around edges and vertices |
+//! | `boundary`, `edge_lines`, `components` | boundary loops, straight edge lines, connected components |
 //! | `laplacian` | the weights `w_ij` of Eq. 12 |
-//! | `closest` | closest point `c(v)` on the reference surface, Eq. 11 |
-//! | `measure` | planarity, circularity, diagonal ratio of faces; bounding sphere |
+//! | `closest` | closest point `c(v)` on the reference surface, Eq. 11; with its parts `triangle`, `tree`, `surroundings` |
+//! | `measure` | planarity, circularity, diagonal ratio of faces; with its parts `face_fit`, `principal_axes` |
+//! | `bounds` | bounding sphere |
 
 mod boundary;
 mod bounds;
@@ -29,6 +32,7 @@ mod number;
 mod obj;
 mod obj_write;
 mod off;
+mod principal_axes;
 mod problem;
 mod ragged;
 mod read;

@@ -7,6 +7,7 @@
 use super::Ragged;
 use super::tree::{Box3, Tree};
 use super::triangle::{Corners, Planes};
+use crate::math::Lane;
 
 /// How far the surroundings of a triangle reach, relative to the diagonal of its box.
 const REACH: f64 = 0.5;
@@ -51,18 +52,27 @@ impl Surroundings {
         let mut limits = Vec::with_capacity(boxes.len());
         // A negative limit allows nothing, and a little less than half allows for rounding.
         let limit = |reach: f64| (0.5 - 1e-9) * reach * (0.5 - 1e-9) * reach;
+        let (mut close, mut others) = (Vec::new(), Vec::new());
         for t in 0..boxes.len() {
             let size = boxes[t].diagonal();
             let reach = REACH * size;
             let around = boxes[t].grown(reach);
-            let (mut close, mut others, mut unfolded) = (Vec::new(), Vec::new(), true);
+            let mut unfolded = true;
+            close.clear();
+            others.clear();
             tree.meeting(&around, |leaf| {
                 for s in leaf.filter(|&s| s != t && boxes[s].meets(&around)) {
-                    let gap = gap([(&planes[t], &corners[t]), (&planes[s], &corners[s])]);
+                    let parting = planes[t].parting(&corners[s].at);
+                    let mut gap = parting.gap;
+                    if corners[t].touches(&corners[s]) {
+                        gap = 0.0;
+                    } else if gap <= reach {
+                        gap = Lane::max(gap, planes[s].parting(&corners[t].at).gap);
+                    }
                     if gap <= reach {
                         let list = if gap <= CLOSE_REACH * size { &mut close } else { &mut others };
                         list.push(s as u32);
-                        unfolded &= planes[t].gap_of_sides(corners[s].at) >= -1e-12 * size;
+                        unfolded &= parting.sides >= -1e-12 * size;
                     }
                 }
                 close.len() + others.len() <= MOST
@@ -105,13 +115,4 @@ impl Surroundings {
             None
         }
     }
-}
-
-/// Two triangles are at least this far apart.
-fn gap([(planes, corners), (other_planes, other_corners)]: [(&Planes, &Corners); 2]) -> f64 {
-    if corners.at.iter().any(|a| other_corners.at.contains(a)) {
-        return 0.0;
-    }
-    let (one, other) = (planes.gap(other_corners.at), other_planes.gap(corners.at));
-    if one > other { one } else { other }
 }

@@ -7,6 +7,10 @@ use std::ops::Range;
 /// Boxes in a leaf, at most.
 const LEAF: usize = 4;
 
+/// Children that wait to be looked at, at most: halving 2^32 boxes takes 32 levels, and each leaves
+/// one child behind.
+const DEPTH: usize = 33;
+
 /// The tree. Its leaves are ranges of the order in which [`Tree::new`] puts the boxes.
 #[derive(Clone, Debug)]
 pub(super) struct Tree {
@@ -105,8 +109,7 @@ impl Tree {
         if self.nodes.is_empty() {
             return;
         }
-        // Halving 2^32 boxes takes 32 levels, and each leaves at most one child behind.
-        let mut stack = [(0.0, Child::default()); 33];
+        let mut stack = [(0.0, Child::default()); DEPTH];
         let mut waiting = 0;
         let mut child = Child::node(0);
         loop {
@@ -144,14 +147,21 @@ impl Tree {
 
     /// Visits the leaves whose boxes meet `around`, until a visit returns false.
     pub(super) fn meeting(&self, around: &Box3, mut visit: impl FnMut(Range<usize>) -> bool) {
-        let mut stack = vec![];
-        stack.extend((!self.nodes.is_empty()).then(|| Child::node(0)));
-        while let Some(child) = stack.pop() {
+        if self.nodes.is_empty() {
+            return;
+        }
+        let mut stack = [Child::default(); DEPTH];
+        let mut waiting = 1;
+        stack[0] = Child::node(0);
+        while waiting > 0 {
+            waiting -= 1;
+            let child = stack[waiting];
             if child.is_node() {
                 let node = &self.nodes[child.first as usize];
                 for side in 0..2 {
                     if node.child_box(side).meets(around) {
-                        stack.push(node.children[side]);
+                        stack[waiting] = node.children[side];
+                        waiting += 1;
                     }
                 }
             } else if !visit(child.range()) {
@@ -165,7 +175,9 @@ impl Node {
     /// Squared distances of a point (the same in both lanes) to the boxes of the two children.
     #[inline(always)]
     fn distances_squared(&self, p: Vec3<Lanes>) -> Lanes {
-        let out = |low: Lanes, p: Lanes, high: Lanes| (low - p).max(p - high).max(Lanes::zero());
+        // At most one of the two differences is positive. No maximum: in wasm it is a branch.
+        let positive = |x: Lanes| (x + x.abs()) * Lanes::splat(0.5);
+        let out = |low: Lanes, p: Lanes, high: Lanes| positive(low - p) + positive(p - high);
         let x = out(self.low.x, p.x, self.high.x);
         let y = out(self.low.y, p.y, self.high.y);
         let z = out(self.low.z, p.z, self.high.z);

@@ -67,35 +67,42 @@ impl Planes {
         Over { height: first.0[0], out: [first.0[1], second.0[0], second.0[1]] }
     }
 
-    /// A distance by which one of the planes parts this triangle from another one; 0 or less when
-    /// none does.
-    pub(super) fn gap(&self, corners: [Vec3<f64>; 3]) -> f64 {
+    /// How the planes part this triangle from another one.
+    pub(super) fn parting(&self, corners: &[Vec3<f64>; 3]) -> Parting {
         let over = corners.map(|p| self.over(splat(p)));
         let least = |of: fn(&Over) -> f64| {
-            over.iter().map(of).fold(f64::INFINITY, |least, x| Lane::min(least, x))
+            let [a, b, c] = [of(&over[0]), of(&over[1]), of(&over[2])];
+            Lane::min(a, Lane::min(b, c))
         };
-        [least(|o| o.height), least(|o| -o.height), self.gap_of_sides(corners)]
-            .into_iter()
-            .fold(0.0, |gap, x| Lane::max(gap, x))
-    }
-
-    /// The same for the planes on the sides alone; negative where the other triangle reaches over
-    /// this one.
-    pub(super) fn gap_of_sides(&self, corners: [Vec3<f64>; 3]) -> f64 {
-        let over = corners.map(|p| self.over(splat(p)));
-        (0..3).fold(f64::NEG_INFINITY, |gap, side| {
-            let least = over.iter().fold(f64::INFINITY, |least, o| Lane::min(least, o.out[side]));
-            Lane::max(gap, least)
-        })
+        let sides =
+            Lane::max(least(|o| o.out[0]), Lane::max(least(|o| o.out[1]), least(|o| o.out[2])));
+        let plane = Lane::max(least(|o| o.height), least(|o| -o.height));
+        Parting { gap: Lane::max(0.0, Lane::max(sides, plane)), sides }
     }
 }
 
+/// How the planes of a triangle part it from another one.
+#[derive(Clone, Copy)]
+pub(super) struct Parting {
+    /// They are at least this far apart.
+    pub(super) gap: f64,
+    /// The same by the planes on the sides alone; negative where the other one reaches over this
+    /// one.
+    pub(super) sides: f64,
+}
+
 impl Over {
-    /// The triangle is at least as far as the square root of this.
+    /// Whether the triangle can be nearer than the square root of `bound`. Without a branch and
+    /// without a maximum, which WebAssembly engines make a branch of.
     #[inline(always)]
-    pub(super) fn bound(&self) -> f64 {
-        let out = Lane::max(Lane::max(self.out[0], 0.0), Lane::max(self.out[1], self.out[2]));
-        self.height * self.height + out * out
+    pub(super) fn within(&self, bound: f64) -> bool {
+        let height_squared = self.height * self.height;
+        let beyond = |out: f64| {
+            let positive = 0.5 * (out + out.abs());
+            height_squared + positive * positive
+        };
+        let [ab, bc, ca] = self.out.map(beyond);
+        (ab < bound) & (bc < bound) & (ca < bound)
     }
 
     /// How far inside all sides the point is; negative outside.
@@ -140,6 +147,11 @@ impl Corners {
             if squared > 0.0 { 1.0 / squared } else { 0.0 }
         });
         Corners { at, inverse }
+    }
+
+    /// Whether the two have a corner in common.
+    pub(super) fn touches(&self, other: &Corners) -> bool {
+        self.at.iter().any(|corner| other.at.contains(corner))
     }
 
     /// The point of the triangle that is closest to `p`, which is `over` its `planes`.

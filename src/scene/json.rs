@@ -6,11 +6,13 @@
 //! | file | holds |
 //! |---|---|
 //! | `node` | the document as a tree, and typed access that names the place |
+//! | `constraint` | one entry of the list of constraints |
 //! | `indices` | index lists: arrays or strings of ranges |
 //! | `selector` | the forms of `on` |
 //! | `inline_mesh` | a mesh inside the scene |
 //! | `write` | JSON out |
 
+mod constraint;
 mod indices;
 mod inline_mesh;
 mod node;
@@ -20,10 +22,10 @@ mod write;
 pub(super) use node::push_key;
 
 use super::{
-    Accelerator, Closeness, ConstraintSpec, HANDLE_WEIGHT, HandleSpec, Hold, MeshSource, Scene,
-    SceneError, Smoothness, SmoothnessOf, SolverSettings, Up, Weighting, Weights,
+    Accelerator, Closeness, HANDLE_WEIGHT, HandleSpec, Hold, MeshSource, Scene, SceneError,
+    Smoothness, SmoothnessOf, SolverSettings, Up, Weighting, Weights,
 };
-use crate::constraint::{KINDS, Kind, KindError, Set, Sets};
+use crate::constraint::{Set, Sets};
 use crate::mesh::Point;
 use node::{At, Node};
 
@@ -98,17 +100,6 @@ impl Scene {
     }
 }
 
-impl ConstraintSpec {
-    /// Reads one entry of a scene's list of constraints.
-    ///
-    /// # Errors
-    /// As [`Scene::from_json`].
-    pub fn from_json(text: &str) -> Result<ConstraintSpec, SceneError> {
-        let entry: Node = serde_json::from_str(text).map_err(|e| syntax_error(text, &e))?;
-        read_constraint(&At::root(&entry))
-    }
-}
-
 fn syntax_error(text: &str, error: &serde_json::Error) -> SceneError {
     let message = if text.trim().is_empty() {
         "the file is empty, expected a scene".to_owned()
@@ -159,7 +150,7 @@ fn read_scene(at: &At<'_>) -> Result<Scene, SceneError> {
     }
     if let Some(constraints) = at.get("constraints") {
         let items = constraints.array("an array of constraints")?;
-        scene.constraints = items.iter().map(read_constraint).collect::<Result<_, _>>()?;
+        scene.constraints = items.iter().map(constraint::read).collect::<Result<_, _>>()?;
     }
     if let Some(handles) = at.get("handles") {
         let items = handles.array("an array of handles")?;
@@ -215,71 +206,6 @@ fn read_sets(at: &At<'_>) -> Result<Sets, SceneError> {
         sets.insert(name.to_owned(), set);
     }
     Ok(sets)
-}
-
-/// The keys that every constraint has; all others are parameters of its kind.
-const CONSTRAINT_KEYS: [&str; 4] = ["kind", "on", "weight", "enabled"];
-
-fn read_constraint(at: &At<'_>) -> Result<ConstraintSpec, SceneError> {
-    let entries = at.entries("a constraint: an object with \"kind\" and \"on\"")?;
-    let ids: Vec<_> = KINDS.iter().map(|info| info.id).collect();
-    let what = format!("one of {}", ids.join(", "));
-    let kind = at.need("kind", &what)?;
-    let id = kind.text(&what)?;
-    let own = entries.iter().filter(|(key, _)| !CONSTRAINT_KEYS.contains(key));
-    let params = own.clone().map(|(key, value)| ((*key).to_owned(), value.node.to_value()));
-    let kind = Kind::new(id, serde_json::Value::Object(params.collect())).map_err(|e| match e {
-        KindError::Unknown => kind.error(format!("unknown kind {id:?}, expected {what}")),
-        KindError::Params { path, message } => {
-            let known = parameter_keys(id);
-            match own.clone().find(|(key, _)| !known.iter().any(|k| k == key)) {
-                Some((key, _)) => {
-                    let known: Vec<_> =
-                        CONSTRAINT_KEYS.iter().copied().chain(known.iter().map(|k| &**k)).collect();
-                    at.unknown_key(key, &known)
-                }
-                None => SceneError { path: join(&at.path(), &path), message },
-            }
-        }
-    })?;
-    let on = at.need("on", selector::WHAT)?;
-    let mut spec = ConstraintSpec { kind, on: selector::read(&on)?, weight: 1.0, enabled: true };
-    if let Some(weight) = at.get("weight") {
-        spec.weight = weight.number("a number from 0")?;
-    }
-    if let Some(enabled) = at.get("enabled") {
-        spec.enabled = enabled.truth()?;
-    }
-    Ok(spec)
-}
-
-/// The keys of the parameters of a kind.
-fn parameter_keys(id: &str) -> Vec<String> {
-    let declared = KINDS.iter().filter(|info| info.id == id).flat_map(|info| info.params);
-    let mut keys: Vec<_> = declared.map(|param| param.id.to_owned()).collect();
-    for key in default_params(id).keys() {
-        if !keys.contains(key) {
-            keys.push(key.clone());
-        }
-    }
-    keys
-}
-
-/// The parameters that a kind has when the scene gives none; empty when some have no default.
-fn default_params(id: &str) -> serde_json::Map<String, serde_json::Value> {
-    match Kind::new(id, serde_json::json!({})).map(|kind| kind.params()) {
-        Ok(serde_json::Value::Object(params)) => params,
-        _ => serde_json::Map::new(),
-    }
-}
-
-/// A JSON path and one below it, where `.` is serde's name for the value itself.
-fn join(path: &str, below: &str) -> String {
-    match below {
-        "" | "." | "?" => path.to_owned(),
-        _ if below.starts_with('[') => format!("{path}{below}"),
-        _ => format!("{path}.{below}"),
-    }
 }
 
 fn read_handle(at: &At<'_>) -> Result<HandleSpec, SceneError> {

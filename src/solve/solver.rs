@@ -47,6 +47,9 @@ pub struct Solver {
     pinned: Vec<u32>,
     accelerator: Accelerator,
     x: Vec<Row>,
+    /// The positions that vertices were last put at, `#V by 3`: a vertex that is still there keeps
+    /// every bit of its coordinates.
+    put: Vec<Point>,
     /// Half the gradient of the total at `x`; zero where fixed.
     gradient: Vec<Row>,
     energy: Energy,
@@ -139,6 +142,7 @@ impl Solver {
             previous: vec![[0.0; 4]; n],
             step: vec![[0.0; 4]; n],
             x,
+            put: start.to_vec(),
             energy: Energy::default(),
             best: None,
             rounding: 1e-30 * diameter * diameter * n_vertices as f64,
@@ -192,6 +196,7 @@ impl Solver {
         for (&point, &node) in positions.iter().zip(self.system.node_of()) {
             self.x[node as usize] = relative(point, self.centre);
         }
+        self.put.copy_from_slice(positions);
         self.retarget();
     }
 
@@ -200,6 +205,7 @@ impl Solver {
         let node_of = &self.system.node_of()[..self.n_vertices];
         for handle in self.handles.iter().filter(|handle| handle.hold == Hold::Fixed) {
             self.x[node_of[handle.vertex as usize] as usize] = relative(handle.target, self.centre);
+            self.put[handle.vertex as usize] = handle.target;
         }
         self.energies.handles = SoftHandles::new(&self.handles, node_of, self.centre);
         self.accelerator.forget();
@@ -289,9 +295,13 @@ impl Solver {
 
     /// Current positions, `#V by 3`.
     pub fn positions(&self) -> impl ExactSizeIterator<Item = Point> {
-        self.system.node_of()[..self.n_vertices].iter().map(|&node| {
+        self.system.node_of()[..self.n_vertices].iter().zip(&self.put).map(|(&node, &put)| {
             let row = self.x[node as usize];
-            std::array::from_fn(|i| row[i] + self.centre[i])
+            if row == relative(put, self.centre) {
+                put
+            } else {
+                std::array::from_fn(|i| row[i] + self.centre[i])
+            }
         })
     }
 

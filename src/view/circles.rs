@@ -1,16 +1,12 @@
 //! Draws fitted circles: `shaders/circles.wgsl`.
 
-use super::pipeline::{Layer, Recipe, SCENE_WGSL, STROKE_WGSL, VertexBuffer, build};
+use super::pipeline::{Layer, Recipe, VertexBuffer, build};
+use super::shaders::CIRCLES;
 use super::stage::SHAPE_NUMBERS;
 use super::store::Store;
 
-/// The shader.
-pub const WGSL: &str = include_str!("shaders/circles.wgsl");
-
 const CIRCLE: [wgpu::VertexAttribute; 3] =
     wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32];
-/// Pieces of a circle; the shader knows it too.
-const PIECES: u32 = 48;
 
 /// Circles by centre, normal and radius.
 #[derive(Debug)]
@@ -24,7 +20,7 @@ impl Circles {
     pub fn new(device: &wgpu::Device, store: &Store, format: wgpu::TextureFormat) -> Circles {
         let recipe = Recipe {
             label: "circles",
-            source: &[SCENE_WGSL, STROKE_WGSL, WGSL].concat(),
+            source: &CIRCLES.concat(),
             vertex: "corner_of_circle",
             fragment: "drawn",
             attributes: &CIRCLE,
@@ -46,12 +42,12 @@ impl Circles {
         self.circles.write(device, queue, &circles);
     }
 
-    /// Draws them.
-    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
+    /// Draws them, each in so many pieces.
+    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, pieces: u32) {
         if self.circles.count() > 0 {
             pass.set_pipeline(&self.pipeline);
             pass.set_vertex_buffer(0, self.circles.slice());
-            pass.draw(0..6 * PIECES, 0..self.circles.count());
+            pass.draw(0..6 * pieces, 0..self.circles.count());
         }
     }
 }

@@ -1,11 +1,9 @@
 //! Draws the faces: `shaders/faces.wgsl`.
 
-use super::pipeline::{Layer, Recipe, SCENE_WGSL, VertexBuffer, build};
+use super::pipeline::{Layer, Recipe, VertexBuffer, build};
+use super::shaders::FACES;
 use super::store::Store;
 use super::subject::Subject;
-
-/// The shader.
-pub const WGSL: &str = include_str!("shaders/faces.wgsl");
 
 const CORNER: [wgpu::VertexAttribute; 1] = wgpu::vertex_attr_array![0 => Uint32x2];
 
@@ -22,7 +20,7 @@ impl Faces {
     pub fn new(device: &wgpu::Device, store: &Store, format: wgpu::TextureFormat) -> Faces {
         let recipe = Recipe {
             label: "faces",
-            source: &[SCENE_WGSL, WGSL].concat(),
+            source: &FACES.concat(),
             vertex: "corner_of_face",
             fragment: "lit",
             attributes: &CORNER,

@@ -12,7 +12,8 @@ const MARGIN: f32 = 0.06;
 const NEAREST: f32 = 1e-3;
 
 /// Moves `camera` along and across its direction of view until the balls of `radius` about all
-/// `points` are inside the canvas with a small margin. No points leave it as it was.
+/// `points` are inside the canvas with a small margin. The radius is more than nothing, so that one
+/// point has a size. No points leave the camera as it was.
 pub fn frame(camera: &mut Camera, points: impl Iterator<Item = Vec3> + Clone, radius: f32) {
     let eye = camera.eye();
     let slope = eye.middle * (1.0 - 2.0 * MARGIN) / eye.focal;
@@ -36,10 +37,10 @@ pub fn frame(camera: &mut Camera, points: impl Iterator<Item = Vec3> + Clone, ra
     let depth = (-(high + low) / (slope * 2.0)).min_element();
     let middle = 0.5 * (front + back);
     // Points on one line of sight give no width to go by.
-    let depth = depth.min(front - 0.05 * (back - front)).min(middle - f32::MIN_POSITIVE.sqrt());
+    let depth = depth.min(front - 0.05 * (back - front));
     let across = (high - low) * 0.5;
     camera.pivot = eye.right * across.x + eye.up * across.y + eye.forward * middle;
-    camera.distance = middle - depth;
+    camera.distance = (middle - depth).max(radius);
 }
 
 /// Near and far depths that hold all `points` tightly.
@@ -98,10 +99,8 @@ mod tests {
         frame(&mut camera, std::iter::once(point), 0.5);
         let (screen, depth) = camera.eye().project(point);
         assert!((screen - camera.canvas * 0.5).length() < 0.1 && depth > 0.5);
-        frame(&mut camera, std::iter::once(point), 0.0);
-        assert!(camera.distance.is_finite() && camera.distance > 0.0);
         camera.look_from("front").unwrap();
-        frame(&mut camera, [Vec3::ZERO, Vec3::Y].into_iter(), 0.0);
+        frame(&mut camera, [Vec3::ZERO, Vec3::Y].into_iter(), 1e-3);
         assert!(camera.eye().project(Vec3::ZERO).1 > 0.0);
     }
 

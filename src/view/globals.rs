@@ -1,7 +1,7 @@
 //! The numbers that every shader reads: camera, canvas, colours. The order is that of `Scene` in
 //! `shaders/scene.wgsl`, all of it in groups of four.
 
-use super::palette::{DOT_KINDS, Dot, LINE_KINDS, Stroke};
+use super::palette::{DOT_KINDS, Dot, DotKind, LINE_KINDS, Stroke};
 use super::stage::Stage;
 use glam::{Vec3, Vec4};
 
@@ -30,11 +30,13 @@ pub fn numbers(stage: &Stage, width: u32, height: u32) -> Vec<f32> {
     }
     numbers.extend([r, g, b, TINT_STRENGTH]);
     numbers.extend(palette.sphere);
-    extend_stroke(&mut numbers, &palette.circle);
+    extend_stroke(&mut numbers, &palette.circle, stage.circle_pieces());
     for stroke in &palette.strokes {
-        extend_stroke(&mut numbers, stroke);
+        extend_stroke(&mut numbers, stroke, 1);
     }
-    for Dot { fill, rim, radius, rim_width, square } in palette.dots {
+    let mut dots = palette.dots;
+    dots[DotKind::Tinted as usize].fill = [r, g, b, 1.0];
+    for Dot { fill, rim, radius, rim_width, square } in dots {
         numbers.extend(fill);
         numbers.extend(rim);
         numbers.extend([radius, rim_width, square, 0.0]);
@@ -45,9 +47,9 @@ pub fn numbers(stage: &Stage, width: u32, height: u32) -> Vec<f32> {
 /// How much of the tint is mixed into a face.
 const TINT_STRENGTH: f32 = 0.55;
 
-fn extend_stroke(numbers: &mut Vec<f32>, stroke: &Stroke) {
+fn extend_stroke(numbers: &mut Vec<f32>, stroke: &Stroke, pieces: u32) {
     numbers.extend(stroke.colour);
-    numbers.extend([stroke.width, 0.0, 0.0, 0.0]);
+    numbers.extend([stroke.width, pieces as f32, 0.0, 0.0]);
 }
 
 #[cfg(test)]

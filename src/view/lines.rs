@@ -1,20 +1,19 @@
 //! Draws edges, polylines, and the lines from handles to their targets: `shaders/lines.wgsl`.
 
 use super::palette::LineKind;
-use super::pipeline::{Layer, Recipe, SCENE_WGSL, STROKE_WGSL, VertexBuffer, build};
+use super::pipeline::{Layer, Recipe, VertexBuffer, build};
+use super::shaders::LINES;
 use super::stage::Stage;
 use super::store::Store;
 use super::subject::Subject;
-
-/// The shader.
-pub const WGSL: &str = include_str!("shaders/lines.wgsl");
 
 const LINE: [wgpu::VertexAttribute; 2] = wgpu::vertex_attr_array![0 => Uint32x2, 1 => Uint32];
 
 /// Lines between entries of the table of positions.
 #[derive(Debug)]
 pub struct Lines {
-    pipeline: wgpu::RenderPipeline,
+    in_front: wgpu::RenderPipeline,
+    behind: wgpu::RenderPipeline,
     /// Per line its two ends and its [`LineKind`].
     edges: VertexBuffer,
     curves: VertexBuffer,
@@ -24,18 +23,22 @@ pub struct Lines {
 impl Lines {
     /// Nothing to draw yet.
     pub fn new(device: &wgpu::Device, store: &Store, format: wgpu::TextureFormat) -> Lines {
-        let recipe = Recipe {
-            label: "lines",
-            source: &[SCENE_WGSL, STROKE_WGSL, WGSL].concat(),
-            vertex: "corner_of_line",
-            fragment: "drawn",
-            attributes: &LINE,
-            stride: 12,
-            step: wgpu::VertexStepMode::Instance,
-            layer: Layer::InFront,
+        let pipeline = |fragment: &str, layer: Layer| {
+            let recipe = Recipe {
+                label: "lines",
+                source: &LINES.concat(),
+                vertex: "corner_of_line",
+                fragment,
+                attributes: &LINE,
+                stride: 12,
+                step: wgpu::VertexStepMode::Instance,
+                layer,
+            };
+            build(device, store, format, &recipe)
         };
         Lines {
-            pipeline: build(device, store, format, &recipe),
+            in_front: pipeline("in_front", Layer::InFront),
+            behind: pipeline("behind", Layer::Behind),
             edges: VertexBuffer::new(device),
             curves: VertexBuffer::new(device),
             pulls: VertexBuffer::new(device),
@@ -68,22 +71,24 @@ impl Lines {
     /// Draws edges, if wanted, and curves.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, edges: bool) {
         if edges {
-            self.draw_one(pass, &self.edges);
+            draw(pass, &self.in_front, &self.edges);
         }
-        self.draw_one(pass, &self.curves);
+        draw(pass, &self.in_front, &self.curves);
     }
 
-    /// Draws the lines from handles to targets.
+    /// Draws the lines from handles to targets: dim where the surface hides them, then those in
+    /// sight.
     pub fn draw_pulls(&self, pass: &mut wgpu::RenderPass<'_>) {
-        self.draw_one(pass, &self.pulls);
+        draw(pass, &self.behind, &self.pulls);
+        draw(pass, &self.in_front, &self.pulls);
     }
+}
 
-    fn draw_one(&self, pass: &mut wgpu::RenderPass<'_>, lines: &VertexBuffer) {
-        if lines.count() > 0 {
-            pass.set_pipeline(&self.pipeline);
-            pass.set_vertex_buffer(0, lines.slice());
-            pass.draw(0..6, 0..lines.count());
-        }
+fn draw(pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline, lines: &VertexBuffer) {
+    if lines.count() > 0 {
+        pass.set_pipeline(pipeline);
+        pass.set_vertex_buffer(0, lines.slice());
+        pass.draw(0..6, 0..lines.count());
     }
 }
 

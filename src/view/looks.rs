@@ -19,8 +19,7 @@ pub struct Looks {
     /// Selected vertices.
     pub selected_vertices: Vec<u32>,
     selected_faces: Vec<u32>,
-    /// Members of the constraint pointed at.
-    pub tinted_vertices: Vec<u32>,
+    tinted_vertices: Vec<u32>,
     tinted_faces: Vec<u32>,
 }
 
@@ -76,6 +75,11 @@ impl Looks {
         check_indices("tinted faces", &faces, face_count)?;
         (self.tinted_vertices, self.tinted_faces) = (vertices, faces);
         Ok(())
+    }
+
+    /// Tinted vertices that need a dot: where whole faces are tinted, dots would be noise.
+    pub fn tinted_dots(&self) -> &[u32] {
+        if self.tinted_faces.is_empty() { &self.tinted_vertices } else { &[] }
     }
 
     /// Per face: texel, kind of colour, selected, tinted; #F by 4 bytes.

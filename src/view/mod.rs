@@ -3,33 +3,44 @@
 //!
 //! The room has two halves. [`stage`] and what it holds know the mesh as it is shown, the camera,
 //! and what is picked or marked; they need no GPU, so that native tests can hold them to account.
-//! [`picture`] and the primitives turn a stage into draw calls.
+//! `picture` and the primitives turn a stage into draw calls; they are compiled for the browser only.
 //!
 //! Positions come in as `f64` in file coordinates. The view subtracts its own centre, the middle
 //! of the first bounding box of the mesh, before it rounds to `f32`: a mesh at site coordinates
 //! neither jitters nor loses digits.
 
 pub mod camera;
+pub mod canvas_size;
+#[cfg(target_arch = "wasm32")]
 pub mod circles;
 pub mod colour_map;
 pub mod depth_map;
+#[cfg(target_arch = "wasm32")]
 pub mod device;
+#[cfg(target_arch = "wasm32")]
 pub mod faces;
 pub mod framing;
 pub mod globals;
+#[cfg(target_arch = "wasm32")]
 pub mod lines;
 pub mod lists;
 pub mod looks;
 pub mod normals;
 pub mod palette;
 pub mod picking;
+#[cfg(target_arch = "wasm32")]
 pub mod picture;
+#[cfg(target_arch = "wasm32")]
 pub mod pipeline;
+#[cfg(target_arch = "wasm32")]
 pub mod points;
 pub mod polygon_edges;
 pub mod ray;
+pub mod shaders;
+#[cfg(target_arch = "wasm32")]
 pub mod spheres;
 pub mod stage;
+#[cfg(target_arch = "wasm32")]
 pub mod store;
 pub mod subject;
 pub mod triangulate;

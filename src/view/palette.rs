@@ -45,7 +45,7 @@ pub enum LineKind {
 pub enum DotKind {
     /// A vertex.
     Vertex = 0,
-    /// A member of the constraint pointed at.
+    /// A member of the constraint pointed at; its inside takes the tint.
     Tinted = 1,
     /// Selected.
     Selected = 2,
@@ -67,7 +67,7 @@ pub const DOT_KINDS: usize = 7;
 /// One theme.
 #[derive(Clone, Copy, Debug)]
 pub struct Palette {
-    /// Behind everything.
+    /// Behind everything; the page has the same colour behind the canvas.
     pub background: Colour,
     /// Faces in full light.
     pub material: Colour,
@@ -103,9 +103,9 @@ const fn dot(fill: Colour, rim: Colour, radius: f32, rim_width: f32) -> Dot {
 
 /// On a light page.
 pub const LIGHT: Palette = Palette {
-    background: [0.957, 0.961, 0.969, 1.0],
-    material: [0.985, 0.980, 0.968, 1.0],
-    shade: [0.525, 0.560, 0.625, 1.0],
+    background: [0.925, 0.933, 0.929, 1.0],
+    material: [0.998, 0.994, 0.985, 1.0],
+    shade: [0.470, 0.505, 0.565, 1.0],
     no_value: [0.72, 0.72, 0.73, 1.0],
     selected: [0.99, 0.62, 0.16, 0.72],
     strokes: [
@@ -119,19 +119,19 @@ pub const LIGHT: Palette = Palette {
         dot(WHITE, INK, 4.2, 1.2),
         dot(ORANGE, WHITE, 5.0, 1.3),
         dot([0.13, 0.40, 0.93, 0.12], BLUE, 5.0, 1.5),
-        dot(BLUE, WHITE, 6.75, 1.6),
-        Dot { fill: DEEP_BLUE, rim: WHITE, radius: 6.25, rim_width: 1.6, square: 1.0 },
-        dot(BLUE, WHITE, 8.75, 2.0),
+        dot(BLUE, WHITE, 6.2, 1.4),
+        Dot { fill: DEEP_BLUE, rim: WHITE, radius: 5.6, rim_width: 1.4, square: 1.0 },
+        dot(BLUE, WHITE, 8.2, 1.8),
     ],
-    circle: stroke([0.84, 0.16, 0.20, 0.95], 1.4),
+    circle: stroke([0.84, 0.16, 0.20, 0.95], 1.3),
     sphere: [0.84, 0.16, 0.20, 1.0],
 };
 
 /// On a dark page.
 pub const DARK: Palette = Palette {
-    background: [0.086, 0.094, 0.110, 1.0],
-    material: [0.660, 0.680, 0.715, 1.0],
-    shade: [0.215, 0.235, 0.280, 1.0],
+    background: [0.071, 0.078, 0.086, 1.0],
+    material: [0.640, 0.665, 0.705, 1.0],
+    shade: [0.150, 0.168, 0.205, 1.0],
     no_value: [0.40, 0.41, 0.43, 1.0],
     selected: [0.96, 0.56, 0.10, 0.72],
     strokes: [
@@ -145,16 +145,10 @@ pub const DARK: Palette = Palette {
         dot(WHITE, INK, 4.2, 1.2),
         dot([1.0, 0.60, 0.15, 1.0], INK, 5.0, 1.3),
         dot([0.45, 0.65, 1.0, 0.15], [0.45, 0.65, 1.0, 1.0], 5.0, 1.5),
-        dot([0.22, 0.50, 1.0, 1.0], WHITE, 6.75, 1.6),
-        Dot {
-            fill: [0.11, 0.26, 0.62, 1.0],
-            rim: WHITE,
-            radius: 6.25,
-            rim_width: 1.6,
-            square: 1.0,
-        },
-        dot([0.22, 0.50, 1.0, 1.0], WHITE, 8.75, 2.0),
+        dot([0.22, 0.50, 1.0, 1.0], WHITE, 6.2, 1.4),
+        Dot { fill: [0.11, 0.26, 0.62, 1.0], rim: WHITE, radius: 5.6, rim_width: 1.4, square: 1.0 },
+        dot([0.22, 0.50, 1.0, 1.0], WHITE, 8.2, 1.8),
     ],
-    circle: stroke([1.0, 0.40, 0.38, 0.95], 1.4),
+    circle: stroke([1.0, 0.40, 0.38, 0.95], 1.3),
     sphere: [1.0, 0.40, 0.38, 1.0],
 };

@@ -59,7 +59,7 @@ impl Picture {
         self.lines.draw(&mut pass, display.edges);
         if display.shapes {
             self.spheres.draw(&mut pass);
-            self.circles.draw(&mut pass);
+            self.circles.draw(&mut pass, stage.circle_pieces());
         }
         if display.vertices {
             self.points.draw_vertices(&mut pass);

@@ -7,11 +7,6 @@ pub const SAMPLES: u32 = 4;
 /// Format of the depth buffer.
 pub const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth24Plus;
 
-/// What all shaders begin with.
-pub const SCENE_WGSL: &str = include_str!("shaders/scene.wgsl");
-/// Lines of constant width, for the shaders that draw them.
-pub const STROKE_WGSL: &str = include_str!("shaders/stroke.wgsl");
-
 /// How a primitive meets the depth buffer and the colours that are there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Layer {

@@ -1,12 +1,10 @@
 //! Draws vertices, marks, handles and targets as dots: `shaders/points.wgsl`.
 
 use super::palette::DotKind;
-use super::pipeline::{Layer, Recipe, SCENE_WGSL, VertexBuffer, build};
+use super::pipeline::{Layer, Recipe, VertexBuffer, build};
+use super::shaders::POINTS;
 use super::stage::Stage;
 use super::store::Store;
-
-/// The shader.
-pub const WGSL: &str = include_str!("shaders/points.wgsl");
 
 const DOT: [wgpu::VertexAttribute; 1] = wgpu::vertex_attr_array![0 => Uint32x2];
 
@@ -26,7 +24,7 @@ impl Points {
         let pipeline = |fragment: &str, layer: Layer| {
             let recipe = Recipe {
                 label: "points",
-                source: &[SCENE_WGSL, WGSL].concat(),
+                source: &POINTS.concat(),
                 vertex: "corner_of_dot",
                 fragment,
                 attributes: &DOT,
@@ -82,7 +80,7 @@ fn marks(stage: &Stage) -> Vec<[u32; 2]> {
     let of_kind = |vertices: &[u32], kind: DotKind| {
         vertices.iter().map(|&v| [v, kind as u32]).collect::<Vec<_>>()
     };
-    let mut dots = of_kind(&stage.looks.tinted_vertices, DotKind::Tinted);
+    let mut dots = of_kind(stage.looks.tinted_dots(), DotKind::Tinted);
     dots.extend(of_kind(&stage.looks.selected_vertices, DotKind::Selected));
     let first = stage.counts().0 as u32;
     let soft = stage.handles.iter().zip(first..).filter(|(h, _)| h.kind != DotKind::Fixed);

@@ -3,6 +3,9 @@
 use super::subject::Subject;
 use glam::Vec3;
 
+/// Triangles are larger by this part of their sides, so that no ray slips between two of them.
+const SEAM: f32 = 1e-5;
+
 /// A point on the surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {
@@ -49,12 +52,12 @@ fn meet([a, b, c]: [Vec3; 3], from: Vec3, direction: Vec3) -> Option<f32> {
     }
     let to_eye = from - a;
     let u = to_eye.dot(p) / volume;
-    if !(0.0..=1.0).contains(&u) {
+    if !(-SEAM..=1.0 + SEAM).contains(&u) {
         return None;
     }
     let q = to_eye.cross(ab);
     let v = direction.dot(q) / volume;
-    if v < 0.0 || u + v > 1.0 {
+    if v < -SEAM || u + v > 1.0 + SEAM {
         return None;
     }
     let along = ac.dot(q) / volume;

@@ -1,11 +1,9 @@
 //! Draws fitted spheres: `shaders/spheres.wgsl`.
 
-use super::pipeline::{Layer, Recipe, SCENE_WGSL, VertexBuffer, build};
+use super::pipeline::{Layer, Recipe, VertexBuffer, build};
+use super::shaders::SPHERES;
 use super::stage::SHAPE_NUMBERS;
 use super::store::Store;
-
-/// The shader.
-pub const WGSL: &str = include_str!("shaders/spheres.wgsl");
 
 const SPHERE: [wgpu::VertexAttribute; 2] = wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32];
 
@@ -21,7 +19,7 @@ impl Spheres {
     pub fn new(device: &wgpu::Device, store: &Store, format: wgpu::TextureFormat) -> Spheres {
         let recipe = Recipe {
             label: "spheres",
-            source: &[SCENE_WGSL, WGSL].concat(),
+            source: &SPHERES.concat(),
             vertex: "corner_of_sphere",
             fragment: "glass",
             attributes: &SPHERE,

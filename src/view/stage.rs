@@ -215,6 +215,11 @@ impl Stage {
         Ok(())
     }
 
+    /// Pieces that a fitted circle is drawn with: fewer when there are thousands, which are small.
+    pub fn circle_pieces(&self) -> u32 {
+        if self.shapes.len() > 1000 * SHAPE_NUMBERS { 32 } else { 96 }
+    }
+
     /// The colours of the theme.
     pub fn palette(&self) -> &'static Palette {
         if self.dark { &DARK } else { &LIGHT }

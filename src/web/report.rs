@@ -9,7 +9,7 @@ use serde::Serialize;
 
 /// What was read from a file.
 #[derive(Serialize)]
-pub struct Loaded {
+pub(super) struct Loaded {
     name: String,
     title: String,
     vertices: usize,
@@ -38,7 +38,7 @@ struct Problem {
 
 impl Loaded {
     /// About the file `name`, opened as `session`; `read` holds what its reader said.
-    pub fn new(name: &str, session: &Session, read: &Read) -> Self {
+    pub(super) fn new(name: &str, session: &Session, read: &Read) -> Self {
         let mesh = session.mesh();
         let groups = mesh.groups.iter();
         let problems = read.problems.iter();
@@ -71,7 +71,7 @@ fn up(up: Up) -> &'static str {
 
 /// The document as it stands.
 #[derive(Serialize)]
-pub struct Document<'a> {
+pub(super) struct Document<'a> {
     title: &'a str,
     units: &'a str,
     up: &'static str,
@@ -121,7 +121,7 @@ struct SmoothnessWords {
 
 impl<'a> Document<'a> {
     /// The document of `session`.
-    pub fn new(session: &'a Session) -> Self {
+    pub(super) fn new(session: &'a Session) -> Self {
         let scene = session.document();
         let specs = scene.constraints.iter();
         let constraints = specs
@@ -187,7 +187,7 @@ impl<'a> Document<'a> {
 /// The numbers of one state of the iteration.
 #[derive(Serialize)]
 #[serde(rename_all = "camelCase")]
-pub struct Frame {
+pub(super) struct Frame {
     iteration: u32,
     converged: bool,
     energy: Energy,
@@ -202,7 +202,7 @@ pub struct Frame {
 
 impl Frame {
     /// The state of `session`, whose last step took `step_ms`.
-    pub fn new(session: &mut Session, step_ms: f64) -> Self {
+    pub(super) fn new(session: &mut Session, step_ms: f64) -> Self {
         let trace = session.take_trace();
         let trace = trace.iter().flat_map(|entry| {
             let e = entry.energy;
@@ -230,14 +230,14 @@ impl Frame {
 /// An element that can carry one constraint each.
 #[derive(Serialize)]
 #[serde(rename_all = "camelCase")]
-pub struct ElementWords {
+pub(super) struct ElementWords {
     id: &'static str,
     label: &'static str,
     face_based: bool,
 }
 
 /// Every element.
-pub fn elements() -> Vec<ElementWords> {
+pub(super) fn elements() -> Vec<ElementWords> {
     let all = Element::ALL.iter();
     all.map(|&element| ElementWords {
         id: element.id(),
@@ -248,6 +248,6 @@ pub fn elements() -> Vec<ElementWords> {
 }
 
 /// Every kind.
-pub fn kinds() -> &'static [crate::constraint::Info] {
+pub(super) fn kinds() -> &'static [crate::constraint::Info] {
     KINDS
 }

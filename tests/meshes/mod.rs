@@ -95,7 +95,7 @@ pub(crate) fn shared(name: &str) -> Option<Mesh> {
     let point =
         |words: &[&str]| -> Point { [number(words[0]), number(words[1]), number(words[2])] };
     let index = |word: &str| word.parse::<u32>().expect("an index");
-    let mut lines = text.lines().map(|line| line.split_whitespace().collect::<Vec<_>>());
+    let lines = text.lines().map(|line| line.split_whitespace().collect::<Vec<_>>());
     if name.ends_with(".off") {
         let mut lines =
             lines.filter(|words| words.first().is_some_and(|w| !w.starts_with('#'))).skip(1);
@@ -107,7 +107,7 @@ pub(crate) fn shared(name: &str) -> Option<Mesh> {
             mesh.faces.push(&face[..index(words[0]) as usize]);
         }
     } else {
-        while let Some(words) = lines.next() {
+        for words in lines {
             match words.first() {
                 Some(&"v") => mesh.positions.push(point(&words[1..])),
                 Some(&"f") => {

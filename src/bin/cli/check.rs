@@ -93,8 +93,8 @@ fn words(path: &Path, check: &Check) -> String {
             degrees(&check.vertex_degrees)
         ),
         format!("faces       {}, by corners: {}", check.faces, degrees(&check.face_degrees)),
-        format!("edges       {}, boundary edges: {}", check.edges, check.boundary.edges),
-        format!("boundary    {} loops", check.boundary.loops),
+        format!("edges       {}", check.edges),
+        format!("boundary    loops: {}, edges: {}", check.boundary.loops, check.boundary.edges),
         format!("components  {}", check.components),
         format!("curves      {}", check.curves),
         format!("tetrahedra  {}", check.tets),

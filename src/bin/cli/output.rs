@@ -91,11 +91,16 @@ fn length(value: f64, units: &str) -> String {
 
 /// A number with the digits that a person reads.
 pub(super) fn short(value: f64) -> String {
-    match value.abs() {
-        size if size == 0.0 => "0".to_owned(),
-        size if size >= 1e6 || size < 1e-4 => format!("{value:.3e}"),
-        size if size >= 100.0 => format!("{value:.1}"),
-        size if size >= 1.0 => format!("{value:.3}"),
-        _ => format!("{value:.6}"),
+    let size = value.abs();
+    if value == 0.0 {
+        "0".to_owned()
+    } else if !(1e-4..1e6).contains(&size) {
+        format!("{value:.3e}")
+    } else if size >= 100.0 {
+        format!("{value:.1}")
+    } else if size >= 1.0 {
+        format!("{value:.3}")
+    } else {
+        format!("{value:.6}")
     }
 }

@@ -58,7 +58,10 @@ fn place_flag(error: SceneError, of_scene: usize, kinds: &[&str]) -> SceneError 
     let index = error.path.strip_prefix("constraints[").and_then(|rest| rest.split(']').next());
     let index = index.and_then(|index| index.parse::<usize>().ok());
     match index.and_then(|index| kinds.get(index.checked_sub(of_scene)?)) {
-        Some(kind) => SceneError { path: format!("--{kind}"), ..error },
+        Some(kind) => SceneError {
+            path: format!("--{kind}"),
+            message: format!("{}, expected faces that it can be put on", error.message),
+        },
         None => error,
     }
 }

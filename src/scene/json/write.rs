@@ -1,8 +1,9 @@
 //! The scene as JSON: one line per constraint, handle and set; only what is not the default.
 
+use super::constraint::default_params;
 use super::{
-    ACCELERATORS, CLOSENESSES, FORMAT, SMOOTHNESSES, UPS, VERSION, WEIGHTINGS, default_params,
-    indices, inline_mesh, selector, word_of,
+    ACCELERATORS, CLOSENESSES, FORMAT, SMOOTHNESSES, UPS, VERSION, WEIGHTINGS, indices,
+    inline_mesh, selector, word_of,
 };
 use crate::constraint::Set;
 use crate::mesh::{Mesh, Point};

@@ -1,13 +1,11 @@
-// Fitted circles, as thin lines of 48 pieces.
+// Fitted circles, as thin lines of many pieces. They come before the faces that they are fitted to,
+// which are not flat yet.
 
 struct Corner {
     @builtin(position) position: vec4f,
     @location(0) at: vec2f,
     @location(1) @interpolate(flat) ends: vec4f,
-}
-
-fn half_width() -> f32 {
-    return 0.5 * scene.circle.size.x * scene.canvas.z;
+    @location(2) @interpolate(flat) half_width: f32,
 }
 
 @vertex
@@ -20,21 +18,30 @@ fn corner_of_circle(
     let across = select(vec3f(1.0, 0.0, 0.0), vec3f(0.0, 1.0, 0.0), abs(normal.x) > 0.6);
     let u = normalize(cross(normal, across)) * radius;
     let v = cross(normal, u);
-    let step = 6.283185307 / 48.0;
-    let start = f32(index / 6u) * step;
-    let end = f32((index / 6u + 1u) % 48u) * step;
+    let pieces = scene.circle.size.y;
+    let piece = f32(index / 6u);
+    let start = piece / pieces * 6.283185307;
+    // The last piece ends exactly where the first began.
+    let end = select((piece + 1.0) / pieces * 6.283185307, 0.0, piece + 1.5 > pieces);
     let a = centre + u * cos(start) + v * sin(start);
     let b = centre + u * cos(end) + v * sin(end);
-    let quad = stroke_corner(a, b, index % 6u, half_width());
+    // Circles of a few pixels are drawn finer, or many of them would be one red patch.
+    let depth = max(dot(centre - scene.eye.xyz, scene.forward.xyz), 1e-12);
+    let radius_on_screen = radius / (depth * scene.canvas.w * scene.canvas.z);
+    let fineness = clamp(radius_on_screen / 16.0, 0.5, 1.0);
+    let half_width = 0.5 * scene.circle.size.x * scene.canvas.z * fineness;
+    let lift = LIFT + min(0.12 * radius / depth, 0.1);
+    let quad = stroke_corner(a, b, index % 6u, half_width, lift);
     var out: Corner;
     out.position = quad.position;
     out.at = quad.at;
     out.ends = vec4f(quad.start, quad.end);
+    out.half_width = half_width;
     return out;
 }
 
 @fragment
 fn drawn(in: Corner) -> @location(0) vec4f {
-    let coverage = stroke_coverage(in.at, in.ends.xy, in.ends.zw, half_width());
+    let coverage = stroke_coverage(in.at, in.ends.xy, in.ends.zw, in.half_width);
     return vec4f(scene.circle.colour.rgb, scene.circle.colour.a * coverage);
 }

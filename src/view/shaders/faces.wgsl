@@ -34,7 +34,7 @@ fn light_on(in: Corner) -> f32 {
     let from_key = max(dot(bent, key) * 0.8 + 0.2, 0.0);
     let from_sky = 0.5 + 0.5 * dot(bent, scene.sky.xyz);
     let from_eye = max(dot(bent, to_eye), 0.0);
-    return clamp(0.62 * from_key + 0.24 * from_sky + 0.2 * from_eye, 0.0, 1.0);
+    return clamp(0.70 * from_key + 0.22 * from_sky + 0.14 * from_eye, 0.0, 1.0);
 }
 
 @fragment

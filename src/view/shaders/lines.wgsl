@@ -1,4 +1,5 @@
-// Edges of polygons, polylines, and lines from handles to their targets.
+// Edges of polygons, polylines, and lines from handles to their targets; of the latter also the part
+// behind the surface, dim.
 
 struct Corner {
     @builtin(position) position: vec4f,
@@ -17,7 +18,7 @@ fn corner_of_line(
     let stroke = scene.strokes[kind];
     let ratio = scene.canvas.z;
     let half_width = 0.5 * stroke.size.x * ratio;
-    let quad = stroke_corner(position_of(ends.x), position_of(ends.y), corner, half_width);
+    let quad = stroke_corner(position_of(ends.x), position_of(ends.y), corner, half_width, LIFT);
     var out: Corner;
     out.position = quad.position;
     out.at = quad.at;
@@ -32,8 +33,18 @@ fn corner_of_line(
     return out;
 }
 
-@fragment
-fn drawn(in: Corner) -> @location(0) vec4f {
+fn line_colour(in: Corner) -> vec4f {
     let coverage = stroke_coverage(in.at, in.ends.xy, in.ends.zw, in.half_width);
     return vec4f(in.colour.rgb, in.colour.a * coverage);
+}
+
+@fragment
+fn in_front(in: Corner) -> @location(0) vec4f {
+    return line_colour(in);
+}
+
+@fragment
+fn behind(in: Corner) -> @location(0) vec4f {
+    let colour = line_colour(in);
+    return vec4f(colour.rgb, colour.a * 0.38);
 }

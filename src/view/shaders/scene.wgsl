@@ -3,7 +3,7 @@
 
 struct Stroke {
     colour: vec4f,
-    // Width in CSS pixels, then nothing.
+    // Width in CSS pixels; for circles the number of pieces; then nothing.
     size: vec4f,
 }
 

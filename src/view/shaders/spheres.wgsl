@@ -62,7 +62,8 @@ fn glass(in: Corner) -> Pixel {
 
     let ratio = scene.canvas.z;
     let pixel = max(along, 0.0) * scene.canvas.w * dot(sight, scene.forward.xyz);
-    let outline = clamp(1.1 * ratio + 0.5 - (radius - miss) / max(pixel, 1e-12), 0.0, 1.0);
+    let inward = (radius - miss) / max(pixel, 1e-12);
+    let outline = clamp(1.6 * ratio + 0.5 - inward, 0.0, 1.0);
     let steepness = max(fwidth(normal), vec3f(1e-6));
     let great_circles = clamp(0.6 * ratio + 0.5 - abs(normal) / steepness, vec3f(0.0), vec3f(1.0));
     let great_circle = max(great_circles.x, max(great_circles.y, great_circles.z));
@@ -70,9 +71,9 @@ fn glass(in: Corner) -> Pixel {
     if miss > radius || along <= 0.0 {
         discard;
     }
-    var opacity = 0.07 + 0.30 * edge_on * edge_on * edge_on;
+    var opacity = 0.035 + 0.28 * edge_on * edge_on * edge_on;
     opacity = max(opacity, 0.5 * great_circle * (1.0 - edge_on));
-    opacity = max(opacity, 0.85 * outline);
+    opacity = max(opacity, 0.85 * outline) * clamp(inward, 0.0, 1.0);
     let clip = scene.clip_from_scene * vec4f(point, 1.0);
     var out: Pixel;
     out.colour = vec4f(scene.sphere.rgb, opacity * scene.sphere.a);

@@ -9,20 +9,18 @@ struct StrokeCorner {
     end: vec2f,
 }
 
-// Towards the eye by a part of the distance: the place on the screen stays, and the line comes in
-// front of the faces that it bounds.
-fn towards_eye(point: vec3f) -> vec3f {
-    return mix(point, scene.eye.xyz, 0.0006);
-}
+// A line on a face comes towards the eye by this part of its distance: its place on the screen
+// stays, and it lies in front of the face.
+const LIFT: f32 = 0.0006;
 
 fn pixels(clip: vec4f) -> vec2f {
     return clip.xy / clip.w * 0.5 * scene.canvas.xy;
 }
 
-// Corner 0 to 5 of the two triangles around the segment from a to b.
-fn stroke_corner(a: vec3f, b: vec3f, corner: u32, half_width: f32) -> StrokeCorner {
-    var from_clip = scene.clip_from_scene * vec4f(towards_eye(a), 1.0);
-    var to_clip = scene.clip_from_scene * vec4f(towards_eye(b), 1.0);
+// Corner 0 to 5 of the two triangles around the segment from a to b, lifted towards the eye.
+fn stroke_corner(a: vec3f, b: vec3f, corner: u32, half_width: f32, lift: f32) -> StrokeCorner {
+    var from_clip = scene.clip_from_scene * vec4f(mix(a, scene.eye.xyz, lift), 1.0);
+    var to_clip = scene.clip_from_scene * vec4f(mix(b, scene.eye.xyz, lift), 1.0);
     var out: StrokeCorner;
     if from_clip.z < 0.0 && to_clip.z < 0.0 {
         out.position = vec4f(0.0, 0.0, -1.0, 1.0);

@@ -1,0 +1,82 @@
+//! One entry of the list of constraints: kind, selector, weight, and the parameters of the kind.
+
+use super::node::{At, Node};
+use super::selector;
+use crate::constraint::{KINDS, Kind, KindError};
+use crate::scene::{ConstraintSpec, SceneError};
+
+impl ConstraintSpec {
+    /// Reads one entry of a scene's list of constraints.
+    ///
+    /// # Errors
+    /// As [`Scene::from_json`].
+    pub fn from_json(text: &str) -> Result<ConstraintSpec, SceneError> {
+        let entry: Node = serde_json::from_str(text).map_err(|e| super::syntax_error(text, &e))?;
+        read(&At::root(&entry))
+    }
+}
+
+/// The keys that every constraint has; all others are parameters of its kind.
+const KEYS: [&str; 4] = ["kind", "on", "weight", "enabled"];
+
+pub(super) fn read(at: &At<'_>) -> Result<ConstraintSpec, SceneError> {
+    let entries = at.entries("a constraint: an object with \"kind\" and \"on\"")?;
+    let ids: Vec<_> = KINDS.iter().map(|info| info.id).collect();
+    let what = format!("one of {}", ids.join(", "));
+    let kind = at.need("kind", &what)?;
+    let id = kind.text(&what)?;
+    let own = entries.iter().filter(|(key, _)| !KEYS.contains(key));
+    let params = own.clone().map(|(key, value)| ((*key).to_owned(), value.node.to_value()));
+    let kind = Kind::new(id, serde_json::Value::Object(params.collect())).map_err(|e| match e {
+        KindError::Unknown => kind.error(format!("unknown kind {id:?}, expected {what}")),
+        KindError::Params { path, message } => {
+            let known = parameter_keys(id);
+            match own.clone().find(|(key, _)| !known.iter().any(|k| k == key)) {
+                Some((key, _)) => {
+                    let known: Vec<_> =
+                        KEYS.iter().copied().chain(known.iter().map(|k| &**k)).collect();
+                    at.unknown_key(key, &known)
+                }
+                None => SceneError { path: join(&at.path(), &path), message },
+            }
+        }
+    })?;
+    let on = at.need("on", selector::WHAT)?;
+    let mut spec = ConstraintSpec { kind, on: selector::read(&on)?, weight: 1.0, enabled: true };
+    if let Some(weight) = at.get("weight") {
+        spec.weight = weight.number("a number from 0")?;
+    }
+    if let Some(enabled) = at.get("enabled") {
+        spec.enabled = enabled.truth()?;
+    }
+    Ok(spec)
+}
+
+/// The keys of the parameters of a kind.
+fn parameter_keys(id: &str) -> Vec<String> {
+    let declared = KINDS.iter().filter(|info| info.id == id).flat_map(|info| info.params);
+    let mut keys: Vec<_> = declared.map(|param| param.id.to_owned()).collect();
+    for key in default_params(id).keys() {
+        if !keys.contains(key) {
+            keys.push(key.clone());
+        }
+    }
+    keys
+}
+
+/// The parameters that a kind has when the scene gives none; empty when some have no default.
+pub(super) fn default_params(id: &str) -> serde_json::Map<String, serde_json::Value> {
+    match Kind::new(id, serde_json::json!({})).map(|kind| kind.params()) {
+        Ok(serde_json::Value::Object(params)) => params,
+        _ => serde_json::Map::new(),
+    }
+}
+
+/// A JSON path and one below it, where `.` is serde's name for the value itself.
+fn join(path: &str, below: &str) -> String {
+    match below {
+        "" | "." | "?" => path.to_owned(),
+        _ if below.starts_with('[') => format!("{path}{below}"),
+        _ => format!("{path}.{below}"),
+    }
+}

@@ -1,0 +1,121 @@
+//! Every way in which the input or the call can be at fault: exit code, one line, no file left.
+
+use crate::folder::{Folder, ROOF, scene};
+
+/// A scene that is at fault, and words of the one line that says so.
+#[rustfmt::skip]
+const FAULTY: &[(&str, &[&str])] = &[
+    ("", &["s.json: ", "empty"]),
+    ("{ \"format\": }", &["s.json: line 1, column 13"]),
+    ("[1, 2]", &["s.json: ", "expected a scene"]),
+    (r#"{ "format": "shape-up-scene", "version": 9 }"#, &["s.json: version: ", "version 9"]),
+    (r#"{ "format": "shape-up-scene", "version": 1, "mesh": { "file": "gone.obj" } }"#, &["s.json: mesh.file: ", "gone.obj"]),
+    (r#"{ "format": "shape-up-scene", "version": 1, "mesh": { "file": "empty.obj" } }"#, &["empty.obj: ", "empty"]),
+    (r#", "constraints": [{ "kind": "circel", "on": "faces" }]"#, &["s.json: constraints[0].kind: ", "circle"]),
+    (r#", "constraints": [{ "kind": "plane", "on": { "set": "eavs" } }], "sets": { "eaves": { "vertices": "0-3" } }"#, &["s.json: constraints[0].on.set: ", "eavs", "eaves, glass"]),
+    (r#", "constraints": [{ "kind": "plane", "on": "tets" }]"#, &["s.json: constraints[0].on: "]),
+    (r#", "constraints": [{ "kind": "plane", "on": { "vertices": "0-1" } }]"#, &["s.json: constraints[0].on: "]),
+    (r#", "handles": [{ "vertices": [9], "fixed": true }]"#, &["s.json: handles[0].vertices[0]: ", "vertex 9", "9, counted from 0"]),
+    (r#", "weights": { "smooth": -2 }"#, &["s.json: weights.smooth: ", "-2"]),
+    (r#", "smoothness": { "weighting": "cotangent" }"#, &["s.json: smoothness.weighting: ", "triangle"]),
+    (r#", "solver": { "threads": 4 }"#, &["s.json: solver: ", "threads"]),
+];
+
+#[test]
+fn a_faulty_scene_is_one_line_and_no_file() {
+    let folder = Folder::new("faulty");
+    folder.write("roof.obj", ROOF).write("empty.obj", "");
+    for (text, words) in FAULTY {
+        let text = if text.starts_with(',') { scene(text) } else { (*text).to_owned() };
+        folder.write("s.json", text);
+        folder.run(&["solve", "s.json", "--out", "out.obj", "--report", "r.json"]).refused(words);
+        assert_eq!(folder.files(), ["empty.obj", "roof.obj", "s.json"]);
+    }
+    folder.write("s.json", b"\xff\xfe\x00\xd8");
+    folder.run(&["solve", "s.json"]).refused(&["s.json: ", "UTF-8"]);
+}
+
+#[test]
+fn a_faulty_mesh_is_one_line_with_its_place() {
+    let folder = Folder::new("mesh");
+    folder
+        .write("empty.obj", "")
+        .write("cut.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n")
+        .write("note.txt", "hello\n");
+    for file in ["empty.obj", "cut.off", "note.txt", "gone.obj"] {
+        for command in [
+            vec!["solve", file, "--plane", "--out", "out.obj"],
+            vec!["check", file, "--report", "out.json"],
+        ] {
+            folder.run(&command).refused(&[file]);
+        }
+    }
+    folder.run(&["solve", ".", "--plane"]).refused(&["."]);
+    assert_eq!(folder.files(), ["cut.off", "empty.obj", "note.txt"]);
+}
+
+#[test]
+fn a_kind_that_fits_no_face_names_its_flag() {
+    let folder = Folder::new("fits");
+    folder.write("curve.obj", "v 0 0 0\nv 1 0 0\nv 2 1 0\nl 1 2 3\n");
+    folder
+        .run(&["solve", "curve.obj", "--plane"])
+        .refused(&["curve.obj: --plane: ", "expected faces"]);
+}
+
+#[test]
+fn a_place_that_cannot_be_written_is_one_line_and_leaves_nothing() {
+    let folder = Folder::new("unwritable");
+    folder.write("roof.obj", ROOF);
+    std::fs::create_dir(folder.0.join("taken")).unwrap();
+    for (out, report) in [
+        ("gone/out.obj", "r.json"),
+        ("out.obj", "gone/r.json"),
+        ("taken", "r.json"),
+        ("out.obj", "taken"),
+    ] {
+        folder
+            .run(&["solve", "roof.obj", "--plane", "--out", out, "--report", report])
+            .refused(&["cannot be written"]);
+        assert_eq!(folder.files(), ["roof.obj", "taken"], "{out} {report}");
+    }
+    folder.run(&["examples", "--out", "roof.obj"]).refused(&["roof.obj"]);
+    assert_eq!(folder.read("roof.obj"), ROOF);
+}
+
+#[test]
+fn a_wrong_call_says_how_it_is_called() {
+    let folder = Folder::new("usage");
+    folder.write("roof.obj", ROOF);
+    for (arguments, word) in [
+        (vec![], "expected a command"),
+        (vec!["sovle"], "`sovle`"),
+        (vec!["solve"], "needs a scene or a mesh"),
+        (vec!["solve", "roof.obj"], "--plane"),
+        (vec!["solve", "roof.obj", "roof.obj"], "second"),
+        (vec!["solve", "roof.obj", "--plain"], "`--plain`"),
+        (vec!["solve", "roof.obj", "-o", "x.obj"], "`-o`"),
+        (vec!["solve", "roof.obj", "--plane", "--plane"], "twice"),
+        (vec!["solve", "roof.obj", "--plane=1"], "no value"),
+        (vec!["solve", "roof.obj", "--plane", "--out"], "--out needs a value"),
+        (vec!["solve", "roof.obj", "--plane", "--out", "--trace"], "--out needs a value"),
+        (vec!["solve", "roof.obj", "--plane", "--out", "x", "--report", "x"], "same file"),
+        (vec!["solve", "roof.obj", "--plane", "--iterations", "-1"], "`-1`"),
+        (vec!["solve", "roof.obj", "--plane", "--iterations", "2.5"], "`2.5`"),
+        (vec!["solve", "roof.obj", "--plane", "--tolerance", "nan"], "`nan`"),
+        (vec!["solve", "roof.obj", "--plane", "--accelerator", "newton"], "quasi-newton"),
+        (vec!["check"], "needs a mesh"),
+        (vec!["check", "roof.obj", "--out", "x"], "`--out`"),
+        (vec!["examples", "canopy"], "`canopy`"),
+        (vec!["operators", "--json"], "`--json`"),
+        (vec!["parametrize", "roof.obj"], "`parametrize`"),
+    ] {
+        folder.run(&arguments).misused(word);
+    }
+    assert_eq!(folder.files(), ["roof.obj"]);
+    let help = folder.run(&["--help"]).done();
+    for info in shape_up::constraint::KINDS {
+        assert!(help.contains(&format!("--{}", info.id)), "{help}");
+    }
+    assert!(folder.run(&["--version"]).done().starts_with("shape-up "));
+}

@@ -1,0 +1,300 @@
+//! The view without a GPU, as a user meets it: framing, pointing, boxes, dragging.
+#![allow(clippy::unwrap_used, reason = "a helper that fails here fails its test")]
+#![cfg(feature = "view")]
+
+use glam::{DVec3, Vec2};
+use shape_up::view::camera::Up;
+use shape_up::view::stage::{Changes, Stage};
+
+const CANVAS: Vec2 = Vec2::new(900.0, 600.0);
+
+/// Offsets and indices.
+type Rows = (Vec<u32>, Vec<u32>);
+
+/// A sheet of `n` by `n` quads, ten units wide, curved by `height`.
+fn sheet(n: u32, at: DVec3, height: impl Fn(f64, f64) -> f64) -> (Rows, Vec<f64>) {
+    let mut positions = Vec::new();
+    for j in 0..=n {
+        for i in 0..=n {
+            let (x, y) = (f64::from(i) / f64::from(n), f64::from(j) / f64::from(n));
+            positions.extend((at + DVec3::new(10.0 * x, 10.0 * y, height(x, y))).to_array());
+        }
+    }
+    let mut indices = Vec::new();
+    for j in 0..n {
+        for i in 0..n {
+            let a = j * (n + 1) + i;
+            indices.extend([a, a + 1, a + n + 2, a + n + 1]);
+        }
+    }
+    (((0..=n * n).map(|f| 4 * f).collect(), indices), positions)
+}
+
+fn stage(n: u32, height: impl Fn(f64, f64) -> f64) -> Stage {
+    let (faces, positions) = sheet(n, DVec3::ZERO, height);
+    let mut stage = Stage::default();
+    stage.resize(CANVAS);
+    stage.set_mesh(faces, (vec![], vec![]), &positions).unwrap();
+    stage
+}
+
+fn bump(x: f64, y: f64) -> f64 {
+    48.0 * x * (1.0 - x) * y * (1.0 - y)
+}
+
+/// Two floors, ten by ten, one above the other: the lower one is vertices 0 to 3 and face 0.
+fn two_floors() -> Stage {
+    let mut positions = Vec::new();
+    for z in [0.0, 4.0] {
+        positions.extend([0.0, 0.0, z, 10.0, 0.0, z, 10.0, 10.0, z, 0.0, 10.0, z]);
+    }
+    let mut stage = Stage::default();
+    stage.resize(CANVAS);
+    stage.set_mesh((vec![0, 4, 8], (0..8).collect()), (vec![], vec![]), &positions).unwrap();
+    stage
+}
+
+#[test]
+fn a_new_mesh_fills_the_canvas() {
+    let stage = stage(8, bump);
+    let eye = stage.camera.eye();
+    let at: Vec<Vec2> = stage.subject.positions.iter().map(|&p| eye.project(p).0).collect();
+    let low = at.iter().copied().reduce(Vec2::min).unwrap();
+    let high = at.iter().copied().reduce(Vec2::max).unwrap();
+    assert!(low.min_element() > 0.0 && (CANVAS - high).min_element() > 0.0, "{low} {high}");
+    let filled = (high - low) / CANVAS;
+    assert!(filled.max_element() > 0.85, "{filled}");
+}
+
+#[test]
+fn an_untouched_view_follows_the_canvas_and_a_touched_one_stays() {
+    let mut stage = stage(8, bump);
+    let first = stage.camera;
+    stage.resize(Vec2::new(300.0, 800.0));
+    assert!(stage.camera.distance > 1.5 * first.distance);
+    stage.orbit(10.0, 0.0);
+    let turned = stage.camera;
+    stage.resize(CANVAS);
+    assert_eq!(stage.camera.distance, turned.distance);
+}
+
+#[test]
+fn the_same_faces_only_move_and_keep_camera_and_marks() {
+    let mut stage = stage(4, bump);
+    stage.orbit(50.0, 20.0);
+    stage.looks.select(vec![3], vec![], stage.counts()).unwrap();
+    let camera = stage.camera;
+    stage.changes = Changes::default();
+    let (faces, positions) = sheet(4, DVec3::ZERO, |x, y| 0.5 * bump(x, y));
+    stage.set_mesh(faces, (vec![], vec![]), &positions).unwrap();
+    assert_eq!(stage.camera, camera);
+    assert_eq!(stage.looks.selected_vertices, [3]);
+    assert!(stage.changes.positions && !stage.changes.mesh);
+    let (faces, positions) = sheet(5, DVec3::ZERO, bump);
+    stage.set_mesh(faces, (vec![], vec![]), &positions).unwrap();
+    assert!(stage.changes.mesh && stage.looks.selected_vertices.is_empty());
+}
+
+#[test]
+fn nothing_to_draw_until_something_changes() {
+    let mut stage = stage(4, bump);
+    stage.changes = Changes::default();
+    assert!(!stage.changes.any());
+    stage.zoom(1.2, CANVAS * 0.5);
+    assert!(stage.changes.any() && !stage.changes.positions);
+    stage.changes = Changes::default();
+    stage.zoom(f32::NAN, CANVAS * 0.5);
+    stage.zoom(0.0, CANVAS * 0.5);
+    assert!(!stage.changes.any());
+}
+
+#[test]
+fn every_vertex_that_is_shown_can_be_pointed_at() {
+    let stage = stage(10, bump);
+    let mut shown = 0;
+    for vertex in 0..stage.counts().0 as u32 {
+        if let Some(at) = stage.screen(vertex) {
+            shown += 1;
+            assert_eq!(stage.pick_vertex(at + Vec2::new(1.0, -1.0), 6.0), Some(vertex));
+        }
+    }
+    assert!(shown > 80, "{shown} of 121 vertices are seen");
+    assert_eq!(stage.pick_vertex(Vec2::ONE, 6.0), None);
+    assert_eq!(stage.screen(100_000), None);
+}
+
+#[test]
+fn the_surface_hides_vertices_but_not_handles() {
+    let mut stage = two_floors();
+    stage.preset("top").unwrap();
+    let below = stage.camera.eye().project(stage.subject.positions[0]).0;
+    assert_eq!(stage.screen(0), None);
+    assert_eq!(stage.pick_vertex(below, 3.0), None);
+    stage.set_handles(&[0], &[0], &[0.0; 3]).unwrap();
+    assert_eq!(stage.pick_handle(below + Vec2::X, 8.0), Some(0));
+    assert_eq!(stage.pick_handle(CANVAS * 0.5, 8.0), None);
+    assert_eq!(stage.pick_face(CANVAS * 0.5), Some(1));
+    stage.preset("bottom").unwrap();
+    assert_eq!(stage.pick_face(CANVAS * 0.5), Some(0));
+    assert!(stage.screen(0).is_some());
+}
+
+#[test]
+fn a_box_around_everything_takes_what_is_in_front() {
+    let mut stage = two_floors();
+    stage.preset("top").unwrap();
+    assert_eq!(stage.box_vertices(Vec2::ZERO, CANVAS), [4, 5, 6, 7]);
+    assert_eq!(stage.box_faces(CANVAS, Vec2::ZERO, false), [1]);
+    assert_eq!(stage.box_faces(Vec2::ZERO, CANVAS, true), [1]);
+    stage.preset("bottom").unwrap();
+    assert_eq!(stage.box_vertices(CANVAS, Vec2::ZERO), [0, 1, 2, 3]);
+}
+
+/// Seen from above a bump hides nothing; its rim is the outline.
+#[test]
+fn a_box_misses_no_vertex_of_a_sheet_seen_from_above() {
+    let mut stage = stage(60, bump);
+    stage.preset("top").unwrap();
+    assert_eq!(stage.box_vertices(Vec2::ZERO, CANVAS).len(), 61 * 61);
+    assert_eq!(stage.box_faces(Vec2::ZERO, CANVAS, false).len(), 60 * 60);
+}
+
+#[test]
+fn a_window_takes_whole_faces_and_a_crossing_takes_touched_ones() {
+    let mut stage = stage(4, |_, _| 0.0);
+    stage.preset("top").unwrap();
+    let at = |vertex: u32| stage.screen(vertex).unwrap();
+    // From the middle of face 0 to the middle of face 10: face 5 is between them.
+    let from = (at(0) + at(6)) * 0.5;
+    let to = (at(12) + at(18)) * 0.5;
+    assert_eq!(stage.box_faces(from, to, false), [5]);
+    assert_eq!(stage.box_faces(from, to, true), [0, 1, 2, 4, 5, 6, 8, 9, 10]);
+    let inside = (from + Vec2::ONE, from + Vec2::splat(3.0));
+    assert_eq!(stage.box_faces(inside.0, inside.1, true), [0]);
+    assert!(stage.box_faces(inside.0, inside.1, false).is_empty());
+    let aside = Vec2::new(4.0, 4.0);
+    assert!(stage.box_faces(aside, aside * 2.0, true).is_empty());
+}
+
+#[test]
+fn boxes_follow_the_camera_and_the_mesh() {
+    let mut stage = stage(4, |_, _| 0.0);
+    stage.preset("top").unwrap();
+    assert_eq!(stage.box_vertices(Vec2::ZERO, CANVAS).len(), 25);
+    stage.pan(CANVAS.x, 0.0);
+    assert!(stage.box_vertices(Vec2::ZERO, CANVAS).is_empty());
+    stage.fit();
+    let (_, positions) = sheet(4, DVec3::new(1000.0, 0.0, 0.0), |_, _| 0.0);
+    stage.set_positions(&positions).unwrap();
+    assert!(stage.box_vertices(Vec2::ZERO, CANVAS).is_empty());
+}
+
+#[test]
+fn a_dragged_vertex_lies_under_the_cursor_and_keeps_its_depth() {
+    let site = DVec3::new(2_679_500.0, 1_247_250.0, 408.0);
+    let (faces, positions) = sheet(6, site, bump);
+    let mut stage = Stage::default();
+    stage.resize(CANVAS);
+    stage.set_mesh(faces, (vec![], vec![]), &positions).unwrap();
+    let vertex = 24;
+    let (before, depth) = stage.camera.eye().project(stage.subject.positions[vertex as usize]);
+    let unmoved = stage.drag_target(vertex, before).unwrap();
+    assert!((unmoved - stage.subject.exact[vertex as usize]).length() < 1e-5);
+
+    let to = before + Vec2::new(120.0, -45.0);
+    let target = stage.drag_target(vertex, to).unwrap();
+    let (after, same_depth) = stage.camera.eye().project(stage.subject.relative(target));
+    assert!((after - to).length() < 0.01, "{after} {to}");
+    assert!((same_depth - depth).abs() < 1e-3 * depth);
+    assert!(stage.drag_target(99, to).is_err());
+}
+
+#[test]
+fn a_zoom_keeps_the_surface_under_the_cursor() {
+    let mut stage = stage(6, bump);
+    let vertex = 24;
+    let before = stage.screen(vertex).unwrap();
+    for _ in 0..10 {
+        stage.zoom(1.25, before);
+    }
+    assert!((stage.screen(vertex).unwrap() - before).length() < 1.0);
+    for _ in 0..400 {
+        stage.zoom(1.25, before);
+    }
+    assert!(stage.camera.distance > 0.0);
+    let (near, far) = stage.depth_range();
+    assert!(near > 0.0 && near < far);
+}
+
+#[test]
+fn changing_the_vertical_axis_frames_again() {
+    let mut stage = stage(6, bump);
+    stage.set_up(Up::Y);
+    let eye = stage.camera.eye();
+    assert_eq!(eye.right.y, 0.0);
+    for &point in &stage.subject.positions {
+        let (at, depth) = eye.project(point);
+        assert!(depth > 0.0 && at.min(CANVAS - at).min_element() > 0.0);
+    }
+}
+
+#[test]
+fn frames_some_vertices_closely() {
+    let mut stage = stage(20, bump);
+    let whole = stage.camera.distance;
+    stage.fit_vertices(&[0, 1, 21, 22]).unwrap();
+    assert!(stage.camera.distance < 0.3 * whole);
+    assert!(stage.screen(0).is_some());
+    assert!(stage.fit_vertices(&[9999]).is_err());
+    let before = stage.camera;
+    stage.fit_vertices(&[]).unwrap();
+    assert_eq!(stage.camera, before);
+}
+
+#[test]
+fn handles_that_do_not_fit_are_refused_and_the_old_ones_stay() {
+    let mut stage = stage(2, bump);
+    stage.set_handles(&[1, 2], &[0, 2], &[0.0; 6]).unwrap();
+    stage.changes = Changes::default();
+    for (vertices, states, targets) in [
+        (&[1, 99][..], &[0, 0][..], &[0.0; 6][..]),
+        (&[1, 2], &[0], &[0.0; 6]),
+        (&[1, 2], &[0, 3], &[0.0; 6]),
+        (&[1, 2], &[0, 0], &[0.0; 3]),
+        (&[1, 2], &[0, 0], &[0.0, 0.0, 0.0, 0.0, f64::NAN, 0.0]),
+    ] {
+        assert!(stage.set_handles(vertices, states, targets).is_err());
+    }
+    assert_eq!(stage.handles.len(), 2);
+    assert!(!stage.changes.any());
+    // A moving target is only a position: the dots stay the same.
+    stage.set_handles(&[1, 2], &[0, 2], &[1.0; 6]).unwrap();
+    assert!(stage.changes.positions && !stage.changes.marks);
+}
+
+#[test]
+fn fitted_shapes_come_into_view_coordinates() {
+    let mut stage = stage(2, |_, _| 0.0);
+    stage.set_shapes(&[0.0, 5.0, 5.0, 1.0, 0.0, 0.0, 1.0, 2.0]).unwrap();
+    assert_eq!(stage.shapes, [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 2.0]);
+    stage.set_shapes(&[1.0, f32::NAN, 5.0, 1.0, 0.0, 0.0, 1.0, 2.0]).unwrap();
+    assert!(stage.shapes.is_empty());
+    assert!(stage.set_shapes(&[0.0; 7]).is_err());
+}
+
+#[test]
+fn meshes_without_faces_or_points_can_be_looked_at() {
+    let mut stage = Stage::default();
+    stage.resize(CANVAS);
+    stage.set_mesh((vec![], vec![]), (vec![], vec![]), &[]).unwrap();
+    assert!(stage.box_vertices(Vec2::ZERO, CANVAS).is_empty());
+    assert_eq!(stage.pick_face(CANVAS * 0.5), None);
+    let points = [0.0, 0.0, 0.0, 1.0, 2.0, 3.0];
+    stage.set_mesh((vec![], vec![]), (vec![0, 2], vec![0, 1]), &points).unwrap();
+    assert_eq!(stage.box_vertices(Vec2::ZERO, CANVAS), [0, 1]);
+    let at = stage.screen(1).unwrap();
+    assert_eq!(stage.pick_vertex(at, 5.0), Some(1));
+    stage.zoom(2.0, at);
+    let bad = stage.set_mesh((vec![0, 3], vec![0, 1, 7]), (vec![], vec![]), &points);
+    assert!(bad.unwrap_err().to_string().contains("index 7"));
+}

@@ -1,0 +1,150 @@
+//! The solver's face, in a worker of a real browser, as the page uses it.
+
+#![cfg(all(target_arch = "wasm32", feature = "solver"))]
+
+#[path = "data/golden.rs"]
+mod golden;
+
+use js_sys::{Float64Array, JSON, Reflect, Uint32Array};
+use shape_up::web::solver::Solver;
+use wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
+
+wasm_bindgen_test_configure!(run_in_dedicated_worker);
+
+const OBJ: &str =
+    "v 0 0 0\nv 1 0 0.2\nv 1 1 0\nv 0 1 0.2\nv 2 0 0\nv 2 1 0.3\nf 1 2 3 4\nf 2 5 6 3\n";
+
+fn object(json: &str) -> JsValue {
+    JSON::parse(json).expect("it is JSON")
+}
+
+/// The value at a path such as `energy.total`.
+fn get(value: &JsValue, path: &str) -> JsValue {
+    path.split('.').fold(value.clone(), |value, key| {
+        Reflect::get(&value, &key.into()).expect("the value is an object")
+    })
+}
+
+fn number(value: &JsValue, path: &str) -> f64 {
+    get(value, path).as_f64().unwrap_or_else(|| panic!("{path} is not a number"))
+}
+
+fn message(error: JsValue) -> String {
+    error.dyn_into::<js_sys::Error>().expect("what is thrown is an Error").message().into()
+}
+
+fn loaded() -> Solver {
+    let mut solver = Solver::new();
+    let about = solver.load("two.obj", OBJ.as_bytes(), None).expect("the mesh is valid");
+    assert_eq!(number(&about, "vertices"), 6.0);
+    assert_eq!(number(&about, "faces"), 2.0);
+    assert_eq!(number(&about, "problems.length"), 0.0);
+    solver
+}
+
+const ADD: &str =
+    r#"{ "type": "addConstraint", "kind": "circle", "params": {}, "on": "faces", "weight": 2 }"#;
+
+#[wasm_bindgen_test]
+fn thirty_steps_give_the_same_bits_in_a_browser() {
+    golden::check();
+}
+
+#[wasm_bindgen_test]
+fn a_mesh_is_opened_constrained_run_and_undone() {
+    let mut solver = loaded();
+    solver.edit(object(ADD)).expect("circles fit quads");
+    let document = solver.document().expect("a model is open");
+    assert_eq!(number(&document, "constraints.0.count"), 2.0);
+    assert_eq!(number(&document, "constraints.0.weight"), 2.0);
+    assert_eq!(get(&document, "undo").as_string().as_deref(), Some("Add circle"));
+    assert!(get(&document, "redo").is_null());
+
+    let before = solver.frame().expect("a model is open");
+    solver.begin_run().expect("a model is open");
+    for _ in 0..200 {
+        if solver.step().expect("positions stay finite") {
+            break;
+        }
+    }
+    solver.end_run().expect("a model is open");
+    let after = solver.frame().expect("a model is open");
+    assert!(number(&after, "energy.total") < 1e-3 * number(&before, "energy.total"));
+    assert!(
+        number(&after, "circularity.max_distance")
+            < 0.05 * number(&before, "circularity.max_distance")
+    );
+    let iterations = number(&after, "iteration");
+    assert_eq!(number(&after, "trace.length"), 6.0 * iterations, "six numbers per iteration");
+
+    let positions = Float64Array::new_with_length(18);
+    solver.write_positions(&positions).expect("a model is open");
+    let moved = positions.to_vec();
+    assert_eq!(solver.undo().expect("undo works"), Some(format!("Run, {iterations} iterations")));
+    solver.write_positions(&positions).expect("a model is open");
+    assert_eq!(positions.get_index(5), 0.2, "vertex 1 is at rest");
+    assert_ne!(positions.to_vec(), moved);
+}
+
+#[wasm_bindgen_test]
+fn a_handle_is_dragged() {
+    let mut solver = loaded();
+    solver.edit(object(ADD)).expect("circles fit quads");
+    solver
+        .edit(object(r#"{ "type": "addHandles", "vertices": [0, 4], "fixed": true }"#))
+        .expect("the vertices are there");
+    solver.drag(&[4], &[2.0, 0.0, 1.0], "start").expect("it is a handle");
+    solver.step().expect("positions stay finite");
+    solver.drag(&[4], &[2.0, 0.0, 1.5], "move").expect("it is a handle");
+    solver.step().expect("positions stay finite");
+    solver.drag(&[4], &[2.0, 0.0, 1.5], "end").expect("it is a handle");
+    let positions = Float64Array::new_with_length(18);
+    solver.write_positions(&positions).expect("a model is open");
+    assert_eq!(positions.get_index(14), 1.5);
+    let document = solver.document().expect("a model is open");
+    assert_eq!(get(&document, "undo").as_string().as_deref(), Some("Move handle"));
+    assert_eq!(number(&document, "handles.1.target.2"), 1.5);
+}
+
+#[wasm_bindgen_test]
+fn a_selection_becomes_a_set_of_the_scene() {
+    let mut solver = loaded();
+    let on = r#"{ "each": "face", "in": { "faces": [1] } }"#;
+    let preview = solver.preview("plane", object(on)).expect("a plane fits a quad");
+    assert_eq!(number(&preview, "constraints"), 1.0);
+    let add = format!(
+        r#"{{ "type": "addConstraint", "kind": "plane", "params": {{}}, "on": {on}, "weight": 1 }}"#
+    );
+    solver.edit(object(&add)).expect("a plane fits a quad");
+    let members = solver.members(0).expect("the row is there");
+    let faces: Uint32Array = get(&members, "faces").unchecked_into();
+    assert_eq!(faces.to_vec(), [1]);
+
+    // What is saved opens again, with the set.
+    let scene = solver.scene().expect("a model is open");
+    let mut again = Solver::new();
+    assert_eq!(again.scene_mesh_file(scene.as_bytes()), Ok(None), "the mesh is inline");
+    again.load("saved.shapeup.json", scene.as_bytes(), None).expect("what is saved can be opened");
+    let document = again.document().expect("a model is open");
+    assert_eq!(number(&document, "constraints.0.count"), 1.0);
+    assert_eq!(again.obj(), solver.obj());
+}
+
+#[wasm_bindgen_test]
+fn what_is_wrong_is_said_in_one_line_and_the_old_model_stays() {
+    let mut solver = loaded();
+    let error = message(solver.load("broken.obj", b"", None).expect_err("the file is empty"));
+    assert_eq!(error, "broken.obj: the file is empty");
+    let scene = br#"{ "format": "shape-up-scene", "version": 9 }"#;
+    let error =
+        message(solver.load("later.json", scene, None).expect_err("it is of a later version"));
+    assert!(error.starts_with("later.json: version: ") && !error.contains('\n'), "{error}");
+    let error = message(
+        solver
+            .edit(object(r#"{ "type": "removeConstraint", "index": 3 }"#))
+            .expect_err("there is no row"),
+    );
+    assert!(error.contains("constraints[3]"), "{error}");
+    assert_eq!(solver.face_offsets().expect("the old model is open").to_vec(), [0, 4, 8]);
+}

@@ -1,0 +1,182 @@
+//! The page's view in a real browser: it draws, and it answers where things are.
+#![allow(clippy::unwrap_used, reason = "a helper that fails here fails its test")]
+#![cfg(all(target_arch = "wasm32", feature = "view"))]
+
+use shape_up::web::view::View;
+use wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
+use web_sys::HtmlCanvasElement;
+
+wasm_bindgen_test_configure!(run_in_browser);
+
+const WIDTH: u32 = 320;
+const HEIGHT: u32 = 240;
+
+fn new_canvas() -> HtmlCanvasElement {
+    let document = web_sys::window().unwrap().document().unwrap();
+    document.create_element("canvas").unwrap().unchecked_into()
+}
+
+async fn open(canvas: &HtmlCanvasElement) -> View {
+    let mut view = View::create(canvas.clone(), "webgl2".to_owned()).await.unwrap();
+    view.resize(WIDTH, HEIGHT, 1.0);
+    show_tent(&mut view);
+    view
+}
+
+/// A square of two by two quads with its middle raised.
+fn show_tent(view: &mut View) {
+    let mut positions: Vec<f64> = flat_square();
+    positions[14] = 1.0;
+    let indices = vec![0, 1, 4, 3, 1, 2, 5, 4, 3, 4, 7, 6, 4, 5, 8, 7];
+    view.set_mesh(vec![0, 4, 8, 12, 16], indices, vec![], vec![], &positions).unwrap();
+}
+
+/// Three by three vertices.
+fn flat_square() -> Vec<f64> {
+    (0..9).flat_map(|v| [f64::from(v % 3), f64::from(v / 3), 0.0]).collect()
+}
+
+/// The canvas as RGBA bytes; right only in the same task as the drawing.
+fn pixels(canvas: &HtmlCanvasElement) -> Vec<u8> {
+    let copy = new_canvas();
+    copy.set_width(canvas.width());
+    copy.set_height(canvas.height());
+    let flat = copy.get_context("2d").unwrap().unwrap();
+    let flat = flat.unchecked_into::<web_sys::CanvasRenderingContext2d>();
+    flat.draw_image_with_html_canvas_element(canvas, 0.0, 0.0).unwrap();
+    let (width, height) = (f64::from(copy.width()), f64::from(copy.height()));
+    flat.get_image_data(0.0, 0.0, width, height).unwrap().data().0
+}
+
+fn differing(a: &[u8], b: &[u8]) -> usize {
+    a.chunks(4).zip(b.chunks(4)).filter(|(p, q)| p != q).count()
+}
+
+fn distinct_colours(pixels: &[u8]) -> usize {
+    let mut colours: Vec<&[u8]> = pixels.chunks(4).collect();
+    colours.sort_unstable();
+    colours.dedup();
+    colours.len()
+}
+
+fn message(error: &JsValue) -> String {
+    error.unchecked_ref::<js_sys::Error>().message().into()
+}
+
+#[wasm_bindgen_test]
+async fn draws_a_mesh_once_and_again_only_when_something_changed() {
+    let canvas = new_canvas();
+    let mut view = open(&canvas).await;
+    assert_eq!(view.backend(), "webgl2");
+    assert!(view.needs_draw());
+    assert!(view.draw().unwrap());
+    assert!(distinct_colours(&pixels(&canvas)) > 20);
+    assert!(!view.needs_draw());
+    assert!(!view.draw().unwrap());
+    assert_eq!(view.frames(), 1);
+    view.orbit(40.0, 10.0);
+    assert!(view.needs_draw() && view.draw().unwrap());
+    assert_eq!(view.frames(), 2);
+}
+
+#[wasm_bindgen_test]
+async fn every_switch_changes_the_picture() {
+    let canvas = new_canvas();
+    let mut view = open(&canvas).await;
+    view.draw().unwrap();
+    let mut before = pixels(&canvas);
+    let mut check = |view: &mut View, what: &str| {
+        assert!(view.draw().unwrap(), "{what}: nothing was drawn");
+        let after = pixels(&canvas);
+        let count = differing(&before, &after);
+        assert!(count > 20, "{what}: only {count} pixels differ");
+        before = after;
+    };
+    view.set_display(true, true, false);
+    check(&mut view, "vertices");
+    view.set_display(false, false, false);
+    check(&mut view, "no edges");
+    view.set_face_values(Some(vec![0.0, 0.3, 0.6, f32::NAN]), 0.0, 1.0).unwrap();
+    check(&mut view, "values");
+    view.set_selection(vec![4], vec![1]).unwrap();
+    check(&mut view, "selection");
+    view.set_tint(vec![0, 1], vec![0], 0.1, 0.7, 0.2).unwrap();
+    check(&mut view, "tint");
+    view.set_handles(&[2, 6], &[0, 1], &[2.0, 0.0, 0.5, 0.0, 2.0, 0.0]).unwrap();
+    check(&mut view, "handles");
+    view.set_shapes(&[0.0, 1.0, 1.0, 0.5, 0.0, 0.0, 1.0, 0.8]).unwrap();
+    view.set_display(false, false, true);
+    check(&mut view, "circle");
+    view.set_shapes(&[1.0, 1.0, 1.0, 0.5, 0.0, 0.0, 1.0, 1.1]).unwrap();
+    check(&mut view, "sphere");
+    view.set_theme(true);
+    check(&mut view, "dark");
+    view.set_up("y").unwrap();
+    check(&mut view, "up");
+    view.preset("top").unwrap();
+    check(&mut view, "preset");
+    view.zoom(2.0, 100.0, 100.0);
+    check(&mut view, "zoom");
+    view.pan(30.0, 20.0);
+    check(&mut view, "pan");
+    view.fit();
+    check(&mut view, "fit");
+}
+
+#[wasm_bindgen_test]
+async fn moved_vertices_are_seen_and_can_be_pointed_at() {
+    let canvas = new_canvas();
+    let mut view = open(&canvas).await;
+    view.draw().unwrap();
+    let before = pixels(&canvas);
+    let at = view.screen(4).unwrap();
+    let (x, y) = (at[0] as f32, at[1] as f32);
+    assert_eq!(view.pick_vertex(x, y, 8.0), Some(4));
+    let target = view.drag_target(4, x + 30.0, y - 20.0, 0.0, 0.0).unwrap();
+    let mut positions = flat_square();
+    positions[12..15].copy_from_slice(&target);
+    view.set_positions(&positions).unwrap();
+    view.draw().unwrap();
+    assert!(differing(&before, &pixels(&canvas)) > 200);
+    let moved = view.screen(4).unwrap();
+    assert!((moved[0] - at[0] - 30.0).abs() < 0.1 && (moved[1] - at[1] + 20.0).abs() < 0.1);
+    assert!(view.pick_face(moved[0] as f32, moved[1] as f32 + 5.0).is_some());
+    assert!(view.box_vertices(0.0, 0.0, WIDTH as f32, HEIGHT as f32).contains(&4));
+}
+
+#[wasm_bindgen_test]
+async fn wrong_input_is_thrown_with_a_complete_message() {
+    let canvas = new_canvas();
+    let mut view = open(&canvas).await;
+    let wrong = view.set_positions(&[0.0; 5]).unwrap_err();
+    assert_eq!(message(&wrong), "positions: 5 entries, expected 27");
+    let wrong = view.set_up("x").unwrap_err();
+    assert_eq!(message(&wrong), "up: \"x\", expected z or y");
+    assert!(view.set_face_values(Some(vec![1.0]), 0.0, 1.0).is_err());
+    assert!(view.draw().unwrap());
+    let nothing = View::create(canvas.clone(), "vulkan".to_owned()).await.unwrap_err();
+    assert!(message(&nothing).contains("expected auto, webgpu or webgl2"));
+}
+
+#[wasm_bindgen_test]
+async fn a_huge_canvas_is_clamped_and_drawn() {
+    let canvas = new_canvas();
+    let mut view = open(&canvas).await;
+    view.resize(40_000, 20, 2.0);
+    assert!(canvas.width() < 40_000);
+    view.resize(WIDTH, HEIGHT, 2.0);
+    assert_eq!((canvas.width(), canvas.height()), (WIDTH, HEIGHT));
+    assert!(view.draw().unwrap());
+    assert!(distinct_colours(&pixels(&canvas)) > 20);
+}
+
+#[wasm_bindgen_test]
+async fn a_lost_context_is_thrown_by_draw() {
+    let canvas = new_canvas();
+    let mut view = open(&canvas).await;
+    view.draw().unwrap();
+    canvas.dispatch_event(&web_sys::Event::new("webglcontextlost").unwrap()).unwrap();
+    view.orbit(1.0, 1.0);
+    assert!(message(&view.draw().unwrap_err()).contains("lost"));
+}
