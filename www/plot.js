@@ -65,11 +65,12 @@ export class EnergyPlot {
 
   /** The columns with what a logarithm cannot show at the lower end of the scale. */
   #drawable() {
-    const greatest = this.#columns
-      .slice(1)
-      .flat()
-      .reduce((a, b) => Math.max(a, b), 0);
-    const least = greatest > 0 ? greatest * 10 ** -DECADES : 1e-30;
+    const values = this.#columns.slice(1).flat();
+    const greatest = values.reduce((a, b) => Math.max(a, b), 0);
+    // A term that is nothing but rounding at the start would take most of the scale.
+    const after = this.#columns.slice(1).flatMap((column) => column.slice(1));
+    const smallest = after.reduce((a, b) => (b > 0 ? Math.min(a, b) : a), greatest);
+    const least = Math.max(smallest, greatest * 10 ** -DECADES) || Number.MIN_VALUE;
     const [iterations, ...energies] = this.#columns;
     return /** @type {uPlot.AlignedData} */ ([
       iterations,

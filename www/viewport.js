@@ -131,13 +131,13 @@ export class Viewport extends EventTarget {
 
   /** @param {[number, number]} [pixels] the exact size, where the browser tells */
   #resize(pixels) {
-    const ratio = devicePixelRatio;
-    const { clientWidth, clientHeight } = this.element;
-    const [width, height] = pixels ?? [
-      Math.round(clientWidth * ratio),
-      Math.round(clientHeight * ratio),
-    ];
-    if (width > 0 && height > 0) this.with((view) => view.resize(width, height, ratio));
+    const { width, height } = this.element.getBoundingClientRect();
+    if (width === 0 || height === 0) return;
+    const rounded = [width, height].map((side) => Math.round(side * devicePixelRatio));
+    // An emulated phone tells CSS pixels here.
+    const exact = pixels?.every((side, i) => Math.abs(side - rounded[i]) <= 1) ? pixels : rounded;
+    // The ratio that makes the view's CSS pixels those of the page.
+    this.with((view) => view.resize(exact[0], exact[1], exact[0] / width));
   }
 
   #watchSolver() {

@@ -10,6 +10,7 @@ import { groupDigits, length } from '../format.js';
 
 /** The numbers of a run change on the page this often, in milliseconds. */
 const NUMBERS_EVERY_MS = 100;
+const NONE = new Uint32Array(0);
 
 /**
  * @param {HTMLElement} place
@@ -28,7 +29,9 @@ export function constraintsPanel(place, store, solver, actions) {
     const members = await actions.told(solver.request({ type: 'members', constraint: row.index }));
     const hovered = place.querySelector('.constraint:is(:hover, :focus-within)');
     if (members && hovered?.getAttribute('data-index') === String(row.index)) {
-      store.set({ tint: { ...members, colour: row.colour } });
+      // Dots on the corners of tinted faces would say nothing more.
+      const vertices = members.faces.length > 0 ? NONE : members.vertices;
+      store.set({ tint: { faces: members.faces, vertices, colour: row.colour } });
     }
   }
 
@@ -82,7 +85,9 @@ export function constraintsPanel(place, store, solver, actions) {
       {
         class: `constraint${row.enabled ? '' : ' off'}`,
         'data-index': row.index,
-        onpointerenter: () => tint(row),
+        onpointerenter: (/** @type {PointerEvent} */ event) => {
+          if (event.pointerType !== 'touch') tint(row);
+        },
         onpointerleave: untint,
         onfocusin: () => tint(row),
         onfocusout: untint,

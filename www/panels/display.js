@@ -99,7 +99,7 @@ export function legend(place, store, viewport, refit) {
     const units = document?.units ?? '';
     setText(title, MEASURES[measure].label);
     title.title = MEASURES[measure].words;
-    setText(low, length(range[0], units));
+    setText(low, '0');
     setText(high, length(range[1], units));
     const stops = viewport.with((view) => view.colourStops(STOPS)) ?? [];
     ramp.style.background = `linear-gradient(to right, ${stops.join(', ')})`;

@@ -32,13 +32,7 @@ export function handlesPanel(place, store, actions) {
     const fixed = handles.filter((handle) => handle.fixed).length;
     const chosen = selection.vertices.size + selection.faces.size > 0;
     summary.className = 'quiet';
-    summary.textContent =
-      handles.length === 0
-        ? 'None. Double-click a vertex to make one.'
-        : `${count(handles.length, 'handle')}, ${fixed} of them fixed. Drag the dots in the view.`;
-    if (handles.length > 0 && fixed === 0) {
-      summary.textContent = `${count(handles.length, 'handle')}. Drag the blue dots in the view.`;
-    }
+    summary.textContent = wordsFor(handles.length, fixed);
     const pinned = document?.pinned.length ?? 0;
     // Without constraints nothing moves, and that something is pinned would only puzzle.
     if (pinned > 0 && document?.constraints.length) {
@@ -52,4 +46,14 @@ export function handlesPanel(place, store, actions) {
   function isChosen(vertex) {
     return actions.chosenVertices().includes(vertex);
   }
+}
+
+/**
+ * @param {number} all
+ * @param {number} fixed of them
+ */
+function wordsFor(all, fixed) {
+  if (all === 0) return 'None. Double-click a vertex to make one.';
+  const share = fixed === all ? ', fixed' : fixed > 0 ? `, ${fixed} of them fixed` : '';
+  return `${count(all, 'handle')}${share}. Drag the blue marks in the view.`;
 }
