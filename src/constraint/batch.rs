@@ -130,9 +130,8 @@ impl<P: Projection> KindBatch<P> {
             *point = gather(x, nodes);
         }
         centre(centred);
-        projected.copy_from_slice(centred);
         let rest = if P::READS_REST { &self.rest[first..first + n] } else { &[] };
-        self.operator.project(rest, projected);
+        self.operator.project(rest, centred, projected);
         // The set of a shape is closed under translation, so that the centred projection has the
         // shape too, and is nearer. Circle and sphere results are not centred by themselves.
         centre(projected);

@@ -1,7 +1,7 @@
 //! Circle (paper section 3.1): the least-squares plane, then the circle of Thomas and Chan in it.
 
 use super::{Arity, Fitted, Info, Projection};
-use crate::math::{CircleFit, Lane, PrincipalCircle, Vec3, centre, each_lane};
+use crate::math::{CircleFit, Lane, PrincipalCircle, Vec3, centre};
 use serde::{Deserialize, Serialize};
 
 /// All vertices on one circle, in any order and at any spacing.
@@ -27,15 +27,19 @@ impl Projection for Circle {
         params: &[],
     };
 
-    fn project<S: Lane>(&self, _rest: &[Vec3<S>], v: &mut [Vec3<S>]) {
-        if let Some(circle) = CircleFit::of(v) {
-            for p in v {
-                *p = circle.closest(*p);
-            }
-        } else if S::WIDTH > 1 {
-            each_lane(v, |one| self.project(&[], one));
-        } else {
-            each_lane(v, project_in_principal_axes);
+    fn closed_form<S: Lane>(
+        &self,
+        _rest: &[Vec3<S>],
+        v: &[Vec3<S>],
+        projected: &mut [Vec3<S>],
+    ) -> bool {
+        CircleFit::project(v, projected)
+    }
+
+    fn careful(&self, _rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
+        let circle = PrincipalCircle::rotate(v);
+        for p in v {
+            *p = circle.closest(*p);
         }
     }
 
@@ -50,13 +54,5 @@ impl Projection for Circle {
             }
         };
         circle.map(|(centre, radius)| Fitted::Circle { centre: mean + centre, normal, radius })
-    }
-}
-
-/// The same for one constraint, accurate for every input.
-fn project_in_principal_axes(v: &mut [Vec3<f64>]) {
-    let circle = PrincipalCircle::rotate(v);
-    for p in v {
-        *p = circle.closest(*p);
     }
 }

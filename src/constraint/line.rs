@@ -2,7 +2,7 @@
 //! eigenvalue of the scatter matrix.
 
 use super::{Arity, Info, Projection};
-use crate::math::{Lane, PrincipalAxes, Scatter, Vec3, each_lane};
+use crate::math::{Lane, PrincipalAxes, Scatter, Vec3};
 use serde::{Deserialize, Serialize};
 
 /// All vertices on one straight line.
@@ -25,25 +25,24 @@ impl Projection for Line {
         params: &[],
     };
 
-    fn project<S: Lane>(&self, _rest: &[Vec3<S>], v: &mut [Vec3<S>]) {
+    fn closed_form<S: Lane>(
+        &self,
+        _rest: &[Vec3<S>],
+        v: &[Vec3<S>],
+        projected: &mut [Vec3<S>],
+    ) -> bool {
         let scatter = Scatter::of(v);
         let e = scatter.unit.greatest_eigenvector();
-        if (e.accurate * scatter.in_range).all_greater(S::zero()) {
-            for p in v {
-                *p = e.vector * e.vector.dot(*p);
-            }
-        } else if S::WIDTH > 1 {
-            each_lane(v, |one| self.project(&[], one));
-        } else {
-            each_lane(v, project_in_principal_axes);
+        for (v, p) in v.iter().zip(projected) {
+            *p = e.vector * e.vector.dot(*v);
         }
+        (e.accurate * scatter.in_range).all_greater(S::zero())
     }
-}
 
-/// The same for one constraint, accurate for every input.
-fn project_in_principal_axes(v: &mut [Vec3<f64>]) {
-    let axes = PrincipalAxes::rotate(v);
-    for p in v {
-        *p = axes.point(Vec3::new(p.x, 0.0, 0.0));
+    fn careful(&self, _rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
+        let axes = PrincipalAxes::rotate(v);
+        for p in v {
+            *p = axes.point(Vec3::new(p.x, 0.0, 0.0));
+        }
     }
 }

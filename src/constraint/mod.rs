@@ -36,19 +36,64 @@ pub trait Projection: Clone + PartialEq + std::fmt::Debug + 'static {
     /// Whether [`Projection::project`] reads the rest points; without, it gets none.
     const READS_REST: bool = false;
 
-    /// Replaces the points `v` (`n` of them, mean-centred) by the closest points that have the
-    /// shape. `rest` are the mean-centred rest points `V'`, `n` of them.
+    /// The closed form, for one constraint or for several side by side: writes the closest points
+    /// that have the shape to `projected`. False when it is not accurate in every lane; what it
+    /// wrote is then not used. `v` are the mean-centred points, `rest` the mean-centred rest points
+    /// `V'`, `n` of each.
     ///
-    /// The result need not be mean-centred: whoever scatters it centres it again. It is finite for
-    /// every finite input, degenerate ones included, and equivariant under scaling: no absolute
-    /// thresholds.
-    fn project<S: Lane>(&self, rest: &[Vec3<S>], v: &mut [Vec3<S>]);
+    /// The result need not be mean-centred: whoever scatters it centres it again. It is equivariant
+    /// under scaling: no absolute thresholds.
+    fn closed_form<S: Lane>(
+        &self,
+        rest: &[Vec3<S>],
+        v: &[Vec3<S>],
+        projected: &mut [Vec3<S>],
+    ) -> bool;
+
+    /// Replaces the points `v` of one constraint by the closest points that have the shape: slower,
+    /// and finite and accurate for every finite input, degenerate ones included. Called where the
+    /// closed form is not accurate; an operator whose closed form always is has none.
+    fn careful(&self, rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
+        let _ = (rest, v);
+        unreachable!("the closed form of this kind is accurate for every input");
+    }
+
+    /// Step I for one chunk of constraints: the closed form where it is accurate, else each lane
+    /// by itself.
+    #[inline(always)]
+    fn project<S: Lane>(&self, rest: &[Vec3<S>], v: &[Vec3<S>], projected: &mut [Vec3<S>]) {
+        if !self.closed_form(rest, v, projected) {
+            lane_by_lane(self, rest, v, projected);
+        }
+    }
 
     /// The shape that fits the points `v` (in place, not centred), to be drawn. None where the
     /// projection itself says all there is to see.
     fn fitted(&self, v: &[Vec3<f64>]) -> Option<Fitted> {
         let _ = v;
         None
+    }
+}
+
+/// Projects each lane by itself. A lane whose closed form is accurate gets the same bits as in a chunk
+/// where all are.
+#[cold]
+#[inline(never)]
+fn lane_by_lane<P: Projection, S: Lane>(
+    operator: &P,
+    rest: &[Vec3<S>],
+    v: &[Vec3<S>],
+    projected: &mut [Vec3<S>],
+) {
+    let mut result = vec![Vec3::zero(); v.len()];
+    for i in 0..S::WIDTH {
+        let lane = |points: &[Vec3<S>]| points.iter().map(|p| p.lane(i)).collect::<Vec<_>>();
+        let (rest, v) = (lane(rest), lane(v));
+        if !operator.closed_form(&rest, &v, &mut result) {
+            result.copy_from_slice(&v);
+            operator.careful(&rest, &mut result);
+        }
+        projected.iter_mut().zip(&result).for_each(|(to, from)| to.set_lane(i, *from));
     }
 }
 

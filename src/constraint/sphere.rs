@@ -2,7 +2,7 @@
 //! (Thomas and Chan).
 
 use super::{Arity, Fitted, Info, Projection};
-use crate::math::{Lane, PrincipalAxes, Round, Scatter, Vec3, centre, each_lane};
+use crate::math::{Lane, PrincipalAxes, Round, Scatter, Vec3, centre};
 use serde::{Deserialize, Serialize};
 
 /// All vertices on one sphere.
@@ -29,36 +29,46 @@ impl Projection for Sphere {
         params: &[],
     };
 
-    fn project<S: Lane>(&self, _rest: &[Vec3<S>], v: &mut [Vec3<S>]) {
-        if let Some(round) = fit(v) {
-            for p in v {
-                *p = round.closest(*p);
-            }
-        } else if S::WIDTH > 1 {
-            each_lane(v, |one| self.project(&[], one));
-        } else {
-            each_lane(v, project_in_principal_axes);
+    fn closed_form<S: Lane>(
+        &self,
+        _rest: &[Vec3<S>],
+        v: &[Vec3<S>],
+        projected: &mut [Vec3<S>],
+    ) -> bool {
+        let (sphere, mut good) = fit(v);
+        for (v, p) in v.iter().zip(projected) {
+            let step = sphere.step_off_centre(*v, &mut good);
+            *p = *v + step;
+        }
+        good.all_greater(S::zero())
+    }
+
+    fn careful(&self, _rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
+        let axes = PrincipalAxes::rotate(v);
+        let sphere = Round::fit_principal(v, 3);
+        for p in v {
+            *p = axes.point(sphere.closest_or_chosen(*p));
         }
     }
 
     fn fitted(&self, v: &[Vec3<f64>]) -> Option<Fitted> {
         let mut centred = v.to_vec();
         let mean = centre(&mut centred);
-        let sphere = match fit(&centred) {
-            Some(round) => round.centre_and_radius(),
-            None => {
-                let axes = PrincipalAxes::rotate(&mut centred);
-                let sphere = Round::fit_principal(&centred, 3).centre_and_radius();
-                sphere.map(|(c, r)| (axes.point(c), r * axes.scale))
-            }
+        let (round, good) = fit(&centred);
+        let sphere = if good > 0.0 {
+            round.centre_and_radius()
+        } else {
+            let axes = PrincipalAxes::rotate(&mut centred);
+            let sphere = Round::fit_principal(&centred, 3).centre_and_radius();
+            sphere.map(|(c, r)| (axes.point(c), r * axes.scale))
         };
         sphere.map(|(centre, radius)| Fitted::Sphere { centre: mean + centre, radius })
     }
 }
 
-/// The sphere in closed form; None when that is not accurate in every lane.
+/// The sphere in closed form; one in the lanes where it is accurate, else zero.
 #[inline(always)]
-fn fit<S: Lane>(v: &[Vec3<S>]) -> Option<Round<S>> {
+fn fit<S: Lane>(v: &[Vec3<S>]) -> (Round<S>, S) {
     let scatter = Scatter::of(v);
     let mut h = Vec3::zero();
     for p in v {
@@ -70,18 +80,5 @@ fn fit<S: Lane>(v: &[Vec3<S>]) -> Option<Round<S>> {
     let determinant = scatter.unit.determinant(adjugate);
     let s = scatter.mean_square;
     let round = Round::new(adjugate.times(h), determinant * s, s);
-    let mut good = round.accurate(scatter.in_range);
-    for p in v {
-        good = round.off_centre(*p, good);
-    }
-    good.all_greater(S::zero()).then_some(round)
-}
-
-/// The same for one constraint, accurate for every input.
-fn project_in_principal_axes(v: &mut [Vec3<f64>]) {
-    let axes = PrincipalAxes::rotate(v);
-    let round = Round::fit_principal(v, 3);
-    for p in v {
-        *p = axes.point(round.closest_or_chosen(*p));
-    }
+    (round, round.accurate(scatter.in_range))
 }

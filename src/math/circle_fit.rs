@@ -20,13 +20,35 @@ impl<S: Lane> CircleFit<S> {
     /// collinear or coincident points, more than one plane that fits, a point at the centre.
     #[inline(always)]
     pub fn of(points: &[Vec3<S>]) -> Option<Self> {
+        let (circle, mut good) = CircleFit::through(points, |_, _| {});
+        for p in points {
+            circle.round.step_off_centre(circle.in_plane(*p), &mut good);
+        }
+        good.all_greater(S::zero()).then_some(circle)
+    }
+
+    /// Writes the closest points of the fitted circle to `projected`; false as for
+    /// [`CircleFit::of`].
+    #[inline(always)]
+    pub fn project(points: &[Vec3<S>], projected: &mut [Vec3<S>]) -> bool {
+        let (circle, mut good) = CircleFit::through(points, |k, w| projected[k] = w);
+        for p in projected {
+            *p += circle.round.step_off_centre(*p, &mut good);
+        }
+        good.all_greater(S::zero())
+    }
+
+    /// The fit, with one in the lanes where it is accurate, else zero; `in_plane` gets every point
+    /// projected into the plane.
+    #[inline(always)]
+    fn through(points: &[Vec3<S>], mut in_plane: impl FnMut(usize, Vec3<S>)) -> (Self, S) {
         let scatter = Scatter::of(points);
         let n = scatter.unit.smallest_eigenvector();
-        let in_plane = |p: Vec3<S>| p - n.vector * n.vector.dot(p);
         let mut h = Vec3::zero();
-        for p in points {
-            let w = in_plane(*p);
+        for (k, p) in points.iter().enumerate() {
+            let w = *p - n.vector * n.vector.dot(*p);
             h += w * w.length_squared();
+            in_plane(k, w);
         }
         let h = h * S::splat(0.5 / points.len() as f64);
 
@@ -36,17 +58,13 @@ impl<S: Lane> CircleFit<S> {
         let a = h * t - scatter.unit.times(h);
         let determinant = scatter.unit.adjugate().trace() - n.value * t;
         let round = Round::new(a, determinant * scatter.mean_square, t * scatter.mean_square);
-        let mut good = round.accurate(n.accurate * scatter.in_range);
-        for p in points {
-            good = round.off_centre(in_plane(*p), good);
-        }
-        good.all_greater(S::zero()).then_some(CircleFit { normal: n.vector, round })
+        let good = round.accurate(n.accurate * scatter.in_range);
+        (CircleFit { normal: n.vector, round }, good)
     }
 
-    /// The closest point of the circle.
     #[inline(always)]
-    pub fn closest(&self, v: Vec3<S>) -> Vec3<S> {
-        self.round.closest(v - self.normal * self.normal.dot(v))
+    fn in_plane(&self, v: Vec3<S>) -> Vec3<S> {
+        v - self.normal * self.normal.dot(v)
     }
 
     /// The height of `v` over the plane, and the way from its foot on the plane to the closest
@@ -129,9 +147,10 @@ mod tests {
                     let (slow_height, slow_step) = slow.height_and_step(w);
                     assert!((height.abs() - slow_height.abs()).abs() < 1e-12, "{step}, {k}");
                     assert!((step_to.length() - slow_step.length()).abs() < 1e-12, "{step}, {k}");
-                    assert!((circle.closest(v) - slow.closest(w)).length() < 1e-12, "{step}, {k}");
+                    let closest = circle.in_plane(v) + step_to;
+                    assert!((closest - slow.closest(w)).length() < 1e-12, "{step}, {k}");
                     let reached = v - circle.normal * height + step_to;
-                    assert!((reached - circle.closest(v)).length() < 1e-15, "{step}, {k}");
+                    assert!((reached - closest).length() < 1e-15, "{step}, {k}");
                 }
             }
         }

@@ -1,14 +1,18 @@
 //! One scalar, or the same scalar of several constraints side by side.
 //!
 //! An operator is written once over [`Lane`]. With `f64` it treats one constraint, with [`Lanes`]
-//! as many as fit a 128-bit register; plain arrays compile to `simd128` in wasm and to SSE2
+//! several; plain arrays compile to `simd128` in wasm and to SSE2
 //! natively, so no intrinsics are needed. Only operations that IEEE 754 rounds exactly are
 //! offered, so that both give the same bits.
 
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
-/// How many constraints one [`Lanes`] holds.
-pub const LANES: usize = 2;
+/// How many constraints a batch treats at a time. One register holds two; two registers side by
+/// side hide the latency of division and square root.
+pub const LANES: usize = 4;
+
+/// Two things side by side in one 128-bit register.
+pub type Pair = Lanes<2>;
 
 /// A scalar (`f64`) or one scalar for each of several constraints ([`Lanes`]).
 pub trait Lane:
@@ -92,12 +96,12 @@ impl Lane for f64 {
     }
 }
 
-/// The same scalar of [`LANES`] constraints.
+/// The same scalar of `N` constraints.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C, align(16))]
-pub struct Lanes(pub [f64; LANES]);
+pub struct Lanes<const N: usize = LANES>(pub [f64; N]);
 
-impl Lanes {
+impl<const N: usize> Lanes<N> {
     #[inline(always)]
     fn map2(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
         Lanes(std::array::from_fn(|i| f(self.0[i], other.0[i])))
@@ -106,10 +110,10 @@ impl Lanes {
 
 macro_rules! lane_by_lane {
     ($($op:ident $method:ident),*) => {$(
-        impl $op for Lanes {
-            type Output = Lanes;
+        impl<const N: usize> $op for Lanes<N> {
+            type Output = Self;
             #[inline(always)]
-            fn $method(self, other: Lanes) -> Lanes {
+            fn $method(self, other: Self) -> Self {
                 self.map2(other, |a, b| a.$method(b))
             }
         }
@@ -117,33 +121,33 @@ macro_rules! lane_by_lane {
 }
 lane_by_lane!(Add add, Sub sub, Mul mul, Div div);
 
-impl Neg for Lanes {
-    type Output = Lanes;
+impl<const N: usize> Neg for Lanes<N> {
+    type Output = Self;
     #[inline(always)]
-    fn neg(self) -> Lanes {
+    fn neg(self) -> Self {
         Lanes(self.0.map(|a| -a))
     }
 }
 
-impl AddAssign for Lanes {
+impl<const N: usize> AddAssign for Lanes<N> {
     #[inline(always)]
-    fn add_assign(&mut self, other: Lanes) {
+    fn add_assign(&mut self, other: Self) {
         *self = *self + other;
     }
 }
 
-impl SubAssign for Lanes {
+impl<const N: usize> SubAssign for Lanes<N> {
     #[inline(always)]
-    fn sub_assign(&mut self, other: Lanes) {
+    fn sub_assign(&mut self, other: Self) {
         *self = *self - other;
     }
 }
 
-impl Lane for Lanes {
-    const WIDTH: usize = LANES;
+impl<const N: usize> Lane for Lanes<N> {
+    const WIDTH: usize = N;
     #[inline(always)]
     fn splat(x: f64) -> Self {
-        Lanes([x; LANES])
+        Lanes([x; N])
     }
     #[inline(always)]
     fn sqrt(self) -> Self {

@@ -11,8 +11,8 @@ mod vec3;
 
 pub use circle_fit::{CircleFit, PrincipalCircle};
 pub use eigenvector::Eigenvector;
-pub use lane::{LANES, Lane, Lanes};
+pub use lane::{LANES, Lane, Lanes, Pair};
 pub use principal::PrincipalAxes;
 pub use round::Round;
 pub use symmetric3::{Scatter, Symmetric3};
-pub use vec3::{Vec3, centre, each_lane};
+pub use vec3::{Vec3, centre};

@@ -68,15 +68,8 @@ impl<S: Lane> Round<S> {
         self.d * (self.mean_square - v.length_squared()) + (va + va)
     }
 
-    /// The closest point of the circle (for `v` in its plane) or of the sphere. Not finite where
-    /// `v` is at the centre.
-    #[inline(always)]
-    pub fn closest(&self, v: Vec3<S>) -> Vec3<S> {
-        v + self.step(v)
-    }
-
-    /// The way from `v` to its closest point, which keeps more digits than the difference of the
-    /// two.
+    /// The way from `v` (for a circle, in its plane) to its closest point, which keeps more digits
+    /// than the difference of the two. Not finite where `v` is at the centre.
     #[inline(always)]
     pub fn step(&self, v: Vec3<S>) -> Vec3<S> {
         let from_centre = v * self.d - self.a;
@@ -84,11 +77,16 @@ impl<S: Lane> Round<S> {
         from_centre * (self.q(v) / (distance * (self.reach + distance)))
     }
 
-    /// Keeps `flag` in the lanes where `v` is not at the centre; zero in the others.
+    /// As [`Round::step`], and keeps `good` in the lanes where `v` is not at the centre; zero in the
+    /// others.
     #[inline(always)]
-    pub fn off_centre(&self, v: Vec3<S>, flag: S) -> S {
+    pub fn step_off_centre(&self, v: Vec3<S>, good: &mut S) -> Vec3<S> {
+        let from_centre = v * self.d - self.a;
+        let squared = from_centre.length_squared();
         let bound = self.reach * S::splat(AT_CENTRE);
-        (v * self.d - self.a).length_squared().if_greater(bound * bound, flag, S::zero())
+        *good = squared.if_greater(bound * bound, *good, S::zero());
+        let distance = squared.sqrt();
+        from_centre * (self.q(v) / (distance * (self.reach + distance)))
     }
 }
 
@@ -141,12 +139,11 @@ impl Round<f64> {
     /// The way from `v` to the point of [`Round::closest_or_chosen`].
     pub fn step_or_chosen(&self, v: Vec3<f64>) -> Vec3<f64> {
         if self.reach == 0.0 {
-            Vec3::zero()
-        } else if self.off_centre(v, 1.0) > 0.0 {
-            self.step(v)
-        } else {
-            Vec3::new(self.reach / self.d, 0.0, 0.0)
+            return Vec3::zero();
         }
+        let mut off_centre = 1.0;
+        let step = self.step_off_centre(v, &mut off_centre);
+        if off_centre > 0.0 { step } else { Vec3::new(self.reach / self.d, 0.0, 0.0) }
     }
 
     /// Centre and radius, unless the radius exceeds 1e6 times the size of the points (the root

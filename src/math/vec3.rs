@@ -86,22 +86,6 @@ pub fn centre<S: Lane>(points: &mut [Vec3<S>]) -> Vec3<S> {
     mean
 }
 
-/// Treats each lane of `points` as plain scalars: the rare path beside a closed form.
-#[cold]
-#[inline(never)]
-pub fn each_lane<S: Lane>(points: &mut [Vec3<S>], mut treat: impl FnMut(&mut [Vec3<f64>])) {
-    let mut one = vec![Vec3::zero(); points.len()];
-    for i in 0..S::WIDTH {
-        for (to, from) in one.iter_mut().zip(points.iter()) {
-            *to = from.lane(i);
-        }
-        treat(&mut one);
-        for (to, from) in points.iter_mut().zip(&one) {
-            to.set_lane(i, *from);
-        }
-    }
-}
-
 impl From<[f64; 3]> for Vec3<f64> {
     #[inline(always)]
     fn from([x, y, z]: [f64; 3]) -> Self {

@@ -8,7 +8,7 @@ use super::surroundings::Surroundings;
 use super::tree::{Box3, Tree};
 use super::triangle::{Corners, Hit, Planes, is_sliver, splat};
 use super::{Mesh, Point};
-use crate::math::{Lanes, Vec3};
+use crate::math::{Pair, Vec3};
 
 /// A surface that answers which of its points is closest.
 #[derive(Clone, Debug)]
@@ -97,7 +97,7 @@ impl Surface {
 
     /// Takes the closest point of triangle `t` if it is nearer than the best one so far.
     #[inline(always)]
-    fn consider(&self, t: usize, p: Vec3<f64>, lanes: Vec3<Lanes>, best: &mut Hit, warm: &mut u32) {
+    fn consider(&self, t: usize, p: Vec3<f64>, lanes: Vec3<Pair>, best: &mut Hit, warm: &mut u32) {
         let over = self.planes[t].over(lanes);
         if over.within(best.distance_squared) {
             let hit = self.corners[t].closest(&self.planes[t], p, over);

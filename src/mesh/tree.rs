@@ -1,7 +1,7 @@
 //! A bounding-volume tree over boxes, two children to a node, tested side by side in lanes.
 
 use super::Point;
-use crate::math::{Lane, Lanes, Vec3};
+use crate::math::{Lane, Pair, Vec3};
 use std::ops::Range;
 
 /// Boxes in a leaf, at most.
@@ -22,8 +22,8 @@ pub(super) struct Tree {
 #[derive(Clone, Debug)]
 #[repr(align(64))]
 struct Node {
-    low: Vec3<Lanes>,
-    high: Vec3<Lanes>,
+    low: Vec3<Pair>,
+    high: Vec3<Pair>,
     children: [Child; 2],
 }
 
@@ -77,7 +77,7 @@ impl Tree {
             at(a).total_cmp(&at(b)).then(a.cmp(&b))
         });
         let place = self.nodes.len();
-        let corner = Vec3::new(Lanes::zero(), Lanes::zero(), Lanes::zero());
+        let corner = Vec3::new(Pair::zero(), Pair::zero(), Pair::zero());
         self.nodes.push(Node { low: corner, high: corner, children: [Child::default(); 2] });
         let (left, right) = order.split_at_mut(half);
         for (side, (part, first)) in
@@ -102,7 +102,7 @@ impl Tree {
     #[inline(always)]
     pub(super) fn search(
         &self,
-        p: Vec3<Lanes>,
+        p: Vec3<Pair>,
         mut bound: f64,
         mut visit: impl FnMut(Range<usize>, f64) -> f64,
     ) {
@@ -174,10 +174,10 @@ impl Tree {
 impl Node {
     /// Squared distances of a point (the same in both lanes) to the boxes of the two children.
     #[inline(always)]
-    fn distances_squared(&self, p: Vec3<Lanes>) -> Lanes {
+    fn distances_squared(&self, p: Vec3<Pair>) -> Pair {
         // At most one of the two differences is positive. No maximum: in wasm it is a branch.
-        let positive = |x: Lanes| (x + x.abs()) * Lanes::splat(0.5);
-        let out = |low: Lanes, p: Lanes, high: Lanes| positive(low - p) + positive(p - high);
+        let positive = |x: Pair| (x + x.abs()) * Pair::splat(0.5);
+        let out = |low: Pair, p: Pair, high: Pair| positive(low - p) + positive(p - high);
         let x = out(self.low.x, p.x, self.high.x);
         let y = out(self.low.y, p.y, self.high.y);
         let z = out(self.low.z, p.z, self.high.z);

@@ -5,7 +5,7 @@
 //! inside or on a side, so that of all triangles around a point few are looked at twice.
 
 use super::Point;
-use crate::math::{Lane, Lanes, Vec3};
+use crate::math::{Lane, Lanes, Pair, Vec3};
 
 /// The plane of a triangle, and the planes through its sides that stand on it and look outwards.
 /// They are packed in pairs, as one multiplication takes two lanes.
@@ -16,9 +16,9 @@ use crate::math::{Lane, Lanes, Vec3};
 #[repr(align(64))]
 pub(super) struct Planes {
     /// Unit normals: of the triangle and side ab; of the sides bc and ca.
-    normals: [Vec3<Lanes>; 2],
+    normals: [Vec3<Pair>; 2],
     /// What is added to the inner product with the normal.
-    offsets: [Lanes; 2],
+    offsets: [Pair; 2],
 }
 
 /// The signed distances of a point to the four planes.
@@ -48,7 +48,7 @@ impl Planes {
             }
         };
         let mut planes = Planes {
-            normals: [Vec3::new(Lanes::zero(), Lanes::zero(), Lanes::zero()); 2],
+            normals: [Vec3::new(Pair::zero(), Pair::zero(), Pair::zero()); 2],
             offsets: [Lanes([plane.1, ab.1]), Lanes([bc.1, ca.1])],
         };
         for (i, pair) in [[plane, ab], [bc, ca]].into_iter().enumerate() {
@@ -61,7 +61,7 @@ impl Planes {
 
     /// Where the point `p`, the same in both lanes, is.
     #[inline(always)]
-    pub(super) fn over(&self, p: Vec3<Lanes>) -> Over {
+    pub(super) fn over(&self, p: Vec3<Pair>) -> Over {
         let first = self.normals[0].dot(p) + self.offsets[0];
         let second = self.normals[1].dot(p) + self.offsets[1];
         Over { height: first.0[0], out: [first.0[1], second.0[0], second.0[1]] }
@@ -120,8 +120,8 @@ fn plane(through: Vec3<f64>, direction: Vec3<f64>) -> (Vec3<f64>, f64) {
 
 /// The same point in both lanes.
 #[inline(always)]
-pub(super) fn splat(p: Vec3<f64>) -> Vec3<Lanes> {
-    Vec3::new(Lanes::splat(p.x), Lanes::splat(p.y), Lanes::splat(p.z))
+pub(super) fn splat(p: Vec3<f64>) -> Vec3<Pair> {
+    Vec3::new(Pair::splat(p.x), Pair::splat(p.y), Pair::splat(p.z))
 }
 
 /// The corners of a triangle.

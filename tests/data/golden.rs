@@ -23,7 +23,7 @@ const SCENES: &[(&str, [u64; 3])] = &[
     (
         r#""constraints": [{ "kind": "circle", "on": "faces" }],
            "weights": { "shape": 5, "close": 10, "smooth": 2 }"#,
-        [0xbb62_9771_0042_c2f6, 0x98c5_ce0a_42ae_9758, 0xf413_0cdd_bae7_4b5e],
+        [0x1af2_f9e4_ebdb_6171, 0xd8ab_0c0d_0ab7_1665, 0x8769_5a27_a225_d4fb],
     ),
     (
         r#""constraints": [{ "kind": "plane", "on": "faces" },
@@ -33,7 +33,7 @@ const SCENES: &[(&str, [u64; 3])] = &[
                        { "vertices": [168], "targets": [[1.2, 1.1, 0.4]] }],
            "weights": { "shape": 3, "smooth": 0.1 },
            "smoothness": { "of": "displacement" }"#,
-        [0x015d_375e_9452_bef8, 0x46b5_f14d_5931_e1b6, 0x3a89_0114_d3ea_0b01],
+        [0x4608_11b3_b83e_66b8, 0xc754_e0d3_a85f_5666, 0xd523_a130_15dc_7c3d],
     ),
 ];
 

@@ -14,7 +14,8 @@ impl KindVisitor for Project<'_> {
     type Output = ();
     fn visit<P: Projection>(self, operator: &P) {
         if let [points] = self.points {
-            return operator.project(&self.rest[0], points);
+            let v = points.clone();
+            return operator.project(&self.rest[0], &v, points);
         }
         let pack = |sets: &[Points]| -> Vec<Vec3<Lanes>> {
             (0..sets[0].len())
@@ -25,10 +26,11 @@ impl KindVisitor for Project<'_> {
                 })
                 .collect()
         };
-        let (rest, mut v) = (pack(self.rest), pack(self.points));
-        operator.project(&rest, &mut v);
+        let (rest, v) = (pack(self.rest), pack(self.points));
+        let mut projected = v.clone();
+        operator.project(&rest, &v, &mut projected);
         for (i, points) in self.points.iter_mut().enumerate() {
-            points.iter_mut().zip(&v).for_each(|(to, from)| *to = from.lane(i));
+            points.iter_mut().zip(&projected).for_each(|(to, from)| *to = from.lane(i));
         }
     }
 }

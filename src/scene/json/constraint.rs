@@ -9,7 +9,7 @@ impl ConstraintSpec {
     /// Reads one entry of a scene's list of constraints.
     ///
     /// # Errors
-    /// As [`Scene::from_json`].
+    /// As [`crate::scene::Scene::from_json`].
     pub fn from_json(text: &str) -> Result<ConstraintSpec, SceneError> {
         let entry: Node = serde_json::from_str(text).map_err(|e| super::syntax_error(text, &e))?;
         read(&At::root(&entry))
