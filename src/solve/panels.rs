@@ -228,10 +228,10 @@ fn supernodes(l: Columns<'_>) -> Vec<u32> {
             let stored = width * (width - 1) / 2 + width * height;
             let zeros = (stored - entries - height) as f64 / stored.max(1) as f64;
             let most = match width {
-                0..=4 => 0.4,
-                5..=16 => 0.25,
-                17..=48 => 0.05,
-                _ => 0.02,
+                0..=4 => 0.6,
+                5..=16 => 0.4,
+                17..=48 => 0.15,
+                _ => 0.05,
             };
             if zeros <= most {
                 entries += height;

@@ -23,7 +23,7 @@ const SCENES: &[(&str, [u64; 3])] = &[
     (
         r#""constraints": [{ "kind": "circle", "on": "faces" }],
            "weights": { "shape": 5, "close": 10, "smooth": 2 }"#,
-        [0x1af2_f9e4_ebdb_6171, 0xd8ab_0c0d_0ab7_1665, 0x8769_5a27_a225_d4fb],
+        [0x1109_2e35_0ad0_ef35, 0x1e00_a19c_c3ad_6ad0, 0xf9bb_24cc_2bf5_7e28],
     ),
     (
         r#""constraints": [{ "kind": "plane", "on": "faces" },
@@ -33,7 +33,7 @@ const SCENES: &[(&str, [u64; 3])] = &[
                        { "vertices": [168], "targets": [[1.2, 1.1, 0.4]] }],
            "weights": { "shape": 3, "smooth": 0.1 },
            "smoothness": { "of": "displacement" }"#,
-        [0x4608_11b3_b83e_66b8, 0xc754_e0d3_a85f_5666, 0xd523_a130_15dc_7c3d],
+        [0xa65d_543d_ccf2_c3e3, 0x773c_218a_30a7_3220, 0x25ba_0bd4_7e64_2f95],
     ),
 ];
 
