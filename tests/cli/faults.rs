@@ -91,7 +91,6 @@ fn a_wrong_call_says_how_it_is_called() {
         (vec![], "expected a command"),
         (vec!["sovle"], "`sovle`"),
         (vec!["solve"], "needs a scene or a mesh"),
-        (vec!["solve", "roof.obj"], "--plane"),
         (vec!["solve", "roof.obj", "roof.obj"], "second"),
         (vec!["solve", "roof.obj", "--plain"], "`--plain`"),
         (vec!["solve", "roof.obj", "-o", "x.obj"], "`-o`"),

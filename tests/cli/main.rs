@@ -102,6 +102,18 @@ fn the_report_has_the_fields_that_are_agreed_on() {
 }
 
 #[test]
+fn a_mesh_of_which_nothing_is_asked_comes_out_as_it_came_in() {
+    let folder = Folder::new("asked-nothing");
+    folder.write("roof.obj", ROOF);
+    folder.run(&["solve", "roof.obj", "--out", "out.obj"]).done();
+    folder.run(&["solve", "out.obj", "--out", "again.obj"]).done();
+    let roof = shape_up::mesh::read("roof.obj", ROOF.as_bytes()).unwrap().mesh;
+    let out = folder.read("out.obj");
+    assert_eq!(shape_up::mesh::read("out.obj", out.as_bytes()).unwrap().mesh, roof);
+    assert_eq!(folder.read("again.obj"), out);
+}
+
+#[test]
 fn without_trace_the_report_has_none() {
     let folder = Folder::new("untraced");
     folder.write("roof.obj", ROOF);

@@ -10,18 +10,15 @@ use std::fmt::Write;
 use std::path::Path;
 use std::time::Instant;
 
+/// How many pinned vertices the summary names; the report has them all.
+const NAMED_PINS: usize = 8;
+
 pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
     let start = Instant::now();
     let input::Input { mut scene, mesh, remarks } = input::read(&command.input)?;
     let of_scene = scene.constraints.len();
     for id in &command.kinds {
         scene.constraints.push(input::on_faces(id)?);
-    }
-    if scene.constraints.is_empty() && !input::is_scene(&command.input) {
-        return Err(Failure::Usage(
-            "a mesh alone has nothing to solve, expected at least one kind, such as --plane"
-                .to_owned(),
-        ));
     }
     scene.solver.iterations = command.iterations.unwrap_or(scene.solver.iterations);
     scene.solver.tolerance = command.tolerance.unwrap_or(scene.solver.tolerance);
@@ -90,10 +87,14 @@ fn summary(input: &Path, report: &Report, remarks: &[String], units: &str) -> St
         ));
     }
     if !report.pinned.is_empty() {
-        let pinned: Vec<_> = report.pinned.iter().map(ToString::to_string).collect();
+        let named: Vec<_> =
+            report.pinned.iter().take(NAMED_PINS).map(ToString::to_string).collect();
+        let more = report.pinned.len() - named.len();
         line(format_args!(
-            "note: nothing holds the mesh, so it was pinned at vertices {}",
-            pinned.join(", ")
+            "note: nothing holds {} of the mesh, pinned at vertices {}{}",
+            if report.pinned.len() == 1 { "one part" } else { "some parts" },
+            named.join(", "),
+            if more == 0 { String::new() } else { format!(" and {more} more") }
         ));
     }
     let (initial, last) = (report.energy.initial, report.energy.last);
