@@ -146,6 +146,20 @@ async fn moved_vertices_are_seen_and_can_be_pointed_at() {
 }
 
 #[wasm_bindgen_test]
+async fn without_faces_curves_are_drawn_and_without_curves_dots() {
+    let canvas = new_canvas();
+    let mut view = open(&canvas).await;
+    view.set_mesh(vec![], vec![], vec![0, 3], vec![0, 4, 8], &flat_square()).unwrap();
+    assert!(view.draw().unwrap());
+    let curves = pixels(&canvas);
+    assert!(distinct_colours(&curves) > 3);
+    view.set_mesh(vec![], vec![], vec![], vec![], &flat_square()).unwrap();
+    assert!(view.draw().unwrap());
+    let dots = pixels(&canvas);
+    assert!(distinct_colours(&dots) > 3 && differing(&curves, &dots) > 50);
+}
+
+#[wasm_bindgen_test]
 async fn wrong_input_is_thrown_with_a_complete_message() {
     let canvas = new_canvas();
     let mut view = open(&canvas).await;
