@@ -164,7 +164,7 @@
  * - `edit`, `undo`, `redo`, `step`.
  * - `members`: what a constraint acts on. `preview`: what adding one would make.
  * - `scene`, `obj`: the texts of the files.
- * @typedef {{ type: "open", files: NamedBytes[] }
+ * @typedef {{ type: "open", files: NamedBytes[], iteration?: number }
  *   | { type: "edit", edit: Edit }
  *   | { type: "undo" }
  *   | { type: "redo" }

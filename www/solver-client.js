@@ -193,7 +193,8 @@ export class SolverClient extends EventTarget {
     const iteration = this.sceneIteration;
     try {
       const bytes = new TextEncoder().encode(lastScene);
-      await this.request({ type: 'open', files: [{ name: 'restored.shapeup.json', bytes }] });
+      const files = [{ name: 'restored.shapeup.json', bytes }];
+      await this.request({ type: 'open', files, iteration });
       this.#notice(
         `The solver stopped (${reason}) and was restarted; your model is back as it was at iteration ${iteration}.`,
       );
