@@ -2,7 +2,7 @@
 
 import { addConstraint, openExample, openText, showPanel, tool } from './actions.mjs';
 import { wavyGrid } from './meshes.mjs';
-import { expect, openPage, test } from './support.mjs';
+import { expect, openPage, test, waitForState } from './support.mjs';
 
 test('faces are coloured by what is asked of them, until somebody chooses', async ({ page }) => {
   await openPage(page);
@@ -25,6 +25,7 @@ test('faces are coloured by what is asked of them, until somebody chooses', asyn
 
   await colours.selectOption('planarity');
   await tool(page, 'Undo');
+  await waitForState(page, (now) => now.constraints.circle === undefined);
   await addConstraint(page, 'Circle', 'each face');
   await showPanel(page, 'Energies and display');
   await expect(colours).toHaveValue('planarity');
