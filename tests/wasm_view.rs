@@ -99,6 +99,10 @@ async fn every_switch_changes_the_picture() {
     check(&mut view, "no edges");
     view.set_face_values(Some(vec![0.0, 0.3, 0.6, f32::NAN]), 0.0, 1.0).unwrap();
     check(&mut view, "values");
+    view.set_display(true, false, false);
+    check(&mut view, "edges between values");
+    view.set_display(false, false, false);
+    check(&mut view, "no edges between values");
     view.set_selection(vec![4], vec![1]).unwrap();
     check(&mut view, "selection");
     view.set_tint(vec![0, 1], vec![0], 0.1, 0.7, 0.2).unwrap();
