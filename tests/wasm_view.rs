@@ -137,14 +137,14 @@ async fn moved_vertices_are_seen_and_can_be_pointed_at() {
     let at = view.screen(4).unwrap();
     let (x, y) = (at[0] as f32, at[1] as f32);
     assert_eq!(view.pick_vertex(x, y, 8.0), Some(4));
-    let target = view.drag_target(4, x + 30.0, y - 20.0, 0.0, 0.0).unwrap();
+    let target = view.drag_target(4, x + 30.0, y + 20.0, 0.0, 0.0).unwrap();
     let mut positions = flat_square();
     positions[12..15].copy_from_slice(&target);
     view.set_positions(&positions).unwrap();
     view.draw().unwrap();
     assert!(differing(&before, &pixels(&canvas)) > 200);
     let moved = view.screen(4).unwrap();
-    assert!((moved[0] - at[0] - 30.0).abs() < 0.1 && (moved[1] - at[1] + 20.0).abs() < 0.1);
+    assert!((moved[0] - at[0] - 30.0).abs() < 0.1 && (moved[1] - at[1] - 20.0).abs() < 0.1);
     assert!(view.pick_face(moved[0] as f32, moved[1] as f32 + 5.0).is_some());
     assert!(view.box_vertices(0.0, 0.0, WIDTH as f32, HEIGHT as f32).contains(&4));
 }
