@@ -128,6 +128,9 @@ fn every_kind_is_declared_for_people() {
         let luminance = 0.2126 * r + 0.7152 * g + 0.0722 * b;
         assert!(1.05 / (luminance + 0.05) >= 3.0, "{id}: too light on white");
         assert!((luminance + 0.05) / (0.014 + 0.05) >= 3.0, "{id}: too dark on dark");
+        if let Some(measure) = info.measure {
+            assert!(["planarity", "circularity"].contains(&measure), "{id}: measure {measure}");
+        }
         for param in info.params {
             let [least, greatest] = param.range;
             let fits = least <= param.default && param.default <= greatest;

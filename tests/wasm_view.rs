@@ -99,6 +99,10 @@ async fn every_switch_changes_the_picture() {
     check(&mut view, "no edges");
     view.set_face_values(Some(vec![0.0, 0.3, 0.6, f32::NAN]), 0.0, 1.0).unwrap();
     check(&mut view, "values");
+    view.set_display(true, false, false);
+    check(&mut view, "edges between values");
+    view.set_display(false, false, false);
+    check(&mut view, "no edges between values");
     view.set_selection(vec![4], vec![1]).unwrap();
     check(&mut view, "selection");
     view.set_tint(vec![0, 1], vec![0], 0.1, 0.7, 0.2).unwrap();
@@ -133,16 +137,30 @@ async fn moved_vertices_are_seen_and_can_be_pointed_at() {
     let at = view.screen(4).unwrap();
     let (x, y) = (at[0] as f32, at[1] as f32);
     assert_eq!(view.pick_vertex(x, y, 8.0), Some(4));
-    let target = view.drag_target(4, x + 30.0, y - 20.0, 0.0, 0.0).unwrap();
+    let target = view.drag_target(4, x + 30.0, y + 20.0, 0.0, 0.0).unwrap();
     let mut positions = flat_square();
     positions[12..15].copy_from_slice(&target);
     view.set_positions(&positions).unwrap();
     view.draw().unwrap();
     assert!(differing(&before, &pixels(&canvas)) > 200);
     let moved = view.screen(4).unwrap();
-    assert!((moved[0] - at[0] - 30.0).abs() < 0.1 && (moved[1] - at[1] + 20.0).abs() < 0.1);
+    assert!((moved[0] - at[0] - 30.0).abs() < 0.1 && (moved[1] - at[1] - 20.0).abs() < 0.1);
     assert!(view.pick_face(moved[0] as f32, moved[1] as f32 + 5.0).is_some());
     assert!(view.box_vertices(0.0, 0.0, WIDTH as f32, HEIGHT as f32).contains(&4));
+}
+
+#[wasm_bindgen_test]
+async fn without_faces_curves_are_drawn_and_without_curves_dots() {
+    let canvas = new_canvas();
+    let mut view = open(&canvas).await;
+    view.set_mesh(vec![], vec![], vec![0, 3], vec![0, 4, 8], &flat_square()).unwrap();
+    assert!(view.draw().unwrap());
+    let curves = pixels(&canvas);
+    assert!(distinct_colours(&curves) > 3);
+    view.set_mesh(vec![], vec![], vec![], vec![], &flat_square()).unwrap();
+    assert!(view.draw().unwrap());
+    let dots = pixels(&canvas);
+    assert!(distinct_colours(&dots) > 3 && differing(&curves, &dots) > 50);
 }
 
 #[wasm_bindgen_test]

@@ -1,8 +1,14 @@
 /**
- * What the faces are coloured by, and between which values. The range stays while a run goes on, so
- * that colours mean the same from picture to picture; it grows when a drag makes things worse, and
- * starts anew with another mesh or measure, or when it is asked to.
+ * What the faces are coloured by, and between which values. The measure is that of what the scene
+ * asks for, until somebody chooses another. The range stays while a run goes on, so that colours
+ * mean the same from picture to picture; it grows when a drag makes things worse, and starts anew
+ * with another mesh or measure, or when it is asked to.
  */
+
+import { measureOfScene } from './measures.js';
+
+/** A range finer than this part of the mesh would colour what nobody could build or see. */
+const LEAST_RANGE = 1e-9;
 
 /**
  * @param {import("./state.js").Store} store
@@ -14,11 +20,21 @@ export function colourFaces(store, solver) {
   /** The largest value of the newest frame. */
   let greatest = 0;
 
+  /** Rows of constraints; none before the document of a model is there. @type {number | undefined} */
+  let rows;
+
+  store.subscribe(['document'], (state) => {
+    const before = rows;
+    rows = state.document?.constraints.length;
+    const opened = before === undefined && rows !== undefined;
+    const firstRow = before === 0 && rows && !state.measureChosen;
+    if (opened || firstRow) store.set({ measure: measureOfScene(state) });
+  });
   solver.addEventListener('model', () => (fresh = true));
   solver.addEventListener('frame', (event) => {
     const { detail } = /** @type {CustomEvent} */ (event);
     if (!detail.values || detail.measure !== store.get().measure) return;
-    greatest = detail.values.reduce(larger, 0);
+    greatest = detail.values.reduce(larger, LEAST_RANGE * store.get().size);
     const [, top] = store.get().range;
     if (fresh || greatest > top) store.set({ range: [0, greatest] });
     fresh = false;

@@ -157,7 +157,10 @@ export class AddConstraintDialog {
     const offers = await Promise.all(kinds.map((kind) => this.#fitting(kind, places)));
     if (question !== this.#question) return;
     const offered = kinds.filter((_, i) => offers[i].length > 0);
-    if (!offered.some((kind) => kind.id === this.#kindId)) this.#kindId = offered[0]?.id ?? '';
+    if (!offered.some((kind) => kind.id === this.#kindId)) {
+      // The first choice is one for panels, not one that would flatten them to lines.
+      this.#kindId = (offered.find((kind) => kind.measure) ?? offered[0])?.id ?? '';
+    }
     const chosen = kinds.findIndex((kind) => kind.id === this.#kindId);
     this.#offers = new Map(
       chosen < 0 ? [] : offers[chosen].map((offer) => [offer.place.id, offer]),

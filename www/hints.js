@@ -4,13 +4,24 @@
  */
 
 import { element, icon } from './dom.js';
+import { MEASURES, measureOfScene } from './measures.js';
 
 const KEY = 'shape-up.hints';
-const HINTS = [
-  'These panels are not round. Press Run.',
-  'Now they are. Drag a blue dot: the panels stay round.',
-  'Your turn: open a mesh of your own, or try another example.',
-];
+const LAST = 'Your turn: open a mesh of your own, or try another example.';
+
+/**
+ * What the hints say of a scene.
+ * @param {import("./messages.js").Measure | null} measure
+ */
+function hintsFor(measure) {
+  if (!measure) return ['Press Run: the mesh takes its shape.', 'Now drag a blue dot.', LAST];
+  const { met } = MEASURES[measure];
+  return [
+    `These panels are not ${met}. Press Run.`,
+    `Now they are. Drag a blue dot: the panels stay ${met}.`,
+    LAST,
+  ];
+}
 
 /**
  * @param {HTMLElement} card
@@ -30,18 +41,19 @@ export function firstHints(card, store) {
   let dragged = false;
   let done = false;
 
-  store.subscribe(['firstExample', 'running', 'dragged'], (state) => {
+  store.subscribe(['firstExample', 'document', 'running', 'dragged'], (state) => {
     if (done) return;
     if (!state.firstExample) {
       if (at > 0) finish();
       else card.hidden = true;
       return;
     }
+    if (!state.document) return;
     ran ||= state.running;
     if (at === 0 && ran && !state.running) at = 1;
     if (at <= 1 && dragged && state.dragged.length === 0) at = 2;
     dragged ||= state.dragged.length > 0;
-    text.textContent = HINTS[at];
+    text.textContent = hintsFor(measureOfScene(state))[at];
     card.hidden = false;
   });
 

@@ -37,6 +37,7 @@ export function arrangeForWidth() {
     const inside = event.target instanceof Element && event.target.closest('button');
     if (inside && !inside.hasAttribute('popovertarget')) more.hidePopover();
   });
+  byId('examples').addEventListener('click', () => more.hidePopover());
   tabs();
   placeMenu(byId('examples'), () => (PHONE.matches ? moreButton : byId('examples-button')));
   placeMenu(more, () => moreButton);

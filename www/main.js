@@ -25,6 +25,7 @@ import { handlesPanel } from './panels/handles.js';
 import { modelPanel } from './panels/model.js';
 import { statusBar } from './panels/status-bar.js';
 import { PointerInput } from './pointer.js';
+import { sizeOf } from './rounding.js';
 import { scriptApi } from './script-api.js';
 import { NOTHING } from './selection.js';
 import { SolverClient } from './solver-client.js';
@@ -116,11 +117,13 @@ function takeUp(client) {
     client.addEventListener(type, (event) => take(/** @type {CustomEvent} */ (event).detail));
 
   on('ready', ({ kinds, elements }) => store.set({ kinds, elements }));
-  on('model', ({ loaded }) =>
+  on('model', ({ loaded, positions }) =>
     store.set({
       model: loaded,
+      size: sizeOf(positions),
       document: null,
       numbers: null,
+      measureChosen: false,
       selection: NOTHING,
       dragged: [],
       tint: null,

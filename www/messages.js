@@ -26,6 +26,7 @@
  * @property {string} summary one sentence
  * @property {string} paper where the paper defines it
  * @property {boolean} exact
+ * @property {Measure | null} measure of faces that says how far this kind is from being met on them
  * @property {[number, number, number]} colour sRGB bytes
  * @property {{ id: string, label: string, unit: string, default: number, range: [number, number] }[]} params
  */
@@ -137,7 +138,7 @@
  * @property {Uint32Array} curveIndices
  */
 
-/** @typedef {"planarity" | "circularity"} Measure */
+/** The largest distance of a face's corners to its best plane or circle. @typedef {"planarity" | "circularity"} Measure */
 
 /** @typedef {{ name: string, bytes: Uint8Array }} NamedBytes */
 
@@ -164,7 +165,7 @@
  * - `edit`, `undo`, `redo`, `step`.
  * - `members`: what a constraint acts on. `preview`: what adding one would make.
  * - `scene`, `obj`: the texts of the files.
- * @typedef {{ type: "open", files: NamedBytes[] }
+ * @typedef {{ type: "open", files: NamedBytes[], iteration?: number }
  *   | { type: "edit", edit: Edit }
  *   | { type: "undo" }
  *   | { type: "redo" }

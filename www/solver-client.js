@@ -16,7 +16,8 @@ import { messageOf } from './messages.js';
  * @typedef {object} Geometry
  * @property {import("./messages.js").Connectivity} connectivity
  * @property {Float64Array} positions `#V by 3`, the newest; replaced with every frame, so do not keep it
- * @property {Float32Array | null} values of the chosen measure, `#F`
+ * @property {Float32Array | null} values of `measure`, `#F`
+ * @property {import("./messages.js").Measure | null} measure
  * @property {Float32Array | null} shapes fitted shapes, eight numbers each
  */
 
@@ -126,6 +127,7 @@ export class SolverClient extends EventTarget {
           connectivity: message.connectivity,
           positions: message.positions,
           values: null,
+          measure: null,
           shapes: null,
         };
         break;
@@ -139,6 +141,7 @@ export class SolverClient extends EventTarget {
         this.#previous = geometry.positions;
         geometry.positions = message.positions;
         geometry.values = message.values;
+        geometry.measure = message.measure;
         geometry.shapes = message.shapes;
         break;
       }
@@ -193,7 +196,8 @@ export class SolverClient extends EventTarget {
     const iteration = this.sceneIteration;
     try {
       const bytes = new TextEncoder().encode(lastScene);
-      await this.request({ type: 'open', files: [{ name: 'restored.shapeup.json', bytes }] });
+      const files = [{ name: 'restored.shapeup.json', bytes }];
+      await this.request({ type: 'open', files, iteration });
       this.#notice(
         `The solver stopped (${reason}) and was restarted; your model is back as it was at iteration ${iteration}.`,
       );

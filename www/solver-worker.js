@@ -118,7 +118,7 @@ function command(message) {
 function answer(message) {
   switch (message.type) {
     case 'open':
-      return open(message.files);
+      return open(message.files, message.iteration);
     case 'edit':
       if (message.edit.type === 'reset') pause();
       return betweenRuns(() => live().edit(message.edit), null);
@@ -142,11 +142,13 @@ function answer(message) {
   }
 }
 
-/** @param {import("./messages.js").NamedBytes[]} files */
-function open(files) {
+/**
+ * @param {import("./messages.js").NamedBytes[]} files
+ * @param {number} [iteration]
+ */
+function open(files, iteration) {
   const isScene = (/** @type {{ name: string }} */ file) => /\.json$/i.test(file.name);
   const main = files.find(isScene) ?? files[0];
-  /** @type {import('./messages.js').NamedBytes | null} */
   /** @type {import('./messages.js').NamedBytes | null} */
   let companion = null;
   if (isScene(main)) {
@@ -159,6 +161,7 @@ function open(files) {
   }
   if (running) endRun();
   const about = live().load(main.name, main.bytes, companion ? companion.bytes : null);
+  if (iteration) live().restoreIteration(iteration);
   loaded = true;
   settled = false;
   dragging = false;

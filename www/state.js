@@ -13,6 +13,7 @@
  * @property {import("./messages.js").KindInfo[]} kinds
  * @property {import("./messages.js").ElementInfo[]} elements
  * @property {Loaded | null} model
+ * @property {number} size diagonal of the bounding box of the mesh as it was opened, in its unit
  * @property {boolean} firstExample the model is the one that the page opens with
  * @property {SceneDocument | null} document
  * @property {Numbers | null} numbers
@@ -24,6 +25,7 @@
  * @property {number[]} dragged handles under the pointer
  * @property {Tint | null} tint members of the constraint that is pointed at
  * @property {Measure | null} measure what the faces are coloured by
+ * @property {boolean} measureChosen somebody chose it since the model was opened
  * @property {[number, number]} range of the colours, in units of the mesh
  * @property {{ edges: boolean, vertices: boolean, shapes: boolean }} display
  * @property {boolean} dark
@@ -47,6 +49,7 @@ const INITIAL = {
   kinds: [],
   elements: [],
   model: null,
+  size: 0,
   firstExample: false,
   document: null,
   numbers: null,
@@ -57,7 +60,8 @@ const INITIAL = {
   selection: { vertices: new Set(), faces: new Set() },
   dragged: [],
   tint: null,
-  measure: 'circularity',
+  measure: null,
+  measureChosen: false,
   range: [0, 0],
   display: { edges: true, vertices: false, shapes: false },
   dark: false,

@@ -179,7 +179,9 @@ export class Viewport extends EventTarget {
    * @param {State} state
    */
   #showValues(view, state) {
-    const values = state.measure ? (this.#solver.geometry?.values ?? null) : null;
+    const { geometry } = this.#solver;
+    // Right after another choice, the values are still those of the one before.
+    const values = geometry && geometry.measure === state.measure ? geometry.values : null;
     view.setFaceValues(values ?? undefined, state.range[0], state.range[1]);
   }
 

@@ -23,6 +23,7 @@ impl Projection for Circle {
         paper: "3.1",
         arity: Arity::AtLeast(3),
         exact: false,
+        measure: Some("circularity"),
         colour: [40, 115, 215],
         params: &[],
     };

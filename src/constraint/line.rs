@@ -21,6 +21,7 @@ impl Projection for Line {
         paper: "3.1",
         arity: Arity::AtLeast(2),
         exact: true,
+        measure: None,
         colour: [150, 90, 200],
         params: &[],
     };

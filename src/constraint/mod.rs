@@ -134,6 +134,9 @@ pub struct Info {
     /// Whether the projection is the closest point of the set. Where it is not, the total energy
     /// can rise in a late digit, unless the `monotone` guard is on.
     pub exact: bool,
+    /// The error measure of a face (`"planarity"` or `"circularity"`) that says how far faces are
+    /// from the shape, when they are what it acts on. None where no measure of a face does.
+    pub measure: Option<&'static str>,
     /// The colour of its members on the page, as sRGB bytes.
     pub colour: [u8; 3],
     /// The parameters of the scene file.

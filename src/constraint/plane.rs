@@ -21,6 +21,7 @@ impl Projection for Plane {
         paper: "3.1",
         arity: Arity::AtLeast(3),
         exact: true,
+        measure: Some("planarity"),
         colour: [190, 120, 0],
         params: &[],
     };

@@ -25,6 +25,7 @@ impl Projection for Sphere {
         paper: "3.1",
         arity: Arity::AtLeast(4),
         exact: false,
+        measure: None,
         colour: [220, 50, 47],
         params: &[],
     };

@@ -123,6 +123,14 @@ impl Session {
         self.iteration
     }
 
+    /// Counts on from `iteration`, for a scene that is opened again where it stood.
+    pub fn restore_iteration(&mut self, iteration: u32) {
+        self.iteration = iteration;
+        if self.trace.is_some() {
+            self.start_trace();
+        }
+    }
+
     /// The scene as it stands, with current positions when they are not at rest.
     pub fn scene(&self) -> Scene {
         let mut scene = self.document.clone();

@@ -12,7 +12,7 @@ const HALF_ANGLE: f32 = 0.28;
 /// Turn per CSS pixel of an orbiting drag, radians.
 const TURN_PER_PIXEL: f32 = 0.006;
 /// The three-quarter view that every mesh is first seen from, radians.
-const HOME: (f32, f32) = (0.6, 0.5);
+const HOME: (f32, f32) = (0.55, 0.65);
 
 /// Which axis of the file points to the sky.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -45,8 +45,10 @@ impl Faces {
 
     /// Draws them.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
-        pass.set_pipeline(&self.pipeline);
-        pass.set_vertex_buffer(0, self.corners.slice());
-        pass.draw(0..self.corners.count(), 0..1);
+        if self.corners.count() > 0 {
+            pass.set_pipeline(&self.pipeline);
+            pass.set_vertex_buffer(0, self.corners.slice());
+            pass.draw(0..self.corners.count(), 0..1);
+        }
     }
 }

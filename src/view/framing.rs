@@ -7,7 +7,7 @@ use super::camera::Camera;
 use glam::{Vec2, Vec3};
 
 /// Free part of the canvas on each side.
-const MARGIN: f32 = 0.06;
+const MARGIN: f32 = 0.045;
 /// The near depth is at least this part of the far one, for the sake of the depth buffer.
 const NEAREST: f32 = 1e-3;
 

@@ -1,7 +1,7 @@
 //! The numbers that every shader reads: camera, canvas, colours. The order is that of `Scene` in
 //! `shaders/scene.wgsl`, all of it in groups of four.
 
-use super::palette::{DOT_KINDS, Dot, DotKind, LINE_KINDS, Stroke};
+use super::palette::{DOT_KINDS, Dot, DotKind, LINE_KINDS, LineKind, Stroke};
 use super::stage::Stage;
 use glam::{Vec3, Vec4};
 
@@ -31,7 +31,11 @@ pub fn numbers(stage: &Stage, width: u32, height: u32) -> Vec<f32> {
     numbers.extend([r, g, b, TINT_STRENGTH]);
     numbers.extend(palette.sphere);
     extend_stroke(&mut numbers, &palette.circle, stage.circle_pieces());
-    for stroke in &palette.strokes {
+    let mut strokes = palette.strokes;
+    if stage.looks.has_values() {
+        strokes[LineKind::Edge as usize].colour = palette.edge_of_values;
+    }
+    for stroke in &strokes {
         extend_stroke(&mut numbers, stroke, 1);
     }
     let mut dots = palette.dots;

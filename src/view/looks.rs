@@ -45,6 +45,11 @@ impl Looks {
         Ok(())
     }
 
+    /// Whether faces are coloured by values.
+    pub fn has_values(&self) -> bool {
+        self.values.is_some()
+    }
+
     /// Marks vertices and faces as selected, and no others.
     ///
     /// # Errors

@@ -79,6 +79,9 @@ pub struct Palette {
     pub selected: Colour,
     /// By [`LineKind`].
     pub strokes: [Stroke; LINE_KINDS],
+    /// Edges between faces that have values: light, because the colour of no error is dark and is
+    /// what most faces have in the end. Where errors are large, faces differ from their neighbours.
+    pub edge_of_values: Colour,
     /// By [`DotKind`].
     pub dots: [Dot; DOT_KINDS],
     /// Fitted circles.
@@ -114,6 +117,7 @@ pub const LIGHT: Palette = Palette {
         stroke([0.10, 0.12, 0.16, 1.0], 2.4),
         stroke([0.13, 0.40, 0.93, 0.9], 1.5),
     ],
+    edge_of_values: [1.0, 1.0, 1.0, 0.40],
     dots: [
         dot([0.16, 0.19, 0.24, 1.0], [0.985, 0.985, 0.985, 0.9], 3.1, 0.8),
         dot(WHITE, INK, 4.2, 1.2),
@@ -140,6 +144,7 @@ pub const DARK: Palette = Palette {
         stroke([0.90, 0.92, 0.95, 1.0], 2.4),
         stroke([0.45, 0.65, 1.0, 0.95], 1.5),
     ],
+    edge_of_values: [1.0, 1.0, 1.0, 0.34],
     dots: [
         dot([0.93, 0.95, 0.97, 1.0], [0.08, 0.09, 0.11, 0.9], 3.1, 0.8),
         dot(WHITE, INK, 4.2, 1.2),

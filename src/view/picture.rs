@@ -61,7 +61,7 @@ impl Picture {
             self.spheres.draw(&mut pass);
             self.circles.draw(&mut pass, stage.circle_pieces());
         }
-        if display.vertices {
+        if display.vertices || stage.subject.is_only_points() {
             self.points.draw_vertices(&mut pass);
         }
         self.lines.draw_pulls(&mut pass);

@@ -70,6 +70,11 @@ impl Subject {
         self.normals.update(&self.positions, &self.faces);
     }
 
+    /// Whether there is nothing but vertices to see.
+    pub fn is_only_points(&self) -> bool {
+        self.faces.is_empty() && self.curves.is_empty()
+    }
+
     /// A point in file coordinates as the view sees it.
     pub fn relative(&self, point: DVec3) -> Vec3 {
         (point - self.centre).as_vec3()

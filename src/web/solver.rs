@@ -112,6 +112,13 @@ impl Solver {
         Ok(loaded)
     }
 
+    /// Counts on from `iteration`, where the scene that was just opened stood when it was saved.
+    #[wasm_bindgen(js_name = restoreIteration)]
+    pub fn restore_iteration(&mut self, iteration: u32) -> Result<(), JsValue> {
+        self.open_mut()?.restore_iteration(iteration);
+        Ok(())
+    }
+
     /// The document: constraints, handles, weights, what can be undone.
     pub fn document(&self) -> Result<JsValue, JsValue> {
         plain(&Document::new(self.open()?))

@@ -215,7 +215,7 @@ fn operators_are_listed_with_their_parameters() {
     let known: Vec<_> = shape_up::constraint::KINDS.iter().map(|info| info.id).collect();
     assert_eq!(ids, known);
     for kind in kinds.as_array().unwrap() {
-        for key in ["label", "summary", "paper", "arity", "exact", "params"] {
+        for key in ["label", "summary", "paper", "arity", "exact", "measure", "params"] {
             assert!(kind.get(key).is_some(), "{kind}");
         }
     }

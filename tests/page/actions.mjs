@@ -25,6 +25,15 @@ export async function openText(page, name, text, vertices) {
   await waitForState(page, (state, count) => state.vertices === count, vertices);
 }
 
+/** Opens the example whose title has that word in it. */
+export async function openExample(page, word) {
+  const examples = page.getByRole('button', { name: 'Examples' });
+  if (!(await examples.isVisible())) await page.getByRole('button', { name: 'More' }).click();
+  await examples.click();
+  await page.getByRole('menuitem', { name: word }).click();
+  await expect(page.getByRole('status')).toHaveText(new RegExp(`Opened the example .*${word}`));
+}
+
 /** Adds a constraint through the dialog, and waits until it is there. */
 export async function addConstraint(page, kind, where) {
   const before = await constraintCount(page);

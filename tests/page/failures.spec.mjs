@@ -18,6 +18,8 @@ test('a solver that dies is replaced, with the model as it was', async ({ page }
   await expect(page.getByRole('alert')).toContainText('was restarted');
   const after = await state(page);
   expect(after.constraints).toEqual(before.constraints);
+  expect(after.iteration).toBe(before.iteration);
+  await expect(page.getByRole('alert')).toContainText(`iteration ${before.iteration}`);
   expect(after.circularity.max_distance).toBeCloseTo(before.circularity.max_distance, 12);
   await runToTheEnd(page);
 });

@@ -7,7 +7,15 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { addConstraint, openText, saved, showPanel } from './actions.mjs';
 import { file, wavyGrid } from './meshes.mjs';
-import { expect, openPage, state, test, waitForState } from './support.mjs';
+import {
+  coloursOfView,
+  expect,
+  openPage,
+  screenOf,
+  state,
+  test,
+  waitForState,
+} from './support.mjs';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
 
@@ -20,6 +28,22 @@ test('a mesh opens, with a report of what was wrong in it', async ({ page }) => 
   await expect(page.getByRole('status')).toHaveText(/roof\.obj: 25 vertices, 16 faces/);
   await showPanel(page, 'Model');
   await expect(page.getByText('1 problem in the file')).toBeVisible();
+});
+
+test('a mesh without faces opens too', async ({ page }) => {
+  await openPage(page);
+  await waitForState(page, (now) => now.renderer !== 'none');
+  const corners = 'v 0 0 0\nv 2 0 0\nv 2 1 1\nv 0 1 0\n';
+  for (const [name, elements] of [
+    ['points.obj', ''],
+    ['curve.obj', 'l 1 2 3 4 1\n'],
+  ]) {
+    await openText(page, name, corners + elements, 4);
+    await waitForState(page, (now) => now.faces === 0);
+    await expect(page.getByRole('status')).toHaveText(`Opened ${name}: 4 vertices, 0 faces`);
+    expect(await screenOf(page, 2)).toHaveLength(2);
+    await expect.poll(() => coloursOfView(page)).toBeGreaterThan(5);
+  }
 });
 
 test('a broken file is refused with the reason, and the old mesh stays', async ({ page }) => {

@@ -1,6 +1,6 @@
 // What somebody sees who opens the page for the first time.
 
-import { runToTheEnd } from './actions.mjs';
+import { openExample, runToTheEnd } from './actions.mjs';
 import { coloursOfView, dragVertex, expect, openPage, state, test } from './support.mjs';
 
 test('text and tools are there before the solver and the view', async ({ page }) => {
@@ -85,11 +85,7 @@ test('the theme is a choice that is remembered', async ({ page }) => {
 test('the examples menu opens another model', async ({ page }) => {
   await openPage(page);
   const before = await state(page);
-  const examples = page.getByRole('button', { name: 'Examples' });
-  if (!(await examples.isVisible())) await page.getByRole('button', { name: 'More' }).click();
-  await examples.click();
-  const items = page.getByRole('menuitem');
-  expect(await items.count()).toBeGreaterThanOrEqual(3);
-  await items.last().click();
-  await expect.poll(async () => (await state(page)).vertices).not.toBe(before.vertices);
+  await openExample(page, 'Hypar');
+  expect((await state(page)).vertices).not.toBe(before.vertices);
+  expect(await page.getByRole('menuitem', { includeHidden: true }).count()).toBeGreaterThan(2);
 });

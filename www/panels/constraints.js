@@ -5,6 +5,7 @@
 
 import { element, icon, setText, throttled } from '../dom.js';
 import { groupDigits, length } from '../format.js';
+import { lengthOrNothing } from '../rounding.js';
 
 /** @typedef {import("../messages.js").ConstraintRow} ConstraintRow */
 
@@ -101,12 +102,12 @@ export function constraintsPanel(place, store, solver, actions) {
   }
 
   const showNumbers = throttled(NUMBERS_EVERY_MS, () => {
-    const { numbers, document } = store.get();
+    const { numbers, document, size } = store.get();
     document?.constraints.forEach((row, i) => {
       const value = numbers?.worst[i];
       if (!worstCells[i]) return;
-      const text =
-        !row.enabled || value === undefined ? '' : `worst ${length(value, document.units)}`;
+      const known = row.enabled && value !== undefined;
+      const text = known ? `worst ${length(lengthOrNothing(value, size), document.units)}` : '';
       setText(worstCells[i], text);
     });
   });

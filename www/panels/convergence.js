@@ -5,6 +5,7 @@
 
 import { element, throttled } from '../dom.js';
 import { TRACE_WIDTH, messageOf } from '../messages.js';
+import { energyOrNothing } from '../rounding.js';
 
 /** @typedef {import("../plot.js").EnergyPlot} EnergyPlot */
 /** @typedef {import("../messages.js").Numbers} Numbers */
@@ -45,7 +46,9 @@ export class Convergence {
   #add(trace) {
     for (let at = 0; at < trace.length; at += TRACE_WIDTH) {
       this.#forgetAfter(trace[at] - 1);
-      this.#columns.forEach((column, i) => column.push(trace[at + i]));
+      const [iterations, ...energies] = this.#columns;
+      iterations.push(trace[at]);
+      energies.forEach((column, i) => column.push(this.#energy(trace[at + 1 + i])));
     }
     if (trace.length > 0) this.#draw();
   }
@@ -65,8 +68,13 @@ export class Convergence {
     if (iterations.at(-1) !== iteration) return;
     const { shape, close, smooth, handles, total } = energy;
     [shape, close, smooth, handles, total].forEach((value, i) => {
-      energies[i][iterations.length - 1] = value;
+      energies[i][iterations.length - 1] = this.#energy(value);
     });
+  }
+
+  /** As it is shown. @param {number} value */
+  #energy(value) {
+    return energyOrNothing(value, this.#store.get().size);
   }
 
   #empty() {

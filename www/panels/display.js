@@ -1,19 +1,9 @@
 /** What the view shows: the colours of the faces with their legend, and what is drawn over them. */
 
 import { element, setText } from '../dom.js';
-import { length } from '../format.js';
+import { length, lengthUnit } from '../format.js';
+import { MEASURES } from '../measures.js';
 
-/** The measures in words. @type {Record<import("../messages.js").Measure, { label: string, words: string }>} */
-const MEASURES = {
-  planarity: {
-    label: 'Planarity',
-    words: 'largest distance of a face’s corners to its best plane',
-  },
-  circularity: {
-    label: 'Circularity',
-    words: 'largest distance of a face’s corners to its best circle',
-  },
-};
 const STOPS = 12;
 
 /**
@@ -27,7 +17,7 @@ export function displayPanel(place, store) {
       id: 'colour-by',
       onchange: () => {
         const measure = /** @type {import("../messages.js").Measure} */ (choice.value) || null;
-        store.set({ measure });
+        store.set({ measure, measureChosen: true });
       },
     },
     element('option', { value: '' }, 'nothing'),
@@ -94,12 +84,12 @@ export function legend(place, store, viewport, refit) {
 
   function show() {
     const { measure, range, document, renderer, model } = store.get();
-    place.hidden = !measure || !model || !(renderer === 'webgpu' || renderer === 'webgl2');
+    place.hidden = !measure || !model?.faces || !(renderer === 'webgpu' || renderer === 'webgl2');
     if (!measure || place.hidden) return;
     const units = document?.units ?? '';
     setText(title, MEASURES[measure].label);
     title.title = MEASURES[measure].words;
-    setText(low, '0');
+    setText(low, `0 ${lengthUnit(range[1], units).unit}`);
     setText(high, length(range[1], units));
     const stops = viewport.with((view) => view.colourStops(STOPS)) ?? [];
     ramp.style.background = `linear-gradient(to right, ${stops.join(', ')})`;

@@ -2,6 +2,7 @@
 
 import { element, setText, throttled } from '../dom.js';
 import { number } from '../format.js';
+import { energyOrNothing } from '../rounding.js';
 
 /** @typedef {import("../messages.js").SceneDocument} SceneDocument */
 
@@ -54,11 +55,13 @@ export function energiesPanel(place, store, actions) {
   store.subscribe(
     ['numbers'],
     throttled(NUMBERS_EVERY_MS, () => {
-      const energy = store.get().numbers?.energy;
-      if (!energy) return;
-      rows.forEach((row) => row.setEnergy(energy[row.id]));
-      setText(handles, number(energy.handles));
-      setText(total, number(energy.total));
+      const { numbers, size } = store.get();
+      if (!numbers) return;
+      const words = (/** @type {keyof import("../messages.js").Energy} */ id) =>
+        number(energyOrNothing(numbers.energy[id], size));
+      rows.forEach((row) => row.setEnergy(words(row.id)));
+      setText(handles, words('handles'));
+      setText(total, words('total'));
     }),
   );
 }
@@ -118,9 +121,9 @@ function termRow({ id, label, words }, actions) {
       slider.value = String(placeOf(value));
       slider.setAttribute('aria-valuetext', String(value));
     },
-    /** @param {number} value */
-    setEnergy(value) {
-      setText(energy, number(value));
+    /** @param {string} text */
+    setEnergy(text) {
+      setText(energy, text);
     },
   };
 }

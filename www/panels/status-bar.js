@@ -2,6 +2,8 @@
 
 import { element, setText, throttled } from '../dom.js';
 import { count, duration, groupDigits, length, number } from '../format.js';
+import { MEASURES, measureOfScene } from '../measures.js';
+import { energyOrNothing, lengthOrNothing } from '../rounding.js';
 import { describe } from '../selection.js';
 
 const NUMBERS_EVERY_MS = 100;
@@ -34,14 +36,20 @@ export function statusBar(places, store) {
   };
 
   const showNumbers = throttled(NUMBERS_EVERY_MS, () => {
-    const { numbers, document, model, measure } = store.get();
+    const state = store.get();
+    const { numbers, document, model, size } = state;
+    const measure = state.measure ?? measureOfScene(state);
     if (!numbers) return;
     const units = document?.units ?? '';
-    const error = numbers[measure ?? 'circularity'];
     set('iteration', groupDigits(numbers.iteration));
-    set('energy', number(numbers.energy.total));
-    set('worst', model?.faces ? length(error.max_distance, units) : '');
-    cells.get('worst').row.title = `Largest ${measure ?? 'circularity'} error of a face`;
+    set('energy', number(energyOrNothing(numbers.energy.total, size)));
+    if (measure && model?.faces) {
+      set('worst', length(lengthOrNothing(numbers[measure].max_distance, size), units));
+      const { label, words } = MEASURES[measure];
+      cells.get('worst').row.title = `${label}: ${words}`;
+    } else {
+      set('worst', '');
+    }
     set('step', numbers.stepMs > 0 ? `${duration(numbers.stepMs)} per iteration` : '');
   });
 
@@ -67,7 +75,7 @@ function hintOf(state) {
   if (!model || !document) return '';
   if (dragged.length > 0) return 'Release to leave it there · Esc puts it back';
   if (document.constraints.length === 0)
-    return 'Add a constraint to say what shape the faces should take';
+    return 'Add a constraint to say what shape its parts should take';
   if (selection.vertices.size + selection.faces.size > 0) {
     return 'H makes handles of the selection · Add constraint can use it · Esc selects nothing';
   }

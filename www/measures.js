@@ -1,0 +1,35 @@
+/** The error measures of a face, in words, and which of them a scene is about. */
+
+/** @typedef {import("./messages.js").Measure} Measure */
+
+/**
+ * `label` names the measure, `words` say what it is, and `met` is what a panel without error is.
+ * @type {Record<Measure, { label: string, words: string, met: string }>}
+ */
+export const MEASURES = {
+  planarity: {
+    label: 'Planarity',
+    words: 'largest distance of a face’s corners to its best plane',
+    met: 'flat',
+  },
+  circularity: {
+    label: 'Circularity',
+    words: 'largest distance of a face’s corners to its best circle',
+    met: 'round',
+  },
+};
+
+/**
+ * The measure of what is asked of the faces: of the first row that is on and has one. Planarity
+ * where rows ask for something that no measure tells, none where nothing is asked.
+ * @param {Readonly<import("./state.js").State>} state
+ * @returns {Measure | null}
+ */
+export function measureOfScene({ document, kinds }) {
+  const rows = document?.constraints ?? [];
+  for (const row of rows.filter(({ enabled }) => enabled)) {
+    const measure = kinds.find(({ id }) => id === row.kind)?.measure;
+    if (measure) return measure;
+  }
+  return rows.length > 0 ? 'planarity' : null;
+}

@@ -1,0 +1,40 @@
+/**
+ * What is nothing but rounding. Sixteen digits of a coordinate leave errors of about 1e-16 of the
+ * size of the mesh, and sums over its vertices some more; what is far below the rest of the digits
+ * is shown as the nothing that it means.
+ */
+
+/** Lengths below this part of the size are rounding, and so are energies below its square. */
+const ROUNDING = 1e-12;
+
+/**
+ * The diagonal of the bounding box.
+ * @param {Float64Array} positions `#V by 3`
+ */
+export function sizeOf(positions) {
+  const sides = [0, 1, 2].map((axis) => {
+    let [low, high] = [Infinity, -Infinity];
+    for (let at = axis; at < positions.length; at += 3) {
+      low = Math.min(low, positions[at]);
+      high = Math.max(high, positions[at]);
+    }
+    return Math.max(high - low, 0);
+  });
+  return Math.hypot(...sides);
+}
+
+/**
+ * @param {number} value a length, in units of the mesh
+ * @param {number} size of the mesh
+ */
+export function lengthOrNothing(value, size) {
+  return value < ROUNDING * size ? 0 : value;
+}
+
+/**
+ * @param {number} value an energy, in square units of the mesh
+ * @param {number} size of the mesh
+ */
+export function energyOrNothing(value, size) {
+  return value < (ROUNDING * size) ** 2 ? 0 : value;
+}
