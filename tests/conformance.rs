@@ -212,7 +212,7 @@ fn permutation(random: &mut Random, n: usize) -> Vec<usize> {
 fn equivariant_under_relabelling() {
     for case in cases(80) {
         let shift = (0..case.n).map(|i| (i + 1) % case.n).collect();
-        let mut orders: Vec<Vec<usize>> = vec![shift];
+        let mut orders: Vec<Vec<usize>> = vec![shift, (0..case.n).rev().collect()];
         if !case.shape().ordered {
             orders.push(permutation(&mut Random::new(case.seed), case.n));
         }

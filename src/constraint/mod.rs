@@ -16,6 +16,7 @@
 mod batch;
 mod circle;
 mod line;
+mod parallelogram;
 mod plane;
 mod resolve;
 mod select;
@@ -266,4 +267,5 @@ kinds! {
     plane::Plane,
     circle::Circle,
     sphere::Sphere,
+    parallelogram::Parallelogram,
 }

@@ -12,15 +12,23 @@ pub(crate) struct Shape {
     pub(crate) sample: fn(&mut Random, usize) -> Points,
     /// Zero exactly where the centred points have the shape; relative to their size.
     pub(crate) residual: fn(&[Vec3<f64>]) -> f64,
-    /// Whether the order of the vertices matters (up to where one begins to count).
+    /// Whether the order of the vertices matters (up to where one begins to count, and which way).
     pub(crate) ordered: bool,
     /// How many free parameters describe the shape.
     pub(crate) parameters: usize,
     /// The point closest to `v` on the shape with these parameters.
-    pub(crate) closest: fn(&[f64], Vec3<f64>) -> Vec3<f64>,
+    pub(crate) closest: fn(&[f64], Vec3<f64>, Corner) -> Vec3<f64>,
     /// For kinds that are not exact: how much greater than the least the squared distance may be,
     /// as a fraction, for shapes disturbed by [`NOISE`].
     pub(crate) excess: [f64; 3],
+}
+
+/// Which vertex of a constraint it is, for shapes whose vertices are in order.
+#[derive(Clone, Copy)]
+pub(crate) struct Corner {
+    pub(crate) index: usize,
+    /// How many vertices there are.
+    pub(crate) of: usize,
 }
 
 /// Disturbance of a shape of size about one, for [`Shape::excess`].
@@ -37,7 +45,7 @@ pub(crate) fn shape(id: &str) -> Shape {
             residual: |v| singular_values(v)[1] / size(v),
             ordered: false,
             parameters: 6,
-            closest: |p, v| {
+            closest: |p, v, _| {
                 let (o, e) = (at(p, 0), at(p, 3));
                 o + e * ((v - o).dot(e) / e.length_squared())
             },
@@ -48,7 +56,7 @@ pub(crate) fn shape(id: &str) -> Shape {
             residual: |v| singular_values(v)[2] / size(v),
             ordered: false,
             parameters: 4,
-            closest: |p, v| {
+            closest: |p, v, _| {
                 let n = at(p, 0);
                 v - n * ((v.dot(n) - p[3]) / n.length_squared())
             },
@@ -62,7 +70,7 @@ pub(crate) fn shape(id: &str) -> Shape {
             residual: |v| (singular_values(v)[2] / size(v)).max(round_residual(v, 2)),
             ordered: false,
             parameters: 7,
-            closest: |p, v| {
+            closest: |p, v, _| {
                 let (c, n) = (at(p, 0), at(p, 3));
                 let d = v - c;
                 let d = d - n * (d.dot(n) / n.length_squared());
@@ -78,11 +86,25 @@ pub(crate) fn shape(id: &str) -> Shape {
             residual: |v| round_residual(v, 3),
             ordered: false,
             parameters: 4,
-            closest: |p, v| {
+            closest: |p, v, _| {
                 let c = at(p, 0);
                 c + (v - c) * (p[3] / (v - c).length())
             },
             excess: [1e-3, 0.1, 1.0],
+        },
+        "parallelogram" => Shape {
+            sample: |random, _| {
+                let (centre, a, b) = (random.vector(), random.vector(), random.vector());
+                vec![centre + a, centre + b, centre - a, centre - b]
+            },
+            residual: parallel_sides,
+            ordered: true,
+            parameters: 9,
+            closest: |p, _, corner| {
+                let (c, a, b) = (at(p, 0), at(p, 3), at(p, 6));
+                [c + a, c + b, c - a, c - b][corner.index]
+            },
+            excess: [0.0; 3],
         },
         _ => panic!("the kind '{id}' has no account in tests/support/shapes.rs"),
     }
@@ -112,6 +134,16 @@ fn on_circle(random: &mut Random, e: Vec3<f64>, f: Vec3<f64>) -> Vec3<f64> {
             return e * (x / length) + f * (y / length);
         }
     }
+}
+
+/// The side that begins at vertex `i`.
+fn side(v: &[Vec3<f64>], i: usize) -> Vec3<f64> {
+    v[(i + 1) % v.len()] - v[i % v.len()]
+}
+
+/// How far opposite sides of a quad are from being parallel and equally long.
+fn parallel_sides(v: &[Vec3<f64>]) -> f64 {
+    (side(v, 0) + side(v, 2)).length() / size(v)
 }
 
 /// The three singular values of the points as an n-by-3 matrix, greatest first.
