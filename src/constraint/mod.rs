@@ -18,6 +18,7 @@ mod circle;
 mod line;
 mod parallelogram;
 mod plane;
+mod rectangle;
 mod resolve;
 mod select;
 mod sphere;
@@ -268,4 +269,5 @@ kinds! {
     circle::Circle,
     sphere::Sphere,
     parallelogram::Parallelogram,
+    rectangle::Rectangle,
 }

@@ -106,6 +106,22 @@ pub(crate) fn shape(id: &str) -> Shape {
             },
             excess: [0.0; 3],
         },
+        "rectangle" => Shape {
+            sample: |random, _| {
+                let (corner, [e, f, _]) = (random.vector(), random.frame());
+                let (e, f) = (e * (1.5 + random.uniform()), f * (1.5 + random.uniform()));
+                vec![corner, corner + e, corner + e + f, corner + f]
+            },
+            residual: |v| parallel_sides(v).max(right_angles(v)),
+            ordered: true,
+            parameters: 9,
+            closest: |p, _, corner| {
+                let (c, a, b) = (at(p, 0), at(p, 3), at(p, 6));
+                let b = b * (a.length() / b.length());
+                [c + a, c + b, c - a, c - b][corner.index]
+            },
+            excess: [0.0; 3],
+        },
         _ => panic!("the kind '{id}' has no account in tests/support/shapes.rs"),
     }
 }
@@ -144,6 +160,12 @@ fn side(v: &[Vec3<f64>], i: usize) -> Vec3<f64> {
 /// How far opposite sides of a quad are from being parallel and equally long.
 fn parallel_sides(v: &[Vec3<f64>]) -> f64 {
     (side(v, 0) + side(v, 2)).length() / size(v)
+}
+
+/// How far the angles are from being right, as products of sides, so that a side may vanish.
+fn right_angles(v: &[Vec3<f64>]) -> f64 {
+    let products = (0..v.len()).map(|i| side(v, i).dot(side(v, i + 1)).abs());
+    products.fold(0.0, f64::max) / size(v).powi(2)
 }
 
 /// The three singular values of the points as an n-by-3 matrix, greatest first.
