@@ -19,6 +19,7 @@ mod line;
 mod parallelogram;
 mod plane;
 mod rectangle;
+mod regular_polygon;
 mod resolve;
 mod select;
 mod sphere;
@@ -268,6 +269,7 @@ kinds! {
     plane::Plane,
     circle::Circle,
     sphere::Sphere,
+    regular_polygon::RegularPolygon,
     parallelogram::Parallelogram,
     rectangle::Rectangle,
 }

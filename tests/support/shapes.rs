@@ -122,6 +122,25 @@ pub(crate) fn shape(id: &str) -> Shape {
             },
             excess: [0.0; 3],
         },
+        "regular-polygon" => Shape {
+            sample: |random, n| {
+                let (centre, [e, f, _]) = (random.vector(), random.frame());
+                let size = 1.0 + 0.5 * random.uniform();
+                (0..n)
+                    .map(|index| Corner { index, of: n })
+                    .map(|corner| centre + turned(e * size, f * size, corner))
+                    .collect()
+            },
+            residual: |v| in_turn(v).max(equal_sides(v)),
+            ordered: true,
+            parameters: 9,
+            closest: |p, _, corner| {
+                let (c, e, f) = (at(p, 0), at(p, 3), at(p, 6));
+                let f = f - e * (f.dot(e) / e.length_squared());
+                c + turned(e, f * (e.length() / f.length()), corner)
+            },
+            excess: [0.0; 3],
+        },
         _ => panic!("the kind '{id}' has no account in tests/support/shapes.rs"),
     }
 }
@@ -152,6 +171,13 @@ fn on_circle(random: &mut Random, e: Vec3<f64>, f: Vec3<f64>) -> Vec3<f64> {
     }
 }
 
+/// `e` turned towards `f` to the corner of a regular polygon whose first corner is at `e`.
+#[expect(clippy::disallowed_methods, reason = "independent of the corners of the operator")]
+fn turned(e: Vec3<f64>, f: Vec3<f64>, corner: Corner) -> Vec3<f64> {
+    let angle = std::f64::consts::TAU * corner.index as f64 / corner.of as f64;
+    e * angle.cos() + f * angle.sin()
+}
+
 /// The side that begins at vertex `i`.
 fn side(v: &[Vec3<f64>], i: usize) -> Vec3<f64> {
     v[(i + 1) % v.len()] - v[i % v.len()]
@@ -166,6 +192,26 @@ fn parallel_sides(v: &[Vec3<f64>]) -> f64 {
 fn right_angles(v: &[Vec3<f64>]) -> f64 {
     let products = (0..v.len()).map(|i| side(v, i).dot(side(v, i + 1)).abs());
     products.fold(0.0, f64::max) / size(v).powi(2)
+}
+
+fn equal_sides(v: &[Vec3<f64>]) -> f64 {
+    let longer = |i| side(v, i).length() - side(v, i + 1).length();
+    (0..v.len()).map(longer).fold(0.0, f64::max) / size(v)
+}
+
+/// How far centred points are from going around an ellipse in equal turns:
+/// `v_(k+1) + v_(k-1) = 2 cos(2 pi / n) v_k`; and how far that is from a circle.
+#[expect(clippy::disallowed_methods, reason = "independent of the corners of the operator")]
+fn in_turn(v: &[Vec3<f64>]) -> f64 {
+    let n = v.len();
+    let factor = 2.0 * (std::f64::consts::TAU / n as f64).cos();
+    (0..n)
+        .map(|k| {
+            let (before, here, after) = (v[k], v[(k + 1) % n], v[(k + 2) % n]);
+            let off = (before + after - here * factor).length();
+            off.max((here.length() - after.length()).abs()) / size(v)
+        })
+        .fold(0.0, f64::max)
 }
 
 /// The three singular values of the points as an n-by-3 matrix, greatest first.
