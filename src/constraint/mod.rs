@@ -23,6 +23,7 @@ mod regular_polygon;
 mod resolve;
 mod select;
 mod sphere;
+mod square;
 
 pub use batch::{Batch, LocalStep, Row, batches};
 pub use resolve::resolve;
@@ -270,6 +271,7 @@ kinds! {
     circle::Circle,
     sphere::Sphere,
     regular_polygon::RegularPolygon,
+    square::Square,
     parallelogram::Parallelogram,
     rectangle::Rectangle,
 }

@@ -122,6 +122,10 @@ pub(crate) fn shape(id: &str) -> Shape {
             },
             excess: [0.0; 3],
         },
+        "square" => Shape {
+            residual: |v| parallel_sides(v).max(right_angles(v)).max(equal_sides(v)),
+            ..shape("regular-polygon")
+        },
         "regular-polygon" => Shape {
             sample: |random, n| {
                 let (centre, [e, f, _]) = (random.vector(), random.frame());
