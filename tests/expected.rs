@@ -4,6 +4,7 @@
 #[path = "support/shared.rs"]
 mod shared;
 
+use serde_json::Value;
 use shape_up::scene::{Accelerator, MeshSource, Scene};
 use shape_up::session::Session;
 
@@ -22,6 +23,7 @@ struct Case {
 const HALFTUNNEL: &str = "halftunnel.off";
 const HYPAR: &str = "compas_hypar.obj";
 const SHELL: &str = "M2_eq_quad2.obj";
+const HORSE: &str = "horse_quad.obj";
 const EXACT: &[(u64, f64)] = &[(20, 1e-9), (100, 1e-9)];
 
 #[rustfmt::skip]
@@ -39,17 +41,26 @@ const CASES: &[Case] = &[
     Case { name: "compas_hypar_plane_5_10_2_surface_displacement", mesh: HYPAR, kind: "plane", closeness: "surface", smoothness: "displacement", guarded: false, agreement: &[(1, 1e-9), (20, 1e-6), (100, 1e-4)] },
     Case { name: "M2_eq_quad2_circle_5_10_2_surface_displacement", mesh: SHELL, kind: "circle", closeness: "surface", smoothness: "displacement", guarded: false, agreement: EXACT },
     Case { name: "M2_eq_quad2_plane_5_10_2_surface_displacement", mesh: SHELL, kind: "plane", closeness: "surface", smoothness: "displacement", guarded: false, agreement: EXACT },
+    Case { name: "square_horse_quad_5_1_0_surface", mesh: HORSE, kind: "square", closeness: "surface", smoothness: "surface", guarded: false, agreement: &[(20, 1e-9), (60, 1e-9)] },
+    Case { name: "square_horse_quad_5_1_0_vertex", mesh: HORSE, kind: "square", closeness: "rest", smoothness: "surface", guarded: false, agreement: &[(20, 1e-9), (60, 1e-9)] },
 ];
 
-fn scene(case: &Case) -> Scene {
+fn scene(case: &Case, weights: &Value) -> Scene {
     let text = format!(
         r#"{{ "format": "shape-up-scene", "version": 1, "mesh": {{ "file": "{}" }},
             "constraints": [{{ "kind": "{}", "on": "faces" }}],
-            "weights": {{ "shape": 5, "close": 10, "smooth": 2 }},
+            "weights": {{ "shape": {}, "close": {}, "smooth": {} }},
             "closeness": {{ "to": "{}" }},
             "smoothness": {{ "of": "{}", "weighting": "uniform" }},
             "solver": {{ "tolerance": 0, "monotone": {} }} }}"#,
-        case.mesh, case.kind, case.closeness, case.smoothness, case.guarded
+        case.mesh,
+        case.kind,
+        weights[0],
+        weights[1],
+        weights[2],
+        case.closeness,
+        case.smoothness,
+        case.guarded
     );
     let mut scene = Scene::from_json(&text).expect("the scene is valid");
     scene.solver.accelerator = Accelerator::None;
@@ -68,7 +79,8 @@ fn energies_agree_with_an_independent_implementation() {
         for coordinate in mesh.positions.as_flattened_mut() {
             *coordinate /= diameter;
         }
-        let mut session = Session::open(scene(case), mesh).expect("the scene fits the mesh");
+        let mut session = Session::open(scene(case, &expected["weights"]), mesh)
+            .expect("the scene fits the mesh");
         for energies in expected["energies"].as_array().expect("a list") {
             let iteration = energies["iter"].as_u64().expect("a number");
             while u64::from(session.iteration()) < iteration {
