@@ -338,6 +338,32 @@ fn finite_and_feasible_on_degenerate_input() {
     }
 }
 
+/// Where many are equally close, any of them will do, but nothing farther.
+#[test]
+fn exact_kinds_are_closest_on_degenerate_input_too() {
+    for kind in kinds().into_iter().filter(|kind| kind.info().exact) {
+        let id = kind.info().id;
+        for n in sizes(kind.info().arity).into_iter().filter(|n| *n <= 6) {
+            let rest = centred(&(shape(id).sample)(&mut Random::new(1), n));
+            for (name, set) in degenerate(n) {
+                // Twice: far away, the first mean is off by its own rounding.
+                let points = centred(&centred(&set));
+                if size(&points) == 0.0 {
+                    continue;
+                }
+                let found = distance_squared(&points, &project(&kind, &rest, &points)).sqrt();
+                let Shape { parameters, closest, .. } = shape(id);
+                let least = least_distance_squared(&points, parameters, closest, 5).sqrt();
+                let rounding = 1e-14 * size(&points);
+                assert!(
+                    found <= least * (1.0 + 1e-9) + rounding,
+                    "{id}, n = {n}, {name}: {found:e}, least {least:e}"
+                );
+            }
+        }
+    }
+}
+
 /// Paper Appendix A: the gradient of the proximity function is `2 (x - P(x))`.
 #[test]
 fn exact_kinds_have_the_gradient_of_appendix_a() {
