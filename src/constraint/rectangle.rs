@@ -13,8 +13,8 @@ use serde::{Deserialize, Serialize};
 /// `a' = m a / |a|` and `b' = m b / |b|`.
 ///
 /// Collinear vertices give a rectangle without width on their line. Where one diagonal is zero,
-/// every direction is equally close for it; a square is taken, across the coordinate axis that is
-/// most nearly at right angles to the other diagonal. Where both are zero, all vertices meet.
+/// every direction is equally close for it; a square is taken, in the plane of the other diagonal
+/// and the coordinate axis farthest from it. Where both are zero, all vertices meet.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Rectangle {}
