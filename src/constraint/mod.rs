@@ -18,6 +18,7 @@ mod circle;
 mod line;
 mod plane;
 mod resolve;
+mod rigid;
 mod select;
 mod sphere;
 
@@ -172,7 +173,7 @@ impl std::fmt::Display for Arity {
     }
 }
 
-/// A number that a kind takes from the scene file.
+/// A number, or a range of numbers, that a kind takes from the scene file.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Param {
     /// The key in scene files.
@@ -181,10 +182,20 @@ pub struct Param {
     pub label: &'static str,
     /// `"length"`, `"degrees"`, or empty for a plain number.
     pub unit: &'static str,
-    /// The value when the key is absent.
-    pub default: f64,
-    /// Least and greatest value.
+    /// The value when the key is absent; it tells whether a number is meant or a range.
+    pub default: ParamValue,
+    /// Least and greatest value, of the ends of a range too. JSON has null for infinity.
     pub range: [f64; 2],
+}
+
+/// The value of a parameter, in JSON a number or an array of two.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum ParamValue {
+    /// One number.
+    Number(f64),
+    /// From and to; none (null) where there is no limit.
+    Range([Option<f64>; 2]),
 }
 
 /// Makes the enum of kinds and everything that is the same for each of them. The only list of
@@ -266,4 +277,5 @@ kinds! {
     plane::Plane,
     circle::Circle,
     sphere::Sphere,
+    rigid::Rigid,
 }
