@@ -319,7 +319,7 @@ fn rigid_faces_keep_their_lengths_while_handles_move() {
 
 #[test]
 fn relative_shapes_never_raise_the_energy_of_the_plain_iteration() {
-    for (id, limits) in [("rigid", "")] {
+    for (id, limits) in [("rigid", ""), ("similar", ""), ("similar", r#", "scale": [0.9, 1.1]"#)] {
         let constraints = format!(
             r#", "constraints": [{{ "kind": "{id}", "on": "faces"{limits} }},
             {{ "kind": "{id}", "on": {{ "each": "ring", "radius": 1 }} }}],

@@ -20,6 +20,7 @@ mod plane;
 mod resolve;
 mod rigid;
 mod select;
+mod similar;
 mod sphere;
 
 pub use batch::{Batch, LocalStep, Row, batches};
@@ -278,4 +279,5 @@ kinds! {
     circle::Circle,
     sphere::Sphere,
     rigid::Rigid,
+    similar::Similar,
 }
