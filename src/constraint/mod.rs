@@ -16,6 +16,7 @@
 mod batch;
 mod circle;
 mod line;
+mod planar_similar;
 mod plane;
 mod resolve;
 mod rigid;
@@ -38,10 +39,16 @@ pub trait Projection: Clone + PartialEq + std::fmt::Debug + 'static {
     /// Whether [`Projection::project`] reads the rest points; without, it gets none.
     const READS_REST: bool = false;
 
+    /// Brings the mean-centred rest points of one constraint into the form in which
+    /// [`Projection::project`] wants them. Called once per constraint, before all projections.
+    fn prepare(rest: &mut [Vec3<f64>]) {
+        let _ = rest;
+    }
+
     /// The closed form, for one constraint or for several side by side: writes the closest points
     /// that have the shape to `projected`. False when it is not accurate in every lane; what it
     /// wrote is then not used. `v` are the mean-centred points, `rest` the mean-centred rest points
-    /// `V'`, `n` of each.
+    /// `V'` after [`Projection::prepare`], `n` of each.
     ///
     /// The result need not be mean-centred: whoever scatters it centres it again. It is equivariant
     /// under scaling: no absolute thresholds.
@@ -280,4 +287,5 @@ kinds! {
     sphere::Sphere,
     rigid::Rigid,
     similar::Similar,
+    planar_similar::PlanarSimilar,
 }
