@@ -2,21 +2,26 @@
 //! Levenberg-Marquardt with numerical derivatives from many random starts.
 
 use crate::random::{Random, size};
+use crate::shapes::Closest;
 use nalgebra::{DMatrix, DVector};
 use shape_up::math::Vec3;
 
 /// The least sum of squared distances that `starts` searches find. `closest` gives the point of
-/// the shape with the given parameters that is closest to a point.
+/// the shape with the given parameters that is closest to a point with a rest point.
 pub(crate) fn least_distance_squared(
     points: &[Vec3<f64>],
+    rest: &[Vec3<f64>],
     parameters: usize,
-    closest: fn(&[f64], Vec3<f64>) -> Vec3<f64>,
+    closest: Closest,
     starts: u64,
 ) -> f64 {
     let residual = |p: &DVector<f64>| {
         DVector::from_iterator(
             3 * points.len(),
-            points.iter().flat_map(|v| <[f64; 3]>::from(*v - closest(p.as_slice(), *v))),
+            points
+                .iter()
+                .zip(rest)
+                .flat_map(|(v, r)| <[f64; 3]>::from(*v - closest(p.as_slice(), *v, *r))),
         )
     };
     let mut random = Random::new(starts);
@@ -38,7 +43,7 @@ fn descend(
 ) -> f64 {
     let mut r = residual(&p);
     let mut damping = 1e-2;
-    for _ in 0..60 {
+    for _ in 0..400 {
         let mut jacobian = DMatrix::zeros(r.len(), p.len());
         for j in 0..p.len() {
             let step = 1e-6 * extent.max(p[j].abs());

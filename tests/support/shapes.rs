@@ -1,23 +1,34 @@
-//! What each kind means, told a second time and without its operator: points that have the shape,
-//! a measure of how far points are from having it, and its set described by free parameters, for
-//! brute force. A new kind adds its row to [`shape`].
+//! What each kind means, told a second time and without its operator: rest points, points that have
+//! the shape, a measure of how far points are from having it, and its set described by free
+//! parameters, for brute force. A new kind adds its row to [`shape`].
 
 use crate::random::{Points, Random, in_frame, size};
 use nalgebra::DMatrix;
 use shape_up::math::Vec3;
 
+/// See [`Shape::residual`].
+pub(crate) type Residual = fn(&[Vec3<f64>], &[Vec3<f64>]) -> f64;
+
+/// See [`Shape::closest`].
+pub(crate) type Closest = fn(&[f64], Vec3<f64>, Vec3<f64>) -> Vec3<f64>;
+
 /// An independent account of one kind.
 pub(crate) struct Shape {
-    /// `n` points that have the shape, of size about one.
-    pub(crate) sample: fn(&mut Random, usize) -> Points,
-    /// Zero exactly where the centred points have the shape; relative to their size.
-    pub(crate) residual: fn(&[Vec3<f64>]) -> f64,
-    /// Whether the order of the vertices matters (up to where one begins to count).
+    /// `n` rest points, of size about one.
+    pub(crate) rest: fn(&mut Random, usize) -> Points,
+    /// Points that have the shape, of size about one, as many as the rest points.
+    pub(crate) sample: fn(&mut Random, &[Vec3<f64>]) -> Points,
+    /// Zero exactly where the centred points have the shape, given the centred rest points; relative
+    /// to their size.
+    pub(crate) residual: Residual,
+    /// Whether the order of the vertices matters (up to where one begins to count), when that of the
+    /// rest points is the same.
     pub(crate) ordered: bool,
     /// How many free parameters describe the shape.
     pub(crate) parameters: usize,
-    /// The point closest to `v` on the shape with these parameters.
-    pub(crate) closest: fn(&[f64], Vec3<f64>) -> Vec3<f64>,
+    /// The point closest to `v` on the shape with these parameters; it may depend on the rest point
+    /// of `v`, the last argument.
+    pub(crate) closest: Closest,
     /// For kinds that are not exact: how much greater than the least the squared distance may be,
     /// as a fraction, for shapes disturbed by [`NOISE`].
     pub(crate) excess: [f64; 3],
@@ -30,39 +41,42 @@ pub(crate) const NOISE: [f64; 3] = [0.01, 0.1, 0.3];
 pub(crate) fn shape(id: &str) -> Shape {
     match id {
         "line" => Shape {
-            sample: |random, n| {
+            rest: any,
+            sample: |random, rest| {
                 let (p, e) = (random.vector(), random.direction());
-                (0..n).map(|_| p + e * random.uniform()).collect()
+                rest.iter().map(|_| p + e * random.uniform()).collect()
             },
-            residual: |v| singular_values(v)[1] / size(v),
+            residual: |v, _| singular_values(v)[1] / size(v),
             ordered: false,
             parameters: 6,
-            closest: |p, v| {
+            closest: |p, v, _| {
                 let (o, e) = (at(p, 0), at(p, 3));
                 o + e * ((v - o).dot(e) / e.length_squared())
             },
             excess: [0.0; 3],
         },
         "plane" => Shape {
-            sample: |random, n| cloud(random, n, 0.0),
-            residual: |v| singular_values(v)[2] / size(v),
+            rest: any,
+            sample: |random, rest| cloud(random, rest.len(), 0.0),
+            residual: |v, _| singular_values(v)[2] / size(v),
             ordered: false,
             parameters: 4,
-            closest: |p, v| {
+            closest: |p, v, _| {
                 let n = at(p, 0);
                 v - n * ((v.dot(n) - p[3]) / n.length_squared())
             },
             excess: [0.0; 3],
         },
         "circle" => Shape {
-            sample: |random, n| {
+            rest: any,
+            sample: |random, rest| {
                 let (centre, [e, f, _]) = (random.vector(), random.frame());
-                (0..n).map(|_| centre + on_circle(random, e, f)).collect()
+                rest.iter().map(|_| centre + on_circle(random, e, f)).collect()
             },
-            residual: |v| (singular_values(v)[2] / size(v)).max(round_residual(v, 2)),
+            residual: |v, _| (singular_values(v)[2] / size(v)).max(round_residual(v, 2)),
             ordered: false,
             parameters: 7,
-            closest: |p, v| {
+            closest: |p, v, _| {
                 let (c, n) = (at(p, 0), at(p, 3));
                 let d = v - c;
                 let d = d - n * (d.dot(n) / n.length_squared());
@@ -71,21 +85,111 @@ pub(crate) fn shape(id: &str) -> Shape {
             excess: [5e-4, 0.05, 0.3],
         },
         "sphere" => Shape {
-            sample: |random, n| {
+            rest: any,
+            sample: |random, rest| {
                 let centre = random.vector();
-                (0..n).map(|_| centre + random.direction()).collect()
+                rest.iter().map(|_| centre + random.direction()).collect()
             },
-            residual: |v| round_residual(v, 3),
+            residual: |v, _| round_residual(v, 3),
             ordered: false,
             parameters: 4,
-            closest: |p, v| {
+            closest: |p, v, _| {
                 let c = at(p, 0);
                 c + (v - c) * (p[3] / (v - c).length())
             },
             excess: [1e-3, 0.1, 1.0],
         },
+        "rigid" => Shape {
+            rest: any,
+            sample: |random, rest| placed(random, rest, 1.0),
+            residual: |v, rest| different(v, rest, 1.0).max(mirrored(v, rest, 1.0)),
+            ordered: false,
+            parameters: 7,
+            closest: |p, _, rest| {
+                let q = [p[0], p[1], p[2], p[3]];
+                let square: f64 = q.iter().map(|x| x * x).sum();
+                at(p, 4) + turned_and_scaled(q, rest) * (1.0 / square)
+            },
+            excess: [0.0; 3],
+        },
+        "similar" => Shape {
+            rest: any,
+            sample: |random, rest| {
+                let scale = 1.2 + random.uniform();
+                placed(random, rest, scale)
+            },
+            residual: |v, rest| {
+                let scale = extent(v) / extent(rest);
+                different(v, rest, scale).max(mirrored(v, rest, scale))
+            },
+            ordered: false,
+            parameters: 7,
+            closest: |p, _, rest| at(p, 4) + turned_and_scaled([p[0], p[1], p[2], p[3]], rest),
+            excess: [0.0; 3],
+        },
+        "planar-similar" => Shape {
+            rest: |random, n| cloud(random, n, 0.0),
+            sample: |random, rest| {
+                let scale = 1.2 + random.uniform();
+                placed(random, rest, scale)
+            },
+            residual: |v, rest| different(v, rest, extent(v) / extent(rest)),
+            ordered: false,
+            parameters: 7,
+            closest: |p, _, rest| at(p, 4) + turned_and_scaled([p[0], p[1], p[2], p[3]], rest),
+            excess: [5e-4, 0.1, 0.15],
+        },
         _ => panic!("the kind '{id}' has no account in tests/support/shapes.rs"),
     }
+}
+
+/// Rest points of kinds that do not read them.
+fn any(random: &mut Random, n: usize) -> Points {
+    cloud(random, n, 1.0)
+}
+
+/// The rest points scaled, turned and moved.
+fn placed(random: &mut Random, rest: &[Vec3<f64>], scale: f64) -> Points {
+    let (offset, frame) = (random.vector(), random.frame());
+    rest.iter().map(|r| offset + in_frame(frame, *r) * scale).collect()
+}
+
+/// `q r q*` for the quaternion `q`: turned, and scaled by `|q|^2`.
+fn turned_and_scaled([w, x, y, z]: [f64; 4], r: Vec3<f64>) -> Vec3<f64> {
+    let q = Vec3::new(x, y, z);
+    r * (w * w - q.length_squared()) + q * (2.0 * q.dot(r)) + q.cross(r) * (2.0 * w)
+}
+
+/// The root of the sum of squares.
+fn extent(v: &[Vec3<f64>]) -> f64 {
+    v.iter().map(|v| v.length_squared()).sum::<f64>().sqrt()
+}
+
+/// How much inner products of pairs of points differ from those of the rest points times `scale`;
+/// relative to the size of the points.
+fn different(v: &[Vec3<f64>], rest: &[Vec3<f64>], scale: f64) -> f64 {
+    let mut worst = 0.0f64;
+    for (a, r) in v.iter().zip(rest) {
+        for (b, s) in v.iter().zip(rest) {
+            worst = worst.max((a.dot(*b) - scale * scale * r.dot(*s)).abs());
+        }
+    }
+    worst / size(v).powi(2)
+}
+
+/// The same for the volumes that triples of points span, which have a sign.
+fn mirrored(v: &[Vec3<f64>], rest: &[Vec3<f64>], scale: f64) -> f64 {
+    let mut worst = 0.0f64;
+    let n = v.len();
+    for i in 0..n {
+        for j in i + 1..n {
+            for k in j + 1..n {
+                let volume = |p: &[Vec3<f64>]| p[i].dot(p[j].cross(p[k]));
+                worst = worst.max((volume(v) - scale.powi(3) * volume(rest)).abs());
+            }
+        }
+    }
+    worst / size(v).powi(3)
 }
 
 /// `n` points in a box whose sides are up to 1, 1 and `flatness`, turned at random.
