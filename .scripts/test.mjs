@@ -37,7 +37,8 @@ const steps = [
     run: ['node', ['--test', '--test-reporter=tap', ...scriptTests]],
     count: 'node',
   },
-  { title: 'lints of Rust, native', run: clippy('--all-targets') },
+  // The view without a GPU is part of the native checks.
+  { title: 'lints of Rust, native', run: clippy('--all-targets', '--features', 'view') },
   ...modules.map((feature) => ({
     title: `lints of Rust, ${feature} module`,
     run: clippy('--lib', ...browserTests(feature), ...forModule(feature)),
@@ -48,7 +49,11 @@ const steps = [
     run: ['cargo', ['doc', '--locked', '--no-deps', ...forModule(modules.join(','))]],
     env: { RUSTDOCFLAGS: '-D warnings' },
   },
-  { title: 'native tests', run: ['cargo', ['test', '--locked', '--no-fail-fast']], count: 'cargo' },
+  {
+    title: 'native tests',
+    run: ['cargo', ['test', '--locked', '--no-fail-fast', '--features', 'view']],
+    count: 'cargo',
+  },
   ...modules
     .filter((feature) => browserTests(feature).length)
     .map((feature) => ({

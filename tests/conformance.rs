@@ -17,7 +17,7 @@ use minimise::least_distance_squared;
 use project::{Project, project};
 use random::{Points, Random, centred, distance_squared, farthest, in_frame, size};
 use serde_json::json;
-use shape_up::constraint::{Arity, KINDS, Kind};
+use shape_up::constraint::{Arity, KINDS, Kind, ParamValue};
 use shape_up::math::{LANES, Vec3};
 use shapes::{NOISE, Shape, cloud, shape};
 use std::fmt;
@@ -78,7 +78,9 @@ fn cases(seeds: u64) -> Vec<Case> {
         for n in sizes(kind.info().arity) {
             for seed in 0..seeds {
                 let mut random = Random::new(seed);
-                let sample = (shape(kind.info().id).sample)(&mut random, n);
+                let Shape { rest, sample, .. } = shape(kind.info().id);
+                let rest = rest(&mut Random::new(!seed), n);
+                let sample = sample(&mut random, &rest);
                 let disturbed: Points = sample.iter().map(|v| *v + random.vector() * 0.1).collect();
                 let points = match seed % 4 {
                     0 => disturbed,
@@ -90,7 +92,7 @@ fn cases(seeds: u64) -> Vec<Case> {
                     kind: kind.clone(),
                     n,
                     seed,
-                    rest: centred(&sample),
+                    rest: centred(&rest),
                     points: centred(&points),
                 });
             }
@@ -133,7 +135,11 @@ fn every_kind_is_declared_for_people() {
         }
         for param in info.params {
             let [least, greatest] = param.range;
-            let fits = least <= param.default && param.default <= greatest;
+            let defaults = match param.default {
+                ParamValue::Number(number) => vec![number],
+                ParamValue::Range(ends) => ends.into_iter().flatten().collect(),
+            };
+            let fits = defaults.iter().all(|default| (least..=greatest).contains(default));
             assert!(fits, "{id}: the default of {} is out of its range", param.id);
         }
     }
@@ -143,8 +149,8 @@ fn every_kind_is_declared_for_people() {
 fn points_that_have_the_shape_stay() {
     for case in cases(40) {
         let mut random = Random::new(case.seed);
-        let points = centred(&(case.shape().sample)(&mut random, case.n));
-        let stayed = project(&case.kind, &points, &points);
+        let points = centred(&(case.shape().sample)(&mut random, &case.rest));
+        let stayed = project(&case.kind, &case.rest, &points);
         assert_close(&case, "a point of the shape moved", &stayed, &points, 1e-11);
     }
 }
@@ -161,9 +167,9 @@ fn idempotent() {
 #[test]
 fn feasible_by_an_independent_check() {
     for case in cases(80) {
-        let residual = (case.shape().residual)(&centred(&case.project()));
+        let residual = (case.shape().residual)(&centred(&case.project()), &case.rest);
         assert!(residual <= 1e-11, "{case}: the projection misses the shape by {residual:e}");
-        let residual = (case.shape().residual)(&case.points);
+        let residual = (case.shape().residual)(&case.points, &case.rest);
         let may_fit = case.n <= 4;
         assert!(may_fit || residual > 1e-8, "{case}: the check takes anything: {residual:e}");
     }
@@ -178,6 +184,16 @@ fn equivariant_under_rigid_motion() {
         moved.points = centred(&moved.points);
         let expected: Points = case.project().iter().map(|v| in_frame(frame, *v)).collect();
         assert_close(&case, "turned", &moved.project(), &expected, 1e-9);
+    }
+}
+
+/// A rest shape says what it is, not where.
+#[test]
+fn the_place_of_the_rest_shape_does_not_matter() {
+    for case in cases(40) {
+        let frame = Random::new(case.seed + 1).frame();
+        let turned = case.with(|v| v, |r| in_frame(frame, r));
+        assert_close(&case, "rest shape turned", &turned.project(), &case.project(), 1e-9);
     }
 }
 
@@ -255,7 +271,7 @@ fn exact_kinds_are_never_farther_than_brute_force_finds() {
     for case in cases(12).into_iter().filter(|case| case.kind.info().exact && case.n <= 10) {
         let found = distance_squared(&case.points, &case.project());
         let Shape { parameters, closest, .. } = case.shape();
-        let least = least_distance_squared(&case.points, parameters, closest, 20);
+        let least = least_distance_squared(&case.points, &case.rest, parameters, closest, 20);
         let rounding = 1e-24 * size(&case.points).powi(2);
         assert!(found <= least * (1.0 + 1e-9) + rounding, "{case}: {found:e}, least {least:e}");
         assert!(
@@ -270,7 +286,7 @@ fn exact_kinds_are_never_farther_than_brute_force_finds() {
 fn approximate_kinds_stay_within_their_stated_excess() {
     for kind in kinds().into_iter().filter(|kind| !kind.info().exact) {
         let id = kind.info().id;
-        let Shape { sample, parameters, closest, excess, .. } = shape(id);
+        let Shape { rest, sample, parameters, closest, excess, .. } = shape(id);
         let sizes = match kind.info().arity {
             Arity::AtLeast(_) => [8, 12],
             Arity::Exactly(n) => [n, n],
@@ -280,13 +296,13 @@ fn approximate_kinds_stay_within_their_stated_excess() {
                 let (mut sum, mut worst) = (0.0, 0.0f64);
                 for seed in 0..25 {
                     let mut random = Random::new(seed);
-                    let shape = sample(&mut random, n);
+                    let rest = centred(&rest(&mut Random::new(!seed), n));
+                    let shape = sample(&mut random, &rest);
                     let disturbed: Points =
                         shape.iter().map(|v| *v + random.vector() * noise).collect();
                     let points = centred(&disturbed);
-                    let found =
-                        distance_squared(&points, &project(&kind, &centred(&shape), &points));
-                    let least = least_distance_squared(&points, parameters, closest, 20);
+                    let found = distance_squared(&points, &project(&kind, &rest, &points));
+                    let least = least_distance_squared(&points, &rest, parameters, closest, 20);
                     let more = found / least - 1.0;
                     assert!(
                         more <= bound,
@@ -313,7 +329,7 @@ fn finite_and_feasible_on_degenerate_input() {
     for kind in kinds() {
         let info = kind.info();
         for n in sizes(info.arity) {
-            let rest = centred(&(shape(info.id).sample)(&mut Random::new(1), n));
+            let rest = centred(&(shape(info.id).rest)(&mut Random::new(1), n));
             for (name, set) in degenerate(n) {
                 let points = centred(&set);
                 for scale in [1.0, 1e-200, 1e-310, 1e200, 1e290] {
@@ -327,7 +343,7 @@ fn finite_and_feasible_on_degenerate_input() {
                 if size(&found) == 0.0 {
                     continue;
                 }
-                let residual = (shape(info.id).residual)(&found);
+                let residual = (shape(info.id).residual)(&found, &rest);
                 assert!(
                     residual <= 1e-10,
                     "{}, n = {n}, {name}: misses the shape by {residual:e}",
@@ -344,7 +360,7 @@ fn exact_kinds_are_closest_on_degenerate_input_too() {
     for kind in kinds().into_iter().filter(|kind| kind.info().exact) {
         let id = kind.info().id;
         for n in sizes(kind.info().arity).into_iter().filter(|n| *n <= 6) {
-            let rest = centred(&(shape(id).sample)(&mut Random::new(1), n));
+            let rest = centred(&(shape(id).rest)(&mut Random::new(1), n));
             for (name, set) in degenerate(n) {
                 // Twice: far away, the first mean is off by its own rounding.
                 let points = centred(&centred(&set));
@@ -353,12 +369,33 @@ fn exact_kinds_are_closest_on_degenerate_input_too() {
                 }
                 let found = distance_squared(&points, &project(&kind, &rest, &points)).sqrt();
                 let Shape { parameters, closest, .. } = shape(id);
-                let least = least_distance_squared(&points, parameters, closest, 5).sqrt();
+                let least = least_distance_squared(&points, &rest, parameters, closest, 5).sqrt();
                 let rounding = 1e-14 * size(&points);
                 assert!(
                     found <= least * (1.0 + 1e-9) + rounding,
                     "{id}, n = {n}, {name}: {found:e}, least {least:e}"
                 );
+            }
+        }
+    }
+}
+
+#[test]
+fn finite_with_a_degenerate_rest_shape() {
+    for kind in kinds() {
+        for n in sizes(kind.info().arity) {
+            let points = centred(&cloud(&mut Random::new(2), n, 1.0));
+            for (name, set) in degenerate(n) {
+                for scale in [1.0, 1e-200, 1e-310, 1e200, 1e290] {
+                    let rest: Points = centred(&set).iter().map(|v| *v * scale).collect();
+                    let found = project(&kind, &rest, &points);
+                    let mut coordinates = found.iter().flat_map(|v| <[f64; 3]>::from(*v));
+                    assert!(
+                        coordinates.all(f64::is_finite),
+                        "{}, n = {n}, rest {name} times {scale}: {found:?}",
+                        kind.info().id
+                    );
+                }
             }
         }
     }

@@ -135,6 +135,16 @@ const REFUSED: &[(&str, &str, &[&str])] = &[
     (r#", "constraints": [{ "kind": "plane", "on": "faces", "weight": -1 }]"#, "constraints[0].weight", &["found -1", "from 0"]),
     (r#", "constraints": [{ "kind": "plane", "on": "faces", "weight": "1" }]"#, "constraints[0].weight", &["found \"1\"", "number"]),
     (r#", "constraints": [{ "kind": "plane", "on": "faces", "enabled": 1 }]"#, "constraints[0].enabled", &["found 1", "true or false"]),
+    (r#", "constraints": [{ "kind": "similar", "on": "faces", "sclae": [1, 2] }]"#, "constraints[0]", &["`sclae`", "scale"]),
+    (r#", "constraints": [{ "kind": "rigid", "on": "faces", "scale": [1, 2] }]"#, "constraints[0]", &["`scale`", "weight"]),
+    (r#", "constraints": [{ "kind": "similar", "on": "faces", "scale": 2 }]"#, "constraints[0].scale", &["`2`", "[least, greatest]"]),
+    (r#", "constraints": [{ "kind": "similar", "on": "faces", "scale": null }]"#, "constraints[0].scale", &["null", "[least, greatest]"]),
+    (r#", "constraints": [{ "kind": "similar", "on": "faces", "scale": [1] }]"#, "constraints[0].scale", &["1", "[least, greatest]"]),
+    (r#", "constraints": [{ "kind": "similar", "on": "faces", "scale": [1, 2, 3] }]"#, "constraints[0].scale", &["more than two", "[least, greatest]"]),
+    (r#", "constraints": [{ "kind": "similar", "on": "faces", "scale": [-1, 2] }]"#, "constraints[0].scale[0]", &["found -1", "from 0", "null"]),
+    (r#", "constraints": [{ "kind": "similar", "on": "faces", "scale": [1, "2"] }]"#, "constraints[0].scale[1]", &["\"2\"", "number", "null"]),
+    (r#", "constraints": [{ "kind": "similar", "on": "faces", "scale": [2, 1] }]"#, "constraints[0].scale[1]", &["found 1", "from 2"]),
+    (r#", "constraints": [{ "kind": "similar", "on": "faces", "scale": [null, -0.5] }]"#, "constraints[0].scale[1]", &["found -0.5", "from 0"]),
     (r#", "handles": [{ "vertices": [0], "target": [[0, 0, 0]] }]"#, "handles[0]", &["`target`", "targets"]),
     (r#", "handles": [{ "targets": [[0, 0, 0]] }]"#, "handles[0]", &["`vertices` is missing"]),
     (r#", "handles": [{ "vertices": [] }]"#, "handles[0].vertices", &["empty"]),
@@ -236,6 +246,27 @@ fn an_inline_mesh_that_is_none_is_refused_with_its_path() {
 fn constraint(id: &str, on: Selector) -> ConstraintSpec {
     let kind = Kind::new(id, serde_json::json!({})).expect("a kind without parameters");
     ConstraintSpec { kind, on, weight: 1.0, enabled: true }
+}
+
+#[test]
+fn the_limits_of_a_scale_are_written_where_there_are_any() {
+    for (scale, written) in [
+        (r#", "scale": [0.5, 2]"#, Some(r#""scale": [0.5,2.0]"#)),
+        (r#", "scale": [null, 1]"#, Some(r#""scale": [null,1.0]"#)),
+        (r#", "scale": [0, null]"#, Some(r#""scale": [0.0,null]"#)),
+        (r#", "scale": [null, null]"#, None),
+        ("", None),
+    ] {
+        let constraints =
+            format!(r#", "constraints": [{{ "kind": "similar", "on": "faces"{scale} }}]"#);
+        let scene = Scene::from_json(&file_with(&constraints)).expect("the scene is valid");
+        let text = scene.to_json(&Mesh::default());
+        match written {
+            Some(written) => assert!(text.contains(written), "{text}"),
+            None => assert!(!text.contains("scale"), "{text}"),
+        }
+        assert_eq!(Scene::from_json(&text).expect("it reads back"), scene, "{text}");
+    }
 }
 
 /// A change that makes the scene unfit for the two squares, and the path of what is then wrong.

@@ -276,3 +276,71 @@ fn a_handle_group_is_written_as_it_holds() {
         (&[2][..], Hold::Soft { weight: 7.0 })
     );
 }
+
+/// Squared lengths of the edges and diagonals of the faces.
+fn lengths(mesh: &Mesh, positions: &[[f64; 3]]) -> Vec<f64> {
+    let mut lengths = Vec::new();
+    for face in mesh.faces.iter() {
+        for (k, &a) in face.iter().enumerate() {
+            for &b in &face[k + 1..] {
+                let (a, b) = (positions[a as usize], positions[b as usize]);
+                lengths.push((0..3).map(|i| (a[i] - b[i]) * (a[i] - b[i])).sum::<f64>().sqrt());
+            }
+        }
+    }
+    lengths
+}
+
+/// A strip of four panels, hinged at its cross edges, is carried off and folded by its last two
+/// vertices.
+const FOLD: &str = r#", "constraints": [{ "kind": "rigid", "on": "faces" }],
+    "handles": [{ "vertices": [0, 5], "fixed": true },
+                { "vertices": [4, 9], "targets": [[2.5, 0, 0.5], [2.5, 1, 0.5]], "weight": 1 }]"#;
+
+fn strip() -> Mesh {
+    grid(4, 1, |i, j| [f64::from(i), f64::from(j), f64::from(i % 2) / 4.0])
+}
+
+#[test]
+fn rigid_faces_keep_their_lengths_while_handles_move() {
+    let mesh = strip();
+    let mut scene = scene(FOLD);
+    scene.solver.iterations = 2000;
+    scene.solver.tolerance = 0.0;
+    let mut session = Session::open(scene, mesh.clone()).expect("it is regular");
+    session.solve(false).expect("positions stay finite");
+    let moved = session.positions()[4][0];
+    assert!((moved - 4.0).abs() > 1.0, "the handle has moved: {moved}");
+    let rest = lengths(&mesh, &mesh.positions);
+    for (found, rest) in lengths(&mesh, &session.positions()).iter().zip(rest) {
+        assert!((found / rest - 1.0).abs() <= 1e-6, "{rest} has become {found}");
+    }
+}
+
+#[test]
+fn relative_shapes_never_raise_the_energy_of_the_plain_iteration() {
+    for (id, limits) in [("rigid", ""), ("similar", ""), ("similar", r#", "scale": [0.9, 1.1]"#)] {
+        let constraints = format!(
+            r#", "constraints": [{{ "kind": "{id}", "on": "faces"{limits} }},
+            {{ "kind": "{id}", "on": {{ "each": "ring", "radius": 1 }} }}],
+            "handles": [{{ "vertices": [0, 1, 5, 6], "fixed": true }},
+                        {{ "vertices": [24], "targets": [[1, 1, 5]] }}]"#
+        );
+        let mut scene = scene(&constraints);
+        scene.solver.accelerator = Accelerator::None;
+        let mut session = Session::open(scene, bumpy(4)).expect("it is regular");
+        let mut before = f64::INFINITY;
+        session.begin_run();
+        for step in 0..200 {
+            session.step().expect("positions stay finite");
+            let total = session.solver().energy().total;
+            assert!(
+                total <= before * (1.0 + 1e-13),
+                "{id}{limits}, step {step}: {before} to {total}"
+            );
+            before = total;
+        }
+        session.end_run();
+        assert!(before > 1e-3, "the handles contradict the shapes: {before}");
+    }
+}

@@ -228,22 +228,26 @@ export class AddConstraintDialog {
     if (this.#params.dataset.kind === kind?.id) return;
     this.#params.dataset.kind = kind?.id ?? '';
     this.#params.replaceChildren(
-      ...(kind?.params ?? []).flatMap((param) => [
-        element(
-          'label',
-          { for: `new-${param.id}` },
-          param.unit ? `${param.label} (${param.unit})` : param.label,
-        ),
-        element('input', {
-          type: 'number',
-          step: 'any',
-          id: `new-${param.id}`,
-          name: param.id,
-          min: param.range[0],
-          max: param.range[1],
-          value: param.default,
-        }),
-      ]),
+      ...(kind?.params ?? []).flatMap((param) => {
+        // A range keeps its default.
+        if (typeof param.default !== 'number') return [];
+        return [
+          element(
+            'label',
+            { for: `new-${param.id}` },
+            param.unit ? `${param.label} (${param.unit})` : param.label,
+          ),
+          element('input', {
+            type: 'number',
+            step: 'any',
+            id: `new-${param.id}`,
+            name: param.id,
+            min: param.range[0],
+            max: param.range[1] ?? '',
+            value: param.default,
+          }),
+        ];
+      }),
     );
   }
 

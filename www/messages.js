@@ -28,7 +28,7 @@
  * @property {boolean} exact
  * @property {Measure | null} measure of faces that says how far this kind is from being met on them
  * @property {[number, number, number]} colour sRGB bytes
- * @property {{ id: string, label: string, unit: string, default: number, range: [number, number] }[]} params
+ * @property {{ id: string, label: string, unit: string, default: number | [number | null, number | null], range: [number, number | null] }[]} params
  */
 
 /**

@@ -34,6 +34,7 @@ export class SolverClient extends EventTarget {
   #ready = false;
   /** The worker was started to replace one that died, and has not opened its scene yet. */
   #restoring = false;
+  #modelName = '';
   /** @type {[import("./messages.js").ToWorker, Transferable[]][]} */
   #held = [];
   /** @type {Map<number, { resolve: (value: any) => void, reject: (error: Error) => void }>} */
@@ -122,6 +123,9 @@ export class SolverClient extends EventTarget {
         break;
       }
       case 'model':
+        // What is restored is still the model of its file.
+        if (this.#restoring) message.loaded.name = this.#modelName;
+        this.#modelName = message.loaded.name;
         this.#previous = null;
         this.geometry = {
           connectivity: message.connectivity,

@@ -25,6 +25,8 @@ export class Viewport extends EventTarget {
   /** @type {HTMLCanvasElement | null} */
   #canvas = null;
   #attempts = 0;
+  /** Width and height that the view has, in CSS pixels. */
+  #size = [0, 0];
   /** A picture is asked for. */
   #asked = false;
   /** The mesh itself is another one. */
@@ -60,13 +62,14 @@ export class Viewport extends EventTarget {
 
   /**
    * Does something with the view, if there is one, and draws what changed. The view has the newest
-   * mesh and positions then, also when no picture shows them yet.
+   * size, mesh and positions then, also when no picture shows them yet.
    * @template T
    * @param {(view: View) => T} action
    * @returns {T | undefined}
    */
   with(action) {
     if (!this.view) return undefined;
+    this.#resize();
     this.#handOver();
     this.ask();
     return action(this.view);
@@ -91,6 +94,7 @@ export class Viewport extends EventTarget {
       if (canvas === this.#canvas) this.#giveUp(messageOf(thrown));
       return;
     }
+    this.#size = [0, 0];
     this.#resize();
     this.#newMesh = true;
     this.#handOver();
@@ -132,12 +136,17 @@ export class Viewport extends EventTarget {
   /** @param {[number, number]} [pixels] the exact size, where the browser tells */
   #resize(pixels) {
     const { width, height } = this.element.getBoundingClientRect();
-    if (width === 0 || height === 0) return;
+    if (!this.view || width === 0 || height === 0) return;
+    // The observer tells of a panel that was closed only before the next picture.
+    const isNew = width !== this.#size[0] || height !== this.#size[1];
+    if (!isNew && !pixels) return;
+    this.#size = [width, height];
     const rounded = [width, height].map((side) => Math.round(side * devicePixelRatio));
     // An emulated phone tells CSS pixels here.
     const exact = pixels?.every((side, i) => Math.abs(side - rounded[i]) <= 1) ? pixels : rounded;
     // The ratio that makes the view's CSS pixels those of the page.
-    this.with((view) => view.resize(exact[0], exact[1], exact[0] / width));
+    this.view.resize(exact[0], exact[1], exact[0] / width);
+    this.ask();
   }
 
   #watchSolver() {

@@ -77,7 +77,7 @@ struct KindBatch<P> {
     count: usize,
     /// Chunk by chunk, point by point, lane by lane.
     nodes: Vec<[u32; LANES]>,
-    /// Centred rest points in the layout of `nodes`; empty where the operator does not read them.
+    /// Centred and prepared rest points in the layout of `nodes`; empty where the operator does not read them.
     rest: Vec<Vec3<Lanes>>,
     /// The previous projections in the layout of `nodes`; only with the guard, from its second step on.
     previous: Vec<Vec3<Lanes>>,
@@ -99,6 +99,11 @@ impl<P: Projection> KindBatch<P> {
             rest = nodes.iter().map(|point| gather(make.rest, point)).collect();
             for chunk in rest.chunks_mut(n) {
                 centre(chunk);
+                for lane in 0..LANES {
+                    let mut own: Vec<_> = chunk.iter().map(|point| point.lane(lane)).collect();
+                    P::prepare(&mut own);
+                    chunk.iter_mut().zip(own).for_each(|(to, from)| to.set_lane(lane, from));
+                }
             }
         }
         KindBatch {

@@ -17,11 +17,14 @@ mod batch;
 mod circle;
 mod line;
 mod parallelogram;
+mod planar_similar;
 mod plane;
 mod rectangle;
 mod regular_polygon;
 mod resolve;
+mod rigid;
 mod select;
+mod similar;
 mod sphere;
 mod square;
 
@@ -40,10 +43,16 @@ pub trait Projection: Clone + PartialEq + std::fmt::Debug + 'static {
     /// Whether [`Projection::project`] reads the rest points; without, it gets none.
     const READS_REST: bool = false;
 
+    /// Brings the mean-centred rest points of one constraint into the form in which
+    /// [`Projection::project`] wants them. Called once per constraint, before all projections.
+    fn prepare(rest: &mut [Vec3<f64>]) {
+        let _ = rest;
+    }
+
     /// The closed form, for one constraint or for several side by side: writes the closest points
     /// that have the shape to `projected`. False when it is not accurate in every lane; what it
     /// wrote is then not used. `v` are the mean-centred points, `rest` the mean-centred rest points
-    /// `V'`, `n` of each.
+    /// `V'` after [`Projection::prepare`], `n` of each.
     ///
     /// The result need not be mean-centred: whoever scatters it centres it again. It is equivariant
     /// under scaling: no absolute thresholds.
@@ -176,7 +185,7 @@ impl std::fmt::Display for Arity {
     }
 }
 
-/// A number that a kind takes from the scene file.
+/// A number, or a range of numbers, that a kind takes from the scene file.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Param {
     /// The key in scene files.
@@ -185,10 +194,20 @@ pub struct Param {
     pub label: &'static str,
     /// `"length"`, `"degrees"`, or empty for a plain number.
     pub unit: &'static str,
-    /// The value when the key is absent.
-    pub default: f64,
-    /// Least and greatest value.
+    /// The value when the key is absent; it tells whether a number is meant or a range.
+    pub default: ParamValue,
+    /// Least and greatest value, of the ends of a range too. JSON has null for infinity.
     pub range: [f64; 2],
+}
+
+/// The value of a parameter, in JSON a number or an array of two.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum ParamValue {
+    /// One number.
+    Number(f64),
+    /// From and to; none (null) where there is no limit.
+    Range([Option<f64>; 2]),
 }
 
 /// Makes the enum of kinds and everything that is the same for each of them. The only list of
@@ -270,6 +289,9 @@ kinds! {
     plane::Plane,
     circle::Circle,
     sphere::Sphere,
+    rigid::Rigid,
+    similar::Similar,
+    planar_similar::PlanarSimilar,
     regular_polygon::RegularPolygon,
     square::Square,
     parallelogram::Parallelogram,

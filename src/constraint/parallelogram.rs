@@ -23,7 +23,7 @@ impl Projection for Parallelogram {
         arity: Arity::Exactly(4),
         exact: true,
         measure: None,
-        colour: [0, 140, 150],
+        colour: [95, 85, 200],
         params: &[],
     };
 

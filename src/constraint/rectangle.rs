@@ -28,7 +28,7 @@ impl Projection for Rectangle {
         arity: Arity::Exactly(4),
         exact: true,
         measure: None,
-        colour: [200, 60, 150],
+        colour: [110, 120, 140],
         params: &[],
     };
 

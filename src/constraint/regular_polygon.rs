@@ -29,7 +29,7 @@ impl Projection for RegularPolygon {
         arity: Arity::AtLeast(3),
         exact: true,
         measure: None,
-        colour: [110, 130, 20],
+        colour: [200, 60, 150],
         params: &[],
     };
 

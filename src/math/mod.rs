@@ -1,6 +1,8 @@
 //! Small dense mathematics under everything else: lanes, 3-vectors of lanes, symmetric 3x3
-//! eigenvectors, principal axes, fitted circles and spheres, regular polygons. Knows of nothing else in the crate.
+//! eigenvectors, principal axes, closest rotations, fitted circles and spheres, regular polygons.
+//! Knows of nothing else in the crate.
 
+mod alignment;
 mod circle_fit;
 mod eigenvector;
 mod lane;
@@ -11,6 +13,7 @@ mod symmetric3;
 mod unit_polygon;
 mod vec3;
 
+pub use alignment::Alignment;
 pub use circle_fit::{CircleFit, PrincipalCircle};
 pub use eigenvector::Eigenvector;
 pub use lane::{LANES, Lane, Lanes, Pair};

@@ -20,6 +20,7 @@ test('a solver that dies is replaced, with the model as it was', async ({ page }
   expect(after.constraints).toEqual(before.constraints);
   expect(after.iteration).toBe(before.iteration);
   await expect(page.getByRole('alert')).toContainText(`iteration ${before.iteration}`);
+  await expect(page.getByText('grid.obj', { exact: true })).toBeVisible();
   expect(after.circularity.max_distance).toBeCloseTo(before.circularity.max_distance, 12);
   await runToTheEnd(page);
 });

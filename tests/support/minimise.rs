@@ -2,7 +2,7 @@
 //! Levenberg-Marquardt with numerical derivatives from many random starts.
 
 use crate::random::{Random, size};
-use crate::shapes::Corner;
+use crate::shapes::{Closest, Vertex};
 use nalgebra::{DMatrix, DVector};
 use shape_up::math::Vec3;
 
@@ -10,15 +10,17 @@ use shape_up::math::Vec3;
 /// the shape with the given parameters that is closest to a vertex.
 pub(crate) fn least_distance_squared(
     points: &[Vec3<f64>],
+    rest: &[Vec3<f64>],
     parameters: usize,
-    closest: fn(&[f64], Vec3<f64>, Corner) -> Vec3<f64>,
+    closest: Closest,
     starts: u64,
 ) -> f64 {
     let residual = |p: &DVector<f64>| {
         DVector::from_iterator(
             3 * points.len(),
-            points.iter().enumerate().flat_map(|(index, v)| {
-                <[f64; 3]>::from(*v - closest(p.as_slice(), *v, Corner { index, of: points.len() }))
+            points.iter().zip(rest).enumerate().flat_map(|(index, (v, rest))| {
+                let vertex = Vertex { index, of: points.len(), rest: *rest };
+                <[f64; 3]>::from(*v - closest(p.as_slice(), *v, vertex))
             }),
         )
     };

@@ -13,9 +13,11 @@ pub(crate) struct Project<'a> {
 impl KindVisitor for Project<'_> {
     type Output = ();
     fn visit<P: Projection>(self, operator: &P) {
+        let mut rest = self.rest.to_vec();
+        rest.iter_mut().for_each(|rest| P::prepare(rest));
         if let [points] = self.points {
             let v = points.clone();
-            return operator.project(&self.rest[0], &v, points);
+            return operator.project(&rest[0], &v, points);
         }
         let pack = |sets: &[Points]| -> Vec<Vec3<Lanes>> {
             (0..sets[0].len())
@@ -26,7 +28,7 @@ impl KindVisitor for Project<'_> {
                 })
                 .collect()
         };
-        let (rest, v) = (pack(self.rest), pack(self.points));
+        let (rest, v) = (pack(&rest), pack(self.points));
         let mut projected = v.clone();
         operator.project(&rest, &v, &mut projected);
         for (i, points) in self.points.iter_mut().enumerate() {

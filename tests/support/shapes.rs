@@ -1,34 +1,46 @@
-//! What each kind means, told a second time and without its operator: points that have the shape,
-//! a measure of how far points are from having it, and its set described by free parameters, for
-//! brute force. A new kind adds its row to [`shape`].
+//! What each kind means, told a second time and without its operator: rest points, points that have
+//! the shape, a measure of how far points are from having it, and its set described by free
+//! parameters, for brute force. A new kind adds its row to [`shape`].
 
 use crate::random::{Points, Random, in_frame, size};
 use nalgebra::DMatrix;
 use shape_up::math::Vec3;
 
+/// See [`Shape::residual`].
+pub(crate) type Residual = fn(&[Vec3<f64>], &[Vec3<f64>]) -> f64;
+
+/// See [`Shape::closest`].
+pub(crate) type Closest = fn(&[f64], Vec3<f64>, Vertex) -> Vec3<f64>;
+
 /// An independent account of one kind.
 pub(crate) struct Shape {
-    /// `n` points that have the shape, of size about one.
-    pub(crate) sample: fn(&mut Random, usize) -> Points,
-    /// Zero exactly where the centred points have the shape; relative to their size.
-    pub(crate) residual: fn(&[Vec3<f64>]) -> f64,
-    /// Whether the order of the vertices matters (up to where one begins to count, and which way).
+    /// `n` rest points, of size about one.
+    pub(crate) rest: fn(&mut Random, usize) -> Points,
+    /// Points that have the shape, of size about one, as many as the rest points.
+    pub(crate) sample: fn(&mut Random, &[Vec3<f64>]) -> Points,
+    /// Zero exactly where the centred points have the shape, given the centred rest points; relative
+    /// to their size.
+    pub(crate) residual: Residual,
+    /// Whether the order of the vertices matters (up to where one begins to count, and which way),
+    /// when that of the rest points is the same.
     pub(crate) ordered: bool,
     /// How many free parameters describe the shape.
     pub(crate) parameters: usize,
-    /// The point closest to `v` on the shape with these parameters.
-    pub(crate) closest: fn(&[f64], Vec3<f64>, Corner) -> Vec3<f64>,
+    /// The point closest to `v` on the shape with these parameters; it may depend on which vertex
+    /// `v` is, the last argument.
+    pub(crate) closest: Closest,
     /// For kinds that are not exact: how much greater than the least the squared distance may be,
     /// as a fraction, for shapes disturbed by [`NOISE`].
     pub(crate) excess: [f64; 3],
 }
 
-/// Which vertex of a constraint it is, for shapes whose vertices are in order.
+/// Which vertex of a constraint it is.
 #[derive(Clone, Copy)]
-pub(crate) struct Corner {
+pub(crate) struct Vertex {
     pub(crate) index: usize,
     /// How many vertices there are.
     pub(crate) of: usize,
+    pub(crate) rest: Vec3<f64>,
 }
 
 /// Disturbance of a shape of size about one, for [`Shape::excess`].
@@ -38,11 +50,12 @@ pub(crate) const NOISE: [f64; 3] = [0.01, 0.1, 0.3];
 pub(crate) fn shape(id: &str) -> Shape {
     match id {
         "line" => Shape {
-            sample: |random, n| {
+            rest: any,
+            sample: |random, rest| {
                 let (p, e) = (random.vector(), random.direction());
-                (0..n).map(|_| p + e * random.uniform()).collect()
+                rest.iter().map(|_| p + e * random.uniform()).collect()
             },
-            residual: |v| singular_values(v)[1] / size(v),
+            residual: |v, _| singular_values(v)[1] / size(v),
             ordered: false,
             parameters: 6,
             closest: |p, v, _| {
@@ -52,8 +65,9 @@ pub(crate) fn shape(id: &str) -> Shape {
             excess: [0.0; 3],
         },
         "plane" => Shape {
-            sample: |random, n| cloud(random, n, 0.0),
-            residual: |v| singular_values(v)[2] / size(v),
+            rest: any,
+            sample: |random, rest| cloud(random, rest.len(), 0.0),
+            residual: |v, _| singular_values(v)[2] / size(v),
             ordered: false,
             parameters: 4,
             closest: |p, v, _| {
@@ -63,11 +77,12 @@ pub(crate) fn shape(id: &str) -> Shape {
             excess: [0.0; 3],
         },
         "circle" => Shape {
-            sample: |random, n| {
+            rest: any,
+            sample: |random, rest| {
                 let (centre, [e, f, _]) = (random.vector(), random.frame());
-                (0..n).map(|_| centre + on_circle(random, e, f)).collect()
+                rest.iter().map(|_| centre + on_circle(random, e, f)).collect()
             },
-            residual: |v| (singular_values(v)[2] / size(v)).max(round_residual(v, 2)),
+            residual: |v, _| (singular_values(v)[2] / size(v)).max(round_residual(v, 2)),
             ordered: false,
             parameters: 7,
             closest: |p, v, _| {
@@ -79,11 +94,12 @@ pub(crate) fn shape(id: &str) -> Shape {
             excess: [5e-4, 0.05, 0.3],
         },
         "sphere" => Shape {
-            sample: |random, n| {
+            rest: any,
+            sample: |random, rest| {
                 let centre = random.vector();
-                (0..n).map(|_| centre + random.direction()).collect()
+                rest.iter().map(|_| centre + random.direction()).collect()
             },
-            residual: |v| round_residual(v, 3),
+            residual: |v, _| round_residual(v, 3),
             ordered: false,
             parameters: 4,
             closest: |p, v, _| {
@@ -92,61 +108,157 @@ pub(crate) fn shape(id: &str) -> Shape {
             },
             excess: [1e-3, 0.1, 1.0],
         },
+        "rigid" => Shape {
+            rest: any,
+            sample: |random, rest| placed(random, rest, 1.0),
+            residual: |v, rest| different(v, rest, 1.0).max(mirrored(v, rest, 1.0)),
+            ordered: false,
+            parameters: 7,
+            closest: |p, _, vertex| {
+                let q = [p[0], p[1], p[2], p[3]];
+                let square: f64 = q.iter().map(|x| x * x).sum();
+                at(p, 4) + turned_and_scaled(q, vertex.rest) * (1.0 / square)
+            },
+            excess: [0.0; 3],
+        },
+        "similar" => Shape {
+            rest: any,
+            sample: |random, rest| {
+                let scale = 1.2 + random.uniform();
+                placed(random, rest, scale)
+            },
+            residual: |v, rest| {
+                let scale = extent(v) / extent(rest);
+                different(v, rest, scale).max(mirrored(v, rest, scale))
+            },
+            ordered: false,
+            parameters: 7,
+            closest: |p, _, vertex| {
+                at(p, 4) + turned_and_scaled([p[0], p[1], p[2], p[3]], vertex.rest)
+            },
+            excess: [0.0; 3],
+        },
+        "planar-similar" => Shape {
+            rest: |random, n| cloud(random, n, 0.0),
+            sample: |random, rest| {
+                let scale = 1.2 + random.uniform();
+                placed(random, rest, scale)
+            },
+            residual: |v, rest| different(v, rest, extent(v) / extent(rest)),
+            ordered: false,
+            parameters: 7,
+            closest: |p, _, vertex| {
+                at(p, 4) + turned_and_scaled([p[0], p[1], p[2], p[3]], vertex.rest)
+            },
+            excess: [5e-4, 0.1, 0.15],
+        },
         "parallelogram" => Shape {
+            rest: any,
             sample: |random, _| {
                 let (centre, a, b) = (random.vector(), random.vector(), random.vector());
                 vec![centre + a, centre + b, centre - a, centre - b]
             },
-            residual: parallel_sides,
+            residual: |v, _| parallel_sides(v),
             ordered: true,
             parameters: 9,
-            closest: |p, _, corner| {
+            closest: |p, _, vertex| {
                 let (c, a, b) = (at(p, 0), at(p, 3), at(p, 6));
-                [c + a, c + b, c - a, c - b][corner.index]
+                [c + a, c + b, c - a, c - b][vertex.index]
             },
             excess: [0.0; 3],
         },
         "rectangle" => Shape {
+            rest: any,
             sample: |random, _| {
                 let (corner, [e, f, _]) = (random.vector(), random.frame());
                 let (e, f) = (e * (1.5 + random.uniform()), f * (1.5 + random.uniform()));
                 vec![corner, corner + e, corner + e + f, corner + f]
             },
-            residual: |v| parallel_sides(v).max(right_angles(v)),
+            residual: |v, _| parallel_sides(v).max(right_angles(v)),
             ordered: true,
             parameters: 9,
-            closest: |p, _, corner| {
+            closest: |p, _, vertex| {
                 let (c, a, b) = (at(p, 0), at(p, 3), at(p, 6));
                 let b = b * (a.length() / b.length());
-                [c + a, c + b, c - a, c - b][corner.index]
+                [c + a, c + b, c - a, c - b][vertex.index]
             },
             excess: [0.0; 3],
         },
         "square" => Shape {
-            residual: |v| parallel_sides(v).max(right_angles(v)).max(equal_sides(v)),
+            residual: |v, _| parallel_sides(v).max(right_angles(v)).max(equal_sides(v)),
             ..shape("regular-polygon")
         },
         "regular-polygon" => Shape {
-            sample: |random, n| {
+            rest: any,
+            sample: |random, rest| {
                 let (centre, [e, f, _]) = (random.vector(), random.frame());
                 let size = 1.0 + 0.5 * random.uniform();
-                (0..n)
-                    .map(|index| Corner { index, of: n })
-                    .map(|corner| centre + turned(e * size, f * size, corner))
+                (0..rest.len())
+                    .map(|index| Vertex { index, of: rest.len(), rest: rest[index] })
+                    .map(|vertex| centre + turned(e * size, f * size, vertex))
                     .collect()
             },
-            residual: |v| in_turn(v).max(equal_sides(v)),
+            residual: |v, _| in_turn(v).max(equal_sides(v)),
             ordered: true,
             parameters: 9,
-            closest: |p, _, corner| {
+            closest: |p, _, vertex| {
                 let (c, e, f) = (at(p, 0), at(p, 3), at(p, 6));
                 let f = f - e * (f.dot(e) / e.length_squared());
-                c + turned(e, f * (e.length() / f.length()), corner)
+                c + turned(e, f * (e.length() / f.length()), vertex)
             },
             excess: [0.0; 3],
         },
         _ => panic!("the kind '{id}' has no account in tests/support/shapes.rs"),
     }
+}
+
+/// Rest points of kinds that do not read them.
+fn any(random: &mut Random, n: usize) -> Points {
+    cloud(random, n, 1.0)
+}
+
+/// The rest points scaled, turned and moved.
+fn placed(random: &mut Random, rest: &[Vec3<f64>], scale: f64) -> Points {
+    let (offset, frame) = (random.vector(), random.frame());
+    rest.iter().map(|r| offset + in_frame(frame, *r) * scale).collect()
+}
+
+/// `q r q*` for the quaternion `q`: turned, and scaled by `|q|^2`.
+fn turned_and_scaled([w, x, y, z]: [f64; 4], r: Vec3<f64>) -> Vec3<f64> {
+    let q = Vec3::new(x, y, z);
+    r * (w * w - q.length_squared()) + q * (2.0 * q.dot(r)) + q.cross(r) * (2.0 * w)
+}
+
+/// The root of the sum of squares.
+fn extent(v: &[Vec3<f64>]) -> f64 {
+    v.iter().map(|v| v.length_squared()).sum::<f64>().sqrt()
+}
+
+/// How much inner products of pairs of points differ from those of the rest points times `scale`;
+/// relative to the size of the points.
+fn different(v: &[Vec3<f64>], rest: &[Vec3<f64>], scale: f64) -> f64 {
+    let mut worst = 0.0f64;
+    for (a, r) in v.iter().zip(rest) {
+        for (b, s) in v.iter().zip(rest) {
+            worst = worst.max((a.dot(*b) - scale * scale * r.dot(*s)).abs());
+        }
+    }
+    worst / size(v).powi(2)
+}
+
+/// The same for the volumes that triples of points span, which have a sign.
+fn mirrored(v: &[Vec3<f64>], rest: &[Vec3<f64>], scale: f64) -> f64 {
+    let mut worst = 0.0f64;
+    let n = v.len();
+    for i in 0..n {
+        for j in i + 1..n {
+            for k in j + 1..n {
+                let volume = |p: &[Vec3<f64>]| p[i].dot(p[j].cross(p[k]));
+                worst = worst.max((volume(v) - scale.powi(3) * volume(rest)).abs());
+            }
+        }
+    }
+    worst / size(v).powi(3)
 }
 
 /// `n` points in a box whose sides are up to 1, 1 and `flatness`, turned at random.
@@ -177,8 +289,8 @@ fn on_circle(random: &mut Random, e: Vec3<f64>, f: Vec3<f64>) -> Vec3<f64> {
 
 /// `e` turned towards `f` to the corner of a regular polygon whose first corner is at `e`.
 #[expect(clippy::disallowed_methods, reason = "independent of the corners of the operator")]
-fn turned(e: Vec3<f64>, f: Vec3<f64>, corner: Corner) -> Vec3<f64> {
-    let angle = std::f64::consts::TAU * corner.index as f64 / corner.of as f64;
+fn turned(e: Vec3<f64>, f: Vec3<f64>, vertex: Vertex) -> Vec3<f64> {
+    let angle = std::f64::consts::TAU * vertex.index as f64 / vertex.of as f64;
     e * angle.cos() + f * angle.sin()
 }
 
