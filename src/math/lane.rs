@@ -171,7 +171,7 @@ impl<const N: usize> Lane for Lanes<N> {
     }
     #[inline(always)]
     fn all_greater(self, bound: Self) -> bool {
-        (0..LANES).all(|i| self.0[i] > bound.0[i])
+        (0..N).all(|i| self.0[i] > bound.0[i])
     }
     #[inline(always)]
     fn lane(self, i: usize) -> f64 {

@@ -35,6 +35,17 @@ const SCENES: &[(&str, [u64; 3])] = &[
            "smoothness": { "of": "displacement" }"#,
         [0xa65d_543d_ccf2_c3e3, 0x773c_218a_30a7_3220, 0x25ba_0bd4_7e64_2f95],
     ),
+    (
+        r#""constraints": [{ "kind": "square", "on": "faces", "weight": 0.3 },
+                           { "kind": "regular-polygon", "on": { "vertices": "0-11" } },
+                           { "kind": "parallelogram", "on": "faces" },
+                           { "kind": "rectangle", "on": "faces" },
+                           { "kind": "rigid", "on": "rings" },
+                           { "kind": "similar", "on": { "each": "ring", "radius": 2 }, "scale": [0.8, 1.25] },
+                           { "kind": "planar-similar", "on": "faces" }],
+           "handles": [{ "vertices": [0, 12] }, { "vertices": [168], "targets": [[1.2, 1.1, 0.4]] }]"#,
+        [0x4cc5_4b30_6759_d56c, 0xda57_ff12_b0b8_97bf, 0x7ad4_bbf1_c473_11b2],
+    ),
 ];
 
 /// FNV-1a over the bits of all coordinates.
