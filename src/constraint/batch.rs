@@ -4,7 +4,7 @@
 //! `LANES` constraints at a time, centres them (`N_i` of Eq. 5), projects them, and scatters
 //! the gradient `w_i N_i (N_i V_i - P_i)` (Appendix A). The operator sees points and nothing else.
 
-use super::{Fitted, Kind, KindVisitor, Projection};
+use super::{Arity, Fitted, Kind, KindVisitor, Projection};
 use crate::math::{LANES, Lane, Lanes, Vec3, centre};
 use crate::mesh::Ragged;
 
@@ -225,11 +225,14 @@ impl<P: Projection> Batch for KindBatch<P> {
         let mut all = LocalStep::default();
         for chunk in 0..self.count.div_ceil(LANES) {
             let rows = (x, &mut *gradient);
-            // Triangles and quads are most of what there is.
+            // Triangles and quads are most of what there is. What the arity rules out is not compiled.
             let found = match self.n {
-                3 => self.step_few::<3>(chunk, rows, scale),
-                4 => self.step_few::<4>(chunk, rows, scale),
-                _ => self.step_many(chunk, rows, scale),
+                3 if const { P::INFO.arity.fits(3) } => self.step_few::<3>(chunk, rows, scale),
+                4 if const { P::INFO.arity.fits(4) } => self.step_few::<4>(chunk, rows, scale),
+                _ if const { matches!(P::INFO.arity, Arity::AtLeast(_)) } => {
+                    self.step_many(chunk, rows, scale)
+                }
+                n => unreachable!("{} takes {}, not {n}", P::INFO.id, P::INFO.arity),
             };
             all.energy += found.energy;
             all.worst_squared = all.worst_squared.max(found.worst_squared);

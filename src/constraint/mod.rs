@@ -168,7 +168,7 @@ pub enum Arity {
 
 impl Arity {
     /// Whether `n` vertices fit.
-    pub fn fits(self, n: usize) -> bool {
+    pub const fn fits(self, n: usize) -> bool {
         match self {
             Arity::AtLeast(least) => n >= least,
             Arity::Exactly(exactly) => n == exactly,
