@@ -17,7 +17,9 @@ export class AddConstraintDialog {
   #store;
   #solver;
   #actions;
-  #kinds = element('div', { class: 'choices' });
+  #kinds = element('div', { class: 'choices in-columns' });
+  /** What the chosen shape asks. */
+  #about = element('p', { class: 'about quiet' });
   #places = element('div', { class: 'choices' });
   #params = element('div', { class: 'weight-row' });
   #preview = element('p', { class: 'preview quiet', 'aria-live': 'polite' });
@@ -63,7 +65,7 @@ export class AddConstraintDialog {
       element(
         'form',
         { onsubmit: (/** @type {SubmitEvent} */ event) => this.#submit(event) },
-        element('fieldset', {}, element('legend', {}, 'Shape'), this.#kinds),
+        element('fieldset', {}, element('legend', {}, 'Shape'), this.#kinds, this.#about),
         element('fieldset', {}, element('legend', {}, 'Where'), this.#places),
         this.#params,
         element(
@@ -173,6 +175,7 @@ export class AddConstraintDialog {
     this.#places.replaceChildren(
       ...[...this.#offers.values()].map((one) => this.#placeChoice(one)),
     );
+    this.#about.textContent = kinds[chosen]?.summary ?? '';
     this.#showParams(kinds[chosen]);
     this.#showPreview();
     if (focused) document.getElementById(focused)?.focus();
@@ -198,7 +201,12 @@ export class AddConstraintDialog {
       radio,
       element('span', { class: 'chip', style: `--chip: rgb(${kind.colour.join(' ')})` }),
       element('span', {}, kind.label),
-      element('span', { class: 'summary', id: `new-kind-${kind.id}-summary` }, kind.summary),
+      // The one that is chosen is said below the list; a screen reader hears each.
+      element(
+        'span',
+        { class: 'visually-hidden', id: `new-kind-${kind.id}-summary` },
+        kind.summary,
+      ),
     );
   }
 
