@@ -14,6 +14,7 @@
 //! | `laplacian` | the weights `w_ij` of Eq. 12 |
 //! | `closest` | closest point `c(v)` on the reference surface, Eq. 11; with its parts `triangle`, `tree`, `surroundings` |
 //! | `measure` | planarity, circularity, diagonal ratio of faces; with its part `face_fit` |
+//! | `quasi_conformal` | how far a flat map is from keeping angles |
 //! | `bounds` | bounding sphere |
 
 mod boundary;
@@ -35,6 +36,7 @@ mod obj;
 mod obj_write;
 mod off;
 mod problem;
+mod quasi_conformal;
 mod ragged;
 mod read;
 mod stream;
@@ -51,8 +53,9 @@ pub use edge_lines::edge_lines;
 pub use laplacian::{LARGEST_COTANGENT, Laplacian};
 pub use local::{corners, hinges, stars};
 pub use measure::{Circularity, Measures, Planarity, diagonal_ratio};
-pub use obj_write::write_obj;
+pub use obj_write::{write_obj, write_obj_with_uv};
 pub use problem::{Element, Problem, ProblemKind};
+pub use quasi_conformal::{QuasiConformal, quasi_conformal};
 pub use ragged::Ragged;
 pub use read::{Read, read};
 pub use survey::survey;

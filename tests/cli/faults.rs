@@ -107,7 +107,11 @@ fn a_wrong_call_says_how_it_is_called() {
         (vec!["check", "roof.obj", "--out", "x"], "`--out`"),
         (vec!["examples", "canopy"], "`canopy`"),
         (vec!["operators", "--json"], "`--json`"),
-        (vec!["parametrize", "roof.obj"], "`parametrize`"),
+        (vec!["flatten", "roof.obj"], "`flatten`"),
+        (vec!["parametrize"], "mesh"),
+        (vec!["parametrize", "roof.obj", "--weights", "two"], "inverse-area or one or lscm"),
+        (vec!["parametrize", "roof.obj", "--norm", "all"], "boundary or vertices"),
+        (vec!["parametrize", "roof.obj", "--trace"], "`--trace`"),
     ] {
         folder.run(&arguments).misused(word);
     }

@@ -207,6 +207,27 @@ fn check_says_what_a_mesh_is_like() {
 }
 
 #[test]
+fn a_mesh_is_flattened_with_its_texture_coordinates() {
+    let folder = Folder::new("parametrize");
+    folder.write("roof.obj", ROOF);
+    let out =
+        folder.run(&["parametrize", "roof.obj", "--out", "uv.obj", "--report", "r.json"]).done();
+    assert!(out.contains("quasi-conformal"), "{out}");
+    let report = folder.json("r.json");
+    assert!(report["eigenvalue"].as_f64().unwrap() >= 0.0);
+    let error = &report["quasi_conformal"];
+    assert!(error["max"].as_f64().unwrap() >= error["mean"].as_f64().unwrap());
+    assert!(error["mean"].as_f64().unwrap() >= 1.0);
+    assert_eq!(report["flipped"], 0);
+    assert!(report["seconds"]["total"].as_f64().unwrap() > 0.0);
+    let text = folder.read("uv.obj");
+    let mesh = shape_up::mesh::read("uv.obj", text.as_bytes()).unwrap().mesh;
+    let count = |statement: &str| text.lines().filter(|line| line.starts_with(statement)).count();
+    assert_eq!(count("vt "), mesh.positions.len());
+    assert!(text.lines().filter(|line| line.starts_with("f ")).all(|line| line.contains('/')));
+}
+
+#[test]
 fn operators_are_listed_with_their_parameters() {
     let out = Folder::new("operators").run(&["operators"]).done();
     let kinds: Value = serde_json::from_str(&out).unwrap();

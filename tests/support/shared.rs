@@ -26,11 +26,16 @@ pub(crate) fn mesh(file: &str) -> Option<Mesh> {
     Some(read(file, &bytes).expect("the meshes are valid").mesh)
 }
 
+/// The file of `../shared/expected` for the case `name`.
+pub(crate) fn case(name: &str) -> Option<Value> {
+    let bytes = bytes(&format!("expected/{name}.json"))?;
+    Some(serde_json::from_slice(&bytes).expect("it is JSON"))
+}
+
 /// What is expected in the case `name`, for the mesh scaled so that its bounding sphere has
 /// diameter 1; and that diameter before.
 pub(crate) fn expected(name: &str) -> Option<(Value, f64)> {
-    let bytes = bytes(&format!("expected/{name}.json"))?;
-    let expected: Value = serde_json::from_slice(&bytes).expect("it is JSON");
+    let expected = case(name)?;
     let diameter = expected["diameter"].as_f64().unwrap_or_else(|| {
         let sentence = expected["normalised"].as_str().expect("a sentence");
         let (_, rest) = sentence.split_once("original diameter ").expect("the diameter");
