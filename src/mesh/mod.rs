@@ -10,12 +10,14 @@
 //! | `generate` | meshes of the examples |
 //! | `topology` | edges, neighbours, rings, faces around edges and vertices |
 //! | `boundary`, `edge_lines`, `components` | boundary loops, straight edge lines, connected components |
+//! | `boundary_curves` | the boundary loops as curves to glide on, with corners |
 //! | `laplacian` | the weights `w_ij` of Eq. 12 |
 //! | `closest` | closest point `c(v)` on the reference surface, Eq. 11; with its parts `triangle`, `tree`, `surroundings` |
 //! | `measure` | planarity, circularity, diagonal ratio of faces; with its part `face_fit` |
 //! | `bounds` | bounding sphere |
 
 mod boundary;
+mod boundary_curves;
 mod bounds;
 mod closest;
 mod components;
@@ -42,6 +44,7 @@ mod topology;
 mod tree;
 mod triangle;
 
+pub use boundary_curves::{BoundaryCurve, BoundaryCurves};
 pub use bounds::BoundingSphere;
 pub use closest::Surface;
 pub use components::components;

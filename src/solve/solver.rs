@@ -5,7 +5,7 @@
 //! the factor of `A` is only a metric: its rounding cannot move the fixed point.
 
 use super::accelerate::{Accelerator, add_scaled};
-use super::close::CloseEnergy;
+use super::close::{CloseEnergy, Reference};
 use super::energy::{Energies, Energy, IterateSeconds};
 use super::hold::{Handle, SoftHandles, pins, relative};
 use super::shape::{Constraints, ShapeEnergy, extra_unknowns};
@@ -13,7 +13,7 @@ use super::smooth::SmoothEnergy;
 use super::system::{SetUpSeconds, System};
 use super::{SolveError, clock, shape, smooth};
 use crate::constraint::{Fitted, LocalStep, Row};
-use crate::mesh::{Laplacian, Mesh, Point, Surface, Topology};
+use crate::mesh::{Laplacian, Mesh, Point, Topology};
 use crate::scene::{Closeness, Hold, Smoothness, SmoothnessOf, SolverSettings, Weighting, Weights};
 
 /// What is solved: the rest shape and what its parts shall be.
@@ -27,7 +27,9 @@ pub struct Problem<'a> {
     /// The weights of Eq. 13.
     pub weights: Weights,
     /// What vertices are kept close to.
-    pub closeness: Closeness,
+    pub closeness: &'a Closeness,
+    /// `k_v` of each vertex, `#V`: see [`Closeness::factors`].
+    pub closeness_factors: &'a [f64],
     /// What is smoothed.
     pub smoothness: Smoothness,
     /// How it is solved.
@@ -43,8 +45,10 @@ pub struct Solver {
     settings: SolverSettings,
     system: System,
     energies: Energies,
-    /// Nodes that the energies themselves hold, such as by closeness.
+    /// Nodes that the shape energy holds: without `N_i` it does.
     held: Vec<bool>,
+    /// Corners of the boundary, if these are fixed, and where.
+    corners: Vec<(u32, Point)>,
     handles: Vec<Handle>,
     pinned: Vec<u32>,
     accelerator: Accelerator,
@@ -90,7 +94,7 @@ impl Solver {
             Default::default()
         };
         let smooth_terms = laplacian.as_ref().map(smooth::terms).unwrap_or_default();
-        let mut held = vec![weights.close > 0.0 && problem.closeness != Closeness::None; n];
+        let mut held = vec![false; n];
         if !settings.mean_centring {
             // Without N_i a constraint holds its points against translation too.
             shape_terms.nodes().indices().iter().for_each(|&v| held[v as usize] = true);
@@ -110,6 +114,12 @@ impl Solver {
         };
         let rest = to_rows(&mesh.positions);
         let x = to_rows(start);
+        let (close, corners) = if weights.close > 0.0 {
+            let reference = Reference { mesh, topology: problem.topology, centre, node_of };
+            CloseEnergy::new(problem.closeness, problem.closeness_factors, &reference)
+        } else {
+            Default::default()
+        };
         let energies = Energies {
             weights,
             shape: ShapeEnergy::new(constraints, node_of, &rest, settings.monotone),
@@ -120,9 +130,7 @@ impl Solver {
                 };
                 SmoothEnergy::new(&laplacian, node_of, n, rest)
             }),
-            close: (weights.close > 0.0)
-                .then(|| closeness(problem, centre, node_of, rest))
-                .flatten(),
+            close,
             handles: SoftHandles::default(),
         };
         let held = {
@@ -140,6 +148,7 @@ impl Solver {
             system,
             energies,
             held,
+            corners: corners.into_iter().map(|v| (v, mesh.positions[v as usize])).collect(),
             handles: Vec::new(),
             pinned: Vec::new(),
             accelerator: Accelerator::new(&settings),
@@ -168,14 +177,21 @@ impl Solver {
         let (mut fixed, mut held, mut diagonal) = (vec![false; n], self.held.clone(), vec![0.0; n]);
         let padding = &self.system.node_of()[self.n_unknowns..];
         padding.iter().for_each(|&node| fixed[node as usize] = true);
-        if self.energies.close.is_some() {
-            node_of.iter().for_each(|&node| diagonal[node as usize] = self.energies.weights.close);
+        if let Some(close) = &self.energies.close {
+            for (node, factor) in close.held() {
+                held[node as usize] = true;
+                diagonal[node as usize] = self.energies.weights.close * factor;
+            }
         }
+        self.corners.iter().for_each(|&(v, _)| fixed[node_of[v as usize] as usize] = true);
         for handle in &handles {
             let node = node_of[handle.vertex as usize] as usize;
             held[node] = true;
             match handle.hold {
-                Hold::Soft { weight } => diagonal[node] += weight,
+                Hold::Soft { weight } => {
+                    diagonal[node] += weight;
+                    fixed[node] = false;
+                }
                 Hold::Fixed => fixed[node] = true,
             }
         }
@@ -210,9 +226,13 @@ impl Solver {
     /// Puts fixed vertices on their targets and evaluates anew.
     fn retarget(&mut self) {
         let node_of = &self.system.node_of()[..self.n_vertices];
-        for handle in self.handles.iter().filter(|handle| handle.hold == Hold::Fixed) {
-            self.x[node_of[handle.vertex as usize] as usize] = relative(handle.target, self.centre);
-            self.put[handle.vertex as usize] = handle.target;
+        let fixed = self.handles.iter().filter(|handle| handle.hold == Hold::Fixed);
+        let fixed = fixed.map(|handle| (handle.vertex, handle.target));
+        let is_handle = |v: u32| self.handles.iter().any(|handle| handle.vertex == v);
+        let corners = self.corners.iter().copied().filter(|&(v, _)| !is_handle(v));
+        for (vertex, target) in corners.chain(fixed) {
+            self.x[node_of[vertex as usize] as usize] = relative(target, self.centre);
+            self.put[vertex as usize] = target;
         }
         self.energies.handles = SoftHandles::new(&self.handles, node_of, self.centre);
         self.accelerator.forget();
@@ -368,28 +388,6 @@ fn laplacian(problem: &Problem<'_>) -> Laplacian {
         Laplacian::cotangent(problem.mesh, problem.topology)
     } else {
         Laplacian::uniform(problem.topology)
-    }
-}
-
-fn closeness(
-    problem: &Problem<'_>,
-    centre: Point,
-    node_of: &[u32],
-    rest: Vec<Row>,
-) -> Option<CloseEnergy> {
-    match problem.closeness {
-        Closeness::None => None,
-        Closeness::Rest => Some(CloseEnergy::Rest { rest, nodes: node_of.to_vec() }),
-        Closeness::Surface => {
-            let around_centre: Vec<Point> = problem
-                .mesh
-                .positions
-                .iter()
-                .map(|&p| std::array::from_fn(|i| p[i] - centre[i]))
-                .collect();
-            let surface = Surface::new(&around_centre, problem.mesh);
-            Some(CloseEnergy::to_surface(surface, node_of.to_vec()))
-        }
     }
 }
 

@@ -155,6 +155,29 @@ fn a_scene_finds_its_mesh_beside_itself() {
 }
 
 #[test]
+fn a_scene_says_what_is_kept_close_and_how_much() {
+    let folder = Folder::new("close");
+    folder.write("roof.obj", ROOF);
+    let close_and_moved = |closeness: &str| {
+        let rest = format!(r#"{PLANES}, "weights": {{ "close": 1 }}, "closeness": {closeness}"#);
+        folder.write("s.json", scene(&rest));
+        folder.run(&["solve", "s.json", "--out", "out.obj", "--report", "r.json"]).done();
+        let read =
+            |name: &str| shape_up::mesh::read(name, folder.read(name).as_bytes()).unwrap().mesh;
+        let (before, after) = (read("roof.obj").positions, read("out.obj").positions);
+        let close = folder.json("r.json")["energy"]["final"]["close"].as_f64().unwrap();
+        (close, before.iter().zip(after).filter(|(a, b)| *a != b).count())
+    };
+    let (plain, all) = close_and_moved(r#"{ "to": "rest" }"#);
+    assert_eq!(all, 9);
+    // Corners are fixed; what weighs nothing adds nothing.
+    assert_eq!(close_and_moved(r#"{ "to": "rest", "boundary": {} }"#).1, 5);
+    let (none, _) =
+        close_and_moved(r#"{ "to": "rest", "weights": [{ "on": "faces", "weight": 0 }] }"#);
+    assert!(plain > 0.0 && none == 0.0, "{plain} {none}");
+}
+
+#[test]
 fn a_scene_with_its_mesh_inside_is_solved() {
     let folder = Folder::new("inline");
     folder.write(
