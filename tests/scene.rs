@@ -49,7 +49,9 @@ fn everything_the_format_has_is_read() {
           { "kind": "line", "on": { "each": "ring", "radius": 2, "in": "eaves" } },
           { "kind": "plane", "on": { "vertices": [3, 5, 4] } },
           { "kind": "plane", "on": { "each": "group" } },
-          { "kind": "plane", "on": "rings" } ],
+          { "kind": "plane", "on": "rings" },
+          { "kind": "plane", "on": "strips" },
+          { "kind": "plane", "on": { "each": "strip", "in": "eaves" } } ],
         "handles": [ { "vertices": [2], "targets": [[1.25, 0.5, 2]], "weight": 10 },
                      { "vertices": "0-1", "fixed": true }, { "vertices": [4] } ],
         "weights": { "shape": 5, "close": 10, "smooth": 2 },
@@ -80,6 +82,8 @@ fn everything_the_format_has_is_read() {
             Selector::Vertices(vec![3, 5, 4]),
             each(Element::Group, None, 0),
             each(Element::Ring, None, 1),
+            each(Element::Strip, None, 0),
+            each(Element::Strip, Some("eaves"), 0),
         ]
     );
     assert_eq!(scene.constraints[0].weight, 2.5);

@@ -130,6 +130,28 @@ fn boundary_loops_tets_and_groups_are_elements_too() {
 }
 
 #[test]
+fn strips_run_side_by_side_and_count_when_they_lie_in_the_set() {
+    let strips = rows(&each(Element::Strip, None, 0));
+    assert_eq!(strips.len(), 3 + 3);
+    assert_eq!(strips[0], [0, 1, 4, 5, 8, 9, 12, 13]);
+    let left = Selector::Each { element: Element::Strip, within: Some("left".into()), radius: 0 };
+    let none: Vec<Vec<u32>> = vec![];
+    assert_eq!(rows(&left), none, "the set of that name has one vertex");
+    let mesh = roof();
+    let of_group = resolve(&left, &mesh, &Topology::new(&mesh), &Sets::new());
+    assert_eq!(of_group, Ok(Ragged::from_iter([[0, 1, 4, 5, 8, 9, 12, 13]])));
+    // A closed strip has its vertices once.
+    let tube = Mesh {
+        positions: vec![[0.0; 3]; 10],
+        faces: (0..5_u32).map(|i| [i, (i + 1) % 5, (i + 1) % 5 + 5, i + 5]).collect(),
+        ..Mesh::default()
+    };
+    let found = resolve(&each(Element::Strip, None, 0), &tube, &Topology::new(&tube), &sets());
+    let longest = found.as_ref().expect("it is valid").iter().max_by_key(|row| row.len());
+    assert_eq!(longest.expect("there is one").len(), 10);
+}
+
+#[test]
 fn a_set_of_faces_stands_for_their_vertices() {
     assert_eq!(rows(&Selector::Set("skylight".into())), [[5, 6, 10, 9, 11, 15, 14]]);
     assert_eq!(rows(&Selector::Set("ribs".into())), [[1, 2, 6, 5]]);
@@ -167,6 +189,8 @@ fn selectors_are_described_in_words() {
         (each(Element::Face, Some("eaves"), 0), "each face of eaves"),
         (each(Element::Face, None, 2), "all faces with 2 rings of neighbours"),
         (each(Element::Ring, None, 1), "all vertices with neighbours"),
+        (each(Element::Strip, None, 0), "all strips of faces"),
+        (each(Element::Strip, Some("eaves"), 0), "each strip of faces of eaves"),
         (each(Element::Ring, Some("eaves"), 2), "each vertex of eaves with 2 rings of neighbours"),
         (Selector::Set("eaves".into()), "the vertices of eaves"),
         (Selector::Vertices((0..12).collect()), "12 vertices"),
@@ -178,12 +202,15 @@ fn selectors_are_described_in_words() {
 }
 
 #[test]
-fn elements_are_known_by_their_ids() {
-    for element in Element::ALL {
-        assert_eq!(Element::from_id(element.id()), Some(element));
-        assert!(!element.label().is_empty());
-    }
-    assert_eq!(Element::from_id("faces"), None);
+fn elements_have_ids_and_words_of_their_own() {
+    let mut words: Vec<&str> = Element::ALL.iter().map(|element| element.id()).collect();
+    words.extend(Element::ALL.iter().filter_map(|element| element.word_for_all()));
+    words.sort_unstable();
+    let all = words.len();
+    words.dedup();
+    // "boundary" is both one loop and all of them.
+    assert_eq!(words.len(), all - 1);
+    assert!(Element::ALL.iter().all(|element| !element.label().is_empty()));
 }
 
 proptest! {

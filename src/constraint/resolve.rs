@@ -1,7 +1,7 @@
 //! From a selector to the vertices of each constraint that it makes.
 
 use super::{Element, SelectError, Selector, Sets};
-use crate::mesh::{Mesh, Ragged, Topology, edge_lines};
+use crate::mesh::{Mesh, Ragged, Topology, edge_lines, strips};
 
 /// The vertices of each constraint that a selector makes: one row of distinct vertices for each.
 ///
@@ -12,6 +12,7 @@ use crate::mesh::{Mesh, Ragged, Topology, edge_lines};
 /// | rings | one per vertex | the vertex, then ring by ring, each ring ascending |
 /// | curves | those of the file, then the lines of [`edge_lines`] | along the curve |
 /// | boundary | as [`Topology::boundary_loops`] | along the loop |
+/// | strips | as [`strips`] | along the strip, side by side |
 /// | groups, sets | groups in the order of the mesh; a set is one row | vertices as listed, then those of faces, then those of curves |
 /// | vertices | one row | as listed |
 ///
@@ -60,6 +61,9 @@ pub fn resolve(
                 }
                 Element::Boundary => {
                     each(topology.boundary_loops(), |_, one| push(Place::Other, one));
+                }
+                Element::Strip => {
+                    each(&strips(mesh, topology), |_, strip| push(Place::Other, strip));
                 }
                 Element::Group => {
                     for group in &mesh.groups {

@@ -9,7 +9,7 @@
 //! | `obj_write` | OBJ out |
 //! | `generate` | meshes of the examples |
 //! | `topology` | edges, neighbours, rings, faces around edges and vertices |
-//! | `boundary`, `edge_lines`, `components` | boundary loops, straight edge lines, connected components |
+//! | `boundary`, `edge_lines`, `strips`, `components` | boundary loops, straight edge lines, strips of quads, connected components |
 //! | `boundary_curves` | the boundary loops as curves to glide on, with corners |
 //! | `laplacian` | the weights `w_ij` of Eq. 12 |
 //! | `closest` | closest point `c(v)` on the reference surface, Eq. 11; with its parts `triangle`, `tree`, `surroundings` |
@@ -38,6 +38,7 @@ mod problem;
 mod ragged;
 mod read;
 mod stream;
+mod strips;
 mod surroundings;
 mod survey;
 mod topology;
@@ -55,6 +56,7 @@ pub use obj_write::write_obj;
 pub use problem::{Element, Problem, ProblemKind};
 pub use ragged::Ragged;
 pub use read::{Read, read};
+pub use strips::strips;
 pub use survey::survey;
 pub use topology::Topology;
 

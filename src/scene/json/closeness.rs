@@ -33,7 +33,7 @@ pub(super) fn read(at: &At<'_>) -> Result<Closeness, SceneError> {
 
 fn read_weight(at: &At<'_>) -> Result<ClosenessWeight, SceneError> {
     at.only_keys(&["on", "weight"])?;
-    let on = selector::read(&at.need("on", selector::WHAT)?)?;
+    let on = selector::read(&at.need("on", &selector::what())?)?;
     let weight = at.need("weight", "a number from 0")?.number("a number from 0")?;
     Ok(ClosenessWeight { on, weight })
 }
