@@ -5,7 +5,7 @@
 mod shared;
 
 use serde_json::Value;
-use shape_up::mesh::{Mesh, Point};
+use shape_up::mesh::Mesh;
 use shape_up::scene::{HandleSpec, Hold, Scene};
 use shape_up::session::Session;
 

@@ -1,5 +1,6 @@
 //! Selectors: which vertices a constraint acts on, orthogonal to its kind.
 
+use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -16,7 +17,8 @@ pub struct Set {
 }
 
 /// The elements of a mesh that can carry one constraint each.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Element {
     /// The corners of a face.
     Face,
@@ -34,6 +36,12 @@ pub enum Element {
     Strip,
     /// All vertices of a group.
     Group,
+    /// A corner of a face: the vertex before it, itself, the vertex after it.
+    Corner,
+    /// An interior vertex, then its neighbours around it.
+    Star,
+    /// An edge between two triangles: its ends, then the corners opposite to it.
+    Hinge,
 }
 
 /// Which vertices a constraint acts on (design section 5).
@@ -56,7 +64,7 @@ pub enum Selector {
 
 impl Element {
     /// All of them, in the order in which hosts list them.
-    pub const ALL: [Element; 8] = [
+    pub const ALL: [Element; 11] = [
         Element::Face,
         Element::Edge,
         Element::Ring,
@@ -65,6 +73,9 @@ impl Element {
         Element::Boundary,
         Element::Strip,
         Element::Group,
+        Element::Corner,
+        Element::Star,
+        Element::Hinge,
     ];
 
     /// The id in scene files.
@@ -78,6 +89,9 @@ impl Element {
             Element::Boundary => "boundary",
             Element::Strip => "strip",
             Element::Group => "group",
+            Element::Corner => "corner",
+            Element::Star => "star",
+            Element::Hinge => "hinge",
         }
     }
 
@@ -92,6 +106,9 @@ impl Element {
             Element::Boundary => Some("boundary"),
             Element::Strip => Some("strips"),
             Element::Group => None,
+            Element::Corner => Some("corners"),
+            Element::Star => Some("stars"),
+            Element::Hinge => Some("hinges"),
         }
     }
 
@@ -111,6 +128,9 @@ impl Element {
             Element::Boundary => ["boundary loop", "boundary loops"],
             Element::Strip => ["strip of faces", "strips of faces"],
             Element::Group => ["group", "groups"],
+            Element::Corner => ["corner of a face", "corners of faces"],
+            Element::Star => ["inner vertex with its neighbours in turn", "inner vertices"],
+            Element::Hinge => ["edge between two triangles", "edges between triangles"],
         }
     }
 }

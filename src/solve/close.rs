@@ -1,11 +1,11 @@
 //! `E_close` (Eq. 11): every vertex is kept close to the reference surface, to a boundary curve, or
 //! to where it was.
 
-use super::hold::relative;
 use crate::constraint::Row;
 use crate::math::cosine;
-use crate::mesh::{BoundaryCurves, Mesh, Point, Surface, Topology};
+use crate::mesh::{BoundaryCurves, Point, Surface, Topology};
 use crate::scene::{Closeness, ClosenessTo};
+use std::rc::Rc;
 
 /// What vertices are kept close to: `sum k_v |v - c(v)|^2`.
 pub(super) struct CloseEnergy {
@@ -17,7 +17,7 @@ pub(super) struct CloseEnergy {
 
 /// Vertices that are kept close to the closest point of a surface or curve.
 struct Gliding {
-    on: Surface,
+    on: Rc<Surface>,
     /// On the rest surface by ascending nodes: neighbours in the elimination order are neighbours
     /// on the surface, so that its tree stays in the cache.
     vertices: Vec<Glider>,
@@ -38,14 +38,15 @@ struct Resting {
     target: Row,
 }
 
-/// The rest shape as closeness sees it.
-pub(super) struct Reference<'a> {
-    pub mesh: &'a Mesh,
-    pub topology: &'a Topology,
-    /// The origin of all that is in terms of nodes.
-    pub centre: Point,
+/// The rest shape in terms of nodes.
+pub(super) struct RestShape<'a> {
+    /// The rest position of each node.
+    pub rest: &'a [Row],
     /// The node of each vertex.
     pub node_of: &'a [u32],
+    pub topology: &'a Topology,
+    /// The rest surface.
+    pub surface: &'a dyn Fn() -> Rc<Surface>,
 }
 
 impl CloseEnergy {
@@ -54,12 +55,9 @@ impl CloseEnergy {
     pub(super) fn new(
         closeness: &Closeness,
         factors: &[f64],
-        reference: &Reference<'_>,
+        rest_shape: &RestShape<'_>,
     ) -> (Option<CloseEnergy>, Vec<u32>) {
-        let Reference { mesh, topology, centre, node_of } = *reference;
-        let around_centre: Vec<Row> =
-            mesh.positions.iter().map(|&point| relative(point, centre)).collect();
-        let positions: Vec<Point> = around_centre.iter().map(|&[x, y, z, _]| [x, y, z]).collect();
+        let RestShape { rest, node_of, topology, surface } = *rest_shape;
         let glider = |v: u32| Glider {
             node: node_of[v as usize],
             warm: Surface::COLD,
@@ -68,12 +66,19 @@ impl CloseEnergy {
         let resting = |v: u32| Resting {
             node: node_of[v as usize],
             factor: factors[v as usize],
-            target: around_centre[v as usize],
+            target: rest[node_of[v as usize] as usize],
         };
         let mut elsewhere: Vec<bool> = factors.iter().map(|&factor| factor == 0.0).collect();
         let mut energy = CloseEnergy { gliding: Vec::new(), resting: Vec::new() };
         let mut corners = Vec::new();
         if let Some(boundary) = closeness.boundary {
+            let positions: Vec<Point> = node_of
+                .iter()
+                .map(|&node| {
+                    let [x, y, z, _] = rest[node as usize];
+                    [x, y, z]
+                })
+                .collect();
             let boundary =
                 BoundaryCurves::new(&positions, topology, cosine(boundary.corners / 360.0));
             let mut take = |v: &u32| !std::mem::replace(&mut elsewhere[*v as usize], true);
@@ -81,7 +86,9 @@ impl CloseEnergy {
             energy.resting.extend(corners.iter().copied().map(resting));
             for curve in boundary.curves {
                 let vertices = curve.vertices.into_iter().filter(&mut take).map(glider);
-                energy.gliding.push(Gliding { vertices: vertices.collect(), on: curve.polyline });
+                energy
+                    .gliding
+                    .push(Gliding { vertices: vertices.collect(), on: Rc::new(curve.polyline) });
             }
         }
         let others = (0..).zip(&elsewhere).filter(|(_, elsewhere)| !**elsewhere).map(|(v, _)| v);
@@ -91,7 +98,7 @@ impl CloseEnergy {
             ClosenessTo::Surface => {
                 let mut vertices: Vec<Glider> = others.map(glider).collect();
                 vertices.sort_unstable_by_key(|glider| glider.node);
-                energy.gliding.push(Gliding { on: Surface::new(&positions, mesh), vertices });
+                energy.gliding.push(Gliding { on: surface(), vertices });
             }
         }
         let any = energy.held().next().is_some();

@@ -5,16 +5,18 @@
 //! the factor of `A` is only a metric: its rounding cannot move the fixed point.
 
 use super::accelerate::{Accelerator, add_scaled};
-use super::close::{CloseEnergy, Reference};
+use super::close::{CloseEnergy, RestShape};
 use super::energy::{Energies, Energy, IterateSeconds};
 use super::hold::{Handle, SoftHandles, pins, relative};
 use super::shape::{Constraints, ShapeEnergy, extra_unknowns};
 use super::smooth::SmoothEnergy;
 use super::system::{SetUpSeconds, System};
 use super::{SolveError, clock, shape, smooth};
-use crate::constraint::{Fitted, LocalStep, Row};
-use crate::mesh::{Laplacian, Mesh, Point, Topology};
+use crate::constraint::{Fitted, LocalStep, Reference, Row};
+use crate::mesh::{Laplacian, Mesh, Point, Surface, Topology};
 use crate::scene::{Closeness, Hold, Smoothness, SmoothnessOf, SolverSettings, Weighting, Weights};
+use std::cell::OnceCell;
+use std::rc::Rc;
 
 /// What is solved: the rest shape and what its parts shall be.
 pub struct Problem<'a> {
@@ -98,6 +100,9 @@ impl Solver {
         if !settings.mean_centring {
             // Without N_i a constraint holds its points against translation too.
             shape_terms.nodes().indices().iter().for_each(|&v| held[v as usize] = true);
+        } else if weights.shape > 0.0 {
+            let placed = constraints.iter().flat_map(Constraints::placed);
+            placed.for_each(|&v| held[v as usize] = true);
         }
         let before_system = clock::now();
         let mut system = System::new(n, &[shape_terms, smooth_terms]);
@@ -114,15 +119,20 @@ impl Solver {
         };
         let rest = to_rows(&mesh.positions);
         let x = to_rows(start);
+        let made = OnceCell::new();
+        let surface = || Rc::clone(made.get_or_init(|| Rc::new(rest_surface(mesh, centre))));
+        let reference = Reference { surface: &surface };
         let (close, corners) = if weights.close > 0.0 {
-            let reference = Reference { mesh, topology: problem.topology, centre, node_of };
-            CloseEnergy::new(problem.closeness, problem.closeness_factors, &reference)
+            let factors = problem.closeness_factors;
+            let rest_shape =
+                RestShape { rest: &rest, node_of, topology: problem.topology, surface: &surface };
+            CloseEnergy::new(problem.closeness, factors, &rest_shape)
         } else {
             Default::default()
         };
         let energies = Energies {
             weights,
-            shape: ShapeEnergy::new(constraints, node_of, &rest, settings.monotone),
+            shape: ShapeEnergy::new(constraints, node_of, &rest, settings.monotone, &reference),
             smooth: laplacian.map(|laplacian| {
                 let rest = match problem.smoothness.of {
                     SmoothnessOf::Surface => Vec::new(),
@@ -389,6 +399,13 @@ fn laplacian(problem: &Problem<'_>) -> Laplacian {
     } else {
         Laplacian::uniform(problem.topology)
     }
+}
+
+/// The rest surface, relative to `centre`.
+fn rest_surface(mesh: &Mesh, centre: Point) -> Surface {
+    let around_centre = |p: &Point| std::array::from_fn(|i| p[i] - centre[i]);
+    let positions: Vec<Point> = mesh.positions.iter().map(around_centre).collect();
+    Surface::new(&positions, mesh)
 }
 
 /// Centre and diagonal of the bounding box.
