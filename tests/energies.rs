@@ -2,6 +2,7 @@
 
 #[path = "support/meshes.rs"]
 mod meshes;
+#[expect(dead_code, reason = "other tests use the rest of it")]
 #[path = "support/random.rs"]
 mod random;
 

@@ -47,7 +47,7 @@ pub struct Solver {
     settings: SolverSettings,
     system: System,
     energies: Energies,
-    /// Nodes that the shape energy holds: without `N_i` it does.
+    /// Nodes that the shape energy holds in their place.
     held: Vec<bool>,
     /// Corners of the boundary, if these are fixed, and where.
     corners: Vec<(u32, Point)>,

@@ -1,5 +1,4 @@
 //! Random points for tests: seeded, the same on every machine.
-#![allow(dead_code, reason = "each test file uses some of these")]
 
 use shape_up::math::Vec3;
 
