@@ -93,6 +93,7 @@ fn a_ring_starts_with_its_centre_and_counts_by_it() {
         [vec![0, 1, 4, 5], vec![1, 0, 2, 5], vec![4, 0, 5, 8], vec![5, 0, 1, 4, 6, 9, 10]]
     );
     assert_eq!(rows(&each(Element::Ring, None, 1)).len(), 16);
+    assert_eq!(rows(&each(Element::Ring, None, 2))[0], [0, 1, 4, 5, 2, 6, 8, 9, 10]);
     assert!(rows(&each(Element::Ring, None, 9)).iter().all(|ring| ring.len() == 16));
 }
 

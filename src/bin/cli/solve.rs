@@ -75,7 +75,7 @@ fn misfits(session: &Session) -> impl Iterator<Item = String> {
             info.id,
             describe(&spec.on),
             row.skipped,
-            info.arity
+            info.takes()
         )
     })
 }
