@@ -131,6 +131,29 @@ fn boundary_loops_tets_and_groups_are_elements_too() {
 }
 
 #[test]
+fn corners_stars_and_hinges_come_in_the_order_of_their_meaning() {
+    let mesh = wavy(3, 3);
+    let of = |mesh: &Mesh, element: Element, within: Option<&str>| {
+        let rows = resolve(&each(element, within, 0), mesh, &Topology::new(mesh), &sets());
+        rows.expect("it is valid").iter().map(<[u32]>::to_vec).collect::<Vec<_>>()
+    };
+    let corners = of(&mesh, Element::Corner, None);
+    assert_eq!(corners.len(), 4 * 9);
+    assert_eq!(corners[..4], [[4, 0, 1], [0, 1, 5], [1, 5, 4], [5, 4, 0]]);
+    // The corners of the faces that a set lists.
+    assert_eq!(of(&mesh, Element::Corner, Some("skylight")).len(), 8);
+    let stars = of(&mesh, Element::Star, None);
+    assert_eq!(stars[0], [5, 1, 4, 9, 6]);
+    assert_eq!(stars.iter().map(|star| star[0]).collect::<Vec<_>>(), [5, 6, 9, 10]);
+    assert!(of(&mesh, Element::Hinge, None).is_empty(), "quads have none");
+    let halves = |f: &[u32]| [[f[0], f[1], f[2]], [f[0], f[2], f[3]]];
+    let triangles = Mesh { faces: mesh.faces.iter().flat_map(halves).collect(), ..mesh.clone() };
+    let hinges = of(&triangles, Element::Hinge, None);
+    assert_eq!(hinges.len(), 9 + 12);
+    assert_eq!(hinges[0], [0, 5, 1, 4]);
+}
+
+#[test]
 fn strips_run_side_by_side_and_count_when_they_lie_in_the_set() {
     let strips = rows(&each(Element::Strip, None, 0));
     assert_eq!(strips.len(), 3 + 3);
