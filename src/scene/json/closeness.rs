@@ -1,4 +1,9 @@
 //! `closeness`: what vertices are kept close to, and how much.
+//!
+//! ```json
+//! { "to": "surface", "boundary": { "corners": 45 },
+//!   "weights": [ { "on": "boundary", "weight": 10 }, { "on": { "set": "skylight" }, "weight": 0 } ] }
+//! ```
 
 use super::node::At;
 use super::write::{field, number, object};
