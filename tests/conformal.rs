@@ -29,7 +29,7 @@ fn maps_agree_with_an_independent_implementation() {
         ("conformal_inspired_mesh", "inspired_mesh.obj"),
         ("conformal_camelhead", "camelhead.off"),
     ] {
-        let (Some(expected), Some(mesh)) = (shared::case(name), shared::mesh(file)) else {
+        let (Some(expected), Some(mesh)) = (shared::expected(name), shared::mesh(file)) else {
             continue;
         };
         for (weight, weights) in WEIGHTS {

@@ -46,6 +46,15 @@ const SCENES: &[(&str, [u64; 3])] = &[
            "handles": [{ "vertices": [0, 12] }, { "vertices": [168], "targets": [[1.2, 1.1, 0.4]] }]"#,
         [0x4cc5_4b30_6759_d56c, 0xda57_ff12_b0b8_97bf, 0x7ad4_bbf1_c473_11b2],
     ),
+    (
+        r#""constraints": [{ "kind": "square", "on": "faces" }],
+           "handles": [{ "vertices": [168] }],
+           "weights": { "close": 0.1, "smooth": 0.01 },
+           "closeness": { "boundary": { "corners": 40 },
+                          "weights": [{ "on": "boundary", "weight": 30 },
+                                      { "on": { "vertices": "80-90" }, "weight": 0 }] }"#,
+        [0x1152_9ec1_d71b_9324, 0xfd00_9de0_36b0_d227, 0x727d_2bac_4c96_be27],
+    ),
 ];
 
 /// FNV-1a over the bits of all coordinates.
