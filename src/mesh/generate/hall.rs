@@ -21,7 +21,7 @@ pub struct Hall {
     pub swing: f64,
     /// Height of a section over that of a round one.
     pub flatness: f64,
-    /// How far the lines of panels run askew, as a part of their spacing over the whole hall.
+    /// How far lines of panels along the spine swing to the sides, as a part of half the girth.
     pub skew: f64,
 }
 
@@ -34,7 +34,7 @@ impl Default for Hall {
             swelling: 3.0,
             swing: 5.0,
             flatness: 0.75,
-            skew: 0.14,
+            skew: 0.26,
         }
     }
 }
@@ -44,13 +44,19 @@ impl Hall {
     /// spine and across, is number `j * (panels[0] + 1) + i`.
     pub fn mesh(&self) -> Mesh {
         rounded(grid(self.panels, |u, v| {
-            // Zero along the border, so that the panels fill the same roof.
-            let (inside_u, inside_v) = (1.0 - u * u, 1.0 - v * v);
-            self.point(
-                u + self.skew * inside_u * sine(0.5 * v),
-                v + 2.0 * self.skew * inside_v * sine(0.5 * u + 0.05),
-            )
+            let [u, v] = self.askew(u, v);
+            self.point(u, v)
         }))
+    }
+
+    /// Where a place of an even net comes to when the lines run askew; places on the border stay on
+    /// their side of it.
+    pub fn askew(&self, u: f64, v: f64) -> [f64; 2] {
+        let (inside_u, inside_v) = (1.0 - u * u, 1.0 - v * v);
+        [
+            u + 0.5 * self.skew * inside_u * sine(0.5 * v),
+            v + self.skew * inside_v * sine(0.75 * u + 0.1),
+        ]
     }
 
     /// A point of the roof: `u` from -1 to 1 goes along the spine, `v` from -1 to 1 across.

@@ -11,7 +11,7 @@ pub(super) const PROTRUSIONS: Example = Example {
     id: "fig-08-protrusions",
     title: "Plate with pegs",
     summary: "The plate bends as its right end is turned, and the pegs turn with it and keep their shape, because every polygon is rigid.",
-    statement: "S",
+    statement: "No corner of a panel is further than 5 cm from where the rigid panel would have it; the plate is 34 m long.",
     ending: "obj",
     make: protrusions,
 };
@@ -20,24 +20,24 @@ pub(super) const RINGS: [Example; 3] = [
     Example {
         id: "fig-08-similar-1",
         title: "Stretched sheet, elements of one ring",
-        summary: "Each vertex with its neighbours may turn and grow but not shear: the small elements let the sheet swell where it is pulled.",
-        statement: "S",
+        summary: "Each vertex with its neighbours may turn and grow but not shear: such small elements let the sheet swell most at its middle, and neck at its held ends.",
+        statement: "Stretched from 30 m to 42 m, the sheet of 18 m becomes more than 31 m wide at its middle.",
         ending: "obj",
         make: |scene| sheet(scene, 1),
     },
     Example {
         id: "fig-08-similar-2",
         title: "Stretched sheet, elements of two rings",
-        summary: "Larger elements overlap more, so that growth spreads: compare the knobs with those of one ring.",
-        statement: "S",
+        summary: "Larger elements overlap more and spread the growth: the middle swells less than with one ring, and the ends neck less.",
+        statement: "Stretched from 30 m to 42 m, the sheet of 18 m becomes between 29 m and 30 m wide at its middle.",
         ending: "obj",
         make: |scene| sheet(scene, 2),
     },
     Example {
         id: "fig-08-similar-3",
         title: "Stretched sheet, elements of three rings",
-        summary: "Elements of three rings carry the growth across the whole sheet.",
-        statement: "S",
+        summary: "Elements of three rings spread the growth widest: the middle swells least of the three sheets.",
+        statement: "Stretched from 30 m to 42 m, the sheet of 18 m becomes less than 29 m wide at its middle.",
         ending: "obj",
         make: |scene| sheet(scene, 3),
     },
@@ -46,8 +46,8 @@ pub(super) const RINGS: [Example; 3] = [
 pub(super) const BAR_POLYGONS: Example = Example {
     id: "fig-08-bar-polygons",
     title: "Bent bar of rigid polygons",
-    summary: "Rigid quads of the surface alone: nothing is inside, and the bar folds flat where it is bent.",
-    statement: "S",
+    summary: "Rigid quads of the surface alone: nothing fills the bar, and it caves in where it is bent.",
+    statement: "The bar loses more than half of its volume.",
     ending: "obj",
     make: |scene| bar(scene, Blocks::surface, Element::Face, 0),
 };
@@ -55,8 +55,8 @@ pub(super) const BAR_POLYGONS: Example = Example {
 pub(super) const BAR_RINGS: Example = Example {
     id: "fig-08-bar-rings",
     title: "Bent bar of rigid rings",
-    summary: "Rigid vertices with their neighbours overlap, which makes a stiff shell of the same surface: it bends more evenly.",
-    statement: "S",
+    summary: "Rigid vertices with their neighbours overlap, which makes a stiff shell of the same surface: it bends more evenly, with a dent inside the bend.",
+    statement: "The bar keeps between 85 and 93 per cent of its volume.",
     ending: "obj",
     make: |scene| bar(scene, Blocks::surface, Element::Ring, 1),
 };
@@ -65,7 +65,7 @@ pub(super) const BAR_TETS: Example = Example {
     id: "fig-08-bar-tets",
     title: "Bent bar of rigid tetrahedra",
     summary: "Rigid tetrahedra fill the bar: under the same handles it keeps its cross-section and its volume.",
-    statement: "S",
+    statement: "The bar keeps more than 95 per cent of its volume.",
     ending: "mesh",
     make: |scene| bar(scene, Blocks::tetrahedra, Element::Tet, 0),
 };

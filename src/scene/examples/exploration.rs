@@ -9,8 +9,8 @@ use crate::scene::{ClosenessTo, Scene};
 pub(super) const LANTERN: Example = Example {
     id: "fig-06-exploration",
     title: "Lantern, pulled out of the round",
-    summary: "Drag the blue handles on the rim: no panel keeps its size or place, but all of them keep circles through their corners.",
-    statement: "S",
+    summary: "The rim is lifted, widened and tilted: the panels change their sizes and places, but keep circles through their corners.",
+    statement: "All corners stay within 2 cm of the circles of their panels, with a mean circularity error e_c of less than 5e-8.",
     ending: "obj",
     make: lantern,
 };
@@ -19,7 +19,7 @@ pub(super) const WEB: Example = Example {
     id: "fig-06-web",
     title: "Web of circular arcs",
     summary: "Every line of edges, in both directions, bends to one circular arc while the handles pull, and the panels keep their proportions.",
-    statement: "S",
+    statement: "The lines, up to 6 m from circles when the handles have moved, come within 10 cm of them.",
     ending: "obj",
     make: web,
 };
@@ -29,15 +29,15 @@ fn lantern(scene: &mut Scene) -> Mesh {
     let mesh = lantern.mesh();
     // Circles alone would let the few panels at a handle take up all of its move: that rings keep
     // their proportions, at a small weight, spreads it.
-    let rings = Selector::Each { element: Element::Ring, within: None, radius: 1 };
+    let rings = Selector::Each { element: Element::Ring, within: None, radius: 2 };
     scene.constraints =
-        vec![constraint("circle", each(Element::Face), 10.0), constraint("similar", rings, 0.02)];
+        vec![constraint("circle", each(Element::Face), 10.0), constraint("similar", rings, 0.05)];
     scene.closeness.to = ClosenessTo::None;
-    // The ground stays; the rim is moved aside, drawn out, and tilted.
+    // The ground stays; the rim is lifted, widened, tilted and moved aside.
     scene.handles = vec![
         fixed(lantern.ring(0).collect()),
         moved(&mesh, lantern.ring(lantern.rows).collect(), |[x, y, z]| {
-            [1.2 * x + 4.0, 0.95 * y, z + 0.3 * x + 1.5]
+            [1.25 * x + 1.5, 1.25 * y, z + 0.25 * x + 3.0]
         }),
     ];
     mesh

