@@ -19,6 +19,7 @@ pub(super) fn shapes(id: &str) -> Option<Vec<Shape>> {
                 let d = d - n * (d.dot(n) / n.length_squared());
                 c + d * (p[6] / d.length())
             },
+            exact: false,
             excess: [5e-4, 0.05, 0.3],
             ..Shape::ANY
         }],
@@ -33,6 +34,7 @@ pub(super) fn shapes(id: &str) -> Option<Vec<Shape>> {
                 let c = at(p, 0);
                 c + (v - c) * (p[3] / (v - c).length())
             },
+            exact: false,
             excess: [1e-3, 0.1, 1.0],
             ..Shape::ANY
         }],
