@@ -57,8 +57,8 @@ impl Projection for Rectangle {
         let (length_b, b) = (v[1] - v[3]).length_and_direction();
         let [a, b] = match (a, b) {
             (Some(a), Some(b)) => [a, b],
-            (Some(a), None) => [a, across(a)],
-            (None, Some(b)) => [across(b), b],
+            (Some(a), None) => [a, a.across()],
+            (None, Some(b)) => [b.across(), b],
             (None, None) => [Vec3::zero(); 2],
         };
         // The diagonals were not halved before.
@@ -66,20 +66,6 @@ impl Projection for Rectangle {
         let (a, b) = (a * mean, b * mean);
         v.copy_from_slice(&[a, b, -a, -b]);
     }
-}
-
-/// A unit vector at right angles to the unit vector `e`.
-fn across(e: Vec3<f64>) -> Vec3<f64> {
-    let [x, y, z] = [e.x.abs(), e.y.abs(), e.z.abs()];
-    let axis = if x <= y && x <= z {
-        Vec3::new(1.0, 0.0, 0.0)
-    } else if y <= z {
-        Vec3::new(0.0, 1.0, 0.0)
-    } else {
-        Vec3::new(0.0, 0.0, 1.0)
-    };
-    let across = axis - e * e.dot(axis);
-    across * (1.0 / across.length())
 }
 
 #[cfg(test)]
