@@ -146,6 +146,7 @@ const REFUSED: &[(&str, &str, &[&str])] = &[
     (r#", "constraints": [{ "kind": "plane", "on": "faces", "normal": [0, 0, 1], "along": [1, 0, 0] }]"#, "constraints[0]", &["both `normal` and `along`"]),
     (r#", "constraints": [{ "kind": "plane", "on": "faces", "norml": [0, 0, 1] }]"#, "constraints[0]", &["`norml`", "normal, along"]),
     (r#", "constraints": [{ "kind": "line", "on": "faces", "direction": "up" }]"#, "constraints[0].direction", &["\"up\"", "[x, y, z]"]),
+    (r#", "constraints": [{ "kind": "rectangle", "on": "faces", "fit": "line" }]"#, "constraints[0].fit", &["`line`", "`closest`", "`lines`"]),
     (r#", "constraints": [{ "kind": "similar", "on": "faces", "scale": null }]"#, "constraints[0].scale", &["null", "[least, greatest]"]),
     (r#", "constraints": [{ "kind": "similar", "on": "faces", "scale": [1] }]"#, "constraints[0].scale", &["1", "[least, greatest]"]),
     (r#", "constraints": [{ "kind": "similar", "on": "faces", "scale": [1, 2, 3] }]"#, "constraints[0].scale", &["more than two", "[least, greatest]"]),
