@@ -147,6 +147,8 @@ const REFUSED: &[(&str, &str, &[&str])] = &[
     (r#", "constraints": [{ "kind": "plane", "on": "faces", "norml": [0, 0, 1] }]"#, "constraints[0]", &["`norml`", "normal, along"]),
     (r#", "constraints": [{ "kind": "line", "on": "faces", "direction": "up" }]"#, "constraints[0].direction", &["\"up\"", "[x, y, z]"]),
     (r#", "constraints": [{ "kind": "rectangle", "on": "faces", "fit": "line" }]"#, "constraints[0].fit", &["`line`", "`closest`", "`lines`"]),
+    (r#", "constraints": [{ "kind": "circle", "on": "faces", "radius": -1 }]"#, "constraints[0].radius", &["found -1", "from 0"]),
+    (r#", "constraints": [{ "kind": "sphere", "on": "faces", "radius": [2, 1] }]"#, "constraints[0].radius[1]", &["found 1", "from 2"]),
     (r#", "constraints": [{ "kind": "similar", "on": "faces", "scale": null }]"#, "constraints[0].scale", &["null", "[least, greatest]"]),
     (r#", "constraints": [{ "kind": "similar", "on": "faces", "scale": [1] }]"#, "constraints[0].scale", &["1", "[least, greatest]"]),
     (r#", "constraints": [{ "kind": "similar", "on": "faces", "scale": [1, 2, 3] }]"#, "constraints[0].scale", &["more than two", "[least, greatest]"]),
