@@ -11,6 +11,7 @@ mod principal;
 mod round;
 mod round_within;
 mod symmetric3;
+mod turns;
 mod unit_polygon;
 mod vec3;
 
@@ -23,5 +24,6 @@ pub use principal::PrincipalAxes;
 pub use round::Round;
 pub use round_within::{PrincipalRound, RoundWithin};
 pub use symmetric3::{Scatter, Symmetric3};
+pub use turns::{cosine, sine};
 pub use unit_polygon::UnitPolygon;
 pub use vec3::{Vec3, centre};
