@@ -3,6 +3,7 @@
 
 #[path = "support/project.rs"]
 mod project;
+#[expect(dead_code, reason = "other tests use the rest of it")]
 #[path = "support/random.rs"]
 mod random;
 
