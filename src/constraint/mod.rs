@@ -15,6 +15,7 @@
 
 mod batch;
 mod circle;
+mod equal_length;
 mod info;
 mod limits;
 mod line;
@@ -226,6 +227,7 @@ kinds! {
     similar::Similar,
     planar_similar::PlanarSimilar,
     line_segment::LineSegment,
+    equal_length::EqualLength,
     regular_polygon::RegularPolygon,
     square::Square,
     parallelogram::Parallelogram,
