@@ -160,6 +160,8 @@ const REFUSED: &[(&str, &str, &[&str])] = &[
     (r#", "constraints": [{ "kind": "line-segment", "on": "edges", "length": -1 }]"#, "constraints[0].length", &["found -1", "from 0"]),
     (r#", "constraints": [{ "kind": "line-segment", "on": "edges", "length": [2, 1] }]"#, "constraints[0].length[1]", &["found 1", "from 2"]),
     (r#", "constraints": [{ "kind": "equal-length", "on": "faces", "length": 1 }]"#, "constraints[0]", &["`length`", "weight"]),
+    (r#", "constraints": [{ "kind": "angle", "on": "corners", "angle": 181 }]"#, "constraints[0].angle", &["found 181", "from 0 to 180"]),
+    (r#", "constraints": [{ "kind": "angle", "on": "corners", "angle": [90, 80] }]"#, "constraints[0].angle[1]", &["found 80", "from 90"]),
     (r#", "constraints": [{ "kind": "similar", "on": "faces", "scale": null }]"#, "constraints[0].scale", &["null", "[least, greatest]"]),
     (r#", "constraints": [{ "kind": "similar", "on": "faces", "scale": [1] }]"#, "constraints[0].scale", &["1", "[least, greatest]"]),
     (r#", "constraints": [{ "kind": "similar", "on": "faces", "scale": [1, 2, 3] }]"#, "constraints[0].scale", &["more than two", "[least, greatest]"]),

@@ -13,6 +13,8 @@
 //! The scene format, the command line, the controls of the page, the property tests and the
 //! operator table follow from the declaration.
 
+mod angle;
+mod angle_range;
 mod batch;
 mod circle;
 mod equal_length;
@@ -228,6 +230,7 @@ kinds! {
     planar_similar::PlanarSimilar,
     line_segment::LineSegment,
     equal_length::EqualLength,
+    angle::Angle,
     regular_polygon::RegularPolygon,
     square::Square,
     parallelogram::Parallelogram,

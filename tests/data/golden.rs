@@ -69,6 +69,7 @@ const KIND_DIGESTS: &[(&str, u64)] = &[
     ("planar-similar", 0x18d1_e6c8_7592_7e36),
     ("line-segment", 0xa324_0920_7b55_a7b0),
     ("equal-length", 0xa16f_d325_2558_dae6),
+    ("angle", 0xcccc_d9c7_9819_dde4),
     ("regular-polygon", 0xd03d_f0c1_d86c_ae26),
     ("square", 0x1e2d_d133_9dae_3c2c),
     ("parallelogram", 0xa9a2_3c1b_8fbd_c692),
