@@ -15,6 +15,7 @@
 
 mod angle;
 mod angle_range;
+mod area;
 mod batch;
 mod circle;
 mod equal_length;
@@ -231,6 +232,7 @@ kinds! {
     line_segment::LineSegment,
     equal_length::EqualLength,
     angle::Angle,
+    area::Area,
     regular_polygon::RegularPolygon,
     square::Square,
     parallelogram::Parallelogram,

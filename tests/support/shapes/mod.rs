@@ -5,6 +5,7 @@
 //! A new kind adds its account to one of the files here, or a file to the list in [`shapes`].
 
 mod corner;
+mod extent;
 mod flat;
 mod length;
 mod polygon;
@@ -81,6 +82,7 @@ pub(crate) fn shapes(id: &str) -> Vec<Shape> {
         polygon::shapes,
         length::shapes,
         corner::shapes,
+        extent::shapes,
     ];
     let account = accounts.iter().find_map(|shapes| shapes(id));
     account.unwrap_or_else(|| panic!("the kind '{id}' has no account in tests/support/shapes"))
