@@ -35,6 +35,7 @@ mod similar;
 mod sphere;
 mod square;
 mod target;
+mod volume;
 
 pub use batch::{Batch, LocalStep, Reference, Row, batches};
 pub use info::{Arity, Centring, Form, Info, Param, ParamValue};
@@ -233,6 +234,7 @@ kinds! {
     equal_length::EqualLength,
     angle::Angle,
     area::Area,
+    volume::Volume,
     regular_polygon::RegularPolygon,
     square::Square,
     parallelogram::Parallelogram,
