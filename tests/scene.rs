@@ -164,6 +164,7 @@ const REFUSED: &[(&str, &str, &[&str])] = &[
     (r#", "constraints": [{ "kind": "angle", "on": "corners", "angle": [90, 80] }]"#, "constraints[0].angle[1]", &["found 80", "from 90"]),
     (r#", "constraints": [{ "kind": "area", "on": "faces", "area": "now" }]"#, "constraints[0].area", &["now", "\"rest\""]),
     (r#", "constraints": [{ "kind": "volume", "on": "tets", "strain": -1 }]"#, "constraints[0].strain", &["found -1", "from 0"]),
+    (r#", "constraints": [{ "kind": "bending", "on": "hinges", "bend": "flat" }]"#, "constraints[0].bend", &["flat", "[least, greatest]"]),
     (r#", "constraints": [{ "kind": "similar", "on": "faces", "scale": null }]"#, "constraints[0].scale", &["null", "[least, greatest]"]),
     (r#", "constraints": [{ "kind": "similar", "on": "faces", "scale": [1] }]"#, "constraints[0].scale", &["1", "[least, greatest]"]),
     (r#", "constraints": [{ "kind": "similar", "on": "faces", "scale": [1, 2, 3] }]"#, "constraints[0].scale", &["more than two", "[least, greatest]"]),

@@ -17,6 +17,7 @@ mod angle;
 mod angle_range;
 mod area;
 mod batch;
+mod bending;
 mod circle;
 mod equal_length;
 mod info;
@@ -235,6 +236,7 @@ kinds! {
     angle::Angle,
     area::Area,
     volume::Volume,
+    bending::Bending,
     regular_polygon::RegularPolygon,
     square::Square,
     parallelogram::Parallelogram,

@@ -72,6 +72,7 @@ const KIND_DIGESTS: &[(&str, u64)] = &[
     ("angle", 0xcccc_d9c7_9819_dde4),
     ("area", 0x5fd8_9d29_fdfa_54a8),
     ("volume", 0xcfc8_7654_cc4c_c09d),
+    ("bending", 0x0a15_d52a_098e_ba91),
     ("regular-polygon", 0xd03d_f0c1_d86c_ae26),
     ("square", 0x1e2d_d133_9dae_3c2c),
     ("parallelogram", 0xa9a2_3c1b_8fbd_c692),

@@ -7,6 +7,7 @@
 mod corner;
 mod extent;
 mod flat;
+mod hinge;
 mod length;
 mod polygon;
 mod relative;
@@ -83,6 +84,7 @@ pub(crate) fn shapes(id: &str) -> Vec<Shape> {
         length::shapes,
         corner::shapes,
         extent::shapes,
+        hinge::shapes,
     ];
     let account = accounts.iter().find_map(|shapes| shapes(id));
     account.unwrap_or_else(|| panic!("the kind '{id}' has no account in tests/support/shapes"))
