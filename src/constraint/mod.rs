@@ -19,6 +19,7 @@ mod area;
 mod batch;
 mod bending;
 mod circle;
+mod direction;
 mod equal_length;
 mod info;
 mod limits;

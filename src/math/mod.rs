@@ -13,6 +13,7 @@ mod principal;
 mod product;
 mod root;
 mod round;
+mod round_within;
 mod singular;
 mod symmetric3;
 mod turns;
@@ -32,6 +33,7 @@ pub use product::{
 };
 pub use root::cube_root;
 pub use round::Round;
+pub use round_within::{PrincipalRound, RoundWithin};
 pub use singular::SingularValues;
 pub use symmetric3::{Scatter, Symmetric3};
 pub use turns::{cosine, cosine_and_sine_of_degrees, sine};
