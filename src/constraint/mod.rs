@@ -15,6 +15,7 @@
 
 mod batch;
 mod circle;
+mod direction;
 mod info;
 mod limits;
 mod line;
@@ -30,6 +31,8 @@ mod select;
 mod similar;
 mod sphere;
 mod square;
+mod symmetry;
+mod symmetry_group;
 mod target;
 
 pub use batch::{Batch, LocalStep, Reference, Row, batches};
@@ -230,4 +233,5 @@ kinds! {
     square::Square,
     parallelogram::Parallelogram,
     rectangle::Rectangle,
+    symmetry::Symmetry,
 }

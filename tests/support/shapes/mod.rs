@@ -9,6 +9,7 @@ mod length;
 mod polygon;
 mod relative;
 mod round;
+mod symmetric;
 
 use crate::random::{Points, Random, in_frame, size};
 use nalgebra::DMatrix;
@@ -73,7 +74,14 @@ impl Shape {
 
 /// The accounts of the kind named `id`, the first with its default parameters.
 pub(crate) fn shapes(id: &str) -> Vec<Shape> {
-    let accounts = [flat::shapes, round::shapes, relative::shapes, polygon::shapes, length::shapes];
+    let accounts = [
+        flat::shapes,
+        round::shapes,
+        relative::shapes,
+        polygon::shapes,
+        length::shapes,
+        symmetric::shapes,
+    ];
     let account = accounts.iter().find_map(|shapes| shapes(id));
     account.unwrap_or_else(|| panic!("the kind '{id}' has no account in tests/support/shapes"))
 }
