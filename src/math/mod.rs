@@ -3,6 +3,7 @@
 //! Knows of nothing else in the crate.
 
 mod alignment;
+mod angle;
 mod circle_fit;
 mod eigenvector;
 mod lane;
@@ -14,6 +15,7 @@ mod unit_polygon;
 mod vec3;
 
 pub use alignment::Alignment;
+pub use angle::cosine_and_sine;
 pub use circle_fit::{CircleFit, PrincipalCircle};
 pub use eigenvector::Eigenvector;
 pub use lane::{LANES, Lane, Lanes, Pair};
