@@ -57,3 +57,53 @@ fn what_is_done_to_one_side_of_a_symmetric_roof_is_done_to_the_others() {
         }
     }
 }
+
+/// The vertices on the border of the square.
+fn is_border(v: usize) -> bool {
+    [v % 9, v / 9].iter().any(|&k| k == 0 || k == 8)
+}
+
+#[test]
+fn a_border_glides_along_its_sides_while_the_inside_is_pulled() {
+    let row = |more: &str| {
+        format!(
+            r#""constraints": [{{ "kind": "on-curve", "on": "boundary", "weight": 10 }}],
+               "handles": [{{ "vertices": [20], "targets": [[0, 0, 0]] }}],
+               "weights": {{ "shape": 100, "smooth": 1 }}{more}"#
+        )
+    };
+    let mesh = square();
+    let session = solved(&mesh, &row(""));
+    assert!(session.report().pinned.is_empty(), "the border holds all: {:?}", session.report());
+    let found = session.positions();
+    for v in (0..81).filter(|&v| is_border(v)) {
+        let (rest, found) = (mesh.positions[v], found[v]);
+        let [x, y] = [0, 1].map(|i| (rest[i].abs() == 4.0, (found[i] - rest[i]).abs()));
+        // Across the side nothing moves, along it the pull is seen; a corner is across both.
+        for (is_across, moved) in [x, y] {
+            assert!(!is_across || moved < 0.01, "{rest:?} has left the border: {found:?}");
+        }
+    }
+    assert!(distance(found[2], mesh.positions[2]) > 0.1, "it glides: {:?}", found[2]);
+    for corner in [0, 8, 72, 80] {
+        assert!(distance(found[corner], mesh.positions[corner]) < 0.01, "{:?}", found[corner]);
+    }
+}
+
+#[test]
+fn a_place_is_kept_with_and_without_mean_centring() {
+    let mesh = square();
+    let found = |mean_centring: bool| {
+        let text = format!(
+            r#"{{ "format": "shape-up-scene", "version": 1, "mesh": {{ "file": "grid.obj" }},
+                  "constraints": [{{ "kind": "on-curve", "on": "boundary" }}],
+                  "weights": {{ "shape": 1, "smooth": 0.1 }},
+                  "solver": {{ "mean_centring": {mean_centring}, "iterations": 50 }} }}"#
+        );
+        let scene = Scene::from_json(&text).expect("the scene is valid");
+        let mut session = Session::open(scene, mesh.clone()).expect("it is regular");
+        session.solve(false).expect("positions stay finite");
+        session.positions()
+    };
+    assert_eq!(found(true), found(false), "there is no mean to take");
+}

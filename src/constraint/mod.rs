@@ -20,6 +20,7 @@ mod info;
 mod limits;
 mod line;
 mod line_segment;
+mod on_curve;
 mod parallelogram;
 mod planar_similar;
 mod plane;
@@ -234,4 +235,5 @@ kinds! {
     parallelogram::Parallelogram,
     rectangle::Rectangle,
     symmetry::Symmetry,
+    on_curve::OnCurve,
 }

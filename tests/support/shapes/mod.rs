@@ -6,6 +6,7 @@
 
 mod flat;
 mod length;
+mod placed;
 mod polygon;
 mod relative;
 mod round;
@@ -81,6 +82,7 @@ pub(crate) fn shapes(id: &str) -> Vec<Shape> {
         polygon::shapes,
         length::shapes,
         symmetric::shapes,
+        placed::shapes,
     ];
     let account = accounts.iter().find_map(|shapes| shapes(id));
     account.unwrap_or_else(|| panic!("the kind '{id}' has no account in tests/support/shapes"))
