@@ -4,7 +4,7 @@
 mod grid;
 
 use grid::grid;
-use shape_up::mesh::{Mesh, Point};
+use shape_up::mesh::{Mesh, Point, Surface};
 use shape_up::scene::Scene;
 use shape_up::session::Session;
 
@@ -106,4 +106,27 @@ fn a_place_is_kept_with_and_without_mean_centring() {
         session.positions()
     };
     assert_eq!(found(true), found(false), "there is no mean to take");
+}
+
+#[test]
+fn some_vertices_stay_on_the_surface_while_the_others_leave_it() {
+    // A saddle; the middle of its border is pulled away from it, and up.
+    let mesh = grid(8, 8, |i, j| {
+        let (x, y) = (f64::from(i) - 4.0, f64::from(j) - 4.0);
+        [x, y, 0.1 * x * y]
+    });
+    let session = solved(
+        &mesh,
+        r#""constraints": [{ "kind": "on-surface", "on": { "vertices": "9-71" }, "weight": 10 }],
+           "handles": [{ "vertices": [4], "targets": [[0.5, -6, 3]] }],
+           "weights": { "shape": 100, "smooth": 1 }"#,
+    );
+    assert!(session.report().pinned.is_empty(), "the surface holds all: {:?}", session.report());
+    let found = session.positions();
+    let surface = Surface::new(&mesh.positions, &mesh);
+    let away = |v: usize| distance(found[v], surface.closest(found[v], &mut Surface::COLD.clone()));
+    let farthest = (9..72).map(away).fold(0.0, f64::max);
+    assert!(farthest < 0.02, "a vertex on the surface is {farthest} away from it");
+    assert!(away(4) > 1.0, "the handle is off the surface: {:?}", found[4]);
+    assert!(distance(found[13], mesh.positions[13]) > 0.1, "it glides: {:?}", found[13]);
 }

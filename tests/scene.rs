@@ -146,6 +146,7 @@ const REFUSED: &[(&str, &str, &[&str])] = &[
     (r#", "constraints": [{ "kind": "symmetry", "on": "boundary", "axis": "z" }]"#, "constraints[0].axis", &["\"z\"", "direction"]),
     (r#", "constraints": [{ "kind": "on-curve", "on": "boundary", "corners": 200 }]"#, "constraints[0].corners", &["found 200", "from 0 to 180"]),
     (r#", "constraints": [{ "kind": "on-curve", "on": "boundary", "closed": "maybe" }]"#, "constraints[0].closed", &["maybe", "auto", "yes", "no"]),
+    (r#", "constraints": [{ "kind": "on-surface", "on": "boundary", "surface": null }]"#, "constraints[0]", &["`surface`", "weight"]),
     (r#", "constraints": [{ "kind": "similar", "on": "faces", "scale": null }]"#, "constraints[0].scale", &["null", "[least, greatest]"]),
     (r#", "constraints": [{ "kind": "similar", "on": "faces", "scale": [1] }]"#, "constraints[0].scale", &["1", "[least, greatest]"]),
     (r#", "constraints": [{ "kind": "similar", "on": "faces", "scale": [1, 2, 3] }]"#, "constraints[0].scale", &["more than two", "[least, greatest]"]),

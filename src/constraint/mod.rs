@@ -21,6 +21,7 @@ mod limits;
 mod line;
 mod line_segment;
 mod on_curve;
+mod on_surface;
 mod parallelogram;
 mod planar_similar;
 mod plane;
@@ -29,6 +30,7 @@ mod regular_polygon;
 mod resolve;
 mod rigid;
 mod select;
+mod separate_lanes;
 mod similar;
 mod sphere;
 mod square;
@@ -236,4 +238,5 @@ kinds! {
     rectangle::Rectangle,
     symmetry::Symmetry,
     on_curve::OnCurve,
+    on_surface::OnSurface,
 }

@@ -1,6 +1,7 @@
 //! On curve (an application of paper section 4.1, where vertices slide along feature curves): the
 //! closest point of a polyline that stays in its place.
 
+use super::separate_lanes::separate_lanes;
 use super::{Arity, Centring, Element, Form, Info, Param, ParamValue, Projection};
 use crate::math::{Lane, Vec3, cosine_and_sine};
 use serde::{Deserialize, Serialize};
@@ -82,7 +83,7 @@ impl Projection for OnCurve {
         projected: &mut [Vec3<S>],
     ) -> bool {
         // How far a search goes depends on where the points are, so the lanes go separate ways.
-        (0..S::WIDTH).all(|lane| {
+        separate_lanes(rest, v, projected, |lane, projected| {
             let curve = Curve::new(self, rest.len(), |i| rest[i].lane(lane));
             let largest = v.iter().map(|v| largest_coordinate(v.lane(lane)));
             let largest = largest.fold(curve.size(), f64::max);

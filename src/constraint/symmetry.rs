@@ -2,6 +2,7 @@
 //! a symmetry group, here of a mirror plane or an n-fold axis.
 
 use super::direction::Direction;
+use super::separate_lanes::separate_lanes;
 use super::symmetry_group::SymmetryGroup;
 use super::{Arity, Centring, Form, Info, Param, ParamValue, Projection};
 use crate::math::{Lane, UnitPolygon, Vec3};
@@ -110,10 +111,10 @@ impl Projection for Symmetry {
     ) -> bool {
         let group = self.group();
         // Each constraint has its own images, so the lanes go separate ways.
-        for lane in 0..S::WIDTH {
+        separate_lanes(rest, v, projected, |lane, projected| {
             average(&group, lane, rest, v, projected);
-        }
-        true
+            true
+        })
     }
 }
 

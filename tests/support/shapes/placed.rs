@@ -54,6 +54,14 @@ pub(super) fn shapes(id: &str) -> Option<Vec<Shape>> {
                 ..Shape::ANY
             },
         ],
+        "on-surface" => vec![Shape {
+            rest: |_, n| zigzag(n),
+            sample: |random, rest| rest.iter().map(|_| on_strip(random, rest)).collect(),
+            residual: |v, rest| off(v, |_, v| closest_on_strip(rest, v)),
+            relabellings: |_, n| vec![(0..n).rev().collect()],
+            closest: |_, v, vertex| closest_on_strip(&zigzag(vertex.of), v),
+            ..Shape::ANY
+        }],
         _ => return None,
     };
     Some(shapes)
@@ -115,4 +123,54 @@ fn closest_on(points: &[Vec3<f64>], segments: Range<usize>, v: Vec3<f64>) -> Vec
 fn off(v: &[Vec3<f64>], closest: impl Fn(usize, Vec3<f64>) -> Vec3<f64>) -> f64 {
     let off = v.iter().enumerate().map(|(i, v)| (*v - closest(i, *v)).length());
     off.fold(0.0, f64::max) / size(v)
+}
+
+/// A strip of triangles between two rows of points that rise and fall.
+fn zigzag(n: usize) -> Points {
+    (0..n)
+        .map(|i| {
+            let (across, up) = (0.8 * n as f64 * (i % 2) as f64, 0.3 * ((i * i) % 5) as f64);
+            Vec3::new(0.2, -0.3, 0.1) + Vec3::new(i as f64, across, up) * (1.5 / n as f64)
+        })
+        .collect()
+}
+
+/// The corners of the triangles: three in turn, less where there are less.
+fn triangles(rest: &[Vec3<f64>]) -> impl Iterator<Item = [Vec3<f64>; 3]> {
+    let last = rest.len() - 1;
+    (0..(rest.len().max(3) - 2)).map(move |k| [k, k + 1, k + 2].map(|k| rest[k.min(last)]))
+}
+
+/// A point of the strip.
+fn on_strip(random: &mut Random, rest: &[Vec3<f64>]) -> Vec3<f64> {
+    let all: Vec<_> = triangles(rest).collect();
+    let k = ((random.uniform() + 1.0) / 2.0 * all.len() as f64) as usize;
+    let [a, b, c] = all[k.min(all.len() - 1)];
+    let [s, t] = [random.uniform(), random.uniform()].map(|x| (x + 1.0) / 2.0);
+    let (s, t) = if s + t > 1.0 { (1.0 - s, 1.0 - t) } else { (s, t) };
+    a * (1.0 - s - t) + b * s + c * t
+}
+
+/// The closest of the feet of the perpendiculars on the triangles and on their sides.
+fn closest_on_strip(rest: &[Vec3<f64>], v: Vec3<f64>) -> Vec3<f64> {
+    let mut best = rest[0];
+    let mut consider = |p: Vec3<f64>| {
+        if (v - p).length() < (v - best).length() {
+            best = p;
+        }
+    };
+    for [a, b, c] in triangles(rest) {
+        for side in [[a, b], [b, c], [c, a]].iter().filter(|[a, b]| a != b) {
+            consider(closest_on(side, 0..1, v));
+        }
+        let normal = (b - a).cross(c - a);
+        if normal.length_squared() > 0.0 {
+            let foot = v - normal * ((v - a).dot(normal) / normal.length_squared());
+            let inside = |p: Vec3<f64>, q: Vec3<f64>| (q - p).cross(foot - p).dot(normal) >= 0.0;
+            if inside(a, b) && inside(b, c) && inside(c, a) {
+                consider(foot);
+            }
+        }
+    }
+    best
 }
