@@ -16,6 +16,7 @@
 mod batch;
 mod circle;
 mod direction;
+mod incircle;
 mod info;
 mod limits;
 mod line;
@@ -23,6 +24,7 @@ mod line_segment;
 mod on_curve;
 mod on_surface;
 mod parallelogram;
+mod pitot;
 mod planar_similar;
 mod plane;
 mod rectangle;
@@ -36,6 +38,7 @@ mod sphere;
 mod square;
 mod symmetry;
 mod symmetry_group;
+mod tangent_incircles;
 mod target;
 
 pub use batch::{Batch, LocalStep, Reference, Row, batches};
@@ -239,4 +242,6 @@ kinds! {
     symmetry::Symmetry,
     on_curve::OnCurve,
     on_surface::OnSurface,
+    tangent_incircles::TangentIncircles,
+    incircle::Incircle,
 }

@@ -5,6 +5,7 @@
 //! A new kind adds its account to one of the files here, or a file to the list in [`shapes`].
 
 mod flat;
+mod incircles;
 mod length;
 mod placed;
 mod polygon;
@@ -83,6 +84,7 @@ pub(crate) fn shapes(id: &str) -> Vec<Shape> {
         length::shapes,
         symmetric::shapes,
         placed::shapes,
+        incircles::shapes,
     ];
     let account = accounts.iter().find_map(|shapes| shapes(id));
     account.unwrap_or_else(|| panic!("the kind '{id}' has no account in tests/support/shapes"))
