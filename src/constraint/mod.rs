@@ -15,6 +15,7 @@
 
 mod batch;
 mod circle;
+mod conical;
 mod direction;
 mod incircle;
 mod info;
@@ -244,4 +245,5 @@ kinds! {
     on_surface::OnSurface,
     tangent_incircles::TangentIncircles,
     incircle::Incircle,
+    conical::Conical,
 }

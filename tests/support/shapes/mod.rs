@@ -4,6 +4,7 @@
 //!
 //! A new kind adds its account to one of the files here, or a file to the list in [`shapes`].
 
+mod conical;
 mod flat;
 mod incircles;
 mod length;
@@ -85,6 +86,7 @@ pub(crate) fn shapes(id: &str) -> Vec<Shape> {
         symmetric::shapes,
         placed::shapes,
         incircles::shapes,
+        conical::shapes,
     ];
     let account = accounts.iter().find_map(|shapes| shapes(id));
     account.unwrap_or_else(|| panic!("the kind '{id}' has no account in tests/support/shapes"))
