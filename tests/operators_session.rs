@@ -4,7 +4,8 @@
 mod grid;
 
 use grid::grid;
-use shape_up::mesh::{Mesh, Point, Surface};
+use shape_up::math::Vec3;
+use shape_up::mesh::{Mesh, Point, Surface, Topology, hinges, stars};
 use shape_up::scene::Scene;
 use shape_up::session::Session;
 
@@ -129,4 +130,63 @@ fn some_vertices_stay_on_the_surface_while_the_others_leave_it() {
     assert!(farthest < 0.02, "a vertex on the surface is {farthest} away from it");
     assert!(away(4) > 1.0, "the handle is off the surface: {:?}", found[4]);
     assert!(distance(found[13], mesh.positions[13]) > 0.1, "it glides: {:?}", found[13]);
+}
+
+/// A bumpy square of triangles.
+fn triangles() -> Mesh {
+    let mut mesh = grid(5, 5, |i, j| {
+        let bump = f64::from((i * 5 + j * 7) % 4);
+        [f64::from(i) + 0.1 * bump, f64::from(j) - 0.06 * bump, 0.1 * bump]
+    });
+    mesh.faces = mesh.faces.iter().flat_map(|f| [[f[0], f[1], f[2]], [f[0], f[2], f[3]]]).collect();
+    mesh
+}
+
+#[test]
+fn incircles_of_neighbouring_triangles_come_to_touch() {
+    let mesh = triangles();
+    // Where the incircle of `abc` touches `ab`, as a distance from `a`.
+    let touching = |at: &[Point], [a, b, c]: [u32; 3]| {
+        let side = |u: u32, v: u32| distance(at[u as usize], at[v as usize]);
+        0.5 * (side(a, b) + side(a, c) - side(b, c))
+    };
+    let gap = |at: &[Point]| {
+        let hinges = hinges(&mesh, &Topology::new(&mesh)).into_iter();
+        let gaps = hinges.map(|[a, b, c, d]| touching(at, [a, b, c]) - touching(at, [a, b, d]));
+        gaps.fold(0.0f64, |worst, gap| worst.max(gap.abs()))
+    };
+    let row = r#""constraints": [{ "kind": "tangent-incircles", "on": "hinges" }]"#;
+    let found = solved(&mesh, row).positions();
+    let (before, after) = (gap(&mesh.positions), gap(&found));
+    assert!(before > 0.1 && after < 1e-5, "incircles were {before} apart, and are {after}");
+}
+
+#[test]
+fn opposite_angles_around_each_vertex_come_to_the_same_sum() {
+    let mesh = grid(5, 5, |i, j| {
+        let (x, y) = (f64::from(i) - 2.5, f64::from(j) - 2.5);
+        [x + 0.1 * y * y, y - 0.05 * x * y, 0.2 * x * x - 0.1 * x * y]
+    });
+    let off = |at: &[Point]| {
+        let stars = stars(&mesh, &Topology::new(&mesh));
+        let offs = stars.iter().map(|star| {
+            let edges: Vec<Vec3<f64>> = star[1..]
+                .iter()
+                .map(|&v| Vec3::from(at[v as usize]) - Vec3::from(at[star[0] as usize]))
+                .collect();
+            let angle = |k: usize| angle(edges[k], edges[(k + 1) % 4]);
+            (angle(0) - angle(1) + angle(2) - angle(3)).abs()
+        });
+        offs.fold(0.0, f64::max)
+    };
+    let row = r#""constraints": [{ "kind": "conical", "on": "stars" },
+                                 { "kind": "plane", "on": "faces" }]"#;
+    let found = solved(&mesh, row).positions();
+    let (before, after) = (off(&mesh.positions), off(&found));
+    assert!(before > 0.1 && after < 1e-3, "sums were {before} apart, and are {after}");
+}
+
+#[expect(clippy::disallowed_methods, reason = "independent of the operator")]
+fn angle(a: Vec3<f64>, b: Vec3<f64>) -> f64 {
+    a.cross(b).length().atan2(a.dot(b))
 }

@@ -3,7 +3,7 @@
 
 use super::separate_lanes::separate_lanes;
 use super::{Arity, Centring, Element, Form, Info, Param, ParamValue, Projection};
-use crate::math::{Lane, Vec3, cosine_and_sine};
+use crate::math::{Lane, Vec3, cosine};
 use serde::{Deserialize, Serialize};
 
 /// The vertices glide along the polyline that they make at rest, in the order in which they are
@@ -140,7 +140,7 @@ impl<P: Fn(usize) -> Vec3<f64>> Curve<P> {
             Closed::No => false,
         };
         let longest = if closed { longest.max(gap) } else { longest };
-        let (cosine, _) = cosine_and_sine(operator.corners);
+        let cosine = cosine(operator.corners / 360.0);
         Curve { at, n, closed, longest, cosine }
     }
 

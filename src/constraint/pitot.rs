@@ -236,7 +236,7 @@ fn candidates(v: &[Vec3<f64>]) -> Vec<[Vec3<f64>; 4]> {
         let both = (v[a] + v[b]) * 0.5;
         let mut line = [both, both, v[c], v[d]];
         let mean = centre(&mut line);
-        Line {}.careful(&[], &mut line);
+        Line::default().careful(&[], &mut line);
         if (line[2] - line[0]).dot(line[3] - line[0]) <= 0.0 {
             let mut x = [Vec3::zero(); 4];
             [a, b, c, d].iter().zip(line).for_each(|(&k, p)| x[k] = mean + p);

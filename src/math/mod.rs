@@ -3,25 +3,27 @@
 //! Knows of nothing else in the crate.
 
 mod alignment;
-mod angle;
 mod circle_fit;
 mod eigenvector;
 mod lane;
 mod orthogonal_pair;
 mod principal;
 mod round;
+mod round_within;
 mod symmetric3;
+mod turns;
 mod unit_polygon;
 mod vec3;
 
 pub use alignment::Alignment;
-pub use angle::cosine_and_sine;
 pub use circle_fit::{CircleFit, PrincipalCircle};
 pub use eigenvector::Eigenvector;
 pub use lane::{LANES, Lane, Lanes, Pair};
 pub use orthogonal_pair::OrthogonalPair;
 pub use principal::PrincipalAxes;
 pub use round::Round;
+pub use round_within::{PrincipalRound, RoundWithin};
 pub use symmetric3::{Scatter, Symmetric3};
+pub use turns::{cosine, sine};
 pub use unit_polygon::UnitPolygon;
 pub use vec3::{Vec3, centre};

@@ -34,6 +34,7 @@ pub(super) fn shapes(id: &str) -> Option<Vec<Shape>> {
                 k => corner(p, k - 1),
             },
             parameters: 15,
+            exact: false,
             excess: [1e-9, 0.05, 0.01],
             ..Shape::ANY
         }],

@@ -13,6 +13,7 @@ pub(super) fn shapes(id: &str) -> Option<Vec<Shape>> {
             relabellings: in_turn_or_back,
             closest: |p, _, vertex| corners(p)[vertex.index],
             parameters: 12,
+            exact: false,
             excess: [1e-9; 3],
             ..Shape::ANY
         }],
@@ -27,6 +28,7 @@ pub(super) fn shapes(id: &str) -> Option<Vec<Shape>> {
             relabellings: |_, _| vec![vec![1, 0, 2, 3], vec![0, 1, 3, 2], vec![2, 3, 0, 1]],
             closest: |p, _, vertex| corners(p)[[0, 2, 1, 3][vertex.index]],
             parameters: 12,
+            exact: false,
             excess: [1e-9; 3],
             ..Shape::ANY
         }],
