@@ -19,13 +19,18 @@ mod area;
 mod batch;
 mod bending;
 mod circle;
+mod conical;
 mod direction;
 mod equal_length;
+mod incircle;
 mod info;
 mod limits;
 mod line;
 mod line_segment;
+mod on_curve;
+mod on_surface;
 mod parallelogram;
+mod pitot;
 mod planar_similar;
 mod plane;
 mod rectangle;
@@ -33,9 +38,13 @@ mod regular_polygon;
 mod resolve;
 mod rigid;
 mod select;
+mod separate_lanes;
 mod similar;
 mod sphere;
 mod square;
+mod symmetry;
+mod symmetry_group;
+mod tangent_incircles;
 mod target;
 mod volume;
 
@@ -242,4 +251,10 @@ kinds! {
     square::Square,
     parallelogram::Parallelogram,
     rectangle::Rectangle,
+    symmetry::Symmetry,
+    on_curve::OnCurve,
+    on_surface::OnSurface,
+    tangent_incircles::TangentIncircles,
+    incircle::Incircle,
+    conical::Conical,
 }

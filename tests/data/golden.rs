@@ -77,6 +77,12 @@ const KIND_DIGESTS: &[(&str, u64)] = &[
     ("square", 0x1e2d_d133_9dae_3c2c),
     ("parallelogram", 0xa9a2_3c1b_8fbd_c692),
     ("rectangle", 0xd9ef_70cb_e306_142e),
+    ("symmetry", 0x1ec7_355f_8b40_bb10),
+    ("on-curve", 0x9fbf_95e0_5bf9_056f),
+    ("on-surface", 0x70b8_c1c1_3f64_db4c),
+    ("tangent-incircles", 0xbf59_1c6c_5049_aa6f),
+    ("incircle", 0x107e_1aa8_8c27_7e14),
+    ("conical", 0xad8d_05b9_d71f_d2b9),
 ];
 
 /// Quads, triangles and tetrahedra, apart from each other.

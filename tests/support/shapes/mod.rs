@@ -4,14 +4,18 @@
 //!
 //! A new kind adds its account to one of the files here, or a file to the list in [`shapes`].
 
+mod conical;
 mod corner;
 mod extent;
 mod flat;
 mod hinge;
+mod incircles;
 mod length;
+mod placed;
 mod polygon;
 mod relative;
 mod round;
+mod symmetric;
 
 use crate::random::{Points, Random, in_frame, size};
 use nalgebra::DMatrix;
@@ -89,6 +93,10 @@ pub(crate) fn shapes(id: &str) -> Vec<Shape> {
         corner::shapes,
         extent::shapes,
         hinge::shapes,
+        symmetric::shapes,
+        placed::shapes,
+        incircles::shapes,
+        conical::shapes,
     ];
     let account = accounts.iter().find_map(|shapes| shapes(id));
     account.unwrap_or_else(|| panic!("the kind '{id}' has no account in tests/support/shapes"))
