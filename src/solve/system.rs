@@ -1,7 +1,9 @@
 //! The linear system of the global step: `Q^T Q` in the order of elimination, and its factor.
 
+use super::accelerate::Iterate;
 use super::assemble::{Assembler, Normal, Terms, adjacency};
-use super::factor::Factor;
+use super::factor::{Factor, Precision};
+use super::metric::Metric;
 use super::order::{elimination_order, inverse};
 use super::{SolveError, clock};
 use crate::constraint::Row;
@@ -105,9 +107,32 @@ impl System {
         Ok(())
     }
 
-    /// Step II: applies the inverse of the normal matrix to `right` in place.
-    pub fn solve(&self, right: &mut [Row]) {
-        self.factor.as_ref().expect("a system is factored before it is solved").solve(right);
+    /// Fills what [`System::plain_step`] or [`System::metric`] needs, which they would do themselves.
+    pub(super) fn prepare(&mut self, precision: Precision) {
+        let started = clock::now();
+        match precision {
+            Precision::Single => drop(self.metric()),
+            Precision::Double => drop(self.factored().double()),
+        }
+        self.seconds.factor += clock::now() - started;
+    }
+
+    /// The inverse of the normal matrix in single precision.
+    pub(super) fn metric(&mut self) -> &Metric {
+        self.factored().single()
+    }
+
+    /// Step II: from `now` to the positions `to`, in double precision.
+    pub(super) fn plain_step(&mut self, now: Iterate<'_>, to: &mut [Row]) {
+        to.copy_from_slice(now.gradient);
+        self.factored().double().solve(to);
+        for (to, x) in to.iter_mut().zip(now.x) {
+            *to = std::array::from_fn(|i| x[i] - to[i]);
+        }
+    }
+
+    fn factored(&mut self) -> &mut Factor {
+        self.factor.as_mut().expect("a system is factored before it is solved")
     }
 
     /// Clears the rows of nodes that are no unknowns.
@@ -161,7 +186,7 @@ mod tests {
     }
 
     /// `system.solve` against a dense solution of the rows and columns that are not fixed.
-    fn check(system: &System, matrix: &DMatrix<f64>, fixed: &[bool]) {
+    fn check(system: &mut System, matrix: &DMatrix<f64>, fixed: &[bool]) {
         let n = fixed.len();
         let mut rows = right_side(n);
         for (row, _) in rows.iter_mut().zip(fixed).filter(|(_, fixed)| **fixed) {
@@ -177,7 +202,7 @@ mod tests {
         for (v, &node) in system.node_of().iter().enumerate() {
             by_node[node as usize] = rows[v];
         }
-        system.solve(&mut by_node);
+        system.factored().double().solve(&mut by_node);
         let dense = reduced.cholesky().expect("the matrix is positive definite");
         for k in 0..4 {
             let expected = dense.solve(&DVector::from_fn(n, |v, _| rows[v][k]));
@@ -219,12 +244,12 @@ mod tests {
             };
             let (some_fixed, none_fixed) = (by_node(fixed), vec![false; n]);
             system.factor(&[1.0], &vec![weight; n], some_fixed.clone()).expect("positive definite");
-            check(&system, &matrix, fixed);
+            check(&mut system, &matrix, fixed);
             // Other values in the same pattern, and back.
             system.factor(&[1.0], &vec![weight; n], none_fixed).expect("positive definite");
-            check(&system, &matrix, &vec![false; n]);
+            check(&mut system, &matrix, &vec![false; n]);
             system.factor(&[1.0], &vec![weight; n], some_fixed).expect("positive definite");
-            check(&system, &matrix, fixed);
+            check(&mut system, &matrix, fixed);
         }
     }
 
