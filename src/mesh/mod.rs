@@ -11,12 +11,13 @@
 //! | `topology` | edges, neighbours, rings, faces around edges and vertices |
 //! | `boundary`, `edge_lines`, `components` | boundary loops, straight edge lines, connected components |
 //! | `laplacian` | the weights `w_ij` of Eq. 12 |
-//! | `closest` | closest point `c(v)` on the reference surface, Eq. 11; with its parts `triangle`, `tree`, `surroundings` |
+//! | `closest` | closest point `c(v)` on the reference surface, Eq. 11; with its parts `triangle`, `tree`, `surroundings`, `clearing` |
 //! | `measure` | planarity, circularity, diagonal ratio of faces; with its part `face_fit` |
 //! | `bounds` | bounding sphere |
 
 mod boundary;
 mod bounds;
+mod clearing;
 mod closest;
 mod components;
 mod draft;
