@@ -3,7 +3,7 @@
 //! Simulation, 2018, Algorithm 1).
 
 use super::accelerate::Iterate;
-use super::metric::{Metric, SingleRow, rounded};
+use super::metric::{Metric, SingleRow, round};
 use crate::constraint::Row;
 use nalgebra::{DMatrix, DVector};
 use std::collections::VecDeque;
@@ -51,17 +51,17 @@ impl Anderson {
         to: &mut [Row],
     ) {
         std::mem::swap(&mut self.now, &mut self.before);
-        let scale = Metric::scale(now.gradient);
-        self.rows.clear();
-        self.rows.extend(now.gradient.iter().map(|&row| rounded(row, scale)));
-        metric.solve(&mut self.rows);
-        let back = -1.0 / scale / metric.unit();
+        let n = now.x.len();
         let Change { plain, residual } = &mut self.now;
-        residual.clear();
-        residual.extend(self.rows.iter().map(|step| step.map(|value| back * f64::from(value))));
-        plain.clear();
-        plain.extend_from_slice(now.x);
-        add_scaled(plain, 1.0, residual);
+        for rows in [&mut *plain, &mut *residual] {
+            rows.resize(n, [0.0; 4]);
+        }
+        self.rows.resize(n, [0.0; 4]);
+        let scale = Metric::scale(now.gradient);
+        round(&mut self.rows, now.gradient, scale);
+        metric.solve(&mut self.rows);
+        metric.subtract_step(plain, now.x, &self.rows, scale);
+        difference(residual, plain, now.x);
         to.copy_from_slice(plain);
         if before.is_some() {
             self.learn();
@@ -80,6 +80,9 @@ impl Anderson {
         } else {
             Change::default()
         };
+        for rows in [&mut change.plain, &mut change.residual] {
+            rows.resize(self.now.plain.len(), [0.0; 4]);
+        }
         difference(&mut change.plain, &self.now.plain, &self.before.plain);
         difference(&mut change.residual, &self.now.residual, &self.before.residual);
         self.changes.push_back(change);
@@ -116,16 +119,16 @@ fn dot(a: &[Row], b: &[Row]) -> f64 {
 /// `y += factor * x`.
 #[inline(never)]
 fn add_scaled(y: &mut [Row], factor: f64, x: &[Row]) {
-    for (y, x) in y.iter_mut().zip(x) {
-        for i in 0..4 {
-            y[i] += factor * x[i];
-        }
+    for (y, x) in y.as_flattened_mut().iter_mut().zip(x.as_flattened()) {
+        *y += factor * x;
     }
 }
 
 /// `y = a - b`.
 #[inline(never)]
-fn difference(y: &mut Vec<Row>, a: &[Row], b: &[Row]) {
-    y.clear();
-    y.extend(a.iter().zip(b).map(|(a, b)| std::array::from_fn::<f64, 4, _>(|i| a[i] - b[i])));
+fn difference(y: &mut [Row], a: &[Row], b: &[Row]) {
+    let (a, b) = (a.as_flattened(), b.as_flattened());
+    for ((y, a), b) in y.as_flattened_mut().iter_mut().zip(a).zip(b) {
+        *y = a - b;
+    }
 }

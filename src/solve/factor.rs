@@ -94,12 +94,12 @@ impl Factor {
         })
     }
 
-    /// The inverse, in single precision.
-    pub(super) fn single(&mut self) -> &Metric {
+    /// The inverse, in single precision. Columns that are `fixed` are no unknowns.
+    pub(super) fn single(&mut self, fixed: &[u32]) -> &Metric {
         let Factor { numeric, single, .. } = self;
         with_columns(numeric, |l| {
             let pivots = numeric.d();
-            single.get(|| Metric::new(l, pivots), |metric| metric.fill(l, pivots))
+            single.get(|| Metric::new(l, pivots, fixed), |metric| metric.fill(l, pivots, fixed))
         })
     }
 

@@ -25,15 +25,15 @@ pub(super) struct Metric {
 }
 
 impl Metric {
-    /// Lays out and fills the panels; see [`Panels::new`].
-    pub(super) fn new(l: Columns<'_>, pivots: &[f64]) -> Metric {
-        let (unit, scaled) = scaled(pivots);
+    /// Lays out and fills the panels; see [`Panels::new`]. Columns that are `fixed` are no unknowns.
+    pub(super) fn new(l: Columns<'_>, pivots: &[f64], fixed: &[u32]) -> Metric {
+        let (unit, scaled) = scaled(pivots, fixed);
         Metric { panels: Panels::new(l, &scaled), unit }
     }
 
     /// Fills the panels with other values in the same pattern.
-    pub(super) fn fill(&mut self, l: Columns<'_>, pivots: &[f64]) {
-        let (unit, scaled) = scaled(pivots);
+    pub(super) fn fill(&mut self, l: Columns<'_>, pivots: &[f64], fixed: &[u32]) {
+        let (unit, scaled) = scaled(pivots, fixed);
         self.unit = unit;
         self.panels.fill(l, &scaled);
     }
@@ -52,12 +52,27 @@ impl Metric {
     pub(super) fn solve(&self, rows: &mut [SingleRow]) {
         self.panels.solve(rows);
     }
+
+    /// `to = x - step`, where the step was made of gradients times `scale`.
+    #[inline(never)]
+    pub(super) fn subtract_step(&self, to: &mut [Row], x: &[Row], step: &[SingleRow], scale: f64) {
+        let back = 1.0 / scale / self.unit;
+        let (x, step) = (x.as_flattened(), step.as_flattened());
+        for ((to, x), step) in to.as_flattened_mut().iter_mut().zip(x).zip(step) {
+            *to = x - back * f64::from(*step);
+        }
+    }
 }
 
-/// A power of two near the largest pivot, and the pivots divided by it.
-fn scaled(pivots: &[f64]) -> (f64, Vec<f64>) {
-    let unit = power_of_two(pivots.iter().copied().fold(0.0, Lane::max));
-    (unit, pivots.iter().map(|pivot| pivot / unit).collect())
+/// A power of two near the largest pivot, and the pivots divided by it. Those of fixed columns have no
+/// unit, and become one.
+fn scaled(pivots: &[f64], fixed: &[u32]) -> (f64, Vec<f64>) {
+    let mut scaled = pivots.to_vec();
+    fixed.iter().for_each(|&column| scaled[column as usize] = 0.0);
+    let unit = power_of_two(scaled.iter().copied().fold(0.0, Lane::max));
+    scaled.iter_mut().for_each(|pivot| *pivot /= unit);
+    fixed.iter().for_each(|&column| scaled[column as usize] = 1.0);
+    (unit, scaled)
 }
 
 /// The largest absolute value.
@@ -79,8 +94,10 @@ fn power_of_two(x: f64) -> f64 {
     f64::from_bits(x.clamp(1e-200, 1e200).to_bits() & EXPONENT)
 }
 
-/// A row in single precision, scaled.
-#[inline(always)]
-pub(super) fn rounded(row: Row, scale: f64) -> SingleRow {
-    row.map(|value| (value * scale) as f32)
+/// `to = scale * from`, rounded.
+#[inline(never)]
+pub(super) fn round(to: &mut [SingleRow], from: &[Row], scale: f64) {
+    for (to, from) in to.as_flattened_mut().iter_mut().zip(from.as_flattened()) {
+        *to = (scale * from) as f32;
+    }
 }

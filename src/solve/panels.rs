@@ -57,7 +57,7 @@ impl<S: Scalar> Panels<S> {
     /// Lays out panels for the pattern of `l`, which is in a postorder of its elimination tree, and
     /// fills them.
     pub(super) fn new(l: Columns<'_>, pivots: &[f64]) -> Self {
-        let supernodes = supernodes(l);
+        let supernodes = supernodes(l, S::MOST_ZEROS);
         let (mut rows, mut row_starts, mut panels) = (Vec::new(), Vec::new(), Vec::new());
         let mut n_values = 0;
         for supernode in supernodes.windows(2) {
@@ -216,7 +216,7 @@ fn minus<S: Scalar>(x: [S; 4], factor: S, y: [S; 4]) -> [S; 4] {
 /// Merges consecutive columns, each the parent of the one before in the elimination tree, as long
 /// as that stores few zeros: fewer, wider panels are faster than the zeros cost. Gives the first
 /// column of each supernode, and the number of columns at the end.
-fn supernodes(l: Columns<'_>) -> Vec<u32> {
+fn supernodes(l: Columns<'_>, most_zeros: [f64; 4]) -> Vec<u32> {
     let n = l.offsets.len() - 1;
     let mut starts = Vec::new();
     // Entries of the supernode so far.
@@ -230,10 +230,10 @@ fn supernodes(l: Columns<'_>) -> Vec<u32> {
             let stored = width * (width - 1) / 2 + width * height;
             let zeros = (stored - entries - height) as f64 / stored.max(1) as f64;
             let most = match width {
-                0..=4 => 0.6,
-                5..=16 => 0.4,
-                17..=48 => 0.15,
-                _ => 0.05,
+                0..=4 => most_zeros[0],
+                5..=16 => most_zeros[1],
+                17..=48 => most_zeros[2],
+                _ => most_zeros[3],
             };
             if zeros <= most {
                 entries += height;

@@ -8,7 +8,7 @@
 //! products, which are taken of all vectors at once, a block of rows at a time.
 
 use super::accelerate::Iterate;
-use super::metric::{Metric, SingleRow, rounded};
+use super::metric::{Metric, SingleRow, round};
 use crate::constraint::Row;
 use std::collections::VecDeque;
 use std::ops::Range;
@@ -22,8 +22,8 @@ const BLOCK: usize = 64;
 struct Pair {
     s: Vec<SingleRow>,
     y: Vec<SingleRow>,
-    /// `s . y_j` of this step with every `y_j` in the window, oldest first.
-    with_y: VecDeque<f64>,
+    /// `s . y_j`, of this step with its own `y` and with those of all later steps.
+    with_y: Vec<f64>,
     /// `alpha` of the recursion; `s . g` until it is known.
     alpha: f64,
     /// `beta` of the recursion; `y . step` until it is known.
@@ -65,25 +65,19 @@ impl QuasiNewton {
         }
         if self.pairs.is_empty() {
             self.scale = Metric::scale(now.gradient);
-            self.rows.clear();
-            self.rows.extend(now.gradient.iter().map(|&row| rounded(row, self.scale)));
+            self.rows.resize(now.x.len(), [0.0; 4]);
+            round(&mut self.rows, now.gradient, self.scale);
         }
         self.first_loop();
         metric.solve(&mut self.rows);
         self.second_loop();
-        let back = 1.0 / self.scale / metric.unit();
-        for ((to, x), step) in to.iter_mut().zip(now.x).zip(&self.rows) {
-            *to = std::array::from_fn(|i| x[i] - back * f64::from(step[i]));
-        }
+        metric.subtract_step(to, now.x, &self.rows, self.scale);
     }
 
     /// Adds the pair of the last step, and takes the products of all steps with the gradient, which
     /// `rows` becomes.
     fn learn(&mut self, now: Iterate<'_>, before: Iterate<'_>, unit: f64) {
         let mut new = if self.pairs.len() == self.window {
-            for pair in &mut self.pairs {
-                pair.with_y.pop_front();
-            }
             self.pairs.pop_front().expect("a window holds at least one step")
         } else {
             Pair::default()
@@ -91,42 +85,38 @@ impl QuasiNewton {
         let n = now.x.len();
         new.s.resize(n, [0.0; 4]);
         new.y.resize(n, [0.0; 4]);
-        new.alpha = 0.0;
-        new.with_y.clear();
-        new.with_y.resize(self.pairs.len() + 1, 0.0);
         self.rows.resize(n, [0.0; 4]);
         for pair in &mut self.pairs {
-            pair.with_y.push_back(0.0);
             pair.alpha = 0.0;
+            pair.with_y.push(0.0);
         }
-        let mut squares = [0.0; 2];
+        new.alpha = 0.0;
+        let (mut curvature, mut squares) = (0.0, [0.0; 2]);
         for block in blocks(n) {
             let (s, y) = (&mut new.s[block.clone()], &mut new.y[block.clone()]);
             let gradient = &mut self.rows[block.clone()];
             let (now, before) = (now.block(&block), before.block(&block));
             subtract(s, now.x, before.x, self.scale * unit);
             subtract(y, now.gradient, before.gradient, self.scale);
-            for (rounded_row, &row) in gradient.iter_mut().zip(now.gradient) {
-                *rounded_row = rounded(row, self.scale);
-            }
-            for (j, pair) in self.pairs.iter_mut().enumerate() {
-                let (s_j, y_j) = (&pair.s[block.clone()], &pair.y[block.clone()]);
-                pair.alpha += dot(s_j, gradient);
-                *pair.with_y.back_mut().expect("it was put there") += dot(s_j, y);
-                new.with_y[j] += dot(s, y_j);
+            round(gradient, now.gradient, self.scale);
+            for pair in &mut self.pairs {
+                let s_i = &pair.s[block.clone()];
+                pair.alpha += dot(s_i, gradient);
+                *pair.with_y.last_mut().expect("it was put there") += dot(s_i, y);
             }
             new.alpha += dot(s, gradient);
-            *new.with_y.back_mut().expect("it was put there") += dot(s, y);
+            curvature += dot(s, y);
             squares[0] += dot(s, s);
             squares[1] += dot(y, y);
         }
-        let curvature = new.with_y[self.pairs.len()];
         // A step along which the gradient does not grow says nothing about curvature.
         if curvature > 1e-12 * squares[0].sqrt() * squares[1].sqrt() {
+            new.with_y.clear();
+            new.with_y.push(curvature);
             self.pairs.push_back(new);
         } else if squares[0] + squares[1] < f64::INFINITY {
             for pair in &mut self.pairs {
-                pair.with_y.pop_back();
+                pair.with_y.pop();
             }
         } else {
             // The scale does not fit any more.
@@ -138,8 +128,9 @@ impl QuasiNewton {
     fn first_loop(&mut self) {
         for i in (0..self.pairs.len()).rev() {
             let pair = &self.pairs[i];
-            let newer = (i + 1..self.pairs.len()).map(|j| self.pairs[j].alpha * pair.with_y[j]);
-            let alpha = (pair.alpha - newer.sum::<f64>()) / pair.with_y[i];
+            let later = self.pairs.range(i + 1..).zip(&pair.with_y[1..]);
+            let known: f64 = later.map(|(later, with_y)| later.alpha * with_y).sum();
+            let alpha = (pair.alpha - known) / pair.with_y[0];
             self.pairs[i].alpha = alpha;
         }
         for block in blocks(self.rows.len()) {
@@ -160,9 +151,10 @@ impl QuasiNewton {
             }
         }
         for i in 0..self.pairs.len() {
-            let older = self.pairs.iter().take(i).map(|j| (j.alpha - j.beta) * j.with_y[i]);
-            let beta = (self.pairs[i].beta + older.sum::<f64>()) / self.pairs[i].with_y[i];
-            self.pairs[i].beta = beta;
+            let earlier = self.pairs.range(..i).enumerate();
+            let known: f64 = earlier.map(|(j, it)| (it.alpha - it.beta) * it.with_y[i - j]).sum();
+            let pair = &mut self.pairs[i];
+            pair.beta = (pair.beta + known) / pair.with_y[0];
         }
         for block in blocks(self.rows.len()) {
             let rows = &mut self.rows[block.clone()];
@@ -179,10 +171,12 @@ fn blocks(n: usize) -> impl Iterator<Item = Range<usize>> {
 }
 
 /// `to = scale * (a - b)`.
+// Flat, as are the loops below: rows of four would be taken apart to be put into registers.
 #[inline(never)]
 fn subtract(to: &mut [SingleRow], a: &[Row], b: &[Row], scale: f64) {
-    for ((to, a), b) in to.iter_mut().zip(a).zip(b) {
-        *to = rounded(std::array::from_fn(|i| a[i] - b[i]), scale);
+    let (a, b) = (a.as_flattened(), b.as_flattened());
+    for ((to, a), b) in to.as_flattened_mut().iter_mut().zip(a).zip(b) {
+        *to = (scale * (a - b)) as f32;
     }
 }
 
@@ -190,18 +184,26 @@ fn subtract(to: &mut [SingleRow], a: &[Row], b: &[Row], scale: f64) {
 #[inline(never)]
 fn add_scaled(to: &mut [SingleRow], factor: f64, x: &[SingleRow]) {
     let factor = factor as f32;
-    for (to, x) in to.iter_mut().zip(x) {
-        *to = std::array::from_fn(|i| to[i] + factor * x[i]);
+    for (to, x) in to.as_flattened_mut().iter_mut().zip(x.as_flattened()) {
+        *to += factor * x;
     }
 }
 
-/// Sum of products over a block, in an order that is the same on every machine.
+/// Sum of products over a block, in an order that is the same on every machine. Sums side by side
+/// hide the latency of an addition.
 #[inline(never)]
 fn dot(a: &[SingleRow], b: &[SingleRow]) -> f64 {
-    let mut sum = [0.0; 4];
+    const SUMS: usize = 16;
+    let mut sums = [0.0; SUMS];
+    let ((a, a_rest), (b, b_rest)) =
+        (a.as_flattened().as_chunks::<SUMS>(), b.as_flattened().as_chunks::<SUMS>());
     for (a, b) in a.iter().zip(b) {
-        sum = std::array::from_fn(|i| sum[i] + a[i] * b[i]);
+        for i in 0..SUMS {
+            sums[i] += a[i] * b[i];
+        }
     }
-    let [x, y, z, _] = sum.map(f64::from);
-    x + y + z
+    for (sum, (a, b)) in sums.iter_mut().zip(a_rest.iter().zip(b_rest)) {
+        *sum += a * b;
+    }
+    sums.into_iter().map(f64::from).sum()
 }

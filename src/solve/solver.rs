@@ -300,7 +300,9 @@ impl Solver {
     /// The second of two gates for non-finite numbers; the first is where input is read.
     fn stop_non_finite(&mut self) -> Result<(), SolveError> {
         let finite = |row: &Row| row.iter().all(|value| value.is_finite());
-        if self.energy.total.is_finite() && self.x.iter().all(finite) {
+        // Without a way out halfway it takes several at a time.
+        let all_finite = |all: bool, value: &f64| all & value.is_finite();
+        if self.energy.total.is_finite() && self.x.as_flattened().iter().fold(true, all_finite) {
             return Ok(());
         }
         let node = self.x.iter().position(|row| !finite(row)).unwrap_or(0) as u32;
