@@ -193,17 +193,24 @@ fn add_scaled(to: &mut [SingleRow], factor: f64, x: &[SingleRow]) {
 /// hide the latency of an addition.
 #[inline(never)]
 fn dot(a: &[SingleRow], b: &[SingleRow]) -> f64 {
-    const SUMS: usize = 16;
-    let mut sums = [0.0; SUMS];
-    let ((a, a_rest), (b, b_rest)) =
-        (a.as_flattened().as_chunks::<SUMS>(), b.as_flattened().as_chunks::<SUMS>());
+    let mut sums = [[0.0; 4]; 4];
+    let ((a, a_rest), (b, b_rest)) = (a.as_chunks::<4>(), b.as_chunks::<4>());
     for (a, b) in a.iter().zip(b) {
-        for i in 0..SUMS {
-            sums[i] += a[i] * b[i];
+        for k in 0..4 {
+            sums[k] = add_product(sums[k], a[k], b[k]);
         }
     }
-    for (sum, (a, b)) in sums.iter_mut().zip(a_rest.iter().zip(b_rest)) {
-        *sum += a * b;
+    let [mut sum, second, third, fourth] = sums;
+    for (a, b) in a_rest.iter().zip(b_rest) {
+        sum = add_product(sum, *a, *b);
     }
-    sums.into_iter().map(f64::from).sum()
+    // With the padding: four are faster than three.
+    let [x, y, z, pad] =
+        std::array::from_fn(|i| f64::from((sum[i] + second[i]) + (third[i] + fourth[i])));
+    (x + y) + (z + pad)
+}
+
+#[inline(always)]
+fn add_product(sum: SingleRow, a: SingleRow, b: SingleRow) -> SingleRow {
+    std::array::from_fn(|i| sum[i] + a[i] * b[i])
 }

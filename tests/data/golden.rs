@@ -23,7 +23,7 @@ const SCENES: &[(&str, [u64; 3])] = &[
     (
         r#""constraints": [{ "kind": "circle", "on": "faces" }],
            "weights": { "shape": 5, "close": 10, "smooth": 2 }"#,
-        [0x1109_2e35_0ad0_ef35, 0xc1f9_e6cb_852e_001d, 0x09af_e087_8812_771b],
+        [0x1109_2e35_0ad0_ef35, 0xae1c_c25a_01b8_484b, 0x09af_e087_8812_771b],
     ),
     (
         r#""constraints": [{ "kind": "plane", "on": "faces" },
@@ -33,7 +33,7 @@ const SCENES: &[(&str, [u64; 3])] = &[
                        { "vertices": [168], "targets": [[1.2, 1.1, 0.4]] }],
            "weights": { "shape": 3, "smooth": 0.1 },
            "smoothness": { "of": "displacement" }"#,
-        [0xa65d_543d_ccf2_c3e3, 0x627b_45c7_b477_14fd, 0xcc85_2e86_a1b2_bfdf],
+        [0xa65d_543d_ccf2_c3e3, 0x15ed_4570_0d12_a3bf, 0xcc85_2e86_a1b2_bfdf],
     ),
     (
         r#""constraints": [{ "kind": "square", "on": "faces", "weight": 0.3 },
@@ -44,7 +44,7 @@ const SCENES: &[(&str, [u64; 3])] = &[
                            { "kind": "similar", "on": { "each": "ring", "radius": 2 }, "scale": [0.8, 1.25] },
                            { "kind": "planar-similar", "on": "faces" }],
            "handles": [{ "vertices": [0, 12] }, { "vertices": [168], "targets": [[1.2, 1.1, 0.4]] }]"#,
-        [0x4cc5_4b30_6759_d56c, 0xea7c_abf1_8702_053a, 0x54d9_d8af_f382_b92b],
+        [0x4cc5_4b30_6759_d56c, 0xc146_5698_d303_03ff, 0x54d9_d8af_f382_b92b],
     ),
 ];
 
