@@ -13,10 +13,15 @@
 //! The scene format, the command line, the controls of the page, the property tests and the
 //! operator table follow from the declaration.
 
+mod angle;
+mod angle_range;
+mod area;
 mod batch;
+mod bending;
 mod circle;
 mod conical;
 mod direction;
+mod equal_length;
 mod incircle;
 mod info;
 mod limits;
@@ -41,6 +46,7 @@ mod symmetry;
 mod symmetry_group;
 mod tangent_incircles;
 mod target;
+mod volume;
 
 pub use batch::{Batch, LocalStep, Reference, Row, batches};
 pub use info::{Arity, Centring, Form, Info, Param, ParamValue};
@@ -236,6 +242,11 @@ kinds! {
     similar::Similar,
     planar_similar::PlanarSimilar,
     line_segment::LineSegment,
+    equal_length::EqualLength,
+    angle::Angle,
+    area::Area,
+    volume::Volume,
+    bending::Bending,
     regular_polygon::RegularPolygon,
     square::Square,
     parallelogram::Parallelogram,

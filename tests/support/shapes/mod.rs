@@ -5,7 +5,10 @@
 //! A new kind adds its account to one of the files here, or a file to the list in [`shapes`].
 
 mod conical;
+mod corner;
+mod extent;
 mod flat;
+mod hinge;
 mod incircles;
 mod length;
 mod placed;
@@ -91,6 +94,9 @@ pub(crate) fn shapes(id: &str) -> Vec<Shape> {
         placed::shapes,
         incircles::shapes,
         conical::shapes,
+        corner::shapes,
+        extent::shapes,
+        hinge::shapes,
     ];
     let account = accounts.iter().find_map(|shapes| shapes(id));
     account.unwrap_or_else(|| panic!("the kind '{id}' has no account in tests/support/shapes"))
