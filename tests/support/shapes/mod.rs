@@ -90,13 +90,13 @@ pub(crate) fn shapes(id: &str) -> Vec<Shape> {
         relative::shapes,
         polygon::shapes,
         length::shapes,
+        corner::shapes,
+        extent::shapes,
+        hinge::shapes,
         symmetric::shapes,
         placed::shapes,
         incircles::shapes,
         conical::shapes,
-        corner::shapes,
-        extent::shapes,
-        hinge::shapes,
     ];
     let account = accounts.iter().find_map(|shapes| shapes(id));
     account.unwrap_or_else(|| panic!("the kind '{id}' has no account in tests/support/shapes"))
