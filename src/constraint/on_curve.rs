@@ -69,7 +69,7 @@ impl Projection for OnCurve {
                 unit: "",
                 default: ParamValue::Word("auto"),
                 forms: &[Form::Word("auto"), Form::Word("yes"), Form::Word("no")],
-                range: [0.0, 0.0],
+                range: [f64::NEG_INFINITY, f64::INFINITY],
             },
         ],
     };
