@@ -28,6 +28,7 @@ mod resolve;
 mod rigid;
 mod select;
 mod similar;
+mod sketch;
 mod sphere;
 mod square;
 mod target;
@@ -36,6 +37,7 @@ pub use batch::{Batch, LocalStep, Reference, Row, batches};
 pub use info::{Arity, Centring, Form, Info, Param, ParamValue};
 pub use resolve::resolve;
 pub use select::{Element, SelectError, Selector, Set, Sets, describe};
+pub use sketch::Sketch;
 
 use crate::math::{Lane, Vec3};
 
