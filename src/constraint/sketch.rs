@@ -135,7 +135,7 @@ impl Sample {
             Some(Element::Hinge) if all == 4 => hinge(),
             Some(Element::Tet) if all == 4 => tetrahedron(),
             Some(Element::Corner) => (polygon(all), path(all)),
-            _ if all == 2 => (vec![Vec3::new(0.9, 0.7, 0.0), Vec3::new(-0.9, -0.7, 0.0)], path(2)),
+            _ if all == 2 => (vec![Vec3::new(-0.9, 0.7, 0.0), Vec3::new(0.9, -0.7, 0.0)], path(2)),
             _ if reads_rest && matches!(info.arity, Arity::AtLeast(0..=6)) => angular_figure(),
             _ => (polygon(all), loop_of(all)),
         };
