@@ -128,6 +128,11 @@ fn parameters_are_changed_one_by_one_and_undone() {
 
 #[test]
 fn a_wrong_parameter_is_refused_with_its_place() {
+    let entry_text = json!({ "kind": "line-segment", "on": "edges", "length": [3, 2] }).to_string();
+    let error =
+        ConstraintSpec::from_json(&entry_text).expect_err("the least is above the greatest");
+    assert_eq!(error.path, "length[1]");
+
     let mut session = session(bumpy(2));
     session.edit(entry("line-segment", &each(Element::Edge))).expect("segments fit edges");
     let before = session.scene();

@@ -119,6 +119,7 @@ export class AddConstraintDialog {
     this.#placeId = selection.vertices.size + selection.faces.size > 0 ? 'selection' : '';
     this.#weight.value = '1';
     this.#parametersOf = '';
+    this.#add.disabled = true;
     this.#dialog.show();
     await this.#ask();
     this.#kinds.focus(this.#kindId);

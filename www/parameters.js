@@ -284,6 +284,9 @@ class Parameter {
       value: value === null ? '' : String(value),
       'aria-label': this.#name + name,
       'aria-describedby': this.#error.id,
+      // Told while it is typed: were it told when the field is left, the page would move under the
+      // pointer that leaves it for a button.
+      oninput: () => this.read(),
       onchange: () => {
         const next = this.read();
         if (next === undefined) return;

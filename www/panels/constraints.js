@@ -218,7 +218,9 @@ export function constraintsPanel(place, store, solver, actions) {
     );
     if (focused) {
       /** @type {HTMLElement | null} */
-      const again = place.querySelector(`[aria-label="${CSS.escape(focused)}"]`);
+      const again = place.querySelector(
+        `:is(button, input, select)[aria-label="${CSS.escape(focused)}"]`,
+      );
       again?.focus();
     }
     showNumbers();
