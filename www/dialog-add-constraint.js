@@ -146,7 +146,7 @@ export class AddConstraintDialog {
         else
           places.push({
             id: `each-${id}-selected`,
-            label: `each ${label}, of the selection`,
+            label: `each ${label}, within the selection`,
             on,
             element: id,
             within: true,
