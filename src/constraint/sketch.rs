@@ -136,7 +136,7 @@ impl Sample {
             Some(Element::Tet) if all == 4 => tetrahedron(),
             Some(Element::Corner) => (polygon(all), path(all)),
             _ if all == 2 => (vec![Vec3::new(-0.9, 0.7, 0.0), Vec3::new(0.9, -0.7, 0.0)], path(2)),
-            _ if reads_rest && matches!(info.arity, Arity::AtLeast(0..=5)) => house(),
+            _ if reads_rest && matches!(info.arity, Arity::AtLeast(0..=7)) => arrow(),
             _ => (polygon(all), loop_of(all)),
         };
         // What keeps its size at rest is shown shrunk.
@@ -176,10 +176,11 @@ fn polygon(n: usize) -> Vec<Vec3<f64>> {
     (0..n).map(|k| corners[2 * k + 1]).map(|[x, y]| Vec3::new(1.2 * x, 0.85 * y, 0.0)).collect()
 }
 
-/// The front of a house: a figure that is not regular, but its own mirror image.
-fn house() -> Figure {
-    let corners = [[-0.9, -1.0], [0.9, -1.0], [0.9, 0.3], [0.0, 1.1], [-0.9, 0.3]];
-    (corners.map(|[x, y]| Vec3::new(x, y, 0.0)).to_vec(), loop_of(5))
+/// An arrow: a figure that is not regular, but its own mirror image.
+fn arrow() -> Figure {
+    let corners =
+        [[-0.4, -1.0], [0.4, -1.0], [0.4, 0.1], [1.0, 0.1], [0.0, 1.2], [-1.0, 0.1], [-0.4, 0.1]];
+    (corners.map(|[x, y]| Vec3::new(x, y, 0.0)).to_vec(), loop_of(corners.len()))
 }
 
 /// Edges side by side, each of another length; `n` ends.

@@ -107,6 +107,7 @@ test('a parameter that is refused keeps its old value and says why', async ({ pa
 test('parameters fit into the window', async ({ page }) => {
   const row = await openRow(page);
   await parameter(row, LENGTH).getByRole('combobox').selectOption('between');
+  await expect.poll(async () => (await constraint(page)).length).toHaveLength(2);
   const field = row.getByRole('spinbutton', { name: `${LENGTH} to` });
   await field.scrollIntoViewIfNeeded();
   const box = await field.boundingBox();
