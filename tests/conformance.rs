@@ -15,7 +15,7 @@ mod shapes;
 use degenerate::degenerate;
 use minimise::least_distance_squared;
 use project::{Project, project};
-use random::{Points, Random, centred_as, distance_squared, farthest, in_frame, size};
+use random::{Points, Random, centred, distance_squared, farthest, in_frame, size};
 use serde_json::{Value, json};
 use shape_up::constraint::{Arity, Centring, Form, Info, KINDS, Kind, Param, ParamValue};
 use shape_up::math::{LANES, Vec3};
@@ -60,11 +60,21 @@ impl Case {
     }
 }
 
+/// The points, centred as a kind declares.
+fn centred_as(centring: Centring, points: &[Vec3<f64>]) -> Points {
+    match centring {
+        Centring::Together => centred(points),
+        Centring::ByEdge => points.chunks(2).flat_map(centred).collect(),
+        Centring::Placed => points.to_vec(),
+    }
+}
+
 /// Every kind with the parameters of each of its accounts.
 fn kinds() -> Vec<(Kind, Shape)> {
     let with_accounts = KINDS.iter().flat_map(|info| {
         let accounts = shapes(info.id).into_iter();
-        accounts.map(|shape| (kind(info.id, serde_json::from_str(shape.params).unwrap()), shape))
+        accounts
+            .map(|shape| (kind(info.id, serde_json::from_str(shape.params).expect("JSON")), shape))
     });
     with_accounts.collect()
 }
@@ -198,7 +208,7 @@ fn every_kind_is_declared_for_people() {
                 ParamValue::Nothing => (Form::Nothing, vec![]),
             };
             assert!(param.forms.contains(&form), "{id}: the default of {} is no form", param.id);
-            let declared = serde_json::to_value(param.default).unwrap();
+            let declared = serde_json::to_value(param.default).expect("JSON");
             let parsed = kind(id, json!({})).params()[param.id].take();
             let number = |value: &Value| value.as_f64();
             assert!(

@@ -10,6 +10,7 @@ mod orthogonal_pair;
 mod principal;
 mod round;
 mod symmetric3;
+mod turns;
 mod unit_polygon;
 mod vec3;
 
@@ -21,5 +22,6 @@ pub use orthogonal_pair::OrthogonalPair;
 pub use principal::PrincipalAxes;
 pub use round::Round;
 pub use symmetric3::{Scatter, Symmetric3};
+pub use turns::{cosine, sine};
 pub use unit_polygon::UnitPolygon;
 pub use vec3::{Vec3, centre};

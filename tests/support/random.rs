@@ -1,6 +1,5 @@
 //! Random points for tests: seeded, the same on every machine.
 
-use shape_up::constraint::Centring;
 use shape_up::math::Vec3;
 
 /// A point set in one constraint.
@@ -65,15 +64,6 @@ pub(crate) fn in_frame(frame: [Vec3<f64>; 3], v: Vec3<f64>) -> Vec3<f64> {
 pub(crate) fn centred(points: &[Vec3<f64>]) -> Points {
     let sum = points.iter().fold(Vec3::zero(), |sum, v| sum + *v);
     points.iter().map(|v| *v - sum * (1.0 / points.len() as f64)).collect()
-}
-
-/// The points, centred as a kind declares.
-pub(crate) fn centred_as(centring: Centring, points: &[Vec3<f64>]) -> Points {
-    match centring {
-        Centring::Together => centred(points),
-        Centring::ByEdge => points.chunks(2).flat_map(centred).collect(),
-        Centring::Placed => points.to_vec(),
-    }
 }
 
 /// The greatest distance from the origin.
