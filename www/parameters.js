@@ -25,7 +25,7 @@ const AXES = ['x', 'y', 'z'];
 const FORM_LABELS = {
   number: 'exactly',
   range: 'between',
-  vector: 'along',
+  vector: 'direction',
   nothing: 'whatever fits best',
 };
 
@@ -135,7 +135,10 @@ export function valueInWords(param, value, units) {
   if (value === null) return FORM_LABELS.nothing;
   if (typeof value === 'string') return value;
   if (typeof value === 'number') return amount(value);
-  if (value.length === 3) return value.map(number).join(', ');
+  if (value.length === 3) {
+    const named = AXES.find((name) => axis(name).every((part, i) => part === value[i]));
+    return named?.toUpperCase() ?? value.map((part) => Number(part.toPrecision(2))).join(', ');
+  }
   const [from, to] = value;
   if (from === null && to === null) return 'any';
   if (from === null) return `up to ${amount(/** @type {number} */ (to))}`;
@@ -148,6 +151,7 @@ export class Parameters {
   element = element('div', { class: 'parameters' });
   /** @type {Parameter[]} */
   #all;
+  #error = element('p', { class: 'error', hidden: true, 'aria-live': 'polite' });
 
   /**
    * @param {ParamInfo[]} params
@@ -160,9 +164,12 @@ export class Parameters {
     this.#all = params.map((param) => {
       const value = param.id in values ? values[param.id] : param.default;
       const prefix = name ? `${name}: ` : '';
-      return new Parameter(param, value, model, prefix, (next) => changed(param.id, next));
+      return new Parameter(param, value, model, prefix, (next) => {
+        this.#tell('');
+        changed(param.id, next);
+      });
     });
-    this.element.replaceChildren(...this.#all.map((one) => one.element));
+    this.element.replaceChildren(...this.#all.map((one) => one.element), this.#error);
     this.element.hidden = params.length === 0;
   }
 
@@ -179,17 +186,25 @@ export class Parameters {
   }
 
   /**
-   * Shows an error at the parameter that it is about. False when it is about none.
+   * Shows an error at the parameter that it is about, or below all when it is about several. False
+   * when it is about something else.
    * @param {unknown} error
    */
   refuse(error) {
     if (!(error instanceof Refusal)) return false;
-    const [, id = '', place = ''] =
-      /^(?:constraints\[\d+\]\.)?([^.[]+)(?:\[(\d+)\])?/.exec(error.path) ?? [];
-    const about = this.#all.find((one) => one.id === id);
+    const path = error.path.replace(/^constraints\[\d+\]\.?/, '');
     const message = error.message.replace(`${error.path}: `, '');
-    about?.refuse(message, Number(place || 0));
-    return about !== undefined;
+    const [, id = '', place = '0'] = /^([^.[]*)(?:\[(\d+)\])?/.exec(path) ?? [];
+    const about = this.#all.find((one) => one.id === id);
+    about?.refuse(message, Number(place));
+    if (path === '') this.#tell(message);
+    return about !== undefined || path === '';
+  }
+
+  /** @param {string} message about all parameters */
+  #tell(message) {
+    this.#error.textContent = message;
+    this.#error.hidden = message === '';
   }
 
   /** Back to these values, where something was refused. @param {Record<string, ParamValue>} values */

@@ -127,10 +127,11 @@ impl Sample {
             (Arity::AtLeast(least), Centring::ByEdge) => least.max(8),
             (Arity::AtLeast(least), _) => least.max(MANY),
         };
+        let by_edge = info.centring == Centring::ByEdge;
         // Kinds of one point each move several, which together make a figure.
         let all = if n == 1 { MANY } else { n };
         let (rest, lines) = match info.elements.first() {
-            _ if info.centring == Centring::ByEdge => edges(all),
+            _ if by_edge => edges(all),
             Some(Element::Star) => star(all),
             Some(Element::Hinge) if all == 4 => hinge(),
             Some(Element::Tet) if all == 4 => tetrahedron(),
@@ -139,13 +140,15 @@ impl Sample {
             _ if reads_rest && matches!(info.arity, Arity::AtLeast(0..=7)) => arrow(),
             _ => (polygon(all), loop_of(all)),
         };
-        // What keeps its size at rest is shown shrunk.
+        // What keeps its size at rest is shown shrunk; figures that are known at a glance, and edges
+        // side by side, are soon lost.
         let scale = if reads_rest { 0.75 } else { 1.0 };
+        let disturbance = if reads_rest || by_edge { 0.55 } else { 1.0 };
         let all = rest.len();
         let n = n.min(all);
         let disturbed = rest.iter().zip(DISTURBANCE.iter().cycle());
         Sample {
-            points: disturbed.map(|(v, by)| *v * scale + Vec3::from(*by)).collect(),
+            points: disturbed.map(|(v, by)| *v * scale + Vec3::from(*by) * disturbance).collect(),
             rest,
             members: (0..all as u32).collect::<Vec<_>>().chunks(n).collect(),
             lines,
