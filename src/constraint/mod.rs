@@ -15,6 +15,7 @@
 
 mod batch;
 mod circle;
+mod direction;
 mod info;
 mod limits;
 mod line;

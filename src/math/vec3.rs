@@ -83,6 +83,21 @@ impl Vec3<f64> {
         let length = v.length();
         (length * scale, Some(v * (1.0 / length)))
     }
+
+    /// For a unit vector: one at right angles to it, in the plane of it and the coordinate axis
+    /// farthest from it.
+    pub fn across(self) -> Self {
+        let [x, y, z] = [self.x.abs(), self.y.abs(), self.z.abs()];
+        let axis = if x <= y && x <= z {
+            Vec3::new(1.0, 0.0, 0.0)
+        } else if y <= z {
+            Vec3::new(0.0, 1.0, 0.0)
+        } else {
+            Vec3::new(0.0, 0.0, 1.0)
+        };
+        let across = axis - self * self.dot(axis);
+        across * (1.0 / across.length())
+    }
 }
 
 /// Subtracts the mean from the points, `N_i` of paper Eq. 5, and gives the mean.

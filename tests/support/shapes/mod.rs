@@ -40,7 +40,10 @@ pub(crate) struct Shape {
     /// The point closest to `v` on the shape with these parameters; it may depend on which vertex
     /// `v` is, the last argument.
     pub(crate) closest: Closest,
-    /// For kinds that are not exact: how much greater than the least the squared distance may be,
+    /// Whether the projection is the closest point of the set; what the kind declares is that of its
+    /// first account.
+    pub(crate) exact: bool,
+    /// For accounts that are not exact: how much greater than the least the squared distance may be,
     /// as a fraction, for shapes disturbed by [`NOISE`].
     pub(crate) excess: [f64; 3],
 }
@@ -67,6 +70,7 @@ impl Shape {
         relabellings: any_order,
         parameters: 0,
         closest: |_, _, _| unreachable!("every account says what is closest"),
+        exact: true,
         excess: [0.0; 3],
     };
 }
