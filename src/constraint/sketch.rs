@@ -70,7 +70,7 @@ impl Sketch {
             for axis in 0..2 {
                 let off_middle = (point[axis] - 0.5 * (low[axis] + high[axis])) / size;
                 // Rounding must not leave the square.
-                point[axis] = (0.5 + off_middle).max(0.0).min(1.0);
+                point[axis] = (0.5 + off_middle).clamp(0.0, 1.0);
             }
         }
         self

@@ -68,6 +68,29 @@ test('what the solver refuses is told at the field of the dialog', async ({ page
   await expect.poll(async () => (await constraint(page))?.length).toEqual([3, null]);
 });
 
+test('a direction is chosen by its axis, and what two parameters contradict is told', async ({
+  page,
+}) => {
+  await addConstraint(page, 'Plane', 'each face');
+  const row = page.getByRole('list', { name: 'Constraints' }).getByRole('listitem');
+  await row.getByRole('button', { name: /parameters/ }).click();
+  const normal = parameter(row, 'Plane on all faces: Normal');
+  await normal.getByRole('combobox').selectOption('direction');
+  await expect.poll(async () => (await constraint(page)).normal).toEqual([0, 0, 1]);
+  await normal.getByRole('button', { name: 'along X' }).click();
+  await expect.poll(async () => (await constraint(page)).normal).toEqual([1, 0, 0]);
+  await expect(normal.getByRole('button', { name: 'along X' })).toHaveAttribute(
+    'aria-pressed',
+    'true',
+  );
+  await expect(row.getByText(/normal X/)).toBeVisible();
+  const along = parameter(row, 'Plane on all faces: Along');
+  await along.getByRole('combobox').selectOption('direction');
+  await expect(row.getByText(/both .normal. and .along./)).toBeVisible();
+  await expect(along.getByRole('combobox')).toHaveValue('nothing');
+  expect((await constraint(page)).along).toBeUndefined();
+});
+
 test('a parameter of a row acts at once, and is one step of undo', async ({ page }) => {
   const row = await openRow(page);
   expect((await state(page)).energy.shape).toBeLessThan(1e-20);
