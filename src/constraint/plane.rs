@@ -135,6 +135,8 @@ fn frame_across(along: &Direction) -> [Vec3<f64>; 2] {
 ///
 /// The coordinates along `e` and `f` have a 2x2 scatter matrix; the angle of its greatest
 /// eigenvector is half of that of `(xx - yy, 2 xy)`.
+// Apart, so that planes of any direction keep their registers.
+#[inline(never)]
 fn normal_across<S: Lane>([e, f]: [Vec3<f64>; 2], v: &[Vec3<S>]) -> (Vec3<S>, S) {
     let splat = |v: Vec3<f64>| Vec3::new(S::splat(v.x), S::splat(v.y), S::splat(v.z));
     let (e, f) = (splat(e), splat(f));

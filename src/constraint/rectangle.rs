@@ -76,18 +76,10 @@ impl Projection for Rectangle {
         projected: &mut [Vec3<S>],
     ) -> bool {
         let half = S::splat(0.5);
-        let (mut a, mut b) = ((v[0] - v[2]) * half, (v[1] - v[3]) * half);
-        let mut good = S::one();
-        if self.fit == Fit::Lines {
-            let scatter = Scatter::of(v);
-            let n = scatter.unit.smallest_eigenvector();
-            a = a - n.vector * n.vector.dot(a);
-            b = b - n.vector * n.vector.dot(b);
-            let least = a.length_squared().min(b.length_squared());
-            good = n.accurate * scatter.in_range;
-            // What is left of a steep diagonal has lost digits.
-            good = least.if_greater(S::splat(1e-6) * scatter.mean_square, good, S::zero());
-        }
+        let (a, b, good) = match self.fit {
+            Fit::Closest => ((v[0] - v[2]) * half, (v[1] - v[3]) * half, S::one()),
+            Fit::Lines => flat_half_diagonals(v),
+        };
         let (aa, bb) = (a.length_squared(), b.length_squared());
         let (length_a, length_b) = (aa.sqrt(), bb.sqrt());
         let mean = (length_a + length_b) * half;
@@ -112,6 +104,22 @@ impl Projection for Rectangle {
             closest(v, Vec3::across);
         }
     }
+}
+
+/// The half-diagonals in the least-squares plane, with one in the lanes where they are accurate, else
+/// zero.
+// Apart, so that the closest rectangle keeps its registers.
+#[inline(never)]
+fn flat_half_diagonals<S: Lane>(v: &[Vec3<S>]) -> (Vec3<S>, Vec3<S>, S) {
+    let half = S::splat(0.5);
+    let scatter = Scatter::of(v);
+    let n = scatter.unit.smallest_eigenvector();
+    let flat = |v: Vec3<S>| v - n.vector * n.vector.dot(v);
+    let (a, b) = (flat((v[0] - v[2]) * half), flat((v[1] - v[3]) * half));
+    // What is left of a steep diagonal has lost digits.
+    let least = a.length_squared().min(b.length_squared());
+    let bound = S::splat(1e-6) * scatter.mean_square;
+    (a, b, least.if_greater(bound, n.accurate * scatter.in_range, S::zero()))
 }
 
 /// Replaces four points by the closest rectangle. Where one diagonal is zero, it gets the direction

@@ -97,7 +97,8 @@ impl Sphere {
 
 /// Projects to the sphere whose radius is within limits, where `clamp` gives the nearest one; with the
 /// sphere, and one in the lanes where all is accurate, else zero.
-#[inline(always)]
+// Apart, so that spheres of any radius keep their registers.
+#[inline(never)]
 fn project_within<S: Lane>(
     v: &[Vec3<S>],
     projected: &mut [Vec3<S>],

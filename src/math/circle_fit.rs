@@ -42,7 +42,8 @@ impl<S: Lane> CircleFit<S> {
     /// As [`CircleFit::project`], with a radius within limits: `clamp` gives the nearest one. Gives the
     /// unit normal of the plane and the circle in it, and one in the lanes where all is accurate, else
     /// zero.
-    #[inline(always)]
+    // Apart, so that circles of any radius keep their registers.
+    #[inline(never)]
     pub fn project_within(
         points: &[Vec3<S>],
         projected: &mut [Vec3<S>],

@@ -100,7 +100,7 @@ impl<S: Lane> RoundWithin<S> {
             };
             let adjugate = hessian.adjugate();
             let determinant = hessian.determinant(adjugate);
-            centre = centre - adjugate.times(gradient) * (one / determinant);
+            centre -= adjugate.times(gradient) * (one / determinant);
             accurate = determinant.if_greater(S::splat(LEAST_DETERMINANT), accurate, zero);
         }
         *good = limited.if_greater(zero, accurate, *good);
