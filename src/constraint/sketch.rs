@@ -143,7 +143,8 @@ impl Sample {
         // What keeps its size at rest is shown shrunk; figures that are known at a glance, and edges
         // side by side, are soon lost.
         let scale = if reads_rest { 0.75 } else { 1.0 };
-        let disturbance = if reads_rest || by_edge { 0.55 } else { 1.0 };
+        let is_star = info.elements.first() == Some(&Element::Star);
+        let disturbance = if reads_rest || by_edge || is_star { 0.55 } else { 1.0 };
         let all = rest.len();
         let n = n.min(all);
         let disturbed = rest.iter().zip(DISTURBANCE.iter().cycle());
@@ -197,11 +198,11 @@ fn edges(n: usize) -> Figure {
     ((0..count).flat_map(edge).collect(), (0..count).map(|k| [2 * k, 2 * k + 1]).collect())
 }
 
-/// The middle, then what is around it, further down.
+/// The middle, then what is around it, further down: a long rim, so that its angles are unequal.
 fn star(n: usize) -> Figure {
     let around = n - 1;
     let mut points = vec![Vec3::new(0.0, 0.0, 0.5)];
-    points.extend(polygon(around));
+    points.extend(polygon(around).iter().map(|v| Vec3::new(v.x, 0.6 * v.y, v.z)));
     let spokes = (1..n).map(|k| [0, k]);
     let rim = loop_of(around).into_iter().map(|[a, b]| [a + 1, b + 1]);
     (points, spokes.chain(rim).collect())
