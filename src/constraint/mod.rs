@@ -13,9 +13,14 @@
 //! The scene format, the command line, the controls of the page, the property tests and the
 //! operator table follow from the declaration.
 
+mod angle;
+mod angle_range;
+mod area;
 mod batch;
+mod bending;
 mod circle;
 mod direction;
+mod equal_length;
 mod info;
 mod limits;
 mod line;
@@ -33,6 +38,7 @@ mod sketch;
 mod sphere;
 mod square;
 mod target;
+mod volume;
 
 pub use batch::{Batch, LocalStep, Reference, Row, batches};
 pub use info::{Arity, Centring, Form, Info, Param, ParamValue};
@@ -229,6 +235,11 @@ kinds! {
     similar::Similar,
     planar_similar::PlanarSimilar,
     line_segment::LineSegment,
+    equal_length::EqualLength,
+    angle::Angle,
+    area::Area,
+    volume::Volume,
+    bending::Bending,
     regular_polygon::RegularPolygon,
     square::Square,
     parallelogram::Parallelogram,

@@ -49,6 +49,17 @@ impl<S: Lane> Vec3<S> {
     pub fn length(self) -> S {
         self.dot(self).sqrt()
     }
+    /// A unit vector at right angles to this unit vector, in the plane of one of the coordinate axes
+    /// farthest from it.
+    #[inline(always)]
+    pub fn across(self) -> Self {
+        let (zero, one) = (S::zero(), S::one());
+        let [x, y, z] = [self.x.abs(), self.y.abs(), self.z.abs()];
+        let of_two = Self::if_greater(x, y, Vec3::new(zero, one, zero), Vec3::new(one, zero, zero));
+        let axis = Self::if_greater(x.min(y), z, Vec3::new(zero, zero, one), of_two);
+        let across = axis - self * self.dot(axis);
+        across * (one / across.length())
+    }
     /// Lane by lane: `yes` where `key > bound`, else `no`.
     #[inline(always)]
     pub fn if_greater(key: S, bound: S, yes: Self, no: Self) -> Self {
@@ -82,21 +93,6 @@ impl Vec3<f64> {
         let v = Vec3::new(self.x / scale, self.y / scale, self.z / scale);
         let length = v.length();
         (length * scale, Some(v * (1.0 / length)))
-    }
-
-    /// For a unit vector: one at right angles to it, in the plane of it and the coordinate axis
-    /// farthest from it.
-    pub fn across(self) -> Self {
-        let [x, y, z] = [self.x.abs(), self.y.abs(), self.z.abs()];
-        let axis = if x <= y && x <= z {
-            Vec3::new(1.0, 0.0, 0.0)
-        } else if y <= z {
-            Vec3::new(0.0, 1.0, 0.0)
-        } else {
-            Vec3::new(0.0, 0.0, 1.0)
-        };
-        let across = axis - self * self.dot(axis);
-        across * (1.0 / across.length())
     }
 }
 

@@ -4,7 +4,10 @@
 //!
 //! A new kind adds its account to one of the files here, or a file to the list in [`shapes`].
 
+mod corner;
+mod extent;
 mod flat;
+mod hinge;
 mod length;
 mod polygon;
 mod relative;
@@ -77,7 +80,16 @@ impl Shape {
 
 /// The accounts of the kind named `id`, the first with its default parameters.
 pub(crate) fn shapes(id: &str) -> Vec<Shape> {
-    let accounts = [flat::shapes, round::shapes, relative::shapes, polygon::shapes, length::shapes];
+    let accounts = [
+        flat::shapes,
+        round::shapes,
+        relative::shapes,
+        polygon::shapes,
+        length::shapes,
+        corner::shapes,
+        extent::shapes,
+        hinge::shapes,
+    ];
     let account = accounts.iter().find_map(|shapes| shapes(id));
     account.unwrap_or_else(|| panic!("the kind '{id}' has no account in tests/support/shapes"))
 }
