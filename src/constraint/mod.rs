@@ -40,6 +40,7 @@ mod rigid;
 mod select;
 mod separate_lanes;
 mod similar;
+mod sketch;
 mod sphere;
 mod square;
 mod symmetry;
@@ -52,6 +53,7 @@ pub use batch::{Batch, LocalStep, Reference, Row, batches};
 pub use info::{Arity, Centring, Form, Info, Param, ParamValue};
 pub use resolve::resolve;
 pub use select::{Element, SelectError, Selector, Set, Sets, describe};
+pub use sketch::Sketch;
 
 use crate::math::{Lane, Vec3};
 
