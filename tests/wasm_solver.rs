@@ -6,6 +6,7 @@
 mod golden;
 
 use js_sys::{Float64Array, JSON, Reflect, Uint32Array};
+use shape_up::constraint::{Arity, KINDS};
 use shape_up::web::solver::Solver;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
@@ -111,8 +112,15 @@ fn a_handle_is_dragged() {
 fn a_selection_becomes_a_set_of_the_scene() {
     let mut solver = loaded();
     let on = r#"{ "each": "face", "in": { "faces": [1] } }"#;
-    let preview = solver.preview("plane", object(on)).expect("a plane fits a quad");
-    assert_eq!(number(&preview, "constraints"), 1.0);
+    let kinds = solver.kinds().expect("there are kinds");
+    let previews = solver.previews(object(&format!("[{on}]"))).expect("the face is there");
+    assert_eq!(number(&previews, "length"), number(&kinds, "length"));
+    let plane = (0..KINDS.len()).find(|&i| KINDS[i].id == "plane").expect("there is a plane");
+    assert_eq!(number(&previews, &format!("{plane}.0.constraints")), 1.0);
+    assert_eq!(number(&previews, &format!("{plane}.0.vertices")), 4.0);
+    let segment = (0..KINDS.len()).find(|&i| KINDS[i].arity == Arity::Exactly(2));
+    let segment = segment.expect("some kind takes two vertices");
+    assert!(get(&previews, &format!("{segment}.0")).is_null(), "a quad is no edge");
     let add = format!(
         r#"{{ "type": "addConstraint", "kind": "plane", "params": {{}}, "on": {on}, "weight": 1 }}"#
     );
@@ -129,6 +137,48 @@ fn a_selection_becomes_a_set_of_the_scene() {
     let document = again.document().expect("a model is open");
     assert_eq!(number(&document, "constraints.0.count"), 1.0);
     assert_eq!(again.obj(), solver.obj());
+}
+
+#[wasm_bindgen_test]
+fn kinds_come_with_parameters_and_a_drawing() {
+    let kinds = Solver::new().kinds().expect("there are kinds");
+    for (i, info) in KINDS.iter().enumerate() {
+        assert_eq!(get(&kinds, &format!("{i}.id")).as_string().as_deref(), Some(info.id));
+        for (k, param) in info.params.iter().enumerate() {
+            let path = format!("{i}.params.{k}");
+            assert_eq!(get(&kinds, &format!("{path}.id")).as_string().as_deref(), Some(param.id));
+            assert_eq!(number(&kinds, &format!("{path}.forms.length")), param.forms.len() as f64);
+            assert!(!get(&kinds, &format!("{path}.default")).is_undefined());
+        }
+        assert!(number(&kinds, &format!("{i}.sketch.points.length")) >= 2.0);
+        assert!(number(&kinds, &format!("{i}.sketch.projected.0.0")) <= 1.0);
+    }
+}
+
+#[wasm_bindgen_test]
+fn a_parameter_is_changed_and_a_wrong_one_is_told_with_its_place() {
+    let mut solver = loaded();
+    let add = r#"{ "type": "addConstraint", "kind": "line-segment", "params": { "length": [0.5, null] },
+                   "on": "edges", "weight": 1 }"#;
+    solver.edit(object(add)).expect("segments fit edges");
+    let set = |length: &str| {
+        object(&format!(
+            r#"{{ "type": "setConstraint", "index": 0, "params": {{ "length": {length} }} }}"#
+        ))
+    };
+    let length = |solver: &Solver| {
+        let params = get(&solver.document().expect("a model is open"), "constraints.0.params");
+        String::from(JSON::stringify(&get(&params, "length")).expect("it is plain"))
+    };
+    assert_eq!(length(&solver), "[0.5,null]");
+    solver.edit(set("1.25")).expect("a segment may have that length");
+    assert_eq!(length(&solver), "1.25");
+    let error = solver.edit(set("-3")).expect_err("no length is negative");
+    assert_eq!(get(&error, "path").as_string().as_deref(), Some("constraints[0].length"));
+    assert!(message(error).contains("-3"));
+    assert_eq!(length(&solver), "1.25");
+    assert_eq!(solver.undo().expect("undo works").as_deref(), Some("Change line segment"));
+    assert_eq!(length(&solver), "[0.5,null]");
 }
 
 #[wasm_bindgen_test]

@@ -32,10 +32,16 @@ export function createActions(store, solver, alerts) {
 
   /**
    * @param {import("./messages.js").Edit} edit
+   * @param {(error: unknown) => boolean} [tells] tells an error where it belongs; false if it has no place for it
    * @returns {Promise<null | undefined>}
    */
-  function edit(edit) {
-    return told(solver.request({ type: 'edit', edit }));
+  async function edit(edit, tells = () => false) {
+    try {
+      return await solver.request({ type: 'edit', edit });
+    } catch (error) {
+      if (!tells(error)) alerts.error(messageOf(error));
+      return undefined;
+    }
   }
 
   /** Vertices of the selection, corners of selected faces included. */

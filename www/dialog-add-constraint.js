@@ -1,27 +1,41 @@
 /**
- * Add constraint: a shape, where, and how much. Beside the view and not over it, so that the
- * selection can change while it is open. Only what fits the mesh is offered; what a choice would
- * make is said before it is made.
+ * Add constraint: a shape, where, its parameters, and how much. Beside the view and not over it, so
+ * that the selection can change while it is open. Only what fits the mesh is offered; what a choice
+ * would make is said before it is made.
  */
 
 import { element, icon, setText } from './dom.js';
 import { count, groupDigits } from './format.js';
+import { KindChoices } from './kind-choices.js';
+import { Parameters } from './parameters.js';
 
 /** @typedef {import("./messages.js").KindInfo} KindInfo */
 /** @typedef {import("./messages.js").Selector} Selector */
-/** @typedef {import("./messages.js").Replies["preview"]} Preview */
-/** @typedef {{ id: string, label: string, on: Selector }} Place */
+/** @typedef {import("./messages.js").Preview} Preview */
+
+/**
+ * Where a constraint could be. `element` is the one that it goes through; one within the selection
+ * is only for kinds that are meant for that element.
+ * @typedef {{ id: string, label: string, on: Selector, element?: string, within?: boolean }} Place
+ */
+/** @typedef {{ place: Place, preview: Preview }} Offer */
 
 export class AddConstraintDialog {
   #dialog;
   #store;
   #solver;
   #actions;
-  #kinds = element('div', { class: 'choices in-columns' });
+  #kinds = new KindChoices((kind) => {
+    this.#kindId = kind.id;
+    this.#show();
+  });
   /** What the chosen shape asks. */
   #about = element('p', { class: 'about quiet' });
   #places = element('div', { class: 'choices' });
-  #params = element('div', { class: 'weight-row' });
+  #parameters = new Parameters([], {}, { units: '', meanEdge: 0, up: 'z' });
+  #parametersPlace = element('div');
+  /** The kind whose parameters these are. */
+  #parametersOf = '';
   #preview = element('p', { class: 'preview quiet', 'aria-live': 'polite' });
   #weight = element('input', {
     type: 'number',
@@ -34,7 +48,7 @@ export class AddConstraintDialog {
   /** The shape and the place that are chosen, while they are offered. */
   #kindId = '';
   #placeId = '';
-  /** What the chosen shape would make, by place. @type {Map<string, { place: Place, preview: Preview }>} */
+  /** What each kind would make, by kind; those that fit nowhere are not in it. @type {Map<string, Offer[]>} */
   #offers = new Map();
   /** Answers to an older question are not wanted. */
   #question = 0;
@@ -64,10 +78,11 @@ export class AddConstraintDialog {
       ),
       element(
         'form',
-        { onsubmit: (/** @type {SubmitEvent} */ event) => this.#submit(event) },
-        element('fieldset', {}, element('legend', {}, 'Shape'), this.#kinds, this.#about),
+        // What is not valid is said at its field.
+        { novalidate: true, onsubmit: (/** @type {SubmitEvent} */ event) => this.#submit(event) },
+        element('fieldset', {}, element('legend', {}, 'Shape'), this.#kinds.element, this.#about),
+        this.#parametersPlace,
         element('fieldset', {}, element('legend', {}, 'Where'), this.#places),
-        this.#params,
         element(
           'div',
           { class: 'weight-row' },
@@ -75,10 +90,10 @@ export class AddConstraintDialog {
           this.#weight,
           element('span', { class: 'quiet' }, 'against the other constraints'),
         ),
-        this.#preview,
         element(
           'div',
           { class: 'dialog-foot' },
+          this.#preview,
           element('button', { type: 'button', class: 'bordered', onclick: close }, 'Cancel'),
           this.#add,
         ),
@@ -103,9 +118,11 @@ export class AddConstraintDialog {
     if (this.#dialog.open) return this.#dialog.close();
     this.#placeId = selection.vertices.size + selection.faces.size > 0 ? 'selection' : '';
     this.#weight.value = '1';
+    this.#parametersOf = '';
+    this.#add.disabled = true;
     this.#dialog.show();
     await this.#ask();
-    this.#kinds.querySelector('input')?.focus();
+    this.#kinds.focus(this.#kindId);
   }
 
   close() {
@@ -115,107 +132,93 @@ export class AddConstraintDialog {
   /** Where a constraint could be, before asking which of it fits. @returns {Place[]} */
   #allPlaces() {
     const { elements, selection } = this.#store.get();
-    const places = elements.map(({ id, label }) => ({
-      id: `each-${id}`,
-      label: `each ${label}`,
-      on: { each: id },
-    }));
     const vertices = this.#actions.chosenVertices();
     const faces = [...selection.faces];
-    if (faces.length > 0) {
-      const faceElement = elements.find((one) => one.faceBased);
-      if (faceElement) {
-        const on = { each: faceElement.id, in: { faces } };
-        places.unshift({ id: 'each-selected', label: 'each selected face', on });
+    /** @type {Place[]} */
+    const places = [];
+    if (vertices.length > 0) {
+      places.push({ id: 'selection', label: 'the selection as one set', on: { vertices } });
+      const within = faces.length > 0 ? { faces } : { vertices };
+      for (const { id, label, faceBased } of elements) {
+        const on = { each: id, in: within };
+        if (faceBased && faces.length > 0)
+          places.push({ id: `each-${id}-selected`, label: `each selected ${label}`, on });
+        else
+          places.push({
+            id: `each-${id}-selected`,
+            label: `each ${label}, within the selection`,
+            on,
+            element: id,
+            within: true,
+          });
       }
     }
-    if (vertices.length > 0) {
-      places.unshift({ id: 'selection', label: 'the selection as one set', on: { vertices } });
-    }
+    for (const { id, label } of elements)
+      places.push({ id: `each-${id}`, label: `each ${label}`, on: { each: id }, element: id });
     return places;
-  }
-
-  /**
-   * What a kind would make at each place where it fits.
-   * @param {KindInfo} kind
-   * @param {Place[]} places
-   */
-  async #fitting(kind, places) {
-    const answers = await Promise.all(
-      places.map(async (place) => {
-        const request = { type: /** @type {const} */ ('preview'), kind: kind.id, on: place.on };
-        const preview = await this.#solver.request(request).catch(() => null);
-        return preview && preview.constraints > 0 ? { place, preview } : null;
-      }),
-    );
-    return answers.filter((answer) => answer !== null);
   }
 
   /** Asks the solver what fits, and offers that. */
   async #ask() {
     const question = ++this.#question;
     const places = this.#allPlaces();
-    const { kinds } = this.#store.get();
-    const offers = await Promise.all(kinds.map((kind) => this.#fitting(kind, places)));
-    if (question !== this.#question) return;
-    const offered = kinds.filter((_, i) => offers[i].length > 0);
-    if (!offered.some((kind) => kind.id === this.#kindId)) {
-      // The first choice is one for panels, not one that would flatten them to lines.
-      this.#kindId = (offered.find((kind) => kind.measure) ?? offered[0])?.id ?? '';
-    }
-    const chosen = kinds.findIndex((kind) => kind.id === this.#kindId);
-    this.#offers = new Map(
-      chosen < 0 ? [] : offers[chosen].map((offer) => [offer.place.id, offer]),
-    );
-    if (!this.#offers.has(this.#placeId)) {
-      this.#placeId = this.#offers.keys().next().value ?? '';
+    const request = { type: /** @type {const} */ ('previews'), places: places.map(({ on }) => on) };
+    const previews = await this.#actions.told(this.#solver.request(request));
+    if (question !== this.#question || !previews) return;
+    this.#offers = new Map();
+    this.#store.get().kinds.forEach((kind, k) => {
+      const offers = places.flatMap((place, p) => {
+        const preview = previews[k][p];
+        if (!preview || (place.within && !kind.elements.includes(place.element ?? ''))) return [];
+        return [{ place, preview }];
+      });
+      if (offers.length > 0) this.#offers.set(kind.id, offers);
+    });
+    this.#show();
+  }
+
+  /** Shows what is offered and chosen. */
+  #show() {
+    const offered = this.#store.get().kinds.filter((kind) => this.#offers.has(kind.id));
+    // The first choice is one for panels, not one that would flatten them to lines.
+    const kind =
+      offered.find((one) => one.id === this.#kindId) ??
+      offered.find((one) => one.measure) ??
+      offered[0];
+    this.#kindId = kind?.id ?? '';
+    this.#kinds.show(offered, this.#kindId);
+    setText(this.#about, kind?.summary ?? '');
+    this.#showParameters(kind);
+
+    const offers = this.#offers.get(this.#kindId) ?? [];
+    if (!offers.some(({ place }) => place.id === this.#placeId)) {
+      this.#placeId = offers[0]?.place.id ?? '';
     }
     const focused = document.activeElement?.id;
-    this.#kinds.replaceChildren(...offered.map((kind) => this.#kindChoice(kind)));
-    this.#places.replaceChildren(
-      ...[...this.#offers.values()].map((one) => this.#placeChoice(one)),
-    );
-    this.#about.textContent = kinds[chosen]?.summary ?? '';
-    this.#showParams(kinds[chosen]);
-    this.#showPreview();
+    this.#places.replaceChildren(...offers.map((one) => this.#placeChoice(one)));
     if (focused) document.getElementById(focused)?.focus();
+    this.#showPreview();
   }
 
-  /** @param {KindInfo} kind */
-  #kindChoice(kind) {
-    const radio = element('input', {
-      type: 'radio',
-      name: 'new-kind',
-      id: `new-kind-${kind.id}`,
-      'aria-label': kind.label,
-      'aria-describedby': `new-kind-${kind.id}-summary`,
-      onchange: () => {
-        this.#kindId = kind.id;
-        this.#ask();
-      },
-    });
-    radio.checked = kind.id === this.#kindId;
-    return element(
-      'label',
-      { class: 'choice' },
-      radio,
-      element('span', { class: 'chip', style: `--chip: rgb(${kind.colour.join(' ')})` }),
-      element('span', {}, kind.label),
-      // The one that is chosen is said below the list; a screen reader hears each.
-      element(
-        'span',
-        { class: 'visually-hidden', id: `new-kind-${kind.id}-summary` },
-        kind.summary,
-      ),
-    );
+  /** @param {KindInfo | undefined} kind */
+  #showParameters(kind) {
+    const { model } = this.#store.get();
+    if (!model || this.#parametersOf === (kind?.id ?? '')) return;
+    this.#parametersOf = kind?.id ?? '';
+    this.#parameters = new Parameters(kind?.params ?? [], {}, model);
+    this.#parametersPlace.replaceChildren(this.#parameters.element);
+    this.#parametersPlace.hidden = !kind?.params.length;
   }
 
-  /** @param {{ place: Place, preview: Preview }} offer */
+  /** @param {Offer} offer */
   #placeChoice({ place, preview }) {
+    const amount = `new-place-${place.id}-amount`;
     const radio = element('input', {
       type: 'radio',
       name: 'new-place',
       id: `new-place-${place.id}`,
+      'aria-label': place.label,
+      'aria-describedby': amount,
       onchange: () => {
         this.#placeId = place.id;
         this.#showPreview();
@@ -224,43 +227,20 @@ export class AddConstraintDialog {
     radio.checked = place.id === this.#placeId;
     return element(
       'label',
-      { class: 'choice plain' },
+      { class: 'choice' },
       radio,
       element('span', {}, place.label),
-      element('span', { class: 'amount figure' }, groupDigits(preview.constraints)),
+      element('span', { class: 'amount figure', id: amount }, groupDigits(preview.constraints)),
     );
   }
 
-  /** @param {KindInfo | undefined} kind */
-  #showParams(kind) {
-    if (this.#params.dataset.kind === kind?.id) return;
-    this.#params.dataset.kind = kind?.id ?? '';
-    this.#params.replaceChildren(
-      ...(kind?.params ?? []).flatMap((param) => {
-        // A range keeps its default.
-        if (typeof param.default !== 'number') return [];
-        return [
-          element(
-            'label',
-            { for: `new-${param.id}` },
-            param.unit ? `${param.label} (${param.unit})` : param.label,
-          ),
-          element('input', {
-            type: 'number',
-            step: 'any',
-            id: `new-${param.id}`,
-            name: param.id,
-            min: param.range[0],
-            max: param.range[1] ?? '',
-            value: param.default,
-          }),
-        ];
-      }),
-    );
+  /** The offer that is chosen. */
+  #chosen() {
+    return this.#offers.get(this.#kindId)?.find(({ place }) => place.id === this.#placeId);
   }
 
   #showPreview() {
-    const offer = this.#offers.get(this.#placeId);
+    const offer = this.#chosen();
     this.#add.disabled = !offer;
     if (!offer) return setText(this.#preview, 'No shape fits here.');
     const { constraints, skipped, vertices } = offer.preview;
@@ -270,31 +250,25 @@ export class AddConstraintDialog {
       : `${each.toFixed(1)} vertices on average`;
     const made = `${count(constraints, 'constraint')} of ${size}.`;
     const left =
-      skipped > 0
-        ? ` ${groupDigits(skipped)} skipped: their number of vertices does not fit this shape.`
-        : '';
+      skipped > 0 ? ` ${groupDigits(skipped)} skipped: their number of vertices does not fit.` : '';
     setText(this.#preview, made + left);
   }
 
   /** @param {SubmitEvent} event */
   async #submit(event) {
     event.preventDefault();
-    const offer = this.#offers.get(this.#placeId);
-    if (!offer) return;
-    /** @type {Record<string, number>} */
-    const params = {};
-    for (const field of this.#params.querySelectorAll('input'))
-      params[field.name] = field.valueAsNumber;
-    const added = await this.#actions.edit({
-      type: 'addConstraint',
-      kind: this.#kindId,
-      params,
-      on: offer.place.on,
-      weight: this.#weight.value === '' ? 1 : this.#weight.valueAsNumber,
-    });
+    const offer = this.#chosen();
+    const params = this.#parameters.values();
+    if (!offer || !params || !this.#weight.reportValidity()) return;
+    const kind = this.#kindId;
+    const weight = this.#weight.value === '' ? 1 : this.#weight.valueAsNumber;
+    const added = await this.#actions.edit(
+      { type: 'addConstraint', kind, params, on: offer.place.on, weight },
+      (error) => this.#parameters.refuse(error),
+    );
     if (added === undefined) return;
     this.#dialog.close();
-    const { label } = this.#store.get().kinds.find((kind) => kind.id === this.#kindId) ?? {};
+    const { label } = this.#store.get().kinds.find(({ id }) => id === kind) ?? {};
     this.#actions.say(`Added ${count(offer.preview.constraints, 'constraint')}: ${label}`);
   }
 }

@@ -27,8 +27,35 @@
  * @property {string} paper where the paper defines it
  * @property {boolean} exact
  * @property {Measure | null} measure of faces that says how far this kind is from being met on them
+ * @property {string[]} elements ids of those that it is meant for; empty where any will do
  * @property {[number, number, number]} colour sRGB bytes
- * @property {{ id: string, label: string, unit: string, default: number | [number | null, number | null], range: [number, number | null] }[]} params
+ * @property {ParamInfo[]} params
+ * @property {Sketch} sketch
+ */
+
+/**
+ * A declared parameter of a kind.
+ * @typedef {object} ParamInfo
+ * @property {string} id
+ * @property {string} label
+ * @property {"length" | "area" | "volume" | "degrees" | ""} unit
+ * @property {ParamValue} default
+ * @property {Form[]} forms what a value may be, the form of the default among it
+ * @property {[number, number]} range least and greatest number, also at the ends of a range
+ */
+
+/** @typedef {"number" | "range" | "vector" | "nothing" | { word: string }} Form */
+
+/**
+ * A value in one of these forms: a number, from and to (null for no limit), a direction, a word, or
+ * null for whatever fits best.
+ * @typedef {number | [number | null, number | null] | [number, number, number] | string | null} ParamValue
+ */
+
+/**
+ * What a kind does to a few points, drawn in the unit square, y downwards: the points as they are,
+ * as they become, which of them are joined, and closed curves of the fitted shapes.
+ * @typedef {{ points: [number, number][], projected: [number, number][], lines: [number, number][], outlines: [number, number][][] }} Sketch
  */
 
 /**
@@ -39,14 +66,14 @@
 /**
  * Which vertices a constraint acts on: the scene file's `on`. In an edit, `in` may also be a set
  * that has no name yet.
- * @typedef {{ each: string, in?: string | { faces: number[] } } | { vertices: number[] }} Selector
+ * @typedef {{ each: string, in?: string | { faces: number[] } | { vertices: number[] } } | { vertices: number[] }} Selector
  */
 
 /**
  * One edit of the document; each is one step of undo.
- * @typedef {{ type: "addConstraint", kind: string, params: Record<string, number>, on: Selector, weight: number }
+ * @typedef {{ type: "addConstraint", kind: string, params: Record<string, ParamValue>, on: Selector, weight: number }
  *   | { type: "removeConstraint", index: number }
- *   | { type: "setConstraint", index: number, weight?: number, enabled?: boolean }
+ *   | { type: "setConstraint", index: number, weight?: number, enabled?: boolean, params?: Record<string, ParamValue> }
  *   | { type: "setWeights", shape?: number, close?: number, smooth?: number }
  *   | { type: "addHandles", vertices: number[], fixed: boolean }
  *   | { type: "removeHandles", vertices: number[] }
@@ -65,6 +92,7 @@
  * @property {{ name: string, faces: number }[]} groups
  * @property {string} units
  * @property {"y" | "z"} up
+ * @property {number} meanEdge mean length of an edge, 0 without edges
  * @property {Problem[]} problems
  * @property {string[]} notes
  */
@@ -87,6 +115,7 @@
  * @property {number} skipped
  * @property {number} weight
  * @property {boolean} enabled
+ * @property {Record<string, ParamValue>} params
  */
 
 /**
@@ -163,7 +192,8 @@
  * - `open`: the first file that is a scene, else the first file; the others may be the mesh that it
  *   names. When it is refused the old model stays. `iteration` is where a restored scene stood.
  * - `edit`, `undo`, `redo`, `step`.
- * - `members`: what a constraint acts on. `preview`: what adding one would make.
+ * - `members`: what a constraint acts on. `previews`: what adding one of each kind at each of some
+ *   places would make.
  * - `scene`, `obj`: the texts of the files.
  * @typedef {{ type: "open", files: NamedBytes[], iteration?: number }
  *   | { type: "edit", edit: Edit }
@@ -171,7 +201,7 @@
  *   | { type: "redo" }
  *   | { type: "step" }
  *   | { type: "members", constraint: number }
- *   | { type: "preview", kind: string, on: Selector }
+ *   | { type: "previews", places: Selector[] }
  *   | { type: "scene" }
  *   | { type: "obj" }} Request
  */
@@ -185,10 +215,12 @@
  * @property {string | null} redo the name of what was redone
  * @property {boolean} step whether it has converged
  * @property {{ faces: Uint32Array, vertices: Uint32Array }} members
- * @property {{ constraints: number, skipped: number, vertices: number }} preview
+ * @property {(Preview | null)[][]} previews `#kinds by #places`, null where nothing fits
  * @property {string} scene
  * @property {string} obj
  */
+
+/** @typedef {{ constraints: number, skipped: number, vertices: number }} Preview */
 
 /** @typedef {Command | (Request & { id: number })} ToWorker */
 
@@ -205,6 +237,8 @@
  *   frame that belongs to it.
  * - `trouble`: an iteration failed; the last good state stays.
  * - `died`: the state is unusable, the worker must be replaced.
+ * - `refused`: `path` is the place in the scene that is wrong, such as `constraints[0].length`; empty
+ *   when it is not about a scene.
  * @typedef {{ type: "ready", kinds: KindInfo[], elements: ElementInfo[] }
  *   | { type: "model", loaded: Loaded, connectivity: Connectivity, positions: Float64Array }
  *   | { type: "document", document: SceneDocument }
@@ -215,7 +249,7 @@
  *   | { type: "trouble", message: string }
  *   | { type: "died", message: string }
  *   | { type: "reply", id: number, value: unknown }
- *   | { type: "refused", id: number, message: string }} FromWorker
+ *   | { type: "refused", id: number, message: string, path: string }} FromWorker
  */
 
 /** How long the worker iterates before it looks for messages, in milliseconds. */

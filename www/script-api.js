@@ -46,6 +46,11 @@ export function scriptApi(store, solver, viewport, files) {
       return solver.sceneText === null ? null : JSON.parse(solver.sceneText);
     },
 
+    /** The kinds of constraint as they are declared: see `KindInfo` in `messages.js`. A copy. */
+    kinds() {
+      return structuredClone(store.get().kinds);
+    },
+
     /** The current shape, `#V by 3`, in file coordinates: a copy. */
     positions() {
       return solver.geometry?.positions.slice() ?? new Float64Array(0);

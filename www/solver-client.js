@@ -21,6 +21,18 @@ import { messageOf } from './messages.js';
  * @property {Float32Array | null} shapes fitted shapes, eight numbers each
  */
 
+/** What a request was refused for; `path` is the place in the scene that is wrong, if there is one. */
+export class Refusal extends Error {
+  /**
+   * @param {string} message
+   * @param {string} path
+   */
+  constructor(message, path) {
+    super(message);
+    this.path = path;
+  }
+}
+
 export class SolverClient extends EventTarget {
   /** @type {Geometry | null} */
   geometry = null;
@@ -152,7 +164,7 @@ export class SolverClient extends EventTarget {
       case 'reply':
         return this.#answer(message.id, message.value, null);
       case 'refused':
-        return this.#answer(message.id, null, new Error(message.message));
+        return this.#answer(message.id, null, new Refusal(message.message, message.path));
       case 'died':
         return this.#died(message.message);
     }

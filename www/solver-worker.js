@@ -81,7 +81,8 @@ function receive(message) {
     post({ type: 'reply', id: message.id, value: answer(message) });
   } catch (thrown) {
     if (isDeath(thrown)) die(thrown);
-    post({ type: 'refused', id: message.id, message: messageOf(thrown) });
+    const path = thrown instanceof Error && 'path' in thrown ? String(thrown.path) : '';
+    post({ type: 'refused', id: message.id, message: messageOf(thrown), path });
   }
 }
 
@@ -133,8 +134,8 @@ function answer(message) {
       return step();
     case 'members':
       return live().members(message.constraint);
-    case 'preview':
-      return live().preview(message.kind, message.on);
+    case 'previews':
+      return live().previews(message.places);
     case 'scene':
       return live().scene();
     case 'obj':

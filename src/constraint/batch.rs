@@ -246,6 +246,9 @@ impl<P: Projection> Batch for KindBatch<P> {
                 }
                 3 if const { P::INFO.arity.fits(3) } => self.step_few::<3>(chunk, rows, scale),
                 4 if const { P::INFO.arity.fits(4) } => self.step_few::<4>(chunk, rows, scale),
+                5 if const { matches!(P::INFO.arity, Arity::Exactly(5)) } => {
+                    self.step_few::<5>(chunk, rows, scale)
+                }
                 _ if const { matches!(P::INFO.arity, Arity::AtLeast(_)) } => {
                     self.step_many(chunk, rows, scale)
                 }

@@ -13,13 +13,24 @@
 //! The scene format, the command line, the controls of the page, the property tests and the
 //! operator table follow from the declaration.
 
+mod angle;
+mod angle_range;
+mod area;
 mod batch;
+mod bending;
 mod circle;
+mod conical;
+mod direction;
+mod equal_length;
+mod incircle;
 mod info;
 mod limits;
 mod line;
 mod line_segment;
+mod on_curve;
+mod on_surface;
 mod parallelogram;
+mod pitot;
 mod planar_similar;
 mod plane;
 mod rectangle;
@@ -27,15 +38,22 @@ mod regular_polygon;
 mod resolve;
 mod rigid;
 mod select;
+mod separate_lanes;
 mod similar;
+mod sketch;
 mod sphere;
 mod square;
+mod symmetry;
+mod symmetry_group;
+mod tangent_incircles;
 mod target;
+mod volume;
 
 pub use batch::{Batch, LocalStep, Reference, Row, batches};
 pub use info::{Arity, Centring, Form, Info, Param, ParamValue};
 pub use resolve::resolve;
 pub use select::{Element, SelectError, Selector, Set, Sets, describe};
+pub use sketch::Sketch;
 
 use crate::math::{Lane, Vec3};
 
@@ -226,8 +244,19 @@ kinds! {
     similar::Similar,
     planar_similar::PlanarSimilar,
     line_segment::LineSegment,
+    equal_length::EqualLength,
+    angle::Angle,
+    area::Area,
+    volume::Volume,
+    bending::Bending,
     regular_polygon::RegularPolygon,
     square::Square,
     parallelogram::Parallelogram,
     rectangle::Rectangle,
+    symmetry::Symmetry,
+    on_curve::OnCurve,
+    on_surface::OnSurface,
+    tangent_incircles::TangentIncircles,
+    incircle::Incircle,
+    conical::Conical,
 }

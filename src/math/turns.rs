@@ -1,7 +1,7 @@
 //! Sine and cosine of an angle in turns, from `+ - * /` alone, so that every machine makes the same
 //! bits.
 
-/// The sine of an angle in turns: the Taylor polynomial over a quarter turn, good to 2e-13.
+/// The sine of an angle in turns: the Taylor polynomial over a quarter turn, good to 1e-15.
 pub fn sine(turns: f64) -> f64 {
     // Into -1/2..1/2 turns, then mirrored into -1/4..1/4.
     let turns = turns - (turns + 0.5).floor();
@@ -24,9 +24,32 @@ pub fn cosine(turns: f64) -> f64 {
     sine(turns + 0.25)
 }
 
+/// Cosine and sine of an angle in degrees, good to 1e-15, and zero exactly where they should be.
+pub fn cosine_and_sine_of_degrees(degrees: f64) -> [f64; 2] {
+    [sine((90.0 - degrees) / 360.0), sine(degrees / 360.0)]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    #[expect(clippy::disallowed_methods, reason = "the platform is what is compared with")]
+    fn degrees_agree_with_the_platform() {
+        for k in -1800..=3600 {
+            let degrees = f64::from(k) / 10.0;
+            let [c, s] = cosine_and_sine_of_degrees(degrees);
+            let radians = degrees.to_radians();
+            // Beyond half a turn, radians themselves are rounded by more.
+            let tolerance = if degrees <= 180.0 { 1e-15 } else { 2e-15 };
+            assert!((c - radians.cos()).abs() <= tolerance, "cosine of {degrees}");
+            assert!((s - radians.sin()).abs() <= tolerance, "sine of {degrees}");
+        }
+        for k in 0..4 {
+            let [c, s] = cosine_and_sine_of_degrees(f64::from(90 * k));
+            assert_eq!(if k % 2 == 0 { s } else { c }, 0.0, "{k} quarters");
+        }
+    }
 
     #[test]
     fn sine_and_cosine_lie_on_the_unit_circle_and_add_up() {

@@ -78,8 +78,11 @@ impl Surface {
         if let Some(planes) = self.planes.get(*warm as usize) {
             let t = *warm as usize;
             let over = planes.over(lanes);
+            if self.surroundings.leave_alone(t, over) {
+                return (planes.foot(p, over) + self.centre).into();
+            }
             best = self.corners[t].closest(planes, p, over);
-            if let Some(list) = self.surroundings.of(t, best.distance_squared, over.inside()) {
+            if let Some(list) = self.surroundings.of(t, best.distance_squared) {
                 for &s in list {
                     self.consider(s as usize, p, lanes, &mut best, warm);
                 }

@@ -13,7 +13,7 @@
 //! | `boundary_curves` | the boundary loops as curves to glide on, with corners |
 //! | `local` | corners of faces, stars of vertices, hinges |
 //! | `laplacian` | the weights `w_ij` of Eq. 12 |
-//! | `closest` | closest point `c(v)` on the reference surface, Eq. 11; with its parts `triangle`, `tree`, `surroundings` |
+//! | `closest` | closest point `c(v)` on the reference surface, Eq. 11; with its parts `triangle`, `tree`, `surroundings`, `clearing` |
 //! | `measure` | planarity, circularity, diagonal ratio of faces; with its part `face_fit` |
 //! | `quasi_conformal` | how far a flat map is from keeping angles |
 //! | `bounds` | bounding sphere |
@@ -21,6 +21,7 @@
 mod boundary;
 mod boundary_curves;
 mod bounds;
+mod clearing;
 mod closest;
 mod components;
 mod draft;

@@ -5,8 +5,9 @@
 //! beforehand has all that can be nearer, and no tree needs to be searched.
 
 use super::Ragged;
+use super::clearing::Clearing;
 use super::tree::{Box3, Tree};
-use super::triangle::{Corners, Planes};
+use super::triangle::{Corners, Over, Planes};
 use crate::math::Lane;
 
 /// How far the surroundings of a triangle reach, relative to the diagonal of its box.
@@ -22,6 +23,7 @@ const MOST: usize = 64;
 /// What is near each triangle.
 #[derive(Clone, Debug)]
 pub(super) struct Surroundings {
+    clearings: Vec<Clearing>,
     /// For each triangle those in its reach, the close ones first.
     lists: Ragged,
     limits: Vec<Limits>,
@@ -30,8 +32,6 @@ pub(super) struct Surroundings {
 /// For squared distances of a point to a triangle: how much of the list is needed.
 #[derive(Clone, Debug)]
 struct Limits {
-    /// Up to this, nothing, if the point is farther from the sides than from the triangle.
-    alone: f64,
     /// Up to this, the close ones.
     close: f64,
     /// Up to this, the list.
@@ -49,30 +49,30 @@ impl Surroundings {
         corners: &[Corners],
     ) -> Surroundings {
         let mut lists = Ragged::new();
-        let mut limits = Vec::with_capacity(boxes.len());
-        // A negative limit allows nothing, and a little less than half allows for rounding.
-        let limit = |reach: f64| (0.5 - 1e-9) * reach * (0.5 - 1e-9) * reach;
+        let (mut limits, mut clearings) = (Vec::new(), Vec::new());
+        // A negative limit allows nothing.
+        let limit = |reach: f64| half(reach) * half(reach);
         let (mut close, mut others) = (Vec::new(), Vec::new());
         for t in 0..boxes.len() {
             let size = boxes[t].diagonal();
             let reach = REACH * size;
             let around = boxes[t].grown(reach);
-            let mut unfolded = true;
+            let mut clearing = Clearing::up_to(half(reach));
             close.clear();
             others.clear();
             tree.meeting(&around, |leaf| {
                 for s in leaf.filter(|&s| s != t && boxes[s].meets(&around)) {
-                    let parting = planes[t].parting(&corners[s].at);
-                    let mut gap = parting.gap;
-                    if corners[t].touches(&corners[s]) {
-                        gap = 0.0;
-                    } else if gap <= reach {
-                        gap = Lane::max(gap, planes[s].parting(&corners[t].at).gap);
+                    let mut gap = 0.0;
+                    if !corners[t].touches(&corners[s]) {
+                        gap = planes[t].gap(&corners[s].at);
+                        if gap <= reach {
+                            gap = Lane::max(gap, planes[s].gap(&corners[t].at));
+                        }
                     }
                     if gap <= reach {
                         let list = if gap <= CLOSE_REACH * size { &mut close } else { &mut others };
                         list.push(s as u32);
-                        unfolded &= parting.sides >= -1e-12 * size;
+                        clearing.clear_of(&planes[t], &corners[t], &corners[s], half(gap));
                     }
                 }
                 close.len() + others.len() <= MOST
@@ -80,32 +80,31 @@ impl Surroundings {
             let n_close = close.len() as u32;
             close.append(&mut others);
             if close.len() > MOST || size == 0.0 {
-                limits.push(Limits { alone: -1.0, close: -1.0, listed: -1.0, n_close: 0 });
+                limits.push(Limits { close: -1.0, listed: -1.0, n_close: 0 });
                 lists.push(&[]);
+                clearings.push(Clearing::up_to(-1.0));
             } else {
-                limits.push(Limits {
-                    alone: if unfolded { limit(reach) } else { -1.0 },
-                    close: limit(CLOSE_REACH * size),
-                    listed: limit(reach),
-                    n_close,
-                });
+                let (close_limit, listed) = (limit(CLOSE_REACH * size), limit(reach));
+                limits.push(Limits { close: close_limit, listed, n_close });
                 lists.push(&close);
+                clearings.push(clearing);
             }
         }
-        Surroundings { lists, limits }
+        Surroundings { clearings, lists, limits }
     }
 
-    /// The triangles that can be nearer to a point than triangle `t`; none when they are not
-    /// listed. The point is at this squared distance of `t`, and `inside` its sides by this much.
+    /// Whether no triangle is nearer to a point than triangle `t`, which it is `over`, and the point is
+    /// above or below it.
     #[inline(always)]
-    pub(super) fn of(&self, t: usize, distance_squared: f64, inside: f64) -> Option<&[u32]> {
+    pub(super) fn leave_alone(&self, t: usize, over: Over) -> bool {
+        self.clearings[t].holds(over)
+    }
+
+    /// The triangles that can be nearer to a point than triangle `t`, from which it is at this
+    /// squared distance; none when they are not listed.
+    #[inline(always)]
+    pub(super) fn of(&self, t: usize, distance_squared: f64) -> Option<&[u32]> {
         let limits = &self.limits[t];
-        if distance_squared <= limits.alone
-            && inside > 0.0
-            && distance_squared < inside * inside * (1.0 - 1e-9)
-        {
-            return Some(&[]);
-        }
         let list = self.lists.row(t);
         if distance_squared <= limits.close {
             Some(&list[..limits.n_close as usize])
@@ -115,4 +114,9 @@ impl Surroundings {
             None
         }
     }
+}
+
+/// A little less than half, which allows for rounding.
+fn half(x: f64) -> f64 {
+    (0.5 - 1e-9) * x
 }

@@ -24,8 +24,10 @@ pub(super) struct Planes {
 /// The signed distances of a point to the four planes.
 #[derive(Clone, Copy)]
 pub(super) struct Over {
-    height: f64,
-    out: [f64; 3],
+    /// To that of the triangle.
+    pub(super) height: f64,
+    /// To those of the sides ab, bc, ca; positive outside.
+    pub(super) out: [f64; 3],
 }
 
 impl Planes {
@@ -67,8 +69,19 @@ impl Planes {
         Over { height: first.0[0], out: [first.0[1], second.0[0], second.0[1]] }
     }
 
-    /// How the planes part this triangle from another one.
-    pub(super) fn parting(&self, corners: &[Vec3<f64>; 3]) -> Parting {
+    /// The point of the plane of the triangle below or above `p`, which is `over` it.
+    #[inline(always)]
+    pub(super) fn foot(&self, p: Vec3<f64>, over: Over) -> Vec3<f64> {
+        p - self.normals[0].lane(0) * over.height
+    }
+
+    /// The outward normals of the planes on the sides ab, bc, ca.
+    pub(super) fn side_normals(&self) -> [Vec3<f64>; 3] {
+        [self.normals[0].lane(1), self.normals[1].lane(0), self.normals[1].lane(1)]
+    }
+
+    /// At least this far apart are this triangle and another one.
+    pub(super) fn gap(&self, corners: &[Vec3<f64>; 3]) -> f64 {
         let over = corners.map(|p| self.over(splat(p)));
         let least = |of: fn(&Over) -> f64| {
             let [a, b, c] = [of(&over[0]), of(&over[1]), of(&over[2])];
@@ -77,18 +90,8 @@ impl Planes {
         let sides =
             Lane::max(least(|o| o.out[0]), Lane::max(least(|o| o.out[1]), least(|o| o.out[2])));
         let plane = Lane::max(least(|o| o.height), least(|o| -o.height));
-        Parting { gap: Lane::max(0.0, Lane::max(sides, plane)), sides }
+        Lane::max(0.0, Lane::max(sides, plane))
     }
-}
-
-/// How the planes of a triangle part it from another one.
-#[derive(Clone, Copy)]
-pub(super) struct Parting {
-    /// They are at least this far apart.
-    pub(super) gap: f64,
-    /// The same by the planes on the sides alone; negative where the other one reaches over this
-    /// one.
-    pub(super) sides: f64,
 }
 
 impl Over {
@@ -105,10 +108,11 @@ impl Over {
         (ab < bound) & (bc < bound) & (ca < bound)
     }
 
-    /// How far inside all sides the point is; negative outside.
+    /// Whether the point is above or below the triangle.
     #[inline(always)]
-    pub(super) fn inside(&self) -> f64 {
-        -Lane::max(self.out[0], Lane::max(self.out[1], self.out[2]))
+    fn is_inside(&self) -> bool {
+        let [ab, bc, ca] = self.out;
+        (ab <= 0.0) & (bc <= 0.0) & (ca <= 0.0)
     }
 }
 
@@ -157,8 +161,8 @@ impl Corners {
     /// The point of the triangle that is closest to `p`, which is `over` its `planes`.
     #[inline(always)]
     pub(super) fn closest(&self, planes: &Planes, p: Vec3<f64>, over: Over) -> Hit {
-        if over.inside() >= 0.0 {
-            let point = p - planes.normals[0].lane(0) * over.height;
+        if over.is_inside() {
+            let point = planes.foot(p, over);
             return Hit { point, distance_squared: over.height * over.height };
         }
         let mut best = Hit { point: p, distance_squared: f64::INFINITY };

@@ -2,11 +2,12 @@
 
 use super::history::Snapshot;
 use super::{Session, resolve, solver};
-use crate::constraint::{Selector, Set};
+use crate::constraint::{Kind, KindError, Selector, Set};
 use crate::error::Error;
 use crate::mesh::Point;
 use crate::scene::{Closeness, ConstraintSpec, HANDLE_WEIGHT, Hold, Scene, SceneError, Weights};
 use crate::solve::Handle;
+use serde_json::{Map, Value};
 
 /// An edit of the document.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,6 +27,8 @@ pub enum Edit {
         weight: Option<f64>,
         /// Whether it counts.
         enabled: Option<bool>,
+        /// New values of parameters, as in scene files; those that are not here stay.
+        params: Map<String, Value>,
     },
     /// Replaces the weights of Eq. 13.
     SetWeights(Weights),
@@ -47,22 +50,40 @@ pub enum Edit {
     Reset,
 }
 
-/// A row of constraints to be added, on a set that has no name yet or on what its selector says.
+/// A row of constraints to be added.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NewConstraint {
     /// The row.
     pub spec: ConstraintSpec,
-    /// What [`NewConstraint::UNNAMED`] stands for in the selector.
+    /// What [`Place::UNNAMED`] stands for in the selector.
     pub set: Option<Set>,
 }
 
 impl NewConstraint {
+    /// Adds the row to `document`, and its set under a name of its own.
+    fn add_to(self, document: &mut Scene) {
+        let NewConstraint { mut spec, set } = self;
+        spec.on = Place { on: spec.on, set }.name_in(document);
+        document.constraints.push(spec);
+    }
+}
+
+/// Where constraints may be: what a selector says, which may be about a set that has no name yet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Place {
+    /// The selector.
+    pub on: Selector,
+    /// What [`Place::UNNAMED`] stands for in the selector.
+    pub set: Option<Set>,
+}
+
+impl Place {
     /// The name in the selector that stands for `set`.
     pub const UNNAMED: &str = "";
 
-    /// Adds the row to `document`, and its set under a name of its own.
-    pub(super) fn add_to(self, document: &mut Scene) {
-        let NewConstraint { mut spec, set } = self;
+    /// The selector when the set is in `document`, which gets it under a name of its own.
+    pub(super) fn name_in(self, document: &mut Scene) -> Selector {
+        let Place { mut on, set } = self;
         if let Some(set) = set {
             let known = document.sets.iter().find(|(_, other)| **other == set);
             let name = match known {
@@ -72,12 +93,12 @@ impl NewConstraint {
                     .find(|name| !document.sets.contains_key(name))
                     .expect("some number is free"),
             };
-            if let Selector::Each { within: Some(within), .. } = &mut spec.on {
+            if let Selector::Each { within: Some(within), .. } = &mut on {
                 within.clone_from(&name);
             }
             document.sets.insert(name, set);
         }
-        document.constraints.push(spec);
+        on
     }
 }
 
@@ -148,8 +169,9 @@ impl Session {
                 document.constraints.remove(index);
                 format!("Remove {label}")
             }
-            Edit::SetConstraint { index, weight, enabled } => {
+            Edit::SetConstraint { index, weight, enabled, params } => {
                 let spec = row(document, index)?;
+                set_params(spec, index, params)?;
                 spec.weight = weight.unwrap_or(spec.weight);
                 spec.enabled = enabled.unwrap_or(spec.enabled);
                 format!("Change {}", spec.kind.info().label.to_lowercase())
@@ -242,6 +264,30 @@ fn row(document: &mut Scene, index: usize) -> Result<&mut ConstraintSpec, SceneE
         path: format!("constraints[{index}]"),
         message: format!("there is no such row: the scene has {count}"),
     })
+}
+
+/// Gives a row other values of some parameters.
+fn set_params(
+    spec: &mut ConstraintSpec,
+    index: usize,
+    changed: Map<String, Value>,
+) -> Result<(), SceneError> {
+    if changed.is_empty() {
+        return Ok(());
+    }
+    let mut params = spec.kind.params();
+    if let Some(params) = params.as_object_mut() {
+        params.extend(changed);
+    }
+    spec.kind = Kind::new(spec.kind.info().id, params).map_err(|error| match error {
+        KindError::Params { path, message } => {
+            // Serde's name for all of the parameters is a dot.
+            let below = if path == "." { String::new() } else { format!(".{path}") };
+            SceneError { path: format!("constraints[{index}]{below}"), message }
+        }
+        KindError::Unknown => unreachable!("the row has this kind"),
+    })?;
+    Ok(())
 }
 
 fn counted(vertices: usize) -> String {

@@ -1,26 +1,12 @@
-//! What hosts show of a session: errors of faces, members of constraints, previews.
+//! What hosts show of a session: errors of faces, members of constraints.
 
-use super::{NewConstraint, ResolvedRow, Session, resolve};
+use super::Session;
 use crate::mesh::Measures;
-use crate::scene::SceneError;
 
 impl Session {
     /// How planar and circular the faces are now.
     pub fn measures(&self) -> Measures {
         Measures::new(&self.positions(), &self.mesh.faces, self.diameter)
-    }
-
-    /// The row that adding `new` would make, without adding it.
-    ///
-    /// # Errors
-    /// When it would be empty.
-    pub fn preview(&self, new: &NewConstraint) -> Result<ResolvedRow, SceneError> {
-        let mut document = self.document.clone();
-        new.clone().add_to(&mut document);
-        document.validate(&self.mesh)?;
-        let spec = document.constraints.last().expect("a row was just added");
-        resolve::row(spec, &document, &self.mesh, &self.topology)
-            .map_err(|message| SceneError { path: String::new(), message })
     }
 
     /// The faces and the vertices that row `index` acts on, ascending; a face counts when all its

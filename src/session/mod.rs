@@ -8,16 +8,19 @@
 //! | `edit` | the edits, and what each one costs |
 //! | `resolve` | rows of constraints: selectors resolved, misfits counted |
 //! | `history` | undo and redo |
-//! | `inspect` | what hosts show of a session: errors of faces, members, previews |
+//! | `inspect` | what hosts show of a session: errors of faces, members |
+//! | `preview` | what adding constraints would make |
 //! | `report` | the report of design section 6 |
 
 mod edit;
 mod history;
 mod inspect;
+mod preview;
 mod report;
 mod resolve;
 
-pub use edit::{Edit, NewConstraint};
+pub use edit::{Edit, NewConstraint, Place};
+pub use preview::Preview;
 pub use report::{EnergyReport, Report, Seconds, TraceEntry};
 pub use resolve::ResolvedRow;
 

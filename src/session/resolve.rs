@@ -33,7 +33,7 @@ pub(super) fn rows(
 }
 
 /// Resolves one row; the error says why none is left.
-pub(super) fn row(
+fn row(
     spec: &ConstraintSpec,
     scene: &Scene,
     mesh: &Mesh,
@@ -69,7 +69,7 @@ pub(super) fn row(
 
 /// The edges of the mesh between `members`, one end after the other, in the order of the smaller end
 /// among the members.
-fn edges_among(members: &[u32], topology: &Topology) -> Vec<u32> {
+pub(super) fn edges_among(members: &[u32], topology: &Topology) -> Vec<u32> {
     let mut sorted = members.to_vec();
     sorted.sort_unstable();
     let mut ends = Vec::new();

@@ -3,12 +3,32 @@
 //!
 //! An accelerator sees positions, half gradients and the factored normal matrix as a metric, and
 //! nothing of the geometry. It proposes a step; the solver takes it only if the energy falls, and
-//! falls back to the plain step otherwise.
+//! falls back to the plain step otherwise. So it may work in single precision, where the plain
+//! step, on which everything rests, is in double.
 
 use super::anderson::Anderson;
+use super::factor::Precision;
 use super::quasi_newton::QuasiNewton;
+use super::system::System;
 use crate::constraint::Row;
 use crate::scene;
+use std::ops::Range;
+
+/// Positions, and half the gradient there.
+#[derive(Clone, Copy)]
+pub(super) struct Iterate<'a> {
+    /// `#nodes` rows.
+    pub x: &'a [Row],
+    /// `#nodes` rows; zero where fixed.
+    pub gradient: &'a [Row],
+}
+
+impl Iterate<'_> {
+    /// A block of its rows.
+    pub(super) fn block(&self, rows: &Range<usize>) -> Self {
+        Iterate { x: &self.x[rows.clone()], gradient: &self.gradient[rows.clone()] }
+    }
+}
 
 /// The chosen accelerator with its memory.
 pub(super) enum Accelerator {
@@ -32,23 +52,32 @@ impl Accelerator {
         }
     }
 
-    /// Turns `step`, which is half the gradient at `x` when it comes in, into the step to be
-    /// subtracted from `x`. `solve` applies the inverse of the normal matrix in place. False when
-    /// it is the plain step.
+    /// How the system is to be solved for it.
+    pub(super) fn precision(&self) -> Precision {
+        match self {
+            Accelerator::None => Precision::Double,
+            Accelerator::QuasiNewton(_) | Accelerator::Anderson(_) => Precision::Single,
+        }
+    }
+
+    /// Steps from `now` to the positions `to`. `before` is the iterate before, if there is one since
+    /// the problem changed. False when it is the plain step to full precision.
     pub(super) fn propose(
         &mut self,
-        x: &[Row],
-        step: &mut [Row],
-        solve: impl Fn(&mut [Row]),
+        now: Iterate<'_>,
+        before: Option<Iterate<'_>>,
+        system: &mut System,
+        to: &mut [Row],
     ) -> bool {
         match self {
             Accelerator::None => {
-                solve(step);
-                false
+                system.plain_step(now, to);
+                return false;
             }
-            Accelerator::QuasiNewton(quasi_newton) => quasi_newton.propose(x, step, solve),
-            Accelerator::Anderson(anderson) => anderson.propose(x, step, solve),
+            Accelerator::QuasiNewton(it) => it.propose(now, before, system.metric(), to),
+            Accelerator::Anderson(it) => it.propose(now, before, system.metric(), to),
         }
+        true
     }
 
     /// Forgets all steps: the problem has changed.
@@ -59,33 +88,4 @@ impl Accelerator {
             Accelerator::Anderson(anderson) => anderson.forget(),
         }
     }
-}
-
-/// Sum of products, in an order that is the same on every machine.
-#[inline(never)]
-pub(super) fn dot(a: &[Row], b: &[Row]) -> f64 {
-    let mut sum = [0.0; 4];
-    for (a, b) in a.iter().zip(b) {
-        for i in 0..4 {
-            sum[i] += a[i] * b[i];
-        }
-    }
-    (sum[0] + sum[1]) + (sum[2] + sum[3])
-}
-
-/// `y += factor * x`.
-#[inline(never)]
-pub(super) fn add_scaled(y: &mut [Row], factor: f64, x: &[Row]) {
-    for (y, x) in y.iter_mut().zip(x) {
-        for i in 0..4 {
-            y[i] += factor * x[i];
-        }
-    }
-}
-
-/// `y = a - b`.
-#[inline(never)]
-pub(super) fn difference(y: &mut Vec<Row>, a: &[Row], b: &[Row]) {
-    y.clear();
-    y.extend(a.iter().zip(b).map(|(a, b)| std::array::from_fn::<f64, 4, _>(|i| a[i] - b[i])));
 }

@@ -2,7 +2,8 @@
 //! Deng, Zhang, Geng, Qin, Liu: Anderson Acceleration for Geometry Optimization and Physics
 //! Simulation, 2018, Algorithm 1).
 
-use super::accelerate::{add_scaled, difference, dot};
+use super::accelerate::Iterate;
+use super::metric::{Metric, SingleRow, round};
 use crate::constraint::Row;
 use nalgebra::{DMatrix, DVector};
 use std::collections::VecDeque;
@@ -11,9 +12,11 @@ use std::collections::VecDeque;
 pub(super) struct Anderson {
     window: usize,
     changes: VecDeque<Change>,
-    /// `G` and `F` of the step before; empty at the start.
-    plain: Vec<Row>,
-    residual: Vec<Row>,
+    /// `G` and `F`, now and of the step before.
+    now: Change,
+    before: Change,
+    /// The scaled gradient, then the scaled step.
+    rows: Vec<SingleRow>,
 }
 
 #[derive(Default)]
@@ -25,50 +28,63 @@ struct Change {
 impl Anderson {
     /// With room for `window` steps.
     pub(super) fn new(window: usize) -> Self {
-        Anderson { window, changes: VecDeque::new(), plain: Vec::new(), residual: Vec::new() }
+        Anderson {
+            window,
+            changes: VecDeque::new(),
+            now: Change::default(),
+            before: Change::default(),
+            rows: Vec::new(),
+        }
     }
 
     /// Forgets all steps.
     pub(super) fn forget(&mut self) {
         self.changes.clear();
-        self.plain.clear();
-        self.residual.clear();
     }
 
     /// See [`super::accelerate::Accelerator::propose`].
     pub(super) fn propose(
         &mut self,
-        x: &[Row],
-        step: &mut [Row],
-        solve: impl Fn(&mut [Row]),
-    ) -> bool {
-        solve(step);
-        let residual: Vec<Row> = step.iter().map(|row| row.map(|value| -value)).collect();
-        let mut plain = x.to_vec();
-        add_scaled(&mut plain, 1.0, &residual);
-        self.learn(&plain, &residual);
-        self.plain = plain;
-        self.residual = residual;
-        let Some(theta) = self.coefficients() else {
-            return false;
-        };
-        for (change, &theta) in self.changes.iter().zip(theta.iter()) {
-            add_scaled(step, theta, &change.plain);
+        now: Iterate<'_>,
+        before: Option<Iterate<'_>>,
+        metric: &Metric,
+        to: &mut [Row],
+    ) {
+        std::mem::swap(&mut self.now, &mut self.before);
+        let n = now.x.len();
+        let Change { plain, residual } = &mut self.now;
+        for rows in [&mut *plain, &mut *residual] {
+            rows.resize(n, [0.0; 4]);
         }
-        !self.changes.is_empty()
+        self.rows.resize(n, [0.0; 4]);
+        let scale = Metric::scale(now.gradient);
+        round(&mut self.rows, now.gradient, scale);
+        metric.solve(&mut self.rows);
+        metric.subtract_step(plain, now.x, &self.rows, scale);
+        difference(residual, plain, now.x);
+        to.copy_from_slice(plain);
+        if before.is_some() {
+            self.learn();
+        }
+        let theta = self.coefficients();
+        for (change, &theta) in self.changes.iter().zip(theta.iter().flat_map(|theta| theta.iter()))
+        {
+            add_scaled(to, -theta, &change.plain);
+        }
     }
 
-    fn learn(&mut self, plain: &[Row], residual: &[Row]) {
-        if self.plain.is_empty() {
-            return;
-        }
+    /// Adds the changes of the last step.
+    fn learn(&mut self) {
         let mut change = if self.changes.len() == self.window {
             self.changes.pop_front().unwrap_or_default()
         } else {
             Change::default()
         };
-        difference(&mut change.plain, plain, &self.plain);
-        difference(&mut change.residual, residual, &self.residual);
+        for rows in [&mut change.plain, &mut change.residual] {
+            rows.resize(self.now.plain.len(), [0.0; 4]);
+        }
+        difference(&mut change.plain, &self.now.plain, &self.before.plain);
+        difference(&mut change.residual, &self.now.residual, &self.before.residual);
         self.changes.push_back(change);
     }
 
@@ -82,8 +98,37 @@ impl Anderson {
             // The ridge bounds the coefficients where changes are nearly parallel.
             dot(of(i), of(j)) * scale[i] * scale[j] + if i == j { 1e-9 } else { 0.0 }
         });
-        let right = DVector::from_fn(m, |j, _| dot(of(j), &self.residual) * scale[j]);
+        let right = DVector::from_fn(m, |j, _| dot(of(j), &self.now.residual) * scale[j]);
         let theta = gram.cholesky()?.solve(&right).component_mul(&scale);
         theta.iter().all(|value| value.is_finite()).then_some(theta)
+    }
+}
+
+/// Sum of products, in an order that is the same on every machine.
+#[inline(never)]
+fn dot(a: &[Row], b: &[Row]) -> f64 {
+    let mut sum = [0.0; 4];
+    for (a, b) in a.iter().zip(b) {
+        for i in 0..4 {
+            sum[i] += a[i] * b[i];
+        }
+    }
+    (sum[0] + sum[1]) + (sum[2] + sum[3])
+}
+
+/// `y += factor * x`.
+#[inline(never)]
+fn add_scaled(y: &mut [Row], factor: f64, x: &[Row]) {
+    for (y, x) in y.as_flattened_mut().iter_mut().zip(x.as_flattened()) {
+        *y += factor * x;
+    }
+}
+
+/// `y = a - b`.
+#[inline(never)]
+fn difference(y: &mut [Row], a: &[Row], b: &[Row]) {
+    let (a, b) = (a.as_flattened(), b.as_flattened());
+    for ((y, a), b) in y.as_flattened_mut().iter_mut().zip(a).zip(b) {
+        *y = a - b;
     }
 }

@@ -285,7 +285,7 @@ impl Part {
 
         let iterating = clock::now();
         let start = self.start(&system, n);
-        let pair = smallest_pair(&system, &mass, &kernel, start).ok_or_else(singular)?;
+        let pair = smallest_pair(&mut system, &mass, &kernel, start).ok_or_else(singular)?;
         let at = |v: usize, k: usize| pair[system.node_of()[2 * v + k] as usize][0];
         let map: Vec<[f64; 2]> = (0..self.vertices.len()).map(|v| [at(v, 0), at(v, 1)]).collect();
         let energy: f64 = faces().map(|face| face.weight(weights) * face.distance(&map)).sum();

@@ -1,8 +1,8 @@
 //! Sparse `L D L^T` of the normal matrix: factored by `sprs-ldl`, solved in [`Panels`].
 
 use super::assemble::Normal;
+use super::metric::Metric;
 use super::panels::{Columns, Panels};
-use crate::constraint::Row;
 use sprs::{CsMatViewI, PermOwnedI, SymmetryCheck};
 use sprs_ldl::{LdlNumeric, LdlSymbolic};
 
@@ -10,10 +10,40 @@ use sprs_ldl::{LdlNumeric, LdlSymbolic};
 /// `sprs-ldl` reports exact zeros only.
 const SMALLEST_PIVOT: f64 = 1e-13;
 
+/// With what precision a system is solved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Precision {
+    /// See [`Metric`].
+    Single,
+    /// See [`Panels`].
+    Double,
+}
+
 /// A factored symmetric positive definite matrix.
 pub(super) struct Factor {
     numeric: LdlNumeric<f64, u32>,
-    panels: Panels,
+    single: Lazy<Metric>,
+    double: Lazy<Panels<f64>>,
+}
+
+/// What is made when it is first asked for, and refilled when it is asked for after a change: most
+/// scenes need one of two precisions.
+struct Lazy<T> {
+    made: Option<T>,
+    stale: bool,
+}
+
+impl<T> Lazy<T> {
+    const EMPTY: Self = Lazy { made: None, stale: false };
+
+    fn get(&mut self, make: impl FnOnce() -> T, refill: impl FnOnce(&mut T)) -> &T {
+        if std::mem::take(&mut self.stale)
+            && let Some(made) = &mut self.made
+        {
+            refill(made);
+        }
+        self.made.get_or_insert_with(make)
+    }
 }
 
 /// Why a matrix has no factor.
@@ -39,26 +69,38 @@ impl Factor {
         );
         let numeric = symbolic.factor(view).map_err(|_| Singular { column: 0 })?;
         check(numeric.d(), normal)?;
-        let panels = with_columns(&numeric, |l| Panels::new(l, numeric.d()));
-        Ok(Factor { numeric, panels })
+        Ok(Factor { numeric, single: Lazy::EMPTY, double: Lazy::EMPTY })
     }
 
     /// Factors other values in the same pattern.
     ///
     /// # Errors
     /// When the matrix is not positive definite; the factor is then that of the last good one only
-    /// in [`Factor::solve`], and must be updated again before anything else.
+    /// in panels that were filled, and must be updated again before anything else.
     pub(super) fn update(&mut self, normal: &Normal) -> Result<(), Singular> {
         self.numeric.update(view(normal)).map_err(|_| Singular { column: 0 })?;
         check(self.numeric.d(), normal)?;
-        let Factor { numeric, panels } = self;
-        with_columns(numeric, |l| panels.fill(l, numeric.d()));
+        self.single.stale = true;
+        self.double.stale = true;
         Ok(())
     }
 
-    /// Solves in place for the right-hand sides in the columns of `x`, `#unknowns` rows.
-    pub(super) fn solve(&self, x: &mut [Row]) {
-        self.panels.solve(x);
+    /// The inverse, in double precision.
+    pub(super) fn double(&mut self) -> &Panels<f64> {
+        let Factor { numeric, double, .. } = self;
+        with_columns(numeric, |l| {
+            let pivots = numeric.d();
+            double.get(|| Panels::new(l, pivots), |panels| panels.fill(l, pivots))
+        })
+    }
+
+    /// The inverse, in single precision. Columns that are `fixed` are no unknowns.
+    pub(super) fn single(&mut self, fixed: &[u32]) -> &Metric {
+        let Factor { numeric, single, .. } = self;
+        with_columns(numeric, |l| {
+            let pivots = numeric.d();
+            single.get(|| Metric::new(l, pivots, fixed), |metric| metric.fill(l, pivots, fixed))
+        })
     }
 
     /// Nonzeros of `L` with its diagonal.

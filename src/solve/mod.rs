@@ -6,7 +6,8 @@
 //! | `energy` | their weighted total |
 //! | `assemble` | the normal matrix `Q^T Q` in compressed columns |
 //! | `order` | the order of elimination |
-//! | `factor`, `panels` | `L D L^T`, and the triangular sweeps |
+//! | `factor`, `panels`, `scalar` | `L D L^T`, and the triangular sweeps in single or double precision |
+//! | `metric` | the inverse in single precision, for accelerated steps |
 //! | `system` | these four together: the linear system of the global step |
 //! | `solver` | the iteration |
 //! | `accelerate`, `quasi_newton`, `anderson` | steps that learn from the steps before |
@@ -21,9 +22,11 @@ mod conformal;
 mod energy;
 mod factor;
 mod hold;
+mod metric;
 mod order;
 mod panels;
 mod quasi_newton;
+mod scalar;
 mod shape;
 mod smooth;
 mod solver;

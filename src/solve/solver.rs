@@ -4,7 +4,7 @@
 //! half the gradient of the total energy (Appendix A). The local step gives `g` as a by-product, and
 //! the factor of `A` is only a metric: its rounding cannot move the fixed point.
 
-use super::accelerate::{Accelerator, add_scaled};
+use super::accelerate::{Accelerator, Iterate};
 use super::close::{CloseEnergy, RestShape};
 use super::energy::{Energies, Energy, IterateSeconds};
 use super::hold::{Handle, SoftHandles, pins, relative};
@@ -61,9 +61,12 @@ pub struct Solver {
     /// Half the gradient of the total at `x`; zero where fixed.
     gradient: Vec<Row>,
     energy: Energy,
-    /// Positions and gradient before the last step, then scratch.
-    previous: Vec<Row>,
-    step: Vec<Row>,
+    /// The same before the last step.
+    previous: (Vec<Row>, Vec<Row>),
+    /// Whether there was one since the problem changed.
+    has_previous: bool,
+    /// Room for the next positions.
+    next: Vec<Row>,
     /// The lowest total of an accelerated run, and where.
     best: Option<(f64, Vec<Row>)>,
     /// Changes of the total below this are rounding: positions have no more digits.
@@ -163,8 +166,9 @@ impl Solver {
             pinned: Vec::new(),
             accelerator: Accelerator::new(&settings),
             gradient: vec![[0.0; 4]; n],
-            previous: vec![[0.0; 4]; n],
-            step: vec![[0.0; 4]; n],
+            previous: (vec![[0.0; 4]; n], vec![[0.0; 4]; n]),
+            has_previous: false,
+            next: vec![[0.0; 4]; n],
             x,
             put: start.to_vec(),
             energy: Energy::default(),
@@ -209,6 +213,7 @@ impl Solver {
         self.pinned.iter().for_each(|&v| fixed[node_of[v as usize] as usize] = true);
         let weights = self.energies.weights;
         self.system.factor(&[weights.shape, weights.smooth], &diagonal, fixed)?;
+        self.system.prepare(self.accelerator.precision());
         self.handles = handles;
         self.retarget();
         Ok(())
@@ -245,10 +250,16 @@ impl Solver {
             self.put[vertex as usize] = target;
         }
         self.energies.handles = SoftHandles::new(&self.handles, node_of, self.centre);
-        self.accelerator.forget();
+        self.forget();
         self.best = None;
         self.converged = false;
         self.evaluate();
+    }
+
+    /// Forgets the steps so far: the next one starts anew.
+    fn forget(&mut self) {
+        self.accelerator.forget();
+        self.has_previous = false;
     }
 
     /// Step I at `x`.
@@ -264,20 +275,21 @@ impl Solver {
     pub fn step(&mut self) -> Result<(), SolveError> {
         let before = self.energy;
         let started = clock::now();
-        self.previous.copy_from_slice(&self.x);
-        self.step.copy_from_slice(&self.gradient);
-        let system = &self.system;
-        let accelerated =
-            self.accelerator.propose(&self.x, &mut self.step, |right| system.solve(right));
-        let plain_gradient = accelerated.then(|| self.gradient.clone());
-        add_scaled(&mut self.x, -1.0, &self.step);
+        let now = Iterate { x: &self.x, gradient: &self.gradient };
+        let previous = Iterate { x: &self.previous.0, gradient: &self.previous.1 };
+        let previous = self.has_previous.then_some(previous);
+        let accelerated = self.accelerator.propose(now, previous, &mut self.system, &mut self.next);
+        std::mem::swap(&mut self.previous.0, &mut self.x);
+        std::mem::swap(&mut self.previous.1, &mut self.gradient);
+        std::mem::swap(&mut self.x, &mut self.next);
+        self.has_previous = true;
         self.seconds.global += clock::now() - started;
         self.evaluate();
-        if let Some(gradient) = plain_gradient {
+        if accelerated {
             // Written so that NaN falls back too.
             let falls = self.energy.total < before.total;
             if !falls {
-                self.take_plain_step(gradient);
+                self.take_plain_step();
             }
             self.keep_best(before.total);
         }
@@ -288,12 +300,11 @@ impl Solver {
         Ok(())
     }
 
-    /// The step of the plain iteration from the positions before, where `gradient` was the gradient.
-    fn take_plain_step(&mut self, mut gradient: Vec<Row>) {
+    /// The step of the plain iteration from the positions before.
+    fn take_plain_step(&mut self) {
         let started = clock::now();
-        self.system.solve(&mut gradient);
-        self.x.copy_from_slice(&self.previous);
-        add_scaled(&mut self.x, -1.0, &gradient);
+        let previous = Iterate { x: &self.previous.0, gradient: &self.previous.1 };
+        self.system.plain_step(previous, &mut self.x);
         self.seconds.global += clock::now() - started;
         self.evaluate();
     }
@@ -301,7 +312,7 @@ impl Solver {
     /// With operators that are not exact even the plain step can raise the total in a late digit.
     fn keep_best(&mut self, before: f64) {
         if self.energy.total > before && self.best.as_ref().is_none_or(|best| before < best.0) {
-            self.best = Some((before, self.previous.clone()));
+            self.best = Some((before, self.previous.0.clone()));
         }
     }
 
@@ -311,7 +322,7 @@ impl Solver {
             && total < self.energy.total
         {
             self.x = x;
-            self.accelerator.forget();
+            self.forget();
             self.evaluate();
         }
     }
@@ -319,13 +330,15 @@ impl Solver {
     /// The second of two gates for non-finite numbers; the first is where input is read.
     fn stop_non_finite(&mut self) -> Result<(), SolveError> {
         let finite = |row: &Row| row.iter().all(|value| value.is_finite());
-        if self.energy.total.is_finite() && self.x.iter().all(finite) {
+        // Without a way out halfway it takes several at a time.
+        let all_finite = |all: bool, value: &f64| all & value.is_finite();
+        if self.energy.total.is_finite() && self.x.as_flattened().iter().fold(true, all_finite) {
             return Ok(());
         }
         let node = self.x.iter().position(|row| !finite(row)).unwrap_or(0) as u32;
         let vertex = self.system.node_of()[..self.n_vertices].iter().position(|&of| of == node);
-        self.x.copy_from_slice(&self.previous);
-        self.accelerator.forget();
+        self.x.copy_from_slice(&self.previous.0);
+        self.forget();
         self.evaluate();
         Err(SolveError::NotFinite { vertex: vertex.unwrap_or(0) as u32 })
     }

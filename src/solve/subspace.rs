@@ -22,7 +22,7 @@ const TURN: f64 = 1e-11;
 /// belongs to, 0 or 1: both are in the kernel of `A` and are left out. None when the vectors do not stay
 /// independent.
 pub(super) fn smallest_pair(
-    system: &System,
+    system: &mut System,
     mass: &[f64],
     kernel: &[u8],
     mut x: Vec<Row>,

@@ -1,8 +1,11 @@
 //! The linear system of the global step: `Q^T Q` in the order of elimination, and its factor.
 
+use super::accelerate::Iterate;
 use super::assemble::{Assembler, Normal, Terms, adjacency};
-use super::factor::Factor;
+use super::factor::{Factor, Precision};
+use super::metric::Metric;
 use super::order::{elimination_order, inverse};
+use super::panels::Panels;
 use super::{SolveError, clock};
 use crate::constraint::Row;
 use crate::mesh::{Ragged, components};
@@ -28,8 +31,8 @@ pub struct System {
     assembler: Assembler,
     normal: Normal,
     factor: Option<Factor>,
-    /// Of each node: whether it is no unknown.
-    fixed: Vec<bool>,
+    /// The nodes that are no unknowns.
+    fixed: Vec<u32>,
     /// What setting up took.
     pub seconds: SetUpSeconds,
 }
@@ -54,7 +57,7 @@ impl System {
             order: ordered - patterned,
             factor: 0.0,
         };
-        let fixed = vec![false; n];
+        let fixed = Vec::new();
         System { order, node_of, parts, assembler, normal, factor: None, fixed, seconds }
     }
 
@@ -70,7 +73,7 @@ impl System {
 
     /// Nodes that are unknowns.
     pub fn unknowns(&self) -> usize {
-        self.fixed.iter().filter(|fixed| !**fixed).count()
+        self.order.len() - self.fixed.len()
     }
 
     /// Nonzeros of the factor.
@@ -91,7 +94,7 @@ impl System {
     ) -> Result<(), SolveError> {
         let started = clock::now();
         self.assembler.assemble(scales, diagonal, &fixed, &mut self.normal);
-        self.fixed = fixed;
+        self.fixed = (0..).zip(fixed).filter(|(_, fixed)| *fixed).map(|(node, _)| node).collect();
         let assembled = clock::now();
         self.seconds.assemble += assembled - started;
         match &mut self.factor {
@@ -105,20 +108,46 @@ impl System {
         Ok(())
     }
 
-    /// Step II: applies the inverse of the normal matrix to `right` in place.
-    pub fn solve(&self, right: &mut [Row]) {
-        self.factor.as_ref().expect("a system is factored before it is solved").solve(right);
+    /// Fills what [`System::plain_step`] or [`System::metric`] needs, which they would do themselves.
+    pub(super) fn prepare(&mut self, precision: Precision) {
+        let started = clock::now();
+        match precision {
+            Precision::Single => _ = self.metric(),
+            Precision::Double => _ = self.double(),
+        }
+        self.seconds.factor += clock::now() - started;
+    }
+
+    /// The inverse of the normal matrix in single precision.
+    pub(super) fn metric(&mut self) -> &Metric {
+        self.factor.as_mut().expect(FACTORED).single(&self.fixed)
+    }
+
+    /// Step II: from `now` to the positions `to`, in double precision.
+    pub(super) fn plain_step(&mut self, now: Iterate<'_>, to: &mut [Row]) {
+        to.copy_from_slice(now.gradient);
+        self.solve(to);
+        for (to, x) in to.as_flattened_mut().iter_mut().zip(now.x.as_flattened()) {
+            *to = x - *to;
+        }
+    }
+
+    /// Applies the inverse of the normal matrix to `right` in place, in double precision.
+    pub(super) fn solve(&mut self, right: &mut [Row]) {
+        self.double().solve(right);
+    }
+
+    fn double(&mut self) -> &Panels<f64> {
+        self.factor.as_mut().expect(FACTORED).double()
     }
 
     /// Clears the rows of nodes that are no unknowns.
     pub fn clear_fixed(&self, gradient: &mut [Row]) {
-        for (row, &fixed) in gradient.iter_mut().zip(&self.fixed) {
-            if fixed {
-                *row = [0.0; 4];
-            }
-        }
+        self.fixed.iter().for_each(|&node| gradient[node as usize] = [0.0; 4]);
     }
 }
+
+const FACTORED: &str = "a system is factored before it is solved";
 
 /// The pattern with every node in its place in the order of elimination.
 fn renumbered(pattern: &Ragged, order: &[u32], node_of: &[u32]) -> Ragged {
@@ -135,6 +164,7 @@ fn renumbered(pattern: &Ragged, order: &[u32], node_of: &[u32]) -> Ragged {
 
 #[cfg(test)]
 mod tests {
+    use super::super::metric::round;
     use super::*;
     use nalgebra::{DMatrix, DVector};
     use proptest::prelude::*;
@@ -161,7 +191,7 @@ mod tests {
     }
 
     /// `system.solve` against a dense solution of the rows and columns that are not fixed.
-    fn check(system: &System, matrix: &DMatrix<f64>, fixed: &[bool]) {
+    fn check(system: &mut System, matrix: &DMatrix<f64>, fixed: &[bool]) {
         let n = fixed.len();
         let mut rows = right_side(n);
         for (row, _) in rows.iter_mut().zip(fixed).filter(|(_, fixed)| **fixed) {
@@ -177,17 +207,26 @@ mod tests {
         for (v, &node) in system.node_of().iter().enumerate() {
             by_node[node as usize] = rows[v];
         }
-        system.solve(&mut by_node);
+        let (zeros, scale) = (vec![[0.0; 4]; n], Metric::scale(&by_node));
+        let mut single = vec![[0.0; 4]; n];
+        round(&mut single, &by_node, scale);
+        let mut by_metric = vec![[0.0; 4]; n];
+        let metric = system.metric();
+        metric.solve(&mut single);
+        metric.subtract_step(&mut by_metric, &zeros, &single, scale);
+        system.double().solve(&mut by_node);
         let dense = reduced.cholesky().expect("the matrix is positive definite");
         for k in 0..4 {
             let expected = dense.solve(&DVector::from_fn(n, |v, _| rows[v][k]));
             for v in 0..n {
-                let found = by_node[system.node_of()[v] as usize][k];
-                assert!(
-                    (found - expected[v]).abs() <= 1e-9 * expected.amax().max(1.0),
-                    "unknown {v}: {found} is not {}",
-                    expected[v]
-                );
+                let node = system.node_of()[v] as usize;
+                for (found, tolerance) in [(by_node[node][k], 1e-9), (-by_metric[node][k], 1e-3)] {
+                    assert!(
+                        (found - expected[v]).abs() <= tolerance * expected.amax().max(1.0),
+                        "unknown {v}: {found} is not {}",
+                        expected[v]
+                    );
+                }
             }
         }
     }
@@ -219,12 +258,12 @@ mod tests {
             };
             let (some_fixed, none_fixed) = (by_node(fixed), vec![false; n]);
             system.factor(&[1.0], &vec![weight; n], some_fixed.clone()).expect("positive definite");
-            check(&system, &matrix, fixed);
+            check(&mut system, &matrix, fixed);
             // Other values in the same pattern, and back.
             system.factor(&[1.0], &vec![weight; n], none_fixed).expect("positive definite");
-            check(&system, &matrix, &vec![false; n]);
+            check(&mut system, &matrix, &vec![false; n]);
             system.factor(&[1.0], &vec![weight; n], some_fixed).expect("positive definite");
-            check(&system, &matrix, fixed);
+            check(&mut system, &matrix, fixed);
         }
     }
 

@@ -1,11 +1,13 @@
 //! What the worker tells the page, as plain objects in camelCase.
 
-use crate::constraint::{Element, KINDS, describe};
+use crate::constraint::{Element, Info, KINDS, Kind, Sketch, describe};
+use crate::math::Vec3;
 use crate::mesh::{Circularity, Planarity, Read};
 use crate::scene::{Hold, SmoothnessOf, Up, Weighting};
 use crate::session::Session;
 use crate::solve::Energy;
 use serde::Serialize;
+use serde_json::Value;
 
 /// What was read from a file.
 #[derive(Serialize)]
@@ -19,6 +21,9 @@ pub(super) struct Loaded {
     groups: Vec<Group>,
     units: String,
     up: &'static str,
+    /// Mean length of an edge at rest; zero without edges.
+    #[serde(rename = "meanEdge")]
+    mean_edge: f64,
     problems: Vec<Problem>,
     notes: Vec<String>,
 }
@@ -54,12 +59,20 @@ impl Loaded {
                 .collect(),
             units: session.document().units.clone(),
             up: up(session.document().up),
+            mean_edge: mean_edge(session),
             problems: problems
                 .map(|p| Problem { message: p.to_string(), count: p.count, line: p.line })
                 .collect(),
             notes: read.notes.clone(),
         }
     }
+}
+
+fn mean_edge(session: &Session) -> f64 {
+    let at = |v: u32| Vec3::from(session.mesh().positions[v as usize]);
+    let edges = session.topology().edges();
+    let sum: f64 = edges.iter().map(|&[a, b]| (at(b) - at(a)).length()).sum();
+    sum / edges.len().max(1) as f64
 }
 
 fn up(up: Up) -> &'static str {
@@ -96,6 +109,7 @@ struct ConstraintRow {
     skipped: usize,
     weight: f64,
     enabled: bool,
+    params: Value,
 }
 
 #[derive(Serialize)]
@@ -139,6 +153,7 @@ impl<'a> Document<'a> {
                     skipped: row.skipped,
                     weight: spec.weight,
                     enabled: spec.enabled,
+                    params: spec.kind.params(),
                 }
             })
             .collect();
@@ -243,7 +258,21 @@ pub(super) fn elements() -> Vec<ElementWords> {
     .collect()
 }
 
+/// A kind with its drawing.
+#[derive(Serialize)]
+pub(super) struct KindWords {
+    #[serde(flatten)]
+    info: &'static Info,
+    sketch: Sketch,
+}
+
 /// Every kind.
-pub(super) fn kinds() -> &'static [crate::constraint::Info] {
-    KINDS
+pub(super) fn kinds() -> Vec<KindWords> {
+    let all = KINDS.iter();
+    all.map(|info| {
+        let kind = Kind::new(info.id, Value::Object(serde_json::Map::new()));
+        let sketch = kind.expect("every parameter has a default").sketch();
+        KindWords { info, sketch }
+    })
+    .collect()
 }

@@ -3,10 +3,11 @@
 use super::report::{Document, Frame, Loaded, elements, kinds};
 use super::{log_panics, thrown};
 
-use crate::constraint::{Fitted, Set};
+use crate::constraint::{Fitted, Selector, Set};
+use crate::error::Error;
 use crate::mesh::{Read, read, write_obj};
-use crate::scene::{ConstraintSpec, MeshSource, Scene};
-use crate::session::{Edit, NewConstraint, Session};
+use crate::scene::{ConstraintSpec, MeshSource, Scene, SceneError};
+use crate::session::{Edit, NewConstraint, Place, Session};
 use crate::solve::clock;
 use js_sys::{Float32Array, Float64Array, Uint32Array};
 use serde::{Deserialize, Serialize};
@@ -25,21 +26,35 @@ pub struct Solver {
 #[derive(Deserialize)]
 #[serde(tag = "type", rename_all = "camelCase")]
 enum PageEdit {
-    AddConstraint { kind: String, params: Map<String, Value>, on: Value, weight: f64 },
-    RemoveConstraint { index: usize },
-    SetConstraint { index: usize, weight: Option<f64>, enabled: Option<bool> },
-    SetWeights { shape: Option<f64>, close: Option<f64>, smooth: Option<f64> },
-    AddHandles { vertices: Vec<u32>, fixed: bool },
-    RemoveHandles { vertices: Vec<u32> },
+    AddConstraint {
+        kind: String,
+        params: Map<String, Value>,
+        on: Value,
+        weight: f64,
+    },
+    RemoveConstraint {
+        index: usize,
+    },
+    SetConstraint {
+        index: usize,
+        weight: Option<f64>,
+        enabled: Option<bool>,
+        #[serde(default)]
+        params: Map<String, Value>,
+    },
+    SetWeights {
+        shape: Option<f64>,
+        close: Option<f64>,
+        smooth: Option<f64>,
+    },
+    AddHandles {
+        vertices: Vec<u32>,
+        fixed: bool,
+    },
+    RemoveHandles {
+        vertices: Vec<u32>,
+    },
     Reset,
-}
-
-/// What a constraint acts on.
-#[derive(Serialize)]
-struct Preview {
-    constraints: usize,
-    skipped: usize,
-    vertices: usize,
 }
 
 #[wasm_bindgen]
@@ -133,8 +148,8 @@ impl Solver {
                 Edit::AddConstraint(new_constraint(kind, params, on, weight)?)
             }
             PageEdit::RemoveConstraint { index } => Edit::RemoveConstraint { index },
-            PageEdit::SetConstraint { index, weight, enabled } => {
-                Edit::SetConstraint { index, weight, enabled }
+            PageEdit::SetConstraint { index, weight, enabled, params } => {
+                Edit::SetConstraint { index, weight, enabled, params }
             }
             PageEdit::SetWeights { shape, close, smooth } => {
                 let mut weights = session.document().weights;
@@ -147,7 +162,10 @@ impl Solver {
             PageEdit::RemoveHandles { vertices } => Edit::RemoveHandles { vertices },
             PageEdit::Reset => Edit::Reset,
         };
-        session.edit(edit).map_err(thrown)
+        session.edit(edit).map_err(|error| match error {
+            Error::Scene(error) => thrown_at(&error),
+            error => thrown(error),
+        })
     }
 
     /// Takes back the last step; its name, or null.
@@ -251,14 +269,12 @@ impl Solver {
         Ok(members.into())
     }
 
-    /// How many constraints a row would hold; refused when nothing fits.
-    pub fn preview(&self, kind: &str, on: JsValue) -> Result<JsValue, JsValue> {
-        let on: Value = serde_wasm_bindgen::from_value(on).map_err(thrown)?;
-        let new = new_constraint(kind.to_owned(), Map::new(), on, 1.0)?;
-        let row = self.open()?.preview(&new).map_err(thrown)?;
-        let members = &row.constraints.members;
-        let (constraints, vertices) = (members.len(), members.indices().len());
-        plain(&Preview { constraints, skipped: row.skipped, vertices })
+    /// How many constraints a row of each kind would hold at each of the places, which are selectors as
+    /// in an edit: `#kinds by #places`, null where nothing fits.
+    pub fn previews(&self, places: JsValue) -> Result<JsValue, JsValue> {
+        let places: Vec<Value> = serde_wasm_bindgen::from_value(places).map_err(thrown)?;
+        let places: Vec<Place> = places.into_iter().map(place).collect::<Result<_, _>>()?;
+        plain(&self.open()?.previews(&places).map_err(|error| thrown_at(&error))?)
     }
 
     /// The report, in the words and units of the command line.
@@ -333,32 +349,49 @@ fn scene_of(bytes: &[u8]) -> Result<Scene, JsValue> {
     Scene::from_json(text).map_err(thrown)
 }
 
-/// A constraint as the page describes it: like an entry of a scene file, but `on.in` may be a set
-/// without a name, `{ faces }` or `{ vertices }`.
+/// A constraint as the page describes it: like an entry of a scene file, on a [`place`].
 fn new_constraint(
     kind: String,
     mut entry: Map<String, Value>,
     mut on: Value,
     weight: f64,
 ) -> Result<NewConstraint, JsValue> {
+    let set = take_unnamed_set(&mut on)?;
+    entry.insert("kind".to_owned(), kind.into());
+    entry.insert("on".to_owned(), on);
+    entry.insert("weight".to_owned(), weight.into());
+    let entry = Value::Object(entry).to_string();
+    let spec = ConstraintSpec::from_json(&entry).map_err(|error| thrown_at(&error))?;
+    Ok(NewConstraint { spec, set })
+}
+
+/// A selector as the page describes it: like `on` of a scene file, but `in` may be a set without a
+/// name, `{ faces }` or `{ vertices }`.
+fn place(mut on: Value) -> Result<Place, JsValue> {
+    let set = take_unnamed_set(&mut on)?;
+    let on = Selector::from_json(&on.to_string()).map_err(|error| thrown_at(&error))?;
+    Ok(Place { on, set })
+}
+
+fn take_unnamed_set(on: &mut Value) -> Result<Option<Set>, JsValue> {
     #[derive(Default, Deserialize)]
     #[serde(default)]
     struct Unnamed {
         vertices: Vec<u32>,
         faces: Vec<u32>,
     }
-    let within = on.get_mut("in").filter(|within| within.is_object());
-    let set = match within {
-        Some(within) => {
-            let unnamed: Unnamed = serde_json::from_value(within.take()).map_err(thrown)?;
-            *within = NewConstraint::UNNAMED.into();
-            Some(Set { vertices: unnamed.vertices, faces: unnamed.faces })
-        }
-        None => None,
+    let Some(within) = on.get_mut("in").filter(|within| within.is_object()) else {
+        return Ok(None);
     };
-    entry.insert("kind".to_owned(), kind.into());
-    entry.insert("on".to_owned(), on);
-    entry.insert("weight".to_owned(), weight.into());
-    let spec = ConstraintSpec::from_json(&Value::Object(entry).to_string()).map_err(thrown)?;
-    Ok(NewConstraint { spec, set })
+    let Unnamed { vertices, faces } = serde_json::from_value(within.take()).map_err(thrown)?;
+    *within = Place::UNNAMED.into();
+    Ok(Some(Set { vertices, faces }))
+}
+
+/// What is thrown for an error in a scene or in an entry of one: an Error with its JSON path.
+fn thrown_at(error: &SceneError) -> JsValue {
+    let thrown = thrown(error);
+    // An object that was just made takes every property.
+    let _ = js_sys::Reflect::set(&thrown, &"path".into(), &error.path.as_str().into());
+    thrown
 }

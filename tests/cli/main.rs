@@ -273,6 +273,18 @@ fn check_says_what_a_mesh_is_like() {
     }
 }
 
+/// The form that a value of a parameter has, as README.md tells it.
+fn form_of(value: &Value) -> Value {
+    match value {
+        Value::Null => "nothing".into(),
+        Value::Number(_) => "number".into(),
+        Value::String(word) => serde_json::json!({ "word": word }),
+        Value::Array(numbers) if numbers.len() == 2 => "range".into(),
+        Value::Array(numbers) if numbers.len() == 3 => "vector".into(),
+        other => panic!("{other} has no form"),
+    }
+}
+
 #[test]
 fn a_mesh_is_flattened_with_its_texture_coordinates() {
     let folder = Folder::new("parametrize");
@@ -303,8 +315,22 @@ fn operators_are_listed_with_their_parameters() {
     let known: Vec<_> = shape_up::constraint::KINDS.iter().map(|info| info.id).collect();
     assert_eq!(ids, known);
     for kind in kinds.as_array().unwrap() {
-        for key in ["label", "summary", "paper", "arity", "exact", "measure", "params"] {
+        for key in
+            ["label", "summary", "paper", "arity", "centring", "elements", "exact", "measure"]
+        {
             assert!(kind.get(key).is_some(), "{kind}");
+        }
+        for param in kind["params"].as_array().unwrap() {
+            assert_eq!(keys(param), ["default", "forms", "id", "label", "range", "unit"]);
+            let forms = param["forms"].as_array().unwrap();
+            assert!(forms.contains(&form_of(&param["default"])), "{param}");
+            let shown = forms.iter().all(|form| match form {
+                Value::String(name) => ["number", "range", "vector", "nothing"].contains(&&**name),
+                form => keys(form) == ["word"] && form["word"].is_string(),
+            });
+            assert!(shown, "{param}");
+            let range = param["range"].as_array().unwrap();
+            assert!(range.len() == 2 && range.iter().all(|end| end.is_null() || end.is_number()));
         }
     }
 }

@@ -24,7 +24,7 @@ const SCENES: &[(&str, [u64; 3])] = &[
     (
         r#""constraints": [{ "kind": "circle", "on": "faces" }],
            "weights": { "shape": 5, "close": 10, "smooth": 2 }"#,
-        [0x1109_2e35_0ad0_ef35, 0x1e00_a19c_c3ad_6ad0, 0xf9bb_24cc_2bf5_7e28],
+        [0x1109_2e35_0ad0_ef35, 0xae1c_c25a_01b8_484b, 0x09af_e087_8812_771b],
     ),
     (
         r#""constraints": [{ "kind": "plane", "on": "faces" },
@@ -34,7 +34,7 @@ const SCENES: &[(&str, [u64; 3])] = &[
                        { "vertices": [168], "targets": [[1.2, 1.1, 0.4]] }],
            "weights": { "shape": 3, "smooth": 0.1 },
            "smoothness": { "of": "displacement" }"#,
-        [0xa65d_543d_ccf2_c3e3, 0x773c_218a_30a7_3220, 0x25ba_0bd4_7e64_2f95],
+        [0xa65d_543d_ccf2_c3e3, 0x15ed_4570_0d12_a3bf, 0xcc85_2e86_a1b2_bfdf],
     ),
     (
         r#""constraints": [{ "kind": "square", "on": "faces", "weight": 0.3 },
@@ -45,7 +45,7 @@ const SCENES: &[(&str, [u64; 3])] = &[
                            { "kind": "similar", "on": { "each": "ring", "radius": 2 }, "scale": [0.8, 1.25] },
                            { "kind": "planar-similar", "on": "faces" }],
            "handles": [{ "vertices": [0, 12] }, { "vertices": [168], "targets": [[1.2, 1.1, 0.4]] }]"#,
-        [0x4cc5_4b30_6759_d56c, 0xda57_ff12_b0b8_97bf, 0x7ad4_bbf1_c473_11b2],
+        [0x4cc5_4b30_6759_d56c, 0xc146_5698_d303_03ff, 0x54d9_d8af_f382_b92b],
     ),
     (
         r#""constraints": [{ "kind": "square", "on": "faces" }],
@@ -60,18 +60,29 @@ const SCENES: &[(&str, [u64; 3])] = &[
 
 /// The digest of each kind with its defaults, on every sort of element that fits it.
 const KIND_DIGESTS: &[(&str, u64)] = &[
-    ("line", 0x30cd_1105_4308_f891),
-    ("plane", 0x360a_98e3_d648_1338),
-    ("circle", 0xb653_90c8_b184_fdb1),
-    ("sphere", 0x9da6_5261_7d58_8b77),
-    ("rigid", 0x4f3e_3c16_93f5_87eb),
-    ("similar", 0x56a7_2418_2b77_a359),
-    ("planar-similar", 0x18d1_e6c8_7592_7e36),
-    ("line-segment", 0xa324_0920_7b55_a7b0),
-    ("regular-polygon", 0xd03d_f0c1_d86c_ae26),
-    ("square", 0x1e2d_d133_9dae_3c2c),
-    ("parallelogram", 0xa9a2_3c1b_8fbd_c692),
-    ("rectangle", 0xd9ef_70cb_e306_142e),
+    ("line", 0x792d_6d43_484f_7619),
+    ("plane", 0x0520_cec6_d699_e6fe),
+    ("circle", 0x9368_2e70_b716_f997),
+    ("sphere", 0xd01b_c884_c1f4_6bfb),
+    ("rigid", 0x442b_e8b1_7880_a9df),
+    ("similar", 0xc0f5_9160_359d_165e),
+    ("planar-similar", 0x9c5e_2190_519e_b3e7),
+    ("line-segment", 0xb1a7_5a3c_d9e1_76d7),
+    ("equal-length", 0x7eb6_8043_bc88_2901),
+    ("angle", 0x73c3_466a_3e79_658d),
+    ("area", 0x9e6a_6803_2b56_11d9),
+    ("volume", 0x9bbf_7753_d498_d7da),
+    ("bending", 0xbacd_5e9d_c284_3a58),
+    ("regular-polygon", 0xb4cb_e689_dfa7_7ed6),
+    ("square", 0x37da_03f7_29ae_a68b),
+    ("parallelogram", 0x2a0c_e344_2b03_8a7d),
+    ("rectangle", 0x17be_630e_20ea_4853),
+    ("symmetry", 0xb290_98b5_42ae_0bd2),
+    ("on-curve", 0x9fbf_95e0_5bf9_056f),
+    ("on-surface", 0x4db4_38a4_a0e2_e0d5),
+    ("tangent-incircles", 0xbc5e_f99e_76dc_a28b),
+    ("incircle", 0xf25b_0d93_b82a_e5db),
+    ("conical", 0xa55c_9d83_376a_ae8e),
 ];
 
 /// Quads, triangles and tetrahedra, apart from each other.

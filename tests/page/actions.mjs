@@ -40,8 +40,8 @@ export async function addConstraint(page, kind, where) {
   await showPanel(page, 'Model');
   await page.getByRole('button', { name: 'Add constraint' }).click();
   const dialog = page.getByRole('dialog', { name: 'New constraint' });
-  await dialog.getByRole('radio', { name: kind }).check();
-  await dialog.getByRole('radio', { name: where }).check();
+  await dialog.getByRole('radio', { name: kind, exact: true }).check();
+  await dialog.getByRole('radio', { name: where, exact: true }).check();
   await dialog.getByRole('button', { name: 'Add', exact: true }).click();
   await expect(dialog).toBeHidden();
   await expect.poll(() => constraintCount(page)).toBe(before + 1);

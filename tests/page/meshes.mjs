@@ -18,6 +18,60 @@ export function wavyGrid(n) {
   return `${lines.join('\n')}\n`;
 }
 
+/** A number from -1 to 1 for each seed, the same on every machine. */
+const noise = (seed) => ((seed * 7919 + 104729) % 2003) / 1001.5 - 1;
+
+/** A scene whose mesh starts away from its rest shape, so that every kind has something to do. */
+function disturbed(mesh) {
+  const current = mesh.positions.map((point, v) =>
+    point.map((x, axis) => x + 0.12 * noise(3 * v + axis + 1)),
+  );
+  return JSON.stringify({ format: 'shape-up-scene', version: 1, mesh, current });
+}
+
+/** The corners of a grid of n by n squares, bumpy, and the corners of each square in turn. */
+function grid(n) {
+  const positions = [];
+  const squares = [];
+  for (let y = 0; y <= n; y++)
+    for (let x = 0; x <= n; x++) positions.push([x, y, 0.2 * ((3 * x + 5 * y) % 4)]);
+  for (let y = 0; y < n; y++)
+    for (let x = 0; x < n; x++) {
+      const corner = y * (n + 1) + x;
+      squares.push([corner, corner + 1, corner + n + 2, corner + n + 1]);
+    }
+  return { positions, squares };
+}
+
+/** n by n quads: the text of a scene. */
+export function quadScene(n) {
+  const { positions, squares } = grid(n);
+  return disturbed({ positions, faces: squares });
+}
+
+/** n by n squares of two triangles each: the text of a scene. */
+export function triangleScene(n) {
+  const { positions, squares } = grid(n);
+  const faces = squares.flatMap(([a, b, c, d]) => [
+    [a, b, c],
+    [a, c, d],
+  ]);
+  return disturbed({ positions, faces });
+}
+
+/** A cube of five tetrahedra: the text of a scene. */
+export function tetScene() {
+  const corners = [0, 1].flatMap((z) => [0, 1].flatMap((y) => [0, 1].map((x) => [x, y, z])));
+  const tets = [
+    [0, 1, 2, 4],
+    [3, 2, 1, 7],
+    [5, 4, 7, 1],
+    [6, 7, 4, 2],
+    [1, 2, 4, 7],
+  ];
+  return disturbed({ positions: corners, tets });
+}
+
 /** A file for a file input. */
 export const file = (name, text) => ({
   name,

@@ -1,8 +1,10 @@
 //! Runs the operator of a kind.
 
 use crate::random::Points;
-use shape_up::constraint::{Kind, KindVisitor, Projection};
+use shape_up::constraint::{Kind, KindVisitor, Projection, Reference};
 use shape_up::math::{LANES, Lanes, Vec3};
+use shape_up::mesh::{Mesh, Point, Ragged, Surface};
+use std::rc::Rc;
 
 /// Projects as plain scalars, or with [`Lanes`] when there are as many point sets as lanes.
 pub(crate) struct Project<'a> {
@@ -13,6 +15,9 @@ pub(crate) struct Project<'a> {
 impl KindVisitor for Project<'_> {
     type Output = ();
     fn visit<P: Projection>(self, operator: &P) {
+        let mut operator = operator.clone();
+        let surface = || Rc::new(strip(&self.rest[0]));
+        operator.refer(&Reference { surface: &surface });
         let mut rest = self.rest.to_vec();
         rest.iter_mut().for_each(|rest| operator.prepare(rest));
         if let [points] = self.points {
@@ -35,6 +40,19 @@ impl KindVisitor for Project<'_> {
             points.iter_mut().zip(&projected).for_each(|(to, from)| *to = from.lane(i));
         }
     }
+}
+
+/// The surface that operators may refer to: a strip of triangles through the rest points in turn, a
+/// segment between two, or one point.
+fn strip(rest: &[Vec3<f64>]) -> Surface {
+    let positions: Vec<Point> = rest.iter().map(|r| (*r).into()).collect();
+    let mut mesh = Mesh::default();
+    match rest.len() as u32 {
+        1 => {}
+        2 => mesh.curves = Ragged::from_iter([[0, 1]]),
+        n => mesh.faces = Ragged::from_iter((2..n).map(|k| [k - 2, k - 1, k])),
+    }
+    Surface::new(&positions, &mesh)
 }
 
 /// The projection of one constraint.

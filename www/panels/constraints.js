@@ -5,7 +5,9 @@
 
 import { element, icon, setText, throttled } from '../dom.js';
 import { groupDigits, length } from '../format.js';
+import { Parameters, valueInWords } from '../parameters.js';
 import { lengthOrNothing } from '../rounding.js';
+import { sketch } from '../sketch.js';
 
 /** @typedef {import("../messages.js").ConstraintRow} ConstraintRow */
 
@@ -24,6 +26,8 @@ export function constraintsPanel(place, store, solver, actions) {
   let worstCells = [];
   /** The rows that are on the page. */
   let shown = '';
+  /** The rows that are open, by what they are: an index would change with what is before it. @type {Set<string>} */
+  const open = new Set();
 
   /** Tints what a constraint acts on. @param {ConstraintRow} row */
   async function tint(row) {
@@ -40,8 +44,53 @@ export function constraintsPanel(place, store, solver, actions) {
     store.set({ tint: null });
   }
 
-  /** @param {ConstraintRow} row */
-  function rowOf(row) {
+  /**
+   * What opens below a row: what it asks, and its parameters, which act at once.
+   * @param {ConstraintRow} row
+   * @param {string} name
+   */
+  function detailsOf(row, name) {
+    const { kinds, model } = store.get();
+    const kind = kinds.find(({ id }) => id === row.kind);
+    if (!kind || !model) return element('div', { hidden: true });
+    const parameters = new Parameters(kind.params, row.params, model, {
+      name,
+      changed: (id, value) =>
+        actions.edit(
+          { type: 'setConstraint', index: row.index, params: { [id]: value } },
+          (error) => {
+            parameters.restore(row.params);
+            return parameters.refuse(error);
+          },
+        ),
+    });
+    return element(
+      'div',
+      { class: 'details' },
+      sketch(kind.sketch),
+      element('p', { class: 'quiet' }, kind.summary),
+      parameters.element,
+    );
+  }
+
+  /** Parameters that are not at their default, in words. @param {ConstraintRow} row */
+  function paramsInWords(row) {
+    const { kinds, document } = store.get();
+    const params = kinds.find(({ id }) => id === row.kind)?.params ?? [];
+    return params
+      .filter(({ id, default: usual }) => JSON.stringify(row.params[id]) !== JSON.stringify(usual))
+      .map(
+        (param) =>
+          ` · ${param.label.toLowerCase()} ${valueInWords(param, row.params[param.id], document?.units ?? '')}`,
+      )
+      .join('');
+  }
+
+  /**
+   * @param {ConstraintRow} row
+   * @param {string} key
+   */
+  function rowOf(row, key) {
     const set = (/** @type {{ weight?: number, enabled?: boolean }} */ change) =>
       actions.edit({ type: 'setConstraint', index: row.index, ...change });
     const name = `${row.label} on ${row.on}`;
@@ -81,11 +130,33 @@ export function constraintsPanel(place, store, solver, actions) {
     const worst = element('span', { class: 'worst figure' });
     worstCells.push(worst);
     const skipped = row.skipped > 0 ? `, ${groupDigits(row.skipped)} skipped` : '';
+    const details = detailsOf(row, name);
+    details.hidden = !open.has(key);
+    details.id = `constraint-${row.index}-details`;
+    const opener = element(
+      'button',
+      {
+        type: 'button',
+        class: 'name',
+        'aria-label': `${name}: parameters`,
+        'aria-expanded': String(open.has(key)),
+        'aria-controls': details.id,
+        onclick: () => {
+          if (!open.delete(key)) open.add(key);
+          details.hidden = !open.has(key);
+          opener.setAttribute('aria-expanded', String(open.has(key)));
+          details.scrollIntoView({ block: 'nearest' });
+        },
+      },
+      element('span', {}, row.label),
+      icon('chevron'),
+    );
     return element(
       'li',
       {
         class: `constraint${row.enabled ? '' : ' off'}`,
         'data-index': row.index,
+        style: `--chip: rgb(${row.colour.join(' ')})`,
         onpointerenter: (/** @type {PointerEvent} */ event) => {
           if (event.pointerType !== 'touch') tint(row);
         },
@@ -93,12 +164,28 @@ export function constraintsPanel(place, store, solver, actions) {
         onfocusin: () => tint(row),
         onfocusout: untint,
       },
-      element('span', { class: 'chip', style: `--chip: rgb(${row.colour.join(' ')})` }),
-      element('span', { class: 'name' }, row.label),
+      element('span', { class: 'chip' }),
+      opener,
       element('span', { class: 'buttons' }, element('label', { class: 'switch' }, toggle), remove),
-      element('span', { class: 'on' }, `${row.on} · ${groupDigits(row.count)}${skipped}`),
+      element(
+        'span',
+        { class: 'on' },
+        `${row.on} · ${groupDigits(row.count)}${skipped}${paramsInWords(row)}`,
+      ),
       element('span', { class: 'measures' }, element('label', {}, 'weight', weight), worst),
+      details,
     );
+  }
+
+  /**
+   * A row under the key that stays its own while others come and go.
+   * @param {ConstraintRow} row
+   * @param {number} index
+   * @param {ConstraintRow[]} rows
+   */
+  function keyedRow(row, index, rows) {
+    const alike = rows.slice(0, index).filter(({ kind, on }) => kind === row.kind && on === row.on);
+    return rowOf(row, `${row.kind} ${row.on} ${alike.length}`);
   }
 
   const showNumbers = throttled(NUMBERS_EVERY_MS, () => {
@@ -122,7 +209,7 @@ export function constraintsPanel(place, store, solver, actions) {
     const focused = focusedField(place);
     place.replaceChildren(
       document.constraints.length > 0
-        ? element('ul', { 'aria-label': 'Constraints' }, ...document.constraints.map(rowOf))
+        ? element('ul', { 'aria-label': 'Constraints' }, ...document.constraints.map(keyedRow))
         : element(
             'p',
             { class: 'quiet' },
@@ -131,7 +218,9 @@ export function constraintsPanel(place, store, solver, actions) {
     );
     if (focused) {
       /** @type {HTMLElement | null} */
-      const again = place.querySelector(`[aria-label="${CSS.escape(focused)}"]`);
+      const again = place.querySelector(
+        `:is(button, input, select)[aria-label="${CSS.escape(focused)}"]`,
+      );
       again?.focus();
     }
     showNumbers();

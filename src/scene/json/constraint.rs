@@ -76,6 +76,7 @@ pub(super) fn default_params(id: &str) -> serde_json::Map<String, serde_json::Va
 fn join(path: &str, below: &str) -> String {
     match below {
         "" | "." | "?" => path.to_owned(),
+        _ if path.is_empty() => below.to_owned(),
         _ if below.starts_with('[') => format!("{path}{below}"),
         _ => format!("{path}.{below}"),
     }

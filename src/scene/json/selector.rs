@@ -17,6 +17,17 @@ fn default_radius(element: Element) -> u32 {
     if element == Element::Ring { 1 } else { 0 }
 }
 
+impl Selector {
+    /// Reads the `on` of a constraint.
+    ///
+    /// # Errors
+    /// As [`crate::scene::Scene::from_json`].
+    pub fn from_json(text: &str) -> Result<Selector, SceneError> {
+        let on: Node = serde_json::from_str(text).map_err(|e| super::syntax_error(text, &e))?;
+        read(&At::root(&on))
+    }
+}
+
 pub(super) fn read(at: &At<'_>) -> Result<Selector, SceneError> {
     match at.node {
         Node::Text(word) => {
