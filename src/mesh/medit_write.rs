@@ -37,3 +37,31 @@ fn push_section(out: &mut String, name: &str, rows: impl Iterator<Item = String>
         out.push_str(" 0\n");
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::{Ragged, read};
+
+    #[test]
+    fn what_is_written_reads_back() {
+        let faces: [&[u32]; 3] = [&[0, 2, 1], &[0, 1, 4, 3], &[0, 1, 2, 3, 4]];
+        let mesh = Mesh {
+            positions: vec![[0.1, 0.0, -0.0], [1e-7, 2.0, 3e20], [1.0; 3], [2.0; 3], [3.0; 3]],
+            faces: Ragged::from_iter(faces),
+            tets: vec![[0, 1, 2, 3], [4, 1, 2, 3]],
+            ..Mesh::default()
+        };
+        let again = read("bar.mesh", write_medit(&mesh).as_bytes()).expect("it is a Medit file");
+        let kept = Mesh { faces: Ragged::from_iter(&faces[..2]), ..mesh };
+        assert_eq!(again.mesh, kept);
+        assert_eq!(again.problems, []);
+    }
+
+    #[test]
+    fn a_set_of_points_has_no_other_sections() {
+        let mesh = Mesh { positions: vec![[1.0, 2.0, 3.0]], ..Mesh::default() };
+        let text = "MeshVersionFormatted 2\nDimension 3\nVertices\n1\n1 2 3 0\nEnd\n";
+        assert_eq!(write_medit(&mesh), text);
+    }
+}

@@ -78,8 +78,11 @@ fn volume(mesh: &Mesh, positions: &[Point]) -> f64 {
 /// What is measured of an example, with the bounds that its statement names.
 type Measured = Vec<(&'static str, f64, std::ops::Range<f64>)>;
 
+/// The id of an example, and how its statement is measured.
+type Statement = (&'static str, fn(&Run) -> Measured);
+
 /// In the order of the examples.
-const STATEMENTS: &[(&str, fn(&Run) -> Measured)] = &[
+const STATEMENTS: &[Statement] = &[
     ("canopy", |run| {
         vec![("e_c before", run.e_c()[0], 5.5e-6..6.5e-6), ("e_c", run.e_c()[1], 0.0..2e-8)]
     }),

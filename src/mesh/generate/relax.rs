@@ -1,4 +1,4 @@
-//! Vertices moved towards the middle of their neighbours.
+//! Vertices moved towards the middle of what is around them.
 
 use crate::math::Vec3;
 use crate::mesh::{Mesh, Point, Topology};
@@ -13,12 +13,11 @@ pub fn soften(mesh: &mut Mesh, steps: usize) {
 }
 
 /// Evens out the triangles of the surface where `field` is zero: in each step every vertex goes half
-/// the way to the mean of its neighbours, along the surface, and then back onto it. `spacing` is the
-/// step of the differences that stand for the gradient.
+/// the way to the centre of the triangles around it, along the surface, and then back onto it.
+/// `spacing` is the step of the differences that stand for the gradient.
 pub(super) fn slide(mesh: &mut Mesh, field: impl Fn(Point) -> f64, spacing: f64, steps: usize) {
-    let topology = Topology::new(mesh);
     for _ in 0..steps {
-        let towards = halfway(mesh, &topology);
+        let towards = centres(mesh);
         for (p, to) in mesh.positions.iter_mut().zip(towards) {
             let from = Vec3::from(*p);
             let normal = gradient(&field, *p, spacing);
@@ -39,6 +38,22 @@ fn halfway(mesh: &Mesh, topology: &Topology) -> Vec<Vec3<f64>> {
         (at(v) + sum * (1.0 / neighbours.len() as f64)) * 0.5
     })
     .collect()
+}
+
+/// For each vertex the middle between it and the centre of the triangles around it, by their
+/// areas.
+fn centres(mesh: &Mesh) -> Vec<Vec3<f64>> {
+    let mut sums = vec![(Vec3::zero(), 0.0); mesh.positions.len()];
+    for face in mesh.faces.iter() {
+        let [a, b, c] = [0, 1, 2].map(|k| Vec3::from(mesh.positions[face[k] as usize]));
+        let area = (b - a).cross(c - a).length();
+        for &v in face {
+            sums[v as usize].0 += (a + b + c) * (area / 3.0);
+            sums[v as usize].1 += area;
+        }
+    }
+    let pairs = mesh.positions.iter().zip(sums);
+    pairs.map(|(&p, (sum, area))| (Vec3::from(p) + sum * (1.0 / area)) * 0.5).collect()
 }
 
 /// By central differences.
