@@ -344,3 +344,32 @@ fn relative_shapes_never_raise_the_energy_of_the_plain_iteration() {
         assert!(before > 1e-3, "the handles contradict the shapes: {before}");
     }
 }
+
+#[test]
+fn a_face_shows_the_row_that_says_the_most_about_it() {
+    // Three by three quads: a plane on all of them, a sphere on the one in the middle, and a line
+    // along one side, which covers no face.
+    let sets = r#", "sets": { "middle": { "faces": [4] }, "side": { "vertices": [0, 1, 2, 3] } }"#;
+    let mut session = Session::open(scene(sets), bumpy(3)).expect("it is regular");
+    let shown = |session: &Session| {
+        let acting = session.acting_rows();
+        let used = |row| acting.faces.iter().filter(|face| **face == Some(row)).count();
+        let dots: Vec<usize> =
+            (0..16).filter(|&vertex| acting.vertices[vertex].is_some()).collect();
+        ([used(0), used(1), used(2)], acting.faces[4], dots)
+    };
+    assert_eq!(shown(&session), ([0; 3], None, vec![]));
+    session.edit(new("sphere", r#"{ "set": "middle" }"#)).expect("four vertices fit");
+    session.edit(new("plane", r#""faces""#)).expect("quads fit");
+    session.edit(new("line", r#"{ "set": "side" }"#)).expect("four vertices fit");
+    assert_eq!(shown(&session), ([1, 8, 0], Some(0), vec![0, 1, 2, 3]));
+    // The side's corners are corners of faces too, but no face is on the line.
+    assert_eq!(session.members(2), [vec![], vec![0, 1, 2, 3]]);
+    let [faces, vertices] = session.members(1);
+    assert_eq!((faces.len(), vertices.len()), (9, 16));
+
+    let off = |index| Edit::SetConstraint { index, weight: None, enabled: Some(false) };
+    session.edit(off(0)).expect("the row is there");
+    session.edit(off(2)).expect("the row is there");
+    assert_eq!(shown(&session), ([0, 9, 0], Some(1), vec![]));
+}

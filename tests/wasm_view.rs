@@ -97,6 +97,11 @@ async fn every_switch_changes_the_picture() {
     check(&mut view, "vertices");
     view.set_display(false, false, false);
     check(&mut view, "no edges");
+    let two_colours = [0.1, 0.3, 0.9, 0.9, 0.2, 0.2];
+    view.set_row_colours(vec![1, 2, 0, 0], vec![], &two_colours).unwrap();
+    check(&mut view, "colours of rows on faces");
+    view.set_row_colours(vec![1, 2, 0, 0], vec![0, 0, 0, 0, 2, 1, 0, 0, 0], &two_colours).unwrap();
+    check(&mut view, "colours of rows on vertices");
     view.set_face_values(Some(vec![0.0, 0.3, 0.6, f32::NAN]), 0.0, 1.0).unwrap();
     check(&mut view, "values");
     view.set_display(true, false, false);
@@ -172,6 +177,8 @@ async fn wrong_input_is_thrown_with_a_complete_message() {
     let wrong = view.set_up("x").unwrap_err();
     assert_eq!(message(&wrong), "up: \"x\", expected z or y");
     assert!(view.set_face_values(Some(vec![1.0]), 0.0, 1.0).is_err());
+    let wrong = view.set_row_colours(vec![1; 4], vec![], &[]).unwrap_err();
+    assert_eq!(message(&wrong), "colours of faces: index 1, expected less than 1");
     assert!(view.draw().unwrap());
     let nothing = View::create(canvas.clone(), "vulkan".to_owned()).await.unwrap_err();
     assert!(message(&nothing).contains("expected auto, webgpu or webgl2"));

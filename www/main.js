@@ -25,6 +25,7 @@ import { handlesPanel } from './panels/handles.js';
 import { modelPanel } from './panels/model.js';
 import { statusBar } from './panels/status-bar.js';
 import { PointerInput } from './pointer.js';
+import { colourRows } from './row-colours.js';
 import { sizeOf } from './rounding.js';
 import { scriptApi } from './script-api.js';
 import { NOTHING } from './selection.js';
@@ -51,6 +52,7 @@ const pointer = new PointerInput(store, solver, viewport, box, {
 bindViewKeys(viewport);
 const addConstraint = new AddConstraintDialog(byId('add-constraint'), store, solver, actions);
 const { refit } = colourFaces(store, solver);
+colourRows(store, solver, actions);
 
 modelPanel(byId('model'), store);
 constraintsPanel(byId('constraints'), store, solver, actions);

@@ -138,6 +138,14 @@
  * @property {Uint32Array} curveIndices
  */
 
+/**
+ * The colour of the row of constraints that acts on each face and each vertex.
+ * @typedef {object} RowColours
+ * @property {Uint8Array} faces `#F`: 0 where there is none, else one more than a place in `palette`
+ * @property {Uint8Array} vertices `#V`: the same for constraints that cover no whole face
+ * @property {Float32Array} palette three parts from 0 to 1 per colour
+ */
+
 /** The largest distance of a face's corners to its best plane or circle. @typedef {"planarity" | "circularity"} Measure */
 
 /** @typedef {{ name: string, bytes: Uint8Array }} NamedBytes */
@@ -163,7 +171,7 @@
  * - `open`: the first file that is a scene, else the first file; the others may be the mesh that it
  *   names. When it is refused the old model stays. `iteration` is where a restored scene stood.
  * - `edit`, `undo`, `redo`, `step`.
- * - `members`: what a constraint acts on. `preview`: what adding one would make.
+ * - `members`: what a constraint acts on. `rowColours`: the colours of all of them. `preview`: what adding one would make.
  * - `scene`, `obj`: the texts of the files.
  * @typedef {{ type: "open", files: NamedBytes[], iteration?: number }
  *   | { type: "edit", edit: Edit }
@@ -171,6 +179,7 @@
  *   | { type: "redo" }
  *   | { type: "step" }
  *   | { type: "members", constraint: number }
+ *   | { type: "rowColours" }
  *   | { type: "preview", kind: string, on: Selector }
  *   | { type: "scene" }
  *   | { type: "obj" }} Request
@@ -185,6 +194,7 @@
  * @property {string | null} redo the name of what was redone
  * @property {boolean} step whether it has converged
  * @property {{ faces: Uint32Array, vertices: Uint32Array }} members
+ * @property {RowColours} rowColours
  * @property {{ constraints: number, skipped: number, vertices: number }} preview
  * @property {string} scene
  * @property {string} obj

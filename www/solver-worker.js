@@ -133,6 +133,8 @@ function answer(message) {
       return step();
     case 'members':
       return live().members(message.constraint);
+    case 'rowColours':
+      return live().rowColours();
     case 'preview':
       return live().preview(message.kind, message.on);
     case 'scene':

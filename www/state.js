@@ -24,6 +24,7 @@
  * @property {Selection} selection
  * @property {number[]} dragged handles under the pointer
  * @property {Tint | null} tint members of the constraint that is pointed at
+ * @property {import("./messages.js").RowColours | null} rowColours of what constraints act on
  * @property {Measure | null} measure what the faces are coloured by
  * @property {boolean} measureChosen somebody chose it since the model was opened
  * @property {[number, number]} range of the colours, in units of the mesh
@@ -60,6 +61,7 @@ const INITIAL = {
   selection: { vertices: new Set(), faces: new Set() },
   dragged: [],
   tint: null,
+  rowColours: null,
   measure: null,
   measureChosen: false,
   range: [0, 0],

@@ -12,6 +12,11 @@ import { messageOf } from './messages.js';
 /** A view that is lost this often in a row is given up. */
 const ATTEMPTS = 3;
 const NONE = new Uint32Array(0);
+const NO_COLOURS = {
+  faces: new Uint8Array(0),
+  vertices: new Uint8Array(0),
+  palette: new Float32Array(0),
+};
 const BACKENDS = ['webgpu', 'webgl2'];
 
 export class Viewport extends EventTarget {
@@ -169,6 +174,7 @@ export class Viewport extends EventTarget {
       [['document', 'dragged', 'selection', 'model'], showHandles],
       [['selection', 'model'], showSelection],
       [['tint', 'model'], showTint],
+      [['rowColours', 'model'], showRowColours],
       [['measure', 'range'], (view, state) => this.#showValues(view, state)],
     ];
     for (const [keys, show] of parts) {
@@ -266,4 +272,13 @@ function showTint(view, { tint }) {
   const { vertices, faces, colour } = tint ?? { vertices: NONE, faces: NONE, colour: [0, 0, 0] };
   const [red, green, blue] = colour.map((byte) => byte / 255);
   view.setTint(vertices, faces, red, green, blue);
+}
+
+/**
+ * @param {View} view
+ * @param {State} state
+ */
+function showRowColours(view, { rowColours }) {
+  const { faces, vertices, palette } = rowColours ?? NO_COLOURS;
+  view.setRowColours(faces, vertices, palette);
 }

@@ -1,5 +1,6 @@
 //! What hosts show of a session: errors of faces, members of constraints, previews.
 
+use super::acting::Cover;
 use super::{NewConstraint, ResolvedRow, Session, resolve};
 use crate::mesh::Measures;
 use crate::scene::SceneError;
@@ -23,18 +24,20 @@ impl Session {
             .map_err(|message| SceneError { path: String::new(), message })
     }
 
-    /// The faces and the vertices that row `index` acts on, ascending; a face counts when all its
-    /// corners do.
+    /// The faces and the vertices that row `index` acts on, ascending; a face counts when one of the
+    /// row's constraints has all its corners.
     pub fn members(&self, index: usize) -> [Vec<u32>; 2] {
-        let mut is_member = vec![false; self.mesh.positions.len()];
+        let mut cover = Cover::new(&self.mesh, &self.topology);
+        let [mut faces, mut vertices] = [Vec::new(), Vec::new()];
         if let Some(row) = self.rows.get(index) {
-            row.constraints.members.indices().iter().for_each(|&v| is_member[v as usize] = true);
+            let members = &row.constraints.members;
+            members.iter().for_each(|set| faces.extend(cover.faces(set)));
+            vertices.extend(members.indices());
         }
-        let all_corners = |face: &[u32]| face.iter().all(|&v| is_member[v as usize]);
-        let faces = (0..).zip(self.mesh.faces.iter());
-        let faces = faces.filter(|(_, face)| all_corners(face)).map(|(index, _)| index).collect();
-        let vertices = (0..).zip(&is_member);
-        let vertices = vertices.filter(|(_, member)| **member).map(|(index, _)| index).collect();
+        for indices in [&mut faces, &mut vertices] {
+            indices.sort_unstable();
+            indices.dedup();
+        }
         [faces, vertices]
     }
 }

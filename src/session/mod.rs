@@ -8,15 +8,18 @@
 //! | `edit` | the edits, and what each one costs |
 //! | `resolve` | rows of constraints: selectors resolved, misfits counted |
 //! | `history` | undo and redo |
+//! | `acting` | which row of constraints each face and vertex belongs to |
 //! | `inspect` | what hosts show of a session: errors of faces, members, previews |
 //! | `report` | the report of design section 6 |
 
+mod acting;
 mod edit;
 mod history;
 mod inspect;
 mod report;
 mod resolve;
 
+pub use acting::ActingRows;
 pub use edit::{Edit, NewConstraint};
 pub use report::{EnergyReport, Report, Seconds, TraceEntry};
 pub use resolve::ResolvedRow;

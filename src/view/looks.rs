@@ -1,11 +1,15 @@
 //! What a face looks like beside its shape: its value on the colour map, whether it is selected,
-//! whether it is a member of the constraint that is pointed at. Four bytes per face.
+//! the colour of the row of constraints that acts on it, whether it is a member of the one that is
+//! pointed at. Four bytes per face.
 
 use super::colour_map::texel;
 use super::lists::{ViewError, check_indices};
+use super::row_colours::RowColours;
 
 /// Byte 1: the face has the material's colour.
 const PLAIN: u8 = 0;
+/// Byte 1: the face has the colour of a row of constraints, whose place in the palette is byte 0.
+const ROW: u8 = 64;
 /// Byte 1: the face has a value, whose texel is byte 0.
 const VALUE: u8 = 127;
 /// Byte 1: the face should have a value, but it is not a number.
@@ -21,6 +25,8 @@ pub struct Looks {
     selected_faces: Vec<u32>,
     tinted_vertices: Vec<u32>,
     tinted_faces: Vec<u32>,
+    /// Colours of the rows of constraints; values go before them.
+    pub rows: RowColours,
 }
 
 impl Looks {
@@ -98,7 +104,10 @@ impl Looks {
                 };
             }
         } else {
-            bytes.chunks_exact_mut(4).for_each(|look| look[1] = PLAIN);
+            let places = self.rows.faces.iter().copied().chain(std::iter::repeat(0));
+            for (look, place) in bytes.chunks_exact_mut(4).zip(places) {
+                (look[0], look[1]) = (place, if place > 0 { ROW } else { PLAIN });
+            }
         }
         for &face in &self.selected_faces {
             bytes[face as usize * 4 + 2] = 255;
@@ -123,6 +132,15 @@ mod tests {
         assert_eq!(looks.bytes(3), [0, VALUE, 0, 255, 0, NO_VALUE, 0, 0, 255, VALUE, 255, 0]);
         looks.set_values(None, 0.0, 1.0, 3).unwrap();
         assert_eq!(looks.bytes(3)[..4], [0, PLAIN, 0, 255]);
+    }
+
+    #[test]
+    fn colours_of_rows_are_seen_where_there_are_no_values() {
+        let rows = RowColours::new(vec![0, 2], vec![], &[0.5; 6], (3, 2)).unwrap();
+        let mut looks = Looks { rows, ..Looks::default() };
+        assert_eq!(looks.bytes(2), [0, PLAIN, 0, 0, 2, ROW, 0, 0]);
+        looks.set_values(Some(vec![0.0, 1.0]), 0.0, 1.0, 2).unwrap();
+        assert_eq!(looks.bytes(2), [0, VALUE, 0, 0, 255, VALUE, 0, 0]);
     }
 
     #[test]

@@ -36,6 +36,7 @@ pub mod pipeline;
 pub mod points;
 pub mod polygon_edges;
 pub mod ray;
+pub mod row_colours;
 pub mod shaders;
 #[cfg(target_arch = "wasm32")]
 pub mod spheres;

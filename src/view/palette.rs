@@ -45,24 +45,26 @@ pub enum LineKind {
 pub enum DotKind {
     /// A vertex.
     Vertex = 0,
+    /// A member of a constraint that covers no face; its inside takes the colour of the row.
+    Member = 1,
     /// A member of the constraint pointed at; its inside takes the tint.
-    Tinted = 1,
+    Tinted = 2,
     /// Selected.
-    Selected = 2,
+    Selected = 3,
     /// Where a handle should be.
-    Target = 3,
+    Target = 4,
     /// A soft handle.
-    Handle = 4,
+    Handle = 5,
     /// A fixed handle.
-    Fixed = 5,
+    Fixed = 6,
     /// The handle that is being moved.
-    Active = 6,
+    Active = 7,
 }
 
 /// How many kinds of lines there are.
 pub const LINE_KINDS: usize = 4;
 /// How many kinds of dots there are.
-pub const DOT_KINDS: usize = 7;
+pub const DOT_KINDS: usize = 8;
 
 /// One theme.
 #[derive(Clone, Copy, Debug)]
@@ -120,6 +122,7 @@ pub const LIGHT: Palette = Palette {
     edge_of_values: [1.0, 1.0, 1.0, 0.40],
     dots: [
         dot([0.16, 0.19, 0.24, 1.0], [0.985, 0.985, 0.985, 0.9], 3.1, 0.8),
+        dot(WHITE, [1.0, 1.0, 1.0, 0.75], 3.3, 0.6),
         dot(WHITE, INK, 4.2, 1.2),
         dot(ORANGE, WHITE, 5.0, 1.3),
         dot([0.13, 0.40, 0.93, 0.12], BLUE, 5.0, 1.5),
@@ -147,6 +150,7 @@ pub const DARK: Palette = Palette {
     edge_of_values: [1.0, 1.0, 1.0, 0.34],
     dots: [
         dot([0.93, 0.95, 0.97, 1.0], [0.08, 0.09, 0.11, 0.9], 3.1, 0.8),
+        dot(WHITE, [0.08, 0.09, 0.11, 0.75], 3.3, 0.6),
         dot(WHITE, INK, 4.2, 1.2),
         dot([1.0, 0.60, 0.15, 1.0], INK, 5.0, 1.3),
         dot([0.45, 0.65, 1.0, 0.15], [0.45, 0.65, 1.0, 1.0], 5.0, 1.5),

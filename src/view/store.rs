@@ -113,7 +113,7 @@ impl Store {
             mapped_at_creation: false,
         });
         let texels = colour_map::TEXELS as u32;
-        let colours = create(device, "colour map", bytes, texels, 1);
+        let colours = create(device, "colour map", bytes, texels, 2);
         write(queue, &colours, &colour_map::texels(), texels * 4, [0, texels, 1]);
         let layout = group_layout(device);
         let positions = Table::new(device, "positions", float);
@@ -174,6 +174,9 @@ impl Store {
         if changes.mesh || changes.looks {
             let looks = stage.looks.bytes(subject.faces.len());
             rebind |= self.face_looks.write(device, queue, &looks);
+            let rows = stage.looks.rows.texels(colour_map::TEXELS);
+            let width = colour_map::TEXELS as u32;
+            write(queue, &self.colour_map, &rows, width * 4, [1, width, 1]);
         }
         if rebind {
             let textures = [

@@ -8,7 +8,7 @@ use crate::mesh::{Read, read, write_obj};
 use crate::scene::{ConstraintSpec, MeshSource, Scene};
 use crate::session::{Edit, NewConstraint, Session};
 use crate::solve::clock;
-use js_sys::{Float32Array, Float64Array, Uint32Array};
+use js_sys::{Float32Array, Float64Array, Uint8Array, Uint32Array};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 use wasm_bindgen::prelude::*;
@@ -244,11 +244,41 @@ impl Solver {
     /// The faces and vertices that row `constraint` acts on.
     pub fn members(&self, constraint: usize) -> Result<JsValue, JsValue> {
         let [faces, vertices] = self.open()?.members(constraint);
-        let members = js_sys::Object::new();
-        for (key, indices) in [("faces", faces), ("vertices", vertices)] {
-            js_sys::Reflect::set(&members, &key.into(), &Uint32Array::from(&indices[..]))?;
-        }
-        Ok(members.into())
+        let indices = |indices: &[u32]| JsValue::from(Uint32Array::from(indices));
+        object([("faces", indices(&faces)), ("vertices", indices(&vertices))])
+    }
+
+    /// The colour of the row of constraints that acts on each face and each vertex: `faces` (`#F`)
+    /// and `vertices` (`#V`) are 0 where there is none, else one more than a place in `palette`,
+    /// three numbers from 0 to 1 per colour.
+    #[wasm_bindgen(js_name = rowColours)]
+    pub fn row_colours(&self) -> Result<JsValue, JsValue> {
+        let session = self.open()?;
+        let acting = session.acting_rows();
+        let colours = session.rows().iter().map(|row| row.constraints.kind.info().colour);
+        let mut palette: Vec<[u8; 3]> = Vec::new();
+        let places: Vec<u8> = colours
+            .map(|colour| {
+                let known = palette.iter().position(|other| *other == colour);
+                let place = known.unwrap_or(palette.len());
+                if known.is_none() {
+                    palette.push(colour);
+                }
+                u8::try_from(place + 1).expect("there are fewer than 255 kinds")
+            })
+            .collect();
+        let narrow = |rows: &[Option<u32>]| {
+            let places: Vec<u8> =
+                rows.iter().map(|row| row.map_or(0, |row| places[row as usize])).collect();
+            JsValue::from(Uint8Array::from(&places[..]))
+        };
+        let palette: Vec<f32> =
+            palette.as_flattened().iter().map(|&part| f32::from(part) / 255.0).collect();
+        object([
+            ("faces", narrow(&acting.faces)),
+            ("vertices", narrow(&acting.vertices)),
+            ("palette", Float32Array::from(&palette[..]).into()),
+        ])
     }
 
     /// How many constraints a row would hold; refused when nothing fits.
@@ -321,6 +351,15 @@ fn nothing_open() -> JsValue {
 fn plain(value: &impl Serialize) -> Result<JsValue, JsValue> {
     let serializer = serde_wasm_bindgen::Serializer::json_compatible();
     value.serialize(&serializer).map_err(thrown)
+}
+
+/// An object of typed arrays.
+fn object<const N: usize>(entries: [(&str, JsValue); N]) -> Result<JsValue, JsValue> {
+    let object = js_sys::Object::new();
+    for (key, value) in entries {
+        js_sys::Reflect::set(&object, &key.into(), &value)?;
+    }
+    Ok(object.into())
 }
 
 fn message_of(error: &JsValue) -> String {

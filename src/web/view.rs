@@ -9,6 +9,7 @@ use crate::view::colour_map;
 use crate::view::device::{Device, DeviceError};
 use crate::view::lists::ViewError;
 use crate::view::picture::Picture;
+use crate::view::row_colours::RowColours;
 use crate::view::stage::{Display, Stage};
 use glam::Vec2;
 use std::sync::atomic::Ordering;
@@ -203,6 +204,26 @@ impl View {
         let counts = self.stage.counts();
         self.stage.looks.tint(vertices, faces, counts).map_err(thrown)?;
         self.stage.tint = [red, green, blue];
+        (self.stage.changes.looks, self.stage.changes.marks) = (true, true);
+        Ok(())
+    }
+
+    /// Gives faces and vertices the colours of the rows of constraints that act on them: per face (#F)
+    /// and per vertex (#V) 0 or one more than a place in the palette, whose colours are three parts
+    /// from 0 to 1. Empty arrays take all colours away. Values of faces go before colours of rows.
+    ///
+    /// # Errors
+    /// Arrays that do not fit together.
+    #[wasm_bindgen(js_name = setRowColours)]
+    pub fn set_row_colours(
+        &mut self,
+        faces: Vec<u8>,
+        vertices: Vec<u8>,
+        palette: &[f32],
+    ) -> Result<(), JsValue> {
+        let counts = self.stage.counts();
+        self.stage.looks.rows =
+            RowColours::new(faces, vertices, palette, counts).map_err(thrown)?;
         (self.stage.changes.looks, self.stage.changes.marks) = (true, true);
         Ok(())
     }

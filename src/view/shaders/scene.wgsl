@@ -31,7 +31,7 @@ struct Scene {
     sphere: vec4f,
     circle: Stroke,
     strokes: array<Stroke, 4>,
-    dots: array<Dot, 7>,
+    dots: array<Dot, 8>,
 }
 
 @group(0) @binding(0) var<uniform> scene: Scene;
@@ -39,10 +39,15 @@ struct Scene {
 @group(0) @binding(2) var vertex_normals: texture_2d<f32>;
 @group(0) @binding(3) var face_normals: texture_2d<f32>;
 @group(0) @binding(4) var face_looks: texture_2d<f32>;
+// Row 0: the map of values. Row 1: the colours of the rows of constraints.
 @group(0) @binding(5) var colour_map: texture_2d<f32>;
 
 fn texel(index: u32) -> vec2u {
     return vec2u(index & 1023u, index >> 10u);
+}
+
+fn colour_of_row(place: u32) -> vec3f {
+    return textureLoad(colour_map, vec2u(place, 1u), 0).rgb;
 }
 
 fn position_of(vertex: u32) -> vec3f {
