@@ -8,7 +8,7 @@ import { Alerts } from './alerts.js';
 import { BoxSelection } from './box-selection.js';
 import { colourFaces } from './colouring.js';
 import { commandTable } from './command-table.js';
-import { bindButtons, bindKeys, bindRunButton } from './commands.js';
+import { bindButtons, bindKeys, bindRunButton, takeEarlyPresses } from './commands.js';
 import { AddConstraintDialog } from './dialog-add-constraint.js';
 import { byId } from './dom.js';
 import { Files } from './files.js';
@@ -91,6 +91,10 @@ const commands = commandTable({
 bindButtons(commands, store);
 bindKeys(commands, store);
 bindRunButton(byId('run'), store);
+/** @type {Window & { earlyPresses?: string[] }} index.html gathers them */
+const early = window;
+takeEarlyPresses(commands, store, early.earlyPresses ?? []);
+delete early.earlyPresses;
 buildHelp(help, commands);
 
 viewport.addEventListener('none', (event) => {

@@ -4,6 +4,7 @@
  * hands over what changed and asks for one picture.
  */
 
+import { removeFirstPicture } from './first-picture.js';
 import { messageOf } from './messages.js';
 
 /** @typedef {import("./pkg/view/shape_up.js").View} View */
@@ -122,6 +123,7 @@ export class Viewport extends EventTarget {
     this.view = null;
     this.#canvas = null;
     this.element.replaceChildren();
+    removeFirstPicture();
     this.#store.set({ renderer: 'none' });
     this.dispatchEvent(new CustomEvent('none', { detail: reason }));
   }
@@ -226,7 +228,9 @@ export class Viewport extends EventTarget {
     // Without a mesh there is nothing to draw.
     if (!this.#solver.geometry || !this.view?.needsDraw()) return;
     try {
-      if (this.view.draw()) this.#attempts = 0;
+      if (!this.view.draw()) return;
+      this.#attempts = 0;
+      removeFirstPicture();
     } catch (thrown) {
       this.#lost(messageOf(thrown));
     }

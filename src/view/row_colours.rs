@@ -5,6 +5,9 @@ use super::lists::ViewError;
 /// How many colours there can be: places in the palette are bytes, and 0 is no colour.
 pub const MOST_COLOURS: usize = 255;
 
+/// How much of its colour is mixed into the material of a face, so that shape stays readable.
+pub const STRENGTH: f32 = 0.36;
+
 /// Palette and places in it; nothing has a colour at first.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct RowColours {
@@ -53,11 +56,11 @@ impl RowColours {
         (0..).zip(self.vertices.iter().copied()).filter(|&(_, place)| place > 0)
     }
 
-    /// The palette as RGBA bytes, the first for place 0; what is not used is black.
+    /// The palette as RGBA bytes, the first for place 0; opacity is [`STRENGTH`].
     pub fn texels(&self, count: usize) -> Vec<u8> {
         let mut texels = vec![0; count * 4];
         for (texel, colour) in texels.chunks_exact_mut(4).skip(1).zip(&self.palette) {
-            for (byte, part) in texel.iter_mut().zip(colour) {
+            for (byte, part) in texel.iter_mut().zip(colour.iter().chain([&STRENGTH])) {
                 *byte = (part * 255.0).round() as u8;
             }
         }
@@ -74,7 +77,7 @@ mod tests {
         let palette = [1.0, 0.0, 0.0, 0.0, 0.0, 1.0];
         let colours = RowColours::new(vec![2, 0], vec![0, 1, 0, 2], &palette, (4, 2)).unwrap();
         assert_eq!(colours.dots().collect::<Vec<_>>(), [(1, 1), (3, 2)]);
-        assert_eq!(colours.texels(4), [0, 0, 0, 0, 255, 0, 0, 0, 0, 0, 255, 0, 0, 0, 0, 0]);
+        assert_eq!(colours.texels(4), [0, 0, 0, 0, 255, 0, 0, 92, 0, 0, 255, 92, 0, 0, 0, 0]);
         assert!(RowColours::new(vec![], vec![], &[], (4, 2)).is_ok());
     }
 

@@ -37,9 +37,6 @@ fn light_on(in: Corner) -> f32 {
     return clamp(0.70 * from_key + 0.22 * from_sky + 0.14 * from_eye, 0.0, 1.0);
 }
 
-// How much of the colour of a row of constraints is mixed into the material.
-const ROW_STRENGTH: f32 = 0.36;
-
 @fragment
 fn lit(in: Corner) -> @location(0) vec4f {
     let light = light_on(in);
@@ -51,7 +48,8 @@ fn lit(in: Corner) -> @location(0) vec4f {
     } else if in.look.y > 0.375 {
         colour = textureLoad(colour_map, vec2u(place, 0u), 0).rgb * modelled;
     } else if in.look.y > 0.125 {
-        colour = mix(colour, colour_of_row(place) * modelled, ROW_STRENGTH);
+        let row = colour_of_row(place);
+        colour = mix(colour, row.rgb * modelled, row.a);
     }
     colour = mix(colour, scene.tint.rgb * modelled, in.look.w * scene.tint.a);
     colour = mix(colour, scene.selected.rgb * modelled, in.look.z * scene.selected.a);

@@ -31,7 +31,7 @@ fn corner_of_dot(
     out.kind = ids.y;
     out.fill = scene.dots[ids.y].fill;
     if ids.z > 0u {
-        out.fill = vec4f(colour_of_row(ids.z), 1.0);
+        out.fill = vec4f(colour_of_row(ids.z).rgb, 1.0);
     }
     let offset = out.at / (0.5 * scene.canvas.xy);
     out.position = vec4f(clip.xy + offset * clip.w, clip.z, clip.w);

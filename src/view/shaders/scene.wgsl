@@ -46,8 +46,9 @@ fn texel(index: u32) -> vec2u {
     return vec2u(index & 1023u, index >> 10u);
 }
 
-fn colour_of_row(place: u32) -> vec3f {
-    return textureLoad(colour_map, vec2u(place, 1u), 0).rgb;
+// Its opacity is how much of it is mixed into a face.
+fn colour_of_row(place: u32) -> vec4f {
+    return textureLoad(colour_map, vec2u(place, 1u), 0);
 }
 
 fn position_of(vertex: u32) -> vec3f {
