@@ -1,5 +1,5 @@
 //! The one property suite over the list of kinds: a new kind is tested by existing. What a kind
-//! means is told independently in `support/shapes.rs`.
+//! means is told independently in `support/shapes`.
 
 #[path = "support/degenerate.rs"]
 mod degenerate;
@@ -9,22 +9,23 @@ mod minimise;
 mod project;
 #[path = "support/random.rs"]
 mod random;
-#[path = "support/shapes.rs"]
+#[path = "support/shapes/mod.rs"]
 mod shapes;
 
 use degenerate::degenerate;
 use minimise::least_distance_squared;
 use project::{Project, project};
 use random::{Points, Random, centred, distance_squared, farthest, in_frame, size};
-use serde_json::json;
-use shape_up::constraint::{Arity, KINDS, Kind, ParamValue};
+use serde_json::{Value, json};
+use shape_up::constraint::{Arity, Centring, Form, Info, KINDS, Kind, Param, ParamValue};
 use shape_up::math::{LANES, Vec3};
-use shapes::{NOISE, Shape, cloud, shape};
+use shapes::{NOISE, Shape, cloud, shapes};
 use std::fmt;
 
 /// One constraint to try: centred points and centred rest points.
 struct Case {
     kind: Kind,
+    shape: Shape,
     n: usize,
     seed: u64,
     rest: Points,
@@ -33,7 +34,8 @@ struct Case {
 
 impl fmt::Display for Case {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}, n = {}, seed {}", self.kind.info().id, self.n, self.seed)
+        let id = self.kind.info().id;
+        write!(f, "{id} {}, n = {}, seed {}", self.shape.params, self.n, self.seed)
     }
 }
 
@@ -41,8 +43,8 @@ impl Case {
     fn project(&self) -> Points {
         project(&self.kind, &self.rest, &self.points)
     }
-    fn shape(&self) -> Shape {
-        shape(self.kind.info().id)
+    fn centred(&self, points: &[Vec3<f64>]) -> Points {
+        centred_as(self.kind.info().centring, points)
     }
     fn with(
         &self,
@@ -58,14 +60,81 @@ impl Case {
     }
 }
 
-/// Every kind, with its default parameters.
-fn kinds() -> Vec<Kind> {
-    KINDS.iter().map(|info| Kind::new(info.id, json!({})).expect("defaults are valid")).collect()
+/// The points, centred as a kind declares.
+fn centred_as(centring: Centring, points: &[Vec3<f64>]) -> Points {
+    match centring {
+        Centring::Together => centred(points),
+        Centring::ByEdge => points.chunks(2).flat_map(centred).collect(),
+        Centring::Placed => points.to_vec(),
+    }
 }
 
-/// Numbers of vertices to try.
-fn sizes(arity: Arity) -> Vec<usize> {
-    match arity {
+/// Every kind with the parameters of each of its accounts.
+fn kinds() -> Vec<(Kind, Shape)> {
+    let with_accounts = KINDS.iter().flat_map(|info| {
+        let accounts = shapes(info.id).into_iter();
+        accounts
+            .map(|shape| (kind(info.id, serde_json::from_str(shape.params).expect("JSON")), shape))
+    });
+    with_accounts.collect()
+}
+
+fn kind(id: &str, params: Value) -> Kind {
+    Kind::new(id, params).unwrap_or_else(|error| panic!("{id}: {error:?}"))
+}
+
+/// The kind with its parameters changed one by one.
+fn with_params(kind: &Kind, change: impl Fn(&Param, Value) -> Value) -> Kind {
+    let info = kind.info();
+    let mut params = kind.params();
+    for param in info.params {
+        params[param.id] = change(param, params[param.id].take());
+    }
+    self::kind(info.id, params)
+}
+
+/// What the kind means when all lengths are `scale` times as great.
+fn scaled(kind: &Kind, scale: f64) -> Kind {
+    with_params(kind, |param, value| {
+        let factor = match param.unit {
+            "length" => scale,
+            "area" => scale.powi(2),
+            "volume" => scale.powi(3),
+            _ => return value,
+        };
+        let scaled = |value: Value| value.as_f64().map_or(value, |number| (number * factor).into());
+        match value {
+            Value::Array(ends) => ends.into_iter().map(scaled).collect(),
+            value => scaled(value),
+        }
+    })
+}
+
+/// What the kind means when space is turned.
+fn turned(kind: &Kind, frame: [Vec3<f64>; 3]) -> Kind {
+    with_params(kind, |param, value| match value.as_array().map(Vec::as_slice) {
+        Some([x, y, z]) if param.forms.contains(&Form::Vector) => {
+            let direction = [x, y, z].map(|part| part.as_f64().expect("a vector has numbers"));
+            <[f64; 3]>::from(in_frame(frame, direction.into())).to_vec().into()
+        }
+        _ => value,
+    })
+}
+
+/// Whether the kind knows directions or places in space, so that its rest shape has to move along.
+fn is_oriented(kind: &Kind) -> bool {
+    let info = kind.info();
+    let params = kind.params();
+    info.centring == Centring::Placed
+        || info.params.iter().any(|param| {
+            param.forms.contains(&Form::Vector) && params[param.id].as_array().is_some()
+        })
+}
+
+/// Numbers of points to try.
+fn sizes(info: &Info) -> Vec<usize> {
+    match info.arity {
+        Arity::AtLeast(n) if info.centring == Centring::ByEdge => vec![n, n + 2, 3 * n, 40],
         Arity::AtLeast(n) => vec![n, n + 1, n + 2, 2 * n + 3, 40],
         Arity::Exactly(n) => vec![n],
     }
@@ -74,13 +143,13 @@ fn sizes(arity: Arity) -> Vec<usize> {
 /// Every kind and size with `seeds` point sets: clouds of three flatnesses and disturbed shapes.
 fn cases(seeds: u64) -> Vec<Case> {
     let mut cases = Vec::new();
-    for kind in kinds() {
-        for n in sizes(kind.info().arity) {
+    for (kind, shape) in kinds() {
+        let info = kind.info();
+        for n in sizes(info) {
             for seed in 0..seeds {
                 let mut random = Random::new(seed);
-                let Shape { rest, sample, .. } = shape(kind.info().id);
-                let rest = rest(&mut Random::new(!seed), n);
-                let sample = sample(&mut random, &rest);
+                let rest = (shape.rest)(&mut Random::new(!seed), n);
+                let sample = (shape.sample)(&mut random, &rest);
                 let disturbed: Points = sample.iter().map(|v| *v + random.vector() * 0.1).collect();
                 let points = match seed % 4 {
                     0 => disturbed,
@@ -88,13 +157,9 @@ fn cases(seeds: u64) -> Vec<Case> {
                     2 => cloud(&mut random, n, 0.1),
                     _ => cloud(&mut random, n, 1e-3),
                 };
-                cases.push(Case {
-                    kind: kind.clone(),
-                    n,
-                    seed,
-                    rest: centred(&rest),
-                    points: centred(&points),
-                });
+                let rest = centred_as(info.centring, &rest);
+                let points = centred_as(info.centring, &points);
+                cases.push(Case { kind: kind.clone(), shape, n, seed, rest, points });
             }
         }
     }
@@ -135,10 +200,23 @@ fn every_kind_is_declared_for_people() {
         }
         for param in info.params {
             let [least, greatest] = param.range;
-            let defaults = match param.default {
-                ParamValue::Number(number) => vec![number],
-                ParamValue::Range(ends) => ends.into_iter().flatten().collect(),
+            let (form, defaults) = match param.default {
+                ParamValue::Number(number) => (Form::Number, vec![number]),
+                ParamValue::Range(ends) => (Form::Range, ends.into_iter().flatten().collect()),
+                ParamValue::Vector(_) => (Form::Vector, vec![]),
+                ParamValue::Word(word) => (Form::Word(word), vec![]),
+                ParamValue::Nothing => (Form::Nothing, vec![]),
             };
+            assert!(param.forms.contains(&form), "{id}: the default of {} is no form", param.id);
+            let declared = serde_json::to_value(param.default).expect("JSON");
+            let parsed = kind(id, json!({})).params()[param.id].take();
+            let number = |value: &Value| value.as_f64();
+            assert!(
+                declared == parsed
+                    || (declared.is_number() && number(&declared) == number(&parsed)),
+                "{id}: {} is {parsed} by default, and declared to be {declared}",
+                param.id
+            );
             let fits = defaults.iter().all(|default| (least..=greatest).contains(default));
             assert!(fits, "{id}: the default of {} is out of its range", param.id);
         }
@@ -149,7 +227,7 @@ fn every_kind_is_declared_for_people() {
 fn points_that_have_the_shape_stay() {
     for case in cases(40) {
         let mut random = Random::new(case.seed);
-        let points = centred(&(case.shape().sample)(&mut random, &case.rest));
+        let points = case.centred(&(case.shape.sample)(&mut random, &case.rest));
         let stayed = project(&case.kind, &case.rest, &points);
         assert_close(&case, "a point of the shape moved", &stayed, &points, 1e-11);
     }
@@ -158,7 +236,7 @@ fn points_that_have_the_shape_stay() {
 #[test]
 fn idempotent() {
     for case in cases(80) {
-        let once = centred(&case.project());
+        let once = case.centred(&case.project());
         let twice = project(&case.kind, &case.rest, &once);
         assert_close(&case, "a second projection moved", &twice, &once, 1e-10);
     }
@@ -167,9 +245,9 @@ fn idempotent() {
 #[test]
 fn feasible_by_an_independent_check() {
     for case in cases(80) {
-        let residual = (case.shape().residual)(&centred(&case.project()), &case.rest);
+        let residual = (case.shape.residual)(&case.centred(&case.project()), &case.rest);
         assert!(residual <= 1e-11, "{case}: the projection misses the shape by {residual:e}");
-        let residual = (case.shape().residual)(&case.points, &case.rest);
+        let residual = (case.shape.residual)(&case.points, &case.rest);
         let may_fit = case.n <= 4;
         assert!(may_fit || residual > 1e-8, "{case}: the check takes anything: {residual:e}");
     }
@@ -180,9 +258,17 @@ fn equivariant_under_rigid_motion() {
     for case in cases(80) {
         let mut random = Random::new(case.seed + 1);
         let (frame, offset) = (random.frame(), random.vector() * 10.0);
-        let mut moved = case.with(|v| in_frame(frame, v) + offset, |v| v);
-        moved.points = centred(&moved.points);
-        let expected: Points = case.project().iter().map(|v| in_frame(frame, *v)).collect();
+        let placed = case.kind.info().centring == Centring::Placed;
+        let motion = |v| in_frame(frame, v) + offset;
+        let mut moved = if is_oriented(&case.kind) {
+            case.with(motion, motion)
+        } else {
+            case.with(motion, |r| r)
+        };
+        moved.kind = turned(&case.kind, frame);
+        (moved.points, moved.rest) = (case.centred(&moved.points), case.centred(&moved.rest));
+        let at = if placed { offset } else { Vec3::zero() };
+        let expected: Points = case.project().iter().map(|v| in_frame(frame, *v) + at).collect();
         assert_close(&case, "turned", &moved.project(), &expected, 1e-9);
     }
 }
@@ -190,7 +276,7 @@ fn equivariant_under_rigid_motion() {
 /// A rest shape says what it is, not where.
 #[test]
 fn the_place_of_the_rest_shape_does_not_matter() {
-    for case in cases(40) {
+    for case in cases(40).into_iter().filter(|case| !is_oriented(&case.kind)) {
         let frame = Random::new(case.seed + 1).frame();
         let turned = case.with(|v| v, |r| in_frame(frame, r));
         assert_close(&case, "rest shape turned", &turned.project(), &case.project(), 1e-9);
@@ -201,7 +287,8 @@ fn the_place_of_the_rest_shape_does_not_matter() {
 fn equivariant_under_scale() {
     for case in cases(40) {
         for scale in [1e-6, 1e-3, 3.0, 1e6] {
-            let scaled = case.with(|v| v * scale, |v| v * scale);
+            let kind = scaled(&case.kind, scale);
+            let scaled = Case { kind, ..case.with(|v| v * scale, |v| v * scale) };
             let expected: Points = case.project().iter().map(|v| *v * scale).collect();
             assert_close(
                 &scaled,
@@ -214,25 +301,10 @@ fn equivariant_under_scale() {
     }
 }
 
-/// The numbers from 0 to `n` - 1 in random order.
-fn permutation(random: &mut Random, n: usize) -> Vec<usize> {
-    let mut order: Vec<usize> = (0..n).collect();
-    for i in (1..n).rev() {
-        let j = ((random.uniform() + 1.0) / 2.0 * (i + 1) as f64) as usize;
-        order.swap(i, j.min(i));
-    }
-    order
-}
-
 #[test]
 fn equivariant_under_relabelling() {
     for case in cases(80) {
-        let shift = (0..case.n).map(|i| (i + 1) % case.n).collect();
-        let mut orders: Vec<Vec<usize>> = vec![shift, (0..case.n).rev().collect()];
-        if !case.shape().ordered {
-            orders.push(permutation(&mut Random::new(case.seed), case.n));
-        }
-        for order in orders {
+        for order in (case.shape.relabellings)(&mut Random::new(case.seed), case.n) {
             let pick = |points: &Points| -> Points { order.iter().map(|&i| points[i]).collect() };
             let found = project(&case.kind, &pick(&case.rest), &pick(&case.points));
             assert_close(&case, "relabelled", &found, &pick(&case.project()), 1e-9);
@@ -270,7 +342,7 @@ fn lanes_and_scalars_give_the_same_bits() {
 fn exact_kinds_are_never_farther_than_brute_force_finds() {
     for case in cases(12).into_iter().filter(|case| case.kind.info().exact && case.n <= 10) {
         let found = distance_squared(&case.points, &case.project());
-        let Shape { parameters, closest, .. } = case.shape();
+        let Shape { parameters, closest, .. } = case.shape;
         let least = least_distance_squared(&case.points, &case.rest, parameters, closest, 20);
         let rounding = 1e-24 * size(&case.points).powi(2);
         assert!(found <= least * (1.0 + 1e-9) + rounding, "{case}: {found:e}, least {least:e}");
@@ -281,12 +353,12 @@ fn exact_kinds_are_never_farther_than_brute_force_finds() {
     }
 }
 
-/// The bounds are in `support/shapes.rs`; what is measured is printed (`--nocapture`).
+/// The bounds are in `support/shapes`; what is measured is printed (`--nocapture`).
 #[test]
 fn approximate_kinds_stay_within_their_stated_excess() {
-    for kind in kinds().into_iter().filter(|kind| !kind.info().exact) {
-        let id = kind.info().id;
-        let Shape { rest, sample, parameters, closest, excess, .. } = shape(id);
+    for (kind, shape) in kinds().into_iter().filter(|(kind, _)| !kind.info().exact) {
+        let Info { id, centring, .. } = *kind.info();
+        let Shape { rest, sample, parameters, closest, excess, .. } = shape;
         let sizes = match kind.info().arity {
             Arity::AtLeast(_) => [8, 12],
             Arity::Exactly(n) => [n, n],
@@ -296,11 +368,11 @@ fn approximate_kinds_stay_within_their_stated_excess() {
                 let (mut sum, mut worst) = (0.0, 0.0f64);
                 for seed in 0..25 {
                     let mut random = Random::new(seed);
-                    let rest = centred(&rest(&mut Random::new(!seed), n));
+                    let rest = centred_as(centring, &rest(&mut Random::new(!seed), n));
                     let shape = sample(&mut random, &rest);
                     let disturbed: Points =
                         shape.iter().map(|v| *v + random.vector() * noise).collect();
-                    let points = centred(&disturbed);
+                    let points = centred_as(centring, &disturbed);
                     let found = distance_squared(&points, &project(&kind, &rest, &points));
                     let least = least_distance_squared(&points, &rest, parameters, closest, 20);
                     let more = found / least - 1.0;
@@ -326,12 +398,12 @@ fn approximate_kinds_stay_within_their_stated_excess() {
 
 #[test]
 fn finite_and_feasible_on_degenerate_input() {
-    for kind in kinds() {
+    for (kind, shape) in kinds() {
         let info = kind.info();
-        for n in sizes(info.arity) {
-            let rest = centred(&(shape(info.id).rest)(&mut Random::new(1), n));
+        for n in sizes(info) {
+            let rest = centred_as(info.centring, &(shape.rest)(&mut Random::new(1), n));
             for (name, set) in degenerate(n) {
-                let points = centred(&set);
+                let points = centred_as(info.centring, &set);
                 for scale in [1.0, 1e-200, 1e-310, 1e200, 1e290] {
                     let scaled: Points = points.iter().map(|v| *v * scale).collect();
                     let found = project(&kind, &rest, &scaled);
@@ -339,11 +411,11 @@ fn finite_and_feasible_on_degenerate_input() {
                     let finite = coordinates.into_iter().all(f64::is_finite);
                     assert!(finite, "{}, n = {n}, {name} times {scale}: {found:?}", info.id);
                 }
-                let found = centred(&project(&kind, &rest, &points));
+                let found = centred_as(info.centring, &project(&kind, &rest, &points));
                 if size(&found) == 0.0 {
                     continue;
                 }
-                let residual = (shape(info.id).residual)(&found, &rest);
+                let residual = (shape.residual)(&found, &rest);
                 assert!(
                     residual <= 1e-10,
                     "{}, n = {n}, {name}: misses the shape by {residual:e}",
@@ -357,18 +429,18 @@ fn finite_and_feasible_on_degenerate_input() {
 /// Where many are equally close, any of them will do, but nothing farther.
 #[test]
 fn exact_kinds_are_closest_on_degenerate_input_too() {
-    for kind in kinds().into_iter().filter(|kind| kind.info().exact) {
-        let id = kind.info().id;
-        for n in sizes(kind.info().arity).into_iter().filter(|n| *n <= 6) {
-            let rest = centred(&(shape(id).rest)(&mut Random::new(1), n));
+    for (kind, shape) in kinds().into_iter().filter(|(kind, _)| kind.info().exact) {
+        let Info { id, centring, .. } = *kind.info();
+        for n in sizes(kind.info()).into_iter().filter(|n| *n <= 6) {
+            let rest = centred_as(centring, &(shape.rest)(&mut Random::new(1), n));
             for (name, set) in degenerate(n) {
                 // Twice: far away, the first mean is off by its own rounding.
-                let points = centred(&centred(&set));
+                let points = centred_as(centring, &centred_as(centring, &set));
                 if size(&points) == 0.0 {
                     continue;
                 }
                 let found = distance_squared(&points, &project(&kind, &rest, &points)).sqrt();
-                let Shape { parameters, closest, .. } = shape(id);
+                let Shape { parameters, closest, .. } = shape;
                 let least = least_distance_squared(&points, &rest, parameters, closest, 5).sqrt();
                 let rounding = 1e-14 * size(&points);
                 assert!(
@@ -382,12 +454,14 @@ fn exact_kinds_are_closest_on_degenerate_input_too() {
 
 #[test]
 fn finite_with_a_degenerate_rest_shape() {
-    for kind in kinds() {
-        for n in sizes(kind.info().arity) {
-            let points = centred(&cloud(&mut Random::new(2), n, 1.0));
+    for (kind, _) in kinds() {
+        let Info { centring, .. } = *kind.info();
+        for n in sizes(kind.info()) {
+            let points = centred_as(centring, &cloud(&mut Random::new(2), n, 1.0));
             for (name, set) in degenerate(n) {
                 for scale in [1.0, 1e-200, 1e-310, 1e200, 1e290] {
-                    let rest: Points = centred(&set).iter().map(|v| *v * scale).collect();
+                    let rest: Points =
+                        centred_as(centring, &set).iter().map(|v| *v * scale).collect();
                     let found = project(&kind, &rest, &points);
                     let mut coordinates = found.iter().flat_map(|v| <[f64; 3]>::from(*v));
                     assert!(
@@ -406,7 +480,7 @@ fn finite_with_a_degenerate_rest_shape() {
 fn exact_kinds_have_the_gradient_of_appendix_a() {
     for case in cases(20).into_iter().filter(|case| case.kind.info().exact) {
         let proximity = |points: &Points| {
-            let points = centred(points);
+            let points = case.centred(points);
             distance_squared(&points, &project(&case.kind, &case.rest, &points))
         };
         let projected = case.project();
@@ -433,7 +507,7 @@ fn exact_kinds_have_the_gradient_of_appendix_a() {
 fn centring_a_projection_again_brings_it_nearer() {
     for case in cases(80) {
         let projected = case.project();
-        let again = centred(&projected);
+        let again = case.centred(&projected);
         if case.kind.info().exact {
             assert_close(&case, "not centred", &projected, &again, 1e-11);
         }

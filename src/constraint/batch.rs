@@ -4,9 +4,10 @@
 //! `LANES` constraints at a time, centres them (`N_i` of Eq. 5), projects them, and scatters
 //! the gradient `w_i N_i (N_i V_i - P_i)` (Appendix A). The operator sees points and nothing else.
 
-use super::{Arity, Fitted, Kind, KindVisitor, Projection};
+use super::{Arity, Centring, Fitted, Kind, KindVisitor, Projection};
 use crate::math::{LANES, Lane, Lanes, Vec3, centre};
-use crate::mesh::Ragged;
+use crate::mesh::{Ragged, Surface};
+use std::rc::Rc;
 
 /// A position or a gradient with a pad, so that a row is two 128-bit registers.
 pub type Row = [f64; 4];
@@ -18,6 +19,13 @@ pub struct LocalStep {
     pub energy: f64,
     /// The largest squared distance of a vertex to its projection.
     pub worst_squared: f64,
+}
+
+/// What an operator may look up besides its own points.
+#[derive(Clone, Copy)]
+pub struct Reference<'a> {
+    /// The rest surface, made when it is asked for; in the same place as points that are not centred.
+    pub surface: &'a dyn Fn() -> Rc<Surface>,
 }
 
 /// Constraints of one kind and one number of points, whatever the kind.
@@ -36,7 +44,7 @@ pub trait Batch {
 /// Batches the constraints of one kind: one batch for each number of points, fewest first.
 ///
 /// `members` are the node indices of each constraint, `rest` the rest position of each node,
-/// `weight` is `w_i`, the same for all. With `guarded`, each constraint keeps the nearer of the new
+/// `weight` is `w_i`, the same for all. Points that the kind centres by edge come in pairs. With `guarded`, each constraint keeps the nearer of the new
 /// and the previous projection, so that the energy never rises with operators that are not exact.
 pub fn batches(
     kind: &Kind,
@@ -44,13 +52,16 @@ pub fn batches(
     rest: &[Row],
     weight: f64,
     guarded: bool,
+    reference: &Reference<'_>,
 ) -> Vec<Box<dyn Batch>> {
     let mut by_size: Vec<&[u32]> = members.iter().collect();
     // Sorted by first node, neighbours in a batch read and write neighbouring rows.
     by_size.sort_by_key(|nodes| (nodes.len(), nodes.iter().min().copied()));
     by_size
         .chunk_by(|a, b| a.len() == b.len())
-        .map(|same_size| kind.visit(MakeBatch { members: same_size, rest, weight, guarded }))
+        .map(|same_size| {
+            kind.visit(MakeBatch { members: same_size, rest, weight, guarded, reference })
+        })
         .collect()
 }
 
@@ -59,6 +70,7 @@ struct MakeBatch<'a> {
     rest: &'a [Row],
     weight: f64,
     guarded: bool,
+    reference: &'a Reference<'a>,
 }
 
 impl KindVisitor for MakeBatch<'_> {
@@ -87,7 +99,8 @@ struct KindBatch<P> {
 }
 
 impl<P: Projection> KindBatch<P> {
-    fn new(operator: P, make: MakeBatch<'_>) -> Self {
+    fn new(mut operator: P, make: MakeBatch<'_>) -> Self {
+        operator.refer(make.reference);
         let n = make.members[0].len();
         let mut nodes = Vec::with_capacity(make.members.len().div_ceil(LANES) * n);
         for chunk in make.members.chunks(LANES) {
@@ -98,10 +111,10 @@ impl<P: Projection> KindBatch<P> {
         if P::READS_REST {
             rest = nodes.iter().map(|point| gather(make.rest, point)).collect();
             for chunk in rest.chunks_mut(n) {
-                centre(chunk);
+                centre_as(P::INFO.centring, chunk);
                 for lane in 0..LANES {
                     let mut own: Vec<_> = chunk.iter().map(|point| point.lane(lane)).collect();
-                    P::prepare(&mut own);
+                    operator.prepare(&mut own);
                     chunk.iter_mut().zip(own).for_each(|(to, from)| to.set_lane(lane, from));
                 }
             }
@@ -134,12 +147,13 @@ impl<P: Projection> KindBatch<P> {
         for (point, nodes) in centred.iter_mut().zip(&self.nodes[first..first + n]) {
             *point = gather(x, nodes);
         }
-        centre(centred);
+        centre_as(P::INFO.centring, centred);
         let rest = if P::READS_REST { &self.rest[first..first + n] } else { &[] };
         self.operator.project(rest, centred, projected);
-        // The set of a shape is closed under translation, so that the centred projection has the
-        // shape too, and is nearer. Circle and sphere results are not centred by themselves.
-        centre(projected);
+        // The set of a shape is closed under translation of what is centred together, so that the
+        // centred projection has the shape too, and is nearer. Circle and sphere results are not centred
+        // by themselves.
+        centre_as(P::INFO.centring, projected);
         if self.guarded {
             self.keep_nearer(first, centred, projected);
         }
@@ -227,6 +241,9 @@ impl<P: Projection> Batch for KindBatch<P> {
             let rows = (x, &mut *gradient);
             // Triangles and quads are most of what there is. What the arity rules out is not compiled.
             let found = match self.n {
+                2 if const { matches!(P::INFO.arity, Arity::Exactly(2)) } => {
+                    self.step_few::<2>(chunk, rows, scale)
+                }
                 3 if const { P::INFO.arity.fits(3) } => self.step_few::<3>(chunk, rows, scale),
                 4 if const { P::INFO.arity.fits(4) } => self.step_few::<4>(chunk, rows, scale),
                 _ if const { matches!(P::INFO.arity, Arity::AtLeast(_)) } => {
@@ -250,6 +267,20 @@ impl<P: Projection> Batch for KindBatch<P> {
             }
             shapes.extend(self.operator.fitted(&points));
         }
+    }
+}
+
+/// `N_i` for the points that count together.
+#[inline(always)]
+fn centre_as(centring: Centring, points: &mut [Vec3<Lanes>]) {
+    match centring {
+        Centring::Together => {
+            centre(points);
+        }
+        Centring::ByEdge => points.chunks_exact_mut(2).for_each(|ends| {
+            centre(ends);
+        }),
+        Centring::Placed => {}
     }
 }
 

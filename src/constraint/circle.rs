@@ -1,6 +1,6 @@
 //! Circle (paper section 3.1): the least-squares plane, then the circle of Thomas and Chan in it.
 
-use super::{Arity, Fitted, Info, Projection};
+use super::{Arity, Centring, Fitted, Info, Projection};
 use crate::math::{CircleFit, Lane, PrincipalCircle, Vec3, centre};
 use serde::{Deserialize, Serialize};
 
@@ -22,6 +22,8 @@ impl Projection for Circle {
         summary: "The vertices lie on one circle, and so also in one plane.",
         paper: "3.1",
         arity: Arity::AtLeast(3),
+        centring: Centring::Together,
+        elements: &[],
         exact: false,
         measure: Some("circularity"),
         colour: [40, 115, 215],

@@ -1,7 +1,7 @@
 //! Line (paper section 3.1): the direction of the line is the eigenvector of the greatest
 //! eigenvalue of the scatter matrix.
 
-use super::{Arity, Info, Projection};
+use super::{Arity, Centring, Info, Projection};
 use crate::math::{Lane, PrincipalAxes, Scatter, Vec3};
 use serde::{Deserialize, Serialize};
 
@@ -20,6 +20,8 @@ impl Projection for Line {
         summary: "The vertices lie on one straight line.",
         paper: "3.1",
         arity: Arity::AtLeast(2),
+        centring: Centring::Together,
+        elements: &[],
         exact: true,
         measure: None,
         colour: [150, 90, 200],

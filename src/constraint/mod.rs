@@ -7,7 +7,7 @@
 //!    its [`Projection`]. It sees its own mean-centred points and their rest points, and nothing
 //!    else: no indices, no mesh, no weights.
 //! 2. Add one line to the list at the end of this file.
-//! 3. Tell what the kind means a second time, without the operator, in `tests/support/shapes.rs`:
+//! 3. Tell what the kind means a second time, without the operator, in `tests/support/shapes`:
 //!    the property tests run over the list of kinds.
 //!
 //! The scene format, the command line, the controls of the page, the property tests and the
@@ -15,7 +15,10 @@
 
 mod batch;
 mod circle;
+mod info;
+mod limits;
 mod line;
+mod line_segment;
 mod parallelogram;
 mod planar_similar;
 mod plane;
@@ -27,13 +30,14 @@ mod select;
 mod similar;
 mod sphere;
 mod square;
+mod target;
 
-pub use batch::{Batch, LocalStep, Row, batches};
+pub use batch::{Batch, LocalStep, Reference, Row, batches};
+pub use info::{Arity, Centring, Form, Info, Param, ParamValue};
 pub use resolve::resolve;
 pub use select::{Element, SelectError, Selector, Set, Sets, describe};
 
 use crate::math::{Lane, Vec3};
-use serde::Serialize;
 
 /// One projection operator `P_i` (paper section 2.1, Eq. 2, and section 3).
 pub trait Projection: Clone + PartialEq + std::fmt::Debug + 'static {
@@ -43,18 +47,25 @@ pub trait Projection: Clone + PartialEq + std::fmt::Debug + 'static {
     /// Whether [`Projection::project`] reads the rest points; without, it gets none.
     const READS_REST: bool = false;
 
-    /// Brings the mean-centred rest points of one constraint into the form in which
-    /// [`Projection::project`] wants them. Called once per constraint, before all projections.
-    fn prepare(rest: &mut [Vec3<f64>]) {
+    /// Gives the operator what it may look up besides its own points. Called once, before anything
+    /// else.
+    fn refer(&mut self, reference: &Reference<'_>) {
+        let _ = reference;
+    }
+
+    /// Brings the centred rest points of one constraint into the form in which
+    /// [`Projection::project`] wants them: three numbers for each point, whatever they mean. Called
+    /// once per constraint, before all projections.
+    fn prepare(&self, rest: &mut [Vec3<f64>]) {
         let _ = rest;
     }
 
     /// The closed form, for one constraint or for several side by side: writes the closest points
     /// that have the shape to `projected`. False when it is not accurate in every lane; what it
-    /// wrote is then not used. `v` are the mean-centred points, `rest` the mean-centred rest points
-    /// `V'` after [`Projection::prepare`], `n` of each.
+    /// wrote is then not used. `v` are the points, centred as [`Info::centring`] says, `rest` the
+    /// rest points `V'`, centred likewise, after [`Projection::prepare`], `n` of each.
     ///
-    /// The result need not be mean-centred: whoever scatters it centres it again. It is equivariant
+    /// The result need not be centred: whoever scatters it centres it again. It is equivariant
     /// under scaling: no absolute thresholds.
     fn closed_form<S: Lane>(
         &self,
@@ -80,7 +91,7 @@ pub trait Projection: Clone + PartialEq + std::fmt::Debug + 'static {
         }
     }
 
-    /// The shape that fits the points `v` (in place, not centred), to be drawn. None where the
+    /// The shape that fits the points `v` (in their place, not centred), to be drawn. None where the
     /// projection itself says all there is to see.
     fn fitted(&self, v: &[Vec3<f64>]) -> Option<Fitted> {
         let _ = v;
@@ -131,85 +142,6 @@ pub enum Fitted {
     },
 }
 
-/// The declaration of a kind: everything that hosts show or check without knowing it.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Info {
-    /// The id in scene files and on the command line.
-    pub id: &'static str,
-    /// The name on the page.
-    pub label: &'static str,
-    /// What it asks of its vertices, in one sentence.
-    pub summary: &'static str,
-    /// Where the paper defines it.
-    pub paper: &'static str,
-    /// How many vertices it takes.
-    pub arity: Arity,
-    /// Whether the projection is the closest point of the set. Where it is not, the total energy
-    /// can rise in a late digit, unless the `monotone` guard is on.
-    pub exact: bool,
-    /// The error measure of a face (`"planarity"` or `"circularity"`) that says how far faces are
-    /// from the shape, when they are what it acts on. None where no measure of a face does.
-    pub measure: Option<&'static str>,
-    /// The colour of its members on the page, as sRGB bytes.
-    pub colour: [u8; 3],
-    /// The parameters of the scene file.
-    pub params: &'static [Param],
-}
-
-/// How many vertices a constraint takes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Arity {
-    /// This many or more.
-    AtLeast(usize),
-    /// Exactly this many.
-    Exactly(usize),
-}
-
-impl Arity {
-    /// Whether `n` vertices fit.
-    pub const fn fits(self, n: usize) -> bool {
-        match self {
-            Arity::AtLeast(least) => n >= least,
-            Arity::Exactly(exactly) => n == exactly,
-        }
-    }
-}
-
-impl std::fmt::Display for Arity {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Arity::AtLeast(least) => write!(f, "{least} or more vertices"),
-            Arity::Exactly(exactly) => write!(f, "exactly {exactly} vertices"),
-        }
-    }
-}
-
-/// A number, or a range of numbers, that a kind takes from the scene file.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Param {
-    /// The key in scene files.
-    pub id: &'static str,
-    /// The name on the page.
-    pub label: &'static str,
-    /// `"length"`, `"degrees"`, or empty for a plain number.
-    pub unit: &'static str,
-    /// The value when the key is absent; it tells whether a number is meant or a range.
-    pub default: ParamValue,
-    /// Least and greatest value, of the ends of a range too. JSON has null for infinity.
-    pub range: [f64; 2],
-}
-
-/// The value of a parameter, in JSON a number or an array of two.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[serde(untagged)]
-pub enum ParamValue {
-    /// One number.
-    Number(f64),
-    /// From and to; none (null) where there is no limit.
-    Range([Option<f64>; 2]),
-}
-
 /// Makes the enum of kinds and everything that is the same for each of them. The only list of
 /// kinds in the project.
 macro_rules! kinds {
@@ -231,12 +163,13 @@ macro_rules! kinds {
             /// When no kind has that id, or a parameter is unknown or out of type.
             pub fn new(id: &str, params: serde_json::Value) -> Result<Kind, KindError> {
                 $(if id == $module::$Kind::INFO.id {
-                    return serde_path_to_error::deserialize(params)
-                        .map(Kind::$Kind)
-                        .map_err(|e| KindError::Params {
-                            path: e.path().to_string(),
-                            message: e.inner().to_string(),
-                        });
+                    let kind = serde_path_to_error::deserialize(params).map(Kind::$Kind);
+                    let kind = kind.map_err(|e| KindError::Params {
+                        path: e.path().to_string(),
+                        message: e.inner().to_string(),
+                    })?;
+                    info::check_ranges($module::$Kind::INFO.params, &kind.params())?;
+                    return Ok(kind);
                 })*
                 Err(KindError::Unknown)
             }
@@ -292,6 +225,7 @@ kinds! {
     rigid::Rigid,
     similar::Similar,
     planar_similar::PlanarSimilar,
+    line_segment::LineSegment,
     regular_polygon::RegularPolygon,
     square::Square,
     parallelogram::Parallelogram,

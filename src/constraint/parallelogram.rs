@@ -1,7 +1,7 @@
 //! Parallelogram (paper section 3.3, Eq. 9). The paper fits it in the least-squares plane; in space
 //! the same problem is linear too, and its solution is flat by itself and closer.
 
-use super::{Arity, Info, Projection};
+use super::{Arity, Centring, Info, Projection};
 use crate::math::{Lane, Vec3};
 use serde::{Deserialize, Serialize};
 
@@ -21,6 +21,8 @@ impl Projection for Parallelogram {
                   parallel and equally long.",
         paper: "3.3",
         arity: Arity::Exactly(4),
+        centring: Centring::Together,
+        elements: &[],
         exact: true,
         measure: None,
         colour: [95, 85, 200],

@@ -11,7 +11,7 @@
 //! `n`) and `n x e`. Both signs of `n` are planes of the points; the one nearer to
 //! `h_x x h_y` gives the longer `e`, and so the closer points.
 
-use super::{Arity, Info, Projection};
+use super::{Arity, Centring, Info, Projection};
 use crate::math::{Lane, PrincipalAxes, Scatter, Vec3};
 use serde::{Deserialize, Serialize};
 
@@ -35,6 +35,8 @@ impl Projection for PlanarSimilar {
         summary: "The vertices lie in one plane and have the shape of the flattened rest vertices, in any size.",
         paper: "3.2, Eq. 7-8",
         arity: Arity::AtLeast(3),
+        centring: Centring::Together,
+        elements: &[],
         exact: false,
         measure: None,
         colour: [125, 140, 20],
@@ -45,7 +47,7 @@ impl Projection for PlanarSimilar {
 
     /// The coordinates in the least-squares plane, scaled so that their squares sum to one; the third
     /// is zero.
-    fn prepare(rest: &mut [Vec3<f64>]) {
+    fn prepare(&self, rest: &mut [Vec3<f64>]) {
         PrincipalAxes::rotate(rest);
         let square: f64 = rest.iter().map(|r| r.x * r.x + r.y * r.y).sum();
         if square > 0.0 {

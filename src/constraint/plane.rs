@@ -1,7 +1,7 @@
 //! Plane (paper section 3.1): the normal of the plane is the eigenvector of the smallest eigenvalue
 //! of the scatter matrix.
 
-use super::{Arity, Info, Projection};
+use super::{Arity, Centring, Info, Projection};
 use crate::math::{Lane, PrincipalAxes, Scatter, Vec3};
 use serde::{Deserialize, Serialize};
 
@@ -20,6 +20,8 @@ impl Projection for Plane {
         summary: "The vertices lie in one plane, so that the panel can be cut from a flat sheet.",
         paper: "3.1",
         arity: Arity::AtLeast(3),
+        centring: Centring::Together,
+        elements: &[],
         exact: true,
         measure: Some("planarity"),
         colour: [190, 120, 0],

@@ -1,7 +1,7 @@
 //! Rectangle (paper section 3.3), the closest one in space: the parallelogram whose half-diagonals
 //! are both rescaled to their mean length.
 
-use super::{Arity, Info, Projection};
+use super::{Arity, Centring, Info, Projection};
 use crate::math::{Lane, Vec3};
 use serde::{Deserialize, Serialize};
 
@@ -26,6 +26,8 @@ impl Projection for Rectangle {
         summary: "The four vertices are the corners of a flat panel whose angles are all right.",
         paper: "3.3",
         arity: Arity::Exactly(4),
+        centring: Centring::Together,
+        elements: &[],
         exact: true,
         measure: None,
         colour: [110, 120, 140],
@@ -51,8 +53,8 @@ impl Projection for Rectangle {
     }
 
     fn careful(&self, _rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
-        let (length_a, a) = length_and_direction(v[0] - v[2]);
-        let (length_b, b) = length_and_direction(v[1] - v[3]);
+        let (length_a, a) = (v[0] - v[2]).length_and_direction();
+        let (length_b, b) = (v[1] - v[3]).length_and_direction();
         let [a, b] = match (a, b) {
             (Some(a), Some(b)) => [a, b],
             (Some(a), None) => [a, across(a)],
@@ -64,17 +66,6 @@ impl Projection for Rectangle {
         let (a, b) = (a * mean, b * mean);
         v.copy_from_slice(&[a, b, -a, -b]);
     }
-}
-
-/// The length of a vector, and its direction unless it is zero.
-fn length_and_direction(v: Vec3<f64>) -> (f64, Option<Vec3<f64>>) {
-    let scale = v.x.abs().max(v.y.abs()).max(v.z.abs());
-    if scale == 0.0 {
-        return (0.0, None);
-    }
-    let v = Vec3::new(v.x / scale, v.y / scale, v.z / scale);
-    let length = v.length();
-    (length * scale, Some(v * (1.0 / length)))
 }
 
 /// A unit vector at right angles to the unit vector `e`.

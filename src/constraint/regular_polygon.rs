@@ -5,7 +5,7 @@
 //! `p = sum cos(2 pi k / n) v_k` and `q = sum sin(2 pi k / n) v_k`. The best frame in space is
 //! the closest pair of equal, orthogonal vectors to them, and turns either way without a reflection.
 
-use super::{Arity, Info, Projection};
+use super::{Arity, Centring, Info, Projection};
 use crate::math::{Lane, OrthogonalPair, UnitPolygon, Vec3};
 use serde::{Deserialize, Serialize};
 
@@ -27,6 +27,8 @@ impl Projection for RegularPolygon {
                   and whose angles are all equal.",
         paper: "3.3",
         arity: Arity::AtLeast(3),
+        centring: Centring::Together,
+        elements: &[],
         exact: true,
         measure: None,
         colour: [200, 60, 150],

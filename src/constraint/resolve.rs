@@ -1,7 +1,7 @@
 //! From a selector to the vertices of each constraint that it makes.
 
 use super::{Element, SelectError, Selector, Sets};
-use crate::mesh::{Mesh, Ragged, Topology, edge_lines};
+use crate::mesh::{Mesh, Ragged, Topology, corners, edge_lines, hinges, stars};
 
 /// The vertices of each constraint that a selector makes: one row of distinct vertices for each.
 ///
@@ -12,6 +12,9 @@ use crate::mesh::{Mesh, Ragged, Topology, edge_lines};
 /// | rings | one per vertex | the vertex, then ring by ring, each ring ascending |
 /// | curves | those of the file, then the lines of [`edge_lines`] | along the curve |
 /// | boundary | as [`Topology::boundary_loops`] | along the loop |
+/// | corners | face by face | before, corner, after |
+/// | stars | one per interior vertex | the vertex, then its neighbours around it |
+/// | hinges | in the order of [`Topology::edges`] | the ends, then the opposite corners |
 /// | groups, sets | groups in the order of the mesh; a set is one row | vertices as listed, then those of faces, then those of curves |
 /// | vertices | one row | as listed |
 ///
@@ -60,6 +63,15 @@ pub fn resolve(
                 }
                 Element::Boundary => {
                     each(topology.boundary_loops(), |_, one| push(Place::Other, one));
+                }
+                Element::Corner => {
+                    corners(mesh).for_each(|(f, corner)| push(Place::Face(f), &corner));
+                }
+                Element::Star => {
+                    stars(mesh, topology).iter().for_each(|star| push(Place::Other, star));
+                }
+                Element::Hinge => {
+                    hinges(mesh, topology).iter().for_each(|hinge| push(Place::Other, hinge));
                 }
                 Element::Group => {
                     for group in &mesh.groups {

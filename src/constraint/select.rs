@@ -1,5 +1,6 @@
 //! Selectors: which vertices a constraint acts on, orthogonal to its kind.
 
+use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -16,7 +17,8 @@ pub struct Set {
 }
 
 /// The elements of a mesh that can carry one constraint each.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Element {
     /// The corners of a face.
     Face,
@@ -32,6 +34,12 @@ pub enum Element {
     Boundary,
     /// All vertices of a group.
     Group,
+    /// A corner of a face: the vertex before it, itself, the vertex after it.
+    Corner,
+    /// An interior vertex, then its neighbours around it.
+    Star,
+    /// An edge between two triangles: its ends, then the corners opposite to it.
+    Hinge,
 }
 
 /// Which vertices a constraint acts on (design section 5).
@@ -54,7 +62,7 @@ pub enum Selector {
 
 impl Element {
     /// All of them, in the order in which hosts list them.
-    pub const ALL: [Element; 7] = [
+    pub const ALL: [Element; 10] = [
         Element::Face,
         Element::Edge,
         Element::Ring,
@@ -62,6 +70,9 @@ impl Element {
         Element::Curve,
         Element::Boundary,
         Element::Group,
+        Element::Corner,
+        Element::Star,
+        Element::Hinge,
     ];
 
     /// The id in scene files.
@@ -74,6 +85,9 @@ impl Element {
             Element::Curve => "curve",
             Element::Boundary => "boundary",
             Element::Group => "group",
+            Element::Corner => "corner",
+            Element::Star => "star",
+            Element::Hinge => "hinge",
         }
     }
 
@@ -97,6 +111,9 @@ impl Element {
             Element::Curve => ["curve", "curves"],
             Element::Boundary => ["boundary loop", "boundary loops"],
             Element::Group => ["group", "groups"],
+            Element::Corner => ["corner of a face", "corners of faces"],
+            Element::Star => ["inner vertex with its neighbours in turn", "inner vertices"],
+            Element::Hinge => ["edge between two triangles", "edges between triangles"],
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Sphere (paper section 3.1): the circle's equation minimised directly over the points in space
 //! (Thomas and Chan).
 
-use super::{Arity, Fitted, Info, Projection};
+use super::{Arity, Centring, Fitted, Info, Projection};
 use crate::math::{Lane, PrincipalAxes, Round, Scatter, Vec3, centre};
 use serde::{Deserialize, Serialize};
 
@@ -24,6 +24,8 @@ impl Projection for Sphere {
         summary: "The vertices lie on one sphere.",
         paper: "3.1",
         arity: Arity::AtLeast(4),
+        centring: Centring::Together,
+        elements: &[],
         exact: false,
         measure: None,
         colour: [220, 50, 47],

@@ -72,6 +72,19 @@ impl<S: Lane> Vec3<S> {
     }
 }
 
+impl Vec3<f64> {
+    /// The length, and the direction unless the vector is zero, without overflow or underflow.
+    pub fn length_and_direction(self) -> (f64, Option<Self>) {
+        let scale = self.x.abs().max(self.y.abs()).max(self.z.abs());
+        if scale == 0.0 {
+            return (0.0, None);
+        }
+        let v = Vec3::new(self.x / scale, self.y / scale, self.z / scale);
+        let length = v.length();
+        (length * scale, Some(v * (1.0 / length)))
+    }
+}
+
 /// Subtracts the mean from the points, `N_i` of paper Eq. 5, and gives the mean.
 #[inline(always)]
 pub fn centre<S: Lane>(points: &mut [Vec3<S>]) -> Vec3<S> {

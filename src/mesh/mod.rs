@@ -10,6 +10,7 @@
 //! | `generate` | meshes of the examples |
 //! | `topology` | edges, neighbours, rings, faces around edges and vertices |
 //! | `boundary`, `edge_lines`, `components` | boundary loops, straight edge lines, connected components |
+//! | `local` | corners of faces, stars of vertices, hinges |
 //! | `laplacian` | the weights `w_ij` of Eq. 12 |
 //! | `closest` | closest point `c(v)` on the reference surface, Eq. 11; with its parts `triangle`, `tree`, `surroundings` |
 //! | `measure` | planarity, circularity, diagonal ratio of faces; with its part `face_fit` |
@@ -26,6 +27,7 @@ pub mod generate;
 mod groups;
 mod laplacian;
 mod lines;
+mod local;
 mod measure;
 mod medit;
 mod number;
@@ -47,6 +49,7 @@ pub use closest::Surface;
 pub use components::components;
 pub use edge_lines::edge_lines;
 pub use laplacian::{LARGEST_COTANGENT, Laplacian};
+pub use local::{corners, hinges, stars};
 pub use measure::{Circularity, Measures, Planarity, diagonal_ratio};
 pub use obj_write::write_obj;
 pub use problem::{Element, Problem, ProblemKind};

@@ -1,6 +1,6 @@
 //! Rows of constraints with their vertices.
 
-use crate::constraint::resolve;
+use crate::constraint::{Centring, resolve};
 use crate::mesh::{Mesh, Ragged, Topology};
 use crate::scene::{ConstraintSpec, Scene, SceneError};
 use crate::solve::Constraints;
@@ -42,6 +42,10 @@ pub(super) fn row(
     let selected =
         resolve(&spec.on, mesh, topology, &scene.sets).map_err(|error| error.to_string())?;
     let info = spec.kind.info();
+    let selected = match info.centring {
+        Centring::ByEdge => selected.iter().map(|members| edges_among(members, topology)).collect(),
+        Centring::Together | Centring::Placed => selected,
+    };
     let fits = |members: &&[u32]| info.arity.fits(members.len());
     let members: Ragged = selected.iter().filter(fits).collect();
     if members.is_empty() {
@@ -51,7 +55,7 @@ pub(super) fn row(
             format!(
                 "{} takes {}, and none of the {} selected elements has that",
                 info.id,
-                info.arity,
+                info.takes(),
                 selected.len()
             )
         });
@@ -61,4 +65,20 @@ pub(super) fn row(
         constraints: Constraints { kind: spec.kind.clone(), weight: spec.weight, members },
         enabled: spec.enabled,
     })
+}
+
+/// The edges of the mesh between `members`, one end after the other, in the order of the smaller end
+/// among the members.
+fn edges_among(members: &[u32], topology: &Topology) -> Vec<u32> {
+    let mut sorted = members.to_vec();
+    sorted.sort_unstable();
+    let mut ends = Vec::new();
+    for &v in members {
+        for &u in topology.neighbours().row(v as usize) {
+            if v < u && sorted.binary_search(&u).is_ok() {
+                ends.extend([v, u]);
+            }
+        }
+    }
+    ends
 }

@@ -2,13 +2,14 @@
 
 use crate::constraint::Row;
 use crate::mesh::Surface;
+use std::rc::Rc;
 
 /// What vertices are kept close to.
 pub(super) enum CloseEnergy {
     /// The closest point `c(v)` on the rest surface.
     Surface {
         /// The rest surface.
-        surface: Surface,
+        surface: Rc<Surface>,
         /// The last closest triangle of each vertex, in the order of `nodes`.
         warm: Vec<u32>,
         /// The node of each vertex, ascending: neighbours in the elimination order are neighbours on
@@ -26,7 +27,7 @@ pub(super) enum CloseEnergy {
 
 impl CloseEnergy {
     /// Closeness to the surface, for the vertices at `nodes`.
-    pub(super) fn to_surface(surface: Surface, mut nodes: Vec<u32>) -> Self {
+    pub(super) fn to_surface(surface: Rc<Surface>, mut nodes: Vec<u32>) -> Self {
         nodes.sort_unstable();
         CloseEnergy::Surface { surface, warm: vec![u32::MAX; nodes.len()], nodes }
     }

@@ -1,7 +1,7 @@
 //! `E_shape` (Eq. 4): the constraints of a scene, batched, with their part of the normal matrix.
 
 use super::assemble::Terms;
-use crate::constraint::{Batch, Fitted, Kind, LocalStep, Row, batches};
+use crate::constraint::{Batch, Centring, Fitted, Kind, LocalStep, Reference, Row, batches};
 use crate::mesh::Ragged;
 
 /// A constraint on more points than this gets its mean as one extra unknown, coupled to each of its
@@ -16,14 +16,25 @@ pub struct Constraints {
     pub kind: Kind,
     /// `w_i`, the same for all of them.
     pub weight: f64,
-    /// The vertices of each constraint.
+    /// The vertices of each constraint; where the kind acts on edges, the ends of one after another.
     pub members: Ragged,
 }
 
 impl Constraints {
     /// Vertices of each constraint that takes an extra unknown.
     fn big(&self) -> impl Iterator<Item = &[u32]> {
-        self.members.iter().filter(|members| members.len() > BIG)
+        let together = self.centring() == Centring::Together;
+        self.members.iter().filter(move |members| together && members.len() > BIG)
+    }
+
+    fn centring(&self) -> Centring {
+        self.kind.info().centring
+    }
+
+    /// Vertices that these constraints hold in their place.
+    pub(super) fn placed(&self) -> &[u32] {
+        let holds = self.centring() == Centring::Placed && self.weight > 0.0;
+        if holds { self.members.indices() } else { &[] }
     }
 }
 
@@ -37,10 +48,15 @@ pub(super) fn terms(constraints: &[Constraints], n_vertices: usize, mean_centrin
     let mut terms = Terms::default();
     let mut mean = n_vertices as u32;
     for row in constraints {
+        let centring = if mean_centring { row.centring() } else { Centring::Placed };
         for members in row.members.iter() {
             let n = members.len();
-            if !mean_centring {
+            if centring == Centring::Placed {
                 members.iter().for_each(|&v| terms.push(&[v], [1.0], row.weight, 0.0));
+            } else if centring == Centring::ByEdge {
+                for ends in members.chunks_exact(2) {
+                    terms.push(ends, [1.0; 2], row.weight, -row.weight / 2.0);
+                }
             } else if n > BIG {
                 for &v in members {
                     terms.push(&[v, mean], [1.0, -1.0], 0.0, row.weight);
@@ -71,6 +87,7 @@ impl ShapeEnergy {
         node_of: &[u32],
         rest: &[Row],
         guarded: bool,
+        reference: &Reference<'_>,
     ) -> Self {
         let rows = constraints
             .iter()
@@ -80,7 +97,7 @@ impl ShapeEnergy {
                     .iter()
                     .map(|m| m.iter().map(|&v| node_of[v as usize]).collect::<Vec<_>>())
                     .collect();
-                let batches = batches(&row.kind, &members, rest, row.weight, guarded);
+                let batches = batches(&row.kind, &members, rest, row.weight, guarded, reference);
                 ShapeRow { batches, found: LocalStep::default() }
             })
             .collect();

@@ -12,9 +12,11 @@ use super::shape::{Constraints, ShapeEnergy, extra_unknowns};
 use super::smooth::SmoothEnergy;
 use super::system::{SetUpSeconds, System};
 use super::{SolveError, clock, shape, smooth};
-use crate::constraint::{Fitted, LocalStep, Row};
+use crate::constraint::{Fitted, LocalStep, Reference, Row};
 use crate::mesh::{Laplacian, Mesh, Point, Surface, Topology};
 use crate::scene::{Closeness, Hold, Smoothness, SmoothnessOf, SolverSettings, Weighting, Weights};
+use std::cell::OnceCell;
+use std::rc::Rc;
 
 /// What is solved: the rest shape and what its parts shall be.
 pub struct Problem<'a> {
@@ -94,6 +96,9 @@ impl Solver {
         if !settings.mean_centring {
             // Without N_i a constraint holds its points against translation too.
             shape_terms.nodes().indices().iter().for_each(|&v| held[v as usize] = true);
+        } else if weights.shape > 0.0 {
+            let placed = constraints.iter().flat_map(Constraints::placed);
+            placed.for_each(|&v| held[v as usize] = true);
         }
         let before_system = clock::now();
         let mut system = System::new(n, &[shape_terms, smooth_terms]);
@@ -110,9 +115,12 @@ impl Solver {
         };
         let rest = to_rows(&mesh.positions);
         let x = to_rows(start);
+        let made = OnceCell::new();
+        let surface = || Rc::clone(made.get_or_init(|| Rc::new(rest_surface(mesh, centre))));
+        let reference = Reference { surface: &surface };
         let energies = Energies {
             weights,
-            shape: ShapeEnergy::new(constraints, node_of, &rest, settings.monotone),
+            shape: ShapeEnergy::new(constraints, node_of, &rest, settings.monotone, &reference),
             smooth: laplacian.map(|laplacian| {
                 let rest = match problem.smoothness.of {
                     SmoothnessOf::Surface => Vec::new(),
@@ -121,7 +129,7 @@ impl Solver {
                 SmoothEnergy::new(&laplacian, node_of, n, rest)
             }),
             close: (weights.close > 0.0)
-                .then(|| closeness(problem, centre, node_of, rest))
+                .then(|| closeness(problem.closeness, surface, node_of, rest))
                 .flatten(),
             handles: SoftHandles::default(),
         };
@@ -372,25 +380,23 @@ fn laplacian(problem: &Problem<'_>) -> Laplacian {
 }
 
 fn closeness(
-    problem: &Problem<'_>,
-    centre: Point,
+    to: Closeness,
+    surface: impl Fn() -> Rc<Surface>,
     node_of: &[u32],
     rest: Vec<Row>,
 ) -> Option<CloseEnergy> {
-    match problem.closeness {
+    match to {
         Closeness::None => None,
         Closeness::Rest => Some(CloseEnergy::Rest { rest, nodes: node_of.to_vec() }),
-        Closeness::Surface => {
-            let around_centre: Vec<Point> = problem
-                .mesh
-                .positions
-                .iter()
-                .map(|&p| std::array::from_fn(|i| p[i] - centre[i]))
-                .collect();
-            let surface = Surface::new(&around_centre, problem.mesh);
-            Some(CloseEnergy::to_surface(surface, node_of.to_vec()))
-        }
+        Closeness::Surface => Some(CloseEnergy::to_surface(surface(), node_of.to_vec())),
     }
+}
+
+/// The rest surface, relative to `centre`.
+fn rest_surface(mesh: &Mesh, centre: Point) -> Surface {
+    let around_centre = |p: &Point| std::array::from_fn(|i| p[i] - centre[i]);
+    let positions: Vec<Point> = mesh.positions.iter().map(around_centre).collect();
+    Surface::new(&positions, mesh)
 }
 
 /// Centre and diagonal of the bounding box.

@@ -14,7 +14,7 @@ impl KindVisitor for Project<'_> {
     type Output = ();
     fn visit<P: Projection>(self, operator: &P) {
         let mut rest = self.rest.to_vec();
-        rest.iter_mut().for_each(|rest| P::prepare(rest));
+        rest.iter_mut().for_each(|rest| operator.prepare(rest));
         if let [points] = self.points {
             let v = points.clone();
             return operator.project(&rest[0], &v, points);

@@ -6,7 +6,7 @@ use crate::constraint::{Element, Selector};
 use crate::scene::SceneError;
 
 pub(super) const WHAT: &str = "\"faces\", \"edges\", \"rings\", \"tets\", \"curves\", \"boundary\", \
-     {\"each\": ...}, {\"set\": NAME} or {\"vertices\": LIST}";
+     \"corners\", \"stars\", \"hinges\", {\"each\": ...}, {\"set\": NAME} or {\"vertices\": LIST}";
 
 /// The words that stand for one constraint per element.
 const ALL_OF: &[(&str, Element)] = &[
@@ -16,6 +16,9 @@ const ALL_OF: &[(&str, Element)] = &[
     ("tets", Element::Tet),
     ("curves", Element::Curve),
     ("boundary", Element::Boundary),
+    ("corners", Element::Corner),
+    ("stars", Element::Star),
+    ("hinges", Element::Hinge),
 ];
 
 const EACH: &[(&str, Element)] = &[
@@ -26,6 +29,9 @@ const EACH: &[(&str, Element)] = &[
     ("curve", Element::Curve),
     ("boundary", Element::Boundary),
     ("group", Element::Group),
+    ("corner", Element::Corner),
+    ("star", Element::Star),
+    ("hinge", Element::Hinge),
 ];
 
 /// The radius of an element that does not say its own.

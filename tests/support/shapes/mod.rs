@@ -1,6 +1,14 @@
 //! What each kind means, told a second time and without its operator: rest points, points that have
 //! the shape, a measure of how far points are from having it, and its set described by free
-//! parameters, for brute force. A new kind adds its row to [`shape`].
+//! parameters, for brute force.
+//!
+//! A new kind adds its account to one of the files here, or a file to the list in [`shapes`].
+
+mod flat;
+mod length;
+mod polygon;
+mod relative;
+mod round;
 
 use crate::random::{Points, Random, in_frame, size};
 use nalgebra::DMatrix;
@@ -12,8 +20,12 @@ pub(crate) type Residual = fn(&[Vec3<f64>], &[Vec3<f64>]) -> f64;
 /// See [`Shape::closest`].
 pub(crate) type Closest = fn(&[f64], Vec3<f64>, Vertex) -> Vec3<f64>;
 
-/// An independent account of one kind.
+/// An independent account of one kind with certain parameters. The points are centred as the kind
+/// declares; where that is by edge, they come in pairs.
+#[derive(Clone, Copy)]
 pub(crate) struct Shape {
+    /// The parameters as JSON: an object.
+    pub(crate) params: &'static str,
     /// `n` rest points, of size about one.
     pub(crate) rest: fn(&mut Random, usize) -> Points,
     /// Points that have the shape, of size about one, as many as the rest points.
@@ -21,9 +33,8 @@ pub(crate) struct Shape {
     /// Zero exactly where the centred points have the shape, given the centred rest points; relative
     /// to their size.
     pub(crate) residual: Residual,
-    /// Whether the order of the vertices matters (up to where one begins to count, and which way),
-    /// when that of the rest points is the same.
-    pub(crate) ordered: bool,
+    /// Some orders of the vertices that mean the same, when that of the rest points is the same.
+    pub(crate) relabellings: fn(&mut Random, usize) -> Vec<Vec<usize>>,
     /// How many free parameters describe the shape.
     pub(crate) parameters: usize,
     /// The point closest to `v` on the shape with these parameters; it may depend on which vertex
@@ -46,170 +57,40 @@ pub(crate) struct Vertex {
 /// Disturbance of a shape of size about one, for [`Shape::excess`].
 pub(crate) const NOISE: [f64; 3] = [0.01, 0.1, 0.3];
 
-/// The account of the kind named `id`.
-pub(crate) fn shape(id: &str) -> Shape {
-    match id {
-        "line" => Shape {
-            rest: any,
-            sample: |random, rest| {
-                let (p, e) = (random.vector(), random.direction());
-                rest.iter().map(|_| p + e * random.uniform()).collect()
-            },
-            residual: |v, _| singular_values(v)[1] / size(v),
-            ordered: false,
-            parameters: 6,
-            closest: |p, v, _| {
-                let (o, e) = (at(p, 0), at(p, 3));
-                o + e * ((v - o).dot(e) / e.length_squared())
-            },
-            excess: [0.0; 3],
-        },
-        "plane" => Shape {
-            rest: any,
-            sample: |random, rest| cloud(random, rest.len(), 0.0),
-            residual: |v, _| singular_values(v)[2] / size(v),
-            ordered: false,
-            parameters: 4,
-            closest: |p, v, _| {
-                let n = at(p, 0);
-                v - n * ((v.dot(n) - p[3]) / n.length_squared())
-            },
-            excess: [0.0; 3],
-        },
-        "circle" => Shape {
-            rest: any,
-            sample: |random, rest| {
-                let (centre, [e, f, _]) = (random.vector(), random.frame());
-                rest.iter().map(|_| centre + on_circle(random, e, f)).collect()
-            },
-            residual: |v, _| (singular_values(v)[2] / size(v)).max(round_residual(v, 2)),
-            ordered: false,
-            parameters: 7,
-            closest: |p, v, _| {
-                let (c, n) = (at(p, 0), at(p, 3));
-                let d = v - c;
-                let d = d - n * (d.dot(n) / n.length_squared());
-                c + d * (p[6] / d.length())
-            },
-            excess: [5e-4, 0.05, 0.3],
-        },
-        "sphere" => Shape {
-            rest: any,
-            sample: |random, rest| {
-                let centre = random.vector();
-                rest.iter().map(|_| centre + random.direction()).collect()
-            },
-            residual: |v, _| round_residual(v, 3),
-            ordered: false,
-            parameters: 4,
-            closest: |p, v, _| {
-                let c = at(p, 0);
-                c + (v - c) * (p[3] / (v - c).length())
-            },
-            excess: [1e-3, 0.1, 1.0],
-        },
-        "rigid" => Shape {
-            rest: any,
-            sample: |random, rest| placed(random, rest, 1.0),
-            residual: |v, rest| different(v, rest, 1.0).max(mirrored(v, rest, 1.0)),
-            ordered: false,
-            parameters: 7,
-            closest: |p, _, vertex| {
-                let q = [p[0], p[1], p[2], p[3]];
-                let square: f64 = q.iter().map(|x| x * x).sum();
-                at(p, 4) + turned_and_scaled(q, vertex.rest) * (1.0 / square)
-            },
-            excess: [0.0; 3],
-        },
-        "similar" => Shape {
-            rest: any,
-            sample: |random, rest| {
-                let scale = 1.2 + random.uniform();
-                placed(random, rest, scale)
-            },
-            residual: |v, rest| {
-                let scale = extent(v) / extent(rest);
-                different(v, rest, scale).max(mirrored(v, rest, scale))
-            },
-            ordered: false,
-            parameters: 7,
-            closest: |p, _, vertex| {
-                at(p, 4) + turned_and_scaled([p[0], p[1], p[2], p[3]], vertex.rest)
-            },
-            excess: [0.0; 3],
-        },
-        "planar-similar" => Shape {
-            rest: |random, n| cloud(random, n, 0.0),
-            sample: |random, rest| {
-                let scale = 1.2 + random.uniform();
-                placed(random, rest, scale)
-            },
-            residual: |v, rest| different(v, rest, extent(v) / extent(rest)),
-            ordered: false,
-            parameters: 7,
-            closest: |p, _, vertex| {
-                at(p, 4) + turned_and_scaled([p[0], p[1], p[2], p[3]], vertex.rest)
-            },
-            excess: [5e-4, 0.1, 0.15],
-        },
-        "parallelogram" => Shape {
-            rest: any,
-            sample: |random, _| {
-                let (centre, a, b) = (random.vector(), random.vector(), random.vector());
-                vec![centre + a, centre + b, centre - a, centre - b]
-            },
-            residual: |v, _| parallel_sides(v),
-            ordered: true,
-            parameters: 9,
-            closest: |p, _, vertex| {
-                let (c, a, b) = (at(p, 0), at(p, 3), at(p, 6));
-                [c + a, c + b, c - a, c - b][vertex.index]
-            },
-            excess: [0.0; 3],
-        },
-        "rectangle" => Shape {
-            rest: any,
-            sample: |random, _| {
-                let (corner, [e, f, _]) = (random.vector(), random.frame());
-                let (e, f) = (e * (1.5 + random.uniform()), f * (1.5 + random.uniform()));
-                vec![corner, corner + e, corner + e + f, corner + f]
-            },
-            residual: |v, _| parallel_sides(v).max(right_angles(v)),
-            ordered: true,
-            parameters: 9,
-            closest: |p, _, vertex| {
-                let (c, a, b) = (at(p, 0), at(p, 3), at(p, 6));
-                let b = b * (a.length() / b.length());
-                [c + a, c + b, c - a, c - b][vertex.index]
-            },
-            excess: [0.0; 3],
-        },
-        "square" => Shape {
-            residual: |v, _| parallel_sides(v).max(right_angles(v)).max(equal_sides(v)),
-            ..shape("regular-polygon")
-        },
-        "regular-polygon" => Shape {
-            rest: any,
-            sample: |random, rest| {
-                let (centre, [e, f, _]) = (random.vector(), random.frame());
-                let size = 1.0 + 0.5 * random.uniform();
-                (0..rest.len())
-                    .map(|index| Vertex { index, of: rest.len(), rest: rest[index] })
-                    .map(|vertex| centre + turned(e * size, f * size, vertex))
-                    .collect()
-            },
-            residual: |v, _| in_turn(v).max(equal_sides(v)),
-            ordered: true,
-            parameters: 9,
-            closest: |p, _, vertex| {
-                let (c, e, f) = (at(p, 0), at(p, 3), at(p, 6));
-                let f = f - e * (f.dot(e) / e.length_squared());
-                c + turned(e, f * (e.length() / f.length()), vertex)
-            },
-            excess: [0.0; 3],
-        },
-        _ => panic!("the kind '{id}' has no account in tests/support/shapes.rs"),
+impl Shape {
+    /// For struct updates: no parameters, any rest points, any order, exact.
+    pub(crate) const ANY: Shape = Shape {
+        params: "{}",
+        rest: any,
+        sample: |_, _| unreachable!("every account says what has the shape"),
+        residual: |_, _| unreachable!("every account says what has not"),
+        relabellings: any_order,
+        parameters: 0,
+        closest: |_, _, _| unreachable!("every account says what is closest"),
+        excess: [0.0; 3],
+    };
+}
+
+/// The accounts of the kind named `id`, the first with its default parameters.
+pub(crate) fn shapes(id: &str) -> Vec<Shape> {
+    let accounts = [flat::shapes, round::shapes, relative::shapes, polygon::shapes, length::shapes];
+    let account = accounts.iter().find_map(|shapes| shapes(id));
+    account.unwrap_or_else(|| panic!("the kind '{id}' has no account in tests/support/shapes"))
+}
+
+/// Any order of the vertices.
+pub(crate) fn any_order(random: &mut Random, n: usize) -> Vec<Vec<usize>> {
+    let mut order: Vec<usize> = (0..n).collect();
+    for i in (1..n).rev() {
+        let j = ((random.uniform() + 1.0) / 2.0 * (i + 1) as f64) as usize;
+        order.swap(i, j.min(i));
     }
+    vec![order]
+}
+
+/// The same turn, begun elsewhere or the other way round.
+pub(crate) fn in_turn_or_back(_: &mut Random, n: usize) -> Vec<Vec<usize>> {
+    vec![(0..n).map(|i| (i + 1) % n).collect(), (0..n).rev().collect()]
 }
 
 /// Rest points of kinds that do not read them.

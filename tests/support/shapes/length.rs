@@ -1,0 +1,86 @@
+//! Lengths.
+
+use super::{Shape, at, cloud};
+use crate::random::size;
+use shape_up::math::Vec3;
+
+/// See [`super::shapes`].
+pub(super) fn shapes(id: &str) -> Option<Vec<Shape>> {
+    let shapes = match id {
+        "line-segment" => vec![
+            segment(),
+            Shape {
+                params: r#"{ "length": 0.7 }"#,
+                sample: |random, _| vec![Vec3::zero(), random.direction() * 0.7],
+                residual: |v, _| ((v[1] - v[0]).length() - 0.7).abs() / size(v),
+                closest: |p, _, vertex| ends(at(p, 0), 0.7)[vertex.index],
+                ..segment()
+            },
+            Shape {
+                params: r#"{ "length": [0.5, 0.9] }"#,
+                sample: |random, _| {
+                    let length = 0.7 + 0.15 * random.uniform();
+                    vec![Vec3::zero(), random.direction() * length]
+                },
+                residual: |v, _| {
+                    let length = (v[1] - v[0]).length();
+                    (length - length.clamp(0.5, 0.9)).abs() / size(v)
+                },
+                parameters: 4,
+                closest: |p, v, vertex| {
+                    // The way along the direction is free, within half of the limits.
+                    let side = [-1.0, 1.0][vertex.index];
+                    let direction = direction(at(p, 0)) * side;
+                    direction * v.dot(direction).clamp(0.25, 0.45)
+                },
+                ..segment()
+            },
+            Shape {
+                params: r#"{ "strain": [0.9, 1.1] }"#,
+                sample: |random, rest| {
+                    let length = (rest[1] - rest[0]).length() * (1.0 + 0.05 * random.uniform());
+                    vec![Vec3::zero(), random.direction() * length]
+                },
+                residual: |v, rest| {
+                    let strain = (v[1] - v[0]).length() / (rest[1] - rest[0]).length();
+                    (strain - strain.clamp(0.9, 1.1)).abs()
+                },
+                closest: |p, v, vertex| {
+                    let side = [-1.0, 1.0][vertex.index];
+                    let direction = direction(at(p, 0)) * side;
+                    let half = vertex.rest.length();
+                    direction * v.dot(direction).clamp(0.9 * half, 1.1 * half)
+                },
+                ..segment()
+            },
+        ],
+        _ => return None,
+    };
+    Some(shapes)
+}
+
+/// As long as at rest.
+fn segment() -> Shape {
+    Shape {
+        rest: |random, n| cloud(random, n, 1.0),
+        sample: |random, rest| {
+            let start = random.vector();
+            vec![start, start + random.direction() * (rest[1] - rest[0]).length()]
+        },
+        residual: |v, rest| ((v[1] - v[0]).length() - (rest[1] - rest[0]).length()).abs() / size(v),
+        parameters: 3,
+        closest: |p, _, vertex| ends(at(p, 0), 2.0 * vertex.rest.length())[vertex.index],
+        ..Shape::ANY
+    }
+}
+
+/// The centred segment with this direction and length.
+fn ends(along: Vec3<f64>, length: f64) -> [Vec3<f64>; 2] {
+    let half = direction(along) * (0.5 * length);
+    [-half, half]
+}
+
+/// However long or short the vector is.
+fn direction(v: Vec3<f64>) -> Vec3<f64> {
+    v.length_and_direction().1.unwrap_or(Vec3::new(1.0, 0.0, 0.0))
+}
