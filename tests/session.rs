@@ -373,3 +373,54 @@ fn a_face_shows_the_row_that_says_the_most_about_it() {
     session.edit(off(2)).expect("the row is there");
     assert_eq!(shown(&session), ([0, 9, 0], Some(1), vec![]));
 }
+
+#[test]
+fn projections_are_those_that_the_energy_measures() {
+    // Kinds that may be anywhere and one that acts on edges; with the guard a projection may be
+    // that of an earlier step.
+    for guard in ["", r#", "solver": { "monotone": true }"#] {
+        let constraints = r#", "constraints": [
+            { "kind": "circle", "on": "faces", "weight": 2 },
+            { "kind": "plane", "on": "faces", "enabled": false },
+            { "kind": "line", "on": { "each": "curve" } },
+            { "kind": "line-segment", "on": { "each": "edge" }, "length": 0.9 } ]"#;
+        let mut session =
+            Session::open(scene(&format!("{constraints}{guard}")), bumpy(4)).expect("it is valid");
+        run(&mut session, 4);
+        let found = session.projections();
+        let counts = [(0, 16 * 4), (1, 0), (3, 40 * 2)];
+        for (row, count) in counts {
+            assert_eq!(found.rows.iter().filter(|&&r| r == row).count(), count, "row {row}");
+        }
+        let weight_of = |row: u32| session.rows()[row as usize].constraints.weight;
+        let energy: f64 = found
+            .ways
+            .iter()
+            .zip(&found.rows)
+            .map(|(way, &row)| weight_of(row) * way.iter().map(|x| x * x).sum::<f64>())
+            .sum();
+        let expected = session.solver().energy().shape;
+        assert!((energy - expected).abs() < 1e-12 * expected, "{energy} is not {expected}");
+
+        // The outline of a panel is its four sides, between its own four points.
+        let outlines_of = |row: u32| {
+            let of_row = |ends: &&[u32; 2]| found.rows[ends[0] as usize] == row;
+            found.outlines.iter().filter(of_row).count()
+        };
+        assert_eq!((outlines_of(0), outlines_of(3)), (16 * 4, 40));
+        for [a, b] in found.outlines.iter().map(|ends| ends.map(|end| end as usize)) {
+            assert_eq!(found.rows[a], found.rows[b]);
+            let ends = (found.vertices[a], found.vertices[b]);
+            assert!(session.topology().edge(ends.0, ends.1).is_some());
+        }
+        // The circles of the first panel: four points in a plane, as far from one centre.
+        let at = |point: usize| -> [f64; 3] {
+            let vertex = session.positions()[found.vertices[point] as usize];
+            std::array::from_fn(|i| vertex[i] + found.ways[point][i])
+        };
+        let corners: Vec<_> = (0..4).map(at).collect();
+        let faces: shape_up::mesh::Ragged = [[0, 1, 2, 3]].iter().collect();
+        let spread = shape_up::mesh::Measures::new(&corners, &faces, 1.0);
+        assert!(spread.circularity.max_distance < 1e-9, "{spread:?}");
+    }
+}

@@ -93,9 +93,9 @@ async fn every_switch_changes_the_picture() {
         assert!(count > 20, "{what}: only {count} pixels differ");
         before = after;
     };
-    view.set_display(true, true, false);
+    view.set_display(true, true, false, false, false);
     check(&mut view, "vertices");
-    view.set_display(false, false, false);
+    view.set_display(false, false, false, false, false);
     check(&mut view, "no edges");
     let two_colours = [0.1, 0.3, 0.9, 0.9, 0.2, 0.2];
     view.set_row_colours(vec![1, 2, 0, 0], vec![], &two_colours).unwrap();
@@ -104,9 +104,9 @@ async fn every_switch_changes_the_picture() {
     check(&mut view, "colours of rows on vertices");
     view.set_face_values(Some(vec![0.0, 0.3, 0.6, f32::NAN]), 0.0, 1.0).unwrap();
     check(&mut view, "values");
-    view.set_display(true, false, false);
+    view.set_display(true, false, false, false, false);
     check(&mut view, "edges between values");
-    view.set_display(false, false, false);
+    view.set_display(false, false, false, false, false);
     check(&mut view, "no edges between values");
     view.set_selection(vec![4], vec![1]).unwrap();
     check(&mut view, "selection");
@@ -115,10 +115,17 @@ async fn every_switch_changes_the_picture() {
     view.set_handles(&[2, 6], &[0, 1], &[2.0, 0.0, 0.5, 0.0, 2.0, 0.0]).unwrap();
     check(&mut view, "handles");
     view.set_shapes(&[0.0, 1.0, 1.0, 0.5, 0.0, 0.0, 1.0, 0.8]).unwrap();
-    view.set_display(false, false, true);
+    view.set_display(false, false, true, false, false);
     check(&mut view, "circle");
     view.set_shapes(&[1.0, 1.0, 1.0, 0.5, 0.0, 0.0, 1.0, 1.1]).unwrap();
     check(&mut view, "sphere");
+    // The raised middle goes down, the middle of a side goes up.
+    let ways = [0.0, 0.0, -0.6, 0.5, 0.0, 0.4];
+    view.set_projections(&[4, 1], &ways, &[1, 2], &[0, 1], &two_colours).unwrap();
+    view.set_display(false, false, false, true, false);
+    check(&mut view, "outlines");
+    view.set_display(false, false, false, false, true);
+    check(&mut view, "arrows");
     view.set_theme(true);
     check(&mut view, "dark");
     view.set_up("y").unwrap();
@@ -177,6 +184,7 @@ async fn wrong_input_is_thrown_with_a_complete_message() {
     let wrong = view.set_up("x").unwrap_err();
     assert_eq!(message(&wrong), "up: \"x\", expected z or y");
     assert!(view.set_face_values(Some(vec![1.0]), 0.0, 1.0).is_err());
+    assert!(view.set_projections(&[9], &[0.0; 3], &[1], &[], &[0.0; 3]).is_err());
     let wrong = view.set_row_colours(vec![1; 4], vec![], &[]).unwrap_err();
     assert_eq!(message(&wrong), "colours of faces: index 1, expected less than 1");
     assert!(view.draw().unwrap());

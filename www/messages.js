@@ -146,6 +146,16 @@
  * @property {Float32Array} palette three parts from 0 to 1 per colour
  */
 
+/**
+ * The projected points of all constraints that are on.
+ * @typedef {object} Projections
+ * @property {Uint32Array} vertices `#points`: the vertex that each is the projection of
+ * @property {Float32Array} ways `#points by 3`: from the vertex to the point
+ * @property {Uint8Array} colours `#points`: one more than a place in `palette`
+ * @property {Uint32Array} outlines pairs of points
+ * @property {Float32Array} palette three parts from 0 to 1 per colour
+ */
+
 /** The largest distance of a face's corners to its best plane or circle. @typedef {"planarity" | "circularity"} Measure */
 
 /** @typedef {{ name: string, bytes: Uint8Array }} NamedBytes */
@@ -161,7 +171,7 @@
  * @typedef {{ type: "run" }
  *   | { type: "pause" }
  *   | { type: "drag", vertices: Uint32Array, targets: Float64Array, phase: "start" | "move" | "end" | "cancel" }
- *   | { type: "show", measure: Measure | null, shapes: boolean }
+ *   | { type: "show", measure: Measure | null, shapes: boolean, projections: boolean }
  *   | { type: "recycle", positions: Float64Array }} Command
  */
 
@@ -210,7 +220,8 @@
  *   during a run: what a dead worker is replaced with.
  * - `frame`: a state of the iteration. `trace` has six numbers per iteration since the last frame:
  *   iteration, shape, close, smooth, handles, total. `values` are those of `measure`, `#F`;
- *   `shapes` the fitted shapes, eight numbers each.
+ *   `shapes` the fitted shapes, eight numbers each;
+ *   `projections` where the constraints would have their vertices.
  * - `activity`: whether the solver runs (Run was pressed and it has not converged); sent after the
  *   frame that belongs to it.
  * - `trouble`: an iteration failed; the last good state stays.
@@ -220,7 +231,8 @@
  *   | { type: "document", document: SceneDocument }
  *   | { type: "scene", text: string, iteration: number }
  *   | { type: "frame", numbers: Numbers, trace: Float64Array, positions: Float64Array,
- *       measure: Measure | null, values: Float32Array | null, shapes: Float32Array | null }
+ *       measure: Measure | null, values: Float32Array | null, shapes: Float32Array | null,
+ *       projections: Projections | null }
  *   | { type: "activity", running: boolean, converged: boolean }
  *   | { type: "trouble", message: string }
  *   | { type: "died", message: string }

@@ -19,6 +19,7 @@ import { messageOf } from './messages.js';
  * @property {Float32Array | null} values of `measure`, `#F`
  * @property {import("./messages.js").Measure | null} measure
  * @property {Float32Array | null} shapes fitted shapes, eight numbers each
+ * @property {import("./messages.js").Projections | null} projections
  */
 
 export class SolverClient extends EventTarget {
@@ -133,6 +134,7 @@ export class SolverClient extends EventTarget {
           values: null,
           measure: null,
           shapes: null,
+          projections: null,
         };
         break;
       case 'scene':
@@ -147,6 +149,7 @@ export class SolverClient extends EventTarget {
         geometry.values = message.values;
         geometry.measure = message.measure;
         geometry.shapes = message.shapes;
+        geometry.projections = message.projections;
         break;
       }
       case 'reply':

@@ -28,7 +28,7 @@
  * @property {Measure | null} measure what the faces are coloured by
  * @property {boolean} measureChosen somebody chose it since the model was opened
  * @property {[number, number]} range of the colours, in units of the mesh
- * @property {{ edges: boolean, vertices: boolean, shapes: boolean }} display
+ * @property {{ edges: boolean, vertices: boolean, shapes: boolean, outlines: boolean, arrows: boolean }} display
  * @property {boolean} dark
  * @property {"webgpu" | "webgl2" | "none" | "starting"} renderer
  * @property {string} status what happened last, in words
@@ -65,7 +65,7 @@ const INITIAL = {
   measure: null,
   measureChosen: false,
   range: [0, 0],
-  display: { edges: true, vertices: false, shapes: false },
+  display: { edges: true, vertices: false, shapes: false, outlines: false, arrows: false },
   dark: false,
   renderer: 'starting',
   status: '',

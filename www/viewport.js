@@ -220,6 +220,10 @@ export class Viewport extends EventTarget {
     view.setPositions(geometry.positions);
     this.#showValues(view, state);
     if (geometry.shapes) view.setShapes(geometry.shapes);
+    if (geometry.projections) {
+      const { vertices, ways, colours, outlines, palette } = geometry.projections;
+      view.setProjections(vertices, ways, colours, outlines, palette);
+    }
   }
 
   #draw() {
@@ -242,7 +246,8 @@ export class Viewport extends EventTarget {
  * @param {State} state
  */
 function showDisplay(view, { display }) {
-  view.setDisplay(display.edges, display.vertices, display.shapes);
+  const { edges, vertices, shapes, outlines, arrows } = display;
+  view.setDisplay(edges, vertices, shapes, outlines, arrows);
 }
 
 /**

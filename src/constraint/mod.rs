@@ -32,7 +32,7 @@ mod sphere;
 mod square;
 mod target;
 
-pub use batch::{Batch, LocalStep, Reference, Row, batches};
+pub use batch::{Batch, LocalStep, Projected, Reference, Row, batches};
 pub use info::{Arity, Centring, Form, Info, Param, ParamValue};
 pub use resolve::resolve;
 pub use select::{Element, SelectError, Selector, Set, Sets, describe};

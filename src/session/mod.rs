@@ -10,17 +10,20 @@
 //! | `history` | undo and redo |
 //! | `acting` | which row of constraints each face and vertex belongs to |
 //! | `inspect` | what hosts show of a session: errors of faces, members, previews |
+//! | `projected` | the projections of the constraints, to be drawn |
 //! | `report` | the report of design section 6 |
 
 mod acting;
 mod edit;
 mod history;
 mod inspect;
+mod projected;
 mod report;
 mod resolve;
 
 pub use acting::ActingRows;
 pub use edit::{Edit, NewConstraint};
+pub use projected::Projections;
 pub use report::{EnergyReport, Report, Seconds, TraceEntry};
 pub use resolve::ResolvedRow;
 

@@ -37,6 +37,9 @@ pub mod pipeline;
 #[cfg(target_arch = "wasm32")]
 pub mod points;
 pub mod polygon_edges;
+#[cfg(target_arch = "wasm32")]
+pub mod projection_lines;
+pub mod projections;
 pub mod ray;
 pub mod row_colours;
 pub mod shaders;

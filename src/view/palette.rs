@@ -10,6 +10,9 @@ pub struct Stroke {
     pub colour: Colour,
     /// Width.
     pub width: f32,
+    /// Width of the casing on each side, whose colour is `colour`; the line has a colour of its own
+    /// then.
+    pub casing: f32,
 }
 
 /// How a dot is drawn.
@@ -38,6 +41,10 @@ pub enum LineKind {
     Curve = 2,
     /// From a handle to where it should be.
     Pull = 3,
+    /// Of a projected shape; the shader knows its number.
+    Outline = 4,
+    /// From a vertex to its projection; the shader knows its number.
+    Arrow = 5,
 }
 
 /// What a dot stands for; its number is its place in [`Palette::dots`].
@@ -62,7 +69,7 @@ pub enum DotKind {
 }
 
 /// How many kinds of lines there are.
-pub const LINE_KINDS: usize = 4;
+pub const LINE_KINDS: usize = 6;
 /// How many kinds of dots there are.
 pub const DOT_KINDS: usize = 8;
 
@@ -99,7 +106,12 @@ const WHITE: Colour = [1.0, 1.0, 1.0, 1.0];
 const INK: Colour = [0.06, 0.08, 0.11, 1.0];
 
 const fn stroke(colour: Colour, width: f32) -> Stroke {
-    Stroke { colour, width }
+    Stroke { colour, width, casing: 0.0 }
+}
+
+/// A line in the colour of a row of constraints.
+const fn cased(width: f32) -> Stroke {
+    Stroke { colour: [1.0, 1.0, 1.0, 0.7], width, casing: 0.8 }
 }
 
 const fn dot(fill: Colour, rim: Colour, radius: f32, rim_width: f32) -> Dot {
@@ -118,6 +130,8 @@ pub const LIGHT: Palette = Palette {
         stroke([0.13, 0.16, 0.21, 1.0], 1.9),
         stroke([0.10, 0.12, 0.16, 1.0], 2.4),
         stroke([0.13, 0.40, 0.93, 0.9], 1.5),
+        cased(1.4),
+        cased(1.5),
     ],
     edge_of_values: [1.0, 1.0, 1.0, 0.40],
     dots: [
@@ -146,6 +160,8 @@ pub const DARK: Palette = Palette {
         stroke([0.80, 0.83, 0.88, 1.0], 1.7),
         stroke([0.90, 0.92, 0.95, 1.0], 2.4),
         stroke([0.45, 0.65, 1.0, 0.95], 1.5),
+        cased(1.4),
+        cased(1.5),
     ],
     edge_of_values: [1.0, 1.0, 1.0, 0.34],
     dots: [

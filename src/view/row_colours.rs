@@ -55,17 +55,17 @@ impl RowColours {
     pub fn dots(&self) -> impl Iterator<Item = (u32, u8)> + '_ {
         (0..).zip(self.vertices.iter().copied()).filter(|&(_, place)| place > 0)
     }
+}
 
-    /// The palette as RGBA bytes, the first for place 0; opacity is [`STRENGTH`].
-    pub fn texels(&self, count: usize) -> Vec<u8> {
-        let mut texels = vec![0; count * 4];
-        for (texel, colour) in texels.chunks_exact_mut(4).skip(1).zip(&self.palette) {
-            for (byte, part) in texel.iter_mut().zip(colour.iter().chain([&STRENGTH])) {
-                *byte = (part * 255.0).round() as u8;
-            }
+/// A palette as RGBA bytes for `count` places, the first for place 0; opacity is [`STRENGTH`].
+pub fn texels(palette: &[[f32; 3]], count: usize) -> Vec<u8> {
+    let mut texels = vec![0; count * 4];
+    for (texel, colour) in texels.chunks_exact_mut(4).skip(1).zip(palette) {
+        for (byte, part) in texel.iter_mut().zip(colour.iter().chain([&STRENGTH])) {
+            *byte = (part * 255.0).round() as u8;
         }
-        texels
     }
+    texels
 }
 
 #[cfg(test)]
@@ -77,7 +77,10 @@ mod tests {
         let palette = [1.0, 0.0, 0.0, 0.0, 0.0, 1.0];
         let colours = RowColours::new(vec![2, 0], vec![0, 1, 0, 2], &palette, (4, 2)).unwrap();
         assert_eq!(colours.dots().collect::<Vec<_>>(), [(1, 1), (3, 2)]);
-        assert_eq!(colours.texels(4), [0, 0, 0, 0, 255, 0, 0, 92, 0, 0, 255, 92, 0, 0, 0, 0]);
+        assert_eq!(
+            texels(&colours.palette, 4),
+            [0, 0, 0, 0, 255, 0, 0, 92, 0, 0, 255, 92, 0, 0, 0, 0]
+        );
         assert!(RowColours::new(vec![], vec![], &[], (4, 2)).is_ok());
     }
 

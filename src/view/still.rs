@@ -86,7 +86,7 @@ pub fn style(has_values: bool) -> String {
         LIGHT.strokes[LineKind::Edge as usize].width,
     );
     for (kind, class) in [(LineKind::Boundary, "rim"), (LineKind::Pull, "pull")] {
-        let [Stroke { colour: light, width }, Stroke { colour: dark, .. }] =
+        let [Stroke { colour: light, width, .. }, Stroke { colour: dark, .. }] =
             [LIGHT, DARK].map(|palette| palette.strokes[kind as usize]);
         let _ = write!(
             style,

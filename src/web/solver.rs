@@ -241,6 +241,24 @@ impl Solver {
         Ok(Float32Array::from(&narrow[..]))
     }
 
+    /// The projections of the constraints at the current positions: per point its vertex
+    /// (`vertices`), the way from there to the point (`ways`, `#points by 3`, units of the mesh), and
+    /// one more than the place of its colour in `palette` (`colours`); `outlines` are pairs of points.
+    pub fn projections(&mut self) -> Result<JsValue, JsValue> {
+        let session = self.open_mut()?;
+        let (places, palette) = colours_of_rows(session);
+        let found = session.projections();
+        let ways: Vec<f32> = found.ways.as_flattened().iter().map(|&part| part as f32).collect();
+        let colours: Vec<u8> = found.rows.iter().map(|&row| places[row as usize]).collect();
+        object([
+            ("vertices", Uint32Array::from(&found.vertices[..]).into()),
+            ("ways", Float32Array::from(&ways[..]).into()),
+            ("colours", Uint8Array::from(&colours[..]).into()),
+            ("outlines", Uint32Array::from(found.outlines.as_flattened()).into()),
+            ("palette", palette),
+        ])
+    }
+
     /// The faces and vertices that row `constraint` acts on.
     pub fn members(&self, constraint: usize) -> Result<JsValue, JsValue> {
         let [faces, vertices] = self.open()?.members(constraint);
@@ -255,29 +273,16 @@ impl Solver {
     pub fn row_colours(&self) -> Result<JsValue, JsValue> {
         let session = self.open()?;
         let acting = session.acting_rows();
-        let colours = session.rows().iter().map(|row| row.constraints.kind.info().colour);
-        let mut palette: Vec<[u8; 3]> = Vec::new();
-        let places: Vec<u8> = colours
-            .map(|colour| {
-                let known = palette.iter().position(|other| *other == colour);
-                let place = known.unwrap_or(palette.len());
-                if known.is_none() {
-                    palette.push(colour);
-                }
-                u8::try_from(place + 1).expect("there are fewer than 255 kinds")
-            })
-            .collect();
+        let (places, palette) = colours_of_rows(session);
         let narrow = |rows: &[Option<u32>]| {
             let places: Vec<u8> =
                 rows.iter().map(|row| row.map_or(0, |row| places[row as usize])).collect();
             JsValue::from(Uint8Array::from(&places[..]))
         };
-        let palette: Vec<f32> =
-            palette.as_flattened().iter().map(|&part| f32::from(part) / 255.0).collect();
         object([
             ("faces", narrow(&acting.faces)),
             ("vertices", narrow(&acting.vertices)),
-            ("palette", Float32Array::from(&palette[..]).into()),
+            ("palette", palette),
         ])
     }
 
@@ -360,6 +365,25 @@ fn object<const N: usize>(entries: [(&str, JsValue); N]) -> Result<JsValue, JsVa
         js_sys::Reflect::set(&object, &key.into(), &value)?;
     }
     Ok(object.into())
+}
+
+/// Per row of constraints one more than the place of its colour in the palette, and the palette:
+/// three parts from 0 to 1 per colour.
+fn colours_of_rows(session: &Session) -> (Vec<u8>, JsValue) {
+    let mut palette: Vec<[u8; 3]> = Vec::new();
+    let colours = session.rows().iter().map(|row| row.constraints.kind.info().colour);
+    let places = colours.map(|colour| {
+        let known = palette.iter().position(|other| *other == colour);
+        let place = known.unwrap_or(palette.len());
+        if known.is_none() {
+            palette.push(colour);
+        }
+        u8::try_from(place + 1).expect("there are fewer than 255 kinds")
+    });
+    let places = places.collect();
+    let parts: Vec<f32> =
+        palette.as_flattened().iter().map(|&part| f32::from(part) / 255.0).collect();
+    (places, Float32Array::from(&parts[..]).into())
 }
 
 fn message_of(error: &JsValue) -> String {

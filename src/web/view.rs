@@ -9,6 +9,7 @@ use crate::view::colour_map;
 use crate::view::device::{Device, DeviceError};
 use crate::view::lists::ViewError;
 use crate::view::picture::Picture;
+use crate::view::projections::Projections;
 use crate::view::row_colours::RowColours;
 use crate::view::stage::{Display, Stage};
 use glam::Vec2;
@@ -154,10 +155,18 @@ impl View {
         self.stage.dark = dark;
     }
 
-    /// Switches edges, dots on vertices, and fitted shapes on or off.
+    /// Switches edges, dots on vertices, fitted shapes, outlines of projected shapes, and arrows to
+    /// projections on or off.
     #[wasm_bindgen(js_name = setDisplay)]
-    pub fn set_display(&mut self, edges: bool, vertices: bool, shapes: bool) {
-        let display = Display { edges, vertices, shapes };
+    pub fn set_display(
+        &mut self,
+        edges: bool,
+        vertices: bool,
+        shapes: bool,
+        outlines: bool,
+        arrows: bool,
+    ) {
+        let display = Display { edges, vertices, shapes, outlines, arrows };
         self.stage.changes.view |= display != self.stage.display;
         self.stage.display = display;
     }
@@ -235,6 +244,27 @@ impl View {
     #[wasm_bindgen(js_name = setShapes)]
     pub fn set_shapes(&mut self, shapes: &[f32]) -> Result<(), JsValue> {
         self.stage.set_shapes(shapes).map_err(thrown)
+    }
+
+    /// Sets the projections of the constraints: the vertex of each projected point, the way from the
+    /// vertex to the point (#points by 3), one more than the place of its colour in the palette, the
+    /// outlines as pairs of points, and the palette, three parts from 0 to 1 per colour.
+    ///
+    /// # Errors
+    /// Arrays that do not fit together.
+    #[wasm_bindgen(js_name = setProjections)]
+    pub fn set_projections(
+        &mut self,
+        vertices: &[u32],
+        ways: &[f32],
+        colours: &[u8],
+        outlines: &[u32],
+        palette: &[f32],
+    ) -> Result<(), JsValue> {
+        let (count, _) = self.stage.counts();
+        let projections = Projections::new(vertices, ways, colours, outlines, palette, count);
+        self.stage.set_projections(projections.map_err(thrown)?);
+        Ok(())
     }
 
     /// Sets the vertical axis, `z` or `y`.

@@ -1,6 +1,14 @@
 // What the faces are coloured by.
 
-import { addConstraint, hidePanels, openExample, openText, showPanel, tool } from './actions.mjs';
+import {
+  addConstraint,
+  hidePanels,
+  openExample,
+  openText,
+  runToTheEnd,
+  showPanel,
+  tool,
+} from './actions.mjs';
 import { wavyGrid } from './meshes.mjs';
 import { colourAt, decodePng } from './picture.mjs';
 import { expect, openPage, screenOf, test, waitForState } from './support.mjs';
@@ -92,4 +100,41 @@ test('while colours say nothing else, faces have those of their constraints', as
   await expect.poll(async () => (await tints())[0]).toBeGreaterThan(plain + 20);
   await tool(page, 'Undo');
   await expect.poll(async () => (await tints())[0]).toBeLessThan(plain - 20);
+});
+
+test('residuals are arrows to the projected shapes, until there are none', async ({ page }) => {
+  await openPage(page);
+  await waitForState(page, (now) => now.renderer !== 'none');
+  await openText(page, 'grid.obj', wavyGrid(4), 25);
+  await addConstraint(page, 'Plane', 'each face');
+  const pixels = async () => {
+    const view = page.getByRole('application', { name: '3D view' });
+    return decodePng(await view.screenshot()).pixels;
+  };
+  const differing = (a, b) => a.reduce((sum, byte, at) => sum + Number(byte !== b[at]), 0);
+  /** How many bytes of the picture outlines change, and then the arrows. */
+  const changes = async () => {
+    await showPanel(page, 'Energies and display');
+    const [outlines, arrows] = ['Projected shapes', 'Residual arrows'].map((name) =>
+      page.getByRole('checkbox', { name }),
+    );
+    const before = await pixels();
+    await outlines.check();
+    await expect.poll(async () => differing(await pixels(), before)).toBeGreaterThan(2000);
+    const outlined = await pixels();
+    // The projections are there already: the next picture has the arrows.
+    await arrows.check();
+    const twoPictures = () =>
+      new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+    await page.evaluate(twoPictures);
+    const changed = differing(await pixels(), outlined);
+    await arrows.uncheck();
+    await outlines.uncheck();
+    await expect.poll(async () => differing(await pixels(), before)).toBe(0);
+    return changed;
+  };
+  const rough = await changes();
+  expect(rough).toBeGreaterThan(500);
+  await runToTheEnd(page);
+  expect(await changes()).toBeLessThan(0.2 * rough);
 });

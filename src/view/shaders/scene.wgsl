@@ -3,7 +3,7 @@
 
 struct Stroke {
     colour: vec4f,
-    // Width in CSS pixels; for circles the number of pieces; then nothing.
+    // Width in CSS pixels; for circles the number of pieces; width of the casing; nothing.
     size: vec4f,
 }
 
@@ -30,7 +30,7 @@ struct Scene {
     tint: vec4f,
     sphere: vec4f,
     circle: Stroke,
-    strokes: array<Stroke, 4>,
+    strokes: array<Stroke, 6>,
     dots: array<Dot, 8>,
 }
 
@@ -39,7 +39,8 @@ struct Scene {
 @group(0) @binding(2) var vertex_normals: texture_2d<f32>;
 @group(0) @binding(3) var face_normals: texture_2d<f32>;
 @group(0) @binding(4) var face_looks: texture_2d<f32>;
-// Row 0: the map of values. Row 1: the colours of the rows of constraints.
+// Row 0: the map of values. Row 1: the colours of the rows of constraints. Row 2: the same, for
+// projections.
 @group(0) @binding(5) var colour_map: texture_2d<f32>;
 
 fn texel(index: u32) -> vec2u {
