@@ -48,7 +48,7 @@ fn corner_of_projection(
     let head_length = min(head, length_on_screen);
     out.sizes = vec4f(half_width, head_length * HEAD_SLOPE, head_length, casing);
     // Outlines that are only a few pixels long fade instead of filling everything, as edges do.
-    let fineness = clamp(length_on_screen / (12.0 * ratio), 0.2, 1.0);
+    let fineness = clamp(length_on_screen / (24.0 * ratio), 0.2, 1.0);
     let colour = textureLoad(colour_map, vec2u(kind.y, 2u), 0).rgb;
     out.colour = vec4f(colour, select(fineness, 1.0, is_arrow));
     return out;
