@@ -3,8 +3,9 @@
 use shape_up::constraint::{Element, Kind, Selector, Set};
 use shape_up::mesh::{Group, GroupKeyword, Mesh, Ragged};
 use shape_up::scene::{
-    Accelerator, Closeness, ConstraintSpec, HandleSpec, Hold, MeshSource, Scene, SceneError,
-    Smoothness, SmoothnessOf, SolverSettings, Up, Weighting, Weights,
+    Accelerator, BoundaryCloseness, Closeness, ClosenessTo, ClosenessWeight, ConstraintSpec,
+    HandleSpec, Hold, MeshSource, Scene, SceneError, Smoothness, SmoothnessOf, SolverSettings, Up,
+    Weighting, Weights,
 };
 
 /// Two squares side by side.
@@ -30,7 +31,8 @@ fn a_scene_without_settings_has_the_defaults() {
     let scene = Scene::from_json(&file_with("")).unwrap();
     assert_eq!(scene, Scene::new(MeshSource::File("roof.obj".into())));
     assert_eq!(scene.weights, Weights { shape: 1.0, close: 0.0, smooth: 0.0 });
-    assert_eq!(scene.closeness, Closeness::Surface);
+    assert_eq!(scene.closeness, Closeness::default());
+    assert_eq!(scene.closeness.to, ClosenessTo::Surface);
     assert_eq!(scene.solver.iterations, 200);
     assert_eq!(scene.solver.accelerator, Accelerator::QuasiNewton);
 }
@@ -47,11 +49,15 @@ fn everything_the_format_has_is_read() {
           { "kind": "line", "on": { "each": "ring", "radius": 2, "in": "eaves" } },
           { "kind": "plane", "on": { "vertices": [3, 5, 4] } },
           { "kind": "plane", "on": { "each": "group" } },
-          { "kind": "plane", "on": "rings" } ],
+          { "kind": "plane", "on": "rings" },
+          { "kind": "plane", "on": "strips" },
+          { "kind": "plane", "on": { "each": "strip", "in": "eaves" } } ],
         "handles": [ { "vertices": [2], "targets": [[1.25, 0.5, 2]], "weight": 10 },
                      { "vertices": "0-1", "fixed": true }, { "vertices": [4] } ],
         "weights": { "shape": 5, "close": 10, "smooth": 2 },
-        "closeness": { "to": "rest" },
+        "closeness": { "to": "rest", "boundary": { "corners": 30 },
+                       "weights": [{ "on": { "set": "eaves" }, "weight": 10 },
+                                   { "on": "boundary", "weight": 0 }] },
         "smoothness": { "of": "displacement", "weighting": "uniform" },
         "solver": { "iterations": 7, "tolerance": 0, "accelerator": "none", "window": 0,
                     "mean_centring": false, "monotone": true }"#,
@@ -76,6 +82,8 @@ fn everything_the_format_has_is_read() {
             Selector::Vertices(vec![3, 5, 4]),
             each(Element::Group, None, 0),
             each(Element::Ring, None, 1),
+            each(Element::Strip, None, 0),
+            each(Element::Strip, Some("eaves"), 0),
         ]
     );
     assert_eq!(scene.constraints[0].weight, 2.5);
@@ -86,7 +94,17 @@ fn everything_the_format_has_is_read() {
     assert_eq!(scene.handles[1].hold, Hold::Fixed);
     assert_eq!(scene.handles[2].hold, Hold::Soft { weight: 100.0 });
     assert_eq!(scene.weights, Weights { shape: 5.0, close: 10.0, smooth: 2.0 });
-    assert_eq!(scene.closeness, Closeness::Rest);
+    assert_eq!(
+        scene.closeness,
+        Closeness {
+            to: ClosenessTo::Rest,
+            weights: vec![
+                ClosenessWeight { on: Selector::Set("eaves".into()), weight: 10.0 },
+                ClosenessWeight { on: each(Element::Boundary, None, 0), weight: 0.0 },
+            ],
+            boundary: Some(BoundaryCloseness { corners: 30.0 }),
+        }
+    );
     assert_eq!(
         scene.smoothness,
         Smoothness { of: SmoothnessOf::Displacement, weighting: Weighting::Uniform }
@@ -141,6 +159,20 @@ const REFUSED: &[(&str, &str, &[&str])] = &[
     (r#", "constraints": [{ "kind": "line-segment", "on": "edges", "length": "rset" }]"#, "constraints[0].length", &["rset", "\"rest\"", "[least, greatest]"]),
     (r#", "constraints": [{ "kind": "line-segment", "on": "edges", "length": -1 }]"#, "constraints[0].length", &["found -1", "from 0"]),
     (r#", "constraints": [{ "kind": "line-segment", "on": "edges", "length": [2, 1] }]"#, "constraints[0].length[1]", &["found 1", "from 2"]),
+    (r#", "constraints": [{ "kind": "equal-length", "on": "faces", "length": 1 }]"#, "constraints[0]", &["`length`", "weight"]),
+    (r#", "constraints": [{ "kind": "angle", "on": "corners", "angle": 181 }]"#, "constraints[0].angle", &["found 181", "from 0 to 180"]),
+    (r#", "constraints": [{ "kind": "angle", "on": "corners", "angle": [90, 80] }]"#, "constraints[0].angle[1]", &["found 80", "from 90"]),
+    (r#", "constraints": [{ "kind": "area", "on": "faces", "area": "now" }]"#, "constraints[0].area", &["now", "\"rest\""]),
+    (r#", "constraints": [{ "kind": "volume", "on": "tets", "strain": -1 }]"#, "constraints[0].strain", &["found -1", "from 0"]),
+    (r#", "constraints": [{ "kind": "bending", "on": "hinges", "bend": "flat" }]"#, "constraints[0].bend", &["flat", "[least, greatest]"]),
+    (r#", "constraints": [{ "kind": "plane", "on": "faces", "normal": [0, 0, 0] }]"#, "constraints[0].normal", &["found [0, 0, 0]", "[x, y, z], not all zero"]),
+    (r#", "constraints": [{ "kind": "plane", "on": "faces", "along": [0, "1", 0] }]"#, "constraints[0].along[1]", &["\"1\"", "f64"]),
+    (r#", "constraints": [{ "kind": "plane", "on": "faces", "normal": [0, 0, 1], "along": [1, 0, 0] }]"#, "constraints[0]", &["both `normal` and `along`"]),
+    (r#", "constraints": [{ "kind": "plane", "on": "faces", "norml": [0, 0, 1] }]"#, "constraints[0]", &["`norml`", "normal, along"]),
+    (r#", "constraints": [{ "kind": "line", "on": "faces", "direction": "up" }]"#, "constraints[0].direction", &["\"up\"", "[x, y, z]"]),
+    (r#", "constraints": [{ "kind": "rectangle", "on": "faces", "fit": "line" }]"#, "constraints[0].fit", &["`line`", "`closest`", "`lines`"]),
+    (r#", "constraints": [{ "kind": "circle", "on": "faces", "radius": -1 }]"#, "constraints[0].radius", &["found -1", "from 0"]),
+    (r#", "constraints": [{ "kind": "sphere", "on": "faces", "radius": [2, 1] }]"#, "constraints[0].radius[1]", &["found 1", "from 2"]),
     (r#", "constraints": [{ "kind": "similar", "on": "faces", "scale": null }]"#, "constraints[0].scale", &["null", "[least, greatest]"]),
     (r#", "constraints": [{ "kind": "similar", "on": "faces", "scale": [1] }]"#, "constraints[0].scale", &["1", "[least, greatest]"]),
     (r#", "constraints": [{ "kind": "similar", "on": "faces", "scale": [1, 2, 3] }]"#, "constraints[0].scale", &["more than two", "[least, greatest]"]),
@@ -158,6 +190,18 @@ const REFUSED: &[(&str, &str, &[&str])] = &[
     (r#", "weights": { "shape": -0.5 }"#, "weights.shape", &["found -0.5", "from 0"]),
     (r#", "weights": { "closeness": 1 }"#, "weights", &["`closeness`", "shape, close, smooth"]),
     (r#", "closeness": { "to": "curve" }"#, "closeness.to", &["\"curve\"", "\"surface\"", "\"none\""]),
+    (r#", "closeness": { "corners": 45 }"#, "closeness", &["`corners`", "to, weights, boundary"]),
+    (r#", "closeness": { "weights": { "eaves": 3 } }"#, "closeness.weights", &["an object", "array"]),
+    (r#", "closeness": { "weights": [{ "weight": 3 }] }"#, "closeness.weights[0]", &["`on` is missing", "\"faces\""]),
+    (r#", "closeness": { "weights": [{ "on": "boundary" }] }"#, "closeness.weights[0]", &["`weight` is missing", "from 0"]),
+    (r#", "closeness": { "weights": [{ "on": "faces", "weight": 1 }, { "on": "edge", "weight": 1 }] }"#, "closeness.weights[1].on", &["\"edge\"", "\"edges\""]),
+    (r#", "closeness": { "weights": [{ "on": "faces", "weight": -2 }] }"#, "closeness.weights[0].weight", &["found -2", "from 0"]),
+    (r#", "closeness": { "weights": [{ "on": "faces", "factor": 2 }] }"#, "closeness.weights[0]", &["`factor`", "on, weight"]),
+    (r#", "closeness": { "boundary": true }"#, "closeness.boundary", &["found true", "an object"]),
+    (r#", "closeness": { "boundary": { "angle": 45 } }"#, "closeness.boundary", &["`angle`", "corners"]),
+    (r#", "closeness": { "boundary": { "corners": "45" } }"#, "closeness.boundary.corners", &["\"45\"", "degrees"]),
+    (r#", "closeness": { "boundary": { "corners": 181 } }"#, "closeness.boundary.corners", &["found 181", "0 to 180"]),
+    (r#", "closeness": { "boundary": { "corners": -1 } }"#, "closeness.boundary.corners", &["found -1", "0 to 180"]),
     (r#", "smoothness": { "of": 1 }"#, "smoothness.of", &["found 1", "\"displacement\""]),
     (r#", "smoothness": { "weighting": "cot" }"#, "smoothness.weighting", &["\"cot\"", "\"cotangent\""]),
     (r#", "solver": { "iterations": -3 }"#, "solver.iterations", &["found -3", "from 0"]),
@@ -304,6 +348,21 @@ const UNFIT: &[Unfit] = &[
         s.constraints.push(constraint("plane", Selector::Vertices(vec![0, 1, 2, 3])));
         s.constraints[0].weight = f64::NAN;
     }),
+    ("closeness.weights[1].on.set", |s| {
+        let entry = |name: &str| ClosenessWeight { on: Selector::Set(name.into()), weight: 2.0 };
+        s.closeness.weights = vec![entry("wall"), entry("nowhere")];
+    }),
+    ("closeness.weights[0].on.vertices[1]", |s| {
+        let on = Selector::Vertices(vec![5, 6]);
+        s.closeness.weights.push(ClosenessWeight { on, weight: 2.0 });
+    }),
+    ("closeness.weights[0].weight", |s| {
+        let on = Selector::Vertices(vec![5]);
+        s.closeness.weights.push(ClosenessWeight { on, weight: f64::INFINITY });
+    }),
+    ("closeness.boundary.corners", |s| {
+        s.closeness.boundary = Some(BoundaryCloseness { corners: f64::NAN });
+    }),
     ("handles[0].vertices[0]", |s| s.handles.push(handle(&[6]))),
     ("handles[1].vertices[0]", |s| s.handles = vec![handle(&[1, 2]), handle(&[2])]),
     ("handles[0].targets", |s| {
@@ -348,7 +407,7 @@ fn a_mesh_without_faces_has_no_surface_to_be_close_to() {
     scene.validate(&mesh).unwrap();
     scene.weights.close = 1.0;
     assert_eq!(scene.validate(&mesh).unwrap_err().path, "closeness.to");
-    scene.closeness = Closeness::Rest;
+    scene.closeness.to = ClosenessTo::Rest;
     scene.validate(&mesh).unwrap();
 }
 

@@ -4,8 +4,9 @@ use proptest::prelude::*;
 use shape_up::constraint::{Element, KINDS, Kind, Selector, Set};
 use shape_up::mesh::Mesh;
 use shape_up::scene::{
-    Accelerator, Closeness, ConstraintSpec, HandleSpec, Hold, MeshSource, Scene, Smoothness,
-    SmoothnessOf, SolverSettings, Up, Weighting, Weights,
+    Accelerator, BoundaryCloseness, Closeness, ClosenessTo, ClosenessWeight, ConstraintSpec,
+    HandleSpec, Hold, MeshSource, Scene, Smoothness, SmoothnessOf, SolverSettings, Up, Weighting,
+    Weights,
 };
 
 fn constraint(id: &str, on: Selector) -> ConstraintSpec {
@@ -68,6 +69,8 @@ prop_compose! {
             (0..KINDS.len(), selector(), not_negative(), any::<bool>()), 0..4),
         handles in prop::collection::vec(handle_spec(), 0..3),
         weights in prop::array::uniform3(not_negative()),
+        held in prop::collection::vec((selector(), not_negative()), 0..3),
+        corners in prop::option::of(0.0..=180.0f64),
         choices in (0..3usize, 0..2usize, 0..3usize, 0..3usize),
         solver in (any::<u32>(), not_negative(), any::<u32>(), any::<bool>(), any::<bool>()),
     ) -> Scene {
@@ -84,7 +87,11 @@ prop_compose! {
             }).collect(),
             handles,
             weights: Weights { shape: weights[0], close: weights[1], smooth: weights[2] },
-            closeness: [Closeness::Surface, Closeness::Rest, Closeness::None][choices.0],
+            closeness: Closeness {
+                to: [ClosenessTo::Surface, ClosenessTo::Rest, ClosenessTo::None][choices.0],
+                weights: held.into_iter().map(|(on, weight)| ClosenessWeight { on, weight }).collect(),
+                boundary: corners.map(|corners| BoundaryCloseness { corners }),
+            },
             smoothness: Smoothness {
                 of: [SmoothnessOf::Surface, SmoothnessOf::Displacement][choices.1],
                 weighting: [Weighting::Auto, Weighting::Uniform, Weighting::Cotangent][choices.2],

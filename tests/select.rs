@@ -93,6 +93,7 @@ fn a_ring_starts_with_its_centre_and_counts_by_it() {
         [vec![0, 1, 4, 5], vec![1, 0, 2, 5], vec![4, 0, 5, 8], vec![5, 0, 1, 4, 6, 9, 10]]
     );
     assert_eq!(rows(&each(Element::Ring, None, 1)).len(), 16);
+    assert_eq!(rows(&each(Element::Ring, None, 2))[0], [0, 1, 4, 5, 2, 6, 8, 9, 10]);
     assert!(rows(&each(Element::Ring, None, 9)).iter().all(|ring| ring.len() == 16));
 }
 
@@ -127,6 +128,51 @@ fn boundary_loops_tets_and_groups_are_elements_too() {
     let tets =
         resolve(&each(Element::Tet, Some("corner"), 0), &mesh, &Topology::new(&mesh), &sets());
     assert_eq!(tets, Ok(Ragged::from_iter([[0, 1, 5, 4]])));
+}
+
+#[test]
+fn corners_stars_and_hinges_come_in_the_order_of_their_meaning() {
+    let mesh = wavy(3, 3);
+    let of = |mesh: &Mesh, element: Element, within: Option<&str>| {
+        let rows = resolve(&each(element, within, 0), mesh, &Topology::new(mesh), &sets());
+        rows.expect("it is valid").iter().map(<[u32]>::to_vec).collect::<Vec<_>>()
+    };
+    let corners = of(&mesh, Element::Corner, None);
+    assert_eq!(corners.len(), 4 * 9);
+    assert_eq!(corners[..4], [[4, 0, 1], [0, 1, 5], [1, 5, 4], [5, 4, 0]]);
+    // The corners of the faces that a set lists.
+    assert_eq!(of(&mesh, Element::Corner, Some("skylight")).len(), 8);
+    let stars = of(&mesh, Element::Star, None);
+    assert_eq!(stars[0], [5, 1, 4, 9, 6]);
+    assert_eq!(stars.iter().map(|star| star[0]).collect::<Vec<_>>(), [5, 6, 9, 10]);
+    assert!(of(&mesh, Element::Hinge, None).is_empty(), "quads have none");
+    let halves = |f: &[u32]| [[f[0], f[1], f[2]], [f[0], f[2], f[3]]];
+    let triangles = Mesh { faces: mesh.faces.iter().flat_map(halves).collect(), ..mesh.clone() };
+    let hinges = of(&triangles, Element::Hinge, None);
+    assert_eq!(hinges.len(), 9 + 12);
+    assert_eq!(hinges[0], [0, 5, 1, 4]);
+}
+
+#[test]
+fn strips_run_side_by_side_and_count_when_they_lie_in_the_set() {
+    let strips = rows(&each(Element::Strip, None, 0));
+    assert_eq!(strips.len(), 3 + 3);
+    assert_eq!(strips[0], [0, 1, 4, 5, 8, 9, 12, 13]);
+    let left = Selector::Each { element: Element::Strip, within: Some("left".into()), radius: 0 };
+    let none: Vec<Vec<u32>> = vec![];
+    assert_eq!(rows(&left), none, "the set of that name has one vertex");
+    let mesh = roof();
+    let of_group = resolve(&left, &mesh, &Topology::new(&mesh), &Sets::new());
+    assert_eq!(of_group, Ok(Ragged::from_iter([[0, 1, 4, 5, 8, 9, 12, 13]])));
+    // A closed strip has its vertices once.
+    let tube = Mesh {
+        positions: vec![[0.0; 3]; 10],
+        faces: (0..5_u32).map(|i| [i, (i + 1) % 5, (i + 1) % 5 + 5, i + 5]).collect(),
+        ..Mesh::default()
+    };
+    let found = resolve(&each(Element::Strip, None, 0), &tube, &Topology::new(&tube), &sets());
+    let longest = found.as_ref().expect("it is valid").iter().max_by_key(|row| row.len());
+    assert_eq!(longest.expect("there is one").len(), 10);
 }
 
 #[test]
@@ -167,6 +213,8 @@ fn selectors_are_described_in_words() {
         (each(Element::Face, Some("eaves"), 0), "each face of eaves"),
         (each(Element::Face, None, 2), "all faces with 2 rings of neighbours"),
         (each(Element::Ring, None, 1), "all vertices with neighbours"),
+        (each(Element::Strip, None, 0), "all strips of faces"),
+        (each(Element::Strip, Some("eaves"), 0), "each strip of faces of eaves"),
         (each(Element::Ring, Some("eaves"), 2), "each vertex of eaves with 2 rings of neighbours"),
         (Selector::Set("eaves".into()), "the vertices of eaves"),
         (Selector::Vertices((0..12).collect()), "12 vertices"),
@@ -178,12 +226,15 @@ fn selectors_are_described_in_words() {
 }
 
 #[test]
-fn elements_are_known_by_their_ids() {
-    for element in Element::ALL {
-        assert_eq!(Element::from_id(element.id()), Some(element));
-        assert!(!element.label().is_empty());
-    }
-    assert_eq!(Element::from_id("faces"), None);
+fn elements_have_ids_and_words_of_their_own() {
+    let mut words: Vec<&str> = Element::ALL.iter().map(|element| element.id()).collect();
+    words.extend(Element::ALL.iter().filter_map(|element| element.word_for_all()));
+    words.sort_unstable();
+    let all = words.len();
+    words.dedup();
+    // "boundary" is both one loop and all of them.
+    assert_eq!(words.len(), all - 1);
+    assert!(Element::ALL.iter().all(|element| !element.label().is_empty()));
 }
 
 proptest! {

@@ -345,82 +345,152 @@ fn relative_shapes_never_raise_the_energy_of_the_plain_iteration() {
     }
 }
 
-#[test]
-fn a_face_shows_the_row_that_says_the_most_about_it() {
-    // Three by three quads: a plane on all of them, a sphere on the one in the middle, and a line
-    // along one side, which covers no face.
-    let sets = r#", "sets": { "middle": { "faces": [4] }, "side": { "vertices": [0, 1, 2, 3] } }"#;
-    let mut session = Session::open(scene(sets), bumpy(3)).expect("it is regular");
-    let shown = |session: &Session| {
-        let acting = session.acting_rows();
-        let used = |row| acting.faces.iter().filter(|face| **face == Some(row)).count();
-        let dots: Vec<usize> =
-            (0..16).filter(|&vertex| acting.vertices[vertex].is_some()).collect();
-        ([used(0), used(1), used(2)], acting.faces[4], dots)
-    };
-    assert_eq!(shown(&session), ([0; 3], None, vec![]));
-    session.edit(new("sphere", r#"{ "set": "middle" }"#)).expect("four vertices fit");
-    session.edit(new("plane", r#""faces""#)).expect("quads fit");
-    session.edit(new("line", r#"{ "set": "side" }"#)).expect("four vertices fit");
-    assert_eq!(shown(&session), ([1, 8, 0], Some(0), vec![0, 1, 2, 3]));
-    // The side's corners are corners of faces too, but no face is on the line.
-    assert_eq!(session.members(2), [vec![], vec![0, 1, 2, 3]]);
-    let [faces, vertices] = session.members(1);
-    assert_eq!((faces.len(), vertices.len()), (9, 16));
+/// The lengths of the edges among `vertices`.
+fn edge_lengths(session: &Session, vertices: &[u32]) -> Vec<f64> {
+    let positions = session.positions();
+    let among = |v: &u32| vertices.contains(v);
+    let edges = session.topology().edges().iter().filter(|ends| ends.iter().all(among));
+    edges
+        .map(|ends| {
+            let [a, b] = ends.map(|v| positions[v as usize]);
+            (0..3).map(|i| (a[i] - b[i]) * (a[i] - b[i])).sum::<f64>().sqrt()
+        })
+        .collect()
+}
 
-    let off = |index| Edit::SetConstraint { index, weight: None, enabled: Some(false) };
-    session.edit(off(0)).expect("the row is there");
-    session.edit(off(2)).expect("the row is there");
-    assert_eq!(shown(&session), ([0, 9, 0], Some(1), vec![]));
+/// The greatest over the least, less one.
+fn spread(lengths: &[f64]) -> f64 {
+    let greatest = lengths.iter().fold(0.0, |m: f64, x| m.max(*x));
+    greatest / lengths.iter().fold(f64::INFINITY, |m, x| m.min(*x)) - 1.0
+}
+
+fn solved(rest: &str, mesh: Mesh) -> Session {
+    let mut scene = scene(rest);
+    (scene.solver.iterations, scene.solver.tolerance) = (1000, 1e-14);
+    let mut session = Session::open(scene, mesh).expect("it is regular");
+    session.solve(false).expect("positions stay finite");
+    session
 }
 
 #[test]
-fn projections_are_those_that_the_energy_measures() {
-    // Kinds that may be anywhere and one that acts on edges; with the guard a projection may be
-    // that of an earlier step.
-    for guard in ["", r#", "solver": { "monotone": true }"#] {
-        let constraints = r#", "constraints": [
-            { "kind": "circle", "on": "faces", "weight": 2 },
-            { "kind": "plane", "on": "faces", "enabled": false },
-            { "kind": "line", "on": { "each": "curve" } },
-            { "kind": "line-segment", "on": { "each": "edge" }, "length": 0.9 } ]"#;
-        let mut session =
-            Session::open(scene(&format!("{constraints}{guard}")), bumpy(4)).expect("it is valid");
-        run(&mut session, 4);
-        let found = session.projections();
-        let counts = [(0, 16 * 4), (1, 0), (3, 40 * 2)];
-        for (row, count) in counts {
-            assert_eq!(found.rows.iter().filter(|&&r| r == row).count(), count, "row {row}");
-        }
-        let weight_of = |row: u32| session.rows()[row as usize].constraints.weight;
-        let energy: f64 = found
-            .ways
-            .iter()
-            .zip(&found.rows)
-            .map(|(way, &row)| weight_of(row) * way.iter().map(|x| x * x).sum::<f64>())
-            .sum();
-        let expected = session.solver().energy().shape;
-        assert!((energy - expected).abs() < 1e-12 * expected, "{energy} is not {expected}");
+fn the_sides_of_faces_sets_and_curves_become_equally_long() {
+    let separate = || {
+        let mut mesh = bumpy(1);
+        mesh.positions.extend([[5.0, 0.0, 0.0], [6.0, 0.2, 0.0], [8.0, 3.0, 1.0]]);
+        mesh.faces.push(&[4, 5, 6]);
+        mesh
+    };
+    // Each face has a length of its own.
+    let on_faces = r#", "constraints": [{ "kind": "equal-length", "on": "faces" }]"#;
+    let session = solved(on_faces, separate());
+    assert!(spread(&edge_lengths(&session, &[0, 1, 2, 3])) <= 1e-6);
+    assert!(spread(&edge_lengths(&session, &[4, 5, 6])) <= 1e-6);
+    assert!(spread(&edge_lengths(&session, &[0, 1, 2, 3, 4, 5, 6])) > 0.1);
 
-        // The outline of a panel is its four sides, between its own four points.
-        let outlines_of = |row: u32| {
-            let of_row = |ends: &&[u32; 2]| found.rows[ends[0] as usize] == row;
-            found.outlines.iter().filter(of_row).count()
-        };
-        assert_eq!((outlines_of(0), outlines_of(3)), (16 * 4, 40));
-        for [a, b] in found.outlines.iter().map(|ends| ends.map(|end| end as usize)) {
-            assert_eq!(found.rows[a], found.rows[b]);
-            let ends = (found.vertices[a], found.vertices[b]);
-            assert!(session.topology().edge(ends.0, ends.1).is_some());
-        }
-        // The circles of the first panel: four points in a plane, as far from one centre.
-        let at = |point: usize| -> [f64; 3] {
-            let vertex = session.positions()[found.vertices[point] as usize];
-            std::array::from_fn(|i| vertex[i] + found.ways[point][i])
-        };
-        let corners: Vec<_> = (0..4).map(at).collect();
-        let faces: shape_up::mesh::Ragged = [[0, 1, 2, 3]].iter().collect();
-        let spread = shape_up::mesh::Measures::new(&corners, &faces, 1.0);
-        assert!(spread.circularity.max_distance < 1e-9, "{spread:?}");
+    // A set has one, over all edges between its vertices, and those only.
+    let on_set = r#", "constraints": [{ "kind": "equal-length", "on": { "set": "corner" } }],
+                      "sets": { "corner": { "vertices": "0-2,5-7,10-12" } }"#;
+    let session = solved(on_set, bumpy(4));
+    let corner = [0, 1, 2, 5, 6, 7, 10, 11, 12];
+    assert_eq!(edge_lengths(&session, &corner).len(), 12);
+    assert!(spread(&edge_lengths(&session, &corner)) <= 1e-6);
+    assert!(spread(&edge_lengths(&session, &[20, 21, 22, 23, 24])) > 1e-3, "others are free");
+
+    // A path whose segments share vertices, between fixed ends.
+    let mut path = Mesh {
+        positions: [0.0, 0.1, 0.5, 2.0, 2.1, 4.0].map(|x: f64| [x, x * x / 4.0, 0.0]).to_vec(),
+        ..Mesh::default()
+    };
+    path.curves.push(&[0, 1, 2, 3, 4, 5]);
+    let on_curves = r#", "constraints": [{ "kind": "equal-length", "on": "curves" }],
+                         "handles": [{ "vertices": [0, 5], "fixed": true }]"#;
+    let session = solved(on_curves, path.clone());
+    let lengths = edge_lengths(&session, &[0, 1, 2, 3, 4, 5]);
+    assert_eq!(lengths.len(), 5);
+    assert!(spread(&lengths) <= 1e-6, "{lengths:?}");
+    assert_eq!(session.positions()[5], path.positions[5]);
+}
+
+#[test]
+fn elements_without_two_edges_are_misfits_of_equal_lengths() {
+    let mut session = Session::open(scene(PLANES), bumpy(2)).expect("it is regular");
+    for (on, selected) in [("\"edges\"", "12"), (r#"{ "vertices": [0, 4, 8] }"#, "1")] {
+        let error = session.edit(new("equal-length", on)).expect_err("one edge has but one length");
+        let words = format!("2 or more edges, and none of the {selected} selected elements");
+        assert!(error.to_string().contains(&words), "{error}");
     }
+    let error = session.edit(new("angle", "\"faces\"")).expect_err("a quad has four corners");
+    assert!(error.to_string().contains("exactly 3 vertices"), "{error}");
+}
+
+#[test]
+fn thousands_of_equal_edges_couple_only_their_ends() {
+    let n = 50;
+    let all = r#", "constraints": [{ "kind": "equal-length", "on": { "vertices": "0-2600" } }]"#;
+    let mesh = bumpy(n);
+    let start = std::time::Instant::now();
+    let mut session = Session::open(scene(all), mesh.clone()).expect("it is regular");
+    let edges = 2 * n * (n + 1);
+    assert_eq!(session.rows()[0].constraints.members.row(0).len(), 2 * edges as usize);
+    let before = session.solver().energy().total;
+    run(&mut session, 10);
+    assert!(session.solver().energy().total < 0.5 * before);
+    // No extra unknowns, and a factor as sparse as that of the smoothness of the same mesh.
+    let report = session.report();
+    assert_eq!(report.unknowns, mesh.positions.len() - 1, "one vertex is pinned");
+    let smooth = r#", "weights": { "shape": 1, "smooth": 1 }"#;
+    let smooth = Session::open(scene(smooth), mesh).expect("it is regular").report();
+    assert!(report.factor_nonzeros < smooth.factor_nonzeros, "{}", report.factor_nonzeros);
+    let seconds = start.elapsed().as_secs_f64();
+    assert!(seconds < 5.0, "took {seconds} s");
+}
+
+#[test]
+fn corners_areas_and_hinges_of_a_mesh_come_to_what_is_asked() {
+    // Two triangles for each quad.
+    let quads = bumpy(3);
+    let mut mesh = Mesh { positions: quads.positions.clone(), ..Mesh::default() };
+    for quad in quads.faces.iter() {
+        mesh.faces.push(&[quad[0], quad[1], quad[2]]);
+        mesh.faces.push(&[quad[0], quad[2], quad[3]]);
+    }
+    let on_hinges = r#", "constraints": [{ "kind": "bending", "on": "hinges" }]"#;
+    let flat = solved(on_hinges, mesh.clone());
+    assert!(flat.solver().energy().shape <= 1e-12, "{:?}", flat.solver().energy());
+    let heights = lengths(&quads, &flat.positions());
+    assert!(heights.iter().all(|length| *length > 0.1), "it is flat, not a point");
+    let quad = |v: u32| flat.positions()[v as usize];
+    let edge = |v| (0..3).map(|i| quad(v)[i] - quad(0)[i]).collect::<Vec<f64>>();
+    let (a, b, c) = (edge(3), edge(12), edge(15));
+    let volume: f64 = (0..3)
+        .map(|i| a[i] * (b[(i + 1) % 3] * c[(i + 2) % 3] - b[(i + 2) % 3] * c[(i + 1) % 3]))
+        .sum();
+    assert!(volume.abs() <= 1e-5, "{volume}");
+
+    let on_corners =
+        r#", "constraints": [{ "kind": "angle", "on": "corners", "angle": [80, 100] }]"#;
+    let right = solved(on_corners, grid(3, 3, |i, j| [f64::from(i + j), f64::from(j), 0.0]));
+    assert!(right.solver().energy().shape <= 1e-10, "{:?}", right.solver().energy());
+
+    let on_faces = r#", "constraints": [{ "kind": "area", "on": "faces", "area": 0.5 }]"#;
+    let even = solved(on_faces, mesh);
+    assert!(even.solver().energy().shape <= 1e-10, "{:?}", even.solver().energy());
+}
+
+#[test]
+fn a_tetrahedron_that_is_inside_out_turns_back() {
+    let mut mesh = Mesh {
+        positions: vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        ..Mesh::default()
+    };
+    mesh.tets.push([0, 1, 2, 3]);
+    let on_tets = r#", "constraints": [{ "kind": "volume", "on": "tets" }],
+        "current": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, -0.5]]"#;
+    let p = solved(on_tets, mesh).positions();
+    let edge = |k: usize| [0, 1, 2].map(|i| p[k][i] - p[0][i]);
+    let (a, b, c) = (edge(1), edge(2), edge(3));
+    let volume: f64 = (0..3)
+        .map(|i| a[i] * (b[(i + 1) % 3] * c[(i + 2) % 3] - b[(i + 2) % 3] * c[(i + 1) % 3]))
+        .sum();
+    assert!((volume - 1.0).abs() <= 1e-9, "{volume}");
 }

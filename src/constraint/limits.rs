@@ -17,6 +17,12 @@ impl Limits {
         Limits([Some(amount); 2])
     }
 
+    /// Least and greatest: zero and infinity where there is no limit.
+    pub(super) fn ends(self) -> [f64; 2] {
+        let [least, greatest] = self.0;
+        [least.unwrap_or(0.0), greatest.unwrap_or(f64::INFINITY)]
+    }
+
     /// The amount nearest to `amount` within the limits.
     #[inline(always)]
     pub(super) fn clamp<S: Lane>(self, amount: S) -> S {

@@ -1,17 +1,21 @@
 //! Line (paper section 3.1): the direction of the line is the eigenvector of the greatest
-//! eigenvalue of the scatter matrix.
+//! eigenvalue of the scatter matrix, or is given.
 
-use super::{Arity, Centring, Info, Projection};
+use super::direction::Direction;
+use super::{Arity, Centring, Form, Info, Param, ParamValue, Projection};
 use crate::math::{Lane, PrincipalAxes, Scatter, Vec3};
 use serde::{Deserialize, Serialize};
 
-/// All vertices on one straight line.
+/// All vertices on one straight line, of any direction or of a given one.
 ///
 /// Where two directions fit equally well (the corners of a square, coincident points) one of them
 /// is taken; both are closest.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
-pub struct Line {}
+pub struct Line {
+    /// The direction of the line; none is the one that fits best.
+    direction: Option<Direction>,
+}
 
 impl Projection for Line {
     const INFO: Info = Info {
@@ -25,7 +29,14 @@ impl Projection for Line {
         exact: true,
         measure: None,
         colour: [150, 90, 200],
-        params: &[],
+        params: &[Param {
+            id: "direction",
+            label: "Direction",
+            unit: "",
+            default: ParamValue::Nothing,
+            forms: &[Form::Nothing, Form::Vector],
+            range: [f64::NEG_INFINITY, f64::INFINITY],
+        }],
     };
 
     fn closed_form<S: Lane>(
@@ -34,6 +45,13 @@ impl Projection for Line {
         v: &[Vec3<S>],
         projected: &mut [Vec3<S>],
     ) -> bool {
+        if let Some(direction) = &self.direction {
+            let e = direction.unit();
+            for (v, p) in v.iter().zip(projected) {
+                *p = e * e.dot(*v);
+            }
+            return true;
+        }
         let scatter = Scatter::of(v);
         let e = scatter.unit.greatest_eigenvector();
         for (v, p) in v.iter().zip(projected) {

@@ -13,8 +13,14 @@
 //! The scene format, the command line, the controls of the page, the property tests and the
 //! operator table follow from the declaration.
 
+mod angle;
+mod angle_range;
+mod area;
 mod batch;
+mod bending;
 mod circle;
+mod direction;
+mod equal_length;
 mod info;
 mod limits;
 mod line;
@@ -31,6 +37,7 @@ mod similar;
 mod sphere;
 mod square;
 mod target;
+mod volume;
 
 pub use batch::{Batch, LocalStep, Projected, Reference, Row, batches};
 pub use info::{Arity, Centring, Form, Info, Param, ParamValue};
@@ -226,6 +233,11 @@ kinds! {
     similar::Similar,
     planar_similar::PlanarSimilar,
     line_segment::LineSegment,
+    equal_length::EqualLength,
+    angle::Angle,
+    area::Area,
+    volume::Volume,
+    bending::Bending,
     regular_polygon::RegularPolygon,
     square::Square,
     parallelogram::Parallelogram,

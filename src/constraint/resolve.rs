@@ -1,7 +1,7 @@
 //! From a selector to the vertices of each constraint that it makes.
 
 use super::{Element, SelectError, Selector, Sets};
-use crate::mesh::{Mesh, Ragged, Topology, corners, edge_lines, hinges, stars};
+use crate::mesh::{Mesh, Ragged, Topology, corners, edge_lines, hinges, stars, strips};
 
 /// The vertices of each constraint that a selector makes: one row of distinct vertices for each.
 ///
@@ -12,6 +12,7 @@ use crate::mesh::{Mesh, Ragged, Topology, corners, edge_lines, hinges, stars};
 /// | rings | one per vertex | the vertex, then ring by ring, each ring ascending |
 /// | curves | those of the file, then the lines of [`edge_lines`] | along the curve |
 /// | boundary | as [`Topology::boundary_loops`] | along the loop |
+/// | strips | as [`strips`] | along the strip, side by side |
 /// | corners | face by face | before, corner, after |
 /// | stars | one per interior vertex | the vertex, then its neighbours around it |
 /// | hinges | in the order of [`Topology::edges`] | the ends, then the opposite corners |
@@ -63,6 +64,9 @@ pub fn resolve(
                 }
                 Element::Boundary => {
                     each(topology.boundary_loops(), |_, one| push(Place::Other, one));
+                }
+                Element::Strip => {
+                    each(&strips(mesh, topology), |_, strip| push(Place::Other, strip));
                 }
                 Element::Corner => {
                     corners(mesh).for_each(|(f, corner)| push(Place::Face(f), &corner));

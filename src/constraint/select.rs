@@ -32,6 +32,8 @@ pub enum Element {
     Curve,
     /// A boundary loop.
     Boundary,
+    /// The quads that one crosses through opposite edges, on a quad-dominant mesh.
+    Strip,
     /// All vertices of a group.
     Group,
     /// A corner of a face: the vertex before it, itself, the vertex after it.
@@ -62,13 +64,14 @@ pub enum Selector {
 
 impl Element {
     /// All of them, in the order in which hosts list them.
-    pub const ALL: [Element; 10] = [
+    pub const ALL: [Element; 11] = [
         Element::Face,
         Element::Edge,
         Element::Ring,
         Element::Tet,
         Element::Curve,
         Element::Boundary,
+        Element::Strip,
         Element::Group,
         Element::Corner,
         Element::Star,
@@ -84,6 +87,7 @@ impl Element {
             Element::Tet => "tet",
             Element::Curve => "curve",
             Element::Boundary => "boundary",
+            Element::Strip => "strip",
             Element::Group => "group",
             Element::Corner => "corner",
             Element::Star => "star",
@@ -91,9 +95,21 @@ impl Element {
         }
     }
 
-    /// The element with that id.
-    pub fn from_id(id: &str) -> Option<Element> {
-        Element::ALL.into_iter().find(|element| element.id() == id)
+    /// The word in scene files for all of them, one constraint on each, if there is one.
+    pub fn word_for_all(self) -> Option<&'static str> {
+        match self {
+            Element::Face => Some("faces"),
+            Element::Edge => Some("edges"),
+            Element::Ring => Some("rings"),
+            Element::Tet => Some("tets"),
+            Element::Curve => Some("curves"),
+            Element::Boundary => Some("boundary"),
+            Element::Strip => Some("strips"),
+            Element::Group => None,
+            Element::Corner => Some("corners"),
+            Element::Star => Some("stars"),
+            Element::Hinge => Some("hinges"),
+        }
     }
 
     /// What one of them is called on the page.
@@ -110,6 +126,7 @@ impl Element {
             Element::Tet => ["tetrahedron", "tetrahedra"],
             Element::Curve => ["curve", "curves"],
             Element::Boundary => ["boundary loop", "boundary loops"],
+            Element::Strip => ["strip of faces", "strips of faces"],
             Element::Group => ["group", "groups"],
             Element::Corner => ["corner of a face", "corners of faces"],
             Element::Star => ["inner vertex with its neighbours in turn", "inner vertices"],

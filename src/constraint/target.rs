@@ -18,6 +18,23 @@ pub(super) enum Target {
 impl Target {
     /// The word for [`Target::Rest`].
     pub(super) const REST: &'static str = "rest";
+
+    /// Least and greatest size, such that its square is an area, or its cube a volume: `root` takes such
+    /// a root, `rest` is the size at rest, `unit` that of the area or volume one. What is as at rest
+    /// is so times `strain`.
+    pub(super) fn sizes(
+        self,
+        strain: Limits,
+        root: impl Fn(f64) -> f64,
+        [rest, unit]: [f64; 2],
+    ) -> [f64; 2] {
+        let (limits, size) = match self {
+            Target::Rest => (strain, rest),
+            Target::Within(limits) => (limits, unit),
+        };
+        // No limit is none for a rest shape without size too.
+        limits.ends().map(|end| if end.is_finite() { root(end) * size } else { end })
+    }
 }
 
 impl Serialize for Target {

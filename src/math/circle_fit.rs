@@ -2,9 +2,10 @@
 //! eigenvector of the smallest eigenvalue of their scatter matrix, and in it the circle of Thomas
 //! and Chan, see [`Round`].
 //!
-//! [`CircleFit`] is the closed form, in lanes. Where it is not accurate, [`PrincipalCircle`] is.
+//! [`CircleFit`] is the closed form, in lanes. Where it is not accurate, [`PrincipalCircle`] and
+//! [`super::PrincipalRound`] are.
 
-use super::{Lane, PrincipalAxes, Round, Scatter, Vec3};
+use super::{Lane, PrincipalAxes, Round, RoundWithin, Scatter, Vec3};
 
 /// The circle in closed form.
 #[derive(Clone, Copy, Debug)]
@@ -36,6 +37,25 @@ impl<S: Lane> CircleFit<S> {
             *p += circle.round.step_off_centre(*p, &mut good);
         }
         good.all_greater(S::zero())
+    }
+
+    /// As [`CircleFit::project`], with a radius within limits: `clamp` gives the nearest one. Gives the
+    /// unit normal of the plane and the circle in it, and one in the lanes where all is accurate, else
+    /// zero.
+    // Apart, so that circles of any radius keep their registers.
+    #[inline(never)]
+    pub fn project_within(
+        points: &[Vec3<S>],
+        projected: &mut [Vec3<S>],
+        clamp: impl Fn(S) -> S,
+    ) -> (Vec3<S>, RoundWithin<S>, S) {
+        let (CircleFit { normal, round }, mut good) =
+            CircleFit::through(points, |k, w| projected[k] = w);
+        let circle = RoundWithin::of(projected, round, normal, clamp, Vec3::zero(), &mut good);
+        for p in projected {
+            *p += circle.step_off_centre(*p, &mut good);
+        }
+        (normal, circle, good)
     }
 
     /// The fit, with one in the lanes where it is accurate, else zero; `in_plane` gets every point
@@ -90,28 +110,12 @@ impl PrincipalCircle {
         PrincipalCircle { axes, round: Round::fit_principal(points, 2) }
     }
 
-    /// The closest point of the circle, in space, to the point with principal coordinates `v`. What
-    /// [`Round::closest_or_chosen`] says of lines and of the centre holds here.
-    pub fn closest(&self, v: Vec3<f64>) -> Vec3<f64> {
-        self.axes.point(self.round.closest_or_chosen(Vec3::new(v.x, v.y, 0.0)))
-    }
-
     /// As [`CircleFit::height_and_step`], for the point with principal coordinates `v`: lengths are
-    /// those in space, the step is along the principal axes.
+    /// those in space, the step is along the principal axes. What [`Round::step_or_chosen`] says of
+    /// lines and of the centre holds here.
     pub fn height_and_step(&self, v: Vec3<f64>) -> (f64, Vec3<f64>) {
         let step = self.round.step_or_chosen(Vec3::new(v.x, v.y, 0.0));
         (v.z * self.axes.scale, step * self.axes.scale)
-    }
-
-    /// Unit normal of the plane, of either sign.
-    pub fn normal(&self) -> Vec3<f64> {
-        self.axes.axes[2]
-    }
-
-    /// As [`Round::centre_and_radius`], in space.
-    pub fn centre_and_radius(&self) -> Option<(Vec3<f64>, f64)> {
-        let circle = self.round.centre_and_radius();
-        circle.map(|(c, r)| (self.axes.point(c), r * self.axes.scale))
     }
 }
 
@@ -148,7 +152,9 @@ mod tests {
                     assert!((height.abs() - slow_height.abs()).abs() < 1e-12, "{step}, {k}");
                     assert!((step_to.length() - slow_step.length()).abs() < 1e-12, "{step}, {k}");
                     let closest = circle.in_plane(v) + step_to;
-                    assert!((closest - slow.closest(w)).length() < 1e-12, "{step}, {k}");
+                    let slow_closest = Vec3::new(w.x, w.y, 0.0) * slow.axes.scale + slow_step;
+                    let slow_closest = slow.axes.direction(slow_closest);
+                    assert!((closest - slow_closest).length() < 1e-12, "{step}, {k}");
                     let reached = v - circle.normal * height + step_to;
                     assert!((reached - closest).length() < 1e-15, "{step}, {k}");
                 }

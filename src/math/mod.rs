@@ -1,15 +1,22 @@
 //! Small dense mathematics under everything else: lanes, 3-vectors of lanes, symmetric 3x3
-//! eigenvectors, principal axes, closest rotations, fitted circles and spheres, regular polygons.
-//! Knows of nothing else in the crate.
+//! eigenvectors, singular values, principal axes, closest rotations, fitted circles and spheres,
+//! regular polygons, closest numbers with a given product, sines and cube roots. Knows of nothing else
+//! in the crate.
 
 mod alignment;
 mod circle_fit;
 mod eigenvector;
 mod lane;
 mod orthogonal_pair;
+mod plane_frame;
 mod principal;
+mod product;
+mod root;
 mod round;
+mod round_within;
+mod singular;
 mod symmetric3;
+mod turns;
 mod unit_polygon;
 mod vec3;
 
@@ -18,8 +25,17 @@ pub use circle_fit::{CircleFit, PrincipalCircle};
 pub use eigenvector::Eigenvector;
 pub use lane::{LANES, Lane, Lanes, Pair};
 pub use orthogonal_pair::OrthogonalPair;
+pub use plane_frame::plane_frame;
 pub use principal::PrincipalAxes;
+pub use product::{
+    pair_with_product, pair_with_product_carefully, triple_with_product,
+    triple_with_product_carefully,
+};
+pub use root::cube_root;
 pub use round::Round;
+pub use round_within::{PrincipalRound, RoundWithin};
+pub use singular::SingularValues;
 pub use symmetric3::{Scatter, Symmetric3};
+pub use turns::{cosine, cosine_and_sine_of_degrees, sine};
 pub use unit_polygon::UnitPolygon;
 pub use vec3::{Vec3, centre};

@@ -24,7 +24,7 @@ const FLAT: f64 = 32.0 * f64::EPSILON;
 
 /// A point nearer to the centre than this fraction of the radius is at the centre: the direction in
 /// which it lies is rounding error.
-const AT_CENTRE: f64 = 1e-14;
+pub(super) const AT_CENTRE: f64 = 1e-14;
 
 /// The least `R`, relative to the points (unit trace, lengths over `s^1/2`), at which the closed
 /// form is used. Its rounding error is a few ulp of one, divided by this: about 1e-12 of the size of
@@ -41,7 +41,7 @@ pub struct Round<S> {
     /// The radius times `d`.
     pub reach: S,
     /// The mean of `|v|^2`.
-    mean_square: S,
+    pub(super) mean_square: S,
 }
 
 impl<S: Lane> Round<S> {

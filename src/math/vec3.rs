@@ -49,6 +49,17 @@ impl<S: Lane> Vec3<S> {
     pub fn length(self) -> S {
         self.dot(self).sqrt()
     }
+    /// A unit vector at right angles to this unit vector, in the plane of one of the coordinate axes
+    /// farthest from it.
+    #[inline(always)]
+    pub fn across(self) -> Self {
+        let (zero, one) = (S::zero(), S::one());
+        let [x, y, z] = [self.x.abs(), self.y.abs(), self.z.abs()];
+        let of_two = Self::if_greater(x, y, Vec3::new(zero, one, zero), Vec3::new(one, zero, zero));
+        let axis = Self::if_greater(x.min(y), z, Vec3::new(zero, zero, one), of_two);
+        let across = axis - self * self.dot(axis);
+        across * (one / across.length())
+    }
     /// Lane by lane: `yes` where `key > bound`, else `no`.
     #[inline(always)]
     pub fn if_greater(key: S, bound: S, yes: Self, no: Self) -> Self {

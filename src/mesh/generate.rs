@@ -2,6 +2,7 @@
 //! points up. Only `+ - * / sqrt` are used, so every machine makes the same bits.
 
 use super::{Mesh, Point, Ragged};
+use crate::math::{cosine, sine};
 
 /// A canopy on four feet: a vault of quads over a plan whose sides are drawn in, with a wave across.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -210,45 +211,9 @@ fn grid(panels: [usize; 2], point: impl Fn(f64, f64) -> Point) -> Mesh {
     Mesh { positions, faces: Ragged::from_iter(faces), ..Mesh::default() }
 }
 
-/// The sine of an angle in turns: the Taylor polynomial over a quarter turn, good to 2e-13.
-fn sine(turns: f64) -> f64 {
-    // Into -1/2..1/2 turns, then mirrored into -1/4..1/4.
-    let turns = turns - (turns + 0.5).floor();
-    let turns = match turns {
-        t if t > 0.25 => 0.5 - t,
-        t if t < -0.25 => -0.5 - t,
-        t => t,
-    };
-    let x = turns * std::f64::consts::TAU;
-    // Horner's scheme on 1 - x^2/(2*3) (1 - x^2/(4*5) (1 - ...)).
-    let polynomial = (1..=9).rev().fold(1.0, |sum, k| {
-        let k = f64::from(2 * k);
-        1.0 - x * x / (k * (k + 1.0)) * sum
-    });
-    x * polynomial
-}
-
-/// The cosine of an angle in turns.
-fn cosine(turns: f64) -> f64 {
-    sine(turns + 0.25)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn sine_and_cosine_lie_on_the_unit_circle_and_add_up() {
-        for k in -300..300 {
-            let (a, b) = (f64::from(k) / 97.0, f64::from(k) / 41.0 + 0.1);
-            let unit = sine(a) * sine(a) + cosine(a) * cosine(a);
-            assert!((unit - 1.0).abs() < 1e-12, "{a}: {unit}");
-            let sum = sine(a) * cosine(b) + cosine(a) * sine(b);
-            assert!((sine(a + b) - sum).abs() < 2e-12, "{a} + {b}");
-        }
-        assert!((sine(1.0 / 12.0) - 0.5).abs() < 1e-15);
-        assert_eq!((sine(0.0), sine(0.25)), (0.0, cosine(0.0)));
-    }
 
     #[test]
     fn rings_of_the_dome_follow_each_other() {

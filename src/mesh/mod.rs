@@ -9,14 +9,17 @@
 //! | `obj_write` | OBJ out |
 //! | `generate` | meshes of the examples |
 //! | `topology` | edges, neighbours, rings, faces around edges and vertices |
-//! | `boundary`, `edge_lines`, `components` | boundary loops, straight edge lines, connected components |
+//! | `boundary`, `edge_lines`, `strips`, `components` | boundary loops, straight edge lines, strips of quads, connected components |
+//! | `boundary_curves` | the boundary loops as curves to glide on, with corners |
 //! | `local` | corners of faces, stars of vertices, hinges |
 //! | `laplacian` | the weights `w_ij` of Eq. 12 |
 //! | `closest` | closest point `c(v)` on the reference surface, Eq. 11; with its parts `triangle`, `tree`, `surroundings` |
 //! | `measure` | planarity, circularity, diagonal ratio of faces; with its part `face_fit` |
+//! | `quasi_conformal` | how far a flat map is from keeping angles |
 //! | `bounds` | bounding sphere |
 
 mod boundary;
+mod boundary_curves;
 mod bounds;
 mod closest;
 mod components;
@@ -35,15 +38,18 @@ mod obj;
 mod obj_write;
 mod off;
 mod problem;
+mod quasi_conformal;
 mod ragged;
 mod read;
 mod stream;
+mod strips;
 mod surroundings;
 mod survey;
 mod topology;
 mod tree;
 mod triangle;
 
+pub use boundary_curves::{BoundaryCurve, BoundaryCurves};
 pub use bounds::BoundingSphere;
 pub use closest::Surface;
 pub use components::components;
@@ -51,10 +57,12 @@ pub use edge_lines::edge_lines;
 pub use laplacian::{LARGEST_COTANGENT, Laplacian};
 pub use local::{corners, hinges, stars};
 pub use measure::{Circularity, Measures, Planarity, diagonal_ratio};
-pub use obj_write::write_obj;
+pub use obj_write::{write_obj, write_obj_with_uv};
 pub use problem::{Element, Problem, ProblemKind};
+pub use quasi_conformal::{QuasiConformal, quasi_conformal};
 pub use ragged::Ragged;
 pub use read::{Read, read};
+pub use strips::strips;
 pub use survey::survey;
 pub use topology::Topology;
 

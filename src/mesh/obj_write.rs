@@ -12,20 +12,24 @@ use super::{Group, GroupKeyword, Mesh, Point};
 /// OBJ has no tetrahedra: they are left out. It has one `o` and one `usemtl` at a time: of two such
 /// groups on one element the first is written. White space in the name of a `g` becomes `_`.
 pub fn write_obj(mesh: &Mesh, positions: &[Point]) -> String {
+    write(mesh, positions, &[])
+}
+
+/// The same with a flat map `uv` (`#V by 2`) as texture coordinates, one `vt` for each vertex.
+pub fn write_obj_with_uv(mesh: &Mesh, positions: &[Point], uv: &[[f64; 2]]) -> String {
+    assert_eq!(uv.len(), positions.len(), "one place in the map for each vertex");
+    write(mesh, positions, uv)
+}
+
+fn write(mesh: &Mesh, positions: &[Point], uv: &[[f64; 2]]) -> String {
     assert_eq!(positions.len(), mesh.positions.len(), "one position for each vertex");
     let indices = mesh.faces.indices().len() + mesh.curves.indices().len();
     let mut out = String::with_capacity(64 * positions.len() + 10 * indices);
     for position in positions {
-        out.push('v');
-        for &x in position {
-            out.push(' ');
-            // Plain decimals of very large and very small numbers are mostly zeros.
-            match x == 0.0 || (1e-5..1e16).contains(&x.abs()) {
-                true => push(&mut out, x),
-                false => push(&mut out, format_args!("{x:e}")),
-            }
-        }
-        out.push('\n');
+        push_row(&mut out, "v", position);
+    }
+    for place in uv {
+        push_row(&mut out, "vt", place);
     }
     let members = members(mesh);
     let mut members = members.chunk_by(|a, b| a.0 == b.0).peekable();
@@ -40,10 +44,27 @@ pub fn write_obj(mesh: &Mesh, positions: &[Point]) -> String {
         for &vertex in row {
             out.push(' ');
             push(&mut out, u64::from(vertex) + 1);
+            if !uv.is_empty() {
+                push(&mut out, format_args!("/{}", u64::from(vertex) + 1));
+            }
         }
         out.push('\n');
     }
     out
+}
+
+/// A statement with its numbers.
+fn push_row(out: &mut String, statement: &str, numbers: &[f64]) {
+    out.push_str(statement);
+    for &x in numbers {
+        out.push(' ');
+        // Plain decimals of very large and very small numbers are mostly zeros.
+        match x == 0.0 || (1e-5..1e16).contains(&x.abs()) {
+            true => push(out, x),
+            false => push(out, format_args!("{x:e}")),
+        }
+    }
+    out.push('\n');
 }
 
 fn push(out: &mut String, value: impl Display) {

@@ -1,7 +1,7 @@
 //! The example scenes, on meshes that the project's own generators make.
 
 use super::{
-    Closeness, ConstraintSpec, HANDLE_WEIGHT, HandleSpec, Hold, MeshSource, Scene, Smoothness,
+    ClosenessTo, ConstraintSpec, HANDLE_WEIGHT, HandleSpec, Hold, MeshSource, Scene, Smoothness,
     SmoothnessOf, Weighting, Weights,
 };
 use crate::constraint::{Element, Kind, Selector, Set};
@@ -133,7 +133,7 @@ fn hypar(scene: &mut Scene) -> Mesh {
     // The beams along the sides stand already.
     scene.handles = vec![HandleSpec { vertices: hypar.sides(), targets: None, hold: Hold::Fixed }];
     scene.weights = Weights { shape: 10.0, close: 0.0, smooth: 0.01 };
-    scene.closeness = Closeness::None;
+    scene.closeness.to = ClosenessTo::None;
     hypar.mesh()
 }
 

@@ -7,11 +7,13 @@
 //! |---|---|
 //! | `node` | the document as a tree, and typed access that names the place |
 //! | `constraint` | one entry of the list of constraints |
+//! | `closeness` | what vertices are kept close to |
 //! | `indices` | index lists: arrays or strings of ranges |
 //! | `selector` | the forms of `on` |
 //! | `inline_mesh` | a mesh inside the scene |
 //! | `write` | JSON out |
 
+mod closeness;
 mod constraint;
 mod indices;
 mod inline_mesh;
@@ -22,8 +24,8 @@ mod write;
 pub(super) use node::push_key;
 
 use super::{
-    Accelerator, Closeness, HANDLE_WEIGHT, HandleSpec, Hold, MeshSource, Scene, SceneError,
-    Smoothness, SmoothnessOf, SolverSettings, Up, Weighting, Weights,
+    Accelerator, HANDLE_WEIGHT, HandleSpec, Hold, MeshSource, Scene, SceneError, Smoothness,
+    SmoothnessOf, SolverSettings, Up, Weighting, Weights,
 };
 use crate::constraint::{Set, Sets};
 use crate::mesh::Point;
@@ -52,8 +54,6 @@ const KEYS: &[&str] = &[
 ];
 
 const UPS: &[(&str, Up)] = &[("z", Up::Z), ("y", Up::Y)];
-const CLOSENESSES: &[(&str, Closeness)] =
-    &[("surface", Closeness::Surface), ("rest", Closeness::Rest), ("none", Closeness::None)];
 const SMOOTHNESSES: &[(&str, SmoothnessOf)] =
     &[("surface", SmoothnessOf::Surface), ("displacement", SmoothnessOf::Displacement)];
 const WEIGHTINGS: &[(&str, Weighting)] = &[
@@ -160,10 +160,7 @@ fn read_scene(at: &At<'_>) -> Result<Scene, SceneError> {
         scene.weights = read_weights(&weights)?;
     }
     if let Some(closeness) = at.get("closeness") {
-        closeness.only_keys(&["to"])?;
-        if let Some(to) = closeness.get("to") {
-            scene.closeness = to.one_of(CLOSENESSES)?;
-        }
+        scene.closeness = closeness::read(&closeness)?;
     }
     if let Some(smoothness) = at.get("smoothness") {
         scene.smoothness = read_smoothness(&smoothness)?;

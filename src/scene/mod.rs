@@ -4,12 +4,15 @@
 //! |---|---|
 //! | `json` | the serde form of the scene file, version 1, in and out |
 //! | `validate` | the checks that need the mesh |
+//! | `closeness` | what vertices are kept close to, and how much |
 //! | `examples` | the example scenes, on meshes that the project's own generators make |
 
+mod closeness;
 pub mod examples;
 mod json;
 mod validate;
 
+pub use closeness::{BoundaryCloseness, Closeness, ClosenessTo, ClosenessWeight};
 pub use json::{FORMAT, VERSION};
 
 use crate::constraint::{Kind, Selector, Sets};
@@ -138,18 +141,6 @@ impl Default for Weights {
     fn default() -> Self {
         Weights { shape: 1.0, close: 0.0, smooth: 0.0 }
     }
-}
-
-/// What vertices are kept close to.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Closeness {
-    /// The closest point on the rest surface.
-    #[default]
-    Surface,
-    /// The vertex's own rest position.
-    Rest,
-    /// Nothing.
-    None,
 }
 
 /// What is smoothed, and with which weights.

@@ -1,7 +1,7 @@
 //! The checks of a scene beyond its form: numbers in range, and indices and names that the mesh has.
 
 use super::json::push_key;
-use super::{Closeness, HandleSpec, Hold, Scene, SceneError, Weighting};
+use super::{ClosenessTo, HandleSpec, Hold, Scene, SceneError, Weighting};
 use crate::constraint::Selector;
 use crate::mesh::Mesh;
 use std::collections::{BTreeMap, BTreeSet};
@@ -26,7 +26,7 @@ impl Scene {
             );
         }
         self.check_sets(mesh)?;
-        self.check_constraints(mesh)?;
+        self.check_selectors(mesh)?;
         self.check_handles(vertices)?;
         if self.smoothness.weighting == Weighting::Cotangent {
             let other = mesh.faces.iter().position(|face| face.len() != 3);
@@ -40,7 +40,9 @@ impl Scene {
                 );
             }
         }
-        if self.closeness == Closeness::Surface && self.weights.close > 0.0 && mesh.faces.is_empty()
+        if self.closeness.to == ClosenessTo::Surface
+            && self.weights.close > 0.0
+            && mesh.faces.is_empty()
         {
             return error(
                 "closeness.to",
@@ -61,6 +63,17 @@ impl Scene {
         }
         for (i, handle) in self.handles.iter().enumerate() {
             check_handle_numbers(i, handle)?;
+        }
+        for (i, entry) in self.closeness.weights.iter().enumerate() {
+            from_zero(&format!("closeness.weights[{i}].weight"), entry.weight)?;
+        }
+        if let Some(boundary) = self.closeness.boundary
+            && !(0.0..=180.0).contains(&boundary.corners)
+        {
+            return error(
+                "closeness.boundary.corners",
+                format!("found {}, expected an angle in degrees from 0 to 180", boundary.corners),
+            );
         }
         from_zero("weights.shape", self.weights.shape)?;
         from_zero("weights.close", self.weights.close)?;
@@ -89,38 +102,15 @@ impl Scene {
         Ok(())
     }
 
-    fn check_constraints(&self, mesh: &Mesh) -> Result<(), SceneError> {
+    /// Every selector, of constraints and of closeness.
+    fn check_selectors(&self, mesh: &Mesh) -> Result<(), SceneError> {
         let groups = mesh.groups.iter().map(|group| group.name.as_str());
         let names: BTreeSet<&str> = self.sets.keys().map(String::as_str).chain(groups).collect();
         for (i, spec) in self.constraints.iter().enumerate() {
-            let path = format!("constraints[{i}].on");
-            let (key, name) = match &spec.on {
-                Selector::Set(name) => ("set", name),
-                Selector::Each { within: Some(name), .. } => ("in", name),
-                Selector::Each { within: None, .. } => continue,
-                Selector::Vertices(vertices) => {
-                    check_indices(
-                        &format!("{path}.vertices"),
-                        "vertex",
-                        vertices,
-                        mesh.positions.len(),
-                    )?;
-                    continue;
-                }
-            };
-            if !names.contains(name.as_str()) {
-                let known: Vec<_> = names.iter().copied().collect();
-                let known = match known.as_slice() {
-                    [] => "there are none".to_owned(),
-                    known => format!("there are: {}", known.join(", ")),
-                };
-                return error(
-                    &format!("{path}.{key}"),
-                    format!(
-                        "found {name:?}, expected the name of a set or of a group of the mesh; {known}"
-                    ),
-                );
-            }
+            check_selector(&format!("constraints[{i}].on"), &spec.on, &names, mesh)?;
+        }
+        for (i, entry) in self.closeness.weights.iter().enumerate() {
+            check_selector(&format!("closeness.weights[{i}].on"), &entry.on, &names, mesh)?;
         }
         Ok(())
     }
@@ -142,6 +132,36 @@ impl Scene {
         }
         Ok(())
     }
+}
+
+/// The names and indices of a selector; `names` are those of sets and groups.
+fn check_selector(
+    path: &str,
+    on: &Selector,
+    names: &BTreeSet<&str>,
+    mesh: &Mesh,
+) -> Result<(), SceneError> {
+    let (key, name) = match on {
+        Selector::Set(name) => ("set", name),
+        Selector::Each { within: Some(name), .. } => ("in", name),
+        Selector::Each { within: None, .. } => return Ok(()),
+        Selector::Vertices(vertices) => {
+            let path = format!("{path}.vertices");
+            return check_indices(&path, "vertex", vertices, mesh.positions.len());
+        }
+    };
+    if names.contains(name.as_str()) {
+        return Ok(());
+    }
+    let known: Vec<_> = names.iter().copied().collect();
+    let known = match known.as_slice() {
+        [] => "there are none".to_owned(),
+        known => format!("there are: {}", known.join(", ")),
+    };
+    error(
+        &format!("{path}.{key}"),
+        format!("found {name:?}, expected the name of a set or of a group of the mesh; {known}"),
+    )
 }
 
 fn check_handle_numbers(i: usize, handle: &HandleSpec) -> Result<(), SceneError> {

@@ -5,7 +5,7 @@ use super::{Session, resolve, solver};
 use crate::constraint::{Selector, Set};
 use crate::error::Error;
 use crate::mesh::Point;
-use crate::scene::{ConstraintSpec, HANDLE_WEIGHT, Hold, Scene, SceneError, Weights};
+use crate::scene::{Closeness, ConstraintSpec, HANDLE_WEIGHT, Hold, Scene, SceneError, Weights};
 use crate::solve::Handle;
 
 /// An edit of the document.
@@ -29,6 +29,8 @@ pub enum Edit {
     },
     /// Replaces the weights of Eq. 13.
     SetWeights(Weights),
+    /// Replaces what vertices are kept close to.
+    SetCloseness(Closeness),
     /// Makes vertices handles where they are now; those that are handles already change how they hold.
     AddHandles {
         /// Which vertices.
@@ -155,6 +157,10 @@ impl Session {
             Edit::SetWeights(weights) => {
                 document.weights = weights;
                 "Change weights".to_owned()
+            }
+            Edit::SetCloseness(closeness) => {
+                document.closeness = closeness;
+                "Change closeness".to_owned()
             }
             Edit::AddHandles { vertices, fixed } => {
                 let hold = if fixed { Hold::Fixed } else { Hold::Soft { weight: HANDLE_WEIGHT } };

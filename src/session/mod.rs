@@ -253,12 +253,14 @@ fn solver(
 ) -> Result<Solver, Error> {
     let constraints: Vec<Constraints> =
         rows.iter().filter(|row| row.enabled).map(|row| row.constraints.clone()).collect();
+    let closeness_factors = document.closeness.factors(mesh, topology, &document.sets)?;
     let problem = Problem {
         mesh,
         topology,
         constraints: &constraints,
         weights: document.weights,
-        closeness: document.closeness,
+        closeness: &document.closeness,
+        closeness_factors: &closeness_factors,
         smoothness: document.smoothness,
         settings: document.solver,
     };

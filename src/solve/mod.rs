@@ -10,12 +10,14 @@
 //! | `system` | these four together: the linear system of the global step |
 //! | `solver` | the iteration |
 //! | `accelerate`, `quasi_newton`, `anderson` | steps that learn from the steps before |
+//! | `conformal`, `subspace` | conformal parametrisation (Eq. 14), and its eigenvector |
 
 mod accelerate;
 mod anderson;
 mod assemble;
 pub mod clock;
 mod close;
+mod conformal;
 mod energy;
 mod factor;
 mod hold;
@@ -25,8 +27,10 @@ mod quasi_newton;
 mod shape;
 mod smooth;
 mod solver;
+mod subspace;
 mod system;
 
+pub use conformal::{ConformalNorm, ConformalSeconds, ConformalWeights, Parametrization};
 pub use energy::{Energy, IterateSeconds};
 pub use hold::Handle;
 pub use shape::Constraints;

@@ -5,7 +5,7 @@
 //! the factor of `A` is only a metric: its rounding cannot move the fixed point.
 
 use super::accelerate::{Accelerator, add_scaled};
-use super::close::CloseEnergy;
+use super::close::{CloseEnergy, RestShape};
 use super::energy::{Energies, Energy, IterateSeconds};
 use super::hold::{Handle, SoftHandles, pins, relative};
 use super::shape::{Constraints, ShapeEnergy, extra_unknowns};
@@ -29,7 +29,9 @@ pub struct Problem<'a> {
     /// The weights of Eq. 13.
     pub weights: Weights,
     /// What vertices are kept close to.
-    pub closeness: Closeness,
+    pub closeness: &'a Closeness,
+    /// `k_v` of each vertex, `#V`: see [`Closeness::factors`].
+    pub closeness_factors: &'a [f64],
     /// What is smoothed.
     pub smoothness: Smoothness,
     /// How it is solved.
@@ -45,8 +47,10 @@ pub struct Solver {
     settings: SolverSettings,
     system: System,
     energies: Energies,
-    /// Nodes that the energies themselves hold, such as by closeness.
+    /// Nodes that the shape energy holds in their place.
     held: Vec<bool>,
+    /// Corners of the boundary, if these are fixed, and where.
+    corners: Vec<(u32, Point)>,
     handles: Vec<Handle>,
     pinned: Vec<u32>,
     accelerator: Accelerator,
@@ -92,7 +96,7 @@ impl Solver {
             Default::default()
         };
         let smooth_terms = laplacian.as_ref().map(smooth::terms).unwrap_or_default();
-        let mut held = vec![weights.close > 0.0 && problem.closeness != Closeness::None; n];
+        let mut held = vec![false; n];
         if !settings.mean_centring {
             // Without N_i a constraint holds its points against translation too.
             shape_terms.nodes().indices().iter().for_each(|&v| held[v as usize] = true);
@@ -118,6 +122,14 @@ impl Solver {
         let made = OnceCell::new();
         let surface = || Rc::clone(made.get_or_init(|| Rc::new(rest_surface(mesh, centre))));
         let reference = Reference { surface: &surface };
+        let (close, corners) = if weights.close > 0.0 {
+            let factors = problem.closeness_factors;
+            let rest_shape =
+                RestShape { rest: &rest, node_of, topology: problem.topology, surface: &surface };
+            CloseEnergy::new(problem.closeness, factors, &rest_shape)
+        } else {
+            Default::default()
+        };
         let energies = Energies {
             weights,
             shape: ShapeEnergy::new(constraints, node_of, &rest, settings.monotone, &reference),
@@ -128,9 +140,7 @@ impl Solver {
                 };
                 SmoothEnergy::new(&laplacian, node_of, n, rest)
             }),
-            close: (weights.close > 0.0)
-                .then(|| closeness(problem.closeness, surface, node_of, rest))
-                .flatten(),
+            close,
             handles: SoftHandles::default(),
         };
         let held = {
@@ -148,6 +158,7 @@ impl Solver {
             system,
             energies,
             held,
+            corners: corners.into_iter().map(|v| (v, mesh.positions[v as usize])).collect(),
             handles: Vec::new(),
             pinned: Vec::new(),
             accelerator: Accelerator::new(&settings),
@@ -176,14 +187,21 @@ impl Solver {
         let (mut fixed, mut held, mut diagonal) = (vec![false; n], self.held.clone(), vec![0.0; n]);
         let padding = &self.system.node_of()[self.n_unknowns..];
         padding.iter().for_each(|&node| fixed[node as usize] = true);
-        if self.energies.close.is_some() {
-            node_of.iter().for_each(|&node| diagonal[node as usize] = self.energies.weights.close);
+        if let Some(close) = &self.energies.close {
+            for (node, factor) in close.held() {
+                held[node as usize] = true;
+                diagonal[node as usize] = self.energies.weights.close * factor;
+            }
         }
+        self.corners.iter().for_each(|&(v, _)| fixed[node_of[v as usize] as usize] = true);
         for handle in &handles {
             let node = node_of[handle.vertex as usize] as usize;
             held[node] = true;
             match handle.hold {
-                Hold::Soft { weight } => diagonal[node] += weight,
+                Hold::Soft { weight } => {
+                    diagonal[node] += weight;
+                    fixed[node] = false;
+                }
                 Hold::Fixed => fixed[node] = true,
             }
         }
@@ -218,9 +236,13 @@ impl Solver {
     /// Puts fixed vertices on their targets and evaluates anew.
     fn retarget(&mut self) {
         let node_of = &self.system.node_of()[..self.n_vertices];
-        for handle in self.handles.iter().filter(|handle| handle.hold == Hold::Fixed) {
-            self.x[node_of[handle.vertex as usize] as usize] = relative(handle.target, self.centre);
-            self.put[handle.vertex as usize] = handle.target;
+        let fixed = self.handles.iter().filter(|handle| handle.hold == Hold::Fixed);
+        let fixed = fixed.map(|handle| (handle.vertex, handle.target));
+        let is_handle = |v: u32| self.handles.iter().any(|handle| handle.vertex == v);
+        let corners = self.corners.iter().copied().filter(|&(v, _)| !is_handle(v));
+        for (vertex, target) in corners.chain(fixed) {
+            self.x[node_of[vertex as usize] as usize] = relative(target, self.centre);
+            self.put[vertex as usize] = target;
         }
         self.energies.handles = SoftHandles::new(&self.handles, node_of, self.centre);
         self.accelerator.forget();
@@ -391,19 +413,6 @@ fn laplacian(problem: &Problem<'_>) -> Laplacian {
         Laplacian::cotangent(problem.mesh, problem.topology)
     } else {
         Laplacian::uniform(problem.topology)
-    }
-}
-
-fn closeness(
-    to: Closeness,
-    surface: impl Fn() -> Rc<Surface>,
-    node_of: &[u32],
-    rest: Vec<Row>,
-) -> Option<CloseEnergy> {
-    match to {
-        Closeness::None => None,
-        Closeness::Rest => Some(CloseEnergy::Rest { rest, nodes: node_of.to_vec() }),
-        Closeness::Surface => Some(CloseEnergy::to_surface(surface(), node_of.to_vec())),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::constraint::{Element, KINDS, describe};
 use crate::mesh::{Circularity, Planarity, Read};
-use crate::scene::{Closeness, Hold, SmoothnessOf, Up, Weighting};
+use crate::scene::{Hold, SmoothnessOf, Up, Weighting};
 use crate::session::Session;
 use crate::solve::Energy;
 use serde::Serialize;
@@ -161,11 +161,7 @@ impl<'a> Document<'a> {
             constraints,
             handles,
             weights: Weights { shape, close, smooth },
-            closeness: match scene.closeness {
-                Closeness::Surface => "surface",
-                Closeness::Rest => "rest",
-                Closeness::None => "none",
-            },
+            closeness: scene.closeness.to.word(),
             smoothness: SmoothnessWords {
                 of: match scene.smoothness.of {
                     SmoothnessOf::Surface => "surface",

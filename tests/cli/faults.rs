@@ -17,6 +17,9 @@ const FAULTY: &[(&str, &[&str])] = &[
     (r#", "constraints": [{ "kind": "plane", "on": { "vertices": "0-1" } }]"#, &["s.json: constraints[0].on: "]),
     (r#", "handles": [{ "vertices": [9], "fixed": true }]"#, &["s.json: handles[0].vertices[0]: ", "vertex 9", "9, counted from 0"]),
     (r#", "weights": { "smooth": -2 }"#, &["s.json: weights.smooth: ", "-2"]),
+    (r#", "closeness": { "weights": [{ "on": { "set": "rim" }, "weight": 5 }] }"#, &["s.json: closeness.weights[0].on.set: ", "rim"]),
+    (r#", "closeness": { "weights": [{ "on": "tets", "weight": 5 }] }"#, &["s.json: closeness.weights[0].on: ", "nothing is selected"]),
+    (r#", "closeness": { "boundary": { "corners": 200 } }"#, &["s.json: closeness.boundary.corners: ", "200", "degrees"]),
     (r#", "smoothness": { "weighting": "cotangent" }"#, &["s.json: smoothness.weighting: ", "triangle"]),
     (r#", "solver": { "threads": 4 }"#, &["s.json: solver: ", "threads"]),
 ];
@@ -107,7 +110,11 @@ fn a_wrong_call_says_how_it_is_called() {
         (vec!["check", "roof.obj", "--out", "x"], "`--out`"),
         (vec!["examples", "canopy"], "`canopy`"),
         (vec!["operators", "--json"], "`--json`"),
-        (vec!["parametrize", "roof.obj"], "`parametrize`"),
+        (vec!["flatten", "roof.obj"], "`flatten`"),
+        (vec!["parametrize"], "mesh"),
+        (vec!["parametrize", "roof.obj", "--weights", "two"], "inverse-area or one or lscm"),
+        (vec!["parametrize", "roof.obj", "--norm", "all"], "boundary or vertices"),
+        (vec!["parametrize", "roof.obj", "--trace"], "`--trace`"),
     ] {
         folder.run(&arguments).misused(word);
     }

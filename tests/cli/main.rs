@@ -155,6 +155,73 @@ fn a_scene_finds_its_mesh_beside_itself() {
 }
 
 #[test]
+fn a_scene_says_what_is_kept_close_and_how_much() {
+    let folder = Folder::new("close");
+    folder.write("roof.obj", ROOF);
+    let close_and_moved = |closeness: &str| {
+        let rest = format!(r#"{PLANES}, "weights": {{ "close": 1 }}, "closeness": {closeness}"#);
+        folder.write("s.json", scene(&rest));
+        folder.run(&["solve", "s.json", "--out", "out.obj", "--report", "r.json"]).done();
+        let read =
+            |name: &str| shape_up::mesh::read(name, folder.read(name).as_bytes()).unwrap().mesh;
+        let (before, after) = (read("roof.obj").positions, read("out.obj").positions);
+        let close = folder.json("r.json")["energy"]["final"]["close"].as_f64().unwrap();
+        (close, before.iter().zip(after).filter(|(a, b)| *a != b).count())
+    };
+    let (plain, all) = close_and_moved(r#"{ "to": "rest" }"#);
+    assert_eq!(all, 9);
+    // Corners are fixed; what weighs nothing adds nothing.
+    assert_eq!(close_and_moved(r#"{ "to": "rest", "boundary": {} }"#).1, 5);
+    let (none, _) =
+        close_and_moved(r#"{ "to": "rest", "weights": [{ "on": "faces", "weight": 0 }] }"#);
+    assert!(plain > 0.0 && none == 0.0, "{plain} {none}");
+}
+
+#[test]
+fn elements_that_do_not_fit_a_kind_are_counted_and_named() {
+    // Three quads in a row and a triangle at their end.
+    let folder = Folder::new("misfits");
+    folder.write(
+        "row.obj",
+        "v 0 0 0\nv 1 0 0.1\nv 2 0 0\nv 3 0 0.1\nv 0 1 0\nv 1 1 0\nv 2 1 0.2\nv 3 1 0\nv 4 0 0\n\
+         l 1 2\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 9 8\n",
+    );
+    let solve = |on: &str, kind: &str| {
+        let constraint = format!(r#"{{ "kind": "{kind}", "on": {on} }}"#);
+        folder.write(
+            "s.json",
+            format!(
+                r#"{{ "format": "shape-up-scene", "version": 1, "mesh": {{ "file": "row.obj" }},
+                    "constraints": [{constraint}] }}"#
+            ),
+        );
+        let out = folder.run(&["solve", "s.json", "--report", "r.json"]).done();
+        let report = folder.json("r.json");
+        (out, report["constraints"][kind].clone(), report["skipped"].clone())
+    };
+    for (on, kind, fit, skipped, words) in [
+        ("\"faces\"", "square", 3, 1, "square on all faces: 1 of 4 skipped, it takes exactly 4"),
+        // One strip along, of eight vertices, and three across.
+        ("\"strips\"", "square", 3, 1, "square on all strips of faces: 1 of 4 skipped"),
+        // The curve of the file and four ribs have two vertices, the two sides have five.
+        (
+            "\"curves\"",
+            "circle",
+            2,
+            5,
+            "circle on all curves: 5 of 7 skipped, it takes 3 or more vertices",
+        ),
+        ("\"rings\"", "square", 6, 3, "square on all vertices with neighbours: 3 of 9 skipped"),
+    ] {
+        let (out, found, left_out) = solve(on, kind);
+        assert_eq!((found, left_out), (fit.into(), skipped.into()), "{kind} on {on}: {out}");
+        assert!(out.contains(&format!("note: {words}")), "{out}");
+    }
+    let (out, _, none) = solve("\"boundary\"", "circle");
+    assert!(none == 0 && !out.contains("skipped"), "{out}");
+}
+
+#[test]
 fn a_scene_with_its_mesh_inside_is_solved() {
     let folder = Folder::new("inline");
     folder.write(
@@ -204,6 +271,27 @@ fn check_says_what_a_mesh_is_like() {
     for words in ["10", "4 of 4", "loops: 1, edges: 8", "planarity", "circularity", "problem: "] {
         assert!(out.contains(words), "expected `{words}` in {out}");
     }
+}
+
+#[test]
+fn a_mesh_is_flattened_with_its_texture_coordinates() {
+    let folder = Folder::new("parametrize");
+    folder.write("roof.obj", ROOF);
+    let out =
+        folder.run(&["parametrize", "roof.obj", "--out", "uv.obj", "--report", "r.json"]).done();
+    assert!(out.contains("quasi-conformal"), "{out}");
+    let report = folder.json("r.json");
+    assert!(report["eigenvalue"].as_f64().unwrap() >= 0.0);
+    let error = &report["quasi_conformal"];
+    assert!(error["max"].as_f64().unwrap() >= error["mean"].as_f64().unwrap());
+    assert!(error["mean"].as_f64().unwrap() >= 1.0);
+    assert_eq!(report["flipped"], 0);
+    assert!(report["seconds"]["total"].as_f64().unwrap() > 0.0);
+    let text = folder.read("uv.obj");
+    let mesh = shape_up::mesh::read("uv.obj", text.as_bytes()).unwrap().mesh;
+    let count = |statement: &str| text.lines().filter(|line| line.starts_with(statement)).count();
+    assert_eq!(count("vt "), mesh.positions.len());
+    assert!(text.lines().filter(|line| line.starts_with("f ")).all(|line| line.contains('/')));
 }
 
 #[test]

@@ -4,7 +4,7 @@
 #[path = "grid.rs"]
 mod grid;
 
-use grid::grid;
+pub(crate) use grid::grid;
 use proptest::prelude::*;
 use shape_up::mesh::Mesh;
 

@@ -2,6 +2,7 @@
 
 use shape_up::constraint::KINDS;
 use shape_up::scene::Accelerator;
+use shape_up::solve::{ConformalNorm, ConformalWeights};
 use std::ffi::{OsStr, OsString};
 use std::path::PathBuf;
 
@@ -10,6 +11,7 @@ use std::path::PathBuf;
 pub(super) enum Command {
     Solve(Solve),
     Check { mesh: PathBuf, report: Option<PathBuf> },
+    Parametrize(Parametrize),
     Examples { out: Option<PathBuf> },
     Operators,
     Help,
@@ -31,16 +33,27 @@ pub(super) struct Solve {
     pub(super) trace: bool,
 }
 
+/// `shape-up parametrize`.
+#[derive(Debug, Default, PartialEq)]
+pub(super) struct Parametrize {
+    pub(super) mesh: PathBuf,
+    pub(super) weights: ConformalWeights,
+    pub(super) norm: ConformalNorm,
+    pub(super) out: Option<PathBuf>,
+    pub(super) report: Option<PathBuf>,
+}
+
 /// How the program is called.
 pub(super) fn usage() -> String {
     let flags: Vec<_> = KINDS.iter().map(|info| format!("[--{}]", info.id)).collect();
-    let accelerators: Vec<_> = Accelerator::WORDS.iter().map(|(word, _)| *word).collect();
     format!(
         "\
 usage: shape-up solve SCENE|MESH {}
                 [--iterations N] [--tolerance T] [--accelerator {}]
                 [--out FILE.obj] [--report FILE.json] [--trace]
        shape-up check MESH [--report FILE.json]
+       shape-up parametrize MESH [--weights {}] [--norm {}]
+                [--out UV.obj] [--report FILE.json]
        shape-up examples [--out DIR]
        shape-up operators
        shape-up --help | --version
@@ -49,10 +62,18 @@ A SCENE is a *.json file, a MESH is OBJ, OFF or Medit (.obj, .off, .mesh).
 The name of a kind puts one constraint of it on every face, with weight 1, beside those of the scene.
 --iterations, --tolerance (0 never stops early) and --accelerator replace the settings of the scene.
 --trace records the energies of every iteration, in the report and on standard output.
+parametrize makes a flat map that keeps angles; --out writes the mesh with the map as its vt.
 Exit code: 0 done, 1 the input is at fault, 2 usage, 3 internal.",
         flags.join(" "),
-        accelerators.join("|"),
+        words(Accelerator::WORDS, "|"),
+        words(&ConformalWeights::WORDS, "|"),
+        words(&ConformalNorm::WORDS, "|"),
     )
+}
+
+/// The words of an option.
+fn words<T>(known: &[(&str, T)], between: &str) -> String {
+    known.iter().map(|(word, _)| *word).collect::<Vec<_>>().join(between)
 }
 
 /// Reads the arguments after the name of the program; the error says what is wrong with them.
@@ -74,6 +95,7 @@ pub(super) fn parse(arguments: Vec<OsString>) -> Result<Command, String> {
             }
             Ok(Command::Check { mesh: mesh.ok_or("check needs a mesh file")?, report })
         }
+        Some("parametrize") => parametrize(words),
         Some("examples") => {
             let mut out = None;
             while let Some(word) = words.next()? {
@@ -94,7 +116,7 @@ pub(super) fn parse(arguments: Vec<OsString>) -> Result<Command, String> {
         Some("--help" | "-h" | "help") => Ok(Command::Help),
         Some("--version" | "-V") => Ok(Command::Version),
         _ => Err(format!(
-            "unknown command `{}`, expected solve, check, examples or operators",
+            "unknown command `{}`, expected solve, check, parametrize, examples or operators",
             command.to_string_lossy()
         )),
     }
@@ -134,21 +156,46 @@ fn solve(mut words: Words) -> Result<Command, String> {
                 solve.tolerance = Some(parsed.ok_or(expected)?);
             }
             ("--accelerator", _) => {
-                let value = words.text(&name, value)?;
-                let found = Accelerator::WORDS.iter().find(|(word, _)| *word == value);
-                let known: Vec<_> = Accelerator::WORDS.iter().map(|(word, _)| *word).collect();
-                let expected =
-                    format!("--accelerator takes {}, found `{value}`", known.join(" or "));
-                solve.accelerator = Some(found.ok_or(expected)?.1);
+                solve.accelerator = Some(words.one_of(&name, value, Accelerator::WORDS)?);
             }
             _ => return Err(unknown(&name, "solve")),
         }
     }
     solve.input = input.ok_or("solve needs a scene or a mesh file")?;
-    if solve.out.is_some() && solve.out == solve.report {
+    not_the_same(&solve.out, &solve.report)?;
+    Ok(Command::Solve(solve))
+}
+
+fn parametrize(mut words: Words) -> Result<Command, String> {
+    let (mut parametrize, mut mesh) = (Parametrize::default(), None);
+    while let Some(word) = words.next()? {
+        let (name, value) = match word {
+            Word::File(file) => {
+                one(&mut mesh, file)?;
+                continue;
+            }
+            Word::Option(name, value) => (name, value),
+        };
+        match name.as_str() {
+            "--weights" => {
+                parametrize.weights = words.one_of(&name, value, &ConformalWeights::WORDS)?;
+            }
+            "--norm" => parametrize.norm = words.one_of(&name, value, &ConformalNorm::WORDS)?,
+            "--out" => parametrize.out = Some(words.file(&name, value)?),
+            "--report" => parametrize.report = Some(words.file(&name, value)?),
+            _ => return Err(unknown(&name, "parametrize")),
+        }
+    }
+    parametrize.mesh = mesh.ok_or("parametrize needs a mesh file")?;
+    not_the_same(&parametrize.out, &parametrize.report)?;
+    Ok(Command::Parametrize(parametrize))
+}
+
+fn not_the_same(out: &Option<PathBuf>, report: &Option<PathBuf>) -> Result<(), String> {
+    if out.is_some() && out == report {
         return Err("--out and --report name the same file".to_owned());
     }
-    Ok(Command::Solve(solve))
+    Ok(())
 }
 
 fn unknown(word: &str, command: &str) -> String {
@@ -217,6 +264,19 @@ impl Words {
 
     fn file(&mut self, name: &str, value: Option<OsString>) -> Result<PathBuf, String> {
         self.value(name, value).map(PathBuf::from)
+    }
+
+    /// The value of an option that takes one of some words.
+    fn one_of<T: Copy>(
+        &mut self,
+        name: &str,
+        value: Option<OsString>,
+        known: &[(&str, T)],
+    ) -> Result<T, String> {
+        let value = self.text(name, value)?;
+        let found = known.iter().find(|(word, _)| *word == value);
+        let expected = || format!("{name} takes {}, found `{value}`", words(known, " or "));
+        found.map(|(_, meant)| *meant).ok_or_else(expected)
     }
 
     fn text(&mut self, name: &str, value: Option<OsString>) -> Result<String, String> {

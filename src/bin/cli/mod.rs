@@ -5,13 +5,14 @@
 //! | `arguments` | the words of the command line, and the usage |
 //! | `input` | mesh and scene files in |
 //! | `output` | files and standard output, whole or not at all |
-//! | `solve`, `check`, `examples` | the commands of these names |
+//! | `solve`, `check`, `parametrize`, `examples` | the commands of these names |
 
 mod arguments;
 mod check;
 mod examples;
 mod input;
 mod output;
+mod parametrize;
 mod solve;
 
 use arguments::Command;
@@ -58,6 +59,7 @@ fn perform(command: Command) -> Result<(), Failure> {
     match command {
         Command::Solve(solve) => solve::solve(&solve),
         Command::Check { mesh, report } => check::check(&mesh, report.as_deref()),
+        Command::Parametrize(parametrize) => parametrize::parametrize(&parametrize),
         Command::Examples { out: None } => examples::list(),
         Command::Examples { out: Some(folder) } => examples::write(&folder),
         Command::Operators => {

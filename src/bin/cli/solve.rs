@@ -2,6 +2,7 @@
 
 use super::arguments::Solve;
 use super::{Failure, input, output};
+use shape_up::constraint::describe;
 use shape_up::error::Error;
 use shape_up::mesh::write_obj;
 use shape_up::scene::SceneError;
@@ -15,7 +16,7 @@ const NAMED_PINS: usize = 8;
 
 pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
     let start = Instant::now();
-    let input::Input { mut scene, mesh, remarks } = input::read(&command.input)?;
+    let input::Input { mut scene, mesh, mut remarks } = input::read(&command.input)?;
     let of_scene = scene.constraints.len();
     for id in &command.kinds {
         scene.constraints.push(input::on_faces(id)?);
@@ -37,6 +38,7 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
     session.set_load_seconds(load_seconds);
     session.solve(command.trace).map_err(at_input)?;
     let report = session.report();
+    remarks.extend(misfits(&session));
 
     let mut files: Vec<(&Path, String)> = Vec::new();
     if let Some(path) = &command.out {
@@ -63,6 +65,21 @@ fn place_flag(error: SceneError, of_scene: usize, kinds: &[&str]) -> SceneError 
     }
 }
 
+/// What each row of constraints left out.
+fn misfits(session: &Session) -> impl Iterator<Item = String> {
+    let rows = session.document().constraints.iter().zip(session.rows());
+    rows.filter(|(_, row)| row.enabled && row.skipped > 0).map(|(spec, row)| {
+        let (info, all) = (spec.kind.info(), row.skipped + row.constraints.members.len());
+        format!(
+            "{} on {}: {} of {all} skipped, it takes {}",
+            info.id,
+            describe(&spec.on),
+            row.skipped,
+            info.takes()
+        )
+    })
+}
+
 fn summary(input: &Path, report: &Report, remarks: &[String], units: &str) -> String {
     let mut text = String::new();
     let mut line = |words: std::fmt::Arguments<'_>| {
@@ -79,12 +96,6 @@ fn summary(input: &Path, report: &Report, remarks: &[String], units: &str) -> St
     ));
     for remark in remarks {
         line(format_args!("note: {remark}"));
-    }
-    if report.skipped > 0 {
-        line(format_args!(
-            "note: {} elements skipped, their number of vertices does not fit the kind",
-            report.skipped
-        ));
     }
     if !report.pinned.is_empty() {
         let named: Vec<_> =

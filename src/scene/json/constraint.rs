@@ -41,7 +41,7 @@ pub(super) fn read(at: &At<'_>) -> Result<ConstraintSpec, SceneError> {
             }
         }
     })?;
-    let on = at.need("on", selector::WHAT)?;
+    let on = at.need("on", &selector::what())?;
     let mut spec = ConstraintSpec { kind, on: selector::read(&on)?, weight: 1.0, enabled: true };
     if let Some(weight) = at.get("weight") {
         spec.weight = weight.number("a number from 0")?;

@@ -5,34 +5,12 @@ use super::node::{At, Node};
 use crate::constraint::{Element, Selector};
 use crate::scene::SceneError;
 
-pub(super) const WHAT: &str = "\"faces\", \"edges\", \"rings\", \"tets\", \"curves\", \"boundary\", \
-     \"corners\", \"stars\", \"hinges\", {\"each\": ...}, {\"set\": NAME} or {\"vertices\": LIST}";
-
-/// The words that stand for one constraint per element.
-const ALL_OF: &[(&str, Element)] = &[
-    ("faces", Element::Face),
-    ("edges", Element::Edge),
-    ("rings", Element::Ring),
-    ("tets", Element::Tet),
-    ("curves", Element::Curve),
-    ("boundary", Element::Boundary),
-    ("corners", Element::Corner),
-    ("stars", Element::Star),
-    ("hinges", Element::Hinge),
-];
-
-const EACH: &[(&str, Element)] = &[
-    ("face", Element::Face),
-    ("edge", Element::Edge),
-    ("ring", Element::Ring),
-    ("tet", Element::Tet),
-    ("curve", Element::Curve),
-    ("boundary", Element::Boundary),
-    ("group", Element::Group),
-    ("corner", Element::Corner),
-    ("star", Element::Star),
-    ("hinge", Element::Hinge),
-];
+/// What a selector is, for messages.
+pub(super) fn what() -> String {
+    let all = Element::ALL.into_iter().filter_map(Element::word_for_all);
+    let all: Vec<_> = all.map(|word| format!("\"{word}\"")).collect();
+    format!("{}, {{\"each\": ...}}, {{\"set\": NAME}} or {{\"vertices\": LIST}}", all.join(", "))
+}
 
 /// The radius of an element that does not say its own.
 fn default_radius(element: Element) -> u32 {
@@ -42,12 +20,12 @@ fn default_radius(element: Element) -> u32 {
 pub(super) fn read(at: &At<'_>) -> Result<Selector, SceneError> {
     match at.node {
         Node::Text(word) => {
-            let element = ALL_OF.iter().find(|(known, _)| known == word);
-            let &(_, element) = element.ok_or_else(|| at.expected(WHAT))?;
+            let element = Element::ALL.into_iter().find(|e| e.word_for_all() == Some(word));
+            let element = element.ok_or_else(|| at.expected(&what()))?;
             Ok(Selector::Each { element, within: None, radius: default_radius(element) })
         }
         Node::Object(_) => read_object(at),
-        _ => Err(at.expected(WHAT)),
+        _ => Err(at.expected(&what())),
     }
 }
 
@@ -65,7 +43,7 @@ fn read_object(at: &At<'_>) -> Result<Selector, SceneError> {
         return Ok(Selector::Vertices(vertices));
     }
     at.only_keys(&["each", "in", "radius", "set", "vertices"])?;
-    let element = at.need("each", WHAT)?.one_of(EACH)?;
+    let element = at.need("each", &what())?.one_of(&Element::ALL.map(|e| (e.id(), e)))?;
     let within = match at.get("in") {
         Some(name) => Some(name.text("the name of a set or group")?.to_owned()),
         None => None,
@@ -93,11 +71,10 @@ pub(super) fn write(selector: &Selector) -> String {
         }
         Selector::Each { element, within, radius } => {
             let plain = within.is_none() && *radius == default_radius(*element);
-            let all_of = ALL_OF.iter().find(|(_, e)| plain && e == element);
-            if let Some((word, _)) = all_of {
+            if let Some(word) = element.word_for_all().filter(|_| plain) {
                 return format!("\"{word}\"");
             }
-            let mut fields = vec![format!("\"each\": \"{}\"", super::word_of(EACH, *element))];
+            let mut fields = vec![format!("\"each\": \"{}\"", element.id())];
             if let Some(name) = within {
                 fields.push(format!("\"in\": {}", text(name)));
             }

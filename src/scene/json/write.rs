@@ -2,8 +2,8 @@
 
 use super::constraint::default_params;
 use super::{
-    ACCELERATORS, CLOSENESSES, FORMAT, SMOOTHNESSES, UPS, VERSION, WEIGHTINGS, indices,
-    inline_mesh, selector, word_of,
+    ACCELERATORS, FORMAT, SMOOTHNESSES, UPS, VERSION, WEIGHTINGS, closeness, indices, inline_mesh,
+    selector, word_of,
 };
 use crate::constraint::Set;
 use crate::mesh::{Mesh, Point};
@@ -62,11 +62,7 @@ pub(super) fn scene(scene: &Scene, mesh: &Mesh) -> String {
         .map(|(key, value, _)| field(key, number(value)))
         .collect(),
     );
-    let mut closeness = Vec::new();
-    if scene.closeness != defaults.closeness {
-        closeness.push(field("to", text(word_of(CLOSENESSES, scene.closeness))));
-    }
-    add("closeness", closeness);
+    add("closeness", closeness::write(&scene.closeness));
     let mut smoothness = Vec::new();
     if scene.smoothness.of != defaults.smoothness.of {
         smoothness.push(field("of", text(word_of(SMOOTHNESSES, scene.smoothness.of))));
@@ -149,11 +145,11 @@ fn write_set(set: &Set) -> String {
     object(fields)
 }
 
-fn field(key: &str, value: String) -> String {
+pub(super) fn field(key: &str, value: String) -> String {
     format!("{}: {value}", text(key))
 }
 
-fn object(fields: Vec<String>) -> String {
+pub(super) fn object(fields: Vec<String>) -> String {
     format!("{{ {} }}", fields.join(", "))
 }
 
@@ -197,7 +193,7 @@ pub(super) fn point(point: &Point) -> String {
 }
 
 /// The shortest decimal that reads back to the same bits.
-fn number(value: f64) -> String {
+pub(super) fn number(value: f64) -> String {
     let text = serde_json::Value::from(value).to_string();
     text.strip_suffix(".0").map(str::to_owned).unwrap_or(text)
 }

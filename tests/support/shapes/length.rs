@@ -1,6 +1,6 @@
 //! Lengths.
 
-use super::{Shape, at, cloud};
+use super::{Shape, any_order, at, cloud};
 use crate::random::size;
 use shape_up::math::Vec3;
 
@@ -54,6 +54,32 @@ pub(super) fn shapes(id: &str) -> Option<Vec<Shape>> {
                 ..segment()
             },
         ],
+        "equal-length" => vec![Shape {
+            rest: |random, n| cloud(random, n, 1.0),
+            sample: |random, rest| {
+                let half = 0.6 + 0.3 * random.uniform();
+                let ends = rest.chunks(2).flat_map(|_| {
+                    let (middle, half) = (random.vector(), random.direction() * half);
+                    [middle - half, middle + half]
+                });
+                ends.collect()
+            },
+            residual: |v, _| {
+                let lengths = || v.chunks(2).map(|ends| (ends[1] - ends[0]).length());
+                let (least, most) =
+                    (lengths().fold(f64::MAX, f64::min), lengths().fold(0.0, f64::max));
+                (most - least) / size(v)
+            },
+            relabellings: |random, n| {
+                // Edges in another order, some of them the other way round.
+                let pairs = any_order(random, n / 2).remove(0).into_iter();
+                vec![pairs.flat_map(|k| [2 * k + k % 2, 2 * k + 1 - k % 2]).collect()]
+            },
+            // A common length, and directions of up to three edges.
+            parameters: 10,
+            closest: |p, _, vertex| ends(at(p, 3 * (vertex.index / 2)), p[9])[vertex.index % 2],
+            ..Shape::ANY
+        }],
         _ => return None,
     };
     Some(shapes)

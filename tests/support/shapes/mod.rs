@@ -4,7 +4,10 @@
 //!
 //! A new kind adds its account to one of the files here, or a file to the list in [`shapes`].
 
+mod corner;
+mod extent;
 mod flat;
+mod hinge;
 mod length;
 mod polygon;
 mod relative;
@@ -40,7 +43,10 @@ pub(crate) struct Shape {
     /// The point closest to `v` on the shape with these parameters; it may depend on which vertex
     /// `v` is, the last argument.
     pub(crate) closest: Closest,
-    /// For kinds that are not exact: how much greater than the least the squared distance may be,
+    /// Whether the projection is the closest point of the set; what the kind declares is that of its
+    /// first account.
+    pub(crate) exact: bool,
+    /// For accounts that are not exact: how much greater than the least the squared distance may be,
     /// as a fraction, for shapes disturbed by [`NOISE`].
     pub(crate) excess: [f64; 3],
 }
@@ -67,13 +73,23 @@ impl Shape {
         relabellings: any_order,
         parameters: 0,
         closest: |_, _, _| unreachable!("every account says what is closest"),
+        exact: true,
         excess: [0.0; 3],
     };
 }
 
 /// The accounts of the kind named `id`, the first with its default parameters.
 pub(crate) fn shapes(id: &str) -> Vec<Shape> {
-    let accounts = [flat::shapes, round::shapes, relative::shapes, polygon::shapes, length::shapes];
+    let accounts = [
+        flat::shapes,
+        round::shapes,
+        relative::shapes,
+        polygon::shapes,
+        length::shapes,
+        corner::shapes,
+        extent::shapes,
+        hinge::shapes,
+    ];
     let account = accounts.iter().find_map(|shapes| shapes(id));
     account.unwrap_or_else(|| panic!("the kind '{id}' has no account in tests/support/shapes"))
 }

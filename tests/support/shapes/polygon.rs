@@ -21,22 +21,15 @@ pub(super) fn shapes(id: &str) -> Option<Vec<Shape>> {
             },
             ..Shape::ANY
         }],
-        "rectangle" => vec![Shape {
-            sample: |random, _| {
-                let (corner, [e, f, _]) = (random.vector(), random.frame());
-                let (e, f) = (e * (1.5 + random.uniform()), f * (1.5 + random.uniform()));
-                vec![corner, corner + e, corner + e + f, corner + f]
+        "rectangle" => vec![
+            rectangle(),
+            Shape {
+                params: r#"{ "fit": "lines" }"#,
+                exact: false,
+                excess: [2e-4, 0.02, 0.2],
+                ..rectangle()
             },
-            residual: |v, _| parallel_sides(v).max(right_angles(v)),
-            relabellings: in_turn_or_back,
-            parameters: 9,
-            closest: |p, _, vertex| {
-                let (c, a, b) = (at(p, 0), at(p, 3), at(p, 6));
-                let b = b * (a.length() / b.length());
-                [c + a, c + b, c - a, c - b][vertex.index]
-            },
-            ..Shape::ANY
-        }],
+        ],
         "square" => vec![Shape {
             residual: |v, _| parallel_sides(v).max(right_angles(v)).max(equal_sides(v)),
             ..regular_polygon()
@@ -64,6 +57,25 @@ fn regular_polygon() -> Shape {
             let (c, e, f) = (at(p, 0), at(p, 3), at(p, 6));
             let f = f - e * (f.dot(e) / e.length_squared());
             c + turned(e, f * (e.length() / f.length()), vertex)
+        },
+        ..Shape::ANY
+    }
+}
+
+fn rectangle() -> Shape {
+    Shape {
+        sample: |random, _| {
+            let (corner, [e, f, _]) = (random.vector(), random.frame());
+            let (e, f) = (e * (1.5 + random.uniform()), f * (1.5 + random.uniform()));
+            vec![corner, corner + e, corner + e + f, corner + f]
+        },
+        residual: |v, _| parallel_sides(v).max(right_angles(v)),
+        relabellings: in_turn_or_back,
+        parameters: 9,
+        closest: |p, _, vertex| {
+            let (c, a, b) = (at(p, 0), at(p, 3), at(p, 6));
+            let b = b * (a.length() / b.length());
+            [c + a, c + b, c - a, c - b][vertex.index]
         },
         ..Shape::ANY
     }

@@ -42,6 +42,7 @@ pub(super) fn shapes(id: &str) -> Option<Vec<Shape>> {
             closest: |p, _, vertex| {
                 at(p, 4) + turned_and_scaled([p[0], p[1], p[2], p[3]], vertex.rest)
             },
+            exact: false,
             excess: [5e-4, 0.1, 0.15],
             ..Shape::ANY
         }],

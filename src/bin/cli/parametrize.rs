@@ -1,0 +1,86 @@
+//! `shape-up parametrize`: a flat map of a mesh that keeps angles.
+
+use super::arguments::Parametrize;
+use super::{Failure, input, output};
+use serde::Serialize;
+use shape_up::mesh::{QuasiConformal, Topology, write_obj_with_uv};
+use shape_up::solve::{ConformalNorm, ConformalSeconds, Parametrization, clock};
+use std::path::Path;
+
+/// What `--report` writes, beside what is printed.
+#[derive(Serialize)]
+struct Report {
+    vertices: usize,
+    faces: usize,
+    parts: usize,
+    eigenvalue: f64,
+    quasi_conformal: QuasiConformal,
+    flipped: usize,
+    seconds: Seconds,
+}
+
+#[derive(Serialize)]
+struct Seconds {
+    load: f64,
+    #[serde(flatten)]
+    parts: ConformalSeconds,
+    total: f64,
+}
+
+pub(super) fn parametrize(asked: &Parametrize) -> Result<(), Failure> {
+    let started = clock::now();
+    let path = asked.mesh.display();
+    let read = input::read_mesh(&asked.mesh)?;
+    let mesh = &read.mesh;
+    if mesh.faces.is_empty() {
+        return Err(Failure::Input(format!("{path}: the mesh has no faces, expected a surface")));
+    }
+    let loaded = clock::now();
+    let topology = Topology::new(mesh);
+    let map = Parametrization::new(mesh, &topology, asked.weights, asked.norm);
+    let map =
+        map.map_err(|error| Failure::Input(format!("{path}: cannot be flattened: {error}")))?;
+    let report = Report {
+        vertices: mesh.positions.len(),
+        faces: mesh.faces.len(),
+        parts: map.parts,
+        eigenvalue: map.eigenvalue,
+        quasi_conformal: map.quasi_conformal,
+        flipped: map.flipped,
+        seconds: Seconds {
+            load: loaded - started,
+            parts: map.seconds,
+            total: clock::now() - started,
+        },
+    };
+    let mut files: Vec<(&Path, String)> = Vec::new();
+    if let Some(out) = &asked.out {
+        files.push((out, write_obj_with_uv(mesh, &mesh.positions, &map.uv)));
+    }
+    if let Some(to) = &asked.report {
+        let text = serde_json::to_string_pretty(&report);
+        files.push((to, text.expect("a report is plain data") + "\n"));
+    }
+    output::write(&files)?;
+    let mut lines = vec![
+        path.to_string(),
+        format!("parts            {}", report.parts),
+        format!("eigenvalue       {}", output::short(report.eigenvalue)),
+        format!(
+            "quasi-conformal  mean {}, worst {}",
+            output::short(report.quasi_conformal.mean),
+            output::short(report.quasi_conformal.max)
+        ),
+        format!("flipped          {}", report.flipped),
+        format!("seconds          {}", output::short(report.seconds.total)),
+    ];
+    lines.extend(read.problems.iter().map(|problem| format!("problem: {problem}")));
+    lines.extend(read.notes.iter().map(|note| format!("note: {note}")));
+    if map.closed_parts > 0 && asked.norm == ConformalNorm::Boundary {
+        lines.push(format!(
+            "warning: {} of {} parts has no boundary, the norm takes all its vertices",
+            map.closed_parts, map.parts
+        ));
+    }
+    output::print(&(lines.join("\n") + "\n"))
+}

@@ -1,0 +1,57 @@
+//! Orthonormal axes of the plane that two vectors span.
+
+use super::{Lane, Vec3};
+
+/// A vector shorter than this fraction of another is rounding error beside it.
+const NEGLIGIBLE: f64 = 4.0 * f64::EPSILON;
+
+/// Orthonormal axes `e`, `f` of the plane of `x` and `y`, such that the turn from `x` to `y` by less
+/// than 180 degrees is from `e` to `f`.
+///
+/// For parallel vectors `f` is at right angles to them, in the plane of one of the coordinate axes
+/// farthest from them. For finite vectors whose squares are in the range of `f64`, of which one is
+/// not zero.
+#[inline(always)]
+pub fn plane_frame<S: Lane>(x: Vec3<S>, y: Vec3<S>) -> [Vec3<S>; 2] {
+    let (xx, yy) = (x.length_squared(), y.length_squared());
+    let long = Vec3::if_greater(yy, xx, y, x);
+    let short = Vec3::if_greater(yy, xx, x, y);
+    let e = long * (S::one() / xx.max(yy).sqrt());
+    let across = short - e * e.dot(short);
+    // Once more: beside a small remainder the rounding error of the first time is large.
+    let across = across - e * e.dot(across);
+    let bound = S::splat(NEGLIGIBLE * NEGLIGIBLE) * xx.min(yy);
+    let f = Vec3::if_greater(across.length_squared(), bound, across, e.across());
+    let f = f * (S::one() / f.length());
+    [e, Vec3::if_greater(yy, xx, -f, f)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::plane_frame;
+    use crate::math::Vec3;
+
+    #[test]
+    fn axes_are_orthonormal_and_turn_from_the_first_to_the_second() {
+        let x = Vec3::new(0.3, -0.8, 0.5);
+        let aside = Vec3::new(0.7, 0.1, -0.2);
+        for sine in [1.0, 1e-3, 1e-9, 1e-14, 1e-18, 0.0] {
+            for along in [0.2, -3.0, 1.0, 1e-9, 0.0] {
+                let y = x * along + aside * sine;
+                for (x, y) in [(x, y), (y, x)] {
+                    let [e, f] = plane_frame(x, y);
+                    for (product, expected) in [(e.dot(e), 1.0), (f.dot(f), 1.0), (e.dot(f), 0.0)] {
+                        let error: f64 = product - expected;
+                        assert!(error.abs() <= 1e-15, "{x:?}, {y:?}: {product}");
+                    }
+                    for p in [x, y] {
+                        let off = p - e * e.dot(p) - f * f.dot(p);
+                        assert!(off.length() <= 1e-15 * p.length().max(1e-3), "{x:?}, {y:?}");
+                    }
+                    let turn = e.dot(x) * f.dot(y) - f.dot(x) * e.dot(y);
+                    assert!(turn >= -1e-15 * x.length() * y.length(), "{x:?}, {y:?}: {turn:e}");
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,81 @@
+//! How far a flat map of a surface is from keeping angles (Sander, Snyder, Gortler, Hoppe 2001).
+
+use super::{Point, Ragged};
+use crate::math::Vec3;
+use serde::Serialize;
+
+/// The quasi-conformal error over the triangles of the fans `(f0, fk, fk+1)`: the ratio of the
+/// greater to the smaller stretch, one where angles are kept.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct QuasiConformal {
+    /// The mean, weighted by the areas on the surface.
+    pub mean: f64,
+    /// The greatest; infinite where a triangle has collapsed.
+    pub max: f64,
+}
+
+/// The error of the map `uv` (`#V by 2`) of the surface (`#V by 3` positions), and how many
+/// triangles it flips over. Triangles without area on the surface do not count.
+pub fn quasi_conformal(
+    positions: &[Point],
+    uv: &[[f64; 2]],
+    faces: &Ragged,
+) -> (QuasiConformal, usize) {
+    let (mut error, mut area, mut flipped) = (QuasiConformal::default(), 0.0, 0);
+    for face in faces.iter() {
+        for side in face[1..].windows(2) {
+            let corners = [face[0], side[0], side[1]].map(|v| v as usize);
+            let [p, q, r] = corners.map(|v| Vec3::from(positions[v]));
+            let (along, across) = (q - p, r - p);
+            let base = along.length();
+            let twice_area = along.cross(across).length();
+            if twice_area == 0.0 {
+                continue;
+            }
+            // The triangle in its own plane: (0, 0), (base, 0), (foot, height).
+            let (foot, height) = (along.dot(across) / base, twice_area / base);
+            let [u0, u1, u2] = corners.map(|v| uv[v]);
+            let (e, f) = ([u1[0] - u0[0], u1[1] - u0[1]], [u2[0] - u0[0], u2[1] - u0[1]]);
+            // The Jacobian: its columns are the images of the two axes.
+            let x = e.map(|e| e / base);
+            let y = [0, 1].map(|i| (f[i] - x[i] * foot) / height);
+            // Twice the conformal and the anti-conformal part.
+            let length = |a: f64, b: f64| (a * a + b * b).sqrt();
+            let (keeps, turns_over) =
+                (length(x[0] + y[1], x[1] - y[0]), length(x[0] - y[1], x[1] + y[0]));
+            let ratio = (keeps + turns_over) / (keeps - turns_over).abs();
+            flipped += usize::from(keeps < turns_over);
+            error.mean += twice_area * ratio;
+            error.max = error.max.max(ratio);
+            area += twice_area;
+        }
+    }
+    error.mean /= if area > 0.0 { area } else { 1.0 };
+    (error, flipped)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A square of two triangles, and its image under a linear map.
+    fn of(image: impl Fn(f64, f64) -> [f64; 2]) -> (QuasiConformal, usize) {
+        let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+        let positions = corners.map(|[x, y]| [x, 0.6 * y, 0.8 * y]);
+        let uv = corners.map(|[x, y]| image(x, y));
+        quasi_conformal(&positions, &uv, &[vec![0, 1, 2, 3]].into_iter().collect())
+    }
+
+    #[test]
+    fn stretch_counts_and_turning_does_not() {
+        let (error, flipped) = of(|x, y| [3.0 * x - y, x + 3.0 * y]);
+        assert!((error.mean - 1.0).abs() < 1e-15 && (error.max - 1.0).abs() < 1e-15);
+        assert_eq!(flipped, 0);
+        let (error, flipped) = of(|x, y| [2.0 * x, 0.5 * y]);
+        assert!((error.mean - 4.0).abs() < 1e-14, "{error:?}");
+        assert_eq!(flipped, 0);
+        let (error, flipped) = of(|x, y| [y, x]);
+        assert!((error.mean - 1.0).abs() < 1e-15);
+        assert_eq!(flipped, 2);
+    }
+}

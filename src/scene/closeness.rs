@@ -1,0 +1,78 @@
+//! What vertices are kept close to, and how much: `close = sum_v k_v |v - c(v)|^2` (Eq. 11).
+
+use super::SceneError;
+use crate::constraint::{Selector, Sets, resolve};
+use crate::mesh::{Mesh, Topology};
+
+/// What vertices are kept close to, and how much each.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Closeness {
+    /// `c(v)`.
+    pub to: ClosenessTo,
+    /// `k_v` where it is not 1; of a vertex that several entries select, the last one's.
+    pub weights: Vec<ClosenessWeight>,
+    /// Whether boundary vertices have the boundary curves for `c(v)`, whatever `to` is.
+    pub boundary: Option<BoundaryCloseness>,
+}
+
+/// `c(v)`: what a vertex is kept close to.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum ClosenessTo {
+    /// The closest point on the rest surface.
+    #[default]
+    Surface,
+    /// The vertex's own rest position.
+    Rest,
+    /// Nothing.
+    None,
+}
+
+/// How much more or less some vertices are kept close than the rest.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ClosenessWeight {
+    /// Which: all vertices that it selects.
+    pub on: Selector,
+    /// `k_v`, a factor of `weights.close`, not negative; at 0 nothing keeps them close.
+    pub weight: f64,
+}
+
+/// Boundary vertices are kept close to the closest point on the rest shape of their own boundary
+/// loop, and corners are fixed at their rest positions. A corner that is a handle is held by that
+/// instead, and is kept close to its rest position.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BoundaryCloseness {
+    /// A vertex is a corner where the boundary turns by more than this, in degrees from 0 to 180.
+    pub corners: f64,
+}
+
+impl Default for BoundaryCloseness {
+    fn default() -> Self {
+        BoundaryCloseness { corners: 45.0 }
+    }
+}
+
+impl Closeness {
+    /// `k_v` of each vertex, `#V`.
+    ///
+    /// # Errors
+    /// When an entry selects nothing or names what is not there, with its JSON path.
+    pub fn factors(
+        &self,
+        mesh: &Mesh,
+        topology: &Topology,
+        sets: &Sets,
+    ) -> Result<Vec<f64>, SceneError> {
+        let mut factors = vec![1.0; mesh.positions.len()];
+        for (i, entry) in self.weights.iter().enumerate() {
+            let error =
+                |message| SceneError { path: format!("closeness.weights[{i}].on"), message };
+            let selected = resolve(&entry.on, mesh, topology, sets)
+                .map_err(|problem| error(problem.to_string()))?;
+            if selected.indices().is_empty() {
+                return Err(error("nothing is selected: the mesh has no such element".to_owned()));
+            }
+            selected.indices().iter().for_each(|&v| factors[v as usize] = entry.weight);
+        }
+        Ok(factors)
+    }
+}

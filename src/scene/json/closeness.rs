@@ -1,0 +1,76 @@
+//! `closeness`: what vertices are kept close to, and how much.
+//!
+//! ```json
+//! { "to": "surface", "boundary": { "corners": 45 },
+//!   "weights": [ { "on": "boundary", "weight": 10 }, { "on": { "set": "skylight" }, "weight": 0 } ] }
+//! ```
+
+use super::node::At;
+use super::write::{field, number, object};
+use super::{selector, word_of};
+use crate::scene::{BoundaryCloseness, Closeness, ClosenessTo, ClosenessWeight, SceneError};
+
+const WORDS: &[(&str, ClosenessTo)] =
+    &[("surface", ClosenessTo::Surface), ("rest", ClosenessTo::Rest), ("none", ClosenessTo::None)];
+
+impl ClosenessTo {
+    /// The word in scene files.
+    pub fn word(self) -> &'static str {
+        word_of(WORDS, self)
+    }
+}
+
+pub(super) fn read(at: &At<'_>) -> Result<Closeness, SceneError> {
+    at.only_keys(&["to", "weights", "boundary"])?;
+    let mut closeness = Closeness::default();
+    if let Some(to) = at.get("to") {
+        closeness.to = to.one_of(WORDS)?;
+    }
+    if let Some(weights) = at.get("weights") {
+        let entries = weights.array("an array of {\"on\": ..., \"weight\": NUMBER}")?;
+        closeness.weights = entries.iter().map(read_weight).collect::<Result<_, _>>()?;
+    }
+    if let Some(boundary) = at.get("boundary") {
+        closeness.boundary = Some(read_boundary(&boundary)?);
+    }
+    Ok(closeness)
+}
+
+fn read_weight(at: &At<'_>) -> Result<ClosenessWeight, SceneError> {
+    at.only_keys(&["on", "weight"])?;
+    let on = selector::read(&at.need("on", &selector::what())?)?;
+    let weight = at.need("weight", "a number from 0")?.number("a number from 0")?;
+    Ok(ClosenessWeight { on, weight })
+}
+
+fn read_boundary(at: &At<'_>) -> Result<BoundaryCloseness, SceneError> {
+    at.only_keys(&["corners"])?;
+    let mut boundary = BoundaryCloseness::default();
+    if let Some(corners) = at.get("corners") {
+        boundary.corners = corners.number("an angle in degrees from 0 to 180")?;
+    }
+    Ok(boundary)
+}
+
+/// The fields that are not the default.
+pub(super) fn write(closeness: &Closeness) -> Vec<String> {
+    let mut fields = Vec::new();
+    if closeness.to != ClosenessTo::default() {
+        fields.push(field("to", super::write::text(closeness.to.word())));
+    }
+    if !closeness.weights.is_empty() {
+        let entry = |entry: &ClosenessWeight| {
+            object(vec![
+                field("on", selector::write(&entry.on)),
+                field("weight", number(entry.weight)),
+            ])
+        };
+        let entries: Vec<_> = closeness.weights.iter().map(entry).collect();
+        fields.push(field("weights", format!("[{}]", entries.join(", "))));
+    }
+    if let Some(boundary) = closeness.boundary {
+        // Also the default: it says what the corners are.
+        fields.push(field("boundary", object(vec![field("corners", number(boundary.corners))])));
+    }
+    fields
+}
