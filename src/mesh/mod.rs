@@ -6,7 +6,7 @@
 //! | `read` | files in, by format: `obj` with `groups`, `off`, `medit` |
 //! | `lines`, `stream`, `number`, `draft` | what the formats share: text, rows, numbers, the mesh so far |
 //! | `problem`, `survey` | what a file, and a mesh as a whole, has wrong that can be survived |
-//! | `obj_write` | OBJ out |
+//! | `obj_write`, `medit_write` | OBJ and Medit out |
 //! | `generate` | meshes of the examples |
 //! | `topology` | edges, neighbours, rings, faces around edges and vertices |
 //! | `boundary`, `edge_lines`, `strips`, `components` | boundary loops, straight edge lines, strips of quads, connected components |
@@ -34,6 +34,7 @@ mod lines;
 mod local;
 mod measure;
 mod medit;
+mod medit_write;
 mod number;
 mod obj;
 mod obj_write;
@@ -58,6 +59,7 @@ pub use edge_lines::edge_lines;
 pub use laplacian::{LARGEST_COTANGENT, Laplacian};
 pub use local::{corners, hinges, stars};
 pub use measure::{Circularity, Measures, Planarity, diagonal_ratio};
+pub use medit_write::write_medit;
 pub use obj_write::{write_obj, write_obj_with_uv};
 pub use problem::{Element, Problem, ProblemKind};
 pub use quasi_conformal::{QuasiConformal, quasi_conformal};

@@ -2,7 +2,7 @@
 
 use super::{Failure, output};
 use serde::Serialize;
-use shape_up::mesh::write_obj;
+use shape_up::mesh::{write_medit, write_obj};
 use shape_up::scene::examples::EXAMPLES;
 use std::path::{Path, PathBuf};
 
@@ -12,19 +12,21 @@ struct Entry {
     id: &'static str,
     title: &'static str,
     summary: &'static str,
-    scene: &'static str,
-    mesh: &'static str,
+    statement: &'static str,
+    scene: String,
+    mesh: String,
 }
 
 /// One line per example.
 pub(super) fn list() -> Result<(), Failure> {
     let line = |example: &shape_up::scene::examples::Example| {
-        format!("{:<8} {}. {}\n", example.id, example.title, example.summary)
+        format!("{:<20} {}. {}\n", example.id, example.title, example.summary)
     };
     output::print(&EXAMPLES.iter().map(line).collect::<String>())
 }
 
-/// Writes `<id>.shapeup.json` and `<id>.obj` of each example, and `index.json`.
+/// Writes `<id>.shapeup.json` and the mesh of each example, and `index.json`. Meshes are OBJ, those
+/// with tetrahedra Medit.
 pub(super) fn write(folder: &Path) -> Result<(), Failure> {
     std::fs::create_dir_all(folder).map_err(|error| {
         Failure::Input(format!(
@@ -35,8 +37,12 @@ pub(super) fn write(folder: &Path) -> Result<(), Failure> {
     let mut files: Vec<(PathBuf, String)> = Vec::new();
     for example in EXAMPLES {
         let (scene, mesh) = example.build();
-        files.push((folder.join(example.file), scene.to_json(&mesh)));
-        files.push((folder.join(example.mesh_file), write_obj(&mesh, &mesh.positions)));
+        let text = match mesh.tets.is_empty() {
+            true => write_obj(&mesh, &mesh.positions),
+            false => write_medit(&mesh),
+        };
+        files.push((folder.join(example.file()), scene.to_json(&mesh)));
+        files.push((folder.join(example.mesh_file()), text));
     }
     let index: Vec<_> = EXAMPLES
         .iter()
@@ -44,8 +50,9 @@ pub(super) fn write(folder: &Path) -> Result<(), Failure> {
             id: e.id,
             title: e.title,
             summary: e.summary,
-            scene: e.file,
-            mesh: e.mesh_file,
+            statement: e.statement,
+            scene: e.file(),
+            mesh: e.mesh_file(),
         })
         .collect();
     let index = serde_json::to_string_pretty(&index).expect("entries are plain text");

@@ -1,0 +1,53 @@
+//! Vertices moved towards the middle of their neighbours.
+
+use crate::math::Vec3;
+use crate::mesh::{Mesh, Point, Topology};
+
+/// Rounds the corners of a surface: in each step every vertex goes half the way to the mean of its
+/// neighbours.
+pub fn soften(mesh: &mut Mesh, steps: usize) {
+    let topology = Topology::new(mesh);
+    for _ in 0..steps {
+        mesh.positions = halfway(mesh, &topology).into_iter().map(Into::into).collect();
+    }
+}
+
+/// Evens out the triangles of the surface where `field` is zero: in each step every vertex goes half
+/// the way to the mean of its neighbours, along the surface, and then back onto it. `spacing` is the
+/// step of the differences that stand for the gradient.
+pub(super) fn slide(mesh: &mut Mesh, field: impl Fn(Point) -> f64, spacing: f64, steps: usize) {
+    let topology = Topology::new(mesh);
+    for _ in 0..steps {
+        let towards = halfway(mesh, &topology);
+        for (p, to) in mesh.positions.iter_mut().zip(towards) {
+            let from = Vec3::from(*p);
+            let normal = gradient(&field, *p, spacing);
+            let length = normal.length_squared();
+            let step = to - from;
+            let along = step - normal * (step.dot(normal) / length);
+            let moved = from + along;
+            *p = (moved - normal * (field(moved.into()) / length)).into();
+        }
+    }
+}
+
+fn halfway(mesh: &Mesh, topology: &Topology) -> Vec<Vec3<f64>> {
+    let at = |v: u32| Vec3::from(mesh.positions[v as usize]);
+    let rows = (0..).zip(topology.neighbours().iter());
+    rows.map(|(v, neighbours)| {
+        let sum = neighbours.iter().fold(Vec3::zero(), |sum, &n| sum + at(n));
+        (at(v) + sum * (1.0 / neighbours.len() as f64)) * 0.5
+    })
+    .collect()
+}
+
+/// By central differences.
+fn gradient(field: impl Fn(Point) -> f64, p: Point, step: f64) -> Vec3<f64> {
+    let along = |axis: usize| {
+        let (mut low, mut high) = (p, p);
+        low[axis] -= 0.5 * step;
+        high[axis] += 0.5 * step;
+        (field(high) - field(low)) / step
+    };
+    Vec3::new(along(0), along(1), along(2))
+}

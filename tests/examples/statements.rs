@@ -1,0 +1,174 @@
+//! What each example states of itself, measured when it is solved with its own settings.
+
+use shape_up::math::Vec3;
+use shape_up::mesh::{Mesh, Point};
+use shape_up::scene::examples::{EXAMPLES, Example};
+use shape_up::session::{Report, Session};
+
+/// An example, solved.
+struct Run {
+    before: Report,
+    after: Report,
+    /// Of each row of constraints, before and after: the largest distance of a vertex from its
+    /// projection.
+    worst: Vec<[f64; 2]>,
+    /// The total energy at the start and after each iteration.
+    totals: Vec<f64>,
+    mesh: Mesh,
+    positions: Vec<Point>,
+}
+
+impl Run {
+    fn of(example: &Example) -> Run {
+        let (scene, mesh) = example.build();
+        let mut session = Session::open(scene, mesh).expect("the example fits its mesh");
+        let worst = |session: &Session| -> Vec<f64> {
+            session.solver().found().map(|found| found.worst_squared.sqrt()).collect()
+        };
+        let (before, far) = (session.report(), worst(&session));
+        session.solve(true).expect("positions stay finite");
+        let near = worst(&session);
+        Run {
+            before,
+            after: session.report(),
+            worst: far.into_iter().zip(near).map(|(far, near)| [far, near]).collect(),
+            totals: session.take_trace().iter().map(|entry| entry.energy.total).collect(),
+            mesh: session.mesh().clone(),
+            positions: session.positions(),
+        }
+    }
+
+    /// How many iterations bring the total to this part of what it was at the start.
+    fn iterations_to(&self, part: f64) -> Option<usize> {
+        self.totals.iter().position(|&total| total < part * self.totals[0])
+    }
+
+    /// The volume inside a closed surface now, as a part of what it was at rest.
+    fn volume_left(&self) -> f64 {
+        volume(&self.mesh, &self.positions) / volume(&self.mesh, &self.mesh.positions)
+    }
+
+    /// Mean circularity error, before and after.
+    fn e_c(&self) -> [f64; 2] {
+        [&self.before, &self.after].map(|report| report.circularity.e_c_mean)
+    }
+
+    /// Mean planarity error, before and after.
+    fn e_p(&self) -> [f64; 2] {
+        [&self.before, &self.after].map(|report| report.planarity.e_p_mean)
+    }
+
+    /// How wide the stretched sheet is at its middle, where it was 18 m wide.
+    fn width_at_middle(&self) -> f64 {
+        let middle = |&v: &usize| self.mesh.positions[v][0].abs() < 0.1;
+        let ys = (0..self.positions.len()).filter(middle).map(|v| self.positions[v][1]);
+        ys.clone().fold(f64::MIN, f64::max) - ys.fold(f64::MAX, f64::min)
+    }
+}
+
+fn volume(mesh: &Mesh, positions: &[Point]) -> f64 {
+    let at = |v: u32| Vec3::from(positions[v as usize]);
+    let fans = mesh
+        .faces
+        .iter()
+        .flat_map(|face| (1..face.len() - 1).map(move |k| [face[0], face[k], face[k + 1]]));
+    fans.map(|[a, b, c]| at(a).dot(at(b).cross(at(c)))).sum::<f64>() / 6.0
+}
+
+/// What is measured of an example, with the bounds that its statement names.
+type Measured = Vec<(&'static str, f64, std::ops::Range<f64>)>;
+
+/// In the order of the examples.
+const STATEMENTS: &[(&str, fn(&Run) -> Measured)] = &[
+    ("canopy", |run| {
+        vec![("e_c before", run.e_c()[0], 5.5e-6..6.5e-6), ("e_c", run.e_c()[1], 0.0..2e-8)]
+    }),
+    ("dome", |run| {
+        vec![
+            ("crown before", run.worst[1][0], 0.18..0.2),
+            ("crown", run.worst[1][1], 0.0..0.01),
+            ("rim before", run.worst[2][0], 0.45..0.55),
+            ("rim", run.worst[2][1], 0.0..0.002),
+        ]
+    }),
+    ("hypar", |run| {
+        vec![
+            ("lines before", run.worst[0][0], 1.0..1.1),
+            ("lines", run.worst[0][1], 0.0..0.02),
+            ("e_p", run.e_p()[1], 2e-7..1e-6),
+        ]
+    }),
+    ("fig-01-overview", |run| {
+        vec![
+            ("e_c before", run.e_c()[0], 1.5e-6..2.5e-6),
+            ("e_c", run.e_c()[1], 0.0..5e-7),
+            ("crown before", run.worst[1][0], 0.45..0.55),
+            ("crown", run.worst[1][1], 0.0..0.02),
+            ("rigid area", run.worst[2][1], 0.0..0.03),
+        ]
+    }),
+    ("fig-04-squares", |run| {
+        vec![
+            ("corners before", run.worst[0][0], 0.38..0.39),
+            ("corners", run.worst[0][1], 0.0..0.002),
+        ]
+    }),
+    ("fig-05-planar", |run| {
+        vec![("e_p before", run.e_p()[0], 1.7e-8..1.9e-8), ("e_p", run.e_p()[1], 0.0..2e-9)]
+    }),
+    ("fig-05-circular", |run| {
+        vec![("e_c before", run.e_c()[0], 7.5e-6..8.5e-6), ("e_c", run.e_c()[1], 0.0..5e-9)]
+    }),
+    ("fig-05-mixed", |run| {
+        vec![("e_c before", run.e_c()[0], 7.5e-6..8.5e-6), ("e_c", run.e_c()[1], 0.0..5e-7)]
+    }),
+    ("fig-06-exploration", |run| {
+        vec![
+            ("e_c before", run.e_c()[0], 9e-7..2e-6),
+            ("e_c", run.e_c()[1], 0.0..5e-8),
+            ("corners", run.worst[0][1], 0.0..0.02),
+        ]
+    }),
+    ("fig-06-web", |run| {
+        vec![("lines before", run.worst[0][0], 5.5..6.5), ("lines", run.worst[0][1], 0.0..0.1)]
+    }),
+    ("fig-08-protrusions", |run| vec![("corners", run.worst[0][1], 0.0..0.05)]),
+    ("fig-08-similar-1", |run| vec![("width", run.width_at_middle(), 31.0..32.0)]),
+    ("fig-08-similar-2", |run| vec![("width", run.width_at_middle(), 29.0..30.0)]),
+    ("fig-08-similar-3", |run| vec![("width", run.width_at_middle(), 27.0..29.0)]),
+    ("fig-08-bar-polygons", |run| vec![("volume", run.volume_left(), 0.0..0.5)]),
+    ("fig-08-bar-rings", |run| vec![("volume", run.volume_left(), 0.85..0.93)]),
+    ("fig-08-bar-tets", |run| vec![("volume", run.volume_left(), 0.95..1.0)]),
+    ("fig-10-collapse", |run| {
+        let iterations = run.iterations_to(1e-6).map_or(f64::INFINITY, |n| n as f64);
+        vec![
+            ("iterations to 1e-6 of the energy", iterations, 0.0..60.0),
+            ("volume", run.volume_left(), 1.0 - 1e-6..1.0 + 1e-6),
+            ("corners", run.worst[0][1], 0.0..1e-6),
+        ]
+    }),
+];
+
+#[test]
+fn every_example_does_what_it_states() {
+    let ids: Vec<_> = STATEMENTS.iter().map(|(id, _)| *id).collect();
+    assert!(ids.iter().eq(EXAMPLES.iter().map(|example| &example.id)), "{ids:?}");
+    let mut failures = Vec::new();
+    for (example, (id, measure)) in EXAMPLES.iter().zip(STATEMENTS) {
+        let run = Run::of(example);
+        let (before, after) = (run.before.energy.initial, run.after.energy.last);
+        assert_eq!(run.after.skipped, 0, "{id}");
+        let pinned: &[u32] = if *id == "fig-10-collapse" { &[0] } else { &[] };
+        assert_eq!(run.after.pinned, pinned, "{id}");
+        assert!(after.total < 0.5 * before.total, "{id}: {before:?} {after:?}");
+        assert!(after.shape < 0.1 * before.shape, "{id}: {before:?} {after:?}");
+        println!("{id}, {} iterations: {}", run.after.iterations, example.statement);
+        for (what, value, bounds) in measure(&run) {
+            println!("    {what}: {value:.3e}, expected {bounds:?}");
+            if !bounds.contains(&value) {
+                failures.push(format!("{id}: {what} is {value:e}, expected {bounds:?}"));
+            }
+        }
+    }
+    assert!(failures.is_empty(), "{failures:#?}");
+}
