@@ -1,7 +1,8 @@
 // npm run build: the static site in dist/.
 
 import { fileURLToPath } from 'node:url';
-import { writeExamples } from './examples.mjs';
+import { writeExamples, writeFirstPicture } from './examples.mjs';
+import { buildPrograms } from './programs.mjs';
 import { main } from './run.mjs';
 import { setUp } from './setup.mjs';
 import { bundleSite } from './site.mjs';
@@ -10,7 +11,9 @@ import { buildModule, modules } from './wasm.mjs';
 /** Everything that the page loads, in `www/`. */
 export async function buildParts() {
   for (const feature of modules) await buildModule(feature);
+  await buildPrograms();
   await writeExamples();
+  await writeFirstPicture();
 }
 
 /** The site, in `dist/`. */

@@ -1,7 +1,8 @@
 // How Vite bundles the page: www/ into dist/, with relative addresses, so that the site works
 // from any sub-path of any static host.
 
-import { cpSync } from 'node:fs';
+import { cpSync, readFileSync } from 'node:fs';
+import { firstPicture } from './examples.mjs';
 import { at } from './project.mjs';
 
 // Examples keep their names, because links to them are permanent.
@@ -11,11 +12,20 @@ const examples = {
   closeBundle: () => cpSync(at('www', 'examples'), at('dist', 'examples'), { recursive: true }),
 };
 
+const PLACE = '<!-- first picture -->';
+const picture = {
+  name: 'first-picture',
+  transformIndexHtml(html) {
+    if (!html.includes(PLACE)) throw new Error(`index.html has no place for ${firstPicture}`);
+    return html.replace(PLACE, () => readFileSync(firstPicture, 'utf8'));
+  },
+};
+
 export default {
   root: at('www'),
   base: './',
   publicDir: false,
-  plugins: [examples],
+  plugins: [examples, picture],
   build: {
     outDir: at('dist'),
     emptyOutDir: true,

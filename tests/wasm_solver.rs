@@ -5,7 +5,7 @@
 #[path = "data/golden.rs"]
 mod golden;
 
-use js_sys::{Float64Array, JSON, Reflect, Uint32Array};
+use js_sys::{Float32Array, Float64Array, JSON, Reflect, Uint8Array, Uint32Array};
 use shape_up::constraint::{Arity, KINDS};
 use shape_up::web::solver::Solver;
 use wasm_bindgen::{JsCast, JsValue};
@@ -128,6 +128,13 @@ fn a_selection_becomes_a_set_of_the_scene() {
     let members = solver.members(0).expect("the row is there");
     let faces: Uint32Array = get(&members, "faces").unchecked_into();
     assert_eq!(faces.to_vec(), [1]);
+
+    // The face is shown in the only colour that there is.
+    let colours = solver.row_colours().expect("a model is open");
+    let places: Uint8Array = get(&colours, "faces").unchecked_into();
+    assert_eq!(places.to_vec(), [0, 1]);
+    let palette: Float32Array = get(&colours, "palette").unchecked_into();
+    assert_eq!(palette.length(), 3);
 
     // What is saved opens again, with the set.
     let scene = solver.scene().expect("a model is open");

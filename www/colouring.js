@@ -40,7 +40,8 @@ export function colourFaces(store, solver) {
     fresh = false;
   });
   store.subscribe(['measure', 'display'], ({ measure, display }) => {
-    solver.tell({ type: 'show', measure, shapes: display.shapes });
+    const projections = display.outlines || display.arrows;
+    solver.tell({ type: 'show', measure, shapes: display.shapes, projections });
   });
   store.subscribe(['measure'], () => (fresh = true));
   return { refit: () => store.set({ range: [0, greatest] }) };

@@ -25,7 +25,6 @@ import { toggleTheme } from './theme.js';
 export function commandTable(parts) {
   const { store, viewport, pointer, files, actions, alerts, addConstraint, fileInput, help } =
     parts;
-  const isOpen = (/** @type {State} */ state) => state.model !== null;
   const hasView = (/** @type {State} */ { renderer }) =>
     renderer === 'webgpu' || renderer === 'webgl2';
 
@@ -50,7 +49,7 @@ export function commandTable(parts) {
       label: 'Run or pause',
       keys: [' '],
       action: actions.runOrPause,
-      enabled: isOpen,
+      needsModel: true,
       title: ({ running }) => (running ? 'Pause the iteration' : 'Iterate until nothing changes'),
     },
     {
@@ -59,7 +58,7 @@ export function commandTable(parts) {
       label: 'One iteration',
       keys: ['.'],
       action: actions.step,
-      enabled: isOpen,
+      needsModel: true,
     },
     {
       id: 'reset',
@@ -67,7 +66,7 @@ export function commandTable(parts) {
       label: 'Back to the shape of the file',
       keys: ['Shift+R'],
       action: actions.reset,
-      enabled: isOpen,
+      needsModel: true,
     },
     {
       id: 'undo',
@@ -93,7 +92,7 @@ export function commandTable(parts) {
       label: 'Add constraint',
       keys: [],
       action: () => addConstraint.open(),
-      enabled: isOpen,
+      needsModel: true,
     },
     {
       id: 'add-handles',
@@ -101,7 +100,7 @@ export function commandTable(parts) {
       label: 'Make the selected vertices handles',
       keys: ['H'],
       action: () => actions.addHandles(actions.chosenVertices(), false),
-      enabled: isOpen,
+      needsModel: true,
     },
     {
       id: 'remove-handles',
@@ -109,7 +108,7 @@ export function commandTable(parts) {
       label: 'Remove the selected handles',
       keys: ['Shift+H', 'Delete'],
       action: () => actions.removeHandles(actions.chosenVertices()),
-      enabled: isOpen,
+      needsModel: true,
     },
     {
       id: 'tool-drag',
@@ -189,7 +188,7 @@ export function commandTable(parts) {
       label: 'Save scene',
       keys: ['Ctrl+S'],
       action: () => files.saveScene(),
-      enabled: isOpen,
+      needsModel: true,
       title: () => 'Save the mesh with its constraints, handles and weights',
     },
     {
@@ -198,7 +197,7 @@ export function commandTable(parts) {
       label: 'Export the current shape as OBJ',
       keys: ['Ctrl+E'],
       action: () => files.exportMesh(),
-      enabled: isOpen,
+      needsModel: true,
     },
     {
       id: 'theme',

@@ -12,6 +12,7 @@ import { setText } from './dom.js';
  * @property {string} label in the help
  * @property {string[]} keys such as "Ctrl+Shift+Z"; letters are what is written on the key
  * @property {() => void} action
+ * @property {boolean} [needsModel] while the first model is on its way, a press waits for it
  * @property {(state: import("./state.js").State) => boolean} [enabled] always, when absent
  * @property {(state: import("./state.js").State) => boolean} [pressed] for buttons that are toggles
  * @property {(state: import("./state.js").State) => string} [title] instead of the label
@@ -20,6 +21,43 @@ import { setText } from './dom.js';
 /** The keys that press a button or open a list themselves. */
 const ACTIVATING = new Set([' ', 'Enter']);
 const NOT_TYPED_INTO = '[type="checkbox"], [type="radio"], [type="file"], [type="range"]';
+
+/** Pressed before there was a model. @type {Set<Command>} */
+const waiting = new Set();
+
+/**
+ * Does a command, now or as soon as there is a model.
+ * @param {Command} command
+ * @param {import("./state.js").Store} store
+ */
+function press(command, store) {
+  const state = store.get();
+  if (command.needsModel && !state.document) {
+    if (waiting.size === 0) store.set({ status: 'Starts when the model is here' });
+    waiting.add(command);
+  } else if (!command.enabled || command.enabled(state)) {
+    command.action();
+  }
+}
+
+/**
+ * Does what was pressed before this script was there, and what waits for the model once it is.
+ * @param {Command[]} commands
+ * @param {import("./state.js").Store} store
+ * @param {string[]} early names of commands
+ */
+export function takeEarlyPresses(commands, store, early) {
+  for (const name of early) {
+    const command = commands.find(({ id }) => id === name);
+    if (command) press(command, store);
+  }
+  store.subscribe(['document'], ({ document }) => {
+    if (!document) return;
+    const pressed = [...waiting];
+    waiting.clear();
+    pressed.forEach((command) => press(command, store));
+  });
+}
 
 /**
  * @param {Command[]} commands
@@ -31,7 +69,7 @@ export function bindButtons(commands, store) {
     if (!(button instanceof HTMLButtonElement)) continue;
     const command = byName.get(button.dataset.command ?? '');
     if (!command) throw new Error(`no command is called ${button.dataset.command}`);
-    button.addEventListener('click', () => command.action());
+    button.addEventListener('click', () => press(command, store));
     const shortcut = command.keys.length > 0 ? ` (${keyName(command.keys[0])})` : '';
     const anything = /** @type {(keyof import("./state.js").State)[]} */ (Object.keys(store.get()));
     store.subscribe(anything, (state) => {
@@ -58,7 +96,7 @@ export function bindKeys(commands, store) {
     if (document.querySelector('dialog:modal, :popover-open')) return;
     // The browser's own meaning (open, save, print) never applies here, even when there is nothing to do.
     if (chord !== 'Escape') event.preventDefault();
-    if (!command.enabled || command.enabled(store.get())) command.action();
+    press(command, store);
   });
 }
 

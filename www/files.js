@@ -2,6 +2,7 @@
 
 import { count } from './format.js';
 import { element } from './dom.js';
+import { removeFirstPicture } from './first-picture.js';
 import { messageOf } from './messages.js';
 
 /** @typedef {import("./messages.js").NamedBytes} NamedBytes */
@@ -33,9 +34,10 @@ export class Files {
    * Opens a mesh or a scene, with the mesh that the scene names beside it. When it is refused the
    * old model stays and the alert says why.
    * @param {NamedBytes[]} files
+   * @param {boolean} [first] it is what the page opens with
    * @returns {Promise<import("./messages.js").Loaded>} rejects with what the alert says
    */
-  async open(files) {
+  async open(files, first = false) {
     try {
       const unreadable = files.find((file) => !READABLE.test(file.name));
       if (unreadable) {
@@ -48,8 +50,9 @@ export class Files {
       const main = files.find((file) => IS_SCENE.test(file.name)) ?? files[0];
       this.#name = main.name.replace(/(\.shapeup)?\.[^.]+$/, '');
       this.#alerts.clear();
+      if (!first) removeFirstPicture();
       this.#store.set({
-        firstExample: false,
+        firstExample: first,
         status: `Opened ${main.name}: ${count(loaded.vertices, 'vertex', 'vertices')}, ${count(loaded.faces, 'face')}`,
       });
       return loaded;
@@ -83,9 +86,8 @@ export class Files {
     const files = await Promise.all(
       names.map(async (name) => ({ name, bytes: await fetched(name) })),
     );
-    await this.open(files);
-    const status = first ? '' : `Opened the example ${example.title}`;
-    this.#store.set({ firstExample: first, status });
+    await this.open(files, first);
+    this.#store.set({ status: first ? '' : `Opened the example ${example.title}` });
   }
 
   /**

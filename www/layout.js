@@ -48,7 +48,6 @@ function tabs() {
   const { dataset } = document.body;
   const names = ['model', 'inspector'];
   const buttons = names.map((name) => byId(`tab-${name}`));
-  dataset.sheet = 'closed';
   const show = (/** @type {string} */ name) => {
     const same = (dataset.tab ?? 'model') === name;
     dataset.sheet = same && dataset.sheet === 'open' ? 'closed' : 'open';

@@ -8,7 +8,7 @@ import { Alerts } from './alerts.js';
 import { BoxSelection } from './box-selection.js';
 import { colourFaces } from './colouring.js';
 import { commandTable } from './command-table.js';
-import { bindButtons, bindKeys, bindRunButton } from './commands.js';
+import { bindButtons, bindKeys, bindRunButton, takeEarlyPresses } from './commands.js';
 import { AddConstraintDialog } from './dialog-add-constraint.js';
 import { byId } from './dom.js';
 import { Files } from './files.js';
@@ -25,6 +25,7 @@ import { handlesPanel } from './panels/handles.js';
 import { modelPanel } from './panels/model.js';
 import { statusBar } from './panels/status-bar.js';
 import { PointerInput } from './pointer.js';
+import { colourRows } from './row-colours.js';
 import { sizeOf } from './rounding.js';
 import { scriptApi } from './script-api.js';
 import { NOTHING } from './selection.js';
@@ -51,6 +52,7 @@ const pointer = new PointerInput(store, solver, viewport, box, {
 bindViewKeys(viewport);
 const addConstraint = new AddConstraintDialog(byId('add-constraint'), store, solver, actions);
 const { refit } = colourFaces(store, solver);
+colourRows(store, solver, actions);
 
 modelPanel(byId('model'), store);
 constraintsPanel(byId('constraints'), store, solver, actions);
@@ -89,6 +91,10 @@ const commands = commandTable({
 bindButtons(commands, store);
 bindKeys(commands, store);
 bindRunButton(byId('run'), store);
+/** @type {Window & { earlyPresses?: string[] }} index.html gathers them */
+const early = window;
+takeEarlyPresses(commands, store, early.earlyPresses ?? []);
+delete early.earlyPresses;
 buildHelp(help, commands);
 
 viewport.addEventListener('none', (event) => {

@@ -167,6 +167,24 @@
  * @property {Uint32Array} curveIndices
  */
 
+/**
+ * The colour of the row of constraints that acts on each face and each vertex.
+ * @typedef {object} RowColours
+ * @property {Uint8Array} faces `#F`: 0 where there is none, else one more than a place in `palette`
+ * @property {Uint8Array} vertices `#V`: the same for constraints that cover no whole face
+ * @property {Float32Array} palette three parts from 0 to 1 per colour
+ */
+
+/**
+ * The projected points of all constraints that are on.
+ * @typedef {object} Projections
+ * @property {Uint32Array} vertices `#points`: the vertex that each is the projection of
+ * @property {Float32Array} ways `#points by 3`: from the vertex to the point
+ * @property {Uint8Array} colours `#points`: one more than a place in `palette`
+ * @property {Uint32Array} outlines pairs of points
+ * @property {Float32Array} palette three parts from 0 to 1 per colour
+ */
+
 /** The largest distance of a face's corners to its best plane or circle. @typedef {"planarity" | "circularity"} Measure */
 
 /** @typedef {{ name: string, bytes: Uint8Array }} NamedBytes */
@@ -182,7 +200,7 @@
  * @typedef {{ type: "run" }
  *   | { type: "pause" }
  *   | { type: "drag", vertices: Uint32Array, targets: Float64Array, phase: "start" | "move" | "end" | "cancel" }
- *   | { type: "show", measure: Measure | null, shapes: boolean }
+ *   | { type: "show", measure: Measure | null, shapes: boolean, projections: boolean }
  *   | { type: "recycle", positions: Float64Array }} Command
  */
 
@@ -192,8 +210,8 @@
  * - `open`: the first file that is a scene, else the first file; the others may be the mesh that it
  *   names. When it is refused the old model stays. `iteration` is where a restored scene stood.
  * - `edit`, `undo`, `redo`, `step`.
- * - `members`: what a constraint acts on. `previews`: what adding one of each kind at each of some
- *   places would make.
+ * - `members`: what a constraint acts on. `rowColours`: the colours of all of them. `previews`: what
+ *   adding one of each kind at each of some places would make.
  * - `scene`, `obj`: the texts of the files.
  * @typedef {{ type: "open", files: NamedBytes[], iteration?: number }
  *   | { type: "edit", edit: Edit }
@@ -201,6 +219,7 @@
  *   | { type: "redo" }
  *   | { type: "step" }
  *   | { type: "members", constraint: number }
+ *   | { type: "rowColours" }
  *   | { type: "previews", places: Selector[] }
  *   | { type: "scene" }
  *   | { type: "obj" }} Request
@@ -215,6 +234,7 @@
  * @property {string | null} redo the name of what was redone
  * @property {boolean} step whether it has converged
  * @property {{ faces: Uint32Array, vertices: Uint32Array }} members
+ * @property {RowColours} rowColours
  * @property {(Preview | null)[][]} previews `#kinds by #places`, null where nothing fits
  * @property {string} scene
  * @property {string} obj
@@ -232,7 +252,8 @@
  *   during a run: what a dead worker is replaced with.
  * - `frame`: a state of the iteration. `trace` has six numbers per iteration since the last frame:
  *   iteration, shape, close, smooth, handles, total. `values` are those of `measure`, `#F`;
- *   `shapes` the fitted shapes, eight numbers each.
+ *   `shapes` the fitted shapes, eight numbers each;
+ *   `projections` where the constraints would have their vertices.
  * - `activity`: whether the solver runs (Run was pressed and it has not converged); sent after the
  *   frame that belongs to it.
  * - `trouble`: an iteration failed; the last good state stays.
@@ -244,7 +265,8 @@
  *   | { type: "document", document: SceneDocument }
  *   | { type: "scene", text: string, iteration: number }
  *   | { type: "frame", numbers: Numbers, trace: Float64Array, positions: Float64Array,
- *       measure: Measure | null, values: Float32Array | null, shapes: Float32Array | null }
+ *       measure: Measure | null, values: Float32Array | null, shapes: Float32Array | null,
+ *       projections: Projections | null }
  *   | { type: "activity", running: boolean, converged: boolean }
  *   | { type: "trouble", message: string }
  *   | { type: "died", message: string }

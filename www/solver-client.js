@@ -19,6 +19,7 @@ import { messageOf } from './messages.js';
  * @property {Float32Array | null} values of `measure`, `#F`
  * @property {import("./messages.js").Measure | null} measure
  * @property {Float32Array | null} shapes fitted shapes, eight numbers each
+ * @property {import("./messages.js").Projections | null} projections
  */
 
 /** What a request was refused for; `path` is the place in the scene that is wrong, if there is one. */
@@ -145,6 +146,7 @@ export class SolverClient extends EventTarget {
           values: null,
           measure: null,
           shapes: null,
+          projections: null,
         };
         break;
       case 'scene':
@@ -159,6 +161,7 @@ export class SolverClient extends EventTarget {
         geometry.values = message.values;
         geometry.measure = message.measure;
         geometry.shapes = message.shapes;
+        geometry.projections = message.projections;
         break;
       }
       case 'reply':

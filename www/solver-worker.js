@@ -31,6 +31,7 @@ let positionsLength = 0;
 /** @type {import("./messages.js").Measure | null} */
 let measure = null;
 let showShapes = false;
+let showProjections = false;
 let sceneSentAt = 0;
 let sliceQueued = false;
 /** Whether it runs has changed; told after the frame that belongs to it. */
@@ -96,6 +97,7 @@ function command(message) {
     case 'show':
       measure = message.measure;
       showShapes = message.shapes;
+      showProjections = message.projections;
       unseen = loaded;
       return sendFrame();
     case 'run':
@@ -134,6 +136,8 @@ function answer(message) {
       return step();
     case 'members':
       return live().members(message.constraint);
+    case 'rowColours':
+      return live().rowColours();
     case 'previews':
       return live().previews(message.places);
     case 'scene':
@@ -334,7 +338,13 @@ function sendFrame() {
   const transfer = [positions.buffer, told.buffer];
   if (values) transfer.push(values.buffer);
   if (shapes) transfer.push(shapes.buffer);
-  post({ type: 'frame', numbers: now, trace: told, positions, measure, values, shapes }, transfer);
+  /** @type {import("./messages.js").Projections | null} */
+  const projections = showProjections ? live().projections() : null;
+  if (projections) transfer.push(...Object.values(projections).map((array) => array.buffer));
+  post(
+    { type: 'frame', numbers: now, trace: told, positions, measure, values, shapes, projections },
+    transfer,
+  );
   unseen = false;
   if (activityDue) sendActivity();
 }

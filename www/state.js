@@ -24,10 +24,11 @@
  * @property {Selection} selection
  * @property {number[]} dragged handles under the pointer
  * @property {Tint | null} tint members of the constraint that is pointed at
+ * @property {import("./messages.js").RowColours | null} rowColours of what constraints act on
  * @property {Measure | null} measure what the faces are coloured by
  * @property {boolean} measureChosen somebody chose it since the model was opened
  * @property {[number, number]} range of the colours, in units of the mesh
- * @property {{ edges: boolean, vertices: boolean, shapes: boolean }} display
+ * @property {{ edges: boolean, vertices: boolean, shapes: boolean, outlines: boolean, arrows: boolean }} display
  * @property {boolean} dark
  * @property {"webgpu" | "webgl2" | "none" | "starting"} renderer
  * @property {string} status what happened last, in words
@@ -60,10 +61,11 @@ const INITIAL = {
   selection: { vertices: new Set(), faces: new Set() },
   dragged: [],
   tint: null,
+  rowColours: null,
   measure: null,
   measureChosen: false,
   range: [0, 0],
-  display: { edges: true, vertices: false, shapes: false },
+  display: { edges: true, vertices: false, shapes: false, outlines: false, arrows: false },
   dark: false,
   renderer: 'starting',
   status: '',

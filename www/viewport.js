@@ -4,6 +4,7 @@
  * hands over what changed and asks for one picture.
  */
 
+import { removeFirstPicture } from './first-picture.js';
 import { messageOf } from './messages.js';
 
 /** @typedef {import("./pkg/view/shape_up.js").View} View */
@@ -12,6 +13,11 @@ import { messageOf } from './messages.js';
 /** A view that is lost this often in a row is given up. */
 const ATTEMPTS = 3;
 const NONE = new Uint32Array(0);
+const NO_COLOURS = {
+  faces: new Uint8Array(0),
+  vertices: new Uint8Array(0),
+  palette: new Float32Array(0),
+};
 const BACKENDS = ['webgpu', 'webgl2'];
 
 export class Viewport extends EventTarget {
@@ -117,6 +123,7 @@ export class Viewport extends EventTarget {
     this.view = null;
     this.#canvas = null;
     this.element.replaceChildren();
+    removeFirstPicture();
     this.#store.set({ renderer: 'none' });
     this.dispatchEvent(new CustomEvent('none', { detail: reason }));
   }
@@ -169,6 +176,7 @@ export class Viewport extends EventTarget {
       [['document', 'dragged', 'selection', 'model'], showHandles],
       [['selection', 'model'], showSelection],
       [['tint', 'model'], showTint],
+      [['rowColours', 'model'], showRowColours],
       [['measure', 'range'], (view, state) => this.#showValues(view, state)],
     ];
     for (const [keys, show] of parts) {
@@ -212,6 +220,10 @@ export class Viewport extends EventTarget {
     view.setPositions(geometry.positions);
     this.#showValues(view, state);
     if (geometry.shapes) view.setShapes(geometry.shapes);
+    if (geometry.projections) {
+      const { vertices, ways, colours, outlines, palette } = geometry.projections;
+      view.setProjections(vertices, ways, colours, outlines, palette);
+    }
   }
 
   #draw() {
@@ -220,7 +232,9 @@ export class Viewport extends EventTarget {
     // Without a mesh there is nothing to draw.
     if (!this.#solver.geometry || !this.view?.needsDraw()) return;
     try {
-      if (this.view.draw()) this.#attempts = 0;
+      if (!this.view.draw()) return;
+      this.#attempts = 0;
+      removeFirstPicture();
     } catch (thrown) {
       this.#lost(messageOf(thrown));
     }
@@ -232,7 +246,8 @@ export class Viewport extends EventTarget {
  * @param {State} state
  */
 function showDisplay(view, { display }) {
-  view.setDisplay(display.edges, display.vertices, display.shapes);
+  const { edges, vertices, shapes, outlines, arrows } = display;
+  view.setDisplay(edges, vertices, shapes, outlines, arrows);
 }
 
 /**
@@ -266,4 +281,13 @@ function showTint(view, { tint }) {
   const { vertices, faces, colour } = tint ?? { vertices: NONE, faces: NONE, colour: [0, 0, 0] };
   const [red, green, blue] = colour.map((byte) => byte / 255);
   view.setTint(vertices, faces, red, green, blue);
+}
+
+/**
+ * @param {View} view
+ * @param {State} state
+ */
+function showRowColours(view, { rowColours }) {
+  const { faces, vertices, palette } = rowColours ?? NO_COLOURS;
+  view.setRowColours(faces, vertices, palette);
 }

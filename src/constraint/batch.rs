@@ -21,6 +21,9 @@ pub struct LocalStep {
     pub worst_squared: f64,
 }
 
+/// The points of one constraint: which node, and the way from there to its projected point.
+pub type Projected = [(u32, Vec3<f64>)];
+
 /// What an operator may look up besides its own points.
 #[derive(Clone, Copy)]
 pub struct Reference<'a> {
@@ -36,6 +39,10 @@ pub trait Batch {
     /// It is the same with `N_i` and without: a translated projection has the shape too, so that
     /// the residual is centred in both cases. Only the normal matrix differs.
     fn local_step(&mut self, x: &[Row], gradient: &mut [Row], scale: f64) -> LocalStep;
+
+    /// Gives `each` the projection of every constraint at positions `x`: its nodes, and the way from
+    /// each to its projected point, `P_i - N_i V_i`. It is the projection of the local step.
+    fn projected(&mut self, x: &[Row], each: &mut dyn FnMut(&Projected));
 
     /// Appends the shapes that fit the constraints at positions `x`, to be drawn.
     fn fitted(&self, x: &[Row], shapes: &mut Vec<Fitted>);
@@ -94,6 +101,8 @@ struct KindBatch<P> {
     /// The previous projections in the layout of `nodes`; only with the guard, from its second step on.
     previous: Vec<Vec3<Lanes>>,
     guarded: bool,
+    /// The ways to the projections in the layout of `nodes`; only while they are asked for.
+    ways: Option<Vec<Vec3<Lanes>>>,
     /// Points of one chunk and their projections, where there are too many for the stack.
     scratch: Vec<Vec3<Lanes>>,
 }
@@ -128,6 +137,7 @@ impl<P: Projection> KindBatch<P> {
             rest,
             previous: Vec::new(),
             guarded: make.guarded,
+            ways: None,
             scratch: vec![Vec3::zero(); 2 * n],
         }
     }
@@ -156,6 +166,9 @@ impl<P: Projection> KindBatch<P> {
         centre_as(P::INFO.centring, projected);
         if self.guarded {
             self.keep_nearer(first, centred, projected);
+        }
+        if self.ways.is_some() {
+            self.note_ways(first, centred, projected);
         }
         // A lane that only pads the last chunk has no weight.
         let lanes = LANES.min(self.count - chunk * LANES);
@@ -208,6 +221,17 @@ impl<P: Projection> KindBatch<P> {
         found
     }
 
+    /// Notes the ways from points to projections of the chunk whose points start at `first`.
+    #[cold]
+    #[inline(never)]
+    fn note_ways(&mut self, first: usize, centred: &[Vec3<Lanes>], projected: &[Vec3<Lanes>]) {
+        let Some(ways) = &mut self.ways else { return };
+        let ways = &mut ways[first..first + centred.len()];
+        for ((way, v), p) in ways.iter_mut().zip(centred).zip(projected) {
+            *way = *p - *v;
+        }
+    }
+
     /// Replaces the projections of the chunk whose points start at `first` lane by lane by the previous
     /// ones where these are nearer.
     fn keep_nearer(
@@ -258,6 +282,21 @@ impl<P: Projection> Batch for KindBatch<P> {
             all.worst_squared = all.worst_squared.max(found.worst_squared);
         }
         all
+    }
+
+    fn projected(&mut self, x: &[Row], each: &mut dyn FnMut(&Projected)) {
+        // The local step itself, so that nothing is compiled twice; its gradient is not wanted.
+        self.ways = Some(vec![Vec3::zero(); self.nodes.len()]);
+        self.local_step(x, &mut vec![[0.0; 4]; x.len()], 0.0);
+        let ways = self.ways.take().unwrap_or_default();
+        let mut points = Vec::with_capacity(self.n);
+        for i in 0..self.count {
+            let (first, lane) = (i / LANES * self.n, i % LANES);
+            let chunk = self.nodes[first..].iter().zip(&ways[first..]).take(self.n);
+            points.clear();
+            points.extend(chunk.map(|(nodes, way)| (nodes[lane], way.lane(lane))));
+            each(&points);
+        }
     }
 
     fn fitted(&self, x: &[Row], shapes: &mut Vec<Fitted>) {

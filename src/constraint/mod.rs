@@ -49,7 +49,7 @@ mod tangent_incircles;
 mod target;
 mod volume;
 
-pub use batch::{Batch, LocalStep, Reference, Row, batches};
+pub use batch::{Batch, LocalStep, Projected, Reference, Row, batches};
 pub use info::{Arity, Centring, Form, Info, Param, ParamValue};
 pub use resolve::resolve;
 pub use select::{Element, SelectError, Selector, Set, Sets, describe};

@@ -1,6 +1,7 @@
 //! What hosts show of a session: errors of faces, members of constraints.
 
 use super::Session;
+use super::acting::Cover;
 use crate::mesh::Measures;
 
 impl Session {
@@ -9,18 +10,20 @@ impl Session {
         Measures::new(&self.positions(), &self.mesh.faces, self.diameter)
     }
 
-    /// The faces and the vertices that row `index` acts on, ascending; a face counts when all its
-    /// corners do.
+    /// The faces and the vertices that row `index` acts on, ascending; a face counts when one of the
+    /// row's constraints has all its corners.
     pub fn members(&self, index: usize) -> [Vec<u32>; 2] {
-        let mut is_member = vec![false; self.mesh.positions.len()];
+        let mut cover = Cover::new(&self.mesh, &self.topology);
+        let [mut faces, mut vertices] = [Vec::new(), Vec::new()];
         if let Some(row) = self.rows.get(index) {
-            row.constraints.members.indices().iter().for_each(|&v| is_member[v as usize] = true);
+            let members = &row.constraints.members;
+            members.iter().for_each(|set| faces.extend(cover.faces(set)));
+            vertices.extend(members.indices());
         }
-        let all_corners = |face: &[u32]| face.iter().all(|&v| is_member[v as usize]);
-        let faces = (0..).zip(self.mesh.faces.iter());
-        let faces = faces.filter(|(_, face)| all_corners(face)).map(|(index, _)| index).collect();
-        let vertices = (0..).zip(&is_member);
-        let vertices = vertices.filter(|(_, member)| **member).map(|(index, _)| index).collect();
+        for indices in [&mut faces, &mut vertices] {
+            indices.sort_unstable();
+            indices.dedup();
+        }
         [faces, vertices]
     }
 }

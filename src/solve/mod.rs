@@ -8,7 +8,7 @@
 //! | `order` | the order of elimination |
 //! | `factor`, `panels`, `scalar` | `L D L^T`, and the triangular sweeps in single or double precision |
 //! | `metric` | the inverse in single precision, for accelerated steps |
-//! | `system` | these four together: the linear system of the global step |
+//! | `system` | these together: the linear system of the global step |
 //! | `solver` | the iteration |
 //! | `accelerate`, `quasi_newton`, `anderson` | steps that learn from the steps before |
 //! | `conformal`, `subspace` | conformal parametrisation (Eq. 14), and its eigenvector |

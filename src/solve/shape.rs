@@ -1,7 +1,9 @@
 //! `E_shape` (Eq. 4): the constraints of a scene, batched, with their part of the normal matrix.
 
 use super::assemble::Terms;
-use crate::constraint::{Batch, Centring, Fitted, Kind, LocalStep, Reference, Row, batches};
+use crate::constraint::{
+    Batch, Centring, Fitted, Kind, LocalStep, Projected, Reference, Row, batches,
+};
 use crate::mesh::Ragged;
 
 /// A constraint on more points than this gets its mean as one extra unknown, coupled to each of its
@@ -122,6 +124,15 @@ impl ShapeEnergy {
     /// What the last local step found in each row of constraints.
     pub(super) fn found(&self) -> impl Iterator<Item = LocalStep> {
         self.rows.iter().map(|row| row.found)
+    }
+
+    /// Gives `each` the row and the projection of every constraint at `x`, as [`Batch::projected`].
+    pub(super) fn projected(&mut self, x: &[Row], mut each: impl FnMut(usize, &Projected)) {
+        for (index, row) in self.rows.iter_mut().enumerate() {
+            for batch in &mut row.batches {
+                batch.projected(x, &mut |points| each(index, points));
+            }
+        }
     }
 
     /// The shapes that fit at `x`, to be drawn.

@@ -12,7 +12,7 @@ use super::shape::{Constraints, ShapeEnergy, extra_unknowns};
 use super::smooth::SmoothEnergy;
 use super::system::{SetUpSeconds, System};
 use super::{SolveError, clock, shape, smooth};
-use crate::constraint::{Fitted, LocalStep, Reference, Row};
+use crate::constraint::{Fitted, LocalStep, Projected, Reference, Row};
 use crate::mesh::{Laplacian, Mesh, Point, Surface, Topology};
 use crate::scene::{Closeness, Hold, Smoothness, SmoothnessOf, SolverSettings, Weighting, Weights};
 use std::cell::OnceCell;
@@ -386,6 +386,21 @@ impl Solver {
     /// What iterating took.
     pub fn iterate_seconds(&self) -> IterateSeconds {
         self.seconds
+    }
+
+    /// Gives `each` the row of every constraint, its vertices, and the way from each of these to its
+    /// projected point at the current positions: `P_i - N_i V_i`, in the unit of the mesh.
+    pub fn projected(&mut self, mut each: impl FnMut(usize, &Projected)) {
+        let mut vertex_of = vec![0; self.x.len()];
+        for (vertex, &node) in (0..).zip(&self.system.node_of()[..self.n_vertices]) {
+            vertex_of[node as usize] = vertex;
+        }
+        let mut points = Vec::new();
+        self.energies.shape.projected(&self.x, |row, projected| {
+            points.clear();
+            points.extend(projected.iter().map(|&(node, way)| (vertex_of[node as usize], way)));
+            each(row, &points);
+        });
     }
 
     /// The shapes that fit the constraints at the current positions, to be drawn.

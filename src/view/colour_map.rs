@@ -1,6 +1,8 @@
 //! The perceptually uniform colour map of errors: viridis (van der Walt and Smith 2015), which also
 //! reads in grey and to colour-blind eyes.
 
+use glam::Vec3;
+
 /// Texels of the map's texture.
 pub const TEXELS: usize = 256;
 
@@ -12,6 +14,12 @@ pub fn texels() -> Vec<u8> {
             [colour.r, colour.g, colour.b, 255]
         })
         .collect()
+}
+
+/// The sRGB colour of a texel, each part 0 to 1.
+pub fn colour(texel: u8) -> Vec3 {
+    let colour = colorous::VIRIDIS.eval_rational(usize::from(texel), TEXELS);
+    Vec3::new(f32::from(colour.r), f32::from(colour.g), f32::from(colour.b)) / 255.0
 }
 
 /// The texel of a value between `low` and `high`; values beyond take the end of the map, and `None`

@@ -1,15 +1,35 @@
 //! What a face looks like beside its shape: its value on the colour map, whether it is selected,
-//! whether it is a member of the constraint that is pointed at. Four bytes per face.
+//! the colour of the row of constraints that acts on it, whether it is a member of the one that is
+//! pointed at. Four bytes per face.
 
 use super::colour_map::texel;
 use super::lists::{ViewError, check_indices};
+use super::row_colours::RowColours;
 
-/// Byte 1: the face has the material's colour.
-const PLAIN: u8 = 0;
-/// Byte 1: the face has a value, whose texel is byte 0.
-const VALUE: u8 = 127;
-/// Byte 1: the face should have a value, but it is not a number.
-const NO_VALUE: u8 = 255;
+/// What the colour of a face stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FaceColour {
+    /// The material.
+    Plain,
+    /// A row of constraints: its place among the colours of rows, from 1 on.
+    Row(u8),
+    /// A value: its texel on the colour map.
+    Value(u8),
+    /// There should be a value, but it is not a number.
+    NoValue,
+}
+
+impl FaceColour {
+    /// Bytes 0 and 1 of the look of a face.
+    fn bytes(self) -> [u8; 2] {
+        match self {
+            FaceColour::Plain => [0, 0],
+            FaceColour::Row(place) => [place, 64],
+            FaceColour::Value(texel) => [texel, 127],
+            FaceColour::NoValue => [0, 255],
+        }
+    }
+}
 
 /// Values and marks of the faces and vertices.
 #[derive(Clone, Debug, Default)]
@@ -21,6 +41,8 @@ pub struct Looks {
     selected_faces: Vec<u32>,
     tinted_vertices: Vec<u32>,
     tinted_faces: Vec<u32>,
+    /// Colours of the rows of constraints; values go before them.
+    pub rows: RowColours,
 }
 
 impl Looks {
@@ -87,18 +109,22 @@ impl Looks {
         if self.tinted_faces.is_empty() { &self.tinted_vertices } else { &[] }
     }
 
+    /// What the colour of a face stands for.
+    pub fn colour_of(&self, face: usize) -> FaceColour {
+        if let Some((values, low, high)) = &self.values {
+            return texel(values[face], *low, *high).map_or(FaceColour::NoValue, FaceColour::Value);
+        }
+        match self.rows.faces.get(face) {
+            None | Some(0) => FaceColour::Plain,
+            Some(&place) => FaceColour::Row(place),
+        }
+    }
+
     /// Per face: texel, kind of colour, selected, tinted; #F by 4 bytes.
     pub fn bytes(&self, faces: usize) -> Vec<u8> {
         let mut bytes = vec![0; faces * 4];
-        if let Some((values, low, high)) = &self.values {
-            for (look, &value) in bytes.chunks_exact_mut(4).zip(values) {
-                (look[0], look[1]) = match texel(value, *low, *high) {
-                    Some(texel) => (texel, VALUE),
-                    None => (0, NO_VALUE),
-                };
-            }
-        } else {
-            bytes.chunks_exact_mut(4).for_each(|look| look[1] = PLAIN);
+        for (face, look) in bytes.chunks_exact_mut(4).enumerate() {
+            look[..2].copy_from_slice(&self.colour_of(face).bytes());
         }
         for &face in &self.selected_faces {
             bytes[face as usize * 4 + 2] = 255;
@@ -120,9 +146,18 @@ mod tests {
         looks.set_values(Some(vec![0.0, f32::NAN, 1.0]), 0.0, 1.0, 3).unwrap();
         looks.select(vec![], vec![2], (0, 3)).unwrap();
         looks.tint(vec![], vec![0], (0, 3)).unwrap();
-        assert_eq!(looks.bytes(3), [0, VALUE, 0, 255, 0, NO_VALUE, 0, 0, 255, VALUE, 255, 0]);
+        assert_eq!(looks.bytes(3), [0, 127, 0, 255, 0, 255, 0, 0, 255, 127, 255, 0]);
         looks.set_values(None, 0.0, 1.0, 3).unwrap();
-        assert_eq!(looks.bytes(3)[..4], [0, PLAIN, 0, 255]);
+        assert_eq!(looks.bytes(3)[..4], [0, 0, 0, 255]);
+    }
+
+    #[test]
+    fn colours_of_rows_are_seen_where_there_are_no_values() {
+        let rows = RowColours::new(vec![0, 2], vec![], &[0.5; 6], (3, 2)).unwrap();
+        let mut looks = Looks { rows, ..Looks::default() };
+        assert_eq!(looks.bytes(2), [0, 0, 0, 0, 2, 64, 0, 0]);
+        looks.set_values(Some(vec![0.0, 1.0]), 0.0, 1.0, 2).unwrap();
+        assert_eq!(looks.bytes(2), [0, 127, 0, 0, 255, 127, 0, 0]);
     }
 
     #[test]

@@ -4,6 +4,7 @@
 //! The room has two halves. [`stage`] and what it holds know the mesh as it is shown, the camera,
 //! and what is picked or marked; they need no GPU, so that native tests can hold them to account.
 //! `picture` and the primitives turn a stage into draw calls; they are compiled for the browser only.
+//! `still` writes a stage as SVG, for a page that cannot draw yet.
 //!
 //! Positions come in as `f64` in file coordinates. The view subtracts its own centre, the middle
 //! of the first bounding box of the mesh, before it rounds to `f32`: a mesh at site coordinates
@@ -21,6 +22,7 @@ pub mod device;
 pub mod faces;
 pub mod framing;
 pub mod globals;
+pub mod light;
 #[cfg(target_arch = "wasm32")]
 pub mod lines;
 pub mod lists;
@@ -35,11 +37,16 @@ pub mod pipeline;
 #[cfg(target_arch = "wasm32")]
 pub mod points;
 pub mod polygon_edges;
+#[cfg(target_arch = "wasm32")]
+pub mod projection_lines;
+pub mod projections;
 pub mod ray;
+pub mod row_colours;
 pub mod shaders;
 #[cfg(target_arch = "wasm32")]
 pub mod spheres;
 pub mod stage;
+pub mod still;
 #[cfg(target_arch = "wasm32")]
 pub mod store;
 pub mod subject;

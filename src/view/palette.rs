@@ -10,6 +10,9 @@ pub struct Stroke {
     pub colour: Colour,
     /// Width.
     pub width: f32,
+    /// Width of the casing on each side, whose colour is `colour`; the line has a colour of its own
+    /// then.
+    pub casing: f32,
 }
 
 /// How a dot is drawn.
@@ -38,6 +41,10 @@ pub enum LineKind {
     Curve = 2,
     /// From a handle to where it should be.
     Pull = 3,
+    /// Of a projected shape; the shader knows its number.
+    Outline = 4,
+    /// From a vertex to its projection; the shader knows its number.
+    Arrow = 5,
 }
 
 /// What a dot stands for; its number is its place in [`Palette::dots`].
@@ -45,24 +52,26 @@ pub enum LineKind {
 pub enum DotKind {
     /// A vertex.
     Vertex = 0,
+    /// A member of a constraint that covers no face; its inside takes the colour of the row.
+    Member = 1,
     /// A member of the constraint pointed at; its inside takes the tint.
-    Tinted = 1,
+    Tinted = 2,
     /// Selected.
-    Selected = 2,
+    Selected = 3,
     /// Where a handle should be.
-    Target = 3,
+    Target = 4,
     /// A soft handle.
-    Handle = 4,
+    Handle = 5,
     /// A fixed handle.
-    Fixed = 5,
+    Fixed = 6,
     /// The handle that is being moved.
-    Active = 6,
+    Active = 7,
 }
 
 /// How many kinds of lines there are.
-pub const LINE_KINDS: usize = 4;
+pub const LINE_KINDS: usize = 6;
 /// How many kinds of dots there are.
-pub const DOT_KINDS: usize = 7;
+pub const DOT_KINDS: usize = 8;
 
 /// One theme.
 #[derive(Clone, Copy, Debug)]
@@ -97,7 +106,12 @@ const WHITE: Colour = [1.0, 1.0, 1.0, 1.0];
 const INK: Colour = [0.06, 0.08, 0.11, 1.0];
 
 const fn stroke(colour: Colour, width: f32) -> Stroke {
-    Stroke { colour, width }
+    Stroke { colour, width, casing: 0.0 }
+}
+
+/// A line in the colour of a row of constraints.
+const fn cased(width: f32) -> Stroke {
+    Stroke { colour: [1.0, 1.0, 1.0, 0.7], width, casing: 0.8 }
 }
 
 const fn dot(fill: Colour, rim: Colour, radius: f32, rim_width: f32) -> Dot {
@@ -116,10 +130,13 @@ pub const LIGHT: Palette = Palette {
         stroke([0.13, 0.16, 0.21, 1.0], 1.9),
         stroke([0.10, 0.12, 0.16, 1.0], 2.4),
         stroke([0.13, 0.40, 0.93, 0.9], 1.5),
+        cased(1.4),
+        cased(1.5),
     ],
     edge_of_values: [1.0, 1.0, 1.0, 0.40],
     dots: [
         dot([0.16, 0.19, 0.24, 1.0], [0.985, 0.985, 0.985, 0.9], 3.1, 0.8),
+        dot(WHITE, [1.0, 1.0, 1.0, 0.75], 3.3, 0.6),
         dot(WHITE, INK, 4.2, 1.2),
         dot(ORANGE, WHITE, 5.0, 1.3),
         dot([0.13, 0.40, 0.93, 0.12], BLUE, 5.0, 1.5),
@@ -143,10 +160,13 @@ pub const DARK: Palette = Palette {
         stroke([0.80, 0.83, 0.88, 1.0], 1.7),
         stroke([0.90, 0.92, 0.95, 1.0], 2.4),
         stroke([0.45, 0.65, 1.0, 0.95], 1.5),
+        cased(1.4),
+        cased(1.5),
     ],
     edge_of_values: [1.0, 1.0, 1.0, 0.34],
     dots: [
         dot([0.93, 0.95, 0.97, 1.0], [0.08, 0.09, 0.11, 0.9], 3.1, 0.8),
+        dot(WHITE, [0.08, 0.09, 0.11, 0.75], 3.3, 0.6),
         dot(WHITE, INK, 4.2, 1.2),
         dot([1.0, 0.60, 0.15, 1.0], INK, 5.0, 1.3),
         dot([0.45, 0.65, 1.0, 0.15], [0.45, 0.65, 1.0, 1.0], 5.0, 1.5),

@@ -6,6 +6,7 @@ use super::device::{Device, DeviceError};
 use super::faces::Faces;
 use super::lines::Lines;
 use super::points::Points;
+use super::projection_lines::ProjectionLines;
 use super::spheres::Spheres;
 use super::stage::{Changes, Stage};
 use super::store::Store;
@@ -18,6 +19,7 @@ pub struct Picture {
     store: Store,
     faces: Faces,
     lines: Lines,
+    projections: ProjectionLines,
     points: Points,
     circles: Circles,
     spheres: Spheres,
@@ -31,6 +33,7 @@ impl Picture {
         Picture {
             faces: Faces::new(gpu, &store, format),
             lines: Lines::new(gpu, &store, format),
+            projections: ProjectionLines::new(gpu, &store, format),
             points: Points::new(gpu, &store, format),
             circles: Circles::new(gpu, &store, format),
             spheres: Spheres::new(gpu, &store, format),
@@ -61,6 +64,7 @@ impl Picture {
             self.spheres.draw(&mut pass);
             self.circles.draw(&mut pass, stage.circle_pieces());
         }
+        self.projections.draw(&mut pass, display);
         if display.vertices || stage.subject.is_only_points() {
             self.points.draw_vertices(&mut pass);
         }
@@ -83,6 +87,10 @@ impl Picture {
         if changes.mesh || changes.marks {
             self.lines.update_handles(device, queue, stage);
             self.points.update_marks(device, queue, stage);
+        }
+        // Their points come after the targets of the handles.
+        if changes.mesh || changes.marks || changes.projections {
+            self.projections.update(device, queue, stage);
         }
         if changes.mesh || changes.shapes {
             self.circles.update(device, queue, &stage.shapes);

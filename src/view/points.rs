@@ -6,15 +6,16 @@ use super::shaders::POINTS;
 use super::stage::Stage;
 use super::store::Store;
 
-const DOT: [wgpu::VertexAttribute; 1] = wgpu::vertex_attr_array![0 => Uint32x2];
+const DOT: [wgpu::VertexAttribute; 1] = wgpu::vertex_attr_array![0 => Uint32x3];
 
 /// Dots at entries of the table of positions.
 #[derive(Debug)]
 pub struct Points {
     in_front: wgpu::RenderPipeline,
     behind: wgpu::RenderPipeline,
-    /// Per dot its place in the table and its [`DotKind`].
+    /// Per dot its place in the table, its [`DotKind`], and the place of its colour.
     vertices: VertexBuffer,
+    members: VertexBuffer,
     marks: VertexBuffer,
 }
 
@@ -28,7 +29,7 @@ impl Points {
                 vertex: "corner_of_dot",
                 fragment,
                 attributes: &DOT,
-                stride: 8,
+                stride: 12,
                 step: wgpu::VertexStepMode::Instance,
                 layer,
             };
@@ -38,6 +39,7 @@ impl Points {
             in_front: pipeline("in_front", Layer::InFront),
             behind: pipeline("behind", Layer::Behind),
             vertices: VertexBuffer::new(device),
+            members: VertexBuffer::new(device),
             marks: VertexBuffer::new(device),
         }
     }
@@ -45,12 +47,16 @@ impl Points {
     /// Takes the vertices of a mesh.
     pub fn update_mesh(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, stage: &Stage) {
         let count = stage.counts().0 as u32;
-        let dots: Vec<[u32; 2]> = (0..count).map(|v| [v, DotKind::Vertex as u32]).collect();
+        let dots: Vec<[u32; 3]> = (0..count).map(|v| dot(v, DotKind::Vertex)).collect();
         self.vertices.write(device, queue, &dots);
     }
 
     /// Takes marks and handles.
     pub fn update_marks(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, stage: &Stage) {
+        let rows = &stage.looks.rows;
+        let members: Vec<[u32; 3]> =
+            rows.dots().map(|(v, place)| [v, DotKind::Member as u32, u32::from(place)]).collect();
+        self.members.write(device, queue, &members);
         self.marks.write(device, queue, &marks(stage));
     }
 
@@ -59,8 +65,10 @@ impl Points {
         draw(pass, &self.in_front, &self.vertices);
     }
 
-    /// Draws marks and handles: dim where the surface hides them, then those in sight.
+    /// Draws members of constraints in sight, then marks and handles: dim where the surface hides
+    /// them, then those in sight.
     pub fn draw_marks(&self, pass: &mut wgpu::RenderPass<'_>) {
+        draw(pass, &self.in_front, &self.members);
         draw(pass, &self.behind, &self.marks);
         draw(pass, &self.in_front, &self.marks);
     }
@@ -74,20 +82,23 @@ fn draw(pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline, dots: 
     }
 }
 
+fn dot(place: u32, kind: DotKind) -> [u32; 3] {
+    [place, kind as u32, 0]
+}
+
 /// The least important first: later dots lie over earlier ones. Targets come after the vertices in
 /// the table of positions.
-fn marks(stage: &Stage) -> Vec<[u32; 2]> {
-    let of_kind = |vertices: &[u32], kind: DotKind| {
-        vertices.iter().map(|&v| [v, kind as u32]).collect::<Vec<_>>()
-    };
-    let mut dots = of_kind(stage.looks.tinted_dots(), DotKind::Tinted);
-    dots.extend(of_kind(&stage.looks.selected_vertices, DotKind::Selected));
+fn marks(stage: &Stage) -> Vec<[u32; 3]> {
+    let looks = &stage.looks;
+    let tinted = looks.tinted_dots().iter();
+    let mut dots: Vec<[u32; 3]> = tinted.map(|&v| dot(v, DotKind::Tinted)).collect();
+    dots.extend(looks.selected_vertices.iter().map(|&v| dot(v, DotKind::Selected)));
     let first = stage.counts().0 as u32;
     let soft = stage.handles.iter().zip(first..).filter(|(h, _)| h.kind != DotKind::Fixed);
-    dots.extend(soft.map(|(_, target)| [target, DotKind::Target as u32]));
+    dots.extend(soft.map(|(_, target)| dot(target, DotKind::Target)));
     for kind in [DotKind::Fixed, DotKind::Handle, DotKind::Active] {
         let handles = stage.handles.iter().filter(|handle| handle.kind == kind);
-        dots.extend(handles.map(|handle| [handle.vertex, kind as u32]));
+        dots.extend(handles.map(|handle| dot(handle.vertex, kind)));
     }
     dots
 }

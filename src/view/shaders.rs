@@ -10,6 +10,8 @@ const STROKE: &str = include_str!("shaders/stroke.wgsl");
 pub const FACES: [&str; 2] = [SCENE, include_str!("shaders/faces.wgsl")];
 /// Edges, curves, pulling lines.
 pub const LINES: [&str; 3] = [SCENE, STROKE, include_str!("shaders/lines.wgsl")];
+/// Outlines of projected shapes, and arrows to projected points.
+pub const PROJECTIONS: [&str; 3] = [SCENE, STROKE, include_str!("shaders/projections.wgsl")];
 /// Dots.
 pub const POINTS: [&str; 2] = [SCENE, include_str!("shaders/points.wgsl")];
 /// Fitted circles.
@@ -23,10 +25,11 @@ mod tests {
     use naga::back::glsl;
     use naga::valid::{Capabilities, ValidationFlags, Validator};
 
-    fn all() -> [(&'static str, String); 5] {
+    fn all() -> [(&'static str, String); 6] {
         [
             ("faces", FACES.concat()),
             ("lines", LINES.concat()),
+            ("projections", PROJECTIONS.concat()),
             ("points", POINTS.concat()),
             ("circles", CIRCLES.concat()),
             ("spheres", SPHERES.concat()),

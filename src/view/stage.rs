@@ -8,8 +8,9 @@ use super::lists::{Lists, ViewError, check_indices};
 use super::looks::Looks;
 use super::palette::{DARK, DotKind, LIGHT, Palette};
 use super::picking::{self, ScreenBox};
+use super::projections::Projections;
 use super::subject::{Subject, read_points};
-use glam::{DVec3, Vec2, Vec3};
+use glam::{DVec3, Vec2, Vec3, Vec4};
 
 /// Numbers per fitted shape: kind (0 circle, 1 sphere), centre, normal, radius.
 pub const SHAPE_NUMBERS: usize = 8;
@@ -26,7 +27,7 @@ pub struct Handle {
 }
 
 /// What is switched on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Display {
     /// Edges of the polygons.
     pub edges: bool,
@@ -34,6 +35,10 @@ pub struct Display {
     pub vertices: bool,
     /// Fitted circles and spheres.
     pub shapes: bool,
+    /// Outlines of projected shapes.
+    pub outlines: bool,
+    /// Arrows from vertices to their projections.
+    pub arrows: bool,
 }
 
 /// What has changed since the last picture.
@@ -49,14 +54,23 @@ pub struct Changes {
     pub marks: bool,
     /// Fitted shapes.
     pub shapes: bool,
+    /// Projections.
+    pub projections: bool,
     /// Camera, theme, size, display: all that needs a new picture but no new data.
     pub view: bool,
 }
 
 impl Changes {
     /// Everything.
-    pub const ALL: Changes =
-        Changes { mesh: true, positions: true, looks: true, marks: true, shapes: true, view: true };
+    pub const ALL: Changes = Changes {
+        mesh: true,
+        positions: true,
+        looks: true,
+        marks: true,
+        shapes: true,
+        projections: true,
+        view: true,
+    };
 
     /// Whether there is anything.
     pub fn any(self) -> bool {
@@ -79,6 +93,8 @@ pub struct Stage {
     pub handles: Vec<Handle>,
     /// Fitted shapes in view coordinates, `SHAPE_NUMBERS` each.
     pub shapes: Vec<f32>,
+    /// Projected points, outlines, arrows.
+    pub projections: Projections,
     /// What is switched on.
     pub display: Display,
     /// Dark theme.
@@ -99,7 +115,8 @@ impl Default for Stage {
             tint: [0.2, 0.7, 0.3],
             handles: Vec::new(),
             shapes: Vec::new(),
-            display: Display { edges: true, vertices: false, shapes: false },
+            projections: Projections::default(),
+            display: Display { edges: true, ..Display::default() },
             dark: false,
             changes: Changes::ALL,
             framed: true,
@@ -133,6 +150,7 @@ impl Stage {
         self.looks = Looks::default();
         self.handles.clear();
         self.shapes.clear();
+        self.projections = Projections::default();
         self.changes = Changes::ALL;
         self.preset("home")
     }
@@ -213,6 +231,20 @@ impl Stage {
         }
         self.changes.shapes = true;
         Ok(())
+    }
+
+    /// Sets the projections of the constraints.
+    pub fn set_projections(&mut self, projections: Projections) {
+        self.changes.projections |= projections != self.projections;
+        self.projections = projections;
+    }
+
+    /// The projected points relative to the view's centre, each with its distance from its vertex.
+    pub fn projected(&self) -> impl Iterator<Item = Vec4> + '_ {
+        self.projections.points.iter().map(|point| {
+            let at = self.subject.positions[point.vertex as usize] + point.way;
+            at.extend(point.way.length())
+        })
     }
 
     /// Pieces that a fitted circle is drawn with: fewer when there are thousands, which are small.
@@ -325,7 +357,11 @@ impl Stage {
 
     /// Near and far depths around everything drawn.
     pub fn depth_range(&self) -> (f32, f32) {
-        let [low, high] = self.bounds();
+        let [mut low, mut high] = self.bounds();
+        // Projections lie beside their vertices, and are drawn nearer to the eye by as much.
+        let ways = self.projections.points.iter().map(|point| point.way.length_squared());
+        let beside = 2.0 * ways.fold(0.0, f32::max).sqrt();
+        (low, high) = (low - beside, high + beside);
         let corners = (0..8).map(|i| {
             let pick = |axis: usize| if i >> axis & 1 == 0 { low[axis] } else { high[axis] };
             Vec3::new(pick(0), pick(1), pick(2))

@@ -3,8 +3,9 @@
 
 use super::colour_map;
 use super::globals::{NUMBERS, numbers};
+use super::row_colours;
 use super::stage::Stage;
-use glam::Vec3;
+use glam::Vec4;
 
 /// Texels in a row of a table; the shaders know it too.
 const WIDTH: u32 = 1024;
@@ -113,7 +114,7 @@ impl Store {
             mapped_at_creation: false,
         });
         let texels = colour_map::TEXELS as u32;
-        let colours = create(device, "colour map", bytes, texels, 1);
+        let colours = create(device, "colour map", bytes, texels, 3);
         write(queue, &colours, &colour_map::texels(), texels * 4, [0, texels, 1]);
         let layout = group_layout(device);
         let positions = Table::new(device, "positions", float);
@@ -162,18 +163,25 @@ impl Store {
         let changes = stage.changes;
         let subject = &stage.subject;
         let mut rebind = false;
-        if changes.mesh || changes.positions {
-            let points = subject.positions.iter().copied().chain(stage.targets());
+        if changes.mesh || changes.positions || changes.projections {
+            let places = subject.positions.iter().copied().chain(stage.targets());
+            let points = places.map(|place| place.extend(0.0)).chain(stage.projected());
             rebind |= self.positions.write(device, queue, &four_each(points));
+        }
+        if changes.mesh || changes.positions {
             let normals = &subject.normals;
-            let soft = four_each(normals.vertices.iter().copied());
+            let soft = four_each(normals.vertices.iter().map(|normal| normal.extend(0.0)));
             rebind |= self.vertex_normals.write(device, queue, &soft);
-            let flat = four_each(normals.faces.iter().copied());
+            let flat = four_each(normals.faces.iter().map(|normal| normal.extend(0.0)));
             rebind |= self.face_normals.write(device, queue, &flat);
         }
         if changes.mesh || changes.looks {
             let looks = stage.looks.bytes(subject.faces.len());
             rebind |= self.face_looks.write(device, queue, &looks);
+            self.write_colours(queue, 1, &stage.looks.rows.palette);
+        }
+        if changes.projections {
+            self.write_colours(queue, 2, &stage.projections.palette);
         }
         if rebind {
             let textures = [
@@ -188,11 +196,18 @@ impl Store {
         let numbers = numbers(stage, width, height);
         queue.write_buffer(&self.globals, 0, bytemuck::cast_slice(&numbers));
     }
+
+    /// Writes a palette of rows of constraints into a row of the texture of colours.
+    fn write_colours(&self, queue: &wgpu::Queue, row: u32, palette: &[[f32; 3]]) {
+        let width = colour_map::TEXELS as u32;
+        let texels = row_colours::texels(palette, colour_map::TEXELS);
+        write(queue, &self.colour_map, &texels, width * 4, [row, width, 1]);
+    }
 }
 
 /// Vectors as bytes of four floats each.
-fn four_each(vectors: impl Iterator<Item = Vec3>) -> Vec<u8> {
-    let floats: Vec<[f32; 4]> = vectors.map(|v| v.extend(0.0).to_array()).collect();
+fn four_each(vectors: impl Iterator<Item = Vec4>) -> Vec<u8> {
+    let floats: Vec<[f32; 4]> = vectors.map(|v| v.to_array()).collect();
     bytemuck::cast_slice(&floats).to_vec()
 }
 

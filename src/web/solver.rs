@@ -9,7 +9,7 @@ use crate::mesh::{Read, read, write_obj};
 use crate::scene::{ConstraintSpec, MeshSource, Scene, SceneError};
 use crate::session::{Edit, NewConstraint, Place, Session};
 use crate::solve::clock;
-use js_sys::{Float32Array, Float64Array, Uint32Array};
+use js_sys::{Float32Array, Float64Array, Uint8Array, Uint32Array};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 use wasm_bindgen::prelude::*;
@@ -259,14 +259,49 @@ impl Solver {
         Ok(Float32Array::from(&narrow[..]))
     }
 
+    /// The projections of the constraints at the current positions: per point its vertex
+    /// (`vertices`), the way from there to the point (`ways`, `#points by 3`, units of the mesh), and
+    /// one more than the place of its colour in `palette` (`colours`); `outlines` are pairs of points.
+    pub fn projections(&mut self) -> Result<JsValue, JsValue> {
+        let session = self.open_mut()?;
+        let (places, palette) = colours_of_rows(session);
+        let found = session.projections();
+        let ways: Vec<f32> = found.ways.as_flattened().iter().map(|&part| part as f32).collect();
+        let colours: Vec<u8> = found.rows.iter().map(|&row| places[row as usize]).collect();
+        object([
+            ("vertices", Uint32Array::from(&found.vertices[..]).into()),
+            ("ways", Float32Array::from(&ways[..]).into()),
+            ("colours", Uint8Array::from(&colours[..]).into()),
+            ("outlines", Uint32Array::from(found.outlines.as_flattened()).into()),
+            ("palette", palette),
+        ])
+    }
+
     /// The faces and vertices that row `constraint` acts on.
     pub fn members(&self, constraint: usize) -> Result<JsValue, JsValue> {
         let [faces, vertices] = self.open()?.members(constraint);
-        let members = js_sys::Object::new();
-        for (key, indices) in [("faces", faces), ("vertices", vertices)] {
-            js_sys::Reflect::set(&members, &key.into(), &Uint32Array::from(&indices[..]))?;
-        }
-        Ok(members.into())
+        let indices = |indices: &[u32]| JsValue::from(Uint32Array::from(indices));
+        object([("faces", indices(&faces)), ("vertices", indices(&vertices))])
+    }
+
+    /// The colour of the row of constraints that acts on each face and each vertex: `faces` (`#F`)
+    /// and `vertices` (`#V`) are 0 where there is none, else one more than a place in `palette`,
+    /// three numbers from 0 to 1 per colour.
+    #[wasm_bindgen(js_name = rowColours)]
+    pub fn row_colours(&self) -> Result<JsValue, JsValue> {
+        let session = self.open()?;
+        let acting = session.acting_rows();
+        let (places, palette) = colours_of_rows(session);
+        let narrow = |rows: &[Option<u32>]| {
+            let places: Vec<u8> =
+                rows.iter().map(|row| row.map_or(0, |row| places[row as usize])).collect();
+            JsValue::from(Uint8Array::from(&places[..]))
+        };
+        object([
+            ("faces", narrow(&acting.faces)),
+            ("vertices", narrow(&acting.vertices)),
+            ("palette", palette),
+        ])
     }
 
     /// How many constraints a row of each kind would hold at each of the places, which are selectors as
@@ -337,6 +372,34 @@ fn nothing_open() -> JsValue {
 fn plain(value: &impl Serialize) -> Result<JsValue, JsValue> {
     let serializer = serde_wasm_bindgen::Serializer::json_compatible();
     value.serialize(&serializer).map_err(thrown)
+}
+
+/// An object of typed arrays.
+fn object<const N: usize>(entries: [(&str, JsValue); N]) -> Result<JsValue, JsValue> {
+    let object = js_sys::Object::new();
+    for (key, value) in entries {
+        js_sys::Reflect::set(&object, &key.into(), &value)?;
+    }
+    Ok(object.into())
+}
+
+/// Per row of constraints one more than the place of its colour in the palette, and the palette:
+/// three parts from 0 to 1 per colour.
+fn colours_of_rows(session: &Session) -> (Vec<u8>, JsValue) {
+    let mut palette: Vec<[u8; 3]> = Vec::new();
+    let colours = session.rows().iter().map(|row| row.constraints.kind.info().colour);
+    let places = colours.map(|colour| {
+        let known = palette.iter().position(|other| *other == colour);
+        let place = known.unwrap_or(palette.len());
+        if known.is_none() {
+            palette.push(colour);
+        }
+        u8::try_from(place + 1).expect("there are fewer than 255 kinds")
+    });
+    let places = places.collect();
+    let parts: Vec<f32> =
+        palette.as_flattened().iter().map(|&part| f32::from(part) / 255.0).collect();
+    (places, Float32Array::from(&parts[..]).into())
 }
 
 fn message_of(error: &JsValue) -> String {

@@ -9,6 +9,8 @@ use crate::view::colour_map;
 use crate::view::device::{Device, DeviceError};
 use crate::view::lists::ViewError;
 use crate::view::picture::Picture;
+use crate::view::projections::Projections;
+use crate::view::row_colours::RowColours;
 use crate::view::stage::{Display, Stage};
 use glam::Vec2;
 use std::sync::atomic::Ordering;
@@ -153,10 +155,18 @@ impl View {
         self.stage.dark = dark;
     }
 
-    /// Switches edges, dots on vertices, and fitted shapes on or off.
+    /// Switches edges, dots on vertices, fitted shapes, outlines of projected shapes, and arrows to
+    /// projections on or off.
     #[wasm_bindgen(js_name = setDisplay)]
-    pub fn set_display(&mut self, edges: bool, vertices: bool, shapes: bool) {
-        let display = Display { edges, vertices, shapes };
+    pub fn set_display(
+        &mut self,
+        edges: bool,
+        vertices: bool,
+        shapes: bool,
+        outlines: bool,
+        arrows: bool,
+    ) {
+        let display = Display { edges, vertices, shapes, outlines, arrows };
         self.stage.changes.view |= display != self.stage.display;
         self.stage.display = display;
     }
@@ -207,6 +217,26 @@ impl View {
         Ok(())
     }
 
+    /// Gives faces and vertices the colours of the rows of constraints that act on them: per face (#F)
+    /// and per vertex (#V) 0 or one more than a place in the palette, whose colours are three parts
+    /// from 0 to 1. Empty arrays take all colours away. Values of faces go before colours of rows.
+    ///
+    /// # Errors
+    /// Arrays that do not fit together.
+    #[wasm_bindgen(js_name = setRowColours)]
+    pub fn set_row_colours(
+        &mut self,
+        faces: Vec<u8>,
+        vertices: Vec<u8>,
+        palette: &[f32],
+    ) -> Result<(), JsValue> {
+        let counts = self.stage.counts();
+        self.stage.looks.rows =
+            RowColours::new(faces, vertices, palette, counts).map_err(thrown)?;
+        (self.stage.changes.looks, self.stage.changes.marks) = (true, true);
+        Ok(())
+    }
+
     /// Sets the fitted shapes, eight numbers each: kind (0 circle, 1 sphere), centre, normal, radius.
     ///
     /// # Errors
@@ -214,6 +244,27 @@ impl View {
     #[wasm_bindgen(js_name = setShapes)]
     pub fn set_shapes(&mut self, shapes: &[f32]) -> Result<(), JsValue> {
         self.stage.set_shapes(shapes).map_err(thrown)
+    }
+
+    /// Sets the projections of the constraints: the vertex of each projected point, the way from the
+    /// vertex to the point (#points by 3), one more than the place of its colour in the palette, the
+    /// outlines as pairs of points, and the palette, three parts from 0 to 1 per colour.
+    ///
+    /// # Errors
+    /// Arrays that do not fit together.
+    #[wasm_bindgen(js_name = setProjections)]
+    pub fn set_projections(
+        &mut self,
+        vertices: &[u32],
+        ways: &[f32],
+        colours: &[u8],
+        outlines: &[u32],
+        palette: &[f32],
+    ) -> Result<(), JsValue> {
+        let (count, _) = self.stage.counts();
+        let projections = Projections::new(vertices, ways, colours, outlines, palette, count);
+        self.stage.set_projections(projections.map_err(thrown)?);
+        Ok(())
     }
 
     /// Sets the vertical axis, `z` or `y`.

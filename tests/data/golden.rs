@@ -54,7 +54,7 @@ const SCENES: &[(&str, [u64; 3])] = &[
            "closeness": { "boundary": { "corners": 40 },
                           "weights": [{ "on": "boundary", "weight": 30 },
                                       { "on": { "vertices": "80-90" }, "weight": 0 }] }"#,
-        [0x1152_9ec1_d71b_9324, 0xfd00_9de0_36b0_d227, 0x727d_2bac_4c96_be27],
+        [0x1152_9ec1_d71b_9324, 0xae5f_059a_9e1d_917e, 0x7d6b_9987_cabf_d388],
     ),
 ];
 

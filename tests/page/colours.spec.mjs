@@ -1,8 +1,17 @@
 // What the faces are coloured by.
 
-import { addConstraint, openExample, openText, showPanel, tool } from './actions.mjs';
+import {
+  addConstraint,
+  hidePanels,
+  openExample,
+  openText,
+  runToTheEnd,
+  showPanel,
+  tool,
+} from './actions.mjs';
 import { wavyGrid } from './meshes.mjs';
-import { expect, openPage, test, waitForState } from './support.mjs';
+import { colourAt, decodePng } from './picture.mjs';
+import { expect, openPage, screenOf, test, waitForState } from './support.mjs';
 
 test('faces are coloured by what is asked of them, until somebody chooses', async ({ page }) => {
   await openPage(page);
@@ -41,4 +50,91 @@ test('flat faces are not coloured by rounding', async ({ page }) => {
   await expect(page.getByText('worst 0', { exact: true })).toBeVisible();
   await showPanel(page, 'Energies and display');
   await expect(page.getByTitle('Shape energy, without its weight')).toHaveText('0');
+});
+
+/** How much bluer than red the middle of a face of a grid of n by n quads is, in a picture. */
+async function bluerThanRed(page, picture, n, face) {
+  const first = Math.floor(face / n) * (n + 1) + (face % n);
+  const [a, b] = [await screenOf(page, first), await screenOf(page, first + n + 2)];
+  const [red, , blue] = colourAt(picture, (a[0] + b[0]) / 2, (a[1] + b[1]) / 2);
+  return blue - red;
+}
+
+test('while colours say nothing else, faces have those of their constraints', async ({ page }) => {
+  const n = 4;
+  await openPage(page);
+  await waitForState(page, (now) => now.renderer !== 'none');
+  await openText(page, 'grid.obj', wavyGrid(n), 25);
+  const tints = async () => {
+    await hidePanels(page);
+    // Neither pointing at a row nor in its fields.
+    const view = page.getByRole('application', { name: '3D view' });
+    await view.focus();
+    await view.hover({ position: { x: 5, y: 5 } });
+    const picture = decodePng(await page.screenshot());
+    const [first, second] = [0, n * n - 1];
+    return [
+      await bluerThanRed(page, picture, n, first),
+      await bluerThanRed(page, picture, n, second),
+    ];
+  };
+  const [plain] = await tints();
+
+  // Blue circles everywhere, and a red sphere through the corners of the first face.
+  await addConstraint(page, 'Circle', 'each face');
+  await page.keyboard.press('3');
+  await hidePanels(page);
+  const [a, b] = [await screenOf(page, 0), await screenOf(page, n + 2)];
+  await page.mouse.click((a[0] + b[0]) / 2, (a[1] + b[1]) / 2);
+  await waitForState(page, (now) => now.selection.faces.length === 1);
+  await addConstraint(page, 'Sphere', 'the selection as one set');
+  await page.keyboard.press('Escape');
+  await showPanel(page, 'Energies and display');
+  await page.getByLabel('Colour by').selectOption('');
+  await expect.poll(async () => (await tints())[0]).toBeLessThan(plain - 20);
+  expect((await tints())[1]).toBeGreaterThan(plain + 20);
+
+  // A row that is off has no colour; the one behind it has.
+  await showPanel(page, 'Model');
+  await page.getByRole('switch', { name: /^Sphere/ }).uncheck();
+  await expect.poll(async () => (await tints())[0]).toBeGreaterThan(plain + 20);
+  await tool(page, 'Undo');
+  await expect.poll(async () => (await tints())[0]).toBeLessThan(plain - 20);
+});
+
+test('residuals are arrows to the projected shapes, until there are none', async ({ page }) => {
+  await openPage(page);
+  await waitForState(page, (now) => now.renderer !== 'none');
+  await openText(page, 'grid.obj', wavyGrid(4), 25);
+  await addConstraint(page, 'Plane', 'each face');
+  const pixels = async () => {
+    const view = page.getByRole('application', { name: '3D view' });
+    return decodePng(await view.screenshot()).pixels;
+  };
+  const differing = (a, b) => a.reduce((sum, byte, at) => sum + Number(byte !== b[at]), 0);
+  /** How many bytes of the picture outlines change, and then the arrows. */
+  const changes = async () => {
+    await showPanel(page, 'Energies and display');
+    const [outlines, arrows] = ['Projected shapes', 'Residual arrows'].map((name) =>
+      page.getByRole('checkbox', { name }),
+    );
+    const before = await pixels();
+    await outlines.check();
+    await expect.poll(async () => differing(await pixels(), before)).toBeGreaterThan(2000);
+    const outlined = await pixels();
+    // The projections are there already: the next picture has the arrows.
+    await arrows.check();
+    const twoPictures = () =>
+      new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+    await page.evaluate(twoPictures);
+    const changed = differing(await pixels(), outlined);
+    await arrows.uncheck();
+    await outlines.uncheck();
+    await expect.poll(async () => differing(await pixels(), before)).toBe(0);
+    return changed;
+  };
+  const rough = await changes();
+  expect(rough).toBeGreaterThan(500);
+  await runToTheEnd(page);
+  expect(await changes()).toBeLessThan(0.2 * rough);
 });

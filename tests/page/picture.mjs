@@ -46,6 +46,12 @@ export function decodePng(bytes) {
   return { width, height, channels, pixels };
 }
 
+/** The colour of a pixel, [red, green, blue]. */
+export function colourAt(picture, x, y) {
+  const at = (Math.round(y) * picture.width + Math.round(x)) * picture.channels;
+  return [...picture.pixels.subarray(at, at + 3)];
+}
+
 /** How many different colours a region has; the whole picture when none is given. */
 export function distinctColours(picture, region = {}) {
   const { x = 0, y = 0, width = picture.width - x, height = picture.height - y } = region;

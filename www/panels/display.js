@@ -24,7 +24,7 @@ export function displayPanel(place, store) {
     ...Object.entries(MEASURES).map(([id, { label }]) => element('option', { value: id }, label)),
   );
   const toggle = (
-    /** @type {"edges" | "vertices" | "shapes"} */ key,
+    /** @type {keyof import("../state.js").State["display"]} */ key,
     /** @type {string} */ label,
   ) => {
     const box = element('input', {
@@ -47,6 +47,8 @@ export function displayPanel(place, store) {
       toggle('edges', 'Edges'),
       toggle('vertices', 'Vertices'),
       toggle('shapes', 'Fitted shapes'),
+      toggle('outlines', 'Projected shapes'),
+      toggle('arrows', 'Residual arrows'),
     ),
   );
   store.subscribe(['measure'], ({ measure }) => (choice.value = measure ?? ''));

@@ -41,12 +41,15 @@ fn light_on(in: Corner) -> f32 {
 fn lit(in: Corner) -> @location(0) vec4f {
     let light = light_on(in);
     let modelled = mix(0.74, 1.06, light);
-    let value = textureLoad(colour_map, vec2u(u32(in.look.x * 255.0 + 0.5), 0u), 0).rgb;
+    let place = u32(in.look.x * 255.0 + 0.5);
     var colour = mix(scene.shade.rgb, scene.material.rgb, light);
     if in.look.y > 0.75 {
         colour = scene.no_value.rgb * modelled;
-    } else if in.look.y > 0.25 {
-        colour = value * modelled;
+    } else if in.look.y > 0.375 {
+        colour = textureLoad(colour_map, vec2u(place, 0u), 0).rgb * modelled;
+    } else if in.look.y > 0.125 {
+        let row = colour_of_row(place);
+        colour = mix(colour, row.rgb * modelled, row.a);
     }
     colour = mix(colour, scene.tint.rgb * modelled, in.look.w * scene.tint.a);
     colour = mix(colour, scene.selected.rgb * modelled, in.look.z * scene.selected.a);

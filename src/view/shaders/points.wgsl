@@ -6,12 +6,14 @@ struct Corner {
     // From the middle of the dot, pixels.
     @location(0) at: vec2f,
     @location(1) @interpolate(flat) kind: u32,
+    @location(2) @interpolate(flat) fill: vec4f,
 }
 
 @vertex
 fn corner_of_dot(
     @builtin(vertex_index) corner: u32,
-    @location(0) ids: vec2u,
+    // Place in the table of positions, kind, place of the colour among those of the rows.
+    @location(0) ids: vec3u,
 ) -> Corner {
     let size = scene.dots[ids.y].size;
     let reach = size.x * scene.canvas.z + 1.0;
@@ -27,6 +29,10 @@ fn corner_of_dot(
     var out: Corner;
     out.at = vec2f(select(-reach, reach, right), select(-reach, reach, high));
     out.kind = ids.y;
+    out.fill = scene.dots[ids.y].fill;
+    if ids.z > 0u {
+        out.fill = vec4f(colour_of_row(ids.z).rgb, 1.0);
+    }
     let offset = out.at / (0.5 * scene.canvas.xy);
     out.position = vec4f(clip.xy + offset * clip.w, clip.z, clip.w);
     if depth <= 0.0 {
@@ -43,7 +49,7 @@ fn dot_colour(in: Corner) -> vec4f {
     let away = select(length(in.at), to_square, style.size.z > 0.5);
     let coverage = clamp(style.size.x * ratio + 0.5 - away, 0.0, 1.0);
     let inside = clamp((style.size.x - style.size.y) * ratio + 0.5 - away, 0.0, 1.0);
-    let colour = mix(style.rim, style.fill, inside);
+    let colour = mix(style.rim, in.fill, inside);
     return vec4f(colour.rgb, colour.a * coverage);
 }
 

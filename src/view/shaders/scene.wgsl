@@ -3,7 +3,7 @@
 
 struct Stroke {
     colour: vec4f,
-    // Width in CSS pixels; for circles the number of pieces; then nothing.
+    // Width in CSS pixels; for circles the number of pieces; width of the casing; nothing.
     size: vec4f,
 }
 
@@ -30,8 +30,8 @@ struct Scene {
     tint: vec4f,
     sphere: vec4f,
     circle: Stroke,
-    strokes: array<Stroke, 4>,
-    dots: array<Dot, 7>,
+    strokes: array<Stroke, 6>,
+    dots: array<Dot, 8>,
 }
 
 @group(0) @binding(0) var<uniform> scene: Scene;
@@ -39,10 +39,17 @@ struct Scene {
 @group(0) @binding(2) var vertex_normals: texture_2d<f32>;
 @group(0) @binding(3) var face_normals: texture_2d<f32>;
 @group(0) @binding(4) var face_looks: texture_2d<f32>;
+// Row 0: the map of values. Row 1: the colours of the rows of constraints. Row 2: the same, for
+// projections.
 @group(0) @binding(5) var colour_map: texture_2d<f32>;
 
 fn texel(index: u32) -> vec2u {
     return vec2u(index & 1023u, index >> 10u);
+}
+
+// Its opacity is how much of it is mixed into a face.
+fn colour_of_row(place: u32) -> vec4f {
+    return textureLoad(colour_map, vec2u(place, 1u), 0);
 }
 
 fn position_of(vertex: u32) -> vec3f {

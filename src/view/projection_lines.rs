@@ -1,0 +1,81 @@
+//! Draws the outlines of projected shapes and the arrows to projected points:
+//! `shaders/projections.wgsl`.
+
+use super::palette::LineKind;
+use super::pipeline::{Layer, Recipe, VertexBuffer, build};
+use super::shaders::PROJECTIONS;
+use super::stage::{Display, Stage};
+use super::store::Store;
+
+const LINE: [wgpu::VertexAttribute; 2] = wgpu::vertex_attr_array![0 => Uint32x2, 1 => Uint32x2];
+
+/// Lines between vertices and projected points, which are entries of the table of positions.
+#[derive(Debug)]
+pub struct ProjectionLines {
+    pipeline: wgpu::RenderPipeline,
+    /// Per line its two ends, its [`LineKind`], and the place of its colour.
+    outlines: VertexBuffer,
+    arrows: VertexBuffer,
+}
+
+impl ProjectionLines {
+    /// Nothing to draw yet.
+    pub fn new(
+        device: &wgpu::Device,
+        store: &Store,
+        format: wgpu::TextureFormat,
+    ) -> ProjectionLines {
+        let recipe = Recipe {
+            label: "projections",
+            source: &PROJECTIONS.concat(),
+            vertex: "corner_of_projection",
+            fragment: "drawn",
+            attributes: &LINE,
+            stride: 16,
+            step: wgpu::VertexStepMode::Instance,
+            layer: Layer::InFront,
+        };
+        ProjectionLines {
+            pipeline: build(device, store, format, &recipe),
+            outlines: VertexBuffer::new(device),
+            arrows: VertexBuffer::new(device),
+        }
+    }
+
+    /// Takes the projections; their points come after vertices and targets in the table of positions.
+    pub fn update(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, stage: &Stage) {
+        let first = (stage.counts().0 + stage.handles.len()) as u32;
+        let points = &stage.projections.points;
+        let outlines: Vec<[u32; 4]> = stage
+            .projections
+            .outlines
+            .iter()
+            .map(|&[a, b]| {
+                line([first + a, first + b], LineKind::Outline, points[a as usize].place)
+            })
+            .collect();
+        self.outlines.write(device, queue, &outlines);
+        let arrows: Vec<[u32; 4]> = points
+            .iter()
+            .zip(first..)
+            .map(|(point, end)| line([point.vertex, end], LineKind::Arrow, point.place))
+            .collect();
+        self.arrows.write(device, queue, &arrows);
+    }
+
+    /// Draws what is switched on.
+    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, display: Display) {
+        for (lines, wanted) in [(&self.outlines, display.outlines), (&self.arrows, display.arrows)]
+        {
+            if wanted && lines.count() > 0 {
+                pass.set_pipeline(&self.pipeline);
+                pass.set_vertex_buffer(0, lines.slice());
+                pass.draw(0..6, 0..lines.count());
+            }
+        }
+    }
+}
+
+fn line([from, to]: [u32; 2], kind: LineKind, place: u8) -> [u32; 4] {
+    [from, to, kind as u32, u32::from(place)]
+}

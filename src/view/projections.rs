@@ -1,0 +1,109 @@
+//! The projections of constraints: points near vertices, outlines between them, and an arrow from
+//! each vertex to its point.
+
+use super::lists::{ViewError, check_indices};
+use glam::Vec3;
+
+/// More points than this are not drawn: the table that the shaders read has no room for them.
+pub const MOST_POINTS: usize = 1 << 20;
+
+/// A projected point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Projected {
+    /// The vertex that it is the projection of.
+    pub vertex: u32,
+    /// From the vertex to the point; relative, so that it loses no digits far from the origin.
+    pub way: Vec3,
+    /// One more than the place of its colour in the palette.
+    pub place: u8,
+}
+
+/// All projected points.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Projections {
+    /// The points.
+    pub points: Vec<Projected>,
+    /// Pairs of points.
+    pub outlines: Vec<[u32; 2]>,
+    /// sRGB, each part 0 to 1.
+    pub palette: Vec<[f32; 3]>,
+}
+
+impl Projections {
+    /// Takes the vertex of each point, the way from it to the point (#points by 3), one more than the
+    /// place of its colour, the outlines as pairs of points, and the palette, #colours by 3. Of more
+    /// than [`MOST_POINTS`] the first are taken.
+    ///
+    /// # Errors
+    /// Arrays that do not fit together, or an index that names nothing.
+    pub fn new(
+        vertices: &[u32],
+        ways: &[f32],
+        places: &[u8],
+        outlines: &[u32],
+        palette: &[f32],
+        vertex_count: usize,
+    ) -> Result<Projections, ViewError> {
+        check_indices("projected vertices", vertices, vertex_count)?;
+        check_indices("outlines", outlines, vertices.len())?;
+        let (ways, rest) = ways.as_chunks::<3>();
+        let (outlines, odd) = outlines.as_chunks::<2>();
+        let (palette, loose) = palette.as_chunks::<3>();
+        let count = vertices.len();
+        for (what, got, expected) in [
+            ("ways to projections", ways.len() * 3 + rest.len(), count * 3),
+            ("colours of projections", places.len(), count),
+            ("outlines", outlines.len() * 2 + odd.len(), outlines.len() * 2),
+            ("palette", palette.len() * 3 + loose.len(), palette.len() * 3),
+        ] {
+            if got != expected {
+                return Err(ViewError::Length { what, got, expected });
+            }
+        }
+        let known = |&&place: &&u8| place == 0 || usize::from(place) > palette.len();
+        if let Some(&place) = places.iter().find(known) {
+            let (what, index, count) = ("colours of projections", u32::from(place), palette.len());
+            return Err(ViewError::Index { what, index, count: count + 1 });
+        }
+        let points = vertices.iter().zip(ways).zip(places);
+        let points = points.take(MOST_POINTS).map(|((&vertex, &way), &place)| {
+            // A way that is not finite is no way: the arrow has no length and is not seen.
+            let way = Vec3::from(way);
+            Projected { vertex, way: if way.is_finite() { way } else { Vec3::ZERO }, place }
+        });
+        let inside = |ends: &&[u32; 2]| ends.iter().all(|&end| (end as usize) < MOST_POINTS);
+        Ok(Projections {
+            points: points.collect(),
+            outlines: outlines.iter().filter(inside).copied().collect(),
+            palette: palette.to_vec(),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn points_keep_their_ways_and_outlines_their_ends() {
+        let ways = [0.0, 0.0, 1.0, f32::NAN, 0.0, 0.0];
+        let found = Projections::new(&[4, 2], &ways, &[1, 1], &[0, 1], &[0.5; 3], 5).unwrap();
+        assert_eq!(found.points[0], Projected { vertex: 4, way: Vec3::Z, place: 1 });
+        assert_eq!(found.points[1].way, Vec3::ZERO);
+        assert_eq!(found.outlines, [[0, 1]]);
+    }
+
+    #[test]
+    fn what_does_not_fit_is_refused_by_name() {
+        let refused = |vertices: &[u32], ways: &[f32], places: &[u8], outlines: &[u32]| {
+            Projections::new(vertices, ways, places, outlines, &[0.5; 3], 5)
+                .unwrap_err()
+                .to_string()
+        };
+        assert!(refused(&[5], &[0.0; 3], &[1], &[]).starts_with("projected vertices: index 5"));
+        assert!(refused(&[0], &[0.0; 4], &[1], &[]).starts_with("ways to projections: 4 entries"));
+        assert!(refused(&[0], &[0.0; 3], &[2], &[]).starts_with("colours of projections: index 2"));
+        assert!(refused(&[0], &[0.0; 3], &[1], &[0, 1]).starts_with("outlines: index 1"));
+        assert!(refused(&[0], &[0.0; 3], &[1], &[0]).starts_with("outlines: 1 entries"));
+    }
+}

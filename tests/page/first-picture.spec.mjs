@@ -1,0 +1,85 @@
+// What is on the screen before the page can draw, and what becomes of presses on it.
+
+import { statSync } from 'node:fs';
+import { hidePanels } from './actions.mjs';
+import { file, wavyGrid } from './meshes.mjs';
+import { decodePng } from './picture.mjs';
+import { coloursOfView, expect, state, test, waitForState } from './support.mjs';
+
+const VIEW_BYTES = statSync(new URL('../../www/pkg/view/shape_up_bg.wasm', import.meta.url)).size;
+const viewOf = (page) => page.getByRole('application', { name: '3D view' });
+
+/** Holds requests until the function that it gives is called; `chosen` is asked of each answer. */
+async function hold(page, address, chosen = () => true) {
+  let release;
+  const released = new Promise((done) => (release = done));
+  await page.route(address, async (route) => {
+    const response = await route.fetch();
+    const body = await response.body();
+    if (chosen(body)) await released;
+    await route.fulfill({ response, body });
+  });
+  return release;
+}
+
+/** Holds the view's module, and no other. */
+const holdView = (page) => hold(page, '**/*.wasm', (body) => body.length === VIEW_BYTES);
+
+/** The part of the pixels between two heights, parts of the whole, whose colours differ plainly. */
+function differing(a, b, [top, bottom]) {
+  const rows = [top, bottom].map((part) => Math.round(part * a.height) * a.width * a.channels);
+  let count = 0;
+  for (let at = rows[0]; at < rows[1]; at += a.channels) {
+    const change = [0, 1, 2].map((i) => Math.abs(a.pixels[at + i] - b.pixels[at + i]));
+    if (Math.max(...change) > 48) count += 1;
+  }
+  return count / ((rows[1] - rows[0]) / a.channels);
+}
+
+for (const colorScheme of ['light', 'dark']) {
+  test(`the example is on the screen before it can be drawn, ${colorScheme}`, async ({ page }) => {
+    await page.emulateMedia({ colorScheme });
+    const release = await holdView(page);
+    await page.goto('./');
+    expect(await coloursOfView(page)).toBeGreaterThan(50);
+    await waitForState(page, (now) => now.vertices > 0);
+    const still = decodePng(await viewOf(page).screenshot());
+
+    release();
+    await expect(page.locator('#first-picture')).toHaveCount(0);
+    expect((await state(page)).renderer).not.toBe('none');
+    const drawn = decodePng(await viewOf(page).screenshot());
+    // Between the card above and the legend below. Two pixels aside, a twentieth would differ.
+    expect(differing(still, drawn, [0.16, 0.7])).toBeLessThan(0.02);
+  });
+}
+
+test('presses count before anything is there to act on', async ({ page }) => {
+  const releaseScript = await hold(page, '**/*.js');
+  const releaseModules = await hold(page, '**/*.wasm');
+  await page.goto('./', { waitUntil: 'commit' });
+  expect(await coloursOfView(page)).toBeGreaterThan(50);
+  // A phone's tools are in their place when the script is there.
+  const run = page.getByRole('button', { name: 'Run' });
+  const early = await run.isVisible();
+  if (early) await run.click();
+  releaseScript();
+  if (!early) await run.click();
+  await expect(page.getByRole('status')).toHaveText('Starts when the model is here');
+  releaseModules();
+  const after = await waitForState(page, (now) => now.converged && !now.running);
+  expect(after.iteration).toBeGreaterThan(0);
+});
+
+test('the picture goes when something else is opened', async ({ page }) => {
+  const release = await holdView(page);
+  await page.goto('./');
+  await waitForState(page, (now) => now.vertices > 0);
+  await expect(page.locator('#first-picture')).toHaveCount(1);
+  await hidePanels(page);
+  await page.getByLabel('Open file').setInputFiles(file('grid.obj', wavyGrid(4)));
+  await waitForState(page, (now) => now.vertices === 25);
+  await expect(page.locator('#first-picture')).toHaveCount(0);
+  release();
+  await waitForState(page, (now) => now.renderer !== 'none');
+});
