@@ -22,7 +22,7 @@ pub fn honeycomb(
         positions.extend(row(across(u).max(2), k % 2 == 1).into_iter().map(|v| [u, v, 0.0]));
         let above = first..positions.len() as u32;
         if k > 0 {
-            zip(&positions, below, above.clone(), &mut faces);
+            stitch(&positions, below, above.clone(), &mut faces);
         }
         below = above;
     }
@@ -48,7 +48,7 @@ fn row(n: usize, shifted: bool) -> Vec<f64> {
 }
 
 /// Triangles between two rows, each with the shorter of its two possible diagonals.
-fn zip(
+fn stitch(
     positions: &[Point],
     below: std::ops::Range<u32>,
     above: std::ops::Range<u32>,
