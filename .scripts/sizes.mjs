@@ -29,7 +29,7 @@ await main(() => {
   // The plots, and uPlot with them, load when they are first shown.
   const isPlot = (path) => basename(path).toLowerCase().includes('plot');
   const rows = [
-    row('solver module', [at('www', 'pkg', 'solver', 'shape_up_bg.wasm')], 390 * kB),
+    row('solver module', [at('www', 'pkg', 'solver', 'shape_up_bg.wasm')], 540 * kB),
     row('view module', [at('www', 'pkg', 'view', 'shape_up_bg.wasm')], 900 * kB),
     row(
       'HTML, CSS, JavaScript',

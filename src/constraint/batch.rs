@@ -31,28 +31,12 @@ pub struct Reference<'a> {
     pub surface: &'a dyn Fn() -> Rc<Surface>,
 }
 
-/// Constraints of one kind and one number of points, whatever the kind.
-pub trait Batch {
-    /// The local step at positions `x` (`#nodes` rows): adds half the gradient of
-    /// `scale * E_shape` to `gradient` (`#nodes` rows).
-    ///
-    /// It is the same with `N_i` and without: a translated projection has the shape too, so that
-    /// the residual is centred in both cases. Only the normal matrix differs.
-    fn local_step(&mut self, x: &[Row], gradient: &mut [Row], scale: f64) -> LocalStep;
-
-    /// Gives `each` the projection of every constraint at positions `x`: its nodes, and the way from
-    /// each to its projected point, `P_i - N_i V_i`. It is the projection of the local step.
-    fn projected(&mut self, x: &[Row], each: &mut dyn FnMut(&Projected));
-
-    /// Appends the shapes that fit the constraints at positions `x`, to be drawn.
-    fn fitted(&self, x: &[Row], shapes: &mut Vec<Fitted>);
-}
-
 /// Batches the constraints of one kind: one batch for each number of points, fewest first.
 ///
 /// `members` are the node indices of each constraint, `rest` the rest position of each node,
-/// `weight` is `w_i`, the same for all. Points that the kind centres by edge come in pairs. With `guarded`, each constraint keeps the nearer of the new
-/// and the previous projection, so that the energy never rises with operators that are not exact.
+/// `weight` is `w_i`, the same for all. Points that the kind centres by edge come
+/// in pairs. With `guarded`, each constraint keeps the nearer of the new and the previous projection,
+/// so that the energy never rises with operators that are not exact.
 pub fn batches(
     kind: &Kind,
     members: &Ragged,
@@ -60,14 +44,16 @@ pub fn batches(
     weight: f64,
     guarded: bool,
     reference: &Reference<'_>,
-) -> Vec<Box<dyn Batch>> {
+) -> Vec<Batch> {
     let mut by_size: Vec<&[u32]> = members.iter().collect();
     // Sorted by first node, neighbours in a batch read and write neighbouring rows.
     by_size.sort_by_key(|nodes| (nodes.len(), nodes.iter().min().copied()));
     by_size
         .chunk_by(|a, b| a.len() == b.len())
         .map(|same_size| {
-            kind.visit(MakeBatch { members: same_size, rest, weight, guarded, reference })
+            let centring = kind.info().centring;
+            let members = same_size;
+            kind.visit(MakeBatch { members, rest, weight, guarded, reference, centring })
         })
         .collect()
 }
@@ -78,17 +64,22 @@ struct MakeBatch<'a> {
     weight: f64,
     guarded: bool,
     reference: &'a Reference<'a>,
+    centring: Centring,
 }
 
 impl KindVisitor for MakeBatch<'_> {
-    type Output = Box<dyn Batch>;
-    fn visit<P: Projection>(self, operator: &P) -> Box<dyn Batch> {
-        Box::new(KindBatch::new(operator.clone(), self))
+    type Output = Batch;
+    fn visit<P: Projection>(self, operator: &P) -> Batch {
+        let mut operator = operator.clone();
+        operator.refer(self.reference);
+        Batch::new(Box::new(operator), P::READS_REST, self)
     }
 }
 
-struct KindBatch<P> {
-    operator: P,
+/// Constraints of one kind and one number of points.
+pub struct Batch {
+    operator: Box<dyn Operator>,
+    centring: Centring,
     weight: f64,
     /// Points per constraint.
     n: usize,
@@ -107,9 +98,84 @@ struct KindBatch<P> {
     scratch: Vec<Vec3<Lanes>>,
 }
 
-impl<P: Projection> KindBatch<P> {
-    fn new(mut operator: P, make: MakeBatch<'_>) -> Self {
-        operator.refer(make.reference);
+/// A [`Projection`] whose type is not known: what is not a matter of the kind is compiled once.
+trait Operator {
+    /// See [`Projection::prepare`].
+    fn prepare(&self, rest: &mut [Vec3<f64>]);
+    /// Step I for one chunk; see [`Projection::project`].
+    fn project(&self, rest: &[Vec3<Lanes>], v: &[Vec3<Lanes>], projected: &mut [Vec3<Lanes>]);
+    /// See [`Projection::fitted`].
+    fn fitted(&self, v: &[Vec3<f64>]) -> Option<Fitted>;
+}
+
+impl<P: Projection> Operator for P {
+    fn prepare(&self, rest: &mut [Vec3<f64>]) {
+        Projection::prepare(self, rest);
+    }
+
+    fn project(&self, rest: &[Vec3<Lanes>], v: &[Vec3<Lanes>], projected: &mut [Vec3<Lanes>]) {
+        // Triangles and quads are most of what there is. What the arity rules out is not compiled.
+        match v.len() {
+            2 if const { matches!(P::INFO.arity, Arity::Exactly(2)) } => {
+                project_few::<P, 2>(self, rest, v, projected);
+            }
+            3 if const { P::INFO.arity.fits(3) } => {
+                project_few::<P, 3>(self, rest, v, projected);
+            }
+            4 if const { P::INFO.arity.fits(4) } => {
+                project_few::<P, 4>(self, rest, v, projected);
+            }
+            5 if const { matches!(P::INFO.arity, Arity::Exactly(5)) } => {
+                project_few::<P, 5>(self, rest, v, projected);
+            }
+            _ if const { matches!(P::INFO.arity, Arity::AtLeast(_)) } => {
+                project_many(self, rest, v, projected);
+            }
+            n => unreachable!("{} takes {}, not {n}", P::INFO.id, P::INFO.arity),
+        }
+    }
+
+    fn fitted(&self, v: &[Vec3<f64>]) -> Option<Fitted> {
+        Projection::fitted(self, v)
+    }
+}
+
+/// A number of points that is known at compile time: everything stays in registers.
+// Functions of their own: V8 replaces a wasm function by optimised code only between calls, so hot
+// kernels are entered often.
+#[inline(never)]
+fn project_few<P: Projection, const N: usize>(
+    operator: &P,
+    rest: &[Vec3<Lanes>],
+    v: &[Vec3<Lanes>],
+    projected: &mut [Vec3<Lanes>],
+) {
+    const SIZE: &str = "a chunk has the points of its constraints";
+    let v: &[Vec3<Lanes>; N] = v.try_into().expect(SIZE);
+    let to: &mut [Vec3<Lanes>; N] = projected.try_into().expect(SIZE);
+    let mut projected = [Vec3::zero(); N];
+    if P::READS_REST {
+        let rest: &[Vec3<Lanes>; N] = rest.try_into().expect(SIZE);
+        Projection::project(operator, rest, v, &mut projected);
+    } else {
+        Projection::project(operator, &[], v, &mut projected);
+    }
+    *to = projected;
+}
+
+#[inline(never)]
+fn project_many<P: Projection>(
+    operator: &P,
+    rest: &[Vec3<Lanes>],
+    v: &[Vec3<Lanes>],
+    projected: &mut [Vec3<Lanes>],
+) {
+    Projection::project(operator, rest, v, projected);
+}
+
+impl Batch {
+    fn new(operator: Box<dyn Operator>, reads_rest: bool, make: MakeBatch<'_>) -> Self {
+        let centring = make.centring;
         let n = make.members[0].len();
         let mut nodes = Vec::with_capacity(make.members.len().div_ceil(LANES) * n);
         for chunk in make.members.chunks(LANES) {
@@ -117,10 +183,10 @@ impl<P: Projection> KindBatch<P> {
             nodes.extend((0..n).map(|k| std::array::from_fn(|lane| chunk[lane.min(last)][k])));
         }
         let mut rest = Vec::new();
-        if P::READS_REST {
+        if reads_rest {
             rest = nodes.iter().map(|point| gather(make.rest, point)).collect();
             for chunk in rest.chunks_mut(n) {
-                centre_as(P::INFO.centring, chunk);
+                centre_as(centring, chunk);
                 for lane in 0..LANES {
                     let mut own: Vec<_> = chunk.iter().map(|point| point.lane(lane)).collect();
                     operator.prepare(&mut own);
@@ -128,8 +194,9 @@ impl<P: Projection> KindBatch<P> {
                 }
             }
         }
-        KindBatch {
+        Batch {
             operator,
+            centring,
             weight: make.weight,
             n,
             count: make.members.len(),
@@ -142,8 +209,59 @@ impl<P: Projection> KindBatch<P> {
         }
     }
 
-    /// The local step of chunk `chunk`. `centred` and `projected` are scratch for `n` points each:
-    /// where their length is known at compile time, everything stays in registers.
+    /// The local step at positions `x` (`#nodes` rows): adds half the gradient of
+    /// `scale * E_shape` to `gradient` (`#nodes` rows).
+    ///
+    /// It is the same with `N_i` and without: a translated projection has the shape too, so that
+    /// the residual is centred in both cases. Only the normal matrix differs.
+    pub fn local_step(&mut self, x: &[Row], gradient: &mut [Row], scale: f64) -> LocalStep {
+        let scale = scale * self.weight;
+        let mut all = LocalStep::default();
+        let mut scratch = std::mem::take(&mut self.scratch);
+        for chunk in 0..self.count.div_ceil(LANES) {
+            let rows = (x, &mut *gradient);
+            let found = match self.n {
+                3 => self.step_few::<3>(chunk, rows, scale),
+                4 => self.step_few::<4>(chunk, rows, scale),
+                _ => self.step_chunk(chunk, scratch.split_at_mut(self.n), rows, scale),
+            };
+            all.energy += found.energy;
+            all.worst_squared = all.worst_squared.max(found.worst_squared);
+        }
+        self.scratch = scratch;
+        all
+    }
+
+    /// Gives `each` the projection of every constraint at positions `x`: its nodes, and the way from
+    /// each to its projected point, `P_i - N_i V_i`. It is the projection of the local step.
+    pub fn projected(&mut self, x: &[Row], each: &mut dyn FnMut(&Projected)) {
+        self.ways = Some(vec![Vec3::zero(); self.nodes.len()]);
+        self.local_step(x, &mut vec![[0.0; 4]; x.len()], 0.0);
+        let ways = self.ways.take().unwrap_or_default();
+        let mut points = Vec::with_capacity(self.n);
+        for i in 0..self.count {
+            let (first, lane) = (i / LANES * self.n, i % LANES);
+            let chunk = self.nodes[first..].iter().zip(&ways[first..]).take(self.n);
+            points.clear();
+            points.extend(chunk.map(|(nodes, way)| (nodes[lane], way.lane(lane))));
+            each(&points);
+        }
+    }
+
+    /// Appends the shapes that fit the constraints at positions `x`, to be drawn.
+    pub fn fitted(&self, x: &[Row], shapes: &mut Vec<Fitted>) {
+        let mut points = vec![Vec3::zero(); self.n];
+        for i in 0..self.count {
+            let chunk = &self.nodes[i / LANES * self.n..][..self.n];
+            for (point, nodes) in points.iter_mut().zip(chunk) {
+                let row = x[nodes[i % LANES] as usize];
+                *point = Vec3::new(row[0], row[1], row[2]);
+            }
+            shapes.extend(self.operator.fitted(&points));
+        }
+    }
+
+    /// The local step of chunk `chunk`. `centred` and `projected` are scratch for `n` points each.
     #[inline(always)]
     fn step_chunk(
         &mut self,
@@ -157,13 +275,13 @@ impl<P: Projection> KindBatch<P> {
         for (point, nodes) in centred.iter_mut().zip(&self.nodes[first..first + n]) {
             *point = gather(x, nodes);
         }
-        centre_as(P::INFO.centring, centred);
-        let rest = if P::READS_REST { &self.rest[first..first + n] } else { &[] };
+        centre_as(self.centring, centred);
+        let rest = self.rest.get(first..first + n).unwrap_or_default();
         self.operator.project(rest, centred, projected);
         // The set of a shape is closed under translation of what is centred together, so that the
         // centred projection has the shape too, and is nearer. Circle and sphere results are not centred
         // by themselves.
-        centre_as(P::INFO.centring, projected);
+        centre_as(self.centring, projected);
         if self.guarded {
             self.keep_nearer(first, centred, projected);
         }
@@ -198,9 +316,7 @@ impl<P: Projection> KindBatch<P> {
         found
     }
 
-    /// [`KindBatch::step_chunk`] for `N` points.
-    // A function of its own: V8 replaces a wasm function by optimised code only between calls, so
-    // hot kernels are entered often.
+    /// [`Batch::step_chunk`] for `N` points.
     #[inline(never)]
     fn step_few<const N: usize>(
         &mut self,
@@ -210,15 +326,6 @@ impl<P: Projection> KindBatch<P> {
     ) -> LocalStep {
         let (mut centred, mut projected) = ([Vec3::zero(); N], [Vec3::zero(); N]);
         self.step_chunk(chunk, (&mut centred, &mut projected), rows, scale)
-    }
-
-    /// [`KindBatch::step_chunk`] for any number of points.
-    #[inline(never)]
-    fn step_many(&mut self, chunk: usize, rows: (&[Row], &mut [Row]), scale: f64) -> LocalStep {
-        let mut scratch = std::mem::take(&mut self.scratch);
-        let found = self.step_chunk(chunk, scratch.split_at_mut(self.n), rows, scale);
-        self.scratch = scratch;
-        found
     }
 
     /// Notes the ways from points to projections of the chunk whose points start at `first`.
@@ -253,61 +360,6 @@ impl<P: Projection> KindBatch<P> {
         for (p, q) in projected.iter_mut().zip(previous) {
             *p = Vec3::if_greater(new, old, *q, *p);
             *q = *p;
-        }
-    }
-}
-
-impl<P: Projection> Batch for KindBatch<P> {
-    fn local_step(&mut self, x: &[Row], gradient: &mut [Row], scale: f64) -> LocalStep {
-        let scale = scale * self.weight;
-        let mut all = LocalStep::default();
-        for chunk in 0..self.count.div_ceil(LANES) {
-            let rows = (x, &mut *gradient);
-            // Triangles and quads are most of what there is. What the arity rules out is not compiled.
-            let found = match self.n {
-                2 if const { matches!(P::INFO.arity, Arity::Exactly(2)) } => {
-                    self.step_few::<2>(chunk, rows, scale)
-                }
-                3 if const { P::INFO.arity.fits(3) } => self.step_few::<3>(chunk, rows, scale),
-                4 if const { P::INFO.arity.fits(4) } => self.step_few::<4>(chunk, rows, scale),
-                5 if const { matches!(P::INFO.arity, Arity::Exactly(5)) } => {
-                    self.step_few::<5>(chunk, rows, scale)
-                }
-                _ if const { matches!(P::INFO.arity, Arity::AtLeast(_)) } => {
-                    self.step_many(chunk, rows, scale)
-                }
-                n => unreachable!("{} takes {}, not {n}", P::INFO.id, P::INFO.arity),
-            };
-            all.energy += found.energy;
-            all.worst_squared = all.worst_squared.max(found.worst_squared);
-        }
-        all
-    }
-
-    fn projected(&mut self, x: &[Row], each: &mut dyn FnMut(&Projected)) {
-        // The local step itself, so that nothing is compiled twice; its gradient is not wanted.
-        self.ways = Some(vec![Vec3::zero(); self.nodes.len()]);
-        self.local_step(x, &mut vec![[0.0; 4]; x.len()], 0.0);
-        let ways = self.ways.take().unwrap_or_default();
-        let mut points = Vec::with_capacity(self.n);
-        for i in 0..self.count {
-            let (first, lane) = (i / LANES * self.n, i % LANES);
-            let chunk = self.nodes[first..].iter().zip(&ways[first..]).take(self.n);
-            points.clear();
-            points.extend(chunk.map(|(nodes, way)| (nodes[lane], way.lane(lane))));
-            each(&points);
-        }
-    }
-
-    fn fitted(&self, x: &[Row], shapes: &mut Vec<Fitted>) {
-        let mut points = vec![Vec3::zero(); self.n];
-        for i in 0..self.count {
-            let chunk = &self.nodes[i / LANES * self.n..][..self.n];
-            for (point, nodes) in points.iter_mut().zip(chunk) {
-                let row = x[nodes[i % LANES] as usize];
-                *point = Vec3::new(row[0], row[1], row[2]);
-            }
-            shapes.extend(self.operator.fitted(&points));
         }
     }
 }

@@ -78,7 +78,7 @@ pub(super) struct ShapeEnergy {
 }
 
 struct ShapeRow {
-    batches: Vec<Box<dyn Batch>>,
+    batches: Vec<Batch>,
     found: LocalStep,
 }
 

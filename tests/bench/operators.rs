@@ -75,7 +75,7 @@ impl Work {
         run(&Reference { surface: &|| Rc::clone(&surface) })
     }
 
-    fn batches(&self) -> Vec<Box<dyn Batch>> {
+    fn batches(&self) -> Vec<Batch> {
         self.with_reference(|reference| {
             batches(&self.kind, &self.members, &self.rest, 1.0, false, reference)
         })
