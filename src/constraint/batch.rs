@@ -91,6 +91,8 @@ pub struct Batch {
     rest: Vec<Vec3<Lanes>>,
     /// The previous projections in the layout of `nodes`; only with the guard, from its second step on.
     previous: Vec<Vec3<Lanes>>,
+    /// The projections before `previous`, for [`Batch::take_back`].
+    earlier: Vec<Vec3<Lanes>>,
     guarded: bool,
     /// The ways to the projections in the layout of `nodes`; only while they are asked for.
     ways: Option<Vec<Vec3<Lanes>>>,
@@ -203,6 +205,7 @@ impl Batch {
             nodes,
             rest,
             previous: Vec::new(),
+            earlier: Vec::new(),
             guarded: make.guarded,
             ways: None,
             scratch: vec![Vec3::zero(); 2 * n],
@@ -339,6 +342,12 @@ impl Batch {
         }
     }
 
+    /// Takes back the last local step: its positions were turned down, and the guard compares with
+    /// the projections before them.
+    pub fn take_back(&mut self) {
+        std::mem::swap(&mut self.previous, &mut self.earlier);
+    }
+
     /// Replaces the projections of the chunk whose points start at `first` lane by lane by the previous
     /// ones where these are nearer.
     fn keep_nearer(
@@ -349,9 +358,12 @@ impl Batch {
     ) {
         if self.previous.len() < self.nodes.len() {
             self.previous.extend_from_slice(projected);
+            self.earlier.extend_from_slice(projected);
             return;
         }
-        let previous = &mut self.previous[first..first + centred.len()];
+        let chunk = first..first + centred.len();
+        let previous = &mut self.previous[chunk.clone()];
+        self.earlier[chunk].copy_from_slice(previous);
         let (mut new, mut old) = (Lanes::zero(), Lanes::zero());
         for ((v, p), q) in centred.iter().zip(&*projected).zip(&*previous) {
             new += (*v - *p).length_squared();

@@ -106,6 +106,11 @@ impl ShapeEnergy {
         ShapeEnergy { rows }
     }
 
+    /// Takes back the last local step: see `Batch::take_back`.
+    pub(super) fn take_back(&mut self) {
+        self.rows.iter_mut().flat_map(|row| &mut row.batches).for_each(|batch| batch.take_back());
+    }
+
     /// Step I: projects at `x`, adds half the gradient of `lambda * E_shape`, and gives `E_shape`.
     pub(super) fn local_step(&mut self, x: &[Row], gradient: &mut [Row], lambda: f64) -> f64 {
         let mut energy = 0.0;

@@ -306,6 +306,7 @@ impl Solver {
         let previous = Iterate { x: &self.previous.0, gradient: &self.previous.1 };
         self.system.plain_step(previous, &mut self.x);
         self.seconds.global += clock::now() - started;
+        self.energies.shape.take_back();
         self.evaluate();
     }
 
