@@ -66,8 +66,8 @@ const CASES: &[Case] = &[
     Case { name: "compas_hypar_circle_5_10_2_vertex_displacement", mesh: HYPAR, kind: "circle", settings: REST_DISPLACEMENT, ..FACES },
     // The mesh is its own mirror image in x = y, and six of its vertices come to lie exactly above
     // a valley of the triangulated surface, where two points are equally close. Rounding decides
-    // which one is taken, and the two choices part from the second iteration on.
-    Case { name: "compas_hypar_plane_5_10_2_surface_displacement", mesh: HYPAR, kind: "plane", settings: SURFACE_DISPLACEMENT, agreement: &[(1, 1e-9), (20, 1e-6), (100, 1e-4)], ..FACES },
+    // which one is taken, and two runs may part by 2e-9 from the second iteration on.
+    Case { name: "compas_hypar_plane_5_10_2_surface_displacement", mesh: HYPAR, kind: "plane", settings: SURFACE_DISPLACEMENT, agreement: &[(1, 1e-9), (20, 1e-8), (100, 1e-8)], ..FACES },
     Case { name: "M2_eq_quad2_circle_5_10_2_surface_displacement", mesh: SHELL, kind: "circle", settings: SURFACE_DISPLACEMENT, ..FACES },
     Case { name: "M2_eq_quad2_plane_5_10_2_surface_displacement", mesh: SHELL, kind: "plane", settings: SURFACE_DISPLACEMENT, ..FACES },
     Case { name: "square_horse_quad_5_1_0_surface", mesh: HORSE, kind: "square", ..FACES },

@@ -79,10 +79,13 @@ function placeMenu(menu, anchor) {
     const at = anchor().getBoundingClientRect();
     const gap = 4;
     const left = Math.min(at.left, innerWidth - menu.offsetWidth - 2 * gap);
-    const below = at.bottom + gap;
-    const fits = below + menu.offsetHeight < innerHeight;
+    const [above, below] = [at.top - 2 * gap, innerHeight - at.bottom - 2 * gap];
+    const room = Math.max(above, below);
+    // What is too long for the roomier side scrolls there.
+    menu.style.maxHeight = `${room}px`;
+    const height = Math.min(menu.offsetHeight, room);
     menu.style.left = `${Math.max(2 * gap, left)}px`;
-    menu.style.top = `${fits ? below : Math.max(gap, at.top - gap - menu.offsetHeight)}px`;
+    menu.style.top = `${height <= below ? at.bottom + gap : at.top - gap - height}px`;
     menu.querySelector('button')?.focus();
   });
   menu.addEventListener('keydown', (event) => {

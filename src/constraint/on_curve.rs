@@ -47,7 +47,7 @@ impl Projection for OnCurve {
         id: "on-curve",
         label: "On curve",
         summary: "The vertices glide along the curve that they make at rest; its corners stay.",
-        paper: "4.1",
+        paper: "",
         arity: Arity::AtLeast(2),
         centring: Centring::Placed,
         elements: &[Element::Curve, Element::Boundary],

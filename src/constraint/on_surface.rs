@@ -42,7 +42,7 @@ impl Projection for OnSurface {
         id: "on-surface",
         label: "On surface",
         summary: "The vertices glide on the surface that the mesh has at rest.",
-        paper: "4, Eq. 11",
+        paper: "",
         arity: Arity::AtLeast(1),
         centring: Centring::Placed,
         elements: &[],

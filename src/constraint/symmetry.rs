@@ -51,7 +51,7 @@ impl Projection for Symmetry {
         id: "symmetry",
         label: "Symmetry",
         summary: "The vertices are the mirror image of each other, or the same after a turn.",
-        paper: "6",
+        paper: "",
         arity: Arity::AtLeast(2),
         centring: Centring::Together,
         elements: &[],
