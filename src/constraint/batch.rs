@@ -154,15 +154,13 @@ fn project_few<P: Projection, const N: usize>(
 ) {
     const SIZE: &str = "a chunk has the points of its constraints";
     let v: &[Vec3<Lanes>; N] = v.try_into().expect(SIZE);
-    let to: &mut [Vec3<Lanes>; N] = projected.try_into().expect(SIZE);
-    let mut projected = [Vec3::zero(); N];
+    let projected: &mut [Vec3<Lanes>; N] = projected.try_into().expect(SIZE);
     if P::READS_REST {
         let rest: &[Vec3<Lanes>; N] = rest.try_into().expect(SIZE);
-        Projection::project(operator, rest, v, &mut projected);
+        Projection::project(operator, rest, v, projected);
     } else {
-        Projection::project(operator, &[], v, &mut projected);
+        Projection::project(operator, &[], v, projected);
     }
-    *to = projected;
 }
 
 #[inline(never)]
