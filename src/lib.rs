@@ -17,11 +17,11 @@
 //!
 //! | room | holds | knows of |
 //! |---|---|---|
-//! | [`math`] | small vectors in lanes, symmetric 3x3 eigenvectors | nothing |
+//! | [`math`] | small vectors in lanes, eigenvectors, closest rotations, fitted circles and spheres | nothing |
 //! | [`mesh`] | polygon mesh, files in and out, topology, Laplacian, closest point, error measures | math |
 //! | [`constraint`] | one projection operator per file, the list of kinds, selectors, batches | math, mesh |
 //! | [`scene`] | the scene file: serde form and validation; the examples | mesh, constraint |
-//! | [`solve`] | assembly, ordering, LDL^T, the two-step iteration | constraint, scene |
+//! | [`solve`] | assembly, ordering, LDL^T, the two-step iteration, accelerators, conformal maps | constraint, scene |
 //! | [`session`] | what every host drives: load, edit, drag, step, undo, report | all above |
 //! | `web` | wasm-bindgen faces: one for the worker (solver), one for the page (view) | session, view |
 //! | [`view`] | wgpu: camera, picking, faces, edges, handles, fitted shapes | math |
@@ -38,6 +38,7 @@
 //! | step I, step II | local step, global step |
 //! | `lambda_shape`, `lambda_close`, `lambda_smooth` (Eq. 13) | `weights.{shape, close, smooth}` |
 //! | `c(v)` (Eq. 11) | closest point on the reference surface |
+//! | `P_i` as a matrix (Eq. 8, 14) | `planar-similar`, and [`solve::Parametrization`] |
 //! | `w_ij`, `l_i` (Eq. 12) | edge weight; the position or the displacement that is smoothed |
 //! | `e_p`, `e_c` (Fig. 5) | planarity and circularity error: mean squared distance |
 //!

@@ -9,7 +9,7 @@
 
 use super::limits::Limits;
 use super::target::Target;
-use super::{Arity, Centring, Form, Info, Param, ParamValue, Projection};
+use super::{Arity, Centring, Info, Projection};
 use crate::math::{Lane, Vec3, pair_with_product, pair_with_product_carefully, plane_frame};
 use serde::{Deserialize, Serialize};
 
@@ -54,24 +54,7 @@ impl Projection for Area {
         exact: true,
         measure: None,
         colour: [100, 140, 60],
-        params: &[
-            Param {
-                id: "area",
-                label: "Area",
-                unit: "area",
-                default: ParamValue::Word(Target::REST),
-                forms: &[Form::Word(Target::REST), Form::Number, Form::Range],
-                range: [0.0, f64::INFINITY],
-            },
-            Param {
-                id: "strain",
-                label: "Times the rest area",
-                unit: "",
-                default: ParamValue::Number(1.0),
-                forms: &[Form::Number, Form::Range],
-                range: [0.0, f64::INFINITY],
-            },
-        ],
+        params: &Target::params("area", "Area", "Times the rest area"),
     };
 
     const READS_REST: bool = true;

@@ -3,7 +3,7 @@
 
 use super::limits::Limits;
 use super::target::Target;
-use super::{Arity, Centring, Form, Info, Param, ParamValue, Projection};
+use super::{Arity, Centring, Info, Projection};
 use crate::math::{Lane, Vec3};
 use serde::{Deserialize, Serialize};
 
@@ -39,24 +39,7 @@ impl Projection for LineSegment {
         exact: true,
         measure: None,
         colour: [150, 105, 20],
-        params: &[
-            Param {
-                id: "length",
-                label: "Length",
-                unit: "length",
-                default: ParamValue::Word(Target::REST),
-                forms: &[Form::Word(Target::REST), Form::Number, Form::Range],
-                range: [0.0, f64::INFINITY],
-            },
-            Param {
-                id: "strain",
-                label: "Times the rest length",
-                unit: "",
-                default: ParamValue::Number(1.0),
-                forms: &[Form::Number, Form::Range],
-                range: [0.0, f64::INFINITY],
-            },
-        ],
+        params: &Target::params("length", "Length", "Times the rest length"),
     };
 
     const READS_REST: bool = true;

@@ -1,6 +1,7 @@
 //! An amount that is that of the rest shape, or given.
 
 use super::limits::Limits;
+use super::{Form, Param, ParamValue};
 use serde::de::{self, Deserializer, IntoDeserializer, SeqAccess, Visitor};
 use serde::{Deserialize, Serialize, Serializer};
 use std::fmt;
@@ -18,6 +19,32 @@ pub(super) enum Target {
 impl Target {
     /// The word for [`Target::Rest`].
     pub(super) const REST: &'static str = "rest";
+
+    /// The parameters of a kind with a target: the amount, called as its unit, and `strain`.
+    pub(super) const fn params(
+        unit: &'static str,
+        label: &'static str,
+        strain_label: &'static str,
+    ) -> [Param; 2] {
+        [
+            Param {
+                id: unit,
+                label,
+                unit,
+                default: ParamValue::Word(Target::REST),
+                forms: &[Form::Word(Target::REST), Form::Number, Form::Range],
+                range: [0.0, f64::INFINITY],
+            },
+            Param {
+                id: "strain",
+                label: strain_label,
+                unit: "",
+                default: ParamValue::Number(1.0),
+                forms: &[Form::Number, Form::Range],
+                range: [0.0, f64::INFINITY],
+            },
+        ]
+    }
 
     /// Least and greatest size, such that its square is an area, or its cube a volume: `root` takes such
     /// a root, `rest` is the size at rest, `unit` that of the area or volume one. What is as at rest

@@ -9,7 +9,7 @@
 
 use super::limits::Limits;
 use super::target::Target;
-use super::{Arity, Centring, Element, Form, Info, Param, ParamValue, Projection};
+use super::{Arity, Centring, Element, Info, Projection};
 use crate::math::{
     Lane, SingularValues, Vec3, cube_root, triple_with_product, triple_with_product_carefully,
 };
@@ -50,24 +50,7 @@ impl Projection for Volume {
         exact: true,
         measure: None,
         colour: [165, 80, 110],
-        params: &[
-            Param {
-                id: "volume",
-                label: "Volume",
-                unit: "volume",
-                default: ParamValue::Word(Target::REST),
-                forms: &[Form::Word(Target::REST), Form::Number, Form::Range],
-                range: [0.0, f64::INFINITY],
-            },
-            Param {
-                id: "strain",
-                label: "Times the rest volume",
-                unit: "",
-                default: ParamValue::Number(1.0),
-                forms: &[Form::Number, Form::Range],
-                range: [0.0, f64::INFINITY],
-            },
-        ],
+        params: &Target::params("volume", "Volume", "Times the rest volume"),
     };
 
     const READS_REST: bool = true;
