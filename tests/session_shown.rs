@@ -95,6 +95,22 @@ fn projections_are_those_that_the_energy_measures() {
         let expected = session.solver().energy().shape;
         assert!((energy - expected).abs() < 1e-12 * expected, "{energy} is not {expected}");
 
+        // What a panel is coloured by: its worst corner in any of its constraints.
+        let worst = |points: &mut dyn Iterator<Item = usize>| {
+            points
+                .map(|k| found.ways[k].iter().map(|x| x * x).sum::<f64>().sqrt())
+                .fold(0.0, f64::max)
+        };
+        let residuals = session.residuals();
+        for (face, &residual) in session.mesh().faces.iter().zip(&residuals) {
+            let on_face = |k: &usize| face.contains(&found.vertices[*k]);
+            let expected = worst(&mut (0..found.ways.len()).filter(on_face));
+            assert!(
+                (residual - expected).abs() <= 1e-15 * expected,
+                "{residual} is not {expected}"
+            );
+        }
+
         // The outline of a panel is its four sides, between its own four points.
         let outlines_of = |row: u32| {
             let of_row = |ends: &&[u32; 2]| found.rows[ends[0] as usize] == row;

@@ -17,11 +17,26 @@ export const MEASURES = {
     words: 'largest distance of a face’s corners to its best circle',
     met: 'round',
   },
+  residual: {
+    label: 'Constraints',
+    words: 'largest distance of a face’s corners to where their constraints want them',
+    met: 'as they should be',
+  },
 };
 
 /**
- * The measure of what is asked of the faces: of the first row that is on and has one. Planarity
- * where rows ask for something that no measure tells, none where nothing is asked.
+ * The largest error of all faces, in the unit of the mesh.
+ * @param {import("./messages.js").Numbers} numbers
+ * @param {Measure} measure
+ * @returns {number}
+ */
+export function worstOf(numbers, measure) {
+  return measure === 'residual' ? Math.max(0, ...numbers.worst) : numbers[measure].max_distance;
+}
+
+/**
+ * The measure of what is asked of the faces: of the first row that is on and has one. The distance
+ * to the constraints where rows ask for something that no other tells, none where nothing is asked.
  * @param {Readonly<import("./state.js").State>} state
  * @returns {Measure | null}
  */
@@ -31,5 +46,5 @@ export function measureOfScene({ document, kinds }) {
     const measure = kinds.find(({ id }) => id === row.kind)?.measure;
     if (measure) return measure;
   }
-  return rows.length > 0 ? 'planarity' : null;
+  return rows.length > 0 ? 'residual' : null;
 }

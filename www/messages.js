@@ -185,7 +185,7 @@
  * @property {Float32Array} palette three parts from 0 to 1 per colour
  */
 
-/** The largest distance of a face's corners to its best plane or circle. @typedef {"planarity" | "circularity"} Measure */
+/** The largest distance of a face's corners to its best plane or circle, or to their projections. @typedef {"planarity" | "circularity" | "residual"} Measure */
 
 /** @typedef {{ name: string, bytes: Uint8Array }} NamedBytes */
 

@@ -53,6 +53,22 @@ impl Session {
     }
 }
 
+impl Session {
+    /// How far each face is from what its constraints want, `#F`, in the unit of the mesh: the largest
+    /// distance of a corner to its projection in any enabled constraint.
+    pub fn residuals(&mut self) -> Vec<f64> {
+        let mut squares = vec![0.0f64; self.mesh.positions.len()];
+        self.solver.projected(|_, points| {
+            for (vertex, way) in points {
+                let worst = &mut squares[*vertex as usize];
+                *worst = worst.max(way.length_squared());
+            }
+        });
+        let worst = |face: &[u32]| face.iter().fold(0.0, |w: f64, &v| w.max(squares[v as usize]));
+        self.mesh.faces.iter().map(|face| worst(face).sqrt()).collect()
+    }
+}
+
 /// Finds the edges of the mesh among sets of vertices.
 struct Among<'a> {
     topology: &'a Topology,

@@ -231,14 +231,15 @@ impl Solver {
         Ok(())
     }
 
-    /// The error of each face, `#F`, in units of the mesh; `measure` is "planarity" or "circularity".
+    /// The error of each face, `#F`, in units of the mesh; `measure` is "planarity", "circularity" or
+    /// "residual".
     #[wasm_bindgen(js_name = faceErrors)]
-    pub fn face_errors(&self, measure: &str) -> Result<Float32Array, JsValue> {
-        let session = self.open()?;
-        let measures = session.measures();
+    pub fn face_errors(&mut self, measure: &str) -> Result<Float32Array, JsValue> {
+        let session = self.open_mut()?;
         let errors = match measure {
-            "planarity" => measures.planarity_distances,
-            "circularity" => measures.circularity_distances,
+            "planarity" => session.measures().planarity_distances,
+            "circularity" => session.measures().circularity_distances,
+            "residual" => session.residuals(),
             _ => return Err(thrown(format!("unknown measure {measure:?}"))),
         };
         let narrow: Vec<f32> = errors.iter().map(|&error| error as f32).collect();

@@ -40,6 +40,25 @@ test('faces are coloured by what is asked of them, until somebody chooses', asyn
   await expect(colours).toHaveValue('planarity');
 });
 
+test('faces are coloured by how far they are from any constraint', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'grid.obj', wavyGrid(4), 25);
+  await addConstraint(page, 'Square', 'each face');
+  await showPanel(page, 'Energies and display');
+  await expect(page.getByLabel('Colour by')).toHaveValue('residual');
+  await expect(page.getByText('Refit colours')).toBeVisible();
+  const before = await worst(page);
+  expect(before).toBeGreaterThan(0);
+  await runToTheEnd(page);
+  await expect.poll(() => worst(page)).toBeLessThan(0.2 * before);
+});
+
+/** The number behind "worst panel" in the status line. */
+async function worst(page) {
+  const text = await page.getByTitle('Constraints: ').first().textContent();
+  return Number.parseFloat(text.match(/\d[\d.e-]*/)[0]);
+}
+
 test('flat faces are not coloured by rounding', async ({ page }) => {
   await openPage(page);
   // Exactly flat, but for the last digits of these decimals.

@@ -2,7 +2,7 @@
 
 import { element, setText, throttled } from '../dom.js';
 import { count, duration, groupDigits, length, number } from '../format.js';
-import { MEASURES, measureOfScene } from '../measures.js';
+import { MEASURES, measureOfScene, worstOf } from '../measures.js';
 import { energyOrNothing, lengthOrNothing } from '../rounding.js';
 import { describe } from '../selection.js';
 
@@ -44,7 +44,7 @@ export function statusBar(places, store) {
     set('iteration', groupDigits(numbers.iteration));
     set('energy', number(energyOrNothing(numbers.energy.total, size)));
     if (measure && model?.faces) {
-      set('worst', length(lengthOrNothing(numbers[measure].max_distance, size), units));
+      set('worst', length(lengthOrNothing(worstOf(numbers, measure), size), units));
       const { label, words } = MEASURES[measure];
       cells.get('worst').row.title = `${label}: ${words}`;
     } else {
