@@ -4,7 +4,7 @@ import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { fileURLToPath } from 'node:url';
+import { program } from '../../.scripts/programs.mjs';
 import { addConstraint, openText, saved, showPanel } from './actions.mjs';
 import { file, wavyGrid } from './meshes.mjs';
 import {
@@ -16,8 +16,6 @@ import {
   test,
   waitForState,
 } from './support.mjs';
-
-const root = fileURLToPath(new URL('../..', import.meta.url));
 
 test('a mesh opens, with a report of what was wrong in it', async ({ page }) => {
   await openPage(page);
@@ -122,7 +120,8 @@ test('the export is what the command line makes of the same scene', async ({ pag
     const output = join(folder, 'roof.obj');
     writeFileSync(input, scene.text);
     const options = ['solve', input, '--iterations', String(iterations), '--out', output];
-    execFileSync('cargo', ['run', '--quiet', '--locked', '--', ...options], { cwd: root });
+    // The build of the site has made it.
+    execFileSync(program('shape-up'), options);
     expect(exported.text).toBe(readFileSync(output, 'utf8'));
   } finally {
     rmSync(folder, { recursive: true });
