@@ -1,7 +1,7 @@
 //! What each example states of itself, measured when it is solved with its own settings.
 
 use shape_up::math::Vec3;
-use shape_up::mesh::{Mesh, Point};
+use shape_up::mesh::{Mesh, Point, angle_histogram};
 use shape_up::scene::examples::{EXAMPLES, Example};
 use shape_up::session::{Report, Session};
 
@@ -58,6 +58,20 @@ impl Run {
         [&self.before, &self.after].map(|report| report.planarity.e_p_mean)
     }
 
+    /// The part of the corners of faces whose angle is within 10 degrees of a right one, before and
+    /// after.
+    fn right_angles(&self) -> [f64; 2] {
+        [&self.mesh.positions, &self.positions].map(|positions| {
+            let counts = angle_histogram(positions, &self.mesh.faces, 18);
+            f64::from(counts[8] + counts[9]) / f64::from(counts.iter().sum::<u32>())
+        })
+    }
+
+    /// The largest distance of a vertex from its projection in all rows together, before and after.
+    fn worst_of_all(&self) -> [f64; 2] {
+        [0, 1].map(|when| self.worst.iter().map(|row| row[when]).fold(0.0, f64::max))
+    }
+
     /// How wide the stretched sheet is at its middle, where it was 18 m wide.
     fn width_at_middle(&self) -> f64 {
         let middle = |&v: &usize| self.mesh.positions[v][0].abs() < 0.1;
@@ -110,6 +124,24 @@ const STATEMENTS: &[Statement] = &[
             ("rigid area", run.worst[2][1], 0.0..0.03),
         ]
     }),
+    ("fig-01-triangles", |run| {
+        vec![
+            ("belly before", run.worst[0][0], 0.38..0.39),
+            ("belly", run.worst[0][1], 0.0..0.01),
+            ("rim before", run.worst[1][0], 2.35..2.45),
+            ("rim", run.worst[1][1], 0.0..0.01),
+            ("foot", run.worst[2][1], 0.0..0.002),
+        ]
+    }),
+    ("fig-01-tets", |run| {
+        vec![
+            ("head before", run.worst[0][0], 2.0..3.5),
+            ("head", run.worst[0][1], 0.0..0.1),
+            ("collar before", run.worst[1][0], 0.475..0.485),
+            ("collar", run.worst[1][1].max(run.worst[2][1]), 0.0..0.05),
+            ("handle", run.worst[3][1], 0.0..0.01),
+        ]
+    }),
     ("fig-04-squares", |run| {
         vec![
             ("corners before", run.worst[0][0], 0.38..0.39),
@@ -135,6 +167,13 @@ const STATEMENTS: &[Statement] = &[
     ("fig-06-web", |run| {
         vec![("lines before", run.worst[0][0], 5.5..6.5), ("lines", run.worst[0][1], 0.0..0.1)]
     }),
+    ("fig-07-quality", |run| {
+        vec![
+            ("right angles before", run.right_angles()[0], 0.29..0.3),
+            ("right angles", run.right_angles()[1], 0.9..1.0),
+            ("creases", run.worst[1][1], 0.0..0.005),
+        ]
+    }),
     ("fig-08-protrusions", |run| vec![("corners", run.worst[0][1], 0.0..0.05)]),
     ("fig-08-similar-1", |run| vec![("width", run.width_at_middle(), 31.0..32.0)]),
     ("fig-08-similar-2", |run| vec![("width", run.width_at_middle(), 29.0..30.0)]),
@@ -149,6 +188,18 @@ const STATEMENTS: &[Statement] = &[
             ("volume", run.volume_left(), 1.0 - 1e-6..1.0 + 1e-6),
             ("corners", run.worst[0][1], 0.0..1e-6),
         ]
+    }),
+    ("curves-slabs", |run| {
+        vec![
+            ("slabs before", run.worst[0][0], 0.565..0.575),
+            ("slabs", run.worst[0][1], 0.0..0.002),
+            ("ribs before", run.worst[1][0], 1.0..1.1),
+            ("ribs", run.worst[1][1], 0.0..0.02),
+        ]
+    }),
+    ("points-pavilion", |run| {
+        let [before, after] = run.worst_of_all();
+        vec![("points before", before, 0.34..0.37), ("points", after, 0.0..0.005)]
     }),
 ];
 

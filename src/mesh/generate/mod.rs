@@ -10,9 +10,15 @@
 //! | `lantern` | a surface of revolution, whose panels have circles |
 //! | `net` | a piece of a torus, whose lines are circles |
 //! | `patch` | a sheet of skew, uneven panels |
+//! | `archway` | a block with a pitched roof and a round passage: creases and corners |
+//! | `vase` | a surface of revolution of triangles, out of the round |
+//! | `tower` | a tower whose floors are wavy |
+//! | `pavilion` | points without faces: a floor, a wall, columns and a dome |
 //! | `blocks` | blocks of cubes: their surface, and tetrahedra |
 //! | `creature`, `implicit`, `relax` | an animal of blended round parts, polygonised |
+//! | `noise` | numbers without a visible pattern |
 
+mod archway;
 mod blocks;
 mod canopy;
 mod creature;
@@ -25,9 +31,14 @@ mod implicit;
 mod lantern;
 mod mounds;
 mod net;
+mod noise;
 mod patch;
+mod pavilion;
 mod relax;
+mod tower;
+mod vase;
 
+pub use archway::Archway;
 pub use blocks::Blocks;
 pub use canopy::Canopy;
 pub use creature::Creature;
@@ -39,7 +50,10 @@ pub use lantern::Lantern;
 pub use mounds::Mounds;
 pub use net::Net;
 pub use patch::Patch;
+pub use pavilion::Pavilion;
 pub use relax::soften;
+pub use tower::Tower;
+pub use vase::Vase;
 
 use super::{Mesh, Point, Ragged};
 

@@ -8,14 +8,18 @@
 //! | `squares` | Fig. 4 |
 //! | `panels` | Fig. 5: planar and circular panels |
 //! | `exploration` | Fig. 6: shapes of circular meshes and webs under handles |
+//! | `quality` | Fig. 7: better quads on a surface with creases |
 //! | `deformation` | Fig. 8: rigid and similar elements under handles |
 //! | `recovery` | Fig. 10: from a collapsed start |
+//! | `curves_and_points` | curves on a mesh, points without faces |
 
+mod curves_and_points;
 mod deformation;
 mod exploration;
 mod first;
 mod overview;
 mod panels;
+mod quality;
 mod recovery;
 mod squares;
 
@@ -45,12 +49,15 @@ pub const EXAMPLES: &[Example] = &[
     first::DOME,
     first::HYPAR,
     overview::OVERVIEW,
+    overview::TRIANGLES,
+    overview::TETRAHEDRA,
     squares::SQUARES,
     panels::PLANAR,
     panels::CIRCULAR,
     panels::MIXED,
     exploration::LANTERN,
     exploration::WEB,
+    quality::ARCHWAY,
     deformation::PROTRUSIONS,
     deformation::RINGS[0],
     deformation::RINGS[1],
@@ -59,6 +66,8 @@ pub const EXAMPLES: &[Example] = &[
     deformation::BAR_RINGS,
     deformation::BAR_TETS,
     recovery::COLLAPSE,
+    curves_and_points::SLABS,
+    curves_and_points::POINTS,
 ];
 
 impl Example {
