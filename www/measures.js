@@ -36,15 +36,14 @@ export function worstOf(numbers, measure) {
 
 /**
  * The measure of what is asked of the faces: of the first row that is on and has one. The distance
- * to the constraints where rows ask for something that no other tells, none where nothing is asked.
+ * to the constraints where rows ask for something that no other tells, none where nothing is asked
+ * or there are no faces.
  * @param {Readonly<import("./state.js").State>} state
  * @returns {Measure | null}
  */
-export function measureOfScene({ document, kinds }) {
+export function measureOfScene({ document, model }) {
   const rows = document?.constraints ?? [];
-  for (const row of rows.filter(({ enabled }) => enabled)) {
-    const measure = kinds.find(({ id }) => id === row.kind)?.measure;
-    if (measure) return measure;
-  }
-  return rows.length > 0 ? 'residual' : null;
+  if (rows.length === 0 || model?.faces === 0) return null;
+  const measured = rows.find(({ enabled, measure }) => enabled && measure !== null);
+  return measured?.measure ?? 'residual';
 }

@@ -115,6 +115,7 @@
  * @property {number} skipped
  * @property {number} weight
  * @property {boolean} enabled
+ * @property {Measure | null} measure what it asks of single faces, if it is on faces
  * @property {Record<string, ParamValue>} params
  */
 

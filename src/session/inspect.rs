@@ -2,12 +2,21 @@
 
 use super::Session;
 use super::acting::Cover;
+use crate::constraint::{Element, Selector};
 use crate::mesh::Measures;
 
 impl Session {
     /// How planar and circular the faces are now.
     pub fn measures(&self) -> Measures {
         Measures::new(&self.positions(), &self.mesh.faces, self.diameter)
+    }
+
+    /// What row `index` asks of faces, as the id of a measure: that of its kind, if each of its
+    /// constraints is on one face.
+    pub fn face_measure(&self, index: usize) -> Option<&'static str> {
+        let row = self.document.constraints.get(index)?;
+        let of_faces = matches!(row.on, Selector::Each { element: Element::Face, radius: 0, .. });
+        row.kind.info().measure.filter(|_| of_faces)
     }
 
     /// The faces and the vertices that row `index` acts on, ascending; a face counts when one of the

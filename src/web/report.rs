@@ -109,6 +109,7 @@ struct ConstraintRow {
     skipped: usize,
     weight: f64,
     enabled: bool,
+    measure: Option<&'static str>,
     params: Value,
 }
 
@@ -153,6 +154,7 @@ impl<'a> Document<'a> {
                     skipped: row.skipped,
                     weight: spec.weight,
                     enabled: spec.enabled,
+                    measure: session.face_measure(index),
                     params: spec.kind.params(),
                 }
             })
