@@ -3,6 +3,7 @@
 import { element, setText, throttled } from '../dom.js';
 import { number } from '../format.js';
 import { energyOrNothing } from '../rounding.js';
+import { weightPresets } from './weight-presets.js';
 
 /** @typedef {import("../messages.js").SceneDocument} SceneDocument */
 
@@ -35,9 +36,11 @@ const SMOOTHNESS = { surface: 'keep it smooth', displacement: 'keep the change s
  */
 export function energiesPanel(place, store, actions) {
   const rows = TERMS.map((term) => termRow(term, actions));
+  const presets = weightPresets(actions);
   const handles = element('dd');
   const total = element('dd');
   place.replaceChildren(
+    presets.element,
     ...rows.map((row) => row.element),
     element(
       'dl',
@@ -50,7 +53,9 @@ export function energiesPanel(place, store, actions) {
   );
 
   store.subscribe(['document'], ({ document }) => {
-    if (document) rows.forEach((row) => row.show(document));
+    if (!document) return;
+    presets.show(document.weights);
+    rows.forEach((row) => row.show(document));
   });
   store.subscribe(
     ['numbers'],
