@@ -28,14 +28,17 @@ await main(() => {
   const code = filesUnder(at('dist')).filter((path) => /\.(html|css|js)$/.test(path));
   // The plots, and uPlot with them, load when they are first shown.
   const isPlot = (path) => basename(path).toLowerCase().includes('plot');
+  // Pages of their own.
+  const isBeside = (path) => /^(gallery|projections|reading)\b/.test(basename(path));
   const rows = [
     row('solver module', [at('www', 'pkg', 'solver', 'shape_up_bg.wasm')], 540 * kB),
     row('view module', [at('www', 'pkg', 'view', 'shape_up_bg.wasm')], 900 * kB),
     row(
       'HTML, CSS, JavaScript',
-      code.filter((path) => !isPlot(path)),
+      code.filter((path) => !isPlot(path) && !isBeside(path)),
       60 * kB,
     ),
+    row('gallery, projections', code.filter(isBeside), 16 * kB),
     row('first picture', [firstPicture], 12 * kB),
     row('plots', code.filter(isPlot), 30 * kB),
   ];

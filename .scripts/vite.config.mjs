@@ -5,21 +5,29 @@ import { cpSync, readFileSync } from 'node:fs';
 import { firstPicture } from './examples.mjs';
 import { at } from './project.mjs';
 
-// Examples keep their names, because links to them are permanent.
+// Examples and their pictures keep their names, because links to them are permanent.
 const examples = {
   name: 'examples',
   apply: 'build',
-  closeBundle: () => cpSync(at('www', 'examples'), at('dist', 'examples'), { recursive: true }),
+  closeBundle: () => {
+    for (const folder of ['examples', 'pictures']) {
+      cpSync(at('www', folder), at('dist', folder), { recursive: true });
+    }
+  },
 };
 
 const PLACE = '<!-- first picture -->';
 const picture = {
   name: 'first-picture',
-  transformIndexHtml(html) {
+  transformIndexHtml(html, { path }) {
+    if (path !== '/index.html') return html;
     if (!html.includes(PLACE)) throw new Error(`index.html has no place for ${firstPicture}`);
     return html.replace(PLACE, () => readFileSync(firstPicture, 'utf8'));
   },
 };
+
+/** The pages of the site. */
+const pages = ['index', 'gallery', 'projections'];
 
 export default {
   root: at('www'),
@@ -32,6 +40,7 @@ export default {
     target: 'es2022',
     // A module that is inlined as text cannot be compiled while it arrives.
     assetsInlineLimit: 0,
+    rolldownOptions: { input: pages.map((page) => at('www', `${page}.html`)) },
   },
   worker: { format: 'es' },
   server: { host: '127.0.0.1' },

@@ -1,16 +1,17 @@
-/** Files in and out: open, drop, the examples, save and export. */
+/** Files in and out: open, drop, save and export. */
 
 import { count } from './format.js';
 import { element } from './dom.js';
+import { nameInAddress } from './example-links.js';
+import { filesOf } from './examples.js';
 import { removeFirstPicture } from './first-picture.js';
 import { messageOf } from './messages.js';
 
 /** @typedef {import("./messages.js").NamedBytes} NamedBytes */
-/** @typedef {{ id: string, title: string, summary: string, scene: string, mesh: string }} Example */
+/** @typedef {import("./examples.js").Example} Example */
 
 const READABLE = /\.(obj|off|mesh|json)$/i;
 const IS_SCENE = /\.json$/i;
-const EXAMPLES = new URL(/* @vite-ignore */ 'examples/', document.baseURI);
 
 export class Files {
   #store;
@@ -51,7 +52,9 @@ export class Files {
       this.#name = main.name.replace(/(\.shapeup)?\.[^.]+$/, '');
       this.#alerts.clear();
       if (!first) removeFirstPicture();
+      nameInAddress(null);
       this.#store.set({
+        example: null,
         firstExample: first,
         status: `Opened ${main.name}: ${count(loaded.vertices, 'vertex', 'vertices')}, ${count(loaded.faces, 'face')}`,
       });
@@ -79,46 +82,15 @@ export class Files {
 
   /**
    * @param {Example} example
+   * @param {import("./state.js").Beside} beside
    * @param {boolean} [first] it is what the page opens with
    */
-  async openExample(example, first = false) {
-    const names = [example.scene, example.mesh];
-    const files = await Promise.all(
-      names.map(async (name) => ({ name, bytes: await fetched(name) })),
-    );
-    await this.open(files, first);
-    this.#store.set({ status: first ? '' : `Opened the example ${example.title}` });
-  }
-
-  /**
-   * Opens the first example and fills the menu with all of them.
-   * @param {HTMLElement} menu
-   */
-  async offerExamples(menu) {
-    /** @type {Example[]} */
-    const examples = JSON.parse(new TextDecoder().decode(await fetched('index.json')));
-    menu.replaceChildren(
-      ...examples.map((example) =>
-        element(
-          'button',
-          {
-            type: 'button',
-            role: 'menuitem',
-            onclick: () => {
-              menu.hidePopover();
-              this.openExample(example).catch((error) => this.#alerts.error(messageOf(error)));
-            },
-          },
-          element(
-            'span',
-            { class: 'entry' },
-            element('strong', {}, example.title),
-            element('span', {}, example.summary),
-          ),
-        ),
-      ),
-    );
-    await this.openExample(examples[0], true);
+  async openExample(example, beside, first = false) {
+    await this.open(await filesOf(example), first);
+    this.#store.set({
+      example: { ...example, beside },
+      status: first ? '' : `Opened the example ${example.title}`,
+    });
   }
 
   /** Drops anywhere on the window open; the overlay says what will happen. @param {HTMLElement} overlay */
@@ -169,15 +141,4 @@ export class Files {
     setTimeout(() => URL.revokeObjectURL(address), 60_000);
     this.#store.set({ status: `Saved ${name}` });
   }
-}
-
-/**
- * @param {string} name of a file among the examples
- * @returns {Promise<Uint8Array>}
- */
-async function fetched(name) {
-  const response = await fetch(new URL(name, EXAMPLES));
-  if (!response.ok)
-    throw new Error(`The example file ${name} could not be fetched (${response.status}).`);
-  return new Uint8Array(await response.arrayBuffer());
 }

@@ -11,6 +11,7 @@ import { commandTable } from './command-table.js';
 import { bindButtons, bindKeys, bindRunButton, takeEarlyPresses } from './commands.js';
 import { AddConstraintDialog } from './dialog-add-constraint.js';
 import { byId } from './dom.js';
+import { offerExamples } from './examples.js';
 import { Files } from './files.js';
 import { count } from './format.js';
 import { buildHelp } from './help.js';
@@ -21,6 +22,7 @@ import { constraintsPanel } from './panels/constraints.js';
 import { Convergence } from './panels/convergence.js';
 import { displayPanel, legend } from './panels/display.js';
 import { energiesPanel } from './panels/energies.js';
+import { exampleNote } from './panels/example.js';
 import { handlesPanel } from './panels/handles.js';
 import { modelPanel } from './panels/model.js';
 import { statusBar } from './panels/status-bar.js';
@@ -55,6 +57,7 @@ const { refit } = colourFaces(store, solver);
 colourRows(store, solver, actions);
 
 modelPanel(byId('model'), store);
+exampleNote(byId('example-note'), store);
 constraintsPanel(byId('constraints'), store, solver, actions);
 handlesPanel(byId('handles'), store, actions);
 energiesPanel(byId('energies'), store, actions);
@@ -107,7 +110,7 @@ viewport.addEventListener('none', (event) => {
 
 Object.assign(window, { shapeUp: scriptApi(store, solver, viewport, files) });
 
-files.offerExamples(byId('examples')).catch((error) => alerts.error(messageOf(error)));
+offerExamples(byId('examples'), files, alerts).catch((error) => alerts.error(messageOf(error)));
 
 /**
  * Takes the solver's news into the store.

@@ -14,6 +14,7 @@
  * @property {import("./messages.js").ElementInfo[]} elements
  * @property {Loaded | null} model
  * @property {number} size diagonal of the bounding box of the mesh as it was opened, in its unit
+ * @property {(import("./examples.js").Example & { beside: Beside }) | null} example that was opened last
  * @property {boolean} firstExample the model is the one that the page opens with
  * @property {SceneDocument | null} document
  * @property {Numbers | null} numbers
@@ -34,6 +35,7 @@
  * @property {string} status what happened last, in words
  */
 
+/** The examples before and after one. @typedef {{ previous: import("./examples.js").Example | null, next: import("./examples.js").Example | null }} Beside */
 /** @typedef {{ vertices: ReadonlySet<number>, faces: ReadonlySet<number> }} Selection */
 /** @typedef {{ vertices: Uint32Array, faces: Uint32Array, colour: [number, number, number] }} Tint */
 
@@ -51,6 +53,7 @@ const INITIAL = {
   elements: [],
   model: null,
   size: 0,
+  example: null,
   firstExample: false,
   document: null,
   numbers: null,

@@ -29,8 +29,7 @@ pub fn svg(stage: &Stage, class: &str) -> String {
     let eye = stage.camera.eye();
     let place = |point: Vec3| eye.project(point).0.round();
     let places: Vec<Vec2> = stage.subject.positions.iter().map(|&point| place(point)).collect();
-    let boundary = stage.subject.edges.iter().filter(|edge| edge.boundary);
-    let rim: Vec<[u32; 2]> = boundary.map(|edge| edge.ends).collect();
+    let rim = rim_of(stage);
     for face in from_far_to_near(stage, &eye) {
         let corners = stage.subject.faces.row(face as usize);
         let [light, dark] = [LIGHT, DARK]
@@ -48,6 +47,12 @@ pub fn svg(stage: &Stage, class: &str) -> String {
         }
     }
     svg + &handles(stage, &eye) + "</svg>"
+}
+
+/// The edges on the boundary, in lexicographic order of their ends.
+pub(super) fn rim_of(stage: &Stage) -> Vec<[u32; 2]> {
+    let boundary = stage.subject.edges.iter().filter(|edge| edge.boundary);
+    boundary.map(|edge| edge.ends).collect()
 }
 
 /// Handles, their targets, and the lines between them.
@@ -110,7 +115,7 @@ pub fn style(has_values: bool) -> String {
 }
 
 /// The faces, those whose corners are on average the farthest first.
-fn from_far_to_near(stage: &Stage, eye: &Eye) -> Vec<u32> {
+pub(super) fn from_far_to_near(stage: &Stage, eye: &Eye) -> Vec<u32> {
     let subject = &stage.subject;
     let depth = |corners: &[u32]| {
         let sum: f32 = corners.iter().map(|&v| eye.project(subject.positions[v as usize]).1).sum();
@@ -122,19 +127,19 @@ fn from_far_to_near(stage: &Stage, eye: &Eye) -> Vec<u32> {
 }
 
 /// The sides of a face, the smaller vertex first.
-fn sides(corners: &[u32]) -> impl Iterator<Item = [u32; 2]> + '_ {
+pub(super) fn sides(corners: &[u32]) -> impl Iterator<Item = [u32; 2]> + '_ {
     let next = corners.iter().cycle().skip(1);
     corners.iter().zip(next).map(|(&a, &b)| [a.min(b), a.max(b)])
 }
 
 /// Whether the surface hides the mark on a vertex. The view draws marks in front of what is near.
-fn is_hidden(stage: &Stage, eye: &Eye, vertex: u32) -> bool {
+pub(super) fn is_hidden(stage: &Stage, eye: &Eye, vertex: u32) -> bool {
     let distance = (stage.subject.positions[vertex as usize] - eye.at).length();
     hidden(&stage.subject, eye.at, vertex, distance * NEAR)
 }
 
 /// A line through places, as the data of a path: the first as it is, the others by their steps.
-fn line(places: impl IntoIterator<Item = Vec2>) -> String {
+pub(super) fn line(places: impl IntoIterator<Item = Vec2>) -> String {
     let mut data = String::new();
     let mut last = None;
     for place in places {
@@ -176,7 +181,7 @@ fn dot_class(kind: DotKind) -> &'static str {
 }
 
 /// A CSS colour for both themes.
-fn themed(light: Colour, dark: Colour) -> String {
+pub(super) fn themed(light: Colour, dark: Colour) -> String {
     let [light, dark] = [light, dark].map(hex);
     if light == dark { light } else { format!("light-dark({light},{dark})") }
 }
