@@ -39,7 +39,7 @@ await main(() => {
       60 * kB,
     ),
     row('gallery, projections', code.filter(isBeside), 16 * kB),
-    row('first picture', [firstPicture], 12 * kB),
+    row('first picture', [firstPicture], 14 * kB),
     row('plots', code.filter(isPlot), 30 * kB),
   ];
   const line = (name, ...numbers) =>

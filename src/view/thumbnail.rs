@@ -97,7 +97,7 @@ impl<'a> Drawing<'a> {
         let rim = rim_of(self.stage);
         // The class of the path that the last face is in.
         let mut open = String::new();
-        for face in from_far_to_near(self.stage, &self.eye) {
+        for face in from_far_to_near(self.stage) {
             // Of a closed surface no back is seen.
             if rim.is_empty() && self.is_turned_away(face) {
                 continue;
@@ -117,7 +117,7 @@ impl<'a> Drawing<'a> {
                 open = class;
             }
             let border: String = sides(corners)
-                .filter(|side| rim.binary_search(side).is_ok())
+                .filter(|side| rim.contains(side))
                 .map(|side| line(side.map(|v| self.place(v))))
                 .collect();
             if !border.is_empty() {

@@ -81,7 +81,8 @@ place(START);
 
 /** @param {string} name @param {number} i */
 function weightOf(name, i) {
-  const value = element('output', {}, '1');
+  // The slider says its value itself.
+  const value = element('span', { class: 'weight', 'aria-hidden': 'true' }, '1');
   const slider = element('input', {
     type: 'range',
     min: '0',

@@ -28,7 +28,7 @@ pub(super) const TETRAHEDRA: Example = Example {
     id: "fig-01-tets",
     title: "Club of tetrahedra with a round head",
     summary: "On tetrahedra: the skin of the square head swells to a sphere and two collars become circles, while the handle stays rigid and the head is raised.",
-    statement: "The skin of the head, more than 2 m from a sphere when it is pulled, comes within 10 cm of one; the collars, up to 48 cm from circles, within 5 cm; the handle keeps its shape within 1 cm.",
+    statement: "The skin of the head, more than 2 m from a sphere when it is pulled, comes within 15 cm of one; the collars, up to 48 cm from circles, within 3 cm; the handle keeps its shape within 1 cm.",
     ending: "mesh",
     make: tetrahedra,
 };
