@@ -190,6 +190,8 @@ pub struct SolverSettings {
     /// Keep the nearer of the new and the previous projection, so that the total never rises with
     /// operators that are not exact either.
     pub monotone: bool,
+    /// What factors the normal matrix.
+    pub factorization: Factorization,
 }
 
 impl Default for SolverSettings {
@@ -201,6 +203,7 @@ impl Default for SolverSettings {
             window: 5,
             mean_centring: true,
             monotone: false,
+            factorization: Factorization::default(),
         }
     }
 }
@@ -214,6 +217,16 @@ pub enum Accelerator {
     QuasiNewton,
     /// Anderson acceleration.
     Anderson,
+}
+
+/// What factors the normal matrix. Both give the same shapes to rounding.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Factorization {
+    /// Dense blocks of columns with the same rows, one after another.
+    #[default]
+    Supernodal,
+    /// One column after another, with the crate of that name: the reference.
+    SprsLdl,
 }
 
 /// What is wrong with a scene, and where.

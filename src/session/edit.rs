@@ -248,8 +248,9 @@ impl Session {
         } else {
             document.validate(&self.mesh)?;
             let rows = resolve::rows(&document, &self.mesh, &self.topology)?;
-            self.solver =
-                solver(&document, &self.mesh, &self.topology, &rows, handles, &positions)?;
+            let (mesh, topology) = (&self.mesh, &self.topology);
+            let kept = self.solver.kept();
+            self.solver = solver(&document, mesh, topology, &rows, kept, handles, &positions)?;
             self.rows = rows;
             self.document = document;
         }

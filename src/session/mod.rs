@@ -33,7 +33,7 @@ pub use resolve::ResolvedRow;
 use crate::error::Error;
 use crate::mesh::{BoundingSphere, Mesh, Point, Topology};
 use crate::scene::{HandleSpec, Hold, Scene};
-use crate::solve::{Constraints, Energy, Handle, Problem, Solver};
+use crate::solve::{Constraints, Energy, Handle, Kept, Problem, Solver};
 use history::{History, Snapshot};
 
 /// A scene that is open.
@@ -85,7 +85,7 @@ impl Session {
         let start = scene.current.take().unwrap_or_else(|| mesh.positions.clone());
         let handles = flat(&std::mem::take(&mut scene.handles), &mesh.positions);
         let rows = resolve::rows(&scene, &mesh, &topology)?;
-        let solver = solver(&scene, &mesh, &topology, &rows, handles, &start)?;
+        let solver = solver(&scene, &mesh, &topology, &rows, Kept::default(), handles, &start)?;
         let initial = solver.energy();
         Ok(Session {
             diameter: BoundingSphere::of(&mesh.positions).diameter(),
@@ -251,6 +251,7 @@ fn solver(
     mesh: &Mesh,
     topology: &Topology,
     rows: &[ResolvedRow],
+    kept: Kept,
     handles: Vec<Handle>,
     start: &[Point],
 ) -> Result<Solver, Error> {
@@ -267,7 +268,7 @@ fn solver(
         smoothness: document.smoothness,
         settings: document.solver,
     };
-    Ok(Solver::new(&problem, handles, start)?)
+    Ok(Solver::new(&problem, kept, handles, start)?)
 }
 
 /// One handle per vertex.
