@@ -132,12 +132,29 @@ fn times_pivots(rows: &[Quad], pivots: &[f64]) -> [Quad; 4] {
 // A function of its own: V8 replaces wasm functions by optimised code only between calls.
 #[inline(never)]
 fn subtract_product<const W: usize>(target: &mut [Quad], left: &[Quad], right: &[Quad; 4]) {
-    let right: [Quad; W] = std::array::from_fn(|k| right[k]);
-    for (target, left) in target.iter_mut().zip(left) {
-        let mut sum = *target;
-        for k in 0..W {
-            sum = std::array::from_fn(|i| sum[i] - left[k] * right[k][i]);
-        }
-        *target = sum;
+    // Tiles of four rows: of single rows the compiler would make two lanes of two rows, and shuffle.
+    let (target_tiles, target_rest) = target.as_chunks_mut::<4>();
+    let (left_tiles, left_rest) = left.as_chunks::<4>();
+    for (target, left) in target_tiles.iter_mut().zip(left_tiles) {
+        *target = tile_minus_product::<W, 4>(*target, left, right);
     }
+    for (target, left) in target_rest.iter_mut().zip(left_rest) {
+        [*target] = tile_minus_product::<W, 1>([*target], &[*left], right);
+    }
+}
+
+#[inline(always)]
+fn tile_minus_product<const W: usize, const ROWS: usize>(
+    mut tile: [Quad; ROWS],
+    left: &[Quad; ROWS],
+    right: &[Quad; 4],
+) -> [Quad; ROWS] {
+    for k in 0..W {
+        for row in 0..ROWS {
+            for c in 0..4 {
+                tile[row][c] -= left[row][k] * right[k][c];
+            }
+        }
+    }
+    tile
 }
