@@ -245,6 +245,17 @@ impl Session {
             if moved {
                 self.solver.set_positions(&positions);
             }
+        } else if self.differs_in_weights(&document) {
+            document.validate(&self.mesh)?;
+            let old = self.solver.handles().to_vec();
+            if let Err(error) = self.solver.reweigh(document.weights, handles) {
+                self.solver.reweigh(self.document.weights, old)?;
+                return Err(error.into());
+            }
+            if moved {
+                self.solver.set_positions(&positions);
+            }
+            self.document = document;
         } else {
             document.validate(&self.mesh)?;
             let rows = resolve::rows(&document, &self.mesh, &self.topology)?;
@@ -256,6 +267,12 @@ impl Session {
         }
         self.iteration = iteration;
         Ok(())
+    }
+
+    /// Whether a document is the current one but for weights that the solver can replace.
+    fn differs_in_weights(&self, document: &Scene) -> bool {
+        let same = Scene { weights: self.document.weights, ..document.clone() };
+        same == self.document && self.solver.can_reweigh(document.weights)
     }
 }
 

@@ -1,6 +1,6 @@
-//! Handles of a solver: moved, added, replaced, each at the least cost.
+//! Handles and weights of a solver: changed at the least cost.
 //!
-//! Moving one changes the gradient. Adding a few changes the factor along their paths in the
+//! Moving a handle changes the gradient. Adding a few changes the factor along their paths in the
 //! elimination tree. Anything else factors the matrix again, in the same order.
 
 use super::super::SolveError;
@@ -8,7 +8,7 @@ use super::super::hold::{Handle, SoftHandles, pins, relative};
 use super::super::rank_one::Change;
 use super::Solver;
 use crate::mesh::Point;
-use crate::scene::Hold;
+use crate::scene::{Hold, Weights};
 
 /// More handles at once than this are factored in: by then that costs less.
 const MOST_CHANGES: usize = 16;
@@ -60,6 +60,26 @@ impl Solver {
         self.handles = handles;
         self.retarget();
         Ok(())
+    }
+
+    /// Whether other weights leave the energies as they are: those that are zero stay zero.
+    pub fn can_reweigh(&self, weights: Weights) -> bool {
+        let counts = |weights: Weights| {
+            [weights.shape, weights.close, weights.smooth].map(|weight| weight > 0.0)
+        };
+        counts(weights) == counts(self.energies.weights)
+    }
+
+    /// Replaces the weights of Eq. 13 where [`Solver::can_reweigh`], and the handles: numbers and order
+    /// stay, the factor is made anew.
+    ///
+    /// # Errors
+    /// When the normal matrix is not positive definite.
+    pub fn reweigh(&mut self, weights: Weights, handles: Vec<Handle>) -> Result<(), SolveError> {
+        assert!(self.can_reweigh(weights), "energies come and go with a new solver");
+        self.energies.weights = weights;
+        self.factored = false;
+        self.hold(handles)
     }
 
     /// What the matrix of `handles` has over the one at hand, if these are the handles at hand and a
