@@ -39,6 +39,11 @@ impl Frame {
         frame
     }
 
+    /// This, and where it is not known the other.
+    pub fn or(self, other: Frame) -> Frame {
+        Frame { units: self.units.or(other.units), up: self.up.or(other.up) }
+    }
+
     /// The comments that state it, each a line of its own; nothing for what is not known and for z,
     /// which is what files without a word are taken for.
     pub fn comments(units: &str, up: Up) -> String {

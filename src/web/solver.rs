@@ -19,6 +19,8 @@ use wasm_bindgen::prelude::*;
 #[derive(Default)]
 pub struct Solver {
     session: Option<Session>,
+    /// For the next mesh file that does not state its own.
+    assumed: Frame,
     step_ms: f64,
 }
 
@@ -91,6 +93,12 @@ impl Solver {
         })
     }
 
+    /// What the next mesh file is taken for unless it states otherwise, in its own words:
+    /// `# units: m`, `# up: y`, a line each.
+    pub fn assume(&mut self, comments: &str) {
+        self.assumed = Frame::stated(comments.as_bytes());
+    }
+
     /// Opens a mesh, or a scene with the mesh file that it names as `companion`. The model that is
     /// open stays when this one is refused.
     pub fn load(
@@ -120,7 +128,7 @@ impl Solver {
             };
             (scene, file)
         } else {
-            stated = Frame::stated(bytes);
+            stated = Frame::stated(bytes).or(std::mem::take(&mut self.assumed));
             (Scene::new(MeshSource::File(name.to_owned())), read(name, bytes).map_err(thrown)?)
         };
         if !is_scene {
