@@ -72,6 +72,7 @@ export class Autosave {
   #later() {
     clearTimeout(this.#timer);
     const { running, dragged } = this.#store.get();
+    if (this.#solver.sceneText !== this.#saved) this.#store.set({ saved: '' });
     if (!running && dragged.length === 0) this.#timer = setTimeout(() => this.save(), IDLE_MS);
   }
 

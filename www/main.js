@@ -114,7 +114,7 @@ Object.assign(window, { shapeUp: scriptApi(store, solver, viewport, files) });
 
 frameChips(byId('frame-chips'), store, actions, files);
 const keeping = new Keeping(store, solver, files, alerts);
-recentMenu(byId('recent'), keeping, alerts);
+recentMenu(byId('recent-button'), byId('recent'), keeping, alerts);
 keeping.begin().catch((error) => alerts.error(messageOf(error)));
 files.offerExamples(byId('examples')).catch((error) => alerts.error(messageOf(error)));
 stayOffline(alerts, keeping);

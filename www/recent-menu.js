@@ -4,14 +4,14 @@ import { element } from './dom.js';
 import { messageOf } from './messages.js';
 
 /**
- * Fills the menu each time it opens.
+ * Fills the menu each time, then shows it.
+ * @param {HTMLButtonElement} button
  * @param {HTMLElement} menu
  * @param {import("./keeping.js").Keeping} keeping
  * @param {import("./alerts.js").Alerts} alerts
  */
-export function recentMenu(menu, keeping, alerts) {
-  menu.addEventListener('beforetoggle', async (event) => {
-    if (/** @type {ToggleEvent} */ (event).newState !== 'open') return;
+export function recentMenu(button, menu, keeping, alerts) {
+  button.addEventListener('click', async () => {
     await keeping.saveNow().catch(() => {});
     const list = await keeping.recent().catch(() => []);
     const open = (/** @type {import("./works.js").Work} */ work) => {
@@ -35,7 +35,7 @@ export function recentMenu(menu, keeping, alerts) {
     menu.replaceChildren(
       ...(rows.length > 0 ? rows : [element('p', { class: 'quiet', role: 'none' }, none)]),
     );
-    rows[0]?.focus();
+    menu.showPopover();
   });
 }
 

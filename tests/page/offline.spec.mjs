@@ -1,12 +1,14 @@
 // Without a network, and when there is a new version.
 
-import { readFileSync } from 'node:fs';
+import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { at } from '../../.scripts/project.mjs';
+import { serve } from '../../.scripts/serve.mjs';
 import { openExample, runToTheEnd } from './actions.mjs';
 import { expect, openPage, state, test } from './support.mjs';
 
 test.use({ serviceWorkers: 'allow' });
-
-const WORKER = new URL('../../dist/service-worker.js', import.meta.url);
 
 /** Waits until the built files are kept and the service worker answers for them. */
 async function keptOffline(page) {
@@ -27,14 +29,30 @@ test('after one visit the page works without a network', async ({ page, context 
   expect((await state(page)).vertices).toBeGreaterThan(0);
 });
 
-test('a new version is announced and waits until it is wanted', async ({ page, context }) => {
-  await openPage(page);
+/** A host of the site, at which a new version can be put. */
+const hosted = test.extend({
+  // eslint-disable-next-line no-empty-pattern
+  host: async ({}, use) => {
+    const folder = mkdtempSync(join(tmpdir(), 'shape-up-'));
+    cpSync(at('dist'), folder, { recursive: true });
+    const { address, close } = await serve(folder, { port: 5100, base: '/deep/below/' });
+    await use({ address, folder });
+    close();
+    rmSync(folder, { recursive: true });
+  },
+});
+
+hosted('a new version is announced and waits until it is wanted', async ({ page, host }) => {
+  const open = async () => {
+    await page.goto(host.address);
+    await page.waitForFunction(() => window.shapeUp?.state().vertices > 0);
+  };
+  await open();
   await keptOffline(page);
-  const next = readFileSync(WORKER, 'utf8').replace(/"version":"\w+"/, '"version":"next"');
-  await context.route('**/service-worker.js', (route) =>
-    route.fulfill({ contentType: 'text/javascript', body: next }),
-  );
-  await openPage(page);
+  const worker = join(host.folder, 'service-worker.js');
+  const next = readFileSync(worker, 'utf8').replace(/"version":"\w+"/, '"version":"next"');
+  writeFileSync(worker, next);
+  await open();
   const news = page.getByRole('alert').getByText('A new version of Shape-Up is here');
   await expect(news).toBeVisible();
   const versions = () =>

@@ -62,7 +62,6 @@ test('lengths have the unit that was chosen', async ({ page }) => {
   await openText(page, 'roof.obj', wavyGrid(4), 25);
   await showPanel(page, 'Model');
   await page.getByLabel('Unit', { exact: true }).selectOption('ft');
-  await page.evaluate(() => document.querySelector('#colour-by')?.closest('section'));
   await showPanel(page, 'Energies and display');
   await page.getByLabel('Colour by').selectOption('planarity');
   const worst = page.locator('#numbers').getByText(/^[\d.]+ ft$/);
