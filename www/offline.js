@@ -11,7 +11,10 @@
 export function stayOffline(alerts, keeping) {
   if (!import.meta.env.PROD || !('serviceWorker' in navigator)) return;
   // Whoever looks for a fault can do without.
-  if (new URLSearchParams(location.search).has('nosw')) return;
+  if (new URLSearchParams(location.search).has('nosw')) {
+    navigator.serviceWorker.getRegistration().then((registration) => registration?.unregister());
+    return;
+  }
   const start = () => register(alerts, keeping).catch(() => {});
   // After what the first picture needs.
   if (document.readyState === 'complete') start();

@@ -19,8 +19,8 @@ test('all that was done is undone step by step, to the start, and done again', a
 
   await addConstraint(page, 'Plane', 'each face');
   await showPanel(page, 'Model');
-  await page.getByLabel('Unit', { exact: true }).selectOption('cm');
-  await page.getByLabel('Up axis').selectOption('y');
+  await page.getByRole('combobox', { name: 'Unit' }).selectOption('cm');
+  await page.getByRole('combobox', { name: 'Up axis' }).selectOption('y');
   await page.getByRole('switch').click();
   await expect(page.getByRole('switch')).not.toBeChecked();
   await page.getByRole('switch').click();

@@ -49,7 +49,7 @@ test('another axis turns the view, and undo turns it back', async ({ page }) => 
   await openText(page, 'roof.obj', wavyGrid(4), 25);
   const before = await screenOf(page, 0);
   await showPanel(page, 'Model');
-  await page.getByLabel('Up axis').selectOption('y');
+  await page.getByRole('combobox', { name: 'Up axis' }).selectOption('y');
   await hidePanels(page);
   await expect.poll(() => page.evaluate(() => window.shapeUp.screen(0))).not.toEqual(before);
   await page.keyboard.press('Control+z');
@@ -61,7 +61,7 @@ test('lengths have the unit that was chosen', async ({ page }) => {
   await openPage(page);
   await openText(page, 'roof.obj', wavyGrid(4), 25);
   await showPanel(page, 'Model');
-  await page.getByLabel('Unit', { exact: true }).selectOption('ft');
+  await page.getByRole('combobox', { name: 'Unit' }).selectOption('ft');
   await showPanel(page, 'Energies and display');
   await page.getByLabel('Colour by').selectOption('planarity');
   const worst = page.locator('#numbers').getByText(/^[\d.]+ ft$/);
