@@ -40,7 +40,7 @@ await main(() => {
       code.filter((path) => !isLater(path)),
       60 * kB,
     ),
-    row('first picture', [firstPicture], 12 * kB),
+    row('first picture', [firstPicture], 14 * kB),
     row('plots', code.filter(isPlot), 30 * kB),
     row('Share and Export', code.filter(isSeldom), 8 * kB),
     row('files of Rhino', filesUnder(at('dist')).filter(isRhino), 1100 * kB),
