@@ -6,7 +6,7 @@ mod grid;
 use grid::grid;
 use shape_up::mesh::{Group, GroupKeyword};
 use shape_up::scene::Scene;
-use shape_up::session::Session;
+use shape_up::session::{Edit, Session};
 
 fn open() -> Session {
     let text = r#"{ "format": "shape-up-scene", "version": 1, "units": "m",
@@ -85,4 +85,23 @@ fn the_convergence_is_the_trace_of_the_report() {
     session.end_run();
     session.undo().expect("it was solvable");
     assert_eq!(session.convergence_csv().lines().count(), 2, "what is undone is not told");
+}
+
+#[test]
+fn an_edit_changes_the_energies_of_the_iteration_that_it_is_made_at() {
+    let mut session = open();
+    let before = column(&session.convergence_csv(), "shape (m²)");
+    session
+        .edit(Edit::SetConstraint {
+            index: 0,
+            weight: Some(2.0),
+            enabled: None,
+            params: Default::default(),
+        })
+        .expect("a weight can be two");
+    let after = column(&session.convergence_csv(), "shape (m²)");
+    assert_eq!(after.len(), 1);
+    assert!((after[0] / before[0] - 2.0).abs() < 1e-12, "{before:?} {after:?}");
+    session.undo().expect("it was solvable");
+    assert_eq!(column(&session.convergence_csv(), "shape (m²)"), before);
 }

@@ -177,10 +177,15 @@ impl Session {
             }
             Edit::SetConstraint { index, weight, enabled, params } => {
                 let spec = row(document, index)?;
+                let what = match (enabled, weight, params.is_empty()) {
+                    (Some(true), None, true) => "Switch on",
+                    (Some(false), None, true) => "Switch off",
+                    _ => "Change",
+                };
                 set_params(spec, index, params)?;
                 spec.weight = weight.unwrap_or(spec.weight);
                 spec.enabled = enabled.unwrap_or(spec.enabled);
-                format!("Change {}", spec.kind.info().label.to_lowercase())
+                format!("{what} {}", spec.kind.info().label.to_lowercase())
             }
             Edit::SetWeights(weights) => {
                 document.weights = weights;

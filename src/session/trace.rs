@@ -22,13 +22,15 @@ impl Trace {
         self.entries.push(entry);
     }
 
-    /// Goes to a state from before or after: forgets what came later, and has an entry for it.
+    /// Goes to a state from before or after, or from where an edit has changed the energies: forgets
+    /// what came later, and has an entry for the state as it is now.
     pub(super) fn go_to(&mut self, state: TraceEntry) {
         let kept = self.entries.partition_point(|entry| entry.iteration <= state.iteration);
         self.entries.truncate(kept);
         self.told = self.told.min(kept);
-        if self.entries.last().is_none_or(|last| last.iteration < state.iteration) {
-            self.entries.push(state);
+        match self.entries.last_mut() {
+            Some(last) if last.iteration == state.iteration => *last = state,
+            _ => self.entries.push(state),
         }
     }
 
