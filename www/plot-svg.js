@@ -25,9 +25,10 @@ export function convergenceSvg(csv, title, units) {
   const table = rows.map((row) => row.split(',').map(Number));
   const iterations = table.map(([iteration]) => iteration);
   const energies = SERIES.map((_, i) => table.map((row) => row[i + 1]));
-  const greatest = Math.max(...energies.flat(), Number.MIN_VALUE);
+  // Where all energies are nothing, any scale will do.
+  const greatest = energies.flat().reduce((a, b) => Math.max(a, b), 0) || 1;
   const drawn = energies.flat().filter((value) => value > greatest * 10 ** -DECADES);
-  const low = Math.floor(Math.log10(Math.min(...drawn, greatest)));
+  const low = Math.floor(Math.log10(drawn.reduce((a, b) => Math.min(a, b), greatest)));
   const high = Math.max(Math.ceil(Math.log10(greatest)), low + 1);
   const last = Math.max(iterations.at(-1) ?? 0, 1);
 
