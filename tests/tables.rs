@@ -6,7 +6,7 @@ mod grid;
 use grid::grid;
 use shape_up::mesh::{Group, GroupKeyword};
 use shape_up::scene::Scene;
-use shape_up::session::{Edit, Session};
+use shape_up::session::{Edit, FACE_MEASURES, Session};
 
 fn open() -> Session {
     let text = r#"{ "format": "shape-up-scene", "version": 1, "units": "m",
@@ -46,13 +46,12 @@ fn the_errors_of_the_faces_are_those_of_the_report() {
     session.solve(false).expect("it stays finite");
     let csv = session.errors_csv();
     let report = session.report();
-    assert_eq!(
-        csv.lines().next(),
-        Some(
-            "face,corners,groups,planarity distance (m),circularity distance (m),\
-             distance to projection (m)"
-        )
+    let head = csv.lines().next().expect("there is a head");
+    assert!(
+        head.starts_with("face,corners,groups,Planarity (m),Planarity: diagonals (%)"),
+        "{head}"
     );
+    assert_eq!(head.split(',').count(), 3 + FACE_MEASURES.len());
     let lines: Vec<&str> = csv.lines().skip(1).collect();
     assert_eq!(lines.len(), report.faces);
     assert!(lines[0].starts_with(r#"0,4,"roof, ""east""","#), "{}", lines[0]);
@@ -60,12 +59,14 @@ fn the_errors_of_the_faces_are_those_of_the_report() {
     assert!(lines[2].starts_with("2,4,,"), "{}", lines[2]);
     let most = |values: &[f64]| values.iter().copied().fold(0.0, f64::max);
     for (name, expected) in [
-        ("planarity", report.planarity.max_distance),
-        ("circularity", report.circularity.max_distance),
+        ("Planarity (m)", report.planarity.max_distance),
+        ("Planarity: e_p", report.planarity.e_p_max),
+        ("Circularity (m)", report.circularity.max_distance),
+        ("Circularity: e_c", report.circularity.e_c_max),
     ] {
         assert_eq!(most(&column(&csv, name)), expected, "{name}: to the last bit");
     }
-    let residuals = column(&csv, "distance to projection");
+    let residuals = column(&csv, "Constraints (m)");
     assert_eq!(residuals, session.residuals());
 }
 

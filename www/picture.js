@@ -1,7 +1,7 @@
 /** A picture of the view as PNG, larger than the screen if wanted, with the legend drawn into it. */
 
-import { length, lengthUnit } from './format.js';
-import { MEASURES } from './measures.js';
+import { groupDigits } from './format.js';
+import { declared, valueInWords } from './measures.js';
 
 /** More pixels than this are too many for common graphics cards, with their samples and depths. */
 const MOST_PIXELS = 36e6;
@@ -35,7 +35,7 @@ export async function pictureOf(viewport, state, { scale, legend, white }) {
     context.drawImage(view, 0, 0, size.width, size.height);
   });
   if (!drawn) throw new Error('The picture could not be drawn: try a smaller one.');
-  if (legend && state.measure && state.model?.faces) {
+  if (legend && state.model?.faces) {
     const stops = viewport.with((view) => view.colourStops(STOPS)) ?? [];
     drawLegend(context, state, stops, size, white);
   }
@@ -45,27 +45,48 @@ export async function pictureOf(viewport, state, { scale, legend, white }) {
 }
 
 /**
- * The legend at the lower left, in the sizes of the page.
+ * The legend at the lower left: the histogram over the colours, in the sizes of the page.
  * @param {CanvasRenderingContext2D} context
  * @param {import("./state.js").State} state
  * @param {string[]} stops
  * @param {{ height: number, scale: number }} size
  * @param {boolean} white
  */
-function drawLegend(context, { measure, range, document: scene, dark }, stops, size, white) {
-  if (!measure) return;
+function drawLegend(context, state, stops, size, white) {
+  const { spread, range, tolerance, document: scene, dark } = state;
+  const about = declared(state, state.measure);
+  if (!about || !spread || spread.measure !== about.id) return;
   const units = scene?.units ?? '';
-  const [left, width, bottom] = [16, 212, size.height / size.scale - 16];
+  const bottom = size.height / size.scale - (tolerance === null ? 16 : 28);
+  const [left, width] = [16, 212];
+  const ink = dark && !white ? '#e6e8e8' : '#1d2123';
+  const [foot, tallest] = [bottom - 26, 28];
   context.scale(size.scale, size.scale);
   context.font = `12px ${getComputedStyle(document.body).fontFamily}`;
-  context.fillStyle = dark && !white ? '#e6e8e8' : '#1d2123';
-  context.textBaseline = 'alphabetic';
-  context.fillText(MEASURES[measure].label, left, bottom - 32);
-  context.fillText(`0 ${lengthUnit(range[1], units).unit}`.trim(), left, bottom);
+  context.fillStyle = ink;
+  context.fillText(about.label, left, foot - tallest - 8);
+  context.fillText('0', left, bottom);
   context.textAlign = 'right';
-  context.fillText(length(range[1], units), left + width, bottom);
+  context.fillText(valueInWords(about, spread.top, units), left + width, bottom);
+
+  const most = Math.max(...spread.counts, 1);
+  const bar = width / spread.counts.length;
+  spread.counts.forEach((count, i) => {
+    const height = count > 0 ? Math.max(2, (tallest * count) / most) : 0;
+    context.fillRect(left + i * bar, foot - height, bar - 1, height);
+  });
   const ramp = context.createLinearGradient(left, 0, left + width, 0);
-  stops.forEach((colour, i) => ramp.addColorStop(i / (stops.length - 1), colour));
+  const [from, to] = range.map((value) => Math.min(1, value / spread.top));
+  stops.forEach((colour, i) => {
+    ramp.addColorStop(from + ((to - from) * i) / (stops.length - 1), colour);
+  });
   context.fillStyle = ramp;
-  context.fillRect(left, bottom - 26, width, 10);
+  context.fillRect(left, foot, width, 10);
+  if (tolerance === null) return;
+  context.fillStyle = ink;
+  const within = `${groupDigits(spread.within)} of ${groupDigits(spread.faces)} within ${valueInWords(about, tolerance, units)}`;
+  context.textAlign = 'center';
+  context.fillText(within, left + width / 2, bottom + 14);
+  if (tolerance > spread.top) return;
+  context.fillRect(left + (tolerance / spread.top) * width - 1, foot - tallest, 2, tallest + 10);
 }

@@ -83,7 +83,7 @@ function planarities(csv) {
   const [head, ...rows] = csv.trim().split('\n');
   const heads = head.split(',');
   // From the right: the name of a group may hold commas.
-  const fromRight = heads.length - heads.findIndex((name) => name.startsWith('planarity'));
+  const fromRight = heads.length - heads.findIndex((name) => /^Planarity( \(|$)/.test(name));
   return rows.map((row) => Number(row.split(',').at(-fromRight)));
 }
 

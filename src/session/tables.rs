@@ -2,15 +2,12 @@
 //! Comma-separated with a decimal point, one head line; numbers have the fewest digits that read
 //! back to the same bits. Units stand in the head, in brackets, where they are known.
 
-use super::Session;
-use std::fmt::Write;
+use super::{FACE_MEASURES, MeasureUnit, Session};
 
 impl Session {
-    /// One line per face, from 0: its corners, the groups that it is in, and its errors in the unit of
-    /// the mesh, whose largest and mean are those of the report.
+    /// One line per face, from 0: its corners, the groups that it is in, and every measure of
+    /// [`FACE_MEASURES`]; empty where a face has no such value.
     pub fn errors_csv(&mut self) -> String {
-        let measures = self.measures();
-        let residuals = self.residuals();
         let mut groups = vec![String::new(); self.mesh.faces.len()];
         for group in &self.mesh.groups {
             for &face in &group.faces {
@@ -21,22 +18,23 @@ impl Session {
                 names.push_str(&group.name);
             }
         }
-        let unit = bracketed(&self.document.units);
-        let mut text = format!(
-            "face,corners,groups,planarity distance{unit},circularity distance{unit},\
-             distance to projection{unit}\n"
-        );
+        let mut text = "face,corners,groups".to_owned();
+        let mut columns = Vec::new();
+        for measure in FACE_MEASURES {
+            let unit = match measure.unit {
+                MeasureUnit::Length => self.document.units.as_str(),
+                MeasureUnit::Percent => "%",
+                MeasureUnit::Degrees => "°",
+                MeasureUnit::Number => "",
+            };
+            text.push_str(&format!(",{}{}", measure.label, bracketed(unit)));
+            columns.push(self.face_values(measure.id).expect("the measure is one of the list"));
+        }
+        text.push('\n');
         for (face, corners) in self.mesh.faces.iter().enumerate() {
-            let errors = [
-                measures.planarity_distances[face],
-                measures.circularity_distances[face],
-                residuals[face],
-            ];
-            row(
-                &mut text,
-                &[face.to_string(), corners.len().to_string(), quoted(&groups[face])],
-                &errors,
-            );
+            let words = [face.to_string(), corners.len().to_string(), quoted(&groups[face])];
+            let values: Vec<f64> = columns.iter().map(|column| column[face]).collect();
+            row(&mut text, &words, &values);
         }
         text
     }
@@ -61,13 +59,15 @@ impl Session {
     }
 }
 
-/// Appends a line: words, then numbers.
+/// Appends a line: words, then numbers, nothing for what is not one.
 fn row(text: &mut String, words: &[String], numbers: &[f64]) {
     text.push_str(&words.join(","));
     for &number in numbers {
-        let digits = serde_json::Value::from(number).to_string();
-        write!(text, ",{}", digits.strip_suffix(".0").unwrap_or(&digits))
-            .expect("a string takes all that is written to it");
+        text.push(',');
+        if number.is_finite() {
+            let digits = serde_json::Value::from(number).to_string();
+            text.push_str(digits.strip_suffix(".0").unwrap_or(&digits));
+        }
     }
     text.push('\n');
 }

@@ -52,8 +52,8 @@ test('the tables are the report of the command line', async ({ page }) => {
     const rows = rowsOf(errors.text);
     expect(rows).toHaveLength(report.faces);
     const most = (name) => Math.max(...rows.map((row) => row[name]));
-    expect(most('planarity distance')).toBe(report.planarity.max_distance);
-    expect(most('circularity distance')).toBe(report.circularity.max_distance);
+    expect(most('Planarity')).toBe(report.planarity.max_distance);
+    expect(most('Circularity')).toBe(report.circularity.max_distance);
   } finally {
     rmSync(folder, { recursive: true });
   }
