@@ -4,13 +4,17 @@
 import { cpSync, readFileSync } from 'node:fs';
 import { minify } from 'vite';
 import { firstPicture } from './examples.mjs';
+import { writeOfflineParts } from './offline.mjs';
 import { at } from './project.mjs';
 
 // Examples keep their names, because links to them are permanent.
 const examples = {
   name: 'examples',
   apply: 'build',
-  closeBundle: () => cpSync(at('www', 'examples'), at('dist', 'examples'), { recursive: true }),
+  closeBundle() {
+    cpSync(at('www', 'examples'), at('dist', 'examples'), { recursive: true });
+    writeOfflineParts(at('dist'));
+  },
 };
 
 const PLACE = '<!-- first picture -->';

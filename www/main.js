@@ -22,7 +22,9 @@ import { constraintsPanel } from './panels/constraints.js';
 import { Convergence } from './panels/convergence.js';
 import { displayPanel } from './panels/display.js';
 import { energiesPanel } from './panels/energies.js';
+import { Keeping } from './keeping.js';
 import { handlesPanel } from './panels/handles.js';
+import { stayOffline } from './offline.js';
 import { legend } from './panels/legend.js';
 import { modelPanel } from './panels/model.js';
 import { statusBar } from './panels/status-bar.js';
@@ -32,8 +34,10 @@ import { sizeOf } from './rounding.js';
 import { scriptApi } from './script-api.js';
 import { NOTHING } from './selection.js';
 import { SolverClient } from './solver-client.js';
+import { recentMenu } from './recent-menu.js';
 import { createStore } from './state.js';
 import { followTheme } from './theme.js';
+import { frameChips } from './units.js';
 import { bindViewKeys } from './view-keys.js';
 import { Viewport } from './viewport.js';
 
@@ -57,7 +61,7 @@ const addConstraint = new AddConstraintDialog(byId('add-constraint'), store, sol
 const { refit } = colourFaces(store, solver);
 colourRows(store, solver, actions);
 
-modelPanel(byId('model'), store);
+modelPanel(byId('model'), store, actions);
 constraintsPanel(byId('constraints'), store, solver, actions);
 handlesPanel(byId('handles'), store, actions);
 energiesPanel(byId('energies'), store, actions);
@@ -88,6 +92,7 @@ const commands = commandTable({
   actions,
   alerts,
   addConstraint,
+  solver,
   fileInput,
   help,
 });
@@ -110,7 +115,12 @@ viewport.addEventListener('none', (event) => {
 
 Object.assign(window, { shapeUp: scriptApi(store, solver, viewport, files) });
 
+frameChips(byId('frame-chips'), store, actions, files);
+const keeping = new Keeping(store, solver, files, alerts);
+recentMenu(byId('recent-button'), byId('recent'), keeping, alerts);
+keeping.begin().catch((error) => alerts.error(messageOf(error)));
 files.offerExamples(byId('examples')).catch((error) => alerts.error(messageOf(error)));
+stayOffline(alerts, keeping);
 
 /**
  * Takes the solver's news into the store.

@@ -75,6 +75,8 @@
  *   | { type: "removeConstraint", index: number }
  *   | { type: "setConstraint", index: number, weight?: number, enabled?: boolean, params?: Record<string, ParamValue> }
  *   | { type: "setWeights", shape?: number, close?: number, smooth?: number }
+ *   | { type: "setUnits", units: string }
+ *   | { type: "setUp", up: "y" | "z" }
  *   | { type: "addHandles", vertices: number[], fixed: boolean }
  *   | { type: "removeHandles", vertices: number[] }
  *   | { type: "reset" }} Edit
@@ -92,6 +94,7 @@
  * @property {{ name: string, faces: number }[]} groups
  * @property {string} units
  * @property {"y" | "z"} up
+ * @property {{ units: boolean, up: boolean }} guessed which of the two the file does not say
  * @property {number} meanEdge mean length of an edge, 0 without edges
  * @property {Problem[]} problems
  * @property {string[]} notes
@@ -218,12 +221,14 @@
  * Answered by `reply` with the value named in {@link Replies}, or `refused`.
  *
  * - `open`: the first file that is a scene, else the first file; the others may be the mesh that it
- *   names. When it is refused the old model stays. `iteration` is where a restored scene stood.
+ *   names. When it is refused the old model stays. `iteration` is where a restored scene stood;
+ *   `frame` what a mesh file is taken for that does not say its unit and axis: `# units: m`, `# up: y`.
  * - `edit`, `undo`, `redo`, `step`.
  * - `members`: what a constraint acts on. `rowColours`: the colours of all of them. `previews`: what
  *   adding one of each kind at each of some places would make.
- * - `scene`, `obj`: the texts of the files.
- * @typedef {{ type: "open", files: NamedBytes[], iteration?: number }
+ * - `scene`, `obj`, `table`: the texts of the files; the errors of the faces, or the energies of the
+ *   iterations, as CSV.
+ * @typedef {{ type: "open", files: NamedBytes[], iteration?: number, frame?: string }
  *   | { type: "edit", edit: Edit }
  *   | { type: "undo" }
  *   | { type: "redo" }
@@ -232,7 +237,8 @@
  *   | { type: "rowColours" }
  *   | { type: "previews", places: Selector[] }
  *   | { type: "scene" }
- *   | { type: "obj" }} Request
+ *   | { type: "obj" }
+ *   | { type: "table", table: "errors" | "convergence" }} Request
  */
 
 /**
@@ -248,6 +254,7 @@
  * @property {(Preview | null)[][]} previews `#kinds by #places`, null where nothing fits
  * @property {string} scene
  * @property {string} obj
+ * @property {string} table
  */
 
 /** @typedef {{ constraints: number, skipped: number, vertices: number }} Preview */

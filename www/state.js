@@ -34,6 +34,7 @@
  * @property {{ edges: boolean, vertices: boolean, shapes: boolean, outlines: boolean, arrows: boolean }} display
  * @property {boolean} dark
  * @property {"webgpu" | "webgl2" | "none" | "starting"} renderer
+ * @property {string} saved what became of the autosave, in words
  * @property {string} status what happened last, in words
  */
 
@@ -74,6 +75,7 @@ const INITIAL = {
   display: { edges: true, vertices: false, shapes: false, outlines: false, arrows: false },
   dark: false,
   renderer: 'starting',
+  saved: '',
   status: '',
 };
 

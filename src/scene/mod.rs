@@ -5,14 +5,17 @@
 //! | `json` | the serde form of the scene file, version 1, in and out |
 //! | `validate` | the checks that need the mesh |
 //! | `closeness` | what vertices are kept close to, and how much |
+//! | `frame` | the unit and the vertical axis of a mesh file, stated or guessed |
 //! | `examples` | the example scenes, on meshes that the project's own generators make |
 
 mod closeness;
 pub mod examples;
+mod frame;
 mod json;
 mod validate;
 
 pub use closeness::{BoundaryCloseness, Closeness, ClosenessTo, ClosenessWeight};
+pub use frame::Frame;
 pub use json::{FORMAT, VERSION};
 
 use crate::constraint::{Kind, Selector, Sets};

@@ -14,6 +14,8 @@
 //! | `preview` | what adding constraints would make |
 //! | `projected` | the projections of the constraints, to be drawn |
 //! | `report` | the report of design section 6 |
+//! | `tables` | errors and energies as CSV |
+//! | `trace` | the energies of the iterations |
 
 mod acting;
 mod edit;
@@ -24,6 +26,8 @@ mod preview;
 mod projected;
 mod report;
 mod resolve;
+mod tables;
+mod trace;
 
 pub use acting::ActingRows;
 pub use edit::{Edit, NewConstraint, Place};
@@ -34,10 +38,11 @@ pub use report::{EnergyReport, Report, Seconds, TraceEntry};
 pub use resolve::ResolvedRow;
 
 use crate::error::Error;
-use crate::mesh::{BoundingSphere, Mesh, Point, Topology};
-use crate::scene::{HandleSpec, Hold, Scene};
+use crate::mesh::{BoundingSphere, Mesh, Point, Topology, write_obj};
+use crate::scene::{Frame, HandleSpec, Hold, Scene};
 use crate::solve::{Constraints, Energy, Handle, Kept, Problem, Solver};
 use history::{History, Snapshot};
+use trace::Trace;
 
 /// A scene that is open.
 pub struct Session {
@@ -52,7 +57,7 @@ pub struct Session {
     /// See [`Session::iteration`].
     iteration: u32,
     initial: Energy,
-    trace: Option<Vec<TraceEntry>>,
+    trace: Option<Trace>,
     load_seconds: f64,
     history: History,
     gesture: Option<Gesture>,
@@ -143,6 +148,12 @@ impl Session {
         }
     }
 
+    /// The current shape as the text of an OBJ file, with the unit and the axis that are known.
+    pub fn obj(&self) -> String {
+        let comments = Frame::comments(&self.document.units, self.document.up);
+        comments + &write_obj(&self.mesh, &self.positions())
+    }
+
     /// The scene as it stands, with current positions when they are not at rest.
     pub fn scene(&self) -> Scene {
         let mut scene = self.document.clone();
@@ -159,8 +170,9 @@ impl Session {
     pub fn step(&mut self) -> Result<Step, Error> {
         self.solver.step()?;
         self.iteration += 1;
+        let entry = self.trace_entry();
         if let Some(trace) = &mut self.trace {
-            trace.push(TraceEntry::new(self.iteration, self.solver.energy()));
+            trace.push(entry);
         }
         Ok(Step { converged: self.solver.converged() })
     }
@@ -184,12 +196,16 @@ impl Session {
 
     /// Records the energies of every iteration from here on, this one included.
     pub fn start_trace(&mut self) {
-        self.trace = Some(vec![TraceEntry::new(self.iteration, self.solver.energy())]);
+        self.trace = Some(Trace::from(self.trace_entry()));
     }
 
     /// The energies recorded since the last call.
     pub fn take_trace(&mut self) -> Vec<TraceEntry> {
-        self.trace.as_mut().map(std::mem::take).unwrap_or_default()
+        self.trace.as_mut().map(Trace::news).unwrap_or_default()
+    }
+
+    fn trace_entry(&self) -> TraceEntry {
+        TraceEntry::new(self.iteration, self.solver.energy())
     }
 
     /// Begins to drag vertices that are handles; targets move until [`Session::end_drag`].
@@ -211,6 +227,7 @@ impl Session {
         if !keep {
             self.solver.move_handles(gesture.before.handles.iter().map(|h| (h.vertex, h.target)));
             self.solver.set_positions(&gesture.before.positions);
+            self.arrive(gesture.before.iteration);
         } else if moved {
             self.history.push("Move handle".to_owned(), gesture.before);
         }
@@ -233,6 +250,15 @@ impl Session {
         if iterations > 0 {
             let plural = if iterations == 1 { "" } else { "s" };
             self.history.push(format!("Run, {iterations} iteration{plural}"), gesture.before);
+        }
+    }
+
+    /// Counts on from `iteration` after a jump to a state from before or after.
+    fn arrive(&mut self, iteration: u32) {
+        self.iteration = iteration;
+        let entry = self.trace_entry();
+        if let Some(trace) = &mut self.trace {
+            trace.go_to(entry);
         }
     }
 

@@ -22,6 +22,7 @@ export function statusBar(places, store) {
     ['worst', 'worst panel', ''],
     ['step', '', 'narrow-hidden'],
     ['units', '', 'wide narrow-hidden'],
+    ['saved', '', 'wide narrow-hidden'],
     ['renderer', '', 'wide narrow-hidden'],
   ]) {
     const value = element('dd');
@@ -64,6 +65,7 @@ export function statusBar(places, store) {
   store.subscribe(['document', 'model'], ({ document, model }) => {
     if (document && model) set('units', `${document.units || 'no unit'} · ${document.up}-up`);
   });
+  store.subscribe(['saved'], ({ saved }) => set('saved', saved));
   store.subscribe(['renderer'], ({ renderer }) => set('renderer', RENDERERS[renderer]));
   store.subscribe(
     ['model', 'document', 'tool', 'running', 'converged', 'selection', 'dragged', 'renderer'],
