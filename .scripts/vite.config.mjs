@@ -4,16 +4,18 @@
 import { cpSync, readFileSync } from 'node:fs';
 import { minify } from 'vite';
 import { firstPicture } from './examples.mjs';
+import { writeOfflineParts } from './offline.mjs';
 import { at } from './project.mjs';
 
 // Examples and their pictures keep their names, because links to them are permanent.
 const examples = {
   name: 'examples',
   apply: 'build',
-  closeBundle: () => {
+  closeBundle() {
     for (const folder of ['examples', 'pictures']) {
       cpSync(at('www', folder), at('dist', folder), { recursive: true });
     }
+    writeOfflineParts(at('dist'));
   },
 };
 

@@ -14,6 +14,7 @@ import { toggleTheme } from './theme.js';
  * @property {import("./actions.js").Actions} actions
  * @property {import("./alerts.js").Alerts} alerts
  * @property {import("./dialog-add-constraint.js").AddConstraintDialog} addConstraint
+ * @property {import("./solver-client.js").SolverClient} solver
  * @property {HTMLInputElement} fileInput
  * @property {HTMLDialogElement} help
  */
@@ -25,6 +26,7 @@ import { toggleTheme } from './theme.js';
 export function commandTable(parts) {
   const { store, viewport, pointer, files, actions, alerts, addConstraint, fileInput, help } =
     parts;
+  const { solver } = parts;
   const hasView = (/** @type {State} */ { renderer }) =>
     renderer === 'webgpu' || renderer === 'webgl2';
 
@@ -194,9 +196,25 @@ export function commandTable(parts) {
     {
       id: 'export',
       group: 'File',
-      label: 'Export the current shape as OBJ',
+      label: 'Export: OBJ, Rhino, tables, pictures',
       keys: ['Ctrl+E'],
-      action: () => files.exportMesh(),
+      action: () =>
+        actions.told(
+          import('./dialog-export.js').then(({ showExport }) =>
+            showExport({ store, solver, files, viewport }),
+          ),
+        ),
+      needsModel: true,
+    },
+    {
+      id: 'share',
+      group: 'File',
+      label: 'Share a link to the scene',
+      keys: [],
+      action: () =>
+        actions.told(
+          import('./dialog-share.js').then(({ share }) => share({ store, solver, files })),
+        ),
       needsModel: true,
     },
     {

@@ -40,6 +40,8 @@ export function arrangeForWidth() {
   byId('examples').addEventListener('click', () => more.hidePopover());
   tabs();
   placeMenu(byId('examples'), () => (PHONE.matches ? moreButton : byId('examples-button')));
+  placeMenu(byId('recent'), () => (PHONE.matches ? moreButton : byId('recent-button')));
+  byId('recent').addEventListener('click', () => more.hidePopover());
   placeMenu(more, () => moreButton);
 }
 

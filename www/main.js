@@ -11,7 +11,6 @@ import { commandTable } from './command-table.js';
 import { bindButtons, bindKeys, bindRunButton, takeEarlyPresses } from './commands.js';
 import { AddConstraintDialog } from './dialog-add-constraint.js';
 import { byId } from './dom.js';
-import { offerExamples } from './examples.js';
 import { Files } from './files.js';
 import { animateFirstPicture } from './first-picture.js';
 import { count } from './format.js';
@@ -21,10 +20,13 @@ import { arrangeForWidth } from './layout.js';
 import { messageOf } from './messages.js';
 import { constraintsPanel } from './panels/constraints.js';
 import { Convergence } from './panels/convergence.js';
-import { displayPanel, legend } from './panels/display.js';
+import { displayPanel } from './panels/display.js';
 import { energiesPanel } from './panels/energies.js';
 import { exampleNote } from './panels/example.js';
+import { Keeping } from './keeping.js';
 import { handlesPanel } from './panels/handles.js';
+import { stayOffline } from './offline.js';
+import { legend } from './panels/legend.js';
 import { modelPanel } from './panels/model.js';
 import { statusBar } from './panels/status-bar.js';
 import { PointerInput } from './pointer.js';
@@ -33,8 +35,10 @@ import { sizeOf } from './rounding.js';
 import { scriptApi } from './script-api.js';
 import { NOTHING } from './selection.js';
 import { SolverClient } from './solver-client.js';
+import { recentMenu } from './recent-menu.js';
 import { createStore } from './state.js';
 import { followTheme } from './theme.js';
+import { frameChips } from './units.js';
 import { bindViewKeys } from './view-keys.js';
 import { Viewport } from './viewport.js';
 
@@ -58,8 +62,8 @@ const addConstraint = new AddConstraintDialog(byId('add-constraint'), store, sol
 const { refit } = colourFaces(store, solver);
 colourRows(store, solver, actions);
 
-modelPanel(byId('model'), store);
-exampleNote(byId('example-note'), store);
+modelPanel(byId('model'), store, actions);
+exampleNote(byId('example-note'), files, alerts);
 constraintsPanel(byId('constraints'), store, solver, actions);
 handlesPanel(byId('handles'), store, actions);
 energiesPanel(byId('energies'), store, actions);
@@ -90,6 +94,7 @@ const commands = commandTable({
   actions,
   alerts,
   addConstraint,
+  solver,
   fileInput,
   help,
 });
@@ -112,7 +117,12 @@ viewport.addEventListener('none', (event) => {
 
 Object.assign(window, { shapeUp: scriptApi(store, solver, viewport, files) });
 
-offerExamples(byId('examples'), files, alerts).catch((error) => alerts.error(messageOf(error)));
+frameChips(byId('frame-chips'), store, actions, files);
+const keeping = new Keeping(store, solver, files, alerts);
+recentMenu(byId('recent-button'), byId('recent'), keeping, alerts);
+keeping.begin().catch((error) => alerts.error(messageOf(error)));
+files.offerExamples(byId('examples')).catch((error) => alerts.error(messageOf(error)));
+stayOffline(alerts, keeping);
 
 /**
  * Takes the solver's news into the store.
@@ -127,7 +137,7 @@ function takeUp(client) {
   const on = (type, take) =>
     client.addEventListener(type, (event) => take(/** @type {CustomEvent} */ (event).detail));
 
-  on('ready', ({ kinds, elements }) => store.set({ kinds, elements }));
+  on('ready', ({ kinds, elements, measures }) => store.set({ kinds, elements, measures }));
   on('model', ({ loaded, positions }) =>
     store.set({
       model: loaded,

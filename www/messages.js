@@ -75,6 +75,8 @@
  *   | { type: "removeConstraint", index: number }
  *   | { type: "setConstraint", index: number, weight?: number, enabled?: boolean, params?: Record<string, ParamValue> }
  *   | { type: "setWeights", shape?: number, close?: number, smooth?: number }
+ *   | { type: "setUnits", units: string }
+ *   | { type: "setUp", up: "y" | "z" }
  *   | { type: "addHandles", vertices: number[], fixed: boolean }
  *   | { type: "removeHandles", vertices: number[] }
  *   | { type: "reset" }} Edit
@@ -92,6 +94,7 @@
  * @property {{ name: string, faces: number }[]} groups
  * @property {string} units
  * @property {"y" | "z"} up
+ * @property {{ units: boolean, up: boolean }} guessed which of the two the file does not say
  * @property {number} meanEdge mean length of an edge, 0 without edges
  * @property {Problem[]} problems
  * @property {string[]} notes
@@ -186,7 +189,17 @@
  * @property {Float32Array} palette three parts from 0 to 1 per colour
  */
 
-/** The largest distance of a face's corners to its best plane or circle, or to their projections. @typedef {"planarity" | "circularity" | "residual"} Measure */
+/** The id of a {@link FaceMeasure}. @typedef {string} Measure */
+
+/**
+ * A declared measure of faces: never negative, and 0 is best.
+ * @typedef {object} FaceMeasure
+ * @property {Measure} id
+ * @property {string} label
+ * @property {string} words what is measured
+ * @property {string} met what a face is whose value is 0
+ * @property {"length" | "percent" | "degrees" | "number"} unit
+ */
 
 /** @typedef {{ name: string, bytes: Uint8Array }} NamedBytes */
 
@@ -209,12 +222,14 @@
  * Answered by `reply` with the value named in {@link Replies}, or `refused`.
  *
  * - `open`: the first file that is a scene, else the first file; the others may be the mesh that it
- *   names. When it is refused the old model stays. `iteration` is where a restored scene stood.
+ *   names. When it is refused the old model stays. `iteration` is where a restored scene stood;
+ *   `frame` what a mesh file is taken for that does not say its unit and axis: `# units: m`, `# up: y`.
  * - `edit`, `undo`, `redo`, `step`.
  * - `members`: what a constraint acts on. `rowColours`: the colours of all of them. `previews`: what
  *   adding one of each kind at each of some places would make.
- * - `scene`, `obj`: the texts of the files.
- * @typedef {{ type: "open", files: NamedBytes[], iteration?: number }
+ * - `scene`, `obj`, `table`: the texts of the files; the errors of the faces, or the energies of the
+ *   iterations, as CSV.
+ * @typedef {{ type: "open", files: NamedBytes[], iteration?: number, frame?: string }
  *   | { type: "edit", edit: Edit }
  *   | { type: "undo" }
  *   | { type: "redo" }
@@ -223,7 +238,8 @@
  *   | { type: "rowColours" }
  *   | { type: "previews", places: Selector[] }
  *   | { type: "scene" }
- *   | { type: "obj" }} Request
+ *   | { type: "obj" }
+ *   | { type: "table", table: "errors" | "convergence" }} Request
  */
 
 /**
@@ -239,6 +255,7 @@
  * @property {(Preview | null)[][]} previews `#kinds by #places`, null where nothing fits
  * @property {string} scene
  * @property {string} obj
+ * @property {string} table
  */
 
 /** @typedef {{ constraints: number, skipped: number, vertices: number }} Preview */
@@ -261,7 +278,7 @@
  * - `died`: the state is unusable, the worker must be replaced.
  * - `refused`: `path` is the place in the scene that is wrong, such as `constraints[0].length`; empty
  *   when it is not about a scene.
- * @typedef {{ type: "ready", kinds: KindInfo[], elements: ElementInfo[] }
+ * @typedef {{ type: "ready", kinds: KindInfo[], elements: ElementInfo[], measures: FaceMeasure[] }
  *   | { type: "model", loaded: Loaded, connectivity: Connectivity, positions: Float64Array }
  *   | { type: "document", document: SceneDocument }
  *   | { type: "scene", text: string, iteration: number }

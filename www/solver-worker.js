@@ -52,7 +52,12 @@ onmessage = (event) => {
 try {
   await init();
   solver = new Solver();
-  post({ type: 'ready', kinds: solver.kinds(), elements: solver.elements() });
+  post({
+    type: 'ready',
+    kinds: solver.kinds(),
+    elements: solver.elements(),
+    measures: solver.measures(),
+  });
   const held = early ?? [];
   early = null;
   held.forEach(receive);
@@ -121,7 +126,7 @@ function command(message) {
 function answer(message) {
   switch (message.type) {
     case 'open':
-      return open(message.files, message.iteration);
+      return open(message.files, message.iteration, message.frame);
     case 'edit':
       if (message.edit.type === 'reset') pause();
       return betweenRuns(() => live().edit(message.edit), null);
@@ -144,14 +149,17 @@ function answer(message) {
       return live().scene();
     case 'obj':
       return live().obj();
+    case 'table':
+      return live().table(message.table);
   }
 }
 
 /**
  * @param {import("./messages.js").NamedBytes[]} files
  * @param {number} [iteration]
+ * @param {string} [frame]
  */
-function open(files, iteration) {
+function open(files, iteration, frame = '') {
   const isScene = (/** @type {{ name: string }} */ file) => /\.json$/i.test(file.name);
   const main = files.find(isScene) ?? files[0];
   /** @type {import('./messages.js').NamedBytes | null} */
@@ -165,6 +173,7 @@ function open(files, iteration) {
     }
   }
   if (running) endRun();
+  live().assume(frame);
   const about = live().load(main.name, main.bytes, companion ? companion.bytes : null);
   if (iteration) live().restoreIteration(iteration);
   loaded = true;
@@ -330,7 +339,7 @@ function sendFrame() {
   const positions = /** @type {Float64Array} */ (free.pop());
   live().writePositions(positions);
   const now = numbers();
-  const values = measure ? live().faceErrors(measure) : null;
+  const values = measure ? live().faceValues(measure) : null;
   const shapes = showShapes ? live().fitted() : null;
   const told = Float64Array.from(trace);
   trace = [];

@@ -12,9 +12,9 @@
  * @typedef {object} State
  * @property {import("./messages.js").KindInfo[]} kinds
  * @property {import("./messages.js").ElementInfo[]} elements
+ * @property {import("./messages.js").FaceMeasure[]} measures
  * @property {Loaded | null} model
  * @property {number} size diagonal of the bounding box of the mesh as it was opened, in its unit
- * @property {(import("./examples.js").Example & { beside: Beside }) | null} example that was opened last
  * @property {boolean} firstExample the model is the one that the page opens with
  * @property {SceneDocument | null} document
  * @property {Numbers | null} numbers
@@ -28,14 +28,16 @@
  * @property {import("./messages.js").RowColours | null} rowColours of what constraints act on
  * @property {Measure | null} measure what the faces are coloured by
  * @property {boolean} measureChosen somebody chose it since the model was opened
- * @property {[number, number]} range of the colours, in units of the mesh
+ * @property {[number, number]} range of the colours, in the unit of the measure
+ * @property {import("./spread.js").Spread | null} spread of the values of the faces
+ * @property {number | null} tolerance in the unit of the measure
  * @property {{ edges: boolean, vertices: boolean, shapes: boolean, outlines: boolean, arrows: boolean }} display
  * @property {boolean} dark
  * @property {"webgpu" | "webgl2" | "none" | "starting"} renderer
+ * @property {string} saved what became of the autosave, in words
  * @property {string} status what happened last, in words
  */
 
-/** The examples before and after one. @typedef {{ previous: import("./examples.js").Example | null, next: import("./examples.js").Example | null }} Beside */
 /** @typedef {{ vertices: ReadonlySet<number>, faces: ReadonlySet<number> }} Selection */
 /** @typedef {{ vertices: Uint32Array, faces: Uint32Array, colour: [number, number, number] }} Tint */
 
@@ -51,9 +53,9 @@
 const INITIAL = {
   kinds: [],
   elements: [],
+  measures: [],
   model: null,
   size: 0,
-  example: null,
   firstExample: false,
   document: null,
   numbers: null,
@@ -68,9 +70,12 @@ const INITIAL = {
   measure: null,
   measureChosen: false,
   range: [0, 0],
+  spread: null,
+  tolerance: null,
   display: { edges: true, vertices: false, shapes: false, outlines: false, arrows: false },
   dark: false,
   renderer: 'starting',
+  saved: '',
   status: '',
 };
 

@@ -81,6 +81,42 @@ export class Viewport extends EventTarget {
     return action(this.view);
   }
 
+  /**
+   * Draws one picture of another size, in the proportions and the framing of the one that is shown,
+   * and gives the canvas to `take`, which must read it at once. The shown one is drawn again then.
+   * @param {{ width: number, height: number, scale: number }} size in pixels; `scale` of them are a CSS pixel
+   * @param {boolean} white light colours on white
+   * @param {(canvas: HTMLCanvasElement) => void} take
+   * @returns {boolean} whether it could be drawn
+   */
+  still({ width, height, scale }, white, take) {
+    const { view } = this;
+    const canvas = this.#canvas;
+    if (!view || !canvas) return false;
+    this.#resize();
+    this.#handOver();
+    const [shownWidth, shownHeight] = [canvas.width, canvas.height];
+    const { dark } = this.#store.get();
+    try {
+      view.resize(width, height, scale);
+      if (white) view.setTheme(false);
+      view.setWhite(white);
+      const drawn = view.draw();
+      if (drawn) take(canvas);
+      return drawn;
+    } catch (thrown) {
+      this.#lost(messageOf(thrown));
+      return false;
+    } finally {
+      if (this.view === view) {
+        view.setWhite(false);
+        view.setTheme(dark);
+        view.resize(shownWidth, shownHeight, shownWidth / this.#size[0]);
+        this.ask();
+      }
+    }
+  }
+
   async #create() {
     const canvas = document.createElement('canvas');
     canvas.addEventListener('webglcontextlost', (event) => {
@@ -172,6 +208,7 @@ export class Viewport extends EventTarget {
     /** @type {[(keyof State)[], (view: View, state: State) => void][]} */
     const parts = [
       [['dark'], (view, state) => view.setTheme(state.dark)],
+      [['document'], (view, { document }) => document && view.setUp(document.up)],
       [['display'], showDisplay],
       [['document', 'dragged', 'selection', 'model'], showHandles],
       [['selection', 'model'], showSelection],

@@ -5,7 +5,9 @@ use super::{Session, resolve, solver};
 use crate::constraint::{Kind, KindError, Selector, Set};
 use crate::error::Error;
 use crate::mesh::Point;
-use crate::scene::{Closeness, ConstraintSpec, HANDLE_WEIGHT, Hold, Scene, SceneError, Weights};
+use crate::scene::{
+    Closeness, ConstraintSpec, HANDLE_WEIGHT, Hold, Scene, SceneError, Up, Weights,
+};
 use crate::solve::Handle;
 use serde_json::{Map, Value};
 
@@ -34,6 +36,10 @@ pub enum Edit {
     SetWeights(Weights),
     /// Replaces what vertices are kept close to.
     SetCloseness(Closeness),
+    /// Says in which unit the coordinates are; they stay as they are. Empty when not known.
+    SetUnits(String),
+    /// Says which axis points up; the coordinates stay as they are.
+    SetUp(Up),
     /// Makes vertices handles where they are now; those that are handles already change how they hold.
     AddHandles {
         /// Which vertices.
@@ -171,10 +177,15 @@ impl Session {
             }
             Edit::SetConstraint { index, weight, enabled, params } => {
                 let spec = row(document, index)?;
+                let what = match (enabled, weight, params.is_empty()) {
+                    (Some(true), None, true) => "Switch on",
+                    (Some(false), None, true) => "Switch off",
+                    _ => "Change",
+                };
                 set_params(spec, index, params)?;
                 spec.weight = weight.unwrap_or(spec.weight);
                 spec.enabled = enabled.unwrap_or(spec.enabled);
-                format!("Change {}", spec.kind.info().label.to_lowercase())
+                format!("{what} {}", spec.kind.info().label.to_lowercase())
             }
             Edit::SetWeights(weights) => {
                 document.weights = weights;
@@ -183,6 +194,14 @@ impl Session {
             Edit::SetCloseness(closeness) => {
                 document.closeness = closeness;
                 "Change closeness".to_owned()
+            }
+            Edit::SetUnits(units) => {
+                document.units = units;
+                "Change unit".to_owned()
+            }
+            Edit::SetUp(up) => {
+                document.up = up;
+                "Change up axis".to_owned()
             }
             Edit::AddHandles { vertices, fixed } => {
                 let hold = if fixed { Hold::Fixed } else { Hold::Soft { weight: HANDLE_WEIGHT } };
@@ -227,7 +246,7 @@ impl Session {
     fn go_to(&mut self, state: Snapshot) -> Result<(), Error> {
         let Snapshot { document, handles, positions, iteration } = state;
         let moved = self.positions() != positions;
-        if document == self.document {
+        if same_problem(&document, &self.document) {
             let same_holds = handles.len() == self.solver.handles().len()
                 && handles
                     .iter()
@@ -245,17 +264,42 @@ impl Session {
             if moved {
                 self.solver.set_positions(&positions);
             }
+        } else if self.differs_in_weights(&document) {
+            document.validate(&self.mesh)?;
+            let old = self.solver.handles().to_vec();
+            if let Err(error) = self.solver.reweigh(document.weights, handles) {
+                self.solver.reweigh(self.document.weights, old)?;
+                return Err(error.into());
+            }
+            if moved {
+                self.solver.set_positions(&positions);
+            }
+            self.document = document;
         } else {
             document.validate(&self.mesh)?;
             let rows = resolve::rows(&document, &self.mesh, &self.topology)?;
-            self.solver =
-                solver(&document, &self.mesh, &self.topology, &rows, handles, &positions)?;
+            let (mesh, topology) = (&self.mesh, &self.topology);
+            let kept = self.solver.kept();
+            self.solver = solver(&document, mesh, topology, &rows, kept, handles, &positions)?;
             self.rows = rows;
             self.document = document;
         }
-        self.iteration = iteration;
+        self.arrive(iteration);
         Ok(())
     }
+
+    /// Whether a document is the current one but for weights that the solver can replace.
+    fn differs_in_weights(&self, document: &Scene) -> bool {
+        let same = Scene { weights: self.document.weights, ..document.clone() };
+        same_problem(&same, &self.document) && self.solver.can_reweigh(document.weights)
+    }
+}
+
+/// Whether two documents differ in nothing that the solver knows of.
+fn same_problem(a: &Scene, b: &Scene) -> bool {
+    let mut a = a.clone();
+    (a.units.clone_from(&b.units), a.up = b.up);
+    a == *b
 }
 
 fn row(document: &mut Scene, index: usize) -> Result<&mut ConstraintSpec, SceneError> {

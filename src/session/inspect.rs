@@ -1,19 +1,13 @@
-//! What hosts show of a session: errors of faces, members of constraints.
+//! What hosts show of a session: members of constraints.
 
 use super::Session;
 use super::acting::Cover;
 use crate::constraint::{Element, Selector};
-use crate::mesh::Measures;
 
 impl Session {
-    /// How planar and circular the faces are now.
-    pub fn measures(&self) -> Measures {
-        Measures::new(&self.positions(), &self.mesh.faces, self.diameter)
-    }
-
-    /// What row `index` asks of faces, as the id of a measure: that of its kind, if each of its
-    /// constraints is on one face.
-    pub fn face_measure(&self, index: usize) -> Option<&'static str> {
+    /// What row `index` asks of single faces, as the id of a measure: that of its kind, if each of
+    /// its constraints is on one face.
+    pub fn asked_measure(&self, index: usize) -> Option<&'static str> {
         let row = self.document.constraints.get(index)?;
         let of_faces = matches!(row.on, Selector::Each { element: Element::Face, radius: 0, .. });
         row.kind.info().measure.filter(|_| of_faces)

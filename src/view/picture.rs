@@ -55,7 +55,7 @@ impl Picture {
         stage.changes = Changes::default();
         let label = wgpu::CommandEncoderDescriptor { label: Some("picture") };
         let mut encoder = self.device.device.create_command_encoder(&label);
-        let mut pass = self.device.pass(&mut encoder, &frame, stage.palette().background);
+        let mut pass = self.device.pass(&mut encoder, &frame, stage.background());
         pass.set_bind_group(0, self.store.group(), &[]);
         let display = stage.display;
         self.faces.draw(&mut pass);

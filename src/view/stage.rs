@@ -6,7 +6,7 @@ use super::depth_map::DepthMap;
 use super::framing::{depth_range, frame};
 use super::lists::{Lists, ViewError, check_indices};
 use super::looks::Looks;
-use super::palette::{DARK, DotKind, LIGHT, Palette};
+use super::palette::{Colour, DARK, DotKind, LIGHT, Palette};
 use super::picking::{self, ScreenBox};
 use super::projections::Projections;
 use super::subject::{Subject, read_points};
@@ -99,6 +99,8 @@ pub struct Stage {
     pub display: Display,
     /// Dark theme.
     pub dark: bool,
+    /// White behind everything, for figures, instead of the theme's colour.
+    pub white: bool,
     /// Since the last picture.
     pub changes: Changes,
     /// Whether the camera stands as `fit` left it, and follows the canvas when that is resized.
@@ -118,6 +120,7 @@ impl Default for Stage {
             projections: Projections::default(),
             display: Display { edges: true, ..Display::default() },
             dark: false,
+            white: false,
             changes: Changes::ALL,
             framed: true,
             map: None,
@@ -255,6 +258,11 @@ impl Stage {
     /// The colours of the theme.
     pub fn palette(&self) -> &'static Palette {
         if self.dark { &DARK } else { &LIGHT }
+    }
+
+    /// The colour behind everything.
+    pub fn background(&self) -> Colour {
+        if self.white { [1.0; 4] } else { self.palette().background }
     }
 
     /// Says that the next picture differs without new data.

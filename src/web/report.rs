@@ -21,11 +21,19 @@ pub(super) struct Loaded {
     groups: Vec<Group>,
     units: String,
     up: &'static str,
+    guessed: Guessed,
     /// Mean length of an edge at rest; zero without edges.
     #[serde(rename = "meanEdge")]
     mean_edge: f64,
     problems: Vec<Problem>,
     notes: Vec<String>,
+}
+
+/// Which of these the file does not say.
+#[derive(Serialize)]
+pub(super) struct Guessed {
+    pub(super) units: bool,
+    pub(super) up: bool,
 }
 
 #[derive(Serialize)]
@@ -43,7 +51,7 @@ struct Problem {
 
 impl Loaded {
     /// About the file `name`, opened as `session`; `read` holds what its reader said.
-    pub(super) fn new(name: &str, session: &Session, read: &Read) -> Self {
+    pub(super) fn new(name: &str, session: &Session, read: &Read, guessed: Guessed) -> Self {
         let mesh = session.mesh();
         let groups = mesh.groups.iter();
         let problems = read.problems.iter();
@@ -59,6 +67,7 @@ impl Loaded {
                 .collect(),
             units: session.document().units.clone(),
             up: up(session.document().up),
+            guessed,
             mean_edge: mean_edge(session),
             problems: problems
                 .map(|p| Problem { message: p.to_string(), count: p.count, line: p.line })
@@ -154,7 +163,7 @@ impl<'a> Document<'a> {
                     skipped: row.skipped,
                     weight: spec.weight,
                     enabled: spec.enabled,
-                    measure: session.face_measure(index),
+                    measure: session.asked_measure(index),
                     params: spec.kind.params(),
                 }
             })

@@ -155,6 +155,13 @@ impl View {
         self.stage.dark = dark;
     }
 
+    /// White behind everything, or the colour of the theme.
+    #[wasm_bindgen(js_name = setWhite)]
+    pub fn set_white(&mut self, white: bool) {
+        self.stage.changes.view |= white != self.stage.white;
+        self.stage.white = white;
+    }
+
     /// Switches edges, dots on vertices, fitted shapes, outlines of projected shapes, and arrows to
     /// projections on or off.
     #[wasm_bindgen(js_name = setDisplay)]

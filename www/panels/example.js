@@ -2,20 +2,38 @@
 
 import { element } from '../dom.js';
 import { linkTo } from '../example-links.js';
+import { messageOf } from '../messages.js';
 import { withSymbols } from '../symbols.js';
+
+/** @typedef {import("../examples.js").Example} Example */
 
 /**
  * @param {HTMLElement} place a section, which is hidden while no example is open
- * @param {import("../state.js").Store} store
+ * @param {import("../files.js").Files} files
+ * @param {import("../alerts.js").Alerts} alerts
  */
-export function exampleNote(place, store) {
-  store.subscribe(['example'], ({ example }) => {
-    place.hidden = example === null;
+export function exampleNote(place, files, alerts) {
+  /** @param {string} text @param {Example | undefined} to */
+  const link = (text, to) => {
+    if (!to) return [];
+    /** @param {Event} event */
+    const onclick = (event) => {
+      // The address that is there already leads nowhere.
+      if (location.hash !== linkTo(to.id)) return;
+      event.preventDefault();
+      files.openExample(to).catch((error) => alerts.error(messageOf(error)));
+    };
+    return [element('a', { href: linkTo(to.id), title: to.title, onclick }, text)];
+  };
+
+  files.addEventListener('opened', async () => {
+    const { example } = files.origin;
+    place.hidden = !example;
     if (!example) return;
-    const { figure, summary, statement, beside } = example;
+    const { figure, summary, statement } = example;
+    const all = await files.examples();
+    const at = all.findIndex(({ id }) => id === example.id);
     const title = figure === null ? 'Example' : `Figure ${figure} of the paper`;
-    const link = (/** @type {string} */ text, /** @type {{ id: string, title: string }} */ to) =>
-      element('a', { href: linkTo(to.id), title: to.title }, text);
     place.replaceChildren(
       element('h2', { id: 'heading-example' }, title),
       element('p', {}, summary),
@@ -23,9 +41,9 @@ export function exampleNote(place, store) {
       element(
         'nav',
         { 'aria-label': 'Examples one by one', class: 'beside' },
-        ...(beside.previous ? [link('Previous', beside.previous)] : []),
+        ...link('Previous', all[at - 1]),
         element('a', { href: './gallery.html' }, 'Gallery'),
-        ...(beside.next ? [link('Next', beside.next)] : []),
+        ...link('Next', all[at + 1]),
       ),
     );
   });

@@ -40,7 +40,7 @@ pub(crate) fn stage(session: &Session) -> Result<Stage, ViewError> {
 pub(crate) fn values(session: &Session) -> Option<Vec<f32>> {
     let measures = session.measures();
     let rows = (0..).zip(session.rows()).filter(|(_, row)| row.enabled);
-    let values = match rows.filter_map(|(index, _)| session.face_measure(index)).next()? {
+    let values = match rows.filter_map(|(index, _)| session.asked_measure(index)).next()? {
         "circularity" => measures.circularity_distances,
         _ => measures.planarity_distances,
     };
