@@ -6,7 +6,7 @@ import { removeFirstPicture } from './first-picture.js';
 import { messageOf } from './messages.js';
 
 /** @typedef {import("./messages.js").NamedBytes} NamedBytes */
-/** @typedef {{ id: string, title: string, summary: string, scene: string, mesh: string }} Example */
+/** @typedef {{ id: string, title: string, summary: string, scene: string, mesh: string, experiment: import("./experiment/offer.js").Experiment | null }} Example */
 
 const READABLE = /\.(obj|off|mesh|json)$/i;
 const IS_SCENE = /\.json$/i;
@@ -53,6 +53,7 @@ export class Files {
       if (!first) removeFirstPicture();
       this.#store.set({
         firstExample: first,
+        example: null,
         status: `Opened ${main.name}: ${count(loaded.vertices, 'vertex', 'vertices')}, ${count(loaded.faces, 'face')}`,
       });
       return loaded;
@@ -87,7 +88,7 @@ export class Files {
       names.map(async (name) => ({ name, bytes: await fetched(name) })),
     );
     await this.open(files, first);
-    this.#store.set({ status: first ? '' : `Opened the example ${example.title}` });
+    this.#store.set({ example, status: first ? '' : `Opened the example ${example.title}` });
   }
 
   /**
@@ -164,18 +165,28 @@ export class Files {
    * @param {string} type
    */
   #save(name, text, type) {
-    const address = URL.createObjectURL(new Blob([text], { type }));
-    element('a', { href: address, download: name }).click();
-    setTimeout(() => URL.revokeObjectURL(address), 60_000);
+    download(name, text, type);
     this.#store.set({ status: `Saved ${name}` });
   }
+}
+
+/**
+ * Gives the visitor a file.
+ * @param {string} name
+ * @param {string} text
+ * @param {string} type
+ */
+export function download(name, text, type) {
+  const address = URL.createObjectURL(new Blob([text], { type }));
+  element('a', { href: address, download: name }).click();
+  setTimeout(() => URL.revokeObjectURL(address), 60_000);
 }
 
 /**
  * @param {string} name of a file among the examples
  * @returns {Promise<Uint8Array>}
  */
-async function fetched(name) {
+export async function fetched(name) {
   const response = await fetch(new URL(name, EXAMPLES));
   if (!response.ok)
     throw new Error(`The example file ${name} could not be fetched (${response.status}).`);

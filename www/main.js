@@ -11,6 +11,7 @@ import { commandTable } from './command-table.js';
 import { bindButtons, bindKeys, bindRunButton, takeEarlyPresses } from './commands.js';
 import { AddConstraintDialog } from './dialog-add-constraint.js';
 import { byId } from './dom.js';
+import { offerExperiment } from './experiment/offer.js';
 import { Files } from './files.js';
 import { count } from './format.js';
 import { buildHelp } from './help.js';
@@ -55,6 +56,7 @@ const { refit } = colourFaces(store, solver);
 colourRows(store, solver, actions);
 
 modelPanel(byId('model'), store);
+offerExperiment(byId('experiment'), store, solver, alerts);
 constraintsPanel(byId('constraints'), store, solver, actions);
 handlesPanel(byId('handles'), store, actions);
 energiesPanel(byId('energies'), store, actions);

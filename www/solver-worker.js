@@ -5,6 +5,7 @@
  */
 
 import init, { Solver } from './pkg/solver/shape_up.js';
+import { cancelExperiment, experimentCsv, runExperiment } from './experiment/worker-part.js';
 import { SLICE_MS, messageOf } from './messages.js';
 
 /** @typedef {import("./messages.js").ToWorker} ToWorker */
@@ -111,6 +112,8 @@ function command(message) {
       return pause();
     case 'drag':
       return drag(message);
+    case 'cancelExperiment':
+      return cancelExperiment();
   }
 }
 
@@ -144,6 +147,10 @@ function answer(message) {
       return live().scene();
     case 'obj':
       return live().obj();
+    case 'runExperiment':
+      return runExperiment(message, post, die);
+    case 'experimentCsv':
+      return experimentCsv();
   }
 }
 

@@ -139,6 +139,11 @@ impl Assembler {
         Assembler { energies, occurrences, n }
     }
 
+    /// Replaces `a` of every term of an energy, an entry for each entry of its nodes.
+    pub(super) fn set_coefficients(&mut self, energy: usize, a: &[f64]) {
+        self.energies[energy].a.copy_from_slice(a);
+    }
+
     /// The pattern with zeros, from the neighbours of each node (see [`adjacency`]).
     pub(super) fn pattern(&self, adjacency: &Ragged) -> Normal {
         let (mut columns, mut rows) = (vec![0], Vec::new());

@@ -33,6 +33,7 @@ mod solver;
 mod subspace;
 mod system;
 
+pub use assemble::Terms;
 pub use conformal::{ConformalNorm, ConformalSeconds, ConformalWeights, Parametrization};
 pub use energy::{Energy, IterateSeconds};
 pub use hold::Handle;
