@@ -8,8 +8,8 @@ use random::Random;
 use shape_up::experiment::{Circularity, EXPERIMENTS, EndedBy, Experiment, Limits, Run, Series};
 use shape_up::math::Vec3;
 use shape_up::mesh::Point;
-use shape_up::scene::Hold;
 use shape_up::scene::examples::EXAMPLES;
+use shape_up::scene::{ClosenessTo, Hold, Weights};
 use shape_up::session::Session;
 
 /// Runs the experiment of an example to its end; gives the series with the ids of their methods.
@@ -99,6 +99,28 @@ fn fitted_circles_are_smoother_than_penalised_angles_at_the_same_error() {
     assert!(fitted[0] < 0.93 * penalised[0], "{fitted:?} {penalised:?}");
     assert!(fitted[2] < 0.05 * start[2], "{fitted:?} of {start:?}");
     assert!(penalised[2] > 5.0 * fitted[2], "{fitted:?} {penalised:?}");
+}
+
+/// Where closeness keeps edges from collapsing, angle sums and fitted circles ask for the same.
+#[test]
+fn both_find_the_same_shape_where_no_edge_collapses() {
+    let experiment = Experiment::of("fig-11-strip").expect("it has one");
+    let (mut scene, mesh) =
+        EXAMPLES.iter().find(|e| e.id == "fig-11-strip").expect("there is one").build();
+    scene.handles.clear();
+    scene.closeness.to = ClosenessTo::Rest;
+    scene.weights = Weights { shape: 2000.0, close: 1.0, smooth: 1.0 };
+    let mut run = Run::new(experiment, scene, mesh, without_clock(experiment.limits));
+    while run.step().expect("positions stay finite") {}
+    let [fitted, penalised] = [0, 1].map(|k| {
+        let series = &run.series()[k];
+        println!("{:?} after {}", series.ended_by, series.samples.len());
+        series.samples.last().expect("it has samples").values.clone()
+    });
+    for (a, b) in fitted.iter().zip(&penalised) {
+        assert!((a - b).abs() < 0.05 * b, "{fitted:?} {penalised:?}");
+    }
+    assert!(fitted[2] > 0.5 * run.series()[0].samples[0].values[2], "{fitted:?}");
 }
 
 #[test]

@@ -6,7 +6,6 @@ use crate::error::Error;
 use crate::mesh::Mesh;
 use crate::scene::Scene;
 use crate::solve::clock;
-use serde::Serialize;
 
 /// What a method did.
 #[derive(Clone, Debug, Default)]
@@ -27,8 +26,7 @@ pub struct Sample {
 }
 
 /// Why a method ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EndedBy {
     /// It has reached what the experiment asks for.
     Reached,

@@ -1,7 +1,6 @@
 /** A plot of an experiment: one line for each method, the values on a logarithmic scale, with uPlot. */
 
 import uPlot from 'uplot';
-import { number } from '../format.js';
 import { decades, powerOfTen } from '../plot.js';
 
 const HEIGHT = 240;
@@ -74,7 +73,13 @@ export class Chart {
         cursor: { y: false, points: { size: 5 }, drag: { x: false, y: false } },
         scales: { x: { time: false }, y: { distr: 3 } },
         axes: [
-          { ...axis, size: 22, gap: 4, space: 56, values: (_, ticks) => ticks.map(number) },
+          {
+            ...axis,
+            size: 22,
+            gap: 4,
+            space: 56,
+            values: (_, ticks) => ticks.map((tick) => String(Number(tick.toPrecision(6)))),
+          },
           {
             ...axis,
             size: 46,

@@ -26,8 +26,9 @@ export class ExperimentDialog {
   /** @type {Series[]} */
   #series = [];
   #running = false;
-  /** Every event of a run that was cancelled or replaced is of another one. */
   #listener = (/** @type {Event} */ event) => this.#take(/** @type {CustomEvent} */ (event).detail);
+  /** The worker has died, and with it what it measured. */
+  #lost = () => this.#running && this.#fail('the solver was restarted');
   #draw;
 
   #status = element('p', { role: 'status', class: 'experiment-status quiet' });
@@ -113,6 +114,7 @@ export class ExperimentDialog {
     document.body.append(this.#dialog);
     this.#dialog.showModal();
     this.#solver.addEventListener('experiment', this.#listener);
+    this.#solver.addEventListener('restarted', this.#lost);
     const { units } = this.#store.get().document ?? { units: '' };
     const figures = this.#dialog.querySelectorAll('figure');
     this.#charts = this.#experiment.plots.map(
@@ -126,12 +128,13 @@ export class ExperimentDialog {
     );
     this.#progress.hidden = true;
     this.#fillTable();
-    setText(this.#status, 'Nothing is stored: the numbers are measured here, when you run it.');
+    setText(this.#status, 'Runs here, on the example as it was opened. Nothing is stored.');
   }
 
   #closed() {
     if (this.#running) this.#solver.tell({ type: 'cancelExperiment' });
     this.#solver.removeEventListener('experiment', this.#listener);
+    this.#solver.removeEventListener('restarted', this.#lost);
     this.#charts.forEach((chart) => chart.destroy());
     this.#dialog.remove();
   }

@@ -36,7 +36,9 @@ fn random(scene: &mut Scene) -> Mesh {
     // From nowhere near, rings of one neighbour fold over; larger pieces overlap enough to unfold.
     let mesh = rings(scene, 2);
     let mut noise = Noise { state: 10 };
-    let mut place = || [0, 1, 2].map(|k| BOX[1][k] + BOX[0][k] * noise.next());
+    // In whole tenths of a millimetre, so that the file is short.
+    let mut coordinate = |k: usize| ((BOX[1][k] + BOX[0][k] * noise.next()) * 1e4).round() / 1e4;
+    let mut place = || [0, 1, 2].map(&mut coordinate);
     scene.current = Some(mesh.positions.iter().map(|_| place()).collect());
     mesh
 }
