@@ -13,6 +13,7 @@ import { AddConstraintDialog } from './dialog-add-constraint.js';
 import { byId } from './dom.js';
 import { offerExperiment } from './experiment/offer.js';
 import { Files } from './files.js';
+import { animateFirstPicture } from './first-picture.js';
 import { count } from './format.js';
 import { buildHelp } from './help.js';
 import { firstHints } from './hints.js';
@@ -42,6 +43,7 @@ const alerts = new Alerts(byId('alert'));
 const solver = new SolverClient();
 takeUp(solver);
 
+animateFirstPicture(store, solver);
 const viewport = new Viewport(byId('viewport'), store, solver);
 const files = new Files(store, solver, alerts);
 const actions = createActions(store, solver, alerts);
