@@ -115,8 +115,11 @@ pub struct MethodInfo {
     /// What it does, in one sentence.
     pub summary: &'static str,
     #[serde(skip)]
-    start: fn(&Scene, &Mesh) -> Result<Box<dyn Method>, Error>,
+    start: Start,
 }
+
+/// Sets a method up on a scene.
+type Start = fn(&Scene, &Mesh) -> Result<Box<dyn Method>, Error>;
 
 /// When a method is stopped that has not ended by itself.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]

@@ -4,6 +4,8 @@ import uPlot from 'uplot';
 import { decades, powerOfTen } from '../plot.js';
 
 const HEIGHT = 240;
+/** Round numbers. */
+const COUNTS = [1, 10, 100, 1000, 10_000].flatMap((power) => [power, 2 * power, 5 * power]);
 
 /**
  * @typedef {object} Axes
@@ -68,16 +70,17 @@ export class Chart {
       {
         width: Math.max(this.#place.clientWidth, 200),
         height: HEIGHT,
-        padding: [8, 8, 0, 0],
+        padding: [8, 16, 0, 0],
         legend: { show: false },
         cursor: { y: false, points: { size: 5 }, drag: { x: false, y: false } },
-        scales: { x: { time: false }, y: { distr: 3 } },
+        scales: { x: { time: false }, y: { distr: 3, range } },
         axes: [
           {
             ...axis,
             size: 22,
             gap: 4,
             space: 56,
+            ...(this.#axes.x === null && { incrs: COUNTS }),
             values: (_, ticks) => ticks.map((tick) => String(Number(tick.toPrecision(6)))),
           },
           {
@@ -85,8 +88,8 @@ export class Chart {
             size: 46,
             gap: 4,
             filter: (_, ticks) => ticks,
-            splits: (_, _axis, least, most) => decades(least, most),
-            values: (_, ticks) => ticks.map(powerOfTen),
+            splits: (_, _axis, least, most) => marks(least, most),
+            values: (_, ticks) => ticks.map(written),
           },
         ],
         series: [
@@ -105,4 +108,33 @@ export class Chart {
       this.#place,
     );
   }
+}
+
+/**
+ * No wider than the values need.
+ * @param {uPlot} _
+ * @param {number | null} least
+ * @param {number | null} most
+ * @returns {uPlot.Range.MinMax}
+ */
+function range(_, least, most) {
+  if (least === null || most === null) return [null, null];
+  return uPlot.rangeLog(least, most, 10, false);
+}
+
+/**
+ * Powers of ten; where there are hardly any, twice and five times these too.
+ * @param {number} least
+ * @param {number} most
+ */
+function marks(least, most) {
+  const powers = decades(least, most);
+  if (powers.length > 2) return powers;
+  const first = 10 ** Math.floor(Math.log10(least) + 1e-9);
+  return COUNTS.map((count) => first * count).filter((mark) => mark >= least && mark <= most);
+}
+
+/** @param {number} mark */
+function written(mark) {
+  return mark >= 1e-3 && mark < 1e4 ? String(Number(mark.toPrecision(1))) : powerOfTen(mark);
 }

@@ -2,8 +2,8 @@
 
 use super::{Example, constraint};
 use crate::constraint::{Element, Selector};
-use crate::mesh::Mesh;
 use crate::mesh::generate::{Creature, Noise};
+use crate::mesh::{Mesh, Point};
 use crate::scene::{ClosenessTo, Scene};
 
 pub(super) const COLLAPSE: Example = Example {
@@ -31,14 +31,12 @@ fn collapse(scene: &mut Scene) -> Mesh {
 }
 
 fn random(scene: &mut Scene) -> Mesh {
-    /// Half the sides of the box, and its middle: about the animal.
-    const BOX: [[f64; 3]; 2] = [[3.2, 1.0, 1.7], [-0.3, 0.0, 1.7]];
+    /// Half the sides of the box: about the animal.
+    const BOX: Point = [3.2, 1.0, 1.7];
     // From nowhere near, rings of one neighbour fold over; larger pieces overlap enough to unfold.
     let mesh = rings(scene, 2);
     let mut noise = Noise { state: 10 };
-    // In whole tenths of a millimetre, so that the file is short.
-    let mut coordinate = |k: usize| ((BOX[1][k] + BOX[0][k] * noise.next()) * 1e4).round() / 1e4;
-    let mut place = || [0, 1, 2].map(&mut coordinate);
+    let mut place = || BOX.map(|half| half * noise.next());
     scene.current = Some(mesh.positions.iter().map(|_| place()).collect());
     mesh
 }
