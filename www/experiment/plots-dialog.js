@@ -115,12 +115,11 @@ export class ExperimentDialog {
     this.#dialog.showModal();
     this.#solver.addEventListener('experiment', this.#listener);
     this.#solver.addEventListener('restarted', this.#lost);
-    const { units } = this.#store.get().document ?? { units: '' };
     const figures = this.#dialog.querySelectorAll('figure');
     this.#charts = this.#experiment.plots.map(
       (plot, k) =>
         new Chart(figures[k], {
-          label: `${this.#quantityWithUnit(plot.quantity, units)}, over ${plot.over}`,
+          label: this.#title(plot),
           names: this.#experiment.methods.map((method) => method.label),
           x: plot.over === 'seconds' ? 0 : null,
           y: 1 + plot.quantity,
@@ -223,12 +222,8 @@ export class ExperimentDialog {
   }
 
   #figures() {
-    const titles = this.#experiment.plots.map(({ quantity, over }) =>
-      element(
-        'figure',
-        {},
-        element('figcaption', {}, `${this.#experiment.quantities[quantity].label} over ${over}`),
-      ),
+    const titles = this.#experiment.plots.map((plot) =>
+      element('figure', {}, element('figcaption', {}, this.#title(plot))),
     );
     const key = this.#experiment.methods.map((method, k) =>
       element(
@@ -294,14 +289,12 @@ export class ExperimentDialog {
     this.#rows.replaceChildren(...rows);
   }
 
-  /**
-   * @param {number} index
-   * @param {string} units of the mesh
-   */
-  #quantityWithUnit(index, units) {
-    const { label, unit } = this.#experiment.quantities[index];
-    if (!units || unit === 'none') return label;
-    return `${label} in ${units}${unit === 'energy' ? '²' : ''}`;
+  /** What a plot shows, with the unit. @param {Experiment["plots"][number]} plot */
+  #title({ quantity, over }) {
+    const { label, unit } = this.#experiment.quantities[quantity];
+    const units = this.#store.get().document?.units;
+    const written = { energy: ` in ${units}²`, length: ` in ${units}`, none: '' }[unit];
+    return `${label}${units ? written : ''} over ${over}`;
   }
 }
 

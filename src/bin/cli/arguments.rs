@@ -150,7 +150,7 @@ fn experiment(mut words: Words) -> Result<Command, String> {
         };
         match name.as_str() {
             "--iterations" => experiment.iterations = Some(words.iterations(&name, value)?),
-            "--seconds" => experiment.seconds = Some(words.from_zero(&name, value)?),
+            "--seconds" => experiment.seconds = Some(words.not_negative(&name, value)?),
             "--csv" => experiment.csv = Some(words.file(&name, value)?),
             _ => return Err(unknown(&name, "experiment")),
         }
@@ -188,7 +188,7 @@ fn solve(mut words: Words) -> Result<Command, String> {
             ("--out", _) => solve.out = Some(words.file(&name, value)?),
             ("--report", _) => solve.report = Some(words.file(&name, value)?),
             ("--iterations", _) => solve.iterations = Some(words.iterations(&name, value)?),
-            ("--tolerance", _) => solve.tolerance = Some(words.from_zero(&name, value)?),
+            ("--tolerance", _) => solve.tolerance = Some(words.not_negative(&name, value)?),
             ("--accelerator", _) => {
                 solve.accelerator = Some(words.one_of(&name, value, Accelerator::WORDS)?);
             }
@@ -307,7 +307,7 @@ impl Words {
     }
 
     /// The value of an option that takes a number that is not negative.
-    fn from_zero(&mut self, name: &str, value: Option<OsString>) -> Result<f64, String> {
+    fn not_negative(&mut self, name: &str, value: Option<OsString>) -> Result<f64, String> {
         let value = self.text(name, value)?;
         let parsed = value.parse().ok().filter(|number: &f64| number.is_finite() && *number >= 0.0);
         parsed.ok_or_else(|| format!("{name} takes a number from 0, found `{value}`"))
