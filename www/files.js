@@ -11,7 +11,7 @@ import { saveFile } from './save-file.js';
 import { rememberedFrame } from './units.js';
 
 /** @typedef {import("./messages.js").NamedBytes} NamedBytes */
-/** @typedef {{ id: string, title: string, summary: string, scene: string, mesh: string }} Example */
+/** @typedef {{ id: string, title: string, summary: string, scene: string, mesh: string, experiment: import("./experiment/offer.js").Experiment | null }} Example */
 
 /**
  * Where a model comes from.
@@ -86,6 +86,7 @@ export class Files extends EventTarget {
       if (!origin.first) removeFirstPicture();
       this.#store.set({
         firstExample: Boolean(origin.first),
+        example: null,
         status: `Opened ${main.name}: ${count(loaded.vertices, 'vertex', 'vertices')}, ${count(loaded.faces, 'face')}`,
       });
       this.dispatchEvent(new Event('opened'));
@@ -121,7 +122,7 @@ export class Files extends EventTarget {
       names.map(async (name) => ({ name, bytes: await fetched(name) })),
     );
     await this.open(files, { first, example });
-    this.#store.set({ status: first ? '' : `Opened the example ${example.title}` });
+    this.#store.set({ example, status: first ? '' : `Opened the example ${example.title}` });
   }
 
   /** A mesh or a scene of the examples. @param {string} name */
@@ -218,7 +219,7 @@ async function asMesh(file) {
  * @param {string} name of a file among the examples
  * @returns {Promise<Uint8Array>}
  */
-async function fetched(name) {
+export async function fetched(name) {
   const response = await fetch(new URL(name, EXAMPLES));
   if (!response.ok)
     throw new Error(`The example file ${name} could not be fetched (${response.status}).`);

@@ -11,6 +11,7 @@ import { commandTable } from './command-table.js';
 import { bindButtons, bindKeys, bindRunButton, takeEarlyPresses } from './commands.js';
 import { AddConstraintDialog } from './dialog-add-constraint.js';
 import { byId } from './dom.js';
+import { offerExperiment } from './experiment/offer.js';
 import { Files } from './files.js';
 import { animateFirstPicture } from './first-picture.js';
 import { count } from './format.js';
@@ -62,6 +63,7 @@ const { refit } = colourFaces(store, solver);
 colourRows(store, solver, actions);
 
 modelPanel(byId('model'), store, actions);
+offerExperiment(byId('experiment'), store, solver, alerts);
 constraintsPanel(byId('constraints'), store, solver, actions);
 handlesPanel(byId('handles'), store, actions);
 energiesPanel(byId('energies'), store, actions);

@@ -210,11 +210,13 @@
  *   last one counts. While something is dragged the solver iterates even when paused.
  * - `show`: what to send with each frame besides positions.
  * - `recycle`: gives a buffer of positions back.
+ * - `cancelExperiment`: ends it; what was measured stays.
  * @typedef {{ type: "run" }
  *   | { type: "pause" }
  *   | { type: "drag", vertices: Uint32Array, targets: Float64Array, phase: "start" | "move" | "end" | "cancel" }
  *   | { type: "show", measure: Measure | null, shapes: boolean, projections: boolean }
- *   | { type: "recycle", positions: Float64Array }} Command
+ *   | { type: "recycle", positions: Float64Array }
+ *   | { type: "cancelExperiment" }} Command
  */
 
 /**
@@ -228,6 +230,8 @@
  *   adding one of each kind at each of some places would make.
  * - `scene`, `obj`, `table`: the texts of the files; the errors of the faces, or the energies of the
  *   iterations, as CSV.
+ * - `runExperiment`: starts the experiment of an example, on its files, the scene first; the model that
+ *   is open is not touched. `experimentCsv`: what was measured.
  * @typedef {{ type: "open", files: NamedBytes[], iteration?: number, frame?: string }
  *   | { type: "edit", edit: Edit }
  *   | { type: "undo" }
@@ -238,7 +242,9 @@
  *   | { type: "previews", places: Selector[] }
  *   | { type: "scene" }
  *   | { type: "obj" }
- *   | { type: "table", table: "errors" | "convergence" }} Request
+ *   | { type: "table", table: "errors" | "convergence" }
+ *   | { type: "runExperiment", example: string, files: NamedBytes[], iterations?: number, seconds?: number }
+ *   | { type: "experimentCsv" }} Request
  */
 
 /**
@@ -255,6 +261,14 @@
  * @property {string} scene
  * @property {string} obj
  * @property {string} table
+ * @property {null} runExperiment
+ * @property {string} experimentCsv
+ */
+
+/**
+ * What a method of an experiment has done: its index, why it ended, and per iteration its number, the
+ * seconds, and the quantities of the experiment.
+ * @typedef {{ method: number, endedBy: string | null, samples: Float64Array }} ExperimentNews
  */
 
 /** @typedef {{ constraints: number, skipped: number, vertices: number }} Preview */
@@ -273,6 +287,8 @@
  *   `projections` where the constraints would have their vertices.
  * - `activity`: whether the solver runs (Run was pressed and it has not converged); sent after the
  *   frame that belongs to it.
+ * - `experiment`: what an experiment has measured since the last one. `ended` is null while it goes on;
+ *   `message` says why it failed.
  * - `trouble`: an iteration failed; the last good state stays.
  * - `died`: the state is unusable, the worker must be replaced.
  * - `refused`: `path` is the place in the scene that is wrong, such as `constraints[0].length`; empty
@@ -285,6 +301,7 @@
  *       measure: Measure | null, values: Float32Array | null, shapes: Float32Array | null,
  *       projections: Projections | null }
  *   | { type: "activity", running: boolean, converged: boolean }
+ *   | { type: "experiment", news: ExperimentNews[], ended: "done" | "cancelled" | "failed" | null, message: string }
  *   | { type: "trouble", message: string }
  *   | { type: "died", message: string }
  *   | { type: "reply", id: number, value: unknown }

@@ -5,6 +5,7 @@
  */
 
 import init, { Solver } from './pkg/solver/shape_up.js';
+import { cancelExperiment, experimentCsv, runExperiment } from './experiment/worker-part.js';
 import { SLICE_MS, messageOf } from './messages.js';
 
 /** @typedef {import("./messages.js").ToWorker} ToWorker */
@@ -116,6 +117,8 @@ function command(message) {
       return pause();
     case 'drag':
       return drag(message);
+    case 'cancelExperiment':
+      return cancelExperiment();
   }
 }
 
@@ -151,6 +154,10 @@ function answer(message) {
       return live().obj();
     case 'table':
       return live().table(message.table);
+    case 'runExperiment':
+      return runExperiment(message, post, die);
+    case 'experimentCsv':
+      return experimentCsv();
   }
 }
 

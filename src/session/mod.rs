@@ -123,6 +123,10 @@ impl Session {
     pub fn solver(&self) -> &Solver {
         &self.solver
     }
+    /// The solver alone, for whom only energies and gradients matter.
+    pub fn into_solver(self) -> Solver {
+        self.solver
+    }
     /// The document; its handles are those of the solver.
     pub fn document(&self) -> &Scene {
         &self.document

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a helper that fails here fails its test")]
 
+mod experiment;
 mod faults;
 mod folder;
 
@@ -343,7 +344,10 @@ fn examples_are_written_and_can_be_solved() {
     folder.run(&["examples", "--out", "a/b"]).done();
     let index: Value = serde_json::from_str(&folder.read("a/b/index.json")).unwrap();
     for entry in index.as_array().unwrap() {
-        assert_eq!(keys(entry), ["id", "mesh", "scene", "statement", "summary", "title"]);
+        assert_eq!(
+            keys(entry),
+            ["experiment", "id", "mesh", "scene", "statement", "summary", "title"]
+        );
         assert!(listed.contains(entry["id"].as_str().unwrap()), "{listed}");
         let scene = Path::new("a/b").join(entry["scene"].as_str().unwrap());
         let scene = scene.to_str().unwrap();

@@ -33,7 +33,7 @@ fn area_vector(points: &[Point]) -> Point {
 fn loops(id: &str) -> usize {
     match id {
         "dome" | "fig-06-exploration" => 2,
-        "fig-08-protrusions" | "fig-10-collapse" => 0,
+        "fig-08-protrusions" | "fig-10-collapse" | "fig-10-random" => 0,
         id if id.starts_with("fig-08-bar") => 0,
         _ => 1,
     }

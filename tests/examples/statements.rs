@@ -1,7 +1,7 @@
 //! What each example states of itself, measured when it is solved with its own settings.
 
 use shape_up::math::Vec3;
-use shape_up::mesh::{Mesh, Point};
+use shape_up::mesh::{Mesh, Point, Topology};
 use shape_up::scene::examples::{EXAMPLES, Example};
 use shape_up::session::{Report, Session};
 
@@ -46,6 +46,15 @@ impl Run {
     /// The volume inside a closed surface now, as a part of what it was at rest.
     fn volume_left(&self) -> f64 {
         volume(&self.mesh, &self.positions) / volume(&self.mesh, &self.mesh.positions)
+    }
+
+    /// The shortest edge, before and after.
+    fn shortest_edge(&self) -> [f64; 2] {
+        let topology = Topology::new(&self.mesh);
+        [&self.mesh.positions, &self.positions].map(|positions| {
+            let at = |v: u32| Vec3::from(positions[v as usize]);
+            topology.edges().iter().map(|&[a, b]| (at(b) - at(a)).length()).fold(f64::MAX, f64::min)
+        })
     }
 
     /// Mean circularity error, before and after.
@@ -150,6 +159,22 @@ const STATEMENTS: &[Statement] = &[
             ("corners", run.worst[0][1], 0.0..1e-6),
         ]
     }),
+    ("fig-10-random", |run| {
+        let iterations = run.iterations_to(1e-9).map_or(f64::INFINITY, |n| n as f64);
+        vec![
+            ("iterations to 1e-9 of the energy", iterations, 0.0..300.0),
+            ("volume", run.volume_left(), 1.0 - 1e-6..1.0 + 1e-6),
+        ]
+    }),
+    ("fig-11-strip", |run| {
+        let [before, after] = run.shortest_edge();
+        vec![
+            ("e_c before", run.e_c()[0], 3e-6..4e-6),
+            ("e_c", run.e_c()[1], 0.0..6e-8),
+            ("shortest edge before", before, 0.23..0.24),
+            ("shortest edge", after, 0.0..0.02),
+        ]
+    }),
 ];
 
 #[test]
@@ -161,7 +186,7 @@ fn every_example_does_what_it_states() {
         let run = Run::of(example);
         let (before, after) = (run.before.energy.initial, run.after.energy.last);
         assert_eq!(run.after.skipped, 0, "{id}");
-        let pinned: &[u32] = if *id == "fig-10-collapse" { &[0] } else { &[] };
+        let pinned: &[u32] = if id.starts_with("fig-10") { &[0] } else { &[] };
         assert_eq!(run.after.pinned, pinned, "{id}");
         assert!(after.total < 0.5 * before.total, "{id}: {before:?} {after:?}");
         assert!(after.shape < 0.1 * before.shape, "{id}: {before:?} {after:?}");

@@ -2,6 +2,7 @@
 
 use super::{Failure, output};
 use serde::Serialize;
+use shape_up::experiment::Experiment;
 use shape_up::mesh::{write_medit, write_obj};
 use shape_up::scene::examples::EXAMPLES;
 use std::path::{Path, PathBuf};
@@ -15,6 +16,8 @@ struct Entry {
     statement: &'static str,
     scene: String,
     mesh: String,
+    /// The comparison that can be run on it.
+    experiment: Option<&'static Experiment>,
 }
 
 /// One line per example.
@@ -53,6 +56,7 @@ pub(super) fn write(folder: &Path) -> Result<(), Failure> {
             statement: e.statement,
             scene: e.file(),
             mesh: e.mesh_file(),
+            experiment: Experiment::of(e.id),
         })
         .collect();
     let index = serde_json::to_string_pretty(&index).expect("entries are plain text");

@@ -9,6 +9,8 @@
 //! | `mounds` | a roof of polygons with two mounds |
 //! | `lantern` | a surface of revolution, whose panels have circles |
 //! | `net` | a piece of a torus, whose lines are circles |
+//! | `strip` | a strip between two rails |
+//! | `noise` | numbers without a pattern |
 //! | `patch` | a sheet of skew, uneven panels |
 //! | `blocks` | blocks of cubes: their surface, and tetrahedra |
 //! | `creature`, `implicit`, `relax` | an animal of blended round parts, polygonised |
@@ -25,8 +27,10 @@ mod implicit;
 mod lantern;
 mod mounds;
 mod net;
+mod noise;
 mod patch;
 mod relax;
+mod strip;
 
 pub use blocks::Blocks;
 pub use canopy::Canopy;
@@ -40,6 +44,9 @@ pub use mounds::Mounds;
 pub use net::Net;
 pub use patch::Patch;
 pub use relax::soften;
+pub use strip::Strip;
+
+pub(crate) use noise::Noise;
 
 use super::{Mesh, Point, Ragged};
 

@@ -9,7 +9,8 @@
 //! | `panels` | Fig. 5: planar and circular panels |
 //! | `exploration` | Fig. 6: shapes of circular meshes and webs under handles |
 //! | `deformation` | Fig. 8: rigid and similar elements under handles |
-//! | `recovery` | Fig. 10: from a collapsed start |
+//! | `recovery` | Fig. 10: from a collapsed start, and from a scattered one |
+//! | `strip` | Fig. 11: edges that collapse |
 
 mod deformation;
 mod exploration;
@@ -18,6 +19,7 @@ mod overview;
 mod panels;
 mod recovery;
 mod squares;
+mod strip;
 
 use super::{ConstraintSpec, HandleSpec, Hold, MeshSource, Scene};
 use crate::constraint::{Element, Kind, Selector};
@@ -59,6 +61,8 @@ pub const EXAMPLES: &[Example] = &[
     deformation::BAR_RINGS,
     deformation::BAR_TETS,
     recovery::COLLAPSE,
+    recovery::RANDOM,
+    strip::STRIP,
 ];
 
 impl Example {
