@@ -45,6 +45,8 @@ pub enum LineKind {
     Outline = 4,
     /// From a vertex to its projection; the shader knows its number.
     Arrow = 5,
+    /// A selected edge.
+    Selected = 6,
 }
 
 /// What a dot stands for; its number is its place in [`Palette::dots`].
@@ -69,7 +71,7 @@ pub enum DotKind {
 }
 
 /// How many kinds of lines there are.
-pub const LINE_KINDS: usize = 6;
+pub const LINE_KINDS: usize = 7;
 /// How many kinds of dots there are.
 pub const DOT_KINDS: usize = 8;
 
@@ -132,6 +134,7 @@ pub const LIGHT: Palette = Palette {
         stroke([0.13, 0.40, 0.93, 0.9], 1.5),
         cased(1.4),
         cased(1.5),
+        stroke(ORANGE, 3.4),
     ],
     edge_of_values: [1.0, 1.0, 1.0, 0.40],
     dots: [
@@ -162,6 +165,7 @@ pub const DARK: Palette = Palette {
         stroke([0.45, 0.65, 1.0, 0.95], 1.5),
         cased(1.4),
         cased(1.5),
+        stroke([1.0, 0.60, 0.15, 1.0], 3.4),
     ],
     edge_of_values: [1.0, 1.0, 1.0, 0.34],
     dots: [

@@ -30,7 +30,7 @@ struct Scene {
     tint: vec4f,
     sphere: vec4f,
     circle: Stroke,
-    strokes: array<Stroke, 6>,
+    strokes: array<Stroke, 7>,
     dots: array<Dot, 8>,
 }
 
