@@ -9,19 +9,25 @@
 //! | `resolve` | rows of constraints: selectors resolved, misfits counted |
 //! | `history` | undo and redo |
 //! | `acting` | which row of constraints each face and vertex belongs to |
+//! | `holding` | how much single vertices are kept close |
 //! | `inspect` | what hosts show of a session: errors of faces, members |
 //! | `preview` | what adding constraints would make |
 //! | `projected` | the projections of the constraints, to be drawn |
 //! | `report` | the report of design section 6 |
+//! | `selection` | selecting by what the mesh is like |
+//! | `settings` | the declared settings of a scene |
 
 mod acting;
 mod edit;
 mod history;
+mod holding;
 mod inspect;
 mod preview;
 mod projected;
 mod report;
 mod resolve;
+mod selection;
+mod settings;
 
 pub use acting::ActingRows;
 pub use edit::{Edit, NewConstraint, Place};
@@ -29,6 +35,8 @@ pub use preview::Preview;
 pub use projected::Projections;
 pub use report::{EnergyReport, Report, Seconds, TraceEntry};
 pub use resolve::ResolvedRow;
+pub use selection::{Mode, OPERATIONS, Operation, SelectRequest, Selection};
+pub use settings::{SETTINGS, Setting, settings_of};
 
 use crate::error::Error;
 use crate::mesh::{BoundingSphere, Mesh, Point, Topology};

@@ -1,7 +1,11 @@
 //! wasm-bindgen faces: `solver` for the worker, `view` for the page.
 
 #[cfg(feature = "solver")]
+mod page_edit;
+#[cfg(feature = "solver")]
 mod report;
+#[cfg(feature = "solver")]
+mod selecting;
 #[cfg(feature = "solver")]
 pub mod solver;
 #[cfg(feature = "view")]
