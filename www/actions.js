@@ -50,6 +50,9 @@ export function createActions(store, solver, alerts) {
     return geometry ? selectedVertices(store.get().selection, geometry.connectivity) : [];
   }
 
+  /** The connectivity of the mesh, if one is open. */
+  const connectivity = () => solver.geometry?.connectivity;
+
   /** Selected vertices that are handles. */
   function chosenHandles() {
     const { selection, document } = store.get();
@@ -81,6 +84,7 @@ export function createActions(store, solver, alerts) {
     edit,
     told,
     say,
+    connectivity,
     chosenVertices,
     chosenHandles,
     addHandles,

@@ -5,7 +5,6 @@
 
 import { createActions } from './actions.js';
 import { Alerts } from './alerts.js';
-import { BoxSelection } from './box-selection.js';
 import { colourFaces } from './colouring.js';
 import { commandTable } from './command-table.js';
 import { bindButtons, bindKeys, bindRunButton, takeEarlyPresses } from './commands.js';
@@ -24,10 +23,13 @@ import { energiesPanel } from './panels/energies.js';
 import { handlesPanel } from './panels/handles.js';
 import { modelPanel } from './panels/model.js';
 import { statusBar } from './panels/status-bar.js';
+import { selectBar } from './panels/select-bar.js';
 import { PointerInput } from './pointer.js';
+import { RegionSelection } from './region-selection.js';
 import { colourRows } from './row-colours.js';
 import { sizeOf } from './rounding.js';
 import { scriptApi } from './script-api.js';
+import { Selecting } from './selecting.js';
 import { NOTHING } from './selection.js';
 import { SolverClient } from './solver-client.js';
 import { createStore } from './state.js';
@@ -44,10 +46,12 @@ takeUp(solver);
 const viewport = new Viewport(byId('viewport'), store, solver);
 const files = new Files(store, solver, alerts);
 const actions = createActions(store, solver, alerts);
-const box = new BoxSelection(store, viewport, byId('marquee'));
-const pointer = new PointerInput(store, solver, viewport, box, {
+const region = new RegionSelection(store, viewport);
+const selecting = new Selecting(store, solver, actions);
+const pointer = new PointerInput(store, solver, viewport, region, {
   addHandles: (vertices) => actions.addHandles(vertices, false),
   fitAll: () => viewport.with((view) => view.fit()),
+  doubleClick: (...what) => selecting.doubleClick(...what),
 });
 bindViewKeys(viewport);
 const addConstraint = new AddConstraintDialog(byId('add-constraint'), store, solver, actions);
@@ -62,6 +66,7 @@ displayPanel(byId('display'), store);
 legend(byId('legend'), store, viewport, refit);
 new Convergence(byId('convergence'), store, solver);
 statusBar({ status: byId('status'), hint: byId('hint'), numbers: byId('numbers') }, store);
+selectBar(byId('select-bar'), byId('select-menu'), store, actions, selecting, alerts);
 firstHints(byId('hint-card'), store);
 arrangeForWidth();
 
@@ -96,6 +101,7 @@ const early = window;
 takeEarlyPresses(commands, store, early.earlyPresses ?? []);
 delete early.earlyPresses;
 buildHelp(help, commands);
+selecting.bindKeys(commands, help);
 
 viewport.addEventListener('none', (event) => {
   const { detail } = /** @type {CustomEvent} */ (event);
@@ -122,7 +128,9 @@ function takeUp(client) {
   const on = (type, take) =>
     client.addEventListener(type, (event) => take(/** @type {CustomEvent} */ (event).detail));
 
-  on('ready', ({ kinds, elements }) => store.set({ kinds, elements }));
+  on('ready', ({ kinds, elements, operations, settings }) =>
+    store.set({ kinds, elements, operations, settings }),
+  );
   on('model', ({ loaded, positions }) =>
     store.set({
       model: loaded,

@@ -52,7 +52,9 @@ onmessage = (event) => {
 try {
   await init();
   solver = new Solver();
-  post({ type: 'ready', kinds: solver.kinds(), elements: solver.elements() });
+  const [kinds, elements] = [solver.kinds(), solver.elements()];
+  const [operations, settings] = [solver.operations(), solver.settings()];
+  post({ type: 'ready', kinds, elements, operations, settings });
   const held = early ?? [];
   early = null;
   held.forEach(receive);
@@ -140,6 +142,8 @@ function answer(message) {
       return live().rowColours();
     case 'previews':
       return live().previews(message.places);
+    case 'select':
+      return live().select(message.request);
     case 'scene':
       return live().scene();
     case 'obj':
@@ -180,6 +184,7 @@ function open(files, iteration) {
     faceIndices: live().faceIndices(),
     curveOffsets: live().curveOffsets(),
     curveIndices: live().curveIndices(),
+    edges: live().edges(),
   };
   post({ type: 'model', loaded: about, connectivity, positions }, [
     positions.buffer,

@@ -2,6 +2,7 @@
 
 import { element } from '../dom.js';
 import { count } from '../format.js';
+import { sizeOfSelection } from '../selection.js';
 
 /**
  * @param {HTMLElement} place
@@ -30,7 +31,7 @@ export function handlesPanel(place, store, actions) {
   store.subscribe(['document', 'selection'], ({ document, selection }) => {
     const handles = document?.handles ?? [];
     const fixed = handles.filter((handle) => handle.fixed).length;
-    const chosen = selection.vertices.size + selection.faces.size > 0;
+    const chosen = sizeOfSelection(selection) > 0;
     summary.className = 'quiet';
     summary.textContent = wordsFor(handles.length, fixed);
     const pinned = document?.pinned.length ?? 0;
