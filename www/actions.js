@@ -113,6 +113,15 @@ export function createActions(store, solver, alerts) {
       if (what) say(`Did again: ${what}`);
     },
 
+    selectNextHandle() {
+      const { document, selection } = store.get();
+      const handles = (document?.handles ?? []).map(({ vertex }) => vertex);
+      if (handles.length === 0) return say('There is no handle yet.');
+      const at = handles.findIndex((vertex) => selection.vertices.has(vertex));
+      const next = handles[(at + 1) % handles.length];
+      store.set({ selection: { ...NOTHING, vertices: new Set([next]) } });
+    },
+
     selectNothing() {
       store.set({ selection: NOTHING });
     },

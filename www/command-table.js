@@ -112,6 +112,14 @@ export function commandTable(parts) {
       needsModel: true,
     },
     {
+      id: 'next-handle',
+      group: 'Edit',
+      label: 'Select the next handle',
+      keys: ['G'],
+      action: () => actions.selectNextHandle(),
+      needsModel: true,
+    },
+    {
       id: 'tool-drag',
       group: 'Tools',
       label: 'Drag handles and orbit',

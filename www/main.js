@@ -12,6 +12,7 @@ import { AddConstraintDialog } from './dialog-add-constraint.js';
 import { byId } from './dom.js';
 import { Files } from './files.js';
 import { count } from './format.js';
+import { bindHandleKeys } from './handle-keys.js';
 import { buildHelp } from './help.js';
 import { firstHints } from './hints.js';
 import { arrangeForWidth } from './layout.js';
@@ -53,6 +54,7 @@ const pointer = new PointerInput(store, solver, viewport, region, {
   fitAll: () => viewport.with((view) => view.fit()),
   doubleClick: (...what) => selecting.doubleClick(...what),
 });
+bindHandleKeys(viewport, store, solver, actions);
 bindViewKeys(viewport);
 const addConstraint = new AddConstraintDialog(byId('add-constraint'), store, solver, actions);
 const { refit } = colourFaces(store, solver);
@@ -60,7 +62,7 @@ colourRows(store, solver, actions);
 
 modelPanel(byId('model'), store);
 constraintsPanel(byId('constraints'), store, solver, actions);
-handlesPanel(byId('handles'), store, actions);
+handlesPanel(byId('handles'), store, actions, solver);
 energiesPanel(byId('energies'), store, actions);
 displayPanel(byId('display'), store);
 legend(byId('legend'), store, viewport, refit);

@@ -50,7 +50,7 @@ async function drag(page, points, modifier) {
 /** Chooses from the menu of everything that selects. */
 async function selectBy(page, item) {
   await bar(page)
-    .getByRole('button', { name: /select by/ })
+    .getByRole('button', { name: /select by/i })
     .click();
   await page.getByRole('dialog', { name: 'Select' }).getByRole('button', { name: item }).click();
 }

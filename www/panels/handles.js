@@ -3,13 +3,15 @@
 import { element } from '../dom.js';
 import { count } from '../format.js';
 import { sizeOfSelection } from '../selection.js';
+import { handleDetails } from './handle-details.js';
 
 /**
  * @param {HTMLElement} place
  * @param {import("../state.js").Store} store
  * @param {import("../actions.js").Actions} actions
+ * @param {import("../solver-client.js").SolverClient} solver
  */
-export function handlesPanel(place, store, actions) {
+export function handlesPanel(place, store, actions, solver) {
   const summary = element('p');
   const button = (
     /** @type {string} */ label,
@@ -26,7 +28,7 @@ export function handlesPanel(place, store, actions) {
     actions.removeHandles(actions.chosenVertices()),
   );
   const row = element('div', { class: 'handles-row' }, add, fix, remove);
-  place.replaceChildren(summary, row);
+  place.replaceChildren(summary, row, handleDetails(store, actions, solver));
 
   store.subscribe(['document', 'selection'], ({ document, selection }) => {
     const handles = document?.handles ?? [];
