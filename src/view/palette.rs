@@ -68,12 +68,14 @@ pub enum DotKind {
     Fixed = 6,
     /// The handle that is being moved.
     Active = 7,
+    /// On a handle that is selected.
+    Chosen = 8,
 }
 
 /// How many kinds of lines there are.
 pub const LINE_KINDS: usize = 7;
 /// How many kinds of dots there are.
-pub const DOT_KINDS: usize = 8;
+pub const DOT_KINDS: usize = 9;
 
 /// One theme.
 #[derive(Clone, Copy, Debug)]
@@ -146,6 +148,7 @@ pub const LIGHT: Palette = Palette {
         dot(BLUE, WHITE, 6.2, 1.4),
         Dot { fill: DEEP_BLUE, rim: WHITE, radius: 5.6, rim_width: 1.4, square: 1.0 },
         dot(BLUE, WHITE, 8.2, 1.8),
+        dot(ORANGE, WHITE, 3.6, 1.0),
     ],
     circle: stroke([0.84, 0.16, 0.20, 0.95], 1.3),
     sphere: [0.84, 0.16, 0.20, 1.0],
@@ -177,6 +180,7 @@ pub const DARK: Palette = Palette {
         dot([0.22, 0.50, 1.0, 1.0], WHITE, 6.2, 1.4),
         Dot { fill: [0.11, 0.26, 0.62, 1.0], rim: WHITE, radius: 5.6, rim_width: 1.4, square: 1.0 },
         dot([0.22, 0.50, 1.0, 1.0], WHITE, 8.2, 1.8),
+        dot([1.0, 0.60, 0.15, 1.0], INK, 3.6, 1.0),
     ],
     circle: stroke([1.0, 0.40, 0.38, 0.95], 1.3),
     sphere: [1.0, 0.40, 0.38, 1.0],

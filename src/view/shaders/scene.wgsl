@@ -31,7 +31,7 @@ struct Scene {
     sphere: vec4f,
     circle: Stroke,
     strokes: array<Stroke, 7>,
-    dots: array<Dot, 8>,
+    dots: array<Dot, 9>,
 }
 
 @group(0) @binding(0) var<uniform> scene: Scene;
