@@ -20,9 +20,10 @@ import { arrangeForWidth } from './layout.js';
 import { messageOf } from './messages.js';
 import { constraintsPanel } from './panels/constraints.js';
 import { Convergence } from './panels/convergence.js';
-import { displayPanel, legend } from './panels/display.js';
+import { displayPanel } from './panels/display.js';
 import { energiesPanel } from './panels/energies.js';
 import { handlesPanel } from './panels/handles.js';
+import { legend } from './panels/legend.js';
 import { modelPanel } from './panels/model.js';
 import { statusBar } from './panels/status-bar.js';
 import { selectBar } from './panels/select-bar.js';
@@ -132,8 +133,8 @@ function takeUp(client) {
   const on = (type, take) =>
     client.addEventListener(type, (event) => take(/** @type {CustomEvent} */ (event).detail));
 
-  on('ready', ({ kinds, elements, operations, settings }) =>
-    store.set({ kinds, elements, operations, settings }),
+  on('ready', ({ kinds, elements, measures, operations, settings }) =>
+    store.set({ kinds, elements, measures, operations, settings }),
   );
   on('model', ({ loaded, positions }) =>
     store.set({

@@ -52,9 +52,14 @@ onmessage = (event) => {
 try {
   await init();
   solver = new Solver();
-  const [kinds, elements] = [solver.kinds(), solver.elements()];
-  const [operations, settings] = [solver.operations(), solver.settings()];
-  post({ type: 'ready', kinds, elements, operations, settings });
+  post({
+    type: 'ready',
+    kinds: solver.kinds(),
+    elements: solver.elements(),
+    measures: solver.measures(),
+    operations: solver.operations(),
+    settings: solver.settings(),
+  });
   const held = early ?? [];
   early = null;
   held.forEach(receive);
@@ -335,7 +340,7 @@ function sendFrame() {
   const positions = /** @type {Float64Array} */ (free.pop());
   live().writePositions(positions);
   const now = numbers();
-  const values = measure ? live().faceErrors(measure) : null;
+  const values = measure ? live().faceValues(measure) : null;
   const shapes = showShapes ? live().fitted() : null;
   const told = Float64Array.from(trace);
   trace = [];

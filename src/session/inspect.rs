@@ -1,15 +1,9 @@
-//! What hosts show of a session: errors of faces, members of constraints.
+//! What hosts show of a session: members of constraints.
 
 use super::Session;
 use super::acting::Cover;
-use crate::mesh::Measures;
 
 impl Session {
-    /// How planar and circular the faces are now.
-    pub fn measures(&self) -> Measures {
-        Measures::new(&self.positions(), &self.mesh.faces, self.diameter)
-    }
-
     /// How many vertices are kept close more or less than the others.
     pub fn held_otherwise(&self) -> usize {
         let closeness = &self.document.closeness;

@@ -9,8 +9,9 @@
 //! | `resolve` | rows of constraints: selectors resolved, misfits counted |
 //! | `history` | undo and redo |
 //! | `acting` | which row of constraints each face and vertex belongs to |
+//! | `face_measure` | the numbers per face that hosts colour and list |
 //! | `holding` | how much single vertices are kept close |
-//! | `inspect` | what hosts show of a session: errors of faces, members |
+//! | `inspect` | what hosts show of a session: members of constraints |
 //! | `preview` | what adding constraints would make |
 //! | `projected` | the projections of the constraints, to be drawn |
 //! | `report` | the report of design section 6 |
@@ -19,6 +20,7 @@
 
 mod acting;
 mod edit;
+mod face_measure;
 mod history;
 mod holding;
 mod inspect;
@@ -31,6 +33,7 @@ mod settings;
 
 pub use acting::ActingRows;
 pub use edit::{Edit, NewConstraint, Place};
+pub use face_measure::{FACE_MEASURES, FaceMeasure, MeasureUnit};
 pub use preview::Preview;
 pub use projected::Projections;
 pub use report::{EnergyReport, Report, Seconds, TraceEntry};

@@ -19,19 +19,16 @@ impl Elements<'_> {
 }
 
 impl Session {
-    /// The faces whose error at the current shape is above `tolerance`, a length; `measure` is
-    /// `planarity`, `circularity` or `residual`.
+    /// The faces whose error at the current shape is above `tolerance`; `measure` is one of
+    /// [`crate::session::FACE_MEASURES`], and the tolerance in its unit.
     pub(super) fn with_error_above(
         &mut self,
         measure: String,
         tolerance: f64,
     ) -> Result<Selection, SceneError> {
-        let errors = match measure.as_str() {
-            "planarity" => self.measures().planarity_distances,
-            "circularity" => self.measures().circularity_distances,
-            "residual" => self.residuals(),
-            _ => return Err(error("measure", format!("`{measure}` is no error of faces"))),
-        };
+        let errors = self
+            .face_values(&measure)
+            .ok_or_else(|| error("measure", format!("`{measure}` is no error of faces")))?;
         let above = (0..).zip(errors).filter(|&(_, error)| error > tolerance);
         Ok(Selection { faces: above.map(|(face, _)| face).collect(), ..Selection::default() })
     }

@@ -2,6 +2,7 @@
 
 use super::Mode;
 use crate::constraint::{Form, Param, ParamValue};
+use crate::session::FACE_MEASURES;
 use serde::Serialize;
 
 /// The declaration of a way to select.
@@ -61,6 +62,17 @@ const fn count(id: &'static str, label: &'static str, default: f64) -> Param {
         range: [0.0, 1e6],
     }
 }
+
+/// The measures of faces, as words.
+const MEASURES: [Form; FACE_MEASURES.len()] = {
+    let mut words = [Form::Nothing; FACE_MEASURES.len()];
+    let mut i = 0;
+    while i < words.len() {
+        words[i] = Form::Word(FACE_MEASURES[i].id);
+        i += 1;
+    }
+    words
+};
 
 /// All ways to select, in the order in which hosts list them.
 pub const OPERATIONS: &[Operation] = &[
@@ -204,7 +216,7 @@ pub const OPERATIONS: &[Operation] = &[
     Operation {
         id: "error",
         label: "By error",
-        summary: "Faces whose error is above the tolerance: how far they are from planar, from a circle, or from what their constraints ask.",
+        summary: "Faces whose error is above a tolerance, in the unit of that error.",
         group: FIND,
         modes: &[Mode::Faces],
         params: &[
@@ -213,17 +225,13 @@ pub const OPERATIONS: &[Operation] = &[
                 label: "Error",
                 unit: "",
                 default: ParamValue::Word("planarity"),
-                forms: &[
-                    Form::Word("planarity"),
-                    Form::Word("circularity"),
-                    Form::Word("residual"),
-                ],
+                forms: &MEASURES,
                 range: [0.0, 0.0],
             },
             Param {
                 id: "tolerance",
                 label: "Above",
-                unit: "length",
+                unit: "",
                 default: ParamValue::Number(0.001),
                 forms: &[Form::Number],
                 range: [0.0, f64::INFINITY],
