@@ -109,6 +109,8 @@ async fn every_switch_changes_the_picture() {
     view.set_display(false, false, false, false, false);
     check(&mut view, "no edges between values");
     view.set_selection(vec![4], vec![1]).unwrap();
+    view.set_edges(&[0, 1, 1, 4]).unwrap();
+    view.set_selected_edges(&[1]).unwrap();
     check(&mut view, "selection");
     view.set_tint(vec![0, 1], vec![0], 0.1, 0.7, 0.2).unwrap();
     check(&mut view, "tint");
@@ -158,7 +160,9 @@ async fn moved_vertices_are_seen_and_can_be_pointed_at() {
     let moved = view.screen(4).unwrap();
     assert!((moved[0] - at[0] - 30.0).abs() < 0.1 && (moved[1] - at[1] - 20.0).abs() < 0.1);
     assert!(view.pick_face(moved[0] as f32, moved[1] as f32 + 5.0).is_some());
-    assert!(view.box_vertices(0.0, 0.0, WIDTH as f32, HEIGHT as f32).contains(&4));
+    let (width, height) = (WIDTH as f32, HEIGHT as f32);
+    let whole = [0.0, 0.0, width, 0.0, width, height, 0.0, height];
+    assert!(view.vertices_in(&whole, false).contains(&4));
 }
 
 #[wasm_bindgen_test]

@@ -1,5 +1,6 @@
 /** The commands of the page: what each is called, its keys, and when there is something to do. */
 
+import { selectCommands } from './select-commands.js';
 import { toggleTheme } from './theme.js';
 
 /** @typedef {import("./commands.js").Command} Command */
@@ -113,6 +114,14 @@ export function commandTable(parts) {
       needsModel: true,
     },
     {
+      id: 'next-handle',
+      group: 'Edit',
+      label: 'Select the next handle',
+      keys: ['G'],
+      action: () => actions.selectNextHandle(),
+      needsModel: true,
+    },
+    {
       id: 'tool-drag',
       group: 'Tools',
       label: 'Drag handles and orbit',
@@ -123,11 +132,12 @@ export function commandTable(parts) {
     {
       id: 'tool-select',
       group: 'Tools',
-      label: 'Select with a box',
-      keys: ['B'],
+      label: 'Select with a box, a lasso or a brush',
+      keys: [],
       action: () => store.set({ tool: 'select' }),
       pressed: ({ tool }) => tool === 'select',
     },
+    ...selectCommands(store),
     {
       id: 'mode-vertices',
       group: 'Tools',
@@ -135,6 +145,14 @@ export function commandTable(parts) {
       keys: ['1'],
       action: () => store.set({ mode: 'vertices' }),
       pressed: ({ mode }) => mode === 'vertices',
+    },
+    {
+      id: 'mode-edges',
+      group: 'Tools',
+      label: 'Select edges',
+      keys: ['2'],
+      action: () => store.set({ mode: 'edges' }),
+      pressed: ({ mode }) => mode === 'edges',
     },
     {
       id: 'mode-faces',

@@ -52,6 +52,15 @@ export function length(value, units) {
 }
 
 /**
+ * A part of a whole, in per cent.
+ * @param {number} share from 0 to 1
+ */
+export function part(share) {
+  const percent = 100 * share;
+  return percent > 0 && percent < 1 ? '< 1 %' : `${Math.round(percent)} %`;
+}
+
+/**
  * @param {number} milliseconds
  * @returns {string}
  */

@@ -26,6 +26,7 @@
  * @property {string} summary one sentence
  * @property {string} paper where the paper defines it
  * @property {boolean} exact
+ * @property {string} takes how many vertices or edges, in words
  * @property {Measure | null} measure of faces that says how far this kind is from being met on them
  * @property {string[]} elements ids of those that it is meant for; empty where any will do
  * @property {[number, number, number]} colour sRGB bytes
@@ -79,8 +80,36 @@
  *   | { type: "setUp", up: "y" | "z" }
  *   | { type: "addHandles", vertices: number[], fixed: boolean }
  *   | { type: "removeHandles", vertices: number[] }
+ *   | { type: "duplicateConstraint", index: number }
+ *   | { type: "nameSet", name: string, vertices: number[], faces: number[] }
+ *   | { type: "removeSet", name: string }
+ *   | { type: "set", id: string, value: ParamValue }
+ *   | { type: "holdClose", vertices: number[] | null, weight: number }
+ *   | { type: "weighHandles", vertices: number[], weight: number }
  *   | { type: "reset" }} Edit
  */
+
+/**
+ * A declared way to select. `gives` is what it gives where that is not what is picked.
+ * @typedef {object} Operation
+ * @property {string} id
+ * @property {string} label
+ * @property {string} summary one sentence
+ * @property {string} group the heading that it is listed under
+ * @property {PickMode[]} modes
+ * @property {PickMode | null} gives
+ * @property {boolean} needsSelection
+ * @property {boolean} takesName of a set or group, as the parameter `name`
+ * @property {ParamInfo[]} params
+ * @property {string[]} keys
+ * @property {PickMode | null} doubleClick
+ */
+
+/** @typedef {"vertices" | "edges" | "faces"} PickMode */
+
+/** @typedef {{ operation: string, mode: PickMode, from: Partial<Record<PickMode, number[]>>, params: Record<string, ParamValue> }} SelectRequest */
+
+/** A declared setting of a scene: as a parameter, with one sentence and a heading. @typedef {ParamInfo & { summary: string, group: string }} SettingInfo */
 
 /**
  * What was read from a file.
@@ -140,6 +169,9 @@
  * @property {Weights} weights
  * @property {"surface" | "rest" | "none"} closeness
  * @property {{ of: "surface" | "displacement", weighting: string }} smoothness
+ * @property {Record<string, ParamValue>} settings of every declared one its value
+ * @property {{ name: string, vertices: number, faces: number }[]} sets
+ * @property {number} heldOtherwise vertices that are kept close more or less than the others
  * @property {string | null} undo what Undo would take back
  * @property {string | null} redo what Redo would do again
  * @property {number[]} pinned vertices that were pinned because nothing else holds their part
@@ -158,6 +190,7 @@
  * @property {{ max_distance: number, mean_distance: number, [measure: string]: number }} planarity
  * @property {{ max_distance: number, mean_distance: number, [measure: string]: number }} circularity
  * @property {number[]} worst per row of the list of constraints: the largest distance of a vertex to its projection
+ * @property {number[]} shares per row its part of the total energy, from 0 to 1
  * @property {number} stepMs
  */
 
@@ -168,6 +201,7 @@
  * @property {Uint32Array} faceIndices
  * @property {Uint32Array} curveOffsets `#curves + 1`
  * @property {Uint32Array} curveIndices
+ * @property {Uint32Array} edges `#E by 2`
  */
 
 /**
@@ -227,7 +261,7 @@
  *   `frame` what a mesh file is taken for that does not say its unit and axis: `# units: m`, `# up: y`.
  * - `edit`, `undo`, `redo`, `step`.
  * - `members`: what a constraint acts on. `rowColours`: the colours of all of them. `previews`: what
- *   adding one of each kind at each of some places would make.
+ *   adding one of each kind at each of some places would make. `select`: what is selected then.
  * - `scene`, `obj`, `table`: the texts of the files; the errors of the faces, or the energies of the
  *   iterations, as CSV.
  * - `runExperiment`: starts the experiment of an example, on its files, the scene first; the model that
@@ -240,6 +274,7 @@
  *   | { type: "members", constraint: number }
  *   | { type: "rowColours" }
  *   | { type: "previews", places: Selector[] }
+ *   | { type: "select", request: SelectRequest }
  *   | { type: "scene" }
  *   | { type: "obj" }
  *   | { type: "table", table: "errors" | "convergence" }
@@ -258,6 +293,7 @@
  * @property {{ faces: Uint32Array, vertices: Uint32Array }} members
  * @property {RowColours} rowColours
  * @property {(Preview | null)[][]} previews `#kinds by #places`, null where nothing fits
+ * @property {Record<PickMode, Uint32Array>} select
  * @property {string} scene
  * @property {string} obj
  * @property {string} table
@@ -293,7 +329,8 @@
  * - `died`: the state is unusable, the worker must be replaced.
  * - `refused`: `path` is the place in the scene that is wrong, such as `constraints[0].length`; empty
  *   when it is not about a scene.
- * @typedef {{ type: "ready", kinds: KindInfo[], elements: ElementInfo[], measures: FaceMeasure[] }
+ * @typedef {{ type: "ready", kinds: KindInfo[], elements: ElementInfo[], measures: FaceMeasure[],
+ *       operations: Operation[], settings: SettingInfo[] }
  *   | { type: "model", loaded: Loaded, connectivity: Connectivity, positions: Float64Array }
  *   | { type: "document", document: SceneDocument }
  *   | { type: "scene", text: string, iteration: number }

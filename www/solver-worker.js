@@ -58,6 +58,8 @@ try {
     kinds: solver.kinds(),
     elements: solver.elements(),
     measures: solver.measures(),
+    operations: solver.operations(),
+    settings: solver.settings(),
   });
   const held = early ?? [];
   early = null;
@@ -148,6 +150,8 @@ function answer(message) {
       return live().rowColours();
     case 'previews':
       return live().previews(message.places);
+    case 'select':
+      return live().select(message.request);
     case 'scene':
       return live().scene();
     case 'obj':
@@ -196,6 +200,7 @@ function open(files, iteration, frame = '') {
     faceIndices: live().faceIndices(),
     curveOffsets: live().curveOffsets(),
     curveIndices: live().curveIndices(),
+    edges: live().edges(),
   };
   post({ type: 'model', loaded: about, connectivity, positions }, [
     positions.buffer,

@@ -249,6 +249,7 @@ export class Viewport extends EventTarget {
       const { faceOffsets, faceIndices, curveOffsets, curveIndices } = geometry.connectivity;
       if (state.model) view.setUp(state.model.up);
       view.setMesh(faceOffsets, faceIndices, curveOffsets, curveIndices, geometry.positions);
+      view.setEdges(geometry.connectivity.edges);
       this.#newMesh = false;
       this.#showAll(view, state);
       view.fit();
@@ -308,6 +309,7 @@ function showHandles(view, { document, dragged }) {
  */
 function showSelection(view, { selection }) {
   view.setSelection(Uint32Array.from(selection.vertices), Uint32Array.from(selection.faces));
+  view.setSelectedEdges(Uint32Array.from(selection.edges));
 }
 
 /**

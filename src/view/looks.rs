@@ -38,6 +38,8 @@ pub struct Looks {
     values: Option<(Vec<f32>, f32, f32)>,
     /// Selected vertices.
     pub selected_vertices: Vec<u32>,
+    /// Selected edges, by their vertices.
+    pub selected_edges: Vec<[u32; 2]>,
     selected_faces: Vec<u32>,
     tinted_vertices: Vec<u32>,
     tinted_faces: Vec<u32>,

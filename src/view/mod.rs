@@ -41,6 +41,7 @@ pub mod polygon_edges;
 pub mod projection_lines;
 pub mod projections;
 pub mod ray;
+pub mod region;
 pub mod row_colours;
 pub mod shaders;
 #[cfg(target_arch = "wasm32")]

@@ -68,6 +68,7 @@ impl Picture {
         if display.vertices || stage.subject.is_only_points() {
             self.points.draw_vertices(&mut pass);
         }
+        self.lines.draw_marks(&mut pass);
         self.lines.draw_pulls(&mut pass);
         self.points.draw_marks(&mut pass);
         drop(pass);
@@ -85,6 +86,7 @@ impl Picture {
             self.points.update_mesh(device, queue, stage);
         }
         if changes.mesh || changes.marks {
+            self.lines.update_marks(device, queue, stage);
             self.lines.update_handles(device, queue, stage);
             self.points.update_marks(device, queue, stage);
         }

@@ -2,8 +2,11 @@
 
 #[cfg(feature = "solver")]
 pub mod experiment;
+mod page_edit;
 #[cfg(feature = "solver")]
 mod report;
+#[cfg(feature = "solver")]
+mod selecting;
 #[cfg(feature = "solver")]
 pub mod solver;
 #[cfg(feature = "view")]

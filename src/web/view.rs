@@ -10,6 +10,7 @@ use crate::view::device::{Device, DeviceError};
 use crate::view::lists::ViewError;
 use crate::view::picture::Picture;
 use crate::view::projections::Projections;
+use crate::view::region::{Outline, Taking};
 use crate::view::row_colours::RowColours;
 use crate::view::stage::{Display, Stage};
 use glam::Vec2;
@@ -59,6 +60,12 @@ async fn open(
         },
         _ => Err(DeviceError(format!("backend \"{backend}\", expected auto, webgpu or webgl2"))),
     }
+}
+
+/// From x and y of each corner.
+fn outline(corners: &[f32]) -> Outline {
+    let (corners, _) = corners.as_chunks::<2>();
+    Outline::new(corners.iter().map(|&[x, y]| Vec2::new(x, y)).collect())
 }
 
 #[wasm_bindgen]
@@ -204,6 +211,25 @@ impl View {
         Ok(())
     }
 
+    /// Sets the edges that can be picked: two vertices each, numbered in this order. Another mesh has
+    /// none at first.
+    ///
+    /// # Errors
+    /// A vertex that does not exist.
+    #[wasm_bindgen(js_name = setEdges)]
+    pub fn set_edges(&mut self, ends: &[u32]) -> Result<(), JsValue> {
+        self.stage.set_edges(ends).map_err(thrown)
+    }
+
+    /// Marks edges as selected, by their places in `setEdges`, and no others.
+    ///
+    /// # Errors
+    /// An edge that does not exist.
+    #[wasm_bindgen(js_name = setSelectedEdges)]
+    pub fn set_selected_edges(&mut self, edges: &[u32]) -> Result<(), JsValue> {
+        self.stage.select_edges(edges).map_err(thrown)
+    }
+
     /// Marks the members of a constraint in a colour (each part 0 to 1), and no others.
     ///
     /// # Errors
@@ -347,16 +373,28 @@ impl View {
         self.stage.pick_face(Vec2::new(x, y))
     }
 
-    /// Visible vertices between two corners of a box.
-    #[wasm_bindgen(js_name = boxVertices)]
-    pub fn box_vertices(&mut self, x0: f32, y0: f32, x1: f32, y1: f32) -> Vec<u32> {
-        self.stage.box_vertices(Vec2::new(x0, y0), Vec2::new(x1, y1))
+    /// The visible edge nearest to the cursor, by its place in `setEdges`.
+    #[wasm_bindgen(js_name = pickEdge)]
+    pub fn pick_edge(&mut self, x: f32, y: f32, radius: f32) -> Option<u32> {
+        self.stage.pick_edge(Vec2::new(x, y), radius)
     }
 
-    /// Visible faces between two corners of a box; with `crossing` also those partly inside.
-    #[wasm_bindgen(js_name = boxFaces)]
-    pub fn box_faces(&mut self, x0: f32, y0: f32, x1: f32, y1: f32, crossing: bool) -> Vec<u32> {
-        self.stage.box_faces(Vec2::new(x0, y0), Vec2::new(x1, y1), crossing)
+    /// Vertices inside a polygon on the screen (x and y of each corner); with `through` hidden ones too.
+    #[wasm_bindgen(js_name = verticesIn)]
+    pub fn vertices_in(&mut self, corners: &[f32], through: bool) -> Vec<u32> {
+        self.stage.vertices_in(&outline(corners), through)
+    }
+
+    /// Edges inside a polygon on the screen; with `touching` also those partly inside.
+    #[wasm_bindgen(js_name = edgesIn)]
+    pub fn edges_in(&mut self, corners: &[f32], touching: bool, through: bool) -> Vec<u32> {
+        self.stage.edges_in(&outline(corners), Taking { touching, through })
+    }
+
+    /// Faces inside a polygon on the screen; with `touching` also those partly inside.
+    #[wasm_bindgen(js_name = facesIn)]
+    pub fn faces_in(&mut self, corners: &[f32], touching: bool, through: bool) -> Vec<u32> {
+        self.stage.faces_in(&outline(corners), Taking { touching, through })
     }
 
     /// Where a vertex is on the canvas; nothing when it is hidden, outside, or not there.

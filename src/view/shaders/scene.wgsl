@@ -30,8 +30,8 @@ struct Scene {
     tint: vec4f,
     sphere: vec4f,
     circle: Stroke,
-    strokes: array<Stroke, 6>,
-    dots: array<Dot, 8>,
+    strokes: array<Stroke, 7>,
+    dots: array<Dot, 9>,
 }
 
 @group(0) @binding(0) var<uniform> scene: Scene;
