@@ -62,7 +62,7 @@ pub use measure::{Circularity, Measures, Planarity, diagonal_ratio};
 pub use medit_write::write_medit;
 pub use obj_write::{write_obj, write_obj_with_uv};
 pub use problem::{Element, Problem, ProblemKind};
-pub use quasi_conformal::{QuasiConformal, quasi_conformal};
+pub use quasi_conformal::{MapErrors, QuasiConformal, quasi_conformal};
 pub use ragged::Ragged;
 pub use read::{Read, read};
 pub use strips::strips;

@@ -11,7 +11,7 @@ use super::subspace::smallest_pair;
 use super::{SolveError, System, clock};
 use crate::constraint::Row;
 use crate::math::{PrincipalAxes, Vec3, centre};
-use crate::mesh::{Mesh, Point, QuasiConformal, Topology, components, quasi_conformal};
+use crate::mesh::{MapErrors, Mesh, Point, Topology, components, quasi_conformal};
 use serde::Serialize;
 
 /// The weights `w_i` of Eq. 14.
@@ -65,10 +65,8 @@ pub struct Parametrization {
     pub parts: usize,
     /// Parts without a boundary.
     pub closed_parts: usize,
-    /// The quasi-conformal error.
-    pub quasi_conformal: QuasiConformal,
-    /// Triangles that the map turns over.
-    pub flipped: usize,
+    /// The quasi-conformal error, of each face too, and the triangles that the map turns over.
+    pub errors: MapErrors,
     /// What it took.
     pub seconds: ConformalSeconds,
 }
@@ -113,8 +111,7 @@ impl Parametrization {
             eigenvalue: 0.0,
             parts: 0,
             closed_parts: 0,
-            quasi_conformal: QuasiConformal::default(),
-            flipped: 0,
+            errors: MapErrors::default(),
             seconds: ConformalSeconds::default(),
         };
         let (mut greatest, mut edge) = (0.0, 0.0);
@@ -137,8 +134,7 @@ impl Parametrization {
             result.parts += 1;
             result.closed_parts += usize::from(is_closed);
         }
-        (result.quasi_conformal, result.flipped) =
-            quasi_conformal(&mesh.positions, &result.uv, &mesh.faces);
+        result.errors = quasi_conformal(&mesh.positions, &result.uv, &mesh.faces);
         Ok(result)
     }
 }

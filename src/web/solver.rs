@@ -356,7 +356,7 @@ impl Solver {
         Ok(Uint32Array::from(self.open()?.mesh().curves.indices()))
     }
 
-    fn open(&self) -> Result<&Session, JsValue> {
+    pub(super) fn open(&self) -> Result<&Session, JsValue> {
         self.session.as_ref().ok_or_else(nothing_open)
     }
 
@@ -370,13 +370,13 @@ fn nothing_open() -> JsValue {
 }
 
 /// As a plain object: maps become objects, absent values null.
-fn plain(value: &impl Serialize) -> Result<JsValue, JsValue> {
+pub(super) fn plain(value: &impl Serialize) -> Result<JsValue, JsValue> {
     let serializer = serde_wasm_bindgen::Serializer::json_compatible();
     value.serialize(&serializer).map_err(thrown)
 }
 
 /// An object of typed arrays.
-fn object<const N: usize>(entries: [(&str, JsValue); N]) -> Result<JsValue, JsValue> {
+pub(super) fn object<const N: usize>(entries: [(&str, JsValue); N]) -> Result<JsValue, JsValue> {
     let object = js_sys::Object::new();
     for (key, value) in entries {
         js_sys::Reflect::set(&object, &key.into(), &value)?;
