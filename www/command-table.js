@@ -14,6 +14,7 @@ import { toggleTheme } from './theme.js';
  * @property {import("./actions.js").Actions} actions
  * @property {import("./alerts.js").Alerts} alerts
  * @property {import("./dialog-add-constraint.js").AddConstraintDialog} addConstraint
+ * @property {() => void} flatMap shows the flat map, or takes it away
  * @property {HTMLInputElement} fileInput
  * @property {HTMLDialogElement} help
  */
@@ -25,6 +26,7 @@ import { toggleTheme } from './theme.js';
 export function commandTable(parts) {
   const { store, viewport, pointer, files, actions, alerts, addConstraint, fileInput, help } =
     parts;
+  const hasFaces = (/** @type {State} */ { model }) => (model?.faces ?? 0) > 0;
   const hasView = (/** @type {State} */ { renderer }) =>
     renderer === 'webgpu' || renderer === 'webgl2';
 
@@ -38,6 +40,7 @@ export function commandTable(parts) {
   function escape() {
     if (pointer.cancel()) return;
     if (addConstraint.isOpen) return addConstraint.close();
+    if (store.get().flatMap) return store.set({ flatMap: null });
     alerts.clear();
     actions.selectNothing();
   }
@@ -162,7 +165,11 @@ export function commandTable(parts) {
       group: 'View',
       label: 'Fit all',
       keys: ['Home'],
-      action: () => viewport.with((view) => view.fit()),
+      action: () =>
+        viewport.with((view) => {
+          view.fit();
+          view.fitMap();
+        }),
       enabled: hasView,
     },
     {
@@ -174,6 +181,16 @@ export function commandTable(parts) {
         const { display } = store.get();
         store.set({ display: { ...display, edges: !display.edges } });
       },
+    },
+    {
+      id: 'parametrize',
+      group: 'View',
+      label: 'Parametrize: a flat map beside the model',
+      keys: ['U'],
+      action: parts.flatMap,
+      needsModel: true,
+      enabled: hasFaces,
+      pressed: ({ flatMap }) => flatMap !== null,
     },
     {
       id: 'open',
@@ -198,6 +215,8 @@ export function commandTable(parts) {
       keys: ['Ctrl+E'],
       action: () => files.exportMesh(),
       needsModel: true,
+      title: ({ flatMap }) =>
+        `Export the current shape${flatMap ? ' and its flat map' : ''} as OBJ`,
     },
     {
       id: 'theme',

@@ -141,10 +141,13 @@ export class Files {
     });
   }
 
-  /** The current shape, as the solver's host writes it everywhere. */
+  /** The current shape, with the flat map that is shown, as the solver's host writes it everywhere. */
   async exportMesh() {
     try {
-      const text = await this.#solver.request({ type: 'obj' });
+      const text = await this.#solver.request({
+        type: 'obj',
+        uv: this.#store.get().flatMap?.found.uv,
+      });
       this.#save(`${this.#name}.obj`, text, 'model/obj');
     } catch (error) {
       this.#alerts.error(messageOf(error));

@@ -12,6 +12,7 @@ import { bindButtons, bindKeys, bindRunButton, takeEarlyPresses } from './comman
 import { AddConstraintDialog } from './dialog-add-constraint.js';
 import { byId } from './dom.js';
 import { Files } from './files.js';
+import { toggleFlatMap } from './flat-map.js';
 import { count } from './format.js';
 import { buildHelp } from './help.js';
 import { firstHints } from './hints.js';
@@ -87,6 +88,7 @@ const commands = commandTable({
   addConstraint,
   fileInput,
   help,
+  flatMap: () => toggleFlatMap({ store, solver, viewport, alerts }),
 });
 bindButtons(commands, store);
 bindKeys(commands, store);
@@ -130,6 +132,7 @@ function takeUp(client) {
       document: null,
       numbers: null,
       measureChosen: false,
+      flatMap: null,
       selection: NOTHING,
       dragged: [],
       tint: null,

@@ -187,6 +187,28 @@
 
 /** The largest distance of a face's corners to its best plane or circle, or to their projections. @typedef {"planarity" | "circularity" | "residual"} Measure */
 
+/**
+ * A flat map that keeps angles (Eq. 14), of the shape as it was when it was asked for. The
+ * quasi-conformal error of a triangle is its greater over its smaller stretch: 1 where angles are kept.
+ * @typedef {object} Parametrization
+ * @property {Float64Array} uv `#V by 2`, units of the mesh
+ * @property {Float32Array} faceErrors `#F`: of each face the greatest error of its triangles; not a number without area
+ * @property {Uint32Array} histogram faces by error, in bars of equal width from 1 to `high`; the last one holds those beyond too
+ * @property {number} high what 99 of a hundred faces do not exceed
+ * @property {number} mean error, weighted by area
+ * @property {number} max error
+ * @property {number} flipped triangles that the map turns over
+ * @property {number} parts connected parts of the surface
+ * @property {number} closedParts those without a boundary, which cannot be flattened without folds
+ * @property {number} eigenvalue
+ * @property {number} seconds
+ * @property {Record<"assemble" | "order" | "factor" | "iterate", number>} secondsOf
+ */
+
+/** What a polygon counts, and what is kept from shrinking to a point: the words of the command line. */
+/** @typedef {"inverse-area" | "one" | "lscm"} MapWeights */
+/** @typedef {"boundary" | "vertices"} MapNorm */
+
 /** @typedef {{ name: string, bytes: Uint8Array }} NamedBytes */
 
 /**
@@ -212,7 +234,8 @@
  * - `edit`, `undo`, `redo`, `step`.
  * - `members`: what a constraint acts on. `rowColours`: the colours of all of them. `previews`: what
  *   adding one of each kind at each of some places would make.
- * - `scene`, `obj`: the texts of the files.
+ * - `parametrize`: ends a run. Refused where there is no face, or no area.
+ * - `scene`, `obj`: the texts of the files; with `uv` (`#V by 2`) as texture coordinates.
  * @typedef {{ type: "open", files: NamedBytes[], iteration?: number }
  *   | { type: "edit", edit: Edit }
  *   | { type: "undo" }
@@ -222,7 +245,8 @@
  *   | { type: "rowColours" }
  *   | { type: "previews", places: Selector[] }
  *   | { type: "scene" }
- *   | { type: "obj" }} Request
+ *   | { type: "parametrize", weights: MapWeights, norm: MapNorm }
+ *   | { type: "obj", uv?: Float64Array }} Request
  */
 
 /**
@@ -236,6 +260,7 @@
  * @property {{ faces: Uint32Array, vertices: Uint32Array }} members
  * @property {RowColours} rowColours
  * @property {(Preview | null)[][]} previews `#kinds by #places`, null where nothing fits
+ * @property {Parametrization} parametrize
  * @property {string} scene
  * @property {string} obj
  */

@@ -143,7 +143,10 @@ function answer(message) {
     case 'scene':
       return live().scene();
     case 'obj':
-      return live().obj();
+      return message.uv ? live().objWithUv(message.uv) : live().obj();
+    case 'parametrize':
+      pause();
+      return live().parametrize(message.weights, message.norm);
   }
 }
 

@@ -29,6 +29,7 @@
  * @property {boolean} measureChosen somebody chose it since the model was opened
  * @property {[number, number]} range of the colours, in units of the mesh
  * @property {{ edges: boolean, vertices: boolean, shapes: boolean, outlines: boolean, arrows: boolean }} display
+ * @property {import("./flat-map.js").FlatMap | null} flatMap what is shown beside the model
  * @property {boolean} dark
  * @property {"webgpu" | "webgl2" | "none" | "starting"} renderer
  * @property {string} status what happened last, in words
@@ -66,6 +67,7 @@ const INITIAL = {
   measureChosen: false,
   range: [0, 0],
   display: { edges: true, vertices: false, shapes: false, outlines: false, arrows: false },
+  flatMap: null,
   dark: false,
   renderer: 'starting',
   status: '',

@@ -2,16 +2,21 @@
 
 use super::solver::{Solver, object, plain};
 use super::thrown;
-use crate::mesh::{Mesh, write_obj_with_uv};
+use crate::mesh::{Histogram, Mesh, write_obj_with_uv};
 use crate::solve::{ConformalNorm, ConformalWeights, Parametrization, clock};
-use js_sys::{Float32Array, Float64Array};
+use js_sys::{Float32Array, Float64Array, Uint32Array};
 use wasm_bindgen::prelude::*;
+
+/// The colours of a map span at least this: a difference of one per cent is hardly seen in a shape.
+const LEAST_RANGE: [f64; 2] = [1.0, 1.01];
+/// Bars of the histogram of errors.
+const BARS: usize = 24;
 
 #[wasm_bindgen]
 impl Solver {
     /// The flat map of the current shape: `uv` (`#V by 2`, units of the mesh), `faceErrors` (`#F`, the
     /// greatest quasi-conformal error of the triangles of each face, not a number without area), `mean`
-    /// (weighted by area) and `max` of the error, `flipped` triangles, `parts`, `closedParts`,
+    /// (weighted by area) and `max` of the error, `histogram` (faces, from 1 up to `high`), `flipped` triangles, `parts`, `closedParts`,
     /// `eigenvalue`, and `seconds`, by part in `secondsOf`. `weights` and `norm` are the words of the command line.
     ///
     /// # Errors
@@ -30,7 +35,10 @@ impl Solver {
         let seconds = clock::now() - started;
         let errors = &map.errors;
         let of_faces: Vec<f32> = errors.of_faces.iter().map(|&error| error as f32).collect();
+        let histogram = Histogram::new(&errors.of_faces, LEAST_RANGE, BARS);
         object([
+            ("histogram", Uint32Array::from(&histogram.counts[..]).into()),
+            ("high", histogram.high.into()),
             ("uv", Float64Array::from(map.uv.as_flattened()).into()),
             ("faceErrors", Float32Array::from(&of_faces[..]).into()),
             ("mean", errors.quasi_conformal.mean.into()),

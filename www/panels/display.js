@@ -1,6 +1,6 @@
 /** What the view shows: the colours of the faces with their legend, and what is drawn over them. */
 
-import { element, setText } from '../dom.js';
+import { byId, element, setText } from '../dom.js';
 import { length, lengthUnit } from '../format.js';
 import { MEASURES } from '../measures.js';
 
@@ -52,6 +52,9 @@ export function displayPanel(place, store) {
     ),
   );
   store.subscribe(['measure'], ({ measure }) => (choice.value = measure ?? ''));
+  // Only a surface can be flattened.
+  const parametrize = byId('parametrize');
+  store.subscribe(['model'], ({ model }) => (parametrize.hidden = !model?.faces));
 }
 
 /**
@@ -85,8 +88,12 @@ export function legend(place, store, viewport, refit) {
   );
 
   function show() {
-    const { measure, range, document, renderer, model } = store.get();
-    place.hidden = !measure || !model?.faces || !(renderer === 'webgpu' || renderer === 'webgl2');
+    const { measure, range, document, renderer, model, flatMap } = store.get();
+    place.hidden =
+      !measure ||
+      flatMap !== null ||
+      !model?.faces ||
+      !(renderer === 'webgpu' || renderer === 'webgl2');
     if (!measure || place.hidden) return;
     const units = document?.units ?? '';
     setText(title, MEASURES[measure].label);
@@ -96,5 +103,5 @@ export function legend(place, store, viewport, refit) {
     const stops = viewport.with((view) => view.colourStops(STOPS)) ?? [];
     ramp.style.background = `linear-gradient(to right, ${stops.join(', ')})`;
   }
-  store.subscribe(['measure', 'range', 'document', 'renderer', 'model', 'dark'], show);
+  store.subscribe(['measure', 'range', 'document', 'renderer', 'model', 'dark', 'flatMap'], show);
 }

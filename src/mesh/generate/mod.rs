@@ -6,10 +6,12 @@
 //! | `canopy`, `dome`, `hypar` | the models that the page shows first |
 //! | `hall` | a flowing roof with a swelling and a waist |
 //! | `honeycomb`, `dual` | polygons over a surface: the dual of rows of triangles |
+//! | `mask` | a face in relief, of uneven triangles |
 //! | `mounds` | a roof of polygons with two mounds |
 //! | `lantern` | a surface of revolution, whose panels have circles |
 //! | `net` | a piece of a torus, whose lines are circles |
 //! | `patch` | a sheet of skew, uneven panels |
+//! | `opening` | takes faces out |
 //! | `blocks` | blocks of cubes: their surface, and tetrahedra |
 //! | `creature`, `implicit`, `relax` | an animal of blended round parts, polygonised |
 
@@ -23,8 +25,10 @@ mod honeycomb;
 mod hypar;
 mod implicit;
 mod lantern;
+mod mask;
 mod mounds;
 mod net;
+mod opening;
 mod patch;
 mod relax;
 
@@ -36,8 +40,10 @@ pub use hall::Hall;
 pub use honeycomb::honeycomb;
 pub use hypar::Hypar;
 pub use lantern::Lantern;
+pub use mask::Mask;
 pub use mounds::Mounds;
 pub use net::Net;
+pub use opening::opened;
 pub use patch::Patch;
 pub use relax::soften;
 

@@ -9,11 +9,13 @@
 //! | `panels` | Fig. 5: planar and circular panels |
 //! | `exploration` | Fig. 6: shapes of circular meshes and webs under handles |
 //! | `deformation` | Fig. 8: rigid and similar elements under handles |
+//! | `flat_maps` | Fig. 9: conformal parametrisation |
 //! | `recovery` | Fig. 10: from a collapsed start |
 
 mod deformation;
 mod exploration;
 mod first;
+mod flat_maps;
 mod overview;
 mod panels;
 mod recovery;
@@ -58,6 +60,8 @@ pub const EXAMPLES: &[Example] = &[
     deformation::BAR_POLYGONS,
     deformation::BAR_RINGS,
     deformation::BAR_TETS,
+    flat_maps::MASK,
+    flat_maps::POLYGONS,
     recovery::COLLAPSE,
 ];
 
