@@ -181,8 +181,10 @@ impl Face {
         let mut points: Vec<Vec3<f64>> =
             vertices.iter().map(|&v| positions[v as usize].into()).collect();
         centre(&mut points);
-        let scale = PrincipalAxes::rotate(&mut points).scale;
-        let mut flat: Vec<[f64; 2]> = points.iter().map(|p| [p.x * scale, p.y * scale]).collect();
+        let mut flat = match points[..] {
+            [a, b, c] => flat_triangle(a, b, c),
+            _ => flat_polygon(points),
+        };
         let n = flat.len();
         let cross = |k: usize| {
             let ([a, b], [c, d]) = (flat[k], flat[(k + 1) % n]);
@@ -321,6 +323,24 @@ impl Part {
         map.iter_mut().for_each(|[x, y]| (*x, *y) = (*x - low[0], *y - low[1]));
         (map, area, [high[0] - low[0], high[1] - low[1]])
     }
+}
+
+/// Centred points in their least-squares plane.
+fn flat_polygon(mut points: Vec<Vec3<f64>>) -> Vec<[f64; 2]> {
+    let scale = PrincipalAxes::rotate(&mut points).scale;
+    points.iter().map(|p| [p.x * scale, p.y * scale]).collect()
+}
+
+/// A centred triangle in its own plane, with its first side along the first axis.
+fn flat_triangle(a: Vec3<f64>, b: Vec3<f64>, c: Vec3<f64>) -> Vec<[f64; 2]> {
+    let (along, across) = (b - a, c - a);
+    let base = along.length();
+    if base == 0.0 {
+        return vec![[0.0; 2]; 3];
+    }
+    let (foot, height) = (along.dot(across) / base, along.cross(across).length() / base);
+    let (x, y) = ((base + foot) / 3.0, height / 3.0);
+    vec![[-x, -y], [base - x, -y], [foot - x, height - y]]
 }
 
 /// Vectors to begin with, at one vertex: what is in no way special has some of every eigenvector.

@@ -100,6 +100,8 @@ impl Picture {
             pass.set_bind_group(0, self.map_store.group(), &[]);
             self.faces.draw(&mut pass);
             self.lines.draw(&mut pass, display.edges);
+            // On WebGL2 only what is inside the last rectangle arrives on the canvas.
+            confine(&mut pass, [0, 0, canvas.0, canvas.1]);
         }
         drop(pass);
         self.device.show(encoder, frame);

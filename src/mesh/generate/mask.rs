@@ -4,8 +4,8 @@ use super::rounded;
 use crate::math::{cosine, sine};
 use crate::mesh::{Mesh, Point, Ragged};
 
-/// A mask that looks towards -y: the front of an egg with a nose, brows, eyes, lips and a chin. It is
-/// open behind, and its triangles are of uneven shape.
+/// A mask that leans back: the front of an egg with a nose, brows, eyes, lips and a chin. It is open
+/// behind, and its triangles are of uneven shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mask {
     /// Rings of triangles round the middle.
@@ -14,13 +14,15 @@ pub struct Mask {
     pub size: Point,
     /// How far it reaches from the middle to its back, in turns.
     pub reach: f64,
+    /// How far it is turned from -y towards x, and then leans back, in turns.
+    pub pose: [f64; 2],
     /// How far vertices are from where they would lie evenly, as a part of their distance.
     pub jitter: f64,
 }
 
 impl Default for Mask {
     fn default() -> Self {
-        Mask { rings: 30, size: [3.1, 4.2, 3.4], reach: 0.29, jitter: 0.5 }
+        Mask { rings: 30, size: [3.1, 4.2, 3.4], reach: 0.25, pose: [0.05, 0.07], jitter: 0.5 }
     }
 }
 
@@ -30,8 +32,8 @@ type Bump = ([f64; 2], [f64; 2], f64);
 /// Bumps on the middle line, and bumps on both sides of it.
 const MIDDLE: [Bump; 6] = [
     // Nose: the tip and the bridge.
-    ([0.0, -0.5], [0.55, 0.6], 1.05),
-    ([0.0, 0.5], [0.42, 1.0], 0.55),
+    ([0.0, -0.45], [0.7, 0.75], 0.85),
+    ([0.0, 0.45], [0.5, 1.0], 0.5),
     // Lips, the line between them, chin, forehead.
     ([0.0, -1.75], [0.85, 0.32], 0.42),
     ([0.0, -1.78], [1.0, 0.10], -0.16),
@@ -86,8 +88,15 @@ impl Mask {
         let x = width * across * cosine(direction) * (1.0 + 0.16 * up);
         let z = height * up;
         // Towards the back there is no face.
-        let front = along.max(0.0).min(0.5) * 2.0;
-        [x, -(depth * along + front * relief(x, z)), z]
+        let front = along.clamp(0.0, 0.5) * 2.0;
+        self.posed([x, -(depth * along + front * relief(x, z)), z])
+    }
+
+    /// Leant back about the x axis, then turned about the z axis.
+    fn posed(&self, [x, y, z]: Point) -> Point {
+        let [turn, lean] = self.pose.map(|turns| [cosine(turns), sine(turns)]);
+        let [y, z] = [lean[0] * y + lean[1] * z, lean[0] * z - lean[1] * y];
+        [turn[0] * x - turn[1] * y, turn[1] * x + turn[0] * y, z]
     }
 }
 
