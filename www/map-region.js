@@ -165,7 +165,7 @@ function histogram({ histogram: counts, high, max }, stops) {
       'div',
       { class: 'ends figure' },
       element('span', {}, '1'),
-      element('span', {}, max > high ? `${ratio(high)} or more` : ratio(high)),
+      element('span', {}, `${max > high ? '≥ ' : ''}${ratio(high)}`),
     ),
   ];
 }

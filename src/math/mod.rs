@@ -6,6 +6,7 @@
 mod alignment;
 mod circle_fit;
 mod eigenvector;
+mod jacobi;
 mod lane;
 mod orthogonal_pair;
 mod plane_frame;
@@ -23,6 +24,7 @@ mod vec3;
 pub use alignment::Alignment;
 pub use circle_fit::{CircleFit, PrincipalCircle};
 pub use eigenvector::Eigenvector;
+pub use jacobi::symmetric_eigen;
 pub use lane::{LANES, Lane, Lanes, Pair};
 pub use orthogonal_pair::OrthogonalPair;
 pub use plane_frame::plane_frame;

@@ -9,7 +9,7 @@
 
 use super::System;
 use crate::constraint::Row;
-use nalgebra::{SMatrix, SVector, SymmetricEigen};
+use crate::math::symmetric_eigen;
 
 /// Iterations at most. Maps whose fifth eigenvalue is well apart need five to fifteen.
 const ITERATIONS: usize = 300;
@@ -42,7 +42,7 @@ pub(super) fn smallest(
     centre(&mut x);
     orthonormalise(&mut x);
     let mut solution = vec![[0.0; VECTORS]; 2 * nodes.len()];
-    let mut mix = Mix::zeros();
+    let mut mix = [[0.0; REAL]; VECTORS];
     for _ in 0..ITERATIONS {
         solution.fill([0.0; VECTORS]);
         for (&unknown, pair) in counted.iter().zip(&x) {
@@ -53,7 +53,7 @@ pub(super) fn smallest(
         let pair = |unknown: u32| nodes[unknown as usize].map(|node| solution[node as usize]);
         let mut y: Vec<Pair> = counted.iter().map(|&unknown| pair(unknown)).collect();
         centre(&mut y);
-        mix = principal(&products(&x, &y));
+        mix = principal(products(&x, &y));
         y.iter_mut().for_each(|pair| *pair = mixed(pair, &mix));
         orthonormalise(&mut y);
         let turn = turn(&x, &y);
@@ -72,36 +72,40 @@ pub(super) fn smallest(
     map.iter().flatten().all(|value| value.is_finite()).then_some(map)
 }
 
-/// What the new vectors are of the old ones: column `j` holds the real parts of the factors of vector `j`,
-/// then their imaginary parts.
-type Mix = SMatrix<f64, REAL, VECTORS>;
+/// What the new vectors are of the old ones: entry `i` of vector `j` is the factor of vector `i`, all real
+/// parts before all imaginary ones.
+type Mix = [[f64; REAL]; VECTORS];
 /// A Hermitian matrix `H` as the real one `[Re H, -Im H; Im H, Re H]`, which has each of its eigenvalues
 /// twice.
-type Hermitian = SMatrix<f64, REAL, REAL>;
+type Hermitian = [[f64; REAL]; REAL];
 
 /// The eigenvectors of a Hermitian matrix, that of the greatest eigenvalue first.
-fn principal(matrix: &Hermitian) -> Mix {
-    let found = SymmetricEigen::new((matrix + matrix.transpose()) * 0.5);
+fn principal(matrix: Hermitian) -> Mix {
+    let symmetric =
+        std::array::from_fn(|i| std::array::from_fn(|j| 0.5 * (matrix[i][j] + matrix[j][i])));
+    let (values, vectors) = symmetric_eigen(symmetric);
     let mut order: [usize; REAL] = std::array::from_fn(|k| k);
-    order.sort_by(|&a, &b| found.eigenvalues[b].total_cmp(&found.eigenvalues[a]));
+    order.sort_by(|&a, &b| values[b].total_cmp(&values[a]));
     // Of the two real vectors of an eigenvalue one is a multiple of the other by a complex number.
-    let mut mix = Mix::zeros();
+    let mut mix = [[0.0; REAL]; VECTORS];
     let mut taken = 0;
     for k in order {
-        let mut vector: SVector<f64, REAL> = found.eigenvectors.column(k).into();
-        for j in 0..taken {
-            let before: SVector<f64, REAL> = mix.column(j).into();
-            for before in [before, turned(&before)] {
-                vector -= before * before.dot(&vector);
-            }
+        let mut vector = vectors[k];
+        for before in mix[..taken].iter().flat_map(|&before| [before, turned(before)]) {
+            let along = dot(before, vector);
+            vector = std::array::from_fn(|i| vector[i] - along * before[i]);
         }
-        let square = vector.norm_squared();
+        let square = dot(vector, vector);
         if square > 0.5 && taken < VECTORS {
-            mix.set_column(taken, &(vector / square.sqrt()));
+            mix[taken] = vector.map(|value| value / square.sqrt());
             taken += 1;
         }
     }
     mix
+}
+
+fn dot(a: [f64; REAL], b: [f64; REAL]) -> f64 {
+    a.iter().zip(&b).map(|(a, b)| a * b).sum()
 }
 
 /// Makes the vectors orthonormal, each against those before it; combinations of those become zero.
@@ -156,19 +160,19 @@ fn normalise(map: &mut [[f64; 2]], counted: &[u32]) {
 }
 
 /// The vector times i.
-fn turned(vector: &SVector<f64, REAL>) -> SVector<f64, REAL> {
-    SVector::from_fn(|k, _| if k < VECTORS { -vector[k + VECTORS] } else { vector[k - VECTORS] })
+fn turned(vector: [f64; REAL]) -> [f64; REAL] {
+    std::array::from_fn(|k| if k < VECTORS { -vector[k + VECTORS] } else { vector[k - VECTORS] })
 }
 
 /// The new vectors at one unknown.
 fn mixed([real, imaginary]: &Pair, mix: &Mix) -> Pair {
-    let part = |j: usize, of: &Row, times_i: &Row| -> f64 {
-        (0..VECTORS).map(|i| of[i] * mix[(i, j)] + times_i[i] * mix[(i + VECTORS, j)]).sum()
+    let part = |factors: &[f64; REAL], of: &Row, times_i: &Row| -> f64 {
+        (0..VECTORS).map(|i| of[i] * factors[i] + times_i[i] * factors[i + VECTORS]).sum()
     };
     let minus = imaginary.map(|value| -value);
     [
-        std::array::from_fn(|j| part(j, real, &minus)),
-        std::array::from_fn(|j| part(j, imaginary, real)),
+        std::array::from_fn(|j| part(&mix[j], real, &minus)),
+        std::array::from_fn(|j| part(&mix[j], imaginary, real)),
     ]
 }
 
@@ -210,12 +214,13 @@ fn products(a: &[Pair], b: &[Pair]) -> Hermitian {
             }
         }
     }
-    Hermitian::from_fn(|row, column| {
+    let entry = |row: usize, column: usize| {
         let (i, j) = (row % VECTORS, column % VECTORS);
         match (row < VECTORS, column < VECTORS) {
             (true, true) | (false, false) => real[i][j],
             (true, false) => -imaginary[i][j],
             (false, true) => imaginary[i][j],
         }
-    })
+    };
+    std::array::from_fn(|row| std::array::from_fn(|column| entry(row, column)))
 }

@@ -34,13 +34,14 @@ export function displayPanel(place, store) {
     store.subscribe(['display'], ({ display }) => (box.checked = display[key]));
     return element('label', {}, box, label);
   };
+  const colourRow = element(
+    'div',
+    { class: 'field-row' },
+    element('label', { for: 'colour-by' }, 'Colour by'),
+    choice,
+  );
   place.replaceChildren(
-    element(
-      'div',
-      { class: 'field-row' },
-      element('label', { for: 'colour-by' }, 'Colour by'),
-      choice,
-    ),
+    colourRow,
     element(
       'div',
       { class: 'toggles' },
@@ -52,6 +53,8 @@ export function displayPanel(place, store) {
     ),
   );
   store.subscribe(['measure'], ({ measure }) => (choice.value = measure ?? ''));
+  // The colours of a flat map go before, and it has controls of its own for them.
+  store.subscribe(['flatMap'], ({ flatMap }) => (colourRow.hidden = flatMap !== null));
   // Only a surface can be flattened.
   const parametrize = byId('parametrize');
   store.subscribe(['model'], ({ model }) => (parametrize.hidden = !model?.faces));

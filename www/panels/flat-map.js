@@ -72,8 +72,11 @@ export function flatMapPanel(place, store, control) {
 
   store.subscribe(['flatMap', 'numbers', 'renderer'], (state) => {
     const { flatMap } = state;
+    const isNew = place.hidden && flatMap !== null;
     place.hidden = !flatMap;
     if (!flatMap) return;
+    // It comes above what was looked at.
+    if (isNew) place.scrollIntoView({ block: 'nearest' });
     const { found } = flatMap;
     const isStale = state.numbers?.iteration !== flatMap.iteration;
     showFacts(facts, found);
