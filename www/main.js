@@ -21,9 +21,10 @@ import { arrangeForWidth } from './layout.js';
 import { messageOf } from './messages.js';
 import { constraintsPanel } from './panels/constraints.js';
 import { Convergence } from './panels/convergence.js';
-import { displayPanel, legend } from './panels/display.js';
+import { displayPanel } from './panels/display.js';
 import { energiesPanel } from './panels/energies.js';
 import { handlesPanel } from './panels/handles.js';
+import { legend } from './panels/legend.js';
 import { modelPanel } from './panels/model.js';
 import { statusBar } from './panels/status-bar.js';
 import { PointerInput } from './pointer.js';
@@ -126,7 +127,7 @@ function takeUp(client) {
   const on = (type, take) =>
     client.addEventListener(type, (event) => take(/** @type {CustomEvent} */ (event).detail));
 
-  on('ready', ({ kinds, elements }) => store.set({ kinds, elements }));
+  on('ready', ({ kinds, elements, measures }) => store.set({ kinds, elements, measures }));
   on('model', ({ loaded, positions }) =>
     store.set({
       model: loaded,
