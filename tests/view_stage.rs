@@ -4,6 +4,7 @@
 
 use glam::{DVec3, Vec2};
 use shape_up::view::camera::Up;
+use shape_up::view::flat_map::{flat_map, follow};
 use shape_up::view::region::{Outline, Taking};
 use shape_up::view::stage::{Changes, Stage};
 
@@ -337,4 +338,42 @@ fn meshes_without_faces_or_points_can_be_looked_at() {
     stage.zoom(2.0, at);
     let bad = stage.set_mesh((vec![0, 3], vec![0, 1, 7]), (vec![], vec![]), &points);
     assert!(bad.unwrap_err().to_string().contains("index 7"));
+}
+
+#[test]
+fn a_flat_map_is_seen_from_above_without_distortion() {
+    let model = stage(4, |x, y| 3.0 * x * y);
+    let uv: Vec<f64> = (0..25).flat_map(|v| [100.0 + f64::from(v % 5), f64::from(v / 5)]).collect();
+    let (mut map, checks) = flat_map(&model, &uv).unwrap();
+    assert_eq!(checks.extent(), Vec2::splat(4.0));
+    map.resize(CANVAS);
+    let at = |map: &Stage, v: u32| map.screen(v).unwrap();
+    // The first coordinate to the right, the second up, and squares are squares.
+    let [origin, right, up] = [0, 4, 20].map(|v| at(&map, v));
+    let (along, across) = (right - origin, up - origin);
+    assert!(along.x > 100.0 && along.y.abs() < 0.1 && across.x.abs() < 0.1, "{along} {across}");
+    assert!((along.x + across.y).abs() < 0.1);
+    let before = at(&map, 12);
+    map.pan(30.0, -12.0);
+    assert!((at(&map, 12) - before - Vec2::new(30.0, -12.0)).length() < 0.1);
+    map.zoom(2.0, at(&map, 12));
+    assert!((at(&map, 12) - before - Vec2::new(30.0, -12.0)).length() < 0.1);
+    assert!(flat_map(&model, &uv[..40]).is_err());
+}
+
+#[test]
+fn a_flat_map_has_the_marks_and_the_theme_of_the_model() {
+    let mut model = stage(2, |_, _| 0.0);
+    let (mut map, _) = flat_map(&model, &[0.0; 18]).unwrap();
+    map.changes = Changes::default();
+    model.changes = Changes::default();
+    follow(&mut map, &model);
+    assert!(!map.changes.any());
+    let counts = model.counts();
+    model.looks.select(vec![], vec![3], counts).unwrap();
+    model.changes.looks = true;
+    model.dark = true;
+    follow(&mut map, &model);
+    assert!(map.changes.looks && map.changes.view && map.dark);
+    assert_eq!(map.looks.bytes(4)[14], 255);
 }

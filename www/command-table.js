@@ -16,6 +16,7 @@ import { toggleTheme } from './theme.js';
  * @property {import("./alerts.js").Alerts} alerts
  * @property {import("./dialog-add-constraint.js").AddConstraintDialog} addConstraint
  * @property {import("./solver-client.js").SolverClient} solver
+ * @property {() => void} flatMap shows the flat map, or takes it away
  * @property {HTMLInputElement} fileInput
  * @property {HTMLDialogElement} help
  */
@@ -28,6 +29,7 @@ export function commandTable(parts) {
   const { store, viewport, pointer, files, actions, alerts, addConstraint, fileInput, help } =
     parts;
   const { solver } = parts;
+  const hasFaces = (/** @type {State} */ { model }) => (model?.faces ?? 0) > 0;
   const hasView = (/** @type {State} */ { renderer }) =>
     renderer === 'webgpu' || renderer === 'webgl2';
 
@@ -41,6 +43,7 @@ export function commandTable(parts) {
   function escape() {
     if (pointer.cancel()) return;
     if (addConstraint.isOpen) return addConstraint.close();
+    if (store.get().flatMap) return store.set({ flatMap: null });
     alerts.clear();
     actions.selectNothing();
   }
@@ -182,7 +185,11 @@ export function commandTable(parts) {
       group: 'View',
       label: 'Fit all',
       keys: ['Home'],
-      action: () => viewport.with((view) => view.fit()),
+      action: () =>
+        viewport.with((view) => {
+          view.fit();
+          view.fitMap();
+        }),
       enabled: hasView,
     },
     {
@@ -194,6 +201,16 @@ export function commandTable(parts) {
         const { display } = store.get();
         store.set({ display: { ...display, edges: !display.edges } });
       },
+    },
+    {
+      id: 'parametrize',
+      group: 'View',
+      label: 'Parametrize: a flat map beside the model',
+      keys: ['U'],
+      action: parts.flatMap,
+      needsModel: true,
+      enabled: hasFaces,
+      pressed: ({ flatMap }) => flatMap !== null,
     },
     {
       id: 'open',

@@ -69,6 +69,16 @@ export function duration(milliseconds) {
 }
 
 /**
+ * A ratio that is near to one where all is well.
+ * @param {number} value
+ * @returns {string}
+ */
+export function ratio(value) {
+  if (!Number.isFinite(value)) return Number.isNaN(value) ? '–' : '∞';
+  return value < 100 ? value.toFixed(4) : number(value);
+}
+
+/**
  * A count with its noun: "1 face", "12 faces".
  * @param {number} value
  * @param {string} noun

@@ -13,6 +13,7 @@ import { byId } from './dom.js';
 import { offerExperiment } from './experiment/offer.js';
 import { Files } from './files.js';
 import { animateFirstPicture } from './first-picture.js';
+import { toggleFlatMap } from './flat-map.js';
 import { count } from './format.js';
 import { bindHandleKeys } from './handle-keys.js';
 import { buildHelp } from './help.js';
@@ -104,6 +105,7 @@ const commands = commandTable({
   solver,
   fileInput,
   help,
+  flatMap: () => toggleFlatMap({ store, solver, viewport, alerts }),
 });
 bindButtons(commands, store);
 bindKeys(commands, store);
@@ -155,6 +157,7 @@ function takeUp(client) {
       document: null,
       numbers: null,
       measureChosen: false,
+      flatMap: null,
       selection: NOTHING,
       dragged: [],
       tint: null,

@@ -234,6 +234,28 @@
  * @property {"length" | "percent" | "degrees" | "number"} unit
  */
 
+/**
+ * A flat map that keeps angles (Eq. 14), of the shape as it was when it was asked for. The
+ * quasi-conformal error of a triangle is its greater over its smaller stretch: 1 where angles are kept.
+ * @typedef {object} Parametrization
+ * @property {Float64Array} uv `#V by 2`, units of the mesh
+ * @property {Float32Array} faceErrors `#F`: of each face the greatest error of its triangles; not a number without area
+ * @property {Uint32Array} histogram faces by error, in bars of equal width from 1 to `high`; the last one holds those beyond too
+ * @property {number} high what 99 of a hundred faces do not exceed
+ * @property {number} mean error, weighted by area
+ * @property {number} max error
+ * @property {number} flipped triangles that the map turns over
+ * @property {number} parts connected parts of the surface
+ * @property {number} closedParts those without a boundary, which cannot be flattened without folds
+ * @property {number} eigenvalue
+ * @property {number} seconds
+ * @property {Record<"assemble" | "order" | "factor" | "iterate", number>} secondsOf
+ */
+
+/** What a polygon counts, and what is kept from shrinking to a point: the words of the command line. */
+/** @typedef {"inverse-area" | "one" | "lscm"} MapWeights */
+/** @typedef {"boundary" | "vertices"} MapNorm */
+
 /** @typedef {{ name: string, bytes: Uint8Array }} NamedBytes */
 
 /**
@@ -262,8 +284,9 @@
  * - `edit`, `undo`, `redo`, `step`.
  * - `members`: what a constraint acts on. `rowColours`: the colours of all of them. `previews`: what
  *   adding one of each kind at each of some places would make. `select`: what is selected then.
- * - `scene`, `obj`, `table`: the texts of the files; the errors of the faces, or the energies of the
- *   iterations, as CSV.
+ * - `parametrize`: ends a run. Refused where there is no face, or no area.
+ * - `scene`, `obj`, `table`: the texts of the files; an `obj` with `uv` (`#V by 2`) has them as texture
+ *   coordinates; a `table` has the errors of the faces, or the energies of the iterations, as CSV.
  * - `runExperiment`: starts the experiment of an example, on its files, the scene first; the model that
  *   is open is not touched. `experimentCsv`: what was measured.
  * @typedef {{ type: "open", files: NamedBytes[], iteration?: number, frame?: string }
@@ -276,7 +299,8 @@
  *   | { type: "previews", places: Selector[] }
  *   | { type: "select", request: SelectRequest }
  *   | { type: "scene" }
- *   | { type: "obj" }
+ *   | { type: "parametrize", weights: MapWeights, norm: MapNorm }
+ *   | { type: "obj", uv?: Float64Array }
  *   | { type: "table", table: "errors" | "convergence" }
  *   | { type: "runExperiment", example: string, files: NamedBytes[], iterations?: number, seconds?: number }
  *   | { type: "experimentCsv" }} Request
@@ -294,6 +318,7 @@
  * @property {RowColours} rowColours
  * @property {(Preview | null)[][]} previews `#kinds by #places`, null where nothing fits
  * @property {Record<PickMode, Uint32Array>} select
+ * @property {Parametrization} parametrize
  * @property {string} scene
  * @property {string} obj
  * @property {string} table

@@ -155,7 +155,10 @@ function answer(message) {
     case 'scene':
       return live().scene();
     case 'obj':
-      return live().obj();
+      return message.uv ? live().objWithUv(message.uv) : live().obj();
+    case 'parametrize':
+      pause();
+      return live().parametrize(message.weights, message.norm);
     case 'table':
       return live().table(message.table);
     case 'runExperiment':

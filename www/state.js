@@ -38,6 +38,7 @@
  * @property {import("./spread.js").Spread | null} spread of the values of the faces
  * @property {number | null} tolerance in the unit of the measure
  * @property {{ edges: boolean, vertices: boolean, shapes: boolean, outlines: boolean, arrows: boolean }} display
+ * @property {import("./flat-map.js").FlatMap | null} flatMap what is shown beside the model
  * @property {boolean} dark
  * @property {"webgpu" | "webgl2" | "none" | "starting"} renderer
  * @property {string} saved what became of the autosave, in words
@@ -86,6 +87,7 @@ const INITIAL = {
   spread: null,
   tolerance: null,
   display: { edges: true, vertices: false, shapes: false, outlines: false, arrows: false },
+  flatMap: null,
   dark: false,
   renderer: 'starting',
   saved: '',

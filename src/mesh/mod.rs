@@ -16,6 +16,7 @@
 //! | `closest` | closest point `c(v)` on the reference surface, Eq. 11; with its parts `triangle`, `tree`, `surroundings`, `clearing` |
 //! | `measure` | planarity, circularity, diagonal ratio of faces; with its part `face_fit` |
 //! | `quasi_conformal` | how far a flat map is from keeping angles |
+//! | `histogram` | how errors are distributed, for legends |
 //! | `bounds` | bounding sphere |
 
 mod boundary;
@@ -29,6 +30,7 @@ mod edge_lines;
 mod face_fit;
 pub mod generate;
 mod groups;
+mod histogram;
 mod laplacian;
 mod lines;
 mod local;
@@ -56,13 +58,14 @@ pub use bounds::BoundingSphere;
 pub use closest::Surface;
 pub use components::components;
 pub use edge_lines::edge_lines;
+pub use histogram::Histogram;
 pub use laplacian::{LARGEST_COTANGENT, Laplacian};
 pub use local::{corners, hinges, stars};
 pub use measure::{Circularity, Measures, Planarity, diagonal_ratio};
 pub use medit_write::write_medit;
 pub use obj_write::{write_obj, write_obj_with_uv};
 pub use problem::{Element, Problem, ProblemKind};
-pub use quasi_conformal::{QuasiConformal, quasi_conformal};
+pub use quasi_conformal::{MapErrors, QuasiConformal, quasi_conformal};
 pub use ragged::Ragged;
 pub use read::{Read, read};
 pub use strips::strips;

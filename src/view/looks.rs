@@ -106,6 +106,14 @@ impl Looks {
         Ok(())
     }
 
+    /// Marks the same vertices and faces as `other`.
+    pub fn mark_as(&mut self, other: &Looks) {
+        self.selected_vertices.clone_from(&other.selected_vertices);
+        self.selected_faces.clone_from(&other.selected_faces);
+        self.tinted_vertices.clone_from(&other.tinted_vertices);
+        self.tinted_faces.clone_from(&other.tinted_faces);
+    }
+
     /// Tinted vertices that need a dot: where whole faces are tinted, dots would be noise.
     pub fn tinted_dots(&self) -> &[u32] {
         if self.tinted_faces.is_empty() { &self.tinted_vertices } else { &[] }

@@ -12,6 +12,7 @@
 
 pub mod camera;
 pub mod canvas_size;
+pub mod checks;
 #[cfg(target_arch = "wasm32")]
 pub mod circles;
 pub mod colour_map;
@@ -20,6 +21,7 @@ pub mod depth_map;
 pub mod device;
 #[cfg(target_arch = "wasm32")]
 pub mod faces;
+pub mod flat_map;
 pub mod framing;
 pub mod globals;
 pub mod light;

@@ -95,6 +95,10 @@ pub struct Palette {
     /// Edges between faces that have values: light, because the colour of no error is dark and is
     /// what most faces have in the end. Where errors are large, faces differ from their neighbours.
     pub edge_of_values: Colour,
+    /// Dark squares of the checkerboard of a flat map.
+    pub check: Colour,
+    /// Edges between faces with a checkerboard: seen on both kinds of squares, and fainter than them.
+    pub edge_of_checks: Colour,
     /// By [`DotKind`].
     pub dots: [Dot; DOT_KINDS],
     /// Fitted circles.
@@ -139,6 +143,8 @@ pub const LIGHT: Palette = Palette {
         stroke(ORANGE, 3.4),
     ],
     edge_of_values: [1.0, 1.0, 1.0, 0.40],
+    check: [0.20, 0.26, 0.36, 0.94],
+    edge_of_checks: [0.45, 0.49, 0.56, 0.45],
     dots: [
         dot([0.16, 0.19, 0.24, 1.0], [0.985, 0.985, 0.985, 0.9], 3.1, 0.8),
         dot(WHITE, [1.0, 1.0, 1.0, 0.75], 3.3, 0.6),
@@ -171,6 +177,8 @@ pub const DARK: Palette = Palette {
         stroke([1.0, 0.60, 0.15, 1.0], 3.4),
     ],
     edge_of_values: [1.0, 1.0, 1.0, 0.34],
+    check: [0.125, 0.145, 0.185, 0.95],
+    edge_of_checks: [0.40, 0.43, 0.48, 0.45],
     dots: [
         dot([0.93, 0.95, 0.97, 1.0], [0.08, 0.09, 0.11, 0.9], 3.1, 0.8),
         dot(WHITE, [0.08, 0.09, 0.11, 0.75], 3.3, 0.6),

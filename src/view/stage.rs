@@ -2,6 +2,7 @@
 //! shapes, and what has changed since the last picture.
 
 use super::camera::{Camera, Up};
+use super::checks::Checks;
 use super::depth_map::DepthMap;
 use super::framing::{depth_range, frame};
 use super::lists::{Lists, ViewError, check_indices};
@@ -56,6 +57,8 @@ pub struct Changes {
     pub shapes: bool,
     /// Projections.
     pub projections: bool,
+    /// Places on the checkerboard.
+    pub checks: bool,
     /// Camera, theme, size, display: all that needs a new picture but no new data.
     pub view: bool,
 }
@@ -69,6 +72,7 @@ impl Changes {
         marks: true,
         shapes: true,
         projections: true,
+        checks: true,
         view: true,
     };
 
@@ -97,6 +101,8 @@ pub struct Stage {
     pub shapes: Vec<f32>,
     /// Projected points, outlines, arrows.
     pub projections: Projections,
+    /// The checkerboard of a flat map.
+    pub checks: Checks,
     /// What is switched on.
     pub display: Display,
     /// Dark theme.
@@ -121,6 +127,7 @@ impl Default for Stage {
             handles: Vec::new(),
             shapes: Vec::new(),
             projections: Projections::default(),
+            checks: Checks::default(),
             display: Display { edges: true, ..Display::default() },
             dark: false,
             white: false,
@@ -158,6 +165,7 @@ impl Stage {
         self.handles.clear();
         self.shapes.clear();
         self.projections = Projections::default();
+        self.checks = Checks::default();
         self.changes = Changes::ALL;
         self.preset("home")
     }

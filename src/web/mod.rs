@@ -2,7 +2,10 @@
 
 #[cfg(feature = "solver")]
 pub mod experiment;
+#[cfg(feature = "solver")]
 mod page_edit;
+#[cfg(feature = "solver")]
+mod parametrize;
 #[cfg(feature = "solver")]
 mod report;
 #[cfg(feature = "solver")]
@@ -11,6 +14,8 @@ mod selecting;
 pub mod solver;
 #[cfg(feature = "view")]
 pub mod view;
+#[cfg(feature = "view")]
+mod view_map;
 
 use wasm_bindgen::JsValue;
 

@@ -7,6 +7,7 @@ use super::{log_panics, thrown};
 use crate::view::camera::Up;
 use crate::view::colour_map;
 use crate::view::device::{Device, DeviceError};
+use crate::view::flat_map::follow;
 use crate::view::lists::ViewError;
 use crate::view::picture::Picture;
 use crate::view::projections::Projections;
@@ -23,7 +24,12 @@ use wgpu::SurfaceTarget;
 #[wasm_bindgen]
 #[derive(Debug)]
 pub struct View {
-    stage: Stage,
+    pub(super) stage: Stage,
+    /// The stage of the flat map beside the model.
+    pub(super) map: Option<Stage>,
+    /// Size of the canvas in CSS pixels.
+    pub(super) canvas_size: Vec2,
+    pixel_ratio: f32,
     picture: Picture,
     backend: &'static str,
     frames: u32,
@@ -88,7 +94,18 @@ impl View {
         )?;
         let picture = Picture::new(device);
         let stage = Stage::default();
-        Ok(View { stage, picture, backend, frames: 0, canvas, context_lost })
+        let (canvas_size, pixel_ratio) = (stage.camera.canvas, 1.0);
+        Ok(View {
+            stage,
+            map: None,
+            canvas_size,
+            pixel_ratio,
+            picture,
+            backend,
+            frames: 0,
+            canvas,
+            context_lost,
+        })
     }
 
     /// `webgpu` or `webgl2`.
@@ -100,8 +117,9 @@ impl View {
     /// nobody has moved since it was fitted is fitted again.
     pub fn resize(&mut self, width: u32, height: u32, device_pixel_ratio: f32) {
         self.picture.device.resize(width, height);
-        let ratio = if device_pixel_ratio > 0.0 { device_pixel_ratio } else { 1.0 };
-        self.stage.resize(Vec2::new(width as f32, height as f32) / ratio);
+        self.pixel_ratio = if device_pixel_ratio > 0.0 { device_pixel_ratio } else { 1.0 };
+        self.canvas_size = Vec2::new(width as f32, height as f32) / self.pixel_ratio;
+        self.arrange();
     }
 
     /// Shows a mesh: rows of faces and of curves as offsets and indices, #V by 3 positions. Another
@@ -120,7 +138,12 @@ impl View {
     ) -> Result<(), JsValue> {
         let faces = (face_offsets, face_indices);
         let curves = (curve_offsets, curve_indices);
-        self.stage.set_mesh(faces, curves, positions).map_err(thrown)
+        self.stage.set_mesh(faces, curves, positions).map_err(thrown)?;
+        if self.stage.checks.places.is_empty() {
+            // Another mesh, and the map is that of the one before.
+            self.clear_map();
+        }
+        Ok(())
     }
 
     /// Moves the vertices, #V by 3.
@@ -423,7 +446,7 @@ impl View {
     /// Whether the next `draw` has something new to show.
     #[wasm_bindgen(js_name = needsDraw)]
     pub fn needs_draw(&self) -> bool {
-        self.stage.changes.any()
+        self.stage.changes.any() || self.map.as_ref().is_some_and(|map| map.changes.any())
     }
 
     /// Draws if anything has changed; returns whether it did.
@@ -431,7 +454,13 @@ impl View {
     /// # Errors
     /// The device is lost; the page makes a new view on a new canvas.
     pub fn draw(&mut self) -> Result<bool, JsValue> {
-        let drawn = self.picture.draw(&mut self.stage).map_err(thrown)?;
+        if let Some(map) = &mut self.map {
+            follow(map, &self.stage);
+        }
+        let drawn = self
+            .picture
+            .draw(&mut self.stage, self.map.as_mut(), self.pixel_ratio)
+            .map_err(thrown)?;
         self.frames += u32::from(drawn);
         Ok(drawn)
     }

@@ -32,7 +32,7 @@ fn area_vector(points: &[Point]) -> Point {
 /// How many boundary loops the mesh of an example has.
 fn loops(id: &str) -> usize {
     match id {
-        "dome" | "fig-06-exploration" => 2,
+        "dome" | "fig-06-exploration" | "fig-09-polygons" => 2,
         "fig-08-protrusions" | "fig-10-collapse" | "fig-10-random" => 0,
         id if id.starts_with("fig-08-bar") => 0,
         _ => 1,

@@ -6,12 +6,14 @@
 //! | `canopy`, `dome`, `hypar` | the models that the page shows first |
 //! | `hall` | a flowing roof with a swelling and a waist |
 //! | `honeycomb`, `dual` | polygons over a surface: the dual of rows of triangles |
+//! | `mask` | a face in relief, of uneven triangles |
 //! | `mounds` | a roof of polygons with two mounds |
 //! | `lantern` | a surface of revolution, whose panels have circles |
 //! | `net` | a piece of a torus, whose lines are circles |
 //! | `strip` | a strip between two rails |
 //! | `noise` | numbers without a pattern |
 //! | `patch` | a sheet of skew, uneven panels |
+//! | `opening` | takes faces out |
 //! | `blocks` | blocks of cubes: their surface, and tetrahedra |
 //! | `creature`, `implicit`, `relax` | an animal of blended round parts, polygonised |
 
@@ -25,9 +27,11 @@ mod honeycomb;
 mod hypar;
 mod implicit;
 mod lantern;
+mod mask;
 mod mounds;
 mod net;
 mod noise;
+mod opening;
 mod patch;
 mod relax;
 mod strip;
@@ -40,8 +44,10 @@ pub use hall::Hall;
 pub use honeycomb::honeycomb;
 pub use hypar::Hypar;
 pub use lantern::Lantern;
+pub use mask::Mask;
 pub use mounds::Mounds;
 pub use net::Net;
+pub use opening::opened;
 pub use patch::Patch;
 pub use relax::soften;
 pub use strip::Strip;

@@ -9,12 +9,14 @@
 //! | `panels` | Fig. 5: planar and circular panels |
 //! | `exploration` | Fig. 6: shapes of circular meshes and webs under handles |
 //! | `deformation` | Fig. 8: rigid and similar elements under handles |
+//! | `flat_maps` | Fig. 9: conformal parametrisation |
 //! | `recovery` | Fig. 10: from a collapsed start, and from a scattered one |
 //! | `strip` | Fig. 11: edges that collapse |
 
 mod deformation;
 mod exploration;
 mod first;
+mod flat_maps;
 mod overview;
 mod panels;
 mod recovery;
@@ -60,6 +62,8 @@ pub const EXAMPLES: &[Example] = &[
     deformation::BAR_POLYGONS,
     deformation::BAR_RINGS,
     deformation::BAR_TETS,
+    flat_maps::MASK,
+    flat_maps::POLYGONS,
     recovery::COLLAPSE,
     recovery::RANDOM,
     strip::STRIP,
