@@ -22,7 +22,7 @@ const picture = { scale: 2, legend: true, white: false };
 /** @param {Parts} parts */
 export function showExport(parts) {
   const { store, solver, files, viewport } = parts;
-  const { model, document: scene, renderer } = store.get();
+  const { model, document: scene, renderer, flatMap } = store.get();
   const dialog = element('dialog', { id: 'export', 'aria-labelledby': 'export-title' });
   const working = element('p', { class: 'working quiet', 'aria-live': 'polite' });
 
@@ -70,8 +70,15 @@ export function showExport(parts) {
       { class: 'dialog-body' },
       section(
         'Shape',
-        format('OBJ', 'The mesh as it is now, in the order of the file', async () =>
-          files.save('.obj', await solver.request({ type: 'obj' }), 'model/obj'),
+        format(
+          'OBJ',
+          `The mesh as it is now, in the order of the file${flatMap ? ', with its flat map' : ''}`,
+          async () =>
+            files.save(
+              '.obj',
+              await solver.request({ type: 'obj', uv: flatMap?.found.uv }),
+              'model/obj',
+            ),
         ),
         format('3DM', 'For Rhino, with a layer for each group', () => saveForRhino(parts)),
         format('Scene', 'The mesh with its constraints, handles and weights', () =>

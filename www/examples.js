@@ -15,6 +15,7 @@
  * @property {number} tets
  * @property {{ id: string, label: string }[]} kinds
  * @property {[number, number, number]} weights shape, close, smooth
+ * @property {import("./experiment/offer.js").Experiment | null} experiment that compares ways to solve it
  */
 
 const FOLDER = new URL(/* @vite-ignore */ 'examples/', document.baseURI);

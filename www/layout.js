@@ -75,7 +75,7 @@ function tabs() {
  * @param {HTMLElement} menu
  * @param {() => HTMLElement} anchor
  */
-function placeMenu(menu, anchor) {
+export function placeMenu(menu, anchor) {
   menu.addEventListener('toggle', (event) => {
     if (/** @type {ToggleEvent} */ (event).newState !== 'open') return;
     const at = anchor().getBoundingClientRect();

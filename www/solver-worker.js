@@ -5,6 +5,7 @@
  */
 
 import init, { Solver } from './pkg/solver/shape_up.js';
+import { cancelExperiment, experimentCsv, runExperiment } from './experiment/worker-part.js';
 import { SLICE_MS, messageOf } from './messages.js';
 
 /** @typedef {import("./messages.js").ToWorker} ToWorker */
@@ -57,6 +58,8 @@ try {
     kinds: solver.kinds(),
     elements: solver.elements(),
     measures: solver.measures(),
+    operations: solver.operations(),
+    settings: solver.settings(),
   });
   const held = early ?? [];
   early = null;
@@ -116,6 +119,8 @@ function command(message) {
       return pause();
     case 'drag':
       return drag(message);
+    case 'cancelExperiment':
+      return cancelExperiment();
   }
 }
 
@@ -145,12 +150,21 @@ function answer(message) {
       return live().rowColours();
     case 'previews':
       return live().previews(message.places);
+    case 'select':
+      return live().select(message.request);
     case 'scene':
       return live().scene();
     case 'obj':
-      return live().obj();
+      return message.uv ? live().objWithUv(message.uv) : live().obj();
+    case 'parametrize':
+      pause();
+      return live().parametrize(message.weights, message.norm);
     case 'table':
       return live().table(message.table);
+    case 'runExperiment':
+      return runExperiment(message, post, die);
+    case 'experimentCsv':
+      return experimentCsv();
   }
 }
 
@@ -189,6 +203,7 @@ function open(files, iteration, frame = '') {
     faceIndices: live().faceIndices(),
     curveOffsets: live().curveOffsets(),
     curveIndices: live().curveIndices(),
+    edges: live().edges(),
   };
   post({ type: 'model', loaded: about, connectivity, positions }, [
     positions.buffer,

@@ -6,6 +6,7 @@
 
 import { removeFirstPicture } from './first-picture.js';
 import { messageOf } from './messages.js';
+import { modelErrors, showFlatMap } from './flat-map.js';
 
 /** @typedef {import("./pkg/view/shape_up.js").View} View */
 /** @typedef {import("./state.js").State} State */
@@ -213,8 +214,9 @@ export class Viewport extends EventTarget {
       [['document', 'dragged', 'selection', 'model'], showHandles],
       [['selection', 'model'], showSelection],
       [['tint', 'model'], showTint],
-      [['rowColours', 'model'], showRowColours],
-      [['measure', 'range'], (view, state) => this.#showValues(view, state)],
+      [['rowColours', 'model', 'flatMap'], showRowColours],
+      [['measure', 'range', 'flatMap'], (view, state) => this.#showValues(view, state)],
+      [['flatMap'], showFlatMap],
     ];
     for (const [keys, show] of parts) {
       subscribe(keys, (state) => {
@@ -234,6 +236,7 @@ export class Viewport extends EventTarget {
    */
   #showValues(view, state) {
     const { geometry } = this.#solver;
+    if (state.flatMap) return view.setFaceValues(...modelErrors(state.flatMap));
     // Right after another choice, the values are still those of the one before.
     const values = geometry && geometry.measure === state.measure ? geometry.values : null;
     view.setFaceValues(values ?? undefined, state.range[0], state.range[1]);
@@ -249,6 +252,7 @@ export class Viewport extends EventTarget {
       const { faceOffsets, faceIndices, curveOffsets, curveIndices } = geometry.connectivity;
       if (state.model) view.setUp(state.model.up);
       view.setMesh(faceOffsets, faceIndices, curveOffsets, curveIndices, geometry.positions);
+      view.setEdges(geometry.connectivity.edges);
       this.#newMesh = false;
       this.#showAll(view, state);
       view.fit();
@@ -308,6 +312,7 @@ function showHandles(view, { document, dragged }) {
  */
 function showSelection(view, { selection }) {
   view.setSelection(Uint32Array.from(selection.vertices), Uint32Array.from(selection.faces));
+  view.setSelectedEdges(Uint32Array.from(selection.edges));
 }
 
 /**
@@ -324,7 +329,7 @@ function showTint(view, { tint }) {
  * @param {View} view
  * @param {State} state
  */
-function showRowColours(view, { rowColours }) {
-  const { faces, vertices, palette } = rowColours ?? NO_COLOURS;
+function showRowColours(view, { rowColours, flatMap }) {
+  const { faces, vertices, palette } = (!flatMap && rowColours) || NO_COLOURS;
   view.setRowColours(faces, vertices, palette);
 }

@@ -18,6 +18,7 @@
 //! | `measure` | planarity, circularity, diagonal ratio of faces; with its part `face_fit` |
 //! | `angle_histogram` | how many corners of faces have which angle |
 //! | `quasi_conformal` | how far a flat map is from keeping angles |
+//! | `histogram` | how errors are distributed, for legends |
 //! | `bounds` | bounding sphere |
 
 mod angle_histogram;
@@ -33,6 +34,7 @@ mod face_fit;
 mod feature_curves;
 pub mod generate;
 mod groups;
+mod histogram;
 mod laplacian;
 mod lines;
 mod local;
@@ -62,13 +64,14 @@ pub use closest::Surface;
 pub use components::components;
 pub use edge_lines::edge_lines;
 pub use feature_curves::feature_curves;
+pub use histogram::Histogram;
 pub use laplacian::{LARGEST_COTANGENT, Laplacian};
 pub use local::{corners, hinges, stars};
 pub use measure::{Circularity, Measures, Planarity, diagonal_ratio};
 pub use medit_write::write_medit;
 pub use obj_write::{write_obj, write_obj_with_uv};
 pub use problem::{Element, Problem, ProblemKind};
-pub use quasi_conformal::{QuasiConformal, quasi_conformal};
+pub use quasi_conformal::{MapErrors, QuasiConformal, quasi_conformal};
 pub use ragged::Ragged;
 pub use read::{Read, read};
 pub use strips::strips;

@@ -1,7 +1,8 @@
 //! Edits of the document. Each is one step of undo, and fails without leaving a trace.
 
 use super::history::Snapshot;
-use super::{Session, resolve, solver};
+use super::holding::hold_close;
+use super::{Session, resolve, settings, solver};
 use crate::constraint::{Kind, KindError, Selector, Set};
 use crate::error::Error;
 use crate::mesh::Point;
@@ -31,6 +32,44 @@ pub enum Edit {
         enabled: Option<bool>,
         /// New values of parameters, as in scene files; those that are not here stay.
         params: Map<String, Value>,
+    },
+    /// Adds a row like row `index` after it.
+    DuplicateConstraint {
+        /// Which row.
+        index: usize,
+    },
+    /// Gives a set a name, instead of what had that name.
+    NameSet {
+        /// Not empty.
+        name: String,
+        /// The set.
+        set: Set,
+    },
+    /// Takes a set away.
+    RemoveSet {
+        /// Its name.
+        name: String,
+    },
+    /// Gives one of the declared settings another value.
+    Set {
+        /// Its id.
+        id: String,
+        /// Its value, in one of its forms.
+        value: Value,
+    },
+    /// Keeps some vertices close more or less than the others.
+    HoldClose {
+        /// Which vertices; all of them where there is no list.
+        vertices: Option<Vec<u32>>,
+        /// A factor of the weight of closeness, not negative; 1 is as the others.
+        weight: f64,
+    },
+    /// Makes handles soft, with a weight.
+    WeighHandles {
+        /// Their vertices.
+        vertices: Vec<u32>,
+        /// Positive.
+        weight: f64,
     },
     /// Replaces the weights of Eq. 13.
     SetWeights(Weights),
@@ -187,6 +226,47 @@ impl Session {
                 spec.enabled = enabled.unwrap_or(spec.enabled);
                 format!("{what} {}", spec.kind.info().label.to_lowercase())
             }
+            Edit::DuplicateConstraint { index } => {
+                let copy = row(document, index)?.clone();
+                let label = copy.kind.info().label.to_lowercase();
+                document.constraints.insert(index + 1, copy);
+                format!("Duplicate {label}")
+            }
+            Edit::NameSet { name, set } => {
+                if name.is_empty() || set == Set::default() {
+                    let message = "expected a name and something that it stands for".to_owned();
+                    return Err(SceneError { path: "sets".to_owned(), message });
+                }
+                let words = format!("Save set {name}");
+                document.sets.insert(name, set);
+                words
+            }
+            Edit::RemoveSet { name } => {
+                document.sets.remove(&name);
+                format!("Remove set {name}")
+            }
+            Edit::Set { id, value } => {
+                format!("Change setting: {}", settings::set(document, &id, &value)?)
+            }
+            Edit::HoldClose { vertices, weight } => {
+                match &vertices {
+                    Some(vertices) => hold_close(&mut document.closeness, vertices, weight),
+                    None => document.closeness.weights.clear(),
+                }
+                vertices.map_or("Hold all alike".to_owned(), |vertices| {
+                    format!("Hold {} close", counted(vertices.len()))
+                })
+            }
+            Edit::WeighHandles { vertices, weight } => {
+                if !(weight.is_finite() && weight > 0.0) {
+                    let message = format!("found {weight}, expected a number above 0");
+                    return Err(SceneError { path: "handles.weight".to_owned(), message });
+                }
+                for handle in handles.iter_mut().filter(|h| vertices.contains(&h.vertex)) {
+                    handle.hold = Hold::Soft { weight };
+                }
+                format!("Weigh {}", counted(vertices.len()))
+            }
             Edit::SetWeights(weights) => {
                 document.weights = weights;
                 "Change weights".to_owned()
@@ -278,9 +358,19 @@ impl Session {
         } else {
             document.validate(&self.mesh)?;
             let rows = resolve::rows(&document, &self.mesh, &self.topology)?;
-            let (mesh, topology) = (&self.mesh, &self.topology);
-            let kept = self.solver.kept();
-            self.solver = solver(&document, mesh, topology, &rows, kept, handles, &positions)?;
+            // A set that nothing uses needs no other solver.
+            let mut as_before = document.clone();
+            as_before.sets.clone_from(&self.document.sets);
+            let unused = same_problem(&as_before, &self.document)
+                && rows == self.rows
+                && !moved
+                && as_before.closeness.weights.is_empty()
+                && handles == self.solver.handles();
+            if !unused {
+                let (mesh, topology) = (&self.mesh, &self.topology);
+                let kept = self.solver.kept();
+                self.solver = solver(&document, mesh, topology, &rows, kept, handles, &positions)?;
+            }
             self.rows = rows;
             self.document = document;
         }

@@ -13,6 +13,17 @@ impl Session {
         row.kind.info().measure.filter(|_| of_faces)
     }
 
+    /// How many vertices are kept close more or less than the others.
+    pub fn held_otherwise(&self) -> usize {
+        let closeness = &self.document.closeness;
+        if closeness.weights.is_empty() {
+            return 0;
+        }
+        let factors = closeness.factors(&self.mesh, &self.topology, &self.document.sets);
+        let factors = factors.expect("the document was resolved when it was taken over");
+        factors.iter().filter(|&&factor| factor != 1.0).count()
+    }
+
     /// The faces and the vertices that row `index` acts on, ascending; a face counts when one of the
     /// row's constraints has all its corners.
     pub fn members(&self, index: usize) -> [Vec<u32>; 2] {

@@ -10,10 +10,13 @@
 //! | `history` | undo and redo |
 //! | `acting` | which row of constraints each face and vertex belongs to |
 //! | `face_measure` | the numbers per face that hosts colour and list |
+//! | `holding` | how much single vertices are kept close |
 //! | `inspect` | what hosts show of a session: members of constraints |
 //! | `preview` | what adding constraints would make |
 //! | `projected` | the projections of the constraints, to be drawn |
 //! | `report` | the report of design section 6 |
+//! | `selection` | selecting by what the mesh is like |
+//! | `settings` | the declared settings of a scene |
 //! | `tables` | errors and energies as CSV |
 //! | `trace` | the energies of the iterations |
 
@@ -21,11 +24,14 @@ mod acting;
 mod edit;
 mod face_measure;
 mod history;
+mod holding;
 mod inspect;
 mod preview;
 mod projected;
 mod report;
 mod resolve;
+mod selection;
+mod settings;
 mod tables;
 mod trace;
 
@@ -36,6 +42,8 @@ pub use preview::Preview;
 pub use projected::Projections;
 pub use report::{EnergyReport, Report, Seconds, TraceEntry};
 pub use resolve::ResolvedRow;
+pub use selection::{Mode, OPERATIONS, Operation, SelectRequest, Selection};
+pub use settings::{SETTINGS, Setting, settings_of};
 
 use crate::error::Error;
 use crate::mesh::{BoundingSphere, Mesh, Point, Topology, write_obj};
@@ -122,6 +130,10 @@ impl Session {
     /// The solver at its current positions.
     pub fn solver(&self) -> &Solver {
         &self.solver
+    }
+    /// The solver alone, for whom only energies and gradients matter.
+    pub fn into_solver(self) -> Solver {
+        self.solver
     }
     /// The document; its handles are those of the solver.
     pub fn document(&self) -> &Scene {

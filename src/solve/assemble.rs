@@ -178,6 +178,11 @@ impl Assembler {
         Assembler { energies, occurrences, n }
     }
 
+    /// Replaces `a` of every term of an energy, an entry for each entry of its nodes.
+    pub(super) fn set_coefficients(&mut self, energy: usize, a: &[f64]) {
+        self.energies[energy].a.copy_from_slice(a);
+    }
+
     /// Fills `normal` with `sum_k scales[k] * energies[k] + diag(diagonal)`.
     ///
     /// A node that is `fixed` is no unknown: its row and column become those of the identity, which

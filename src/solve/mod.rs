@@ -42,6 +42,7 @@ mod supernodal;
 mod symbolic;
 mod system;
 
+pub use assemble::Terms;
 pub use conformal::{ConformalNorm, ConformalSeconds, ConformalWeights, Parametrization};
 pub use energy::{Energy, IterateSeconds};
 pub use hold::Handle;

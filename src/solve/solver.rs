@@ -308,6 +308,15 @@ impl Solver {
     pub fn energy(&self) -> Energy {
         self.energy
     }
+    /// The gradient of the total energy at the current positions (Appendix A), `#V by 3`; zero where
+    /// vertices are fixed.
+    pub fn gradient(&self) -> impl ExactSizeIterator<Item = Point> {
+        let half = |&node: &u32| self.gradient[node as usize];
+        self.system.node_of()[..self.n_vertices]
+            .iter()
+            .map(half)
+            .map(|[x, y, z, _]| [x + x, y + y, z + z])
+    }
     /// Whether the last step changed the total by no more than the tolerance.
     pub fn converged(&self) -> bool {
         self.converged

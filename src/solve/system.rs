@@ -96,6 +96,12 @@ impl System {
         self.factor.nonzeros()
     }
 
+    /// Replaces `a` of every term of an energy, an entry for each entry of its nodes, as they were pushed:
+    /// where terms are linear pieces of something that is not. Takes effect with the next factor.
+    pub(crate) fn set_coefficients(&mut self, energy: usize, a: &[f64]) {
+        self.assembler.set_coefficients(energy, a);
+    }
+
     /// Assembles `sum_k scales[k] * energies[k] + diag(diagonal)` and factors it. Nodes that are
     /// `fixed` are no unknowns. The pattern and the order stay.
     ///
@@ -173,7 +179,7 @@ impl System {
     }
 
     /// Applies the inverse of the normal matrix to `right` in place, in double precision.
-    pub(super) fn solve(&mut self, right: &mut [Row]) {
+    pub(crate) fn solve(&mut self, right: &mut [Row]) {
         self.double().solve(right);
     }
 

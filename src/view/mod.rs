@@ -13,6 +13,7 @@
 
 pub mod camera;
 pub mod canvas_size;
+pub mod checks;
 #[cfg(target_arch = "wasm32")]
 pub mod circles;
 pub mod colour_map;
@@ -21,6 +22,7 @@ pub mod depth_map;
 pub mod device;
 #[cfg(target_arch = "wasm32")]
 pub mod faces;
+pub mod flat_map;
 pub mod framing;
 pub mod globals;
 pub mod light;
@@ -42,6 +44,7 @@ pub mod polygon_edges;
 pub mod projection_lines;
 pub mod projections;
 pub mod ray;
+pub mod region;
 pub mod row_colours;
 pub mod shaders;
 #[cfg(target_arch = "wasm32")]

@@ -1,5 +1,6 @@
 //! The face of the solver in the worker.
 
+use super::page_edit::OtherEdit;
 use super::report::{self, Document, Guessed, Loaded, elements, kinds};
 use super::{log_panics, thrown};
 
@@ -63,6 +64,9 @@ enum PageEdit {
         vertices: Vec<u32>,
     },
     Reset,
+    /// Those of `page_edit`.
+    #[serde(untagged)]
+    Other(OtherEdit),
 }
 
 #[wasm_bindgen]
@@ -193,6 +197,7 @@ impl Solver {
             PageEdit::AddHandles { vertices, fixed } => Edit::AddHandles { vertices, fixed },
             PageEdit::RemoveHandles { vertices } => Edit::RemoveHandles { vertices },
             PageEdit::Reset => Edit::Reset,
+            PageEdit::Other(edit) => edit.into(),
         };
         session.edit(edit).map_err(|error| match error {
             Error::Scene(error) => thrown_at(&error),
@@ -391,11 +396,11 @@ impl Solver {
         Ok(Uint32Array::from(self.open()?.mesh().curves.indices()))
     }
 
-    fn open(&self) -> Result<&Session, JsValue> {
+    pub(super) fn open(&self) -> Result<&Session, JsValue> {
         self.session.as_ref().ok_or_else(nothing_open)
     }
 
-    fn open_mut(&mut self) -> Result<&mut Session, JsValue> {
+    pub(super) fn open_mut(&mut self) -> Result<&mut Session, JsValue> {
         self.session.as_mut().ok_or_else(nothing_open)
     }
 }
@@ -405,13 +410,13 @@ fn nothing_open() -> JsValue {
 }
 
 /// As a plain object: maps become objects, absent values null.
-fn plain(value: &impl Serialize) -> Result<JsValue, JsValue> {
+pub(super) fn plain(value: &impl Serialize) -> Result<JsValue, JsValue> {
     let serializer = serde_wasm_bindgen::Serializer::json_compatible();
     value.serialize(&serializer).map_err(thrown)
 }
 
 /// An object of typed arrays.
-fn object<const N: usize>(entries: [(&str, JsValue); N]) -> Result<JsValue, JsValue> {
+pub(super) fn object<const N: usize>(entries: [(&str, JsValue); N]) -> Result<JsValue, JsValue> {
     let object = js_sys::Object::new();
     for (key, value) in entries {
         js_sys::Reflect::set(&object, &key.into(), &value)?;
@@ -488,7 +493,7 @@ fn take_unnamed_set(on: &mut Value) -> Result<Option<Set>, JsValue> {
 }
 
 /// What is thrown for an error in a scene or in an entry of one: an Error with its JSON path.
-fn thrown_at(error: &SceneError) -> JsValue {
+pub(super) fn thrown_at(error: &SceneError) -> JsValue {
     let thrown = thrown(error);
     // An object that was just made takes every property.
     let _ = js_sys::Reflect::set(&thrown, &"path".into(), &error.path.as_str().into());

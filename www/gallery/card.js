@@ -11,7 +11,7 @@ import { withSymbols } from '../symbols.js';
  * @typedef {object} Result
  * @property {string} id
  * @property {number} iterations
- * @property {[number, number]} energy total, at the start and at the end
+ * @property {[number, number]} [energy] total, at the start and at the end
  * @property {[number[], number[]]} [angles] of corners, at the start and at the end
  */
 
@@ -23,6 +23,8 @@ const PICTURES = new URL(/* @vite-ignore */ 'pictures/', document.baseURI);
  */
 export function card(example, result) {
   const { id, title, summary, statement, kinds, weights } = example;
+  // Nothing is asked of its shape: it is there to be flattened.
+  const isMap = kinds.length === 0;
   const picture = (/** @type {"start" | "end"} */ when, /** @type {string} */ words) =>
     element(
       'figure',
@@ -34,7 +36,7 @@ export function card(example, result) {
         height: 156,
         loading: 'lazy',
       }),
-      element('figcaption', {}, when === 'start' ? 'Start' : 'Solved'),
+      element('figcaption', {}, when === 'start' ? 'Start' : isMap ? 'Flat map' : 'Solved'),
     );
   return element(
     'article',
@@ -43,7 +45,7 @@ export function card(example, result) {
       'div',
       { class: 'pictures' },
       picture('start', 'at the start'),
-      picture('end', 'solved'),
+      picture('end', isMap ? 'as a flat map' : 'solved'),
     ),
     element('h3', { id: `${id}-title` }, element('a', { href: `./${linkTo(id)}` }, title)),
     element('p', {}, summary),
@@ -57,10 +59,12 @@ export function card(example, result) {
     element(
       'dl',
       {},
-      ...fact('Constraints', kinds.map(({ label }) => label).join(', ')),
-      ...fact('Weights', `shape ${weights[0]}, close ${weights[1]}, smooth ${weights[2]}`),
+      ...(isMap ? [] : fact('Constraints', kinds.map(({ label }) => label).join(', '))),
+      ...(isMap
+        ? []
+        : fact('Weights', `shape ${weights[0]}, close ${weights[1]}, smooth ${weights[2]}`)),
       ...fact('Mesh', sizeInWords(example)),
-      ...(result ? fact('Energy', energyFall(result)) : []),
+      ...(result?.energy ? fact('Energy', energyFall(result.energy, result.iterations)) : []),
     ),
   );
 }
@@ -84,8 +88,11 @@ function sizeInWords({ vertices, faces, tets }) {
   return words.join(', ');
 }
 
-/** @param {Result} result */
-function energyFall({ energy, iterations }) {
+/**
+ * @param {[number, number]} energy
+ * @param {number} iterations
+ */
+function energyFall(energy, iterations) {
   const [before, after] = energy.map(energyInWords);
   return `${before} → ${after} in ${iterations} iterations`;
 }

@@ -1,6 +1,6 @@
 /** What the view shows: what the faces are coloured by, and what is drawn over them. */
 
-import { element } from '../dom.js';
+import { byId, element } from '../dom.js';
 
 /**
  * @param {HTMLElement} place
@@ -25,13 +25,14 @@ export function displayPanel(place, store) {
     store.subscribe(['display'], ({ display }) => (box.checked = display[key]));
     return element('label', {}, box, label);
   };
+  const colourRow = element(
+    'div',
+    { class: 'field-row' },
+    element('label', { for: 'colour-by' }, 'Colour by'),
+    choice,
+  );
   place.replaceChildren(
-    element(
-      'div',
-      { class: 'field-row' },
-      element('label', { for: 'colour-by' }, 'Colour by'),
-      choice,
-    ),
+    colourRow,
     element(
       'div',
       { class: 'toggles' },
@@ -49,4 +50,9 @@ export function displayPanel(place, store) {
     }
     choice.value = measure ?? '';
   });
+  // The colours of a flat map go before, and it has controls of its own for them.
+  store.subscribe(['flatMap'], ({ flatMap }) => (colourRow.hidden = flatMap !== null));
+  // Only a surface can be flattened.
+  const parametrize = byId('parametrize');
+  store.subscribe(['model'], ({ model }) => (parametrize.hidden = !model?.faces));
 }

@@ -50,6 +50,7 @@ export function energiesPanel(place, store, actions) {
       element('dt', {}, swatch('total'), 'Total'),
       total,
     ),
+    moreSettings(store, actions),
   );
 
   store.subscribe(['document'], ({ document }) => {
@@ -69,6 +70,29 @@ export function energiesPanel(place, store, actions) {
       setText(total, words('total'));
     }),
   );
+}
+
+/**
+ * What most people never need: it comes when it is first opened.
+ * @param {import("../state.js").Store} store
+ * @param {import("../actions.js").Actions} actions
+ */
+function moreSettings(store, actions) {
+  const inside = element('div', { class: 'settings' });
+  const details = element(
+    'details',
+    {
+      class: 'more-settings',
+      ontoggle: async () => {
+        if (!details.open || inside.hasChildNodes()) return;
+        const { settingsPanel } = await import('./settings.js');
+        if (!inside.hasChildNodes()) settingsPanel(inside, store, actions);
+      },
+    },
+    element('summary', {}, 'More settings'),
+    inside,
+  );
+  return details;
 }
 
 /**

@@ -97,9 +97,11 @@ export function legend(place, store, viewport, refit) {
 
   function show() {
     const state = store.get();
-    const { measure, range, spread, document, renderer, model } = state;
+    const { measure, range, spread, document, renderer, model, flatMap } = state;
     const about = declared(state, measure);
-    place.hidden = !about || !model?.faces || !(renderer === 'webgpu' || renderer === 'webgl2');
+    // A flat map has colours and a legend of its own.
+    const isShown = about && !flatMap && model?.faces;
+    place.hidden = !isShown || !(renderer === 'webgpu' || renderer === 'webgl2');
     if (!about || place.hidden) return;
     setText(title, about.label);
     title.title = about.words;
@@ -153,6 +155,7 @@ export function legend(place, store, viewport, refit) {
       'renderer',
       'model',
       'dark',
+      'flatMap',
     ],
     show,
   );

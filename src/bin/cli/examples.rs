@@ -3,6 +3,7 @@
 use super::{Failure, output};
 use serde::Serialize;
 use shape_up::constraint::Info;
+use shape_up::experiment::Experiment;
 use shape_up::mesh::{Mesh, write_medit, write_obj};
 use shape_up::scene::Scene;
 use shape_up::scene::examples::{EXAMPLES, Example};
@@ -27,6 +28,8 @@ struct Entry {
     kinds: Vec<KindName>,
     /// `lambda_shape`, `lambda_close` and `lambda_smooth` of Eq. 13.
     weights: [f64; 3],
+    /// The comparison that can be run on it.
+    experiment: Option<&'static Experiment>,
 }
 
 #[derive(Serialize, PartialEq)]
@@ -59,6 +62,7 @@ impl Entry {
             tets: mesh.tets.len(),
             kinds,
             weights: [scene.weights.shape, scene.weights.close, scene.weights.smooth],
+            experiment: Experiment::of(example.id),
         }
     }
 }

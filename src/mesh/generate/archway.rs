@@ -37,7 +37,7 @@ impl Archway {
     /// The mesh. Its curves are its creases, as they are found in it, each a group of its own.
     pub fn mesh(&self) -> Mesh {
         let mut mesh = Blocks::bar(self.panels).surface();
-        let mut noise = Noise::new();
+        let mut noise = Noise { state: 1 };
         for p in &mut mesh.positions {
             let at = *p;
             let shifts: [f64; 3] = std::array::from_fn(|_| self.jitter * noise.next());

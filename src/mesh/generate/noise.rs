@@ -1,18 +1,15 @@
-//! Numbers without a visible pattern.
+//! Numbers without a visible pattern, the same on every machine.
 
-/// Numbers from -1 to 1: a linear congruential generator with Knuth's multiplier of MMIX, of which
-/// the upper half is used.
-pub(super) struct Noise {
-    state: u64,
+/// Numbers from -1 to 1: a linear congruential generator with Knuth's multiplier of MMIX, of which the
+/// upper half is used.
+pub(crate) struct Noise {
+    /// Where it starts.
+    pub(crate) state: u64,
 }
 
 impl Noise {
-    /// The same numbers every time.
-    pub(super) fn new() -> Noise {
-        Noise { state: 1 }
-    }
-
-    pub(super) fn next(&mut self) -> f64 {
+    /// The next number.
+    pub(crate) fn next(&mut self) -> f64 {
         const MULTIPLIER: u64 = 6_364_136_223_846_793_005;
         const INCREMENT: u64 = 1_442_695_040_888_963_407;
         self.state = self.state.wrapping_mul(MULTIPLIER).wrapping_add(INCREMENT);

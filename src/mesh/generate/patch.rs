@@ -30,7 +30,7 @@ impl Patch {
     /// y, is number `j * (panels[0] + 1) + i`.
     pub fn mesh(&self) -> Mesh {
         let half = self.panels.map(|n| 0.5 * self.width * n as f64);
-        let mut noise = Noise::new();
+        let mut noise = Noise { state: 1 };
         let mut mesh = grid(self.panels, |x, y| [half[0] * x, half[1] * y, 0.0]);
         for p in &mut mesh.positions {
             let [x, y, _] = *p;

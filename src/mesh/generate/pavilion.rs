@@ -81,7 +81,7 @@ impl Pavilion {
         }
         let named = [("floor", floor), ("wall", wall), ("dome", dome)];
         groups.extend(named.map(|(name, members)| (name.to_owned(), members)));
-        let mut noise = Noise::new();
+        let mut noise = Noise { state: 1 };
         for x in points.as_flattened_mut() {
             *x += self.error * noise.next();
         }
