@@ -67,6 +67,12 @@ const steps = [
     })),
   { title: 'build of the site', run: ['node', ['.scripts/build.mjs']] },
   {
+    // After the build, which it measures.
+    title: 'the benchmark on its smallest size',
+    run: ['node', ['--test', '--test-reporter=tap', 'tests/bench/bench.test.mjs']],
+    count: 'node',
+  },
+  {
     // After the build, which writes the declarations of the two modules.
     title: 'types of the page',
     run: [tool('tsc'), ['--pretty', 'false', '--project', '.scripts/tsconfig.json']],

@@ -1,6 +1,8 @@
 //! wasm-bindgen faces: `solver` for the worker, `view` for the page.
 
 #[cfg(feature = "solver")]
+mod measure;
+#[cfg(feature = "solver")]
 mod report;
 #[cfg(feature = "solver")]
 pub mod solver;

@@ -356,7 +356,7 @@ impl Solver {
         Ok(Uint32Array::from(self.open()?.mesh().curves.indices()))
     }
 
-    fn open(&self) -> Result<&Session, JsValue> {
+    pub(super) fn open(&self) -> Result<&Session, JsValue> {
         self.session.as_ref().ok_or_else(nothing_open)
     }
 
