@@ -58,7 +58,7 @@ async function measurePeers(options, places) {
       const there = peers[peer].version !== undefined;
       if (there) say(`${peer}, ${what}, ${size} vertices`);
       const theirs = there ? measurePeer(comparison, size) : { reason: peers[peer].reason };
-      const asked = { sizes: [size], letters: [problem], places };
+      const asked = { sizes: [size], letters: [problem], places, trial: options.trial };
       const ours = there && theirs.ms !== undefined ? await measureOurs(asked) : [];
       rows.push({ ...comparison, version: peers[peer].version ?? null, size, theirs, ours });
     }
@@ -83,7 +83,7 @@ async function measure(options, words) {
   const results = { machine: machine(words), sizes };
   await build(options);
   const places = {};
-  const native = await nativeSolver(trial ? 'dev' : 'bench');
+  const native = await nativeSolver(trial ? 'dev' : 'release');
   const inNative = {
     perform: native,
     maps: true,
@@ -103,7 +103,7 @@ async function measure(options, words) {
           : null,
     };
   }
-  const asked = { sizes, letters, places, native: inNative, limitMs };
+  const asked = { sizes, letters, places, native: inNative, limitMs, trial };
   try {
     if (parts.has('iterations')) {
       results.iterations = await measureIterations(asked);

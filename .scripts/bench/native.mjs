@@ -2,21 +2,19 @@
 
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { outputOf, Problem, run, say } from '../run.mjs';
+import { targetFolder } from '../project.mjs';
+import { run, say } from '../run.mjs';
 import { benchFolder } from './problems.mjs';
 
-/** Builds the program and gives a function that performs a task. `profile`: Cargo's. */
+const name = 'bench_problems';
+
+/** Builds the program and gives a function that performs a task. `profile`: dev or release. */
 export async function nativeSolver(profile) {
-  say(`compiling the native benchmark (profile ${profile})`);
-  const build = ['bench', '--locked', '--bench', 'problems', '--profile', profile, '--no-run'];
-  await run('cargo', [...build, '--quiet']);
-  const messages = outputOf('cargo', [...build, '--message-format', 'json']) ?? '';
-  const program = messages
-    .split('\n')
-    .filter((line) => line.startsWith('{'))
-    .map((line) => JSON.parse(line))
-    .find(({ target, executable }) => target?.name === 'problems' && executable)?.executable;
-  if (!program) throw new Problem('cargo does not say where the native benchmark is');
+  say(`compiling the native benchmark (${profile})`);
+  const build = ['build', '--locked', '--quiet', '--example', name, '--profile', profile];
+  await run('cargo', build);
+  const built = profile === 'dev' ? 'debug' : profile;
+  const program = join(targetFolder, built, 'examples', name);
   const [taskFile, resultFile] = ['task.json', 'result.json'].map((name) =>
     join(benchFolder, name),
   );

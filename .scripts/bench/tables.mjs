@@ -125,9 +125,9 @@ export function convergenceTable(rows) {
 
 const mapTable = (rows) =>
   table(
-    ['problem', 'vertices', 'where', 'ms', 'assemble', 'order', 'factor', 'iterate', 'flipped'],
+    ['problem', 'vertices', 'where', 'ms', 'assemble', 'order', 'factor', 'iterate'],
     rows.map((row) => {
-      const times = [row.total, row.assemble, row.order, row.factor, row.iterate, row.flipped];
+      const times = [row.total, row.assemble, row.order, row.factor, row.iterate];
       return [row.problem, number(row.vertices), row.where, ...times.map(number)];
     }),
   );

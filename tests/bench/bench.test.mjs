@@ -12,7 +12,7 @@ let results;
 let text;
 
 before(() => {
-  const words = ['--trial', '--sizes', '400', '--limit', '0.3'];
+  const words = ['--trial', '--sizes', '400', '--limit', '0.5'];
   const asked = ['--parts', 'iterations,convergence,memory'];
   const { status, stderr } = spawnSync(
     'node',

@@ -1,7 +1,7 @@
 //! Times of one problem, natively: what `worker.mjs` measures in the browser, in the same words.
 //!
 //! `npm run bench` writes the problems, calls this program, and makes the tables:
-//! `problems TASK.json RESULT.json`. A task is a scene with its mesh and what to do with it; times in
+//! `bench_problems TASK.json RESULT.json`. A task is a scene with its mesh and what to do with it; times in
 //! the result are milliseconds.
 
 mod stream;
@@ -133,9 +133,6 @@ struct Convergence {
 
 #[derive(Serialize)]
 struct Map {
-    vertices: usize,
-    flipped: usize,
-    error: f64,
     eigenvalue: f64,
     runs: Vec<MapRun>,
 }
@@ -267,23 +264,15 @@ fn map(path: &str, weights: &str, rounds: usize) -> Map {
             timed(|| Parametrization::new(&mesh, &topology, weights, ConformalNorm::Boundary));
         (map.expect("the mesh has an area"), total)
     };
-    let mut runs = Vec::new();
-    let (mut last, _) = run();
-    for _ in 0..rounds {
+    let (first, _) = run();
+    let runs = (0..rounds).map(|_| {
         let (map, total) = run();
         let seconds = map.seconds;
         let [assemble, order, factor, iterate] =
             [seconds.assemble, seconds.order, seconds.factor, seconds.iterate].map(|s| 1e3 * s);
-        runs.push(MapRun { total, assemble, order, factor, iterate });
-        last = map;
-    }
-    Map {
-        vertices: mesh.positions.len(),
-        flipped: last.flipped,
-        error: last.quasi_conformal.mean,
-        eigenvalue: last.eigenvalue,
-        runs,
-    }
+        MapRun { total, assemble, order, factor, iterate }
+    });
+    Map { eigenvalue: first.eigenvalue, runs: runs.collect() }
 }
 
 fn perform(task: Task) -> serde_json::Value {
@@ -304,11 +293,12 @@ fn perform(task: Task) -> serde_json::Value {
 }
 
 fn main() {
-    let files: Vec<String> = std::env::args().skip(1).filter(|word| word != "--bench").collect();
-    // `cargo test` runs it too, without files: that it compiles is all it wants to know.
-    if let [task, result] = &files[..] {
-        let text = std::fs::read_to_string(task).expect("the task was written");
-        let task = serde_json::from_str(&text).expect("a task of this program");
-        std::fs::write(result, perform(task).to_string()).expect("the result can be written");
-    }
+    let files: Vec<String> = std::env::args().skip(1).collect();
+    let [task, result] = &files[..] else {
+        eprintln!("bench_problems TASK.json RESULT.json, as `npm run bench` calls it");
+        std::process::exit(2);
+    };
+    let text = std::fs::read_to_string(task).expect("the task was written");
+    let task = serde_json::from_str(&text).expect("a task of this program");
+    std::fs::write(result, perform(task).to_string()).expect("the result can be written");
 }
