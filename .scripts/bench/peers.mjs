@@ -46,7 +46,7 @@ export const comparisons = [
     largest: 2_500,
     what: 'planarize_quad_mesh',
     equal: 'the mesh, a plane for every quad, nothing else',
-    differs: 'none known; its time without the set-up is the difference of two runs',
+    differs: 'it factors in the same call, so that runs of two lengths are compared',
   },
   {
     peer: 'libigl',

@@ -228,7 +228,7 @@ export function markdown(results) {
   if (peers) {
     const notes = new Map(peers.map(({ what, equal, differs }) => [what, [equal, differs]]));
     const lines = [...notes].map(
-      ([what, [equal, differs]]) => `- ${what}: equal are ${equal}; ${differs}.`,
+      ([what, [equal, differs]]) => `- ${what}. Equal: ${equal}. Different: ${differs}.`,
     );
     add('Peers', peerTable(peers), lines.join('\n'));
   }
