@@ -25,8 +25,7 @@ export const comparisons = [
     largest: 100_000,
     what: 'circles, closeness to the rest positions',
     equal: 'the mesh, the constraints, closeness to fixed points',
-    differs:
-      'its weights enter squared or not by its own convention; it has no closeness to a surface',
+    differs: 'it has no closeness to a surface, so that it cannot be asked for problem A itself',
   },
   {
     peer: 'libigl',
