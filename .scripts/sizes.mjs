@@ -36,7 +36,7 @@ await main(() => {
       code.filter((path) => !isPlot(path)),
       60 * kB,
     ),
-    row('first picture', [firstPicture], 12 * kB),
+    row('first picture', [firstPicture], 14 * kB),
     row('plots', code.filter(isPlot), 30 * kB),
   ];
   const line = (name, ...numbers) =>

@@ -2,6 +2,7 @@
 // from any sub-path of any static host.
 
 import { cpSync, readFileSync } from 'node:fs';
+import { minify } from 'vite';
 import { firstPicture } from './examples.mjs';
 import { at } from './project.mjs';
 
@@ -15,9 +16,14 @@ const examples = {
 const PLACE = '<!-- first picture -->';
 const picture = {
   name: 'first-picture',
-  transformIndexHtml(html) {
+  async transformIndexHtml(html) {
     if (!html.includes(PLACE)) throw new Error(`index.html has no place for ${firstPicture}`);
-    return html.replace(PLACE, () => readFileSync(firstPicture, 'utf8'));
+    const { code } = await minify(
+      'early-drag.js',
+      readFileSync(at('www', 'early-drag.js'), 'utf8'),
+    );
+    const script = `<script>${code}</script>`;
+    return html.replace(PLACE, () => readFileSync(firstPicture, 'utf8') + script);
   },
 };
 

@@ -12,6 +12,7 @@ import { bindButtons, bindKeys, bindRunButton, takeEarlyPresses } from './comman
 import { AddConstraintDialog } from './dialog-add-constraint.js';
 import { byId } from './dom.js';
 import { Files } from './files.js';
+import { animateFirstPicture } from './first-picture.js';
 import { count } from './format.js';
 import { buildHelp } from './help.js';
 import { firstHints } from './hints.js';
@@ -19,9 +20,10 @@ import { arrangeForWidth } from './layout.js';
 import { messageOf } from './messages.js';
 import { constraintsPanel } from './panels/constraints.js';
 import { Convergence } from './panels/convergence.js';
-import { displayPanel, legend } from './panels/display.js';
+import { displayPanel } from './panels/display.js';
 import { energiesPanel } from './panels/energies.js';
 import { handlesPanel } from './panels/handles.js';
+import { legend } from './panels/legend.js';
 import { modelPanel } from './panels/model.js';
 import { statusBar } from './panels/status-bar.js';
 import { PointerInput } from './pointer.js';
@@ -41,6 +43,7 @@ const alerts = new Alerts(byId('alert'));
 const solver = new SolverClient();
 takeUp(solver);
 
+animateFirstPicture(store, solver);
 const viewport = new Viewport(byId('viewport'), store, solver);
 const files = new Files(store, solver, alerts);
 const actions = createActions(store, solver, alerts);
@@ -122,7 +125,7 @@ function takeUp(client) {
   const on = (type, take) =>
     client.addEventListener(type, (event) => take(/** @type {CustomEvent} */ (event).detail));
 
-  on('ready', ({ kinds, elements }) => store.set({ kinds, elements }));
+  on('ready', ({ kinds, elements, measures }) => store.set({ kinds, elements, measures }));
   on('model', ({ loaded, positions }) =>
     store.set({
       model: loaded,

@@ -185,7 +185,17 @@
  * @property {Float32Array} palette three parts from 0 to 1 per colour
  */
 
-/** The largest distance of a face's corners to its best plane or circle, or to their projections. @typedef {"planarity" | "circularity" | "residual"} Measure */
+/** The id of a {@link FaceMeasure}. @typedef {string} Measure */
+
+/**
+ * A declared measure of faces: never negative, and 0 is best.
+ * @typedef {object} FaceMeasure
+ * @property {Measure} id
+ * @property {string} label
+ * @property {string} words what is measured
+ * @property {string} met what a face is whose value is 0
+ * @property {"length" | "percent" | "degrees" | "number"} unit
+ */
 
 /** @typedef {{ name: string, bytes: Uint8Array }} NamedBytes */
 
@@ -260,7 +270,7 @@
  * - `died`: the state is unusable, the worker must be replaced.
  * - `refused`: `path` is the place in the scene that is wrong, such as `constraints[0].length`; empty
  *   when it is not about a scene.
- * @typedef {{ type: "ready", kinds: KindInfo[], elements: ElementInfo[] }
+ * @typedef {{ type: "ready", kinds: KindInfo[], elements: ElementInfo[], measures: FaceMeasure[] }
  *   | { type: "model", loaded: Loaded, connectivity: Connectivity, positions: Float64Array }
  *   | { type: "document", document: SceneDocument }
  *   | { type: "scene", text: string, iteration: number }

@@ -12,6 +12,7 @@
  * | touch | one finger as left, two pan and zoom | same |
  */
 
+import { isFirstPictureThere } from './first-picture.js';
 import { HandleDrag } from './handle-drag.js';
 import { NOTHING, combineOf, select } from './selection.js';
 
@@ -92,7 +93,7 @@ export class PointerInput {
 
   /** @param {PointerEvent} event */
   #press(event) {
-    if (!this.#viewport.view) return;
+    if (!this.#viewport.view || isFirstPictureThere()) return;
     const at = this.#at(event);
     this.#element.focus({ preventScroll: true });
     this.#element.setPointerCapture(event.pointerId);

@@ -52,7 +52,12 @@ onmessage = (event) => {
 try {
   await init();
   solver = new Solver();
-  post({ type: 'ready', kinds: solver.kinds(), elements: solver.elements() });
+  post({
+    type: 'ready',
+    kinds: solver.kinds(),
+    elements: solver.elements(),
+    measures: solver.measures(),
+  });
   const held = early ?? [];
   early = null;
   held.forEach(receive);
@@ -330,7 +335,7 @@ function sendFrame() {
   const positions = /** @type {Float64Array} */ (free.pop());
   live().writePositions(positions);
   const now = numbers();
-  const values = measure ? live().faceErrors(measure) : null;
+  const values = measure ? live().faceValues(measure) : null;
   const shapes = showShapes ? live().fitted() : null;
   const told = Float64Array.from(trace);
   trace = [];

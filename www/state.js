@@ -12,6 +12,7 @@
  * @typedef {object} State
  * @property {import("./messages.js").KindInfo[]} kinds
  * @property {import("./messages.js").ElementInfo[]} elements
+ * @property {import("./messages.js").FaceMeasure[]} measures
  * @property {Loaded | null} model
  * @property {number} size diagonal of the bounding box of the mesh as it was opened, in its unit
  * @property {boolean} firstExample the model is the one that the page opens with
@@ -27,7 +28,9 @@
  * @property {import("./messages.js").RowColours | null} rowColours of what constraints act on
  * @property {Measure | null} measure what the faces are coloured by
  * @property {boolean} measureChosen somebody chose it since the model was opened
- * @property {[number, number]} range of the colours, in units of the mesh
+ * @property {[number, number]} range of the colours, in the unit of the measure
+ * @property {import("./spread.js").Spread | null} spread of the values of the faces
+ * @property {number | null} tolerance in the unit of the measure
  * @property {{ edges: boolean, vertices: boolean, shapes: boolean, outlines: boolean, arrows: boolean }} display
  * @property {boolean} dark
  * @property {"webgpu" | "webgl2" | "none" | "starting"} renderer
@@ -49,6 +52,7 @@
 const INITIAL = {
   kinds: [],
   elements: [],
+  measures: [],
   model: null,
   size: 0,
   firstExample: false,
@@ -65,6 +69,8 @@ const INITIAL = {
   measure: null,
   measureChosen: false,
   range: [0, 0],
+  spread: null,
+  tolerance: null,
   display: { edges: true, vertices: false, shapes: false, outlines: false, arrows: false },
   dark: false,
   renderer: 'starting',

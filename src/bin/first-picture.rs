@@ -23,7 +23,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let session = Session::open(scene, mesh)?;
     let mut stage = stage(&session)?;
     let style = still::style(stage.looks.has_values());
-    let mut html = format!(r#"<div id="first-picture" aria-hidden="true"><style>{style}</style>"#);
+    let faces = still::spaced(still::from_far_to_near(&stage));
+    let mut html = format!(
+        r#"<div id="first-picture" aria-hidden="true" data-faces="{faces}"><style>{style}</style>"#
+    );
     for (class, canvas) in SIZES {
         stage.resize(canvas);
         html += &still::svg(&stage, class);

@@ -1,15 +1,9 @@
-//! What hosts show of a session: errors of faces, members of constraints.
+//! What hosts show of a session: members of constraints.
 
 use super::Session;
 use super::acting::Cover;
-use crate::mesh::Measures;
 
 impl Session {
-    /// How planar and circular the faces are now.
-    pub fn measures(&self) -> Measures {
-        Measures::new(&self.positions(), &self.mesh.faces, self.diameter)
-    }
-
     /// The faces and the vertices that row `index` acts on, ascending; a face counts when one of the
     /// row's constraints has all its corners.
     pub fn members(&self, index: usize) -> [Vec<u32>; 2] {

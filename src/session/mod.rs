@@ -9,13 +9,15 @@
 //! | `resolve` | rows of constraints: selectors resolved, misfits counted |
 //! | `history` | undo and redo |
 //! | `acting` | which row of constraints each face and vertex belongs to |
-//! | `inspect` | what hosts show of a session: errors of faces, members |
+//! | `face_measure` | the numbers per face that hosts colour and list |
+//! | `inspect` | what hosts show of a session: members of constraints |
 //! | `preview` | what adding constraints would make |
 //! | `projected` | the projections of the constraints, to be drawn |
 //! | `report` | the report of design section 6 |
 
 mod acting;
 mod edit;
+mod face_measure;
 mod history;
 mod inspect;
 mod preview;
@@ -25,6 +27,7 @@ mod resolve;
 
 pub use acting::ActingRows;
 pub use edit::{Edit, NewConstraint, Place};
+pub use face_measure::{FACE_MEASURES, FaceMeasure, MeasureUnit};
 pub use preview::Preview;
 pub use projected::Projections;
 pub use report::{EnergyReport, Report, Seconds, TraceEntry};

@@ -7,7 +7,7 @@ use crate::constraint::{Fitted, Selector, Set};
 use crate::error::Error;
 use crate::mesh::{Read, read, write_obj};
 use crate::scene::{ConstraintSpec, MeshSource, Scene, SceneError};
-use crate::session::{Edit, NewConstraint, Place, Session};
+use crate::session::{Edit, FACE_MEASURES, NewConstraint, Place, Session};
 use crate::solve::clock;
 use js_sys::{Float32Array, Float64Array, Uint8Array, Uint32Array};
 use serde::{Deserialize, Serialize};
@@ -74,6 +74,11 @@ impl Solver {
     /// The elements that can carry one constraint each.
     pub fn elements(&self) -> Result<JsValue, JsValue> {
         plain(&elements())
+    }
+
+    /// The measures of faces.
+    pub fn measures(&self) -> Result<JsValue, JsValue> {
+        plain(&FACE_MEASURES)
     }
 
     /// The mesh file that a scene names, or null.
@@ -231,18 +236,12 @@ impl Solver {
         Ok(())
     }
 
-    /// The error of each face, `#F`, in units of the mesh; `measure` is "planarity", "circularity" or
-    /// "residual".
-    #[wasm_bindgen(js_name = faceErrors)]
-    pub fn face_errors(&mut self, measure: &str) -> Result<Float32Array, JsValue> {
-        let session = self.open_mut()?;
-        let errors = match measure {
-            "planarity" => session.measures().planarity_distances,
-            "circularity" => session.measures().circularity_distances,
-            "residual" => session.residuals(),
-            _ => return Err(thrown(format!("unknown measure {measure:?}"))),
-        };
-        let narrow: Vec<f32> = errors.iter().map(|&error| error as f32).collect();
+    /// The values of a measure of faces, `#F`, in its unit.
+    #[wasm_bindgen(js_name = faceValues)]
+    pub fn face_values(&mut self, measure: &str) -> Result<Float32Array, JsValue> {
+        let values = self.open_mut()?.face_values(measure);
+        let values = values.ok_or_else(|| thrown(format!("unknown measure {measure:?}")))?;
+        let narrow: Vec<f32> = values.iter().map(|&value| value as f32).collect();
         Ok(Float32Array::from(&narrow[..]))
     }
 

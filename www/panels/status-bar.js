@@ -1,9 +1,9 @@
 /** The status bar: what happened, what to do next, and the numbers of the iteration. */
 
 import { element, setText, throttled } from '../dom.js';
-import { count, duration, groupDigits, length, number } from '../format.js';
-import { MEASURES, measureOfScene, worstOf } from '../measures.js';
-import { energyOrNothing, lengthOrNothing } from '../rounding.js';
+import { count, duration, groupDigits, number } from '../format.js';
+import { declared, measureOfScene, roundingOf, valueInWords, worstOf } from '../measures.js';
+import { energyOrNothing } from '../rounding.js';
 import { describe } from '../selection.js';
 
 const NUMBERS_EVERY_MS = 100;
@@ -43,10 +43,12 @@ export function statusBar(places, store) {
     const units = document?.units ?? '';
     set('iteration', groupDigits(numbers.iteration));
     set('energy', number(energyOrNothing(numbers.energy.total, size)));
-    if (measure && model?.faces) {
-      set('worst', length(lengthOrNothing(worstOf(numbers, measure), size), units));
-      const { label, words } = MEASURES[measure];
-      cells.get('worst').row.title = `${label}: ${words}`;
+    const about = declared(state, measure);
+    if (about && model?.faces) {
+      const worst = worstOf(state, about.id);
+      const shown = worst < roundingOf(about, size) ? 0 : worst;
+      set('worst', valueInWords(about, shown, units));
+      cells.get('worst').row.title = `${about.label}: ${about.words}`;
     } else {
       set('worst', '');
     }
@@ -54,7 +56,7 @@ export function statusBar(places, store) {
   });
 
   store.subscribe(['status'], ({ status }) => setText(places.status, status));
-  store.subscribe(['numbers', 'measure', 'model', 'document'], showNumbers);
+  store.subscribe(['numbers', 'measure', 'spread', 'model', 'document'], showNumbers);
   store.subscribe(['selection'], ({ selection }) => {
     const what = describe(selection, count);
     set('selection', what && `${what} selected`);
