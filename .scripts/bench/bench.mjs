@@ -5,7 +5,7 @@ import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { cpus, loadavg } from 'node:os';
 import { join } from 'node:path';
 import { build as buildSite } from '../build.mjs';
-import { main, outputOf, say } from '../run.mjs';
+import { main, outputOf, Problem, say } from '../run.mjs';
 import { setUp } from '../setup.mjs';
 import { browserSolver, buildBenchModule } from './in-browser.mjs';
 import {
@@ -78,52 +78,71 @@ async function measureOurs(asked) {
   return [...ms, ...maps.map(({ where, total }) => ({ where, accelerator: null, ms: total }))];
 }
 
-async function measure(options, words) {
-  const { sizes, problems: letters, parts, where, limitMs, full, trial } = options;
-  const results = { machine: machine(words), sizes };
-  await build(options);
-  const places = {};
+/** Where problems can be measured: { native, browser }, as far as they are asked for. */
+async function placesOf({ where, trial }) {
   const native = await nativeSolver(trial ? 'dev' : 'release');
   const inNative = {
     perform: native,
     maps: true,
     stream: async (bytes) => (await native({ measure: 'stream', bytes: [bytes] }))[0],
   };
-  if (where.includes('native')) places.native = inNative;
   const browser = where.includes('browser') ? await browserSolver() : null;
-  if (browser) {
-    results.machine.browser = browser.version;
-    places.browser = {
-      perform: browser.perform,
-      maps: false,
-      run: browser.run,
-      stream: async (bytes) =>
-        browser.canStream()
-          ? (await browser.perform({ measure: 'stream', bytes: [bytes] }))[0]
-          : null,
-    };
-  }
-  const asked = { sizes, letters, places, native: inNative, limitMs, trial };
-  try {
-    if (parts.has('iterations')) {
+  const inBrowser = browser && {
+    perform: browser.perform,
+    maps: false,
+    run: browser.run,
+    stream: async (bytes) =>
+      browser.canStream()
+        ? (await browser.perform({ measure: 'stream', bytes: [bytes] }))[0]
+        : null,
+  };
+  const places = {
+    ...(where.includes('native') ? { native: inNative } : {}),
+    ...(inBrowser ? { browser: inBrowser } : {}),
+  };
+  return { places, native: inNative, browser };
+}
+
+async function measure(options, words) {
+  const { sizes, problems: letters, limitMs, full, trial } = options;
+  const results = { machine: machine(words), sizes, failed: {} };
+  await build(options);
+  const { places, native, browser } = await placesOf(options);
+  if (browser) results.machine.browser = browser.version;
+  const asked = { sizes, letters, places, native, limitMs, trial };
+  /** What each part of the benchmark adds to the results. */
+  const measures = {
+    async iterations() {
       results.iterations = await measureIterations(asked);
       results.maps = await measureMaps(asked);
-    }
-    if (parts.has('convergence')) results.convergence = await measureConvergence(asked);
-    if (parts.has('memory') && browser) {
-      results.models = await measureModels(browser, Math.min(MODELS_SIZE, Math.max(...sizes)));
-    }
-    if (parts.has('start') && browser) {
-      say('opening the page');
-      results.start = await measureStart(full ? 5 : 3);
-    }
-    if (parts.has('operators')) {
+    },
+    async convergence() {
+      results.convergence = await measureConvergence(asked);
+    },
+    async memory() {
+      const size = Math.min(MODELS_SIZE, Math.max(...sizes));
+      if (browser) results.models = await measureModels(browser, size);
+    },
+    async start() {
+      if (browser) results.start = await measureStart(full ? 5 : 3);
+    },
+    async operators() {
       results.operators = await measureOperators({ browser, native: places.native });
+    },
+    async peers() {
+      results.peers = await measurePeers(options, places);
+    },
+  };
+  for (const part of options.parts) {
+    try {
+      await measures[part]();
+    } catch (error) {
+      // What was measured before took long: it is not lost for this.
+      console.error(error);
+      results.failed[part] = String(error.message ?? error);
     }
-    if (parts.has('peers')) results.peers = await measurePeers(options, places);
-  } finally {
-    await browser?.close();
   }
+  await browser?.close();
   results.machine.loadAfter = loadavg()[0];
   return results;
 }
@@ -143,4 +162,8 @@ await main(async () => {
   writeFileSync(written('md'), text);
   console.log(`\n${text}`);
   if (options.readme) writeReadme(results);
+  const failed = Object.entries(results.failed ?? {});
+  if (failed.length) {
+    throw new Problem(failed.map(([part, message]) => `${part}: ${message}`).join('\n'));
+  }
 });

@@ -6,6 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { browserFlags, findBrowser } from '../browser.mjs';
 import { at } from '../project.mjs';
+import { say } from '../run.mjs';
 import { host } from './host.mjs';
 import { medians } from './statistics.mjs';
 
@@ -68,6 +69,7 @@ export async function measureStart(rounds) {
   const server = await host({ folders: { '/': at('dist') }, compress: true });
   const visits = { cold: [], warm: [], again: [] };
   for (let round = 0; round < rounds; round++) {
+    say(`opening the page, profile ${round + 1} of ${rounds}`);
     const profile = mkdtempSync(join(tmpdir(), 'shape-up-bench-'));
     try {
       for (const done of Object.values(visits)) done.push(await visit(chromium, profile, server));
