@@ -123,6 +123,19 @@ export function convergenceTable(rows) {
   );
 }
 
+/** Which accelerator is within 1e-4 first, for every problem, size and place. */
+export function firstToConverge(rows) {
+  const keyOf = (row) => `${row.problem}, ${number(row.vertices)} vertices, ${row.where}`;
+  const second = (row) => row.reached[1]?.ms ?? Infinity;
+  const lines = [...new Set(rows.map(keyOf))].map((key) => {
+    const same = rows.filter((row) => keyOf(row) === key);
+    const [first] = same.toSorted((a, b) => second(a) - second(b));
+    const name = second(first) < Infinity ? accelerated(first.accelerator) : 'none of them in time';
+    return `- ${key}: ${name}`;
+  });
+  return `First to ${nearness[1]}:\n\n${lines.join('\n')}`;
+}
+
 const mapTable = (rows) =>
   table(
     ['problem', 'vertices', 'where', 'ms', 'assemble', 'order', 'factor', 'iterate'],
@@ -218,7 +231,9 @@ export function markdown(results) {
     if (results.sizes.length > 1) add('Growth', growthTable(iterations));
   }
   if (maps?.length) add('Conformal maps', mapTable(maps));
-  if (convergence) add('To the converged energy', convergenceTable(convergence));
+  if (convergence) {
+    add('To the converged energy', convergenceTable(convergence), firstToConverge(convergence));
+  }
   if (models) {
     const [first, last] = [models.opened[0], models.opened.at(-1)].map(megabytes);
     const text = `${models.opened.length} models of problem A with ${number(models.vertices)} vertices, one after the other: ${megabytes(models.empty)} MB before, ${first} MB with the first, ${last} MB with the last.`;

@@ -6,7 +6,7 @@ import { test } from 'node:test';
 import { optionsOf } from '../../.scripts/bench/options.mjs';
 import { marks, section } from '../../.scripts/bench/readme.mjs';
 import { growth, reached, spread } from '../../.scripts/bench/statistics.mjs';
-import { number } from '../../.scripts/bench/tables.mjs';
+import { firstToConverge, number } from '../../.scripts/bench/tables.mjs';
 import { targetRows } from '../../.scripts/bench/targets.mjs';
 import { at } from '../../.scripts/project.mjs';
 
@@ -50,6 +50,17 @@ test('the words of the command line are looked at', () => {
   const { sizes, parts } = optionsOf(['--peers']);
   assert.deepEqual(sizes, [2500, 10_000]);
   assert.ok(parts.has('peers') && !parts.has('operators'));
+});
+
+test('the accelerator that is near first is named', () => {
+  const run = (accelerator, vertices, ms) => ({
+    ...{ problem: 'B', vertices, where: 'browser', accelerator },
+    reached: [{ iterations: 1, ms: 1 }, ms && { iterations: 2, ms }, null],
+  });
+  const rows = [run('none', 400, null), run('anderson', 400, 3), run('quasi-newton', 400, 2)];
+  const text = firstToConverge([...rows, run('none', 900, null)]);
+  assert.match(text, /B, 400 vertices, browser: quasi-newton/);
+  assert.match(text, /B, 900 vertices, browser: none of them in time/);
 });
 
 const entry = (problem, vertices, ms) => ({
