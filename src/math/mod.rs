@@ -1,9 +1,10 @@
 //! Small dense mathematics under everything else: lanes, 3-vectors of lanes, symmetric 3x3
 //! eigenvectors, singular values, principal axes, closest rotations, fitted circles and spheres,
-//! regular polygons, closest numbers with a given product, sines and cube roots. Knows of nothing else
+//! regular polygons, closest numbers with a given product, sines and cube roots, and sorting. Knows of nothing else
 //! in the crate.
 
 mod alignment;
+mod ascending;
 mod circle_fit;
 mod eigenvector;
 mod lane;
@@ -21,6 +22,7 @@ mod unit_polygon;
 mod vec3;
 
 pub use alignment::Alignment;
+pub use ascending::{ascending, key_of_number, key_of_pair};
 pub use circle_fit::{CircleFit, PrincipalCircle};
 pub use eigenvector::Eigenvector;
 pub use lane::{LANES, Lane, Lanes, Pair};
