@@ -5,7 +5,7 @@
 //! the gradient `w_i N_i (N_i V_i - P_i)` (Appendix A). The operator sees points and nothing else.
 
 use super::{Arity, Centring, Fitted, Kind, KindVisitor, Projection};
-use crate::math::{LANES, Lane, Lanes, Vec3, centre};
+use crate::math::{LANES, Lane, Lanes, Vec3, ascending, centre, key_of_pair};
 use crate::mesh::{Ragged, Surface};
 use std::rc::Rc;
 
@@ -45,9 +45,10 @@ pub fn batches(
     guarded: bool,
     reference: &Reference<'_>,
 ) -> Vec<Batch> {
-    let mut by_size: Vec<&[u32]> = members.iter().collect();
     // Sorted by first node, neighbours in a batch read and write neighbouring rows.
-    by_size.sort_by_key(|nodes| (nodes.len(), nodes.iter().min().copied()));
+    let key = |nodes: &[u32]| [nodes.len() as u32, nodes.iter().min().map_or(0, |&first| first)];
+    let order = ascending(members.iter().map(|nodes| key_of_pair(key(nodes))));
+    let by_size: Vec<&[u32]> = order.into_iter().map(|i| members.row(i as usize)).collect();
     by_size
         .chunk_by(|a, b| a.len() == b.len())
         .map(|same_size| {

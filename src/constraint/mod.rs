@@ -30,6 +30,7 @@ mod line_segment;
 mod on_curve;
 mod on_surface;
 mod parallelogram;
+mod params;
 mod pitot;
 mod planar_similar;
 mod plane;
@@ -181,11 +182,7 @@ macro_rules! kinds {
             /// When no kind has that id, or a parameter is unknown or out of type.
             pub fn new(id: &str, params: serde_json::Value) -> Result<Kind, KindError> {
                 $(if id == $module::$Kind::INFO.id {
-                    let kind = serde_path_to_error::deserialize(params).map(Kind::$Kind);
-                    let kind = kind.map_err(|e| KindError::Params {
-                        path: e.path().to_string(),
-                        message: e.inner().to_string(),
-                    })?;
+                    let kind = Kind::$Kind(params::read(&params)?);
                     info::check_ranges($module::$Kind::INFO.params, &kind.params())?;
                     return Ok(kind);
                 })*

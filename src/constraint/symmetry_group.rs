@@ -1,6 +1,6 @@
 //! A mirror plane or a rotation axis, and which of given points are images of each other in it.
 
-use crate::math::{UnitPolygon, Vec3};
+use crate::math::{UnitPolygon, Vec3, ascending, key_of_number};
 
 /// The symmetries of a mirror plane, or those of an n-fold axis, through the origin.
 #[derive(Clone, Debug)]
@@ -114,8 +114,8 @@ impl<'a> Sorted<'a> {
         let coordinate =
             coordinates.into_iter().reduce(|a, b| if spread(b) > spread(a) { b } else { a });
         let coordinate = coordinate.expect("space has three coordinates");
-        let mut order: Vec<usize> = (0..points.len()).collect();
-        order.sort_by(|&a, &b| coordinate(points[a]).total_cmp(&coordinate(points[b])));
+        let order = ascending(points.iter().map(|p| key_of_number(coordinate(*p))));
+        let order = order.into_iter().map(|i| i as usize).collect();
         Sorted { points, coordinate, order }
     }
 

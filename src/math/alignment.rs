@@ -4,24 +4,41 @@
 //! With `H = sum v v'^T` over the points and their rest points, the rotation is the one that makes
 //! `tr(R^T H)` greatest, and the scale is `tr(R^T H) / sum |v'|^2`.
 //!
-//! In closed form: the right singular vector `n` of the smallest singular value of `H` is the smallest
-//! eigenvector of `H^T H`; on its complement, the polar factor of a 2-by-2 matrix is a formula; the
-//! third axis is a cross product, so that the determinant is one.
+//! The greatest `tr(R^T H)`, here `l`, is the greatest eigenvalue of Horn's 4-by-4 matrix of
+//! quaternions (1987), whose characteristic polynomial needs three invariants of `H` only: with
+//! `s = |H|^2`, `t = |cof H|^2` and `d = det H` it is
 //!
-//! Near equal singular values `n` is poor, while `R` need not be. So `R` is checked, not `n`: with
-//! `K = R^T H = S + skew`, turning `R` by a small vector `o` changes `tr(R^T H)` by
-//! `g.o - o.A o / 2`, where `g` is the axial vector of `K` and `A = tr(S) I - S`. `R` is greatest
-//! where `g = 0` and `A` is positive definite, and no other rotation is then greater: in quaternions,
-//! `tr(R^T H)` is a quadratic form, whose only maximum is its greatest eigenvalue. Where `g` is not
-//! yet zero, `o = A^-1 g` is Newton's step, and `|o|` the angle by which `R` is off.
+//! ```text
+//! f(l) = (l^2 - s)^2 - 8 d l - 4 t
+//! ```
+//!
+//! All its roots are real, so that an iteration from above runs monotonically to the greatest one;
+//! `l <= |V| |V'|` by Cauchy and Schwarz, nearly with equality when the points almost have their rest
+//! shape (Theobald 2005). The rotation is the derivative of `l` with respect to `H`, since a best `R`
+//! does not change it to first order; by the rule of implicit functions
+//!
+//! ```text
+//! R = ((l^2 - s) H + 2 l cof H + T) / (l^3 - s l - 2 d),    T = dt/dH
+//! ```
+//!
+//! With the singular values `a >= b >= |c|` of `H`, `c` with the sign of `d`, the denominator is
+//! `2 (a + b) (a + c) (b + c)`: it vanishes exactly where several rotations are best. An error of
+//! `l` multiplies the true rotation by a symmetric matrix, so that it shows as the only thing it
+//! can be: columns that are not orthonormal, which is checked, and mended by a step towards the polar
+//! factor.
 
-use super::{Lane, PrincipalAxes, Symmetric3, Vec3};
+use super::{Lane, PrincipalAxes, Vec3};
 
-/// The greatest angle, in radians, by which a rotation that passes the check can be off.
-const ANGLE: f64 = 1e-12;
+/// How far from orthonormal the columns of a rotation can be: the size of `R^T R - I`.
+const ORTHONORMAL: f64 = 1e-12;
 
-/// Convergence is quadratic at least: more are needed only where the check cannot be passed.
-const CORRECTIONS: usize = 3;
+/// The least denominator, as a fraction of `l^3`: below, rounding errors are magnified too much.
+const DISTINCT: f64 = 1e-4;
+
+/// Steps towards the greatest root that serve points which nearly have their rest shape, and further
+/// ones where they do not. The error is cubed by each.
+const STEPS: usize = 2;
+const FURTHER_STEPS: usize = 6;
 
 /// A singular value below this fraction of the greatest is rounding error.
 const NEGLIGIBLE: f64 = 8.0 * f64::EPSILON;
@@ -43,159 +60,180 @@ impl<S: Lane> Alignment<S> {
     #[inline(always)]
     pub fn of(rest: &[Vec3<S>], v: &[Vec3<S>]) -> Self {
         let mut h = [Vec3::zero(); 3];
-        let mut square = S::zero();
+        let (mut square, mut rest_square) = (S::zero(), S::zero());
         for (r, v) in rest.iter().zip(v) {
             h[0] += *v * r.x;
             h[1] += *v * r.y;
             h[2] += *v * r.z;
-            square += r.length_squared();
+            square += v.length_squared();
+            rest_square += r.length_squared();
         }
-        Self::of_product(h, square)
+        Self::of_product(h, square, rest_square)
     }
 
     /// The rest point `r` turned.
     #[inline(always)]
     pub fn turn(&self, r: Vec3<S>) -> Vec3<S> {
-        combine(self.columns, r)
+        self.columns[0] * r.x + self.columns[1] * r.y + self.columns[2] * r.z
     }
 
-    /// From the columns of `H` and `sum |v'|^2`.
+    /// From the columns of `H`, `sum |v|^2` and `sum |v'|^2`.
     // Not inlined, as the eigenvector: the lanes stay packed.
     #[inline(never)]
-    fn of_product(h: [Vec3<S>; 3], square: S) -> Self {
-        let one = S::one();
-        let size = h[0].length_squared() + h[1].length_squared() + h[2].length_squared();
-        let in_range = within_range(size, within_range(square, one));
-        let size = size.sqrt();
-        let h = h.map(|column| column * (one / size));
-
-        let mut columns = first_rotation(h);
-        let mut check = Check::of(columns, h, in_range);
-        for _ in 0..CORRECTIONS {
-            if check.passed.all_greater(S::zero()) {
-                break;
-            }
-            let corrected = turned(columns, check.step);
-            // A lane that has passed stays as it is, whatever its neighbours need.
-            for (column, corrected) in columns.iter_mut().zip(corrected) {
-                *column = Vec3::if_greater(check.passed, S::zero(), *column, corrected);
-            }
-            check = Check::of(columns, h, in_range);
+    fn of_product(h: [Vec3<S>; 3], square: S, rest_square: S) -> Self {
+        let invariants = Invariants::of(h);
+        let bound = square * rest_square;
+        let in_range = within_range(bound);
+        let mut l = bound.sqrt();
+        for _ in 0..STEPS {
+            l = invariants.nearer(l);
         }
-        Alignment { columns, scale: check.trace * size / square, accurate: check.passed }
+        let (columns, distinct) = invariants.rotation(h, l);
+        let accurate = Deviation::of(columns).small(distinct.min(in_range));
+        let mut found = Alignment { columns, scale: l / rest_square, accurate };
+        if !accurate.all_greater(S::zero()) {
+            found.refine(h, &invariants, l, rest_square, in_range);
+        }
+        found
+    }
+
+    /// Goes on where that was not enough. A lane that was accurate stays as it is, whatever its
+    /// neighbours need.
+    #[cold]
+    #[inline(never)]
+    fn refine(
+        &mut self,
+        h: [Vec3<S>; 3],
+        invariants: &Invariants<S>,
+        mut l: S,
+        rest_square: S,
+        in_range: S,
+    ) {
+        let (zero, one) = (S::zero(), S::one());
+        for _ in 0..FURTHER_STEPS {
+            l = invariants.nearer(l);
+        }
+        let (columns, distinct) = invariants.rotation(h, l);
+        let columns = Deviation::of(columns).mended(columns);
+        let passed = self.accurate;
+        for (column, mended) in self.columns.iter_mut().zip(columns) {
+            *column = Vec3::if_greater(passed, zero, *column, mended);
+        }
+        self.scale = passed.if_greater(zero, self.scale, l / rest_square);
+        let mended = Deviation::of(columns).small(distinct.min(in_range));
+        self.accurate = passed.if_greater(zero, one, mended);
     }
 }
 
-/// Keeps `flag` where a sum of products of two or four lengths is not near the ends of the range of
-/// `f64`.
+/// One where a product of two squared lengths is not near the ends of the range of `f64`, so that
+/// its square and its cube are neither.
 #[inline(always)]
-fn within_range<S: Lane>(sum: S, flag: S) -> S {
-    let not_tiny = sum.if_greater(S::splat(1e-200), flag, S::zero());
-    S::splat(1e200).if_greater(sum, not_tiny, S::zero())
+fn within_range<S: Lane>(product: S) -> S {
+    let not_tiny = product.if_greater(S::splat(1e-80), S::one(), S::zero());
+    S::splat(1e80).if_greater(product, not_tiny, S::zero())
 }
 
-/// The vector with components `x` along `columns`.
-#[inline(always)]
-fn combine<S: Lane>(columns: [Vec3<S>; 3], x: Vec3<S>) -> Vec3<S> {
-    columns[0] * x.x + columns[1] * x.y + columns[2] * x.z
+/// What the greatest `tr(R^T H)` depends on.
+#[derive(Clone, Copy)]
+struct Invariants<S> {
+    /// The columns of the cofactor matrix.
+    cofactors: [Vec3<S>; 3],
+    /// `s = |H|^2`.
+    s: S,
+    /// `4 t = 4 |cof H|^2`.
+    t4: S,
+    /// `2 d = 2 det H`.
+    d2: S,
 }
 
-/// The columns of the closest rotation to the matrix with the columns `h`, whose squares sum to one.
-#[inline(always)]
-fn first_rotation<S: Lane>(h: [Vec3<S>; 3]) -> [Vec3<S>; 3] {
-    let (zero, one, half) = (S::zero(), S::one(), S::splat(0.5));
-    let gram = Symmetric3 {
-        xx: h[0].length_squared(),
-        xy: h[0].dot(h[1]),
-        xz: h[0].dot(h[2]),
-        yy: h[1].length_squared(),
-        yz: h[1].dot(h[2]),
-        zz: h[2].length_squared(),
-    };
-    let n = gram.smallest_eigenvector().vector;
-    let aside = Vec3::if_greater(
-        n.x.abs(),
-        S::splat(0.6),
-        Vec3::new(zero, one, zero),
-        Vec3::new(one, zero, zero),
-    );
-    let a = n.cross(aside);
-    let a = a * (one / a.length());
-    let b = n.cross(a);
-
-    // The polar factor of M = (p r) is M (M^T M)^-1/2, with
-    // (M^T M)^1/2 = (M^T M + det I) / tau.
-    let (p, r) = (combine(h, a), combine(h, b));
-    let (pp, pr, rr) = (p.length_squared(), p.dot(r), r.length_squared());
-    let determinant = p.cross(r).length();
-    let tau = (pp + rr + determinant + determinant).sqrt();
-    let inverse = one / (determinant * tau);
-    let u = (p * (rr + determinant) - r * pr) * inverse;
-    let v = (r * (pp + determinant) - p * pr) * inverse;
-    // Orthonormal to rounding, where the division above has magnified it.
-    let overlap = u.dot(v) * half;
-    let shortened = |u: Vec3<S>| u * (S::splat(1.5) - u.length_squared() * half);
-    let (u, v) = (shortened(u) - v * overlap, shortened(v) - u * overlap);
-    let w = u.cross(v);
-    let column = |a: S, b: S, n: S| u * a + v * b + w * n;
-    [column(a.x, b.x, n.x), column(a.y, b.y, n.y), column(a.z, b.z, n.z)]
-}
-
-/// How far a rotation is from the closest one.
-struct Check<S> {
-    /// `tr(R^T H)`.
-    trace: S,
-    /// Newton's step, as a rotation vector in rest coordinates.
-    step: Vec3<S>,
-    /// One where the rotation is off by at most [`ANGLE`], else zero.
-    passed: S,
-}
-
-impl<S: Lane> Check<S> {
+impl<S: Lane> Invariants<S> {
     #[inline(always)]
-    fn of(r: [Vec3<S>; 3], h: [Vec3<S>; 3], in_range: S) -> Self {
-        let half = S::splat(0.5);
-        let k = |i: usize, j: usize| r[i].dot(h[j]);
-        let (xx, yy, zz) = (k(0, 0), k(1, 1), k(2, 2));
-        let (xy, yx) = (k(0, 1), k(1, 0));
-        let (xz, zx) = (k(0, 2), k(2, 0));
-        let (yz, zy) = (k(1, 2), k(2, 1));
-        let gradient = Vec3::new(zy - yz, xz - zx, yx - xy);
-        let a = Symmetric3 {
-            xx: yy + zz,
-            xy: -(xy + yx) * half,
-            xz: -(xz + zx) * half,
-            yy: xx + zz,
-            yz: -(yz + zy) * half,
-            zz: xx + yy,
-        };
-        let adjugate = a.adjugate();
-        let (minors, determinant) = (adjugate.trace(), a.determinant(adjugate));
-        let step = adjugate.times(gradient) * (S::one() / determinant);
-        // All eigenvalues are positive where all three invariants are; the least of them is then at
-        // least determinant over minors. The gradient counts as one ulp at least.
-        let bound = S::splat(ANGLE) * determinant / minors;
-        let rounding = S::splat(f64::EPSILON * f64::EPSILON);
-        let mut passed =
-            (bound * bound).if_greater(gradient.length_squared() + rounding, in_range, S::zero());
-        for invariant in [a.trace(), minors, determinant] {
-            passed = invariant.if_greater(S::zero(), passed, S::zero());
-        }
-        Check { trace: xx + yy + zz, step, passed }
+    fn of(h: [Vec3<S>; 3]) -> Self {
+        let cofactors = [h[1].cross(h[2]), h[2].cross(h[0]), h[0].cross(h[1])];
+        let square =
+            |m: [Vec3<S>; 3]| m[0].length_squared() + m[1].length_squared() + m[2].length_squared();
+        let d = h[0].dot(cofactors[0]);
+        let t = square(cofactors);
+        Invariants { cofactors, s: square(h), t4: t * S::splat(4.0), d2: d + d }
+    }
+
+    /// Halley's step towards the greatest root from above.
+    #[inline(always)]
+    fn nearer(&self, l: S) -> S {
+        let square = l * l;
+        let beyond = square - self.s;
+        // The value, a quarter of the slope, and a quarter of the second derivative.
+        let value = beyond * beyond - l * self.d2 * S::splat(4.0) - self.t4;
+        let slope = l * beyond - self.d2;
+        let bend = square + square + beyond;
+        l - value * (slope + slope) / (S::splat(8.0) * slope * slope - value * bend)
+    }
+
+    /// The columns of the rotation for the greatest root `l`, and one where its denominator says
+    /// that it is the only one.
+    #[inline(always)]
+    fn rotation(&self, h: [Vec3<S>; 3], l: S) -> ([Vec3<S>; 3], S) {
+        let [c0, c1, c2] = self.cofactors;
+        let square = l * l;
+        let beyond = square - self.s;
+        let denominator = l * beyond - self.d2;
+        let bound = S::splat(DISTINCT) * square * l;
+        let distinct = denominator.if_greater(bound, S::one(), S::zero());
+        let inverse = S::one() / denominator;
+        let (of_h, of_t) = (beyond * inverse, inverse + inverse);
+        let of_cofactors = l * of_t;
+        // Half of dt/dH, column by column.
+        let t = [
+            h[1].cross(c2) - h[2].cross(c1),
+            h[2].cross(c0) - h[0].cross(c2),
+            h[0].cross(c1) - h[1].cross(c0),
+        ];
+        let columns = [
+            h[0] * of_h + c0 * of_cofactors + t[0] * of_t,
+            h[1] * of_h + c1 * of_cofactors + t[1] * of_t,
+            h[2] * of_h + c2 * of_cofactors + t[2] * of_t,
+        ];
+        (columns, distinct)
     }
 }
 
-/// The rotation after one more about `step`: the Cayley transform, a rotation whatever the length.
-#[inline(always)]
-fn turned<S: Lane>(columns: [Vec3<S>; 3], step: Vec3<S>) -> [Vec3<S>; 3] {
-    let (zero, one) = (S::zero(), S::one());
-    let t = step * S::splat(0.5);
-    let factor = S::splat(2.0) / (one + t.length_squared());
-    [[one, zero, zero], [zero, one, zero], [zero, zero, one]].map(|[x, y, z]| {
-        let axis = Vec3::new(x, y, z);
-        let across = t.cross(axis);
-        combine(columns, axis + (across + t.cross(across)) * factor)
-    })
+/// How far three columns `M` are from orthonormal: the entries of `M^T M - I`.
+struct Deviation<S> {
+    squares: [S; 3],
+    products: [S; 3],
+}
+
+impl<S: Lane> Deviation<S> {
+    #[inline(always)]
+    fn of(m: [Vec3<S>; 3]) -> Self {
+        Deviation {
+            squares: m.map(|column| column.length_squared() - S::one()),
+            products: [m[1].dot(m[2]), m[2].dot(m[0]), m[0].dot(m[1])],
+        }
+    }
+
+    /// Keeps `flag` where the deviation is at most [`ORTHONORMAL`].
+    #[inline(always)]
+    fn small(&self, flag: S) -> S {
+        let sum = |x: [S; 3]| x[0] * x[0] + x[1] * x[1] + x[2] * x[2];
+        let (off_diagonal, diagonal) = (sum(self.products), sum(self.squares));
+        let bound = S::splat(ORTHONORMAL * ORTHONORMAL);
+        bound.if_greater(off_diagonal + off_diagonal + diagonal, flag, S::zero())
+    }
+
+    /// The columns after one step towards the polar factor, `M - M (M^T M - I) / 2`: what they
+    /// deviate by then is of second order.
+    #[inline(always)]
+    fn mended(&self, m: [Vec3<S>; 3]) -> [Vec3<S>; 3] {
+        let half = S::splat(0.5);
+        let [x, y, z] = self.squares.map(|square| S::one() - square * half);
+        let [yz, zx, xy] = self.products.map(|product| product * half);
+        [
+            m[0] * x - m[1] * xy - m[2] * zx,
+            m[1] * y - m[0] * xy - m[2] * yz,
+            m[2] * z - m[0] * zx - m[1] * yz,
+        ]
+    }
 }
 
 impl Alignment<f64> {

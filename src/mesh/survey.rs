@@ -2,6 +2,7 @@
 
 use super::problem::{Problem, ProblemKind, Tally};
 use super::{Mesh, Point};
+use crate::math::{ascending, key_of_pair};
 
 /// The problems of a mesh that is not from a file, such as one inside a scene.
 pub fn survey(mesh: &Mesh) -> Vec<Problem> {
@@ -54,7 +55,7 @@ fn duplicates(mesh: &Mesh) -> Vec<u32> {
 }
 
 /// The side of one face along one edge.
-#[derive(PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy)]
 struct HalfEdge {
     /// Lower vertex first.
     ends: [u32; 2],
@@ -65,7 +66,7 @@ struct HalfEdge {
 
 /// All sides of all faces, those of one edge together, by face.
 fn half_edges(mesh: &Mesh) -> Vec<HalfEdge> {
-    let mut sides = Vec::with_capacity(mesh.faces.indices().len());
+    let mut sides: Vec<HalfEdge> = Vec::with_capacity(mesh.faces.indices().len());
     for (face, corners) in mesh.faces.iter().enumerate() {
         let mut from = corners[corners.len() - 1];
         for &to in corners {
@@ -74,8 +75,8 @@ fn half_edges(mesh: &Mesh) -> Vec<HalfEdge> {
             from = to;
         }
     }
-    sides.sort_unstable();
-    sides
+    let order = ascending(sides.iter().map(|side| key_of_pair(side.ends)));
+    order.into_iter().map(|side| sides[side as usize]).collect()
 }
 
 /// How many vertices lie exactly where an earlier one does, and the first of them.

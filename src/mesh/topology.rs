@@ -4,6 +4,7 @@
 //! not be a manifold: an edge may have any number of faces, a vertex any number of fans.
 
 use super::{Mesh, Ragged};
+use crate::math::{ascending, key_of_pair};
 
 /// The adjacency of a mesh. Indices are those of the mesh; edges are numbered in lexicographic
 /// order of their ends.
@@ -148,7 +149,7 @@ impl Topology {
 }
 
 /// One side of a face, one segment of a curve or one edge of a tetrahedron.
-#[derive(PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy)]
 struct Side {
     /// The smaller first.
     ends: [u32; 2],
@@ -166,14 +167,15 @@ fn sides(mesh: &Mesh) -> Vec<Side> {
     let of_curves =
         mesh.curves.iter().flat_map(|curve| curve.windows(2).map(|ends| (ends[0], ends[1], None)));
     let of_tets = mesh.tets.iter().flat_map(|tet| TET_EDGES.map(|[a, b]| (tet[a], tet[b], None)));
-    let mut sides: Vec<Side> = of_faces
-        .chain(of_curves)
+    // Faces last and in order, so that the sides of an edge are.
+    let sides: Vec<Side> = of_curves
         .chain(of_tets)
+        .chain(of_faces)
         .filter(|(a, b, _)| a != b)
         .map(|(a, b, face)| Side { ends: [a.min(b), a.max(b)], face })
         .collect();
-    sides.sort_unstable();
-    sides
+    let order = ascending(sides.iter().map(|side| key_of_pair(side.ends)));
+    order.into_iter().map(|side| sides[side as usize]).collect()
 }
 
 /// `n_rows` rows: row `i` has the values that come with key `i`, in the order in which they come.

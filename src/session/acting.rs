@@ -1,6 +1,7 @@
 //! Which row of constraints each face and each vertex belongs to, to be shown in its colour.
 
 use super::Session;
+use crate::math::ascending;
 use crate::mesh::{Mesh, Topology};
 
 /// The row that acts on each face and each vertex. Where several do, it is the one with the fewest
@@ -18,18 +19,18 @@ impl Session {
     pub fn acting_rows(&self) -> ActingRows {
         let mesh = &self.mesh;
         let mut cover = Cover::new(mesh, &self.topology);
-        let mut rows: Vec<_> = (0..).zip(&self.rows).filter(|(_, row)| row.enabled).collect();
-        rows.sort_by_cached_key(|(_, row)| {
+        let rows: Vec<_> = (0..).zip(&self.rows).filter(|(_, row)| row.enabled).collect();
+        let most_vertices_first = ascending(rows.iter().map(|(_, row)| {
             let mut vertices = row.constraints.members.indices().to_vec();
             vertices.sort_unstable();
             vertices.dedup();
-            std::cmp::Reverse(vertices.len())
-        });
+            u64::MAX - vertices.len() as u64
+        }));
         let mut acting = ActingRows {
             faces: vec![None; mesh.faces.len()],
             vertices: vec![None; mesh.positions.len()],
         };
-        for (index, row) in rows {
+        for (index, row) in most_vertices_first.into_iter().map(|i| rows[i as usize]) {
             for members in row.constraints.members.iter() {
                 let faces = cover.faces(members);
                 for &face in faces {

@@ -415,8 +415,7 @@ fn set_params(
     }
     spec.kind = Kind::new(spec.kind.info().id, params).map_err(|error| match error {
         KindError::Params { path, message } => {
-            // Serde's name for all of the parameters is a dot.
-            let below = if path == "." { String::new() } else { format!(".{path}") };
+            let below = if path.is_empty() { String::new() } else { format!(".{path}") };
             SceneError { path: format!("constraints[{index}]{below}"), message }
         }
         KindError::Unknown => unreachable!("the row has this kind"),

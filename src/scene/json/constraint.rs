@@ -72,10 +72,10 @@ pub(super) fn default_params(id: &str) -> serde_json::Map<String, serde_json::Va
     }
 }
 
-/// A JSON path and one below it, where `.` is serde's name for the value itself.
+/// A JSON path and one below it.
 fn join(path: &str, below: &str) -> String {
     match below {
-        "" | "." | "?" => path.to_owned(),
+        "" => path.to_owned(),
         _ if path.is_empty() => below.to_owned(),
         _ if below.starts_with('[') => format!("{path}{below}"),
         _ => format!("{path}.{below}"),
