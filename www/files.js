@@ -86,7 +86,7 @@ export class Files extends EventTarget {
       if (!origin.first) removeFirstPicture();
       this.#store.set({
         firstExample: Boolean(origin.first),
-        example: null,
+        example: origin.example ?? null,
         status: `Opened ${main.name}: ${count(loaded.vertices, 'vertex', 'vertices')}, ${count(loaded.faces, 'face')}`,
       });
       this.dispatchEvent(new Event('opened'));
@@ -122,7 +122,7 @@ export class Files extends EventTarget {
       names.map(async (name) => ({ name, bytes: await exampleFile(name) })),
     );
     await this.open(files, { first, example });
-    this.#store.set({ example, status: first ? '' : `Opened the example ${example.title}` });
+    this.#store.set({ status: first ? '' : `Opened the example ${example.title}` });
   }
 
   /** A mesh or a scene of the examples. @param {string} name */

@@ -18,7 +18,7 @@
  * @property {Loaded | null} model
  * @property {number} size diagonal of the bounding box of the mesh as it was opened, in its unit
  * @property {boolean} firstExample the model is the one that the page opens with
- * @property {import("./files.js").Example | null} example what is open, if it is one
+ * @property {import("./files.js").Example | null} example whose mesh is open, if it is that of one
  * @property {SceneDocument | null} document
  * @property {Numbers | null} numbers
  * @property {boolean} running Run was pressed and the iteration has not converged

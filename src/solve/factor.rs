@@ -39,7 +39,7 @@ pub(super) struct Factor {
 enum Method {
     Supernodal,
     /// With the last factor, if there is one.
-    SprsLdl(Option<LdlNumeric<f64, u32>>),
+    SprsLdl(Option<Box<LdlNumeric<f64, u32>>>),
 }
 
 /// Why a matrix has no factor.
@@ -202,7 +202,10 @@ impl Precisions<'_> {
 }
 
 /// Factors `normal`, in the pattern of the last factor if there is one.
-fn sprs_ldl(numeric: &mut Option<LdlNumeric<f64, u32>>, normal: &Normal) -> Result<(), Singular> {
+fn sprs_ldl(
+    numeric: &mut Option<Box<LdlNumeric<f64, u32>>>,
+    normal: &Normal,
+) -> Result<(), Singular> {
     let n = normal.pattern.columns.len() - 1;
     let view =
         CsMatViewI::new_csc((n, n), &normal.pattern.columns, &normal.pattern.rows, &normal.values);
@@ -217,7 +220,7 @@ fn sprs_ldl(numeric: &mut Option<LdlNumeric<f64, u32>>, normal: &Normal) -> Resu
                 PermOwnedI::identity(n),
                 SymmetryCheck::DontCheckSymmetry,
             );
-            *numeric = Some(symbolic.factor(view).map_err(exact_zero)?);
+            *numeric = Some(Box::new(symbolic.factor(view).map_err(exact_zero)?));
             Ok(())
         }
     }

@@ -128,7 +128,7 @@ export class ExperimentDialog {
     );
     this.#progress.hidden = true;
     this.#fillTable();
-    setText(this.#status, 'Runs here, on the example as it was opened. Nothing is stored.');
+    setText(this.#status, 'Runs here, on the example as it came. Nothing is stored.');
   }
 
   #closed() {
