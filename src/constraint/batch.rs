@@ -4,7 +4,7 @@
 //! `LANES` constraints at a time, centres them (`N_i` of Eq. 5), projects them, and scatters
 //! the gradient `w_i N_i (N_i V_i - P_i)` (Appendix A). The operator sees points and nothing else.
 
-use super::{Arity, Centring, Fitted, Kind, KindVisitor, Projection};
+use super::{Arity, Centring, Fitted, Kind, KindVisitor, Projection, project_with};
 use crate::math::{LANES, Lane, Lanes, Vec3, ascending, centre, key_of_pair};
 use crate::mesh::{Ragged, Surface};
 use std::rc::Rc;
@@ -117,25 +117,20 @@ impl<P: Projection> Operator for P {
     }
 
     fn project(&self, rest: &[Vec3<Lanes>], v: &[Vec3<Lanes>], projected: &mut [Vec3<Lanes>]) {
-        // Triangles and quads are most of what there is. What the arity rules out is not compiled.
-        match v.len() {
-            2 if const { matches!(P::INFO.arity, Arity::Exactly(2)) } => {
-                project_few::<P, 2>(self, rest, v, projected);
-            }
-            3 if const { P::INFO.arity.fits(3) } => {
-                project_few::<P, 3>(self, rest, v, projected);
-            }
-            4 if const { P::INFO.arity.fits(4) } => {
-                project_few::<P, 4>(self, rest, v, projected);
-            }
-            5 if const { matches!(P::INFO.arity, Arity::Exactly(5)) } => {
-                project_few::<P, 5>(self, rest, v, projected);
-            }
-            _ if const { matches!(P::INFO.arity, Arity::AtLeast(_)) } => {
-                project_many(self, rest, v, projected);
-            }
+        // What the arity rules out is not compiled.
+        let closed_form = match v.len() {
+            2 if const { matches!(P::INFO.arity, Arity::Exactly(2)) } => closed_form_of_few::<P, 2>,
+            3 if const { matches!(P::INFO.arity, Arity::Exactly(3)) } => closed_form_of_few::<P, 3>,
+            4 if const { matches!(P::INFO.arity, Arity::Exactly(4)) } => closed_form_of_few::<P, 4>,
+            5 if const { matches!(P::INFO.arity, Arity::Exactly(5)) } => closed_form_of_few::<P, 5>,
+            _ if const { matches!(P::INFO.arity, Arity::AtLeast(_)) } => closed_form_of_many::<P>,
             n => unreachable!("{} takes {}, not {n}", P::INFO.id, P::INFO.arity),
-        }
+        };
+        project_with(
+            |rest, v, projected| closed_form(self, rest, v, projected),
+            &|rest, v| self.careful(rest, v),
+            (rest, v, projected),
+        );
     }
 
     fn fitted(&self, v: &[Vec3<f64>]) -> Option<Fitted> {
@@ -147,31 +142,31 @@ impl<P: Projection> Operator for P {
 // Functions of their own: V8 replaces a wasm function by optimised code only between calls, so hot
 // kernels are entered often.
 #[inline(never)]
-fn project_few<P: Projection, const N: usize>(
+fn closed_form_of_few<P: Projection, const N: usize>(
     operator: &P,
     rest: &[Vec3<Lanes>],
     v: &[Vec3<Lanes>],
     projected: &mut [Vec3<Lanes>],
-) {
+) -> bool {
     const SIZE: &str = "a chunk has the points of its constraints";
     let v: &[Vec3<Lanes>; N] = v.try_into().expect(SIZE);
     let projected: &mut [Vec3<Lanes>; N] = projected.try_into().expect(SIZE);
     if P::READS_REST {
         let rest: &[Vec3<Lanes>; N] = rest.try_into().expect(SIZE);
-        Projection::project(operator, rest, v, projected);
+        operator.closed_form(rest, v, projected)
     } else {
-        Projection::project(operator, &[], v, projected);
+        operator.closed_form(&[], v, projected)
     }
 }
 
 #[inline(never)]
-fn project_many<P: Projection>(
+fn closed_form_of_many<P: Projection>(
     operator: &P,
     rest: &[Vec3<Lanes>],
     v: &[Vec3<Lanes>],
     projected: &mut [Vec3<Lanes>],
-) {
-    Projection::project(operator, rest, v, projected);
+) -> bool {
+    operator.closed_form(rest, v, projected)
 }
 
 impl Batch {

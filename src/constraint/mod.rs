@@ -105,9 +105,11 @@ pub trait Projection: Clone + PartialEq + std::fmt::Debug + 'static {
     /// by itself.
     #[inline(always)]
     fn project<S: Lane>(&self, rest: &[Vec3<S>], v: &[Vec3<S>], projected: &mut [Vec3<S>]) {
-        if !self.closed_form(rest, v, projected) {
-            lane_by_lane(self, rest, v, projected);
-        }
+        project_with(
+            |rest, v, projected| self.closed_form(rest, v, projected),
+            &|rest, v| self.careful(rest, v),
+            (rest, v, projected),
+        );
     }
 
     /// The shape that fits the points `v` (in their place, not centred), to be drawn. None where the
@@ -118,25 +120,47 @@ pub trait Projection: Clone + PartialEq + std::fmt::Debug + 'static {
     }
 }
 
-/// Projects each lane by itself. A lane whose closed form is accurate gets the same bits as in a chunk
-/// where all are.
+/// Rest points, points and their projections.
+type Chunk<'a, S> = (&'a [Vec3<S>], &'a [Vec3<S>], &'a mut [Vec3<S>]);
+
+/// See [`Projection::careful`].
+type Careful<'a> = &'a dyn Fn(&[Vec3<f64>], &mut [Vec3<f64>]);
+
+/// Step I with this closed form, and where it is not accurate each lane by itself.
+#[inline(always)]
+fn project_with<S: Lane>(
+    closed_form: impl Fn(&[Vec3<S>], &[Vec3<S>], &mut [Vec3<S>]) -> bool,
+    careful: Careful<'_>,
+    (rest, v, projected): Chunk<'_, S>,
+) {
+    if !closed_form(rest, v, projected) {
+        lane_by_lane(&closed_form, careful, (rest, v, projected));
+    }
+}
+
+/// Projects each lane by itself: by the closed form, with the lane in the place of all, so that no
+/// kind has a second one that is compiled for a single lane, and otherwise carefully. A lane whose
+/// closed form is accurate gets the same bits as in a chunk where all are.
 #[cold]
 #[inline(never)]
-fn lane_by_lane<P: Projection, S: Lane>(
-    operator: &P,
-    rest: &[Vec3<S>],
-    v: &[Vec3<S>],
-    projected: &mut [Vec3<S>],
+fn lane_by_lane<S: Lane>(
+    closed_form: &dyn Fn(&[Vec3<S>], &[Vec3<S>], &mut [Vec3<S>]) -> bool,
+    careful: Careful<'_>,
+    (rest, v, projected): Chunk<'_, S>,
 ) {
-    let mut result = vec![Vec3::zero(); v.len()];
+    let mut results = vec![Vec3::zero(); v.len()];
     for i in 0..S::WIDTH {
-        let lane = |points: &[Vec3<S>]| points.iter().map(|p| p.lane(i)).collect::<Vec<_>>();
-        let (rest, v) = (lane(rest), lane(v));
-        if !operator.closed_form(&rest, &v, &mut result) {
-            result.copy_from_slice(&v);
-            operator.careful(&rest, &mut result);
+        let everywhere =
+            |points: &[Vec3<S>]| points.iter().map(|p| Vec3::splat(p.lane(i))).collect();
+        let (all_rest, all): (Vec<_>, Vec<_>) = (everywhere(rest), everywhere(v));
+        if S::WIDTH > 1 && closed_form(&all_rest, &all, &mut results) {
+            projected.iter_mut().zip(&results).for_each(|(to, from)| to.set_lane(i, from.lane(i)));
+        } else {
+            let lane = |points: &[Vec3<S>]| points.iter().map(|p| p.lane(i)).collect::<Vec<_>>();
+            let mut result = lane(v);
+            careful(&lane(rest), &mut result);
+            projected.iter_mut().zip(&result).for_each(|(to, from)| to.set_lane(i, *from));
         }
-        projected.iter_mut().zip(&result).for_each(|(to, from)| to.set_lane(i, *from));
     }
 }
 

@@ -69,6 +69,11 @@ impl<S: Lane> Vec3<S> {
             key.if_greater(bound, yes.z, no.z),
         )
     }
+    /// The same vector in every lane.
+    #[inline(always)]
+    pub fn splat(v: Vec3<f64>) -> Self {
+        Vec3::new(S::splat(v.x), S::splat(v.y), S::splat(v.z))
+    }
     /// The vector of lane `i`.
     #[inline(always)]
     pub fn lane(self, i: usize) -> Vec3<f64> {
