@@ -4,7 +4,7 @@
 //! Which measures there are is declared here, so that hosts name none of them.
 
 use super::Session;
-use crate::math::Vec3;
+use crate::math::{Vec3, angle};
 use crate::mesh::{Measures, Point, Surface, diagonal_ratio};
 use serde::Serialize;
 use std::f64::consts::PI;
@@ -237,7 +237,7 @@ fn angles(session: &mut Session) -> Vec<f64> {
             let [before, here, after] =
                 [face.len() - 1, 0, 1].map(|step| at(face[(i + step) % face.len()]));
             let (a, b) = (before - here, after - here);
-            let angle = a.cross(b).length().atan2(a.dot(b)) * (180.0 / PI);
+            let angle = angle(a.dot(b), a.cross(b).length()) * (180.0 / PI);
             (angle - regular).abs()
         };
         (0..face.len()).map(corner).fold(0.0, f64::max)
