@@ -388,7 +388,8 @@ impl Session {
 /// Whether two documents differ in nothing that the solver knows of.
 fn same_problem(a: &Scene, b: &Scene) -> bool {
     let mut a = a.clone();
-    (a.units.clone_from(&b.units), a.up = b.up);
+    a.units.clone_from(&b.units);
+    a.up = b.up;
     a == *b
 }
 

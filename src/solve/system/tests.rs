@@ -87,7 +87,7 @@ proptest! {
     ) {
         let (matrix, sparse) = dense(n, &terms, &vec![weight; n]);
         for factorization in FACTORIZATIONS {
-            let mut system = System::with_order(n, &[sparse.clone()], factorization, None);
+            let mut system = System::with_order(n, std::slice::from_ref(&sparse), factorization, None);
             let fixed = &fixed[..n];
             let by_node = |fixed: &[bool]| {
                 let mut by_node = vec![false; n];
