@@ -79,7 +79,7 @@ impl Frame {
             return Up::Z;
         }
         let [on_y, on_z] = [1, 2].map(|axis| on_ground(&mesh.positions, axis));
-        if lies(y, [x, z]) || on_y > 2 * on_z { Up::Y } else { Up::Z }
+        if lies(y, [x, z]) || on_y >= 2 * on_z { Up::Y } else { Up::Z }
     }
 }
 

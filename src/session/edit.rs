@@ -344,6 +344,7 @@ impl Session {
             if moved {
                 self.solver.set_positions(&positions);
             }
+            self.document = document;
         } else if self.differs_in_weights(&document) {
             document.validate(&self.mesh)?;
             let old = self.solver.handles().to_vec();

@@ -356,7 +356,11 @@ fn examples_are_written_and_can_be_solved() {
         let scene = scene.to_str().unwrap();
         folder.run(&["solve", scene, "--iterations", "20", "--report", "r.json"]).done();
         let energy = &folder.json("r.json")["energy"];
-        assert!(energy["final"]["total"].as_f64() < energy["initial"]["total"].as_f64());
+        let [initial, reached] =
+            ["initial", "final"].map(|when| energy[when]["total"].as_f64().unwrap());
+        // Where nothing is asked of the shape it stays.
+        let asks = entry["kinds"].as_array().is_some_and(|kinds| !kinds.is_empty());
+        assert!(if asks { reached < initial } else { reached == initial }, "{entry}");
         let mesh = Path::new("a/b").join(entry["mesh"].as_str().unwrap());
         let out = folder.run(&["check", mesh.to_str().unwrap()]).done();
         assert!(!out.contains("problem: "), "{out}");
