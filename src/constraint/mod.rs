@@ -123,6 +123,9 @@ pub trait Projection: Clone + PartialEq + std::fmt::Debug + 'static {
 /// Rest points, points and their projections.
 type Chunk<'a, S> = (&'a [Vec3<S>], &'a [Vec3<S>], &'a mut [Vec3<S>]);
 
+/// See [`Projection::closed_form`].
+type ClosedForm<'a, S> = &'a dyn Fn(&[Vec3<S>], &[Vec3<S>], &mut [Vec3<S>]) -> bool;
+
 /// See [`Projection::careful`].
 type Careful<'a> = &'a dyn Fn(&[Vec3<f64>], &mut [Vec3<f64>]);
 
@@ -144,7 +147,7 @@ fn project_with<S: Lane>(
 #[cold]
 #[inline(never)]
 fn lane_by_lane<S: Lane>(
-    closed_form: &dyn Fn(&[Vec3<S>], &[Vec3<S>], &mut [Vec3<S>]) -> bool,
+    closed_form: ClosedForm<'_, S>,
     careful: Careful<'_>,
     (rest, v, projected): Chunk<'_, S>,
 ) {
