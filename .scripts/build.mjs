@@ -1,7 +1,7 @@
 // npm run build: the static site in dist/.
 
 import { fileURLToPath } from 'node:url';
-import { writeExamples, writeFirstPicture } from './examples.mjs';
+import { writeExamples, writeFirstPicture, writePictures } from './examples.mjs';
 import { buildPrograms } from './programs.mjs';
 import { main } from './run.mjs';
 import { setUp } from './setup.mjs';
@@ -13,6 +13,7 @@ export async function buildParts() {
   for (const feature of modules) await buildModule(feature);
   await buildPrograms();
   await writeExamples();
+  await writePictures();
   await writeFirstPicture();
 }
 

@@ -1,11 +1,11 @@
-// The example scenes and models, written by the command line, and the picture of the first one
-// that the page shows before it can draw.
+// The example scenes and models, written by the command line, their pictures in the gallery, and the
+// picture of the first one that the page shows before it can draw.
 
 import { mkdirSync, rmSync } from 'node:fs';
 import { dirname } from 'node:path';
 import { program } from './programs.mjs';
 import { at } from './project.mjs';
-import { run } from './run.mjs';
+import { run, say } from './run.mjs';
 import { unlessUnchanged } from './stamp.mjs';
 
 /** A piece of HTML, which `vite.config.mjs` puts into the page. */
@@ -18,6 +18,17 @@ export async function writeExamples() {
   await unlessUnchanged({ name: 'examples', inputs: [writer], output: folder }, async () => {
     rmSync(folder, { recursive: true, force: true });
     await run(writer, ['examples', '--out', folder]);
+  });
+}
+
+/** Solves the examples and writes their pictures into `www/pictures/`. */
+export async function writePictures() {
+  const writer = program('gallery-pictures');
+  const folder = at('www', 'pictures');
+  await unlessUnchanged({ name: 'pictures', inputs: [writer], output: folder }, async () => {
+    say('solving the examples for their pictures');
+    rmSync(folder, { recursive: true, force: true });
+    await run(writer, [folder]);
   });
 }
 

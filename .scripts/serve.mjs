@@ -11,10 +11,11 @@ import { main, Problem } from './run.mjs';
 const host = '127.0.0.1';
 
 // A browser refuses to compile .wasm, or to run a module, of another type.
-const types = {
+export const types = {
   '.css': 'text/css; charset=utf-8',
   '.html': 'text/html; charset=utf-8',
   '.js': 'text/javascript; charset=utf-8',
+  '.mjs': 'text/javascript; charset=utf-8',
   '.json': 'application/json; charset=utf-8',
   '.map': 'application/json; charset=utf-8',
   '.obj': 'model/obj',

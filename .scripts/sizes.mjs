@@ -26,18 +26,27 @@ function row(name, paths, budget) {
 
 await main(() => {
   const code = filesUnder(at('dist')).filter((path) => /\.(html|css|js)$/.test(path));
-  // The plots, and uPlot with them, load when they are first shown.
+  // The plots, and uPlot with them, load when they are first shown; what Share and Export need, and
+  // what reads and writes files of Rhino, when it is first used.
   const isPlot = (path) => basename(path).toLowerCase().includes('plot');
+  // Pages of their own.
+  const isBeside = (path) => /^(gallery|projections|reading)\b/.test(basename(path));
+  const isRhino = (path) => /^(rhino|__vite)/.test(basename(path));
+  const isSeldom = (path) => /^(dialog-(share|export)|share-link|keeping)/.test(basename(path));
+  const isLater = (path) => isPlot(path) || isRhino(path) || isSeldom(path);
   const rows = [
     row('solver module', [at('www', 'pkg', 'solver', 'shape_up_bg.wasm')], 540 * kB),
     row('view module', [at('www', 'pkg', 'view', 'shape_up_bg.wasm')], 900 * kB),
     row(
       'HTML, CSS, JavaScript',
-      code.filter((path) => !isPlot(path)),
+      code.filter((path) => !isLater(path) && !isBeside(path)),
       60 * kB,
     ),
-    row('first picture', [firstPicture], 12 * kB),
+    row('gallery, projections', code.filter(isBeside), 16 * kB),
+    row('first picture', [firstPicture], 14 * kB),
     row('plots', code.filter(isPlot), 30 * kB),
+    row('Share and Export', code.filter(isSeldom), 8 * kB),
+    row('files of Rhino', filesUnder(at('dist')).filter(isRhino), 1100 * kB),
   ];
   const line = (name, ...numbers) =>
     console.log(name.padEnd(22) + numbers.map((number) => String(number).padStart(11)).join(''));

@@ -24,6 +24,9 @@ const browserTests = (feature) => {
   return readdirSync(at('tests')).some(isOne) ? ['--test', `wasm_${feature}*`] : [];
 };
 
+/** Programs for the browser beside the modules: the arguments that name them. */
+const examples = { solver: ['--example', 'bench_browser'], view: [] };
+
 /** Title, program, arguments, and which kind of test counts it prints, if any. */
 const steps = [
   { title: 'format of Rust', run: ['cargo', ['fmt', '--check']] },
@@ -41,7 +44,7 @@ const steps = [
   { title: 'lints of Rust, native', run: clippy('--all-targets', '--features', 'view') },
   ...modules.map((feature) => ({
     title: `lints of Rust, ${feature} module`,
-    run: clippy('--lib', ...browserTests(feature), ...forModule(feature)),
+    run: clippy('--lib', ...examples[feature], ...browserTests(feature), ...forModule(feature)),
   })),
   {
     // Compiled with both features, or the links between the rooms would not all resolve.
@@ -66,6 +69,12 @@ const steps = [
       count: 'cargo',
     })),
   { title: 'build of the site', run: ['node', ['.scripts/build.mjs']] },
+  {
+    // After the build, which it measures.
+    title: 'the benchmark on its smallest size',
+    run: ['node', ['--test', '--test-reporter=tap', 'tests/bench/bench.test.mjs']],
+    count: 'node',
+  },
   {
     // After the build, which writes the declarations of the two modules.
     title: 'types of the page',

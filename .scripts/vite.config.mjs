@@ -2,24 +2,40 @@
 // from any sub-path of any static host.
 
 import { cpSync, readFileSync } from 'node:fs';
+import { minify } from 'vite';
 import { firstPicture } from './examples.mjs';
+import { writeOfflineParts } from './offline.mjs';
 import { at } from './project.mjs';
 
-// Examples keep their names, because links to them are permanent.
+// Examples and their pictures keep their names, because links to them are permanent.
 const examples = {
   name: 'examples',
   apply: 'build',
-  closeBundle: () => cpSync(at('www', 'examples'), at('dist', 'examples'), { recursive: true }),
+  closeBundle() {
+    for (const folder of ['examples', 'pictures']) {
+      cpSync(at('www', folder), at('dist', folder), { recursive: true });
+    }
+    writeOfflineParts(at('dist'));
+  },
 };
 
 const PLACE = '<!-- first picture -->';
 const picture = {
   name: 'first-picture',
-  transformIndexHtml(html) {
+  async transformIndexHtml(html, { path }) {
+    if (path !== '/index.html') return html;
     if (!html.includes(PLACE)) throw new Error(`index.html has no place for ${firstPicture}`);
-    return html.replace(PLACE, () => readFileSync(firstPicture, 'utf8'));
+    const { code } = await minify(
+      'early-drag.js',
+      readFileSync(at('www', 'early-drag.js'), 'utf8'),
+    );
+    const script = `<script>${code}</script>`;
+    return html.replace(PLACE, () => readFileSync(firstPicture, 'utf8') + script);
   },
 };
+
+/** The pages of the site. */
+const pages = ['index', 'gallery', 'projections'];
 
 export default {
   root: at('www'),
@@ -32,6 +48,7 @@ export default {
     target: 'es2022',
     // A module that is inlined as text cannot be compiled while it arrives.
     assetsInlineLimit: 0,
+    rolldownOptions: { input: pages.map((page) => at('www', `${page}.html`)) },
   },
   worker: { format: 'es' },
   server: { host: '127.0.0.1' },

@@ -23,8 +23,13 @@
 //! | [`scene`] | the scene file: serde form and validation; the examples | mesh, constraint |
 //! | [`solve`] | assembly, ordering, LDL^T, the two-step iteration, accelerators, conformal maps | constraint, scene |
 //! | [`session`] | what every host drives: load, edit, drag, step, undo, report | all above |
+//! | [`experiment`] | the paper's comparisons with other methods (Fig. 10, 11), run live | session, solve |
 //! | `web` | wasm-bindgen faces: one for the worker (solver), one for the page (view) | session, view |
 //! | [`view`] | wgpu: camera, picking, faces, edges, handles, fitted shapes | math |
+//!
+//! Beside the pipeline, [`experiment`] holds what the paper compares its method with: gradient descent,
+//! quasi-Newton without a metric, and a penalty method with Gauss-Newton. It drives sessions as a host
+//! does, and nothing else depends on it.
 //!
 //! # Notation of the paper, and its names here
 //!
@@ -52,6 +57,8 @@
 pub mod constraint;
 #[cfg(any(feature = "cli", feature = "solver"))]
 pub mod error;
+#[cfg(any(feature = "cli", feature = "solver"))]
+pub mod experiment;
 pub mod math;
 #[cfg(any(feature = "cli", feature = "solver"))]
 pub mod mesh;

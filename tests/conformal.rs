@@ -50,8 +50,8 @@ fn maps_agree_with_an_independent_implementation() {
                     close("eigenvalue", found.eigenvalue, expected, 1e-6);
                 }
                 let mean = number(&expected["qc_area_weighted_mean"]);
-                close("error", found.quasi_conformal.mean, mean, 1e-9);
-                assert_eq!(found.flipped as u64, expected["flipped"], "{name} {variant}");
+                close("error", found.errors.quasi_conformal.mean, mean, 1e-9);
+                assert_eq!(found.errors.flipped as u64, expected["flipped"], "{name} {variant}");
             }
         }
     }
@@ -78,8 +78,8 @@ fn what_can_be_unrolled_is_unrolled_in_any_unit() {
         for (_, weights) in WEIGHTS {
             for (_, norm) in NORMS {
                 let found = map(&roll(scale), weights, norm);
-                assert!((found.quasi_conformal.max - 1.0).abs() < 1e-6, "{found:?}");
-                assert_eq!((found.flipped, found.parts, found.closed_parts), (0, 1, 0));
+                assert!((found.errors.quasi_conformal.max - 1.0).abs() < 1e-6, "{found:?}");
+                assert_eq!((found.errors.flipped, found.parts, found.closed_parts), (0, 1, 0));
                 // Its longest axis is that of the ten chords, and its area that of the surface.
                 let extent = |i: usize| found.uv.iter().map(|uv| uv[i]).fold(0.0, f64::max);
                 assert!((extent(0) / scale - 10.0 * chord).abs() < 1e-5, "{}", extent(0));
@@ -100,7 +100,7 @@ fn parts_lie_side_by_side_and_vertices_without_faces_do_no_harm() {
     }
     mesh.positions.push([9.0; 3]);
     let found = map(&mesh, ConformalWeights::InverseArea, ConformalNorm::Boundary);
-    assert_eq!((found.parts, found.flipped), (2, 0));
+    assert_eq!((found.parts, found.errors.flipped), (2, 0));
     let (first, rest) = found.uv.split_at(n as usize);
     let (second, last) = rest.split_at(n as usize);
     let right = first.iter().map(|uv| uv[0]).fold(0.0, f64::max);
@@ -128,7 +128,7 @@ fn faces_without_area_are_left_out_and_a_surface_without_any_is_refused() {
     let mut mesh = roll(1.0);
     mesh.faces.push(&[0, 1, 0]);
     let found = map(&mesh, ConformalWeights::InverseArea, ConformalNorm::Boundary);
-    assert!((found.quasi_conformal.max - 1.0).abs() < 1e-6, "{found:?}");
+    assert!((found.errors.quasi_conformal.max - 1.0).abs() < 1e-6, "{found:?}");
 
     let mut line = Mesh::default();
     line.positions.extend([[0.0; 3], [1.0; 3], [2.0; 3]]);

@@ -12,6 +12,13 @@ fn picture(name: &str) -> String {
     std::fs::read_to_string(file).expect("it wrote its file")
 }
 
+/// The numbers of an attribute.
+fn attribute(html: &str, name: &str) -> Vec<f64> {
+    let text = html.split(&format!("{name}=\"")).nth(1).expect("it is there");
+    let numbers = text.split('"').next().expect("it has an end");
+    numbers.split(' ').map(|number| number.parse().expect("a number")).collect()
+}
+
 #[test]
 fn it_shows_every_panel_and_every_handle_of_the_first_example() {
     let html = picture("first.html");
@@ -30,10 +37,17 @@ fn it_shows_every_panel_and_every_handle_of_the_first_example() {
         assert_eq!(svg.matches(r#"<rect class="fixed""#).count(), fixed);
         assert_eq!(svg.matches(r#"<circle class="handle""#).count(), 1);
         assert_eq!(svg.matches(r#"<path class="pull""#).count(), 1);
+        // What a script needs to move it.
+        assert_eq!(svg.matches("<g data-vertex=").count(), fixed + 1);
+        assert_eq!(attribute(svg, "data-eye").len(), 12);
         for number in ["NaN", "inf", "e-", "e+"] {
             assert!(!svg.contains(number), "{number} is no place");
         }
     }
+    let mut faces = attribute(&html, "data-faces");
+    faces.sort_by(f64::total_cmp);
+    assert!(faces.iter().zip(0..).all(|(&face, place)| face == f64::from(place)));
+    assert_eq!(faces.len(), mesh.faces.len());
     // Both themes, without a script.
     assert!(html.contains("light-dark("));
     assert!(!html.contains("<script"));

@@ -4,8 +4,8 @@ use shape_up::constraint::{Element, Kind, Selector, Set};
 use shape_up::mesh::{Group, GroupKeyword, Mesh, Ragged};
 use shape_up::scene::{
     Accelerator, BoundaryCloseness, Closeness, ClosenessTo, ClosenessWeight, ConstraintSpec,
-    HandleSpec, Hold, MeshSource, Scene, SceneError, Smoothness, SmoothnessOf, SolverSettings, Up,
-    Weighting, Weights,
+    Factorization, HandleSpec, Hold, MeshSource, Scene, SceneError, Smoothness, SmoothnessOf,
+    SolverSettings, Up, Weighting, Weights,
 };
 
 /// Two squares side by side.
@@ -60,7 +60,7 @@ fn everything_the_format_has_is_read() {
                                    { "on": "boundary", "weight": 0 }] },
         "smoothness": { "of": "displacement", "weighting": "uniform" },
         "solver": { "iterations": 7, "tolerance": 0, "accelerator": "none", "window": 0,
-                    "mean_centring": false, "monotone": true }"#,
+                    "mean_centring": false, "monotone": true, "factorization": "sprs-ldl" }"#,
     ))
     .unwrap();
     assert_eq!((scene.title.as_str(), scene.units.as_str(), scene.up), ("Roof", "m", Up::Y));
@@ -117,7 +117,8 @@ fn everything_the_format_has_is_read() {
             accelerator: Accelerator::None,
             window: 0,
             mean_centring: false,
-            monotone: true
+            monotone: true,
+            factorization: Factorization::SprsLdl
         }
     );
 }
@@ -213,6 +214,7 @@ const REFUSED: &[(&str, &str, &[&str])] = &[
     (r#", "solver": { "iterations": -3 }"#, "solver.iterations", &["found -3", "from 0"]),
     (r#", "solver": { "iterations": 1.5 }"#, "solver.iterations", &["found 1.5", "whole"]),
     (r#", "solver": { "tolerance": -1e-9 }"#, "solver.tolerance", &["-0.000000001", "from 0"]),
+    (r#", "solver": { "factorization": "dense" }"#, "solver.factorization", &["\"dense\"", "\"supernodal\" or \"sprs-ldl\""]),
     (r#", "solver": { "accelerator": "newton" }"#, "solver.accelerator", &["\"newton\"", "\"anderson\""]),
     (r#", "solver": { "threads": 4 }"#, "solver", &["`threads`", "iterations"]),
 ];

@@ -5,8 +5,8 @@ use shape_up::constraint::{Element, KINDS, Kind, Selector, Set};
 use shape_up::mesh::Mesh;
 use shape_up::scene::{
     Accelerator, BoundaryCloseness, Closeness, ClosenessTo, ClosenessWeight, ConstraintSpec,
-    HandleSpec, Hold, MeshSource, Scene, Smoothness, SmoothnessOf, SolverSettings, Up, Weighting,
-    Weights,
+    Factorization, HandleSpec, Hold, MeshSource, Scene, Smoothness, SmoothnessOf, SolverSettings,
+    Up, Weighting, Weights,
 };
 
 fn constraint(id: &str, on: Selector) -> ConstraintSpec {
@@ -103,6 +103,7 @@ prop_compose! {
                 window: solver.2,
                 mean_centring: solver.3,
                 monotone: solver.4,
+                factorization: [Factorization::Supernodal, Factorization::SprsLdl][choices.0 % 2],
             },
         }
     }

@@ -4,9 +4,14 @@
 
 use glam::{DVec3, Vec2};
 use shape_up::view::camera::Up;
+use shape_up::view::flat_map::{flat_map, follow};
+use shape_up::view::region::{Outline, Taking};
 use shape_up::view::stage::{Changes, Stage};
 
 const CANVAS: Vec2 = Vec2::new(900.0, 600.0);
+
+const WHOLE: Taking = Taking { touching: false, through: false };
+const TOUCHING: Taking = Taking { touching: true, through: false };
 
 /// Offsets and indices.
 type Rows = (Vec<u32>, Vec<u32>);
@@ -143,11 +148,11 @@ fn the_surface_hides_vertices_but_not_handles() {
 fn a_box_around_everything_takes_what_is_in_front() {
     let mut stage = two_floors();
     stage.preset("top").unwrap();
-    assert_eq!(stage.box_vertices(Vec2::ZERO, CANVAS), [4, 5, 6, 7]);
-    assert_eq!(stage.box_faces(CANVAS, Vec2::ZERO, false), [1]);
-    assert_eq!(stage.box_faces(Vec2::ZERO, CANVAS, true), [1]);
+    assert_eq!(stage.vertices_in(&Outline::around(Vec2::ZERO, CANVAS), false), [4, 5, 6, 7]);
+    assert_eq!(stage.faces_in(&Outline::around(CANVAS, Vec2::ZERO), WHOLE), [1]);
+    assert_eq!(stage.faces_in(&Outline::around(Vec2::ZERO, CANVAS), TOUCHING), [1]);
     stage.preset("bottom").unwrap();
-    assert_eq!(stage.box_vertices(CANVAS, Vec2::ZERO), [0, 1, 2, 3]);
+    assert_eq!(stage.vertices_in(&Outline::around(CANVAS, Vec2::ZERO), false), [0, 1, 2, 3]);
 }
 
 /// Seen from above a bump hides nothing; its rim is the outline.
@@ -155,8 +160,8 @@ fn a_box_around_everything_takes_what_is_in_front() {
 fn a_box_misses_no_vertex_of_a_sheet_seen_from_above() {
     let mut stage = stage(60, bump);
     stage.preset("top").unwrap();
-    assert_eq!(stage.box_vertices(Vec2::ZERO, CANVAS).len(), 61 * 61);
-    assert_eq!(stage.box_faces(Vec2::ZERO, CANVAS, false).len(), 60 * 60);
+    assert_eq!(stage.vertices_in(&Outline::around(Vec2::ZERO, CANVAS), false).len(), 61 * 61);
+    assert_eq!(stage.faces_in(&Outline::around(Vec2::ZERO, CANVAS), WHOLE).len(), 60 * 60);
 }
 
 #[test]
@@ -167,26 +172,62 @@ fn a_window_takes_whole_faces_and_a_crossing_takes_touched_ones() {
     // From the middle of face 0 to the middle of face 10: face 5 is between them.
     let from = (at(0) + at(6)) * 0.5;
     let to = (at(12) + at(18)) * 0.5;
-    assert_eq!(stage.box_faces(from, to, false), [5]);
-    assert_eq!(stage.box_faces(from, to, true), [0, 1, 2, 4, 5, 6, 8, 9, 10]);
+    assert_eq!(stage.faces_in(&Outline::around(from, to), WHOLE), [5]);
+    assert_eq!(stage.faces_in(&Outline::around(from, to), TOUCHING), [0, 1, 2, 4, 5, 6, 8, 9, 10]);
     let inside = (from + Vec2::ONE, from + Vec2::splat(3.0));
-    assert_eq!(stage.box_faces(inside.0, inside.1, true), [0]);
-    assert!(stage.box_faces(inside.0, inside.1, false).is_empty());
+    assert_eq!(stage.faces_in(&Outline::around(inside.0, inside.1), TOUCHING), [0]);
+    assert!(stage.faces_in(&Outline::around(inside.0, inside.1), WHOLE).is_empty());
     let aside = Vec2::new(4.0, 4.0);
-    assert!(stage.box_faces(aside, aside * 2.0, true).is_empty());
+    assert!(stage.faces_in(&Outline::around(aside, aside * 2.0), TOUCHING).is_empty());
+}
+
+#[test]
+fn through_takes_what_the_surface_hides() {
+    let mut stage = two_floors();
+    stage.preset("top").unwrap();
+    let all = Outline::around(Vec2::ZERO, CANVAS);
+    let through = |touching| Taking { touching, through: true };
+    assert_eq!(stage.vertices_in(&all, true).len(), 8);
+    assert_eq!(stage.faces_in(&all, through(false)), [0, 1]);
+    // Corners and sides of both floors, then the four columns between them.
+    let floors = [0, 1, 1, 2, 2, 3, 0, 3, 4, 5, 5, 6, 6, 7, 4, 7];
+    stage.set_edges(&[&floors[..], &[0, 4, 1, 5, 2, 6, 3, 7]].concat()).unwrap();
+    assert_eq!(stage.edges_in(&all, WHOLE), [4, 5, 6, 7]);
+    assert_eq!(stage.edges_in(&all, through(false)).len(), 12);
+    assert!(stage.set_edges(&[0, 9]).is_err() && stage.set_edges(&[0, 1, 2]).is_err());
+}
+
+#[test]
+fn an_edge_is_picked_where_it_is_seen_and_marked_by_its_number() {
+    let mut stage = stage(4, |_, _| 0.0);
+    stage.preset("top").unwrap();
+    stage.set_edges(&[0, 1, 6, 7, 6, 11]).unwrap();
+    let at = |stage: &Stage, vertex: u32| stage.screen(vertex).unwrap();
+    let middle = (at(&stage, 6) + at(&stage, 7)) * 0.5;
+    assert_eq!(stage.pick_edge(middle + Vec2::new(0.0, 3.0), 8.0), Some(1));
+    let other = (at(&stage, 6) + at(&stage, 11)) * 0.5;
+    assert_eq!(stage.pick_edge(other, 8.0), Some(2));
+    assert_eq!(stage.pick_edge(middle + Vec2::new(0.0, 30.0), 8.0), None);
+    // A stroke across the first one touches it and holds none.
+    let across = Outline::around(middle - Vec2::splat(5.0), middle + Vec2::splat(5.0));
+    assert_eq!(stage.edges_in(&across, TOUCHING), [1]);
+    assert!(stage.edges_in(&across, WHOLE).is_empty());
+    stage.select_edges(&[2]).unwrap();
+    assert_eq!(stage.looks.selected_edges, [[6, 11]]);
+    assert!(stage.select_edges(&[3]).is_err());
 }
 
 #[test]
 fn boxes_follow_the_camera_and_the_mesh() {
     let mut stage = stage(4, |_, _| 0.0);
     stage.preset("top").unwrap();
-    assert_eq!(stage.box_vertices(Vec2::ZERO, CANVAS).len(), 25);
+    assert_eq!(stage.vertices_in(&Outline::around(Vec2::ZERO, CANVAS), false).len(), 25);
     stage.pan(CANVAS.x, 0.0);
-    assert!(stage.box_vertices(Vec2::ZERO, CANVAS).is_empty());
+    assert!(stage.vertices_in(&Outline::around(Vec2::ZERO, CANVAS), false).is_empty());
     stage.fit();
     let (_, positions) = sheet(4, DVec3::new(1000.0, 0.0, 0.0), |_, _| 0.0);
     stage.set_positions(&positions).unwrap();
-    assert!(stage.box_vertices(Vec2::ZERO, CANVAS).is_empty());
+    assert!(stage.vertices_in(&Outline::around(Vec2::ZERO, CANVAS), false).is_empty());
 }
 
 #[test]
@@ -287,14 +328,52 @@ fn meshes_without_faces_or_points_can_be_looked_at() {
     let mut stage = Stage::default();
     stage.resize(CANVAS);
     stage.set_mesh((vec![], vec![]), (vec![], vec![]), &[]).unwrap();
-    assert!(stage.box_vertices(Vec2::ZERO, CANVAS).is_empty());
+    assert!(stage.vertices_in(&Outline::around(Vec2::ZERO, CANVAS), false).is_empty());
     assert_eq!(stage.pick_face(CANVAS * 0.5), None);
     let points = [0.0, 0.0, 0.0, 1.0, 2.0, 3.0];
     stage.set_mesh((vec![], vec![]), (vec![0, 2], vec![0, 1]), &points).unwrap();
-    assert_eq!(stage.box_vertices(Vec2::ZERO, CANVAS), [0, 1]);
+    assert_eq!(stage.vertices_in(&Outline::around(Vec2::ZERO, CANVAS), false), [0, 1]);
     let at = stage.screen(1).unwrap();
     assert_eq!(stage.pick_vertex(at, 5.0), Some(1));
     stage.zoom(2.0, at);
     let bad = stage.set_mesh((vec![0, 3], vec![0, 1, 7]), (vec![], vec![]), &points);
     assert!(bad.unwrap_err().to_string().contains("index 7"));
+}
+
+#[test]
+fn a_flat_map_is_seen_from_above_without_distortion() {
+    let model = stage(4, |x, y| 3.0 * x * y);
+    let uv: Vec<f64> = (0..25).flat_map(|v| [100.0 + f64::from(v % 5), f64::from(v / 5)]).collect();
+    let (mut map, checks) = flat_map(&model, &uv).unwrap();
+    assert_eq!(checks.extent(), Vec2::splat(4.0));
+    map.resize(CANVAS);
+    let at = |map: &Stage, v: u32| map.screen(v).unwrap();
+    // The first coordinate to the right, the second up, and squares are squares.
+    let [origin, right, up] = [0, 4, 20].map(|v| at(&map, v));
+    let (along, across) = (right - origin, up - origin);
+    assert!(along.x > 100.0 && along.y.abs() < 0.1 && across.x.abs() < 0.1, "{along} {across}");
+    assert!((along.x + across.y).abs() < 0.1);
+    let before = at(&map, 12);
+    map.pan(30.0, -12.0);
+    assert!((at(&map, 12) - before - Vec2::new(30.0, -12.0)).length() < 0.1);
+    map.zoom(2.0, at(&map, 12));
+    assert!((at(&map, 12) - before - Vec2::new(30.0, -12.0)).length() < 0.1);
+    assert!(flat_map(&model, &uv[..40]).is_err());
+}
+
+#[test]
+fn a_flat_map_has_the_marks_and_the_theme_of_the_model() {
+    let mut model = stage(2, |_, _| 0.0);
+    let (mut map, _) = flat_map(&model, &[0.0; 18]).unwrap();
+    map.changes = Changes::default();
+    model.changes = Changes::default();
+    follow(&mut map, &model);
+    assert!(!map.changes.any());
+    let counts = model.counts();
+    model.looks.select(vec![], vec![3], counts).unwrap();
+    model.changes.looks = true;
+    model.dark = true;
+    follow(&mut map, &model);
+    assert!(map.changes.looks && map.changes.view && map.dark);
+    assert_eq!(map.looks.bytes(4)[14], 255);
 }

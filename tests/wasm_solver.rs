@@ -205,3 +205,41 @@ fn what_is_wrong_is_said_in_one_line_and_the_old_model_stays() {
     assert!(error.contains("constraints[3]"), "{error}");
     assert_eq!(solver.face_offsets().expect("the old model is open").to_vec(), [0, 4, 8]);
 }
+
+#[wasm_bindgen_test]
+fn a_model_is_flattened_and_exported_with_its_map() {
+    let solver = loaded();
+    let map = solver.parametrize("inverse-area", "boundary").expect("it is a surface");
+    let uv = get(&map, "uv").unchecked_into::<Float64Array>().to_vec();
+    let errors = get(&map, "faceErrors").unchecked_into::<Float32Array>().to_vec();
+    assert_eq!((uv.len(), errors.len()), (12, 2));
+    let (mean, max) = (number(&map, "mean"), number(&map, "max"));
+    assert!(1.0 < mean && mean < max && max < 1.5, "{mean} {max}");
+    assert!(errors.iter().any(|&error| (f64::from(error) - max).abs() < 1e-6));
+    assert_eq!([number(&map, "parts"), number(&map, "closedParts")], [1.0, 0.0]);
+    assert_eq!(number(&map, "flipped"), 0.0);
+    let histogram = get(&map, "histogram").unchecked_into::<Uint32Array>().to_vec();
+    assert_eq!(histogram.iter().sum::<u32>(), 2);
+    assert!(number(&map, "seconds") >= number(&map, "secondsOf.factor"));
+
+    let obj = solver.obj_with_uv(&uv).expect("there is a place for each vertex");
+    assert_eq!(obj.lines().filter(|line| line.starts_with("vt ")).count(), 6);
+    assert!(obj.contains("\nf 1/1 2/2 3/3 4/4\n"), "{obj}");
+    assert!(solver.obj_with_uv(&uv[..10]).is_err());
+}
+
+#[wasm_bindgen_test]
+fn what_cannot_be_flattened_is_told() {
+    let mut solver = Solver::new();
+    let refused = |solver: &Solver, weights: &str| {
+        message(solver.parametrize(weights, "vertices").expect_err("it cannot be flattened"))
+    };
+    assert_eq!(refused(&solver, "one"), "no model is open");
+    assert_eq!(refused(&solver, "two"), "weights \"two\", expected one of inverse-area, one, lscm");
+    solver.load("line.obj", b"v 0 0 0\nv 1 0 0\nl 1 2\n", None).expect("it is a curve");
+    assert_eq!(refused(&solver, "one"), "the mesh has no faces, expected a surface");
+    let tetrahedron = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+    solver.load("closed.obj", tetrahedron, None).expect("it is a surface");
+    let map = solver.parametrize("one", "boundary").expect("it is folded");
+    assert_eq!(number(&map, "closedParts"), 1.0);
+}

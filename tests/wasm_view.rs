@@ -109,6 +109,8 @@ async fn every_switch_changes_the_picture() {
     view.set_display(false, false, false, false, false);
     check(&mut view, "no edges between values");
     view.set_selection(vec![4], vec![1]).unwrap();
+    view.set_edges(&[0, 1, 1, 4]).unwrap();
+    view.set_selected_edges(&[1]).unwrap();
     check(&mut view, "selection");
     view.set_tint(vec![0, 1], vec![0], 0.1, 0.7, 0.2).unwrap();
     check(&mut view, "tint");
@@ -158,7 +160,9 @@ async fn moved_vertices_are_seen_and_can_be_pointed_at() {
     let moved = view.screen(4).unwrap();
     assert!((moved[0] - at[0] - 30.0).abs() < 0.1 && (moved[1] - at[1] - 20.0).abs() < 0.1);
     assert!(view.pick_face(moved[0] as f32, moved[1] as f32 + 5.0).is_some());
-    assert!(view.box_vertices(0.0, 0.0, WIDTH as f32, HEIGHT as f32).contains(&4));
+    let (width, height) = (WIDTH as f32, HEIGHT as f32);
+    let whole = [0.0, 0.0, width, 0.0, width, height, 0.0, height];
+    assert!(view.vertices_in(&whole, false).contains(&4));
 }
 
 #[wasm_bindgen_test]
@@ -212,4 +216,65 @@ async fn a_lost_context_is_thrown_by_draw() {
     canvas.dispatch_event(&web_sys::Event::new("webglcontextlost").unwrap()).unwrap();
     view.orbit(1.0, 1.0);
     assert!(message(&view.draw().unwrap_err()).contains("lost"));
+}
+
+#[wasm_bindgen_test]
+async fn a_flat_map_shares_the_canvas_and_goes_away_again() {
+    let canvas = new_canvas();
+    let mut view = open(&canvas).await;
+    view.resize(600, 300, 1.0);
+    view.draw().unwrap();
+    let alone = pixels(&canvas);
+    assert!(view.map_region().is_none());
+    let uv: Vec<f64> = (0..9).flat_map(|v| [f64::from(v % 3), f64::from(v / 3)]).collect();
+    view.set_map(&uv).unwrap();
+    assert_eq!(view.map_region().unwrap(), [300.0, 0.0, 300.0, 300.0]);
+    assert!(view.draw().unwrap());
+    let plain = pixels(&canvas);
+    assert!(differing(&alone, &plain) > 5000);
+    assert!(!view.needs_draw());
+
+    // Columns of the picture on the left and on the right that differ.
+    let sides = |a: &[u8], b: &[u8]| {
+        let differs = |left: bool| {
+            let of_side = |&(k, _): &(usize, _)| (k % 600 < 300) == left;
+            let both = a.chunks(4).zip(b.chunks(4)).enumerate();
+            both.filter(of_side).filter(|(_, (p, q))| p != q).count()
+        };
+        [differs(true), differs(false)]
+    };
+    view.set_map_looks(8.0, true, false, None, 1.0, 2.0).unwrap();
+    view.draw().unwrap();
+    let [model, map] = sides(&plain, &pixels(&canvas));
+    assert!(model > 2000 && map == 0, "{model} {map}");
+    view.set_map_looks(8.0, false, false, Some(vec![1.0, 1.5, 2.0, f32::NAN]), 1.0, 2.0).unwrap();
+    view.draw().unwrap();
+    let coloured = pixels(&canvas);
+    let [model, map] = sides(&plain, &coloured);
+    assert!(model == 0 && map > 2000, "{model} {map}");
+    view.pan_map(20.0, 0.0);
+    view.zoom_map(1.5, 150.0, 150.0);
+    view.draw().unwrap();
+    let [model, map] = sides(&coloured, &pixels(&canvas));
+    assert!(model == 0 && map > 2000, "{model} {map}");
+    // The map does not get in the way of pointing at the model.
+    let at = view.screen(4).unwrap();
+    assert_eq!(view.pick_vertex(at[0] as f32, at[1] as f32, 12.0), Some(4));
+
+    assert!(view.set_map(&uv[..8]).is_err());
+    view.clear_map();
+    view.draw().unwrap();
+    assert_eq!(differing(&alone, &pixels(&canvas)), 0);
+}
+
+#[wasm_bindgen_test]
+async fn another_mesh_takes_the_flat_map_away() {
+    let canvas = new_canvas();
+    let mut view = open(&canvas).await;
+    view.set_map(&[0.0; 18]).unwrap();
+    show_tent(&mut view);
+    assert!(view.map_region().is_some(), "the same faces only move");
+    view.set_mesh(vec![0, 3], vec![0, 1, 2], vec![], vec![], &flat_square()[..9]).unwrap();
+    assert!(view.map_region().is_none());
+    assert!(view.draw().unwrap());
 }

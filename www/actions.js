@@ -50,6 +50,9 @@ export function createActions(store, solver, alerts) {
     return geometry ? selectedVertices(store.get().selection, geometry.connectivity) : [];
   }
 
+  /** The connectivity of the mesh, if one is open. */
+  const connectivity = () => solver.geometry?.connectivity;
+
   /** Selected vertices that are handles. */
   function chosenHandles() {
     const { selection, document } = store.get();
@@ -81,6 +84,7 @@ export function createActions(store, solver, alerts) {
     edit,
     told,
     say,
+    connectivity,
     chosenVertices,
     chosenHandles,
     addHandles,
@@ -107,6 +111,15 @@ export function createActions(store, solver, alerts) {
     async redo() {
       const what = await told(solver.request({ type: 'redo' }));
       if (what) say(`Did again: ${what}`);
+    },
+
+    selectNextHandle() {
+      const { document, selection } = store.get();
+      const handles = (document?.handles ?? []).map(({ vertex }) => vertex);
+      if (handles.length === 0) return say('There is no handle yet.');
+      const at = handles.findIndex((vertex) => selection.vertices.has(vertex));
+      const next = handles[(at + 1) % handles.length];
+      store.set({ selection: { ...NOTHING, vertices: new Set([next]) } });
     },
 
     selectNothing() {

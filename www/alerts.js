@@ -15,9 +15,13 @@ export class Alerts {
     this.#show(message, 'error');
   }
 
-  /** Something happened that was not asked for. @param {string} message */
-  notice(message) {
-    this.#show(message, 'notice');
+  /**
+   * Something happened that was not asked for.
+   * @param {string} message
+   * @param {{ label: string, action: () => void }} [offer] what can be done about it
+   */
+  notice(message, offer) {
+    this.#show(message, 'notice', offer);
   }
 
   clear() {
@@ -28,14 +32,24 @@ export class Alerts {
    * The newest message only: an old one is about something that was tried again since.
    * @param {string} message
    * @param {"error" | "notice"} kind
+   * @param {{ label: string, action: () => void }} [offer]
    */
-  #show(message, kind) {
+  #show(message, kind, offer) {
     const close = element(
       'button',
       { type: 'button', class: 'tiny', 'aria-label': 'Dismiss', onclick: () => this.clear() },
       icon('close'),
     );
     const text = element('p', {}, message);
-    this.#place.replaceChildren(element('div', { class: `message ${kind}` }, text, close));
+    const act = () => {
+      this.clear();
+      offer?.action();
+    };
+    const offers = offer
+      ? [element('button', { type: 'button', class: 'small bordered', onclick: act }, offer.label)]
+      : [];
+    this.#place.replaceChildren(
+      element('div', { class: `message ${kind}` }, text, ...offers, close),
+    );
   }
 }

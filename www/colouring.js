@@ -1,14 +1,15 @@
 /**
- * What the faces are coloured by, and between which values. The measure is that of what the scene
- * asks for, until somebody chooses another. The range stays while a run goes on, so that colours
- * mean the same from picture to picture; it grows when a drag makes things worse, and starts anew
- * with another mesh or measure, or when it is asked to.
+ * What the faces are coloured by, between which values, and how the values are spread. The measure
+ * is that of what the scene asks for, until somebody chooses another. The range stays while a run
+ * goes on, so that colours mean the same from picture to picture; it grows when a drag makes things
+ * worse, and starts anew with another mesh or measure, or when it is asked to.
  */
 
-import { measureOfScene } from './measures.js';
+import { declared, measureOfScene, roundingOf } from './measures.js';
+import { spreadOf } from './spread.js';
 
-/** A range finer than this part of the mesh would colour what nobody could build or see. */
-const LEAST_RANGE = 1e-9;
+/** A range finer than so many times the rounding would colour what nobody could build or see. */
+const LEAST_RANGE = 1000;
 
 /**
  * @param {import("./state.js").Store} store
@@ -17,8 +18,6 @@ const LEAST_RANGE = 1e-9;
  */
 export function colourFaces(store, solver) {
   let fresh = true;
-  /** The largest value of the newest frame. */
-  let greatest = 0;
 
   /** Rows of constraints; none before the document of a model is there. @type {number | undefined} */
   let rows;
@@ -30,27 +29,40 @@ export function colourFaces(store, solver) {
     const firstRow = before === 0 && rows && !state.measureChosen;
     if (opened || firstRow) store.set({ measure: measureOfScene(state) });
   });
-  solver.addEventListener('model', () => (fresh = true));
-  solver.addEventListener('frame', (event) => {
-    const { detail } = /** @type {CustomEvent} */ (event);
-    if (!detail.values || detail.measure !== store.get().measure) return;
-    greatest = detail.values.reduce(larger, LEAST_RANGE * store.get().size);
-    const [, top] = store.get().range;
-    if (fresh || greatest > top) store.set({ range: [0, greatest] });
-    fresh = false;
+  solver.addEventListener('model', () => {
+    fresh = true;
+    store.set({ spread: null });
   });
+  solver.addEventListener('frame', takeIn);
   store.subscribe(['measure', 'display'], ({ measure, display }) => {
     const projections = display.outlines || display.arrows;
     solver.tell({ type: 'show', measure, shapes: display.shapes, projections });
   });
-  store.subscribe(['measure'], () => (fresh = true));
-  return { refit: () => store.set({ range: [0, greatest] }) };
-}
+  store.subscribe(['measure'], () => {
+    fresh = true;
+    store.set({ spread: null, tolerance: null });
+  });
+  store.subscribe(['tolerance', 'range'], takeIn);
 
-/**
- * @param {number} a
- * @param {number} b not a number where a face has no size
- */
-function larger(a, b) {
-  return b > a ? b : a;
+  /** Takes in the values of the newest frame. */
+  function takeIn() {
+    const { measure, size, range, tolerance, spread } = store.get();
+    const about = declared(store.get(), measure);
+    const { geometry } = solver;
+    if (!about || !geometry?.values || geometry.measure !== measure) return;
+    const least = LEAST_RANGE * roundingOf(about, size);
+    const now = spreadOf(about.id, geometry.values, least, fresh ? 0 : range[1], tolerance);
+    if (fresh || now.greatest > range[1]) {
+      store.set({ range: [fresh ? 0 : range[0], Math.max(now.greatest, least)] });
+    }
+    fresh = false;
+    if (JSON.stringify(now) !== JSON.stringify(spread)) store.set({ spread: now });
+  }
+
+  return {
+    refit: () => {
+      fresh = true;
+      takeIn();
+    },
+  };
 }

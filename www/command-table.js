@@ -1,5 +1,6 @@
 /** The commands of the page: what each is called, its keys, and when there is something to do. */
 
+import { selectCommands } from './select-commands.js';
 import { toggleTheme } from './theme.js';
 
 /** @typedef {import("./commands.js").Command} Command */
@@ -14,6 +15,8 @@ import { toggleTheme } from './theme.js';
  * @property {import("./actions.js").Actions} actions
  * @property {import("./alerts.js").Alerts} alerts
  * @property {import("./dialog-add-constraint.js").AddConstraintDialog} addConstraint
+ * @property {import("./solver-client.js").SolverClient} solver
+ * @property {() => void} flatMap shows the flat map, or takes it away
  * @property {HTMLInputElement} fileInput
  * @property {HTMLDialogElement} help
  */
@@ -25,6 +28,8 @@ import { toggleTheme } from './theme.js';
 export function commandTable(parts) {
   const { store, viewport, pointer, files, actions, alerts, addConstraint, fileInput, help } =
     parts;
+  const { solver } = parts;
+  const hasFaces = (/** @type {State} */ { model }) => (model?.faces ?? 0) > 0;
   const hasView = (/** @type {State} */ { renderer }) =>
     renderer === 'webgpu' || renderer === 'webgl2';
 
@@ -38,6 +43,7 @@ export function commandTable(parts) {
   function escape() {
     if (pointer.cancel()) return;
     if (addConstraint.isOpen) return addConstraint.close();
+    if (store.get().flatMap) return store.set({ flatMap: null });
     alerts.clear();
     actions.selectNothing();
   }
@@ -111,6 +117,14 @@ export function commandTable(parts) {
       needsModel: true,
     },
     {
+      id: 'next-handle',
+      group: 'Edit',
+      label: 'Select the next handle',
+      keys: ['G'],
+      action: () => actions.selectNextHandle(),
+      needsModel: true,
+    },
+    {
       id: 'tool-drag',
       group: 'Tools',
       label: 'Drag handles and orbit',
@@ -121,11 +135,12 @@ export function commandTable(parts) {
     {
       id: 'tool-select',
       group: 'Tools',
-      label: 'Select with a box',
-      keys: ['B'],
+      label: 'Select with a box, a lasso or a brush',
+      keys: [],
       action: () => store.set({ tool: 'select' }),
       pressed: ({ tool }) => tool === 'select',
     },
+    ...selectCommands(store),
     {
       id: 'mode-vertices',
       group: 'Tools',
@@ -133,6 +148,14 @@ export function commandTable(parts) {
       keys: ['1'],
       action: () => store.set({ mode: 'vertices' }),
       pressed: ({ mode }) => mode === 'vertices',
+    },
+    {
+      id: 'mode-edges',
+      group: 'Tools',
+      label: 'Select edges',
+      keys: ['2'],
+      action: () => store.set({ mode: 'edges' }),
+      pressed: ({ mode }) => mode === 'edges',
     },
     {
       id: 'mode-faces',
@@ -162,7 +185,11 @@ export function commandTable(parts) {
       group: 'View',
       label: 'Fit all',
       keys: ['Home'],
-      action: () => viewport.with((view) => view.fit()),
+      action: () =>
+        viewport.with((view) => {
+          view.fit();
+          view.fitMap();
+        }),
       enabled: hasView,
     },
     {
@@ -174,6 +201,16 @@ export function commandTable(parts) {
         const { display } = store.get();
         store.set({ display: { ...display, edges: !display.edges } });
       },
+    },
+    {
+      id: 'parametrize',
+      group: 'View',
+      label: 'Parametrize: a flat map beside the model',
+      keys: ['U'],
+      action: parts.flatMap,
+      needsModel: true,
+      enabled: hasFaces,
+      pressed: ({ flatMap }) => flatMap !== null,
     },
     {
       id: 'open',
@@ -194,9 +231,25 @@ export function commandTable(parts) {
     {
       id: 'export',
       group: 'File',
-      label: 'Export the current shape as OBJ',
+      label: 'Export: OBJ, Rhino, tables, pictures',
       keys: ['Ctrl+E'],
-      action: () => files.exportMesh(),
+      action: () =>
+        actions.told(
+          import('./dialog-export.js').then(({ showExport }) =>
+            showExport({ store, solver, files, viewport }),
+          ),
+        ),
+      needsModel: true,
+    },
+    {
+      id: 'share',
+      group: 'File',
+      label: 'Share a link to the scene',
+      keys: [],
+      action: () =>
+        actions.told(
+          import('./dialog-share.js').then(({ share }) => share({ store, solver, files })),
+        ),
       needsModel: true,
     },
     {

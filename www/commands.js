@@ -90,7 +90,9 @@ export function bindKeys(commands, store) {
     if (event.defaultPrevented || event.altKey) return;
     const chord = chordOf(event);
     if (!chord.startsWith('Ctrl+') && chord !== 'Escape' && isTyping(event)) return;
-    const command = commands.find(({ keys }) => keys.includes(chord));
+    const command =
+      commands.find(({ keys }) => keys.includes(digitOf(event))) ??
+      commands.find(({ keys }) => keys.includes(chord));
     if (!command) return;
     // They have the keys to themselves, and Escape closes them.
     if (document.querySelector('dialog:modal, :popover-open')) return;
@@ -111,6 +113,14 @@ function chordOf(event) {
   const isLetter = letter && key !== event.key.toLowerCase();
   const shift = event.shiftKey && (isLetter || !letter);
   return `${event.ctrlKey || event.metaKey ? 'Ctrl+' : ''}${shift ? 'Shift+' : ''}${key}`;
+}
+
+/**
+ * A digit by where its key is: some keyboards have other signs there. Empty for other keys.
+ * @param {KeyboardEvent} event
+ */
+function digitOf({ code, shiftKey, ctrlKey, metaKey }) {
+  return shiftKey || ctrlKey || metaKey ? '' : (/^Digit(\d)$/.exec(code)?.[1] ?? '');
 }
 
 /** @param {KeyboardEvent} event */

@@ -8,6 +8,7 @@ import { element, icon, setText } from './dom.js';
 import { count, groupDigits } from './format.js';
 import { KindChoices } from './kind-choices.js';
 import { Parameters } from './parameters.js';
+import { sizeOfSelection } from './selection.js';
 
 /** @typedef {import("./messages.js").KindInfo} KindInfo */
 /** @typedef {import("./messages.js").Selector} Selector */
@@ -29,6 +30,8 @@ export class AddConstraintDialog {
     this.#kindId = kind.id;
     this.#show();
   });
+  /** The shapes that fit nowhere, and why. */
+  #misfits = element('details', { class: 'misfits quiet', hidden: true });
   /** What the chosen shape asks. */
   #about = element('p', { class: 'about quiet' });
   #places = element('div', { class: 'choices' });
@@ -80,7 +83,14 @@ export class AddConstraintDialog {
         'form',
         // What is not valid is said at its field.
         { novalidate: true, onsubmit: (/** @type {SubmitEvent} */ event) => this.#submit(event) },
-        element('fieldset', {}, element('legend', {}, 'Shape'), this.#kinds.element, this.#about),
+        element(
+          'fieldset',
+          {},
+          element('legend', {}, 'Shape'),
+          this.#kinds.element,
+          this.#misfits,
+          this.#about,
+        ),
         this.#parametersPlace,
         element('fieldset', {}, element('legend', {}, 'Where'), this.#places),
         element(
@@ -116,7 +126,7 @@ export class AddConstraintDialog {
   async open() {
     const { selection } = this.#store.get();
     if (this.#dialog.open) return this.#dialog.close();
-    this.#placeId = selection.vertices.size + selection.faces.size > 0 ? 'selection' : '';
+    this.#placeId = sizeOfSelection(selection) > 0 ? 'selection' : '';
     this.#weight.value = '1';
     this.#parametersOf = '';
     this.#add.disabled = true;
@@ -187,6 +197,7 @@ export class AddConstraintDialog {
       offered[0];
     this.#kindId = kind?.id ?? '';
     this.#kinds.show(offered, this.#kindId);
+    this.#showMisfits();
     setText(this.#about, kind?.summary ?? '');
     this.#showParameters(kind);
 
@@ -198,6 +209,21 @@ export class AddConstraintDialog {
     this.#places.replaceChildren(...offers.map((one) => this.#placeChoice(one)));
     if (focused) document.getElementById(focused)?.focus();
     this.#showPreview();
+  }
+
+  #showMisfits() {
+    const { kinds, elements } = this.#store.get();
+    const left = kinds.filter((kind) => !this.#offers.has(kind.id));
+    const wants = (/** @type {KindInfo} */ kind) => {
+      const places = elements.filter(({ id }) => kind.elements.includes(id));
+      const where = places.map(({ label }) => label).join(' or ');
+      return where ? `it is for each ${where}` : `it takes ${kind.takes}`;
+    };
+    this.#misfits.hidden = left.length === 0;
+    this.#misfits.replaceChildren(
+      element('summary', {}, `${count(left.length, 'shape does', 'shapes do')} not fit here`),
+      element('ul', {}, ...left.map((kind) => element('li', {}, `${kind.label}: ${wants(kind)}`))),
+    );
   }
 
   /** @param {KindInfo | undefined} kind */

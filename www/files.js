@@ -1,18 +1,40 @@
-/** Files in and out: open, drop, the examples, save and export. */
+/**
+ * Files in and out: open, drop, the examples, save and export. Tells `opened` after each model that
+ * it has opened.
+ */
 
 import { count } from './format.js';
 import { element } from './dom.js';
+import { exampleFile, listOfExamples } from './examples.js';
 import { removeFirstPicture } from './first-picture.js';
 import { messageOf } from './messages.js';
+import { saveFile } from './save-file.js';
+import { rememberedFrame } from './units.js';
 
 /** @typedef {import("./messages.js").NamedBytes} NamedBytes */
-/** @typedef {{ id: string, title: string, summary: string, scene: string, mesh: string }} Example */
+/** @typedef {import("./examples.js").Example} Example */
+
+/**
+ * Where a model comes from.
+ * @typedef {object} Origin
+ * @property {boolean} [first] it is what the page opens with
+ * @property {Example} [example] whose mesh it has
+ * @property {string} [work] the name under which it is kept in this browser, see `works.js`
+ * @property {string} [title] of the work
+ * @property {number} [iteration] where it stood
+ */
 
 const READABLE = /\.(obj|off|mesh|json)$/i;
 const IS_SCENE = /\.json$/i;
-const EXAMPLES = new URL(/* @vite-ignore */ 'examples/', document.baseURI);
+const IS_RHINO = /\.3dm$/i;
 
-export class Files {
+export class Files extends EventTarget {
+  /** Where the model that is open comes from. @type {Origin} */
+  origin = {};
+  /** The text of its scene when it was opened; null when it is work that goes on. @type {string | null} */
+  original = null;
+  /** @type {Promise<Example[]> | null} */
+  #examples = null;
   #store;
   #solver;
   #alerts;
@@ -25,36 +47,49 @@ export class Files {
    * @param {import("./alerts.js").Alerts} alerts
    */
   constructor(store, solver, alerts) {
+    super();
     this.#store = store;
     this.#solver = solver;
     this.#alerts = alerts;
   }
 
+  /** Base name for what is saved. */
+  get name() {
+    return this.#name;
+  }
+
   /**
    * Opens a mesh or a scene, with the mesh that the scene names beside it. When it is refused the
    * old model stays and the alert says why.
-   * @param {NamedBytes[]} files
-   * @param {boolean} [first] it is what the page opens with
+   * @param {NamedBytes[]} given
+   * @param {Origin} [origin]
    * @returns {Promise<import("./messages.js").Loaded>} rejects with what the alert says
    */
-  async open(files, first = false) {
+  async open(given, origin = {}) {
     try {
+      const files = await Promise.all(given.map(asMesh));
       const unreadable = files.find((file) => !READABLE.test(file.name));
       if (unreadable) {
         throw new Error(
-          `${unreadable.name}: this kind of file cannot be read. Open .obj, .off or .mesh for a mesh, .json for a scene.`,
+          `${unreadable.name}: this kind of file cannot be read. Open .obj, .off, .mesh or .3dm for a mesh, .json for a scene.`,
         );
       }
       this.#store.set({ status: `Reading ${files.map((file) => file.name).join(' and ')} …` });
-      const loaded = await this.#solver.request({ type: 'open', files });
       const main = files.find((file) => IS_SCENE.test(file.name)) ?? files[0];
+      const { iteration } = origin;
+      const frame = rememberedFrame(main.name);
+      const loaded = await this.#solver.request({ type: 'open', files, iteration, frame });
       this.#name = main.name.replace(/(\.shapeup)?\.[^.]+$/, '');
+      this.origin = origin;
+      this.original = origin.work ? null : this.#solver.sceneText;
       this.#alerts.clear();
-      if (!first) removeFirstPicture();
+      if (!origin.first) removeFirstPicture();
       this.#store.set({
-        firstExample: first,
+        firstExample: Boolean(origin.first),
+        example: origin.example ?? null,
         status: `Opened ${main.name}: ${count(loaded.vertices, 'vertex', 'vertices')}, ${count(loaded.faces, 'face')}`,
       });
+      this.dispatchEvent(new Event('opened'));
       return loaded;
     } catch (error) {
       this.#store.set({ status: '' });
@@ -84,20 +119,32 @@ export class Files {
   async openExample(example, first = false) {
     const names = [example.scene, example.mesh];
     const files = await Promise.all(
-      names.map(async (name) => ({ name, bytes: await fetched(name) })),
+      names.map(async (name) => ({ name, bytes: await exampleFile(name) })),
     );
-    await this.open(files, first);
+    await this.open(files, { first, example });
     this.#store.set({ status: first ? '' : `Opened the example ${example.title}` });
   }
 
-  /**
-   * Opens the first example and fills the menu with all of them.
-   * @param {HTMLElement} menu
-   */
+  /** A mesh or a scene of the examples. @param {string} name */
+  exampleFile(name) {
+    return exampleFile(name);
+  }
+
+  /** The list of examples. @returns {Promise<Example[]>} */
+  examples() {
+    this.#examples ??= listOfExamples();
+    return this.#examples;
+  }
+
+  /** Fills the menu with all examples. @param {HTMLElement} menu */
   async offerExamples(menu) {
-    /** @type {Example[]} */
-    const examples = JSON.parse(new TextDecoder().decode(await fetched('index.json')));
+    const examples = await this.examples();
     menu.replaceChildren(
+      element(
+        'a',
+        { role: 'menuitem', href: './gallery.html' },
+        entry('Gallery', 'All examples with pictures of their start and end, figure by figure.'),
+      ),
       ...examples.map((example) =>
         element(
           'button',
@@ -109,16 +156,10 @@ export class Files {
               this.openExample(example).catch((error) => this.#alerts.error(messageOf(error)));
             },
           },
-          element(
-            'span',
-            { class: 'entry' },
-            element('strong', {}, example.title),
-            element('span', {}, example.summary),
-          ),
+          entry(example.title, example.summary),
         ),
       ),
     );
-    await this.openExample(examples[0], true);
   }
 
   /** Drops anywhere on the window open; the overlay says what will happen. @param {HTMLElement} overlay */
@@ -141,43 +182,43 @@ export class Files {
     });
   }
 
-  /** The current shape, as the solver's host writes it everywhere. */
-  async exportMesh() {
-    try {
-      const text = await this.#solver.request({ type: 'obj' });
-      this.#save(`${this.#name}.obj`, text, 'model/obj');
-    } catch (error) {
-      this.#alerts.error(messageOf(error));
-    }
-  }
-
   async saveScene() {
     // Without a worker, what it sent last is what there is to save.
     const text = await this.#solver.request({ type: 'scene' }).catch(() => this.#solver.sceneText);
     if (text === null) this.#alerts.error('There is no scene to save.');
-    else this.#save(`${this.#name}.shapeup.json`, text, 'application/json');
+    else this.save('.shapeup.json', text, 'application/json');
   }
 
   /**
-   * @param {string} name
-   * @param {string} text
+   * Saves something under the name of the model.
+   * @param {string} ending of the file's name
+   * @param {BlobPart} content
    * @param {string} type
    */
-  #save(name, text, type) {
-    const address = URL.createObjectURL(new Blob([text], { type }));
-    element('a', { href: address, download: name }).click();
-    setTimeout(() => URL.revokeObjectURL(address), 60_000);
+  save(ending, content, type) {
+    const name = `${this.#name}${ending}`;
+    saveFile(name, content, type);
     this.#store.set({ status: `Saved ${name}` });
   }
 }
 
 /**
- * @param {string} name of a file among the examples
- * @returns {Promise<Uint8Array>}
+ * A file of Rhino as the mesh that is in it; any other as it is. What reads it comes when it is needed.
+ * @param {NamedBytes} file
+ * @returns {Promise<NamedBytes>}
  */
-async function fetched(name) {
-  const response = await fetch(new URL(name, EXAMPLES));
-  if (!response.ok)
-    throw new Error(`The example file ${name} could not be fetched (${response.status}).`);
-  return new Uint8Array(await response.arrayBuffer());
+async function asMesh(file) {
+  if (!IS_RHINO.test(file.name)) return file;
+  const { meshFromRhino } = await import('./rhino-in.js');
+  return meshFromRhino(file);
+}
+
+/**
+ * An entry of the menu of examples.
+ * @param {string} title
+ * @param {string} text
+ */
+function entry(title, text) {
+  const parts = [element('strong', {}, title), element('span', {}, text)];
+  return element('span', { class: 'entry' }, ...parts);
 }

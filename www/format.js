@@ -52,11 +52,30 @@ export function length(value, units) {
 }
 
 /**
+ * A part of a whole, in per cent.
+ * @param {number} share from 0 to 1
+ */
+export function part(share) {
+  const percent = 100 * share;
+  return percent > 0 && percent < 1 ? '< 1 %' : `${Math.round(percent)} %`;
+}
+
+/**
  * @param {number} milliseconds
  * @returns {string}
  */
 export function duration(milliseconds) {
   return `${milliseconds >= 100 ? Math.round(milliseconds) : milliseconds.toPrecision(2)} ms`;
+}
+
+/**
+ * A ratio that is near to one where all is well.
+ * @param {number} value
+ * @returns {string}
+ */
+export function ratio(value) {
+  if (!Number.isFinite(value)) return Number.isNaN(value) ? '–' : '∞';
+  return value < 100 ? value.toFixed(4) : number(value);
 }
 
 /**

@@ -6,11 +6,11 @@ import { element, icon } from './dom.js';
 /** What the pointer does; see `pointer.js`. @type {[string, string][]} */
 const POINTER = [
   ['Drag a handle', 'move it, parallel to the screen'],
-  ['Drag elsewhere', 'orbit; with Select, a box'],
+  ['Drag elsewhere', 'orbit; with Select, a box, a lasso or a brush'],
   ['Box to the right', 'what is inside'],
   ['Box to the left', 'what it touches'],
   ['Click', 'select; Shift adds, Ctrl removes'],
-  ['Double-click', 'a vertex: make it a handle'],
+  ['Double-click', 'a vertex: a handle; an edge: its loop; a face: its flat patch'],
   ['Right drag', 'orbit'],
   ['Middle drag', 'pan, as Shift + right drag'],
   ['Wheel, pinch', 'zoom to the cursor'],
@@ -20,6 +20,10 @@ const POINTER = [
 const VIEW_KEYS = [
   ['Arrows', 'orbit, when the view has the focus'],
   ['PgUp PgDn', 'zoom'],
+  ['Enter', 'take the selected handles up: arrows move them, Enter leaves, Esc puts back'],
+  ['X Y Z', 'while a handle is dragged: along that axis'],
+  ['Shift Ctrl', 'while a handle is dragged: at its height, above its place'],
+  ['Alt + drag', 'a vertex: make it a handle and move it'],
 ];
 
 /**
@@ -61,9 +65,9 @@ export function buildHelp(dialog, commands) {
       'Everything is computed in this browser; nothing is uploaded. After “Shape-Up: Shaping Discrete Geometry with Projections”, Bouaziz, Deuss, Schwartzburg, Weise, Pauly, 2012.',
     ),
   );
-  dialog.addEventListener('click', (event) => {
+  dialog.onclick = (event) => {
     if (event.target === dialog) dialog.close();
-  });
+  };
 }
 
 /** @param {import("./commands.js").Command} command @returns {[(Node | string)[], string]} */

@@ -4,18 +4,18 @@
  */
 
 import { element, icon } from './dom.js';
-import { MEASURES, measureOfScene } from './measures.js';
+import { declared, measureOfScene } from './measures.js';
 
 const KEY = 'shape-up.hints';
 const LAST = 'Your turn: open a mesh of your own, or try another example.';
 
 /**
  * What the hints say of a scene.
- * @param {import("./messages.js").Measure | null} measure
+ * @param {import("./messages.js").FaceMeasure | undefined} measure
  */
 function hintsFor(measure) {
   if (!measure) return ['Press Run: the mesh takes its shape.', 'Now drag a blue dot.', LAST];
-  const { met } = MEASURES[measure];
+  const { met } = measure;
   return [
     `These panels are not ${met}. Press Run.`,
     `Now they are. Drag a blue dot: the panels stay ${met}.`,
@@ -53,7 +53,7 @@ export function firstHints(card, store) {
     if (at === 0 && ran && !state.running) at = 1;
     if (at <= 1 && dragged && state.dragged.length === 0) at = 2;
     dragged ||= state.dragged.length > 0;
-    text.textContent = hintsFor(measureOfScene(state))[at];
+    text.textContent = hintsFor(declared(state, measureOfScene(state)))[at];
     card.hidden = false;
   });
 

@@ -40,6 +40,8 @@ export function arrangeForWidth() {
   byId('examples').addEventListener('click', () => more.hidePopover());
   tabs();
   placeMenu(byId('examples'), () => (PHONE.matches ? moreButton : byId('examples-button')));
+  placeMenu(byId('recent'), () => (PHONE.matches ? moreButton : byId('recent-button')));
+  byId('recent').addEventListener('click', () => more.hidePopover());
   placeMenu(more, () => moreButton);
 }
 
@@ -73,7 +75,7 @@ function tabs() {
  * @param {HTMLElement} menu
  * @param {() => HTMLElement} anchor
  */
-function placeMenu(menu, anchor) {
+export function placeMenu(menu, anchor) {
   menu.addEventListener('toggle', (event) => {
     if (/** @type {ToggleEvent} */ (event).newState !== 'open') return;
     const at = anchor().getBoundingClientRect();

@@ -5,33 +5,45 @@
 
 import { createActions } from './actions.js';
 import { Alerts } from './alerts.js';
-import { BoxSelection } from './box-selection.js';
 import { colourFaces } from './colouring.js';
 import { commandTable } from './command-table.js';
 import { bindButtons, bindKeys, bindRunButton, takeEarlyPresses } from './commands.js';
 import { AddConstraintDialog } from './dialog-add-constraint.js';
 import { byId } from './dom.js';
+import { offerExperiment } from './experiment/offer.js';
 import { Files } from './files.js';
+import { animateFirstPicture } from './first-picture.js';
+import { toggleFlatMap } from './flat-map.js';
 import { count } from './format.js';
+import { bindHandleKeys } from './handle-keys.js';
 import { buildHelp } from './help.js';
 import { firstHints } from './hints.js';
 import { arrangeForWidth } from './layout.js';
 import { messageOf } from './messages.js';
 import { constraintsPanel } from './panels/constraints.js';
 import { Convergence } from './panels/convergence.js';
-import { displayPanel, legend } from './panels/display.js';
+import { displayPanel } from './panels/display.js';
 import { energiesPanel } from './panels/energies.js';
+import { exampleNote } from './panels/example.js';
+import { Keeping } from './keeping.js';
 import { handlesPanel } from './panels/handles.js';
+import { stayOffline } from './offline.js';
+import { legend } from './panels/legend.js';
 import { modelPanel } from './panels/model.js';
 import { statusBar } from './panels/status-bar.js';
+import { selectBar } from './panels/select-bar.js';
 import { PointerInput } from './pointer.js';
+import { RegionSelection } from './region-selection.js';
 import { colourRows } from './row-colours.js';
 import { sizeOf } from './rounding.js';
 import { scriptApi } from './script-api.js';
+import { Selecting } from './selecting.js';
 import { NOTHING } from './selection.js';
 import { SolverClient } from './solver-client.js';
+import { recentMenu } from './recent-menu.js';
 import { createStore } from './state.js';
 import { followTheme } from './theme.js';
+import { frameChips } from './units.js';
 import { bindViewKeys } from './view-keys.js';
 import { Viewport } from './viewport.js';
 
@@ -41,27 +53,34 @@ const alerts = new Alerts(byId('alert'));
 const solver = new SolverClient();
 takeUp(solver);
 
+animateFirstPicture(store, solver);
 const viewport = new Viewport(byId('viewport'), store, solver);
 const files = new Files(store, solver, alerts);
 const actions = createActions(store, solver, alerts);
-const box = new BoxSelection(store, viewport, byId('marquee'));
-const pointer = new PointerInput(store, solver, viewport, box, {
+const region = new RegionSelection(store, viewport);
+const selecting = new Selecting(store, solver, actions);
+const pointer = new PointerInput(store, solver, viewport, region, {
   addHandles: (vertices) => actions.addHandles(vertices, false),
   fitAll: () => viewport.with((view) => view.fit()),
+  doubleClick: (...what) => selecting.doubleClick(...what),
 });
+bindHandleKeys(viewport, store, solver, actions);
 bindViewKeys(viewport);
 const addConstraint = new AddConstraintDialog(byId('add-constraint'), store, solver, actions);
 const { refit } = colourFaces(store, solver);
 colourRows(store, solver, actions);
 
-modelPanel(byId('model'), store);
+modelPanel(byId('model'), store, actions);
+exampleNote(byId('example-note'), files, alerts);
+offerExperiment(byId('experiment'), store, solver, alerts);
 constraintsPanel(byId('constraints'), store, solver, actions);
-handlesPanel(byId('handles'), store, actions);
+handlesPanel(byId('handles'), store, actions, solver);
 energiesPanel(byId('energies'), store, actions);
 displayPanel(byId('display'), store);
 legend(byId('legend'), store, viewport, refit);
 new Convergence(byId('convergence'), store, solver);
 statusBar({ status: byId('status'), hint: byId('hint'), numbers: byId('numbers') }, store);
+selectBar(byId('select-bar'), byId('select-menu'), store, actions, selecting, alerts);
 firstHints(byId('hint-card'), store);
 arrangeForWidth();
 
@@ -85,8 +104,10 @@ const commands = commandTable({
   actions,
   alerts,
   addConstraint,
+  solver,
   fileInput,
   help,
+  flatMap: () => toggleFlatMap({ store, solver, viewport, alerts }),
 });
 bindButtons(commands, store);
 bindKeys(commands, store);
@@ -96,6 +117,7 @@ const early = window;
 takeEarlyPresses(commands, store, early.earlyPresses ?? []);
 delete early.earlyPresses;
 buildHelp(help, commands);
+selecting.bindKeys(commands, help);
 
 viewport.addEventListener('none', (event) => {
   const { detail } = /** @type {CustomEvent} */ (event);
@@ -107,7 +129,12 @@ viewport.addEventListener('none', (event) => {
 
 Object.assign(window, { shapeUp: scriptApi(store, solver, viewport, files) });
 
+frameChips(byId('frame-chips'), store, actions, files);
+const keeping = new Keeping(store, solver, files, alerts);
+recentMenu(byId('recent-button'), byId('recent'), keeping, alerts);
+keeping.begin().catch((error) => alerts.error(messageOf(error)));
 files.offerExamples(byId('examples')).catch((error) => alerts.error(messageOf(error)));
+stayOffline(alerts, keeping);
 
 /**
  * Takes the solver's news into the store.
@@ -122,7 +149,9 @@ function takeUp(client) {
   const on = (type, take) =>
     client.addEventListener(type, (event) => take(/** @type {CustomEvent} */ (event).detail));
 
-  on('ready', ({ kinds, elements }) => store.set({ kinds, elements }));
+  on('ready', ({ kinds, elements, measures, operations, settings }) =>
+    store.set({ kinds, elements, measures, operations, settings }),
+  );
   on('model', ({ loaded, positions }) =>
     store.set({
       model: loaded,
@@ -130,6 +159,7 @@ function takeUp(client) {
       document: null,
       numbers: null,
       measureChosen: false,
+      flatMap: null,
       selection: NOTHING,
       dragged: [],
       tint: null,

@@ -1,50 +1,77 @@
-/** The error measures of a face, in words, and which of them a scene is about. */
+/** Which measure of faces a scene is about, how its values read, and what is nothing but rounding. */
+
+import { length, lengthUnit, number } from './format.js';
+import { ROUNDING } from './rounding.js';
 
 /** @typedef {import("./messages.js").Measure} Measure */
+/** @typedef {import("./messages.js").FaceMeasure} FaceMeasure */
+/** @typedef {Readonly<import("./state.js").State>} State */
+
+const SIGNS = { percent: '%', degrees: '°', number: '' };
 
 /**
- * `label` names the measure, `words` say what it is, and `met` is what a panel without error is.
- * @type {Record<Measure, { label: string, words: string, met: string }>}
+ * The declaration of a measure.
+ * @param {State} state
+ * @param {Measure | null} measure
+ * @returns {FaceMeasure | undefined}
  */
-export const MEASURES = {
-  planarity: {
-    label: 'Planarity',
-    words: 'largest distance of a face’s corners to its best plane',
-    met: 'flat',
-  },
-  circularity: {
-    label: 'Circularity',
-    words: 'largest distance of a face’s corners to its best circle',
-    met: 'round',
-  },
-  residual: {
-    label: 'Constraints',
-    words: 'largest distance of a face’s corners to where their constraints want them',
-    met: 'as they should be',
-  },
-};
+export const declared = ({ measures }, measure) => measures.find(({ id }) => id === measure);
 
 /**
- * The largest error of all faces, in the unit of the mesh.
- * @param {import("./messages.js").Numbers} numbers
+ * Values below this are rounding.
+ * @param {FaceMeasure} measure
+ * @param {number} size of the mesh
+ */
+export function roundingOf({ unit }, size) {
+  if (unit === 'length') return ROUNDING * size;
+  // Per cent and degrees have two digits before the point; e_p and e_c are squares.
+  return unit === 'number' ? ROUNDING ** 2 : 100 * ROUNDING;
+}
+
+/**
+ * The unit in which values of this size are written and entered, and the factor to it.
+ * @param {FaceMeasure} measure
+ * @param {number} size of the value
+ * @param {string} units of the mesh
+ */
+export function unitOf({ unit }, size, units) {
+  return unit === 'length' ? lengthUnit(size, units) : { unit: SIGNS[unit], factor: 1 };
+}
+
+/**
+ * A value with its unit.
+ * @param {FaceMeasure} measure
+ * @param {number} value
+ * @param {string} units of the mesh
+ */
+export function valueInWords({ unit }, value, units) {
+  if (unit === 'length') return length(value, units);
+  const sign = SIGNS[unit];
+  return sign === '%' ? `${number(value)} ${sign}` : `${number(value)}${sign}`;
+}
+
+/**
+ * The largest value of a measure over all faces, in its unit: of the newest frame where the faces
+ * are coloured by it, else from the numbers that every frame brings.
+ * @param {State} state
  * @param {Measure} measure
- * @returns {number}
  */
-export function worstOf(numbers, measure) {
-  return measure === 'residual' ? Math.max(0, ...numbers.worst) : numbers[measure].max_distance;
+export function worstOf({ numbers, spread }, measure) {
+  if (spread?.measure === measure) return spread.greatest;
+  const always = /** @type {Record<string, any> | null} */ (numbers)?.[measure];
+  return always ? always.max_distance : Math.max(0, ...(numbers?.worst ?? []));
 }
 
 /**
  * The measure of what is asked of the faces: of the first row that is on and has one. The distance
- * to the constraints where rows ask for something that no other tells, none where nothing is asked.
- * @param {Readonly<import("./state.js").State>} state
+ * to the constraints where rows ask for something that no other tells, none where nothing is asked
+ * or there are no faces.
+ * @param {State} state
  * @returns {Measure | null}
  */
-export function measureOfScene({ document, kinds }) {
+export function measureOfScene({ document, model }) {
   const rows = document?.constraints ?? [];
-  for (const row of rows.filter(({ enabled }) => enabled)) {
-    const measure = kinds.find(({ id }) => id === row.kind)?.measure;
-    if (measure) return measure;
-  }
-  return rows.length > 0 ? 'residual' : null;
+  if (rows.length === 0 || model?.faces === 0) return null;
+  const measured = rows.find(({ enabled, measure }) => enabled && measure !== null);
+  return measured?.measure ?? 'residual';
 }

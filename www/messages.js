@@ -26,6 +26,7 @@
  * @property {string} summary one sentence
  * @property {string} paper where the paper defines it
  * @property {boolean} exact
+ * @property {string} takes how many vertices or edges, in words
  * @property {Measure | null} measure of faces that says how far this kind is from being met on them
  * @property {string[]} elements ids of those that it is meant for; empty where any will do
  * @property {[number, number, number]} colour sRGB bytes
@@ -75,10 +76,40 @@
  *   | { type: "removeConstraint", index: number }
  *   | { type: "setConstraint", index: number, weight?: number, enabled?: boolean, params?: Record<string, ParamValue> }
  *   | { type: "setWeights", shape?: number, close?: number, smooth?: number }
+ *   | { type: "setUnits", units: string }
+ *   | { type: "setUp", up: "y" | "z" }
  *   | { type: "addHandles", vertices: number[], fixed: boolean }
  *   | { type: "removeHandles", vertices: number[] }
+ *   | { type: "duplicateConstraint", index: number }
+ *   | { type: "nameSet", name: string, vertices: number[], faces: number[] }
+ *   | { type: "removeSet", name: string }
+ *   | { type: "set", id: string, value: ParamValue }
+ *   | { type: "holdClose", vertices: number[] | null, weight: number }
+ *   | { type: "weighHandles", vertices: number[], weight: number }
  *   | { type: "reset" }} Edit
  */
+
+/**
+ * A declared way to select. `gives` is what it gives where that is not what is picked.
+ * @typedef {object} Operation
+ * @property {string} id
+ * @property {string} label
+ * @property {string} summary one sentence
+ * @property {string} group the heading that it is listed under
+ * @property {PickMode[]} modes
+ * @property {PickMode | null} gives
+ * @property {boolean} needsSelection
+ * @property {boolean} takesName of a set or group, as the parameter `name`
+ * @property {ParamInfo[]} params
+ * @property {string[]} keys
+ * @property {PickMode | null} doubleClick
+ */
+
+/** @typedef {"vertices" | "edges" | "faces"} PickMode */
+
+/** @typedef {{ operation: string, mode: PickMode, from: Partial<Record<PickMode, number[]>>, params: Record<string, ParamValue> }} SelectRequest */
+
+/** A declared setting of a scene: as a parameter, with one sentence and a heading. @typedef {ParamInfo & { summary: string, group: string }} SettingInfo */
 
 /**
  * What was read from a file.
@@ -92,6 +123,7 @@
  * @property {{ name: string, faces: number }[]} groups
  * @property {string} units
  * @property {"y" | "z"} up
+ * @property {{ units: boolean, up: boolean }} guessed which of the two the file does not say
  * @property {number} meanEdge mean length of an edge, 0 without edges
  * @property {Problem[]} problems
  * @property {string[]} notes
@@ -115,6 +147,7 @@
  * @property {number} skipped
  * @property {number} weight
  * @property {boolean} enabled
+ * @property {Measure | null} measure what it asks of single faces, if it is on faces
  * @property {Record<string, ParamValue>} params
  */
 
@@ -137,6 +170,9 @@
  * @property {Weights} weights
  * @property {"surface" | "rest" | "none"} closeness
  * @property {{ of: "surface" | "displacement", weighting: string }} smoothness
+ * @property {Record<string, ParamValue>} settings of every declared one its value
+ * @property {{ name: string, vertices: number, faces: number }[]} sets
+ * @property {number} heldOtherwise vertices that are kept close more or less than the others
  * @property {string | null} undo what Undo would take back
  * @property {string | null} redo what Redo would do again
  * @property {number[]} pinned vertices that were pinned because nothing else holds their part
@@ -155,6 +191,7 @@
  * @property {{ max_distance: number, mean_distance: number, [measure: string]: number }} planarity
  * @property {{ max_distance: number, mean_distance: number, [measure: string]: number }} circularity
  * @property {number[]} worst per row of the list of constraints: the largest distance of a vertex to its projection
+ * @property {number[]} shares per row its part of the total energy, from 0 to 1
  * @property {number} stepMs
  */
 
@@ -165,6 +202,7 @@
  * @property {Uint32Array} faceIndices
  * @property {Uint32Array} curveOffsets `#curves + 1`
  * @property {Uint32Array} curveIndices
+ * @property {Uint32Array} edges `#E by 2`
  */
 
 /**
@@ -185,7 +223,39 @@
  * @property {Float32Array} palette three parts from 0 to 1 per colour
  */
 
-/** The largest distance of a face's corners to its best plane or circle, or to their projections. @typedef {"planarity" | "circularity" | "residual"} Measure */
+/** The id of a {@link FaceMeasure}. @typedef {string} Measure */
+
+/**
+ * A declared measure of faces: never negative, and 0 is best.
+ * @typedef {object} FaceMeasure
+ * @property {Measure} id
+ * @property {string} label
+ * @property {string} words what is measured
+ * @property {string} met what a face is whose value is 0
+ * @property {"length" | "percent" | "degrees" | "number"} unit
+ */
+
+/**
+ * A flat map that keeps angles (Eq. 14), of the shape as it was when it was asked for. The
+ * quasi-conformal error of a triangle is its greater over its smaller stretch: 1 where angles are kept.
+ * @typedef {object} Parametrization
+ * @property {Float64Array} uv `#V by 2`, units of the mesh
+ * @property {Float32Array} faceErrors `#F`: of each face the greatest error of its triangles; not a number without area
+ * @property {Uint32Array} histogram faces by error, in bars of equal width from 1 to `high`; the last one holds those beyond too
+ * @property {number} high what 99 of a hundred faces do not exceed
+ * @property {number} mean error, weighted by area
+ * @property {number} max error
+ * @property {number} flipped triangles that the map turns over
+ * @property {number} parts connected parts of the surface
+ * @property {number} closedParts those without a boundary, which cannot be flattened without folds
+ * @property {number} eigenvalue
+ * @property {number} seconds
+ * @property {Record<"assemble" | "order" | "factor" | "iterate", number>} secondsOf
+ */
+
+/** What a polygon counts, and what is kept from shrinking to a point: the words of the command line. */
+/** @typedef {"inverse-area" | "one" | "lscm"} MapWeights */
+/** @typedef {"boundary" | "vertices"} MapNorm */
 
 /** @typedef {{ name: string, bytes: Uint8Array }} NamedBytes */
 
@@ -197,23 +267,30 @@
  *   last one counts. While something is dragged the solver iterates even when paused.
  * - `show`: what to send with each frame besides positions.
  * - `recycle`: gives a buffer of positions back.
+ * - `cancelExperiment`: ends it; what was measured stays.
  * @typedef {{ type: "run" }
  *   | { type: "pause" }
  *   | { type: "drag", vertices: Uint32Array, targets: Float64Array, phase: "start" | "move" | "end" | "cancel" }
  *   | { type: "show", measure: Measure | null, shapes: boolean, projections: boolean }
- *   | { type: "recycle", positions: Float64Array }} Command
+ *   | { type: "recycle", positions: Float64Array }
+ *   | { type: "cancelExperiment" }} Command
  */
 
 /**
  * Answered by `reply` with the value named in {@link Replies}, or `refused`.
  *
  * - `open`: the first file that is a scene, else the first file; the others may be the mesh that it
- *   names. When it is refused the old model stays. `iteration` is where a restored scene stood.
+ *   names. When it is refused the old model stays. `iteration` is where a restored scene stood;
+ *   `frame` what a mesh file is taken for that does not say its unit and axis: `# units: m`, `# up: y`.
  * - `edit`, `undo`, `redo`, `step`.
  * - `members`: what a constraint acts on. `rowColours`: the colours of all of them. `previews`: what
- *   adding one of each kind at each of some places would make.
- * - `scene`, `obj`: the texts of the files.
- * @typedef {{ type: "open", files: NamedBytes[], iteration?: number }
+ *   adding one of each kind at each of some places would make. `select`: what is selected then.
+ * - `parametrize`: ends a run. Refused where there is no face, or no area.
+ * - `scene`, `obj`, `table`: the texts of the files; an `obj` with `uv` (`#V by 2`) has them as texture
+ *   coordinates; a `table` has the errors of the faces, or the energies of the iterations, as CSV.
+ * - `runExperiment`: starts the experiment of an example, on its files, the scene first; the model that
+ *   is open is not touched. `experimentCsv`: what was measured.
+ * @typedef {{ type: "open", files: NamedBytes[], iteration?: number, frame?: string }
  *   | { type: "edit", edit: Edit }
  *   | { type: "undo" }
  *   | { type: "redo" }
@@ -221,8 +298,13 @@
  *   | { type: "members", constraint: number }
  *   | { type: "rowColours" }
  *   | { type: "previews", places: Selector[] }
+ *   | { type: "select", request: SelectRequest }
  *   | { type: "scene" }
- *   | { type: "obj" }} Request
+ *   | { type: "parametrize", weights: MapWeights, norm: MapNorm }
+ *   | { type: "obj", uv?: Float64Array }
+ *   | { type: "table", table: "errors" | "convergence" }
+ *   | { type: "runExperiment", example: string, files: NamedBytes[], iterations?: number, seconds?: number }
+ *   | { type: "experimentCsv" }} Request
  */
 
 /**
@@ -236,8 +318,19 @@
  * @property {{ faces: Uint32Array, vertices: Uint32Array }} members
  * @property {RowColours} rowColours
  * @property {(Preview | null)[][]} previews `#kinds by #places`, null where nothing fits
+ * @property {Record<PickMode, Uint32Array>} select
+ * @property {Parametrization} parametrize
  * @property {string} scene
  * @property {string} obj
+ * @property {string} table
+ * @property {null} runExperiment
+ * @property {string} experimentCsv
+ */
+
+/**
+ * What a method of an experiment has done: its index, why it ended, and per iteration its number, the
+ * seconds, and the quantities of the experiment.
+ * @typedef {{ method: number, endedBy: string | null, samples: Float64Array }} ExperimentNews
  */
 
 /** @typedef {{ constraints: number, skipped: number, vertices: number }} Preview */
@@ -256,11 +349,14 @@
  *   `projections` where the constraints would have their vertices.
  * - `activity`: whether the solver runs (Run was pressed and it has not converged); sent after the
  *   frame that belongs to it.
+ * - `experiment`: what an experiment has measured since the last one. `ended` is null while it goes on;
+ *   `message` says why it failed.
  * - `trouble`: an iteration failed; the last good state stays.
  * - `died`: the state is unusable, the worker must be replaced.
  * - `refused`: `path` is the place in the scene that is wrong, such as `constraints[0].length`; empty
  *   when it is not about a scene.
- * @typedef {{ type: "ready", kinds: KindInfo[], elements: ElementInfo[] }
+ * @typedef {{ type: "ready", kinds: KindInfo[], elements: ElementInfo[], measures: FaceMeasure[],
+ *       operations: Operation[], settings: SettingInfo[] }
  *   | { type: "model", loaded: Loaded, connectivity: Connectivity, positions: Float64Array }
  *   | { type: "document", document: SceneDocument }
  *   | { type: "scene", text: string, iteration: number }
@@ -268,6 +364,7 @@
  *       measure: Measure | null, values: Float32Array | null, shapes: Float32Array | null,
  *       projections: Projections | null }
  *   | { type: "activity", running: boolean, converged: boolean }
+ *   | { type: "experiment", news: ExperimentNews[], ended: "done" | "cancelled" | "failed" | null, message: string }
  *   | { type: "trouble", message: string }
  *   | { type: "died", message: string }
  *   | { type: "reply", id: number, value: unknown }

@@ -163,7 +163,7 @@ export class EnergyPlot {
  * @param {number} least
  * @param {number} most
  */
-function decades(least, most) {
+export function decades(least, most) {
   const first = Math.ceil(Math.log10(least) - 1e-9);
   const last = Math.floor(Math.log10(most) + 1e-9);
   const stride = Math.max(1, Math.ceil((last - first) / 6));
@@ -173,6 +173,6 @@ function decades(least, most) {
 }
 
 /** @param {number} value */
-function powerOfTen(value) {
+export function powerOfTen(value) {
   return value.toExponential(0).replace('-', '−').replace('e+', 'e');
 }

@@ -4,14 +4,16 @@
  * | | Drag tool | Select tool |
  * |---|---|---|
  * | left on a handle | moves it | moves it |
- * | left elsewhere, drag | orbits | box: left to right inside, right to left touching |
+ * | left elsewhere, drag | orbits | box, lasso or brush: see `region-selection.js` |
+ * | Alt + left on a vertex | makes it a handle and moves it | same |
  * | left click | selects; Shift adds, Ctrl or Cmd removes | same |
- * | double-click | vertex: handle; nothing: fit all | same |
+ * | double-click | vertex: handle; edge: loop; face: flat patch; nothing: fit all | same |
  * | right, middle or Shift+right | orbits, pans | same |
  * | wheel, pinch | zooms to the cursor | same |
  * | touch | one finger as left, two pan and zoom | same |
  */
 
+import { isFirstPictureThere } from './first-picture.js';
 import { HandleDrag } from './handle-drag.js';
 import { NOTHING, combineOf, select } from './selection.js';
 
@@ -26,7 +28,7 @@ const LINE_PIXELS = 16;
 
 /**
  * What a press has become: nothing yet, or one of these until it is released.
- * @typedef {{ kind: "press" | "orbit" | "pan" | "box" | "pinch" | "spent" } | { kind: "handle", drag: HandleDrag }} Gesture
+ * @typedef {{ kind: "press" | "orbit" | "pan" | "region" | "pinch" | "making" | "spent" } | { kind: "handle", drag: HandleDrag }} Gesture
  */
 
 export class PointerInput {
@@ -34,7 +36,7 @@ export class PointerInput {
   #solver;
   #viewport;
   #element;
-  #box;
+  #region;
   #commands;
   /** Where each pointer that is down was last. @type {Map<number, [number, number]>} */
   #down = new Map();
@@ -49,15 +51,16 @@ export class PointerInput {
    * @param {import("./state.js").Store} store
    * @param {import("./solver-client.js").SolverClient} solver
    * @param {import("./viewport.js").Viewport} viewport
-   * @param {import("./box-selection.js").BoxSelection} box
-   * @param {{ addHandles: (vertices: number[]) => void, fitAll: () => void }} commands
+   * @param {import("./region-selection.js").RegionSelection} region
+   * @param {{ addHandles: (vertices: number[]) => Promise<void>, fitAll: () => void,
+   *   doubleClick: (mode: import("./state.js").Mode, item: number, event: MouseEvent) => void }} commands
    */
-  constructor(store, solver, viewport, box, commands) {
+  constructor(store, solver, viewport, region, commands) {
     this.#store = store;
     this.#solver = solver;
     this.#viewport = viewport;
     this.#element = viewport.element;
-    this.#box = box;
+    this.#region = region;
     this.#commands = commands;
     const listen = /** @type {HTMLElement["addEventListener"]} */ (
       this.#element.addEventListener.bind(this.#element)
@@ -69,6 +72,7 @@ export class PointerInput {
     listen('dblclick', (event) => this.#doubleClick(event));
     listen('wheel', (event) => this.#wheel(event), { passive: false });
     listen('contextmenu', (event) => event.preventDefault());
+    window.addEventListener('keydown', (event) => this.#lockAxis(event), { capture: true });
     store.subscribe(['tool'], ({ tool }) => (this.#element.dataset.tool = tool));
   }
 
@@ -77,6 +81,7 @@ export class PointerInput {
     const gesture = this.#gesture;
     if (!gesture) return false;
     if (gesture.kind === 'handle') gesture.drag.cancel();
+    if (gesture.kind === 'region') this.#region.cancel();
     this.#become(this.#down.size > 0 ? { kind: 'spent' } : null);
     return true;
   }
@@ -92,7 +97,7 @@ export class PointerInput {
 
   /** @param {PointerEvent} event */
   #press(event) {
-    if (!this.#viewport.view) return;
+    if (!this.#viewport.view || isFirstPictureThere()) return;
     const at = this.#at(event);
     this.#element.focus({ preventScroll: true });
     this.#element.setPointerCapture(event.pointerId);
@@ -107,8 +112,41 @@ export class PointerInput {
       this.#become({ kind: event.shiftKey ? 'pan' : 'orbit' });
     } else if (event.button === 0) {
       this.#handle = this.#handleAt(event, at);
-      this.#become({ kind: 'press' });
+      if (event.altKey && this.#handle === undefined) return void this.#makeHandle(event, at);
+      const paints = this.#handle === undefined && this.#region.paints;
+      this.#become({ kind: paints ? 'region' : 'press' });
+      if (paints) this.#region.begin(at, combineOf(event));
     }
+  }
+
+  /**
+   * Makes the vertex under the pointer a handle, and drags it when it is one.
+   * @param {PointerEvent} event
+   * @param {[number, number]} at
+   */
+  async #makeHandle(event, at) {
+    const vertex = this.#vertexAt(event, at);
+    /** @type {Gesture} */
+    const making = { kind: vertex === undefined ? 'press' : 'making' };
+    this.#become(making);
+    if (vertex === undefined) return;
+    await this.#commands.addHandles([vertex]);
+    // Released or taken back meanwhile.
+    if (this.#gesture !== making) return;
+    this.#handle = vertex;
+    this.#begin();
+    const last = this.#down.get(event.pointerId);
+    const gesture = /** @type {Gesture | null} */ (this.#gesture);
+    if (gesture?.kind === 'handle' && last) gesture.drag.move(...last);
+  }
+
+  /** X, Y and Z keep a dragged handle on a line along that axis, and let it go again. @param {KeyboardEvent} event */
+  #lockAxis(event) {
+    const axis = ['x', 'y', 'z'].indexOf(event.key.toLowerCase());
+    if (axis < 0 || this.#gesture?.kind !== 'handle') return;
+    event.preventDefault();
+    event.stopPropagation();
+    this.#gesture.drag.toggleAxis(axis);
   }
 
   /** A second finger turns what the first one began into pan and zoom; a dragged handle goes on. */
@@ -131,24 +169,27 @@ export class PointerInput {
     const [dx, dy] = [at[0] - last[0], at[1] - last[1]];
     switch (this.#gesture?.kind) {
       case 'handle':
+        this.#gesture.drag.hold(planeOf(event));
         return this.#gesture.drag.move(...at);
       case 'orbit':
         return void this.#viewport.with((view) => view.orbit(dx, dy));
       case 'pan':
         return void this.#viewport.with((view) => view.pan(dx, dy));
-      case 'box':
-        return this.#box.draw(this.#start, at);
+      case 'region':
+        return this.#region.move(at);
     }
   }
 
-  /** The press has become a drag: of a handle, of the camera, or of a box. */
+  /** The press has become a drag: of a handle, of the camera, or of a region. */
   #begin() {
     const { view } = this.#viewport;
     if (this.#handle !== undefined && view) {
       const drag = new HandleDrag(this.#store, this.#solver, view, this.#handle, ...this.#start);
       this.#become({ kind: 'handle', drag });
     } else {
-      this.#become({ kind: this.#store.get().tool === 'select' ? 'box' : 'orbit' });
+      const selects = this.#store.get().tool === 'select';
+      this.#become({ kind: selects ? 'region' : 'orbit' });
+      if (selects) this.#region.begin(this.#start, 'replace');
     }
   }
 
@@ -165,8 +206,8 @@ export class PointerInput {
       case 'press':
         this.#click(event, at);
         break;
-      case 'box':
-        this.#box.select(this.#start, at, combineOf(event));
+      case 'region':
+        this.#region.end(at, combineOf(event));
         break;
     }
     this.#become(this.#down.size > 0 ? { kind: 'spent' } : null);
@@ -179,28 +220,38 @@ export class PointerInput {
   #click(event, at) {
     const { mode, selection } = this.#store.get();
     const combine = combineOf(event);
-    const onDot = this.#handle ?? (mode === 'vertices' ? this.#vertexAt(event, at) : undefined);
-    const face =
-      onDot === undefined && mode === 'faces'
-        ? this.#viewport.with((view) => view.pickFace(...at))
-        : undefined;
-    if (onDot !== undefined) {
-      this.#store.set({ selection: select(selection, 'vertices', [onDot], combine) });
-    } else if (face !== undefined) {
-      this.#store.set({ selection: select(selection, 'faces', [face], combine) });
+    const item = this.#handle ?? this.#pick(mode, event, at);
+    if (item !== undefined) {
+      const what = this.#handle === undefined ? mode : 'vertices';
+      this.#store.set({ selection: select(selection, what, [item], combine) });
     } else if (combine === 'replace') {
       this.#store.set({ selection: NOTHING });
     }
   }
 
+  /**
+   * What is under the pointer.
+   * @param {import("./state.js").Mode} mode
+   * @param {MouseEvent} event
+   * @param {[number, number]} at
+   */
+  #pick(mode, event, at) {
+    if (mode === 'vertices') return this.#vertexAt(event, at);
+    return this.#viewport.with((view) =>
+      mode === 'edges' ? view.pickEdge(...at, near(event)) : view.pickFace(...at),
+    );
+  }
+
   /** @param {MouseEvent} event */
   #doubleClick(event) {
     const at = this.#at(event);
-    const vertex = this.#vertexAt(event, at);
-    if (vertex !== undefined) this.#commands.addHandles([vertex]);
-    else if (this.#viewport.with((view) => view.pickFace(...at)) === undefined) {
-      this.#commands.fitAll();
-    }
+    const { mode } = this.#store.get();
+    const item = this.#pick(mode, event, at);
+    if (item === undefined) {
+      const face = this.#viewport.with((view) => view.pickFace(...at));
+      if (face === undefined) this.#commands.fitAll();
+    } else if (mode === 'vertices') this.#commands.addHandles([item]);
+    else this.#commands.doubleClick(mode, item, event);
   }
 
   /**
@@ -238,6 +289,7 @@ export class PointerInput {
     if (event.pointerType === 'touch') return;
     const over = this.#handleAt(event, at) !== undefined;
     this.#element.dataset.over = over ? 'handle' : '';
+    this.#region.hover(at);
   }
 
   /**
@@ -260,8 +312,17 @@ export class PointerInput {
   #become(gesture) {
     this.#gesture = gesture;
     this.#element.dataset.gesture = gesture?.kind ?? '';
-    if (gesture?.kind !== 'box') this.#box.hide();
+    if (gesture && gesture.kind !== 'region') this.#region.hide();
   }
+}
+
+/**
+ * Shift keeps a dragged handle at its height, Ctrl or Cmd above its place.
+ * @param {MouseEvent} event
+ */
+function planeOf(event) {
+  if (event.ctrlKey || event.metaKey) return 'vertical';
+  return event.shiftKey ? 'horizontal' : 'screen';
 }
 
 /** @param {MouseEvent} event */

@@ -5,7 +5,7 @@
  */
 
 /** Lengths below this part of the size are rounding, and so are energies below its square. */
-const ROUNDING = 1e-12;
+export const ROUNDING = 1e-12;
 
 /**
  * The diagonal of the bounding box.

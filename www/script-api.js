@@ -33,7 +33,11 @@ export function scriptApi(store, solver, viewport, files) {
         circularity: numbers?.circularity ?? null,
         constraints,
         handles: document?.handles ?? [],
-        selection: { vertices: [...selection.vertices], faces: [...selection.faces] },
+        selection: {
+          vertices: [...selection.vertices],
+          edges: [...selection.edges],
+          faces: [...selection.faces],
+        },
         renderer: renderer === 'starting' ? 'none' : renderer,
         threads: 1,
         last_step_ms: numbers?.stepMs ?? 0,

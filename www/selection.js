@@ -1,10 +1,11 @@
-/** The selection: sets of vertices and of faces, and what clicks and boxes do to them. */
+/** The selection: sets of vertices, edges and faces, and what clicks and regions do to them. */
 
 /** @typedef {import("./state.js").Selection} Selection */
+/** @typedef {import("./state.js").Mode} Mode */
 /** @typedef {"replace" | "add" | "remove"} Combine */
 
 /** @type {Selection} */
-export const NOTHING = { vertices: new Set(), faces: new Set() };
+export const NOTHING = { vertices: new Set(), edges: new Set(), faces: new Set() };
 
 /**
  * Rhino's rule: Shift adds, Ctrl or Cmd removes.
@@ -18,7 +19,7 @@ export function combineOf(event) {
 
 /**
  * @param {Selection} selection
- * @param {"vertices" | "faces"} mode which of the two `items` are
+ * @param {Mode} mode which of the three `items` are
  * @param {Iterable<number>} items
  * @param {Combine} combine
  * @returns {Selection}
@@ -33,14 +34,21 @@ export function select(selection, mode, items, combine) {
   return { ...selection, [mode]: next };
 }
 
+/** How many things are selected. @param {Selection} selection */
+export function sizeOfSelection({ vertices, edges, faces }) {
+  return vertices.size + edges.size + faces.size;
+}
+
 /**
- * The selected vertices and the corners of the selected faces, ascending.
+ * The selected vertices, the ends of the selected edges and the corners of the selected faces,
+ * ascending.
  * @param {Selection} selection
  * @param {import("./messages.js").Connectivity} connectivity
  * @returns {number[]}
  */
-export function selectedVertices(selection, { faceOffsets, faceIndices }) {
+export function selectedVertices(selection, { faceOffsets, faceIndices, edges }) {
   const vertices = new Set(selection.vertices);
+  for (const edge of selection.edges) vertices.add(edges[2 * edge]).add(edges[2 * edge + 1]);
   for (const face of selection.faces) {
     for (let i = faceOffsets[face]; i < faceOffsets[face + 1]; i++) vertices.add(faceIndices[i]);
   }
@@ -55,6 +63,7 @@ export function selectedVertices(selection, { faceOffsets, faceIndices }) {
 export function describe(selection, count) {
   const parts = [];
   if (selection.vertices.size > 0) parts.push(count(selection.vertices.size, 'vertex', 'vertices'));
+  if (selection.edges.size > 0) parts.push(count(selection.edges.size, 'edge'));
   if (selection.faces.size > 0) parts.push(count(selection.faces.size, 'face'));
   return parts.join(', ');
 }

@@ -5,6 +5,7 @@
  */
 
 import init, { Solver } from './pkg/solver/shape_up.js';
+import { cancelExperiment, experimentCsv, runExperiment } from './experiment/worker-part.js';
 import { SLICE_MS, messageOf } from './messages.js';
 
 /** @typedef {import("./messages.js").ToWorker} ToWorker */
@@ -52,7 +53,14 @@ onmessage = (event) => {
 try {
   await init();
   solver = new Solver();
-  post({ type: 'ready', kinds: solver.kinds(), elements: solver.elements() });
+  post({
+    type: 'ready',
+    kinds: solver.kinds(),
+    elements: solver.elements(),
+    measures: solver.measures(),
+    operations: solver.operations(),
+    settings: solver.settings(),
+  });
   const held = early ?? [];
   early = null;
   held.forEach(receive);
@@ -111,6 +119,8 @@ function command(message) {
       return pause();
     case 'drag':
       return drag(message);
+    case 'cancelExperiment':
+      return cancelExperiment();
   }
 }
 
@@ -121,7 +131,7 @@ function command(message) {
 function answer(message) {
   switch (message.type) {
     case 'open':
-      return open(message.files, message.iteration);
+      return open(message.files, message.iteration, message.frame);
     case 'edit':
       if (message.edit.type === 'reset') pause();
       return betweenRuns(() => live().edit(message.edit), null);
@@ -140,18 +150,30 @@ function answer(message) {
       return live().rowColours();
     case 'previews':
       return live().previews(message.places);
+    case 'select':
+      return live().select(message.request);
     case 'scene':
       return live().scene();
     case 'obj':
-      return live().obj();
+      return message.uv ? live().objWithUv(message.uv) : live().obj();
+    case 'parametrize':
+      pause();
+      return live().parametrize(message.weights, message.norm);
+    case 'table':
+      return live().table(message.table);
+    case 'runExperiment':
+      return runExperiment(message, post, die);
+    case 'experimentCsv':
+      return experimentCsv();
   }
 }
 
 /**
  * @param {import("./messages.js").NamedBytes[]} files
  * @param {number} [iteration]
+ * @param {string} [frame]
  */
-function open(files, iteration) {
+function open(files, iteration, frame = '') {
   const isScene = (/** @type {{ name: string }} */ file) => /\.json$/i.test(file.name);
   const main = files.find(isScene) ?? files[0];
   /** @type {import('./messages.js').NamedBytes | null} */
@@ -165,6 +187,7 @@ function open(files, iteration) {
     }
   }
   if (running) endRun();
+  live().assume(frame);
   const about = live().load(main.name, main.bytes, companion ? companion.bytes : null);
   if (iteration) live().restoreIteration(iteration);
   loaded = true;
@@ -180,6 +203,7 @@ function open(files, iteration) {
     faceIndices: live().faceIndices(),
     curveOffsets: live().curveOffsets(),
     curveIndices: live().curveIndices(),
+    edges: live().edges(),
   };
   post({ type: 'model', loaded: about, connectivity, positions }, [
     positions.buffer,
@@ -330,7 +354,7 @@ function sendFrame() {
   const positions = /** @type {Float64Array} */ (free.pop());
   live().writePositions(positions);
   const now = numbers();
-  const values = measure ? live().faceErrors(measure) : null;
+  const values = measure ? live().faceValues(measure) : null;
   const shapes = showShapes ? live().fitted() : null;
   const told = Float64Array.from(trace);
   trace = [];

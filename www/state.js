@@ -12,29 +12,41 @@
  * @typedef {object} State
  * @property {import("./messages.js").KindInfo[]} kinds
  * @property {import("./messages.js").ElementInfo[]} elements
+ * @property {import("./messages.js").FaceMeasure[]} measures
+ * @property {import("./messages.js").Operation[]} operations ways to select
+ * @property {import("./messages.js").SettingInfo[]} settings of a scene
  * @property {Loaded | null} model
  * @property {number} size diagonal of the bounding box of the mesh as it was opened, in its unit
  * @property {boolean} firstExample the model is the one that the page opens with
+ * @property {import("./files.js").Example | null} example whose mesh is open, if it is that of one
  * @property {SceneDocument | null} document
  * @property {Numbers | null} numbers
  * @property {boolean} running Run was pressed and the iteration has not converged
  * @property {boolean} converged
  * @property {"drag" | "select"} tool
- * @property {"vertices" | "faces"} mode what a click selects
+ * @property {"box" | "lasso" | "paint"} shape of a drag with the Select tool
+ * @property {boolean} through a drag also selects what the surface hides
+ * @property {number} brush radius, CSS pixels
+ * @property {Mode} mode what a click selects
  * @property {Selection} selection
  * @property {number[]} dragged handles under the pointer
  * @property {Tint | null} tint members of the constraint that is pointed at
  * @property {import("./messages.js").RowColours | null} rowColours of what constraints act on
  * @property {Measure | null} measure what the faces are coloured by
  * @property {boolean} measureChosen somebody chose it since the model was opened
- * @property {[number, number]} range of the colours, in units of the mesh
+ * @property {[number, number]} range of the colours, in the unit of the measure
+ * @property {import("./spread.js").Spread | null} spread of the values of the faces
+ * @property {number | null} tolerance in the unit of the measure
  * @property {{ edges: boolean, vertices: boolean, shapes: boolean, outlines: boolean, arrows: boolean }} display
+ * @property {import("./flat-map.js").FlatMap | null} flatMap what is shown beside the model
  * @property {boolean} dark
  * @property {"webgpu" | "webgl2" | "none" | "starting"} renderer
+ * @property {string} saved what became of the autosave, in words
  * @property {string} status what happened last, in words
  */
 
-/** @typedef {{ vertices: ReadonlySet<number>, faces: ReadonlySet<number> }} Selection */
+/** @typedef {"vertices" | "edges" | "faces"} Mode */
+/** Edges by their places in `Connectivity.edges`. @typedef {Record<Mode, ReadonlySet<number>>} Selection */
 /** @typedef {{ vertices: Uint32Array, faces: Uint32Array, colour: [number, number, number] }} Tint */
 
 /**
@@ -49,25 +61,36 @@
 const INITIAL = {
   kinds: [],
   elements: [],
+  measures: [],
+  operations: [],
+  settings: [],
   model: null,
   size: 0,
   firstExample: false,
+  example: null,
   document: null,
   numbers: null,
   running: false,
   converged: false,
   tool: 'drag',
+  shape: 'box',
+  through: false,
+  brush: 24,
   mode: 'vertices',
-  selection: { vertices: new Set(), faces: new Set() },
+  selection: { vertices: new Set(), edges: new Set(), faces: new Set() },
   dragged: [],
   tint: null,
   rowColours: null,
   measure: null,
   measureChosen: false,
   range: [0, 0],
+  spread: null,
+  tolerance: null,
   display: { edges: true, vertices: false, shapes: false, outlines: false, arrows: false },
+  flatMap: null,
   dark: false,
   renderer: 'starting',
+  saved: '',
   status: '',
 };
 

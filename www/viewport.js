@@ -6,6 +6,7 @@
 
 import { removeFirstPicture } from './first-picture.js';
 import { messageOf } from './messages.js';
+import { modelErrors, showFlatMap } from './flat-map.js';
 
 /** @typedef {import("./pkg/view/shape_up.js").View} View */
 /** @typedef {import("./state.js").State} State */
@@ -79,6 +80,42 @@ export class Viewport extends EventTarget {
     this.#handOver();
     this.ask();
     return action(this.view);
+  }
+
+  /**
+   * Draws one picture of another size, in the proportions and the framing of the one that is shown,
+   * and gives the canvas to `take`, which must read it at once. The shown one is drawn again then.
+   * @param {{ width: number, height: number, scale: number }} size in pixels; `scale` of them are a CSS pixel
+   * @param {boolean} white light colours on white
+   * @param {(canvas: HTMLCanvasElement) => void} take
+   * @returns {boolean} whether it could be drawn
+   */
+  still({ width, height, scale }, white, take) {
+    const { view } = this;
+    const canvas = this.#canvas;
+    if (!view || !canvas) return false;
+    this.#resize();
+    this.#handOver();
+    const [shownWidth, shownHeight] = [canvas.width, canvas.height];
+    const { dark } = this.#store.get();
+    try {
+      view.resize(width, height, scale);
+      if (white) view.setTheme(false);
+      view.setWhite(white);
+      const drawn = view.draw();
+      if (drawn) take(canvas);
+      return drawn;
+    } catch (thrown) {
+      this.#lost(messageOf(thrown));
+      return false;
+    } finally {
+      if (this.view === view) {
+        view.setWhite(false);
+        view.setTheme(dark);
+        view.resize(shownWidth, shownHeight, shownWidth / this.#size[0]);
+        this.ask();
+      }
+    }
   }
 
   async #create() {
@@ -172,12 +209,14 @@ export class Viewport extends EventTarget {
     /** @type {[(keyof State)[], (view: View, state: State) => void][]} */
     const parts = [
       [['dark'], (view, state) => view.setTheme(state.dark)],
+      [['document'], (view, { document }) => document && view.setUp(document.up)],
       [['display'], showDisplay],
       [['document', 'dragged', 'selection', 'model'], showHandles],
       [['selection', 'model'], showSelection],
       [['tint', 'model'], showTint],
-      [['rowColours', 'model'], showRowColours],
-      [['measure', 'range'], (view, state) => this.#showValues(view, state)],
+      [['rowColours', 'model', 'flatMap'], showRowColours],
+      [['measure', 'range', 'flatMap'], (view, state) => this.#showValues(view, state)],
+      [['flatMap'], showFlatMap],
     ];
     for (const [keys, show] of parts) {
       subscribe(keys, (state) => {
@@ -197,6 +236,7 @@ export class Viewport extends EventTarget {
    */
   #showValues(view, state) {
     const { geometry } = this.#solver;
+    if (state.flatMap) return view.setFaceValues(...modelErrors(state.flatMap));
     // Right after another choice, the values are still those of the one before.
     const values = geometry && geometry.measure === state.measure ? geometry.values : null;
     view.setFaceValues(values ?? undefined, state.range[0], state.range[1]);
@@ -212,6 +252,7 @@ export class Viewport extends EventTarget {
       const { faceOffsets, faceIndices, curveOffsets, curveIndices } = geometry.connectivity;
       if (state.model) view.setUp(state.model.up);
       view.setMesh(faceOffsets, faceIndices, curveOffsets, curveIndices, geometry.positions);
+      view.setEdges(geometry.connectivity.edges);
       this.#newMesh = false;
       this.#showAll(view, state);
       view.fit();
@@ -271,6 +312,7 @@ function showHandles(view, { document, dragged }) {
  */
 function showSelection(view, { selection }) {
   view.setSelection(Uint32Array.from(selection.vertices), Uint32Array.from(selection.faces));
+  view.setSelectedEdges(Uint32Array.from(selection.edges));
 }
 
 /**
@@ -287,7 +329,7 @@ function showTint(view, { tint }) {
  * @param {View} view
  * @param {State} state
  */
-function showRowColours(view, { rowColours }) {
-  const { faces, vertices, palette } = rowColours ?? NO_COLOURS;
+function showRowColours(view, { rowColours, flatMap }) {
+  const { faces, vertices, palette } = (!flatMap && rowColours) || NO_COLOURS;
   view.setRowColours(faces, vertices, palette);
 }

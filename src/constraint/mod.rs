@@ -141,6 +141,9 @@ fn project_with<S: Lane>(
     }
 }
 
+/// A closed form of some kind: of rest points, points, and where their projections go.
+type ClosedForm<'a, S> = &'a dyn Fn(&[Vec3<S>], &[Vec3<S>], &mut [Vec3<S>]) -> bool;
+
 /// Projects each lane by itself: by the closed form, with the lane in the place of all, so that no
 /// kind has a second one that is compiled for a single lane, and otherwise carefully. A lane whose
 /// closed form is accurate gets the same bits as in a chunk where all are.

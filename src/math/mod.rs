@@ -1,12 +1,14 @@
 //! Small dense mathematics under everything else: lanes, 3-vectors of lanes, symmetric 3x3
 //! eigenvectors, singular values, principal axes, closest rotations, fitted circles and spheres,
-//! regular polygons, closest numbers with a given product, sines and cube roots, and sorting. Knows of nothing else
-//! in the crate.
+//! regular polygons, closest numbers with a given product, angles, sines and cube roots, and sorting.
+//! Knows of nothing else in the crate.
 
 mod alignment;
+mod angle;
 mod ascending;
 mod circle_fit;
 mod eigenvector;
+mod jacobi;
 mod lane;
 mod orthogonal_pair;
 mod plane_frame;
@@ -22,9 +24,11 @@ mod unit_polygon;
 mod vec3;
 
 pub use alignment::Alignment;
+pub use angle::angle;
 pub use ascending::{ascending, key_of_number, key_of_pair};
 pub use circle_fit::{CircleFit, PrincipalCircle};
 pub use eigenvector::Eigenvector;
+pub use jacobi::symmetric_eigen;
 pub use lane::{LANES, Lane, Lanes, Pair};
 pub use orthogonal_pair::OrthogonalPair;
 pub use plane_frame::plane_frame;

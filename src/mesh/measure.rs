@@ -48,6 +48,10 @@ pub struct Measures {
     pub planarity_distances: Vec<f64>,
     /// Per face the largest distance of its vertices to their circle, units of the mesh.
     pub circularity_distances: Vec<f64>,
+    /// Per face its `e_p`.
+    pub e_p: Vec<f64>,
+    /// Per face its `e_c`.
+    pub e_c: Vec<f64>,
 }
 
 impl Measures {
@@ -66,8 +70,10 @@ impl Measures {
             all.planarity_distances.push(distance);
             planarity.max_distance = greater(planarity.max_distance, distance);
             planarity.mean_distance += share * distance;
-            planarity.e_p_max = greater(planarity.e_p_max, squares_scale * e_p);
-            planarity.e_p_mean += share * squares_scale * e_p;
+            let e_p = squares_scale * e_p;
+            all.e_p.push(e_p);
+            planarity.e_p_max = greater(planarity.e_p_max, e_p);
+            planarity.e_p_mean += share * e_p;
             if let &[a, b, c, d] = face {
                 let ratio = diagonal_ratio([a, b, c, d].map(|v| positions[v as usize]));
                 planarity.diagonal_ratio_max = greater(planarity.diagonal_ratio_max, ratio);
@@ -76,8 +82,10 @@ impl Measures {
             all.circularity_distances.push(distance);
             circularity.max_distance = greater(circularity.max_distance, distance);
             circularity.mean_distance += share * distance;
-            circularity.e_c_max = greater(circularity.e_c_max, squares_scale * e_c);
-            circularity.e_c_mean += share * squares_scale * e_c;
+            let e_c = squares_scale * e_c;
+            all.e_c.push(e_c);
+            circularity.e_c_max = greater(circularity.e_c_max, e_c);
+            circularity.e_c_mean += share * e_c;
         }
         all
     }

@@ -10,14 +10,18 @@
 //! | `generate` | meshes of the examples |
 //! | `topology` | edges, neighbours, rings, faces around edges and vertices |
 //! | `boundary`, `edge_lines`, `strips`, `components` | boundary loops, straight edge lines, strips of quads, connected components |
+//! | `feature_curves` | creases: lines along which the surface turns sharply |
 //! | `boundary_curves` | the boundary loops as curves to glide on, with corners |
 //! | `local` | corners of faces, stars of vertices, hinges |
 //! | `laplacian` | the weights `w_ij` of Eq. 12 |
 //! | `closest` | closest point `c(v)` on the reference surface, Eq. 11; with its parts `triangle`, `tree`, `surroundings`, `clearing` |
 //! | `measure` | planarity, circularity, diagonal ratio of faces; with its part `face_fit` |
+//! | `angle_histogram` | how many corners of faces have which angle |
 //! | `quasi_conformal` | how far a flat map is from keeping angles |
+//! | `histogram` | how errors are distributed, for legends |
 //! | `bounds` | bounding sphere |
 
+mod angle_histogram;
 mod boundary;
 mod boundary_curves;
 mod bounds;
@@ -27,8 +31,10 @@ mod components;
 mod draft;
 mod edge_lines;
 mod face_fit;
+mod feature_curves;
 pub mod generate;
 mod groups;
+mod histogram;
 mod laplacian;
 mod lines;
 mod local;
@@ -51,18 +57,21 @@ mod topology;
 mod tree;
 mod triangle;
 
+pub use angle_histogram::angle_histogram;
 pub use boundary_curves::{BoundaryCurve, BoundaryCurves};
 pub use bounds::BoundingSphere;
 pub use closest::Surface;
 pub use components::components;
 pub use edge_lines::edge_lines;
+pub use feature_curves::feature_curves;
+pub use histogram::Histogram;
 pub use laplacian::{LARGEST_COTANGENT, Laplacian};
 pub use local::{corners, hinges, stars};
 pub use measure::{Circularity, Measures, Planarity, diagonal_ratio};
 pub use medit_write::write_medit;
 pub use obj_write::{write_obj, write_obj_with_uv};
 pub use problem::{Element, Problem, ProblemKind};
-pub use quasi_conformal::{QuasiConformal, quasi_conformal};
+pub use quasi_conformal::{MapErrors, QuasiConformal, quasi_conformal};
 pub use ragged::Ragged;
 pub use read::{Read, read};
 pub use strips::strips;

@@ -14,15 +14,24 @@ pub struct QuasiConformal {
     pub max: f64,
 }
 
-/// The error of the map `uv` (`#V by 2`) of the surface (`#V by 3` positions), and how many
-/// triangles it flips over. Triangles without area on the surface do not count.
-pub fn quasi_conformal(
-    positions: &[Point],
-    uv: &[[f64; 2]],
-    faces: &Ragged,
-) -> (QuasiConformal, usize) {
+/// What a flat map does to the triangles of a surface.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct MapErrors {
+    /// Over all triangles.
+    pub quasi_conformal: QuasiConformal,
+    /// Triangles that the map turns over.
+    pub flipped: usize,
+    /// `#F`: the greatest error of the triangles of each face; not a number where none has an area.
+    pub of_faces: Vec<f64>,
+}
+
+/// The errors of the map `uv` (`#V by 2`) of the surface (`#V by 3` positions). Triangles without
+/// area on the surface do not count.
+pub fn quasi_conformal(positions: &[Point], uv: &[[f64; 2]], faces: &Ragged) -> MapErrors {
     let (mut error, mut area, mut flipped) = (QuasiConformal::default(), 0.0, 0);
+    let mut of_faces = Vec::with_capacity(faces.len());
     for face in faces.iter() {
+        let mut worst = f64::NAN;
         for side in face[1..].windows(2) {
             let corners = [face[0], side[0], side[1]].map(|v| v as usize);
             let [p, q, r] = corners.map(|v| Vec3::from(positions[v]));
@@ -43,15 +52,23 @@ pub fn quasi_conformal(
             let length = |a: f64, b: f64| (a * a + b * b).sqrt();
             let (keeps, turns_over) =
                 (length(x[0] + y[1], x[1] - y[0]), length(x[0] - y[1], x[1] + y[0]));
-            let ratio = (keeps + turns_over) / (keeps - turns_over).abs();
+            let collapsed = keeps == turns_over;
+            let ratio = if collapsed {
+                f64::INFINITY
+            } else {
+                (keeps + turns_over) / (keeps - turns_over).abs()
+            };
             flipped += usize::from(keeps < turns_over);
             error.mean += twice_area * ratio;
-            error.max = error.max.max(ratio);
+            // The greater of a number and none is the number.
+            worst = worst.max(ratio);
             area += twice_area;
         }
+        error.max = error.max.max(worst);
+        of_faces.push(worst);
     }
     error.mean /= if area > 0.0 { area } else { 1.0 };
-    (error, flipped)
+    MapErrors { quasi_conformal: error, flipped, of_faces }
 }
 
 #[cfg(test)]
@@ -60,10 +77,28 @@ mod tests {
 
     /// A square of two triangles, and its image under a linear map.
     fn of(image: impl Fn(f64, f64) -> [f64; 2]) -> (QuasiConformal, usize) {
+        let errors = errors(image);
+        (errors.quasi_conformal, errors.flipped)
+    }
+
+    fn errors(image: impl Fn(f64, f64) -> [f64; 2]) -> MapErrors {
         let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
         let positions = corners.map(|[x, y]| [x, 0.6 * y, 0.8 * y]);
         let uv = corners.map(|[x, y]| image(x, y));
         quasi_conformal(&positions, &uv, &[vec![0, 1, 2, 3]].into_iter().collect())
+    }
+
+    #[test]
+    fn a_face_has_the_greatest_error_of_its_triangles_and_none_without_area() {
+        let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+        let positions = corners.map(|[x, y]| [x, y, 0.0]);
+        // The second triangle of the square is sheared, the first is not.
+        let uv = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [-0.5, 1.0]];
+        let faces = [vec![0, 1, 2, 3], vec![0, 1, 2], vec![0, 1, 0]].into_iter().collect();
+        let errors = quasi_conformal(&positions, &uv, &faces);
+        let [quad, triangle, none] = errors.of_faces[..] else { panic!("three faces") };
+        assert_eq!(quad, errors.quasi_conformal.max);
+        assert!(quad > 1.5 && (triangle - 1.0).abs() < 1e-15 && none.is_nan(), "{errors:?}");
     }
 
     #[test]

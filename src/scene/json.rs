@@ -24,8 +24,8 @@ mod write;
 pub(super) use node::push_key;
 
 use super::{
-    Accelerator, HANDLE_WEIGHT, HandleSpec, Hold, MeshSource, Scene, SceneError, Smoothness,
-    SmoothnessOf, SolverSettings, Up, Weighting, Weights,
+    Accelerator, Factorization, HANDLE_WEIGHT, HandleSpec, Hold, MeshSource, Scene, SceneError,
+    Smoothness, SmoothnessOf, SolverSettings, Up, Weighting, Weights,
 };
 use crate::constraint::{Set, Sets};
 use crate::mesh::Point;
@@ -66,6 +66,8 @@ const ACCELERATORS: &[(&str, Accelerator)] = &[
     ("anderson", Accelerator::Anderson),
     ("none", Accelerator::None),
 ];
+const FACTORIZATIONS: &[(&str, Factorization)] =
+    &[("supernodal", Factorization::Supernodal), ("sprs-ldl", Factorization::SprsLdl)];
 
 /// The word that scene files use for `value`.
 fn word_of<T: PartialEq + Copy>(words: &[(&'static str, T)], value: T) -> &'static str {
@@ -273,6 +275,7 @@ fn read_solver(at: &At<'_>) -> Result<SolverSettings, SceneError> {
         "window",
         "mean_centring",
         "monotone",
+        "factorization",
     ])?;
     let mut solver = SolverSettings::default();
     if let Some(iterations) = at.get("iterations") {
@@ -292,6 +295,9 @@ fn read_solver(at: &At<'_>) -> Result<SolverSettings, SceneError> {
     }
     if let Some(monotone) = at.get("monotone") {
         solver.monotone = monotone.truth()?;
+    }
+    if let Some(factorization) = at.get("factorization") {
+        solver.factorization = factorization.one_of(FACTORIZATIONS)?;
     }
     Ok(solver)
 }

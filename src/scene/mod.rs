@@ -5,14 +5,17 @@
 //! | `json` | the serde form of the scene file, version 1, in and out |
 //! | `validate` | the checks that need the mesh |
 //! | `closeness` | what vertices are kept close to, and how much |
+//! | `frame` | the unit and the vertical axis of a mesh file, stated or guessed |
 //! | `examples` | the example scenes, on meshes that the project's own generators make |
 
 mod closeness;
 pub mod examples;
+mod frame;
 mod json;
 mod validate;
 
 pub use closeness::{BoundaryCloseness, Closeness, ClosenessTo, ClosenessWeight};
+pub use frame::Frame;
 pub use json::{FORMAT, VERSION};
 
 use crate::constraint::{Kind, Selector, Sets};
@@ -190,6 +193,8 @@ pub struct SolverSettings {
     /// Keep the nearer of the new and the previous projection, so that the total never rises with
     /// operators that are not exact either.
     pub monotone: bool,
+    /// What factors the normal matrix.
+    pub factorization: Factorization,
 }
 
 impl Default for SolverSettings {
@@ -201,6 +206,7 @@ impl Default for SolverSettings {
             window: 5,
             mean_centring: true,
             monotone: false,
+            factorization: Factorization::default(),
         }
     }
 }
@@ -214,6 +220,16 @@ pub enum Accelerator {
     QuasiNewton,
     /// Anderson acceleration.
     Anderson,
+}
+
+/// What factors the normal matrix. Both give the same shapes to rounding.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Factorization {
+    /// Dense blocks of columns with the same rows, one after another.
+    #[default]
+    Supernodal,
+    /// One column after another, with the crate of that name: the reference.
+    SprsLdl,
 }
 
 /// What is wrong with a scene, and where.

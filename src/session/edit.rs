@@ -1,11 +1,14 @@
 //! Edits of the document. Each is one step of undo, and fails without leaving a trace.
 
 use super::history::Snapshot;
-use super::{Session, resolve, solver};
+use super::holding::hold_close;
+use super::{Session, resolve, settings, solver};
 use crate::constraint::{Kind, KindError, Selector, Set};
 use crate::error::Error;
 use crate::mesh::Point;
-use crate::scene::{Closeness, ConstraintSpec, HANDLE_WEIGHT, Hold, Scene, SceneError, Weights};
+use crate::scene::{
+    Closeness, ConstraintSpec, HANDLE_WEIGHT, Hold, Scene, SceneError, Up, Weights,
+};
 use crate::solve::Handle;
 use serde_json::{Map, Value};
 
@@ -30,10 +33,52 @@ pub enum Edit {
         /// New values of parameters, as in scene files; those that are not here stay.
         params: Map<String, Value>,
     },
+    /// Adds a row like row `index` after it.
+    DuplicateConstraint {
+        /// Which row.
+        index: usize,
+    },
+    /// Gives a set a name, instead of what had that name.
+    NameSet {
+        /// Not empty.
+        name: String,
+        /// The set.
+        set: Set,
+    },
+    /// Takes a set away.
+    RemoveSet {
+        /// Its name.
+        name: String,
+    },
+    /// Gives one of the declared settings another value.
+    Set {
+        /// Its id.
+        id: String,
+        /// Its value, in one of its forms.
+        value: Value,
+    },
+    /// Keeps some vertices close more or less than the others.
+    HoldClose {
+        /// Which vertices; all of them where there is no list.
+        vertices: Option<Vec<u32>>,
+        /// A factor of the weight of closeness, not negative; 1 is as the others.
+        weight: f64,
+    },
+    /// Makes handles soft, with a weight.
+    WeighHandles {
+        /// Their vertices.
+        vertices: Vec<u32>,
+        /// Positive.
+        weight: f64,
+    },
     /// Replaces the weights of Eq. 13.
     SetWeights(Weights),
     /// Replaces what vertices are kept close to.
     SetCloseness(Closeness),
+    /// Says in which unit the coordinates are; they stay as they are. Empty when not known.
+    SetUnits(String),
+    /// Says which axis points up; the coordinates stay as they are.
+    SetUp(Up),
     /// Makes vertices handles where they are now; those that are handles already change how they hold.
     AddHandles {
         /// Which vertices.
@@ -171,10 +216,56 @@ impl Session {
             }
             Edit::SetConstraint { index, weight, enabled, params } => {
                 let spec = row(document, index)?;
+                let what = match (enabled, weight, params.is_empty()) {
+                    (Some(true), None, true) => "Switch on",
+                    (Some(false), None, true) => "Switch off",
+                    _ => "Change",
+                };
                 set_params(spec, index, params)?;
                 spec.weight = weight.unwrap_or(spec.weight);
                 spec.enabled = enabled.unwrap_or(spec.enabled);
-                format!("Change {}", spec.kind.info().label.to_lowercase())
+                format!("{what} {}", spec.kind.info().label.to_lowercase())
+            }
+            Edit::DuplicateConstraint { index } => {
+                let copy = row(document, index)?.clone();
+                let label = copy.kind.info().label.to_lowercase();
+                document.constraints.insert(index + 1, copy);
+                format!("Duplicate {label}")
+            }
+            Edit::NameSet { name, set } => {
+                if name.is_empty() || set == Set::default() {
+                    let message = "expected a name and something that it stands for".to_owned();
+                    return Err(SceneError { path: "sets".to_owned(), message });
+                }
+                let words = format!("Save set {name}");
+                document.sets.insert(name, set);
+                words
+            }
+            Edit::RemoveSet { name } => {
+                document.sets.remove(&name);
+                format!("Remove set {name}")
+            }
+            Edit::Set { id, value } => {
+                format!("Change setting: {}", settings::set(document, &id, &value)?)
+            }
+            Edit::HoldClose { vertices, weight } => {
+                match &vertices {
+                    Some(vertices) => hold_close(&mut document.closeness, vertices, weight),
+                    None => document.closeness.weights.clear(),
+                }
+                vertices.map_or("Hold all alike".to_owned(), |vertices| {
+                    format!("Hold {} close", counted(vertices.len()))
+                })
+            }
+            Edit::WeighHandles { vertices, weight } => {
+                if !(weight.is_finite() && weight > 0.0) {
+                    let message = format!("found {weight}, expected a number above 0");
+                    return Err(SceneError { path: "handles.weight".to_owned(), message });
+                }
+                for handle in handles.iter_mut().filter(|h| vertices.contains(&h.vertex)) {
+                    handle.hold = Hold::Soft { weight };
+                }
+                format!("Weigh {}", counted(vertices.len()))
             }
             Edit::SetWeights(weights) => {
                 document.weights = weights;
@@ -183,6 +274,14 @@ impl Session {
             Edit::SetCloseness(closeness) => {
                 document.closeness = closeness;
                 "Change closeness".to_owned()
+            }
+            Edit::SetUnits(units) => {
+                document.units = units;
+                "Change unit".to_owned()
+            }
+            Edit::SetUp(up) => {
+                document.up = up;
+                "Change up axis".to_owned()
             }
             Edit::AddHandles { vertices, fixed } => {
                 let hold = if fixed { Hold::Fixed } else { Hold::Soft { weight: HANDLE_WEIGHT } };
@@ -227,7 +326,7 @@ impl Session {
     fn go_to(&mut self, state: Snapshot) -> Result<(), Error> {
         let Snapshot { document, handles, positions, iteration } = state;
         let moved = self.positions() != positions;
-        if document == self.document {
+        if same_problem(&document, &self.document) {
             let same_holds = handles.len() == self.solver.handles().len()
                 && handles
                     .iter()
@@ -245,17 +344,53 @@ impl Session {
             if moved {
                 self.solver.set_positions(&positions);
             }
+        } else if self.differs_in_weights(&document) {
+            document.validate(&self.mesh)?;
+            let old = self.solver.handles().to_vec();
+            if let Err(error) = self.solver.reweigh(document.weights, handles) {
+                self.solver.reweigh(self.document.weights, old)?;
+                return Err(error.into());
+            }
+            if moved {
+                self.solver.set_positions(&positions);
+            }
+            self.document = document;
         } else {
             document.validate(&self.mesh)?;
             let rows = resolve::rows(&document, &self.mesh, &self.topology)?;
-            self.solver =
-                solver(&document, &self.mesh, &self.topology, &rows, handles, &positions)?;
+            // A set that nothing uses needs no other solver.
+            let mut as_before = document.clone();
+            as_before.sets.clone_from(&self.document.sets);
+            let unused = same_problem(&as_before, &self.document)
+                && rows == self.rows
+                && !moved
+                && as_before.closeness.weights.is_empty()
+                && handles == self.solver.handles();
+            if !unused {
+                let (mesh, topology) = (&self.mesh, &self.topology);
+                let kept = self.solver.kept();
+                self.solver = solver(&document, mesh, topology, &rows, kept, handles, &positions)?;
+            }
             self.rows = rows;
             self.document = document;
         }
-        self.iteration = iteration;
+        self.arrive(iteration);
         Ok(())
     }
+
+    /// Whether a document is the current one but for weights that the solver can replace.
+    fn differs_in_weights(&self, document: &Scene) -> bool {
+        let same = Scene { weights: self.document.weights, ..document.clone() };
+        same_problem(&same, &self.document) && self.solver.can_reweigh(document.weights)
+    }
+}
+
+/// Whether two documents differ in nothing that the solver knows of.
+fn same_problem(a: &Scene, b: &Scene) -> bool {
+    let mut a = a.clone();
+    a.units.clone_from(&b.units);
+    a.up = b.up;
+    a == *b
 }
 
 fn row(document: &mut Scene, index: usize) -> Result<&mut ConstraintSpec, SceneError> {

@@ -1,13 +1,27 @@
-//! What hosts show of a session: errors of faces, members of constraints.
+//! What hosts show of a session: members of constraints.
 
 use super::Session;
 use super::acting::Cover;
-use crate::mesh::Measures;
+use crate::constraint::{Element, Selector};
 
 impl Session {
-    /// How planar and circular the faces are now.
-    pub fn measures(&self) -> Measures {
-        Measures::new(&self.positions(), &self.mesh.faces, self.diameter)
+    /// What row `index` asks of single faces, as the id of a measure: that of its kind, if each of
+    /// its constraints is on one face.
+    pub fn asked_measure(&self, index: usize) -> Option<&'static str> {
+        let row = self.document.constraints.get(index)?;
+        let of_faces = matches!(row.on, Selector::Each { element: Element::Face, radius: 0, .. });
+        row.kind.info().measure.filter(|_| of_faces)
+    }
+
+    /// How many vertices are kept close more or less than the others.
+    pub fn held_otherwise(&self) -> usize {
+        let closeness = &self.document.closeness;
+        if closeness.weights.is_empty() {
+            return 0;
+        }
+        let factors = closeness.factors(&self.mesh, &self.topology, &self.document.sets);
+        let factors = factors.expect("the document was resolved when it was taken over");
+        factors.iter().filter(|&&factor| factor != 1.0).count()
     }
 
     /// The faces and the vertices that row `index` acts on, ascending; a face counts when one of the

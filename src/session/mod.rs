@@ -9,32 +9,48 @@
 //! | `resolve` | rows of constraints: selectors resolved, misfits counted |
 //! | `history` | undo and redo |
 //! | `acting` | which row of constraints each face and vertex belongs to |
-//! | `inspect` | what hosts show of a session: errors of faces, members |
+//! | `face_measure` | the numbers per face that hosts colour and list |
+//! | `holding` | how much single vertices are kept close |
+//! | `inspect` | what hosts show of a session: members of constraints |
 //! | `preview` | what adding constraints would make |
 //! | `projected` | the projections of the constraints, to be drawn |
 //! | `report` | the report of design section 6 |
+//! | `selection` | selecting by what the mesh is like |
+//! | `settings` | the declared settings of a scene |
+//! | `tables` | errors and energies as CSV |
+//! | `trace` | the energies of the iterations |
 
 mod acting;
 mod edit;
+mod face_measure;
 mod history;
+mod holding;
 mod inspect;
 mod preview;
 mod projected;
 mod report;
 mod resolve;
+mod selection;
+mod settings;
+mod tables;
+mod trace;
 
 pub use acting::ActingRows;
 pub use edit::{Edit, NewConstraint, Place};
+pub use face_measure::{FACE_MEASURES, FaceMeasure, MeasureUnit};
 pub use preview::Preview;
 pub use projected::Projections;
 pub use report::{EnergyReport, Report, Seconds, TraceEntry};
 pub use resolve::ResolvedRow;
+pub use selection::{Mode, OPERATIONS, Operation, SelectRequest, Selection};
+pub use settings::{SETTINGS, Setting, settings_of};
 
 use crate::error::Error;
-use crate::mesh::{BoundingSphere, Mesh, Point, Topology};
-use crate::scene::{HandleSpec, Hold, Scene};
-use crate::solve::{Constraints, Energy, Handle, Problem, Solver};
+use crate::mesh::{BoundingSphere, Mesh, Point, Topology, write_obj};
+use crate::scene::{Frame, HandleSpec, Hold, Scene};
+use crate::solve::{Constraints, Energy, Handle, Kept, Problem, Solver};
 use history::{History, Snapshot};
+use trace::Trace;
 
 /// A scene that is open.
 pub struct Session {
@@ -49,7 +65,7 @@ pub struct Session {
     /// See [`Session::iteration`].
     iteration: u32,
     initial: Energy,
-    trace: Option<Vec<TraceEntry>>,
+    trace: Option<Trace>,
     load_seconds: f64,
     history: History,
     gesture: Option<Gesture>,
@@ -85,7 +101,7 @@ impl Session {
         let start = scene.current.take().unwrap_or_else(|| mesh.positions.clone());
         let handles = flat(&std::mem::take(&mut scene.handles), &mesh.positions);
         let rows = resolve::rows(&scene, &mesh, &topology)?;
-        let solver = solver(&scene, &mesh, &topology, &rows, handles, &start)?;
+        let solver = solver(&scene, &mesh, &topology, &rows, Kept::default(), handles, &start)?;
         let initial = solver.energy();
         Ok(Session {
             diameter: BoundingSphere::of(&mesh.positions).diameter(),
@@ -115,6 +131,10 @@ impl Session {
     pub fn solver(&self) -> &Solver {
         &self.solver
     }
+    /// The solver alone, for whom only energies and gradients matter.
+    pub fn into_solver(self) -> Solver {
+        self.solver
+    }
     /// The document; its handles are those of the solver.
     pub fn document(&self) -> &Scene {
         &self.document
@@ -140,6 +160,12 @@ impl Session {
         }
     }
 
+    /// The current shape as the text of an OBJ file, with the unit and the axis that are known.
+    pub fn obj(&self) -> String {
+        let comments = Frame::comments(&self.document.units, self.document.up);
+        comments + &write_obj(&self.mesh, &self.positions())
+    }
+
     /// The scene as it stands, with current positions when they are not at rest.
     pub fn scene(&self) -> Scene {
         let mut scene = self.document.clone();
@@ -156,8 +182,9 @@ impl Session {
     pub fn step(&mut self) -> Result<Step, Error> {
         self.solver.step()?;
         self.iteration += 1;
+        let entry = self.trace_entry();
         if let Some(trace) = &mut self.trace {
-            trace.push(TraceEntry::new(self.iteration, self.solver.energy()));
+            trace.push(entry);
         }
         Ok(Step { converged: self.solver.converged() })
     }
@@ -181,12 +208,16 @@ impl Session {
 
     /// Records the energies of every iteration from here on, this one included.
     pub fn start_trace(&mut self) {
-        self.trace = Some(vec![TraceEntry::new(self.iteration, self.solver.energy())]);
+        self.trace = Some(Trace::from(self.trace_entry()));
     }
 
     /// The energies recorded since the last call.
     pub fn take_trace(&mut self) -> Vec<TraceEntry> {
-        self.trace.as_mut().map(std::mem::take).unwrap_or_default()
+        self.trace.as_mut().map(Trace::news).unwrap_or_default()
+    }
+
+    fn trace_entry(&self) -> TraceEntry {
+        TraceEntry::new(self.iteration, self.solver.energy())
     }
 
     /// Begins to drag vertices that are handles; targets move until [`Session::end_drag`].
@@ -208,6 +239,7 @@ impl Session {
         if !keep {
             self.solver.move_handles(gesture.before.handles.iter().map(|h| (h.vertex, h.target)));
             self.solver.set_positions(&gesture.before.positions);
+            self.arrive(gesture.before.iteration);
         } else if moved {
             self.history.push("Move handle".to_owned(), gesture.before);
         }
@@ -233,6 +265,15 @@ impl Session {
         }
     }
 
+    /// Counts on from `iteration` after a jump to a state from before or after.
+    fn arrive(&mut self, iteration: u32) {
+        self.iteration = iteration;
+        let entry = self.trace_entry();
+        if let Some(trace) = &mut self.trace {
+            trace.go_to(entry);
+        }
+    }
+
     fn begin(&mut self, kind: GestureKind) {
         self.end_run();
         self.end_drag(true);
@@ -251,6 +292,7 @@ fn solver(
     mesh: &Mesh,
     topology: &Topology,
     rows: &[ResolvedRow],
+    kept: Kept,
     handles: Vec<Handle>,
     start: &[Point],
 ) -> Result<Solver, Error> {
@@ -267,7 +309,7 @@ fn solver(
         smoothness: document.smoothness,
         settings: document.solver,
     };
-    Ok(Solver::new(&problem, handles, start)?)
+    Ok(Solver::new(&problem, kept, handles, start)?)
 }
 
 /// One handle per vertex.

@@ -127,7 +127,7 @@ impl Session {
                 iterate: self.solver.iterate_seconds().total(),
                 parts: self.solver.iterate_seconds(),
             },
-            trace: self.trace.clone(),
+            trace: self.trace.as_ref().map(|trace| trace.entries().to_vec()),
         }
     }
 }

@@ -5,6 +5,8 @@
 //! shape constraint, one row of the Laplacian for smoothness, the star of a big constraint.
 
 use crate::mesh::Ragged;
+use std::ops::Range;
+use std::rc::Rc;
 
 /// Terms of one energy, each `diagonal * I + outer * a a^T` on its nodes.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -87,16 +89,53 @@ impl Occurrences {
     }
 }
 
-/// The upper triangle of a symmetric matrix in compressed columns, rows ascending, diagonal
-/// included in every column.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Normal {
+/// Where the upper triangle of a symmetric matrix has entries, in compressed columns, rows
+/// ascending, diagonal included in every column.
+#[derive(Debug, PartialEq)]
+pub(super) struct Pattern {
     /// `#nodes + 1`.
     pub columns: Vec<u32>,
     /// Row of each entry.
     pub rows: Vec<u32>,
+}
+
+impl Pattern {
+    /// From the neighbours of each node (see [`adjacency`]).
+    pub(super) fn new(adjacency: &Ragged) -> Pattern {
+        let (mut columns, mut rows) = (vec![0], Vec::new());
+        for (v, neighbours) in (0..).zip(adjacency.iter()) {
+            rows.extend(neighbours.iter().filter(|&&u| u < v));
+            rows.push(v);
+            columns.push(rows.len() as u32);
+        }
+        Pattern { columns, rows }
+    }
+
+    /// The entries of column `v`, its diagonal last.
+    pub(super) fn column(&self, v: usize) -> Range<usize> {
+        self.columns[v] as usize..self.columns[v + 1] as usize
+    }
+}
+
+/// The upper triangle of the normal matrix.
+#[derive(Clone, Debug)]
+pub(super) struct Normal {
+    /// Where its entries are.
+    pub pattern: Rc<Pattern>,
     /// Value of each entry.
     pub values: Vec<f64>,
+}
+
+impl Normal {
+    /// Zeros.
+    pub(super) fn new(pattern: Rc<Pattern>) -> Normal {
+        Normal { values: vec![0.0; pattern.rows.len()], pattern }
+    }
+
+    /// The entry of `v` on the diagonal.
+    pub(super) fn diagonal(&mut self, v: usize) -> &mut f64 {
+        &mut self.values[self.pattern.columns[v + 1] as usize - 1]
+    }
 }
 
 /// The pattern of the whole symmetric matrix without its diagonal, as ordering wants it:
@@ -139,16 +178,9 @@ impl Assembler {
         Assembler { energies, occurrences, n }
     }
 
-    /// The pattern with zeros, from the neighbours of each node (see [`adjacency`]).
-    pub(super) fn pattern(&self, adjacency: &Ragged) -> Normal {
-        let (mut columns, mut rows) = (vec![0], Vec::new());
-        for v in 0..self.n as u32 {
-            rows.extend(adjacency.row(v as usize).iter().filter(|&&u| u < v));
-            rows.push(v);
-            columns.push(rows.len() as u32);
-        }
-        let values = vec![0.0; rows.len()];
-        Normal { columns, rows, values }
+    /// Replaces `a` of every term of an energy, an entry for each entry of its nodes.
+    pub(super) fn set_coefficients(&mut self, energy: usize, a: &[f64]) {
+        self.energies[energy].a.copy_from_slice(a);
     }
 
     /// Fills `normal` with `sum_k scales[k] * energies[k] + diag(diagonal)`.
@@ -162,30 +194,31 @@ impl Assembler {
         fixed: &[bool],
         normal: &mut Normal,
     ) {
-        normal.values.fill(0.0);
+        let Normal { pattern, values } = normal;
+        values.fill(0.0);
         let mut slot = vec![0u32; self.n];
         for v in 0..self.n {
-            let entries = normal.columns[v] as usize..normal.columns[v + 1] as usize;
+            let entries = pattern.column(v);
             let last = entries.end - 1;
             if fixed[v] {
-                normal.values[last] = 1.0;
+                values[last] = 1.0;
                 continue;
             }
             for k in entries {
-                slot[normal.rows[k] as usize] = k as u32;
+                slot[pattern.rows[k] as usize] = k as u32;
             }
-            normal.values[last] = diagonal[v];
+            values[last] = diagonal[v];
             for ((terms, occurrences), &scale) in
                 self.energies.iter().zip(&self.occurrences).zip(scales)
             {
                 for &[t, entry] in occurrences.of(v) {
                     let [on_diagonal, outer] = terms.coefficients[t as usize];
-                    normal.values[last] += scale * on_diagonal;
+                    values[last] += scale * on_diagonal;
                     let factor = scale * outer * terms.a[entry as usize];
                     let first = terms.nodes.offsets()[t as usize] as usize;
                     for (k, &u) in terms.nodes.row(t as usize).iter().enumerate() {
                         if u as usize <= v && !fixed[u as usize] {
-                            normal.values[slot[u as usize] as usize] += factor * terms.a[first + k];
+                            values[slot[u as usize] as usize] += factor * terms.a[first + k];
                         }
                     }
                 }

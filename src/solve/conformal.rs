@@ -7,11 +7,10 @@
 //! form. Its smallest eigenvector beside the constants is the map.
 
 use super::assemble::Terms;
-use super::subspace::smallest_pair;
+use super::subspace::{Pair, smallest};
 use super::{SolveError, System, clock};
-use crate::constraint::Row;
 use crate::math::{PrincipalAxes, Vec3, centre};
-use crate::mesh::{Mesh, Point, QuasiConformal, Topology, components, quasi_conformal};
+use crate::mesh::{MapErrors, Mesh, Point, Topology, components, quasi_conformal};
 use serde::Serialize;
 
 /// The weights `w_i` of Eq. 14.
@@ -65,10 +64,8 @@ pub struct Parametrization {
     pub parts: usize,
     /// Parts without a boundary.
     pub closed_parts: usize,
-    /// The quasi-conformal error.
-    pub quasi_conformal: QuasiConformal,
-    /// Triangles that the map turns over.
-    pub flipped: usize,
+    /// The quasi-conformal error, of each face too, and the triangles that the map turns over.
+    pub errors: MapErrors,
     /// What it took.
     pub seconds: ConformalSeconds,
 }
@@ -113,8 +110,7 @@ impl Parametrization {
             eigenvalue: 0.0,
             parts: 0,
             closed_parts: 0,
-            quasi_conformal: QuasiConformal::default(),
-            flipped: 0,
+            errors: MapErrors::default(),
             seconds: ConformalSeconds::default(),
         };
         let (mut greatest, mut edge) = (0.0, 0.0);
@@ -137,8 +133,7 @@ impl Parametrization {
             result.parts += 1;
             result.closed_parts += usize::from(is_closed);
         }
-        (result.quasi_conformal, result.flipped) =
-            quasi_conformal(&mesh.positions, &result.uv, &mesh.faces);
+        result.errors = quasi_conformal(&mesh.positions, &result.uv, &mesh.faces);
         Ok(result)
     }
 }
@@ -186,8 +181,10 @@ impl Face {
         let mut points: Vec<Vec3<f64>> =
             vertices.iter().map(|&v| positions[v as usize].into()).collect();
         centre(&mut points);
-        let scale = PrincipalAxes::rotate(&mut points).scale;
-        let mut flat: Vec<[f64; 2]> = points.iter().map(|p| [p.x * scale, p.y * scale]).collect();
+        let mut flat = match points[..] {
+            [a, b, c] => flat_triangle(a, b, c),
+            _ => flat_polygon(points),
+        };
         let n = flat.len();
         let cross = |k: usize| {
             let ([a, b], [c, d]) = (flat[k], flat[(k + 1) % n]);
@@ -263,16 +260,16 @@ impl Part {
         seconds.assemble += clock::now() - started;
         let mut system = System::new(n, &[terms]);
         let shift = SHIFT * diagonal / degrees.max(1.0);
-        let mut mass = vec![0.0; n];
-        let mut kernel = vec![0; n];
-        for v in 0..self.vertices.len() {
-            for k in 0..2 {
-                let node = system.node_of()[2 * v + k] as usize;
-                mass[node] = f64::from(u8::from(counts[v]));
-                kernel[node] = k as u8;
+        let node_of = system.node_of();
+        let nodes: Vec<[u32; 2]> =
+            (0..self.vertices.len()).map(|v| [node_of[2 * v], node_of[2 * v + 1]]).collect();
+        let counted: Vec<u32> = (0..).zip(counts).filter(|(_, c)| **c).map(|(v, _)| v).collect();
+        let mut shifts = vec![0.0; n];
+        for &v in &counted {
+            for node in nodes[v as usize] {
+                shifts[node as usize] = shift;
             }
         }
-        let shifts: Vec<f64> = mass.iter().map(|mass| shift * mass).collect();
         system.factor(&[1.0], &shifts, vec![false; n]).map_err(|error| match error {
             SolveError::NotPositiveDefinite { vertex } => {
                 SolveError::NotPositiveDefinite { vertex: self.vertices[vertex as usize / 2] }
@@ -284,28 +281,11 @@ impl Part {
         seconds.factor += system.seconds.factor;
 
         let iterating = clock::now();
-        let start = self.start(&system, n);
-        let pair = smallest_pair(&mut system, &mass, &kernel, start).ok_or_else(singular)?;
-        let at = |v: usize, k: usize| pair[system.node_of()[2 * v + k] as usize][0];
-        let map: Vec<[f64; 2]> = (0..self.vertices.len()).map(|v| [at(v, 0), at(v, 1)]).collect();
+        let start = counted.iter().map(|&v| start(v as usize)).collect();
+        let map = smallest(&mut system, &nodes, &counted, start).ok_or_else(singular)?;
         let energy: f64 = faces().map(|face| face.weight(weights) * face.distance(&map)).sum();
         seconds.iterate += clock::now() - iterating;
         Ok((map, energy))
-    }
-
-    /// Two pairs of vectors to begin with, each a map and the same map turned by a right angle: what is
-    /// in no way special has some of every eigenvector.
-    fn start(&self, system: &System, n: usize) -> Vec<Row> {
-        let mut start = vec![[0.0; 4]; n];
-        let scattered =
-            |v: usize, k: usize| ((v * 7919 + k * 104_729) % 1009) as f64 / 1009.0 - 0.5;
-        for v in 0..self.vertices.len() {
-            let [x, y] = [0, 1].map(|k| system.node_of()[2 * v + k] as usize);
-            let [a, b, c, d] = [0, 1, 2, 3].map(|k| scattered(v, k));
-            start[x] = [a, -b, c, -d];
-            start[y] = [b, a, d, c];
-        }
-        start
     }
 
     /// The map with the area of the surface, its longest axis along the first coordinate and its least
@@ -345,6 +325,30 @@ impl Part {
     }
 }
 
+/// Centred points in their least-squares plane.
+fn flat_polygon(mut points: Vec<Vec3<f64>>) -> Vec<[f64; 2]> {
+    let scale = PrincipalAxes::rotate(&mut points).scale;
+    points.iter().map(|p| [p.x * scale, p.y * scale]).collect()
+}
+
+/// A centred triangle in its own plane, with its first side along the first axis.
+fn flat_triangle(a: Vec3<f64>, b: Vec3<f64>, c: Vec3<f64>) -> Vec<[f64; 2]> {
+    let (along, across) = (b - a, c - a);
+    let base = along.length();
+    if base == 0.0 {
+        return vec![[0.0; 2]; 3];
+    }
+    let (foot, height) = (along.dot(across) / base, along.cross(across).length() / base);
+    let (x, y) = ((base + foot) / 3.0, height / 3.0);
+    vec![[-x, -y], [base - x, -y], [foot - x, height - y]]
+}
+
+/// Vectors to begin with, at one vertex: what is in no way special has some of every eigenvector.
+fn start(vertex: usize) -> Pair {
+    let scattered = |k: usize| ((vertex * 7919 + k * 104_729) % 1009) as f64 / 1009.0 - 0.5;
+    [0, 4].map(|first| std::array::from_fn(|k| scattered(first + k)))
+}
+
 impl Face {
     /// The signed area in the map.
     fn area_in(&self, map: &[[f64; 2]]) -> f64 {
@@ -358,10 +362,26 @@ impl Face {
 /// Adds `w (|N u|^2 - |z* u|^2 / |z|^2)`, where vertex `v` has the unknowns `2 v` and `2 v + 1`.
 fn push_terms(terms: &mut Terms, face: &Face, weight: f64) {
     let nodes: Vec<u32> = face.corners.iter().flat_map(|&v| [2 * v, 2 * v + 1]).collect();
-    let n = face.corners.len() as f64;
+    let n = face.corners.len();
     let flat = || face.flat.iter();
-    terms.push(&nodes, flat().flat_map(|_| [1.0, 0.0]), weight, -weight / n);
-    terms.push(&nodes, flat().flat_map(|_| [0.0, 1.0]), 0.0, -weight / n);
+    if n == 3 {
+        // Beside the constants and the multiples of z there is one direction left, so that the energy is
+        // the square of one complex number: the sum of the u, each times the side opposite to it.
+        let opposite = || {
+            (0..3).map(|k| {
+                let ([a, b], [c, d]) = (face.flat[(k + 1) % 3], face.flat[(k + 2) % 3]);
+                [c - a, d - b]
+            })
+        };
+        let outer = weight / (3.0 * face.squares);
+        terms.push(&nodes, opposite().flat_map(|[a, b]| [a, -b]), 0.0, outer);
+        terms.push(&nodes, opposite().flat_map(|[a, b]| [b, a]), 0.0, outer);
+        return;
+    }
+    for part in 0..2 {
+        let nodes: Vec<u32> = face.corners.iter().map(|&v| 2 * v + part).collect();
+        terms.push(&nodes, flat().map(|_| 1.0), weight, -weight / n as f64);
+    }
     // The real and the imaginary part of z* u.
     let outer = -weight / face.squares;
     terms.push(&nodes, flat().flat_map(|&[a, b]| [a, b]), 0.0, outer);

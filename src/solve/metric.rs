@@ -4,9 +4,12 @@
 //! `f32` has few powers of ten, and weights and units may be anything: matrix and gradients are
 //! scaled by powers of two before they are rounded, which changes no digit of a step.
 
-use super::panels::{Columns, Panels};
+use super::panels::Panels;
+use super::rank_one::Change;
+use super::symbolic::Symbolic;
 use crate::constraint::Row;
 use crate::math::Lane;
+use std::rc::Rc;
 
 /// A row in single precision, one 128-bit register.
 pub(super) type SingleRow = [f32; 4];
@@ -25,17 +28,32 @@ pub(super) struct Metric {
 }
 
 impl Metric {
-    /// Lays out and fills the panels; see [`Panels::new`]. Columns that are `fixed` are no unknowns.
-    pub(super) fn new(l: Columns<'_>, pivots: &[f64], fixed: &[u32]) -> Metric {
-        let (unit, scaled) = scaled(pivots, fixed);
-        Metric { panels: Panels::new(l, &scaled), unit }
+    /// Lays out panels, which are to be stored or filled; see [`Panels::new`].
+    pub(super) fn new(symbolic: Rc<Symbolic>) -> Metric {
+        Metric { panels: Panels::new(symbolic), unit: 1.0 }
     }
 
-    /// Fills the panels with other values in the same pattern.
-    pub(super) fn fill(&mut self, l: Columns<'_>, pivots: &[f64], fixed: &[u32]) {
+    /// The panels, to be stored or filled.
+    pub(super) fn panels(&mut self) -> &mut Panels<f32> {
+        &mut self.panels
+    }
+
+    /// Replaces `D`. Columns that are `fixed` are no unknowns.
+    pub(super) fn set_pivots(&mut self, pivots: &[f64], fixed: &[u32]) {
         let (unit, scaled) = scaled(pivots, fixed);
         self.unit = unit;
-        self.panels.fill(l, &scaled);
+        self.panels.set_pivots(&scaled);
+    }
+
+    /// Changes the factor as [`Panels::change`] does.
+    pub(super) fn change(&mut self, column: u32, change: Change) {
+        self.panels.change(
+            column,
+            match change {
+                Change::Weight(weight) => Change::Weight(weight / self.unit),
+                Change::Fix => Change::Fix,
+            },
+        );
     }
 
     /// What gradients are multiplied by before they are rounded, a power of two that fits `gradient`.

@@ -5,11 +5,13 @@
 //! | `shape`, `close`, `smooth`, `hold` | the energies of Eq. 13, each with its gradient and its part of the matrix |
 //! | `energy` | their weighted total |
 //! | `assemble` | the normal matrix `Q^T Q` in compressed columns |
-//! | `order` | the order of elimination |
-//! | `factor`, `panels`, `scalar` | `L D L^T`, and the triangular sweeps in single or double precision |
+//! | `elimination_tree`, `order`, `symbolic`, `ordered` | the order of elimination, and what follows from the pattern |
+//! | `dense`, `supernodal`, `factor` | `L D L^T` |
+//! | `panels`, `scalar` | the triangular sweeps in single or double precision |
+//! | `rank_one` | the factor after one more vertex is held |
 //! | `metric` | the inverse in single precision, for accelerated steps |
 //! | `system` | these together: the linear system of the global step |
-//! | `solver` | the iteration |
+//! | `solver`, `kept` | the iteration, and what one solver leaves to the next |
 //! | `accelerate`, `quasi_newton`, `anderson` | steps that learn from the steps before |
 //! | `conformal`, `subspace` | conformal parametrisation (Eq. 14), and its eigenvector |
 
@@ -19,23 +21,32 @@ mod assemble;
 pub mod clock;
 mod close;
 mod conformal;
+mod dense;
+mod elimination_tree;
 mod energy;
 mod factor;
 mod hold;
+mod kept;
 mod metric;
 mod order;
+mod ordered;
 mod panels;
 mod quasi_newton;
+mod rank_one;
 mod scalar;
 mod shape;
 mod smooth;
 mod solver;
 mod subspace;
+mod supernodal;
+mod symbolic;
 mod system;
 
+pub use assemble::Terms;
 pub use conformal::{ConformalNorm, ConformalSeconds, ConformalWeights, Parametrization};
 pub use energy::{Energy, IterateSeconds};
 pub use hold::Handle;
+pub use kept::Kept;
 pub use shape::Constraints;
 pub use solver::{Problem, Solver};
 pub use system::{SetUpSeconds, System};

@@ -1,11 +1,13 @@
 //! The factor `L D L^T` copied into dense panels, and the two triangular sweeps over them.
 //!
-//! Columns with (nearly) the same rows form a supernode, and each supernode is cut into panels of a
-//! few columns. A panel stores its values row by row without indices between them, so that
+//! Each supernode is cut into panels of a few columns. A panel stores its values row by row without indices between them, so that
 //! one load of `x` serves all its columns, and x, y and z are solved together. Rows are padded to four
 //! values: one 128-bit register in single precision, two in double.
 
 use super::scalar::Scalar;
+use super::supernodal::Front;
+use super::symbolic::Symbolic;
+use std::rc::Rc;
 
 /// The strict lower triangle of a factor in compressed columns, rows ascending.
 #[derive(Clone, Copy)]
@@ -25,100 +27,117 @@ impl<'a> Columns<'a> {
     }
 }
 
-struct Panel {
+/// No panel of either precision has more columns.
+pub(super) const MOST_COLUMNS: usize = 6;
+
+pub(super) struct Panel {
     /// Its first column.
-    first: u32,
+    pub first: u32,
     /// Its columns.
-    width: u32,
-    /// Where its rows start in [`Panels::rows`].
-    rows: u32,
+    pub width: u32,
+    /// Where its rows start in [`Symbolic::all_rows`].
+    pub rows: u32,
     /// Its rows below its own columns.
-    height: u32,
+    pub height: u32,
     /// Where its values start: the strict lower triangle of its own columns, row by row, then
     /// `height` by `width`, row by row.
-    values: u32,
+    pub values: u32,
 }
 
 /// A factor in panels of single or double precision.
 pub(super) struct Panels<S> {
-    panels: Vec<Panel>,
-    /// The rows of each supernode, its own columns first, ascending.
-    rows: Vec<u32>,
-    values: Vec<S>,
+    pub(super) symbolic: Rc<Symbolic>,
+    pub(super) panels: Vec<Panel>,
+    /// Where the panels of each supernode start, and where the last ones end.
+    pub(super) starts: Vec<u32>,
+    pub(super) values: Vec<S>,
     /// `1 / D`, one for each column.
-    inverse_pivots: Vec<S>,
-    /// First column of each supernode, and the number of columns.
-    supernodes: Vec<u32>,
-    /// Where the rows of each supernode start in `rows`.
-    row_starts: Vec<u32>,
+    pub(super) inverse_pivots: Vec<S>,
 }
 
 impl<S: Scalar> Panels<S> {
-    /// Lays out panels for the pattern of `l`, which is in a postorder of its elimination tree, and
-    /// fills them.
-    pub(super) fn new(l: Columns<'_>, pivots: &[f64]) -> Self {
-        let supernodes = supernodes(l, S::MOST_ZEROS);
-        let (mut rows, mut row_starts, mut panels) = (Vec::new(), Vec::new(), Vec::new());
-        let mut n_values = 0;
-        for supernode in supernodes.windows(2) {
-            let (start, end) = (supernode[0], supernode[1]);
-            row_starts.push(rows.len() as u32);
-            rows.extend(start..end);
-            rows.extend_from_slice(l.column(end as usize - 1).0);
-            let mut first = start;
-            while first < end {
+    /// Lays out panels for the supernodes of a factor; their values are to be stored or filled.
+    pub(super) fn new(symbolic: Rc<Symbolic>) -> Self {
+        let (mut panels, mut starts) = (Vec::new(), vec![0]);
+        let (mut n_values, mut n_columns) = (0, 0);
+        for s in 0..symbolic.count() {
+            let (columns, height) = (symbolic.columns(s), symbolic.rows(s).len());
+            n_columns = columns.end;
+            let mut first = columns.start;
+            while first < columns.end {
                 // Even widths rather than a full panel and a narrow rest.
-                let left = (end - first) as usize;
-                let width = left.div_ceil(left.div_ceil(S::PANEL_WIDTH)) as u32;
-                let rows_start = row_starts[row_starts.len() - 1] + (first - start) + width;
-                let height = rows.len() as u32 - rows_start;
-                panels.push(Panel { first, width, rows: rows_start, height, values: n_values });
-                n_values += width * (width - 1) / 2 + width * height;
+                let left = columns.end - first;
+                let width = left.div_ceil(left.div_ceil(S::PANEL_WIDTH));
+                let above = first - columns.start + width;
+                let below = height - above;
+                panels.push(Panel {
+                    first: first as u32,
+                    width: width as u32,
+                    rows: symbolic.row_start(s) + above as u32,
+                    height: below as u32,
+                    values: n_values as u32,
+                });
+                n_values += width * (width - 1) / 2 + width * below;
                 first += width;
             }
+            starts.push(panels.len() as u32);
         }
-        let mut laid_out = Panels {
+        Panels {
+            symbolic,
             panels,
-            rows,
-            values: vec![S::ZERO; n_values as usize],
-            inverse_pivots: vec![S::ZERO; pivots.len()],
-            supernodes,
-            row_starts,
-        };
-        laid_out.fill(l, pivots);
-        laid_out
+            starts,
+            values: vec![S::ZERO; n_values],
+            inverse_pivots: vec![S::ZERO; n_columns],
+        }
     }
 
-    /// Fills the panels with other values in the same pattern.
-    pub(super) fn fill(&mut self, l: Columns<'_>, pivots: &[f64]) {
+    /// Stores supernode `s`, whose columns are factored.
+    pub(super) fn store(&mut self, s: usize, front: &Front<'_>) {
+        let start = self.symbolic.columns(s).start;
+        for panel in &self.panels[self.starts[s] as usize..self.starts[s + 1] as usize] {
+            let (first, width) = (panel.first as usize - start, panel.width as usize);
+            let values = &mut self.values[panel.values as usize..];
+            let (triangle, block) = values.split_at_mut(width * (width - 1) / 2);
+            for c in 0..width {
+                let mut column = front.column(first + c, first + c + 1);
+                for (a, value) in (c + 1..width).zip(&mut column) {
+                    triangle[a * (a - 1) / 2 + c] = S::rounded(value);
+                }
+                let to = block.iter_mut().skip(c).step_by(width);
+                to.zip(column).for_each(|(to, value)| *to = S::rounded(value));
+            }
+        }
+    }
+
+    /// Replaces `D`.
+    pub(super) fn set_pivots(&mut self, pivots: &[f64]) {
         for (inverse, pivot) in self.inverse_pivots.iter_mut().zip(pivots) {
             *inverse = S::rounded(1.0 / pivot);
         }
+    }
+
+    /// Fills the panels with the columns of a factor.
+    pub(super) fn fill(&mut self, l: Columns<'_>) {
         self.values.fill(S::ZERO);
-        let mut panels = self.panels.iter();
-        for (s, supernode) in self.supernodes.windows(2).enumerate() {
-            let rows_end = self.row_starts.get(s + 1).map_or(self.rows.len(), |&r| r as usize);
-            let mut first = supernode[0];
-            while first < supernode[1] {
-                let panel = panels.next().expect("the panels of a supernode cover its columns");
-                let below = &self.rows[panel.rows as usize..rows_end];
-                for c in 0..panel.width {
-                    let (rows, values) = l.column((first + c) as usize);
-                    let mut k = 0;
-                    for (&row, &value) in rows.iter().zip(values) {
-                        let place = if row < first + panel.width {
-                            let a = row - first;
-                            a * (a - 1) / 2 + c
-                        } else {
-                            while below[k] != row {
-                                k += 1;
-                            }
-                            panel.width * (panel.width - 1) / 2 + k as u32 * panel.width + c
-                        };
-                        self.values[(panel.values + place) as usize] = S::rounded(value);
-                    }
+        let rows = self.symbolic.all_rows();
+        for panel in &self.panels {
+            let below = &rows[panel.rows as usize..][..panel.height as usize];
+            let (first, width) = (panel.first, panel.width);
+            for c in 0..width {
+                let (rows, values) = l.column((first + c) as usize);
+                let mut k = 0;
+                for (&row, &value) in rows.iter().zip(values) {
+                    let place = if row < first + width {
+                        let a = row - first;
+                        a * (a - 1) / 2 + c
+                    } else {
+                        while below[k] != row {
+                            k += 1;
+                        }
+                        width * (width - 1) / 2 + k as u32 * width + c
+                    };
+                    self.values[(panel.values + place) as usize] = S::rounded(value);
                 }
-                first += panel.width;
             }
         }
     }
@@ -153,7 +172,7 @@ impl<S: Scalar> Panels<S> {
     /// The rows below a panel, its triangle and its block of values.
     #[inline(always)]
     fn parts<const W: usize>(&self, panel: &Panel) -> (&[u32], &[S], &[[S; W]]) {
-        let rows = &self.rows[panel.rows as usize..][..panel.height as usize];
+        let rows = &self.symbolic.all_rows()[panel.rows as usize..][..panel.height as usize];
         let size = W * (W - 1) / 2 + W * rows.len();
         let values = &self.values[panel.values as usize..][..size];
         let (triangle, block) = values.split_at(W * (W - 1) / 2);
@@ -211,38 +230,4 @@ impl<S: Scalar> Panels<S> {
 #[inline(always)]
 fn minus<S: Scalar>(x: [S; 4], factor: S, y: [S; 4]) -> [S; 4] {
     std::array::from_fn(|i| x[i] - factor * y[i])
-}
-
-/// Merges consecutive columns, each the parent of the one before in the elimination tree, as long
-/// as that stores few zeros: fewer, wider panels are faster than the zeros cost. Gives the first
-/// column of each supernode, and the number of columns at the end.
-fn supernodes(l: Columns<'_>, most_zeros: [f64; 4]) -> Vec<u32> {
-    let n = l.offsets.len() - 1;
-    let mut starts = Vec::new();
-    // Entries of the supernode so far.
-    let mut entries = 0;
-    for c in 0..n {
-        let height = l.column(c).0.len();
-        if let Some(&start) = starts.last()
-            && l.column(c - 1).0.first() == Some(&(c as u32))
-        {
-            let width = c + 1 - start as usize;
-            let stored = width * (width - 1) / 2 + width * height;
-            let zeros = (stored - entries - height) as f64 / stored.max(1) as f64;
-            let most = match width {
-                0..=4 => most_zeros[0],
-                5..=16 => most_zeros[1],
-                17..=48 => most_zeros[2],
-                _ => most_zeros[3],
-            };
-            if zeros <= most {
-                entries += height;
-                continue;
-            }
-        }
-        starts.push(c as u32);
-        entries = height;
-    }
-    starts.push(n as u32);
-    starts
 }

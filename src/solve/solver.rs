@@ -4,17 +4,20 @@
 //! half the gradient of the total energy (Appendix A). The local step gives `g` as a by-product, and
 //! the factor of `A` is only a metric: its rounding cannot move the fixed point.
 
+mod handles;
+
 use super::accelerate::{Accelerator, Iterate};
 use super::close::{CloseEnergy, RestShape};
 use super::energy::{Energies, Energy, IterateSeconds};
-use super::hold::{Handle, SoftHandles, pins, relative};
+use super::hold::{Handle, SoftHandles, relative};
+use super::kept::Kept;
 use super::shape::{Constraints, ShapeEnergy, extra_unknowns};
 use super::smooth::SmoothEnergy;
 use super::system::{SetUpSeconds, System};
 use super::{SolveError, clock, shape, smooth};
 use crate::constraint::{Fitted, LocalStep, Projected, Reference, Row};
 use crate::mesh::{Laplacian, Mesh, Point, Surface, Topology};
-use crate::scene::{Closeness, Hold, Smoothness, SmoothnessOf, SolverSettings, Weighting, Weights};
+use crate::scene::{Closeness, Smoothness, SmoothnessOf, SolverSettings, Weighting, Weights};
 use std::cell::OnceCell;
 use std::rc::Rc;
 
@@ -46,12 +49,16 @@ pub struct Solver {
     n_unknowns: usize,
     settings: SolverSettings,
     system: System,
+    /// See [`Kept::surface`].
+    surface: OnceCell<Rc<Surface>>,
     energies: Energies,
     /// Nodes that the shape energy holds in their place.
     held: Vec<bool>,
     /// Corners of the boundary, if these are fixed, and where.
     corners: Vec<(u32, Point)>,
     handles: Vec<Handle>,
+    /// Whether the factor is that of these handles.
+    factored: bool,
     pinned: Vec<u32>,
     accelerator: Accelerator,
     x: Vec<Row>,
@@ -77,12 +84,13 @@ pub struct Solver {
 
 impl Solver {
     /// Assembles, orders, factors, and evaluates at the positions `start`, `#V by 3`. Each vertex
-    /// has one handle at most.
+    /// has one handle at most. What another solver on the same mesh has `kept` is not made again.
     ///
     /// # Errors
     /// When the normal matrix is not positive definite.
     pub fn new(
         problem: &Problem<'_>,
+        kept: Kept,
         handles: Vec<Handle>,
         start: &[Point],
     ) -> Result<Solver, SolveError> {
@@ -108,7 +116,9 @@ impl Solver {
             placed.for_each(|&v| held[v as usize] = true);
         }
         let before_system = clock::now();
-        let mut system = System::new(n, &[shape_terms, smooth_terms]);
+        let terms = [shape_terms, smooth_terms];
+        let Kept { surface: made, ordered } = kept;
+        let mut system = System::with_order(n, &terms, settings.factorization, ordered.as_ref());
         let after_system = clock::now();
 
         let (centre, diameter) = centre_and_extent(&mesh.positions);
@@ -122,7 +132,6 @@ impl Solver {
         };
         let rest = to_rows(&mesh.positions);
         let x = to_rows(start);
-        let made = OnceCell::new();
         let surface = || Rc::clone(made.get_or_init(|| Rc::new(rest_surface(mesh, centre))));
         let reference = Reference { surface: &surface };
         let (close, corners) = if weights.close > 0.0 {
@@ -159,10 +168,12 @@ impl Solver {
             n_unknowns,
             settings,
             system,
+            surface: made,
             energies,
             held,
             corners: corners.into_iter().map(|v| (v, mesh.positions[v as usize])).collect(),
             handles: Vec::new(),
+            factored: false,
             pinned: Vec::new(),
             accelerator: Accelerator::new(&settings),
             gradient: vec![[0.0; 4]; n],
@@ -181,54 +192,6 @@ impl Solver {
         Ok(solver)
     }
 
-    /// Replaces the handles, each vertex at most once; numbers and order stay, the factor is made anew.
-    ///
-    /// # Errors
-    /// When the normal matrix is not positive definite.
-    pub fn hold(&mut self, handles: Vec<Handle>) -> Result<(), SolveError> {
-        let n = self.x.len();
-        let node_of = &self.system.node_of()[..self.n_vertices];
-        let (mut fixed, mut held, mut diagonal) = (vec![false; n], self.held.clone(), vec![0.0; n]);
-        let padding = &self.system.node_of()[self.n_unknowns..];
-        padding.iter().for_each(|&node| fixed[node as usize] = true);
-        if let Some(close) = &self.energies.close {
-            for (node, factor) in close.held() {
-                held[node as usize] = true;
-                diagonal[node as usize] = self.energies.weights.close * factor;
-            }
-        }
-        self.corners.iter().for_each(|&(v, _)| fixed[node_of[v as usize] as usize] = true);
-        for handle in &handles {
-            let node = node_of[handle.vertex as usize] as usize;
-            held[node] = true;
-            match handle.hold {
-                Hold::Soft { weight } => {
-                    diagonal[node] += weight;
-                    fixed[node] = false;
-                }
-                Hold::Fixed => fixed[node] = true,
-            }
-        }
-        self.pinned = pins(node_of, self.system.parts(), &held);
-        self.pinned.iter().for_each(|&v| fixed[node_of[v as usize] as usize] = true);
-        let weights = self.energies.weights;
-        self.system.factor(&[weights.shape, weights.smooth], &diagonal, fixed)?;
-        self.system.prepare(self.accelerator.precision());
-        self.handles = handles;
-        self.retarget();
-        Ok(())
-    }
-
-    /// Moves the targets of handles. Costs no factorisation: only the gradient changes.
-    pub fn move_handles(&mut self, targets: impl IntoIterator<Item = (u32, Point)>) {
-        for (vertex, target) in targets {
-            if let Some(handle) = self.handles.iter_mut().find(|h| h.vertex == vertex) {
-                handle.target = target;
-            }
-        }
-        self.retarget();
-    }
-
     /// Replaces the positions, `#V by 3`.
     pub fn set_positions(&mut self, positions: &[Point]) {
         for (&point, &node) in positions.iter().zip(self.system.node_of()) {
@@ -236,24 +199,6 @@ impl Solver {
         }
         self.put.copy_from_slice(positions);
         self.retarget();
-    }
-
-    /// Puts fixed vertices on their targets and evaluates anew.
-    fn retarget(&mut self) {
-        let node_of = &self.system.node_of()[..self.n_vertices];
-        let fixed = self.handles.iter().filter(|handle| handle.hold == Hold::Fixed);
-        let fixed = fixed.map(|handle| (handle.vertex, handle.target));
-        let is_handle = |v: u32| self.handles.iter().any(|handle| handle.vertex == v);
-        let corners = self.corners.iter().copied().filter(|&(v, _)| !is_handle(v));
-        for (vertex, target) in corners.chain(fixed) {
-            self.x[node_of[vertex as usize] as usize] = relative(target, self.centre);
-            self.put[vertex as usize] = target;
-        }
-        self.energies.handles = SoftHandles::new(&self.handles, node_of, self.centre);
-        self.forget();
-        self.best = None;
-        self.converged = false;
-        self.evaluate();
     }
 
     /// Forgets the steps so far: the next one starts anew.
@@ -346,19 +291,31 @@ impl Solver {
 
     /// Current positions, `#V by 3`.
     pub fn positions(&self) -> impl ExactSizeIterator<Item = Point> {
-        self.system.node_of()[..self.n_vertices].iter().zip(&self.put).map(|(&node, &put)| {
-            let row = self.x[node as usize];
-            if row == relative(put, self.centre) {
-                put
-            } else {
-                std::array::from_fn(|i| row[i] + self.centre[i])
-            }
-        })
+        (0..self.n_vertices as u32).map(|vertex| self.position(vertex))
+    }
+
+    fn position(&self, vertex: u32) -> Point {
+        let row = self.x[self.system.node_of()[vertex as usize] as usize];
+        let put = self.put[vertex as usize];
+        if row == relative(put, self.centre) {
+            put
+        } else {
+            std::array::from_fn(|i| row[i] + self.centre[i])
+        }
     }
 
     /// The energies at the current positions.
     pub fn energy(&self) -> Energy {
         self.energy
+    }
+    /// The gradient of the total energy at the current positions (Appendix A), `#V by 3`; zero where
+    /// vertices are fixed.
+    pub fn gradient(&self) -> impl ExactSizeIterator<Item = Point> {
+        let half = |&node: &u32| self.gradient[node as usize];
+        self.system.node_of()[..self.n_vertices]
+            .iter()
+            .map(half)
+            .map(|[x, y, z, _]| [x + x, y + y, z + z])
     }
     /// Whether the last step changed the total by no more than the tolerance.
     pub fn converged(&self) -> bool {
@@ -379,6 +336,10 @@ impl Solver {
     /// The linear system.
     pub fn system(&self) -> &System {
         &self.system
+    }
+    /// For the next solver on the same mesh.
+    pub fn kept(&self) -> Kept {
+        Kept { surface: self.surface.clone(), ordered: Some(Rc::clone(self.system.ordered())) }
     }
     /// What setting up took.
     pub fn set_up_seconds(&self) -> SetUpSeconds {

@@ -180,6 +180,17 @@ impl Eye {
         (self.middle + offset * (self.focal / depth), depth)
     }
 
+    /// [`Eye::project`] as three rows that act on (point, 1): the first over the third is the place
+    /// to the right, the second over the third the place downwards, the third is the depth.
+    pub fn rows(&self) -> [Vec4; 3] {
+        [
+            self.forward * self.middle.x + self.right * self.focal,
+            self.forward * self.middle.y - self.up * self.focal,
+            self.forward,
+        ]
+        .map(|axis| axis.extend(-axis.dot(self.at)))
+    }
+
     /// The displacement parallel to the screen that covers `pixels` at a depth.
     pub fn across(&self, pixels: Vec2, depth: f32) -> Vec3 {
         (self.right * pixels.x - self.up * pixels.y) * (depth / self.focal)
@@ -216,6 +227,8 @@ mod tests {
             assert!((screen - expected).length() < 1e-2, "{screen} {expected}");
             assert!((clip.w - depth).abs() < 1e-5);
             assert!(clip.z > 0.0 && clip.z < clip.w);
+            let [x, y, w] = eye.rows().map(|row| row.dot(point.extend(1.0)));
+            assert!((Vec2::new(x, y) / w - screen).length() < 1e-2);
         }
         assert!((eye.project(camera.pivot).0 - eye.middle).length() < 1e-3);
     }

@@ -6,7 +6,7 @@ use super::stage::Stage;
 use glam::{Vec3, Vec4};
 
 /// How many numbers there are.
-pub const NUMBERS: usize = 16 + 4 * (5 + 1 + 6) + 8 + 8 * LINE_KINDS + 12 * DOT_KINDS;
+pub const NUMBERS: usize = 16 + 4 * (5 + 1 + 6 + 2) + 8 + 8 * LINE_KINDS + 12 * DOT_KINDS;
 
 /// The numbers for a canvas of `width` by `height` pixels.
 pub fn numbers(stage: &Stage, width: u32, height: u32) -> Vec<f32> {
@@ -30,9 +30,13 @@ pub fn numbers(stage: &Stage, width: u32, height: u32) -> Vec<f32> {
     }
     numbers.extend([r, g, b, TINT_STRENGTH]);
     numbers.extend(palette.sphere);
+    numbers.extend(palette.check);
+    numbers.extend([stage.checks.per_length, 0.0, 0.0, 0.0]);
     extend_stroke(&mut numbers, &palette.circle, stage.circle_pieces());
     let mut strokes = palette.strokes;
-    if stage.looks.has_values() {
+    if stage.checks.per_length > 0.0 {
+        strokes[LineKind::Edge as usize].colour = palette.edge_of_checks;
+    } else if stage.looks.has_values() {
         strokes[LineKind::Edge as usize].colour = palette.edge_of_values;
     }
     for stroke in &strokes {

@@ -1,4 +1,4 @@
-//! Draws edges, polylines, and the lines from handles to their targets: `shaders/lines.wgsl`.
+//! Draws edges, polylines, selected edges, and the lines from handles to their targets: `shaders/lines.wgsl`.
 
 use super::palette::LineKind;
 use super::pipeline::{Layer, Recipe, VertexBuffer, build};
@@ -18,6 +18,7 @@ pub struct Lines {
     edges: VertexBuffer,
     curves: VertexBuffer,
     pulls: VertexBuffer,
+    selected: VertexBuffer,
 }
 
 impl Lines {
@@ -42,6 +43,7 @@ impl Lines {
             edges: VertexBuffer::new(device),
             curves: VertexBuffer::new(device),
             pulls: VertexBuffer::new(device),
+            selected: VertexBuffer::new(device),
         }
     }
 
@@ -54,6 +56,13 @@ impl Lines {
             .flat_map(|curve| curve.windows(2).map(|ends| line(ends[0], ends[1], LineKind::Curve)))
             .collect();
         self.curves.write(device, queue, &curves);
+    }
+
+    /// Takes the selected edges.
+    pub fn update_marks(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, stage: &Stage) {
+        let edges = stage.looks.selected_edges.iter();
+        let selected: Vec<[u32; 3]> = edges.map(|&[a, b]| line(a, b, LineKind::Selected)).collect();
+        self.selected.write(device, queue, &selected);
     }
 
     /// Takes the handles; their targets come after the vertices in the table of positions.
@@ -74,6 +83,12 @@ impl Lines {
             draw(pass, &self.in_front, &self.edges);
         }
         draw(pass, &self.in_front, &self.curves);
+    }
+
+    /// Draws selected edges: dim where the surface hides them, then those in sight.
+    pub fn draw_marks(&self, pass: &mut wgpu::RenderPass<'_>) {
+        draw(pass, &self.behind, &self.selected);
+        draw(pass, &self.in_front, &self.selected);
     }
 
     /// Draws the lines from handles to targets: dim where the surface hides them, then those in

@@ -38,6 +38,8 @@ pub struct Looks {
     values: Option<(Vec<f32>, f32, f32)>,
     /// Selected vertices.
     pub selected_vertices: Vec<u32>,
+    /// Selected edges, by their vertices.
+    pub selected_edges: Vec<[u32; 2]>,
     selected_faces: Vec<u32>,
     tinted_vertices: Vec<u32>,
     tinted_faces: Vec<u32>,
@@ -102,6 +104,14 @@ impl Looks {
         check_indices("tinted faces", &faces, face_count)?;
         (self.tinted_vertices, self.tinted_faces) = (vertices, faces);
         Ok(())
+    }
+
+    /// Marks the same vertices and faces as `other`.
+    pub fn mark_as(&mut self, other: &Looks) {
+        self.selected_vertices.clone_from(&other.selected_vertices);
+        self.selected_faces.clone_from(&other.selected_faces);
+        self.tinted_vertices.clone_from(&other.tinted_vertices);
+        self.tinted_faces.clone_from(&other.tinted_faces);
     }
 
     /// Tinted vertices that need a dot: where whole faces are tinted, dots would be noise.

@@ -4,7 +4,8 @@
 //! The room has two halves. [`stage`] and what it holds know the mesh as it is shown, the camera,
 //! and what is picked or marked; they need no GPU, so that native tests can hold them to account.
 //! `picture` and the primitives turn a stage into draw calls; they are compiled for the browser only.
-//! `still` writes a stage as SVG, for a page that cannot draw yet.
+//! `still` writes a stage as SVG, for a page that cannot draw yet, `thumbnail`
+//! writes small ones for the gallery.
 //!
 //! Positions come in as `f64` in file coordinates. The view subtracts its own centre, the middle
 //! of the first bounding box of the mesh, before it rounds to `f32`: a mesh at site coordinates
@@ -12,6 +13,7 @@
 
 pub mod camera;
 pub mod canvas_size;
+pub mod checks;
 #[cfg(target_arch = "wasm32")]
 pub mod circles;
 pub mod colour_map;
@@ -20,6 +22,7 @@ pub mod depth_map;
 pub mod device;
 #[cfg(target_arch = "wasm32")]
 pub mod faces;
+pub mod flat_map;
 pub mod framing;
 pub mod globals;
 pub mod light;
@@ -41,6 +44,7 @@ pub mod polygon_edges;
 pub mod projection_lines;
 pub mod projections;
 pub mod ray;
+pub mod region;
 pub mod row_colours;
 pub mod shaders;
 #[cfg(target_arch = "wasm32")]
@@ -50,4 +54,5 @@ pub mod still;
 #[cfg(target_arch = "wasm32")]
 pub mod store;
 pub mod subject;
+pub mod thumbnail;
 pub mod triangulate;

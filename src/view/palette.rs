@@ -45,6 +45,8 @@ pub enum LineKind {
     Outline = 4,
     /// From a vertex to its projection; the shader knows its number.
     Arrow = 5,
+    /// A selected edge.
+    Selected = 6,
 }
 
 /// What a dot stands for; its number is its place in [`Palette::dots`].
@@ -66,12 +68,14 @@ pub enum DotKind {
     Fixed = 6,
     /// The handle that is being moved.
     Active = 7,
+    /// On a handle that is selected.
+    Chosen = 8,
 }
 
 /// How many kinds of lines there are.
-pub const LINE_KINDS: usize = 6;
+pub const LINE_KINDS: usize = 7;
 /// How many kinds of dots there are.
-pub const DOT_KINDS: usize = 8;
+pub const DOT_KINDS: usize = 9;
 
 /// One theme.
 #[derive(Clone, Copy, Debug)]
@@ -91,6 +95,10 @@ pub struct Palette {
     /// Edges between faces that have values: light, because the colour of no error is dark and is
     /// what most faces have in the end. Where errors are large, faces differ from their neighbours.
     pub edge_of_values: Colour,
+    /// Dark squares of the checkerboard of a flat map.
+    pub check: Colour,
+    /// Edges between faces with a checkerboard: seen on both kinds of squares, and fainter than them.
+    pub edge_of_checks: Colour,
     /// By [`DotKind`].
     pub dots: [Dot; DOT_KINDS],
     /// Fitted circles.
@@ -132,8 +140,11 @@ pub const LIGHT: Palette = Palette {
         stroke([0.13, 0.40, 0.93, 0.9], 1.5),
         cased(1.4),
         cased(1.5),
+        stroke(ORANGE, 3.4),
     ],
     edge_of_values: [1.0, 1.0, 1.0, 0.40],
+    check: [0.20, 0.26, 0.36, 0.94],
+    edge_of_checks: [0.45, 0.49, 0.56, 0.45],
     dots: [
         dot([0.16, 0.19, 0.24, 1.0], [0.985, 0.985, 0.985, 0.9], 3.1, 0.8),
         dot(WHITE, [1.0, 1.0, 1.0, 0.75], 3.3, 0.6),
@@ -143,6 +154,7 @@ pub const LIGHT: Palette = Palette {
         dot(BLUE, WHITE, 6.2, 1.4),
         Dot { fill: DEEP_BLUE, rim: WHITE, radius: 5.6, rim_width: 1.4, square: 1.0 },
         dot(BLUE, WHITE, 8.2, 1.8),
+        dot(ORANGE, WHITE, 3.6, 1.0),
     ],
     circle: stroke([0.84, 0.16, 0.20, 0.95], 1.3),
     sphere: [0.84, 0.16, 0.20, 1.0],
@@ -162,8 +174,11 @@ pub const DARK: Palette = Palette {
         stroke([0.45, 0.65, 1.0, 0.95], 1.5),
         cased(1.4),
         cased(1.5),
+        stroke([1.0, 0.60, 0.15, 1.0], 3.4),
     ],
     edge_of_values: [1.0, 1.0, 1.0, 0.34],
+    check: [0.125, 0.145, 0.185, 0.95],
+    edge_of_checks: [0.40, 0.43, 0.48, 0.45],
     dots: [
         dot([0.93, 0.95, 0.97, 1.0], [0.08, 0.09, 0.11, 0.9], 3.1, 0.8),
         dot(WHITE, [0.08, 0.09, 0.11, 0.75], 3.3, 0.6),
@@ -173,6 +188,7 @@ pub const DARK: Palette = Palette {
         dot([0.22, 0.50, 1.0, 1.0], WHITE, 6.2, 1.4),
         Dot { fill: [0.11, 0.26, 0.62, 1.0], rim: WHITE, radius: 5.6, rim_width: 1.4, square: 1.0 },
         dot([0.22, 0.50, 1.0, 1.0], WHITE, 8.2, 1.8),
+        dot([1.0, 0.60, 0.15, 1.0], INK, 3.6, 1.0),
     ],
     circle: stroke([1.0, 0.40, 0.38, 0.95], 1.3),
     sphere: [1.0, 0.40, 0.38, 1.0],

@@ -100,5 +100,7 @@ fn marks(stage: &Stage) -> Vec<[u32; 3]> {
         let handles = stage.handles.iter().filter(|handle| handle.kind == kind);
         dots.extend(handles.map(|handle| dot(handle.vertex, kind)));
     }
+    let chosen = stage.handles.iter().filter(|h| looks.selected_vertices.contains(&h.vertex));
+    dots.extend(chosen.map(|handle| dot(handle.vertex, DotKind::Chosen)));
     dots
 }

@@ -2,12 +2,13 @@
 //! shapes, and what has changed since the last picture.
 
 use super::camera::{Camera, Up};
+use super::checks::Checks;
 use super::depth_map::DepthMap;
 use super::framing::{depth_range, frame};
 use super::lists::{Lists, ViewError, check_indices};
 use super::looks::Looks;
-use super::palette::{DARK, DotKind, LIGHT, Palette};
-use super::picking::{self, ScreenBox};
+use super::palette::{Colour, DARK, DotKind, LIGHT, Palette};
+use super::picking;
 use super::projections::Projections;
 use super::subject::{Subject, read_points};
 use glam::{DVec3, Vec2, Vec3, Vec4};
@@ -56,6 +57,8 @@ pub struct Changes {
     pub shapes: bool,
     /// Projections.
     pub projections: bool,
+    /// Places on the checkerboard.
+    pub checks: bool,
     /// Camera, theme, size, display: all that needs a new picture but no new data.
     pub view: bool,
 }
@@ -69,6 +72,7 @@ impl Changes {
         marks: true,
         shapes: true,
         projections: true,
+        checks: true,
         view: true,
     };
 
@@ -83,6 +87,8 @@ impl Changes {
 pub struct Stage {
     /// The mesh.
     pub subject: Subject,
+    /// `#E by 2`: the edges that can be picked and selected.
+    pub edges: Vec<[u32; 2]>,
     /// The camera.
     pub camera: Camera,
     /// Values and marks.
@@ -95,10 +101,14 @@ pub struct Stage {
     pub shapes: Vec<f32>,
     /// Projected points, outlines, arrows.
     pub projections: Projections,
+    /// The checkerboard of a flat map.
+    pub checks: Checks,
     /// What is switched on.
     pub display: Display,
     /// Dark theme.
     pub dark: bool,
+    /// White behind everything, for figures, instead of the theme's colour.
+    pub white: bool,
     /// Since the last picture.
     pub changes: Changes,
     /// Whether the camera stands as `fit` left it, and follows the canvas when that is resized.
@@ -110,14 +120,17 @@ impl Default for Stage {
     fn default() -> Self {
         Stage {
             subject: Subject::default(),
+            edges: Vec::new(),
             camera: Camera::default(),
             looks: Looks::default(),
             tint: [0.2, 0.7, 0.3],
             handles: Vec::new(),
             shapes: Vec::new(),
             projections: Projections::default(),
+            checks: Checks::default(),
             display: Display { edges: true, ..Display::default() },
             dark: false,
+            white: false,
             changes: Changes::ALL,
             framed: true,
             map: None,
@@ -147,10 +160,12 @@ impl Stage {
             return self.set_positions(coordinates);
         }
         self.subject = Subject::new(faces, curves, coordinates)?;
+        self.edges.clear();
         self.looks = Looks::default();
         self.handles.clear();
         self.shapes.clear();
         self.projections = Projections::default();
+        self.checks = Checks::default();
         self.changes = Changes::ALL;
         self.preset("home")
     }
@@ -255,6 +270,11 @@ impl Stage {
     /// The colours of the theme.
     pub fn palette(&self) -> &'static Palette {
         if self.dark { &DARK } else { &LIGHT }
+    }
+
+    /// The colour behind everything.
+    pub fn background(&self) -> Colour {
+        if self.white { [1.0; 4] } else { self.palette().background }
     }
 
     /// Says that the next picture differs without new data.
@@ -390,16 +410,14 @@ impl Stage {
         picking::pick_face(&self.subject, &self.camera, at).map(|hit| hit.face)
     }
 
-    /// Visible vertices between two corners of a box.
-    pub fn box_vertices(&mut self, a: Vec2, b: Vec2) -> Vec<u32> {
-        let map = self.map.get_or_insert_with(|| DepthMap::new(&self.subject, &self.camera));
-        picking::box_vertices(&self.subject, &self.camera, map, ScreenBox::new(a, b))
+    /// Makes sure that it is known what is in front.
+    pub(super) fn look(&mut self) {
+        self.map.get_or_insert_with(|| DepthMap::new(&self.subject, &self.camera));
     }
 
-    /// Visible faces between two corners of a box; with `crossing` also those partly inside.
-    pub fn box_faces(&mut self, a: Vec2, b: Vec2, crossing: bool) -> Vec<u32> {
-        let map = self.map.get_or_insert_with(|| DepthMap::new(&self.subject, &self.camera));
-        picking::box_faces(&self.subject, &self.camera, map, ScreenBox::new(a, b), crossing)
+    /// What is in front, once [`Stage::look`] has looked.
+    pub(super) fn depth_map(&self) -> Option<&DepthMap> {
+        self.map.as_ref()
     }
 
     /// Where a vertex is on the canvas; `None` when hidden or outside.

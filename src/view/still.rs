@@ -4,14 +4,19 @@
 //!
 //! Faces are painted from the farthest to the nearest, each in one colour with its own edges. So it
 //! is a picture for meshes of a few hundred faces that do not cut through each other.
+//!
+//! The picture says what a script needs to keep it alive until the view draws
+//! (`www/first-picture.js`): the eye, so that the faces can be drawn at other positions, and where a
+//! handle goes when it is dragged.
 
 use super::camera::Eye;
 use super::light::face_colour;
 use super::palette::{Colour, DARK, Dot, DotKind, LIGHT, LineKind, Palette, Stroke};
 use super::ray::hidden;
 use super::stage::Stage;
-use glam::{Vec2, Vec3};
-use std::fmt::Write;
+use glam::{Vec2, Vec3, Vec4};
+use std::collections::BTreeSet;
+use std::fmt::{Display, Write};
 
 /// Colours of faces are rounded to so many steps per part, places to whole CSS pixels: nobody sees it
 /// in a picture that is replaced at once, and it is half of the size.
@@ -25,13 +30,15 @@ const NEAR: f32 = 0.02;
 /// [`style`] has the rest of its looks.
 pub fn svg(stage: &Stage, class: &str) -> String {
     let [width, height] = stage.camera.canvas.round().to_array();
-    let mut svg = format!(r#"<svg class="still {class}" viewBox="0 0 {width} {height}">"#);
     let eye = stage.camera.eye();
+    let mut svg = format!(
+        r#"<svg class="still {class}" viewBox="0 0 {width} {height}" data-eye="{}">"#,
+        spaced(rows_for_file(stage, &eye).iter().flat_map(|row| row.to_array())),
+    );
     let place = |point: Vec3| eye.project(point).0.round();
     let places: Vec<Vec2> = stage.subject.positions.iter().map(|&point| place(point)).collect();
-    let boundary = stage.subject.edges.iter().filter(|edge| edge.boundary);
-    let rim: Vec<[u32; 2]> = boundary.map(|edge| edge.ends).collect();
-    for face in from_far_to_near(stage, &eye) {
+    let rim = rim_of(stage);
+    for face in from_far_to_near(stage) {
         let corners = stage.subject.faces.row(face as usize);
         let [light, dark] = [LIGHT, DARK]
             .map(|palette| (face_colour(stage, face, &palette) * STEPS).round() / STEPS);
@@ -39,32 +46,61 @@ pub fn svg(stage: &Stage, class: &str) -> String {
         let outline = line(corners.iter().map(|&v| places[v as usize]));
         // Writing to a string cannot fail.
         let _ = write!(svg, r#"<path color="{colour}" d="{outline}z"/>"#);
-        let rim: String = sides(corners)
-            .filter(|side| rim.binary_search(side).is_ok())
-            .map(|side| line(side.map(|v| places[v as usize])))
-            .collect();
-        if !rim.is_empty() {
-            let _ = write!(svg, r#"<path class="rim" d="{rim}"/>"#);
+        let on_rim: Vec<(usize, [u32; 2])> =
+            sides(corners).enumerate().filter(|(_, ends)| rim.contains(ends)).collect();
+        if !on_rim.is_empty() {
+            let sides = spaced(on_rim.iter().map(|(side, _)| side));
+            let ends = on_rim.iter().map(|(_, ends)| line(ends.map(|v| places[v as usize])));
+            let rim: String = ends.collect();
+            let _ = write!(svg, r#"<path class="rim" data-sides="{sides}" d="{rim}"/>"#);
         }
     }
     svg + &handles(stage, &eye) + "</svg>"
 }
 
-/// Handles, their targets, and the lines between them.
+/// The edges on the boundary.
+pub(super) fn rim_of(stage: &Stage) -> BTreeSet<[u32; 2]> {
+    let boundary = stage.subject.edges.iter().filter(|edge| edge.boundary);
+    boundary.map(|edge| edge.ends).collect()
+}
+
+/// Each handle with its target and the line between them.
 fn handles(stage: &Stage, eye: &Eye) -> String {
-    let place = |point: Vec3| eye.project(point).0.round();
-    let (mut pulls, mut targets, mut dots) = (String::new(), String::new(), String::new());
+    let mut svg = String::new();
     for (handle, target) in stage.handles.iter().zip(stage.targets()) {
-        let at = place(stage.subject.positions[handle.vertex as usize]);
+        let point = stage.subject.positions[handle.vertex as usize];
+        let (at, depth) = eye.project(point);
+        let [right, down] = [Vec2::X, Vec2::Y].map(|pixel| eye.across(pixel, depth));
+        let _ = write!(
+            svg,
+            r#"<g data-vertex="{}" data-right="{}" data-down="{}">"#,
+            handle.vertex,
+            spaced(right.to_array()),
+            spaced(down.to_array()),
+        );
         let opacity = if is_hidden(stage, eye, handle.vertex) { BEHIND } else { 1.0 };
         if handle.kind != DotKind::Fixed {
-            let pull = line([at, place(target)]);
-            let _ = write!(pulls, r#"<path class="pull" opacity="{opacity}" d="{pull}"/>"#);
-            targets += &dot(DotKind::Target, 1.0, place(target));
+            let to = eye.project(target).0.round();
+            let Vec2 { x, y } = at.round();
+            let pull = format!("M{x} {y}L{} {}", to.x, to.y);
+            let _ = write!(svg, r#"<path class="pull" opacity="{opacity}" d="{pull}"/>"#);
+            svg += &dot(DotKind::Target, 1.0, to);
         }
-        dots += &dot(handle.kind, opacity, at);
+        svg += &dot(handle.kind, opacity, at.round());
+        svg += "</g>";
     }
-    pulls + &targets + &dots
+    svg
+}
+
+/// The eye's rows for points in file coordinates.
+fn rows_for_file(stage: &Stage, eye: &Eye) -> [Vec4; 3] {
+    let centre = stage.subject.centre.as_vec3();
+    eye.rows().map(|row| row.truncate().extend(row.w - row.truncate().dot(centre)))
+}
+
+/// Numbers as the text of an attribute.
+pub fn spaced(values: impl IntoIterator<Item = impl Display>) -> String {
+    values.into_iter().map(|value| value.to_string()).collect::<Vec<_>>().join(" ")
 }
 
 /// The style sheet of still pictures: the colours and widths of the view's palette. Faces with
@@ -109,11 +145,13 @@ pub fn style(has_values: bool) -> String {
     style
 }
 
-/// The faces, those whose corners are on average the farthest first.
-fn from_far_to_near(stage: &Stage, eye: &Eye) -> Vec<u32> {
+/// The faces in the order in which they are painted: those whose corners are on average the
+/// farthest first. It depends on where the eye looks, not on where it is.
+pub fn from_far_to_near(stage: &Stage) -> Vec<u32> {
     let subject = &stage.subject;
+    let forward = stage.camera.eye().forward;
     let depth = |corners: &[u32]| {
-        let sum: f32 = corners.iter().map(|&v| eye.project(subject.positions[v as usize]).1).sum();
+        let sum: f32 = corners.iter().map(|&v| subject.positions[v as usize].dot(forward)).sum();
         sum / corners.len().max(1) as f32
     };
     let mut faces: Vec<(f32, u32)> = subject.faces.iter().map(depth).zip(0..).collect();
@@ -122,19 +160,19 @@ fn from_far_to_near(stage: &Stage, eye: &Eye) -> Vec<u32> {
 }
 
 /// The sides of a face, the smaller vertex first.
-fn sides(corners: &[u32]) -> impl Iterator<Item = [u32; 2]> + '_ {
+pub(super) fn sides(corners: &[u32]) -> impl Iterator<Item = [u32; 2]> + '_ {
     let next = corners.iter().cycle().skip(1);
     corners.iter().zip(next).map(|(&a, &b)| [a.min(b), a.max(b)])
 }
 
 /// Whether the surface hides the mark on a vertex. The view draws marks in front of what is near.
-fn is_hidden(stage: &Stage, eye: &Eye, vertex: u32) -> bool {
+pub(super) fn is_hidden(stage: &Stage, eye: &Eye, vertex: u32) -> bool {
     let distance = (stage.subject.positions[vertex as usize] - eye.at).length();
     hidden(&stage.subject, eye.at, vertex, distance * NEAR)
 }
 
 /// A line through places, as the data of a path: the first as it is, the others by their steps.
-fn line(places: impl IntoIterator<Item = Vec2>) -> String {
+pub(super) fn line(places: impl IntoIterator<Item = Vec2>) -> String {
     let mut data = String::new();
     let mut last = None;
     for place in places {
@@ -176,7 +214,7 @@ fn dot_class(kind: DotKind) -> &'static str {
 }
 
 /// A CSS colour for both themes.
-fn themed(light: Colour, dark: Colour) -> String {
+pub(super) fn themed(light: Colour, dark: Colour) -> String {
     let [light, dark] = [light, dark].map(hex);
     if light == dark { light } else { format!("light-dark({light},{dark})") }
 }

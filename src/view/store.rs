@@ -98,6 +98,7 @@ pub struct Store {
     face_normals: Table,
     face_looks: Table,
     colour_map: wgpu::Texture,
+    places: Table,
     layout: wgpu::BindGroupLayout,
     group: wgpu::BindGroup,
 }
@@ -105,6 +106,19 @@ pub struct Store {
 impl Store {
     /// Empty tables.
     pub fn new(device: &wgpu::Device, queue: &wgpu::Queue) -> Store {
+        Store::with_layout(device, queue, group_layout(device))
+    }
+
+    /// Empty tables for another stage, which the same pipelines can read.
+    pub fn beside(&self, device: &wgpu::Device, queue: &wgpu::Queue) -> Store {
+        Store::with_layout(device, queue, self.layout.clone())
+    }
+
+    fn with_layout(
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        layout: wgpu::BindGroupLayout,
+    ) -> Store {
         let float = wgpu::TextureFormat::Rgba32Float;
         let bytes = wgpu::TextureFormat::Rgba8Unorm;
         let globals = device.create_buffer(&wgpu::BufferDescriptor {
@@ -116,17 +130,18 @@ impl Store {
         let texels = colour_map::TEXELS as u32;
         let colours = create(device, "colour map", bytes, texels, 3);
         write(queue, &colours, &colour_map::texels(), texels * 4, [0, texels, 1]);
-        let layout = group_layout(device);
         let positions = Table::new(device, "positions", float);
         let vertex_normals = Table::new(device, "vertex normals", float);
         let face_normals = Table::new(device, "face normals", float);
         let face_looks = Table::new(device, "face looks", bytes);
+        let places = Table::new(device, "places on the checkerboard", float);
         let textures = [
             &positions.texture,
             &vertex_normals.texture,
             &face_normals.texture,
             &face_looks.texture,
             &colours,
+            &places.texture,
         ];
         let group = bind(device, &layout, &globals, textures);
         Store {
@@ -136,6 +151,7 @@ impl Store {
             face_normals,
             face_looks,
             colour_map: colours,
+            places,
             layout,
             group,
         }
@@ -180,6 +196,11 @@ impl Store {
             rebind |= self.face_looks.write(device, queue, &looks);
             self.write_colours(queue, 1, &stage.looks.rows.palette);
         }
+        if changes.mesh || changes.checks {
+            let places = stage.checks.places.iter();
+            let texels = four_each(places.map(|place| place.extend(0.0).extend(0.0)));
+            rebind |= self.places.write(device, queue, &texels);
+        }
         if changes.projections {
             self.write_colours(queue, 2, &stage.projections.palette);
         }
@@ -190,6 +211,7 @@ impl Store {
                 &self.face_normals.texture,
                 &self.face_looks.texture,
                 &self.colour_map,
+                &self.places.texture,
             ];
             self.group = bind(device, &self.layout, &self.globals, textures);
         }
@@ -228,7 +250,7 @@ fn group_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
         view_dimension: wgpu::TextureViewDimension::D2,
         multisampled: false,
     };
-    let entries: Vec<_> = (0..6).map(|i| entry(i, if i == 0 { globals } else { table })).collect();
+    let entries: Vec<_> = (0..7).map(|i| entry(i, if i == 0 { globals } else { table })).collect();
     device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
         label: Some("scene"),
         entries: &entries,
@@ -239,7 +261,7 @@ fn bind(
     device: &wgpu::Device,
     layout: &wgpu::BindGroupLayout,
     globals: &wgpu::Buffer,
-    textures: [&wgpu::Texture; 5],
+    textures: [&wgpu::Texture; 6],
 ) -> wgpu::BindGroup {
     let views = textures.map(|t| t.create_view(&wgpu::TextureViewDescriptor::default()));
     let mut entries =

@@ -1,11 +1,23 @@
 //! wasm-bindgen faces: `solver` for the worker, `view` for the page.
 
 #[cfg(feature = "solver")]
+pub mod experiment;
+#[cfg(feature = "solver")]
+mod measure;
+#[cfg(feature = "solver")]
+mod page_edit;
+#[cfg(feature = "solver")]
+mod parametrize;
+#[cfg(feature = "solver")]
 mod report;
+#[cfg(feature = "solver")]
+mod selecting;
 #[cfg(feature = "solver")]
 pub mod solver;
 #[cfg(feature = "view")]
 pub mod view;
+#[cfg(feature = "view")]
+mod view_map;
 
 use wasm_bindgen::JsValue;
 

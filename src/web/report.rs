@@ -1,10 +1,10 @@
 //! What the worker tells the page, as plain objects in camelCase.
 
-use crate::constraint::{Element, Info, KINDS, Kind, Sketch, describe};
+use crate::constraint::{Element, Info, KINDS, Kind, LocalStep, Sketch, describe};
 use crate::math::Vec3;
 use crate::mesh::{Circularity, Planarity, Read};
 use crate::scene::{Hold, SmoothnessOf, Up, Weighting};
-use crate::session::Session;
+use crate::session::{Session, settings_of};
 use crate::solve::Energy;
 use serde::Serialize;
 use serde_json::Value;
@@ -21,11 +21,19 @@ pub(super) struct Loaded {
     groups: Vec<Group>,
     units: String,
     up: &'static str,
+    guessed: Guessed,
     /// Mean length of an edge at rest; zero without edges.
     #[serde(rename = "meanEdge")]
     mean_edge: f64,
     problems: Vec<Problem>,
     notes: Vec<String>,
+}
+
+/// Which of these the file does not say.
+#[derive(Serialize)]
+pub(super) struct Guessed {
+    pub(super) units: bool,
+    pub(super) up: bool,
 }
 
 #[derive(Serialize)]
@@ -43,7 +51,7 @@ struct Problem {
 
 impl Loaded {
     /// About the file `name`, opened as `session`; `read` holds what its reader said.
-    pub(super) fn new(name: &str, session: &Session, read: &Read) -> Self {
+    pub(super) fn new(name: &str, session: &Session, read: &Read, guessed: Guessed) -> Self {
         let mesh = session.mesh();
         let groups = mesh.groups.iter();
         let problems = read.problems.iter();
@@ -59,6 +67,7 @@ impl Loaded {
                 .collect(),
             units: session.document().units.clone(),
             up: up(session.document().up),
+            guessed,
             mean_edge: mean_edge(session),
             problems: problems
                 .map(|p| Problem { message: p.to_string(), count: p.count, line: p.line })
@@ -93,9 +102,22 @@ pub(super) struct Document<'a> {
     weights: Weights,
     closeness: &'static str,
     smoothness: SmoothnessWords,
+    /// Of every declared setting its value.
+    settings: serde_json::Map<String, Value>,
+    sets: Vec<NamedSet<'a>>,
+    /// Vertices that are kept close more or less than the others.
+    #[serde(rename = "heldOtherwise")]
+    held_otherwise: usize,
     undo: Option<&'a str>,
     redo: Option<&'a str>,
     pinned: &'a [u32],
+}
+
+#[derive(Serialize)]
+struct NamedSet<'a> {
+    name: &'a str,
+    vertices: usize,
+    faces: usize,
 }
 
 #[derive(Serialize)]
@@ -109,6 +131,7 @@ struct ConstraintRow {
     skipped: usize,
     weight: f64,
     enabled: bool,
+    measure: Option<&'static str>,
     params: Value,
 }
 
@@ -153,6 +176,7 @@ impl<'a> Document<'a> {
                     skipped: row.skipped,
                     weight: spec.weight,
                     enabled: spec.enabled,
+                    measure: session.asked_measure(index),
                     params: spec.kind.params(),
                 }
             })
@@ -188,6 +212,17 @@ impl<'a> Document<'a> {
                     Weighting::Cotangent => "cotangent",
                 },
             },
+            settings: settings_of(scene),
+            sets: scene
+                .sets
+                .iter()
+                .map(|(name, set)| NamedSet {
+                    name,
+                    vertices: set.vertices.len(),
+                    faces: set.faces.len(),
+                })
+                .collect(),
+            held_otherwise: session.held_otherwise(),
             undo,
             redo,
             pinned: session.solver().pinned(),
@@ -206,6 +241,8 @@ pub(super) struct Frame {
     circularity: Circularity,
     /// Of each row of the document, disabled ones included as zero.
     worst: Vec<f64>,
+    /// Of each row its part of the total energy, from 0 to 1.
+    shares: Vec<f64>,
     /// Six numbers per iteration since the last frame.
     trace: Vec<f64>,
     step_ms: f64,
@@ -221,17 +258,19 @@ impl Frame {
         });
         let measures = session.measures();
         let mut found = session.solver().found();
-        let worst = session.rows().iter().map(|row| {
-            let found = row.enabled.then(|| found.next()).flatten();
-            found.map_or(0.0, |found| found.worst_squared.sqrt())
-        });
+        let rows = session.rows().iter().map(|row| row.enabled.then(|| found.next()).flatten());
+        let rows: Vec<LocalStep> = rows.map(Option::unwrap_or_default).collect();
+        let energy = session.solver().energy();
+        let whole = session.document().weights.shape / energy.total;
+        let share = |row: &LocalStep| if energy.total > 0.0 { row.energy * whole } else { 0.0 };
         Frame {
             iteration: session.iteration(),
             converged: session.solver().converged(),
-            energy: session.solver().energy(),
+            energy,
             planarity: measures.planarity,
             circularity: measures.circularity,
-            worst: worst.collect(),
+            worst: rows.iter().map(|row| row.worst_squared.sqrt()).collect(),
+            shares: rows.iter().map(share).collect(),
             trace: trace.collect(),
             step_ms,
         }
@@ -263,6 +302,8 @@ pub(super) fn elements() -> Vec<ElementWords> {
 pub(super) struct KindWords {
     #[serde(flatten)]
     info: &'static Info,
+    /// How many vertices or edges it takes, in words.
+    takes: String,
     sketch: Sketch,
 }
 
@@ -272,7 +313,7 @@ pub(super) fn kinds() -> Vec<KindWords> {
     all.map(|info| {
         let kind = Kind::new(info.id, Value::Object(serde_json::Map::new()));
         let sketch = kind.expect("every parameter has a default").sketch();
-        KindWords { info, sketch }
+        KindWords { info, takes: info.takes(), sketch }
     })
     .collect()
 }

@@ -1,13 +1,14 @@
 //! The face of the solver in the worker.
 
-use super::report::{Document, Frame, Loaded, elements, kinds};
+use super::page_edit::OtherEdit;
+use super::report::{self, Document, Guessed, Loaded, elements, kinds};
 use super::{log_panics, thrown};
 
 use crate::constraint::{Fitted, Selector, Set};
 use crate::error::Error;
-use crate::mesh::{Read, read, write_obj};
-use crate::scene::{ConstraintSpec, MeshSource, Scene, SceneError};
-use crate::session::{Edit, NewConstraint, Place, Session};
+use crate::mesh::{Read, read};
+use crate::scene::{ConstraintSpec, Frame, MeshSource, Scene, SceneError, Up};
+use crate::session::{Edit, FACE_MEASURES, NewConstraint, Place, Session};
 use crate::solve::clock;
 use js_sys::{Float32Array, Float64Array, Uint8Array, Uint32Array};
 use serde::{Deserialize, Serialize};
@@ -19,6 +20,8 @@ use wasm_bindgen::prelude::*;
 #[derive(Default)]
 pub struct Solver {
     session: Option<Session>,
+    /// For the next mesh file that does not state its own.
+    assumed: Frame,
     step_ms: f64,
 }
 
@@ -42,6 +45,12 @@ enum PageEdit {
         #[serde(default)]
         params: Map<String, Value>,
     },
+    SetUnits {
+        units: String,
+    },
+    SetUp {
+        up: String,
+    },
     SetWeights {
         shape: Option<f64>,
         close: Option<f64>,
@@ -55,6 +64,9 @@ enum PageEdit {
         vertices: Vec<u32>,
     },
     Reset,
+    /// Those of `page_edit`.
+    #[serde(untagged)]
+    Other(OtherEdit),
 }
 
 #[wasm_bindgen]
@@ -76,6 +88,11 @@ impl Solver {
         plain(&elements())
     }
 
+    /// The measures of faces.
+    pub fn measures(&self) -> Result<JsValue, JsValue> {
+        plain(&FACE_MEASURES)
+    }
+
     /// The mesh file that a scene names, or null.
     #[wasm_bindgen(js_name = sceneMeshFile)]
     pub fn scene_mesh_file(&self, bytes: &[u8]) -> Result<Option<String>, JsValue> {
@@ -83,6 +100,12 @@ impl Solver {
             MeshSource::File(path) => Some(path),
             MeshSource::Inline(_) => None,
         })
+    }
+
+    /// What the next mesh file is taken for unless it states otherwise, in its own words:
+    /// `# units: m`, `# up: y`, a line each.
+    pub fn assume(&mut self, comments: &str) {
+        self.assumed = Frame::stated(comments.as_bytes());
     }
 
     /// Opens a mesh, or a scene with the mesh file that it names as `companion`. The model that is
@@ -95,7 +118,8 @@ impl Solver {
     ) -> Result<JsValue, JsValue> {
         let started = clock::now();
         let is_scene = name.to_ascii_lowercase().ends_with(".json");
-        let (scene, mut file) = if is_scene {
+        let mut stated = Frame::default();
+        let (mut scene, mut file) = if is_scene {
             let in_scene = |message: String| thrown(format!("{name}: {message}"));
             let mut scene = scene_of(bytes).map_err(|e| in_scene(message_of(&e)))?;
             let file = match std::mem::replace(&mut scene.mesh, MeshSource::File(String::new())) {
@@ -113,15 +137,25 @@ impl Solver {
             };
             (scene, file)
         } else {
+            stated = Frame::stated(bytes).or(std::mem::take(&mut self.assumed));
             (Scene::new(MeshSource::File(name.to_owned())), read(name, bytes).map_err(thrown)?)
         };
+        if !is_scene {
+            let units = || Frame::guess_units(&file.mesh).to_owned();
+            scene.units = stated.units.clone().unwrap_or_else(units);
+            scene.up = stated.up.unwrap_or_else(|| Frame::guess_up(&file.mesh));
+        }
         let mesh = std::mem::take(&mut file.mesh);
         let mut session = Session::open(scene, mesh).map_err(|error| {
             thrown(if is_scene { format!("{name}: {error}") } else { error.to_string() })
         })?;
         session.set_load_seconds(clock::now() - started);
         session.start_trace();
-        let loaded = plain(&Loaded::new(name, &session, &file))?;
+        let guessed = Guessed {
+            units: !is_scene && stated.units.is_none(),
+            up: !is_scene && stated.up.is_none(),
+        };
+        let loaded = plain(&Loaded::new(name, &session, &file, guessed))?;
         self.session = Some(session);
         self.step_ms = 0.0;
         Ok(loaded)
@@ -151,6 +185,8 @@ impl Solver {
             PageEdit::SetConstraint { index, weight, enabled, params } => {
                 Edit::SetConstraint { index, weight, enabled, params }
             }
+            PageEdit::SetUnits { units } => Edit::SetUnits(units),
+            PageEdit::SetUp { up } => Edit::SetUp(if up == "y" { Up::Y } else { Up::Z }),
             PageEdit::SetWeights { shape, close, smooth } => {
                 let mut weights = session.document().weights;
                 weights.shape = shape.unwrap_or(weights.shape);
@@ -161,6 +197,7 @@ impl Solver {
             PageEdit::AddHandles { vertices, fixed } => Edit::AddHandles { vertices, fixed },
             PageEdit::RemoveHandles { vertices } => Edit::RemoveHandles { vertices },
             PageEdit::Reset => Edit::Reset,
+            PageEdit::Other(edit) => edit.into(),
         };
         session.edit(edit).map_err(|error| match error {
             Error::Scene(error) => thrown_at(&error),
@@ -221,7 +258,7 @@ impl Solver {
     /// The numbers of the current state, and the energies of the iterations since the last call.
     pub fn frame(&mut self) -> Result<JsValue, JsValue> {
         let step_ms = self.step_ms;
-        plain(&Frame::new(self.open_mut()?, step_ms))
+        plain(&report::Frame::new(self.open_mut()?, step_ms))
     }
 
     /// Writes the current positions, `#V by 3`.
@@ -231,18 +268,12 @@ impl Solver {
         Ok(())
     }
 
-    /// The error of each face, `#F`, in units of the mesh; `measure` is "planarity", "circularity" or
-    /// "residual".
-    #[wasm_bindgen(js_name = faceErrors)]
-    pub fn face_errors(&mut self, measure: &str) -> Result<Float32Array, JsValue> {
-        let session = self.open_mut()?;
-        let errors = match measure {
-            "planarity" => session.measures().planarity_distances,
-            "circularity" => session.measures().circularity_distances,
-            "residual" => session.residuals(),
-            _ => return Err(thrown(format!("unknown measure {measure:?}"))),
-        };
-        let narrow: Vec<f32> = errors.iter().map(|&error| error as f32).collect();
+    /// The values of a measure of faces, `#F`, in its unit.
+    #[wasm_bindgen(js_name = faceValues)]
+    pub fn face_values(&mut self, measure: &str) -> Result<Float32Array, JsValue> {
+        let values = self.open_mut()?.face_values(measure);
+        let values = values.ok_or_else(|| thrown(format!("unknown measure {measure:?}")))?;
+        let narrow: Vec<f32> = values.iter().map(|&value| value as f32).collect();
         Ok(Float32Array::from(&narrow[..]))
     }
 
@@ -328,8 +359,17 @@ impl Solver {
 
     /// The current shape as OBJ.
     pub fn obj(&self) -> Result<String, JsValue> {
-        let session = self.open()?;
-        Ok(write_obj(session.mesh(), &session.positions()))
+        Ok(self.open()?.obj())
+    }
+
+    /// A table as CSV: `errors` of the faces, or `convergence`, the energies of the iterations.
+    pub fn table(&mut self, what: &str) -> Result<String, JsValue> {
+        let session = self.open_mut()?;
+        match what {
+            "errors" => Ok(session.errors_csv()),
+            "convergence" => Ok(session.convergence_csv()),
+            _ => Err(thrown(format!("unknown table {what:?}"))),
+        }
     }
 
     /// Where the corners of each face start, `#F + 1`.
@@ -356,11 +396,11 @@ impl Solver {
         Ok(Uint32Array::from(self.open()?.mesh().curves.indices()))
     }
 
-    fn open(&self) -> Result<&Session, JsValue> {
+    pub(super) fn open(&self) -> Result<&Session, JsValue> {
         self.session.as_ref().ok_or_else(nothing_open)
     }
 
-    fn open_mut(&mut self) -> Result<&mut Session, JsValue> {
+    pub(super) fn open_mut(&mut self) -> Result<&mut Session, JsValue> {
         self.session.as_mut().ok_or_else(nothing_open)
     }
 }
@@ -370,13 +410,13 @@ fn nothing_open() -> JsValue {
 }
 
 /// As a plain object: maps become objects, absent values null.
-fn plain(value: &impl Serialize) -> Result<JsValue, JsValue> {
+pub(super) fn plain(value: &impl Serialize) -> Result<JsValue, JsValue> {
     let serializer = serde_wasm_bindgen::Serializer::json_compatible();
     value.serialize(&serializer).map_err(thrown)
 }
 
 /// An object of typed arrays.
-fn object<const N: usize>(entries: [(&str, JsValue); N]) -> Result<JsValue, JsValue> {
+pub(super) fn object<const N: usize>(entries: [(&str, JsValue); N]) -> Result<JsValue, JsValue> {
     let object = js_sys::Object::new();
     for (key, value) in entries {
         js_sys::Reflect::set(&object, &key.into(), &value)?;
@@ -453,7 +493,7 @@ fn take_unnamed_set(on: &mut Value) -> Result<Option<Set>, JsValue> {
 }
 
 /// What is thrown for an error in a scene or in an entry of one: an Error with its JSON path.
-fn thrown_at(error: &SceneError) -> JsValue {
+pub(super) fn thrown_at(error: &SceneError) -> JsValue {
     let thrown = thrown(error);
     // An object that was just made takes every property.
     let _ = js_sys::Reflect::set(&thrown, &"path".into(), &error.path.as_str().into());

@@ -7,9 +7,11 @@ use super::{log_panics, thrown};
 use crate::view::camera::Up;
 use crate::view::colour_map;
 use crate::view::device::{Device, DeviceError};
+use crate::view::flat_map::follow;
 use crate::view::lists::ViewError;
 use crate::view::picture::Picture;
 use crate::view::projections::Projections;
+use crate::view::region::{Outline, Taking};
 use crate::view::row_colours::RowColours;
 use crate::view::stage::{Display, Stage};
 use glam::Vec2;
@@ -22,7 +24,12 @@ use wgpu::SurfaceTarget;
 #[wasm_bindgen]
 #[derive(Debug)]
 pub struct View {
-    stage: Stage,
+    pub(super) stage: Stage,
+    /// The stage of the flat map beside the model.
+    pub(super) map: Option<Stage>,
+    /// Size of the canvas in CSS pixels.
+    pub(super) canvas_size: Vec2,
+    pixel_ratio: f32,
     picture: Picture,
     backend: &'static str,
     frames: u32,
@@ -61,6 +68,12 @@ async fn open(
     }
 }
 
+/// From x and y of each corner.
+fn outline(corners: &[f32]) -> Outline {
+    let (corners, _) = corners.as_chunks::<2>();
+    Outline::new(corners.iter().map(|&[x, y]| Vec2::new(x, y)).collect())
+}
+
 #[wasm_bindgen]
 impl View {
     /// Opens a view on a canvas that has no context yet. `backend` is `auto`, `webgpu` or `webgl2`.
@@ -81,7 +94,18 @@ impl View {
         )?;
         let picture = Picture::new(device);
         let stage = Stage::default();
-        Ok(View { stage, picture, backend, frames: 0, canvas, context_lost })
+        let (canvas_size, pixel_ratio) = (stage.camera.canvas, 1.0);
+        Ok(View {
+            stage,
+            map: None,
+            canvas_size,
+            pixel_ratio,
+            picture,
+            backend,
+            frames: 0,
+            canvas,
+            context_lost,
+        })
     }
 
     /// `webgpu` or `webgl2`.
@@ -93,8 +117,9 @@ impl View {
     /// nobody has moved since it was fitted is fitted again.
     pub fn resize(&mut self, width: u32, height: u32, device_pixel_ratio: f32) {
         self.picture.device.resize(width, height);
-        let ratio = if device_pixel_ratio > 0.0 { device_pixel_ratio } else { 1.0 };
-        self.stage.resize(Vec2::new(width as f32, height as f32) / ratio);
+        self.pixel_ratio = if device_pixel_ratio > 0.0 { device_pixel_ratio } else { 1.0 };
+        self.canvas_size = Vec2::new(width as f32, height as f32) / self.pixel_ratio;
+        self.arrange();
     }
 
     /// Shows a mesh: rows of faces and of curves as offsets and indices, #V by 3 positions. Another
@@ -113,7 +138,12 @@ impl View {
     ) -> Result<(), JsValue> {
         let faces = (face_offsets, face_indices);
         let curves = (curve_offsets, curve_indices);
-        self.stage.set_mesh(faces, curves, positions).map_err(thrown)
+        self.stage.set_mesh(faces, curves, positions).map_err(thrown)?;
+        if self.stage.checks.places.is_empty() {
+            // Another mesh, and the map is that of the one before.
+            self.clear_map();
+        }
+        Ok(())
     }
 
     /// Moves the vertices, #V by 3.
@@ -153,6 +183,13 @@ impl View {
     pub fn set_theme(&mut self, dark: bool) {
         self.stage.changes.view |= dark != self.stage.dark;
         self.stage.dark = dark;
+    }
+
+    /// White behind everything, or the colour of the theme.
+    #[wasm_bindgen(js_name = setWhite)]
+    pub fn set_white(&mut self, white: bool) {
+        self.stage.changes.view |= white != self.stage.white;
+        self.stage.white = white;
     }
 
     /// Switches edges, dots on vertices, fitted shapes, outlines of projected shapes, and arrows to
@@ -195,6 +232,25 @@ impl View {
         self.stage.looks.select(vertices, faces, counts).map_err(thrown)?;
         (self.stage.changes.looks, self.stage.changes.marks) = (true, true);
         Ok(())
+    }
+
+    /// Sets the edges that can be picked: two vertices each, numbered in this order. Another mesh has
+    /// none at first.
+    ///
+    /// # Errors
+    /// A vertex that does not exist.
+    #[wasm_bindgen(js_name = setEdges)]
+    pub fn set_edges(&mut self, ends: &[u32]) -> Result<(), JsValue> {
+        self.stage.set_edges(ends).map_err(thrown)
+    }
+
+    /// Marks edges as selected, by their places in `setEdges`, and no others.
+    ///
+    /// # Errors
+    /// An edge that does not exist.
+    #[wasm_bindgen(js_name = setSelectedEdges)]
+    pub fn set_selected_edges(&mut self, edges: &[u32]) -> Result<(), JsValue> {
+        self.stage.select_edges(edges).map_err(thrown)
     }
 
     /// Marks the members of a constraint in a colour (each part 0 to 1), and no others.
@@ -340,16 +396,28 @@ impl View {
         self.stage.pick_face(Vec2::new(x, y))
     }
 
-    /// Visible vertices between two corners of a box.
-    #[wasm_bindgen(js_name = boxVertices)]
-    pub fn box_vertices(&mut self, x0: f32, y0: f32, x1: f32, y1: f32) -> Vec<u32> {
-        self.stage.box_vertices(Vec2::new(x0, y0), Vec2::new(x1, y1))
+    /// The visible edge nearest to the cursor, by its place in `setEdges`.
+    #[wasm_bindgen(js_name = pickEdge)]
+    pub fn pick_edge(&mut self, x: f32, y: f32, radius: f32) -> Option<u32> {
+        self.stage.pick_edge(Vec2::new(x, y), radius)
     }
 
-    /// Visible faces between two corners of a box; with `crossing` also those partly inside.
-    #[wasm_bindgen(js_name = boxFaces)]
-    pub fn box_faces(&mut self, x0: f32, y0: f32, x1: f32, y1: f32, crossing: bool) -> Vec<u32> {
-        self.stage.box_faces(Vec2::new(x0, y0), Vec2::new(x1, y1), crossing)
+    /// Vertices inside a polygon on the screen (x and y of each corner); with `through` hidden ones too.
+    #[wasm_bindgen(js_name = verticesIn)]
+    pub fn vertices_in(&mut self, corners: &[f32], through: bool) -> Vec<u32> {
+        self.stage.vertices_in(&outline(corners), through)
+    }
+
+    /// Edges inside a polygon on the screen; with `touching` also those partly inside.
+    #[wasm_bindgen(js_name = edgesIn)]
+    pub fn edges_in(&mut self, corners: &[f32], touching: bool, through: bool) -> Vec<u32> {
+        self.stage.edges_in(&outline(corners), Taking { touching, through })
+    }
+
+    /// Faces inside a polygon on the screen; with `touching` also those partly inside.
+    #[wasm_bindgen(js_name = facesIn)]
+    pub fn faces_in(&mut self, corners: &[f32], touching: bool, through: bool) -> Vec<u32> {
+        self.stage.faces_in(&outline(corners), Taking { touching, through })
     }
 
     /// Where a vertex is on the canvas; nothing when it is hidden, outside, or not there.
@@ -378,7 +446,7 @@ impl View {
     /// Whether the next `draw` has something new to show.
     #[wasm_bindgen(js_name = needsDraw)]
     pub fn needs_draw(&self) -> bool {
-        self.stage.changes.any()
+        self.stage.changes.any() || self.map.as_ref().is_some_and(|map| map.changes.any())
     }
 
     /// Draws if anything has changed; returns whether it did.
@@ -386,7 +454,13 @@ impl View {
     /// # Errors
     /// The device is lost; the page makes a new view on a new canvas.
     pub fn draw(&mut self) -> Result<bool, JsValue> {
-        let drawn = self.picture.draw(&mut self.stage).map_err(thrown)?;
+        if let Some(map) = &mut self.map {
+            follow(map, &self.stage);
+        }
+        let drawn = self
+            .picture
+            .draw(&mut self.stage, self.map.as_mut(), self.pixel_ratio)
+            .map_err(thrown)?;
         self.frames += u32::from(drawn);
         Ok(drawn)
     }

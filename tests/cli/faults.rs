@@ -83,6 +83,7 @@ fn a_place_that_cannot_be_written_is_one_line_and_leaves_nothing() {
         assert_eq!(folder.files(), ["roof.obj", "taken"], "{out} {report}");
     }
     folder.run(&["examples", "--out", "roof.obj"]).refused(&["roof.obj"]);
+    folder.run(&["experiment", "canopy"]).refused(&["canopy", "expected fig-10-collapse"]);
     assert_eq!(folder.read("roof.obj"), ROOF);
 }
 
@@ -109,6 +110,8 @@ fn a_wrong_call_says_how_it_is_called() {
         (vec!["check"], "needs a mesh"),
         (vec!["check", "roof.obj", "--out", "x"], "`--out`"),
         (vec!["examples", "canopy"], "`canopy`"),
+        (vec!["experiment", "--csv", "a.csv"], "needs the name of an example"),
+        (vec!["experiment", "fig-11-strip", "--seconds", "-1"], "--seconds takes a number from 0"),
         (vec!["operators", "--json"], "`--json`"),
         (vec!["flatten", "roof.obj"], "`flatten`"),
         (vec!["parametrize"], "mesh"),

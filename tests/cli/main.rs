@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a helper that fails here fails its test")]
 
+mod experiment;
 mod faults;
 mod folder;
 
@@ -343,7 +344,13 @@ fn examples_are_written_and_can_be_solved() {
     folder.run(&["examples", "--out", "a/b"]).done();
     let index: Value = serde_json::from_str(&folder.read("a/b/index.json")).unwrap();
     for entry in index.as_array().unwrap() {
-        assert_eq!(keys(entry), ["id", "mesh", "scene", "statement", "summary", "title"]);
+        let texts = ["id", "mesh", "scene", "statement", "summary", "title"];
+        assert!(texts.iter().all(|key| entry[key].is_string()), "{entry}");
+        assert!(["vertices", "faces", "tets"].iter().all(|key| entry[key].is_u64()), "{entry}");
+        assert_eq!(entry["weights"].as_array().map(Vec::len), Some(3), "{entry}");
+        assert!(entry["kinds"].is_array(), "{entry}");
+        let of_figure = entry["id"].as_str().is_some_and(|id| id.starts_with("fig-"));
+        assert_eq!(entry["figure"].is_u64(), of_figure, "{entry}");
         assert!(listed.contains(entry["id"].as_str().unwrap()), "{listed}");
         let scene = Path::new("a/b").join(entry["scene"].as_str().unwrap());
         let scene = scene.to_str().unwrap();

@@ -66,10 +66,27 @@ export async function tool(page, name) {
 
 /** Clicks and returns the text of the file that is saved. */
 export async function saved(page, name) {
+  return downloaded(page, () => tool(page, name));
+}
+
+/** Exports in that format and returns the file that is saved. */
+export async function exported(page, format) {
+  await tool(page, 'Export');
+  const dialog = page.getByRole('dialog', { name: 'Export' });
+  const file = await downloaded(page, () =>
+    dialog.getByRole('button', { name: new RegExp(`^${format}`) }).click(),
+  );
+  await expect(dialog).toBeHidden();
+  return file;
+}
+
+/** The file that is saved by what is done. */
+async function downloaded(page, action) {
   const download = page.waitForEvent('download');
-  await tool(page, name);
+  await action();
   const got = await download;
   const chunks = [];
   for await (const chunk of await got.createReadStream()) chunks.push(chunk);
-  return { name: got.suggestedFilename(), text: Buffer.concat(chunks).toString() };
+  const bytes = Buffer.concat(chunks);
+  return { name: got.suggestedFilename(), bytes, text: bytes.toString() };
 }

@@ -157,3 +157,34 @@ test('residuals are arrows to the projected shapes, until there are none', async
   await runToTheEnd(page);
   expect(await changes()).toBeLessThan(0.2 * rough);
 });
+
+test('the legend counts the faces within a tolerance', async ({ page }) => {
+  await openPage(page);
+  await showPanel(page, 'Energies and display');
+  const colours = page.getByLabel('Colour by');
+  const names = await colours.getByRole('option').allTextContents();
+  expect(names.length).toBeGreaterThan(10);
+  await colours.selectOption('Planarity: diagonals');
+  await hidePanels(page);
+  const tolerance = page.getByLabel('Tolerance');
+  const within = page.getByTitle('Faces within the tolerance');
+  const histogram = page.getByRole('img', { name: /^432 faces between 0 and .* %$/ });
+  await expect(histogram).toBeVisible();
+  const set = async (value) => {
+    await tolerance.fill(value);
+    await tolerance.press('Enter');
+  };
+  await set('1000');
+  await expect(within).toHaveText('432 of 432');
+  await set('1');
+  await expect(within).toHaveText(/^\d+ of 432$/);
+  const before = Number.parseInt(await within.textContent(), 10);
+  expect(before).toBeLessThan(432);
+  await runToTheEnd(page);
+  await expect.poll(async () => Number.parseInt(await within.textContent(), 10)).toBe(432);
+
+  await page.getByLabel('Colours to').fill('2,5');
+  await page.getByLabel('Colours to').press('Enter');
+  await tolerance.focus();
+  await expect(page.getByLabel('Colours to')).toHaveValue('2.50');
+});

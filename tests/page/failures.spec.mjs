@@ -1,6 +1,6 @@
 // When something breaks: the solver, the graphics.
 
-import { addConstraint, openText, runToTheEnd, saved } from './actions.mjs';
+import { addConstraint, openText, runToTheEnd, exported } from './actions.mjs';
 import { wavyGrid } from './meshes.mjs';
 import { coloursOfView, expect, openPage, state, test, waitForState } from './support.mjs';
 
@@ -41,7 +41,7 @@ test('without graphics everything but the picture works', async ({ page }) => {
   const before = await state(page);
   const after = await runToTheEnd(page);
   expect(after.circularity.max_distance).toBeLessThan(before.circularity.max_distance);
-  expect((await saved(page, 'Export')).text).toContain('\nf ');
+  expect((await exported(page, 'OBJ')).text).toContain('\nf ');
 });
 
 test('a lost graphics context comes back', async ({ page }) => {

@@ -5,7 +5,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { program } from '../../.scripts/programs.mjs';
-import { addConstraint, openText, saved, showPanel } from './actions.mjs';
+import { addConstraint, exported, openText, saved, showPanel } from './actions.mjs';
 import { file, wavyGrid } from './meshes.mjs';
 import {
   coloursOfView,
@@ -111,8 +111,8 @@ test('the export is what the command line makes of the same scene', async ({ pag
     await page.getByRole('button', { name: 'Step' }).click();
     await waitForState(page, (now, count) => now.iteration === count, i);
   }
-  const exported = await saved(page, 'Export');
-  expect(exported.name).toBe('roof.obj');
+  const mesh = await exported(page, 'OBJ');
+  expect(mesh.name).toBe('roof.obj');
 
   const folder = mkdtempSync(join(tmpdir(), 'shape-up-'));
   try {
@@ -122,7 +122,7 @@ test('the export is what the command line makes of the same scene', async ({ pag
     const options = ['solve', input, '--iterations', String(iterations), '--out', output];
     // The build of the site has made it.
     execFileSync(program('shape-up'), options);
-    expect(exported.text).toBe(readFileSync(output, 'utf8'));
+    expect(mesh.text).toBe(readFileSync(output, 'utf8'));
   } finally {
     rmSync(folder, { recursive: true });
   }

@@ -4,7 +4,7 @@ import { statSync } from 'node:fs';
 import { hidePanels } from './actions.mjs';
 import { file, wavyGrid } from './meshes.mjs';
 import { decodePng } from './picture.mjs';
-import { coloursOfView, expect, state, test, waitForState } from './support.mjs';
+import { coloursOfView, expect, screenOf, state, test, waitForState } from './support.mjs';
 
 const VIEW_BYTES = statSync(new URL('../../www/pkg/view/shape_up_bg.wasm', import.meta.url)).size;
 const viewOf = (page) => page.getByRole('application', { name: '3D view' });
@@ -82,4 +82,43 @@ test('the picture goes when something else is opened', async ({ page }) => {
   await expect(page.locator('#first-picture')).toHaveCount(0);
   release();
   await waitForState(page, (now) => now.renderer !== 'none');
+});
+
+test('a handle can be dragged before anything can draw, and the mesh follows', async ({ page }) => {
+  const releaseScript = await hold(page, '**/*.js');
+  const release = await holdView(page);
+  await page.goto('./', { waitUntil: 'commit' });
+  const picture = page.locator('#first-picture svg:visible');
+  const grip = picture.locator('g:has(circle.handle)');
+  const handle = grip.locator('.handle');
+  const target = grip.locator('.target');
+  const placeOf = async (dot) => {
+    const { x, y, width, height } = await dot.boundingBox();
+    return [x + width / 2, y + height / 2];
+  };
+  const vertex = Number(await grip.getAttribute('data-vertex'));
+  const [x, y] = await placeOf(handle);
+  const before = await placeOf(target);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 20, y - 60, { steps: 4 });
+  // There is only HTML yet: the target moves, and nothing can follow.
+  const dragged = await placeOf(target);
+  expect(dragged[0] - before[0]).toBeCloseTo(20, 0);
+  expect(dragged[1] - before[1]).toBeCloseTo(-60, 0);
+  expect(await placeOf(handle)).toEqual([x, y]);
+
+  // The solver comes: the mesh follows within the picture, also when it has been let go.
+  const panel = picture.locator(':scope > path').last();
+  const still = await panel.getAttribute('d');
+  releaseScript();
+  await expect.poll(async () => (await placeOf(handle))[1]).toBeLessThan(y - 5);
+  await expect(panel).not.toHaveAttribute('d', still);
+  await page.mouse.move(x + 20, y - 80);
+  await page.mouse.up();
+  await expect(page.getByRole('button', { name: 'Undo' })).toBeEnabled();
+
+  release();
+  await expect(page.locator('#first-picture')).toHaveCount(0);
+  expect((await screenOf(page, vertex))[1]).toBeLessThan(y - 5);
 });

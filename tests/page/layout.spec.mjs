@@ -3,7 +3,7 @@
 import { tool } from './actions.mjs';
 import { expect, openPage, test } from './support.mjs';
 
-const NAMES = ['Run', 'Step', 'Reset', 'Undo', 'Redo', 'Export'];
+const NAMES = ['Run', 'Step', 'Reset', 'Undo', 'Redo', 'Export', 'Share'];
 
 test('nothing is cut off, and the view has at least half of the window', async ({ page }) => {
   await openPage(page);

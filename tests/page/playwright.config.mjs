@@ -34,6 +34,8 @@ export default defineConfig({
   expect: { timeout: 30_000 },
   use: {
     baseURL: url,
+    // It would answer for the server, whose answers tests hold back.
+    serviceWorkers: 'block',
     trace: 'retain-on-failure',
     screenshot: 'only-on-failure',
     launchOptions: { executablePath: (await findBrowser()) ?? undefined, args: browserFlags },

@@ -26,7 +26,7 @@ test.beforeEach(async ({ page }) => {
 /** Draws a box around vertices with the Select tool, from left to right. */
 async function selectBox(page, vertices) {
   await hidePanels(page);
-  await page.getByRole('button', { name: 'Select' }).click();
+  await page.getByRole('button', { name: 'Select', exact: true }).click();
   const at = await Promise.all(vertices.map((vertex) => screenOf(page, vertex)));
   const [xs, ys] = [at.map(([x]) => x), at.map(([, y]) => y)];
   await page.mouse.move(Math.min(...xs) - 8, Math.min(...ys) - 8);

@@ -10,6 +10,8 @@ export { expect };
 const allowed = [
   // wgpu says so where WebGPU has no adapter, then takes WebGL2.
   /No available adapters\./,
+  // Those tests that are not about it do without.
+  /Service Worker registration blocked by Playwright/,
   // Chromium, while a screenshot reads the canvas back.
   /GPU stall due to ReadPixels/,
 ];

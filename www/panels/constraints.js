@@ -4,9 +4,10 @@
  */
 
 import { element, icon, setText, throttled } from '../dom.js';
-import { groupDigits, length } from '../format.js';
+import { groupDigits, length, part } from '../format.js';
 import { Parameters, valueInWords } from '../parameters.js';
-import { lengthOrNothing } from '../rounding.js';
+import { energyOrNothing, lengthOrNothing } from '../rounding.js';
+import { NOTHING } from '../selection.js';
 import { sketch } from '../sketch.js';
 
 /** @typedef {import("../messages.js").ConstraintRow} ConstraintRow */
@@ -24,6 +25,8 @@ const NONE = new Uint32Array(0);
 export function constraintsPanel(place, store, solver, actions) {
   /** @type {HTMLElement[]} */
   let worstCells = [];
+  /** @type {HTMLElement[]} */
+  let shareCells = [];
   /** The rows that are on the page. */
   let shown = '';
   /** The rows that are open, by what they are: an index would change with what is before it. @type {Set<string>} */
@@ -38,6 +41,14 @@ export function constraintsPanel(place, store, solver, actions) {
       const vertices = members.faces.length > 0 ? NONE : members.vertices;
       store.set({ tint: { faces: members.faces, vertices, colour: row.colour } });
     }
+  }
+
+  /** Selects what a constraint acts on. @param {ConstraintRow} row */
+  async function selectMembers(row) {
+    const members = await actions.told(solver.request({ type: 'members', constraint: row.index }));
+    if (!members) return;
+    const mode = members.faces.length > 0 ? 'faces' : 'vertices';
+    store.set({ mode, selection: { ...NOTHING, [mode]: new Set(members[mode]) } });
   }
 
   function untint() {
@@ -70,6 +81,14 @@ export function constraintsPanel(place, store, solver, actions) {
       sketch(kind.sketch),
       element('p', { class: 'quiet' }, kind.summary),
       parameters.element,
+      element(
+        'div',
+        { class: 'row-buttons' },
+        textButton('Select', `${name}: select what it acts on`, () => selectMembers(row)),
+        textButton('Duplicate', `${name}: duplicate`, () =>
+          actions.edit({ type: 'duplicateConstraint', index: row.index }),
+        ),
+      ),
     );
   }
 
@@ -127,7 +146,12 @@ export function constraintsPanel(place, store, solver, actions) {
       },
       icon('close'),
     );
-    const worst = element('span', { class: 'worst figure' });
+    const worst = element('span', {
+      class: 'worst figure',
+      title: 'The largest distance of a vertex from where this wants it',
+    });
+    const share = element('span', { class: 'share figure', title: 'Its part of the total energy' });
+    shareCells.push(share);
     worstCells.push(worst);
     const skipped = row.skipped > 0 ? `, ${groupDigits(row.skipped)} skipped` : '';
     const details = detailsOf(row, name);
@@ -170,7 +194,8 @@ export function constraintsPanel(place, store, solver, actions) {
       element(
         'span',
         { class: 'on' },
-        `${row.on} · ${groupDigits(row.count)}${skipped}${paramsInWords(row)}`,
+        element('span', {}, `${row.on} · ${groupDigits(row.count)}${skipped}${paramsInWords(row)}`),
+        share,
       ),
       element('span', { class: 'measures' }, element('label', {}, 'weight', weight), worst),
       details,
@@ -196,6 +221,8 @@ export function constraintsPanel(place, store, solver, actions) {
       const known = row.enabled && value !== undefined;
       const text = known ? `worst ${length(lengthOrNothing(value, size), document.units)}` : '';
       setText(worstCells[i], text);
+      const some = known && numbers && energyOrNothing(numbers.energy.total, size) > 0;
+      setText(shareCells[i], some ? `${part(numbers.shares[i])} of energy` : '');
     });
   });
 
@@ -205,6 +232,7 @@ export function constraintsPanel(place, store, solver, actions) {
     if (rows === shown) return;
     shown = rows;
     worstCells = [];
+    shareCells = [];
     untint();
     const focused = focusedField(place);
     place.replaceChildren(
@@ -226,6 +254,19 @@ export function constraintsPanel(place, store, solver, actions) {
     showNumbers();
   });
   store.subscribe(['numbers'], showNumbers);
+}
+
+/**
+ * @param {string} label
+ * @param {string} name for those who do not see where it is
+ * @param {() => void} onclick
+ */
+function textButton(label, name, onclick) {
+  return element(
+    'button',
+    { type: 'button', class: 'bordered', 'aria-label': name, onclick },
+    label,
+  );
 }
 
 /** The accessible name of the field that has the focus, to give it back. @param {HTMLElement} place */

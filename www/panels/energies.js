@@ -3,6 +3,7 @@
 import { element, setText, throttled } from '../dom.js';
 import { number } from '../format.js';
 import { energyOrNothing } from '../rounding.js';
+import { weightPresets } from './weight-presets.js';
 
 /** @typedef {import("../messages.js").SceneDocument} SceneDocument */
 
@@ -35,9 +36,11 @@ const SMOOTHNESS = { surface: 'keep it smooth', displacement: 'keep the change s
  */
 export function energiesPanel(place, store, actions) {
   const rows = TERMS.map((term) => termRow(term, actions));
+  const presets = weightPresets(actions);
   const handles = element('dd');
   const total = element('dd');
   place.replaceChildren(
+    presets.element,
     ...rows.map((row) => row.element),
     element(
       'dl',
@@ -47,10 +50,13 @@ export function energiesPanel(place, store, actions) {
       element('dt', {}, swatch('total'), 'Total'),
       total,
     ),
+    moreSettings(store, actions),
   );
 
   store.subscribe(['document'], ({ document }) => {
-    if (document) rows.forEach((row) => row.show(document));
+    if (!document) return;
+    presets.show(document.weights);
+    rows.forEach((row) => row.show(document));
   });
   store.subscribe(
     ['numbers'],
@@ -64,6 +70,29 @@ export function energiesPanel(place, store, actions) {
       setText(total, words('total'));
     }),
   );
+}
+
+/**
+ * What most people never need: it comes when it is first opened.
+ * @param {import("../state.js").Store} store
+ * @param {import("../actions.js").Actions} actions
+ */
+function moreSettings(store, actions) {
+  const inside = element('div', { class: 'settings' });
+  const details = element(
+    'details',
+    {
+      class: 'more-settings',
+      ontoggle: async () => {
+        if (!details.open || inside.hasChildNodes()) return;
+        const { settingsPanel } = await import('./settings.js');
+        if (!inside.hasChildNodes()) settingsPanel(inside, store, actions);
+      },
+    },
+    element('summary', {}, 'More settings'),
+    inside,
+  );
+  return details;
 }
 
 /**

@@ -2,13 +2,16 @@
 
 import { element } from '../dom.js';
 import { count } from '../format.js';
+import { sizeOfSelection } from '../selection.js';
+import { handleDetails } from './handle-details.js';
 
 /**
  * @param {HTMLElement} place
  * @param {import("../state.js").Store} store
  * @param {import("../actions.js").Actions} actions
+ * @param {import("../solver-client.js").SolverClient} solver
  */
-export function handlesPanel(place, store, actions) {
+export function handlesPanel(place, store, actions, solver) {
   const summary = element('p');
   const button = (
     /** @type {string} */ label,
@@ -25,12 +28,12 @@ export function handlesPanel(place, store, actions) {
     actions.removeHandles(actions.chosenVertices()),
   );
   const row = element('div', { class: 'handles-row' }, add, fix, remove);
-  place.replaceChildren(summary, row);
+  place.replaceChildren(summary, row, handleDetails(store, actions, solver));
 
   store.subscribe(['document', 'selection'], ({ document, selection }) => {
     const handles = document?.handles ?? [];
     const fixed = handles.filter((handle) => handle.fixed).length;
-    const chosen = selection.vertices.size + selection.faces.size > 0;
+    const chosen = sizeOfSelection(selection) > 0;
     summary.className = 'quiet';
     summary.textContent = wordsFor(handles.length, fixed);
     const pinned = document?.pinned.length ?? 0;

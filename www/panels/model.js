@@ -2,16 +2,17 @@
 
 import { element } from '../dom.js';
 import { count, groupDigits } from '../format.js';
+import { frameFields } from '../units.js';
 
 /**
  * @param {HTMLElement} place
  * @param {import("../state.js").Store} store
+ * @param {import("../actions.js").Actions} actions
  */
-export function modelPanel(place, store) {
-  store.subscribe(['model', 'document'], ({ model, document }) => {
+export function modelPanel(place, store, actions) {
+  const frame = frameFields(store, actions);
+  store.subscribe(['model'], ({ model }) => {
     if (!model) return;
-    const units = document?.units || model.units;
-    const up = document?.up ?? model.up;
     place.replaceChildren(
       element('p', { class: 'model-name' }, model.title || model.name),
       facts([
@@ -20,9 +21,8 @@ export function modelPanel(place, store) {
         ...optional('Curves', model.curves),
         ...optional('Tetrahedra', model.tets),
         ...optional('Groups', model.groups.length),
-        ['Unit', units || 'not given'],
-        ['Up', up],
       ]),
+      frame,
       ...groups(model),
       ...report(model),
     );

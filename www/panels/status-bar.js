@@ -1,10 +1,10 @@
 /** The status bar: what happened, what to do next, and the numbers of the iteration. */
 
 import { element, setText, throttled } from '../dom.js';
-import { count, duration, groupDigits, length, number } from '../format.js';
-import { MEASURES, measureOfScene, worstOf } from '../measures.js';
-import { energyOrNothing, lengthOrNothing } from '../rounding.js';
-import { describe } from '../selection.js';
+import { duration, groupDigits, number } from '../format.js';
+import { declared, measureOfScene, roundingOf, valueInWords, worstOf } from '../measures.js';
+import { energyOrNothing } from '../rounding.js';
+import { sizeOfSelection } from '../selection.js';
 
 const NUMBERS_EVERY_MS = 100;
 const RENDERERS = { webgpu: 'WebGPU', webgl2: 'WebGL2', none: 'no 3D', starting: '' };
@@ -16,12 +16,12 @@ const RENDERERS = { webgpu: 'WebGPU', webgl2: 'WebGL2', none: 'no 3D', starting:
 export function statusBar(places, store) {
   const cells = new Map();
   for (const [key, name, style] of [
-    ['selection', '', 'wide narrow-hidden'],
     ['iteration', 'iteration', 'narrow-hidden'],
     ['energy', 'energy', 'wide narrow-hidden'],
     ['worst', 'worst panel', ''],
     ['step', '', 'narrow-hidden'],
     ['units', '', 'wide narrow-hidden'],
+    ['saved', '', 'wide narrow-hidden'],
     ['renderer', '', 'wide narrow-hidden'],
   ]) {
     const value = element('dd');
@@ -43,10 +43,12 @@ export function statusBar(places, store) {
     const units = document?.units ?? '';
     set('iteration', groupDigits(numbers.iteration));
     set('energy', number(energyOrNothing(numbers.energy.total, size)));
-    if (measure && model?.faces) {
-      set('worst', length(lengthOrNothing(worstOf(numbers, measure), size), units));
-      const { label, words } = MEASURES[measure];
-      cells.get('worst').row.title = `${label}: ${words}`;
+    const about = declared(state, measure);
+    if (about && model?.faces) {
+      const worst = worstOf(state, about.id);
+      const shown = worst < roundingOf(about, size) ? 0 : worst;
+      set('worst', valueInWords(about, shown, units));
+      cells.get('worst').row.title = `${about.label}: ${about.words}`;
     } else {
       set('worst', '');
     }
@@ -54,34 +56,46 @@ export function statusBar(places, store) {
   });
 
   store.subscribe(['status'], ({ status }) => setText(places.status, status));
-  store.subscribe(['numbers', 'measure', 'model', 'document'], showNumbers);
-  store.subscribe(['selection'], ({ selection }) => {
-    const what = describe(selection, count);
-    set('selection', what && `${what} selected`);
-  });
+  store.subscribe(['numbers', 'measure', 'spread', 'model', 'document'], showNumbers);
   store.subscribe(['document', 'model'], ({ document, model }) => {
     if (document && model) set('units', `${document.units || 'no unit'} · ${document.up}-up`);
   });
+  store.subscribe(['saved'], ({ saved }) => set('saved', saved));
   store.subscribe(['renderer'], ({ renderer }) => set('renderer', RENDERERS[renderer]));
   store.subscribe(
-    ['model', 'document', 'tool', 'running', 'converged', 'selection', 'dragged', 'renderer'],
+    [
+      'model',
+      'document',
+      'tool',
+      'shape',
+      'mode',
+      'running',
+      'converged',
+      'selection',
+      'dragged',
+      'renderer',
+    ],
     (state) => setText(places.hint, hintOf(state)),
   );
 }
 
+/** What to do with the Select tool. */
+const SHAPES = { box: 'Drag a box', lasso: 'Draw a lasso', paint: 'Brush' };
+
 /** What to do next. @param {import("../state.js").State} state */
 function hintOf(state) {
-  const { model, document, tool, mode, running, converged, selection, dragged, renderer } = state;
+  const { model, document, tool, shape, mode, running, converged, selection, dragged, renderer } =
+    state;
   if (!model || !document) return '';
   if (dragged.length > 0) return 'Release to leave it there · Esc puts it back';
   if (document.constraints.length === 0)
     return 'Add a constraint to say what shape its parts should take';
-  if (selection.vertices.size + selection.faces.size > 0) {
+  if (sizeOfSelection(selection) > 0) {
     return 'H makes handles of the selection · Add constraint can use it · Esc selects nothing';
   }
   if (renderer === 'none') return 'Run, Export and the panels work without the picture';
   if (tool === 'select')
-    return `Drag a box over ${mode} · Shift adds, Ctrl removes · V goes back to Drag`;
+    return `${SHAPES[shape]} over ${mode} · Shift adds, Ctrl removes · V goes back to Drag`;
   if (document.handles.length === 0)
     return 'Double-click a vertex to make it a handle · drag to orbit';
   if (!running && !converged) return 'Space runs · drag a blue dot · drag elsewhere to orbit';

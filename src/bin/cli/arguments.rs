@@ -13,6 +13,8 @@ pub(super) enum Command {
     Check { mesh: PathBuf, report: Option<PathBuf> },
     Parametrize(Parametrize),
     Examples { out: Option<PathBuf> },
+    Experiments,
+    Experiment(Experiment),
     Operators,
     Help,
     Version,
@@ -43,6 +45,16 @@ pub(super) struct Parametrize {
     pub(super) report: Option<PathBuf>,
 }
 
+/// `shape-up experiment`.
+#[derive(Debug, Default, PartialEq)]
+pub(super) struct Experiment {
+    /// The id of an example.
+    pub(super) example: String,
+    pub(super) iterations: Option<u32>,
+    pub(super) seconds: Option<f64>,
+    pub(super) csv: Option<PathBuf>,
+}
+
 /// How the program is called.
 pub(super) fn usage() -> String {
     let flags: Vec<_> = KINDS.iter().map(|info| format!("[--{}]", info.id)).collect();
@@ -55,6 +67,7 @@ usage: shape-up solve SCENE|MESH {}
        shape-up parametrize MESH [--weights {}] [--norm {}]
                 [--out UV.obj] [--report FILE.json]
        shape-up examples [--out DIR]
+       shape-up experiment [EXAMPLE] [--iterations N] [--seconds T] [--csv FILE.csv]
        shape-up operators
        shape-up --help | --version
 
@@ -63,6 +76,8 @@ The name of a kind puts one constraint of it on every face, with weight 1, besid
 --iterations, --tolerance (0 never stops early) and --accelerator replace the settings of the scene.
 --trace records the energies of every iteration, in the report and on standard output.
 parametrize makes a flat map that keeps angles; --out writes the mesh with the map as its vt.
+experiment solves an example of the paper's comparisons by every method, and prints how far each came;
+--csv writes all iterations; without an example it lists those that have one. The limits are per method.
 Exit code: 0 done, 1 the input is at fault, 2 usage, 3 internal.",
         flags.join(" "),
         words(Accelerator::WORDS, "|"),
@@ -109,6 +124,7 @@ pub(super) fn parse(arguments: Vec<OsString>) -> Result<Command, String> {
             }
             Ok(Command::Examples { out })
         }
+        Some("experiment") => experiment(words),
         Some("operators") => match words.rest.next() {
             None => Ok(Command::Operators),
             Some(word) => Err(unknown(&word.to_string_lossy(), "operators")),
@@ -116,9 +132,36 @@ pub(super) fn parse(arguments: Vec<OsString>) -> Result<Command, String> {
         Some("--help" | "-h" | "help") => Ok(Command::Help),
         Some("--version" | "-V") => Ok(Command::Version),
         _ => Err(format!(
-            "unknown command `{}`, expected solve, check, parametrize, examples or operators",
+            "unknown command `{}`, expected solve, check, parametrize, examples, experiment or operators",
             command.to_string_lossy()
         )),
+    }
+}
+
+fn experiment(mut words: Words) -> Result<Command, String> {
+    let (mut experiment, mut example) = (Experiment::default(), None);
+    while let Some(word) = words.next()? {
+        let (name, value) = match word {
+            Word::File(file) => {
+                one(&mut example, file)?;
+                continue;
+            }
+            Word::Option(name, value) => (name, value),
+        };
+        match name.as_str() {
+            "--iterations" => experiment.iterations = Some(words.iterations(&name, value)?),
+            "--seconds" => experiment.seconds = Some(words.not_negative(&name, value)?),
+            "--csv" => experiment.csv = Some(words.file(&name, value)?),
+            _ => return Err(unknown(&name, "experiment")),
+        }
+    }
+    match example {
+        Some(example) => {
+            experiment.example = example.to_string_lossy().into_owned();
+            Ok(Command::Experiment(experiment))
+        }
+        None if experiment == Experiment::default() => Ok(Command::Experiments),
+        None => Err("experiment needs the name of an example".to_owned()),
     }
 }
 
@@ -144,17 +187,8 @@ fn solve(mut words: Words) -> Result<Command, String> {
             }
             ("--out", _) => solve.out = Some(words.file(&name, value)?),
             ("--report", _) => solve.report = Some(words.file(&name, value)?),
-            ("--iterations", _) => {
-                let value = words.text(&name, value)?;
-                let expected = format!("--iterations takes a whole number from 0, found `{value}`");
-                solve.iterations = Some(value.parse().map_err(|_| expected)?);
-            }
-            ("--tolerance", _) => {
-                let value = words.text(&name, value)?;
-                let parsed = value.parse().ok().filter(|t: &f64| t.is_finite() && *t >= 0.0);
-                let expected = format!("--tolerance takes a number from 0, found `{value}`");
-                solve.tolerance = Some(parsed.ok_or(expected)?);
-            }
+            ("--iterations", _) => solve.iterations = Some(words.iterations(&name, value)?),
+            ("--tolerance", _) => solve.tolerance = Some(words.not_negative(&name, value)?),
             ("--accelerator", _) => {
                 solve.accelerator = Some(words.one_of(&name, value, Accelerator::WORDS)?);
             }
@@ -264,6 +298,19 @@ impl Words {
 
     fn file(&mut self, name: &str, value: Option<OsString>) -> Result<PathBuf, String> {
         self.value(name, value).map(PathBuf::from)
+    }
+
+    /// The value of an option that takes a whole number.
+    fn iterations(&mut self, name: &str, value: Option<OsString>) -> Result<u32, String> {
+        let value = self.text(name, value)?;
+        value.parse().map_err(|_| format!("{name} takes a whole number from 0, found `{value}`"))
+    }
+
+    /// The value of an option that takes a number that is not negative.
+    fn not_negative(&mut self, name: &str, value: Option<OsString>) -> Result<f64, String> {
+        let value = self.text(name, value)?;
+        let parsed = value.parse().ok().filter(|number: &f64| number.is_finite() && *number >= 0.0);
+        parsed.ok_or_else(|| format!("{name} takes a number from 0, found `{value}`"))
     }
 
     /// The value of an option that takes one of some words.

@@ -2,26 +2,75 @@
 
 use super::{Failure, output};
 use serde::Serialize;
-use shape_up::mesh::{write_medit, write_obj};
-use shape_up::scene::examples::EXAMPLES;
+use shape_up::constraint::Info;
+use shape_up::experiment::Experiment;
+use shape_up::mesh::{Mesh, write_medit, write_obj};
+use shape_up::scene::Scene;
+use shape_up::scene::examples::{EXAMPLES, Example};
 use std::path::{Path, PathBuf};
 
-/// One entry of `index.json`, from which the page makes its list.
+/// One entry of `index.json`, from which the page makes its list and the gallery its cards.
 #[derive(Serialize)]
 struct Entry {
     id: &'static str,
+    /// The figure of the paper, if it is of one.
+    figure: Option<u32>,
     title: &'static str,
     summary: &'static str,
     statement: &'static str,
     scene: String,
     mesh: String,
+    /// How many of them the mesh has.
+    vertices: usize,
+    faces: usize,
+    tets: usize,
+    /// The kinds of its constraints, each once.
+    kinds: Vec<KindName>,
+    /// `lambda_shape`, `lambda_close` and `lambda_smooth` of Eq. 13.
+    weights: [f64; 3],
+    /// The comparison that can be run on it.
+    experiment: Option<&'static Experiment>,
+}
+
+#[derive(Serialize, PartialEq)]
+struct KindName {
+    id: &'static str,
+    label: &'static str,
+}
+
+impl Entry {
+    fn new(example: &Example, scene: &Scene, mesh: &Mesh) -> Entry {
+        let mut kinds = Vec::new();
+        for spec in &scene.constraints {
+            let Info { id, label, .. } = *spec.kind.info();
+            let kind = KindName { id, label };
+            if !kinds.contains(&kind) {
+                kinds.push(kind);
+            }
+        }
+        let number = example.id.strip_prefix("fig-").and_then(|rest| rest.split('-').next());
+        Entry {
+            id: example.id,
+            figure: number.and_then(|digits| digits.parse().ok()),
+            title: example.title,
+            summary: example.summary,
+            statement: example.statement,
+            scene: example.file(),
+            mesh: example.mesh_file(),
+            vertices: mesh.positions.len(),
+            faces: mesh.faces.len(),
+            tets: mesh.tets.len(),
+            kinds,
+            weights: [scene.weights.shape, scene.weights.close, scene.weights.smooth],
+            experiment: Experiment::of(example.id),
+        }
+    }
 }
 
 /// One line per example.
 pub(super) fn list() -> Result<(), Failure> {
-    let line = |example: &shape_up::scene::examples::Example| {
-        format!("{:<20} {}. {}\n", example.id, example.title, example.summary)
-    };
+    let line =
+        |example: &Example| format!("{:<20} {}. {}\n", example.id, example.title, example.summary);
     output::print(&EXAMPLES.iter().map(line).collect::<String>())
 }
 
@@ -35,6 +84,7 @@ pub(super) fn write(folder: &Path) -> Result<(), Failure> {
         ))
     })?;
     let mut files: Vec<(PathBuf, String)> = Vec::new();
+    let mut index = Vec::new();
     for example in EXAMPLES {
         let (scene, mesh) = example.build();
         let text = match mesh.tets.is_empty() {
@@ -43,18 +93,8 @@ pub(super) fn write(folder: &Path) -> Result<(), Failure> {
         };
         files.push((folder.join(example.file()), scene.to_json(&mesh)));
         files.push((folder.join(example.mesh_file()), text));
+        index.push(Entry::new(example, &scene, &mesh));
     }
-    let index: Vec<_> = EXAMPLES
-        .iter()
-        .map(|e| Entry {
-            id: e.id,
-            title: e.title,
-            summary: e.summary,
-            statement: e.statement,
-            scene: e.file(),
-            mesh: e.mesh_file(),
-        })
-        .collect();
     let index = serde_json::to_string_pretty(&index).expect("entries are plain text");
     files.push((folder.join("index.json"), index + "\n"));
     let files: Vec<_> = files.iter().map(|(path, text)| (path.as_path(), text.clone())).collect();

@@ -3,7 +3,7 @@
 use super::Failure;
 use shape_up::constraint::{Element, Kind, Selector};
 use shape_up::mesh::{self, Mesh, Read};
-use shape_up::scene::{ConstraintSpec, MeshSource, Scene};
+use shape_up::scene::{ConstraintSpec, Frame, MeshSource, Scene};
 use std::path::Path;
 
 /// A scene with its mesh.
@@ -22,13 +22,15 @@ pub(super) fn is_scene(path: &Path) -> bool {
 /// Reads a scene and the mesh that it names, or a mesh as a scene without constraints.
 pub(super) fn read(path: &Path) -> Result<Input, Failure> {
     if !is_scene(path) {
-        let read = read_mesh(path)?;
+        let bytes = bytes(path)?;
+        let read = mesh::read(&path.to_string_lossy(), &bytes)
+            .map_err(|error| Failure::Input(error.to_string()))?;
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        return Ok(Input {
-            remarks: remarks(&read),
-            scene: Scene::new(MeshSource::File(name)),
-            mesh: read.mesh,
-        });
+        let frame = Frame::stated(&bytes);
+        let mut scene = Scene::new(MeshSource::File(name));
+        scene.units = frame.units.unwrap_or_default();
+        scene.up = frame.up.unwrap_or(scene.up);
+        return Ok(Input { remarks: remarks(&read), scene, mesh: read.mesh });
     }
     let at = |message: String| Failure::Input(format!("{}: {message}", path.display()));
     let text = String::from_utf8(bytes(path)?)

@@ -5,11 +5,12 @@
 //! | `arguments` | the words of the command line, and the usage |
 //! | `input` | mesh and scene files in |
 //! | `output` | files and standard output, whole or not at all |
-//! | `solve`, `check`, `parametrize`, `examples` | the commands of these names |
+//! | `solve`, `check`, `parametrize`, `examples`, `experiment` | the commands of these names |
 
 mod arguments;
 mod check;
 mod examples;
+mod experiment;
 mod input;
 mod output;
 mod parametrize;
@@ -62,6 +63,8 @@ fn perform(command: Command) -> Result<(), Failure> {
         Command::Parametrize(parametrize) => parametrize::parametrize(&parametrize),
         Command::Examples { out: None } => examples::list(),
         Command::Examples { out: Some(folder) } => examples::write(&folder),
+        Command::Experiments => experiment::list(),
+        Command::Experiment(asked) => experiment::run(&asked),
         Command::Operators => {
             let kinds = serde_json::to_string_pretty(shape_up::constraint::KINDS);
             output::print(&(kinds.expect("declarations are plain data") + "\n"))

@@ -45,8 +45,8 @@ pub(super) fn parametrize(asked: &Parametrize) -> Result<(), Failure> {
         faces: mesh.faces.len(),
         parts: map.parts,
         eigenvalue: map.eigenvalue,
-        quasi_conformal: map.quasi_conformal,
-        flipped: map.flipped,
+        quasi_conformal: map.errors.quasi_conformal,
+        flipped: map.errors.flipped,
         seconds: Seconds {
             load: loaded - started,
             parts: map.seconds,

@@ -4,7 +4,6 @@ use super::arguments::Solve;
 use super::{Failure, input, output};
 use shape_up::constraint::describe;
 use shape_up::error::Error;
-use shape_up::mesh::write_obj;
 use shape_up::scene::SceneError;
 use shape_up::session::{Report, Session};
 use std::fmt::Write;
@@ -42,7 +41,7 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
 
     let mut files: Vec<(&Path, String)> = Vec::new();
     if let Some(path) = &command.out {
-        files.push((path, write_obj(session.mesh(), &session.positions())));
+        files.push((path, session.obj()));
     }
     if let Some(path) = &command.report {
         let text = serde_json::to_string_pretty(&report);

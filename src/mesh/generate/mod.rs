@@ -6,13 +6,22 @@
 //! | `canopy`, `dome`, `hypar` | the models that the page shows first |
 //! | `hall` | a flowing roof with a swelling and a waist |
 //! | `honeycomb`, `dual` | polygons over a surface: the dual of rows of triangles |
+//! | `mask` | a face in relief, of uneven triangles |
 //! | `mounds` | a roof of polygons with two mounds |
 //! | `lantern` | a surface of revolution, whose panels have circles |
 //! | `net` | a piece of a torus, whose lines are circles |
+//! | `strip` | a strip between two rails |
+//! | `noise` | numbers without a pattern |
 //! | `patch` | a sheet of skew, uneven panels |
+//! | `archway` | a block with a pitched roof and a round passage: creases and corners |
+//! | `vase` | a surface of revolution of triangles, out of the round |
+//! | `tower` | a tower whose floors are wavy |
+//! | `pavilion` | points without faces: a floor, a wall, columns and a dome |
+//! | `opening` | takes faces out |
 //! | `blocks` | blocks of cubes: their surface, and tetrahedra |
 //! | `creature`, `implicit`, `relax` | an animal of blended round parts, polygonised |
 
+mod archway;
 mod blocks;
 mod canopy;
 mod creature;
@@ -23,11 +32,19 @@ mod honeycomb;
 mod hypar;
 mod implicit;
 mod lantern;
+mod mask;
 mod mounds;
 mod net;
+mod noise;
+mod opening;
 mod patch;
+mod pavilion;
 mod relax;
+mod strip;
+mod tower;
+mod vase;
 
+pub use archway::Archway;
 pub use blocks::Blocks;
 pub use canopy::Canopy;
 pub use creature::Creature;
@@ -36,10 +53,18 @@ pub use hall::Hall;
 pub use honeycomb::honeycomb;
 pub use hypar::Hypar;
 pub use lantern::Lantern;
+pub use mask::Mask;
 pub use mounds::Mounds;
 pub use net::Net;
+pub use opening::opened;
 pub use patch::Patch;
+pub use pavilion::Pavilion;
 pub use relax::soften;
+pub use strip::Strip;
+pub use tower::Tower;
+pub use vase::Vase;
+
+pub(crate) use noise::Noise;
 
 use super::{Mesh, Point, Ragged};
 

@@ -1,5 +1,6 @@
 //! A sheet of skew, uneven panels.
 
+use super::noise::Noise;
 use super::{grid, rounded};
 use crate::mesh::Mesh;
 
@@ -41,20 +42,5 @@ impl Patch {
             *p = [x, y, self.rise * (1.0 - 0.5 * (across * across + along * along))];
         }
         rounded(mesh)
-    }
-}
-
-/// Numbers from -1 to 1 without a visible pattern: a linear congruential generator with Knuth's
-/// multiplier of MMIX, of which the upper half is used.
-struct Noise {
-    state: u64,
-}
-
-impl Noise {
-    fn next(&mut self) -> f64 {
-        const MULTIPLIER: u64 = 6_364_136_223_846_793_005;
-        const INCREMENT: u64 = 1_442_695_040_888_963_407;
-        self.state = self.state.wrapping_mul(MULTIPLIER).wrapping_add(INCREMENT);
-        (self.state >> 32) as f64 / f64::from(u32::MAX) * 2.0 - 1.0
     }
 }

@@ -8,16 +8,24 @@
 //! | `squares` | Fig. 4 |
 //! | `panels` | Fig. 5: planar and circular panels |
 //! | `exploration` | Fig. 6: shapes of circular meshes and webs under handles |
+//! | `quality` | Fig. 7: better quads on a surface with creases |
 //! | `deformation` | Fig. 8: rigid and similar elements under handles |
-//! | `recovery` | Fig. 10: from a collapsed start |
+//! | `flat_maps` | Fig. 9: conformal parametrisation |
+//! | `recovery` | Fig. 10: from a collapsed start, and from a scattered one |
+//! | `strip` | Fig. 11: edges that collapse |
+//! | `curves_and_points` | curves on a mesh, points without faces |
 
+mod curves_and_points;
 mod deformation;
 mod exploration;
 mod first;
+mod flat_maps;
 mod overview;
 mod panels;
+mod quality;
 mod recovery;
 mod squares;
+mod strip;
 
 use super::{ConstraintSpec, HandleSpec, Hold, MeshSource, Scene};
 use crate::constraint::{Element, Kind, Selector};
@@ -45,12 +53,15 @@ pub const EXAMPLES: &[Example] = &[
     first::DOME,
     first::HYPAR,
     overview::OVERVIEW,
+    overview::TRIANGLES,
+    overview::TETRAHEDRA,
     squares::SQUARES,
     panels::PLANAR,
     panels::CIRCULAR,
     panels::MIXED,
     exploration::LANTERN,
     exploration::WEB,
+    quality::ARCHWAY,
     deformation::PROTRUSIONS,
     deformation::RINGS[0],
     deformation::RINGS[1],
@@ -58,7 +69,13 @@ pub const EXAMPLES: &[Example] = &[
     deformation::BAR_POLYGONS,
     deformation::BAR_RINGS,
     deformation::BAR_TETS,
+    flat_maps::MASK,
+    flat_maps::POLYGONS,
     recovery::COLLAPSE,
+    recovery::RANDOM,
+    strip::STRIP,
+    curves_and_points::SLABS,
+    curves_and_points::POINTS,
 ];
 
 impl Example {

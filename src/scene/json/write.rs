@@ -2,8 +2,8 @@
 
 use super::constraint::default_params;
 use super::{
-    ACCELERATORS, FORMAT, SMOOTHNESSES, UPS, VERSION, WEIGHTINGS, closeness, indices, inline_mesh,
-    selector, word_of,
+    ACCELERATORS, FACTORIZATIONS, FORMAT, SMOOTHNESSES, UPS, VERSION, WEIGHTINGS, closeness,
+    indices, inline_mesh, selector, word_of,
 };
 use crate::constraint::Set;
 use crate::mesh::{Mesh, Point};
@@ -95,6 +95,9 @@ fn solver(scene: &Scene, defaults: &Scene) -> Vec<String> {
     }
     if s.monotone != d.monotone {
         fields.push(field("monotone", s.monotone.to_string()));
+    }
+    if s.factorization != d.factorization {
+        fields.push(field("factorization", text(word_of(FACTORIZATIONS, s.factorization))));
     }
     fields
 }

@@ -7,6 +7,8 @@ struct Corner {
     @location(1) soft_normal: vec3f,
     @location(2) @interpolate(flat) normal: vec3f,
     @location(3) @interpolate(flat) look: vec4f,
+    // In squares of the checkerboard.
+    @location(4) place: vec2f,
 }
 
 @vertex
@@ -18,7 +20,21 @@ fn corner_of_face(@location(0) ids: vec2u) -> Corner {
     out.soft_normal = textureLoad(vertex_normals, texel(ids.x), 0).xyz;
     out.normal = textureLoad(face_normals, texel(ids.y), 0).xyz;
     out.look = textureLoad(face_looks, texel(ids.y), 0);
+    out.place = vec2f(0.0);
+    if scene.checks.x > 0.0 {
+        out.place = textureLoad(places, texel(ids.x), 0).xy * scene.checks.x;
+    }
     return out;
+}
+
+// How much of a pixel is in dark squares: the checkerboard under a box filter of the size of the
+// pixel (Quilez, Filtering procedural textures), so that it is crisp near and grey far away.
+fn dark_part(place: vec2f, pixel: vec2f) -> f32 {
+    let size = max(pixel, vec2f(1e-5));
+    let from_edge = abs(fract((place - 0.5 * size) * 0.5) - 0.5);
+    let to_edge = abs(fract((place + 0.5 * size) * 0.5) - 0.5);
+    let sides = 2.0 * (from_edge - to_edge) / size;
+    return 0.5 - 0.5 * sides.x * sides.y;
 }
 
 fn light_on(in: Corner) -> f32 {
@@ -40,6 +56,8 @@ fn light_on(in: Corner) -> f32 {
 @fragment
 fn lit(in: Corner) -> @location(0) vec4f {
     let light = light_on(in);
+    // Differences between pixels are there only where all of them come by.
+    let pixel = fwidth(in.place);
     let modelled = mix(0.74, 1.06, light);
     let place = u32(in.look.x * 255.0 + 0.5);
     var colour = mix(scene.shade.rgb, scene.material.rgb, light);
@@ -50,6 +68,10 @@ fn lit(in: Corner) -> @location(0) vec4f {
     } else if in.look.y > 0.125 {
         let row = colour_of_row(place);
         colour = mix(colour, row.rgb * modelled, row.a);
+    }
+    if scene.checks.x > 0.0 {
+        let dark = dark_part(in.place, pixel) * scene.check.a;
+        colour = mix(colour, scene.check.rgb * modelled, dark);
     }
     colour = mix(colour, scene.tint.rgb * modelled, in.look.w * scene.tint.a);
     colour = mix(colour, scene.selected.rgb * modelled, in.look.z * scene.selected.a);

@@ -29,9 +29,13 @@ struct Scene {
     selected: vec4f,
     tint: vec4f,
     sphere: vec4f,
+    // Colour of the dark squares of the checkerboard; its opacity is how much is mixed into a face.
+    check: vec4f,
+    // Squares of the checkerboard along a unit of length, 0 for none; then nothing.
+    checks: vec4f,
     circle: Stroke,
-    strokes: array<Stroke, 6>,
-    dots: array<Dot, 8>,
+    strokes: array<Stroke, 7>,
+    dots: array<Dot, 9>,
 }
 
 @group(0) @binding(0) var<uniform> scene: Scene;
@@ -42,6 +46,8 @@ struct Scene {
 // Row 0: the map of values. Row 1: the colours of the rows of constraints. Row 2: the same, for
 // projections.
 @group(0) @binding(5) var colour_map: texture_2d<f32>;
+// Where the vertices are on the checkerboard.
+@group(0) @binding(6) var places: texture_2d<f32>;
 
 fn texel(index: u32) -> vec2u {
     return vec2u(index & 1023u, index >> 10u);

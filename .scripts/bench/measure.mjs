@@ -1,0 +1,171 @@
+// What is measured of the problems, in the order of the options: numbers only, no tables.
+
+import { outputOf, say } from '../run.mjs';
+import { accelerators, problemOf, problems } from './problems.mjs';
+import { median, medians, reached, spread } from './statistics.mjs';
+
+/** How near to the converged energy, relative to it. */
+export const nearness = [1e-2, 1e-4, 1e-6];
+
+/** Iterations of a run, and how many at its start are not counted. */
+const STEPS = [25, 5];
+/** Runs take about so long together. */
+const RUNS_MS = 1500;
+/** Milliseconds of an iteration per vertex, roughly. */
+const MS_PER_VERTEX = 2.5e-4;
+/** The site's own worker: milliseconds before it is measured, and of the measurement. */
+const RUN_MS = { usual: { settle: 1000, during: 2500 }, trial: { settle: 50, during: 100 } };
+/** How far below zero no energy is. */
+const NO_GOAL = -1;
+/** A run has converged after so many iterations that change nothing. */
+const PATIENCE = 5;
+
+const keys = ['total', 'shape', 'close', 'smooth', 'global'];
+const byPart = (steps) =>
+  Object.fromEntries(keys.map((key) => [key, spread(steps.map((step) => step[key]))]));
+
+/** Setting up, iterating, and editing one problem in one place. */
+async function measureOne(place, problem, { vertices, accelerator }) {
+  const isDefault = accelerator === 'quasi-newton';
+  const estimate = STEPS[0] * vertices * MS_PER_VERTEX;
+  const large = vertices > 50_000;
+  const result = await place.perform({
+    measure: 'iterations',
+    problem,
+    loads: large ? 3 : 4,
+    rounds: 1 + Math.max(3, Math.min(12, Math.round(RUNS_MS / estimate))),
+    steps: STEPS,
+    edits: isDefault ? (large ? 4 : 7) : 0,
+  });
+  const { report, cold, openings, steps, fresh, handle, change, drag, bytes } = result;
+  const nonzeros = report.factor_nonzeros;
+  const perValue = isDefault ? 4 : 8;
+  const limit = await place.stream(nonzeros * perValue);
+  return {
+    nonzeros,
+    unknowns: report.unknowns,
+    constraints: Object.values(report.constraints).reduce((sum, count) => sum + count, 0),
+    setUp: medians(openings),
+    cold: cold ?? null,
+    step: byPart(steps),
+    fresh: byPart(fresh),
+    handle: median(handle),
+    change: median(change),
+    drag: byPart(drag),
+    bytes: bytes ?? null,
+    /** Milliseconds to read the factor twice; its nonzeros only. */
+    limit: limit === null ? null : 2 * limit,
+  };
+}
+
+/** One entry per problem, size, place, and accelerator. */
+export async function measureIterations({ sizes, letters, places, trial }) {
+  const rows = [];
+  for (const size of sizes) {
+    for (const letter of letters.filter((letter) => !problems[letter].maps)) {
+      for (const accelerator of ['none', 'quasi-newton']) {
+        for (const [where, place] of Object.entries(places)) {
+          const problem = problemOf(letter, size, { accelerator });
+          const { vertices } = problem;
+          say(`${letter}, ${vertices} vertices, ${accelerator}, ${where}`);
+          const row = await measureOne(place, problem, { vertices, accelerator });
+          const runs = place.run && accelerator === 'quasi-newton';
+          const run = runs ? await place.run(problem, trial ? RUN_MS.trial : RUN_MS.usual) : null;
+          rows.push({ problem: letter, vertices, where, accelerator, ...row, run });
+        }
+      }
+    }
+  }
+  return rows;
+}
+
+/** Until the converged energy, with every accelerator. `native` finds what the converged one is. */
+export async function measureConvergence({ sizes, letters, places, native, limitMs }) {
+  const rows = [];
+  for (const size of sizes) {
+    for (const letter of letters.filter((letter) => problems[letter].converges)) {
+      say(`${letter}, ${size} vertices: the converged energy`);
+      const found = await native.perform({
+        measure: 'convergence',
+        problem: problemOf(letter, size),
+        goal: NO_GOAL,
+        limit: 3 * limitMs,
+        patience: PATIENCE,
+      });
+      const ended = found.steps.reduce((sum, ms) => sum + ms, 0) < 3 * limitMs;
+      let converged = Math.min(...found.energies);
+      const runs = [];
+      for (const accelerator of accelerators) {
+        for (const [where, place] of Object.entries(places)) {
+          const problem = problemOf(letter, size, { accelerator });
+          say(`${letter}, ${problem.vertices} vertices, ${accelerator}, ${where}: until converged`);
+          const run = await place.perform({
+            measure: 'convergence',
+            problem,
+            goal: converged * (1 + nearness.at(-1)),
+            limit: limitMs,
+            patience: 0,
+          });
+          const { vertices } = problem;
+          runs.push({ key: { problem: letter, vertices, where, accelerator }, run });
+          converged = Math.min(converged, ...run.energies);
+        }
+      }
+      for (const { key, run } of runs) {
+        const spent = run.steps.reduce((sum, ms) => sum + ms, 0);
+        rows.push({
+          ...key,
+          converged,
+          /** Whether more iterations would not have found a lower one. */
+          certain: ended,
+          start: run.energies[0],
+          least: Math.min(...run.energies),
+          iterations: run.steps.length,
+          ms: spent,
+          reached: reached(run, converged, nearness),
+        });
+      }
+    }
+  }
+  return rows;
+}
+
+/** Conformal maps, in the places that make them. */
+export async function measureMaps({ sizes, letters, places }) {
+  const rows = [];
+  for (const size of sizes) {
+    for (const letter of letters.filter((letter) => problems[letter].maps)) {
+      for (const [where, place] of Object.entries(places).filter(([, { maps }]) => maps)) {
+        const { mesh, vertices } = problemOf(letter, size);
+        say(`${letter}, ${vertices} vertices, ${where}`);
+        const weights = problems[letter].maps;
+        const { runs, ...map } = await place.perform({ measure: 'map', mesh, weights, rounds: 3 });
+        rows.push({ problem: letter, where, ...map, ...medians(runs), vertices });
+      }
+    }
+  }
+  return rows;
+}
+
+/** Bytes of wasm memory after each of ten models of problem A, one after the other. */
+export async function measureModels(browser, size) {
+  const seeds = Array.from({ length: 10 }, (_, k) => k + 1);
+  const ten = seeds.map((seed) => problemOf('A', size, { seed }));
+  say(`ten models of ${ten[0].vertices} vertices in turn`);
+  const bytes = await browser.perform({ measure: 'models', problems: ten });
+  return { vertices: ten[0].vertices, ...bytes };
+}
+
+/** The table of every operator alone. */
+export async function measureOperators({ browser, native }) {
+  const tables = {};
+  if (native) {
+    say('every operator alone, natively');
+    tables.native = outputOf('cargo', ['bench', '--locked', '--quiet', '--bench', 'operators']);
+  }
+  if (browser) {
+    say('every operator alone, in the browser');
+    tables.browser = await browser.operators();
+  }
+  return tables;
+}

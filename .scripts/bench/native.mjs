@@ -1,0 +1,27 @@
+// The native half: builds the program of tests/bench/problems.rs and gives it tasks.
+
+import { readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { targetFolder } from '../project.mjs';
+import { run, say } from '../run.mjs';
+import { benchFolder } from './problems.mjs';
+
+const name = 'bench_problems';
+
+/** Builds the program and gives a function that performs a task. `profile`: dev or release. */
+export async function nativeSolver(profile) {
+  say(`compiling the native benchmark (${profile})`);
+  const build = ['build', '--locked', '--quiet', '--example', name, '--profile', profile];
+  await run('cargo', build);
+  const built = profile === 'dev' ? 'debug' : profile;
+  const program = join(targetFolder, built, 'examples', name);
+  const [taskFile, resultFile] = ['task.json', 'result.json'].map((name) =>
+    join(benchFolder, name),
+  );
+  return async (task) => {
+    const { problem, ...rest } = task;
+    writeFileSync(taskFile, JSON.stringify({ ...rest, ...problem }));
+    await run(program, [taskFile, resultFile]);
+    return JSON.parse(readFileSync(resultFile, 'utf8'));
+  };
+}

@@ -1,0 +1,141 @@
+// The problems that are measured, on meshes of any size: scenes, and mesh files that all who take
+// part read.
+
+import { mkdirSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { targetFolder } from '../project.mjs';
+
+/** Where the benchmark writes everything. */
+export const benchFolder = join(targetFolder, 'bench');
+
+/** How steps can be accelerated, in the words of scene files. */
+export const accelerators = ['none', 'quasi-newton', 'anderson'];
+const rigid = {
+  weights: { shape: 1 },
+  closeness: { to: 'none' },
+  handles: true,
+  converges: true,
+};
+const circles = { kind: 'circle', on: 'faces' };
+
+/**
+ * By letter: what it is in words, its mesh, and what its scene holds. `maps` is not a scene but a
+ * conformal map; `for` marks those that are only measured beside a peer. `converges`: its energy has
+ * a least value to which others can be compared. That of A is zero: nothing holds the boundary, so
+ * smoothness draws the mesh together on its surface without end.
+ */
+export const problems = {
+  A: {
+    title: 'a circle for every quad, weights 5, 10, 2, closeness to the surface',
+    mesh: 'quads',
+    constraints: [circles],
+    weights: { shape: 5, close: 10, smooth: 2 },
+    closeness: { to: 'surface' },
+  },
+  B: {
+    title: 'every quad rigid, six handles',
+    mesh: 'quads',
+    constraints: [{ kind: 'rigid', on: 'faces' }],
+    ...rigid,
+  },
+  C: {
+    title: 'the one-ring of every vertex rigid, on triangles, six handles',
+    mesh: 'triangles',
+    constraints: [{ kind: 'rigid', on: 'rings' }],
+    ...rigid,
+  },
+  D: { title: 'a conformal map of triangles', mesh: 'triangles', maps: 'inverse-area' },
+  circles: {
+    title: 'a circle for every quad, every vertex close to where it was (weights 5, 10)',
+    mesh: 'quads',
+    constraints: [circles],
+    weights: { shape: 5, close: 10 },
+    closeness: { to: 'rest' },
+    for: 'compas_shapeop',
+  },
+  planes: {
+    title: 'a plane for every quad, and nothing else',
+    mesh: 'quads',
+    constraints: [{ kind: 'plane', on: 'faces' }],
+    weights: { shape: 1 },
+    closeness: { to: 'none' },
+    for: 'libigl',
+  },
+  lscm: { title: 'a conformal map of triangles', mesh: 'triangles', maps: 'lscm', for: 'libigl' },
+};
+
+/** A number from -1/2 to 1/2 that a grid point and a channel have to themselves. */
+const jitter = (i, j, channel) => ((i * 7919 + j * 104729 + channel * 1299709) % 1009) / 1009 - 0.5;
+
+/** The points of a jittered, bumpy height field with edges of about 1, `#V` rows of 3. */
+function points(side, seed) {
+  const rows = [];
+  for (let j = 0; j < side; j++) {
+    for (let i = 0; i < side; i++) {
+      const shift = (channel) => 0.3 * jitter(i + seed, j, channel);
+      const wave = Math.sin((5 * i) / side) * Math.cos((4 * j) / side);
+      rows.push([i + shift(1), j + shift(2), 0.1 * side * wave + 0.3 * shift(3)]);
+    }
+  }
+  return rows;
+}
+
+function objText(rows, side, triangles) {
+  const lines = rows.map((row) => `v ${row.join(' ')}`);
+  for (let j = 0; j + 1 < side; j++) {
+    for (let i = 1; i < side; i++) {
+      const a = j * side + i;
+      const [b, c, d] = [a + 1, a + side + 1, a + side];
+      if (triangles) lines.push(`f ${a} ${b} ${c}`, `f ${a} ${c} ${d}`);
+      else lines.push(`f ${a} ${b} ${c} ${d}`);
+    }
+  }
+  return `${lines.join('\n')}\n`;
+}
+
+/** Four corners, the middle, and one between. */
+function sixHandles(side) {
+  const at = (i, j) => j * side + i;
+  const [last, half, third, quarter] = [side - 1, side >> 1, Math.floor(side / 3), side >> 2];
+  const corners = [at(0, 0), at(last, 0), at(0, last), at(last, last)];
+  return { all: [...corners, at(half, half), at(third, quarter)], middle: at(half, half) };
+}
+
+/**
+ * Writes the mesh of a problem and gives the problem: `mesh` is the path of its file, `move` the
+ * handles that are moved at the start with their targets, `from` where these are at rest, `spare`
+ * vertices that are no handles. `seed` makes another mesh of the same kind.
+ */
+export function problemOf(letter, size, { accelerator = 'quasi-newton', seed = 0 } = {}) {
+  const { mesh: kind, handles: held, constraints, weights, closeness } = problems[letter];
+  const side = Math.max(6, Math.round(Math.sqrt(size)));
+  const rows = points(side, seed);
+  mkdirSync(benchFolder, { recursive: true });
+  const name = `${kind}-${side * side}${seed ? `-${seed}` : ''}.obj`;
+  const mesh = join(benchFolder, name);
+  writeFileSync(mesh, objText(rows, side, kind === 'triangles'));
+
+  const { all, middle } = sixHandles(side);
+  const [x, y, z] = rows[middle];
+  const scene = {
+    format: 'shape-up-scene',
+    version: 1,
+    mesh: { file: name },
+    constraints,
+    handles: held ? [{ vertices: all, weight: 100 }] : [],
+    weights,
+    closeness,
+    solver: { accelerator, tolerance: 0 },
+  };
+  const fifth = Math.floor(side / 5);
+  return {
+    scene: JSON.stringify(scene),
+    mesh,
+    // The middle is lifted by three tenths of the width.
+    move: held ? [[middle, [x, y, z + 0.3 * side]]] : [],
+    from: held ? [rows[middle]] : [],
+    handles: all,
+    spare: [1, 2, 3].map((k) => k * fifth * side + k * fifth + 1),
+    vertices: side * side,
+  };
+}

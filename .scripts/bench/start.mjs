@@ -1,0 +1,82 @@
+// How long the page takes to open: a profile that has never seen it (cold), and the same profile
+// again (warm).
+
+import { mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { browserFlags, findBrowser } from '../browser.mjs';
+import { at } from '../project.mjs';
+import { say } from '../run.mjs';
+import { host } from './host.mjs';
+import { medians } from './statistics.mjs';
+
+/** A page that does not come as far in this time does not work. */
+const LONGEST_MS = 120_000;
+
+/** In the page, before its own scripts: presses Run as soon as it is there, and notes the times. */
+function watch() {
+  const marks = {};
+  Object.assign(window, { benchMarks: marks });
+  const mark = (name, reached) => {
+    if (reached && !(name in marks)) marks[name] = performance.now();
+  };
+  let pressed = false;
+  const look = () => {
+    const state = window.shapeUp?.state();
+    const run = document.getElementById('run');
+    if (run && !pressed) {
+      pressed = true;
+      run.click();
+    }
+    mark('model', state?.vertices > 0);
+    mark('drawn', state && state.renderer !== 'none' && !document.getElementById('first-picture'));
+    mark('iterated', state?.iteration > 0);
+    if (!('drawn' in marks && 'iterated' in marks)) requestAnimationFrame(look);
+  };
+  requestAnimationFrame(look);
+}
+
+/** Opens the page once in a profile: milliseconds since the navigation began, and bytes. */
+async function visit(chromium, profile, server) {
+  const context = await chromium.launchPersistentContext(profile, {
+    executablePath: (await findBrowser()) ?? undefined,
+    args: browserFlags,
+    viewport: { width: 1440, height: 900 },
+  });
+  try {
+    const page = await context.newPage();
+    await page.addInitScript(watch);
+    server.takeBytes();
+    await page.goto(server.address);
+    const there = () => 'drawn' in window.benchMarks && 'iterated' in window.benchMarks;
+    await page.waitForFunction(there, null, { timeout: LONGEST_MS });
+    const times = await page.evaluate(() => {
+      const [painted] = performance.getEntriesByName('first-contentful-paint');
+      return { painted: painted?.startTime ?? null, ...window.benchMarks };
+    });
+    // What the browser compiled is written to the profile a moment later.
+    await page.waitForTimeout(1500);
+    const { painted, model, drawn, iterated } = times;
+    return { painted, model, drawn, iterated, bytes: server.takeBytes() };
+  } finally {
+    await context.close();
+  }
+}
+
+/** The medians over some fresh profiles of the first visit, the second and the third. */
+export async function measureStart(rounds) {
+  const { chromium } = await import('@playwright/test');
+  const server = await host({ folders: { '/': at('dist') }, compress: true });
+  const visits = { cold: [], warm: [], again: [] };
+  for (let round = 0; round < rounds; round++) {
+    say(`opening the page, profile ${round + 1} of ${rounds}`);
+    const profile = mkdtempSync(join(tmpdir(), 'shape-up-bench-'));
+    try {
+      for (const done of Object.values(visits)) done.push(await visit(chromium, profile, server));
+    } finally {
+      rmSync(profile, { recursive: true, force: true });
+    }
+  }
+  server.close();
+  return Object.fromEntries(Object.entries(visits).map(([name, done]) => [name, medians(done)]));
+}

@@ -1,0 +1,263 @@
+// The results as tables in Markdown.
+
+import { nearness } from './measure.mjs';
+import { problems } from './problems.mjs';
+import { growth } from './statistics.mjs';
+import { targetRows } from './targets.mjs';
+
+const missing = '–';
+const plural = (n, noun) => `${n} ${noun}${n === 1 ? '' : 's'}`;
+
+/** A number with three digits that count, or a dash. */
+export function number(value) {
+  if (value === null || value === undefined || !Number.isFinite(value)) return missing;
+  if (Number.isInteger(value)) return value.toLocaleString('en');
+  const digits = Math.max(0, 2 - Math.floor(Math.log10(Math.max(Math.abs(value), 0.01))));
+  return value.toFixed(Math.min(3, digits));
+}
+
+export const megabytes = (bytes) => number(bytes === undefined ? null : bytes / 1e6);
+
+/** A table from its head and its rows of cells. */
+export function table(head, rows) {
+  const line = (cells) => `| ${cells.join(' | ')} |`;
+  return [line(head), `|${'---|'.repeat(head.length)}`, ...rows.map(line)].join('\n');
+}
+
+const ranged = ({ median, p10, p90 }) => `${number(median)} (${number(p10)}–${number(p90)})`;
+
+/** How the scene file's word for an accelerator reads in a table. */
+export const accelerated = (word) => (word === 'none' ? 'plain' : (word ?? missing));
+
+/** One row per problem, size, place and accelerator: milliseconds. */
+export function iterationTable(rows) {
+  const head = ['problem', 'vertices', 'where', 'accelerator', 'ms per iteration (10–90 %)'];
+  head.push('projections', 'closeness', 'smoothness, handles', 'global step', 'the rest');
+  head.push('limit', 'run in the page');
+  return table(
+    head,
+    rows.map((row) => {
+      const { step } = row;
+      const parts = ['shape', 'close', 'smooth', 'global'].map((key) => step[key].median);
+      const rest = Math.max(0, step.total.median - parts.reduce((sum, part) => sum + part, 0));
+      return [
+        row.problem,
+        number(row.vertices),
+        row.where,
+        accelerated(row.accelerator),
+        ranged(step.total),
+        ...[...parts, rest, row.limit, row.run].map(number),
+      ];
+    }),
+  );
+}
+
+/** Setting up and editing, of the default accelerator: milliseconds. */
+export function setUpTable(rows) {
+  const head = [
+    'problem',
+    'vertices',
+    'where',
+    'open',
+    'of that load',
+    'assemble',
+    'order',
+    'factor',
+  ];
+  head.push('to the first iteration', 'constraints changed', 'handle added', 'handle moved');
+  head.push('nonzeros of L', 'MB of wasm');
+  const chosen = rows.filter(({ accelerator }) => accelerator === 'quasi-newton');
+  return table(
+    head,
+    chosen.map((row) => {
+      const { total, assemble, order, factor, first } = row.setUp;
+      const times = [total, total - assemble - order - factor, assemble, order, factor, first];
+      const edits = [row.change, row.handle, row.drag.total.median];
+      const cells = [...times, ...edits, row.nonzeros].map(number);
+      const bytes = megabytes(row.bytes?.opened);
+      return [row.problem, number(row.vertices), row.where, ...cells, bytes];
+    }),
+  );
+}
+
+/** The step of the solver alone: a first iteration, which remembers nothing, against the limit. */
+export function solveTable(rows) {
+  const head = [
+    'problem',
+    'vertices',
+    'where',
+    'precision',
+    'one solve',
+    'factor read twice',
+    'ratio',
+  ];
+  return table(
+    head,
+    rows.map((row) => {
+      const solve = row.fresh.global.median;
+      const precision = row.accelerator === 'none' ? 'f64' : 'f32';
+      const cells = [solve, row.limit, row.limit === null ? null : solve / row.limit];
+      return [row.problem, number(row.vertices), row.where, precision, ...cells.map(number)];
+    }),
+  );
+}
+
+export function convergenceTable(rows) {
+  const head = ['problem', 'vertices', 'where', 'accelerator'];
+  for (const part of nearness) head.push(`iterations to ${part}`, 'seconds');
+  head.push('least, above the converged energy');
+  return table(
+    head,
+    rows.map((row) => {
+      const cells = row.reached.flatMap((one) =>
+        one === null
+          ? [`> ${number(row.iterations)}`, `> ${number(row.ms / 1e3)}`]
+          : [number(one.iterations), number(one.ms / 1e3)],
+      );
+      const above = (row.least - row.converged) / row.converged;
+      const nearest = above < nearness.at(-1) * 1.5 ? missing : above.toExponential(1);
+      const about = row.certain ? '' : ' (the converged energy is not certain)';
+      const key = [row.problem, number(row.vertices), row.where, accelerated(row.accelerator)];
+      return [...key, ...cells, nearest + about];
+    }),
+  );
+}
+
+/** Which accelerator is within 1e-4 first, for every problem, size and place. */
+export function firstToConverge(rows) {
+  const keyOf = (row) => `${row.problem}, ${number(row.vertices)} vertices, ${row.where}`;
+  const second = (row) => row.reached[1]?.ms ?? Infinity;
+  const lines = [...new Set(rows.map(keyOf))].map((key) => {
+    const same = rows.filter((row) => keyOf(row) === key);
+    const [first] = same.toSorted((a, b) => second(a) - second(b));
+    const name = second(first) < Infinity ? accelerated(first.accelerator) : 'none of them in time';
+    return `- ${key}: ${name}`;
+  });
+  return `First to ${nearness[1]}:\n\n${lines.join('\n')}`;
+}
+
+const mapTable = (rows) =>
+  table(
+    ['problem', 'vertices', 'where', 'ms', 'assemble', 'order', 'factor', 'iterate'],
+    rows.map((row) => {
+      const times = [row.total, row.assemble, row.order, row.factor, row.iterate];
+      return [row.problem, number(row.vertices), row.where, ...times.map(number)];
+    }),
+  );
+
+/** Milliseconds since the navigation began. */
+export function startTable(start) {
+  const names = { cold: 'first visit', warm: 'second visit', again: 'third visit' };
+  const head = [
+    'visit',
+    'first paint',
+    'model there',
+    'first frame drawn',
+    'first iteration',
+    'kB',
+  ];
+  return table(
+    head,
+    Object.entries(names).map(([key, name]) => {
+      const { painted, model, drawn, iterated, bytes } = start[key];
+      const times = [painted, model, drawn, iterated].map((ms) => number(ms && Math.round(ms)));
+      return [name, ...times, number(Math.round(bytes / 1e3))];
+    }),
+  );
+}
+
+export function peerTable(rows) {
+  const head = ['peer', 'what', 'vertices', 'its ms', 'ours natively, plain', 'default'];
+  head.push('ours in the browser, plain', 'default', 'its over ours (browser, plain)');
+  return table(
+    head,
+    rows.map(({ peer, version, what, size, theirs, ours }) => {
+      const of = (where, accelerator) =>
+        ours.find((one) => one.where === where && (one.accelerator ?? accelerator) === accelerator)
+          ?.ms;
+      const cells = ['native', 'browser'].flatMap((where) =>
+        ['none', 'quasi-newton'].map((accelerator) => number(of(where, accelerator))),
+      );
+      const its = theirs.ms === undefined ? (theirs.reason ?? missing) : number(theirs.ms);
+      const ratio = theirs.ms / of('browser', 'none');
+      const name = version ? `${peer} ${version}` : peer;
+      return [name, what, number(size), its, ...cells, number(ratio)];
+    }),
+  );
+}
+
+function growthTable(rows) {
+  const head = ['problem', 'where', 'accelerator', 'vertices', 'exponent', 'over n log n'];
+  const keys = [...new Set(rows.map((row) => `${row.problem},${row.where},${row.accelerator}`))];
+  const cells = keys.map((key) => {
+    const [problem, where, accelerator] = key.split(',');
+    const same = rows.filter(
+      (row) => row.problem === problem && row.where === where && row.accelerator === accelerator,
+    );
+    const ends = [same[0], same.at(-1)].map((row) => [row.vertices, row.step.total.median]);
+    const { exponent, overLinearithmic } = growth(...ends);
+    const sizes = ends.map(([vertices]) => number(vertices)).join(' to ');
+    return [
+      problem,
+      where,
+      accelerated(accelerator),
+      sizes,
+      ...[exponent, overLinearithmic].map(number),
+    ];
+  });
+  return table(head, cells);
+}
+
+/** How the numbers were made, in a sentence or two. */
+export function machineText({ command, date, processor, cores, browser, rustc, commit, load }) {
+  const where = [browser && `Chromium ${browser}`, rustc].filter(Boolean).join(', ');
+  const busy = load > 0.5 ? ` It was not quiet: ${number(load)} programs were running before.` : '';
+  return `\`${command}\` at ${commit} on ${date}, on one of the ${plural(cores, 'core')} of an ${processor}, ${where}.${busy}`;
+}
+
+/** Everything that was measured. */
+export function markdown(results) {
+  const { iterations, maps, convergence, models, start, operators, peers } = results;
+  const sections = [`# How fast it is\n\n${machineText(results.machine)} Milliseconds, medians.`];
+  const add = (title, ...texts) => sections.push(`## ${title}\n\n${texts.join('\n\n')}`);
+  const titles = Object.entries(problems).filter(([, problem]) => !problem.for);
+  add('Problems', titles.map(([letter, { title }]) => `- ${letter}: ${title}`).join('\n'));
+  if (iterations?.length) {
+    const note =
+      'The limit is the time to read the nonzeros of the factor twice (4 bytes each, 8 in the plain iteration). "Run in the page" is the site\'s own worker, with all that it does beside iterating.';
+    add('An iteration', iterationTable(iterations), note);
+    add('One solve against the limit', solveTable(iterations));
+    add('Setting up and editing', setUpTable(iterations));
+    if (results.sizes.length > 1) add('Growth', growthTable(iterations));
+  }
+  if (maps?.length) add('Conformal maps', mapTable(maps));
+  if (convergence) {
+    add('To the converged energy', convergenceTable(convergence), firstToConverge(convergence));
+  }
+  if (models) {
+    const [first, last] = [models.opened[0], models.opened.at(-1)].map(megabytes);
+    const text = `${models.opened.length} models of problem A with ${number(models.vertices)} vertices, one after the other: ${megabytes(models.empty)} MB before, ${first} MB with the first, ${last} MB with the last.`;
+    add('Memory', text);
+  }
+  if (start) add('Opening the page', startTable(start));
+  if (peers) {
+    const notes = new Map(peers.map(({ what, equal, differs }) => [what, [equal, differs]]));
+    const lines = [...notes].map(
+      ([what, [equal, differs]]) => `- ${what}. Equal: ${equal}. Different: ${differs}.`,
+    );
+    add('Peers', peerTable(peers), lines.join('\n'));
+  }
+  if (operators?.native) add('Operators alone, natively', operators.native);
+  if (operators?.browser) add('Operators alone, in the browser', operators.browser.trim());
+  const targets = targetRows(results);
+  if (targets.length) {
+    const rows = targets.map(({ name, target, found, met }) => [
+      name,
+      target,
+      number(found),
+      met ? 'met' : '**missed**',
+    ]);
+    add('Targets', table(['in the browser', 'target', 'found', ''], rows));
+  }
+  return `${sections.join('\n\n')}\n`;
+}

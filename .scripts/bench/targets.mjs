@@ -1,0 +1,111 @@
+// What the numbers shall be, in the browser on a quiet machine with two cores, of which one is used.
+
+import { growth } from './statistics.mjs';
+
+/** Sizes are those of square grids: 173 by 173 counts as 30,000. */
+const near = (vertices, size) => Math.abs(vertices / size - 1) < 0.05;
+
+const inBrowser = (rows, problem, size, accelerator = 'quasi-newton') =>
+  rows?.find(
+    (row) =>
+      row.where === 'browser' &&
+      row.problem === problem &&
+      row.accelerator === accelerator &&
+      near(row.vertices, size),
+  );
+
+const perIteration = (problem, size, most) => ({
+  name: `${problem} at ${size.toLocaleString('en')}: ms per iteration`,
+  most,
+  find: ({ iterations }) => inBrowser(iterations, problem, size)?.step.total.median,
+});
+
+const changed = (problem, most) => ({
+  name: `${problem} at 30,000: ms from changed constraints to the first iteration`,
+  most,
+  find: ({ iterations }) => inBrowser(iterations, problem, 30_000)?.change,
+});
+
+const targets = [
+  perIteration('A', 10_000, 1.5),
+  perIteration('A', 30_000, 6),
+  perIteration('A', 100_000, 30),
+  perIteration('B', 10_000, 1.2),
+  changed('A', 120),
+  changed('B', 60),
+  ...['A', 'B'].map((problem) => ({
+    name: `${problem} at 30,000: ms to add a handle`,
+    most: 2,
+    find: ({ iterations }) => inBrowser(iterations, problem, 30_000)?.handle,
+  })),
+  {
+    name: 'B at 10,000: seconds to 1e-4 from a large handle move',
+    most: 0.8,
+    find: ({ convergence }) => {
+      const ms = inBrowser(convergence, 'B', 10_000)?.reached[1]?.ms;
+      return ms === undefined ? undefined : ms / 1e3;
+    },
+  },
+  {
+    name: 'A at 30,000: one solve over reading the factor twice',
+    most: 4,
+    find: ({ iterations }) => {
+      const row = inBrowser(iterations, 'A', 30_000);
+      return row && row.limit !== null ? row.fresh.global.median / row.limit : undefined;
+    },
+  },
+  {
+    name: 'A at 10,000: closeness as a part of the iteration',
+    most: 1 / 3,
+    find: ({ iterations }) => {
+      const step = inBrowser(iterations, 'A', 10_000)?.step;
+      return step && step.close.median / step.total.median;
+    },
+  },
+  {
+    name: 'A at 100,000: MB of wasm memory',
+    most: 400,
+    find: ({ iterations }) => {
+      const bytes = inBrowser(iterations, 'A', 100_000)?.bytes;
+      return bytes && bytes.opened / 1e6;
+    },
+  },
+  {
+    name: 'ten models in turn: growth of memory, in models',
+    most: 1,
+    find: ({ models }) =>
+      // A small one hides in the pages that memory comes in.
+      models?.vertices >= 2500
+        ? (models.opened.at(-1) - models.opened[0]) / (models.opened[0] - models.empty)
+        : undefined,
+  },
+  ...['A', 'B', 'C'].map((problem) => ({
+    name: `${problem}: growth from 2,500 to 100,000 over n log n`,
+    most: 1,
+    find: ({ iterations }) => {
+      const ends = [2500, 100_000].map((size) => inBrowser(iterations, problem, size));
+      if (!ends.every(Boolean)) return undefined;
+      return growth(...ends.map((row) => [row.vertices, row.step.total.median])).overLinearithmic;
+    },
+  })),
+  {
+    name: 'compas_shapeop over ours in the browser, at the largest size',
+    least: 5,
+    find: ({ peers }) => {
+      const rows = peers?.filter(({ call, theirs }) => call === 'compas_circles' && theirs.ms);
+      const last = rows?.at(-1);
+      const ours = last?.ours.find((one) => one.where === 'browser' && one.accelerator === 'none');
+      return ours && last.theirs.ms / ours.ms;
+    },
+  },
+];
+
+/** Those that the results have a number for: { name, target, found, met }. */
+export function targetRows(results) {
+  return targets.flatMap(({ name, most, least, find }) => {
+    const found = find(results);
+    if (found === undefined || found === null) return [];
+    const target = most === undefined ? `at least ${least}` : `at most ${+most.toFixed(2)}`;
+    return [{ name, target, found, met: most === undefined ? found >= least : found <= most }];
+  });
+}

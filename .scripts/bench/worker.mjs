@@ -1,0 +1,158 @@
+// Times of one problem in the browser: what tests/bench/problems.rs measures natively, in the same
+// words. Runs in a worker of its own with the solver module as the site ships it; times in the
+// answer are milliseconds.
+
+import init, { Solver } from '/solver/shape_up.js';
+
+const { memory } = await init();
+const encoder = new TextEncoder();
+
+/** What a call gives, and its milliseconds. */
+function timed(call) {
+  const start = performance.now();
+  const value = call();
+  return [value, performance.now() - start];
+}
+
+const open = (solver, { sceneBytes, meshBytes }) =>
+  solver.load('problem.shapeup.json', sceneBytes, meshBytes);
+
+/** Moves the handles by a part of the way. */
+function drag(solver, { vertices, from, to }, part) {
+  if (vertices.length === 0) return;
+  const targets = from.map((x, i) => x + part * (to[i] - x));
+  solver.drag(vertices, targets, 'start');
+  solver.drag(vertices, targets, 'end');
+}
+
+/** One iteration: the whole, and the parts that the solver reports. */
+function step(solver) {
+  const before = solver.iterateSeconds();
+  const [, total] = timed(() => solver.step());
+  const after = solver.iterateSeconds();
+  const [shape, close, smooth, global] = after.map((seconds, i) => 1e3 * (seconds - before[i]));
+  return { total, shape, close, smooth, global };
+}
+
+function opening(solver, problem) {
+  const [, total] = timed(() => open(solver, problem));
+  const { assemble, order, factor } = solver.report().seconds;
+  const first = total + step(solver).total;
+  return { total, assemble: 1e3 * assemble, order: 1e3 * order, factor: 1e3 * factor, first };
+}
+
+function iterations({ problem, loads, rounds, steps: [all, unmeasured], edits }) {
+  const solver = new Solver();
+  const cold = opening(solver, problem);
+  const bytes = { opened: memory.buffer.byteLength };
+  const openings = [];
+  for (let k = 1; k < loads; k++) openings.push(opening(solver, problem));
+  bytes.again = memory.buffer.byteLength;
+
+  const steps = [];
+  const fresh = [];
+  let report = null;
+  drag(solver, problem.move, 1);
+  for (let round = 0; round < rounds; round++) {
+    solver.edit({ type: 'reset' });
+    for (let k = 0; k < all; k++) {
+      const one = step(solver);
+      if (round > 0 && k === 0) fresh.push(one);
+      else if (round > 0 && k >= unmeasured) steps.push(one);
+    }
+    report = solver.report();
+  }
+
+  const handle = [];
+  const change = [];
+  const dragged = [];
+  for (let k = 0; k < edits; k++) {
+    const vertices = [problem.spare[k % problem.spare.length]];
+    handle.push(timed(() => solver.edit({ type: 'addHandles', vertices, fixed: false }))[1]);
+    solver.edit({ type: 'removeHandles', vertices });
+  }
+  for (let k = 0; k < edits; k++) {
+    const edit = { type: 'setConstraint', index: 0, weight: 1.5 + 0.5 * k };
+    const edited = timed(() => solver.edit(edit))[1];
+    change.push(edited + step(solver).total);
+  }
+  for (let k = 0; k < edits && problem.move.vertices.length > 0; k++) {
+    const moved = timed(() => drag(solver, problem.move, 1 - 0.01 * k))[1];
+    const one = step(solver);
+    dragged.push({ ...one, total: one.total + moved });
+  }
+  return { report, cold, openings, steps, fresh, handle, change, drag: dragged, bytes };
+}
+
+/** Energy and milliseconds of every iteration, until the energy is at the goal or time is up. */
+function convergence({ problem, goal, limit }) {
+  const solver = new Solver();
+  open(solver, problem);
+  drag(solver, problem.move, 1);
+  const energies = [];
+  const steps = [];
+  // The trace has six numbers per iteration, the last of them the total. Asking for it costs more
+  // than an iteration.
+  const takeTrace = () => {
+    const { trace } = solver.frame();
+    for (let k = 5; k < trace.length; k += 6) energies.push(trace[k]);
+  };
+  takeTrace();
+  energies.splice(0, energies.length, solver.report().energy.final.total);
+  let spent = 0;
+  while (spent < limit && energies.at(-1) > goal) {
+    for (let k = 0; k < 20 && spent < limit; k++) {
+      const [, milliseconds] = timed(() => solver.step());
+      steps.push(milliseconds);
+      spent += milliseconds;
+    }
+    takeTrace();
+  }
+  return { energies, steps };
+}
+
+/** Bytes of memory before, and after each of some models was opened in turn. */
+function models({ problems }) {
+  const solver = new Solver();
+  const empty = memory.buffer.byteLength;
+  const opened = problems.map((problem) => {
+    open(solver, problem);
+    solver.step();
+    return memory.buffer.byteLength;
+  });
+  return { empty, opened };
+}
+
+async function stream({ bytes }) {
+  const module = await import('/bench/bench_browser.js');
+  await module.default();
+  return bytes.map((count) => module.stream(count));
+}
+
+const measures = { iterations, convergence, models, stream };
+
+/** Fetches what a task names by address, so that nothing but addresses is sent. */
+async function fetched({ scene, mesh, move, from, spare }) {
+  const text = await (await fetch(mesh)).text();
+  return {
+    sceneBytes: encoder.encode(scene),
+    meshBytes: encoder.encode(text),
+    move: {
+      vertices: Uint32Array.from(move, ([vertex]) => vertex),
+      from: Float64Array.from(from.flat()),
+      to: Float64Array.from(move.flatMap(([, to]) => to)),
+    },
+    spare,
+  };
+}
+
+onmessage = async ({ data: task }) => {
+  try {
+    if (task.problem) task.problem = await fetched(task.problem);
+    if (task.problems) task.problems = await Promise.all(task.problems.map(fetched));
+    postMessage({ result: await measures[task.measure](task) });
+  } catch (thrown) {
+    postMessage({ error: String(thrown?.stack ?? thrown) });
+  }
+};
+postMessage({ ready: true });

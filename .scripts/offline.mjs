@@ -1,0 +1,29 @@
+// The parts of the site that keep their names, and its service worker with the list of all files.
+
+import { createHash } from 'node:crypto';
+import { copyFileSync, readFileSync, writeFileSync } from 'node:fs';
+import { relative, sep } from 'node:path';
+import { at } from './project.mjs';
+import { filesUnder } from './stamp.mjs';
+
+const NAMED = ['icon.svg', 'manifest.webmanifest'];
+const WORKER = 'service-worker.js';
+/** Large, and kept only by those who use it: what reads files of Rhino, the pictures of the gallery. */
+const SELDOM = /(^|\/)rhino|^pictures\//;
+
+/** Completes the site in `folder`, which has everything else already. */
+export function writeOfflineParts(folder) {
+  for (const name of NAMED) copyFileSync(at('www', name), `${folder}/${name}`);
+  const source = readFileSync(at('www', WORKER), 'utf8');
+  const hash = createHash('sha256').update(source);
+  const files = [];
+  for (const path of filesUnder(folder)) {
+    const name = relative(folder, path).split(sep).join('/');
+    if (name === WORKER) continue;
+    hash.update(name).update('\0').update(readFileSync(path));
+    // The page is asked for by the name of its folder.
+    if (!SELDOM.test(name)) files.push(name === 'index.html' ? './' : `./${name}`);
+  }
+  const site = { version: hash.digest('hex').slice(0, 12), files };
+  writeFileSync(`${folder}/${WORKER}`, `const SITE = ${JSON.stringify(site)};\n${source}`);
+}

@@ -1,0 +1,67 @@
+//! `shape-up experiment`: one of the paper's comparisons, run here and now.
+
+use super::arguments::Experiment as Asked;
+use super::{Failure, output};
+use shape_up::experiment::{EXPERIMENTS, Experiment, Limits, Run};
+use shape_up::scene::examples::EXAMPLES;
+
+/// One line per example that has an experiment.
+pub(super) fn list() -> Result<(), Failure> {
+    let lines = EXPERIMENTS.iter().flat_map(|experiment| {
+        let line =
+            move |id: &&str| format!("{id:<20} {}. {}\n", experiment.label, experiment.summary);
+        experiment.examples.iter().map(line)
+    });
+    output::print(&lines.collect::<String>())
+}
+
+pub(super) fn run(asked: &Asked) -> Result<(), Failure> {
+    let id = asked.example.as_str();
+    let example = EXAMPLES.iter().find(|example| example.id == id);
+    let (Some(experiment), Some(example)) = (Experiment::of(id), example) else {
+        let known: Vec<_> = EXPERIMENTS.iter().flat_map(|e| e.examples).copied().collect();
+        return Err(Failure::Input(format!(
+            "{id}: there is no experiment on it, expected {}",
+            known.join(" or ")
+        )));
+    };
+    let limits = Limits {
+        iterations: asked.iterations.unwrap_or(experiment.limits.iterations),
+        seconds: asked.seconds.unwrap_or(experiment.limits.seconds),
+    };
+    let (scene, mesh) = example.build();
+    let mut run = Run::new(experiment, scene, mesh, limits);
+    while run.step().map_err(|error| Failure::Input(format!("{id}: {error}")))? {}
+    if let Some(file) = &asked.csv {
+        output::write(&[(file, run.csv())])?;
+    }
+    output::print(&table(&run))
+}
+
+/// The last numbers of every method.
+fn table(run: &Run) -> String {
+    let experiment = run.experiment();
+    let mut rows =
+        vec![vec!["method".to_owned(), "ended by".into(), "iterations".into(), "seconds".into()]];
+    rows[0].extend(experiment.quantities.iter().map(|quantity| quantity.label.to_lowercase()));
+    for (method, series) in experiment.methods.iter().zip(run.series()) {
+        let Some(last) = series.samples.last() else { continue };
+        let ended = series.ended_by.map_or("", |ended| ended.words());
+        let iterations = (series.samples.len() - 1).to_string();
+        let mut row = vec![
+            method.label.to_owned(),
+            ended.to_owned(),
+            iterations,
+            output::short(last.seconds),
+        ];
+        row.extend(last.values.iter().map(|&value| output::short(value)));
+        rows.push(row);
+    }
+    let width = |column: usize| rows.iter().map(|row| row[column].len()).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..rows[0].len()).map(width).collect();
+    let line = |row: &Vec<String>| {
+        let cells = row.iter().zip(&widths).map(|(cell, width)| format!("{cell:<width$}"));
+        format!("{}\n", cells.collect::<Vec<_>>().join("  ").trim_end())
+    };
+    rows.iter().map(line).collect()
+}

@@ -1,0 +1,65 @@
+//! From a session to the stage that the programs of the build draw.
+
+use shape_up::scene::Hold;
+use shape_up::session::Session;
+use shape_up::view::camera::Up;
+use shape_up::view::lists::ViewError;
+use shape_up::view::row_colours::RowColours;
+use shape_up::view::stage::Stage;
+
+/// What the page shows of a scene when it is opened: handles, and faces in the colours of what the
+/// first row of constraints asks of them, or where that has no measure, in the colours of the rows.
+pub(crate) fn stage(session: &Session) -> Result<Stage, ViewError> {
+    let mesh = session.mesh();
+    let lists = |rows: &shape_up::mesh::Ragged| (rows.offsets().to_vec(), rows.indices().to_vec());
+    let positions = session.positions();
+    let mut stage = Stage::default();
+    stage.set_up(match session.document().up {
+        shape_up::scene::Up::Z => Up::Z,
+        shape_up::scene::Up::Y => Up::Y,
+    });
+    stage.set_mesh(lists(&mesh.faces), lists(&mesh.curves), positions.as_flattened())?;
+
+    let values = values(session);
+    let greatest = greatest(&values);
+    stage.looks.set_values(values, 0.0, greatest, mesh.faces.len())?;
+    if !stage.looks.has_values() {
+        stage.looks.rows = row_colours(session)?;
+    }
+
+    let handles = session.solver().handles();
+    let vertices: Vec<u32> = handles.iter().map(|handle| handle.vertex).collect();
+    let states: Vec<u8> =
+        handles.iter().map(|handle| u8::from(handle.hold == Hold::Fixed)).collect();
+    let targets: Vec<f64> = handles.iter().flat_map(|handle| handle.target).collect();
+    stage.set_handles(&vertices, &states, &targets)?;
+    Ok(stage)
+}
+
+/// The error of each face in the measure of the first row of constraints that has one.
+pub(crate) fn values(session: &Session) -> Option<Vec<f32>> {
+    let measures = session.measures();
+    let rows = (0..).zip(session.rows()).filter(|(_, row)| row.enabled);
+    let values = match rows.filter_map(|(index, _)| session.asked_measure(index)).next()? {
+        "circularity" => measures.circularity_distances,
+        _ => measures.planarity_distances,
+    };
+    Some(values.iter().map(|&value| value as f32).collect())
+}
+
+/// The largest of the values, 0 where there are none.
+pub(crate) fn greatest(values: &Option<Vec<f32>>) -> f32 {
+    values.iter().flatten().copied().fold(0.0, f32::max)
+}
+
+/// The colour of the row of constraints that acts on each face, and on each vertex outside of these.
+fn row_colours(session: &Session) -> Result<RowColours, ViewError> {
+    let acting = session.acting_rows();
+    let place = |row: u32| u8::try_from(row + 1).expect("an example has few rows");
+    let places = |rows: &[Option<u32>]| rows.iter().map(|row| row.map_or(0, place)).collect();
+    let colours = session.rows().iter().map(|row| row.constraints.kind.info().colour);
+    let palette: Vec<f32> = colours.flatten().map(|part| f32::from(part) / 255.0).collect();
+    let mesh = session.mesh();
+    let counts = (mesh.positions.len(), mesh.faces.len());
+    RowColours::new(places(&acting.faces), places(&acting.vertices), &palette, counts)
+}

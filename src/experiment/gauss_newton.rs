@@ -1,0 +1,196 @@
+//! Gauss-Newton on a penalty function, as in Liu et al. 2006: the squares of the residuals of
+//! [`Circularity`], with the same fairness and closeness as in Eq. 13.
+
+use super::circularity::{Circularity, RESIDUALS};
+use crate::constraint::Row;
+use crate::math::Vec3;
+use crate::mesh::{Laplacian, Point};
+use crate::solve::{System, Terms};
+
+/// What is added to the diagonal, as a part of its mean: the normal matrix of Gauss-Newton may be
+/// singular.
+const DAMPING: f64 = 1e-6;
+/// Steps that are tried, each half as long as the one before.
+const TRIALS: u32 = 40;
+
+/// The part of the normal matrix that circles add, and the part that fairness adds.
+const CIRCLES: usize = 0;
+
+/// A quad mesh on its way to circles.
+pub(super) struct GaussNewton {
+    /// `#V by 3`
+    pub(super) positions: Vec<Point>,
+    quads: Vec<[u32; 4]>,
+    laplacian: Laplacian,
+    /// Where vertices are kept close to, `#V by 3`.
+    rest: Vec<Point>,
+    /// Whether each vertex stays where it is, `#V`.
+    fixed: Vec<bool>,
+    /// Of closeness and of fairness.
+    weights: [f64; 2],
+    /// The mean length of the edges at rest: what makes an angle a length.
+    length: f64,
+    /// Over the coordinates of all vertices, x, y and z of each.
+    system: System,
+}
+
+/// The energies of a state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Penalties {
+    /// The sum of the squares of the residuals, times the square of the length.
+    pub(super) circles: f64,
+    /// `E_close` to the rest positions.
+    pub(super) close: f64,
+    /// `E_smooth`.
+    pub(super) smooth: f64,
+}
+
+impl GaussNewton {
+    /// From the positions `rest`; `weights` are those of closeness to them and of fairness.
+    pub(super) fn new(
+        rest: &[Point],
+        start: &[Point],
+        quads: Vec<[u32; 4]>,
+        laplacian: Laplacian,
+        fixed: Vec<bool>,
+        weights: [f64; 2],
+    ) -> GaussNewton {
+        let sides = quads.iter().flat_map(|quad| (0..4).map(|k| [quad[k], quad[(k + 1) % 4]]));
+        let lengths = sides.map(|[a, b]| (at(rest, b) - at(rest, a)).length());
+        let (sum, count) = lengths.fold((0.0, 0.0), |(sum, count), l| (sum + l, count + 1.0));
+        let mut circles = Terms::default();
+        for quad in &quads {
+            let nodes = quad.map(coordinates).concat();
+            (0..RESIDUALS).for_each(|_| circles.push(&nodes, [0.0; 12], 0.0, 1.0));
+        }
+        let mut smooth = Terms::default();
+        for (i, (neighbours, weights)) in laplacian.rows().enumerate() {
+            let own = -weights.iter().sum::<f64>();
+            let nodes: Vec<u32> = [&[i as u32], neighbours].concat();
+            for k in 0..3 {
+                let nodes: Vec<u32> = nodes.iter().map(|&v| 3 * v + k).collect();
+                smooth.push(&nodes, std::iter::once(own).chain(weights.iter().copied()), 0.0, 1.0);
+            }
+        }
+        GaussNewton {
+            positions: start.to_vec(),
+            quads,
+            laplacian,
+            fixed,
+            weights,
+            length: sum / count,
+            system: System::new(3 * rest.len(), &[circles, smooth]),
+            rest: rest.to_vec(),
+        }
+    }
+
+    /// The energies at the current positions.
+    pub(super) fn penalties(&self) -> Penalties {
+        self.penalties_at(&self.positions)
+    }
+
+    fn penalties_at(&self, positions: &[Point]) -> Penalties {
+        let mut circles = 0.0;
+        for quad in &self.quads {
+            let found = Circularity::of(quad.map(|v| at(positions, v)), self.length);
+            circles += found.residuals.iter().map(|r| r * r).sum::<f64>();
+        }
+        let close = positions.iter().zip(&self.rest);
+        let close = close.map(|(&p, &r)| (Vec3::from(p) - Vec3::from(r)).length_squared()).sum();
+        let smooth = (0..positions.len()).map(|i| self.laplace(positions, i).length_squared());
+        Penalties { circles: self.length * self.length * circles, close, smooth: smooth.sum() }
+    }
+
+    /// What is minimised, for a weight of the circles.
+    pub(super) fn total(&self, circles: f64, penalties: Penalties) -> f64 {
+        let [close, smooth] = self.weights;
+        circles * penalties.circles + close * penalties.close + smooth * penalties.smooth
+    }
+
+    fn laplace(&self, positions: &[Point], i: usize) -> Vec3<f64> {
+        let own = at(positions, i as u32);
+        let (neighbours, weights) = self.laplacian.row(i);
+        let terms = neighbours.iter().zip(weights).map(|(&j, &w)| (at(positions, j) - own) * w);
+        terms.fold(Vec3::zero(), |a, b| a + b)
+    }
+
+    /// Half the gradient of the total at the current positions, three coordinates of each vertex; the
+    /// derivatives of the residuals become the coefficients of the system.
+    pub(super) fn linearise(&mut self, weight: f64) -> Vec<f64> {
+        let mut gradient = vec![0.0; 3 * self.positions.len()];
+        let mut add = |v: u32, by: Vec3<f64>| {
+            let own = &mut gradient[3 * v as usize..][..3];
+            own.iter_mut().zip([by.x, by.y, by.z]).for_each(|(own, by)| *own += by);
+        };
+        let [close, smooth] = self.weights;
+        let mut coefficients = Vec::new();
+        for quad in &self.quads {
+            let found = Circularity::of(quad.map(|v| at(&self.positions, v)), self.length);
+            for (residual, by) in found.residuals.iter().zip(found.derivatives) {
+                for (&v, by) in quad.iter().zip(by) {
+                    let by = by * self.length;
+                    coefficients.extend([by.x, by.y, by.z]);
+                    add(v, by * (weight * self.length * residual));
+                }
+            }
+        }
+        for i in 0..self.positions.len() {
+            let v = i as u32;
+            add(v, (at(&self.positions, v) - at(&self.rest, v)) * close);
+            let row = self.laplace(&self.positions, i) * smooth;
+            let (neighbours, weights) = self.laplacian.row(i);
+            for (&j, &w) in neighbours.iter().zip(weights) {
+                add(j, row * w);
+                add(v, row * -w);
+            }
+        }
+        for (v, _) in (0..).zip(&self.fixed).filter(|(_, fixed)| **fixed) {
+            gradient[3 * v..][..3].fill(0.0);
+        }
+        self.system.set_coefficients(CIRCLES, &coefficients);
+        gradient
+    }
+
+    /// One step for a weight of the circles, halved until the total falls. False when it cannot: the
+    /// step is not finite, or no part of it lowers the total.
+    pub(super) fn step(&mut self, weight: f64) -> bool {
+        let before = self.total(weight, self.penalties());
+        let gradient = self.linearise(weight);
+        let n = gradient.len();
+        let node_of = self.system.node_of().to_vec();
+        let mut fixed = vec![false; n];
+        (0..n).for_each(|k| fixed[node_of[k] as usize] = self.fixed[k / 3]);
+        let [close, smooth] = self.weights;
+        let damping = DAMPING * (weight + smooth + close);
+        let factored = self.system.factor(&[weight, smooth], &vec![close + damping; n], fixed);
+        if factored.is_err() {
+            return false;
+        }
+        let mut step: Vec<Row> = vec![[0.0; 4]; n];
+        (0..n).for_each(|k| step[node_of[k] as usize][0] = gradient[k]);
+        self.system.solve(&mut step);
+        let way = |v: usize, k: usize| step[node_of[3 * v + k] as usize][0];
+        let mut part = 1.0;
+        for _ in 0..TRIALS {
+            let mut next = self.positions.clone();
+            for (v, p) in next.iter_mut().enumerate() {
+                (0..3).for_each(|k| p[k] -= part * way(v, k));
+            }
+            // Written so that NaN does not count.
+            if self.total(weight, self.penalties_at(&next)) < before {
+                self.positions = next;
+                return true;
+            }
+            part *= 0.5;
+        }
+        false
+    }
+}
+
+fn at(positions: &[Point], v: u32) -> Vec3<f64> {
+    positions[v as usize].into()
+}
+
+fn coordinates(v: u32) -> [u32; 3] {
+    [3 * v, 3 * v + 1, 3 * v + 2]
+}

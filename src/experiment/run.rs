@@ -1,0 +1,134 @@
+//! One experiment under way: a method after another, an iteration at a time, so that a host can show
+//! how far it is and stop whenever it likes.
+
+use super::{Experiment, Limits, Method, Step};
+use crate::error::Error;
+use crate::mesh::Mesh;
+use crate::scene::Scene;
+use crate::solve::clock;
+
+/// What a method did.
+#[derive(Clone, Debug, Default)]
+pub struct Series {
+    /// After each iteration; the first is the start.
+    pub samples: Vec<Sample>,
+    /// Why it ended, once it has.
+    pub ended_by: Option<EndedBy>,
+}
+
+/// The state of a method after an iteration.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sample {
+    /// Seconds that the method has taken, with what it had to set up. Measuring is not counted.
+    pub seconds: f64,
+    /// The quantities of the experiment.
+    pub values: Vec<f64>,
+}
+
+/// Why a method ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EndedBy {
+    /// It has reached what the experiment asks for.
+    Reached,
+    /// It finds no better point.
+    Stalled,
+    /// The limit of iterations.
+    Iterations,
+    /// The limit of time.
+    Seconds,
+}
+
+impl EndedBy {
+    /// In words.
+    pub fn words(self) -> &'static str {
+        match self {
+            EndedBy::Reached => "reached",
+            EndedBy::Stalled => "stalled",
+            EndedBy::Iterations => "limit of iterations",
+            EndedBy::Seconds => "limit of time",
+        }
+    }
+}
+
+/// An experiment on a scene.
+pub struct Run {
+    experiment: &'static Experiment,
+    scene: Scene,
+    mesh: Mesh,
+    limits: Limits,
+    /// The method whose turn it is.
+    under_way: Option<Box<dyn Method>>,
+    /// One for each method that has started.
+    series: Vec<Series>,
+}
+
+impl Run {
+    /// Nothing has started yet.
+    pub fn new(experiment: &'static Experiment, scene: Scene, mesh: Mesh, limits: Limits) -> Run {
+        Run { experiment, scene, mesh, limits, under_way: None, series: Vec::new() }
+    }
+
+    /// What is run.
+    pub fn experiment(&self) -> &'static Experiment {
+        self.experiment
+    }
+
+    /// What has been measured so far, of each method that has started.
+    pub fn series(&self) -> &[Series] {
+        &self.series
+    }
+
+    /// Everything that was measured, one line for each iteration of each method, the first line naming
+    /// the columns.
+    pub fn csv(&self) -> String {
+        let quantities: Vec<_> = self.experiment.quantities.iter().map(|q| q.id).collect();
+        let mut text = format!("method,iteration,seconds,{}\n", quantities.join(","));
+        for (method, series) in self.experiment.methods.iter().zip(&self.series) {
+            for (iteration, sample) in series.samples.iter().enumerate() {
+                let values: Vec<_> =
+                    sample.values.iter().map(|value| format!("{value:e}")).collect();
+                let start = format!("{},{iteration},{:.6}", method.id, sample.seconds);
+                text.push_str(&format!("{start},{}\n", values.join(",")));
+            }
+        }
+        text
+    }
+
+    /// Starts the next method, or does one iteration of the one whose turn it is. False once all have
+    /// ended.
+    ///
+    /// # Errors
+    /// When the scene does not fit the experiment, or a position leaves the finite numbers.
+    pub fn step(&mut self) -> Result<bool, Error> {
+        let Some(method) = &mut self.under_way else {
+            let Some(info) = self.experiment.methods.get(self.series.len()) else {
+                return Ok(false);
+            };
+            let method = (info.start)(&self.scene, &self.mesh)?;
+            let first = Sample { seconds: method.set_up_seconds(), values: method.values() };
+            self.series.push(Series { samples: vec![first], ended_by: None });
+            self.under_way = Some(method);
+            return Ok(true);
+        };
+        let started = clock::now();
+        let step = method.step()?;
+        let took = clock::now() - started;
+        let series = self.series.last_mut().expect("the method that is under way has one");
+        let seconds = took + series.samples.last().map_or(0.0, |sample| sample.seconds);
+        if step != Step::Stalled {
+            series.samples.push(Sample { seconds, values: method.values() });
+        }
+        series.ended_by = match step {
+            Step::Reached => Some(EndedBy::Reached),
+            Step::Stalled => Some(EndedBy::Stalled),
+            Step::Going if series.samples.len() > self.limits.iterations as usize => {
+                Some(EndedBy::Iterations)
+            }
+            Step::Going => (seconds > self.limits.seconds).then_some(EndedBy::Seconds),
+        };
+        if series.ended_by.is_some() {
+            self.under_way = None;
+        }
+        Ok(true)
+    }
+}

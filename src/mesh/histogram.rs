@@ -1,0 +1,59 @@
+//! How values are distributed, for a legend of colours that leave out the few that are far out.
+
+/// Of a hundred values, so many may lie beyond the upper end.
+const BEYOND: usize = 1;
+
+/// Counts of values in bins of equal width; the last one also holds what lies beyond.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Histogram {
+    /// The upper end of the last bin.
+    pub high: f64,
+    /// Of each bin.
+    pub counts: Vec<u32>,
+}
+
+impl Histogram {
+    /// Counts the values that are numbers, in `bins` from `low` up to what 99 of a hundred do not
+    /// exceed, and at least to `least_high`.
+    ///
+    /// # Panics
+    /// Without bins, or when `least_high` is not greater than `low`.
+    pub fn new(values: &[f64], [low, least_high]: [f64; 2], bins: usize) -> Histogram {
+        assert!(bins > 0 && least_high > low, "there is at least one bin, of some width");
+        let mut sorted: Vec<f64> = values.iter().copied().filter(|v| !v.is_nan()).collect();
+        sorted.sort_unstable_by(f64::total_cmp);
+        let within = sorted.len() - sorted.len() * BEYOND / 100;
+        let finite = sorted[..within].iter().rev().find(|value| value.is_finite());
+        let high = finite.map_or(least_high, |&value| value.max(least_high));
+        let mut counts = vec![0; bins];
+        for value in sorted {
+            let part = (value - low) / (high - low) * bins as f64;
+            // A number that is too large or too small for an index becomes the nearest one.
+            counts[(part as usize).min(bins - 1)] += 1;
+        }
+        Histogram { high, counts }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_number_is_counted_and_the_far_ones_do_not_stretch_the_range() {
+        let mut values: Vec<f64> = (0..990).map(|k| 1.0 + f64::from(k) / 989.0).collect();
+        values.extend([50.0, 1e9, f64::INFINITY, f64::NAN]);
+        let histogram = Histogram::new(&values, [1.0, 1.01], 10);
+        assert!(histogram.high < 2.0 + 1e-12 && histogram.high > 1.99, "{}", histogram.high);
+        assert_eq!(histogram.counts.iter().sum::<u32>(), 993);
+        assert!(histogram.counts.iter().all(|&count| (95..=110).contains(&count)));
+    }
+
+    #[test]
+    fn where_nothing_differs_the_range_has_its_least_width() {
+        let histogram = Histogram::new(&[1.0; 7], [1.0, 1.01], 4);
+        assert_eq!(histogram, Histogram { high: 1.01, counts: vec![7, 0, 0, 0] });
+        assert_eq!(Histogram::new(&[f64::NAN], [1.0, 1.01], 2).counts, [0, 0]);
+        assert_eq!(Histogram::new(&[f64::INFINITY], [1.0, 1.01], 2).counts, [0, 1]);
+    }
+}

@@ -1,0 +1,159 @@
+//! The unit and the vertical axis of a mesh file. The formats have neither: a comment may state them,
+//! and where none does they are guessed from the shape. Coordinates are never touched.
+
+use super::Up;
+use crate::mesh::{Mesh, Point};
+
+/// A size, the diagonal of the bounding box, from which on it is taken as a building in metres.
+const METRES_FROM: f64 = 3.0;
+/// A size from which on it is taken as one in millimetres.
+const MILLIMETRES_FROM: f64 = 500.0;
+/// Vertices this near to the lowest one, as a part of the size, stand on the ground.
+const GROUND: f64 = 1e-3;
+/// A flat mesh lies: its height is at most this part of both its other sides.
+const LYING: f64 = 0.5;
+
+/// The unit and the vertical axis, where they are known.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Frame {
+    /// Unit of length.
+    pub units: Option<String>,
+    /// Which axis points up.
+    pub up: Option<Up>,
+}
+
+impl Frame {
+    /// What the comments at the beginning of a mesh file state: `# units: m`, `# up: y`.
+    pub fn stated(file: &[u8]) -> Frame {
+        let mut frame = Frame::default();
+        for line in file.split(|&byte| byte == b'\n') {
+            let Some(comment) = line.trim_ascii().strip_prefix(b"#") else { break };
+            let Ok(comment) = std::str::from_utf8(comment) else { continue };
+            match comment.split_once(':').map(|(key, value)| (key.trim(), value.trim())) {
+                Some(("units", units)) if !units.is_empty() => frame.units = Some(units.to_owned()),
+                Some(("up", "y")) => frame.up = Some(Up::Y),
+                Some(("up", "z")) => frame.up = Some(Up::Z),
+                _ => {}
+            }
+        }
+        frame
+    }
+
+    /// This, and where it is not known the other.
+    pub fn or(self, other: Frame) -> Frame {
+        Frame { units: self.units.or(other.units), up: self.up.or(other.up) }
+    }
+
+    /// The comments that state it, each a line of its own; nothing for what is not known and for z,
+    /// which is what files without a word are taken for.
+    pub fn comments(units: &str, up: Up) -> String {
+        let mut text = String::new();
+        let units: String = units.chars().filter(|c| !c.is_control()).collect();
+        if !units.is_empty() {
+            text.push_str(&format!("# units: {units}\n"));
+        }
+        if up == Up::Y {
+            text.push_str("# up: y\n");
+        }
+        text
+    }
+
+    /// The unit that a mesh of this size likely has; empty where there is no telling.
+    pub fn guess_units(mesh: &Mesh) -> &'static str {
+        let sides = [0, 1, 2].map(|axis| extent(&mesh.positions, axis).length());
+        let size = (sides[0] * sides[0] + sides[1] * sides[1] + sides[2] * sides[2]).sqrt();
+        if size >= MILLIMETRES_FROM {
+            "mm"
+        } else if size >= METRES_FROM {
+            "m"
+        } else {
+            ""
+        }
+    }
+
+    /// The axis that likely points up: z, unless the mesh lies flat or stands when y does.
+    pub fn guess_up(mesh: &Mesh) -> Up {
+        let [x, y, z] = [0, 1, 2].map(|axis| extent(&mesh.positions, axis).length());
+        let lies = |height: f64, others: [f64; 2]| others.iter().all(|side| height <= LYING * side);
+        if lies(z, [x, y]) {
+            return Up::Z;
+        }
+        let [on_y, on_z] = [1, 2].map(|axis| on_ground(&mesh.positions, axis));
+        if lies(y, [x, z]) || on_y > 2 * on_z { Up::Y } else { Up::Z }
+    }
+}
+
+struct Extent {
+    low: f64,
+    high: f64,
+}
+
+impl Extent {
+    fn length(&self) -> f64 {
+        (self.high - self.low).max(0.0)
+    }
+}
+
+fn extent(positions: &[Point], axis: usize) -> Extent {
+    let start = Extent { low: f64::INFINITY, high: f64::NEG_INFINITY };
+    positions.iter().fold(start, |all, point| Extent {
+        low: all.low.min(point[axis]),
+        high: all.high.max(point[axis]),
+    })
+}
+
+/// How many vertices stand on the ground when this axis points up.
+fn on_ground(positions: &[Point], axis: usize) -> usize {
+    let extent = extent(positions, axis);
+    let limit = extent.low + GROUND * extent.length();
+    positions.iter().filter(|point| point[axis] <= limit).count()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::Ragged;
+
+    fn points(positions: Vec<Point>) -> Mesh {
+        Mesh { positions, faces: Ragged::default(), ..Mesh::default() }
+    }
+
+    /// A box of these sides, with its corners and the middle of its top.
+    fn block(sides: Point) -> Mesh {
+        let corners = (0..8).map(|i| [0, 1, 2].map(|axis| sides[axis] * f64::from(i >> axis & 1)));
+        points(corners.collect())
+    }
+
+    #[test]
+    fn what_is_written_is_read_back() {
+        for (units, up) in [("m", Up::Y), ("", Up::Y), ("ft", Up::Z), ("", Up::Z)] {
+            let text = Frame::comments(units, up) + "v 0 0 0\n# units: km\n";
+            let frame = Frame::stated(text.as_bytes());
+            assert_eq!(frame.units.unwrap_or_default(), units);
+            assert_eq!(frame.up.unwrap_or(Up::Z), up);
+        }
+        let foreign = b"# Blender 4.2\r\n#\r\n# units: cm\r\n# a: b: c\r\nmtllib x.mtl\r\n";
+        assert_eq!(Frame::stated(foreign).units.as_deref(), Some("cm"));
+        assert_eq!(Frame::stated(b""), Frame::default());
+    }
+
+    #[test]
+    fn a_roof_lies_and_a_tower_stands() {
+        assert_eq!(Frame::guess_up(&block([20.0, 15.0, 4.0])), Up::Z);
+        assert_eq!(Frame::guess_up(&block([20.0, 4.0, 15.0])), Up::Y);
+        assert_eq!(Frame::guess_up(&block([4.0, 4.0, 30.0])), Up::Z);
+        // A pyramid whose square lies in the plane of x and z.
+        let mut tower = block([4.0, 0.0, 4.0]).positions;
+        tower.push([2.0, 30.0, 2.0]);
+        assert_eq!(Frame::guess_up(&points(tower)), Up::Y);
+        assert_eq!(Frame::guess_up(&points(Vec::new())), Up::Z);
+    }
+
+    #[test]
+    fn a_building_is_in_metres_or_millimetres_and_a_unit_cube_in_nothing() {
+        assert_eq!(Frame::guess_units(&block([1.0, 1.0, 1.0])), "");
+        assert_eq!(Frame::guess_units(&block([20.0, 15.0, 4.0])), "m");
+        assert_eq!(Frame::guess_units(&block([20e3, 15e3, 4e3])), "mm");
+        assert_eq!(Frame::guess_units(&points(Vec::new())), "");
+    }
+}

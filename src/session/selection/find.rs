@@ -1,0 +1,56 @@
+//! By number of sides, by valence, by error, by name.
+
+use super::elements::{Elements, Marks};
+use super::{Selection, error};
+use crate::constraint::{Selector, resolve};
+use crate::scene::SceneError;
+use crate::session::Session;
+
+impl Elements<'_> {
+    /// Faces with that many corners.
+    pub(super) fn with_sides(&self, sides: f64) -> Marks {
+        self.mesh.faces.iter().map(|face| face.len() as f64 == sides).collect()
+    }
+
+    /// Vertices with that many edges.
+    pub(super) fn with_valence(&self, edges: f64) -> Marks {
+        self.topology.neighbours().iter().map(|row| row.len() as f64 == edges).collect()
+    }
+}
+
+impl Session {
+    /// The faces whose error at the current shape is above `tolerance`; `measure` is one of
+    /// [`crate::session::FACE_MEASURES`], and the tolerance in its unit.
+    pub(super) fn with_error_above(
+        &mut self,
+        measure: String,
+        tolerance: f64,
+    ) -> Result<Selection, SceneError> {
+        let errors = self
+            .face_values(&measure)
+            .ok_or_else(|| error("measure", format!("`{measure}` is no error of faces")))?;
+        let above = (0..).zip(errors).filter(|&(_, error)| error > tolerance);
+        Ok(Selection { faces: above.map(|(face, _)| face).collect(), ..Selection::default() })
+    }
+
+    /// The members of a set, or where there is none of that name, of a group: as they are listed, and
+    /// of the curves of a group their vertices.
+    pub(super) fn named(&self, name: String) -> Result<Selection, SceneError> {
+        if let Some(set) = self.document.sets.get(&name) {
+            let (vertices, faces) = (set.vertices.clone(), set.faces.clone());
+            return Ok(Selection { vertices, faces, ..Selection::default() });
+        }
+        let mut found = Selection::default();
+        for group in self.mesh.groups.iter().filter(|group| group.name == name) {
+            found.faces.extend(&group.faces);
+            let curves = group.curves.iter().map(|&curve| self.mesh.curves.row(curve as usize));
+            found.vertices.extend(curves.flatten());
+        }
+        if found == Selection::default() {
+            let selected =
+                resolve(&Selector::Set(name), &self.mesh, &self.topology, &self.document.sets);
+            selected.map_err(|problem| error("name", problem.to_string()))?;
+        }
+        Ok(found)
+    }
+}

@@ -1,0 +1,159 @@
+//! Along the mesh: connected parts, boundary loops, edge loops and rings, strips, flat patches.
+
+use super::elements::{Elements, Marks, items, marked};
+use super::{Mode, Selection};
+use crate::math::{Vec3, cosine_and_sine_of_degrees};
+use crate::mesh::{Point, components, edge_lines, strips};
+
+impl Elements<'_> {
+    /// Every connected part of the mesh that has something marked. A face connects its corners.
+    pub(super) fn connected(&self, mode: Mode, seeds: &Marks) -> Marks {
+        let edges = self.topology.edges().iter().map(|ends| &ends[..]);
+        let part = components(self.count(Mode::Vertices), edges.chain(self.mesh.faces.iter()));
+        let mut wanted = vec![false; part.len()];
+        for vertex in items(&self.corners(mode, seeds)) {
+            wanted[part[vertex as usize] as usize] = true;
+        }
+        let corners = part.iter().map(|&part| wanted[part as usize]).collect();
+        self.with_corners(mode, &corners, true)
+    }
+
+    /// The boundary loops that have a vertex of what is marked, or all of them where nothing is: their
+    /// vertices, their edges, or the faces along them.
+    pub(super) fn boundary(&self, mode: Mode, seeds: &Marks) -> Marks {
+        let corners = self.corners(mode, seeds);
+        let anything = seeds.contains(&true);
+        let mut marks = vec![false; self.count(mode)];
+        for along in self.topology.boundary_loops().iter() {
+            if anything && !along.iter().any(|&v| corners[v as usize]) {
+                continue;
+            }
+            let next = along.iter().cycle().skip(1);
+            for (&a, &b) in along.iter().zip(next) {
+                let edge = self.topology.edge(a, b).filter(|&e| self.topology.is_boundary_edge(e));
+                match (mode, edge) {
+                    (Mode::Vertices, _) => marks[a as usize] = true,
+                    (Mode::Edges, Some(edge)) => marks[edge as usize] = true,
+                    (Mode::Faces, Some(edge)) => {
+                        marks[self.topology.edge_faces().row(edge as usize)[0] as usize] = true;
+                    }
+                    // An open chain does not come back.
+                    (_, None) => {}
+                }
+            }
+        }
+        marks
+    }
+
+    /// The straight lines of edges through selected edges, as [`edge_lines`] follows them; of
+    /// vertices, the lines through selected neighbours.
+    pub(super) fn edge_loops(&self, mode: Mode, from: &Selection) -> Marks {
+        let seeds = self.marks(Mode::Edges, from);
+        let mut marks = vec![false; self.count(mode)];
+        for line in edge_lines(self.topology).iter() {
+            let edges: Vec<u32> =
+                line.windows(2).filter_map(|ends| self.topology.edge(ends[0], ends[1])).collect();
+            if edges.iter().any(|&edge| seeds[edge as usize]) {
+                let members = if mode == Mode::Vertices { line } else { &edges };
+                members.iter().for_each(|&item| marks[item as usize] = true);
+            }
+        }
+        marks
+    }
+
+    /// The edges that strips of quads cross, where one of them is marked.
+    pub(super) fn edge_rings(&self, seeds: &Marks) -> Marks {
+        let crossed = self.crossed_edges();
+        let met = crossed.iter().filter(|edges| edges.iter().any(|&e| seeds[e as usize]));
+        marked(self.count(Mode::Edges), met.flatten().copied())
+    }
+
+    /// The strips of quads that have the most of what is marked: both through one face, the one
+    /// that joins them through several in a row.
+    pub(super) fn strips(&self, seeds: &Marks) -> Marks {
+        let mut best = 1;
+        let mut chosen: Vec<Vec<u32>> = Vec::new();
+        for edges in self.crossed_edges() {
+            let mut faces = self.faces_between(&edges);
+            faces.sort_unstable();
+            faces.dedup();
+            let hits = faces.iter().filter(|&&face| seeds[face as usize]).count();
+            if hits > best {
+                best = hits;
+                chosen.clear();
+            }
+            if hits == best {
+                chosen.push(faces);
+            }
+        }
+        marked(self.count(Mode::Faces), chosen.into_iter().flatten())
+    }
+
+    /// Per strip of quads the edges that it crosses.
+    fn crossed_edges(&self) -> Vec<Vec<u32>> {
+        let rows = strips(self.mesh, self.topology);
+        let edges = |strip: &[u32]| {
+            let pairs = strip.chunks_exact(2);
+            pairs.filter_map(|ends| self.topology.edge(ends[0], ends[1])).collect()
+        };
+        rows.iter().map(edges).collect()
+    }
+
+    /// The quads between edges that follow each other, round to the first where the strip is closed.
+    fn faces_between(&self, edges: &[u32]) -> Vec<u32> {
+        let faces = |edge: u32| self.topology.edge_faces().row(edge as usize);
+        let next = edges.iter().cycle().skip(1);
+        let between = edges.iter().zip(next).flat_map(|(&a, &b)| {
+            let is_quad = |face: &u32| self.mesh.faces.row(*face as usize).len() == 4;
+            faces(a).iter().copied().filter(move |f| faces(b).contains(f)).filter(is_quad)
+        });
+        between.collect()
+    }
+
+    /// The faces that one reaches from those marked over edges of two faces where the surface, at
+    /// `positions`, bends by at most `angle` degrees. A face without an area bends everywhere.
+    pub(super) fn flat_patch(&self, seeds: &Marks, angle: f64, positions: &[Point]) -> Marks {
+        let [least, _] = cosine_and_sine_of_degrees(angle);
+        // Rounding must not part faces in one plane.
+        let least = least - 1e-12;
+        let normals: Vec<Vec3<f64>> =
+            self.mesh.faces.iter().map(|face| normal(face, positions)).collect();
+        let mut marks = seeds.clone();
+        let mut reached: Vec<u32> = items(seeds).collect();
+        while let Some(face) = reached.pop() {
+            let corners = self.mesh.faces.row(face as usize);
+            for (&a, &b) in corners.iter().zip(corners.iter().cycle().skip(1)) {
+                let Some(edge) = self.topology.edge(a, b) else { continue };
+                let &[first, second] = self.topology.edge_faces().row(edge as usize) else {
+                    continue;
+                };
+                let next = if first == face { second } else { first };
+                // Faces that run the same way along their edge lie the other way round.
+                let other = self.mesh.faces.row(next as usize);
+                let same_way = other
+                    .iter()
+                    .zip(other.iter().cycle().skip(1))
+                    .any(|(&from, &to)| (from, to) == (a, b));
+                let (n, m) = (normals[face as usize], normals[next as usize]);
+                let cosine = if same_way { -n.dot(m) } else { n.dot(m) };
+                if !marks[next as usize] && cosine >= least && m.dot(m) > 0.0 {
+                    marks[next as usize] = true;
+                    reached.push(next);
+                }
+            }
+        }
+        marks
+    }
+}
+
+/// The unit normal of Newell's method; zero where the face has no area.
+fn normal(face: &[u32], positions: &[Point]) -> Vec3<f64> {
+    let at = |v: u32| Vec3::from(positions[v as usize]);
+    let origin = at(face[0]);
+    let sum = face
+        .iter()
+        .zip(face.iter().cycle().skip(1))
+        .fold(Vec3::zero(), |sum, (&a, &b)| sum + (at(a) - origin).cross(at(b) - origin));
+    let length = sum.length();
+    if length > 0.0 { sum * (1.0 / length) } else { Vec3::zero() }
+}

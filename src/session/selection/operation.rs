@@ -1,0 +1,250 @@
+//! The declared ways to select: everything that hosts show of them, and nothing that they do.
+
+use super::Mode;
+use crate::constraint::{Form, Param, ParamValue};
+use crate::session::FACE_MEASURES;
+use serde::Serialize;
+
+/// The declaration of a way to select.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Operation {
+    /// What a request names it by.
+    pub id: &'static str,
+    /// Its name on the page.
+    pub label: &'static str,
+    /// What is selected afterwards, in one sentence.
+    pub summary: &'static str,
+    /// The heading that hosts list it under.
+    pub group: &'static str,
+    /// What must be picked for it to have a meaning.
+    pub modes: &'static [Mode],
+    /// What it gives, where that is not what is picked.
+    pub gives: Option<Mode>,
+    /// Whether it starts from what is selected, and gives nothing where nothing is.
+    pub needs_selection: bool,
+    /// Whether it takes the name of a set or of a group, as the parameter `name`.
+    pub takes_name: bool,
+    /// What it asks.
+    pub params: &'static [Param],
+    /// Keys of the page that do it, as "Ctrl+A".
+    pub keys: &'static [&'static str],
+    /// What a double-click on does it.
+    pub double_click: Option<Mode>,
+}
+
+const ALL_MODES: &[Mode] = &[Mode::Vertices, Mode::Edges, Mode::Faces];
+const CHANGE: &str = "Change the selection";
+const FOLLOW: &str = "Follow the mesh";
+const FIND: &str = "Find";
+
+const PLAIN: Operation = Operation {
+    id: "",
+    label: "",
+    summary: "",
+    group: CHANGE,
+    modes: ALL_MODES,
+    gives: None,
+    needs_selection: false,
+    takes_name: false,
+    params: &[],
+    keys: &[],
+    double_click: None,
+};
+
+const fn count(id: &'static str, label: &'static str, default: f64) -> Param {
+    Param {
+        id,
+        label,
+        unit: "",
+        default: ParamValue::Number(default),
+        forms: &[Form::Number],
+        range: [0.0, 1e6],
+    }
+}
+
+/// The measures of faces, as words.
+const MEASURES: [Form; FACE_MEASURES.len()] = {
+    let mut words = [Form::Nothing; FACE_MEASURES.len()];
+    let mut i = 0;
+    while i < words.len() {
+        words[i] = Form::Word(FACE_MEASURES[i].id);
+        i += 1;
+    }
+    words
+};
+
+/// All ways to select, in the order in which hosts list them.
+pub const OPERATIONS: &[Operation] = &[
+    Operation {
+        id: "all",
+        label: "All",
+        summary: "Everything of what is picked.",
+        keys: &["Ctrl+A"],
+        ..PLAIN
+    },
+    Operation {
+        id: "invert",
+        label: "Invert",
+        summary: "What is not selected, instead of what is.",
+        keys: &["Ctrl+I"],
+        ..PLAIN
+    },
+    Operation {
+        id: "grow",
+        label: "Grow",
+        summary: "The selection and everything that touches it.",
+        needs_selection: true,
+        keys: &["+"],
+        ..PLAIN
+    },
+    Operation {
+        id: "shrink",
+        label: "Shrink",
+        summary: "The selection without what touches the rest of the mesh.",
+        needs_selection: true,
+        keys: &["-"],
+        ..PLAIN
+    },
+    Operation {
+        id: "to-vertices",
+        label: "Its vertices",
+        summary: "The vertices of what is selected.",
+        needs_selection: true,
+        modes: &[Mode::Edges, Mode::Faces],
+        gives: Some(Mode::Vertices),
+        ..PLAIN
+    },
+    Operation {
+        id: "to-edges",
+        label: "Its edges",
+        summary: "The edges all of whose vertices are selected.",
+        needs_selection: true,
+        modes: &[Mode::Vertices, Mode::Faces],
+        gives: Some(Mode::Edges),
+        ..PLAIN
+    },
+    Operation {
+        id: "to-faces",
+        label: "Its faces",
+        summary: "The faces all of whose vertices are selected.",
+        needs_selection: true,
+        modes: &[Mode::Vertices, Mode::Edges],
+        gives: Some(Mode::Faces),
+        ..PLAIN
+    },
+    Operation {
+        id: "connected",
+        label: "Connected",
+        summary: "Every part of the mesh that has something selected.",
+        group: FOLLOW,
+        needs_selection: true,
+        keys: &["Shift+L"],
+        ..PLAIN
+    },
+    Operation {
+        id: "boundary",
+        label: "Boundary loop",
+        summary: "The boundary loops that the selection touches; all of them where nothing is selected.",
+        group: FOLLOW,
+        ..PLAIN
+    },
+    Operation {
+        id: "loop",
+        label: "Edge loop",
+        summary: "The straight lines of edges through the selected edges, on meshes of mostly quads.",
+        group: FOLLOW,
+        needs_selection: true,
+        modes: &[Mode::Vertices, Mode::Edges],
+        double_click: Some(Mode::Edges),
+        ..PLAIN
+    },
+    Operation {
+        id: "ring",
+        label: "Edge ring",
+        summary: "The edges opposite to the selected ones, from quad to quad.",
+        group: FOLLOW,
+        needs_selection: true,
+        modes: &[Mode::Edges],
+        ..PLAIN
+    },
+    Operation {
+        id: "strip",
+        label: "Face strip",
+        summary: "The strips of quads through the selected faces: both through one face, through several the one that joins them.",
+        group: FOLLOW,
+        needs_selection: true,
+        modes: &[Mode::Faces],
+        ..PLAIN
+    },
+    Operation {
+        id: "flat",
+        label: "Flat patch",
+        summary: "The faces around the selected ones up to where the surface bends by more than the angle.",
+        group: FOLLOW,
+        needs_selection: true,
+        modes: &[Mode::Faces],
+        params: &[Param {
+            id: "angle",
+            label: "Angle",
+            unit: "degrees",
+            default: ParamValue::Number(5.0),
+            forms: &[Form::Number],
+            range: [0.0, 180.0],
+        }],
+        double_click: Some(Mode::Faces),
+        ..PLAIN
+    },
+    Operation {
+        id: "sides",
+        label: "By number of sides",
+        summary: "Faces with that many sides.",
+        group: FIND,
+        modes: &[Mode::Faces],
+        params: &[count("sides", "Sides", 4.0)],
+        ..PLAIN
+    },
+    Operation {
+        id: "valence",
+        label: "By number of edges",
+        summary: "Vertices that have that many edges.",
+        group: FIND,
+        modes: &[Mode::Vertices],
+        params: &[count("edges", "Edges", 4.0)],
+        ..PLAIN
+    },
+    Operation {
+        id: "error",
+        label: "By error",
+        summary: "Faces whose error is above a tolerance, in the unit of that error.",
+        group: FIND,
+        modes: &[Mode::Faces],
+        params: &[
+            Param {
+                id: "measure",
+                label: "Error",
+                unit: "",
+                default: ParamValue::Word("planarity"),
+                forms: &MEASURES,
+                range: [0.0, 0.0],
+            },
+            Param {
+                id: "tolerance",
+                label: "Above",
+                unit: "",
+                default: ParamValue::Number(0.001),
+                forms: &[Form::Number],
+                range: [0.0, f64::INFINITY],
+            },
+        ],
+        ..PLAIN
+    },
+    Operation {
+        id: "named",
+        label: "By set or group",
+        summary: "The members of a set of the scene or of a group of the file.",
+        group: FIND,
+        takes_name: true,
+        ..PLAIN
+    },
+];

@@ -1,0 +1,266 @@
+//! The settings of a scene beyond its weights, declared: what is kept close to what, what is
+//! smoothed, how it is solved. Hosts build their controls from the list.
+
+use crate::constraint::{Form, Param, ParamValue};
+use crate::scene::{
+    Accelerator, BoundaryCloseness, ClosenessTo, Scene, SceneError, SmoothnessOf, Weighting,
+};
+use serde::Serialize;
+use serde_json::{Map, Value, json};
+
+/// A declared setting.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Setting {
+    /// Id, name and forms, as those of a parameter of a kind.
+    #[serde(flatten)]
+    pub param: Param,
+    /// What it does, in one sentence.
+    pub summary: &'static str,
+    /// The heading that hosts list it under.
+    pub group: &'static str,
+}
+
+const NEAR: &str = "Close to the original";
+const SMOOTH: &str = "Smoothness";
+const SOLVER: &str = "Solver";
+const OFF: Form = Form::Word("off");
+
+const fn words(
+    id: &'static str,
+    label: &'static str,
+    default: &'static str,
+    forms: &'static [Form],
+) -> Param {
+    Param { id, label, unit: "", default: ParamValue::Word(default), forms, range: [0.0, 0.0] }
+}
+
+/// All settings, in the order in which hosts list them.
+pub const SETTINGS: &[Setting] = &[
+    Setting {
+        param: words(
+            "closeness",
+            "Stay near",
+            "surface",
+            &[Form::Word("surface"), Form::Word("rest"), Form::Word("none")],
+        ),
+        summary: "The original surface lets vertices glide along it; rest holds each where it was; none holds nothing.",
+        group: NEAR,
+    },
+    Setting {
+        param: Param {
+            id: "boundary",
+            label: "Boundary stays on its curve",
+            unit: "degrees",
+            default: ParamValue::Word("off"),
+            forms: &[OFF, Form::Number],
+            range: [0.0, 180.0],
+        },
+        summary: "Boundary vertices glide along their own boundary curve; where it turns by more than this angle they are corners, which stay.",
+        group: NEAR,
+    },
+    Setting {
+        param: words(
+            "smoothness",
+            "Smooth",
+            "surface",
+            &[Form::Word("surface"), Form::Word("displacement")],
+        ),
+        summary: "The surface itself, or only how far it moves, which keeps its bumps and creases.",
+        group: SMOOTH,
+    },
+    Setting {
+        param: words(
+            "weighting",
+            "Neighbours count",
+            "auto",
+            &[Form::Word("auto"), Form::Word("uniform"), Form::Word("cotangent")],
+        ),
+        summary: "All alike, or by the angles of the triangles between them; auto is cotangent on triangle meshes.",
+        group: SMOOTH,
+    },
+    Setting {
+        param: words(
+            "accelerator",
+            "Accelerator",
+            "quasi-newton",
+            &[Form::Word("quasi-newton"), Form::Word("anderson"), Form::Word("none")],
+        ),
+        summary: "How steps are lengthened by what earlier ones found; none is the plain iteration of the paper.",
+        group: SOLVER,
+    },
+    Setting {
+        param: Param {
+            id: "window",
+            label: "Steps remembered",
+            unit: "",
+            default: ParamValue::Number(5.0),
+            forms: &[Form::Number],
+            range: [0.0, 50.0],
+        },
+        summary: "How many earlier steps the accelerator looks at; with 0 it does nothing.",
+        group: SOLVER,
+    },
+    Setting {
+        param: Param {
+            id: "tolerance",
+            label: "Stop below",
+            unit: "",
+            default: ParamValue::Number(1e-9),
+            forms: &[Form::Number],
+            range: [0.0, 1.0],
+        },
+        summary: "The run stops when the total energy changes by less than this part of itself; with 0 it goes on.",
+        group: SOLVER,
+    },
+    Setting {
+        param: words("mean-centring", "Mean centring", "on", &[Form::Word("on"), OFF]),
+        summary: "Shapes are compared about their middles, so that they move freely; off is the slow way, for comparison.",
+        group: SOLVER,
+    },
+    Setting {
+        param: words("monotone", "Never rise", "off", &[OFF, Form::Word("on")]),
+        summary: "Keep an old projection where the new one is farther, so that the energy never rises with kinds that are not exact.",
+        group: SOLVER,
+    },
+];
+
+const SMOOTHNESSES: [(&str, SmoothnessOf); 2] =
+    [("surface", SmoothnessOf::Surface), ("displacement", SmoothnessOf::Displacement)];
+const WEIGHTINGS: [(&str, Weighting); 3] = [
+    ("auto", Weighting::Auto),
+    ("uniform", Weighting::Uniform),
+    ("cotangent", Weighting::Cotangent),
+];
+const CLOSENESSES: [(&str, ClosenessTo); 3] =
+    [("surface", ClosenessTo::Surface), ("rest", ClosenessTo::Rest), ("none", ClosenessTo::None)];
+const SWITCH: [(&str, bool); 2] = [("on", true), ("off", false)];
+
+/// The value of every setting in `scene`, by id.
+pub fn settings_of(scene: &Scene) -> Map<String, Value> {
+    let boundary = scene.closeness.boundary;
+    let solver = scene.solver;
+    let values = [
+        ("closeness", json!(scene.closeness.to.word())),
+        ("boundary", boundary.map_or(json!("off"), |boundary| json!(boundary.corners))),
+        ("smoothness", json!(word(&SMOOTHNESSES, scene.smoothness.of))),
+        ("weighting", json!(word(&WEIGHTINGS, scene.smoothness.weighting))),
+        ("accelerator", json!(word(Accelerator::WORDS, solver.accelerator))),
+        ("window", json!(solver.window)),
+        ("tolerance", json!(solver.tolerance)),
+        ("mean-centring", json!(word(&SWITCH, solver.mean_centring))),
+        ("monotone", json!(word(&SWITCH, solver.monotone))),
+    ];
+    values.map(|(id, value)| (id.to_owned(), value)).into_iter().collect()
+}
+
+fn word<T: PartialEq + Copy>(words: &[(&'static str, T)], value: T) -> &'static str {
+    words.iter().find(|(_, other)| *other == value).expect("every value has a word").0
+}
+
+/// Gives a setting of `scene` another value, and tells its name.
+///
+/// # Errors
+/// When there is no such setting, or the value has none of its forms or is out of range.
+pub(super) fn set(scene: &mut Scene, id: &str, value: &Value) -> Result<&'static str, SceneError> {
+    let error = |message: String| SceneError { path: id.to_owned(), message };
+    let setting = SETTINGS
+        .iter()
+        .find(|setting| setting.param.id == id)
+        .ok_or_else(|| error(format!("there is no setting `{id}`")))?;
+    let [least, greatest] = setting.param.range;
+    let number = || {
+        value.as_f64().filter(|number| (least..=greatest).contains(number)).ok_or_else(|| {
+            error(format!("found {value}, expected a number from {least} to {greatest}"))
+        })
+    };
+    let refused = || error(format!("found {value}, which is none of its values"));
+    match id {
+        "closeness" => scene.closeness.to = one_of(&CLOSENESSES, value).ok_or_else(refused)?,
+        "boundary" => {
+            let off = value.as_str() == Some("off");
+            scene.closeness.boundary =
+                if off { None } else { Some(BoundaryCloseness { corners: number()? }) };
+        }
+        "smoothness" => scene.smoothness.of = one_of(&SMOOTHNESSES, value).ok_or_else(refused)?,
+        "weighting" => {
+            scene.smoothness.weighting = one_of(&WEIGHTINGS, value).ok_or_else(refused)?;
+        }
+        "accelerator" => {
+            scene.solver.accelerator = one_of(Accelerator::WORDS, value).ok_or_else(refused)?;
+        }
+        "window" => {
+            let steps = number()?;
+            if steps.fract() != 0.0 {
+                return Err(error(format!("found {steps}, expected a whole number")));
+            }
+            scene.solver.window = steps as u32;
+        }
+        "tolerance" => scene.solver.tolerance = number()?,
+        "mean-centring" => {
+            scene.solver.mean_centring = one_of(&SWITCH, value).ok_or_else(refused)?;
+        }
+        "monotone" => scene.solver.monotone = one_of(&SWITCH, value).ok_or_else(refused)?,
+        _ => unreachable!("{id} is declared"),
+    }
+    Ok(setting.param.label)
+}
+
+fn one_of<T: Copy>(words: &[(&'static str, T)], value: &Value) -> Option<T> {
+    let value = value.as_str()?;
+    words.iter().find(|(word, _)| *word == value).map(|(_, value)| *value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::MeshSource;
+
+    fn scene() -> Scene {
+        Scene::new(MeshSource::File(String::new()))
+    }
+
+    #[test]
+    fn a_new_scene_has_the_declared_defaults() {
+        let now = settings_of(&scene());
+        assert_eq!(now.len(), SETTINGS.len());
+        for Setting { param, .. } in SETTINGS {
+            let declared = serde_json::to_value(param.default).expect("it is plain");
+            assert_eq!(now[param.id].as_f64(), declared.as_f64(), "{}", param.id);
+            assert_eq!(now[param.id].as_str(), declared.as_str(), "{}", param.id);
+        }
+    }
+
+    #[test]
+    fn every_declared_word_and_number_can_be_set_and_is_read_back() {
+        for Setting { param, .. } in SETTINGS {
+            for form in param.forms {
+                let value = match form {
+                    Form::Word(word) => json!(word),
+                    _ => json!(param.range[1]),
+                };
+                let mut scene = scene();
+                set(&mut scene, param.id, &value).expect("it is declared");
+                let read = &settings_of(&scene)[param.id];
+                assert_eq!(read.as_str(), value.as_str(), "{}", param.id);
+                assert_eq!(read.as_f64(), value.as_f64(), "{}", param.id);
+            }
+        }
+    }
+
+    #[test]
+    fn what_a_setting_cannot_be_is_refused_at_its_place() {
+        for (id, value) in [
+            ("closeness", json!("roof")),
+            ("boundary", json!(181)),
+            ("window", json!(2.5)),
+            ("tolerance", json!(-1)),
+            ("monotone", json!(true)),
+            ("colour", json!("red")),
+        ] {
+            let mut changed = scene();
+            let refused = set(&mut changed, id, &value).expect_err(id);
+            assert_eq!(refused.path, id);
+            assert_eq!(changed, scene());
+        }
+    }
+}

@@ -1,0 +1,154 @@
+//! Numeric factorisation `L D L^T`, multifrontal over supernodes (Duff and Reid 1983; Liu 1992).
+//!
+//! Each supernode has a front: a dense lower triangle over its rows, which takes in its columns of
+//! the matrix and what its children left. Its own columns are eliminated by the kernels of
+//! [`dense`]; what that leaves of the other rows waits on a stack for the parent. Supernodes are in
+//! a postorder, so that children lie on top of the stack.
+
+use super::assemble::Normal;
+use super::dense::{self, Quad};
+use super::factor::Singular;
+use super::symbolic::Symbolic;
+
+/// A supernode whose columns are factored: panels of four columns each (see [`dense`]).
+pub(super) struct Front<'a> {
+    pub panels: &'a [Quad],
+    /// Its rows, own columns included.
+    pub height: usize,
+}
+
+impl Front<'_> {
+    /// Gives `each` the values of column `c`, by ascending rows from row `from` on.
+    pub(super) fn column(&self, c: usize, from: usize) -> impl Iterator<Item = f64> {
+        let panel = c / 4;
+        let first = dense::start(panel, self.height) + from - 4 * panel;
+        self.panels[first..][..self.height - from].iter().map(move |row| row[c % 4])
+    }
+}
+
+/// Factors `normal`: fills `pivots` and gives each factored supernode to `store`, in order. A pivot has
+/// to be more than `smallest` times its diagonal entry.
+///
+/// # Errors
+/// The first column whose pivot is not.
+pub(super) fn factor(
+    symbolic: &Symbolic,
+    normal: &Normal,
+    smallest: f64,
+    pivots: &mut [f64],
+    store: &mut dyn FnMut(usize, &Front<'_>),
+) -> Result<(), Singular> {
+    let mut workspace = Workspace { place: vec![0; pivots.len()], ..Workspace::default() };
+    for s in 0..symbolic.count() {
+        let (columns, height) = (symbolic.columns(s), symbolic.rows(s).len());
+        let width = columns.len();
+        workspace.assemble(symbolic, normal, s);
+        workspace.add_children(symbolic, s);
+        let first = columns.start;
+        let own = &mut pivots[columns];
+        dense::factor(&mut workspace.own, width, height, own, |c, pivot| {
+            let diagonal = normal.values[normal.pattern.column(first + c).end - 1];
+            // Written so that NaN fails.
+            pivot > smallest * diagonal && diagonal > 0.0
+        })
+        .map_err(|c| Singular { column: first + c })?;
+        dense::subtract_outer(&mut workspace.rest, &workspace.own, width, height, own);
+        store(s, &Front { panels: &workspace.own, height });
+        if height > width {
+            workspace.waiting.push((s, workspace.stack.len()));
+            workspace.stack.extend_from_slice(&workspace.rest);
+        }
+    }
+    Ok(())
+}
+
+/// The front at hand, and what waits for the fronts to come.
+#[derive(Default)]
+struct Workspace {
+    /// Its own columns.
+    own: Vec<Quad>,
+    /// Its other columns.
+    rest: Vec<Quad>,
+    /// The place of each row in the front.
+    place: Vec<u32>,
+    /// What supernodes left, one after another.
+    stack: Vec<Quad>,
+    /// These supernodes, and where theirs starts.
+    waiting: Vec<(usize, usize)>,
+    /// The places of the rows of one of them.
+    places: Vec<u32>,
+}
+
+impl Workspace {
+    /// The front of supernode `s` with its columns of the matrix.
+    fn assemble(&mut self, symbolic: &Symbolic, normal: &Normal, s: usize) {
+        let (columns, rows) = (symbolic.columns(s), symbolic.rows(s));
+        let (width, height) = (columns.len(), rows.len());
+        clear(&mut self.own, dense::size(width, height));
+        clear(&mut self.rest, dense::size(height - width, height - width));
+        for (k, &row) in rows.iter().enumerate() {
+            self.place[row as usize] = k as u32;
+        }
+        for (c, column) in columns.enumerate() {
+            let first = dense::start(c / 4, height);
+            for (row, from) in symbolic.lower(column) {
+                let row = self.place[row as usize] as usize - 4 * (c / 4);
+                self.own[first + row][c % 4] = normal.values[from as usize];
+            }
+        }
+    }
+
+    /// Adds what the children of supernode `s` left, and takes it from the stack.
+    fn add_children(&mut self, symbolic: &Symbolic, s: usize) {
+        let width = symbolic.columns(s).len();
+        let height = symbolic.rows(s).len();
+        while let Some(&(child, start)) = self.waiting.last()
+            && symbolic.parent(child) == s as u32
+        {
+            self.places.clear();
+            let rows = symbolic.rows_below(child).iter();
+            self.places.extend(rows.map(|&row| self.place[row as usize]));
+            let below = self.places.len();
+            for panel in 0..below.div_ceil(4) {
+                let left = &self.stack[start + dense::start(panel, below)..][..below - 4 * panel];
+                let places = &self.places[4 * panel..];
+                for lane in 0..places.len().min(4) {
+                    let place = places[lane] as usize;
+                    let (target, column, skipped, height) = if place < width {
+                        (&mut self.own, place, 0, height)
+                    } else {
+                        (&mut self.rest, place - width, width, height - width)
+                    };
+                    let first = dense::start(column / 4, height);
+                    let target = &mut target[first..];
+                    let skipped = (skipped + 4 * (column / 4)) as u32;
+                    add_column(target, column % 4, &left[lane..], lane, &places[lane..], skipped);
+                }
+            }
+            self.stack.truncate(start);
+            self.waiting.pop();
+        }
+    }
+}
+
+/// Adds lane `from` of the rows of `left` to lane `to` of those rows of `target` that `places` names,
+/// counted from `skipped` on.
+#[inline(never)]
+fn add_column(
+    target: &mut [Quad],
+    to: usize,
+    left: &[Quad],
+    from: usize,
+    places: &[u32],
+    skipped: u32,
+) {
+    let (target, left) = (target.as_flattened_mut(), left.as_flattened());
+    for (value, &place) in left[from..].iter().step_by(4).zip(places) {
+        target[4 * (place - skipped) as usize + to] += value;
+    }
+}
+
+fn clear(quads: &mut Vec<Quad>, size: usize) {
+    quads.clear();
+    quads.resize(size, [0.0; 4]);
+}

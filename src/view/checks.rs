@@ -1,0 +1,64 @@
+//! The checkerboard of a flat map: squares of the plane, carried by the surface. Where they are
+//! squares on the surface too, the map keeps angles.
+
+use super::lists::ViewError;
+use glam::{DVec2, Vec2};
+
+/// A checkerboard on a surface.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Checks {
+    /// #V, where the vertices lie on the board, about the middle of the map; empty without a map.
+    pub places: Vec<Vec2>,
+    /// Squares along a unit of length; none are drawn when it is 0.
+    pub per_length: f32,
+}
+
+impl Checks {
+    /// Takes the places of `count` vertices, #V by 2 in a flat array. No squares are drawn yet.
+    ///
+    /// # Errors
+    /// Another number of places, or one that is not finite.
+    pub fn new(uv: &[f64], count: usize) -> Result<Checks, ViewError> {
+        let (places, rest) = uv.as_chunks::<2>();
+        if places.len() != count || !rest.is_empty() {
+            let (got, expected) = (uv.len(), 2 * count);
+            return Err(ViewError::Length { what: "flat map", got, expected });
+        }
+        if let Some(vertex) = places.iter().position(|p| !p.iter().all(|x| x.is_finite())) {
+            return Err(ViewError::NotFinite { vertex });
+        }
+        let places = || places.iter().copied().map(DVec2::from);
+        let low = places().reduce(DVec2::min).unwrap_or_default();
+        let high = places().reduce(DVec2::max).unwrap_or_default();
+        let middle = low + (high - low) * 0.5;
+        Ok(Checks { places: places().map(|p| (p - middle).as_vec2()).collect(), per_length: 0.0 })
+    }
+
+    /// Width and height of the map.
+    pub fn extent(&self) -> Vec2 {
+        let places = || self.places.iter().copied();
+        let low = places().reduce(Vec2::min).unwrap_or_default();
+        places().reduce(Vec2::max).unwrap_or_default() - low
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_lie_about_the_middle_of_the_map() {
+        let checks = Checks::new(&[10.0, 5.0, 14.0, 5.0, 14.0, 7.0], 3).unwrap();
+        assert_eq!(checks.places[0], Vec2::new(-2.0, -1.0));
+        assert_eq!(checks.extent(), Vec2::new(4.0, 2.0));
+        assert_eq!(Checks::default().extent(), Vec2::ZERO);
+    }
+
+    #[test]
+    fn places_that_do_not_fit_are_refused() {
+        assert!(Checks::new(&[0.0; 4], 3).is_err());
+        assert!(Checks::new(&[0.0; 7], 3).is_err());
+        let error = Checks::new(&[0.0, 0.0, f64::NAN, 0.0], 2).unwrap_err();
+        assert_eq!(error, ViewError::NotFinite { vertex: 1 });
+    }
+}

@@ -1,0 +1,52 @@
+//! More edits as the page sends them: of rows as a whole, sets, settings, and how things are held.
+
+use crate::constraint::Set;
+use crate::session::Edit;
+use serde::Deserialize;
+use serde_json::Value;
+
+/// An edit as the page sends it.
+#[derive(Deserialize)]
+#[serde(tag = "type", rename_all = "camelCase")]
+pub(super) enum OtherEdit {
+    DuplicateConstraint {
+        index: usize,
+    },
+    NameSet {
+        name: String,
+        #[serde(default)]
+        vertices: Vec<u32>,
+        #[serde(default)]
+        faces: Vec<u32>,
+    },
+    RemoveSet {
+        name: String,
+    },
+    Set {
+        id: String,
+        value: Value,
+    },
+    HoldClose {
+        vertices: Option<Vec<u32>>,
+        weight: f64,
+    },
+    WeighHandles {
+        vertices: Vec<u32>,
+        weight: f64,
+    },
+}
+
+impl From<OtherEdit> for Edit {
+    fn from(edit: OtherEdit) -> Edit {
+        match edit {
+            OtherEdit::DuplicateConstraint { index } => Edit::DuplicateConstraint { index },
+            OtherEdit::NameSet { name, vertices, faces } => {
+                Edit::NameSet { name, set: Set { vertices, faces } }
+            }
+            OtherEdit::RemoveSet { name } => Edit::RemoveSet { name },
+            OtherEdit::Set { id, value } => Edit::Set { id, value },
+            OtherEdit::HoldClose { vertices, weight } => Edit::HoldClose { vertices, weight },
+            OtherEdit::WeighHandles { vertices, weight } => Edit::WeighHandles { vertices, weight },
+        }
+    }
+}

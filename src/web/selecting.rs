@@ -1,0 +1,37 @@
+//! What the page selects with, and the settings that it offers: the declared lists, and the answers.
+
+use super::solver::{Solver, object, plain, thrown_at};
+use super::thrown;
+use crate::session::{OPERATIONS, SETTINGS, SelectRequest};
+use js_sys::Uint32Array;
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen]
+impl Solver {
+    /// The declared ways to select.
+    pub fn operations(&self) -> Result<JsValue, JsValue> {
+        plain(&OPERATIONS)
+    }
+
+    /// The declared settings of a scene.
+    pub fn settings(&self) -> Result<JsValue, JsValue> {
+        plain(&SETTINGS)
+    }
+
+    /// The edges of the mesh: `#E by 2` vertices, in the order in which selections number them.
+    pub fn edges(&self) -> Result<Uint32Array, JsValue> {
+        Ok(Uint32Array::from(self.open()?.topology().edges().as_flattened()))
+    }
+
+    /// What is selected after an operation: `vertices`, `edges` and `faces`, ascending.
+    pub fn select(&mut self, request: JsValue) -> Result<JsValue, JsValue> {
+        let request: SelectRequest = serde_wasm_bindgen::from_value(request).map_err(thrown)?;
+        let found = self.open_mut()?.select(&request).map_err(|error| thrown_at(&error))?;
+        let indices = |indices: &[u32]| JsValue::from(Uint32Array::from(indices));
+        object([
+            ("vertices", indices(&found.vertices)),
+            ("edges", indices(&found.edges)),
+            ("faces", indices(&found.faces)),
+        ])
+    }
+}

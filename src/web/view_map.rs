@@ -1,0 +1,114 @@
+//! The flat map of the model beside it: two parts of one canvas.
+
+use super::thrown;
+use super::view::View;
+use crate::view::flat_map::{Region, flat_map};
+use glam::Vec2;
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen]
+impl View {
+    /// Shows the flat map `uv` (#V by 2) of the mesh beside it, in place of one that is shown already.
+    ///
+    /// # Errors
+    /// Another number of places than vertices, or one that is not finite; all stays as it was.
+    #[wasm_bindgen(js_name = setMap)]
+    pub fn set_map(&mut self, uv: &[f64]) -> Result<(), JsValue> {
+        let (map, checks) = flat_map(&self.stage, uv).map_err(thrown)?;
+        self.stage.checks = checks;
+        self.stage.changes.checks = true;
+        // The marks of the model are those of the map too.
+        self.stage.changes.looks = true;
+        let first = self.map.replace(map).is_none();
+        self.arrange();
+        if first {
+            self.stage.fit();
+        }
+        Ok(())
+    }
+
+    /// Takes the flat map away.
+    #[wasm_bindgen(js_name = clearMap)]
+    pub fn clear_map(&mut self) {
+        if self.map.take().is_none() {
+            return;
+        }
+        self.stage.checks = Default::default();
+        self.stage.changes.checks = true;
+        self.arrange();
+        self.stage.fit();
+    }
+
+    /// Draws a checkerboard with so many squares along the longer side of the map on the model, on the
+    /// map, or on both; and colours the faces of the map by a value each (#F), from `low` to `high`.
+    ///
+    /// # Errors
+    /// Another number of values than faces.
+    #[wasm_bindgen(js_name = setMapLooks)]
+    pub fn set_map_looks(
+        &mut self,
+        squares: f32,
+        on_model: bool,
+        on_map: bool,
+        values: Option<Vec<f32>>,
+        low: f32,
+        high: f32,
+    ) -> Result<(), JsValue> {
+        let Some(map) = &mut self.map else { return Ok(()) };
+        let longest = map.checks.extent().max_element();
+        let per_length = if longest > 0.0 { squares / longest } else { 0.0 };
+        let drawn = |is_drawn: bool| if is_drawn { per_length } else { 0.0 };
+        self.stage.checks.per_length = drawn(on_model);
+        map.checks.per_length = drawn(on_map);
+        let (_, faces) = map.counts();
+        map.looks.set_values(values, low, high, faces).map_err(thrown)?;
+        map.changes.looks = true;
+        self.stage.changes.view = true;
+        Ok(())
+    }
+
+    /// Where the map is on the canvas, CSS pixels: left, top, width, height; nothing without a map.
+    #[wasm_bindgen(js_name = mapRegion)]
+    pub fn map_region(&self) -> Option<Vec<f32>> {
+        self.map.as_ref()?;
+        let [_, Region { at, size }] = Region::halves(self.canvas_size);
+        Some(vec![at.x, at.y, size.x, size.y])
+    }
+
+    /// Slides the map by a drag.
+    #[wasm_bindgen(js_name = panMap)]
+    pub fn pan_map(&mut self, dx: f32, dy: f32) {
+        if let Some(map) = &mut self.map {
+            map.pan(dx, dy);
+        }
+    }
+
+    /// Makes the map `factor` times larger about a place in its part of the canvas.
+    #[wasm_bindgen(js_name = zoomMap)]
+    pub fn zoom_map(&mut self, factor: f32, x: f32, y: f32) {
+        if let Some(map) = &mut self.map {
+            map.zoom(factor, Vec2::new(x, y));
+        }
+    }
+
+    /// Fills its part of the canvas with the map.
+    #[wasm_bindgen(js_name = fitMap)]
+    pub fn fit_map(&mut self) {
+        if let Some(map) = &mut self.map {
+            map.fit();
+        }
+    }
+
+    /// Gives the model and its map their parts of the canvas.
+    pub(super) fn arrange(&mut self) {
+        let whole = Region::whole(self.canvas_size);
+        let [model, map] = match &self.map {
+            Some(_) => Region::halves(self.canvas_size),
+            None => [whole; 2],
+        };
+        self.stage.resize(model.size);
+        if let Some(stage) = &mut self.map {
+            stage.resize(map.size);
+        }
+    }
+}

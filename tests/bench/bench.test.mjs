@@ -1,0 +1,68 @@
+// The benchmark compiles and runs on its smallest size. After `npm run build`, which it measures.
+
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { before, test } from 'node:test';
+import { benchFolder } from '../../.scripts/bench/problems.mjs';
+import { at } from '../../.scripts/project.mjs';
+
+let results;
+let text;
+
+before(() => {
+  const words = ['--trial', '--sizes', '400', '--limit', '0.5'];
+  const asked = ['--parts', 'iterations,convergence,memory'];
+  const { status, stderr } = spawnSync(
+    'node',
+    [at('.scripts', 'bench', 'bench.mjs'), ...words, ...asked],
+    {
+      encoding: 'utf8',
+    },
+  );
+  assert.equal(status, 0, stderr);
+  results = JSON.parse(readFileSync(join(benchFolder, 'trial.json'), 'utf8'));
+  text = readFileSync(join(benchFolder, 'trial.md'), 'utf8');
+});
+
+test('every problem is measured natively and in the browser', () => {
+  const keys = results.iterations.map(({ problem, where }) => `${problem} ${where}`);
+  const expected = ['A', 'B', 'C'].flatMap((problem) => [
+    `${problem} browser`,
+    `${problem} native`,
+  ]);
+  assert.deepEqual([...new Set(keys)].sort(), expected);
+  for (const row of results.iterations) {
+    const { step, setUp, bytes, where } = row;
+    assert.ok(step.total.p10 > 0 && step.total.p10 <= step.total.p90, JSON.stringify(step));
+    assert.ok(step.total.median >= step.global.median);
+    assert.ok(setUp.first >= setUp.total && setUp.factor > 0);
+    assert.ok(row.nonzeros > row.vertices);
+    assert.ok(where === 'native' ? bytes === null : bytes.opened > 1e6);
+  }
+  assert.ok(results.maps.length > 0);
+  assert.match(text, /\| A \| 400 \| browser \| quasi-newton \|/);
+});
+
+test('the browser goes the way of the native program, to the last bit of the energy', () => {
+  const { convergence } = results;
+  const inBrowser = convergence.filter(({ where }) => where === 'browser');
+  assert.equal(inBrowser.length, 6);
+  for (const row of inBrowser) {
+    const same = (other) => other.problem === row.problem && other.accelerator === row.accelerator;
+    const native = convergence.find((other) => other.where === 'native' && same(other));
+    assert.equal(row.start, native.start);
+    row.reached.forEach((one, k) => {
+      if (one && native.reached[k]) assert.equal(one.iterations, native.reached[k].iterations);
+    });
+  }
+  const quick = inBrowser.filter(({ accelerator }) => accelerator !== 'none');
+  assert.ok(quick.some(({ reached }) => reached[0]?.iterations > 1));
+});
+
+test('ten models are opened in turn', () => {
+  const { empty, opened } = results.models;
+  assert.equal(opened.length, 10);
+  assert.ok(empty > 0 && opened.every((bytes, k) => bytes >= (opened[k - 1] ?? empty)));
+});

@@ -1,0 +1,107 @@
+"""Times of other libraries on one mesh, for `npm run bench -- --peers`.
+
+peers.py TASK.json RESULT.json. The task names an OBJ file of quads or triangles and what to do with it; the
+result is in milliseconds. One thread, as the caller sets OMP_NUM_THREADS.
+"""
+
+import json
+import sys
+import time
+
+
+def read_obj(path):
+    """Vertices and faces of an OBJ file that holds nothing else."""
+    vertices, faces = [], []
+    with open(path, encoding="utf-8") as file:
+        for line in file:
+            word, *rest = line.split()
+            if word == "v":
+                vertices.append([float(part) for part in rest])
+            elif word == "f":
+                faces.append([int(part) - 1 for part in rest])
+    return vertices, faces
+
+
+def timed(call):
+    """What the call gives, and its milliseconds."""
+    start = time.perf_counter()
+    value = call()
+    return value, 1e3 * (time.perf_counter() - start)
+
+
+def compas_circles(task):
+    """Circles and closeness to where the vertices were: one iteration per call."""
+    import numpy
+    from compas_shapeop._shapeop import SolverWrapper
+
+    vertices, faces = read_obj(task["mesh"])
+    solver = SolverWrapper()
+    solver.set_points(numpy.asfortranarray(numpy.array(vertices).T))
+    for vertex in range(len(vertices)):
+        solver.add_closeness_constraint(vertex, 10.0)
+    for face in faces:
+        solver.add_circle_constraint(face, 5.0)
+    _, set_up = timed(lambda: solver.initialize(False, 1.0, 1.0, 1.0))
+    steps = [timed(lambda: solver.solve(1))[1] for _ in range(task["steps"])]
+    return {"setUp": set_up, "steps": steps[1:]}
+
+
+def libigl_arap(task):
+    """As rigid as possible with the handles held, the middle one lifted: whole runs."""
+    import igl
+    import numpy
+
+    vertices, faces = (numpy.array(rows) for rows in read_obj(task["mesh"]))
+    handles = numpy.array(task["handles"], dtype=numpy.int32)
+    data = igl.ARAPData()
+    data.energy = igl.ARAP_ENERGY_TYPE_SPOKES
+    _, set_up = timed(lambda: igl.arap_precomputation(vertices, faces, 3, handles, data))
+    targets = vertices[handles].copy()
+    for vertex, target in task["move"]:
+        targets[list(handles).index(vertex)] = target
+
+    def run(iterations):
+        data.max_iter = iterations
+        return timed(lambda: igl.arap_solve(targets, data, vertices))[1]
+
+    return {"setUp": set_up, "steps": differences(run, task["steps"])}
+
+
+def libigl_planes(task):
+    """Planes for quads; the matrix is factored in the call, so runs of two lengths are compared."""
+    import igl
+    import numpy
+
+    vertices, faces = (numpy.array(rows) for rows in read_obj(task["mesh"]))
+
+    def run(iterations):
+        return timed(lambda: igl.planarize_quad_mesh(vertices, faces, iterations, 0.0))[1]
+
+    return {"setUp": None, "steps": differences(run, task["steps"])}
+
+
+def libigl_lscm(task):
+    """Least-squares conformal map with two vertices held: whole calls."""
+    import igl
+    import numpy
+
+    vertices, faces = (numpy.array(rows) for rows in read_obj(task["mesh"]))
+    ends = numpy.array([0, len(vertices) - 1])
+    width = float(numpy.linalg.norm(vertices[ends[1]] - vertices[ends[0]]))
+    at = numpy.array([[0.0, 0.0], [width, 0.0]])
+    runs = [timed(lambda: igl.lscm(vertices, faces, ends, at))[1] for _ in range(3)]
+    return {"setUp": None, "steps": runs[1:]}
+
+
+def differences(run, steps):
+    """Milliseconds of one iteration, from runs of two lengths, some times."""
+    run(1)
+    return [(run(1 + steps) - run(1)) / steps for _ in range(3)]
+
+
+if __name__ == "__main__":
+    with open(sys.argv[1], encoding="utf-8") as file:
+        asked = json.load(file)
+    result = globals()[asked["call"]](asked)
+    with open(sys.argv[2], "w", encoding="utf-8") as file:
+        json.dump(result, file)

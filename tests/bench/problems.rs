@@ -1,0 +1,304 @@
+//! Times of one problem, natively: what `worker.mjs` measures in the browser, in the same words.
+//!
+//! `npm run bench` writes the problems, calls this program, and makes the tables:
+//! `bench_problems TASK.json RESULT.json`. A task is a scene with its mesh and what to do with it; times in
+//! the result are milliseconds.
+
+mod stream;
+
+use serde::{Deserialize, Serialize};
+use shape_up::mesh::{Point, Topology, read};
+use shape_up::scene::Scene;
+use shape_up::session::{Edit, Report, Session};
+use shape_up::solve::{ConformalNorm, ConformalWeights, Parametrization, clock};
+use std::hint::black_box;
+
+/// What to measure.
+#[derive(Deserialize)]
+#[serde(tag = "measure", rename_all = "kebab-case")]
+enum Task {
+    /// Setting up, single iterations, edits.
+    Iterations {
+        #[serde(flatten)]
+        problem: Problem,
+        /// Times that it is opened, the first one not counted.
+        loads: usize,
+        /// Runs from the start, the first one not counted.
+        rounds: usize,
+        /// Iterations of each run, and how many at its start are not counted.
+        steps: [usize; 2],
+        /// Times that each edit is made.
+        edits: usize,
+    },
+    /// Energy and time of every iteration.
+    Convergence {
+        #[serde(flatten)]
+        problem: Problem,
+        /// Ends at this energy.
+        goal: f64,
+        /// Ends after as many milliseconds.
+        limit: f64,
+        /// Ends after as many iterations in which the energy hardly fell; 0 never does.
+        patience: usize,
+    },
+    /// A conformal map.
+    Map { mesh: String, weights: String, rounds: usize },
+    /// Reading memory.
+    Stream { bytes: Vec<usize> },
+}
+
+/// A scene, where its mesh is, and the handles that are moved at the start.
+#[derive(Deserialize)]
+struct Problem {
+    scene: String,
+    mesh: String,
+    #[serde(rename = "move")]
+    moved: Vec<(u32, Point)>,
+    /// Vertices that edits make handles.
+    spare: Vec<u32>,
+}
+
+impl Problem {
+    fn open(&self) -> Session {
+        let bytes = std::fs::read(&self.mesh).expect("the mesh was written");
+        let file = read(&self.mesh, &bytes).expect("the mesh can be read");
+        let scene = Scene::from_json(&self.scene).expect("the scene is valid");
+        Session::open(scene, file.mesh).expect("the problem can be set up")
+    }
+
+    /// Opens it and moves its handles.
+    fn begin(&self) -> Session {
+        let mut session = self.open();
+        self.drag(&mut session, 1.0);
+        session
+    }
+
+    /// Moves the handles by a part of the way.
+    fn drag(&self, session: &mut Session, part: f64) {
+        let rest = &session.mesh().positions;
+        let targets = self.moved.iter().map(|&(v, to)| {
+            let from = rest[v as usize];
+            (v, std::array::from_fn(|i| from[i] + part * (to[i] - from[i])))
+        });
+        let targets: Vec<(u32, Point)> = targets.collect();
+        session.begin_drag();
+        session.drag(targets);
+        session.end_drag(true);
+    }
+}
+
+/// Milliseconds of one iteration: the whole, and the parts that the solver reports.
+#[derive(Serialize)]
+struct Step {
+    total: f64,
+    shape: f64,
+    close: f64,
+    smooth: f64,
+    global: f64,
+}
+
+/// Milliseconds of one opening.
+#[derive(Serialize)]
+struct Opening {
+    total: f64,
+    assemble: f64,
+    order: f64,
+    factor: f64,
+    /// To the end of the first iteration.
+    first: f64,
+}
+
+#[derive(Serialize)]
+struct Iterations {
+    report: Report,
+    openings: Vec<Opening>,
+    steps: Vec<Step>,
+    /// The first iteration of each run: nothing is remembered yet, as in every step of a drag.
+    fresh: Vec<Step>,
+    /// A handle is added.
+    handle: Vec<f64>,
+    /// The set of constraints is changed, and the first iteration after it.
+    change: Vec<f64>,
+    /// A handle is moved, and the first iteration after it.
+    drag: Vec<Step>,
+}
+
+#[derive(Serialize)]
+struct Convergence {
+    /// Total energy before the first iteration, then after each.
+    energies: Vec<f64>,
+    /// Milliseconds of each iteration.
+    steps: Vec<f64>,
+}
+
+#[derive(Serialize)]
+struct Map {
+    eigenvalue: f64,
+    runs: Vec<MapRun>,
+}
+
+#[derive(Serialize)]
+struct MapRun {
+    total: f64,
+    assemble: f64,
+    order: f64,
+    factor: f64,
+    iterate: f64,
+}
+
+/// What a call gives, and its milliseconds.
+fn timed<T>(run: impl FnOnce() -> T) -> (T, f64) {
+    let started = clock::now();
+    let value = black_box(run());
+    (value, 1e3 * (clock::now() - started))
+}
+
+fn step(session: &mut Session) -> Step {
+    let before = session.solver().iterate_seconds();
+    let (done, total) = timed(|| session.step());
+    done.expect("positions stay finite");
+    let after = session.solver().iterate_seconds();
+    Step {
+        total,
+        shape: 1e3 * (after.shape - before.shape),
+        close: 1e3 * (after.close - before.close),
+        smooth: 1e3 * (after.smooth - before.smooth),
+        global: 1e3 * (after.global - before.global),
+    }
+}
+
+fn edit(session: &mut Session, edit: Edit) {
+    session.edit(edit).expect("the edit is valid");
+}
+
+fn opening(problem: &Problem) -> (Session, Opening) {
+    let (mut session, total) = timed(|| problem.open());
+    let set_up = session.solver().set_up_seconds();
+    let first = total + step(&mut session).total;
+    let [assemble, order, factor] =
+        [set_up.assemble, set_up.order, set_up.factor].map(|seconds| 1e3 * seconds);
+    (session, Opening { total, assemble, order, factor, first })
+}
+
+fn iterations(
+    problem: &Problem,
+    loads: usize,
+    rounds: usize,
+    [all, unmeasured]: [usize; 2],
+    edits: usize,
+) -> Iterations {
+    let (mut session, _) = opening(problem);
+    let mut openings = Vec::new();
+    for _ in 1..loads {
+        let (next, opening) = opening(problem);
+        session = next;
+        openings.push(opening);
+    }
+    let (mut steps, mut fresh) = (Vec::new(), Vec::new());
+    let mut report = session.report();
+    problem.drag(&mut session, 1.0);
+    for round in 0..rounds {
+        edit(&mut session, Edit::Reset);
+        for k in 0..all {
+            let step = step(&mut session);
+            if round > 0 && k == 0 {
+                fresh.push(step);
+            } else if round > 0 && k >= unmeasured {
+                steps.push(step);
+            }
+        }
+        report = session.report();
+    }
+    let (mut handle, mut change, mut drag) = (Vec::new(), Vec::new(), Vec::new());
+    for &vertex in problem.spare.iter().cycle().take(edits) {
+        let vertices = vec![vertex];
+        let add = Edit::AddHandles { vertices: vertices.clone(), fixed: false };
+        handle.push(timed(|| edit(&mut session, add)).1);
+        edit(&mut session, Edit::RemoveHandles { vertices });
+    }
+    for k in 0..edits {
+        let weight = Some(1.0 + 0.5 * (k + 1) as f64);
+        let params = serde_json::Map::new();
+        let set = Edit::SetConstraint { index: 0, weight, enabled: None, params };
+        let edited = timed(|| edit(&mut session, set)).1;
+        change.push(edited + step(&mut session).total);
+    }
+    for k in 0..edits * usize::from(!problem.moved.is_empty()) {
+        let dragged = timed(|| problem.drag(&mut session, 1.0 - 0.01 * k as f64)).1;
+        let mut step = step(&mut session);
+        step.total += dragged;
+        drag.push(step);
+    }
+    Iterations { report, openings, steps, fresh, handle, change, drag }
+}
+
+fn convergence(problem: &Problem, goal: f64, limit: f64, patience: usize) -> Convergence {
+    let mut session = problem.begin();
+    let mut energies = vec![session.solver().energy().total];
+    let mut steps = Vec::new();
+    let (mut spent, mut still) = (0.0, 0);
+    while spent < limit && (patience == 0 || still < patience) {
+        let before = energies[energies.len() - 1];
+        let (done, milliseconds) = timed(|| session.step());
+        done.expect("positions stay finite");
+        let energy = session.solver().energy().total;
+        steps.push(milliseconds);
+        energies.push(energy);
+        spent += milliseconds;
+        still = if before - energy > 1e-11 * before { 0 } else { still + 1 };
+        if energy <= goal {
+            break;
+        }
+    }
+    Convergence { energies, steps }
+}
+
+fn map(path: &str, weights: &str, rounds: usize) -> Map {
+    let mesh = read(path, &std::fs::read(path).expect("the mesh was written"));
+    let mesh = mesh.expect("the mesh can be read").mesh;
+    let topology = Topology::new(&mesh);
+    let known = ConformalWeights::WORDS.iter().find(|(word, _)| *word == weights);
+    let weights = known.expect("the weights are a word of the command line").1;
+    let run = || {
+        let (map, total) =
+            timed(|| Parametrization::new(&mesh, &topology, weights, ConformalNorm::Boundary));
+        (map.expect("the mesh has an area"), total)
+    };
+    let (first, _) = run();
+    let runs = (0..rounds).map(|_| {
+        let (map, total) = run();
+        let seconds = map.seconds;
+        let [assemble, order, factor, iterate] =
+            [seconds.assemble, seconds.order, seconds.factor, seconds.iterate].map(|s| 1e3 * s);
+        MapRun { total, assemble, order, factor, iterate }
+    });
+    Map { eigenvalue: first.eigenvalue, runs: runs.collect() }
+}
+
+fn perform(task: Task) -> serde_json::Value {
+    let value = match task {
+        Task::Iterations { problem, loads, rounds, steps, edits } => {
+            serde_json::to_value(iterations(&problem, loads, rounds, steps, edits))
+        }
+        Task::Convergence { problem, goal, limit, patience } => {
+            serde_json::to_value(convergence(&problem, goal, limit, patience))
+        }
+        Task::Map { mesh, weights, rounds } => serde_json::to_value(map(&mesh, &weights, rounds)),
+        Task::Stream { bytes } => {
+            let reads: Vec<f64> = bytes.into_iter().map(stream::milliseconds).collect();
+            serde_json::to_value(reads)
+        }
+    };
+    value.expect("results are plain data")
+}
+
+fn main() {
+    let files: Vec<String> = std::env::args().skip(1).collect();
+    let [task, result] = &files[..] else {
+        eprintln!("bench_problems TASK.json RESULT.json, as `npm run bench` calls it");
+        std::process::exit(2);
+    };
+    let text = std::fs::read_to_string(task).expect("the task was written");
+    let task = serde_json::from_str(&text).expect("a task of this program");
+    std::fs::write(result, perform(task).to_string()).expect("the result can be written");
+}

@@ -1,0 +1,22 @@
+//! `shape-up experiment`: the list, the table, and the file with every iteration.
+
+use crate::folder::Folder;
+
+#[test]
+fn experiments_are_listed_and_run() {
+    let folder = Folder::new("experiment");
+    let listed = folder.run(&["experiment"]).done();
+    assert!(listed.contains("fig-10-collapse") && listed.contains("fig-11-strip"), "{listed}");
+    let asked = ["experiment", "fig-11-strip", "--iterations", "3", "--csv", "strip.csv"];
+    let table = folder.run(&asked).done();
+    let lines: Vec<_> = table.lines().collect();
+    assert_eq!(lines.len(), 3, "{table}");
+    assert!(lines[0].contains("shortest edge"), "{table}");
+    assert!(
+        lines[1].starts_with("Shape-Up ") && lines[1].contains("limit of iterations"),
+        "{table}"
+    );
+    let csv = folder.read("strip.csv");
+    assert_eq!(csv.lines().count(), 1 + 2 * 4, "{csv}");
+    assert!(csv.starts_with("method,iteration,seconds,smooth,e_c,shortest\n"), "{csv}");
+}

@@ -1,0 +1,260 @@
+//! The paper's comparisons (Fig. 10 and 11): what each method promises, and what the figures claim.
+
+#[expect(dead_code, reason = "other tests use the rest of it")]
+#[path = "support/random.rs"]
+mod random;
+
+use random::Random;
+use shape_up::experiment::{Circularity, EXPERIMENTS, EndedBy, Experiment, Limits, Run, Series};
+use shape_up::math::Vec3;
+use shape_up::mesh::Point;
+use shape_up::scene::examples::EXAMPLES;
+use shape_up::scene::{ClosenessTo, Hold, Weights};
+use shape_up::session::Session;
+
+/// Runs the experiment of an example to its end; gives the series with the ids of their methods.
+fn run(example: &str, limits: impl Fn(Limits) -> Limits) -> Vec<(&'static str, Series)> {
+    let experiment = Experiment::of(example).expect("it has one");
+    let (scene, mesh) = EXAMPLES.iter().find(|e| e.id == example).expect("there is one").build();
+    let mut run = Run::new(experiment, scene, mesh, limits(experiment.limits));
+    while run.step().expect("positions stay finite") {}
+    let ids = experiment.methods.iter().map(|method| method.id);
+    ids.zip(run.series().to_vec()).collect()
+}
+
+fn of<'a>(all: &'a [(&str, Series)], id: &str) -> &'a Series {
+    &all.iter().find(|(method, _)| *method == id).expect("it was run").1
+}
+
+fn without_clock(limits: Limits) -> Limits {
+    Limits { seconds: f64::INFINITY, ..limits }
+}
+
+#[test]
+fn every_experiment_has_examples_and_every_example_at_most_one() {
+    for experiment in EXPERIMENTS {
+        assert!(!experiment.examples.is_empty(), "{}", experiment.id);
+        for id in experiment.examples {
+            assert!(EXAMPLES.iter().any(|example| example.id == *id), "{id}");
+            assert_eq!(Experiment::of(id).map(|of| of.id), Some(experiment.id));
+        }
+        for plot in experiment.plots {
+            assert!(plot.quantity < experiment.quantities.len(), "{}", experiment.id);
+        }
+    }
+    assert!(Experiment::of("canopy").is_none());
+}
+
+/// Fig. 10: the energy of each method after the same iterations, and in the time of the paper's own.
+#[test]
+fn mean_centring_beats_all_but_the_accelerated_solver() {
+    const ITERATIONS: u32 = 150;
+    let all = run("fig-10-collapse", |_| Limits { iterations: ITERATIONS, seconds: f64::INFINITY });
+    let start = all[0].1.samples[0].values[0];
+    for (method, series) in &all {
+        let first = &series.samples[0];
+        assert!((first.values[0] - start).abs() < 1e-9 * start, "{method}: the same start");
+        for (k, pair) in series.samples.windows(2).enumerate() {
+            let [before, after] = [&pair[0], &pair[1]];
+            assert!(after.values[0] <= before.values[0] * (1.0 + 1e-12), "{method}: rises in {k}");
+            assert!(after.seconds >= before.seconds, "{method}");
+        }
+    }
+    let last = |id: &str| {
+        let series = of(&all, id);
+        series.samples.last().expect("it has samples").values[0] / start
+    };
+    assert!(last("centred") < 1e-4, "{}", last("centred"));
+    for slow in ["not-centred", "gradient-descent", "l-bfgs"] {
+        assert!(last(slow) > 1e-2, "{slow}: {}", last(slow));
+    }
+    assert!(last("l-bfgs") < 0.8 * last("gradient-descent"));
+    assert_eq!(of(&all, "accelerated").ended_by, Some(EndedBy::Reached));
+    assert_eq!(of(&all, "l-bfgs").ended_by, Some(EndedBy::Iterations));
+    // After the seconds that the slow ones have taken, the centred one is far below them all.
+    for slow in ["not-centred", "gradient-descent", "l-bfgs"] {
+        let given = of(&all, slow).samples.last().expect("it has samples").seconds;
+        let centred = of(&all, "centred").samples.iter().take_while(|s| s.seconds <= given).last();
+        let centred = centred.expect("setting up is quicker than that").values[0] / start;
+        assert!(centred < 0.2 * last(slow), "{slow} in {given} s: {} and {centred}", last(slow));
+    }
+}
+
+/// Fig. 11: at the same circularity error Shape-Up is smoother, and lets edges shrink further.
+#[test]
+fn fitted_circles_are_smoother_than_penalised_angles_at_the_same_error() {
+    let all = run("fig-11-strip", without_clock);
+    let [fitted, penalised] = ["shape-up", "gauss-newton"].map(|id| {
+        let series = of(&all, id);
+        assert_eq!(series.ended_by, Some(EndedBy::Reached), "{id}");
+        let last = &series.samples.last().expect("it has samples").values;
+        println!("{id}: {} iterations, {last:?}", series.samples.len() - 1);
+        [last[0], last[1], last[2]]
+    });
+    let start = &all[0].1.samples[0].values;
+    for (a, b) in start.iter().zip(&all[1].1.samples[0].values) {
+        assert!((a - b).abs() <= 1e-12 * a, "the same start: {a} and {b}");
+    }
+    assert!((fitted[1] / penalised[1] - 1.0).abs() < 0.1, "{fitted:?} {penalised:?}");
+    assert!(fitted[0] < 0.93 * penalised[0], "{fitted:?} {penalised:?}");
+    assert!(fitted[2] < 0.05 * start[2], "{fitted:?} of {start:?}");
+    assert!(penalised[2] > 5.0 * fitted[2], "{fitted:?} {penalised:?}");
+}
+
+/// Where closeness keeps edges from collapsing, angle sums and fitted circles ask for the same.
+#[test]
+fn both_find_the_same_shape_where_no_edge_collapses() {
+    let experiment = Experiment::of("fig-11-strip").expect("it has one");
+    let (mut scene, mesh) =
+        EXAMPLES.iter().find(|e| e.id == "fig-11-strip").expect("there is one").build();
+    scene.handles.clear();
+    scene.closeness.to = ClosenessTo::Rest;
+    scene.weights = Weights { shape: 2000.0, close: 1.0, smooth: 1.0 };
+    let mut run = Run::new(experiment, scene, mesh, without_clock(experiment.limits));
+    while run.step().expect("positions stay finite") {}
+    let [fitted, penalised] = [0, 1].map(|k| {
+        let series = &run.series()[k];
+        println!("{:?} after {}", series.ended_by, series.samples.len());
+        series.samples.last().expect("it has samples").values.clone()
+    });
+    for (a, b) in fitted.iter().zip(&penalised) {
+        assert!((a - b).abs() < 0.05 * b, "{fitted:?} {penalised:?}");
+    }
+    assert!(fitted[2] > 0.5 * run.series()[0].samples[0].values[2], "{fitted:?}");
+}
+
+#[test]
+fn limits_end_a_method_and_the_next_one_starts() {
+    let all = run("fig-10-collapse", |_| Limits { iterations: 2, seconds: f64::INFINITY });
+    for (method, series) in &all {
+        assert_eq!(series.samples.len(), 3, "{method}");
+        assert_eq!(series.ended_by, Some(EndedBy::Iterations), "{method}");
+    }
+    let none = run("fig-10-collapse", |limits| Limits { seconds: 0.0, ..limits });
+    assert!(none.iter().all(|(_, series)| series.ended_by == Some(EndedBy::Seconds)));
+}
+
+#[test]
+fn every_line_of_the_table_has_every_column() {
+    let experiment = Experiment::of("fig-11-strip").expect("it has one");
+    let (scene, mesh) =
+        EXAMPLES.iter().find(|e| e.id == "fig-11-strip").expect("there is one").build();
+    let mut run = Run::new(experiment, scene, mesh, Limits { iterations: 2, seconds: 10.0 });
+    while run.step().expect("positions stay finite") {}
+    let csv = run.csv();
+    let lines: Vec<Vec<&str>> = csv.lines().map(|line| line.split(',').collect()).collect();
+    assert_eq!(lines[0], ["method", "iteration", "seconds", "smooth", "e_c", "shortest"]);
+    assert_eq!(lines.len(), 1 + 2 * 3);
+    for line in &lines[1..] {
+        assert_eq!(line.len(), lines[0].len());
+        assert!(line[1..].iter().all(|cell| cell.parse::<f64>().is_ok()), "{line:?}");
+    }
+}
+
+#[test]
+fn a_scene_that_the_penalty_method_cannot_have_is_refused() {
+    let experiment = Experiment::of("fig-11-strip").expect("it has one");
+    let (mut scene, mesh) =
+        EXAMPLES.iter().find(|e| e.id == "fig-11-strip").expect("there is one").build();
+    scene.handles[0].hold = Hold::Soft { weight: 1.0 };
+    let mut run = Run::new(experiment, scene, mesh, Limits { iterations: 0, seconds: 10.0 });
+    let error = loop {
+        match run.step() {
+            Ok(more) => assert!(more, "it should be refused"),
+            Err(error) => break error.to_string(),
+        }
+    };
+    assert!(error.contains("handles[0]") && error.contains("expected \"fixed\": true"), "{error}");
+}
+
+/// The gradient of Appendix A against central differences of the total.
+#[test]
+fn the_gradient_is_that_of_the_energy() {
+    let (scene, mesh) =
+        EXAMPLES.iter().find(|e| e.id == "fig-11-strip").expect("there is one").build();
+    let mut scene = scene;
+    scene.constraints[0].kind =
+        shape_up::constraint::Kind::new("plane", serde_json::json!({})).expect("it is a kind");
+    let mut solver = Session::open(scene, mesh.clone()).expect("it fits").into_solver();
+    let mut random = Random::new(7);
+    let at: Vec<Point> =
+        mesh.positions.iter().map(|p| p.map(|x| x + 0.025 * random.uniform())).collect();
+    solver.set_positions(&at);
+    let at: Vec<Point> = solver.positions().collect();
+    let gradient: Vec<Point> = solver.gradient().collect();
+    let largest = gradient.as_flattened().iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+    let fixed: Vec<u32> = solver.handles().iter().map(|handle| handle.vertex).collect();
+    for v in (0..at.len()).step_by(7) {
+        for k in 0..3 {
+            if fixed.contains(&(v as u32)) {
+                assert_eq!(gradient[v][k], 0.0);
+                continue;
+            }
+            const STEP: f64 = 1e-5;
+            let mut total = |step: f64| {
+                let mut moved = at.clone();
+                moved[v][k] += step;
+                solver.set_positions(&moved);
+                solver.energy().total
+            };
+            let difference = (total(STEP) - total(-STEP)) / (2.0 * STEP);
+            let error = (difference - gradient[v][k]).abs();
+            assert!(error < 1e-6 * largest, "{v}, {k}: {difference} and {}", gradient[v][k]);
+        }
+    }
+}
+
+fn quad(random: &mut Random) -> [Vec3<f64>; 4] {
+    let corners = [[0.0, 0.0], [1.0, 0.0], [1.2, 1.0], [-0.1, 0.9]];
+    corners.map(|[x, y]| {
+        let [a, b, c] = [0; 3].map(|_| 0.1 * random.uniform());
+        Vec3::new(x + a, y + b, c)
+    })
+}
+
+#[test]
+fn the_derivatives_of_the_angle_sums_are_those_of_their_differences() {
+    let mut random = Random::new(3);
+    for _ in 0..50 {
+        let corners = quad(&mut random);
+        let found = Circularity::of(corners, 0.7);
+        for v in 0..4 {
+            for k in 0..3 {
+                const STEP: f64 = 1e-6;
+                let at = |step: f64| {
+                    let mut moved = corners;
+                    let by = [0, 1, 2].map(|i| if i == k { step } else { 0.0 });
+                    moved[v] += Vec3::from(by);
+                    Circularity::of(moved, 0.7).residuals
+                };
+                let (more, less) = (at(STEP), at(-STEP));
+                for r in 0..3 {
+                    let difference = (more[r] - less[r]) / (2.0 * STEP);
+                    let by = found.derivatives[r][v];
+                    let by = [by.x, by.y, by.z][k];
+                    assert!((difference - by).abs() < 1e-7, "{r}, {v}, {k}: {difference} {by}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn the_residuals_vanish_on_circles_only() {
+    let mut random = Random::new(5);
+    for _ in 0..50 {
+        // Four points around a circle in a plane of any direction.
+        let (u, v) = (Vec3::new(0.6, 0.0, 0.8), Vec3::new(0.0, 1.0, 0.0));
+        let turns = [0.0, 0.25, 0.5, 0.75].map(|t| t + 0.1 * random.uniform());
+        let at = |t: f64| u * shape_up::math::cosine(t) + v * shape_up::math::sine(t);
+        let on = Circularity::of(turns.map(at), 1.0);
+        assert!(on.residuals.iter().all(|r| r.abs() < 1e-12), "{:?}", on.residuals);
+        let mut off = turns.map(at);
+        off[2] = off[2] * 1.1;
+        let off = Circularity::of(off, 1.0);
+        assert!(off.residuals[0].abs() > 1e-2 && off.residuals[2].abs() < 1e-12);
+        let mut bent = turns.map(at);
+        bent[2] += u.cross(v) * 0.1;
+        assert!(Circularity::of(bent, 1.0).residuals[2].abs() > 1e-3);
+    }
+}

@@ -1,0 +1,80 @@
+// Without a network, and when there is a new version.
+
+import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { at } from '../../.scripts/project.mjs';
+import { serve } from '../../.scripts/serve.mjs';
+import { openExample, runToTheEnd } from './actions.mjs';
+import { expect, openPage, state, test } from './support.mjs';
+
+test.use({ serviceWorkers: 'allow' });
+
+/** Waits until the built files are kept and the service worker answers for them. */
+async function keptOffline(page) {
+  await page.evaluate(() => navigator.serviceWorker.ready);
+  await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
+}
+
+test('after one visit the page works without a network', async ({ page, context }) => {
+  await openPage(page);
+  await keptOffline(page);
+  await context.setOffline(true);
+  await openPage(page);
+  const after = await runToTheEnd(page);
+  expect(after.iteration).toBeGreaterThan(0);
+  await openExample(page, 'Hypar');
+  // A parameter of the address does not lead out.
+  await openPage(page, 'backend=webgl2');
+  expect((await state(page)).vertices).toBeGreaterThan(0);
+});
+
+/** A host of the site, at which a new version can be put. */
+const hosted = test.extend({
+  // eslint-disable-next-line no-empty-pattern
+  host: async ({}, use) => {
+    const folder = mkdtempSync(join(tmpdir(), 'shape-up-'));
+    cpSync(at('dist'), folder, { recursive: true });
+    const { address, close } = await serve(folder, { port: 5100, base: '/deep/below/' });
+    await use({ address, folder });
+    close();
+    rmSync(folder, { recursive: true });
+  },
+});
+
+hosted('a new version is announced and waits until it is wanted', async ({ page, host }) => {
+  const open = async () => {
+    await page.goto(host.address);
+    await page.waitForFunction(() => window.shapeUp?.state().vertices > 0);
+  };
+  await open();
+  await keptOffline(page);
+  const worker = join(host.folder, 'service-worker.js');
+  const next = readFileSync(worker, 'utf8').replace(/"version":"\w+"/, '"version":"next"');
+  writeFileSync(worker, next);
+  await open();
+  const news = page.getByRole('alert').getByText('A new version of Shape-Up is here');
+  await expect(news).toBeVisible();
+  const versions = () =>
+    page.evaluate(async () => (await caches.keys()).filter((name) => name.startsWith('shape-up')));
+  expect(await versions()).toHaveLength(2);
+  const waiting = () =>
+    page.evaluate(async () => Boolean((await navigator.serviceWorker.ready).waiting));
+  expect(await waiting()).toBe(true);
+  await page.evaluate(() => (window.isOld = true));
+  await page.getByRole('button', { name: 'Reload' }).click();
+  await page.waitForFunction(() => !window.isOld && window.shapeUp?.state().vertices > 0);
+  expect(await waiting()).toBe(false);
+  await expect(news).toBeHidden();
+});
+
+test('it can be installed', async ({ page, context }) => {
+  await openPage(page);
+  const session = await context.newCDPSession(page);
+  const { installabilityErrors } = await session.send('Page.getInstallabilityErrors');
+  // A test runs in a window without a history.
+  const serious = installabilityErrors.filter(({ errorId }) => errorId !== 'in-incognito');
+  expect(serious).toEqual([]);
+  const { errors } = await session.send('Page.getAppManifest');
+  expect(errors).toEqual([]);
+});

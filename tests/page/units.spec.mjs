@@ -1,0 +1,70 @@
+// The unit and the axis of a mesh file, which does not say them.
+
+import { exported, hidePanels, openText, saved, showPanel } from './actions.mjs';
+import { wavyGrid } from './meshes.mjs';
+import { expect, openPage, positionOf, screenOf, state, test, waitForState } from './support.mjs';
+
+const chips = (page) => page.getByRole('group', { name: 'Unit and up axis' });
+const upOf = (page) => page.evaluate(() => window.shapeUp.scene().up ?? 'z');
+
+test('they are guessed, asked for once, and written into what is saved', async ({ page }) => {
+  await openPage(page);
+  // The example says its own.
+  await expect(chips(page)).toBeHidden();
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  const corner = await positionOf(page, 24);
+  const chip = (name) => chips(page).getByRole('button', { name, exact: true });
+  await expect(chip('m')).toHaveAttribute('aria-pressed', 'true');
+  await expect(chip('z')).toHaveAttribute('aria-pressed', 'true');
+  await chip('ft').click();
+  await chip('y').click();
+  await expect(chip('ft')).toHaveAttribute('aria-pressed', 'true');
+  await expect.poll(() => upOf(page)).toBe('y');
+  await chips(page).getByRole('button', { name: 'That is right' }).click();
+  await expect(chips(page)).toBeHidden();
+  expect(await positionOf(page, 24), 'nothing is rescaled').toEqual(corner);
+
+  const scene = JSON.parse((await saved(page, 'Save scene')).text);
+  expect([scene.units, scene.up]).toEqual(['ft', 'y']);
+  const mesh = await exported(page, 'OBJ');
+  expect(mesh.text).toMatch(/^# units: ft\n# up: y\nv /);
+
+  // The same file again is taken for the same, and so is what was exported.
+  await openText(page, 'other.obj', wavyGrid(2), 9);
+  await chips(page).getByRole('button', { name: 'Dismiss' }).click();
+  for (const [name, text] of [
+    ['roof.obj', wavyGrid(4)],
+    ['copy.obj', mesh.text],
+  ]) {
+    await openText(page, 'other.obj', wavyGrid(2), 9);
+    await openText(page, name, text, 25);
+    await expect(chips(page)).toBeHidden();
+    await expect.poll(() => upOf(page)).toBe('y');
+  }
+});
+
+test('another axis turns the view, and undo turns it back', async ({ page }) => {
+  await openPage(page);
+  await waitForState(page, (now) => now.renderer !== 'none');
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  const before = await screenOf(page, 0);
+  await showPanel(page, 'Model');
+  await page.getByRole('combobox', { name: 'Up axis' }).selectOption('y');
+  await hidePanels(page);
+  await expect.poll(() => page.evaluate(() => window.shapeUp.screen(0))).not.toEqual(before);
+  await page.keyboard.press('Control+z');
+  await expect.poll(() => upOf(page)).toBe('z');
+  await expect.poll(() => page.evaluate(() => window.shapeUp.screen(0))).toEqual(before);
+});
+
+test('lengths have the unit that was chosen', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  await showPanel(page, 'Model');
+  await page.getByRole('combobox', { name: 'Unit' }).selectOption('ft');
+  await showPanel(page, 'Energies and display');
+  await page.getByLabel('Colour by').selectOption('planarity');
+  const worst = page.locator('#numbers').getByText(/^[\d.]+ ft$/);
+  await expect(worst.first()).toBeAttached();
+  expect((await state(page)).planarity.max_distance).toBeGreaterThan(0);
+});

@@ -1,0 +1,99 @@
+// What the benchmark makes of its measurements.
+
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { optionsOf } from '../../.scripts/bench/options.mjs';
+import { marks, section } from '../../.scripts/bench/readme.mjs';
+import { growth, reached, spread } from '../../.scripts/bench/statistics.mjs';
+import { firstToConverge, number } from '../../.scripts/bench/tables.mjs';
+import { targetRows } from '../../.scripts/bench/targets.mjs';
+import { at } from '../../.scripts/project.mjs';
+
+test('a spread is the median and the tenths', () => {
+  const values = Array.from({ length: 11 }, (_, k) => 10 - k);
+  assert.deepEqual(spread(values), { median: 5, p10: 1, p90: 9 });
+  assert.deepEqual(spread([]), { median: null, p10: null, p90: null });
+});
+
+test('an energy is reached at the first iteration that is as near', () => {
+  const run = { energies: [9, 1.5, 1.009, 1.00001], steps: [3, 4, 5] };
+  const [near, nearer, nearest] = reached(run, 1, [1e-2, 1e-4, 1e-6]);
+  assert.deepEqual(
+    [near, nearer, nearest],
+    [{ iterations: 2, ms: 7 }, { iterations: 3, ms: 12 }, null],
+  );
+});
+
+test('what grows as n log n has a ratio of one', () => {
+  const cost = (n) => 3 * n * Math.log(n);
+  const { exponent, overLinearithmic } = growth([100, cost(100)], [10_000, cost(10_000)]);
+  assert.ok(Math.abs(overLinearithmic - 1) < 1e-12);
+  assert.ok(exponent > 1 && exponent < 1.2);
+});
+
+test('numbers keep three digits that count', () => {
+  assert.deepEqual([0.01234, 1.234, 12.34, 123.4, 12345, null].map(number), [
+    '0.012',
+    '1.23',
+    '12.3',
+    '123',
+    '12,345',
+    '–',
+  ]);
+});
+
+test('the words of the command line are looked at', () => {
+  assert.throws(() => optionsOf(['--sizes', 'many']), /--sizes many/);
+  assert.throws(() => optionsOf(['--problems', 'A,Q']), /Q: expected some of A, B, C, D/);
+  assert.throws(() => optionsOf(['--fast']), /--fast/);
+  const { sizes, parts } = optionsOf(['--peers']);
+  assert.deepEqual(sizes, [2500, 10_000]);
+  assert.ok(parts.has('peers') && !parts.has('operators'));
+});
+
+test('the accelerator that is near first is named', () => {
+  const run = (accelerator, vertices, ms) => ({
+    ...{ problem: 'B', vertices, where: 'browser', accelerator },
+    reached: [{ iterations: 1, ms: 1 }, ms && { iterations: 2, ms }, null],
+  });
+  const rows = [run('none', 400, null), run('anderson', 400, 3), run('quasi-newton', 400, 2)];
+  const text = firstToConverge([...rows, run('none', 900, null)]);
+  assert.match(text, /B, 400 vertices, browser: quasi-newton/);
+  assert.match(text, /B, 900 vertices, browser: none of them in time/);
+});
+
+const entry = (problem, vertices, ms) => ({
+  problem,
+  vertices,
+  where: 'browser',
+  accelerator: 'quasi-newton',
+  step: Object.fromEntries(
+    ['total', 'shape', 'close', 'smooth', 'global'].map((key) => [key, { median: ms, p90: ms }]),
+  ),
+  setUp: { first: 9 },
+  limit: 0.5,
+  bytes: { opened: 2e6 },
+});
+
+test('a target is met or missed by what was measured, and left out where nothing was', () => {
+  const rows = targetRows({ iterations: [entry('A', 10_000, 1.4), entry('B', 10_000, 1.4)] });
+  const perIteration = rows.filter(({ name }) => name.endsWith('ms per iteration'));
+  assert.deepEqual(
+    perIteration.map(({ name, met }) => [name[0], met]),
+    [
+      ['A', true],
+      ['B', false],
+    ],
+  );
+  assert.deepEqual(targetRows({}), []);
+});
+
+test('the README has a place for the numbers, and they are those of the browser', () => {
+  const readme = readFileSync(at('README.md'), 'utf8');
+  for (const mark of marks) assert.equal(readme.split(mark).length, 2, mark);
+  const native = { ...entry('A', 2500, 77), where: 'native' };
+  const text = section({ machine: { cores: 2 }, iterations: [native, entry('A', 2500, 1.25)] });
+  assert.match(text, /\| A \| 2,500 \| quasi-newton \| 1\.25 \|/);
+  assert.doesNotMatch(text, /77/);
+});

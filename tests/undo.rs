@@ -1,0 +1,183 @@
+//! Undo of everything: whatever is done to a session, in whatever order, is taken back exactly.
+
+#[path = "support/grid.rs"]
+mod grid;
+
+use grid::grid;
+use proptest::prelude::*;
+use serde_json::{Map, json};
+use shape_up::mesh::Mesh;
+use shape_up::scene::{ConstraintSpec, MeshSource, Scene, Up, Weights};
+use shape_up::session::{Edit, NewConstraint, Session};
+
+const SIDE: u32 = 4;
+const VERTICES: u32 = (SIDE + 1) * (SIDE + 1);
+
+/// A bumpy grid, as far from the origin as a building site may be.
+fn site() -> Mesh {
+    grid(SIDE, SIDE, |i, j| {
+        let bump = f64::from((i * 5 + j * 7) % 4) / 7.0;
+        [f64::from(i) / 3.0 + 482_113.7, f64::from(j) / 3.0 - 65_220.1, bump + 431.9]
+    })
+}
+
+/// What a person does, by the numbers that a strategy draws.
+#[derive(Clone, Debug)]
+enum Deed {
+    Edit(Edit),
+    Drag { vertex: u32, by: [f64; 3], steps: usize, keep: bool },
+    Run(usize),
+    Undo,
+    Redo,
+}
+
+fn new(kind: &str, on: &str) -> Edit {
+    let text = format!(r#"{{ "kind": "{kind}", "on": {on} }}"#);
+    let spec = ConstraintSpec::from_json(&text).expect("the constraint is valid");
+    Edit::AddConstraint(NewConstraint { spec, set: None })
+}
+
+fn deed() -> impl Strategy<Value = Deed> {
+    let vertices = || proptest::collection::vec(0..VERTICES, 1..4);
+    let edit = prop_oneof![
+        prop_oneof![
+            Just(new("plane", "\"faces\"")),
+            Just(new("circle", "\"faces\"")),
+            Just(new("line-segment", "\"edges\"")),
+            Just(new("sphere", r#"{ "vertices": [0, 1, 5, 6, 7] }"#)),
+        ],
+        (0..3usize).prop_map(|index| Edit::RemoveConstraint { index }),
+        (0..3usize, 0.1..9.0).prop_map(|(index, weight)| Edit::SetConstraint {
+            index,
+            weight: Some(weight),
+            enabled: None,
+            params: Map::new(),
+        }),
+        (0..3usize, any::<bool>()).prop_map(|(index, on)| Edit::SetConstraint {
+            index,
+            weight: None,
+            enabled: Some(on),
+            params: Map::new(),
+        }),
+        (0..3usize, 0.2..2.0).prop_map(|(index, length)| {
+            let params = json!({ "length": length }).as_object().cloned();
+            let params = params.expect("it is an object");
+            Edit::SetConstraint { index, weight: None, enabled: None, params }
+        }),
+        (0.1..9.0, 0.1..9.0, 0.0..9.0)
+            .prop_map(|(shape, close, smooth)| Edit::SetWeights(Weights { shape, close, smooth })),
+        "(m|mm|ft)".prop_map(Edit::SetUnits),
+        any::<bool>().prop_map(|y| Edit::SetUp(if y { Up::Y } else { Up::Z })),
+        (vertices(), any::<bool>())
+            .prop_map(|(vertices, fixed)| Edit::AddHandles { vertices, fixed }),
+        vertices().prop_map(|vertices| Edit::RemoveHandles { vertices }),
+        Just(Edit::Reset),
+    ];
+    prop_oneof![
+        6 => edit.prop_map(Deed::Edit),
+        2 => (0..VERTICES, prop::array::uniform3(-1.0..1.0), 0..4usize, any::<bool>())
+            .prop_map(|(vertex, by, steps, keep)| Deed::Drag { vertex, by, steps, keep }),
+        2 => (1..6usize).prop_map(Deed::Run),
+        1 => Just(Deed::Undo),
+        1 => Just(Deed::Redo),
+    ]
+}
+
+/// Does it; edits that make no sense are refused, which is no step.
+fn act(session: &mut Session, deed: Deed) {
+    let steps = |session: &mut Session, count| {
+        for _ in 0..count {
+            session.step().expect("positions stay finite");
+        }
+    };
+    match deed {
+        Deed::Edit(edit) => drop(session.edit(edit)),
+        Deed::Drag { vertex, by, steps: count, keep } => {
+            let handles = session.solver().handles();
+            let Some(handle) = handles.get(vertex as usize % handles.len().max(1)) else { return };
+            let (vertex, at) = (handle.vertex, handle.target);
+            session.begin_drag();
+            session.drag([(vertex, std::array::from_fn(|axis| at[axis] + by[axis]))]);
+            steps(session, count);
+            session.end_drag(keep);
+        }
+        Deed::Run(count) => {
+            session.begin_run();
+            steps(session, count);
+            session.end_run();
+        }
+        Deed::Undo => drop(session.undo().expect("the state was solvable")),
+        Deed::Redo => drop(session.redo().expect("the state was solvable")),
+    }
+}
+
+/// All of it: document, handles, positions to the last bit, and the count of iterations.
+fn everything(session: &Session) -> (String, Vec<[u64; 3]>, u32) {
+    let scene = session.scene();
+    let bits = session.positions().iter().map(|point| point.map(f64::to_bits)).collect();
+    (scene.to_json(session.mesh()), bits, session.iteration())
+}
+
+fn open() -> Session {
+    let mut scene = Scene::new(MeshSource::File("site.obj".to_owned()));
+    scene.weights = Weights { shape: 1.0, close: 0.1, smooth: 0.1 };
+    let mut session = Session::open(scene, site()).expect("the scene is valid");
+    session.start_trace();
+    session
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 96, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn every_sequence_of_deeds_is_taken_back_to_the_start_and_done_again(
+        deeds in proptest::collection::vec(deed(), 1..24),
+    ) {
+        let mut session = open();
+        let start = everything(&session);
+        for deed in deeds {
+            act(&mut session, deed);
+        }
+        // What was undone on the way is not part of the state at the end.
+        while session.redo().expect("the state was solvable").is_some() {}
+        let end = everything(&session);
+        let mut done = Vec::new();
+        while let Some(name) = session.undo().expect("the state was solvable") {
+            prop_assert!(!name.is_empty());
+            done.push(name);
+        }
+        prop_assert_eq!(everything(&session), start);
+        // The table of the iterations ends where the session is.
+        prop_assert_eq!(session.convergence_csv().lines().count(), 2);
+        let mut again = Vec::new();
+        while let Some(name) = session.redo().expect("the state was solvable") {
+            again.push(name);
+        }
+        again.reverse();
+        prop_assert_eq!(again, done);
+        prop_assert_eq!(everything(&session), end);
+    }
+}
+
+#[test]
+fn a_cancelled_drag_leaves_nothing_behind() {
+    let mut session = open();
+    session.edit(new("plane", "\"faces\"")).expect("faces can be planes");
+    session.edit(Edit::AddHandles { vertices: vec![6], fixed: false }).expect("it is there");
+    let before = everything(&session);
+    act(&mut session, Deed::Drag { vertex: 0, by: [0.1, 0.2, 0.5], steps: 3, keep: false });
+    assert_eq!(everything(&session), before);
+    assert_eq!(session.convergence_csv().lines().count(), 2, "the head and iteration 0");
+}
+
+#[test]
+fn saying_the_unit_and_the_axis_moves_nothing() {
+    let mut session = open();
+    act(&mut session, Deed::Run(2));
+    let before = session.positions();
+    session.edit(Edit::SetUnits("ft".to_owned())).expect("any unit will do");
+    session.edit(Edit::SetUp(Up::Y)).expect("any axis will do");
+    assert_eq!(session.positions(), before);
+    assert!(session.obj().starts_with("# units: ft\n# up: y\nv "));
+    assert_eq!(session.undo_and_redo()[0], Some("Change up axis"));
+}

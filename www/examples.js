@@ -1,0 +1,37 @@
+/** The list of the examples. */
+
+/**
+ * An entry of `examples/index.json`, as the command line writes it.
+ * @typedef {object} Example
+ * @property {string} id
+ * @property {number | null} figure of the paper
+ * @property {string} title
+ * @property {string} summary what to look for
+ * @property {string} statement what is measured when it is solved
+ * @property {string} scene name of its file
+ * @property {string} mesh name of its file
+ * @property {number} vertices
+ * @property {number} faces
+ * @property {number} tets
+ * @property {{ id: string, label: string }[]} kinds
+ * @property {[number, number, number]} weights shape, close, smooth
+ * @property {import("./experiment/offer.js").Experiment | null} experiment that compares ways to solve it
+ */
+
+const FOLDER = new URL(/* @vite-ignore */ 'examples/', document.baseURI);
+
+/** @returns {Promise<Example[]>} in the order of the figures */
+export async function listOfExamples() {
+  return JSON.parse(new TextDecoder().decode(await exampleFile('index.json')));
+}
+
+/**
+ * @param {string} name of a file among the examples
+ * @returns {Promise<Uint8Array>}
+ */
+export async function exampleFile(name) {
+  const response = await fetch(new URL(name, FOLDER));
+  if (!response.ok)
+    throw new Error(`The example file ${name} could not be fetched (${response.status}).`);
+  return new Uint8Array(await response.arrayBuffer());
+}

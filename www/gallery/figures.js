@@ -1,0 +1,24 @@
+/** What the figures of the paper are about, for the headings of the gallery. */
+
+/** @type {Record<number, string>} */
+const TITLES = {
+  1: 'one solver, many geometries',
+  4: 'local and global step',
+  5: 'planar and circular panels',
+  6: 'shape exploration',
+  7: 'mesh quality',
+  8: 'deformation',
+  9: 'conformal parametrisation',
+  10: 'convergence',
+  11: 'collapsing edges',
+};
+
+/**
+ * @param {number | null} figure
+ * @param {boolean} isFirst nothing comes before
+ */
+export function headingOf(figure, isFirst) {
+  if (figure === null) return isFirst ? 'To begin with' : 'Curves and points';
+  const title = TITLES[figure];
+  return title ? `Figure ${figure}: ${title}` : `Figure ${figure}`;
+}

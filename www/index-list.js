@@ -1,0 +1,12 @@
+/**
+ * The numbers of a list of a scene file: an array, or ranges such as "0-3,7".
+ * @param {number[] | string} list
+ * @returns {number[]}
+ */
+export function indices(list) {
+  if (typeof list !== 'string') return list;
+  return list.split(',').flatMap((range) => {
+    const [first, last = first] = range.split('-').map(Number);
+    return Array.from({ length: last - first + 1 }, (_, i) => first + i);
+  });
+}

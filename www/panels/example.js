@@ -1,0 +1,50 @@
+/** What to look for in the example that is open, and the ways to the ones beside it. */
+
+import { element } from '../dom.js';
+import { linkTo } from '../example-links.js';
+import { messageOf } from '../messages.js';
+import { withSymbols } from '../symbols.js';
+
+/** @typedef {import("../examples.js").Example} Example */
+
+/**
+ * @param {HTMLElement} place a section, which is hidden while no example is open
+ * @param {import("../files.js").Files} files
+ * @param {import("../alerts.js").Alerts} alerts
+ */
+export function exampleNote(place, files, alerts) {
+  /** @param {string} text @param {Example | undefined} to */
+  const link = (text, to) => {
+    if (!to) return [];
+    /** @param {Event} event */
+    const onclick = (event) => {
+      // The address that is there already leads nowhere.
+      if (location.hash !== linkTo(to.id)) return;
+      event.preventDefault();
+      files.openExample(to).catch((error) => alerts.error(messageOf(error)));
+    };
+    return [element('a', { href: linkTo(to.id), title: to.title, onclick }, text)];
+  };
+
+  files.addEventListener('opened', async () => {
+    const { example } = files.origin;
+    place.hidden = !example;
+    if (!example) return;
+    const { figure, summary, statement } = example;
+    const all = await files.examples();
+    const at = all.findIndex(({ id }) => id === example.id);
+    const title = figure === null ? 'Example' : `Figure ${figure} of the paper`;
+    place.replaceChildren(
+      element('h2', { id: 'heading-example' }, title),
+      element('p', {}, summary),
+      element('p', { class: 'quiet' }, 'Solved: ', ...withSymbols(statement)),
+      element(
+        'nav',
+        { 'aria-label': 'Examples one by one', class: 'beside' },
+        ...link('Previous', all[at - 1]),
+        element('a', { href: './gallery.html' }, 'Gallery'),
+        ...link('Next', all[at + 1]),
+      ),
+    );
+  });
+}

@@ -1,0 +1,162 @@
+/**
+ * The legend of the faces' colours: a histogram of their values over the ramp, the ends of the
+ * range, and how many faces are within a tolerance.
+ */
+
+import { element, setText } from '../dom.js';
+import { groupDigits, number } from '../format.js';
+import { declared, unitOf, valueInWords } from '../measures.js';
+import { BINS } from '../spread.js';
+
+/**
+ * @param {HTMLElement} place
+ * @param {import("../state.js").Store} store
+ * @param {import("../viewport.js").Viewport} viewport
+ * @param {() => void} refit
+ */
+export function legend(place, store, viewport, refit) {
+  const title = element('span');
+  const bars = Array.from({ length: BINS }, () => element('i'));
+  const histogram = element('div', { class: 'histogram', role: 'img' }, ...bars);
+  const tick = element('div', { class: 'tick' });
+  const ramp = element('div', { class: 'ramp' }, tick);
+  const unit = element('span', { class: 'unit' });
+  const toleranceUnit = element('span');
+  const within = element('output', { class: 'within' });
+  const low = field('Colours from', ([, high], value) => [Math.min(value, high), high]);
+  const high = field('Colours to', ([low], value) => [Math.min(low, value), value]);
+  const tolerance = element('input', {
+    type: 'text',
+    inputMode: 'decimal',
+    'aria-label': 'Tolerance',
+    placeholder: 'none',
+    onchange: () => {
+      const value = Number.parseFloat(tolerance.value.replace(',', '.'));
+      store.set({ tolerance: value >= 0 ? value / fineUnit().factor : null });
+      show();
+    },
+  });
+  place.replaceChildren(
+    element(
+      'div',
+      { class: 'title' },
+      title,
+      element(
+        'button',
+        {
+          type: 'button',
+          title: 'Take the range of the colours from the shape as it is',
+          onclick: refit,
+        },
+        'Refit colours',
+      ),
+    ),
+    histogram,
+    ramp,
+    element('div', { class: 'ends' }, low, unit, high),
+    element(
+      'div',
+      { class: 'ends' },
+      element('label', {}, 'tolerance', tolerance, toleranceUnit),
+      within,
+    ),
+  );
+
+  /** From the measure's unit to the one in which its values are written. */
+  function factor() {
+    const { spread, document } = store.get();
+    const about = declared(store.get(), spread?.measure ?? null);
+    return about && spread ? unitOf(about, spread.top, document?.units ?? '').factor : 1;
+  }
+
+  /** What is small enough to be a tolerance is written in it. */
+  function fineUnit() {
+    const about = declared(store.get(), store.get().measure);
+    const units = store.get().document?.units ?? '';
+    return about ? unitOf(about, 0, units) : { unit: '', factor: 1 };
+  }
+
+  /**
+   * An end of the range.
+   * @param {string} name
+   * @param {(range: [number, number], value: number) => [number, number]} change
+   */
+  function field(name, change) {
+    const input = element('input', {
+      type: 'text',
+      inputMode: 'decimal',
+      'aria-label': name,
+      onchange: () => {
+        const value = Number.parseFloat(input.value.replace(',', '.'));
+        if (value >= 0) store.set({ range: change(store.get().range, value / factor()) });
+        show();
+      },
+    });
+    return input;
+  }
+
+  function show() {
+    const state = store.get();
+    const { measure, range, spread, document, renderer, model, flatMap } = state;
+    const about = declared(state, measure);
+    // A flat map has colours and a legend of its own.
+    const isShown = about && !flatMap && model?.faces;
+    place.hidden = !isShown || !(renderer === 'webgpu' || renderer === 'webgl2');
+    if (!about || place.hidden) return;
+    setText(title, about.label);
+    title.title = about.words;
+    if (!spread) return;
+    const units = document?.units ?? '';
+    const written = unitOf(about, spread.top, units);
+    setText(unit, written.unit);
+    const fine = fineUnit();
+    setText(toleranceUnit, fine.unit);
+    for (const [input, value, factor] of /** @type {const} */ ([
+      [low, range[0], written.factor],
+      [high, range[1], written.factor],
+      [tolerance, state.tolerance, fine.factor],
+    ])) {
+      if (input === globalThis.document.activeElement) continue;
+      input.value = value === null ? '' : number(value * factor);
+    }
+
+    const stops = viewport.with((view) => view.colourStops(BINS)) ?? [];
+    const [from, to] = range.map((value) => value / spread.top);
+    const spaced = stops.map(
+      (stop, i) => `${stop} ${100 * (from + ((to - from) * i) / (stops.length - 1))}%`,
+    );
+    ramp.style.background = `linear-gradient(to right, ${spaced.join(', ')})`;
+    const most = Math.max(...spread.counts, 1);
+    // A single face among thousands is the one that is looked for: it has to be seen.
+    spread.counts.forEach((count, i) => {
+      bars[i].style.height = count > 0 ? `max(2px, ${(100 * count) / most}%)` : '0';
+    });
+    tick.hidden = state.tolerance === null || state.tolerance > spread.top;
+    if (state.tolerance !== null) tick.style.left = `${(100 * state.tolerance) / spread.top}%`;
+
+    const worst = valueInWords(about, spread.greatest, units);
+    histogram.ariaLabel = `${groupDigits(spread.faces)} faces between 0 and ${worst}`;
+    within.title = 'Faces within the tolerance';
+    setText(
+      within,
+      state.tolerance === null
+        ? ''
+        : `${groupDigits(spread.within)} of ${groupDigits(spread.faces)}`,
+    );
+  }
+  store.subscribe(
+    [
+      'measure',
+      'measures',
+      'range',
+      'spread',
+      'tolerance',
+      'document',
+      'renderer',
+      'model',
+      'dark',
+      'flatMap',
+    ],
+    show,
+  );
+}

@@ -1,0 +1,92 @@
+/** A picture of the view as PNG, larger than the screen if wanted, with the legend drawn into it. */
+
+import { groupDigits } from './format.js';
+import { declared, valueInWords } from './measures.js';
+
+/** More pixels than this are too many for common graphics cards, with their samples and depths. */
+const MOST_PIXELS = 36e6;
+const STOPS = 24;
+
+/**
+ * The size of the picture, in pixels.
+ * @param {import("./viewport.js").Viewport} viewport
+ * @param {number} scale pixels per CSS pixel
+ */
+export function pictureSize(viewport, scale) {
+  const { width, height } = viewport.element.getBoundingClientRect();
+  const most = Math.sqrt(MOST_PIXELS / Math.max(width * height, 1));
+  const used = Math.min(scale, most);
+  return { width: Math.round(width * used), height: Math.round(height * used), scale: used };
+}
+
+/**
+ * @param {import("./viewport.js").Viewport} viewport
+ * @param {import("./state.js").State} state
+ * @param {{ scale: number, legend: boolean, white: boolean }} options
+ * @returns {Promise<Blob>}
+ */
+export async function pictureOf(viewport, state, { scale, legend, white }) {
+  const size = pictureSize(viewport, scale);
+  const canvas = document.createElement('canvas');
+  [canvas.width, canvas.height] = [size.width, size.height];
+  const context = canvas.getContext('2d');
+  if (!context) throw new Error('This browser gives the page no canvas to draw the picture on.');
+  const drawn = viewport.still(size, white, (view) => {
+    context.drawImage(view, 0, 0, size.width, size.height);
+  });
+  if (!drawn) throw new Error('The picture could not be drawn: try a smaller one.');
+  if (legend && state.model?.faces) {
+    const stops = viewport.with((view) => view.colourStops(STOPS)) ?? [];
+    drawLegend(context, state, stops, size, white);
+  }
+  const blob = await new Promise((done) => canvas.toBlob(done, 'image/png'));
+  if (!blob) throw new Error('The picture is too large for this browser: try a smaller one.');
+  return blob;
+}
+
+/**
+ * The legend at the lower left: the histogram over the colours, in the sizes of the page.
+ * @param {CanvasRenderingContext2D} context
+ * @param {import("./state.js").State} state
+ * @param {string[]} stops
+ * @param {{ height: number, scale: number }} size
+ * @param {boolean} white
+ */
+function drawLegend(context, state, stops, size, white) {
+  const { spread, range, tolerance, document: scene, dark } = state;
+  const about = declared(state, state.measure);
+  if (!about || !spread || spread.measure !== about.id) return;
+  const units = scene?.units ?? '';
+  const bottom = size.height / size.scale - (tolerance === null ? 16 : 28);
+  const [left, width] = [16, 212];
+  const ink = dark && !white ? '#e6e8e8' : '#1d2123';
+  const [foot, tallest] = [bottom - 26, 28];
+  context.scale(size.scale, size.scale);
+  context.font = `12px ${getComputedStyle(document.body).fontFamily}`;
+  context.fillStyle = ink;
+  context.fillText(about.label, left, foot - tallest - 8);
+  context.fillText('0', left, bottom);
+  context.textAlign = 'right';
+  context.fillText(valueInWords(about, spread.top, units), left + width, bottom);
+
+  const most = Math.max(...spread.counts, 1);
+  const bar = width / spread.counts.length;
+  spread.counts.forEach((count, i) => {
+    const height = count > 0 ? Math.max(2, (tallest * count) / most) : 0;
+    context.fillRect(left + i * bar, foot - height, bar - 1, height);
+  });
+  const ramp = context.createLinearGradient(left, 0, left + width, 0);
+  const [from, to] = range.map((value) => Math.min(1, value / spread.top));
+  stops.forEach((colour, i) => {
+    ramp.addColorStop(from + ((to - from) * i) / (stops.length - 1), colour);
+  });
+  context.fillStyle = ramp;
+  context.fillRect(left, foot, width, 10);
+  if (tolerance === null) return;
+  context.fillStyle = ink;
+  const within = `${groupDigits(spread.within)} of ${groupDigits(spread.faces)} within ${valueInWords(about, tolerance, units)}`;
+  context.textAlign = 'center';
+  context.fillText(within, left + width / 2, bottom + 14);
+  if (tolerance > spread.top) return;
+  context.fillRect(left + (tolerance / spread.top) * width - 1, foot - tallest, 2, tallest + 10);
+}

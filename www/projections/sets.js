@@ -1,0 +1,104 @@
+/**
+ * The mathematics of the view of Fig. 2 and 3: constraint sets in the plane, their closest points
+ * (Eq. 2), the proximity function (Eq. 1) and its two steps (section 2.1). Three shapes of a paper's
+ * figure, and nothing of the solver, which has no use for them.
+ */
+
+/** @typedef {[number, number]} Point */
+
+/**
+ * A line through `at` along `turn`; a circle of `radius` about `at`; a parabola `y = bend x^2` with
+ * its lowest point at `at`, turned by `turn`. Angles are in radians.
+ * @typedef {{ kind: "line", at: Point, turn: number }
+ *   | { kind: "circle", at: Point, radius: number }
+ *   | { kind: "parabola", at: Point, turn: number, bend: number }} ConstraintSet
+ */
+
+/**
+ * The point of the set that is closest to `x`; one of them where several are as close.
+ * @param {ConstraintSet} set
+ * @param {Point} x
+ * @returns {Point}
+ */
+export function closestPoint(set, x) {
+  const [dx, dy] = [x[0] - set.at[0], x[1] - set.at[1]];
+  if (set.kind === 'circle') {
+    const distance = Math.hypot(dx, dy);
+    if (distance === 0) return [set.at[0] + set.radius, set.at[1]];
+    const part = set.radius / distance;
+    return [set.at[0] + part * dx, set.at[1] + part * dy];
+  }
+  const [c, s] = [Math.cos(set.turn), Math.sin(set.turn)];
+  const [along, across] = [c * dx + s * dy, c * dy - s * dx];
+  const [u, v] = set.kind === 'line' ? [along, 0] : closestOnParabola(set.bend, along, across);
+  return [set.at[0] + c * u - s * v, set.at[1] + s * u + c * v];
+}
+
+/**
+ * @param {number} bend not zero
+ * @param {number} x
+ * @param {number} y
+ * @returns {Point}
+ */
+function closestOnParabola(bend, x, y) {
+  // Where the distance is least, its derivative 2 b^2 u^3 + (1 - 2 b y) u - x is zero.
+  const roots = rootsOfCubic((1 - 2 * bend * y) / (2 * bend * bend), -x / (2 * bend * bend));
+  const points = roots.map((u) => /** @type {Point} */ ([u, bend * u * u]));
+  const far = ([u, v]) => (u - x) ** 2 + (v - y) ** 2;
+  return points.reduce((best, point) => (far(point) < far(best) ? point : best));
+}
+
+/**
+ * The real roots of `u^3 + p u + q`, by Cardano's and Viète's formulas.
+ * @param {number} p
+ * @param {number} q
+ */
+function rootsOfCubic(p, q) {
+  const discriminant = (q / 2) ** 2 + (p / 3) ** 3;
+  if (discriminant > 0) {
+    // The larger of the two cube roots: the other one would lose its digits.
+    const root = Math.sqrt(discriminant);
+    const large = Math.cbrt(q > 0 ? -q / 2 - root : -q / 2 + root);
+    return [large - p / (3 * large)];
+  }
+  if (p === 0) return [0];
+  const size = 2 * Math.sqrt(-p / 3);
+  const turn = Math.acos(Math.max(-1, Math.min(1, (3 * q) / (p * size)))) / 3;
+  return [0, 1, 2].map((k) => size * Math.cos(turn - (2 * Math.PI * k) / 3));
+}
+
+/**
+ * `w_i |x - y_i|^2` for each set.
+ * @param {Point} x
+ * @param {Point[]} targets `y_i`
+ * @param {number[]} weights `w_i`
+ */
+export function errors(x, targets, weights) {
+  return targets.map((y, i) => weights[i] * ((x[0] - y[0]) ** 2 + (x[1] - y[1]) ** 2));
+}
+
+/** @param {number[]} numbers */
+export const sum = (numbers) => numbers.reduce((total, one) => total + one, 0);
+
+/**
+ * Step I: the closest point of every set.
+ * @param {ConstraintSet[]} sets
+ * @param {Point} x
+ */
+export const project = (sets, x) => sets.map((set) => closestPoint(set, x));
+
+/**
+ * Step II: where the weighted squared distances to the targets are least, which is their weighted
+ * mean; `x` where no set has a weight.
+ * @param {Point} x
+ * @param {Point[]} targets
+ * @param {number[]} weights
+ * @returns {Point}
+ */
+export function reconcile(x, targets, weights) {
+  const total = sum(weights);
+  if (!(total > 0)) return x;
+  const mean = (/** @type {0 | 1} */ axis) =>
+    sum(targets.map((y, i) => weights[i] * y[axis])) / total;
+  return [mean(0), mean(1)];
+}

@@ -1,0 +1,45 @@
+/** The menu of Open recent: what was worked on in this browser. */
+
+import { element } from './dom.js';
+import { messageOf } from './messages.js';
+
+/**
+ * Fills the menu each time, then shows it.
+ * @param {HTMLButtonElement} button
+ * @param {HTMLElement} menu
+ * @param {import("./keeping.js").Keeping} keeping
+ * @param {import("./alerts.js").Alerts} alerts
+ */
+export function recentMenu(button, menu, keeping, alerts) {
+  button.addEventListener('click', async () => {
+    await keeping.saveNow().catch(() => {});
+    const list = await keeping.recent().catch(() => []);
+    const open = (/** @type {import("./works.js").Work} */ work) => {
+      menu.hidePopover();
+      keeping.openWork(work).catch((error) => alerts.error(messageOf(error)));
+    };
+    const rows = list.map((work) =>
+      element(
+        'button',
+        { type: 'button', role: 'menuitem', onclick: () => open(work) },
+        element(
+          'span',
+          { class: 'entry' },
+          element('strong', {}, work.title),
+          element('span', {}, `${dateOf(work.savedAt)}, iteration ${work.iteration}`),
+        ),
+      ),
+    );
+    const none =
+      'Nothing else yet. What you open or change is kept in this browser, and listed here.';
+    menu.replaceChildren(
+      ...(rows.length > 0 ? rows : [element('p', { class: 'quiet', role: 'none' }, none)]),
+    );
+    menu.showPopover();
+  });
+}
+
+/** @param {number} time */
+function dateOf(time) {
+  return new Date(time).toLocaleString([], { dateStyle: 'medium', timeStyle: 'short' });
+}

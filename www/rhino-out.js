@@ -1,0 +1,168 @@
+/**
+ * A scene as a file of Rhino, with all digits. Each group of faces is a layer. Triangles and quads are
+ * a mesh on it; panels with more corners, which rhino3dm cannot write into a mesh, are closed
+ * polylines. How far a panel is from flat stands in its user text, of a mesh the worst. In Rhino z is
+ * up: a scene in which y is up is turned.
+ */
+
+import { ROLE, UNITS, rhino } from './rhino.js';
+import { indices } from './index-list.js';
+
+/** @typedef {[number, number, number]} Point */
+
+const PLANARITY = 'shape-up:planarity';
+const CURVES = 'Curves';
+/** Of faces that are in no group. */
+const REST = 'Panels';
+
+/**
+ * @param {string} text of a scene with its mesh
+ * @param {string} errors of its faces, the table of the solver
+ * @returns {Promise<Uint8Array<ArrayBuffer>>}
+ */
+export async function rhinoFile(text, errors) {
+  const api = await rhino();
+  const scene = JSON.parse(text);
+  const { positions, faces = [], curves = [], groups = {} } = scene.mesh;
+  const points = (scene.current ?? positions).map(scene.up === 'y' ? turned : same);
+  const distances = planarities(errors);
+  const inWords = (/** @type {number} */ value) => `${value} ${scene.units ?? ''}`.trim();
+
+  const file = new api.File3dm();
+  try {
+    const unit = UNITS[scene.units];
+    file.settings().modelUnitSystem = api.UnitSystem[unit ?? 'None'];
+    file.applicationName = 'Shape-Up';
+    for (const [name, members] of byLayer(faces.length, groups)) {
+      const layer = addLayer(api, file, name);
+      addMesh(api, file, layer, members, faces, points, inWords, distances);
+      for (const face of members.filter((member) => faces[member].length > 4)) {
+        const corners = faces[face];
+        const text = { [ROLE]: 'panel', [PLANARITY]: inWords(distances[face]) };
+        addPolyline(api, file, layer, [...corners, corners[0]], points, text);
+      }
+    }
+    if (curves.length > 0) {
+      const layer = addLayer(api, file, CURVES);
+      for (const curve of curves) addPolyline(api, file, layer, curve, points, { [ROLE]: 'curve' });
+    }
+    return file.toByteArray();
+  } finally {
+    file.delete();
+  }
+}
+
+/** @param {Point} point */
+const same = (point) => point;
+
+/** From y up to z up. @param {Point} point @returns {Point} */
+const turned = ([x, y, z]) => [x, -z, y];
+
+/**
+ * The faces on each layer; one that is in several groups is on the layer of the first.
+ * @param {number} count of faces
+ * @param {Record<string, { faces?: number[] | string }>} groups
+ */
+function byLayer(count, groups) {
+  /** @type {(string | null)[]} */
+  const layerOf = new Array(count).fill(null);
+  for (const [name, group] of Object.entries(groups)) {
+    for (const face of indices(group.faces ?? [])) layerOf[face] ??= name;
+  }
+  /** @type {Map<string, number[]>} */
+  const layers = new Map();
+  layerOf.forEach((name, face) => {
+    const key = name ?? REST;
+    layers.set(key, [...(layers.get(key) ?? []), face]);
+  });
+  return layers;
+}
+
+/** The planarity distance of each face. @param {string} csv */
+function planarities(csv) {
+  const [head, ...rows] = csv.trim().split('\n');
+  const heads = head.split(',');
+  // From the right: the name of a group may hold commas.
+  const fromRight = heads.length - heads.findIndex((name) => /^Planarity( \(|$)/.test(name));
+  return rows.map((row) => Number(row.split(',').at(-fromRight)));
+}
+
+/**
+ * @param {any} api
+ * @param {any} file
+ * @param {string} name
+ * @returns {number}
+ */
+function addLayer(api, file, name) {
+  const layer = new api.Layer();
+  layer.name = name;
+  const index = file.layers().add(layer);
+  layer.delete();
+  return index;
+}
+
+/**
+ * @param {any} api
+ * @param {number} layer
+ * @param {Record<string, string>} text
+ */
+function attributesOf(api, layer, text) {
+  const attributes = new api.ObjectAttributes();
+  attributes.layerIndex = layer;
+  for (const [key, value] of Object.entries(text)) attributes.setUserString(key, value);
+  return attributes;
+}
+
+/**
+ * @param {any} api
+ * @param {any} file
+ * @param {number} layer
+ * @param {number[]} vertices
+ * @param {Point[]} points
+ * @param {Record<string, string>} text
+ */
+function addPolyline(api, file, layer, vertices, points, text) {
+  const list = new api.Point3dList(vertices.length);
+  for (const vertex of vertices) list.add(...points[vertex]);
+  const attributes = attributesOf(api, layer, text);
+  file.objects().addPolyline(list, attributes);
+  attributes.delete();
+  list.delete();
+}
+
+/**
+ * The triangles and quads among some faces, as one mesh.
+ * @param {any} api
+ * @param {any} file
+ * @param {number} layer
+ * @param {number[]} members
+ * @param {number[][]} faces
+ * @param {Point[]} points
+ * @param {(worst: number) => string} planarity in words
+ * @param {number[]} distances
+ */
+function addMesh(api, file, layer, members, faces, points, planarity, distances) {
+  const flat = members.filter((face) => faces[face].length <= 4);
+  if (flat.length === 0) return;
+  const mesh = new api.Mesh();
+  /** @type {Map<number, number>} */
+  const places = new Map();
+  const place = (/** @type {number} */ vertex) => {
+    const known = places.get(vertex);
+    if (known !== undefined) return known;
+    mesh.vertices().addPoint3d(...points[vertex]);
+    places.set(vertex, places.size);
+    return places.size - 1;
+  };
+  for (const face of flat) {
+    const corners = faces[face].map(place);
+    if (corners.length === 3) mesh.faces().addTriFace(...corners);
+    else mesh.faces().addQuadFace(...corners);
+  }
+  mesh.normals().computeNormals();
+  const worst = flat.reduce((most, face) => Math.max(most, distances[face]), 0);
+  const attributes = attributesOf(api, layer, { [PLANARITY]: planarity(worst) });
+  file.objects().addMesh(mesh, attributes);
+  attributes.delete();
+  mesh.delete();
+}

@@ -1,0 +1,34 @@
+/**
+ * McNeel's reader and writer of Rhino files, rhino3dm. It is larger than all the rest of the page, and
+ * comes when the first file of Rhino is read or written.
+ */
+
+import open from 'rhino3dm/rhino3dm.module.min.js';
+import module from 'rhino3dm/rhino3dm.wasm?url';
+
+/** @type {Promise<any> | null} */
+let loading = null;
+
+/** @returns {Promise<typeof import("rhino3dm")["RhinoModule"] | any>} */
+export function rhino() {
+  loading ??= open({ locateFile: () => module }).catch((/** @type {unknown} */ error) => {
+    // It can be tried again, with a network.
+    loading = null;
+    throw new Error('What reads and writes .3dm files could not be loaded. Is there a network?', {
+      cause: error,
+    });
+  });
+  return /** @type {Promise<any>} */ (loading);
+}
+
+/** The user text that says what a polyline is. */
+export const ROLE = 'shape-up';
+
+/** The name of each unit here in Rhino. @type {Record<string, string>} */
+export const UNITS = {
+  mm: 'Millimeters',
+  cm: 'Centimeters',
+  m: 'Meters',
+  in: 'Inches',
+  ft: 'Feet',
+};

@@ -1,0 +1,58 @@
+/**
+ * Keeps the built files, so that the page opens without a network. Each version has a cache of its
+ * own, filled completely before it is used; which files there are, and a name for them together, the
+ * build puts before this text as `SITE`. What is fetched later, such as the parts for Rhino, is kept
+ * when it was used once.
+ */
+
+/* global SITE */
+
+const scope = /** @type {ServiceWorkerGlobalScope} */ (/** @type {unknown} */ (self));
+/** @type {{ version: string, files: string[] }} */
+// @ts-expect-error the build writes it above
+const { version, files } = SITE;
+const PREFIX = 'shape-up ';
+const NAME = PREFIX + version;
+/** The version before, whose pages may still be open. */
+const KEPT = 2;
+
+scope.addEventListener('install', (event) => event.waitUntil(fill()));
+scope.addEventListener('activate', (event) => event.waitUntil(tidy()));
+scope.addEventListener('message', ({ data }) => {
+  if (data === 'take over') scope.skipWaiting();
+});
+scope.addEventListener('fetch', (event) => {
+  const { request } = event;
+  const inScope = request.url.startsWith(scope.registration.scope);
+  if (request.method === 'GET' && inScope) event.respondWith(answer(request));
+});
+
+async function fill() {
+  const cache = await caches.open(NAME);
+  // A host may let a browser keep old files for a while: those without a hash in their name must be
+  // of this version.
+  const request = (/** @type {string} */ file) =>
+    new Request(file, { cache: file.startsWith('./assets/') ? 'default' : 'no-cache' });
+  await cache.addAll(files.map(request));
+}
+
+async function tidy() {
+  const names = (await caches.keys()).filter((name) => name.startsWith(PREFIX));
+  const old = names.filter((name) => name !== NAME).slice(0, -(KEPT - 1));
+  await Promise.all(old.map((name) => caches.delete(name)));
+  await scope.clients.claim();
+}
+
+/**
+ * From this version, else from the one before, else from the network.
+ * @param {Request} request
+ */
+async function answer(request) {
+  const options = { ignoreSearch: request.mode === 'navigate' };
+  const cache = await caches.open(NAME);
+  const kept = (await cache.match(request, options)) ?? (await caches.match(request, options));
+  if (kept) return kept;
+  const response = await fetch(request);
+  if (response.ok && response.type === 'basic') await cache.put(request, response.clone());
+  return response;
+}

@@ -1,0 +1,97 @@
+/**
+ * Links that carry a scene. All of it is in the fragment, which never leaves the browser:
+ *
+ * | fragment | is |
+ * |---|---|
+ * | `#example=ID` | an example as it comes |
+ * | `#example=ID&edits=CODE` | its mesh with another scene: what was edited |
+ * | `#scene=CODE` | a scene with its mesh |
+ *
+ * `&run` iterates after opening. CODE is the text of a scene without its current positions, deflated,
+ * in base64url: what was solved is solved again, so that no rounded result stands beside its errors.
+ */
+
+/** @typedef {import("./files.js").Example} Example */
+
+/** A scene that unpacks to more than this is not a scene that somebody made here, in bytes. */
+const MOST_BYTES = 256 << 20;
+const FORMAT = 'deflate-raw';
+
+/**
+ * What a fragment says.
+ * @typedef {object} Link
+ * @property {string | null} example id
+ * @property {string | null} code of the scene, or of the edits of the example
+ * @property {boolean} run
+ */
+
+/**
+ * @param {string} hash of an address, with its #
+ * @returns {Link | null} null when it is not a link of this page
+ */
+export function readLink(hash) {
+  const parts = new URLSearchParams(hash.slice(1));
+  const example = parts.get('example');
+  const code = parts.get('scene') ?? parts.get('edits');
+  if (!example && !code) return null;
+  return { example, code, run: parts.has('run') };
+}
+
+/**
+ * The fragment of a link to a scene.
+ * @param {string} text of the scene with its mesh
+ * @param {Example | undefined} example whose mesh it has
+ * @param {string | null} original text of the scene as the example came
+ * @param {boolean} run
+ */
+export async function writeLink(text, example, original, run) {
+  const scene = withoutPositions(text);
+  const end = run ? '&run' : '';
+  if (!example) return `#scene=${await pack(JSON.stringify(scene))}${end}`;
+  const edits = { ...scene, mesh: { file: example.mesh } };
+  const before = original && { ...withoutPositions(original), mesh: { file: example.mesh } };
+  const start = `#example=${encodeURIComponent(example.id)}`;
+  if (before && JSON.stringify(before) === JSON.stringify(edits)) return start + end;
+  return `${start}&edits=${await pack(JSON.stringify(edits))}${end}`;
+}
+
+/** @param {string} text of a scene */
+function withoutPositions(text) {
+  const scene = JSON.parse(text);
+  delete scene.current;
+  return scene;
+}
+
+/** @param {string} text */
+async function pack(text) {
+  const packed = new Blob([text]).stream().pipeThrough(new CompressionStream(FORMAT));
+  const bytes = new Uint8Array(await new Response(packed).arrayBuffer());
+  let binary = '';
+  for (const byte of bytes) binary += String.fromCharCode(byte);
+  return btoa(binary).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
+}
+
+/**
+ * The text that was packed.
+ * @param {string} code
+ */
+export async function unpack(code) {
+  try {
+    const binary = atob(code.replaceAll('-', '+').replaceAll('_', '/'));
+    const bytes = Uint8Array.from(binary, (character) => character.charCodeAt(0));
+    const unpacked = new Blob([bytes]).stream().pipeThrough(new DecompressionStream(FORMAT));
+    const decoder = new TextDecoder();
+    let text = '';
+    let size = 0;
+    const reader = unpacked.getReader();
+    for (;;) {
+      const { done, value } = await reader.read();
+      if (done) return text + decoder.decode();
+      size += value.length;
+      if (size > MOST_BYTES) throw new Error('it is too large');
+      text += decoder.decode(value, { stream: true });
+    }
+  } catch {
+    throw new Error('The link is incomplete or damaged: it was probably cut when it was sent.');
+  }
+}
