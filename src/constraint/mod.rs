@@ -123,9 +123,6 @@ pub trait Projection: Clone + PartialEq + std::fmt::Debug + 'static {
 /// Rest points, points and their projections.
 type Chunk<'a, S> = (&'a [Vec3<S>], &'a [Vec3<S>], &'a mut [Vec3<S>]);
 
-/// See [`Projection::closed_form`].
-type ClosedForm<'a, S> = &'a dyn Fn(&[Vec3<S>], &[Vec3<S>], &mut [Vec3<S>]) -> bool;
-
 /// See [`Projection::careful`].
 type Careful<'a> = &'a dyn Fn(&[Vec3<f64>], &mut [Vec3<f64>]);
 
