@@ -1,7 +1,7 @@
 // How much of the site a visitor loads, compressed as static hosts do, against its budgets.
 
-import { readFileSync } from 'node:fs';
-import { basename } from 'node:path';
+import { existsSync, readFileSync } from 'node:fs';
+import { basename, dirname, join } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import { firstPicture } from './examples.mjs';
 import { at } from './project.mjs';
@@ -24,28 +24,46 @@ function row(name, paths, budget) {
   return { name, raw: sum((bytes) => bytes.length), gzip: sum(compressed), budget };
 }
 
+/** The files of dist/ that a page needs before it works: those that it and they name as such. */
+function firstNeeded(page) {
+  const found = new Set([page]);
+  for (const path of found) {
+    const text = readFileSync(path, 'utf8');
+    // Styles, modules and what is loaded ahead; imports; workers. An import() is for later.
+    const names = path.endsWith('.html')
+      ? text.matchAll(/(?:src|href)="\.\/([^"]+\.(?:js|css))"/g)
+      : text.matchAll(/(?:\bfrom|\bimport|new URL\()\s*["'`](?:\.\/)?([\w./-]+\.js)["'`]/g);
+    for (const [, name] of names) {
+      const file = [dirname(path), at('dist')].map((folder) => join(folder, name)).find(existsSync);
+      if (file) found.add(file);
+    }
+  }
+  return [...found];
+}
+
 await main(() => {
   const code = filesUnder(at('dist')).filter((path) => /\.(html|css|js)$/.test(path));
-  // The plots, and uPlot with them, load when they are first shown; what Share and Export need, and
-  // what reads and writes files of Rhino, when it is first used.
+  // The view's side in JavaScript is loaded with its module, at the first visit too.
+  const first = new Set([
+    ...firstNeeded(at('dist', 'index.html')),
+    ...code.filter((path) => basename(path).startsWith('shape_up')),
+  ]);
+  const beside = ['gallery.html', 'projections.html'].flatMap((name) =>
+    firstNeeded(at('dist', name)),
+  );
+  const isBeside = (path) => beside.includes(path) && !first.has(path);
+  // The plots, and uPlot with them, load when they are first shown.
   const isPlot = (path) => basename(path).toLowerCase().includes('plot');
-  // Pages of their own.
-  const isBeside = (path) => /^(gallery|projections|reading)\b/.test(basename(path));
   const isRhino = (path) => /^(rhino|__vite)/.test(basename(path));
-  const isSeldom = (path) => /^(dialog-(share|export)|share-link|keeping)/.test(basename(path));
-  const isLater = (path) => isPlot(path) || isRhino(path) || isSeldom(path);
+  const isLater = (path) => !first.has(path) && !isBeside(path) && !isPlot(path) && !isRhino(path);
   const rows = [
-    row('solver module', [at('www', 'pkg', 'solver', 'shape_up_bg.wasm')], 540 * kB),
+    row('solver module', [at('www', 'pkg', 'solver', 'shape_up_bg.wasm')], 600 * kB),
     row('view module', [at('www', 'pkg', 'view', 'shape_up_bg.wasm')], 900 * kB),
-    row(
-      'HTML, CSS, JavaScript',
-      code.filter((path) => !isLater(path) && !isBeside(path)),
-      60 * kB,
-    ),
-    row('gallery, projections', code.filter(isBeside), 16 * kB),
+    row('first visit', [...first], 78 * kB),
     row('first picture', [firstPicture], 14 * kB),
     row('plots', code.filter(isPlot), 30 * kB),
-    row('Share and Export', code.filter(isSeldom), 8 * kB),
+    row('other dialogs', code.filter(isLater), 24 * kB),
+    row('gallery, projections', code.filter(isBeside), 16 * kB),
     row('files of Rhino', filesUnder(at('dist')).filter(isRhino), 1100 * kB),
   ];
   const line = (name, ...numbers) =>

@@ -13,7 +13,7 @@ use shape_up::constraint::{Element, Info, KINDS};
 use shape_up::math::Vec3;
 use shape_up::mesh::generate::Dome;
 use shape_up::mesh::{Mesh, Point};
-use shape_up::scene::examples::EXAMPLES;
+use shape_up::scene::examples::{EXAMPLES, Example};
 use shape_up::scene::{Accelerator, Scene};
 use shape_up::session::Session;
 
