@@ -231,8 +231,18 @@ export function commandTable(parts) {
     {
       id: 'export',
       group: 'File',
-      label: 'Export: OBJ, Rhino, tables, pictures',
+      label: 'Export the shape as OBJ',
       keys: ['Ctrl+E'],
+      action: () => files.exportMesh(),
+      needsModel: true,
+      title: ({ flatMap }) =>
+        `Save the shape as it is now${flatMap ? ', with its flat map,' : ''} as OBJ`,
+    },
+    {
+      id: 'export-as',
+      group: 'File',
+      label: 'More formats: Rhino, tables, pictures',
+      keys: ['Ctrl+Shift+E'],
       action: () =>
         actions.told(
           import('./dialog-export.js').then(({ showExport }) =>

@@ -73,12 +73,7 @@ export function showExport(parts) {
         format(
           'OBJ',
           `The mesh as it is now, in the order of the file${flatMap ? ', with its flat map' : ''}`,
-          async () =>
-            files.save(
-              '.obj',
-              await solver.request({ type: 'obj', uv: flatMap?.found.uv }),
-              'model/obj',
-            ),
+          () => files.exportMesh(),
         ),
         format('3DM', 'For Rhino, with a layer for each group', () => saveForRhino(parts)),
         format('Scene', 'The mesh with its constraints, handles and weights', () =>

@@ -182,6 +182,16 @@ export class Files extends EventTarget {
     });
   }
 
+  /** The current shape, with the flat map that is shown, as OBJ. */
+  async exportMesh() {
+    try {
+      const uv = this.#store.get().flatMap?.found.uv;
+      this.save('.obj', await this.#solver.request({ type: 'obj', uv }), 'model/obj');
+    } catch (error) {
+      this.#alerts.error(messageOf(error));
+    }
+  }
+
   async saveScene() {
     // Without a worker, what it sent last is what there is to save.
     const text = await this.#solver.request({ type: 'scene' }).catch(() => this.#solver.sceneText);

@@ -59,8 +59,10 @@ export async function runToTheEnd(page) {
 
 /** Clicks a button of the toolbar, which may be behind "More". */
 export async function tool(page, name) {
-  const button = page.getByRole('button', { name });
-  if (!(await button.isVisible())) await page.getByRole('button', { name: 'More' }).click();
+  const button = page.getByRole('button', { name, exact: true }).filter({ visible: true });
+  if (!(await button.isVisible())) {
+    await page.getByRole('button', { name: 'More', exact: true }).click();
+  }
   await button.click();
 }
 
@@ -71,7 +73,7 @@ export async function saved(page, name) {
 
 /** Exports in that format and returns the file that is saved. */
 export async function exported(page, format) {
-  await tool(page, 'Export');
+  await tool(page, 'More formats');
   const dialog = page.getByRole('dialog', { name: 'Export' });
   const file = await downloaded(page, () =>
     dialog.getByRole('button', { name: new RegExp(`^${format}`) }).click(),

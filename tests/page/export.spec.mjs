@@ -97,7 +97,7 @@ test('a picture is as large as wanted, with its legend, on white', async ({ page
     [2, false, false],
     [4, true, true],
   ]) {
-    await tool(page, 'Export');
+    await tool(page, 'More formats');
     const dialog = page.getByRole('dialog', { name: 'Export' });
     await dialog.getByRole('radio', { name: `${scale}×` }).check();
     await dialog.getByLabel('Legend').setChecked(legend);

@@ -96,6 +96,8 @@ test('a handle can be dragged before anything can draw, and the mesh follows', a
     const { x, y, width, height } = await dot.boundingBox();
     return [x + width / 2, y + height / 2];
   };
+  // The style sheet says which of the two pictures it is.
+  await expect(picture).toHaveCount(1);
   const vertex = Number(await grip.getAttribute('data-vertex'));
   const [x, y] = await placeOf(handle);
   const before = await placeOf(target);

@@ -176,6 +176,8 @@ export class ExperimentDialog {
     if (ended === 'failed') this.#fail(message);
     else if (ended) {
       this.#setRunning(false);
+      // Who is told that it has ended sees where.
+      this.#drawNow();
       setText(this.#status, ended === 'done' ? 'All methods have ended.' : 'Cancelled.');
     }
     this.#draw();

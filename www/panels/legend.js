@@ -22,7 +22,7 @@ export function legend(place, store, viewport, refit) {
   const ramp = element('div', { class: 'ramp' }, tick);
   const unit = element('span', { class: 'unit' });
   const toleranceUnit = element('span');
-  const within = element('output', { class: 'within' });
+  const within = element('span', { class: 'within' });
   const low = field('Colours from', ([, high], value) => [Math.min(value, high), high]);
   const high = field('Colours to', ([low], value) => [Math.min(low, value), value]);
   const tolerance = element('input', {
@@ -33,8 +33,8 @@ export function legend(place, store, viewport, refit) {
     onchange: () => {
       const value = Number.parseFloat(tolerance.value.replace(',', '.'));
       store.set({ tolerance: value >= 0 ? value / fineUnit().factor : null });
-      show();
     },
+    onblur: () => show(),
   });
   place.replaceChildren(
     element(
@@ -89,8 +89,8 @@ export function legend(place, store, viewport, refit) {
       onchange: () => {
         const value = Number.parseFloat(input.value.replace(',', '.'));
         if (value >= 0) store.set({ range: change(store.get().range, value / factor()) });
-        show();
       },
+      onblur: () => show(),
     });
     return input;
   }
