@@ -22,6 +22,9 @@ async function hold(page, address, chosen = () => true) {
   return release;
 }
 
+// What is loaded late may still be held when a test is over.
+test.afterEach(({ page }) => page.unrouteAll({ behavior: 'ignoreErrors' }));
+
 /** Holds the view's module, and no other. */
 const holdView = (page) => hold(page, '**/*.wasm', (body) => body.length === VIEW_BYTES);
 
