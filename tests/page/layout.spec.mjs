@@ -15,6 +15,11 @@ test('nothing is cut off, and the view has at least half of the window', async (
     expect(box.x + box.width, name).toBeLessThanOrEqual(width);
     expect(box.y + box.height, name).toBeLessThanOrEqual(height);
   }
+  const ends = await page
+    .getByRole('banner')
+    .getByRole('button')
+    .evaluateAll((buttons) => buttons.map((button) => button.getBoundingClientRect().right));
+  expect(Math.max(...ends)).toBeLessThanOrEqual(width);
   const view = page.getByRole('application', { name: '3D view' });
   const area = async () => {
     const box = await view.boundingBox();

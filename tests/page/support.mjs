@@ -64,10 +64,14 @@ export async function waitForState(page, condition, argument, options) {
 export const positionOf = (page, vertex) =>
   page.evaluate((v) => [...window.shapeUp.positions().slice(3 * v, 3 * v + 3)], vertex);
 
-/** Where a vertex is on the page, [x, y] in CSS pixels. Fails when it is hidden. */
+/**
+ * Where a vertex is on the page, [x, y] in CSS pixels. Waits for the view; fails when the vertex is
+ * hidden.
+ */
 export async function screenOf(page, vertex) {
-  const point = await page.evaluate((v) => window.shapeUp.screen(v), vertex);
-  expect(point, `vertex ${vertex} is on the screen`).not.toBeNull();
+  let point = null;
+  const look = async () => (point = await page.evaluate((v) => window.shapeUp.screen(v), vertex));
+  await expect.poll(look, { message: `vertex ${vertex} is on the screen` }).not.toBeNull();
   return point;
 }
 
