@@ -6,7 +6,7 @@ const patterns = {
   // Node's test runner, in its TAP form.
   node: [/^# pass (\d+)$/gm, /^# fail (\d+)$/gm],
   // Playwright's list; a test that did not run has not passed.
-  playwright: [/^ +(\d+) passed/gm, /^ +(\d+) (?:failed|flaky|interrupted|did not run)/gm],
+  playwright: [/^ +(\d+) (?:passed|flaky)/gm, /^ +(\d+) (?:failed|interrupted|did not run)/gm],
 };
 
 /** Adds up the counts in `output`, as `kind` of test program prints them. */
