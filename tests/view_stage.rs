@@ -344,7 +344,7 @@ fn meshes_without_faces_or_points_can_be_looked_at() {
 fn a_flat_map_is_seen_from_above_without_distortion() {
     let model = stage(4, |x, y| 3.0 * x * y);
     let uv: Vec<f64> = (0..25).flat_map(|v| [100.0 + f64::from(v % 5), f64::from(v / 5)]).collect();
-    let (mut map, checks) = flat_map(&model, &uv).unwrap();
+    let (mut map, checks) = flat_map(&model, &uv, &[]).unwrap();
     assert_eq!(checks.extent(), Vec2::splat(4.0));
     map.resize(CANVAS);
     let at = |map: &Stage, v: u32| map.screen(v).unwrap();
@@ -358,13 +358,13 @@ fn a_flat_map_is_seen_from_above_without_distortion() {
     assert!((at(&map, 12) - before - Vec2::new(30.0, -12.0)).length() < 0.1);
     map.zoom(2.0, at(&map, 12));
     assert!((at(&map, 12) - before - Vec2::new(30.0, -12.0)).length() < 0.1);
-    assert!(flat_map(&model, &uv[..40]).is_err());
+    assert!(flat_map(&model, &uv[..40], &[]).is_err());
 }
 
 #[test]
 fn a_flat_map_has_the_marks_and_the_theme_of_the_model() {
     let mut model = stage(2, |_, _| 0.0);
-    let (mut map, _) = flat_map(&model, &[0.0; 18]).unwrap();
+    let (mut map, _) = flat_map(&model, &[0.0; 18], &[]).unwrap();
     map.changes = Changes::default();
     model.changes = Changes::default();
     follow(&mut map, &model);
@@ -376,4 +376,15 @@ fn a_flat_map_has_the_marks_and_the_theme_of_the_model() {
     follow(&mut map, &model);
     assert!(map.changes.looks && map.changes.view && map.dark);
     assert_eq!(map.looks.bytes(4)[14], 255);
+}
+
+#[test]
+fn faces_that_a_flat_map_turns_over_are_outlined_on_it_alone() {
+    let model = stage(2, |_, _| 0.0);
+    let uv = [0.0; 18];
+    let (map, _) = flat_map(&model, &uv, &[0, 1]).unwrap();
+    // Two quads with a side between them.
+    assert_eq!(map.flipped, [[0, 1], [0, 3], [1, 2], [1, 4], [2, 5], [3, 4], [4, 5]]);
+    assert!(model.flipped.is_empty());
+    assert!(flat_map(&model, &uv, &[4]).is_err());
 }

@@ -103,6 +103,8 @@ pub struct Stage {
     pub projections: Projections,
     /// The checkerboard of a flat map.
     pub checks: Checks,
+    /// Sides of the faces that a flat map turns over, by their vertices.
+    pub flipped: Vec<[u32; 2]>,
     /// What is switched on.
     pub display: Display,
     /// Dark theme.
@@ -128,6 +130,7 @@ impl Default for Stage {
             shapes: Vec::new(),
             projections: Projections::default(),
             checks: Checks::default(),
+            flipped: Vec::new(),
             display: Display { edges: true, ..Display::default() },
             dark: false,
             white: false,

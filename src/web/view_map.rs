@@ -8,13 +8,15 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
 impl View {
-    /// Shows the flat map `uv` (#V by 2) of the mesh beside it, in place of one that is shown already.
+    /// Shows the flat map `uv` (#V by 2) of the mesh beside it, in place of one that is shown already,
+    /// and outlines the faces that it turns over.
     ///
     /// # Errors
-    /// Another number of places than vertices, or one that is not finite; all stays as it was.
+    /// Another number of places than vertices, one that is not finite, or a face that does not exist;
+    /// all stays as it was.
     #[wasm_bindgen(js_name = setMap)]
-    pub fn set_map(&mut self, uv: &[f64]) -> Result<(), JsValue> {
-        let (map, checks) = flat_map(&self.stage, uv).map_err(thrown)?;
+    pub fn set_map(&mut self, uv: &[f64], flipped: &[u32]) -> Result<(), JsValue> {
+        let (map, checks) = flat_map(&self.stage, uv, flipped).map_err(thrown)?;
         self.stage.checks = checks;
         self.stage.changes.checks = true;
         // The marks of the model are those of the map too.
@@ -89,6 +91,15 @@ impl View {
         if let Some(map) = &mut self.map {
             map.zoom(factor, Vec2::new(x, y));
         }
+    }
+
+    /// Fills the map's part of the canvas with some vertices and a little around them.
+    ///
+    /// # Errors
+    /// A vertex that does not exist.
+    #[wasm_bindgen(js_name = fitMapVertices)]
+    pub fn fit_map_vertices(&mut self, vertices: &[u32]) -> Result<(), JsValue> {
+        self.map.as_mut().map_or(Ok(()), |map| map.fit_vertices(vertices)).map_err(thrown)
     }
 
     /// Fills its part of the canvas with the map.

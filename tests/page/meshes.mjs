@@ -72,6 +72,13 @@ export function tetScene() {
   return disturbed({ positions: corners, tets });
 }
 
+/** A closed box, 1 by 2 by 3: the text of an OBJ file. */
+export function box() {
+  const corners = [0, 3].flatMap((z) => [0, 2].flatMap((y) => [0, 1].map((x) => `v ${x} ${y} ${z}`)));
+  const faces = ['1 3 4 2', '5 6 8 7', '1 2 6 5', '3 7 8 4', '1 5 7 3', '2 4 8 6'];
+  return [...corners, ...faces.map((face) => `f ${face}`), ''].join('\n');
+}
+
 /** A file for a file input. */
 export const file = (name, text) => ({
   name,
