@@ -4,7 +4,7 @@
 
 use glam::{DVec3, Vec2};
 use shape_up::view::camera::Up;
-use shape_up::view::flat_map::{flat_map, follow};
+use shape_up::view::flat_map::{flat_map, follow, show_flipped};
 use shape_up::view::region::{Outline, Taking};
 use shape_up::view::stage::{Changes, Stage};
 
@@ -387,4 +387,31 @@ fn faces_that_a_flat_map_turns_over_are_outlined_on_it_alone() {
     assert_eq!(map.flipped, [[0, 1], [0, 3], [1, 2], [1, 4], [2, 5], [3, 4], [4, 5]]);
     assert!(model.flipped.is_empty());
     assert!(flat_map(&model, &uv, &[4]).is_err());
+}
+
+#[test]
+fn what_a_flat_map_turns_over_is_shown_large_and_from_its_front() {
+    // Two floors that face each other: the lower one hides the upper one from below.
+    let mut model = two_floors();
+    let uv: Vec<f64> = (0..8).flat_map(|v| [f64::from(v % 4 / 2), f64::from(v / 4)]).collect();
+    let uv: Vec<f64> = uv.iter().map(|x| x * 50.0).collect();
+    let (mut map, _) = flat_map(&model, &uv, &[]).unwrap();
+    map.resize(CANVAS);
+    model.preset("bottom").unwrap();
+    assert_eq!(model.screen(4), None);
+    let (before, small) = (model.camera, map.camera);
+    show_flipped(&mut map, &mut model);
+    assert!(model.camera == before && map.camera == small, "there is nothing to show");
+
+    let (mut map, _) = flat_map(&model, &uv, &[1]).unwrap();
+    map.resize(CANVAS);
+    show_flipped(&mut map, &mut model);
+    for v in 4..8 {
+        assert!(model.screen(v).is_some() && map.screen(v).is_some(), "{v}");
+    }
+    let large = |stage: &Stage| (stage.screen(6).unwrap() - stage.screen(4).unwrap()).length();
+    assert!(large(&model) > 0.5 * CANVAS.y, "{}", large(&model));
+    // Seen along its normal it is as wide as it is high.
+    let side = |a: u32, b: u32| (model.screen(a).unwrap() - model.screen(b).unwrap()).length();
+    assert!((side(4, 5) - side(5, 6)).abs() < 1.0);
 }

@@ -8,7 +8,7 @@ import { duration } from './format.js';
 import { MapRegion } from './map-region.js';
 import { messageOf } from './messages.js';
 import { flatMapPanel } from './panels/flat-map.js';
-import { NOTHING, select, selectedVertices } from './selection.js';
+import { NOTHING, select } from './selection.js';
 
 /** @typedef {import("./flat-map.js").FlatMap} FlatMap */
 
@@ -79,18 +79,13 @@ export class Parametrize {
     else if (flatMap) this.#store.set({ flatMap: { ...flatMap, ...choices } });
   }
 
-  /** Selects the faces that the map turns over, and fills both parts of the canvas with them. */
+  /** Selects the faces that the map turns over, and comes near them on the model and on the map. */
   showFlipped() {
     const { flatMap } = this.#store.get();
-    const { geometry } = this.#solver;
-    if (!flatMap || !geometry) return;
+    if (!flatMap) return;
     const selection = select(NOTHING, 'faces', flatMap.found.flippedFaces, 'replace');
     this.#store.set({ mode: 'faces', selection });
-    const vertices = Uint32Array.from(selectedVertices(selection, geometry.connectivity));
-    this.#viewport.with((view) => {
-      view.fitVertices(vertices);
-      view.fitMapVertices(vertices);
-    });
+    this.#viewport.with((view) => view.showFlipped());
   }
 
   /** Makes the map of the shape as it is now. */

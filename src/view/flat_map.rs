@@ -5,7 +5,7 @@ use super::checks::Checks;
 use super::lists::{Lists, ViewError, check_indices};
 use super::stage::Stage;
 use super::subject::Subject;
-use glam::Vec2;
+use glam::{Vec2, Vec3};
 
 /// A part of the canvas, CSS pixels from its upper left corner.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -70,6 +70,32 @@ fn sides(faces: &Lists, chosen: &[u32]) -> Vec<[u32; 2]> {
     sides.dedup();
     sides
 }
+
+/// Comes near the faces that the map turns over: on the model from their front, on the map as near as
+/// they are small.
+pub fn show_flipped(map: &mut Stage, model: &mut Stage) {
+    let mut vertices = map.flipped.as_flattened().to_vec();
+    vertices.sort_unstable();
+    vertices.dedup();
+    let places = vertices.iter().map(|&v| map.subject.positions[v as usize]);
+    let (Some(low), Some(high)) =
+        (places.clone().reduce(Vec3::min), places.clone().reduce(Vec3::max))
+    else {
+        return;
+    };
+    let around = (0.5 * (high - low).length()).max(LEAST_PART * map.size());
+    map.come_near(&vertices, around);
+    let normals = vertices.iter().map(|&v| model.subject.normals.vertices[v as usize]);
+    let front: Vec3 = normals.sum();
+    if front.length() > 0.0 {
+        model.camera.look_against(front);
+    }
+    model.come_near(&vertices, model.size() * MODEL_PART);
+}
+
+/// So much of a map and of a model, as parts of their size, is seen around what is shown.
+const LEAST_PART: f32 = 1e-4;
+const MODEL_PART: f32 = 0.04;
 
 /// Brings what the map has in common with the surface up to date.
 pub fn follow(map: &mut Stage, model: &Stage) {

@@ -347,12 +347,16 @@ impl Stage {
     /// A vertex that does not exist.
     pub fn fit_vertices(&mut self, vertices: &[u32]) -> Result<(), ViewError> {
         check_indices("vertices", vertices, self.counts().0)?;
+        self.come_near(vertices, self.size() * 0.04);
+        Ok(())
+    }
+
+    /// Fills the canvas with some vertices and so much around them.
+    pub(super) fn come_near(&mut self, vertices: &[u32], around: f32) {
         let points = vertices.iter().map(|&v| self.subject.positions[v as usize]);
-        let radius = self.size() * 0.04;
-        frame(&mut self.camera, points, radius);
+        frame(&mut self.camera, points, around);
         self.framed = false;
         self.view_changed();
-        Ok(())
     }
 
     /// Looks from a named side and fills the canvas.

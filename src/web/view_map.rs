@@ -2,7 +2,7 @@
 
 use super::thrown;
 use super::view::View;
-use crate::view::flat_map::{Region, flat_map};
+use crate::view::flat_map::{Region, flat_map, show_flipped};
 use glam::Vec2;
 use wasm_bindgen::prelude::*;
 
@@ -93,13 +93,12 @@ impl View {
         }
     }
 
-    /// Fills the map's part of the canvas with some vertices and a little around them.
-    ///
-    /// # Errors
-    /// A vertex that does not exist.
-    #[wasm_bindgen(js_name = fitMapVertices)]
-    pub fn fit_map_vertices(&mut self, vertices: &[u32]) -> Result<(), JsValue> {
-        self.map.as_mut().map_or(Ok(()), |map| map.fit_vertices(vertices)).map_err(thrown)
+    /// Comes near the faces that the map turns over, on the model and on the map.
+    #[wasm_bindgen(js_name = showFlipped)]
+    pub fn show_flipped(&mut self) {
+        if let Some(map) = &mut self.map {
+            show_flipped(map, &mut self.stage);
+        }
     }
 
     /// Fills its part of the canvas with the map.

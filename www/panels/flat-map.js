@@ -29,7 +29,7 @@ export function flatMapPanel(place, store, control) {
   const flipped = element('div', { class: 'flipped-row' });
   const showFlipped = element(
     'button',
-    { type: 'button', class: 'small', onclick: () => control.showFlipped() },
+    { type: 'button', class: 'bordered', onclick: () => control.showFlipped() },
     'Show flipped faces',
   );
   showFlipped.title = 'Select them on the model, and come nearer on both';
