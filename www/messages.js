@@ -246,6 +246,7 @@
  * @property {number} mean error, weighted by area
  * @property {number} max error
  * @property {number} flipped triangles that the map turns over
+ * @property {Uint32Array} flippedFaces those that have some of these
  * @property {number} parts connected parts of the surface
  * @property {number} closedParts those without a boundary, which cannot be flattened without folds
  * @property {number} eigenvalue

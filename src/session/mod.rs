@@ -12,6 +12,7 @@
 //! | `face_measure` | the numbers per face that hosts colour and list |
 //! | `holding` | how much single vertices are kept close |
 //! | `inspect` | what hosts show of a session: members of constraints |
+//! | `opening` | opening a scene in the place of another |
 //! | `preview` | what adding constraints would make |
 //! | `projected` | the projections of the constraints, to be drawn |
 //! | `report` | the report of design section 6 |
@@ -26,6 +27,7 @@ mod face_measure;
 mod history;
 mod holding;
 mod inspect;
+mod opening;
 mod preview;
 mod projected;
 mod report;
@@ -46,7 +48,7 @@ pub use selection::{Mode, OPERATIONS, Operation, SelectRequest, Selection};
 pub use settings::{SETTINGS, Setting, settings_of};
 
 use crate::error::Error;
-use crate::mesh::{BoundingSphere, Mesh, Point, Topology, write_obj};
+use crate::mesh::{Mesh, Point, Topology, write_obj};
 use crate::scene::{Frame, HandleSpec, Hold, Scene};
 use crate::solve::{Constraints, Energy, Handle, Kept, Problem, Solver};
 use history::{History, Snapshot};
@@ -95,28 +97,8 @@ impl Session {
     ///
     /// # Errors
     /// When the scene does not fit the mesh, a row of constraints is empty, or the system is singular.
-    pub fn open(mut scene: Scene, mesh: Mesh) -> Result<Session, Error> {
-        scene.validate(&mesh)?;
-        let topology = Topology::new(&mesh);
-        let start = scene.current.take().unwrap_or_else(|| mesh.positions.clone());
-        let handles = flat(&std::mem::take(&mut scene.handles), &mesh.positions);
-        let rows = resolve::rows(&scene, &mesh, &topology)?;
-        let solver = solver(&scene, &mesh, &topology, &rows, Kept::default(), handles, &start)?;
-        let initial = solver.energy();
-        Ok(Session {
-            diameter: BoundingSphere::of(&mesh.positions).diameter(),
-            mesh,
-            topology,
-            document: scene,
-            rows,
-            solver,
-            iteration: 0,
-            initial,
-            trace: None,
-            load_seconds: 0.0,
-            history: History::default(),
-            gesture: None,
-        })
+    pub fn open(scene: Scene, mesh: Mesh) -> Result<Session, Error> {
+        opening::Checked::new(scene, mesh)?.open()
     }
 
     /// The rest shape.

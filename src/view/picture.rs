@@ -73,6 +73,9 @@ impl Picture {
         if let (Some(map), Some([_, [.., width, height]])) = (&mut map, parts) {
             let (device, queue) = (&self.device.device, &self.device.queue);
             self.map_store.update(device, queue, map, (width, height));
+            if map.changes.mesh || map.changes.marks {
+                self.lines.update_map(device, queue, map);
+            }
             map.changes = Changes::default();
         }
         let label = wgpu::CommandEncoderDescriptor { label: Some("picture") };
@@ -101,6 +104,7 @@ impl Picture {
             pass.set_bind_group(0, self.map_store.group(), &[]);
             self.faces.draw(&mut pass);
             self.lines.draw(&mut pass, display.edges);
+            self.lines.draw_flipped(&mut pass);
             // On WebGL2 only what is inside the last rectangle arrives on the canvas.
             confine(&mut pass, [0, 0, canvas.0, canvas.1]);
         }

@@ -18,6 +18,8 @@ pub mod solver;
 pub mod view;
 #[cfg(feature = "view")]
 mod view_map;
+#[cfg(feature = "solver")]
+mod warm_up;
 
 use wasm_bindgen::JsValue;
 
