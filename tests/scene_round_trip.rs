@@ -11,7 +11,7 @@ use shape_up::scene::{
 
 fn constraint(id: &str, on: Selector) -> ConstraintSpec {
     let kind = Kind::new(id, serde_json::json!({})).expect("a kind without parameters");
-    ConstraintSpec { kind, on, weight: 1.0, enabled: true }
+    ConstraintSpec { kind, on, weight: 1.0, enabled: true, name: String::new() }
 }
 
 fn finite() -> impl Strategy<Value = f64> {
@@ -66,7 +66,7 @@ prop_compose! {
         current in prop::option::of(prop::collection::vec(prop::array::uniform3(finite()), 0..4)),
         sets in prop::collection::btree_map(".{0,6}", (list(9), list(3)), 0..3),
         constraints in prop::collection::vec(
-            (0..KINDS.len(), selector(), not_negative(), any::<bool>()), 0..4),
+            (0..KINDS.len(), selector(), not_negative(), any::<bool>(), ".{0,4}"), 0..4),
         handles in prop::collection::vec(handle_spec(), 0..3),
         weights in prop::array::uniform3(not_negative()),
         held in prop::collection::vec((selector(), not_negative()), 0..3),
@@ -82,8 +82,8 @@ prop_compose! {
             current,
             sets: sets.into_iter().map(|(name, (vertices, faces))| (name, Set { vertices, faces }))
                 .collect(),
-            constraints: constraints.into_iter().map(|(kind, on, weight, enabled)| ConstraintSpec {
-                weight, enabled, ..constraint(KINDS[kind].id, on)
+            constraints: constraints.into_iter().map(|(kind, on, weight, enabled, name)| ConstraintSpec {
+                weight, enabled, name, ..constraint(KINDS[kind].id, on)
             }).collect(),
             handles,
             weights: Weights { shape: weights[0], close: weights[1], smooth: weights[2] },

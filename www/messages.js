@@ -81,6 +81,7 @@
  *   | { type: "addHandles", vertices: number[], fixed: boolean }
  *   | { type: "removeHandles", vertices: number[] }
  *   | { type: "duplicateConstraint", index: number }
+ *   | { type: "renameConstraint", index: number, name: string }
  *   | { type: "nameSet", name: string, vertices: number[], faces: number[] }
  *   | { type: "removeSet", name: string }
  *   | { type: "set", id: string, value: ParamValue }
@@ -140,7 +141,8 @@
  * @typedef {object} ConstraintRow
  * @property {number} index
  * @property {string} kind
- * @property {string} label
+ * @property {string} label its name, or what its kind is called
+ * @property {string} name empty when it has none
  * @property {[number, number, number]} colour sRGB bytes
  * @property {string} on in words
  * @property {number} count

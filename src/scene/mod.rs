@@ -101,6 +101,15 @@ pub struct ConstraintSpec {
     pub weight: f64,
     /// Whether it counts; a disabled one stays in the list.
     pub enabled: bool,
+    /// What somebody called it; empty for the label of its kind.
+    pub name: String,
+}
+
+impl ConstraintSpec {
+    /// Its name, or the label of its kind where it has none.
+    pub fn label(&self) -> &str {
+        if self.name.is_empty() { self.kind.info().label } else { &self.name }
+    }
 }
 
 /// Vertices held at targets.

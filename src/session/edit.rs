@@ -38,6 +38,13 @@ pub enum Edit {
         /// Which row.
         index: usize,
     },
+    /// Gives row `index` another name.
+    RenameConstraint {
+        /// Which row.
+        index: usize,
+        /// Empty for the label of its kind.
+        name: String,
+    },
     /// Gives a set a name, instead of what had that name.
     NameSet {
         /// Not empty.
@@ -232,6 +239,11 @@ impl Session {
                 document.constraints.insert(index + 1, copy);
                 format!("Duplicate {label}")
             }
+            Edit::RenameConstraint { index, name } => {
+                let spec = row(document, index)?;
+                spec.name = name;
+                format!("Rename {}", spec.kind.info().label.to_lowercase())
+            }
             Edit::NameSet { name, set } => {
                 if name.is_empty() || set == Set::default() {
                     let message = "expected a name and something that it stands for".to_owned();
@@ -391,6 +403,9 @@ fn same_problem(a: &Scene, b: &Scene) -> bool {
     let mut a = a.clone();
     a.units.clone_from(&b.units);
     a.up = b.up;
+    for (a, b) in a.constraints.iter_mut().zip(&b.constraints) {
+        a.name.clone_from(&b.name);
+    }
     a == *b
 }
 

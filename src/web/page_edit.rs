@@ -12,6 +12,10 @@ pub(super) enum OtherEdit {
     DuplicateConstraint {
         index: usize,
     },
+    RenameConstraint {
+        index: usize,
+        name: String,
+    },
     NameSet {
         name: String,
         #[serde(default)]
@@ -40,6 +44,7 @@ impl From<OtherEdit> for Edit {
     fn from(edit: OtherEdit) -> Edit {
         match edit {
             OtherEdit::DuplicateConstraint { index } => Edit::DuplicateConstraint { index },
+            OtherEdit::RenameConstraint { index, name } => Edit::RenameConstraint { index, name },
             OtherEdit::NameSet { name, vertices, faces } => {
                 Edit::NameSet { name, set: Set { vertices, faces } }
             }

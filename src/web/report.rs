@@ -97,7 +97,7 @@ pub(super) struct Document<'a> {
     title: &'a str,
     units: &'a str,
     up: &'static str,
-    constraints: Vec<ConstraintRow>,
+    constraints: Vec<ConstraintRow<'a>>,
     handles: Vec<HandleRow>,
     weights: Weights,
     closeness: &'static str,
@@ -121,10 +121,12 @@ struct NamedSet<'a> {
 }
 
 #[derive(Serialize)]
-struct ConstraintRow {
+struct ConstraintRow<'a> {
     index: usize,
     kind: &'static str,
-    label: &'static str,
+    /// Its name, or what its kind is called.
+    label: &'a str,
+    name: &'a str,
     colour: [u8; 3],
     on: String,
     count: usize,
@@ -169,7 +171,8 @@ impl<'a> Document<'a> {
                 ConstraintRow {
                     index,
                     kind: info.id,
-                    label: info.label,
+                    label: spec.label(),
+                    name: &spec.name,
                     colour: info.colour,
                     on: describe(&spec.on),
                     count: row.constraints.members.len(),

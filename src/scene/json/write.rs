@@ -111,6 +111,9 @@ fn constraint(spec: &ConstraintSpec) -> String {
     if !spec.enabled {
         fields.push(field("enabled", "false".to_owned()));
     }
+    if !spec.name.is_empty() {
+        fields.push(field("name", text(&spec.name)));
+    }
     let defaults = default_params(id);
     if let serde_json::Value::Object(params) = spec.kind.params() {
         for (key, value) in params {
