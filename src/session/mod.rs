@@ -7,6 +7,7 @@
 //! |---|---|
 //! | `edit` | the edits, and what each one costs |
 //! | `resolve` | rows of constraints: selectors resolved, misfits counted |
+//! | `flaws` | elements that have something wrong |
 //! | `history` | undo and redo |
 //! | `acting` | which row of constraints each face and vertex belongs to |
 //! | `face_measure` | the numbers per face that hosts colour and list |
@@ -19,10 +20,12 @@
 //! | `settings` | the declared settings of a scene |
 //! | `tables` | errors and energies as CSV |
 //! | `trace` | the energies of the iterations |
+//! | `worst` | the elements that are farthest from what is asked of them |
 
 mod acting;
 mod edit;
 mod face_measure;
+mod flaws;
 mod history;
 mod holding;
 mod inspect;
@@ -34,16 +37,19 @@ mod selection;
 mod settings;
 mod tables;
 mod trace;
+mod worst;
 
 pub use acting::ActingRows;
 pub use edit::{Edit, NewConstraint, Place};
 pub use face_measure::{FACE_MEASURES, FaceMeasure, MeasureUnit};
+pub use flaws::{ZERO_SIZE_FACES, flaw_of};
 pub use preview::Preview;
 pub use projected::Projections;
 pub use report::{EnergyReport, Report, Seconds, TraceEntry};
 pub use resolve::ResolvedRow;
 pub use selection::{Mode, OPERATIONS, Operation, SelectRequest, Selection};
 pub use settings::{SETTINGS, Setting, settings_of};
+pub use worst::WorstElement;
 
 use crate::error::Error;
 use crate::mesh::{BoundingSphere, Mesh, Point, Topology, write_obj};
