@@ -5,8 +5,8 @@ use shape_up::constraint::{Element, KINDS, Kind, Selector, Set};
 use shape_up::mesh::Mesh;
 use shape_up::scene::{
     Accelerator, BoundaryCloseness, Closeness, ClosenessTo, ClosenessWeight, ConstraintSpec,
-    Factorization, HandleSpec, Hold, MeshSource, Scene, Smoothness, SmoothnessOf, SolverSettings,
-    Up, Weighting, Weights,
+    Factorization, HandleSpec, Hold, Lesson, MeshSource, Scene, Smoothness, SmoothnessOf,
+    SolverSettings, Up, Weighting, Weights,
 };
 
 fn constraint(id: &str, on: Selector) -> ConstraintSpec {
@@ -73,6 +73,8 @@ prop_compose! {
         corners in prop::option::of(0.0..=180.0f64),
         choices in (0..3usize, 0..2usize, 0..3usize, 0..3usize),
         solver in (any::<u32>(), not_negative(), any::<u32>(), any::<bool>(), any::<bool>()),
+        lesson in prop::option::of((".{0,9}",
+            prop::collection::vec((any::<bool>(), ".{0,5}", not_negative()), 1..3))),
     ) -> Scene {
         Scene {
             title: texts.0,
@@ -105,6 +107,13 @@ prop_compose! {
                 monotone: solver.4,
                 factorization: [Factorization::Supernodal, Factorization::SprsLdl][choices.0 % 2],
             },
+            lesson: lesson.map(|(text, goals)| Lesson {
+                text,
+                goals: goals.into_iter().map(|(named, of, at_most)| Goal {
+                    of: if named { GoalOf::Constraint(of) } else { GoalOf::Measure(of) },
+                    at_most,
+                }).collect(),
+            }),
         }
     }
 }

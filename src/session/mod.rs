@@ -13,9 +13,11 @@
 //! | `face_measure` | the numbers per face that hosts colour and list |
 //! | `holding` | how much single vertices are kept close |
 //! | `inspect` | what hosts show of a session: members of constraints |
+//! | `lesson` | the goals of a lesson, and the results that are handed in |
 //! | `preview` | what adding constraints would make |
 //! | `projected` | the projections of the constraints, to be drawn |
 //! | `report` | the report of design section 6 |
+//! | `same_problem` | which changes of a document the solver need not know of |
 //! | `selection` | selecting by what the mesh is like |
 //! | `settings` | the declared settings of a scene |
 //! | `tables` | errors and energies as CSV |
@@ -29,10 +31,12 @@ mod flaws;
 mod history;
 mod holding;
 mod inspect;
+mod lesson;
 mod preview;
 mod projected;
 mod report;
 mod resolve;
+mod same_problem;
 mod selection;
 mod settings;
 mod tables;
@@ -43,6 +47,7 @@ pub use acting::ActingRows;
 pub use edit::{Edit, NewConstraint, Place};
 pub use face_measure::{FACE_MEASURES, FaceMeasure, MeasureUnit};
 pub use flaws::{ZERO_SIZE_FACES, flaw_of};
+pub use lesson::{GoalWords, check_results, goals_in_words};
 pub use preview::Preview;
 pub use projected::Projections;
 pub use report::{EnergyReport, Report, Seconds, TraceEntry};
@@ -103,6 +108,7 @@ impl Session {
     /// When the scene does not fit the mesh, a row of constraints is empty, or the system is singular.
     pub fn open(mut scene: Scene, mesh: Mesh) -> Result<Session, Error> {
         scene.validate(&mesh)?;
+        lesson::check_lesson(&scene, &mesh)?;
         let topology = Topology::new(&mesh);
         let start = scene.current.take().unwrap_or_else(|| mesh.positions.clone());
         let handles = flat(&std::mem::take(&mut scene.handles), &mesh.positions);

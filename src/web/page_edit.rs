@@ -1,6 +1,7 @@
 //! More edits as the page sends them: of rows as a whole, sets, settings, and how things are held.
 
 use crate::constraint::Set;
+use crate::scene::{Lesson, SceneError};
 use crate::session::Edit;
 use serde::Deserialize;
 use serde_json::Value;
@@ -38,11 +39,16 @@ pub(super) enum OtherEdit {
         vertices: Vec<u32>,
         weight: f64,
     },
+    SetLesson {
+        lesson: Option<Value>,
+    },
 }
 
-impl From<OtherEdit> for Edit {
-    fn from(edit: OtherEdit) -> Edit {
-        match edit {
+impl TryFrom<OtherEdit> for Edit {
+    type Error = SceneError;
+
+    fn try_from(edit: OtherEdit) -> Result<Edit, SceneError> {
+        Ok(match edit {
             OtherEdit::DuplicateConstraint { index } => Edit::DuplicateConstraint { index },
             OtherEdit::RenameConstraint { index, name } => Edit::RenameConstraint { index, name },
             OtherEdit::NameSet { name, vertices, faces } => {
@@ -52,6 +58,10 @@ impl From<OtherEdit> for Edit {
             OtherEdit::Set { id, value } => Edit::Set { id, value },
             OtherEdit::HoldClose { vertices, weight } => Edit::HoldClose { vertices, weight },
             OtherEdit::WeighHandles { vertices, weight } => Edit::WeighHandles { vertices, weight },
-        }
+            OtherEdit::SetLesson { lesson } => {
+                let read = |lesson: Value| Lesson::from_json(&lesson.to_string());
+                Edit::SetLesson(lesson.map(read).transpose()?)
+            }
+        })
     }
 }

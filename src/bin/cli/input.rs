@@ -75,7 +75,7 @@ pub(super) fn on_faces(id: &str) -> Result<ConstraintSpec, Failure> {
     Ok(ConstraintSpec { kind, on, weight: 1.0, enabled: true, name: String::new() })
 }
 
-fn bytes(path: &Path) -> Result<Vec<u8>, Failure> {
+pub(super) fn bytes(path: &Path) -> Result<Vec<u8>, Failure> {
     std::fs::read(path).map_err(|error| {
         let what = if is_scene(path) { "a scene file" } else { "a mesh file" };
         Failure::Input(format!("{}: cannot be read: {error}, expected {what}", path.display()))
