@@ -5,6 +5,7 @@
 
 import { createActions } from './actions.js';
 import { Alerts } from './alerts.js';
+import { analysisRegion } from './analysis.js';
 import { colourFaces } from './colouring.js';
 import { commandTable } from './command-table.js';
 import { bindButtons, bindKeys, bindRunButton, takeEarlyPresses } from './commands.js';
@@ -21,7 +22,6 @@ import { firstHints } from './hints.js';
 import { arrangeForWidth } from './layout.js';
 import { messageOf } from './messages.js';
 import { constraintsPanel } from './panels/constraints.js';
-import { Convergence } from './panels/convergence.js';
 import { displayPanel } from './panels/display.js';
 import { energiesPanel } from './panels/energies.js';
 import { exampleNote } from './panels/example.js';
@@ -78,7 +78,7 @@ handlesPanel(byId('handles'), store, actions, solver);
 energiesPanel(byId('energies'), store, actions);
 displayPanel(byId('display'), store);
 legend(byId('legend'), store, viewport, refit);
-new Convergence(byId('convergence'), store, solver);
+analysisRegion(byId('analysis'), { store, solver, viewport, files, actions, alerts });
 statusBar({ status: byId('status'), hint: byId('hint'), numbers: byId('numbers') }, store);
 selectBar(byId('select-bar'), byId('select-menu'), store, actions, selecting, alerts);
 firstHints(byId('hint-card'), store);
