@@ -32,6 +32,16 @@ const TABS = [
     atOnce: true,
     make: (panel, { store, solver }) => new Convergence(panel, store, solver),
   },
+  {
+    id: 'worst',
+    label: 'Worst',
+    make: async (panel, parts) => (await import('./lists/worst.js')).worstElements(panel, parts),
+  },
+  {
+    id: 'log',
+    label: 'Log',
+    make: async (panel, parts) => (await import('./lists/log.js')).logOf(panel, parts),
+  },
 ];
 
 /**

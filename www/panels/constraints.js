@@ -210,7 +210,11 @@ export function constraintsPanel(place, store, solver, actions) {
       element(
         'span',
         { class: 'on' },
-        element('span', {}, `${row.name && `${kind}, `}${row.on} · ${groupDigits(row.count)}${skipped}${paramsInWords(row)}`),
+        element(
+          'span',
+          {},
+          `${row.name && `${kind}, `}${row.on} · ${groupDigits(row.count)}${skipped}${paramsInWords(row)}`,
+        ),
         share,
       ),
       element('span', { class: 'measures' }, element('label', {}, 'weight', weight), worst),
