@@ -42,6 +42,7 @@ export class Alerts {
    * @param {"error" | "notice" | "status"} [kind]
    */
   note(text, kind = 'status') {
+    if (this.journal.at(-1)?.text === text) return;
     this.journal.push({ time: new Date(), kind, text });
     if (this.journal.length > MOST_ENTRIES) this.journal.shift();
     this.#listener?.();

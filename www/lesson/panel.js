@@ -36,30 +36,6 @@ export function lessonPanel(parts) {
     await parts.actions.told(import('./hand-in.js').then(({ handIn }) => handIn(parts)));
   }
 
-  store.subscribe(['document'], ({ document }) => {
-    const lesson = document?.lesson ?? null;
-    if (document) place.hidden = !lesson;
-    const now = JSON.stringify([lesson, document?.units]);
-    if (!lesson || now === shown) return;
-    shown = now;
-    setText(text, lesson.text);
-    rows = lesson.goals.map((goal) => {
-      const mark = element('span', { class: 'mark', 'aria-hidden': 'true' });
-      const value = element('span', { class: 'now' });
-      const most = valueInWords(about(goal), goal.atMost, document?.units ?? '');
-      const row = element(
-        'li',
-        { title: `The ${goal.words}` },
-        mark,
-        element('span', {}, `Worst ${goal.label.toLowerCase()} at most ${most}`),
-        value,
-      );
-      return { mark, value, row };
-    });
-    list.replaceChildren(...rows.map(({ row }) => row));
-    showNumbers();
-  });
-
   const showNumbers = throttled(NUMBERS_EVERY_MS, () => {
     const { document, numbers, size } = store.get();
     const goals = document?.lesson?.goals;
@@ -83,6 +59,30 @@ export function lessonPanel(parts) {
         ? `${MARKS.met} Passed: ${count(met, 'goal')} met`
         : `${met} of ${count(goals.length, 'goal')} met`,
     );
+  });
+
+  store.subscribe(['document'], ({ document }) => {
+    const lesson = document?.lesson ?? null;
+    if (document) place.hidden = !lesson;
+    const now = JSON.stringify([lesson, document?.units]);
+    if (!lesson || now === shown) return;
+    shown = now;
+    setText(text, lesson.text);
+    rows = lesson.goals.map((goal) => {
+      const mark = element('span', { class: 'mark', 'aria-hidden': 'true' });
+      const value = element('span', { class: 'now' });
+      const most = valueInWords(about(goal), goal.atMost, document?.units ?? '');
+      const row = element(
+        'li',
+        { title: `The ${goal.words}` },
+        mark,
+        element('span', {}, `Worst ${goal.label.toLowerCase()} at most ${most}`),
+        value,
+      );
+      return { mark, value, row };
+    });
+    list.replaceChildren(...rows.map(({ row }) => row));
+    showNumbers();
   });
   store.subscribe(['numbers'], showNumbers);
 }

@@ -6,11 +6,22 @@
 import '../style/lists.css';
 import { element, icon } from '../dom.js';
 import { count, length } from '../format.js';
+import { declared } from '../measures.js';
 import { showElements } from './show.js';
 
 /** An error below this part of an edge is not seen, and mostly not built. */
 const PART_OF_EDGE = 1e-3;
 const ZERO_SIZE = 'zero-size-faces';
+
+/**
+ * The error that is nothing to speak of: the tolerance, where one is given for lengths.
+ * @param {Readonly<import("../state.js").State>} state
+ * @param {import("../messages.js").Loaded} model
+ */
+function allowed(state, model) {
+  const inLengths = declared(state, state.measure)?.unit === 'length';
+  return inLengths && state.tolerance !== null ? state.tolerance : PART_OF_EDGE * model.meanEdge;
+}
 
 /** @param {import("../analysis.js").Parts} parts */
 export function watchConditions(parts) {
@@ -40,7 +51,9 @@ export function watchConditions(parts) {
       enabled && weight > 0 ? (numbers.worst[index] ?? 0) : 0,
     );
     const greatest = Math.max(0, ...errors);
-    if (greatest <= PART_OF_EDGE * model.meanEdge) return;
+    const hints = document.getElementById('hint-card');
+    // Whoever is here for the first time reads one thing at a time.
+    if (greatest <= allowed(store.get(), model) || hints?.hidden === false) return;
     const row = scene.constraints[errors.indexOf(greatest)];
     const request = { measure: null, row: row.index, count: 1 };
     const [worst] = await solver.request({ type: 'worst', ...request }).catch(() => []);

@@ -2,7 +2,7 @@
 
 import '../style/lists.css';
 import { element, setText } from '../dom.js';
-import { count, groupDigits } from '../format.js';
+import { count } from '../format.js';
 import { showElements } from './show.js';
 
 const FORMATS = { z: 'z-up', y: 'y-up' };
@@ -136,6 +136,6 @@ function factsOf(model, units, up) {
   return [
     `${model.name}: ${parts.join(', ')}`,
     `Unit: ${units || 'not known'}${guessed(model.guessed.units)} · ${FORMATS[up]}${guessed(model.guessed.up)}`,
-    problems > 0 ? `${groupDigits(problems)} kinds of problems` : 'No problems',
+    problems > 0 ? count(problems, 'kind of problem', 'kinds of problems') : 'No problems',
   ];
 }
