@@ -5,6 +5,7 @@
 
 import { createActions } from './actions.js';
 import { Alerts } from './alerts.js';
+import { analysisRegion } from './analysis.js';
 import { colourFaces } from './colouring.js';
 import { commandTable } from './command-table.js';
 import { bindButtons, bindKeys, bindRunButton, takeEarlyPresses } from './commands.js';
@@ -15,13 +16,13 @@ import { Files } from './files.js';
 import { animateFirstPicture } from './first-picture.js';
 import { toggleFlatMap } from './flat-map.js';
 import { count } from './format.js';
+import { attachLater } from './attach-later.js';
 import { bindHandleKeys } from './handle-keys.js';
 import { buildHelp } from './help.js';
 import { firstHints } from './hints.js';
 import { arrangeForWidth } from './layout.js';
 import { messageOf } from './messages.js';
 import { constraintsPanel } from './panels/constraints.js';
-import { Convergence } from './panels/convergence.js';
 import { displayPanel } from './panels/display.js';
 import { energiesPanel } from './panels/energies.js';
 import { exampleNote } from './panels/example.js';
@@ -70,7 +71,10 @@ const addConstraint = new AddConstraintDialog(byId('add-constraint'), store, sol
 const { refit } = colourFaces(store, solver);
 colourRows(store, solver, actions);
 
-modelPanel(byId('model'), store, actions);
+modelPanel(byId('model'), store, actions, () => {
+  if (byId('inspector-panel').checkVisibility() === false) byId('tab-inspector').click();
+  analysis.show('log');
+});
 exampleNote(byId('example-note'), files, alerts);
 offerExperiment(byId('experiment'), store, solver, alerts);
 constraintsPanel(byId('constraints'), store, solver, actions);
@@ -78,7 +82,10 @@ handlesPanel(byId('handles'), store, actions, solver);
 energiesPanel(byId('energies'), store, actions);
 displayPanel(byId('display'), store);
 legend(byId('legend'), store, viewport, refit);
-new Convergence(byId('convergence'), store, solver);
+const parts = { store, solver, viewport, files, actions, alerts };
+const analysis = analysisRegion(byId('analysis'), parts);
+store.subscribe(['status'], ({ status }) => status && alerts.note(status));
+attachLater(parts);
 statusBar({ status: byId('status'), hint: byId('hint'), numbers: byId('numbers') }, store);
 selectBar(byId('select-bar'), byId('select-menu'), store, actions, selecting, alerts);
 firstHints(byId('hint-card'), store);
@@ -107,6 +114,7 @@ const commands = commandTable({
   solver,
   fileInput,
   help,
+  lesson: () => actions.told(import('./lesson/dialog.js').then(({ write }) => write(parts))),
   flatMap: () => toggleFlatMap({ store, solver, viewport, alerts }),
 });
 bindButtons(commands, store);

@@ -153,6 +153,14 @@ function answer(message) {
       return live().rowColours();
     case 'previews':
       return live().previews(message.places);
+    case 'worst':
+      return message.measure
+        ? live().worstFaces(message.measure, message.count)
+        : live().worstConstraints(message.row ?? 0, message.count);
+    case 'flawed':
+      return live().flawed(message.flaw);
+    case 'results':
+      return live().results(message.student, message.time);
     case 'select':
       return live().select(message.request);
     case 'scene':

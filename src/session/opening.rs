@@ -65,6 +65,7 @@ impl Checked {
     /// When the scene does not fit the mesh, or a row of constraints is empty.
     pub(super) fn new(scene: Scene, mesh: Mesh) -> Result<Checked, Error> {
         scene.validate(&mesh)?;
+        super::lesson::check_lesson(&scene, &mesh)?;
         let topology = Topology::new(&mesh);
         let rows = resolve::rows(&scene, &mesh, &topology)?;
         Ok(Checked { scene, mesh, topology, rows })

@@ -3,6 +3,8 @@
 #[cfg(feature = "solver")]
 pub mod experiment;
 #[cfg(feature = "solver")]
+mod lists;
+#[cfg(feature = "solver")]
 mod measure;
 #[cfg(feature = "solver")]
 mod page_edit;

@@ -195,7 +195,7 @@ impl Solver {
             PageEdit::AddHandles { vertices, fixed } => Edit::AddHandles { vertices, fixed },
             PageEdit::RemoveHandles { vertices } => Edit::RemoveHandles { vertices },
             PageEdit::Reset => Edit::Reset,
-            PageEdit::Other(edit) => edit.into(),
+            PageEdit::Other(edit) => edit.try_into().map_err(|error| thrown_at(&error))?,
         };
         session.edit(edit).map_err(|error| match error {
             Error::Scene(error) => thrown_at(&error),

@@ -1,0 +1,110 @@
+/**
+ * The region of plots and tables: a tab for each. What a tab needs comes when it is first shown.
+ */
+
+import { element } from './dom.js';
+import { messageOf } from './messages.js';
+import { Convergence } from './panels/convergence.js';
+
+/**
+ * @typedef {object} Parts what a tab may use
+ * @property {import("./state.js").Store} store
+ * @property {import("./solver-client.js").SolverClient} solver
+ * @property {import("./viewport.js").Viewport} viewport
+ * @property {import("./files.js").Files} files
+ * @property {import("./actions.js").Actions} actions
+ * @property {import("./alerts.js").Alerts} alerts
+ */
+
+/**
+ * @typedef {object} Tab
+ * @property {string} id
+ * @property {string} label
+ * @property {boolean} [atOnce] made with the page, because it has to see everything from the start
+ * @property {(panel: HTMLElement, parts: Parts) => unknown} make fills its panel; called once
+ */
+
+/** In the order in which they are offered. @type {Tab[]} */
+const TABS = [
+  {
+    id: 'convergence',
+    label: 'Convergence',
+    atOnce: true,
+    make: (panel, { store, solver }) => new Convergence(panel, store, solver),
+  },
+  {
+    id: 'worst',
+    label: 'Worst',
+    make: async (panel, parts) => (await import('./lists/worst.js')).worstElements(panel, parts),
+  },
+  {
+    id: 'log',
+    label: 'Log',
+    make: async (panel, parts) => (await import('./lists/log.js')).logOf(panel, parts),
+  },
+];
+
+/**
+ * @param {HTMLElement} place
+ * @param {Parts} parts
+ * @returns {{ show: (id: string) => void }} brings a tab to the front
+ */
+export function analysisRegion(place, parts) {
+  const list = element('div', { role: 'tablist', 'aria-label': 'Analysis' });
+  const entries = TABS.map((tab) => {
+    const button = element(
+      'button',
+      {
+        type: 'button',
+        role: 'tab',
+        id: `tab-${tab.id}`,
+        'aria-controls': tab.id,
+        onclick: () => show(tab.id),
+      },
+      tab.label,
+    );
+    const panel = element('div', {
+      id: tab.id,
+      role: 'tabpanel',
+      'aria-labelledby': `tab-${tab.id}`,
+    });
+    return { ...tab, button, panel, isMade: false };
+  });
+  list.append(...entries.map(({ button }) => button));
+  place.append(list, ...entries.map(({ panel }) => panel));
+
+  list.addEventListener('keydown', (event) => {
+    const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+    if (!step) return;
+    event.preventDefault();
+    const at = entries.findIndex(({ button }) => button === document.activeElement);
+    const next = entries[(at + step + entries.length) % entries.length];
+    next.button.focus();
+    show(next.id);
+  });
+
+  /** @param {typeof entries[number]} entry */
+  async function fill(entry) {
+    if (entry.isMade) return;
+    entry.isMade = true;
+    try {
+      await entry.make(entry.panel, parts);
+    } catch (error) {
+      entry.isMade = false;
+      parts.alerts.error(messageOf(error));
+    }
+  }
+
+  /** @param {string} id */
+  function show(id) {
+    for (const entry of entries) {
+      const isShown = entry.id === id;
+      entry.panel.hidden = !isShown;
+      entry.button.setAttribute('aria-selected', String(isShown));
+      entry.button.tabIndex = isShown ? 0 : -1;
+      if (isShown || entry.atOnce) fill(entry);
+    }
+  }
+  show(TABS[0].id);
+  return { show };
+}
