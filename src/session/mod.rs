@@ -7,8 +7,10 @@
 //! |---|---|
 //! | `edit` | the edits, and what each one costs |
 //! | `resolve` | rows of constraints: selectors resolved, misfits counted |
+//! | `halves` | an iteration in its two halves |
 //! | `history` | undo and redo |
 //! | `acting` | which row of constraints each face and vertex belongs to |
+//! | `angles` | the angles at the corners of the faces |
 //! | `face_measure` | the numbers per face that hosts colour and list |
 //! | `holding` | how much single vertices are kept close |
 //! | `inspect` | what hosts show of a session: members of constraints |
@@ -21,8 +23,10 @@
 //! | `trace` | the energies of the iterations |
 
 mod acting;
+mod angles;
 mod edit;
 mod face_measure;
+mod halves;
 mod history;
 mod holding;
 mod inspect;
@@ -37,7 +41,8 @@ mod trace;
 
 pub use acting::ActingRows;
 pub use edit::{Edit, NewConstraint, Place};
-pub use face_measure::{FACE_MEASURES, FaceMeasure, MeasureUnit};
+pub use face_measure::{FACE_MEASURES, FaceMeasure, MeasureUnit, Shape};
+pub use halves::{Fits, Half};
 pub use preview::Preview;
 pub use projected::Projections;
 pub use report::{EnergyReport, Report, Seconds, TraceEntry};
@@ -69,6 +74,8 @@ pub struct Session {
     load_seconds: f64,
     history: History,
     gesture: Option<Gesture>,
+    /// See [`Session::halfway`].
+    halfway: bool,
 }
 
 /// A drag or a run that has begun and is not yet a step of undo.
@@ -116,6 +123,7 @@ impl Session {
             load_seconds: 0.0,
             history: History::default(),
             gesture: None,
+            halfway: false,
         })
     }
 
@@ -180,6 +188,7 @@ impl Session {
     /// # Errors
     /// When a position leaves the finite numbers; the shape is then that before the step.
     pub fn step(&mut self) -> Result<Step, Error> {
+        self.halfway = false;
         self.solver.step()?;
         self.iteration += 1;
         let entry = self.trace_entry();
@@ -268,6 +277,7 @@ impl Session {
     /// Counts on from `iteration` after a jump to a state from before or after.
     fn arrive(&mut self, iteration: u32) {
         self.iteration = iteration;
+        self.halfway = false;
         let entry = self.trace_entry();
         if let Some(trace) = &mut self.trace {
             trace.go_to(entry);
@@ -278,6 +288,7 @@ impl Session {
         self.end_run();
         self.end_drag(true);
         self.gesture = Some(Gesture { kind, before: self.snapshot() });
+        self.halfway = false;
     }
 
     /// Seconds that reading the files took, for the report.
