@@ -2,7 +2,7 @@
  * The region of plots and tables: a tab for each. What a tab needs comes when it is first shown.
  */
 
-import { element } from './dom.js';
+import { byId, element } from './dom.js';
 import { messageOf } from './messages.js';
 import { Convergence } from './panels/convergence.js';
 
@@ -32,12 +32,17 @@ const TABS = [
     atOnce: true,
     make: (panel, { store, solver }) => new Convergence(panel, store, solver),
   },
+  {
+    id: 'angles',
+    label: 'Angles',
+    make: async (panel, parts) => (await import('./panels/angles.js')).anglesPanel(panel, parts),
+  },
 ];
 
 /**
  * @param {HTMLElement} place
  * @param {Parts} parts
- * @returns {{ show: (id: string) => void }} brings a tab to the front
+ * @returns {{ bring: (id: string) => void }} brings a tab into sight
  */
 export function analysisRegion(place, parts) {
   const list = element('div', { role: 'tablist', 'aria-label': 'Analysis' });
@@ -96,5 +101,12 @@ export function analysisRegion(place, parts) {
     }
   }
   show(TABS[0].id);
-  return { show };
+  return {
+    bring(id) {
+      show(id);
+      // In a narrow window the panel may be behind another, or closed.
+      if (place.offsetParent === null) byId('tab-inspector').click();
+      place.scrollIntoView({ block: 'nearest' });
+    },
+  };
 }

@@ -27,6 +27,7 @@ import { energiesPanel } from './panels/energies.js';
 import { exampleNote } from './panels/example.js';
 import { Keeping } from './keeping.js';
 import { handlesPanel } from './panels/handles.js';
+import { bindHalfStepButton } from './half-step.js';
 import { stayOffline } from './offline.js';
 import { legend } from './panels/legend.js';
 import { modelPanel } from './panels/model.js';
@@ -40,6 +41,7 @@ import { scriptApi } from './script-api.js';
 import { Selecting } from './selecting.js';
 import { NOTHING } from './selection.js';
 import { SolverClient } from './solver-client.js';
+import { splitInto, toggleSplit } from './split.js';
 import { recentMenu } from './recent-menu.js';
 import { createStore } from './state.js';
 import { followTheme } from './theme.js';
@@ -71,14 +73,18 @@ const { refit } = colourFaces(store, solver);
 colourRows(store, solver, actions);
 
 modelPanel(byId('model'), store, actions);
-exampleNote(byId('example-note'), files, alerts);
 offerExperiment(byId('experiment'), store, solver, alerts);
 constraintsPanel(byId('constraints'), store, solver, actions);
 handlesPanel(byId('handles'), store, actions, solver);
 energiesPanel(byId('energies'), store, actions);
 displayPanel(byId('display'), store);
 legend(byId('legend'), store, viewport, refit);
-analysisRegion(byId('analysis'), { store, solver, viewport, files, actions, alerts });
+const parts = { store, solver, viewport, files, actions, alerts };
+const analysis = analysisRegion(byId('analysis'), parts);
+exampleNote(byId('example-note'), files, alerts, ({ split, plot }) => {
+  if (split) splitInto(parts, split);
+  if (plot) analysis.bring(plot);
+});
 statusBar({ status: byId('status'), hint: byId('hint'), numbers: byId('numbers') }, store);
 selectBar(byId('select-bar'), byId('select-menu'), store, actions, selecting, alerts);
 firstHints(byId('hint-card'), store);
@@ -108,10 +114,12 @@ const commands = commandTable({
   fileInput,
   help,
   flatMap: () => toggleFlatMap({ store, solver, viewport, alerts }),
+  split: () => toggleSplit(parts),
 });
 bindButtons(commands, store);
 bindKeys(commands, store);
 bindRunButton(byId('run'), store);
+bindHalfStepButton(byId('half-step'), store);
 /** @type {Window & { earlyPresses?: string[] }} index.html gathers them */
 const early = window;
 takeEarlyPresses(commands, store, early.earlyPresses ?? []);
@@ -159,14 +167,16 @@ function takeUp(client) {
       document: null,
       numbers: null,
       measureChosen: false,
+      halfway: false,
       flatMap: null,
+      split: null,
       selection: NOTHING,
       dragged: [],
       tint: null,
     }),
   );
   on('document', ({ document }) => store.set({ document }));
-  on('frame', ({ numbers }) => store.set({ numbers }));
+  on('frame', ({ numbers }) => store.set({ numbers, halfway: numbers.halfway }));
   on('activity', ({ running, converged }) => {
     const before = store.get();
     const iterations = count(before.numbers?.iteration ?? 0, 'iteration');

@@ -5,6 +5,8 @@ pub mod experiment;
 #[cfg(feature = "solver")]
 mod measure;
 #[cfg(feature = "solver")]
+mod original;
+#[cfg(feature = "solver")]
 mod page_edit;
 #[cfg(feature = "solver")]
 mod parametrize;
@@ -18,6 +20,8 @@ pub mod solver;
 pub mod view;
 #[cfg(feature = "view")]
 mod view_map;
+#[cfg(feature = "view")]
+mod view_split;
 
 use wasm_bindgen::JsValue;
 

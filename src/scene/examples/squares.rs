@@ -9,7 +9,7 @@ use crate::scene::{Accelerator, Scene, Weights};
 pub(super) const SQUARES: Example = Example {
     id: "fig-04-squares",
     title: "Skew panels become squares",
-    summary: "Go step by step: in each one every panel finds the square that fits it best, and all vertices meet in the middle between their squares.",
+    summary: "Press Local and Global in turn: the local step finds the square that fits each panel best, and in the global step all vertices meet in the middle between their squares.",
     statement: "Corners that are up to 39 cm from the best square of their panel come within 2 mm.",
     ending: "obj",
     make: squares,

@@ -1,0 +1,45 @@
+/** The two halves of an iteration (Fig. 4 of the paper): the words for them, and their one button. */
+
+import { setText } from './dom.js';
+import { groupDigits } from './format.js';
+
+/**
+ * What a half has done, and what comes next.
+ * @param {import("./messages.js").Half} done
+ */
+export function halfStepWords(done) {
+  if (done.half === 'local') {
+    const all = done.fitted.reduce((sum, { count }) => sum + count, 0);
+    const one = done.fitted.length === 1;
+    const kinds = done.fitted.map(
+      ({ label, count }) => `${one ? '' : `${groupDigits(count)} `}${label.toLowerCase()}`,
+    );
+    const fitted = all > 0 ? `${groupDigits(all)} fitted (${kinds.join(', ')})` : 'nothing to fit';
+    return `Local step done: ${fitted}; next: global step`;
+  }
+  const where = done.accelerated ? 'beyond the' : 'to the';
+  const why = done.accelerated ? ', because steps are accelerated' : '';
+  const next = done.converged ? 'converged' : 'next: local step';
+  return `Global step done: moved ${where} least-squares answer${why}; ${next}`;
+}
+
+/** @param {{ halfway: boolean }} state */
+export function halfStepTitle({ halfway }) {
+  return halfway
+    ? 'Global step: move all vertices to the least-squares answer'
+    : 'Local step: fit a shape to each constraint; nothing moves yet';
+}
+
+/**
+ * The button says which half is next.
+ * @param {HTMLElement} button
+ * @param {import("./state.js").Store} store
+ */
+export function bindHalfStepButton(button, store) {
+  const label = button.querySelector('span');
+  const use = button.querySelector('use');
+  store.subscribe(['halfway'], ({ halfway }) => {
+    if (label) setText(label, halfway ? 'Global' : 'Local');
+    use?.setAttribute('href', halfway ? '#icon-global' : '#icon-local');
+  });
+}
