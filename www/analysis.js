@@ -92,20 +92,21 @@ export function analysisRegion(place, parts) {
 
   /** @param {string} id */
   function show(id) {
-    for (const entry of entries) {
-      const isShown = entry.id === id;
-      entry.panel.hidden = !isShown;
-      entry.button.setAttribute('aria-selected', String(isShown));
-      entry.button.tabIndex = isShown ? 0 : -1;
-      if (isShown || entry.atOnce) fill(entry);
+    for (const { id: other, panel, button } of entries) {
+      const isShown = other === id;
+      panel.hidden = !isShown;
+      button.setAttribute('aria-selected', String(isShown));
+      button.tabIndex = isShown ? 0 : -1;
     }
+    return Promise.all(entries.filter((entry) => entry.id === id || entry.atOnce).map(fill));
   }
   show(TABS[0].id);
   return {
-    bring(id) {
-      show(id);
+    async bring(id) {
+      const filled = show(id);
       // In a narrow window the panel may be behind another, or closed.
       if (place.offsetParent === null) byId('tab-inspector').click();
+      await filled;
       place.scrollIntoView({ block: 'nearest' });
     },
   };

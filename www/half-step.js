@@ -1,4 +1,4 @@
-/** The two halves of an iteration (Fig. 4 of the paper): the words for them, and their one button. */
+/** The two halves of an iteration (Fig. 4 of the paper): the words for them, and their button. */
 
 import { setText } from './dom.js';
 import { groupDigits } from './format.js';
@@ -14,7 +14,10 @@ export function halfStepWords(done) {
     const kinds = done.fitted.map(
       ({ label, count }) => `${one ? '' : `${groupDigits(count)} `}${label.toLowerCase()}`,
     );
-    const fitted = all > 0 ? `${groupDigits(all)} fitted (${kinds.join(', ')})` : 'nothing to fit';
+    const fitted =
+      all > 0
+        ? `${groupDigits(all)} ${all === 1 ? 'shape' : 'shapes'} fitted (${kinds.join(', ')})`
+        : 'nothing to fit';
     return `Local step done: ${fitted}; next: global step`;
   }
   const where = done.accelerated ? 'beyond the' : 'to the';
@@ -31,15 +34,17 @@ export function halfStepTitle({ halfway }) {
 }
 
 /**
- * The button says which half is next.
- * @param {HTMLElement} button
+ * Its buttons, in the toolbar and in the menu of a phone, say which half is next.
  * @param {import("./state.js").Store} store
  */
-export function bindHalfStepButton(button, store) {
-  const label = button.querySelector('span');
-  const use = button.querySelector('use');
+export function bindHalfStepButtons(store) {
+  const buttons = [...document.querySelectorAll('[data-command="half-step"]')];
   store.subscribe(['halfway'], ({ halfway }) => {
-    if (label) setText(label, halfway ? 'Global' : 'Local');
-    use?.setAttribute('href', halfway ? '#icon-global' : '#icon-local');
+    for (const button of buttons) {
+      const label = button.querySelector('span');
+      if (label) setText(label, halfway ? 'Global' : 'Local');
+      const use = button.querySelector('use');
+      use?.setAttribute('href', halfway ? '#icon-global' : '#icon-local');
+    }
   });
 }

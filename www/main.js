@@ -27,7 +27,7 @@ import { energiesPanel } from './panels/energies.js';
 import { exampleNote } from './panels/example.js';
 import { Keeping } from './keeping.js';
 import { handlesPanel } from './panels/handles.js';
-import { bindHalfStepButton } from './half-step.js';
+import { bindHalfStepButtons } from './half-step.js';
 import { stayOffline } from './offline.js';
 import { legend } from './panels/legend.js';
 import { modelPanel } from './panels/model.js';
@@ -119,7 +119,7 @@ const commands = commandTable({
 bindButtons(commands, store);
 bindKeys(commands, store);
 bindRunButton(byId('run'), store);
-bindHalfStepButton(byId('half-step'), store);
+bindHalfStepButtons(store);
 /** @type {Window & { earlyPresses?: string[] }} index.html gathers them */
 const early = window;
 takeEarlyPresses(commands, store, early.earlyPresses ?? []);
