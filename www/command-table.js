@@ -1,5 +1,6 @@
 /** The commands of the page: what each is called, its keys, and when there is something to do. */
 
+import { halfStepTitle } from './half-step.js';
 import { selectCommands } from './select-commands.js';
 import { toggleTheme } from './theme.js';
 
@@ -18,6 +19,7 @@ import { toggleTheme } from './theme.js';
  * @property {import("./solver-client.js").SolverClient} solver
  * @property {() => void} lesson opens the dialog that writes one
  * @property {() => void} flatMap shows the flat map, or takes it away
+ * @property {() => void} split shows two pictures, or one again
  * @property {HTMLInputElement} fileInput
  * @property {HTMLDialogElement} help
  */
@@ -45,6 +47,7 @@ export function commandTable(parts) {
     if (pointer.cancel()) return;
     if (addConstraint.isOpen) return addConstraint.close();
     if (store.get().flatMap) return store.set({ flatMap: null });
+    if (store.get().split) return store.set({ split: null });
     alerts.clear();
     actions.selectNothing();
   }
@@ -66,6 +69,15 @@ export function commandTable(parts) {
       keys: ['.'],
       action: actions.step,
       needsModel: true,
+    },
+    {
+      id: 'half-step',
+      group: 'Solver',
+      label: 'Half an iteration: the local step, then the global step',
+      keys: [','],
+      action: actions.halfStep,
+      needsModel: true,
+      title: halfStepTitle,
     },
     {
       id: 'reset',
@@ -212,6 +224,16 @@ export function commandTable(parts) {
       needsModel: true,
       enabled: hasFaces,
       pressed: ({ flatMap }) => flatMap !== null,
+    },
+    {
+      id: 'split',
+      group: 'View',
+      label: 'Split view: original and now, or two measures',
+      keys: ['C'],
+      action: parts.split,
+      needsModel: true,
+      enabled: (state) => hasFaces(state) && hasView(state),
+      pressed: ({ split }) => split !== null,
     },
     {
       id: 'open',

@@ -147,6 +147,16 @@ function answer(message) {
     case 'step':
       pause();
       return step();
+    case 'halfStep':
+      pause();
+      return halfStep();
+    case 'faceValues':
+      if (message.original) return live().originalValues(message.measure);
+      return live().faceValues(message.measure);
+    case 'originalPositions':
+      return live().originalPositions();
+    case 'angles':
+      return live().angles();
     case 'members':
       return live().members(message.constraint);
     case 'rowColours':
@@ -259,6 +269,19 @@ function step() {
   activityDue = true;
   changed();
   return converged;
+}
+
+function halfStep() {
+  const done = live().halfStep();
+  if (done.half === 'global') {
+    settled = done.converged;
+    activityDue = true;
+    changed();
+  } else {
+    unseen = true;
+    sendFrame();
+  }
+  return done;
 }
 
 function pause() {

@@ -23,6 +23,7 @@
  * @property {Numbers | null} numbers
  * @property {boolean} running Run was pressed and the iteration has not converged
  * @property {boolean} converged
+ * @property {boolean} halfway the local step is done, the global step is next
  * @property {"drag" | "select"} tool
  * @property {"box" | "lasso" | "paint"} shape of a drag with the Select tool
  * @property {boolean} through a drag also selects what the surface hides
@@ -39,6 +40,7 @@
  * @property {number | null} tolerance in the unit of the measure
  * @property {{ edges: boolean, vertices: boolean, shapes: boolean, outlines: boolean, arrows: boolean }} display
  * @property {import("./flat-map.js").FlatMap | null} flatMap what is shown beside the model
+ * @property {import("./split.js").Split | null} split two pictures in place of one
  * @property {boolean} dark
  * @property {"webgpu" | "webgl2" | "none" | "starting"} renderer
  * @property {string} saved what became of the autosave, in words
@@ -72,6 +74,7 @@ const INITIAL = {
   numbers: null,
   running: false,
   converged: false,
+  halfway: false,
   tool: 'drag',
   shape: 'box',
   through: false,
@@ -88,6 +91,7 @@ const INITIAL = {
   tolerance: null,
   display: { edges: true, vertices: false, shapes: false, outlines: false, arrows: false },
   flatMap: null,
+  split: null,
   dark: false,
   renderer: 'starting',
   saved: '',

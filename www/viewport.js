@@ -7,6 +7,7 @@
 import { removeFirstPicture } from './first-picture.js';
 import { messageOf } from './messages.js';
 import { modelErrors, showFlatMap } from './flat-map.js';
+import { showSplit } from './split.js';
 
 /** @typedef {import("./pkg/view/shape_up.js").View} View */
 /** @typedef {import("./state.js").State} State */
@@ -210,13 +211,14 @@ export class Viewport extends EventTarget {
     const parts = [
       [['dark'], (view, state) => view.setTheme(state.dark)],
       [['document'], (view, { document }) => document && view.setUp(document.up)],
-      [['display'], showDisplay],
+      [['display', 'halfway'], showDisplay],
       [['document', 'dragged', 'selection', 'model'], showHandles],
       [['selection', 'model'], showSelection],
       [['tint', 'model'], showTint],
       [['rowColours', 'model', 'flatMap'], showRowColours],
       [['measure', 'range', 'flatMap'], (view, state) => this.#showValues(view, state)],
       [['flatMap'], showFlatMap],
+      [['split'], showSplit],
     ];
     for (const [keys, show] of parts) {
       subscribe(keys, (state) => {
@@ -286,9 +288,10 @@ export class Viewport extends EventTarget {
  * @param {View} view
  * @param {State} state
  */
-function showDisplay(view, { display }) {
+function showDisplay(view, { display, halfway }) {
   const { edges, vertices, shapes, outlines, arrows } = display;
-  view.setDisplay(edges, vertices, shapes, outlines, arrows);
+  // What the local step has fitted is seen until the global step takes it over.
+  view.setDisplay(edges, vertices, shapes, outlines || halfway, arrows);
 }
 
 /**

@@ -8,8 +8,10 @@
 //! | `edit` | the edits, and what each one costs |
 //! | `resolve` | rows of constraints: selectors resolved, misfits counted |
 //! | `flaws` | elements that have something wrong |
+//! | `halves` | an iteration in its two halves |
 //! | `history` | undo and redo |
 //! | `acting` | which row of constraints each face and vertex belongs to |
+//! | `angles` | the angles at the corners of the faces |
 //! | `face_measure` | the numbers per face that hosts colour and list |
 //! | `holding` | how much single vertices are kept close |
 //! | `inspect` | what hosts show of a session: members of constraints |
@@ -26,9 +28,11 @@
 //! | `worst` | the elements that are farthest from what is asked of them |
 
 mod acting;
+mod angles;
 mod edit;
 mod face_measure;
 mod flaws;
+mod halves;
 mod history;
 mod holding;
 mod inspect;
@@ -47,8 +51,9 @@ mod worst;
 
 pub use acting::ActingRows;
 pub use edit::{Edit, NewConstraint, Place};
-pub use face_measure::{FACE_MEASURES, FaceMeasure, MeasureUnit};
+pub use face_measure::{FACE_MEASURES, FaceMeasure, MeasureUnit, Shape};
 pub use flaws::{ZERO_SIZE_FACES, flaw_of};
+pub use halves::{Fits, Half};
 pub use lesson::{GoalWords, check_results, goals_in_words};
 pub use preview::Preview;
 pub use projected::Projections;
@@ -82,6 +87,8 @@ pub struct Session {
     load_seconds: f64,
     history: History,
     gesture: Option<Gesture>,
+    /// See [`Session::halfway`].
+    halfway: bool,
 }
 
 /// A drag or a run that has begun and is not yet a step of undo.
@@ -173,6 +180,7 @@ impl Session {
     /// # Errors
     /// When a position leaves the finite numbers; the shape is then that before the step.
     pub fn step(&mut self) -> Result<Step, Error> {
+        self.halfway = false;
         self.solver.step()?;
         self.iteration += 1;
         let entry = self.trace_entry();
@@ -261,6 +269,7 @@ impl Session {
     /// Counts on from `iteration` after a jump to a state from before or after.
     fn arrive(&mut self, iteration: u32) {
         self.iteration = iteration;
+        self.halfway = false;
         let entry = self.trace_entry();
         if let Some(trace) = &mut self.trace {
             trace.go_to(entry);
@@ -271,6 +280,7 @@ impl Session {
         self.end_run();
         self.end_drag(true);
         self.gesture = Some(Gesture { kind, before: self.snapshot() });
+        self.halfway = false;
     }
 
     /// Seconds that reading the files took, for the report.

@@ -3,7 +3,7 @@
 //! which is most of what it takes, until the next one is there.
 
 use super::trace::Trace;
-use super::{Gesture, History, ResolvedRow, Session, flat, resolve, solver};
+use super::{Gesture, History, ResolvedRow, Session, flat, lesson, resolve, solver};
 use crate::error::Error;
 use crate::mesh::{BoundingSphere, Mesh, Point, Topology};
 use crate::scene::Scene;
@@ -65,7 +65,7 @@ impl Checked {
     /// When the scene does not fit the mesh, or a row of constraints is empty.
     pub(super) fn new(scene: Scene, mesh: Mesh) -> Result<Checked, Error> {
         scene.validate(&mesh)?;
-        super::lesson::check_lesson(&scene, &mesh)?;
+        lesson::check_lesson(&scene, &mesh)?;
         let topology = Topology::new(&mesh);
         let rows = resolve::rows(&scene, &mesh, &topology)?;
         Ok(Checked { scene, mesh, topology, rows })
@@ -94,6 +94,7 @@ impl Checked {
             load_seconds: 0.0,
             history: History::default(),
             gesture: None,
+            halfway: false,
         })
     }
 }
@@ -138,6 +139,7 @@ impl Resting {
             load_seconds: self.load_seconds,
             history: self.history,
             gesture: self.gesture,
+            halfway: false,
         })
     }
 }

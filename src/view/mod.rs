@@ -49,6 +49,7 @@ pub mod row_colours;
 pub mod shaders;
 #[cfg(target_arch = "wasm32")]
 pub mod spheres;
+pub mod split;
 pub mod stage;
 pub mod still;
 #[cfg(target_arch = "wasm32")]

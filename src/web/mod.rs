@@ -7,6 +7,8 @@ mod lists;
 #[cfg(feature = "solver")]
 mod measure;
 #[cfg(feature = "solver")]
+mod original;
+#[cfg(feature = "solver")]
 mod page_edit;
 #[cfg(feature = "solver")]
 mod parametrize;
@@ -22,6 +24,8 @@ pub mod view;
 mod view_map;
 #[cfg(feature = "solver")]
 mod warm_up;
+#[cfg(feature = "view")]
+mod view_split;
 
 use wasm_bindgen::JsValue;
 

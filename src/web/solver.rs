@@ -360,12 +360,14 @@ impl Solver {
         Ok(self.open()?.obj())
     }
 
-    /// A table as CSV: `errors` of the faces, or `convergence`, the energies of the iterations.
+    /// A table as CSV: `errors` of the faces, `convergence`, the energies of the iterations, or `angles`
+    /// of the corners of the faces.
     pub fn table(&mut self, what: &str) -> Result<String, JsValue> {
         let session = self.open_mut()?;
         match what {
             "errors" => Ok(session.errors_csv()),
             "convergence" => Ok(session.convergence_csv()),
+            "angles" => Ok(session.angles_csv()),
             _ => Err(thrown(format!("unknown table {what:?}"))),
         }
     }

@@ -54,5 +54,6 @@ export function displayPanel(place, store) {
   store.subscribe(['flatMap'], ({ flatMap }) => (colourRow.hidden = flatMap !== null));
   // Only a surface can be flattened.
   const parametrize = byId('parametrize');
-  store.subscribe(['model'], ({ model }) => (parametrize.hidden = !model?.faces));
+  const split = byId('split-button');
+  store.subscribe(['model'], ({ model }) => (parametrize.hidden = split.hidden = !model?.faces));
 }

@@ -6,6 +6,7 @@
 import { element, setText } from '../dom.js';
 import { groupDigits, number } from '../format.js';
 import { declared, unitOf, valueInWords } from '../measures.js';
+import { drawOutline, outline } from '../outline.js';
 import { BINS } from '../spread.js';
 
 /**
@@ -17,7 +18,8 @@ import { BINS } from '../spread.js';
 export function legend(place, store, viewport, refit) {
   const title = element('span');
   const bars = Array.from({ length: BINS }, () => element('i'));
-  const histogram = element('div', { class: 'histogram', role: 'img' }, ...bars);
+  const before = outline();
+  const histogram = element('div', { class: 'histogram', role: 'img' }, ...bars, before);
   const tick = element('div', { class: 'tick' });
   const ramp = element('div', { class: 'ramp' }, tick);
   const unit = element('span', { class: 'unit' });
@@ -97,10 +99,10 @@ export function legend(place, store, viewport, refit) {
 
   function show() {
     const state = store.get();
-    const { measure, range, spread, document, renderer, model, flatMap } = state;
+    const { measure, range, spread, document, renderer, model, flatMap, split } = state;
     const about = declared(state, measure);
-    // A flat map has colours and a legend of its own.
-    const isShown = about && !flatMap && model?.faces;
+    // A flat map has colours and a legend of its own, and so have two pictures.
+    const isShown = about && !flatMap && !split && model?.faces;
     place.hidden = !isShown || !(renderer === 'webgpu' || renderer === 'webgl2');
     if (!about || place.hidden) return;
     setText(title, about.label);
@@ -135,7 +137,16 @@ export function legend(place, store, viewport, refit) {
     if (state.tolerance !== null) tick.style.left = `${(100 * state.tolerance) / spread.top}%`;
 
     const worst = valueInWords(about, spread.greatest, units);
-    histogram.ariaLabel = `${groupDigits(spread.faces)} faces between 0 and ${worst}`;
+    const was = spread.original && valueInWords(about, spread.original.greatest, units);
+    const compared = was === null ? '' : `; originally up to ${was}`;
+    histogram.ariaLabel = `${groupDigits(spread.faces)} faces between 0 and ${worst}${compared}`;
+    // Each is drawn to its own highest bar: it is how they are spread that is compared.
+    drawOutline(
+      before,
+      spread.original?.counts ?? null,
+      Math.max(...(spread.original?.counts ?? [])),
+    );
+    histogram.title = was === null ? '' : `Outline: the original, up to ${was}`;
     within.title = 'Faces within the tolerance';
     setText(
       within,
@@ -156,6 +167,7 @@ export function legend(place, store, viewport, refit) {
       'model',
       'dark',
       'flatMap',
+      'split',
     ],
     show,
   );
