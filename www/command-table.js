@@ -2,6 +2,7 @@
 
 import { selectCommands } from './select-commands.js';
 import { toggleTheme } from './theme.js';
+import { viewCommands } from './view-commands.js';
 
 /** @typedef {import("./commands.js").Command} Command */
 /** @typedef {import("./state.js").State} State */
@@ -43,6 +44,7 @@ export function commandTable(parts) {
   function escape() {
     if (pointer.cancel()) return;
     if (addConstraint.isOpen) return addConstraint.close();
+    if (store.get().tape) return store.set({ tape: null, status: 'The tape is rolled up' });
     if (store.get().flatMap) return store.set({ flatMap: null });
     alerts.clear();
     actions.selectNothing();
@@ -202,6 +204,7 @@ export function commandTable(parts) {
         store.set({ display: { ...display, edges: !display.edges } });
       },
     },
+    ...viewCommands(parts),
     {
       id: 'parametrize',
       group: 'View',

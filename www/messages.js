@@ -271,7 +271,8 @@
  * @typedef {{ type: "run" }
  *   | { type: "pause" }
  *   | { type: "drag", vertices: Uint32Array, targets: Float64Array, phase: "start" | "move" | "end" | "cancel" }
- *   | { type: "show", measure: Measure | null, shapes: boolean, projections: boolean }
+ *   | { type: "show", measure: Measure | null, shapes: boolean, projections: boolean,
+ *       corners: boolean }
  *   | { type: "recycle", positions: Float64Array }
  *   | { type: "cancelExperiment" }} Command
  */
@@ -286,6 +287,7 @@
  * - `members`: what a constraint acts on. `rowColours`: the colours of all of them. `previews`: what
  *   adding one of each kind at each of some places would make. `select`: what is selected then.
  * - `parametrize`: ends a run. Refused where there is no face, or no area.
+ * - `rest`: the positions of the model that was opened, `#V by 3`.
  * - `scene`, `obj`, `table`: the texts of the files; an `obj` with `uv` (`#V by 2`) has them as texture
  *   coordinates; a `table` has the errors of the faces, or the energies of the iterations, as CSV.
  * - `runExperiment`: starts the experiment of an example, on its files, the scene first; the model that
@@ -300,6 +302,7 @@
  *   | { type: "previews", places: Selector[] }
  *   | { type: "select", request: SelectRequest }
  *   | { type: "scene" }
+ *   | { type: "rest" }
  *   | { type: "parametrize", weights: MapWeights, norm: MapNorm }
  *   | { type: "obj", uv?: Float64Array }
  *   | { type: "table", table: "errors" | "convergence" }
@@ -321,6 +324,7 @@
  * @property {Record<PickMode, Uint32Array>} select
  * @property {Parametrization} parametrize
  * @property {string} scene
+ * @property {Float64Array} rest
  * @property {string} obj
  * @property {string} table
  * @property {null} runExperiment
@@ -345,6 +349,7 @@
  *   during a run: what a dead worker is replaced with.
  * - `frame`: a state of the iteration. `trace` has six numbers per iteration since the last frame:
  *   iteration, shape, close, smooth, handles, total. `values` are those of `measure`, `#F`;
+ *   `corners` those of the vertices, `#V`, whose largest the faces have, where they are of vertices;
  *   `shapes` the fitted shapes, eight numbers each;
  *   `projections` where the constraints would have their vertices.
  * - `activity`: whether the solver runs (Run was pressed and it has not converged); sent after the
@@ -361,8 +366,8 @@
  *   | { type: "document", document: SceneDocument }
  *   | { type: "scene", text: string, iteration: number }
  *   | { type: "frame", numbers: Numbers, trace: Float64Array, positions: Float64Array,
- *       measure: Measure | null, values: Float32Array | null, shapes: Float32Array | null,
- *       projections: Projections | null }
+ *       measure: Measure | null, values: Float32Array | null, corners: Float32Array | null,
+ *       shapes: Float32Array | null, projections: Projections | null }
  *   | { type: "activity", running: boolean, converged: boolean }
  *   | { type: "experiment", news: ExperimentNews[], ended: "done" | "cancelled" | "failed" | null, message: string }
  *   | { type: "trouble", message: string }

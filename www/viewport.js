@@ -10,6 +10,10 @@ import { modelErrors, showFlatMap } from './flat-map.js';
 
 /** @typedef {import("./pkg/view/shape_up.js").View} View */
 /** @typedef {import("./state.js").State} State */
+/**
+ * Words over the picture, in CSS pixels, with a bar below them that is so long.
+ * @typedef {{ text: string, x: number, y: number, align: "center" | "right", bar: number }} Label
+ */
 
 /** A view that is lost this often in a row is given up. */
 const ATTEMPTS = 3;
@@ -26,6 +30,8 @@ export class Viewport extends EventTarget {
   element;
   /** None while it starts, and where nothing can draw. @type {View | null} */
   view = null;
+  /** What the page writes over the picture, for those that are saved. @type {() => Label[]} */
+  labels = () => [];
 
   #store;
   #solver;
@@ -211,6 +217,8 @@ export class Viewport extends EventTarget {
       [['dark'], (view, state) => view.setTheme(state.dark)],
       [['document'], (view, { document }) => document && view.setUp(document.up)],
       [['display'], showDisplay],
+      [['parallel'], (view, { parallel }) => view.setParallel(parallel)],
+      [['tape'], (view, { tape }) => view.setTape(Uint32Array.from(tape ?? []))],
       [['document', 'dragged', 'selection', 'model'], showHandles],
       [['selection', 'model'], showSelection],
       [['tint', 'model'], showTint],
@@ -236,6 +244,8 @@ export class Viewport extends EventTarget {
    */
   #showValues(view, state) {
     const { geometry } = this.#solver;
+    const isCurrent = geometry?.measure === state.measure && !state.flatMap;
+    view.setCornerValues((isCurrent && geometry?.corners) || undefined);
     if (state.flatMap) return view.setFaceValues(...modelErrors(state.flatMap));
     // Right after another choice, the values are still those of the one before.
     const values = geometry && geometry.measure === state.measure ? geometry.values : null;
@@ -276,6 +286,7 @@ export class Viewport extends EventTarget {
       if (!this.view.draw()) return;
       this.#attempts = 0;
       removeFirstPicture();
+      this.dispatchEvent(new Event('drawn'));
     } catch (thrown) {
       this.#lost(messageOf(thrown));
     }
@@ -289,6 +300,8 @@ export class Viewport extends EventTarget {
 function showDisplay(view, { display }) {
   const { edges, vertices, shapes, outlines, arrows } = display;
   view.setDisplay(edges, vertices, shapes, outlines, arrows);
+  view.setSurroundings(display.ghost, display.ground);
+  view.setBands(display.bands);
 }
 
 /**

@@ -11,6 +11,7 @@ use super::projection_lines::ProjectionLines;
 use super::spheres::Spheres;
 use super::stage::{Changes, Stage};
 use super::store::Store;
+use super::surrounding_lines::SurroundingLines;
 use glam::Vec2;
 
 /// All GPU objects of a view.
@@ -27,6 +28,7 @@ pub struct Picture {
     points: Points,
     circles: Circles,
     spheres: Spheres,
+    around: SurroundingLines,
 }
 
 impl Picture {
@@ -42,6 +44,7 @@ impl Picture {
             points: Points::new(gpu, &store, format),
             circles: Circles::new(gpu, &store, format),
             spheres: Spheres::new(gpu, &store, format),
+            around: SurroundingLines::new(gpu, &device.queue, &store),
             store,
             map_store,
             device,
@@ -84,6 +87,7 @@ impl Picture {
         pass.set_bind_group(0, self.store.group(), &[]);
         let display = stage.display;
         self.faces.draw(&mut pass);
+        self.around.draw(&mut pass, &self.lines, &self.store);
         self.lines.draw(&mut pass, display.edges);
         if display.shapes {
             self.spheres.draw(&mut pass);
@@ -109,14 +113,18 @@ impl Picture {
         Ok(true)
     }
 
-    fn update(&mut self, stage: &Stage, size: (u32, u32)) {
+    fn update(&mut self, stage: &mut Stage, size: (u32, u32)) {
         let (device, queue) = (&self.device.device, &self.device.queue);
         let changes = stage.changes;
         self.store.update(device, queue, stage, size);
+        self.around.update(device, queue, stage, size);
         if changes.mesh {
             self.faces.update(device, queue, &stage.subject);
             self.lines.update_mesh(device, queue, &stage.subject);
             self.points.update_mesh(device, queue, stage);
+        }
+        if changes.mesh || changes.looks {
+            self.lines.update_bands(device, queue, stage);
         }
         if changes.mesh || changes.marks {
             self.lines.update_marks(device, queue, stage);

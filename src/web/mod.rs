@@ -11,6 +11,8 @@ mod parametrize;
 #[cfg(feature = "solver")]
 mod report;
 #[cfg(feature = "solver")]
+mod seeing;
+#[cfg(feature = "solver")]
 mod selecting;
 #[cfg(feature = "solver")]
 pub mod solver;
@@ -18,6 +20,8 @@ pub mod solver;
 pub mod view;
 #[cfg(feature = "view")]
 mod view_map;
+#[cfg(feature = "view")]
+mod view_seeing;
 
 use wasm_bindgen::JsValue;
 

@@ -8,6 +8,7 @@ use crate::view::camera::Up;
 use crate::view::colour_map;
 use crate::view::device::{Device, DeviceError};
 use crate::view::flat_map::follow;
+use crate::view::flight::Flight;
 use crate::view::lists::ViewError;
 use crate::view::picture::Picture;
 use crate::view::projections::Projections;
@@ -27,6 +28,8 @@ pub struct View {
     pub(super) stage: Stage,
     /// The stage of the flat map beside the model.
     pub(super) map: Option<Stage>,
+    /// On its way to another view.
+    pub(super) flight: Option<Flight>,
     /// Size of the canvas in CSS pixels.
     pub(super) canvas_size: Vec2,
     pixel_ratio: f32,
@@ -98,6 +101,7 @@ impl View {
         Ok(View {
             stage,
             map: None,
+            flight: None,
             canvas_size,
             pixel_ratio,
             picture,
@@ -370,7 +374,7 @@ impl View {
         self.stage.fit_vertices(vertices).map_err(thrown)
     }
 
-    /// Looks from `top`, `bottom`, `front`, `back`, `left`, `right` or `home`, and fits.
+    /// Looks from `top`, `bottom`, `front`, `back`, `left`, `right`, `isometric` or `home`, and fits.
     ///
     /// # Errors
     /// Any other name.

@@ -6,6 +6,7 @@
 import { element, setText } from '../dom.js';
 import { groupDigits, number } from '../format.js';
 import { declared, unitOf, valueInWords } from '../measures.js';
+import { rampStops } from '../ramp.js';
 import { BINS } from '../spread.js';
 
 /**
@@ -108,7 +109,9 @@ export function legend(place, store, viewport, refit) {
     if (!spread) return;
     const units = document?.units ?? '';
     const written = unitOf(about, spread.top, units);
-    setText(unit, written.unit);
+    const step = viewport.with((view) => view.bandStep());
+    const steps = step && `steps of ${Number((step * written.factor).toPrecision(3))} `;
+    setText(unit, `${steps ?? ''}${written.unit}`);
     const fine = fineUnit();
     setText(toleranceUnit, fine.unit);
     for (const [input, value, factor] of /** @type {const} */ ([
@@ -120,10 +123,9 @@ export function legend(place, store, viewport, refit) {
       input.value = value === null ? '' : number(value * factor);
     }
 
-    const stops = viewport.with((view) => view.colourStops(BINS)) ?? [];
     const [from, to] = range.map((value) => value / spread.top);
-    const spaced = stops.map(
-      (stop, i) => `${stop} ${100 * (from + ((to - from) * i) / (stops.length - 1))}%`,
+    const spaced = rampStops(viewport).map(
+      ([at, colour]) => `${colour} ${100 * (from + (to - from) * at)}%`,
     );
     ramp.style.background = `linear-gradient(to right, ${spaced.join(', ')})`;
     const most = Math.max(...spread.counts, 1);
@@ -156,6 +158,7 @@ export function legend(place, store, viewport, refit) {
       'model',
       'dark',
       'flatMap',
+      'display',
     ],
     show,
   );

@@ -25,7 +25,7 @@ fn corner_of_line(
     out.ends = vec4f(quad.start, quad.end);
     out.colour = stroke.colour;
     out.half_width = half_width;
-    if kind == 0u {
+    if kind == 0u || kind == GHOST {
         // Where panels are only a few pixels wide, their edges fade instead of filling everything.
         let length_on_screen = distance(quad.start, quad.end) / ratio;
         out.colour.a *= clamp(length_on_screen / 7.0, 0.12, 1.0);
@@ -37,6 +37,8 @@ fn line_colour(in: Corner) -> vec4f {
     let coverage = stroke_coverage(in.at, in.ends.xy, in.ends.zw, in.half_width);
     return vec4f(in.colour.rgb, in.colour.a * coverage);
 }
+
+const GHOST: u32 = 7u;
 
 @fragment
 fn in_front(in: Corner) -> @location(0) vec4f {

@@ -1,0 +1,49 @@
+/** The menu of the views, projection and what is drawn about the model. Loaded when it is opened. */
+
+import './style/seeing.css';
+import { element } from './dom.js';
+import { VIEWS } from './view-commands.js';
+import { keyName } from './commands.js';
+
+/**
+ * @param {HTMLElement} menu
+ * @param {import("./commands.js").Command[]} commands
+ * @param {import("./state.js").Store} store
+ */
+export function buildViewMenu(menu, commands, store) {
+  const button = (/** @type {string} */ id, /** @type {string} */ label, closes = false) => {
+    const command = commands.find((known) => known.id === id);
+    if (!command) throw new Error(`no command is called ${id}`);
+    const made = element(
+      'button',
+      {
+        type: 'button',
+        class: id,
+        title: command.keys.map(keyName).join(', '),
+        onclick: () => {
+          command.action();
+          if (closes) menu.hidePopover();
+        },
+      },
+      label,
+    );
+    const [key] = command.keys;
+    if (closes || command.pressed) made.append(element('kbd', {}, key ? keyName(key) : ''));
+    const { pressed } = command;
+    if (pressed)
+      store.subscribe(['parallel', 'display', 'tape'], (state) =>
+        made.setAttribute('aria-pressed', `${pressed(state)}`),
+      );
+    return made;
+  };
+  const views = VIEWS.map(([name]) =>
+    button(`view-${name}`, name[0].toUpperCase() + name.slice(1)),
+  );
+  menu.replaceChildren(
+    element('div', { class: 'view-cross', role: 'group', 'aria-label': 'Look from' }, ...views),
+    button('parallel', 'Parallel projection'),
+    button('ghost', 'Ghost of the original'),
+    button('ground', 'Ground grid'),
+    button('tape', 'Measure a distance', true),
+  );
+}
