@@ -2,7 +2,6 @@
 
 import { groupDigits } from './format.js';
 import { declared, valueInWords } from './measures.js';
-import { rampStops } from './ramp.js';
 
 /** More pixels than this are too many for common graphics cards, with their samples and depths. */
 const MOST_PIXELS = 36e6;
@@ -36,7 +35,7 @@ export async function pictureOf(viewport, state, { scale, legend, white }) {
   });
   if (!drawn) throw new Error('The picture could not be drawn: try a smaller one.');
   if (legend && state.model?.faces) {
-    drawLegend(context, state, rampStops(viewport), size, white);
+    drawLegend(context, state, viewport.rampStops(), size, white);
   }
   drawLabels(context, viewport.labels(), size.scale, state.dark && !white);
   const blob = await new Promise((done) => canvas.toBlob(done, 'image/png'));

@@ -5,7 +5,7 @@
 
 import './style/seeing.css';
 import { element, setText } from './dom.js';
-import { length } from './format.js';
+import { lengthUnit } from './format.js';
 import { Tape } from './tape.js';
 
 const FLIGHT_MS = 320;
@@ -99,11 +99,11 @@ export class Seeing {
     if (!view || !document || flatMap) return { text: '', pixels: 0 };
     const step = view.gridStep();
     if (!parallel) {
-      const text = step === undefined ? '' : `Grid ${length(step, document.units)}`;
+      const text = step === undefined ? '' : `Grid ${roundLength(step, document.units)}`;
       return { text, pixels: 0 };
     }
     const [long, pixels] = view.scaleBar(BAR);
-    return { text: length(long, document.units), pixels };
+    return { text: roundLength(long, document.units), pixels };
   }
 
   #show() {
@@ -122,4 +122,14 @@ export class Seeing {
     const box = this.#viewport.element.getBoundingClientRect();
     return [{ text, x: box.width - 14, y: box.height - 14, align: 'right', bar: pixels }];
   }
+}
+
+/**
+ * A round length with its unit: 5 m, not 5.00 m.
+ * @param {number} value
+ * @param {string} units of the mesh
+ */
+function roundLength(value, units) {
+  const { unit, factor } = lengthUnit(value, units);
+  return `${Number((value * factor).toPrecision(3))} ${unit}`.trim();
 }

@@ -7,7 +7,7 @@ import { placeMenu } from './layout.js';
 import { messageOf } from './messages.js';
 
 /** Name, as the view knows it, and a key of the number pad for some; the others are Shift + digit. */
-export const VIEWS = [
+const VIEWS = [
   ['top', 'Numpad7'],
   ['front', 'Numpad1'],
   ['right', 'Numpad3'],

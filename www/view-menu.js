@@ -2,7 +2,6 @@
 
 import './style/seeing.css';
 import { element } from './dom.js';
-import { VIEWS } from './view-commands.js';
 import { keyName } from './commands.js';
 
 /**
@@ -28,7 +27,7 @@ export function buildViewMenu(menu, commands, store) {
       label,
     );
     const [key] = command.keys;
-    if (closes || command.pressed) made.append(element('kbd', {}, key ? keyName(key) : ''));
+    if (command.pressed && key) made.append(element('kbd', {}, keyName(key)));
     const { pressed } = command;
     if (pressed)
       store.subscribe(['parallel', 'display', 'tape'], (state) =>
@@ -36,9 +35,8 @@ export function buildViewMenu(menu, commands, store) {
       );
     return made;
   };
-  const views = VIEWS.map(([name]) =>
-    button(`view-${name}`, name[0].toUpperCase() + name.slice(1)),
-  );
+  const sides = commands.flatMap(({ id }) => /^view-(.*)/.exec(id)?.slice(1) ?? []);
+  const views = sides.map((name) => button(`view-${name}`, name[0].toUpperCase() + name.slice(1)));
   menu.replaceChildren(
     element('div', { class: 'view-cross', role: 'group', 'aria-label': 'Look from' }, ...views),
     button('parallel', 'Parallel projection'),

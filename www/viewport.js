@@ -89,6 +89,25 @@ export class Viewport extends EventTarget {
   }
 
   /**
+   * The colours of the range as a legend paints them, with their places in it from 0 to 1: gradual, or
+   * in bands with hard limits.
+   * @returns {[number, string][]}
+   */
+  rampStops() {
+    const stops = this.with((view) => {
+      const colours = view.rampColours();
+      const limits = view.bandLimits();
+      const ends = [0, ...limits, 1];
+      return colours.flatMap((colour, i) =>
+        (limits.length > 0 ? [ends[i], ends[i + 1]] : [i / (colours.length - 1)]).map(
+          (at) => /** @type {[number, string]} */ ([at, colour]),
+        ),
+      );
+    });
+    return stops ?? [];
+  }
+
+  /**
    * Draws one picture of another size, in the proportions and the framing of the one that is shown,
    * and gives the canvas to `take`, which must read it at once. The shown one is drawn again then.
    * @param {{ width: number, height: number, scale: number }} size in pixels; `scale` of them are a CSS pixel

@@ -59,7 +59,7 @@ const TINT_STRENGTH: f32 = 0.55;
 
 fn extend_stroke(numbers: &mut Vec<f32>, stroke: &Stroke, pieces: u32) {
     numbers.extend(stroke.colour);
-    numbers.extend([stroke.width, pieces as f32, stroke.casing, 0.0]);
+    numbers.extend([stroke.width, pieces as f32, stroke.casing, stroke.hidden]);
 }
 
 #[cfg(test)]

@@ -110,9 +110,14 @@ impl Lines {
         draw(pass, &self.in_front, &self.curves);
     }
 
-    /// Draws lines between other points: dim where the surface hides them, then those in sight.
-    pub fn draw_others(&self, pass: &mut wgpu::RenderPass<'_>, lines: &VertexBuffer) {
-        draw(pass, &self.behind, lines);
+    /// Draws lines between other points: those in sight, and the first `through` of them dim where
+    /// the surface hides them.
+    pub fn draw_others(&self, pass: &mut wgpu::RenderPass<'_>, lines: &VertexBuffer, through: u32) {
+        if through > 0 {
+            pass.set_pipeline(&self.behind);
+            pass.set_vertex_buffer(0, lines.slice());
+            pass.draw(0..6, 0..through);
+        }
         draw(pass, &self.in_front, lines);
     }
 

@@ -13,6 +13,8 @@ pub struct Stroke {
     /// Width of the casing on each side, whose colour is `colour`; the line has a colour of its own
     /// then.
     pub casing: f32,
+    /// Of its opacity, what is left where the surface hides it.
+    pub hidden: f32,
 }
 
 /// How a dot is drawn.
@@ -124,13 +126,20 @@ const TAPE: Colour = [0.80, 0.09, 0.36, 1.0];
 const WHITE: Colour = [1.0, 1.0, 1.0, 1.0];
 const INK: Colour = [0.06, 0.08, 0.11, 1.0];
 
+/// Most lines are dim where they are hidden.
+const HIDDEN: f32 = 0.38;
+
 const fn stroke(colour: Colour, width: f32) -> Stroke {
-    Stroke { colour, width, casing: 0.0 }
+    Stroke { colour, width, casing: 0.0, hidden: HIDDEN }
+}
+
+const fn seen_through(hidden: f32, colour: Colour, width: f32) -> Stroke {
+    Stroke { colour, width, casing: 0.0, hidden }
 }
 
 /// A line in the colour of a row of constraints.
 const fn cased(width: f32) -> Stroke {
-    Stroke { colour: [1.0, 1.0, 1.0, 0.7], width, casing: 0.8 }
+    Stroke { colour: [1.0, 1.0, 1.0, 0.7], width, casing: 0.8, hidden: HIDDEN }
 }
 
 const fn dot(fill: Colour, rim: Colour, radius: f32, rim_width: f32) -> Dot {
@@ -152,10 +161,10 @@ pub const LIGHT: Palette = Palette {
         cased(1.4),
         cased(1.5),
         stroke(ORANGE, 3.4),
-        stroke([0.58, 0.20, 0.62, 0.62], 1.2),
+        seen_through(0.26, [0.00, 0.50, 0.50, 0.80], 1.2),
         stroke([0.36, 0.41, 0.46, 0.34], 1.0),
-        stroke(TAPE, 2.2),
-        stroke([0.05, 0.06, 0.09, 0.9], 2.2),
+        seen_through(0.75, TAPE, 2.2),
+        stroke([0.05, 0.06, 0.09, 0.85], 1.8),
     ],
     edge_of_values: [1.0, 1.0, 1.0, 0.40],
     check: [0.20, 0.26, 0.36, 0.94],
@@ -191,10 +200,10 @@ pub const DARK: Palette = Palette {
         cased(1.4),
         cased(1.5),
         stroke([1.0, 0.60, 0.15, 1.0], 3.4),
-        stroke([0.88, 0.56, 0.95, 0.66], 1.2),
+        seen_through(0.26, [0.38, 0.86, 0.82, 0.72], 1.2),
         stroke([0.62, 0.68, 0.74, 0.30], 1.0),
-        stroke([1.0, 0.42, 0.62, 1.0], 2.2),
-        stroke([0.02, 0.02, 0.03, 0.95], 2.2),
+        seen_through(0.75, [1.0, 0.42, 0.62, 1.0], 2.2),
+        stroke([0.02, 0.02, 0.03, 0.9], 1.8),
     ],
     edge_of_values: [1.0, 1.0, 1.0, 0.34],
     check: [0.125, 0.145, 0.185, 0.95],

@@ -15,6 +15,7 @@ impl View {
     /// Parallel projection, or perspective.
     #[wasm_bindgen(js_name = setParallel)]
     pub fn set_parallel(&mut self, parallel: bool) {
+        self.arrive();
         self.stage.set_parallel(parallel);
     }
 
@@ -42,6 +43,11 @@ impl View {
         }
         self.stage.view_changed();
         goes_on
+    }
+
+    /// Ends a flight where it leads.
+    pub(super) fn arrive(&mut self) {
+        self.fly(1.0);
     }
 
     /// Takes the positions of the mesh as it was opened, #V by 3: the ghost, the ground and the tape go

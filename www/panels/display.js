@@ -41,7 +41,7 @@ export function displayPanel(place, store) {
       toggle('shapes', 'Fitted shapes'),
       toggle('outlines', 'Projected shapes'),
       toggle('arrows', 'Residual arrows'),
-      toggle('ghost', 'Ghost of the original'),
+      toggle('ghost', 'Original ghost'),
       toggle('ground', 'Ground grid'),
       toggle('bands', 'Colours in bands'),
     ),

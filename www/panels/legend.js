@@ -6,7 +6,6 @@
 import { element, setText } from '../dom.js';
 import { groupDigits, number } from '../format.js';
 import { declared, unitOf, valueInWords } from '../measures.js';
-import { rampStops } from '../ramp.js';
 import { BINS } from '../spread.js';
 
 /**
@@ -124,9 +123,9 @@ export function legend(place, store, viewport, refit) {
     }
 
     const [from, to] = range.map((value) => value / spread.top);
-    const spaced = rampStops(viewport).map(
-      ([at, colour]) => `${colour} ${100 * (from + (to - from) * at)}%`,
-    );
+    const spaced = viewport
+      .rampStops()
+      .map(([at, colour]) => `${colour} ${100 * (from + (to - from) * at)}%`);
     ramp.style.background = `linear-gradient(to right, ${spaced.join(', ')})`;
     const most = Math.max(...spread.counts, 1);
     // A single face among thousands is the one that is looked for: it has to be seen.

@@ -3,7 +3,8 @@
 
 struct Stroke {
     colour: vec4f,
-    // Width in CSS pixels; for circles the number of pieces; width of the casing; nothing.
+    // Width in CSS pixels; for circles the number of pieces; width of the casing; what is left of the
+    // opacity where the surface hides it.
     size: vec4f,
 }
 
