@@ -40,7 +40,7 @@ export function buildViewMenu(menu, commands, store) {
   menu.replaceChildren(
     element('div', { class: 'view-cross', role: 'group', 'aria-label': 'Look from' }, ...views),
     button('parallel', 'Parallel projection'),
-    button('ghost', 'Ghost of the original'),
+    button('ghost', 'Original ghost'),
     button('ground', 'Ground grid'),
     button('tape', 'Measure a distance', true),
   );
