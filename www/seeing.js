@@ -1,12 +1,14 @@
 /**
  * Ways of seeing beside the plain picture: flights to views, the shape that was opened for its ghost
- * and the ground, the scale, and the measuring tape. Loaded when one of them is first used.
+ * and the ground, the scale, the measuring tape, and the menu of all that. Loaded when one of them is first used.
  */
 
 import './style/seeing.css';
 import { element, setText } from './dom.js';
 import { lengthUnit } from './format.js';
 import { Tape } from './tape.js';
+
+export { buildViewMenu } from './view-menu.js';
 
 const FLIGHT_MS = 320;
 /** The scale bar is at most so many CSS pixels long. */

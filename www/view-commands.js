@@ -17,13 +17,15 @@ const VIEWS = [
   ['isometric', 'Numpad0'],
 ];
 
+const load = () => import('./seeing.js');
+
 /**
  * @param {Pick<import("./command-table.js").Parts, "store" | "solver" | "viewport" | "alerts">} parts
  * @returns {import("./commands.js").Command[]}
  */
 export function viewCommands(parts) {
   const { store, alerts } = parts;
-  const see = async () => (await import('./seeing.js')).Seeing.of(parts);
+  const see = async () => (await load()).Seeing.of(parts);
   const told = (/** @type {Promise<unknown>} */ promise) =>
     promise.catch((error) => alerts.error(messageOf(error)));
   const enabled = (/** @type {import("./state.js").State} */ { renderer }) => renderer !== 'none';
@@ -89,8 +91,7 @@ export function viewCommands(parts) {
 export function bindViewMenu(menu, button, commands, store) {
   placeMenu(menu, () => button);
   const build = async () => {
-    const { buildViewMenu } = await import('./view-menu.js');
-    buildViewMenu(menu, commands, store);
+    (await load()).buildViewMenu(menu, commands, store);
     // It has its size only now.
     menu.hidePopover();
     menu.showPopover();

@@ -1,6 +1,5 @@
-/** The menu of the views, projection and what is drawn about the model. Loaded when it is opened. */
+/** The menu of the views, projection and what is drawn about the model. */
 
-import './style/seeing.css';
 import { element } from './dom.js';
 import { keyName } from './commands.js';
 

@@ -74,7 +74,6 @@ export function statusBar(places, store) {
       'selection',
       'dragged',
       'renderer',
-      'tape',
     ],
     (state) => setText(places.hint, hintOf(state)),
   );
@@ -88,7 +87,6 @@ function hintOf(state) {
   const { model, document, tool, shape, mode, running, converged, selection, dragged, renderer } =
     state;
   if (!model || !document) return '';
-  if (state.tape) return 'Click two vertices to measure between them · Esc ends';
   if (dragged.length > 0) return 'Release to leave it there · Esc puts it back';
   if (document.constraints.length === 0)
     return 'Add a constraint to say what shape its parts should take';
