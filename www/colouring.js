@@ -37,7 +37,8 @@ export function colourFaces(store, solver) {
   solver.addEventListener('frame', takeIn);
   store.subscribe(['measure', 'display', 'halfway'], ({ measure, display, halfway }) => {
     const projections = display.outlines || display.arrows || halfway;
-    solver.tell({ type: 'show', measure, shapes: display.shapes, projections });
+    const { shapes, bands } = display;
+    solver.tell({ type: 'show', measure, shapes, projections, corners: bands });
   });
   store.subscribe(['measure'], () => {
     fresh = true;

@@ -3,6 +3,7 @@
 import { halfStepTitle } from './half-step.js';
 import { selectCommands } from './select-commands.js';
 import { toggleTheme } from './theme.js';
+import { viewCommands } from './view-commands.js';
 
 /** @typedef {import("./commands.js").Command} Command */
 /** @typedef {import("./state.js").State} State */
@@ -46,6 +47,7 @@ export function commandTable(parts) {
   function escape() {
     if (pointer.cancel()) return;
     if (addConstraint.isOpen) return addConstraint.close();
+    if (store.get().tape) return store.set({ tape: null, status: 'The tape is rolled up' });
     if (store.get().flatMap) return store.set({ flatMap: null });
     if (store.get().split) return store.set({ split: null });
     alerts.clear();
@@ -215,6 +217,7 @@ export function commandTable(parts) {
         store.set({ display: { ...display, edges: !display.edges } });
       },
     },
+    ...viewCommands(parts),
     {
       id: 'parametrize',
       group: 'View',

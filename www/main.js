@@ -47,6 +47,7 @@ import { recentMenu } from './recent-menu.js';
 import { createStore } from './state.js';
 import { followTheme } from './theme.js';
 import { frameChips } from './units.js';
+import { bindViewMenu } from './view-commands.js';
 import { bindViewKeys } from './view-keys.js';
 import { Viewport } from './viewport.js';
 
@@ -132,6 +133,7 @@ const early = window;
 takeEarlyPresses(commands, store, early.earlyPresses ?? []);
 delete early.earlyPresses;
 buildHelp(help, commands);
+bindViewMenu(byId('view-menu'), byId('view-menu-button'), commands, store);
 selecting.bindKeys(commands, help);
 
 viewport.addEventListener('none', (event) => {
@@ -180,6 +182,7 @@ function takeUp(client) {
       selection: NOTHING,
       dragged: [],
       tint: null,
+      tape: null,
     }),
   );
   on('document', ({ document }) => store.set({ document }));

@@ -302,7 +302,8 @@
  * @typedef {{ type: "run" }
  *   | { type: "pause" }
  *   | { type: "drag", vertices: Uint32Array, targets: Float64Array, phase: "start" | "move" | "end" | "cancel" }
- *   | { type: "show", measure: Measure | null, shapes: boolean, projections: boolean }
+ *   | { type: "show", measure: Measure | null, shapes: boolean, projections: boolean,
+ *       corners: boolean }
  *   | { type: "recycle", positions: Float64Array }
  *   | { type: "cancelExperiment" }} Command
  */
@@ -321,6 +322,7 @@
  * - `faceValues`: of a measure, of the current shape or the original. `originalPositions`: where the
  *   vertices of the original are. `angles`: of the corners of the faces.
  * - `parametrize`: ends a run. Refused where there is no face, or no area.
+ * - `rest`: the positions of the model that was opened, `#V by 3`.
  * - `scene`, `obj`, `table`: the texts of the files; an `obj` with `uv` (`#V by 2`) has them as texture
  *   coordinates; a `table` has the errors of the faces, the energies of the iterations, or the angles of the
  *   corners, as CSV.
@@ -343,6 +345,7 @@
  *   | { type: "flawed", flaw: string }
  *   | { type: "results", student: string, time: string }
  *   | { type: "scene" }
+ *   | { type: "rest" }
  *   | { type: "parametrize", weights: MapWeights, norm: MapNorm }
  *   | { type: "obj", uv?: Float64Array }
  *   | { type: "table", table: "errors" | "convergence" | "angles" }
@@ -371,6 +374,7 @@
  * @property {string} results
  * @property {Parametrization} parametrize
  * @property {string} scene
+ * @property {Float64Array} rest
  * @property {string} obj
  * @property {string} table
  * @property {null} runExperiment
@@ -402,6 +406,7 @@
  *   during a run: what a dead worker is replaced with.
  * - `frame`: a state of the iteration. `trace` has six numbers per iteration since the last frame:
  *   iteration, shape, close, smooth, handles, total. `values` are those of `measure`, `#F`;
+ *   `corners` those of the vertices, `#V`, whose largest the faces have, where they are of vertices;
  *   `shapes` the fitted shapes, eight numbers each;
  *   `projections` where the constraints would have their vertices.
  * - `activity`: whether the solver runs (Run was pressed and it has not converged); sent after the
@@ -418,8 +423,8 @@
  *   | { type: "document", document: SceneDocument }
  *   | { type: "scene", text: string, iteration: number }
  *   | { type: "frame", numbers: Numbers, trace: Float64Array, positions: Float64Array,
- *       measure: Measure | null, values: Float32Array | null, shapes: Float32Array | null,
- *       projections: Projections | null }
+ *       measure: Measure | null, values: Float32Array | null, corners: Float32Array | null,
+ *       shapes: Float32Array | null, projections: Projections | null }
  *   | { type: "activity", running: boolean, converged: boolean }
  *   | { type: "experiment", news: ExperimentNews[], ended: "done" | "cancelled" | "failed" | null, message: string }
  *   | { type: "trouble", message: string }

@@ -34,6 +34,7 @@ let positionsLength = 0;
 let measure = null;
 let showShapes = false;
 let showProjections = false;
+let showCorners = false;
 let sceneSentAt = 0;
 let sliceQueued = false;
 /** Whether it runs has changed; told after the frame that belongs to it. */
@@ -109,6 +110,7 @@ function command(message) {
       measure = message.measure;
       showShapes = message.shapes;
       showProjections = message.projections;
+      showCorners = message.corners;
       unseen = loaded;
       return sendFrame();
     case 'run':
@@ -175,6 +177,8 @@ function answer(message) {
       return live().select(message.request);
     case 'scene':
       return live().scene();
+    case 'rest':
+      return live().restPositions();
     case 'obj':
       return message.uv ? live().objWithUv(message.uv) : live().obj();
     case 'parametrize':
@@ -389,18 +393,23 @@ function sendFrame() {
   live().writePositions(positions);
   const now = numbers();
   const values = measure ? live().faceValues(measure) : null;
+  const corners = (measure && showCorners && live().cornerValues(measure)) || null;
   const shapes = showShapes ? live().fitted() : null;
   const told = Float64Array.from(trace);
   trace = [];
   /** @type {Transferable[]} */
   const transfer = [positions.buffer, told.buffer];
   if (values) transfer.push(values.buffer);
+  if (corners) transfer.push(corners.buffer);
   if (shapes) transfer.push(shapes.buffer);
   /** @type {import("./messages.js").Projections | null} */
   const projections = showProjections ? live().projections() : null;
   if (projections) transfer.push(...Object.values(projections).map((array) => array.buffer));
   post(
-    { type: 'frame', numbers: now, trace: told, positions, measure, values, shapes, projections },
+    {
+      ...{ type: 'frame', numbers: now, trace: told, positions },
+      ...{ measure, values, corners, shapes, projections },
+    },
     transfer,
   );
   unseen = false;

@@ -38,7 +38,10 @@
  * @property {[number, number]} range of the colours, in the unit of the measure
  * @property {import("./spread.js").Spread | null} spread of the values of the faces
  * @property {number | null} tolerance in the unit of the measure
- * @property {{ edges: boolean, vertices: boolean, shapes: boolean, outlines: boolean, arrows: boolean }} display
+ * @property {{ edges: boolean, vertices: boolean, shapes: boolean, outlines: boolean, arrows: boolean,
+ *   ghost: boolean, ground: boolean, bands: boolean }} display
+ * @property {boolean} parallel projection, instead of perspective
+ * @property {number[] | null} tape the ends of the measuring tape that are chosen, while there is one
  * @property {import("./flat-map.js").FlatMap | null} flatMap what is shown beside the model
  * @property {import("./split.js").Split | null} split two pictures in place of one
  * @property {boolean} dark
@@ -89,7 +92,18 @@ const INITIAL = {
   range: [0, 0],
   spread: null,
   tolerance: null,
-  display: { edges: true, vertices: false, shapes: false, outlines: false, arrows: false },
+  display: {
+    edges: true,
+    vertices: false,
+    shapes: false,
+    outlines: false,
+    arrows: false,
+    ghost: false,
+    ground: false,
+    bands: false,
+  },
+  parallel: false,
+  tape: null,
   flatMap: null,
   split: null,
   dark: false,

@@ -187,6 +187,16 @@ impl Session {
         Some((measure.values)(self, shape))
     }
 
+    /// The values of the vertices (`#V`) whose largest a face has in the measure `id`, where they change
+    /// gradually over the surface: distances to what the model was. `None` for every other measure.
+    pub fn corner_values(&self, id: &str) -> Option<Vec<f64>> {
+        match id {
+            "surface" => Some(off_surface(self, Shape::Now)),
+            "displacement" => Some(moved(self, Shape::Now)),
+            _ => None,
+        }
+    }
+
     /// Per face the largest of what its vertices have.
     fn worst_corner(&self, value: impl Fn(usize) -> f64) -> Vec<f64> {
         let worst = |face: &[u32]| face.iter().map(|&v| value(v as usize)).fold(0.0, f64::max);
@@ -272,19 +282,30 @@ fn angles(session: &mut Session, shape: Shape) -> Vec<f64> {
 }
 
 fn surface_distances(session: &mut Session, shape: Shape) -> Vec<f64> {
+    let distances = off_surface(session, shape);
+    session.worst_corner(|v| distances[v])
+}
+
+/// Per vertex, its distance to the surface of the model that was opened.
+fn off_surface(session: &Session, shape: Shape) -> Vec<f64> {
     let original = Surface::new(&session.mesh.positions, &session.mesh);
     let mut warm = Surface::COLD;
     // Neighbours in the file are mostly neighbours in space.
     let distance =
         |p: &Point| (Vec3::from(original.closest(*p, &mut warm)) - Vec3::from(*p)).length();
-    let distances: Vec<f64> = session.positions_of(shape).iter().map(distance).collect();
-    session.worst_corner(|v| distances[v])
+    session.positions_of(shape).iter().map(distance).collect()
 }
 
 fn displacements(session: &mut Session, shape: Shape) -> Vec<f64> {
+    let moved = moved(session, shape);
+    session.worst_corner(|v| moved[v])
+}
+
+/// Per vertex, how far it is from where it was in the model that was opened.
+fn moved(session: &Session, shape: Shape) -> Vec<f64> {
     let positions = session.positions_of(shape);
-    let rest = &session.mesh.positions;
-    session.worst_corner(|v| (Vec3::from(positions[v]) - Vec3::from(rest[v])).length())
+    let pairs = positions.iter().zip(&session.mesh.positions);
+    pairs.map(|(&now, &rest)| (Vec3::from(now) - Vec3::from(rest)).length()).collect()
 }
 
 fn sides(face: &[u32]) -> impl Iterator<Item = [u32; 2]> + '_ {
@@ -336,6 +357,19 @@ mod tests {
         near(value("surface"), 0.02);
         near(value("edges"), 0.02);
         assert!(value("angles") < 0.05);
+    }
+
+    #[test]
+    fn values_of_corners_are_what_their_faces_have_the_largest_of() {
+        let mut session = lifted();
+        for measure in FACE_MEASURES {
+            let Some(corners) = session.corner_values(measure.id) else { continue };
+            let faces = session.face_values(measure.id).expect("it is declared");
+            assert_eq!(corners.len(), 4);
+            assert_eq!(corners.into_iter().fold(0.0, f64::max), faces[0]);
+        }
+        assert!(session.corner_values("displacement").is_some());
+        assert!(session.corner_values("planarity").is_none());
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! Draws edges, polylines, selected edges, outlines of flipped faces, and the lines from handles to their
 //! targets: `shaders/lines.wgsl`.
 
+use super::bands::{Seam, seams};
 use super::palette::LineKind;
 use super::pipeline::{Layer, Recipe, VertexBuffer, build};
 use super::shaders::LINES;
@@ -21,6 +22,9 @@ pub struct Lines {
     pulls: VertexBuffer,
     selected: VertexBuffer,
     flipped: VertexBuffer,
+    bands: VertexBuffer,
+    /// Where two faces of the mesh meet.
+    seams: Vec<Seam>,
 }
 
 impl Lines {
@@ -47,6 +51,8 @@ impl Lines {
             pulls: VertexBuffer::new(device),
             selected: VertexBuffer::new(device),
             flipped: VertexBuffer::new(device),
+            bands: VertexBuffer::new(device),
+            seams: Vec::new(),
         }
     }
 
@@ -59,12 +65,30 @@ impl Lines {
             .flat_map(|curve| curve.windows(2).map(|ends| line(ends[0], ends[1], LineKind::Curve)))
             .collect();
         self.curves.write(device, queue, &curves);
+        self.seams = seams(&subject.faces);
     }
 
-    /// Takes the selected edges.
+    /// Takes the edges between faces in different bands.
+    pub fn update_bands(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, stage: &Stage) {
+        let looks = &stage.looks;
+        let seams = self.seams.iter().filter(|_| looks.bands().is_some());
+        let parting = seams.filter(|seam| {
+            let [a, b] = seam.faces.map(|face| looks.band_of(face));
+            a.is_some() && b.is_some() && a != b
+        });
+        let lines: Vec<[u32; 3]> =
+            parting.map(|seam| line(seam.ends[0], seam.ends[1], LineKind::Band)).collect();
+        self.bands.write(device, queue, &lines);
+    }
+
+    /// Takes the selected edges and the measuring tape.
     pub fn update_marks(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, stage: &Stage) {
         let edges = stage.looks.selected_edges.iter();
-        let selected: Vec<[u32; 3]> = edges.map(|&[a, b]| line(a, b, LineKind::Selected)).collect();
+        let mut selected: Vec<[u32; 3]> =
+            edges.map(|&[a, b]| line(a, b, LineKind::Selected)).collect();
+        if let &[from, to] = &stage.tape[..] {
+            selected.push(line(from, to, LineKind::Tape));
+        }
         self.selected.write(device, queue, &selected);
     }
 
@@ -87,11 +111,12 @@ impl Lines {
         self.pulls.write(device, queue, &pulls);
     }
 
-    /// Draws edges, if wanted, and curves.
+    /// Draws edges, if wanted, what parts bands, and curves.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, edges: bool) {
         if edges {
             draw(pass, &self.in_front, &self.edges);
         }
+        draw(pass, &self.in_front, &self.bands);
         draw(pass, &self.in_front, &self.curves);
     }
 
@@ -101,6 +126,18 @@ impl Lines {
     }
 
     /// Draws selected edges: dim where the surface hides them, then those in sight.
+    /// Draws lines between other points: those in sight, and the first `through` of them dim where
+    /// the surface hides them.
+    pub fn draw_others(&self, pass: &mut wgpu::RenderPass<'_>, lines: &VertexBuffer, through: u32) {
+        if through > 0 {
+            pass.set_pipeline(&self.behind);
+            pass.set_vertex_buffer(0, lines.slice());
+            pass.draw(0..6, 0..through);
+        }
+        draw(pass, &self.in_front, lines);
+    }
+
+    /// Draws selected edges and the tape: dim where the surface hides them, then those in sight.
     pub fn draw_marks(&self, pass: &mut wgpu::RenderPass<'_>) {
         draw(pass, &self.behind, &self.selected);
         draw(pass, &self.in_front, &self.selected);

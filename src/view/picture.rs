@@ -12,6 +12,7 @@ use super::spheres::Spheres;
 use super::split::Split;
 use super::stage::{Changes, Stage};
 use super::store::Store;
+use super::surrounding_lines::SurroundingLines;
 use glam::Vec2;
 
 /// All GPU objects of a view.
@@ -30,6 +31,7 @@ pub struct Picture {
     points: Points,
     circles: Circles,
     spheres: Spheres,
+    around: SurroundingLines,
 }
 
 impl Picture {
@@ -45,6 +47,7 @@ impl Picture {
             points: Points::new(gpu, &store, format),
             circles: Circles::new(gpu, &store, format),
             spheres: Spheres::new(gpu, &store, format),
+            around: SurroundingLines::new(gpu, &device.queue, &store),
             store,
             map_store,
             side_stores: None,
@@ -131,6 +134,7 @@ impl Picture {
         pass.set_bind_group(0, store.group(), &[]);
         let display = stage.display;
         self.faces.draw(pass);
+        self.around.draw(pass, &self.lines, store);
         self.lines.draw(pass, display.edges);
         if display.shapes && !is_original {
             self.spheres.draw(pass);
@@ -170,14 +174,18 @@ impl Picture {
         [(left, split.sides[0].is_original), (right, split.sides[1].is_original)]
     }
 
-    fn update(&mut self, stage: &Stage, size: (u32, u32)) {
+    fn update(&mut self, stage: &mut Stage, size: (u32, u32)) {
         let (device, queue) = (&self.device.device, &self.device.queue);
         let changes = stage.changes;
         self.store.update(device, queue, stage, size);
+        self.around.update(device, queue, stage, size);
         if changes.mesh {
             self.faces.update(device, queue, &stage.subject);
             self.lines.update_mesh(device, queue, &stage.subject);
             self.points.update_mesh(device, queue, stage);
+        }
+        if changes.mesh || changes.looks {
+            self.lines.update_bands(device, queue, stage);
         }
         if changes.mesh || changes.marks {
             self.lines.update_marks(device, queue, stage);

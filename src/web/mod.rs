@@ -15,6 +15,8 @@ mod parametrize;
 #[cfg(feature = "solver")]
 mod report;
 #[cfg(feature = "solver")]
+mod seeing;
+#[cfg(feature = "solver")]
 mod selecting;
 #[cfg(feature = "solver")]
 pub mod solver;
@@ -22,10 +24,12 @@ pub mod solver;
 pub mod view;
 #[cfg(feature = "view")]
 mod view_map;
-#[cfg(feature = "solver")]
-mod warm_up;
+#[cfg(feature = "view")]
+mod view_seeing;
 #[cfg(feature = "view")]
 mod view_split;
+#[cfg(feature = "solver")]
+mod warm_up;
 
 use wasm_bindgen::JsValue;
 

@@ -8,6 +8,7 @@ use crate::view::camera::Up;
 use crate::view::colour_map;
 use crate::view::device::{Device, DeviceError};
 use crate::view::flat_map::follow;
+use crate::view::flight::Flight;
 use crate::view::lists::ViewError;
 use crate::view::picture::Picture;
 use crate::view::projections::Projections;
@@ -30,6 +31,8 @@ pub struct View {
     pub(super) map: Option<Stage>,
     /// Two pictures instead of one.
     pub(super) split: Option<Split>,
+    /// On its way to another view.
+    pub(super) flight: Option<Flight>,
     /// Size of the canvas in CSS pixels.
     pub(super) canvas_size: Vec2,
     pixel_ratio: f32,
@@ -102,6 +105,7 @@ impl View {
             stage,
             map: None,
             split: None,
+            flight: None,
             canvas_size,
             pixel_ratio,
             picture,
@@ -376,7 +380,7 @@ impl View {
         self.stage.fit_vertices(vertices).map_err(thrown)
     }
 
-    /// Looks from `top`, `bottom`, `front`, `back`, `left`, `right` or `home`, and fits.
+    /// Looks from `top`, `bottom`, `front`, `back`, `left`, `right`, `isometric` or `home`, and fits.
     ///
     /// # Errors
     /// Any other name.

@@ -111,6 +111,7 @@ impl View {
 
     /// Gives the model and its map their parts of the canvas.
     pub(super) fn arrange(&mut self) {
+        self.arrive();
         let whole = Region::whole(self.canvas_size);
         let [model, map] = match &self.map {
             Some(_) => Region::halves(self.canvas_size),

@@ -41,6 +41,9 @@ export function displayPanel(place, store) {
       toggle('shapes', 'Fitted shapes'),
       toggle('outlines', 'Projected shapes'),
       toggle('arrows', 'Residual arrows'),
+      toggle('ghost', 'Original ghost'),
+      toggle('ground', 'Ground grid'),
+      toggle('bands', 'Colours in bands'),
     ),
   );
   store.subscribe(['measure', 'measures'], ({ measure, measures }) => {

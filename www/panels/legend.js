@@ -110,7 +110,9 @@ export function legend(place, store, viewport, refit) {
     if (!spread) return;
     const units = document?.units ?? '';
     const written = unitOf(about, spread.top, units);
-    setText(unit, written.unit);
+    const step = viewport.with((view) => view.bandStep());
+    const steps = step && `steps of ${Number((step * written.factor).toPrecision(3))} `;
+    setText(unit, `${steps ?? ''}${written.unit}`);
     const fine = fineUnit();
     setText(toleranceUnit, fine.unit);
     for (const [input, value, factor] of /** @type {const} */ ([
@@ -122,11 +124,10 @@ export function legend(place, store, viewport, refit) {
       input.value = value === null ? '' : number(value * factor);
     }
 
-    const stops = viewport.with((view) => view.colourStops(BINS)) ?? [];
     const [from, to] = range.map((value) => value / spread.top);
-    const spaced = stops.map(
-      (stop, i) => `${stop} ${100 * (from + ((to - from) * i) / (stops.length - 1))}%`,
-    );
+    const spaced = viewport
+      .rampStops()
+      .map(([at, colour]) => `${colour} ${100 * (from + (to - from) * at)}%`);
     ramp.style.background = `linear-gradient(to right, ${spaced.join(', ')})`;
     const most = Math.max(...spread.counts, 1);
     // A single face among thousands is the one that is looked for: it has to be seen.
@@ -168,6 +169,7 @@ export function legend(place, store, viewport, refit) {
       'dark',
       'flatMap',
       'split',
+      'display',
     ],
     show,
   );
