@@ -24,7 +24,12 @@ pub mod device;
 pub mod faces;
 pub mod flat_map;
 pub mod framing;
+pub mod gizmo;
+#[cfg(target_arch = "wasm32")]
+pub mod gizmo_marks;
+pub mod gizmo_shape;
 pub mod globals;
+pub mod grip;
 pub mod light;
 #[cfg(target_arch = "wasm32")]
 pub mod lines;

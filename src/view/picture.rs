@@ -5,6 +5,7 @@ use super::circles::Circles;
 use super::device::{Device, DeviceError};
 use super::faces::Faces;
 use super::flat_map::Region;
+use super::gizmo_marks::GizmoMarks;
 use super::lines::Lines;
 use super::points::Points;
 use super::projection_lines::ProjectionLines;
@@ -27,6 +28,7 @@ pub struct Picture {
     points: Points,
     circles: Circles,
     spheres: Spheres,
+    gizmo: GizmoMarks,
 }
 
 impl Picture {
@@ -42,6 +44,7 @@ impl Picture {
             points: Points::new(gpu, &store, format),
             circles: Circles::new(gpu, &store, format),
             spheres: Spheres::new(gpu, &store, format),
+            gizmo: GizmoMarks::new(gpu, &store, format),
             store,
             map_store,
             device,
@@ -96,6 +99,7 @@ impl Picture {
         self.lines.draw_marks(&mut pass);
         self.lines.draw_pulls(&mut pass);
         self.points.draw_marks(&mut pass);
+        self.gizmo.draw(&mut pass);
         if let Some([_, part]) = parts {
             confine(&mut pass, part);
             pass.set_bind_group(0, self.map_store.group(), &[]);
@@ -113,6 +117,7 @@ impl Picture {
         let (device, queue) = (&self.device.device, &self.device.queue);
         let changes = stage.changes;
         self.store.update(device, queue, stage, size);
+        self.gizmo.update(device, queue, stage);
         if changes.mesh {
             self.faces.update(device, queue, &stage.subject);
             self.lines.update_mesh(device, queue, &stage.subject);
