@@ -26,6 +26,7 @@ import { displayPanel } from './panels/display.js';
 import { energiesPanel } from './panels/energies.js';
 import { exampleNote } from './panels/example.js';
 import { Keeping } from './keeping.js';
+import { showMoved } from './moved-value.js';
 import { handlesPanel } from './panels/handles.js';
 import { stayOffline } from './offline.js';
 import { legend } from './panels/legend.js';
@@ -61,11 +62,13 @@ const region = new RegionSelection(store, viewport);
 const selecting = new Selecting(store, solver, actions);
 const pointer = new PointerInput(store, solver, viewport, region, {
   addHandles: (vertices) => actions.addHandles(vertices, false),
+  chosenHandles: actions.chosenHandles,
   fitAll: () => viewport.with((view) => view.fit()),
   doubleClick: (...what) => selecting.doubleClick(...what),
 });
 bindHandleKeys(viewport, store, solver, actions);
 bindViewKeys(viewport);
+showMoved(viewport, store);
 const addConstraint = new AddConstraintDialog(byId('add-constraint'), store, solver, actions);
 const { refit } = colourFaces(store, solver);
 colourRows(store, solver, actions);
@@ -162,11 +165,14 @@ function takeUp(client) {
       flatMap: null,
       selection: NOTHING,
       dragged: [],
+      dragMs: 0,
       tint: null,
     }),
   );
   on('document', ({ document }) => store.set({ document }));
-  on('frame', ({ numbers }) => store.set({ numbers }));
+  on('frame', ({ numbers, answers }) =>
+    store.set({ numbers, ...(answers && { dragMs: performance.now() - answers[0] }) }),
+  );
   on('activity', ({ running, converged }) => {
     const before = store.get();
     const iterations = count(before.numbers?.iteration ?? 0, 'iteration');

@@ -30,6 +30,9 @@
  * @property {Mode} mode what a click selects
  * @property {Selection} selection
  * @property {number[]} dragged handles under the pointer
+ * @property {{ way: string, by: number[] } | null} moved how far they are dragged, in units of the mesh
+ * @property {string | undefined} gizmoPart axis or plane of the gizmo under the pointer
+ * @property {number} dragMs from the pointer to new positions, of the last move
  * @property {Tint | null} tint members of the constraint that is pointed at
  * @property {import("./messages.js").RowColours | null} rowColours of what constraints act on
  * @property {Measure | null} measure what the faces are coloured by
@@ -37,7 +40,7 @@
  * @property {[number, number]} range of the colours, in the unit of the measure
  * @property {import("./spread.js").Spread | null} spread of the values of the faces
  * @property {number | null} tolerance in the unit of the measure
- * @property {{ edges: boolean, vertices: boolean, shapes: boolean, outlines: boolean, arrows: boolean }} display
+ * @property {{ edges: boolean, vertices: boolean, shapes: boolean, outlines: boolean, arrows: boolean, gizmo: boolean }} display
  * @property {import("./flat-map.js").FlatMap | null} flatMap what is shown beside the model
  * @property {boolean} dark
  * @property {"webgpu" | "webgl2" | "none" | "starting"} renderer
@@ -79,6 +82,9 @@ const INITIAL = {
   mode: 'vertices',
   selection: { vertices: new Set(), edges: new Set(), faces: new Set() },
   dragged: [],
+  moved: null,
+  gizmoPart: undefined,
+  dragMs: 0,
   tint: null,
   rowColours: null,
   measure: null,
@@ -86,7 +92,7 @@ const INITIAL = {
   range: [0, 0],
   spread: null,
   tolerance: null,
-  display: { edges: true, vertices: false, shapes: false, outlines: false, arrows: false },
+  display: { edges: true, vertices: false, shapes: false, outlines: false, arrows: false, gizmo: true },
   flatMap: null,
   dark: false,
   renderer: 'starting',

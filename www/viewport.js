@@ -14,6 +14,7 @@ import { modelErrors, showFlatMap } from './flat-map.js';
 /** A view that is lost this often in a row is given up. */
 const ATTEMPTS = 3;
 const NONE = new Uint32Array(0);
+const FINGERS = matchMedia('(pointer: coarse)');
 const NO_COLOURS = {
   faces: new Uint8Array(0),
   vertices: new Uint8Array(0),
@@ -82,6 +83,11 @@ export class Viewport extends EventTarget {
     return action(this.view);
   }
 
+  /** How far what the view holds goes with the pointer. @type {import("./handle-drag.js").Hold} */
+  heldWay = (way, dx, dy) => this.view?.heldWay(way, dx, dy);
+  /** Where what the view holds is seen once it has gone so far. @param {number[]} by */
+  heldPlace = (by) => this.view?.heldPlace(by[0], by[1], by[2]);
+
   /**
    * Draws one picture of another size, in the proportions and the framing of the one that is shown,
    * and gives the canvas to `take`, which must read it at once. The shown one is drawn again then.
@@ -101,6 +107,7 @@ export class Viewport extends EventTarget {
     try {
       view.resize(width, height, scale);
       if (white) view.setTheme(false);
+      view.setGizmo(false, false);
       view.setWhite(white);
       const drawn = view.draw();
       if (drawn) take(canvas);
@@ -112,6 +119,7 @@ export class Viewport extends EventTarget {
       if (this.view === view) {
         view.setWhite(false);
         view.setTheme(dark);
+        showDisplay(view, this.#store.get());
         view.resize(shownWidth, shownHeight, shownWidth / this.#size[0]);
         this.ask();
       }
@@ -212,6 +220,7 @@ export class Viewport extends EventTarget {
       [['document'], (view, { document }) => document && view.setUp(document.up)],
       [['display'], showDisplay],
       [['document', 'dragged', 'selection', 'model'], showHandles],
+      [['gizmoPart', 'dragged'], (view, state) => view.lightGizmo(state.gizmoPart, state.dragged.length > 0)],
       [['selection', 'model'], showSelection],
       [['tint', 'model'], showTint],
       [['rowColours', 'model', 'flatMap'], showRowColours],
@@ -289,6 +298,7 @@ export class Viewport extends EventTarget {
 function showDisplay(view, { display }) {
   const { edges, vertices, shapes, outlines, arrows } = display;
   view.setDisplay(edges, vertices, shapes, outlines, arrows);
+  view.setGizmo(display.gizmo, FINGERS.matches);
 }
 
 /**

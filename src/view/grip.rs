@@ -100,6 +100,11 @@ impl Grip {
         (depth(self.held + way) > 0.0 && way.length() < limit).then_some(way)
     }
 
+    /// Where what is held is seen when it has gone so far, CSS pixels.
+    pub fn place(&self, by: Vec3) -> Vec2 {
+        self.eye.project(self.held + by).0
+    }
+
     fn on_screen(&self, to: Vec2) -> Vec3 {
         let (_, depth) = self.eye.project(self.held);
         self.eye.across(to - self.from, depth)

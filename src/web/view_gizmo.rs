@@ -3,7 +3,7 @@
 use super::thrown;
 use super::view::View;
 use crate::view::grip::Way;
-use glam::Vec2;
+use glam::{DVec3, Vec2};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
@@ -74,6 +74,13 @@ impl View {
     pub fn held_way(&self, way: &str, dx: f32, dy: f32) -> Result<Option<Vec<f64>>, JsValue> {
         let found = self.stage.held_way(self.way(way)?, Vec2::new(dx, dy));
         Ok(found.map(|by| by.as_dvec3().to_array().to_vec()))
+    }
+
+    /// Where what is held is seen on the canvas when it has gone so far; nothing while nothing is held.
+    #[wasm_bindgen(js_name = heldPlace)]
+    pub fn held_place(&self, x: f64, y: f64, z: f64) -> Option<Vec<f64>> {
+        let place = self.stage.gizmo.grip?.place(DVec3::new(x, y, z).as_vec3());
+        Some(vec![f64::from(place.x), f64::from(place.y)])
     }
 
     fn way(&self, name: &str) -> Result<Way, JsValue> {

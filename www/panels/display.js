@@ -41,6 +41,7 @@ export function displayPanel(place, store) {
       toggle('shapes', 'Fitted shapes'),
       toggle('outlines', 'Projected shapes'),
       toggle('arrows', 'Residual arrows'),
+      toggle('gizmo', 'Gizmo'),
     ),
   );
   store.subscribe(['measure', 'measures'], ({ measure, measures }) => {

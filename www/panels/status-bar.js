@@ -20,6 +20,7 @@ export function statusBar(places, store) {
     ['energy', 'energy', 'wide narrow-hidden'],
     ['worst', 'worst panel', ''],
     ['step', '', 'narrow-hidden'],
+    ['drag', 'drag', 'narrow-hidden'],
     ['units', '', 'wide narrow-hidden'],
     ['saved', '', 'wide narrow-hidden'],
     ['renderer', '', 'wide narrow-hidden'],
@@ -60,6 +61,12 @@ export function statusBar(places, store) {
   store.subscribe(['document', 'model'], ({ document, model }) => {
     if (document && model) set('units', `${document.units || 'no unit'} · ${document.up}-up`);
   });
+  const showDrag = throttled(NUMBERS_EVERY_MS, () => {
+    const { dragMs } = store.get();
+    set('drag', dragMs > 0 ? duration(dragMs) : '');
+    cells.get('drag').row.title = 'From the pointer to new positions';
+  });
+  store.subscribe(['dragMs'], showDrag);
   store.subscribe(['saved'], ({ saved }) => set('saved', saved));
   store.subscribe(['renderer'], ({ renderer }) => set('renderer', RENDERERS[renderer]));
   store.subscribe(
