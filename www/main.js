@@ -63,6 +63,12 @@ const selecting = new Selecting(store, solver, actions);
 const pointer = new PointerInput(store, solver, viewport, region, {
   addHandles: (vertices) => actions.addHandles(vertices, false),
   chosenHandles: actions.chosenHandles,
+  showMenu: (at) =>
+    actions.told(
+      import('./context-menu.js').then(({ showContextMenu }) =>
+        showContextMenu(at, { store, viewport, actions, selecting, commands }),
+      ),
+    ),
   fitAll: () => viewport.with((view) => view.fit()),
   doubleClick: (...what) => selecting.doubleClick(...what),
 });

@@ -24,7 +24,9 @@ const NEAR = { mouse: 12, pen: 14, touch: 24 };
 /** So near, a handle goes before the part of the gizmo that lies over it. */
 const ON_HANDLE = 9;
 /** A press that moves less is a click. */
-const CLICK_SLOP = 4;
+const CLICK_SLOP = { mouse: 4, pen: 6, touch: 10 };
+/** A finger that rests so long asks for the menu, in milliseconds. */
+const LONG_PRESS_MS = 500;
 /** Wheel delta, in pixels, that zooms by e; and of a pinch, which comes as a wheel with Ctrl. */
 const WHEEL_PIXELS = 700;
 const PINCH_PIXELS = 100;
@@ -50,6 +52,8 @@ export class PointerInput {
   #handle;
   /** The part of the gizmo that was pressed. @type {string | undefined} */
   #part;
+  /** The timer of a long press. */
+  #resting = 0;
   /** @type {Gesture | null} */
   #gesture = null;
 
@@ -59,6 +63,7 @@ export class PointerInput {
    * @param {import("./viewport.js").Viewport} viewport
    * @param {import("./region-selection.js").RegionSelection} region
    * @param {{ addHandles: (vertices: number[]) => Promise<void>, fitAll: () => void, chosenHandles: () => number[],
+   *   showMenu: (at: [number, number]) => void,
    *   doubleClick: (mode: import("./state.js").Mode, item: number, event: MouseEvent) => void }} commands
    */
   constructor(store, solver, viewport, region, commands) {
@@ -78,6 +83,7 @@ export class PointerInput {
     listen('dblclick', (event) => this.#doubleClick(event));
     listen('wheel', (event) => this.#wheel(event), { passive: false });
     listen('contextmenu', (event) => event.preventDefault());
+    listen('keydown', (event) => this.#menuKey(event));
     window.addEventListener('keydown', (event) => this.#lockAxis(event), { capture: true });
     store.subscribe(['tool'], ({ tool }) => (this.#element.dataset.tool = tool));
   }
@@ -116,14 +122,40 @@ export class PointerInput {
       event.preventDefault();
       this.#become({ kind: 'pan' });
     } else if (event.button === 2) {
-      this.#become({ kind: event.shiftKey ? 'pan' : 'orbit' });
+      this.#aim(event, at);
+      this.#become({ kind: 'press' });
     } else if (event.button === 0) {
       this.#aim(event, at);
       if (event.altKey && this.#handle === undefined) return void this.#makeHandle(event, at);
       const paints = this.#handle === undefined && this.#region.paints;
       this.#become({ kind: paints ? 'region' : 'press' });
       if (paints) this.#region.begin(at, combineOf(event));
+      else if (event.pointerType === 'touch')
+        this.#resting = window.setTimeout(() => this.#askForMenu(event, at), LONG_PRESS_MS);
     }
+  }
+
+  /**
+   * Shows the menu of what is there; that belongs to the selection then.
+   * @param {PointerEvent} event
+   * @param {[number, number]} at
+   */
+  #askForMenu(event, at) {
+    const { mode, selection } = this.#store.get();
+    const what = this.#handle === undefined ? mode : 'vertices';
+    const item = this.#handle ?? this.#pick(mode, event, at);
+    if (item !== undefined && !selection[what].has(item))
+      this.#store.set({ selection: select(selection, what, [item], 'replace') });
+    this.#become({ kind: 'spent' });
+    this.#commands.showMenu([event.clientX, event.clientY]);
+  }
+
+  /** @param {KeyboardEvent} event */
+  #menuKey(event) {
+    if (event.key !== 'ContextMenu' && !(event.key === 'F10' && event.shiftKey)) return;
+    event.preventDefault();
+    const { left, top, width, height } = this.#element.getBoundingClientRect();
+    this.#commands.showMenu([left + width / 2, top + height / 2]);
   }
 
   /**
@@ -206,8 +238,9 @@ export class PointerInput {
     this.#down.set(event.pointerId, at);
     if (this.#gesture?.kind === 'press') {
       const moved = Math.hypot(at[0] - this.#start[0], at[1] - this.#start[1]);
-      if (moved < CLICK_SLOP) return;
-      this.#begin();
+      if (moved < slop(event)) return;
+      if (event.buttons === 2) this.#become({ kind: event.shiftKey ? 'pan' : 'orbit' });
+      else this.#begin();
     }
     const [dx, dy] = [at[0] - last[0], at[1] - last[1]];
     switch (this.#gesture?.kind) {
@@ -256,7 +289,8 @@ export class PointerInput {
         this.#tellMade([], 'end');
         break;
       case 'press':
-        this.#click(event, at);
+        if (event.button === 2) this.#askForMenu(event, at);
+        else this.#click(event, at);
         break;
       case 'region':
         this.#region.end(at, combineOf(event));
@@ -365,6 +399,7 @@ export class PointerInput {
 
   /** @param {Gesture | null} gesture */
   #become(gesture) {
+    if (gesture?.kind !== 'press') clearTimeout(this.#resting);
     this.#gesture = gesture;
     this.#element.dataset.gesture = gesture?.kind ?? '';
     if (gesture && gesture.kind !== 'region') this.#region.hide();
@@ -382,8 +417,18 @@ function planeOf(event) {
 
 /** @param {MouseEvent} event */
 function near(event) {
+  return NEAR[typeOf(event)] ?? NEAR.mouse;
+}
+
+/** @param {MouseEvent} event */
+function slop(event) {
+  return CLICK_SLOP[typeOf(event)] ?? CLICK_SLOP.mouse;
+}
+
+/** @param {MouseEvent} event */
+function typeOf(event) {
   const type = event instanceof PointerEvent ? event.pointerType : 'mouse';
-  return NEAR[/** @type {keyof typeof NEAR} */ (type)] ?? NEAR.mouse;
+  return /** @type {keyof typeof NEAR} */ (type);
 }
 
 /**

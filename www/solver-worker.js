@@ -370,10 +370,21 @@ function sendFrame() {
   /** @type {import("./messages.js").Projections | null} */
   const projections = showProjections ? live().projections() : null;
   if (projections) transfer.push(...Object.values(projections).map((array) => array.buffer));
-  const answers = move ? null : answering && [answering.time, performance.now() - answering.came];
+  /** @type {[number, number] | null} */
+  const answers = answering && !move ? [answering.time, performance.now() - answering.came] : null;
   if (answers) answering = null;
   post(
-    { type: 'frame', numbers: now, trace: told, positions, measure, values, shapes, projections, answers },
+    {
+      type: 'frame',
+      numbers: now,
+      trace: told,
+      positions,
+      measure,
+      values,
+      shapes,
+      projections,
+      answers,
+    },
     transfer,
   );
   unseen = false;

@@ -220,7 +220,10 @@ export class Viewport extends EventTarget {
       [['document'], (view, { document }) => document && view.setUp(document.up)],
       [['display'], showDisplay],
       [['document', 'dragged', 'selection', 'model'], showHandles],
-      [['gizmoPart', 'dragged'], (view, state) => view.lightGizmo(state.gizmoPart, state.dragged.length > 0)],
+      [
+        ['gizmoPart', 'dragged'],
+        (view, state) => view.lightGizmo(state.gizmoPart, state.dragged.length > 0),
+      ],
       [['selection', 'model'], showSelection],
       [['tint', 'model'], showTint],
       [['rowColours', 'model', 'flatMap'], showRowColours],

@@ -97,6 +97,8 @@ function hintOf(state) {
   if (dragged.length > 0) return 'Release to leave it there · Esc puts it back';
   if (document.constraints.length === 0)
     return 'Add a constraint to say what shape its parts should take';
+  if (document.handles.some(({ vertex }) => selection.vertices.has(vertex)))
+    return 'Drag the handle, an arrow or a square · Enter moves it by arrow keys';
   if (sizeOfSelection(selection) > 0) {
     return 'H makes handles of the selection · Add constraint can use it · Esc selects nothing';
   }
