@@ -84,7 +84,7 @@ export class PointerInput {
     listen('wheel', (event) => this.#wheel(event), { passive: false });
     listen('contextmenu', (event) => event.preventDefault());
     listen('keydown', (event) => this.#menuKey(event));
-    window.addEventListener('keydown', (event) => this.#lockAxis(event), { capture: true });
+    window.addEventListener('keydown', (event) => this.#keyWhileDown(event), { capture: true });
     store.subscribe(['tool'], ({ tool }) => (this.#element.dataset.tool = tool));
   }
 
@@ -215,13 +215,17 @@ export class PointerInput {
     this.#gesture.drag.move(dx, dy, event.timeStamp);
   }
 
-  /** X, Y and Z keep a dragged handle on a line along that axis, and let it go again. @param {KeyboardEvent} event */
-  #lockAxis(event) {
+  /**
+   * X, Y and Z keep a dragged handle on a line along that axis, and let it go again. Escape takes the
+   * gesture back, whatever else is held down.
+   * @param {KeyboardEvent} event
+   */
+  #keyWhileDown(event) {
     const axis = ['x', 'y', 'z'].indexOf(event.key.toLowerCase());
-    if (axis < 0 || this.#gesture?.kind !== 'handle') return;
+    if (axis >= 0 && this.#gesture?.kind === 'handle') this.#gesture.drag.toggleAxis(axis);
+    else if (event.key !== 'Escape' || !this.cancel()) return;
     event.preventDefault();
     event.stopPropagation();
-    this.#gesture.drag.toggleAxis(axis);
   }
 
   /** A second finger turns what the first one began into pan and zoom; a dragged handle goes on. */

@@ -63,6 +63,11 @@ export function scriptApi(store, solver, viewport, files) {
       };
     },
 
+    /** Resolves when the solver has answered all that it was told so far. */
+    async settled() {
+      await solver.request({ type: 'scene' });
+    },
+
     /** The scene as JSON (an object), as of the last edit or the end of the last run. */
     scene() {
       return solver.sceneText === null ? null : JSON.parse(solver.sceneText);

@@ -299,7 +299,8 @@ function slice() {
       move = null;
       settled = false;
     }
-    const until = performance.now() + SLICE_MS;
+    // Who drags waits for the answer.
+    const until = performance.now() + SLICE_MS / (answering ? 2 : 1);
     while (iterating() && performance.now() < until) {
       settled = live().step();
       unseen = true;
