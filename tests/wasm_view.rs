@@ -151,9 +151,10 @@ async fn moved_vertices_are_seen_and_can_be_pointed_at() {
     let at = view.screen(4).unwrap();
     let (x, y) = (at[0] as f32, at[1] as f32);
     assert_eq!(view.pick_vertex(x, y, 8.0), Some(4));
-    let target = view.drag_target(4, x + 30.0, y + 20.0, 0.0, 0.0).unwrap();
+    view.hold_vertex(4, Some(x), Some(y)).unwrap();
+    let way = view.held_way("screen", 30.0, 20.0).unwrap().unwrap();
     let mut positions = flat_square();
-    positions[12..15].copy_from_slice(&target);
+    positions[12..15].iter_mut().zip(&way).for_each(|(place, by)| *place += by);
     view.set_positions(&positions).unwrap();
     view.draw().unwrap();
     assert!(differing(&before, &pixels(&canvas)) > 200);

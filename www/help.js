@@ -6,12 +6,13 @@ import { element, icon } from './dom.js';
 /** What the pointer does; see `pointer.js`. @type {[string, string][]} */
 const POINTER = [
   ['Drag a handle', 'move it, parallel to the screen'],
+  ['Drag an arrow', 'of the selected handles: move them along it; a square: in its plane'],
   ['Drag elsewhere', 'orbit; with Select, a box, a lasso or a brush'],
   ['Box to the right', 'what is inside'],
   ['Box to the left', 'what it touches'],
   ['Click', 'select; Shift adds, Ctrl removes'],
   ['Double-click', 'a vertex: a handle; an edge: its loop; a face: its flat patch'],
-  ['Right drag', 'orbit'],
+  ['Right drag', 'orbit; a click, or a long press: the menu'],
   ['Middle drag', 'pan, as Shift + right drag'],
   ['Wheel, pinch', 'zoom to the cursor'],
   ['Two fingers', 'pan and zoom'],

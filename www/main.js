@@ -27,6 +27,7 @@ import { displayPanel } from './panels/display.js';
 import { energiesPanel } from './panels/energies.js';
 import { exampleNote } from './panels/example.js';
 import { Keeping } from './keeping.js';
+import { showMoved } from './moved-value.js';
 import { handlesPanel } from './panels/handles.js';
 import { bindHalfStepButtons } from './half-step.js';
 import { stayOffline } from './offline.js';
@@ -65,19 +66,24 @@ const region = new RegionSelection(store, viewport);
 const selecting = new Selecting(store, solver, actions);
 const pointer = new PointerInput(store, solver, viewport, region, {
   addHandles: (vertices) => actions.addHandles(vertices, false),
+  chosenHandles: actions.chosenHandles,
+  showMenu: (at) =>
+    actions.told(
+      import('./context-menu.js').then(({ showContextMenu }) =>
+        showContextMenu(at, { store, viewport, actions, selecting, commands }),
+      ),
+    ),
   fitAll: () => viewport.with((view) => view.fit()),
   doubleClick: (...what) => selecting.doubleClick(...what),
 });
 bindHandleKeys(viewport, store, solver, actions);
 bindViewKeys(viewport);
+showMoved(viewport, store);
 const addConstraint = new AddConstraintDialog(byId('add-constraint'), store, solver, actions);
 const { refit } = colourFaces(store, solver);
 colourRows(store, solver, actions);
 
-modelPanel(byId('model'), store, actions, () => {
-  if (byId('inspector-panel').checkVisibility() === false) byId('tab-inspector').click();
-  analysis.show('log');
-});
+modelPanel(byId('model'), store, actions, () => analysis.bring('log'));
 offerExperiment(byId('experiment'), store, solver, alerts);
 constraintsPanel(byId('constraints'), store, solver, actions);
 handlesPanel(byId('handles'), store, actions, solver);
@@ -181,12 +187,18 @@ function takeUp(client) {
       split: null,
       selection: NOTHING,
       dragged: [],
+      dragMs: 0,
       tint: null,
       tape: null,
     }),
   );
   on('document', ({ document }) => store.set({ document }));
-  on('frame', ({ numbers }) => store.set({ numbers, halfway: numbers.halfway }));
+  on('frame', ({ numbers, answers }) =>
+    store.set({
+      ...{ numbers, halfway: numbers.halfway },
+      ...(answers && { dragMs: performance.now() - answers[0] }),
+    }),
+  );
   on('activity', ({ running, converged }) => {
     const before = store.get();
     const iterations = count(before.numbers?.iteration ?? 0, 'iteration');

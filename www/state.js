@@ -31,6 +31,9 @@
  * @property {Mode} mode what a click selects
  * @property {Selection} selection
  * @property {number[]} dragged handles under the pointer
+ * @property {{ way: string, by: number[] } | null} moved how far they are dragged, in units of the mesh
+ * @property {string | undefined} gizmoPart axis or plane of the gizmo under the pointer
+ * @property {number} dragMs from the pointer to new positions, of the last move
  * @property {Tint | null} tint members of the constraint that is pointed at
  * @property {import("./messages.js").RowColours | null} rowColours of what constraints act on
  * @property {Measure | null} measure what the faces are coloured by
@@ -39,7 +42,7 @@
  * @property {import("./spread.js").Spread | null} spread of the values of the faces
  * @property {number | null} tolerance in the unit of the measure
  * @property {{ edges: boolean, vertices: boolean, shapes: boolean, outlines: boolean, arrows: boolean,
- *   ghost: boolean, ground: boolean, bands: boolean }} display
+ *   ghost: boolean, ground: boolean, bands: boolean, gizmo: boolean }} display
  * @property {boolean} parallel projection, instead of perspective
  * @property {number[] | null} tape the ends of the measuring tape that are chosen, while there is one
  * @property {import("./flat-map.js").FlatMap | null} flatMap what is shown beside the model
@@ -85,6 +88,9 @@ const INITIAL = {
   mode: 'vertices',
   selection: { vertices: new Set(), edges: new Set(), faces: new Set() },
   dragged: [],
+  moved: null,
+  gizmoPart: undefined,
+  dragMs: 0,
   tint: null,
   rowColours: null,
   measure: null,
@@ -101,6 +107,7 @@ const INITIAL = {
     ghost: false,
     ground: false,
     bands: false,
+    gizmo: true,
   },
   parallel: false,
   tape: null,

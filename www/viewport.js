@@ -19,6 +19,7 @@ import { showSplit } from './split.js';
 /** A view that is lost this often in a row is given up. */
 const ATTEMPTS = 3;
 const NONE = new Uint32Array(0);
+const FINGERS = matchMedia('(pointer: coarse)');
 const NO_COLOURS = {
   faces: new Uint8Array(0),
   vertices: new Uint8Array(0),
@@ -89,6 +90,11 @@ export class Viewport extends EventTarget {
     return action(this.view);
   }
 
+  /** How far what the view holds goes with the pointer. @type {import("./handle-drag.js").Hold} */
+  heldWay = (way, dx, dy) => this.view?.heldWay(way, dx, dy);
+  /** Where what the view holds is seen once it has gone so far. @param {number[]} by */
+  heldPlace = (by) => this.view?.heldPlace(by[0], by[1], by[2]);
+
   /**
    * The colours of the range as a legend paints them, with their places in it from 0 to 1: gradual, or
    * in bands with hard limits.
@@ -127,6 +133,7 @@ export class Viewport extends EventTarget {
     try {
       view.resize(width, height, scale);
       if (white) view.setTheme(false);
+      view.setGizmo(false, false);
       view.setWhite(white);
       const drawn = view.draw();
       if (drawn) take(canvas);
@@ -138,6 +145,7 @@ export class Viewport extends EventTarget {
       if (this.view === view) {
         view.setWhite(false);
         view.setTheme(dark);
+        showDisplay(view, this.#store.get());
         view.resize(shownWidth, shownHeight, shownWidth / this.#size[0]);
         this.ask();
       }
@@ -240,6 +248,10 @@ export class Viewport extends EventTarget {
       [['parallel'], (view, { parallel }) => view.setParallel(parallel)],
       [['tape'], (view, { tape }) => view.setTape(Uint32Array.from(tape ?? []))],
       [['document', 'dragged', 'selection', 'model'], showHandles],
+      [
+        ['gizmoPart', 'dragged'],
+        (view, state) => view.lightGizmo(state.gizmoPart, state.dragged.length > 0),
+      ],
       [['selection', 'model'], showSelection],
       [['tint', 'model'], showTint],
       [['rowColours', 'model', 'flatMap'], showRowColours],
@@ -324,6 +336,7 @@ function showDisplay(view, { display, halfway }) {
   view.setDisplay(edges, vertices, shapes, outlines || halfway, arrows);
   view.setSurroundings(display.ghost, display.ground);
   view.setBands(display.bands);
+  view.setGizmo(display.gizmo, FINGERS.matches);
 }
 
 /**

@@ -26,7 +26,12 @@ pub mod faces;
 pub mod flat_map;
 pub mod flight;
 pub mod framing;
+pub mod gizmo;
+#[cfg(target_arch = "wasm32")]
+pub mod gizmo_marks;
+pub mod gizmo_shape;
 pub mod globals;
+pub mod grip;
 pub mod ground;
 pub mod light;
 #[cfg(target_arch = "wasm32")]

@@ -1,6 +1,8 @@
 //! wasm-bindgen faces: `solver` for the worker, `view` for the page.
 
 #[cfg(feature = "solver")]
+mod drag;
+#[cfg(feature = "solver")]
 pub mod experiment;
 #[cfg(feature = "solver")]
 mod lists;
@@ -22,6 +24,8 @@ mod selecting;
 pub mod solver;
 #[cfg(feature = "view")]
 pub mod view;
+#[cfg(feature = "view")]
+mod view_gizmo;
 #[cfg(feature = "view")]
 mod view_map;
 #[cfg(feature = "view")]

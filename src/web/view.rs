@@ -435,24 +435,6 @@ impl View {
         self.stage.screen(vertex).map(|at| vec![f64::from(at.x), f64::from(at.y)])
     }
 
-    /// Where a vertex goes when the cursor, which grabbed it `(grab_dx, grab_dy)` beside its middle,
-    /// is at `(x, y)`: in the plane through the vertex that faces the eye.
-    ///
-    /// # Errors
-    /// A vertex that does not exist.
-    #[wasm_bindgen(js_name = dragTarget)]
-    pub fn drag_target(
-        &self,
-        vertex: u32,
-        x: f32,
-        y: f32,
-        grab_dx: f32,
-        grab_dy: f32,
-    ) -> Result<Vec<f64>, JsValue> {
-        let to = Vec2::new(x - grab_dx, y - grab_dy);
-        self.stage.drag_target(vertex, to).map(|p| p.to_array().to_vec()).map_err(thrown)
-    }
-
     /// Whether the next `draw` has something new to show.
     #[wasm_bindgen(js_name = needsDraw)]
     pub fn needs_draw(&self) -> bool {
