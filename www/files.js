@@ -74,7 +74,10 @@ export class Files extends EventTarget {
           `${unreadable.name}: this kind of file cannot be read. Open .obj, .off, .mesh or .3dm for a mesh, .json for a scene.`,
         );
       }
-      this.#store.set({ status: `Reading ${files.map((file) => file.name).join(' and ')} …` });
+      // A press that waits for the first model has said so.
+      const { document, status } = this.#store.get();
+      if (document || !status)
+        this.#store.set({ status: `Reading ${files.map((file) => file.name).join(' and ')} …` });
       const main = files.find((file) => IS_SCENE.test(file.name)) ?? files[0];
       const { iteration } = origin;
       const frame = rememberedFrame(main.name);
