@@ -18,7 +18,7 @@ import { toggleTheme } from './theme.js';
  * @property {import("./solver-client.js").SolverClient} solver
  * @property {() => void} flatMap shows the flat map, or takes it away
  * @property {HTMLInputElement} fileInput
- * @property {HTMLDialogElement} help
+ * @property {() => Promise<void>} help
  */
 
 /**
@@ -274,7 +274,7 @@ export function commandTable(parts) {
       group: 'Page',
       label: 'This list',
       keys: ['?'],
-      action: () => (help.open ? help.close() : help.showModal()),
+      action: () => actions.told(help()),
       title: () => 'Mouse and keys',
     },
   ];

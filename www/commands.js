@@ -4,6 +4,7 @@
  */
 
 import { setText } from './dom.js';
+import { isSwitchedOff } from './single-keys.js';
 
 /**
  * @typedef {object} Command
@@ -93,7 +94,7 @@ export function bindKeys(commands, store) {
     const command =
       commands.find(({ keys }) => keys.includes(digitOf(event))) ??
       commands.find(({ keys }) => keys.includes(chord));
-    if (!command) return;
+    if (!command || isSwitchedOff(chord)) return;
     // They have the keys to themselves, and Escape closes them.
     if (document.querySelector('dialog:modal, :popover-open')) return;
     // The browser's own meaning (open, save, print) never applies here, even when there is nothing to do.

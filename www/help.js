@@ -2,6 +2,7 @@
 
 import { keyName } from './commands.js';
 import { element, icon } from './dom.js';
+import { singleKeysSwitch } from './single-keys.js';
 
 /** What the pointer does; see `pointer.js`. @type {[string, string][]} */
 const POINTER = [
@@ -30,7 +31,7 @@ const VIEW_KEYS = [
  * @param {HTMLDialogElement} dialog
  * @param {import("./commands.js").Command[]} commands
  */
-export function buildHelp(dialog, commands) {
+export function showHelp(dialog, commands) {
   const bound = commands.filter((command) => command.keys.length > 0);
   const groups = [...new Set(bound.map((command) => command.group))];
   const close = element(
@@ -59,6 +60,7 @@ export function buildHelp(dialog, commands) {
         ]),
       ),
     ),
+    singleKeysSwitch(),
     element(
       'p',
       { class: 'about' },
@@ -68,6 +70,7 @@ export function buildHelp(dialog, commands) {
   dialog.onclick = (event) => {
     if (event.target === dialog) dialog.close();
   };
+  dialog.showModal();
 }
 
 /** @param {import("./commands.js").Command} command @returns {[(Node | string)[], string]} */

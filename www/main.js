@@ -16,7 +16,6 @@ import { animateFirstPicture } from './first-picture.js';
 import { toggleFlatMap } from './flat-map.js';
 import { count } from './format.js';
 import { bindHandleKeys } from './handle-keys.js';
-import { buildHelp } from './help.js';
 import { firstHints } from './hints.js';
 import { arrangeForWidth } from './layout.js';
 import { messageOf } from './messages.js';
@@ -94,8 +93,7 @@ fileInput.addEventListener('change', async () => {
 });
 files.acceptDrops(byId('drop-overlay'));
 
-/** @type {HTMLDialogElement} */
-const help = byId('help');
+/** @type {import("./commands.js").Command[]} */
 const commands = commandTable({
   store,
   viewport,
@@ -106,7 +104,8 @@ const commands = commandTable({
   addConstraint,
   solver,
   fileInput,
-  help,
+  // What it lists is complete by the time that somebody looks.
+  help: () => import('./help.js').then(({ showHelp }) => showHelp(byId('help'), commands)),
   flatMap: () => toggleFlatMap({ store, solver, viewport, alerts }),
 });
 bindButtons(commands, store);
@@ -116,8 +115,7 @@ bindRunButton(byId('run'), store);
 const early = window;
 takeEarlyPresses(commands, store, early.earlyPresses ?? []);
 delete early.earlyPresses;
-buildHelp(help, commands);
-selecting.bindKeys(commands, help);
+selecting.bindKeys(commands);
 
 viewport.addEventListener('none', (event) => {
   const { detail } = /** @type {CustomEvent} */ (event);
@@ -135,6 +133,7 @@ recentMenu(byId('recent-button'), byId('recent'), keeping, alerts);
 keeping.begin().catch((error) => alerts.error(messageOf(error)));
 files.offerExamples(byId('examples')).catch((error) => alerts.error(messageOf(error)));
 stayOffline(alerts, keeping);
+import('./surroundings.js').then((module) => module.tellSurroundings(byId('numbers'), store));
 
 /**
  * Takes the solver's news into the store.
@@ -176,7 +175,12 @@ function takeUp(client) {
     else if (!running && before.running) store.set({ status: `Paused after ${iterations}` });
   });
   on('trouble', ({ message }) => alerts.error(message));
-  client.addEventListener('restarted', (event) =>
-    alerts.notice(/** @type {CustomEvent} */ (event).detail.message),
-  );
+  client.addEventListener('restarted', (event) => {
+    const { message } = /** @type {CustomEvent} */ (event).detail;
+    const action = async () => {
+      const { crashReport, giveReport } = await import('./crash-report.js');
+      await giveReport(crashReport(message, store.get()), store, alerts);
+    };
+    alerts.notice(message, { label: 'Copy report', action });
+  });
 }
