@@ -53,6 +53,8 @@ export function firstHints(card, store) {
     if (at === 0 && ran && !state.running) at = 1;
     if (at <= 1 && dragged && state.dragged.length === 0) at = 2;
     dragged ||= state.dragged.length > 0;
+    // Whoever has seen the last one has seen them all.
+    if (at === 2) remember('done');
     text.textContent = hintsFor(declared(state, measureOfScene(state)))[at];
     card.hidden = false;
   });
