@@ -46,6 +46,7 @@ export function showHelp(dialog, commands) {
       element('h2', { id: 'help-title' }, 'Mouse and keys'),
       close,
     ),
+    singleKeysSwitch(),
     element(
       'div',
       { class: 'columns' },
@@ -60,7 +61,6 @@ export function showHelp(dialog, commands) {
         ]),
       ),
     ),
-    singleKeysSwitch(),
     element(
       'p',
       { class: 'about' },

@@ -46,7 +46,7 @@ export async function openLarge(chosen, { store, solver, alerts, open }) {
     if (count.faces > MOST_FACES) {
       const size = groupDigits(count.faces);
       const question = `${names} has ${size} faces. Shape-Up stays interactive up to about ${groupDigits(MOST_FACES)} on most computers.`;
-      store.set({ status: question });
+      store.set({ status: `${names}: ${size} faces` });
       await card.ask(question, 'Load anyway');
     }
     card.show(`Opening ${names}${facesIn(count)}`, null);
@@ -112,7 +112,7 @@ const progress = (read, all) => `${(read / MB).toFixed(1)} of ${(all / MB).toFix
 /** What is shown over the view meanwhile. */
 class Card {
   #abort = new AbortController();
-  #text = element('p');
+  #text = element('p', { id: 'import-text' });
   #bar = element('progress', { 'aria-label': 'How far it is read', max: 1 });
   #buttons = element('div', { class: 'row-buttons' });
   #element;
@@ -123,6 +123,11 @@ class Card {
     const words = element('div', { class: 'import' }, this.#text, this.#bar);
     this.#element = element('div', attributes, words, this.#buttons);
     this.#buttons.append(this.#button('Cancel', () => this.#abort.abort()));
+    this.#element.addEventListener('keydown', (event) => {
+      if (event.key !== 'Escape') return;
+      event.stopPropagation();
+      this.#abort.abort();
+    });
     byId('messages').append(this.#element);
   }
 
@@ -151,6 +156,8 @@ class Card {
     this.#bar.hidden = true;
     await new Promise((done, stop) => {
       const button = this.#button(yes, () => done(undefined));
+      // Whoever hears the button hears the question.
+      button.setAttribute('aria-describedby', this.#text.id);
       this.#buttons.prepend(button);
       button.focus();
       this.cancelled.addEventListener('abort', () => stop(new Cancelled()));

@@ -31,7 +31,7 @@ export function singleKeysSwitch() {
     'label',
     { class: 'single-keys' },
     box,
-    element('span', {}, 'Letters, digits and signs are keys; without it, only those with Ctrl are'),
+    element('span', {}, 'Letters, digits and signs act without Ctrl'),
   );
 }
 

@@ -77,21 +77,34 @@ test('the example is painted within a second of the bytes of the page', async ({
     };
     look();
   });
-  const waits = [];
-  // A machine that does other things too may be slow once.
-  for (let visit = 0; visit < 3; visit++) {
-    await page.goto('./');
-    await page.waitForFunction(() => window.pictureAt > 0);
-    waits.push(
-      await page.evaluate(() => {
-        const [{ responseEnd }] = performance.getEntriesByType('navigation');
-        const [{ startTime }] = performance.getEntriesByName('first-contentful-paint');
-        return Math.max(startTime, window.pictureAt) - responseEnd;
-      }),
+  /** From the last byte of the page to the first paint with the picture in it, milliseconds. */
+  const wait = async (address, picture) => {
+    await page.goto(address);
+    await page.waitForFunction(
+      (wanted) =>
+        performance.getEntriesByName('first-contentful-paint').length > 0 &&
+        (window.pictureAt > 0 || !wanted),
+      picture,
     );
+    return page.evaluate(() => {
+      const [{ responseEnd }] = performance.getEntriesByType('navigation');
+      const [{ startTime }] = performance.getEntriesByName('first-contentful-paint');
+      return Math.max(startTime, window.pictureAt ?? 0) - responseEnd;
+    });
+  };
+  // What else the machine does is not the page's: of a few visits the best, and what the same browser
+  // takes for a single word is taken off.
+  await page.route('**/word.html', (route) =>
+    route.fulfill({ contentType: 'text/html', body: '<!doctype html><p>Word' }),
+  );
+  const [words, pictures] = [[], []];
+  for (let visit = 0; visit < 4; visit++) {
+    words.push(await wait('./word.html', false));
+    pictures.push(await wait('./', true));
   }
-  console.log(`    first picture after ${waits.map(Math.round).join(', ')} ms`);
-  expect(Math.min(...waits)).toBeLessThan(1000);
+  const description = `${pictures.map(Math.round)} ms, a word ${words.map(Math.round)} ms`;
+  test.info().annotations.push({ type: 'first picture', description });
+  expect(Math.min(...pictures) - Math.min(...words), description).toBeLessThan(1000);
 });
 
 test('a page that has converged is at rest', async ({ page }) => {

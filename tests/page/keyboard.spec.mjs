@@ -56,8 +56,8 @@ test('a mesh of one’s own, from its file to its export, by keys only', async (
   await waitForState(page, (now) => now.renderer !== 'none');
 
   // Open: the chooser comes by a key, and the focus is where it was.
-  await tabTo(page, /^Open file/);
   const chooser = page.waitForEvent('filechooser');
+  await tabTo(page, /^Open file/);
   await page.keyboard.press('Control+o');
   await (await chooser).setFiles(file('roof.obj', wavyGrid(4)));
   await waitForState(page, (now) => now.vertices === 25);
@@ -71,9 +71,9 @@ test('a mesh of one’s own, from its file to its export, by keys only', async (
   await walkTo(page, /select by/i);
   await page.keyboard.press('Enter');
   await expect(page.getByRole('dialog', { name: 'Select' })).toBeVisible();
-  await walkDown(page, /^Shrink/);
+  await walkDown(page, /^Boundary loop/);
   await page.keyboard.press('Enter');
-  await expect(status(page)).toHaveText('4 faces selected');
+  await expect(status(page)).toHaveText('12 faces selected');
   await press(page, 'Control+a');
 
   // Add a constraint.
@@ -98,7 +98,7 @@ test('a mesh of one’s own, from its file to its export, by keys only', async (
   await page.keyboard.press('Enter');
   await walkDown(page, /^By number of edges/);
   await page.keyboard.press('Enter');
-  await tabTo(page, /^Edges/);
+  await expect(page.getByRole('spinbutton', { name: 'Edges' })).toBeFocused();
   await press(page, 'Control+a');
   await page.keyboard.type('2');
   await page.keyboard.press('Enter');
@@ -277,7 +277,9 @@ test('on a French keyboard letters are where they print, digits where they are',
 test('keys without Ctrl can be switched off, and stay so', async ({ page }) => {
   await openPage(page);
   await page.keyboard.press('?');
-  const single = page.getByRole('checkbox', { name: /^Letters, digits and signs are keys/ });
+  const single = page.getByRole('checkbox', {
+    name: /^Letters, digits and signs act without Ctrl/,
+  });
   await expect(single).toBeChecked();
   await single.uncheck();
   await page.keyboard.press('Escape');
