@@ -1,8 +1,9 @@
 /** The help: everything that keys and the mouse do, from the table that binds them. */
 
+import './style/help.css';
 import { keyName } from './commands.js';
 import { element, icon } from './dom.js';
-import { singleKeysSwitch } from './single-keys.js';
+import { singleKeys } from './single-keys.js';
 
 /** What the pointer does; see `pointer.js`. @type {[string, string][]} */
 const POINTER = [
@@ -102,4 +103,12 @@ function section(title, rows) {
       ...rows.flatMap(([term, effect]) => [element('dt', {}, ...term), element('dd', {}, effect)]),
     ),
   );
+}
+
+/** The switch of the keys without Ctrl. */
+function singleKeysSwitch() {
+  const onchange = () => singleKeys.set(box.checked);
+  const box = element('input', { type: 'checkbox', checked: singleKeys.on, onchange });
+  const words = element('span', {}, 'Letters, digits and signs act without Ctrl');
+  return element('label', { class: 'single-keys' }, box, words);
 }

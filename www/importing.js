@@ -3,7 +3,7 @@
  * is too large to be worked with. Comes when such a file is opened.
  */
 
-import './style/importing.css';
+import './style/waiting.css';
 import { byId, element, setText } from './dom.js';
 import { groupDigits } from './format.js';
 import { messageOf } from './messages.js';

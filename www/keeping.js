@@ -4,7 +4,6 @@
  */
 
 import { messageOf } from './messages.js';
-import { showNothingOpen } from './nothing-open.js';
 
 /** @typedef {import("./files.js").Files} Files */
 
@@ -53,6 +52,7 @@ export class Keeping {
       await this.startFresh(true);
     } catch (error) {
       this.#alerts.error(messageOf(error));
+      const { showNothingOpen } = await import('./nothing-open.js');
       showNothingOpen(this.#files, async () => {
         await this.#told(this.startFresh());
       });

@@ -4,7 +4,6 @@
  */
 
 import { byId, element, icon } from './dom.js';
-import { oneTabStop } from './toolbar.js';
 
 const PHONE = matchMedia('(max-width: 699px)');
 /** Where each group of the toolbar is on a phone; the others stay in the header. */
@@ -38,7 +37,9 @@ export function arrangeForWidth() {
   }
   PHONE.addEventListener('change', arrange);
   arrange();
-  [tools, bar, byId('select-bar')].forEach(oneTabStop);
+  import('./toolbar.js').then(({ oneTabStop }) => {
+    [tools, bar, byId('select-bar')].forEach(oneTabStop);
+  });
   more.addEventListener('click', (event) => {
     const inside = event.target instanceof Element && event.target.closest('button');
     if (inside && !inside.hasAttribute('popovertarget')) more.hidePopover();

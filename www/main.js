@@ -169,6 +169,9 @@ function takeUp(client) {
       tint: null,
     }),
   );
+  on('loading', ({ bytes, all }) =>
+    import('./loading.js').then(({ showLoading }) => showLoading(store, bytes, all)),
+  );
   on('document', ({ document }) => store.set({ document }));
   on('frame', ({ numbers }) => store.set({ numbers }));
   on('activity', ({ running, converged }) => {

@@ -1,5 +1,6 @@
 /** The view while no model is open, because not even the first example could be fetched. */
 
+import './style/waiting.css';
 import { byId, element } from './dom.js';
 import { removeFirstPicture } from './first-picture.js';
 

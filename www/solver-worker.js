@@ -7,6 +7,7 @@
 import init, { Solver } from './pkg/solver/shape_up.js';
 import { cancelExperiment, experimentCsv, runExperiment } from './experiment/worker-part.js';
 import { SLICE_MS, messageOf } from './messages.js';
+import { fetchModule } from './worker-loading.js';
 
 /** @typedef {import("./messages.js").ToWorker} ToWorker */
 /** @typedef {import("./messages.js").FromWorker} FromWorker */
@@ -51,7 +52,7 @@ onmessage = (event) => {
 };
 
 try {
-  await init();
+  await init({ module_or_path: fetchModule(post) });
   solver = new Solver();
   post({
     type: 'ready',

@@ -5,6 +5,12 @@ import { expect, openPage, positionOf, state, test, waitForState } from './suppo
 
 const status = (page) => page.getByRole('status');
 
+/** Opens the page and waits until its bars know the arrow keys. */
+async function openBars(page) {
+  await openPage(page);
+  await page.locator('[role=toolbar] [tabindex="0"]').first().waitFor({ state: 'attached' });
+}
+
 /** What has the focus, as somebody sees and hears it. */
 const focused = (page) =>
   page.evaluate(() => {
@@ -52,7 +58,7 @@ const press = (page, ...keys) =>
 
 test('a mesh of one’s own, from its file to its export, by keys only', async ({ page }) => {
   test.skip(page.viewportSize().width < 700, 'a phone has no keys');
-  await openPage(page);
+  await openBars(page);
   await waitForState(page, (now) => now.renderer !== 'none');
 
   // Open: the chooser comes by a key, and the focus is where it was.
@@ -158,7 +164,7 @@ async function chooseRadio(page, name) {
 const chooseKind = chooseRadio;
 
 test('every stop has a ring, each bar is one of them, and Tab leads around', async ({ page }) => {
-  await openPage(page);
+  await openBars(page);
   await page.evaluate(() => document.activeElement.blur());
   const stops = [];
   for (let press = 0; press < 90; press++) {
@@ -186,7 +192,7 @@ test('every stop has a ring, each bar is one of them, and Tab leads around', asy
 
 test('arrow keys walk in the bar of tools, and it remembers where', async ({ page }) => {
   test.skip(page.viewportSize().width < 700, 'a phone has no keys');
-  await openPage(page);
+  await openBars(page);
   await tabTo(page, /^Open file/);
   await walkTo(page, /^Share/);
   await page.keyboard.press('End');
@@ -221,7 +227,7 @@ const OPENING = [
 for (const [name, role, opens] of OPENING) {
   test(`Escape closes what ${name} opened, and the focus is back at it`, async ({ page }) => {
     test.skip(page.viewportSize().width < 700, 'a phone has no keys');
-    await openPage(page);
+    await openBars(page);
     const opener = page.getByRole('button', { name, exact: true }).filter({ visible: true });
     await opener.focus();
     await page.keyboard.press('Enter');
@@ -250,7 +256,7 @@ const foreign = (page, key, code, modifiers = {}) =>
 test('on a French keyboard letters are where they print, digits where they are', async ({
   page,
 }) => {
-  await openPage(page);
+  await openBars(page);
   const pressed = (name) =>
     page.locator(`button[data-command="${name}"]`).getAttribute('aria-pressed');
   for (const [key, code, mode] of [
@@ -275,7 +281,7 @@ test('on a French keyboard letters are where they print, digits where they are',
 });
 
 test('keys without Ctrl can be switched off, and stay so', async ({ page }) => {
-  await openPage(page);
+  await openBars(page);
   await page.keyboard.press('?');
   const single = page.getByRole('checkbox', {
     name: /^Letters, digits and signs act without Ctrl/,
@@ -295,7 +301,7 @@ test('keys without Ctrl can be switched off, and stay so', async ({ page }) => {
     await expect(page.getByRole('dialog')).toBeHidden();
   };
   await isOff();
-  await openPage(page);
+  await openBars(page);
   await isOff();
   // Those with Ctrl are left.
   const download = page.waitForEvent('download');

@@ -1,6 +1,9 @@
 // The states that a page comes into with large files, without a network, without a model, or with a
 // solver that has stopped. Others are in the tests of what leads to them.
 
+import { readFileSync } from 'node:fs';
+import { createServer } from 'node:http';
+import { at } from '../../.scripts/project.mjs';
 import { openText, showPanel } from './actions.mjs';
 import { file, wavyGrid } from './meshes.mjs';
 import { expect, openPage, state, test, waitForState } from './support.mjs';
@@ -36,6 +39,34 @@ test('without scripts there are words and a link', async ({ browser, baseURL }) 
   await expect(words).toBeVisible();
   await expect(words.locator('a')).toHaveAttribute('href', /doi\.org/);
   await context.close();
+});
+
+test('a solver that comes slowly says how much of it is here', async ({ page }) => {
+  const module = readFileSync(at('www', 'pkg', 'solver', 'shape_up_bg.wasm'));
+  const middle = module.length / 2;
+  let goOn;
+  const host = createServer(async (_, answer) => {
+    answer.writeHead(200, { 'Content-Type': 'application/wasm' });
+    answer.write(module.subarray(0, middle));
+    // Longer than nobody waits for words; then a little more, of which it is told.
+    await new Promise((done) => setTimeout(done, 1500));
+    answer.write(module.subarray(middle, middle + 1));
+    await new Promise((done) => (goOn = done));
+    answer.end(module.subarray(middle + 1));
+  });
+  await new Promise((done) => host.listen(0, '127.0.0.1', done));
+  const url = `http://127.0.0.1:${host.address().port}/`;
+  await page.route('**/*.wasm', async (route) => {
+    const response = await route.fetch();
+    const isSolver = (await response.body()).length === module.length;
+    return isSolver ? route.continue({ url }) : route.fulfill({ response });
+  });
+  await page.goto('./');
+  await expect(page.getByText(/^Loading the solver · 0\.\d of 1\.\d MB$/)).toBeVisible();
+  goOn();
+  await waitForState(page, (now) => now.vertices > 0);
+  await expect(page.getByText(/^Loading the solver/)).toBeHidden();
+  host.close();
 });
 
 test('running, paused and converged are each said once', async ({ page }) => {
