@@ -3,7 +3,7 @@
  * once, and only over the example.
  */
 
-import { element, icon } from './dom.js';
+import { element, icon, leave } from './dom.js';
 import { declared, measureOfScene } from './measures.js';
 
 const KEY = 'shape-up.hints';
@@ -61,7 +61,7 @@ export function firstHints(card, store) {
 
   function finish() {
     done = true;
-    card.hidden = true;
+    leave(card, () => (card.hidden = true));
     remember('done');
   }
 }

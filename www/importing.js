@@ -4,7 +4,7 @@
  */
 
 import './style/waiting.css';
-import { byId, element, setText } from './dom.js';
+import { byId, element, leave, setText } from './dom.js';
 import { groupDigits } from './format.js';
 import { messageOf } from './messages.js';
 
@@ -167,7 +167,7 @@ class Card {
   }
 
   remove() {
-    this.#element.remove();
+    leave(this.#element, () => this.#element.remove());
   }
 
   /**

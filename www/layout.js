@@ -18,7 +18,7 @@ export function arrangeForWidth() {
   const more = byId('more');
   const moreButton = element(
     'button',
-    { type: 'button', popovertarget: 'more', 'aria-haspopup': 'true' },
+    { type: 'button', popovertarget: 'more' },
     icon('more'),
     element('span', {}, 'More'),
   );

@@ -57,7 +57,6 @@ const press = (page, ...keys) =>
   keys.reduce((before, key) => before.then(() => page.keyboard.press(key)), Promise.resolve());
 
 test('a mesh of one’s own, from its file to its export, by keys only', async ({ page }) => {
-  test.skip(page.viewportSize().width < 700, 'a phone has no keys');
   await openBars(page);
   await waitForState(page, (now) => now.renderer !== 'none');
 
@@ -191,7 +190,6 @@ test('every stop has a ring, each bar is one of them, and Tab leads around', asy
 });
 
 test('arrow keys walk in the bar of tools, and it remembers where', async ({ page }) => {
-  test.skip(page.viewportSize().width < 700, 'a phone has no keys');
   await openBars(page);
   await tabTo(page, /^Open file/);
   await walkTo(page, /^Share/);
@@ -226,7 +224,6 @@ const OPENING = [
 ];
 for (const [name, role, opens] of OPENING) {
   test(`Escape closes what ${name} opened, and the focus is back at it`, async ({ page }) => {
-    test.skip(page.viewportSize().width < 700, 'a phone has no keys');
     await openBars(page);
     const opener = page.getByRole('button', { name, exact: true }).filter({ visible: true });
     await opener.focus();
@@ -242,6 +239,20 @@ for (const [name, role, opens] of OPENING) {
     await expect(opener).toBeFocused();
   });
 }
+
+test('what is dismissed gives the focus to the view', async ({ page }) => {
+  await openBars(page);
+  const view = page.getByRole('application', { name: '3D view' });
+  await page.getByRole('button', { name: 'Dismiss hint' }).focus();
+  await page.keyboard.press('Enter');
+  await expect(view).toBeFocused();
+  await page.getByLabel('Open file').setInputFiles(file('house.ifc', 'ISO-10303-21;'));
+  await expect(page.getByRole('alert')).toContainText('house.ifc');
+  await page.getByRole('button', { name: 'Dismiss', exact: true }).focus();
+  await page.keyboard.press('Enter');
+  await expect(page.getByRole('alert')).toBeEmpty();
+  await expect(view).toBeFocused();
+});
 
 /** A key of another keyboard: what it prints, and where it is. */
 const foreign = (page, key, code, modifiers = {}) =>

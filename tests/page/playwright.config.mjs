@@ -21,7 +21,17 @@ const port = process.env.SHAPE_UP_TEST_PORT;
 const base = '/some/sub-path/';
 const url = `http://127.0.0.1:${port}${base}`;
 
-const BEHIND = ['autosave', 'kinds', 'offline', 'parameters', 'share', 'undo', 'units'];
+const BEHIND = [
+  'adaptation',
+  'autosave',
+  'keyboard',
+  'kinds',
+  'offline',
+  'parameters',
+  'share',
+  'undo',
+  'units',
+];
 
 export default defineConfig({
   testDir: '.',
