@@ -273,7 +273,7 @@ export function commandTable(parts) {
       id: 'help',
       group: 'Page',
       label: 'This list',
-      keys: ['?'],
+      keys: ['?', 'F1'],
       action: () => actions.told(help()),
       title: () => 'Mouse and keys',
     },
