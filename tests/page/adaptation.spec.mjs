@@ -69,6 +69,11 @@ test.describe('at twice the size', () => {
     }
     const view = await page.getByRole('application', { name: '3D view' }).boundingBox();
     expect(view.width * view.height).toBeGreaterThan(0.4 * 720 * 450);
+    // The hint leaves the bar of selecting free.
+    await page.keyboard.press('b');
+    await expect(page.getByRole('button', { name: 'Dismiss hint' })).toBeVisible();
+    await page.getByRole('button', { name: /select by/i }).click({ trial: true });
+    await page.keyboard.press('v');
     await runToTheEnd(page);
 
     // Dialogs scroll within the window.
