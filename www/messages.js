@@ -404,6 +404,7 @@
 
 /**
  * - `ready`: the solver can be spoken to. First, once.
+ * - `loading`: before that, how much of its module is here, where it takes a while.
  * - `model`: another mesh is open. `positions` is one of the two buffers.
  * - `document`: after every edit and every load.
  * - `scene`: the scene file's text, whenever it changed and the solver rests, and now and then
@@ -425,6 +426,7 @@
  *   when it is not about a scene.
  * @typedef {{ type: "ready", kinds: KindInfo[], elements: ElementInfo[], measures: FaceMeasure[],
  *       operations: Operation[], settings: SettingInfo[] }
+ *   | { type: "loading", bytes: number, all: number }
  *   | { type: "model", loaded: Loaded, connectivity: Connectivity, positions: Float64Array }
  *   | { type: "document", document: SceneDocument }
  *   | { type: "scene", text: string, iteration: number }

@@ -8,6 +8,7 @@ import init, { Solver } from './pkg/solver/shape_up.js';
 import { cancelExperiment, experimentCsv, runExperiment } from './experiment/worker-part.js';
 import { SLICE_MS, messageOf } from './messages.js';
 import { disturb, warmUpWhenQuiet } from './warm-up.js';
+import { fetchModule } from './worker-loading.js';
 
 /** @typedef {import("./messages.js").ToWorker} ToWorker */
 /** @typedef {import("./messages.js").FromWorker} FromWorker */
@@ -55,7 +56,7 @@ onmessage = (event) => {
 };
 
 try {
-  await init();
+  await init({ module_or_path: fetchModule(post) });
   solver = new Solver();
   post({
     type: 'ready',

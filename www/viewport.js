@@ -184,6 +184,7 @@ export class Viewport extends EventTarget {
     this.view?.free();
     this.view = null;
     this.#attempts += 1;
+    this.#store.set({ status: 'The 3D picture was lost and is drawn anew' });
     if (this.#attempts > ATTEMPTS) return this.#giveUp(reason);
     this.#canvas = null;
     this.#create();

@@ -22,8 +22,10 @@ const base = '/some/sub-path/';
 const url = `http://127.0.0.1:${port}${base}`;
 
 const BEHIND = [
+  'adaptation',
   'autosave',
   'drag-speed',
+  'keyboard',
   'kinds',
   'offline',
   'parameters',
