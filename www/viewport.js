@@ -5,6 +5,7 @@
  */
 
 import { removeFirstPicture } from './first-picture.js';
+import { handlesNow } from './state.js';
 import { messageOf } from './messages.js';
 import { modelErrors, showFlatMap } from './flat-map.js';
 
@@ -87,6 +88,11 @@ export class Viewport extends EventTarget {
   heldWay = (way, dx, dy) => this.view?.heldWay(way, dx, dy);
   /** Where what the view holds is seen once it has gone so far. @param {number[]} by */
   heldPlace = (by) => this.view?.heldPlace(by[0], by[1], by[2]);
+
+  /** In CSS pixels, as the view has it: without measuring the page again. */
+  get width() {
+    return this.#size[0];
+  }
 
   /**
    * Draws one picture of another size, in the proportions and the framing of the one that is shown,
@@ -219,7 +225,7 @@ export class Viewport extends EventTarget {
       [['dark'], (view, state) => view.setTheme(state.dark)],
       [['document'], (view, { document }) => document && view.setUp(document.up)],
       [['display'], showDisplay],
-      [['document', 'dragged', 'selection', 'model'], showHandles],
+      [['document', 'dragged', 'moved', 'selection', 'model'], showHandles],
       [
         ['gizmoPart', 'dragged'],
         (view, state) => view.lightGizmo(state.gizmoPart, state.dragged.length > 0),
@@ -309,8 +315,9 @@ function showDisplay(view, { display }) {
  * @param {View} view
  * @param {State} state
  */
-function showHandles(view, { document, dragged }) {
-  const handles = document?.handles ?? [];
+function showHandles(view, state) {
+  const { dragged } = state;
+  const handles = handlesNow(state);
   const vertices = Uint32Array.from(handles, (handle) => handle.vertex);
   const states = Uint8Array.from(handles, (handle) =>
     dragged.includes(handle.vertex) ? 2 : handle.fixed ? 1 : 0,

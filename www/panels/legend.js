@@ -3,10 +3,13 @@
  * range, and how many faces are within a tolerance.
  */
 
-import { element, setText } from '../dom.js';
+import { element, setText, throttled } from '../dom.js';
 import { groupDigits, number } from '../format.js';
 import { declared, unitOf, valueInWords } from '../measures.js';
 import { BINS } from '../spread.js';
+
+/** It follows a run or a drag this often. */
+const SHOW_EVERY_MS = 100;
 
 /**
  * @param {HTMLElement} place
@@ -157,6 +160,6 @@ export function legend(place, store, viewport, refit) {
       'dark',
       'flatMap',
     ],
-    show,
+    throttled(SHOW_EVERY_MS, show),
   );
 }
