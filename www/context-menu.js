@@ -34,7 +34,7 @@ const leave = (/** @type {Event} */ event) => {
 menu.addEventListener('toggle', (event) => {
   const isOpen = /** @type {ToggleEvent} */ (event).newState === 'open';
   const change = isOpen ? window.addEventListener : window.removeEventListener;
-  for (const name of ['pointerdown', 'wheel', 'resize', 'blur']) change(name, leave, true);
+  for (const name of ['pointerdown', 'wheel', 'resize']) change(name, leave, true);
 });
 
 /**

@@ -3,6 +3,8 @@
  * selected together, all move alike. The view says where the pointer leads what it holds.
  */
 
+import { handlesNow } from './state.js';
+
 const AXES = ['x', 'y', 'z'];
 
 /**
@@ -66,8 +68,8 @@ export class HandleDrag {
     // Towards the horizon a pixel is any distance: the handle waits where it is.
     if (!moved) return;
     this.#targets = this.#from.map((value, i) => value + moved[i % 3]);
-    this.#show();
-    this.#store.set({ moved: { way, by: [...moved] }, gizmoPart: way });
+    // The dots follow the pointer at once; the mesh when the solver answers.
+    this.#store.set({ moved: { by: [...moved], targets: this.#targets }, gizmoPart: way });
     this.#tell('move', time);
   }
 
@@ -84,33 +86,22 @@ export class HandleDrag {
 
   end() {
     this.#tell('end');
+    const { document } = this.#store.get();
+    // Until the solver sends the document as it is now.
+    if (document)
+      this.#store.set({ document: { ...document, handles: handlesNow(this.#store.get()) } });
     this.#leave();
   }
 
   /** Puts everything back to where it was. */
   cancel() {
     this.#targets = this.#from;
-    this.#show();
     this.#tell('cancel');
     this.#leave();
   }
 
   #leave() {
     this.#store.set({ dragged: [], moved: null, gizmoPart: undefined });
-  }
-
-  /** The dots follow the pointer at once; the mesh when the solver answers. */
-  #show() {
-    const { document } = this.#store.get();
-    if (!document) return;
-    const place = new Map([...this.#vertices].map((vertex, i) => [vertex, i]));
-    const handles = document.handles.map((handle) => {
-      const i = place.get(handle.vertex);
-      if (i === undefined) return handle;
-      const [x, y, z] = this.#targets.subarray(3 * i, 3 * i + 3);
-      return { ...handle, target: /** @type {[number, number, number]} */ ([x, y, z]) };
-    });
-    this.#store.set({ document: { ...document, handles } });
   }
 
   /**

@@ -8,21 +8,19 @@ import { ROUNDING } from './rounding.js';
  * @param {import("./viewport.js").Viewport} viewport
  * @param {import("./state.js").Store} store
  */
-export function showMoved({ element: view, heldPlace }, store) {
+export function showMoved(viewport, store) {
   const label = element('p', { id: 'moved', hidden: true });
-  view.after(label);
+  viewport.element.after(label);
   store.subscribe(['moved'], (state) => {
     const { moved } = state;
-    const place = moved && heldPlace(moved.by);
+    const place = moved && viewport.heldPlace(moved.by);
     label.hidden = !moved || !place;
     if (!moved || !place) return;
     setText(label, movedInWords(moved.by, state));
-    const { offsetLeft, offsetTop, clientWidth, clientHeight } = view;
-    const within = (/** @type {number} */ at, /** @type {number} */ room) =>
-      Math.max(4, Math.min(at, room - 4));
-    const left = within(place[0] + 22, clientWidth - label.offsetWidth);
-    const top = within(place[1] + 18, clientHeight - label.offsetHeight);
-    label.style.translate = `${offsetLeft + left}px ${offsetTop + top}px`;
+    // On the side where there is room, told without measuring: that would lay the page out anew.
+    const [x, y] = place;
+    label.style.translate =
+      x > viewport.width / 2 ? `calc(${x - 22}px - 100%) ${y + 18}px` : `${x + 22}px ${y + 18}px`;
   });
 }
 

@@ -134,8 +134,20 @@ export class PointerInput {
       this.#become({ kind: paints ? 'region' : 'press' });
       if (paints) this.#region.begin(at, combineOf(event));
       else if (event.pointerType === 'touch')
-        this.#resting = window.setTimeout(() => this.#askForMenu(event, at), LONG_PRESS_MS);
+        this.#resting = window.setTimeout(() => this.#rest(event, at), LONG_PRESS_MS);
     }
+  }
+
+  /**
+   * A finger has not moved, unless that is about to be told.
+   * @param {PointerEvent} event
+   * @param {[number, number]} at
+   */
+  #rest(event, at) {
+    const gesture = this.#gesture;
+    requestAnimationFrame(() => {
+      if (gesture?.kind === 'press' && gesture === this.#gesture) this.#askForMenu(event, at);
+    });
   }
 
   /**

@@ -3,6 +3,8 @@
  * line's report.
  */
 
+import { handlesNow } from './state.js';
+
 /** So many moves of drags are kept. */
 const DRAGS_KEPT = 1000;
 
@@ -34,7 +36,8 @@ export function scriptApi(store, solver, viewport, files) {
      * `handles` and `selection` name vertices and faces from 0.
      */
     state() {
-      const { model, document, numbers, running, converged, selection, renderer } = store.get();
+      const state = store.get();
+      const { model, document, numbers, running, converged, selection, renderer } = state;
       /** @type {Record<string, number>} */
       const constraints = {};
       for (const { kind, count, enabled } of document?.constraints ?? []) {
@@ -50,7 +53,7 @@ export function scriptApi(store, solver, viewport, files) {
         planarity: numbers?.planarity ?? null,
         circularity: numbers?.circularity ?? null,
         constraints,
-        handles: document?.handles ?? [],
+        handles: handlesNow(state),
         selection: {
           vertices: [...selection.vertices],
           edges: [...selection.edges],

@@ -31,7 +31,8 @@
  * @property {Mode} mode what a click selects
  * @property {Selection} selection
  * @property {number[]} dragged handles under the pointer
- * @property {{ way: string, by: number[] } | null} moved how far they are dragged, in units of the mesh
+ * @property {{ by: number[], targets: Float64Array } | null} moved how far they are dragged, in units
+ *   of the mesh, and where to, `#dragged by 3`
  * @property {string | undefined} gizmoPart axis or plane of the gizmo under the pointer
  * @property {number} dragMs from the pointer to new positions, of the last move
  * @property {Tint | null} tint members of the constraint that is pointed at
@@ -118,6 +119,23 @@ const INITIAL = {
   saved: '',
   status: '',
 };
+
+/**
+ * The handles, those that are dragged where they are dragged to.
+ * @param {Readonly<State>} state
+ * @returns {import("./messages.js").Handle[]}
+ */
+export function handlesNow({ document, dragged, moved }) {
+  const handles = document?.handles ?? [];
+  if (!moved) return handles;
+  const places = new Map(dragged.map((vertex, i) => [vertex, 3 * i]));
+  return handles.map((handle) => {
+    const at = places.get(handle.vertex);
+    if (at === undefined) return handle;
+    const [x, y, z] = moved.targets.subarray(at, at + 3);
+    return { ...handle, target: [x, y, z] };
+  });
+}
 
 /** @returns {Store} */
 export function createStore() {

@@ -5,6 +5,7 @@
  */
 
 import { removeFirstPicture } from './first-picture.js';
+import { handlesNow } from './state.js';
 import { messageOf } from './messages.js';
 import { modelErrors, showFlatMap } from './flat-map.js';
 import { showSplit } from './split.js';
@@ -94,6 +95,11 @@ export class Viewport extends EventTarget {
   heldWay = (way, dx, dy) => this.view?.heldWay(way, dx, dy);
   /** Where what the view holds is seen once it has gone so far. @param {number[]} by */
   heldPlace = (by) => this.view?.heldPlace(by[0], by[1], by[2]);
+
+  /** In CSS pixels, as the view has it: without measuring the page again. */
+  get width() {
+    return this.#size[0];
+  }
 
   /**
    * The colours of the range as a legend paints them, with their places in it from 0 to 1: gradual, or
@@ -248,7 +254,7 @@ export class Viewport extends EventTarget {
       [['display', 'halfway'], showDisplay],
       [['parallel'], (view, { parallel }) => view.setParallel(parallel)],
       [['tape'], (view, { tape }) => view.setTape(Uint32Array.from(tape ?? []))],
-      [['document', 'dragged', 'selection', 'model'], showHandles],
+      [['document', 'dragged', 'moved', 'selection', 'model'], showHandles],
       [
         ['gizmoPart', 'dragged'],
         (view, state) => view.lightGizmo(state.gizmoPart, state.dragged.length > 0),
@@ -345,8 +351,9 @@ function showDisplay(view, { display, halfway }) {
  * @param {View} view
  * @param {State} state
  */
-function showHandles(view, { document, dragged }) {
-  const handles = document?.handles ?? [];
+function showHandles(view, state) {
+  const { dragged } = state;
+  const handles = handlesNow(state);
   const vertices = Uint32Array.from(handles, (handle) => handle.vertex);
   const states = Uint8Array.from(handles, (handle) =>
     dragged.includes(handle.vertex) ? 2 : handle.fixed ? 1 : 0,

@@ -9,7 +9,9 @@ const EXAMPLE = 'fig-05-mixed';
 /** Milliseconds. */
 const FRAME_BUDGET = 4;
 const ANSWER_BUDGET = 16;
-const MOVES = 60;
+/** So many times so many frames with a move each. */
+const BATCHES = 9;
+const FRAMES = 8;
 
 const median = (values) => values.toSorted((a, b) => a - b)[values.length >> 1];
 
@@ -53,30 +55,31 @@ test('a drag on 2500 vertices is answered within 16 ms and costs the page 4 ms',
   await page.mouse.down();
   await page.mouse.move(x, y - 10, { steps: 4 });
   await waitForState(page, (now) => now.iteration > 0);
+  // What Playwright itself does in the page would count: a batch of moves, one a frame, is one call.
+  const moveInFrames = ([left, top, count]) =>
+    new Promise((done) => {
+      const view = document.querySelector('[role="application"]');
+      const next = (i) => {
+        if (i === count) return done();
+        const [clientX, clientY] = [left + 3 * i, top - i];
+        const where = { clientX, clientY, pointerId: 1, pointerType: 'mouse', buttons: 1 };
+        view.dispatchEvent(new PointerEvent('pointermove', where));
+        requestAnimationFrame(() => next(i + 1));
+      };
+      next(0);
+    });
   const perFrame = [];
-  for (let move = 0; move < MOVES; move++) {
-    const answered = await page.evaluate(() => window.shapeUp.dragTimes().answer.length);
+  for (let batch = 0; batch < BATCHES; batch++) {
     const before = await spent();
-    await page.mouse.move(x + 20 * Math.sin(move / 5), y - 12 - move / 2);
-    // One frame with the move in it, and the picture after it.
-    await page.waitForFunction(
-      (count) =>
-        window.shapeUp.dragTimes().answer.length > count &&
-        new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn))).then(
-          () => true,
-        ),
-      answered,
-    );
-    const frames = await page.evaluate(() => window.shapeUp.dragTimes().answer.length);
-    perFrame.push((await spent()) - before);
-    expect(frames).toBeGreaterThan(answered);
+    await page.evaluate(moveInFrames, [x, y - 12 - batch, FRAMES]);
+    perFrame.push(((await spent()) - before) / FRAMES);
   }
   await page.mouse.up();
   const { answer, latency } = await page.evaluate(() => window.shapeUp.dragTimes());
   const [work, answers] = [median(perFrame), median(answer)];
   const said = `page ${work.toFixed(2)} ms, worker ${answers.toFixed(2)} ms, pointer to positions ${median(latency).toFixed(1)} ms`;
   test.info().annotations.push({ type: 'measured', description: said });
-  console.log(said);
+  console.warn(said);
   expect(work, said).toBeLessThan(FRAME_BUDGET);
   expect(answers, said).toBeLessThan(ANSWER_BUDGET);
   await expect(page.getByTitle('From the pointer to new positions')).toContainText('ms');

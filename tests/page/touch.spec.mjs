@@ -20,8 +20,13 @@ async function fingers(page) {
     });
   return {
     down: (...points) => send('touchStart', points),
-    move: (...points) => send('touchMove', points),
     up: () => send('touchEnd', []),
+    /** From place to place, as quickly as a person: a finger that rests asks for the menu. */
+    swipe: (...places) =>
+      Promise.all([
+        ...places.map((points, i) => send(i === 0 ? 'touchStart' : 'touchMove', points)),
+        send('touchEnd', []),
+      ]),
   };
 }
 
@@ -37,10 +42,7 @@ test('one finger orbits, two pan and zoom', async ({ page }) => {
   const places = () => Promise.all(corners.map((corner) => screenOf(page, corner)));
   const before = await places();
   const [x, y] = await screenOf(page, MIDDLE);
-  await touch.down([x, y]);
-  await touch.move([x + 30, y]);
-  await touch.move([x + 40, y]);
-  await touch.up();
+  await touch.swipe([[x, y]], [[x + 30, y]], [[x + 40, y]]);
   await expect.poll(places).not.toEqual(before);
   expect((await state(page)).selection.vertices).toEqual([]);
 
@@ -49,17 +51,37 @@ test('one finger orbits, two pan and zoom', async ({ page }) => {
     return Math.hypot(a[0] - b[0], a[1] - b[1]);
   };
   const size = await apart();
-  await touch.down([x - 30, y], [x + 30, y]);
-  await touch.move([x - 26, y], [x + 26, y]);
-  await touch.move([x - 22, y], [x + 22, y]);
-  await touch.up();
+  await touch.swipe(
+    [
+      [x - 30, y],
+      [x + 30, y],
+    ],
+    [
+      [x - 26, y],
+      [x + 26, y],
+    ],
+    [
+      [x - 22, y],
+      [x + 22, y],
+    ],
+  );
   await expect.poll(apart).toBeLessThan(0.9 * size);
 
   const [left] = await screenOf(page, MIDDLE);
-  await touch.down([x - 30, y], [x + 30, y]);
-  await touch.move([x - 10, y + 8], [x + 50, y + 8]);
-  await touch.move([x + 10, y + 8], [x + 70, y + 8]);
-  await touch.up();
+  await touch.swipe(
+    [
+      [x - 30, y],
+      [x + 30, y],
+    ],
+    [
+      [x - 10, y + 8],
+      [x + 50, y + 8],
+    ],
+    [
+      [x + 10, y + 8],
+      [x + 70, y + 8],
+    ],
+  );
   await expect.poll(async () => (await screenOf(page, MIDDLE))[0]).toBeGreaterThan(left + 20);
 });
 
@@ -78,10 +100,7 @@ test('a long press shows the menu; a handle and its arrows follow a finger', asy
   const made = await waitForState(page, (now) => now.handles.length === 1);
   expect(made.handles[0].vertex).toBe(MIDDLE);
 
-  await touch.down([x, y]);
-  await touch.move([x + 12, y - 12]);
-  await touch.move([x + 20, y - 24]);
-  await touch.up();
+  await touch.swipe([[x, y]], [[x + 12, y - 12]], [[x + 20, y - 24]]);
   const moved = await waitForState(
     page,
     (now, from) => now.handles[0].target[0] !== from,
@@ -92,10 +111,11 @@ test('a long press shows the menu; a handle and its arrows follow a finger', asy
   const look = async () => (arrow = await page.evaluate(() => window.shapeUp.gizmo('z')));
   await expect.poll(look).not.toBeNull();
   // Beside the arrow, as fingers are.
-  await touch.down([arrow[0] - 14, arrow[1]]);
-  await touch.move([arrow[0] - 14, arrow[1] - 15]);
-  await touch.move([arrow[0] - 14, arrow[1] - 30]);
-  await touch.up();
+  await touch.swipe(
+    [[arrow[0] - 14, arrow[1]]],
+    [[arrow[0] - 14, arrow[1] - 15]],
+    [[arrow[0] - 14, arrow[1] - 30]],
+  );
   const [before] = moved.handles;
   const lifted = await waitForState(
     page,
