@@ -1,4 +1,4 @@
-// The crate as two WebAssembly modules for the page, each with its JavaScript side.
+// The crate as WebAssembly modules for the page, each with its JavaScript side.
 
 import { rmSync } from 'node:fs';
 import { join } from 'node:path';
@@ -7,8 +7,8 @@ import { outputOf, run, say } from './run.mjs';
 import { wasmBindgen } from './setup-bindgen.mjs';
 import { filesUnder, unlessUnchanged } from './stamp.mjs';
 
-/** The Cargo features that are modules: the worker's and the page's. */
-export const modules = ['solver', 'view'];
+/** The Cargo features that are modules: the worker's, and the page's for each backend. */
+export const modules = ['solver', 'view-webgpu', 'view-webgl2'];
 
 /** Builds one of them into `www/pkg/<feature>/`. */
 export async function buildModule(feature) {
@@ -17,7 +17,7 @@ export async function buildModule(feature) {
   const flags = ['--target', 'web', '--remove-name-section', '--remove-producers-section'];
   const work = {
     name: feature,
-    // Cargo gives both modules the same file name, so it would link each anew every time.
+    // Cargo gives all modules the same file name, so it would link each anew every time.
     inputs: [
       ...filesUnder(at('src')),
       ...['Cargo.toml', 'Cargo.lock', '.cargo/config.toml'].map((name) => at(name)),

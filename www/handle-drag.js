@@ -34,7 +34,7 @@ export class HandleDrag {
   /**
    * @param {import("./state.js").Store} store
    * @param {import("./solver-client.js").SolverClient} solver
-   * @param {Pick<import("./pkg/view/shape_up.js").View, "dragTarget">} view
+   * @param {Pick<import("./pkg/view-webgl2/shape_up.js").View, "dragTarget">} view
    * @param {number} vertex the handle under the pointer
    * @param {number} x of the pointer, CSS pixels within the viewport
    * @param {number} y

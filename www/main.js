@@ -134,7 +134,7 @@ const keeping = new Keeping(store, solver, files, alerts);
 recentMenu(byId('recent-button'), byId('recent'), keeping, alerts);
 keeping.begin().catch((error) => alerts.error(messageOf(error)));
 files.offerExamples(byId('examples')).catch((error) => alerts.error(messageOf(error)));
-stayOffline(alerts, keeping);
+stayOffline(alerts, keeping, viewport);
 
 /**
  * Takes the solver's news into the store.
