@@ -160,7 +160,7 @@ const keeping = new Keeping(store, solver, files, alerts);
 recentMenu(byId('recent-button'), byId('recent'), keeping, alerts);
 keeping.begin().catch((error) => alerts.error(messageOf(error)));
 files.offerExamples(byId('examples')).catch((error) => alerts.error(messageOf(error)));
-stayOffline(alerts, keeping);
+stayOffline(alerts, keeping, viewport);
 import('./surroundings.js').then((module) => module.tellSurroundings(byId('numbers'), store));
 
 /**

@@ -4,13 +4,14 @@
  * hands over what changed and asks for one picture.
  */
 
+import { Backend, isBlank, openView } from './backend.js';
 import { removeFirstPicture } from './first-picture.js';
 import { handlesNow } from './state.js';
 import { messageOf } from './messages.js';
 import { modelErrors, showFlatMap } from './flat-map.js';
 import { showSplit } from './split.js';
 
-/** @typedef {import("./pkg/view/shape_up.js").View} View */
+/** @typedef {import("./pkg/view-webgl2/shape_up.js").View} View */
 /** @typedef {import("./state.js").State} State */
 /**
  * Words over the picture, in CSS pixels, with a bar below them that is so long.
@@ -26,7 +27,6 @@ const NO_COLOURS = {
   vertices: new Uint8Array(0),
   palette: new Float32Array(0),
 };
-const BACKENDS = ['webgpu', 'webgl2'];
 
 export class Viewport extends EventTarget {
   /** The element that gestures and sizes refer to; canvases come and go in it. @type {HTMLElement} */
@@ -38,6 +38,9 @@ export class Viewport extends EventTarget {
 
   #store;
   #solver;
+  #backend = new Backend();
+  /** WebGPU is asked once whether its picture is there. */
+  #isProven = false;
   /** @type {HTMLCanvasElement | null} */
   #canvas = null;
   #attempts = 0;
@@ -166,33 +169,36 @@ export class Viewport extends EventTarget {
     });
     this.#canvas = canvas;
     this.element.replaceChildren(canvas);
+    const backend = await this.#backend.choose();
     try {
-      const { default: init, View } = await import('./pkg/view/shape_up.js');
-      await init();
-      const wanted = new URLSearchParams(location.search).get('backend') ?? 'auto';
-      const view = await View.create(canvas, BACKENDS.includes(wanted) ? wanted : 'auto');
+      const view = await openView(canvas, backend);
       if (canvas !== this.#canvas) return view.free();
       this.view = view;
     } catch (thrown) {
-      if (canvas === this.#canvas) this.#giveUp(messageOf(thrown));
+      if (canvas !== this.#canvas) return;
+      if (this.#backend.failed(backend)) this.#create();
+      else this.#giveUp(messageOf(thrown));
       return;
     }
     this.#size = [0, 0];
     this.#resize();
     this.#newMesh = true;
     this.#handOver();
-    this.#store.set({ renderer: /** @type {"webgpu" | "webgl2"} */ (this.view.backend()) });
+    this.#store.set({ renderer: backend });
     this.dispatchEvent(new Event('ready'));
   }
 
   /** @param {string} reason */
   #lost(reason) {
-    this.view?.free();
+    const { renderer } = this.#store.get();
+    const { view } = this;
     this.view = null;
-    this.#attempts += 1;
     this.#store.set({ status: 'The 3D picture was lost and is drawn anew' });
-    if (this.#attempts > ATTEMPTS) return this.#giveUp(reason);
     this.#canvas = null;
+    // It may call for help once more.
+    view?.free();
+    if (renderer !== 'webgpu' || !this.#backend.failed(renderer)) this.#attempts += 1;
+    if (this.#attempts > ATTEMPTS) return this.#giveUp(reason);
     this.#create();
   }
 
@@ -324,6 +330,10 @@ export class Viewport extends EventTarget {
     if (!this.#solver.geometry || !this.view?.needsDraw()) return;
     try {
       if (!this.view.draw()) return;
+      if (!this.#isProven && this.view.backend() === 'webgpu' && this.#canvas) {
+        if (isBlank(this.#canvas)) return this.#lost('the picture stays empty');
+        this.#isProven = true;
+      }
       this.#attempts = 0;
       removeFirstPicture();
       this.dispatchEvent(new Event('drawn'));

@@ -38,6 +38,7 @@ pub mod light;
 pub mod lines;
 pub mod lists;
 pub mod looks;
+pub mod loss;
 pub mod normals;
 pub mod palette;
 pub mod picking;
