@@ -19,7 +19,7 @@ pub mod view;
 #[cfg(feature = "view")]
 mod view_map;
 #[cfg(feature = "solver")]
-mod warm_up;
+pub mod warm_up;
 
 use wasm_bindgen::JsValue;
 
