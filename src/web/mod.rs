@@ -33,7 +33,7 @@ mod view_seeing;
 #[cfg(feature = "view")]
 mod view_split;
 #[cfg(feature = "solver")]
-mod warm_up;
+pub mod warm_up;
 
 use wasm_bindgen::JsValue;
 
