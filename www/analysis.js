@@ -37,6 +37,16 @@ const TABS = [
     label: 'Angles',
     make: async (panel, parts) => (await import('./panels/angles.js')).anglesPanel(panel, parts),
   },
+  {
+    id: 'worst',
+    label: 'Worst',
+    make: async (panel, parts) => (await import('./lists/worst.js')).worstElements(panel, parts),
+  },
+  {
+    id: 'log',
+    label: 'Log',
+    make: async (panel, parts) => (await import('./lists/log.js')).logOf(panel, parts),
+  },
 ];
 
 /**

@@ -17,6 +17,7 @@ import { toggleTheme } from './theme.js';
  * @property {import("./alerts.js").Alerts} alerts
  * @property {import("./dialog-add-constraint.js").AddConstraintDialog} addConstraint
  * @property {import("./solver-client.js").SolverClient} solver
+ * @property {() => void} lesson opens the dialog that writes one
  * @property {() => void} flatMap shows the flat map, or takes it away
  * @property {() => void} split shows two pictures, or one again
  * @property {HTMLInputElement} fileInput
@@ -282,6 +283,14 @@ export function commandTable(parts) {
         actions.told(
           import('./dialog-share.js').then(({ share }) => share({ store, solver, files })),
         ),
+      needsModel: true,
+    },
+    {
+      id: 'lesson',
+      group: 'File',
+      label: 'Write a lesson: a text, and goals that are checked',
+      keys: [],
+      action: parts.lesson,
       needsModel: true,
     },
     {

@@ -16,6 +16,7 @@ import { Files } from './files.js';
 import { animateFirstPicture } from './first-picture.js';
 import { toggleFlatMap } from './flat-map.js';
 import { count } from './format.js';
+import { attachLater } from './attach-later.js';
 import { bindHandleKeys } from './handle-keys.js';
 import { buildHelp } from './help.js';
 import { firstHints } from './hints.js';
@@ -72,7 +73,10 @@ const addConstraint = new AddConstraintDialog(byId('add-constraint'), store, sol
 const { refit } = colourFaces(store, solver);
 colourRows(store, solver, actions);
 
-modelPanel(byId('model'), store, actions);
+modelPanel(byId('model'), store, actions, () => {
+  if (byId('inspector-panel').checkVisibility() === false) byId('tab-inspector').click();
+  analysis.show('log');
+});
 offerExperiment(byId('experiment'), store, solver, alerts);
 constraintsPanel(byId('constraints'), store, solver, actions);
 handlesPanel(byId('handles'), store, actions, solver);
@@ -85,6 +89,8 @@ exampleNote(byId('example-note'), files, alerts, ({ split, plot }) => {
   if (split) splitInto(parts, split);
   if (plot) analysis.bring(plot);
 });
+store.subscribe(['status'], ({ status }) => status && alerts.note(status));
+attachLater(parts);
 statusBar({ status: byId('status'), hint: byId('hint'), numbers: byId('numbers') }, store);
 selectBar(byId('select-bar'), byId('select-menu'), store, actions, selecting, alerts);
 firstHints(byId('hint-card'), store);
@@ -113,6 +119,7 @@ const commands = commandTable({
   solver,
   fileInput,
   help,
+  lesson: () => actions.told(import('./lesson/dialog.js').then(({ write }) => write(parts))),
   flatMap: () => toggleFlatMap({ store, solver, viewport, alerts }),
   split: () => toggleSplit(parts),
 });

@@ -81,10 +81,12 @@
  *   | { type: "addHandles", vertices: number[], fixed: boolean }
  *   | { type: "removeHandles", vertices: number[] }
  *   | { type: "duplicateConstraint", index: number }
+ *   | { type: "renameConstraint", index: number, name: string }
  *   | { type: "nameSet", name: string, vertices: number[], faces: number[] }
  *   | { type: "removeSet", name: string }
  *   | { type: "set", id: string, value: ParamValue }
  *   | { type: "holdClose", vertices: number[] | null, weight: number }
+ *   | { type: "setLesson", lesson: Lesson | null }
  *   | { type: "weighHandles", vertices: number[], weight: number }
  *   | { type: "reset" }} Edit
  */
@@ -106,6 +108,30 @@
  */
 
 /** @typedef {"vertices" | "edges" | "faces"} PickMode */
+
+/**
+ * The scene file's `lesson`: each goal is about a measure, or about the constraints of a name.
+ * @typedef {{ text: string, goals: { measure?: Measure, constraint?: string, at_most: number }[] }} Lesson
+ */
+
+/**
+ * A lesson as it stands: `measure` is null for a goal about constraints, `label` their name.
+ * @typedef {object} LessonWords
+ * @property {string} text
+ * @property {{ label: string, words: string, unit: FaceMeasure["unit"], atMost: number, measure: Measure | null }[]} goals
+ */
+
+/**
+ * An element that is far from what is asked of it.
+ * @typedef {object} WorstElement
+ * @property {string} element what it is called
+ * @property {string[]} groups
+ * @property {number | null} row of the constraint that asks most of it
+ * @property {string} constraint what that row is called; empty where there is none
+ * @property {number} value in the unit of the measure; a length for constraints
+ * @property {number[]} faces
+ * @property {number[]} vertices
+ */
 
 /** @typedef {{ operation: string, mode: PickMode, from: Partial<Record<PickMode, number[]>>, params: Record<string, ParamValue> }} SelectRequest */
 
@@ -131,8 +157,8 @@
 
 /**
  * Something wrong in a file that could be survived: a sentence that says how often and where first;
- * `line` is the first of `count`.
- * @typedef {{ message: string, count: number, line: number | null }} Problem
+ * `line` is the first of `count`; `flaw` what to ask for the elements that have it.
+ * @typedef {{ message: string, count: number, line: number | null, flaw: string | null }} Problem
  */
 
 /**
@@ -140,7 +166,8 @@
  * @typedef {object} ConstraintRow
  * @property {number} index
  * @property {string} kind
- * @property {string} label
+ * @property {string} label its name, or what its kind is called
+ * @property {string} name empty when it has none
  * @property {[number, number, number]} colour sRGB bytes
  * @property {string} on in words
  * @property {number} count
@@ -175,6 +202,7 @@
  * @property {number} heldOtherwise vertices that are kept close more or less than the others
  * @property {string | null} undo what Undo would take back
  * @property {string | null} redo what Redo would do again
+ * @property {LessonWords | null} lesson
  * @property {number[]} pinned vertices that were pinned because nothing else holds their part
  */
 
@@ -193,6 +221,7 @@
  * @property {{ max_distance: number, mean_distance: number, [measure: string]: number }} circularity
  * @property {number[]} worst per row of the list of constraints: the largest distance of a vertex to its projection
  * @property {number[]} shares per row its part of the total energy, from 0 to 1
+ * @property {{ value: number | null, met: boolean }[]} goals of the lesson; null where nothing has a value
  * @property {number} stepMs
  */
 
@@ -247,6 +276,7 @@
  * @property {number} mean error, weighted by area
  * @property {number} max error
  * @property {number} flipped triangles that the map turns over
+ * @property {Uint32Array} flippedFaces those that have some of these
  * @property {number} parts connected parts of the surface
  * @property {number} closedParts those without a boundary, which cannot be flattened without folds
  * @property {number} eigenvalue
@@ -286,6 +316,8 @@
  * - `edit`, `undo`, `redo`, `step`; `halfStep`: the local step, or the global step after it.
  * - `members`: what a constraint acts on. `rowColours`: the colours of all of them. `previews`: what
  *   adding one of each kind at each of some places would make. `select`: what is selected then.
+ * - `worst`: the worst faces by a measure, or the worst constraints of a row. `flawed`: the elements
+ *   with a flaw of a {@link Problem}, or `zero-size-faces`. `results`: what a student hands in.
  * - `faceValues`: of a measure, of the current shape or the original. `originalPositions`: where the
  *   vertices of the original are. `angles`: of the corners of the faces.
  * - `parametrize`: ends a run. Refused where there is no face, or no area.
@@ -307,6 +339,9 @@
  *   | { type: "rowColours" }
  *   | { type: "previews", places: Selector[] }
  *   | { type: "select", request: SelectRequest }
+ *   | { type: "worst", measure: Measure | null, row: number | null, count: number }
+ *   | { type: "flawed", flaw: string }
+ *   | { type: "results", student: string, time: string }
  *   | { type: "scene" }
  *   | { type: "parametrize", weights: MapWeights, norm: MapNorm }
  *   | { type: "obj", uv?: Float64Array }
@@ -331,6 +366,9 @@
  * @property {RowColours} rowColours
  * @property {(Preview | null)[][]} previews `#kinds by #places`, null where nothing fits
  * @property {Record<PickMode, Uint32Array>} select
+ * @property {WorstElement[]} worst
+ * @property {Record<PickMode, Uint32Array>} flawed
+ * @property {string} results
  * @property {Parametrization} parametrize
  * @property {string} scene
  * @property {string} obj

@@ -7,6 +7,7 @@
 import init, { Solver } from './pkg/solver/shape_up.js';
 import { cancelExperiment, experimentCsv, runExperiment } from './experiment/worker-part.js';
 import { SLICE_MS, messageOf } from './messages.js';
+import { disturb, warmUpWhenQuiet } from './warm-up.js';
 
 /** @typedef {import("./messages.js").ToWorker} ToWorker */
 /** @typedef {import("./messages.js").FromWorker} FromWorker */
@@ -85,6 +86,7 @@ function live() {
 /** @param {ToWorker} message */
 function receive(message) {
   if (!solver) return;
+  disturb();
   if (!('id' in message)) return guard(() => command(message));
   try {
     post({ type: 'reply', id: message.id, value: answer(message) });
@@ -101,6 +103,7 @@ function command(message) {
     case 'recycle':
       if (message.positions.length === positionsLength && free.length < 2)
         free.push(message.positions);
+      warmUpWhenQuiet(iterating);
       return sendFrame();
     case 'show':
       measure = message.measure;
@@ -160,6 +163,14 @@ function answer(message) {
       return live().rowColours();
     case 'previews':
       return live().previews(message.places);
+    case 'worst':
+      return message.measure
+        ? live().worstFaces(message.measure, message.count)
+        : live().worstConstraints(message.row ?? 0, message.count);
+    case 'flawed':
+      return live().flawed(message.flaw);
+    case 'results':
+      return live().results(message.student, message.time);
     case 'select':
       return live().select(message.request);
     case 'scene':

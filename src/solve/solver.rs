@@ -118,9 +118,9 @@ impl Solver {
             placed.for_each(|&v| held[v as usize] = true);
         }
         let before_system = clock::now();
-        let terms = [shape_terms, smooth_terms];
+        let terms = vec![shape_terms, smooth_terms];
         let Kept { surface: made, ordered } = kept;
-        let mut system = System::with_order(n, &terms, settings.factorization, ordered.as_ref());
+        let mut system = System::with_order(n, terms, settings.factorization, ordered.as_ref());
         let after_system = clock::now();
 
         let (centre, diameter) = centre_and_extent(&mesh.positions);

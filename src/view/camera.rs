@@ -153,6 +153,14 @@ impl Camera {
         Ok(())
     }
 
+    /// Looks against a direction, which is not zero. Place and distance stay.
+    pub fn look_against(&mut self, direction: Vec3) {
+        let direction = direction.normalize();
+        let [right, back, up] = self.up.axes().map(|axis| axis.dot(direction));
+        self.turn = right.atan2(-back).rem_euclid(std::f32::consts::TAU);
+        self.tilt = up.clamp(-1.0, 1.0).asin();
+    }
+
     /// From scene to clip coordinates (x and y from -w to w, z from 0 to w), with the near and far
     /// depths given.
     pub fn clip_from_scene(&self, near: f32, far: f32) -> Mat4 {

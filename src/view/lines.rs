@@ -1,4 +1,5 @@
-//! Draws edges, polylines, selected edges, and the lines from handles to their targets: `shaders/lines.wgsl`.
+//! Draws edges, polylines, selected edges, outlines of flipped faces, and the lines from handles to their
+//! targets: `shaders/lines.wgsl`.
 
 use super::palette::LineKind;
 use super::pipeline::{Layer, Recipe, VertexBuffer, build};
@@ -19,6 +20,7 @@ pub struct Lines {
     curves: VertexBuffer,
     pulls: VertexBuffer,
     selected: VertexBuffer,
+    flipped: VertexBuffer,
 }
 
 impl Lines {
@@ -44,6 +46,7 @@ impl Lines {
             curves: VertexBuffer::new(device),
             pulls: VertexBuffer::new(device),
             selected: VertexBuffer::new(device),
+            flipped: VertexBuffer::new(device),
         }
     }
 
@@ -65,6 +68,13 @@ impl Lines {
         self.selected.write(device, queue, &selected);
     }
 
+    /// Takes the sides of the faces that the flat map `map` turns over.
+    pub fn update_map(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, map: &Stage) {
+        let sides = map.flipped.iter();
+        let flipped: Vec<[u32; 3]> = sides.map(|&[a, b]| line(a, b, LineKind::Flipped)).collect();
+        self.flipped.write(device, queue, &flipped);
+    }
+
     /// Takes the handles; their targets come after the vertices in the table of positions.
     pub fn update_handles(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, stage: &Stage) {
         let first = stage.counts().0 as u32;
@@ -83,6 +93,11 @@ impl Lines {
             draw(pass, &self.in_front, &self.edges);
         }
         draw(pass, &self.in_front, &self.curves);
+    }
+
+    /// Draws the outlines of the faces that the flat map turns over.
+    pub fn draw_flipped(&self, pass: &mut wgpu::RenderPass<'_>) {
+        draw(pass, &self.in_front, &self.flipped);
     }
 
     /// Draws selected edges: dim where the surface hides them, then those in sight.

@@ -47,6 +47,8 @@ pub enum LineKind {
     Arrow = 5,
     /// A selected edge.
     Selected = 6,
+    /// A side of a face that the flat map turns over.
+    Flipped = 7,
 }
 
 /// What a dot stands for; its number is its place in [`Palette::dots`].
@@ -73,7 +75,7 @@ pub enum DotKind {
 }
 
 /// How many kinds of lines there are.
-pub const LINE_KINDS: usize = 7;
+pub const LINE_KINDS: usize = 8;
 /// How many kinds of dots there are.
 pub const DOT_KINDS: usize = 9;
 
@@ -141,6 +143,7 @@ pub const LIGHT: Palette = Palette {
         cased(1.4),
         cased(1.5),
         stroke(ORANGE, 3.4),
+        stroke([0.84, 0.16, 0.20, 1.0], 2.6),
     ],
     edge_of_values: [1.0, 1.0, 1.0, 0.40],
     check: [0.20, 0.26, 0.36, 0.94],
@@ -175,6 +178,7 @@ pub const DARK: Palette = Palette {
         cased(1.4),
         cased(1.5),
         stroke([1.0, 0.60, 0.15, 1.0], 3.4),
+        stroke([1.0, 0.40, 0.38, 1.0], 2.6),
     ],
     edge_of_values: [1.0, 1.0, 1.0, 0.34],
     check: [0.125, 0.145, 0.185, 0.95],

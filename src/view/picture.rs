@@ -82,6 +82,9 @@ impl Picture {
         if let (Some(map), Some([_, [.., width, height]])) = (&mut map, parts) {
             let (device, queue) = (&self.device.device, &self.device.queue);
             self.map_store.update(device, queue, map, (width, height));
+            if map.changes.mesh || map.changes.marks {
+                self.lines.update_map(device, queue, map);
+            }
             map.changes = Changes::default();
         }
         let sides = split.map(|split| self.update_sides(split, canvas, ratio));
@@ -107,6 +110,7 @@ impl Picture {
             pass.set_bind_group(0, self.map_store.group(), &[]);
             self.faces.draw(&mut pass);
             self.lines.draw(&mut pass, stage.display.edges);
+            self.lines.draw_flipped(&mut pass);
             // On WebGL2 only what is inside the last rectangle arrives on the canvas.
             confine(&mut pass, [0, 0, canvas.0, canvas.1]);
         }

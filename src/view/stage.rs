@@ -103,6 +103,8 @@ pub struct Stage {
     pub projections: Projections,
     /// The checkerboard of a flat map.
     pub checks: Checks,
+    /// Sides of the faces that a flat map turns over, by their vertices.
+    pub flipped: Vec<[u32; 2]>,
     /// What is switched on.
     pub display: Display,
     /// Dark theme.
@@ -128,6 +130,7 @@ impl Default for Stage {
             shapes: Vec::new(),
             projections: Projections::default(),
             checks: Checks::default(),
+            flipped: Vec::new(),
             display: Display { edges: true, ..Display::default() },
             dark: false,
             white: false,
@@ -344,12 +347,16 @@ impl Stage {
     /// A vertex that does not exist.
     pub fn fit_vertices(&mut self, vertices: &[u32]) -> Result<(), ViewError> {
         check_indices("vertices", vertices, self.counts().0)?;
+        self.come_near(vertices, self.size() * 0.04);
+        Ok(())
+    }
+
+    /// Fills the canvas with some vertices and so much around them.
+    pub(super) fn come_near(&mut self, vertices: &[u32], around: f32) {
         let points = vertices.iter().map(|&v| self.subject.positions[v as usize]);
-        let radius = self.size() * 0.04;
-        frame(&mut self.camera, points, radius);
+        frame(&mut self.camera, points, around);
         self.framed = false;
         self.view_changed();
-        Ok(())
     }
 
     /// Looks from a named side and fills the canvas.

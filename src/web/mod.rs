@@ -3,6 +3,8 @@
 #[cfg(feature = "solver")]
 pub mod experiment;
 #[cfg(feature = "solver")]
+mod lists;
+#[cfg(feature = "solver")]
 mod measure;
 #[cfg(feature = "solver")]
 mod original;
@@ -20,6 +22,8 @@ pub mod solver;
 pub mod view;
 #[cfg(feature = "view")]
 mod view_map;
+#[cfg(feature = "solver")]
+mod warm_up;
 #[cfg(feature = "view")]
 mod view_split;
 

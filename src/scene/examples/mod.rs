@@ -109,7 +109,7 @@ fn each(element: Element) -> Selector {
 
 fn constraint(id: &str, on: Selector, weight: f64) -> ConstraintSpec {
     let kind = Kind::new(id, serde_json::json!({})).expect("the kind is in the list of kinds");
-    ConstraintSpec { kind, on, weight, enabled: true }
+    ConstraintSpec { kind, on, weight, enabled: true, name: String::new() }
 }
 
 /// Vertices that stay where they are.

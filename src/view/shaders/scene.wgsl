@@ -34,7 +34,7 @@ struct Scene {
     // Squares of the checkerboard along a unit of length, 0 for none; then nothing.
     checks: vec4f,
     circle: Stroke,
-    strokes: array<Stroke, 7>,
+    strokes: array<Stroke, 8>,
     dots: array<Dot, 9>,
 }
 
