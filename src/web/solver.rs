@@ -342,8 +342,7 @@ impl Solver {
         Ok(self.open()?.obj())
     }
 
-    /// A table as CSV: `errors` of the faces, `convergence`, the energies of the iterations, or `angles`
-    /// of the corners of the faces.
+    /// A table as CSV: `errors` of faces, energies of the iterations (`convergence`), or `angles`.
     pub fn table(&mut self, what: &str) -> Result<String, JsValue> {
         let session = self.open_mut()?;
         match what {
