@@ -2,7 +2,7 @@
  * The region of plots and tables: a tab for each. What a tab needs comes when it is first shown.
  */
 
-import { element } from './dom.js';
+import { byId, element } from './dom.js';
 import { messageOf } from './messages.js';
 import { Convergence } from './panels/convergence.js';
 
@@ -33,6 +33,11 @@ const TABS = [
     make: (panel, { store, solver }) => new Convergence(panel, store, solver),
   },
   {
+    id: 'angles',
+    label: 'Angles',
+    make: async (panel, parts) => (await import('./panels/angles.js')).anglesPanel(panel, parts),
+  },
+  {
     id: 'worst',
     label: 'Worst',
     make: async (panel, parts) => (await import('./lists/worst.js')).worstElements(panel, parts),
@@ -47,7 +52,7 @@ const TABS = [
 /**
  * @param {HTMLElement} place
  * @param {Parts} parts
- * @returns {{ show: (id: string) => void }} brings a tab to the front
+ * @returns {{ bring: (id: string) => void }} brings a tab into sight
  */
 export function analysisRegion(place, parts) {
   const list = element('div', { role: 'tablist', 'aria-label': 'Analysis' });
@@ -97,14 +102,22 @@ export function analysisRegion(place, parts) {
 
   /** @param {string} id */
   function show(id) {
-    for (const entry of entries) {
-      const isShown = entry.id === id;
-      entry.panel.hidden = !isShown;
-      entry.button.setAttribute('aria-selected', String(isShown));
-      entry.button.tabIndex = isShown ? 0 : -1;
-      if (isShown || entry.atOnce) fill(entry);
+    for (const { id: other, panel, button } of entries) {
+      const isShown = other === id;
+      panel.hidden = !isShown;
+      button.setAttribute('aria-selected', String(isShown));
+      button.tabIndex = isShown ? 0 : -1;
     }
+    return Promise.all(entries.filter((entry) => entry.id === id || entry.atOnce).map(fill));
   }
   show(TABS[0].id);
-  return { show };
+  return {
+    async bring(id) {
+      const filled = show(id);
+      // In a narrow window the panel may be behind another, or closed.
+      if (place.offsetParent === null) byId('tab-inspector').click();
+      await filled;
+      place.scrollIntoView({ block: 'nearest' });
+    },
+  };
 }

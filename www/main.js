@@ -28,6 +28,7 @@ import { energiesPanel } from './panels/energies.js';
 import { exampleNote } from './panels/example.js';
 import { Keeping } from './keeping.js';
 import { handlesPanel } from './panels/handles.js';
+import { bindHalfStepButtons } from './half-step.js';
 import { stayOffline } from './offline.js';
 import { legend } from './panels/legend.js';
 import { modelPanel } from './panels/model.js';
@@ -41,10 +42,12 @@ import { scriptApi } from './script-api.js';
 import { Selecting } from './selecting.js';
 import { NOTHING } from './selection.js';
 import { SolverClient } from './solver-client.js';
+import { splitInto, toggleSplit } from './split.js';
 import { recentMenu } from './recent-menu.js';
 import { createStore } from './state.js';
 import { followTheme } from './theme.js';
 import { frameChips } from './units.js';
+import { bindViewMenu } from './view-commands.js';
 import { bindViewKeys } from './view-keys.js';
 import { Viewport } from './viewport.js';
 
@@ -75,7 +78,6 @@ modelPanel(byId('model'), store, actions, () => {
   if (byId('inspector-panel').checkVisibility() === false) byId('tab-inspector').click();
   analysis.show('log');
 });
-exampleNote(byId('example-note'), files, alerts);
 offerExperiment(byId('experiment'), store, solver, alerts);
 constraintsPanel(byId('constraints'), store, solver, actions);
 handlesPanel(byId('handles'), store, actions, solver);
@@ -84,6 +86,10 @@ displayPanel(byId('display'), store);
 legend(byId('legend'), store, viewport, refit);
 const parts = { store, solver, viewport, files, actions, alerts };
 const analysis = analysisRegion(byId('analysis'), parts);
+exampleNote(byId('example-note'), files, alerts, ({ split, plot }) => {
+  if (split) splitInto(parts, split);
+  if (plot) analysis.bring(plot);
+});
 store.subscribe(['status'], ({ status }) => status && alerts.note(status));
 attachLater(parts);
 statusBar({ status: byId('status'), hint: byId('hint'), numbers: byId('numbers') }, store);
@@ -116,15 +122,18 @@ const commands = commandTable({
   help,
   lesson: () => actions.told(import('./lesson/dialog.js').then(({ write }) => write(parts))),
   flatMap: () => toggleFlatMap({ store, solver, viewport, alerts }),
+  split: () => toggleSplit(parts),
 });
 bindButtons(commands, store);
 bindKeys(commands, store);
 bindRunButton(byId('run'), store);
+bindHalfStepButtons(store);
 /** @type {Window & { earlyPresses?: string[] }} index.html gathers them */
 const early = window;
 takeEarlyPresses(commands, store, early.earlyPresses ?? []);
 delete early.earlyPresses;
 buildHelp(help, commands);
+bindViewMenu(byId('view-menu'), byId('view-menu-button'), commands, store);
 selecting.bindKeys(commands, help);
 
 viewport.addEventListener('none', (event) => {
@@ -167,14 +176,17 @@ function takeUp(client) {
       document: null,
       numbers: null,
       measureChosen: false,
+      halfway: false,
       flatMap: null,
+      split: null,
       selection: NOTHING,
       dragged: [],
       tint: null,
+      tape: null,
     }),
   );
   on('document', ({ document }) => store.set({ document }));
-  on('frame', ({ numbers }) => store.set({ numbers }));
+  on('frame', ({ numbers }) => store.set({ numbers, halfway: numbers.halfway }));
   on('activity', ({ running, converged }) => {
     const before = store.get();
     const iterations = count(before.numbers?.iteration ?? 0, 'iteration');

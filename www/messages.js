@@ -215,6 +215,7 @@
  * @typedef {object} Numbers
  * @property {number} iteration
  * @property {boolean} converged
+ * @property {boolean} halfway the local step is done, the global step is next
  * @property {Energy} energy
  * @property {{ max_distance: number, mean_distance: number, [measure: string]: number }} planarity
  * @property {{ max_distance: number, mean_distance: number, [measure: string]: number }} circularity
@@ -275,6 +276,7 @@
  * @property {number} mean error, weighted by area
  * @property {number} max error
  * @property {number} flipped triangles that the map turns over
+ * @property {Uint32Array} flippedFaces those that have some of these
  * @property {number} parts connected parts of the surface
  * @property {number} closedParts those without a boundary, which cannot be flattened without folds
  * @property {number} eigenvalue
@@ -300,7 +302,8 @@
  * @typedef {{ type: "run" }
  *   | { type: "pause" }
  *   | { type: "drag", vertices: Uint32Array, targets: Float64Array, phase: "start" | "move" | "end" | "cancel" }
- *   | { type: "show", measure: Measure | null, shapes: boolean, projections: boolean }
+ *   | { type: "show", measure: Measure | null, shapes: boolean, projections: boolean,
+ *       corners: boolean }
  *   | { type: "recycle", positions: Float64Array }
  *   | { type: "cancelExperiment" }} Command
  */
@@ -311,14 +314,18 @@
  * - `open`: the first file that is a scene, else the first file; the others may be the mesh that it
  *   names. When it is refused the old model stays. `iteration` is where a restored scene stood;
  *   `frame` what a mesh file is taken for that does not say its unit and axis: `# units: m`, `# up: y`.
- * - `edit`, `undo`, `redo`, `step`.
+ * - `edit`, `undo`, `redo`, `step`; `halfStep`: the local step, or the global step after it.
  * - `members`: what a constraint acts on. `rowColours`: the colours of all of them. `previews`: what
  *   adding one of each kind at each of some places would make. `select`: what is selected then.
  * - `worst`: the worst faces by a measure, or the worst constraints of a row. `flawed`: the elements
  *   with a flaw of a {@link Problem}, or `zero-size-faces`. `results`: what a student hands in.
+ * - `faceValues`: of a measure, of the current shape or the original. `originalPositions`: where the
+ *   vertices of the original are. `angles`: of the corners of the faces.
  * - `parametrize`: ends a run. Refused where there is no face, or no area.
+ * - `rest`: the positions of the model that was opened, `#V by 3`.
  * - `scene`, `obj`, `table`: the texts of the files; an `obj` with `uv` (`#V by 2`) has them as texture
- *   coordinates; a `table` has the errors of the faces, or the energies of the iterations, as CSV.
+ *   coordinates; a `table` has the errors of the faces, the energies of the iterations, or the angles of the
+ *   corners, as CSV.
  * - `runExperiment`: starts the experiment of an example, on its files, the scene first; the model that
  *   is open is not touched. `experimentCsv`: what was measured.
  * @typedef {{ type: "open", files: NamedBytes[], iteration?: number, frame?: string }
@@ -326,6 +333,10 @@
  *   | { type: "undo" }
  *   | { type: "redo" }
  *   | { type: "step" }
+ *   | { type: "halfStep" }
+ *   | { type: "faceValues", measure: Measure, original: boolean }
+ *   | { type: "originalPositions" }
+ *   | { type: "angles" }
  *   | { type: "members", constraint: number }
  *   | { type: "rowColours" }
  *   | { type: "previews", places: Selector[] }
@@ -334,9 +345,10 @@
  *   | { type: "flawed", flaw: string }
  *   | { type: "results", student: string, time: string }
  *   | { type: "scene" }
+ *   | { type: "rest" }
  *   | { type: "parametrize", weights: MapWeights, norm: MapNorm }
  *   | { type: "obj", uv?: Float64Array }
- *   | { type: "table", table: "errors" | "convergence" }
+ *   | { type: "table", table: "errors" | "convergence" | "angles" }
  *   | { type: "runExperiment", example: string, files: NamedBytes[], iterations?: number, seconds?: number }
  *   | { type: "experimentCsv" }} Request
  */
@@ -349,6 +361,10 @@
  * @property {string | null} undo the name of what was undone
  * @property {string | null} redo the name of what was redone
  * @property {boolean} step whether it has converged
+ * @property {Half} halfStep
+ * @property {Float32Array} faceValues `#F`; not a number where a face has none
+ * @property {Float64Array} originalPositions `#V by 3`
+ * @property {{ original: number[], now: number[] }} angles corners in bins of equal width from 0 to 180 degrees
  * @property {{ faces: Uint32Array, vertices: Uint32Array }} members
  * @property {RowColours} rowColours
  * @property {(Preview | null)[][]} previews `#kinds by #places`, null where nothing fits
@@ -358,6 +374,7 @@
  * @property {string} results
  * @property {Parametrization} parametrize
  * @property {string} scene
+ * @property {Float64Array} rest
  * @property {string} obj
  * @property {string} table
  * @property {null} runExperiment
@@ -372,6 +389,13 @@
 
 /** @typedef {{ constraints: number, skipped: number, vertices: number }} Preview */
 
+/**
+ * What half of an iteration did: how many constraints of which kinds were fitted, or how the vertices
+ * moved.
+ * @typedef {{ half: "local", fitted: { label: string, count: number }[] }
+ *   | { half: "global", converged: boolean, accelerated: boolean }} Half
+ */
+
 /** @typedef {Command | (Request & { id: number })} ToWorker */
 
 /**
@@ -382,6 +406,7 @@
  *   during a run: what a dead worker is replaced with.
  * - `frame`: a state of the iteration. `trace` has six numbers per iteration since the last frame:
  *   iteration, shape, close, smooth, handles, total. `values` are those of `measure`, `#F`;
+ *   `corners` those of the vertices, `#V`, whose largest the faces have, where they are of vertices;
  *   `shapes` the fitted shapes, eight numbers each;
  *   `projections` where the constraints would have their vertices.
  * - `activity`: whether the solver runs (Run was pressed and it has not converged); sent after the
@@ -398,8 +423,8 @@
  *   | { type: "document", document: SceneDocument }
  *   | { type: "scene", text: string, iteration: number }
  *   | { type: "frame", numbers: Numbers, trace: Float64Array, positions: Float64Array,
- *       measure: Measure | null, values: Float32Array | null, shapes: Float32Array | null,
- *       projections: Projections | null }
+ *       measure: Measure | null, values: Float32Array | null, corners: Float32Array | null,
+ *       shapes: Float32Array | null, projections: Projections | null }
  *   | { type: "activity", running: boolean, converged: boolean }
  *   | { type: "experiment", news: ExperimentNews[], ended: "done" | "cancelled" | "failed" | null, message: string }
  *   | { type: "trouble", message: string }

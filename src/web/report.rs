@@ -249,6 +249,8 @@ impl<'a> Document<'a> {
 pub(super) struct Frame {
     iteration: u32,
     converged: bool,
+    /// The local step is done, the global step is next.
+    halfway: bool,
     energy: Energy,
     planarity: Planarity,
     circularity: Circularity,
@@ -282,6 +284,7 @@ impl Frame {
         Frame {
             iteration: session.iteration(),
             converged: session.solver().converged(),
+            halfway: session.halfway(),
             energy,
             planarity: measures.planarity,
             circularity: measures.circularity,
