@@ -2,7 +2,14 @@
 
 import { element, icon, leave } from './dom.js';
 
+/** The oldest ones beyond so many are forgotten. */
+const MOST_ENTRIES = 500;
+
 export class Alerts {
+  /** What was said since the page was opened, oldest first. @type {{ time: Date, kind: "error" | "notice" | "status", text: string }[]} */
+  journal = [];
+  /** @type {(() => void) | undefined} */
+  #listener;
   #place;
 
   /** @param {HTMLElement} place the `role="alert"` */
@@ -24,6 +31,23 @@ export class Alerts {
     this.#show(message, 'notice', offer);
   }
 
+  /** Calls `listener` after everything that is said. @param {() => void} listener */
+  listen(listener) {
+    this.#listener = listener;
+  }
+
+  /**
+   * Keeps what was said.
+   * @param {string} text
+   * @param {"error" | "notice" | "status"} [kind]
+   */
+  note(text, kind = 'status') {
+    if (this.journal.at(-1)?.text === text) return;
+    this.journal.push({ time: new Date(), kind, text });
+    if (this.journal.length > MOST_ENTRIES) this.journal.shift();
+    this.#listener?.();
+  }
+
   clear() {
     leave(this.#place, () => this.#place.replaceChildren());
   }
@@ -35,6 +59,7 @@ export class Alerts {
    * @param {{ label: string, action: () => void }} [offer]
    */
   #show(message, kind, offer) {
+    this.note(message, kind);
     const close = element(
       'button',
       { type: 'button', class: 'tiny', 'aria-label': 'Dismiss', onclick: () => this.clear() },

@@ -5,6 +5,7 @@
 
 import { createActions } from './actions.js';
 import { Alerts } from './alerts.js';
+import { analysisRegion } from './analysis.js';
 import { colourFaces } from './colouring.js';
 import { commandTable } from './command-table.js';
 import { bindButtons, bindKeys, bindRunButton, takeEarlyPresses } from './commands.js';
@@ -15,17 +16,18 @@ import { Files } from './files.js';
 import { animateFirstPicture } from './first-picture.js';
 import { toggleFlatMap } from './flat-map.js';
 import { count } from './format.js';
+import { attachLater } from './attach-later.js';
 import { bindHandleKeys } from './handle-keys.js';
 import { firstHints } from './hints.js';
 import { arrangeForWidth } from './layout.js';
 import { messageOf } from './messages.js';
 import { constraintsPanel } from './panels/constraints.js';
-import { Convergence } from './panels/convergence.js';
 import { displayPanel } from './panels/display.js';
 import { energiesPanel } from './panels/energies.js';
 import { exampleNote } from './panels/example.js';
 import { Keeping } from './keeping.js';
 import { handlesPanel } from './panels/handles.js';
+import { bindHalfStepButtons } from './half-step.js';
 import { stayOffline } from './offline.js';
 import { legend } from './panels/legend.js';
 import { modelPanel } from './panels/model.js';
@@ -39,10 +41,12 @@ import { scriptApi } from './script-api.js';
 import { Selecting } from './selecting.js';
 import { NOTHING } from './selection.js';
 import { SolverClient } from './solver-client.js';
+import { splitInto, toggleSplit } from './split.js';
 import { recentMenu } from './recent-menu.js';
 import { createStore } from './state.js';
 import { followTheme } from './theme.js';
 import { frameChips } from './units.js';
+import { bindViewMenu } from './view-commands.js';
 import { bindViewKeys } from './view-keys.js';
 import { Viewport } from './viewport.js';
 
@@ -69,15 +73,21 @@ const addConstraint = new AddConstraintDialog(byId('add-constraint'), store, sol
 const { refit } = colourFaces(store, solver);
 colourRows(store, solver, actions);
 
-modelPanel(byId('model'), store, actions);
-exampleNote(byId('example-note'), files, alerts);
+modelPanel(byId('model'), store, actions, () => analysis.bring('log'));
 offerExperiment(byId('experiment'), store, solver, alerts);
 constraintsPanel(byId('constraints'), store, solver, actions);
 handlesPanel(byId('handles'), store, actions, solver);
 energiesPanel(byId('energies'), store, actions);
 displayPanel(byId('display'), store);
 legend(byId('legend'), store, viewport, refit);
-new Convergence(byId('convergence'), store, solver);
+const parts = { store, solver, viewport, files, actions, alerts };
+const analysis = analysisRegion(byId('analysis'), parts);
+exampleNote(byId('example-note'), files, alerts, ({ split, plot }) => {
+  if (split) splitInto(parts, split);
+  if (plot) analysis.bring(plot);
+});
+store.subscribe(['status'], ({ status }) => status && alerts.note(status));
+attachLater(parts);
 statusBar({ status: byId('status'), hint: byId('hint'), numbers: byId('numbers') }, store);
 selectBar(byId('select-bar'), byId('select-menu'), store, actions, selecting, alerts);
 firstHints(byId('hint-card'), store);
@@ -106,15 +116,19 @@ const commands = commandTable({
   fileInput,
   // What it lists is complete by the time that somebody looks.
   help: () => import('./help.js').then(({ showHelp }) => showHelp(byId('help'), commands)),
+  lesson: () => actions.told(import('./lesson/dialog.js').then(({ write }) => write(parts))),
   flatMap: () => toggleFlatMap({ store, solver, viewport, alerts }),
+  split: () => toggleSplit(parts),
 });
 bindButtons(commands, store);
 bindKeys(commands, store);
 bindRunButton(byId('run'), store);
+bindHalfStepButtons(store);
 /** @type {Window & { earlyPresses?: string[] }} index.html gathers them */
 const early = window;
 takeEarlyPresses(commands, store, early.earlyPresses ?? []);
 delete early.earlyPresses;
+bindViewMenu(byId('view-menu'), byId('view-menu-button'), commands, store);
 selecting.bindKeys(commands);
 
 viewport.addEventListener('none', (event) => {
@@ -163,17 +177,20 @@ function takeUp(client) {
       document: null,
       numbers: null,
       measureChosen: false,
+      halfway: false,
       flatMap: null,
+      split: null,
       selection: NOTHING,
       dragged: [],
       tint: null,
+      tape: null,
     }),
   );
   on('loading', ({ bytes, all }) =>
     import('./loading.js').then(({ showLoading }) => showLoading(store, bytes, all)),
   );
   on('document', ({ document }) => store.set({ document }));
-  on('frame', ({ numbers }) => store.set({ numbers }));
+  on('frame', ({ numbers }) => store.set({ numbers, halfway: numbers.halfway }));
   on('activity', ({ running, converged }) => {
     const before = store.get();
     const iterations = count(before.numbers?.iteration ?? 0, 'iteration');

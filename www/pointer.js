@@ -74,6 +74,9 @@ export class PointerInput {
     listen('contextmenu', (event) => event.preventDefault());
     window.addEventListener('keydown', (event) => this.#lockAxis(event), { capture: true });
     store.subscribe(['tool'], ({ tool }) => (this.#element.dataset.tool = tool));
+    store.subscribe(['tape'], ({ tape }) =>
+      this.#element.toggleAttribute('data-measures', tape !== null),
+    );
   }
 
   /** Ends the gesture and takes back what it did. Whether there was one. */
@@ -218,7 +221,13 @@ export class PointerInput {
    * @param {[number, number]} at
    */
   #click(event, at) {
-    const { mode, selection } = this.#store.get();
+    const { mode, selection, tape } = this.#store.get();
+    if (tape) {
+      const end = this.#handle ?? this.#vertexAt(event, at);
+      const isOther = tape.length === 1 && tape[0] !== end;
+      if (end !== undefined) this.#store.set({ tape: isOther ? [...tape, end] : [end] });
+      return;
+    }
     const combine = combineOf(event);
     const item = this.#handle ?? this.#pick(mode, event, at);
     if (item !== undefined) {
@@ -245,7 +254,8 @@ export class PointerInput {
   /** @param {MouseEvent} event */
   #doubleClick(event) {
     const at = this.#at(event);
-    const { mode } = this.#store.get();
+    const { mode, tape } = this.#store.get();
+    if (tape) return;
     const item = this.#pick(mode, event, at);
     if (item === undefined) {
       const face = this.#viewport.with((view) => view.pickFace(...at));

@@ -17,6 +17,7 @@ import { messageOf } from './messages.js';
  * @property {import("./messages.js").Connectivity} connectivity
  * @property {Float64Array} positions `#V by 3`, the newest; replaced with every frame, so do not keep it
  * @property {Float32Array | null} values of `measure`, `#F`
+ * @property {Float32Array | null} corners values of `measure` of the vertices, `#V`, where it has any
  * @property {import("./messages.js").Measure | null} measure
  * @property {Float32Array | null} shapes fitted shapes, eight numbers each
  * @property {import("./messages.js").Projections | null} projections
@@ -149,6 +150,7 @@ export class SolverClient extends EventTarget {
           connectivity: message.connectivity,
           positions: message.positions,
           values: null,
+          corners: null,
           measure: null,
           shapes: null,
           projections: null,
@@ -164,6 +166,7 @@ export class SolverClient extends EventTarget {
         this.#previous = geometry.positions;
         geometry.positions = message.positions;
         geometry.values = message.values;
+        geometry.corners = message.corners;
         geometry.measure = message.measure;
         geometry.shapes = message.shapes;
         geometry.projections = message.projections;

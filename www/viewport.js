@@ -7,9 +7,14 @@
 import { removeFirstPicture } from './first-picture.js';
 import { messageOf } from './messages.js';
 import { modelErrors, showFlatMap } from './flat-map.js';
+import { showSplit } from './split.js';
 
 /** @typedef {import("./pkg/view/shape_up.js").View} View */
 /** @typedef {import("./state.js").State} State */
+/**
+ * Words over the picture, in CSS pixels, with a bar below them that is so long.
+ * @typedef {{ text: string, x: number, y: number, align: "center" | "right", bar: number }} Label
+ */
 
 /** A view that is lost this often in a row is given up. */
 const ATTEMPTS = 3;
@@ -26,6 +31,8 @@ export class Viewport extends EventTarget {
   element;
   /** None while it starts, and where nothing can draw. @type {View | null} */
   view = null;
+  /** What the page writes over the picture, for those that are saved. @type {() => Label[]} */
+  labels = () => [];
 
   #store;
   #solver;
@@ -80,6 +87,25 @@ export class Viewport extends EventTarget {
     this.#handOver();
     this.ask();
     return action(this.view);
+  }
+
+  /**
+   * The colours of the range as a legend paints them, with their places in it from 0 to 1: gradual, or
+   * in bands with hard limits.
+   * @returns {[number, string][]}
+   */
+  rampStops() {
+    const stops = this.with((view) => {
+      const colours = view.rampColours();
+      const limits = view.bandLimits();
+      const ends = [0, ...limits, 1];
+      return colours.flatMap((colour, i) =>
+        (limits.length > 0 ? [ends[i], ends[i + 1]] : [i / (colours.length - 1)]).map(
+          (at) => /** @type {[number, string]} */ ([at, colour]),
+        ),
+      );
+    });
+    return stops ?? [];
   }
 
   /**
@@ -211,13 +237,16 @@ export class Viewport extends EventTarget {
     const parts = [
       [['dark'], (view, state) => view.setTheme(state.dark)],
       [['document'], (view, { document }) => document && view.setUp(document.up)],
-      [['display'], showDisplay],
+      [['display', 'halfway'], showDisplay],
+      [['parallel'], (view, { parallel }) => view.setParallel(parallel)],
+      [['tape'], (view, { tape }) => view.setTape(Uint32Array.from(tape ?? []))],
       [['document', 'dragged', 'selection', 'model'], showHandles],
       [['selection', 'model'], showSelection],
       [['tint', 'model'], showTint],
       [['rowColours', 'model', 'flatMap'], showRowColours],
       [['measure', 'range', 'flatMap'], (view, state) => this.#showValues(view, state)],
       [['flatMap'], showFlatMap],
+      [['split'], showSplit],
     ];
     for (const [keys, show] of parts) {
       subscribe(keys, (state) => {
@@ -237,6 +266,8 @@ export class Viewport extends EventTarget {
    */
   #showValues(view, state) {
     const { geometry } = this.#solver;
+    const isCurrent = geometry?.measure === state.measure && !state.flatMap;
+    view.setCornerValues((isCurrent && geometry?.corners) || undefined);
     if (state.flatMap) return view.setFaceValues(...modelErrors(state.flatMap));
     // Right after another choice, the values are still those of the one before.
     const values = geometry && geometry.measure === state.measure ? geometry.values : null;
@@ -277,6 +308,7 @@ export class Viewport extends EventTarget {
       if (!this.view.draw()) return;
       this.#attempts = 0;
       removeFirstPicture();
+      this.dispatchEvent(new Event('drawn'));
     } catch (thrown) {
       this.#lost(messageOf(thrown));
     }
@@ -287,9 +319,12 @@ export class Viewport extends EventTarget {
  * @param {View} view
  * @param {State} state
  */
-function showDisplay(view, { display }) {
+function showDisplay(view, { display, halfway }) {
   const { edges, vertices, shapes, outlines, arrows } = display;
-  view.setDisplay(edges, vertices, shapes, outlines, arrows);
+  // What the local step has fitted is seen until the global step takes it over.
+  view.setDisplay(edges, vertices, shapes, outlines || halfway, arrows);
+  view.setSurroundings(display.ghost, display.ground);
+  view.setBands(display.bands);
 }
 
 /**

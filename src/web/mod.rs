@@ -3,13 +3,19 @@
 #[cfg(feature = "solver")]
 pub mod experiment;
 #[cfg(feature = "solver")]
+mod lists;
+#[cfg(feature = "solver")]
 mod measure;
+#[cfg(feature = "solver")]
+mod original;
 #[cfg(feature = "solver")]
 mod page_edit;
 #[cfg(feature = "solver")]
 mod parametrize;
 #[cfg(feature = "solver")]
 mod report;
+#[cfg(feature = "solver")]
+mod seeing;
 #[cfg(feature = "solver")]
 mod selecting;
 #[cfg(feature = "solver")]
@@ -18,6 +24,12 @@ pub mod solver;
 pub mod view;
 #[cfg(feature = "view")]
 mod view_map;
+#[cfg(feature = "view")]
+mod view_seeing;
+#[cfg(feature = "view")]
+mod view_split;
+#[cfg(feature = "solver")]
+mod warm_up;
 
 use wasm_bindgen::JsValue;
 

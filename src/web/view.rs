@@ -8,11 +8,13 @@ use crate::view::camera::Up;
 use crate::view::colour_map;
 use crate::view::device::{Device, DeviceError};
 use crate::view::flat_map::follow;
+use crate::view::flight::Flight;
 use crate::view::lists::ViewError;
 use crate::view::picture::Picture;
 use crate::view::projections::Projections;
 use crate::view::region::{Outline, Taking};
 use crate::view::row_colours::RowColours;
+use crate::view::split::Split;
 use crate::view::stage::{Display, Stage};
 use glam::Vec2;
 use std::sync::atomic::Ordering;
@@ -27,6 +29,10 @@ pub struct View {
     pub(super) stage: Stage,
     /// The stage of the flat map beside the model.
     pub(super) map: Option<Stage>,
+    /// Two pictures instead of one.
+    pub(super) split: Option<Split>,
+    /// On its way to another view.
+    pub(super) flight: Option<Flight>,
     /// Size of the canvas in CSS pixels.
     pub(super) canvas_size: Vec2,
     pixel_ratio: f32,
@@ -98,6 +104,8 @@ impl View {
         Ok(View {
             stage,
             map: None,
+            split: None,
+            flight: None,
             canvas_size,
             pixel_ratio,
             picture,
@@ -143,6 +151,8 @@ impl View {
             // Another mesh, and the map is that of the one before.
             self.clear_map();
         }
+        // Its sides show the mesh before.
+        self.split = None;
         Ok(())
     }
 
@@ -370,7 +380,7 @@ impl View {
         self.stage.fit_vertices(vertices).map_err(thrown)
     }
 
-    /// Looks from `top`, `bottom`, `front`, `back`, `left`, `right` or `home`, and fits.
+    /// Looks from `top`, `bottom`, `front`, `back`, `left`, `right`, `isometric` or `home`, and fits.
     ///
     /// # Errors
     /// Any other name.
@@ -446,7 +456,9 @@ impl View {
     /// Whether the next `draw` has something new to show.
     #[wasm_bindgen(js_name = needsDraw)]
     pub fn needs_draw(&self) -> bool {
-        self.stage.changes.any() || self.map.as_ref().is_some_and(|map| map.changes.any())
+        self.stage.changes.any()
+            || self.map.as_ref().is_some_and(|map| map.changes.any())
+            || self.split.as_ref().is_some_and(Split::has_changes)
     }
 
     /// Draws if anything has changed; returns whether it did.
@@ -457,9 +469,12 @@ impl View {
         if let Some(map) = &mut self.map {
             follow(map, &self.stage);
         }
+        if let Some(split) = &mut self.split {
+            split.follow(&self.stage);
+        }
         let drawn = self
             .picture
-            .draw(&mut self.stage, self.map.as_mut(), self.pixel_ratio)
+            .draw(&mut self.stage, self.map.as_mut(), self.split.as_mut(), self.pixel_ratio)
             .map_err(thrown)?;
         self.frames += u32::from(drawn);
         Ok(drawn)
