@@ -33,6 +33,13 @@ async function selectAllFaces(page) {
   await waitForState(page, (now) => now.selection.faces.length === 16);
 }
 
+/** Brings a tab of the analysis to the front. */
+async function showTab(page, name) {
+  await showPanel(page, 'Energies and display');
+  await page.getByRole('tablist', { name: 'Analysis' }).getByRole('tab', { name }).click();
+  await expect(page.getByRole('tabpanel', { name })).toBeVisible();
+}
+
 /** Leaves the page without anything that draws. */
 const withoutGraphics = (page) =>
   page.addInitScript(() => {
@@ -147,6 +154,30 @@ const STATES = {
     await showPanel(page, 'Energies and display');
     await page.getByRole('button', { name: 'Parametrize' }).click();
     await expect(page.getByRole('heading', { name: 'Flat map' })).toBeVisible();
+  },
+  'the menu of views': async (page) => {
+    await waitForState(page, (now) => now.renderer !== 'none');
+    await page.getByRole('button', { name: 'Views' }).click();
+    await expect(page.getByRole('button', { name: 'Ground grid' })).toBeVisible();
+  },
+  'before and after, side by side': async (page) => {
+    await page.goto('./#example=fig-05-planar');
+    await waitForState(page, (now) => now.vertices === 2040 && now.renderer !== 'none');
+    await showPanel(page, 'Model');
+    await page.getByRole('button', { name: 'Before and after' }).click();
+    await expect(page.getByRole('slider', { name: 'Divider' })).toBeVisible();
+  },
+  'the angles': async (page) => showTab(page, 'Angles'),
+  'the worst elements': async (page) => {
+    await showTab(page, 'Worst');
+    await expect(page.getByRole('table', { name: 'Worst elements' })).toBeVisible();
+  },
+  'the log': async (page) => showTab(page, 'Log'),
+  'a lesson that is written': async (page) => {
+    await grid(page);
+    await showPanel(page, 'Model');
+    await page.getByRole('button', { name: 'Write a lesson' }).click();
+    await expect(page.getByRole('dialog', { name: 'Lesson' })).toBeVisible();
   },
   'something to drop': async (page) => {
     const data = await page.evaluateHandle(() => {
