@@ -22,10 +22,10 @@ pub mod solver;
 pub mod view;
 #[cfg(feature = "view")]
 mod view_map;
-#[cfg(feature = "solver")]
-mod warm_up;
 #[cfg(feature = "view")]
 mod view_split;
+#[cfg(feature = "solver")]
+mod warm_up;
 
 use wasm_bindgen::JsValue;
 
