@@ -74,10 +74,7 @@ const addConstraint = new AddConstraintDialog(byId('add-constraint'), store, sol
 const { refit } = colourFaces(store, solver);
 colourRows(store, solver, actions);
 
-modelPanel(byId('model'), store, actions, () => {
-  if (byId('inspector-panel').checkVisibility() === false) byId('tab-inspector').click();
-  analysis.show('log');
-});
+modelPanel(byId('model'), store, actions, () => analysis.bring('log'));
 offerExperiment(byId('experiment'), store, solver, alerts);
 constraintsPanel(byId('constraints'), store, solver, actions);
 handlesPanel(byId('handles'), store, actions, solver);
