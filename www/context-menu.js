@@ -3,7 +3,7 @@
  * selection, to which what was pointed at belongs by then. Loaded when it is first asked for.
  */
 
-import { element } from './dom.js';
+import { byId, element } from './dom.js';
 import { placeMenu } from './layout.js';
 
 /**
@@ -25,7 +25,7 @@ const menu = element('div', {
   'aria-label': 'What is here',
   class: 'menu',
 });
-document.body.append(menu);
+byId('menus').append(menu);
 placeMenu(menu, () => /** @type {HTMLElement} */ ({ getBoundingClientRect: () => place }));
 // By itself a popover would close when the finger that asked for it is lifted.
 const leave = (/** @type {Event} */ event) => {

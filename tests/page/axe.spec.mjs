@@ -3,7 +3,7 @@
 import AxeBuilder from '@axe-core/playwright';
 import { addConstraint, hidePanels, openExample, openText, showPanel, tool } from './actions.mjs';
 import { file, quadScene, wavyGrid } from './meshes.mjs';
-import { dragVertex, expect, openPage, state, test, waitForState } from './support.mjs';
+import { dragVertex, expect, openPage, screenOf, state, test, waitForState } from './support.mjs';
 
 /** What axe complains about, in a line each. */
 async function complaintsOf(page) {
@@ -178,6 +178,12 @@ const STATES = {
     await showPanel(page, 'Model');
     await page.getByRole('button', { name: 'Write a lesson' }).click();
     await expect(page.getByRole('dialog', { name: 'Lesson' })).toBeVisible();
+  },
+  'the menu of what is under the pointer': async (page) => {
+    await waitForState(page, (now) => now.renderer !== 'none');
+    const soft = (await state(page)).handles.find((handle) => !handle.fixed);
+    await page.mouse.click(...(await screenOf(page, soft.vertex)), { button: 'right' });
+    await expect(page.getByRole('menu', { name: 'What is here' })).toBeVisible();
   },
   'something to drop': async (page) => {
     const data = await page.evaluateHandle(() => {
