@@ -7,7 +7,7 @@ use grid::grid;
 use proptest::prelude::*;
 use serde_json::{Map, json};
 use shape_up::mesh::Mesh;
-use shape_up::scene::{ConstraintSpec, MeshSource, Scene, Up, Weights};
+use shape_up::scene::{ConstraintSpec, Goal, GoalOf, Lesson, MeshSource, Scene, Up, Weights};
 use shape_up::session::{Edit, NewConstraint, Session};
 
 const SIDE: u32 = 4;
@@ -24,7 +24,7 @@ fn site() -> Mesh {
 /// What a person does, by the numbers that a strategy draws.
 #[derive(Clone, Debug)]
 enum Deed {
-    Edit(Edit),
+    Edit(Box<Edit>),
     Drag { vertex: u32, by: [f64; 3], steps: usize, keep: bool },
     DragNew { vertex: u32, by: [f64; 3], steps: usize, keep: bool },
     Run(usize),
@@ -36,6 +36,11 @@ fn new(kind: &str, on: &str) -> Edit {
     let text = format!(r#"{{ "kind": "{kind}", "on": {on} }}"#);
     let spec = ConstraintSpec::from_json(&text).expect("the constraint is valid");
     Edit::AddConstraint(NewConstraint { spec, set: None })
+}
+
+fn lesson() -> Lesson {
+    let goal = Goal { of: GoalOf::Constraint("Plane".to_owned()), at_most: 0.1 };
+    Lesson { text: "Make it flat.".to_owned(), goals: vec![goal] }
 }
 
 fn deed() -> impl Strategy<Value = Deed> {
@@ -72,10 +77,12 @@ fn deed() -> impl Strategy<Value = Deed> {
         (vertices(), any::<bool>())
             .prop_map(|(vertices, fixed)| Edit::AddHandles { vertices, fixed }),
         vertices().prop_map(|vertices| Edit::RemoveHandles { vertices }),
+        (0..3usize, "[a-c]{0,2}").prop_map(|(index, name)| Edit::RenameConstraint { index, name }),
+        any::<bool>().prop_map(|is_one| Edit::SetLesson(is_one.then(lesson))),
         Just(Edit::Reset),
     ];
     prop_oneof![
-        6 => edit.prop_map(Deed::Edit),
+        6 => edit.prop_map(|edit| Deed::Edit(Box::new(edit))),
         2 => (0..VERTICES, prop::array::uniform3(-1.0..1.0), 0..4usize, any::<bool>())
             .prop_map(|(vertex, by, steps, keep)| Deed::Drag { vertex, by, steps, keep }),
         1 => (0..VERTICES, prop::array::uniform3(-1.0..1.0), 0..4usize, any::<bool>())
@@ -94,7 +101,7 @@ fn act(session: &mut Session, deed: Deed) {
         }
     };
     match deed {
-        Deed::Edit(edit) => drop(session.edit(edit)),
+        Deed::Edit(edit) => drop(session.edit(*edit)),
         Deed::Drag { vertex, by, steps: count, keep } => {
             let handles = session.solver().handles();
             let Some(handle) = handles.get(vertex as usize % handles.len().max(1)) else { return };

@@ -4,7 +4,7 @@
 
 use glam::{DVec3, Vec2, Vec3};
 use shape_up::view::camera::Up;
-use shape_up::view::flat_map::{flat_map, follow};
+use shape_up::view::flat_map::{flat_map, follow, show_flipped};
 use shape_up::view::grip::Way;
 use shape_up::view::region::{Outline, Taking};
 use shape_up::view::stage::{Changes, Stage};
@@ -373,7 +373,7 @@ fn meshes_without_faces_or_points_can_be_looked_at() {
 fn a_flat_map_is_seen_from_above_without_distortion() {
     let model = stage(4, |x, y| 3.0 * x * y);
     let uv: Vec<f64> = (0..25).flat_map(|v| [100.0 + f64::from(v % 5), f64::from(v / 5)]).collect();
-    let (mut map, checks) = flat_map(&model, &uv).unwrap();
+    let (mut map, checks) = flat_map(&model, &uv, &[]).unwrap();
     assert_eq!(checks.extent(), Vec2::splat(4.0));
     map.resize(CANVAS);
     let at = |map: &Stage, v: u32| map.screen(v).unwrap();
@@ -387,13 +387,13 @@ fn a_flat_map_is_seen_from_above_without_distortion() {
     assert!((at(&map, 12) - before - Vec2::new(30.0, -12.0)).length() < 0.1);
     map.zoom(2.0, at(&map, 12));
     assert!((at(&map, 12) - before - Vec2::new(30.0, -12.0)).length() < 0.1);
-    assert!(flat_map(&model, &uv[..40]).is_err());
+    assert!(flat_map(&model, &uv[..40], &[]).is_err());
 }
 
 #[test]
 fn a_flat_map_has_the_marks_and_the_theme_of_the_model() {
     let mut model = stage(2, |_, _| 0.0);
-    let (mut map, _) = flat_map(&model, &[0.0; 18]).unwrap();
+    let (mut map, _) = flat_map(&model, &[0.0; 18], &[]).unwrap();
     map.changes = Changes::default();
     model.changes = Changes::default();
     follow(&mut map, &model);
@@ -405,4 +405,42 @@ fn a_flat_map_has_the_marks_and_the_theme_of_the_model() {
     follow(&mut map, &model);
     assert!(map.changes.looks && map.changes.view && map.dark);
     assert_eq!(map.looks.bytes(4)[14], 255);
+}
+
+#[test]
+fn faces_that_a_flat_map_turns_over_are_outlined_on_it_alone() {
+    let model = stage(2, |_, _| 0.0);
+    let uv = [0.0; 18];
+    let (map, _) = flat_map(&model, &uv, &[0, 1]).unwrap();
+    // Two quads with a side between them.
+    assert_eq!(map.flipped, [[0, 1], [0, 3], [1, 2], [1, 4], [2, 5], [3, 4], [4, 5]]);
+    assert!(model.flipped.is_empty());
+    assert!(flat_map(&model, &uv, &[4]).is_err());
+}
+
+#[test]
+fn what_a_flat_map_turns_over_is_shown_large_and_from_its_front() {
+    // Two floors that face each other: the lower one hides the upper one from below.
+    let mut model = two_floors();
+    let uv: Vec<f64> = (0..8).flat_map(|v| [f64::from(v % 4 / 2), f64::from(v / 4)]).collect();
+    let uv: Vec<f64> = uv.iter().map(|x| x * 50.0).collect();
+    let (mut map, _) = flat_map(&model, &uv, &[]).unwrap();
+    map.resize(CANVAS);
+    model.preset("bottom").unwrap();
+    assert_eq!(model.screen(4), None);
+    let (before, small) = (model.camera, map.camera);
+    show_flipped(&mut map, &mut model);
+    assert!(model.camera == before && map.camera == small, "there is nothing to show");
+
+    let (mut map, _) = flat_map(&model, &uv, &[1]).unwrap();
+    map.resize(CANVAS);
+    show_flipped(&mut map, &mut model);
+    for v in 4..8 {
+        assert!(model.screen(v).is_some() && map.screen(v).is_some(), "{v}");
+    }
+    let large = |stage: &Stage| (stage.screen(6).unwrap() - stage.screen(4).unwrap()).length();
+    assert!(large(&model) > 0.5 * CANVAS.y, "{}", large(&model));
+    // Seen along its normal it is as wide as it is high.
+    let side = |a: u32, b: u32| (model.screen(a).unwrap() - model.screen(b).unwrap()).length();
+    assert!((side(4, 5) - side(5, 6)).abs() < 1.0);
 }

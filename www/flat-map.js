@@ -5,7 +5,7 @@
 
 import { messageOf } from './messages.js';
 
-/** @typedef {import("./pkg/view/shape_up.js").View} View */
+/** @typedef {import("./pkg/view-webgl2/shape_up.js").View} View */
 
 /**
  * What a surface shows: the squares of the map, or the colours of the quasi-conformal error.
@@ -37,7 +37,7 @@ export function showFlatMap(view, { flatMap }) {
     return;
   }
   const { found, onModel, onMap, squares } = flatMap;
-  if (shown.get(view) !== found) view.setMap(found.uv);
+  if (shown.get(view) !== found) view.setMap(found.uv, found.flippedFaces);
   shown.set(view, found);
   const values = onMap === 'errors' ? found.faceErrors : undefined;
   view.setMapLooks(squares, onModel === 'checks', onMap === 'checks', values, 1, found.high);

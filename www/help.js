@@ -1,7 +1,9 @@
 /** The help: everything that keys and the mouse do, from the table that binds them. */
 
+import './style/help.css';
 import { keyName } from './commands.js';
 import { element, icon } from './dom.js';
+import { singleKeys } from './single-keys.js';
 
 /** What the pointer does; see `pointer.js`. @type {[string, string][]} */
 const POINTER = [
@@ -31,7 +33,7 @@ const VIEW_KEYS = [
  * @param {HTMLDialogElement} dialog
  * @param {import("./commands.js").Command[]} commands
  */
-export function buildHelp(dialog, commands) {
+export function showHelp(dialog, commands) {
   const bound = commands.filter((command) => command.keys.length > 0);
   const groups = [...new Set(bound.map((command) => command.group))];
   const close = element(
@@ -46,6 +48,7 @@ export function buildHelp(dialog, commands) {
       element('h2', { id: 'help-title' }, 'Mouse and keys'),
       close,
     ),
+    singleKeysSwitch(),
     element(
       'div',
       { class: 'columns' },
@@ -69,6 +72,7 @@ export function buildHelp(dialog, commands) {
   dialog.onclick = (event) => {
     if (event.target === dialog) dialog.close();
   };
+  dialog.showModal();
 }
 
 /** @param {import("./commands.js").Command} command @returns {[(Node | string)[], string]} */
@@ -100,4 +104,12 @@ function section(title, rows) {
       ...rows.flatMap(([term, effect]) => [element('dt', {}, ...term), element('dd', {}, effect)]),
     ),
   );
+}
+
+/** The switch of the keys without Ctrl. */
+function singleKeysSwitch() {
+  const onchange = () => singleKeys.set(box.checked);
+  const box = element('input', { type: 'checkbox', checked: singleKeys.on, onchange });
+  const words = element('span', {}, 'Letters, digits and signs act without Ctrl');
+  return element('label', { class: 'single-keys' }, box, words);
 }

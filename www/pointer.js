@@ -86,6 +86,9 @@ export class PointerInput {
     listen('keydown', (event) => this.#menuKey(event));
     window.addEventListener('keydown', (event) => this.#keyWhileDown(event), { capture: true });
     store.subscribe(['tool'], ({ tool }) => (this.#element.dataset.tool = tool));
+    store.subscribe(['tape'], ({ tape }) =>
+      this.#element.toggleAttribute('data-measures', tape !== null),
+    );
   }
 
   /** Ends the gesture and takes back what it did. Whether there was one. */
@@ -321,7 +324,13 @@ export class PointerInput {
    */
   #click(event, at) {
     if (this.#part) return;
-    const { mode, selection } = this.#store.get();
+    const { mode, selection, tape } = this.#store.get();
+    if (tape) {
+      const end = this.#handle ?? this.#vertexAt(event, at);
+      const isOther = tape.length === 1 && tape[0] !== end;
+      if (end !== undefined) this.#store.set({ tape: isOther ? [...tape, end] : [end] });
+      return;
+    }
     const combine = combineOf(event);
     const item = this.#handle ?? this.#pick(mode, event, at);
     if (item !== undefined) {
@@ -348,8 +357,8 @@ export class PointerInput {
   /** @param {MouseEvent} event */
   #doubleClick(event) {
     const at = this.#at(event);
-    const { mode } = this.#store.get();
-    if (this.#part) return;
+    const { mode, tape } = this.#store.get();
+    if (tape || this.#part) return;
     const item = this.#pick(mode, event, at);
     if (item === undefined) {
       const face = this.#viewport.with((view) => view.pickFace(...at));

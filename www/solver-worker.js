@@ -7,6 +7,8 @@
 import init, { Solver } from './pkg/solver/shape_up.js';
 import { cancelExperiment, experimentCsv, runExperiment } from './experiment/worker-part.js';
 import { SLICE_MS, messageOf } from './messages.js';
+import { disturb, warmUpWhenQuiet } from './warm-up.js';
+import { fetchModule } from './worker-loading.js';
 
 /** @typedef {import("./messages.js").ToWorker} ToWorker */
 /** @typedef {import("./messages.js").FromWorker} FromWorker */
@@ -35,6 +37,7 @@ let positionsLength = 0;
 let measure = null;
 let showShapes = false;
 let showProjections = false;
+let showCorners = false;
 let sceneSentAt = 0;
 let sliceQueued = false;
 /** Whether it runs has changed; told after the frame that belongs to it. */
@@ -53,7 +56,7 @@ onmessage = (event) => {
 };
 
 try {
-  await init();
+  await init({ module_or_path: fetchModule(post) });
   solver = new Solver();
   post({
     type: 'ready',
@@ -87,6 +90,7 @@ function live() {
 /** @param {ToWorker} message */
 function receive(message) {
   if (!solver) return;
+  disturb();
   if (!('id' in message)) return guard(() => command(message));
   try {
     post({ type: 'reply', id: message.id, value: answer(message) });
@@ -103,11 +107,13 @@ function command(message) {
     case 'recycle':
       if (message.positions.length === positionsLength && free.length < 2)
         free.push(message.positions);
+      warmUpWhenQuiet(iterating);
       return sendFrame();
     case 'show':
       measure = message.measure;
       showShapes = message.shapes;
       showProjections = message.projections;
+      showCorners = message.corners;
       unseen = loaded;
       return sendFrame();
     case 'run':
@@ -146,16 +152,36 @@ function answer(message) {
     case 'step':
       pause();
       return step();
+    case 'halfStep':
+      pause();
+      return halfStep();
+    case 'faceValues':
+      if (message.original) return live().originalValues(message.measure);
+      return live().faceValues(message.measure);
+    case 'originalPositions':
+      return live().originalPositions();
+    case 'angles':
+      return live().angles();
     case 'members':
       return live().members(message.constraint);
     case 'rowColours':
       return live().rowColours();
     case 'previews':
       return live().previews(message.places);
+    case 'worst':
+      return message.measure
+        ? live().worstFaces(message.measure, message.count)
+        : live().worstConstraints(message.row ?? 0, message.count);
+    case 'flawed':
+      return live().flawed(message.flaw);
+    case 'results':
+      return live().results(message.student, message.time);
     case 'select':
       return live().select(message.request);
     case 'scene':
       return live().scene();
+    case 'rest':
+      return live().restPositions();
     case 'obj':
       return message.uv ? live().objWithUv(message.uv) : live().obj();
     case 'parametrize':
@@ -250,6 +276,19 @@ function step() {
   activityDue = true;
   changed();
   return converged;
+}
+
+function halfStep() {
+  const done = live().halfStep();
+  if (done.half === 'global') {
+    settled = done.converged;
+    activityDue = true;
+    changed();
+  } else {
+    unseen = true;
+    sendFrame();
+  }
+  return done;
 }
 
 function pause() {
@@ -361,12 +400,14 @@ function sendFrame() {
   live().writePositions(positions);
   const now = numbers();
   const values = measure ? live().faceValues(measure) : null;
+  const corners = (measure && showCorners && live().cornerValues(measure)) || null;
   const shapes = showShapes ? live().fitted() : null;
   const told = Float64Array.from(trace);
   trace = [];
   /** @type {Transferable[]} */
   const transfer = [positions.buffer, told.buffer];
   if (values) transfer.push(values.buffer);
+  if (corners) transfer.push(corners.buffer);
   if (shapes) transfer.push(shapes.buffer);
   /** @type {import("./messages.js").Projections | null} */
   const projections = showProjections ? live().projections() : null;
@@ -376,15 +417,8 @@ function sendFrame() {
   if (answers) answering = null;
   post(
     {
-      type: 'frame',
-      numbers: now,
-      trace: told,
-      positions,
-      measure,
-      values,
-      shapes,
-      projections,
-      answers,
+      ...{ type: 'frame', numbers: now, trace: told, positions },
+      ...{ measure, values, corners, shapes, projections, answers },
     },
     transfer,
   );

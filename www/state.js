@@ -23,6 +23,7 @@
  * @property {Numbers | null} numbers
  * @property {boolean} running Run was pressed and the iteration has not converged
  * @property {boolean} converged
+ * @property {boolean} halfway the local step is done, the global step is next
  * @property {"drag" | "select"} tool
  * @property {"box" | "lasso" | "paint"} shape of a drag with the Select tool
  * @property {boolean} through a drag also selects what the surface hides
@@ -41,8 +42,12 @@
  * @property {[number, number]} range of the colours, in the unit of the measure
  * @property {import("./spread.js").Spread | null} spread of the values of the faces
  * @property {number | null} tolerance in the unit of the measure
- * @property {{ edges: boolean, vertices: boolean, shapes: boolean, outlines: boolean, arrows: boolean, gizmo: boolean }} display
+ * @property {{ edges: boolean, vertices: boolean, shapes: boolean, outlines: boolean, arrows: boolean,
+ *   ghost: boolean, ground: boolean, bands: boolean, gizmo: boolean }} display
+ * @property {boolean} parallel projection, instead of perspective
+ * @property {number[] | null} tape the ends of the measuring tape that are chosen, while there is one
  * @property {import("./flat-map.js").FlatMap | null} flatMap what is shown beside the model
+ * @property {import("./split.js").Split | null} split two pictures in place of one
  * @property {boolean} dark
  * @property {"webgpu" | "webgl2" | "none" | "starting"} renderer
  * @property {string} saved what became of the autosave, in words
@@ -76,6 +81,7 @@ const INITIAL = {
   numbers: null,
   running: false,
   converged: false,
+  halfway: false,
   tool: 'drag',
   shape: 'box',
   through: false,
@@ -99,9 +105,15 @@ const INITIAL = {
     shapes: false,
     outlines: false,
     arrows: false,
+    ghost: false,
+    ground: false,
+    bands: false,
     gizmo: true,
   },
+  parallel: false,
+  tape: null,
   flatMap: null,
+  split: null,
   dark: false,
   renderer: 'starting',
   saved: '',

@@ -4,13 +4,19 @@
  * hands over what changed and asks for one picture.
  */
 
+import { Backend, isBlank, openView } from './backend.js';
 import { removeFirstPicture } from './first-picture.js';
 import { handlesNow } from './state.js';
 import { messageOf } from './messages.js';
 import { modelErrors, showFlatMap } from './flat-map.js';
+import { showSplit } from './split.js';
 
-/** @typedef {import("./pkg/view/shape_up.js").View} View */
+/** @typedef {import("./pkg/view-webgl2/shape_up.js").View} View */
 /** @typedef {import("./state.js").State} State */
+/**
+ * Words over the picture, in CSS pixels, with a bar below them that is so long.
+ * @typedef {{ text: string, x: number, y: number, align: "center" | "right", bar: number }} Label
+ */
 
 /** A view that is lost this often in a row is given up. */
 const ATTEMPTS = 3;
@@ -21,16 +27,20 @@ const NO_COLOURS = {
   vertices: new Uint8Array(0),
   palette: new Float32Array(0),
 };
-const BACKENDS = ['webgpu', 'webgl2'];
 
 export class Viewport extends EventTarget {
   /** The element that gestures and sizes refer to; canvases come and go in it. @type {HTMLElement} */
   element;
   /** None while it starts, and where nothing can draw. @type {View | null} */
   view = null;
+  /** What the page writes over the picture, for those that are saved. @type {() => Label[]} */
+  labels = () => [];
 
   #store;
   #solver;
+  #backend = new Backend();
+  /** WebGPU is asked once whether its picture is there. */
+  #isProven = false;
   /** @type {HTMLCanvasElement | null} */
   #canvas = null;
   #attempts = 0;
@@ -95,6 +105,25 @@ export class Viewport extends EventTarget {
   }
 
   /**
+   * The colours of the range as a legend paints them, with their places in it from 0 to 1: gradual, or
+   * in bands with hard limits.
+   * @returns {[number, string][]}
+   */
+  rampStops() {
+    const stops = this.with((view) => {
+      const colours = view.rampColours();
+      const limits = view.bandLimits();
+      const ends = [0, ...limits, 1];
+      return colours.flatMap((colour, i) =>
+        (limits.length > 0 ? [ends[i], ends[i + 1]] : [i / (colours.length - 1)]).map(
+          (at) => /** @type {[number, string]} */ ([at, colour]),
+        ),
+      );
+    });
+    return stops ?? [];
+  }
+
+  /**
    * Draws one picture of another size, in the proportions and the framing of the one that is shown,
    * and gives the canvas to `take`, which must read it at once. The shown one is drawn again then.
    * @param {{ width: number, height: number, scale: number }} size in pixels; `scale` of them are a CSS pixel
@@ -140,32 +169,36 @@ export class Viewport extends EventTarget {
     });
     this.#canvas = canvas;
     this.element.replaceChildren(canvas);
+    const backend = await this.#backend.choose();
     try {
-      const { default: init, View } = await import('./pkg/view/shape_up.js');
-      await init();
-      const wanted = new URLSearchParams(location.search).get('backend') ?? 'auto';
-      const view = await View.create(canvas, BACKENDS.includes(wanted) ? wanted : 'auto');
+      const view = await openView(canvas, backend);
       if (canvas !== this.#canvas) return view.free();
       this.view = view;
     } catch (thrown) {
-      if (canvas === this.#canvas) this.#giveUp(messageOf(thrown));
+      if (canvas !== this.#canvas) return;
+      if (this.#backend.failed(backend)) this.#create();
+      else this.#giveUp(messageOf(thrown));
       return;
     }
     this.#size = [0, 0];
     this.#resize();
     this.#newMesh = true;
     this.#handOver();
-    this.#store.set({ renderer: /** @type {"webgpu" | "webgl2"} */ (this.view.backend()) });
+    this.#store.set({ renderer: backend });
     this.dispatchEvent(new Event('ready'));
   }
 
   /** @param {string} reason */
   #lost(reason) {
-    this.view?.free();
+    const { renderer } = this.#store.get();
+    const { view } = this;
     this.view = null;
-    this.#attempts += 1;
-    if (this.#attempts > ATTEMPTS) return this.#giveUp(reason);
+    this.#store.set({ status: 'The 3D picture was lost and is drawn anew' });
     this.#canvas = null;
+    // It may call for help once more.
+    view?.free();
+    if (renderer !== 'webgpu' || !this.#backend.failed(renderer)) this.#attempts += 1;
+    if (this.#attempts > ATTEMPTS) return this.#giveUp(reason);
     this.#create();
   }
 
@@ -224,7 +257,9 @@ export class Viewport extends EventTarget {
     const parts = [
       [['dark'], (view, state) => view.setTheme(state.dark)],
       [['document'], (view, { document }) => document && view.setUp(document.up)],
-      [['display'], showDisplay],
+      [['display', 'halfway'], showDisplay],
+      [['parallel'], (view, { parallel }) => view.setParallel(parallel)],
+      [['tape'], (view, { tape }) => view.setTape(Uint32Array.from(tape ?? []))],
       [['document', 'dragged', 'moved', 'selection', 'model'], showHandles],
       [
         ['gizmoPart', 'dragged'],
@@ -235,6 +270,7 @@ export class Viewport extends EventTarget {
       [['rowColours', 'model', 'flatMap'], showRowColours],
       [['measure', 'range', 'flatMap'], (view, state) => this.#showValues(view, state)],
       [['flatMap'], showFlatMap],
+      [['split'], showSplit],
     ];
     for (const [keys, show] of parts) {
       subscribe(keys, (state) => {
@@ -254,6 +290,8 @@ export class Viewport extends EventTarget {
    */
   #showValues(view, state) {
     const { geometry } = this.#solver;
+    const isCurrent = geometry?.measure === state.measure && !state.flatMap;
+    view.setCornerValues((isCurrent && geometry?.corners) || undefined);
     if (state.flatMap) return view.setFaceValues(...modelErrors(state.flatMap));
     // Right after another choice, the values are still those of the one before.
     const values = geometry && geometry.measure === state.measure ? geometry.values : null;
@@ -292,8 +330,13 @@ export class Viewport extends EventTarget {
     if (!this.#solver.geometry || !this.view?.needsDraw()) return;
     try {
       if (!this.view.draw()) return;
+      if (!this.#isProven && this.view.backend() === 'webgpu' && this.#canvas) {
+        if (isBlank(this.#canvas)) return this.#lost('the picture stays empty');
+        this.#isProven = true;
+      }
       this.#attempts = 0;
       removeFirstPicture();
+      this.dispatchEvent(new Event('drawn'));
     } catch (thrown) {
       this.#lost(messageOf(thrown));
     }
@@ -304,9 +347,12 @@ export class Viewport extends EventTarget {
  * @param {View} view
  * @param {State} state
  */
-function showDisplay(view, { display }) {
+function showDisplay(view, { display, halfway }) {
   const { edges, vertices, shapes, outlines, arrows } = display;
-  view.setDisplay(edges, vertices, shapes, outlines, arrows);
+  // What the local step has fitted is seen until the global step takes it over.
+  view.setDisplay(edges, vertices, shapes, outlines || halfway, arrows);
+  view.setSurroundings(display.ghost, display.ground);
+  view.setBands(display.bands);
   view.setGizmo(display.gizmo, FINGERS.matches);
 }
 

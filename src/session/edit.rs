@@ -2,12 +2,14 @@
 
 use super::history::Snapshot;
 use super::holding::hold_close;
+use super::lesson::check_lesson;
+use super::same_problem::same_problem;
 use super::{Session, resolve, settings, solver};
 use crate::constraint::{Kind, KindError, Selector, Set};
 use crate::error::Error;
 use crate::mesh::Point;
 use crate::scene::{
-    Closeness, ConstraintSpec, HANDLE_WEIGHT, Hold, Scene, SceneError, Up, Weights,
+    Closeness, ConstraintSpec, HANDLE_WEIGHT, Hold, Lesson, Scene, SceneError, Up, Weights,
 };
 use crate::solve::Handle;
 use serde_json::{Map, Value};
@@ -37,6 +39,13 @@ pub enum Edit {
     DuplicateConstraint {
         /// Which row.
         index: usize,
+    },
+    /// Gives row `index` another name.
+    RenameConstraint {
+        /// Which row.
+        index: usize,
+        /// Empty for the label of its kind.
+        name: String,
     },
     /// Gives a set a name, instead of what had that name.
     NameSet {
@@ -79,6 +88,8 @@ pub enum Edit {
     SetUnits(String),
     /// Says which axis points up; the coordinates stay as they are.
     SetUp(Up),
+    /// Makes the scene an exercise, or no longer.
+    SetLesson(Option<Lesson>),
     /// Makes vertices handles where they are now; those that are handles already change how they hold.
     AddHandles {
         /// Which vertices.
@@ -232,6 +243,11 @@ impl Session {
                 document.constraints.insert(index + 1, copy);
                 format!("Duplicate {label}")
             }
+            Edit::RenameConstraint { index, name } => {
+                let spec = row(document, index)?;
+                spec.name = name;
+                format!("Rename {}", spec.kind.info().label.to_lowercase())
+            }
             Edit::NameSet { name, set } => {
                 if name.is_empty() || set == Set::default() {
                     let message = "expected a name and something that it stands for".to_owned();
@@ -282,6 +298,11 @@ impl Session {
             Edit::SetUp(up) => {
                 document.up = up;
                 "Change up axis".to_owned()
+            }
+            Edit::SetLesson(lesson) => {
+                document.lesson = lesson;
+                check_lesson(document, &self.mesh)?;
+                "Change lesson".to_owned()
             }
             Edit::AddHandles { vertices, fixed } => {
                 let hold = if fixed { Hold::Fixed } else { Hold::Soft { weight: HANDLE_WEIGHT } };
@@ -384,14 +405,6 @@ impl Session {
         let same = Scene { weights: self.document.weights, ..document.clone() };
         same_problem(&same, &self.document) && self.solver.can_reweigh(document.weights)
     }
-}
-
-/// Whether two documents differ in nothing that the solver knows of.
-fn same_problem(a: &Scene, b: &Scene) -> bool {
-    let mut a = a.clone();
-    a.units.clone_from(&b.units);
-    a.up = b.up;
-    a == *b
 }
 
 fn row(document: &mut Scene, index: usize) -> Result<&mut ConstraintSpec, SceneError> {

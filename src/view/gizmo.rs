@@ -83,7 +83,7 @@ impl Gizmo {
         }
         let sizes = if touch { COARSE } else { FINE };
         let pixel = eye.across(Vec2::X, depth).length();
-        let sight = eye.direction(middle).normalize();
+        let sight = eye.ray(middle).1.normalize();
         let place = |way: Vec3| at + way * pixel;
         let arrows = (0..3).map(|axis| {
             let along = axis_of(axis);

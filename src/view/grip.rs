@@ -113,7 +113,7 @@ impl Grip {
     /// Where the axis through what is held comes nearest to the line of sight, measured from there.
     fn along(&self, axis: usize, at: Vec2) -> Option<f32> {
         let along = axis_of(axis);
-        let (from, sight) = line_of_sight(&self.eye, at);
+        let (from, sight) = self.eye.ray(at);
         let sight = sight.normalize();
         let part = along.dot(sight);
         let across = 1.0 - part * part;
@@ -130,13 +130,13 @@ impl Grip {
     fn in_plane(&self, axis: usize, to: Vec2) -> Option<Vec3> {
         let normal = axis_of(axis);
         let meet = |at: Vec2| {
-            let (from, sight) = line_of_sight(&self.eye, at);
+            let (from, sight) = self.eye.ray(at);
             let sight = sight.normalize();
             let slope = sight.dot(normal);
             let far = (self.held - from).dot(normal) / slope;
             (slope.abs() >= EDGE_ON * 0.2 && far > 0.0).then(|| from + sight * far)
         };
-        let (_, sight) = line_of_sight(&self.eye, self.from);
+        let (_, sight) = self.eye.ray(self.from);
         let mut way = if sight.normalize().dot(normal).abs() < EDGE_ON {
             // Seen from the side, a plane is a line: what is up on the screen says nothing of it.
             self.on_screen(to)
@@ -151,11 +151,6 @@ impl Grip {
 /// The unit vector along an axis.
 pub fn axis_of(axis: usize) -> Vec3 {
     Vec3::AXES[axis]
-}
-
-/// Where the line of sight through a screen position begins, and its direction.
-fn line_of_sight(eye: &Eye, at: Vec2) -> (Vec3, Vec3) {
-    (eye.at, eye.direction(at))
 }
 
 #[cfg(test)]

@@ -5,13 +5,19 @@ mod drag;
 #[cfg(feature = "solver")]
 pub mod experiment;
 #[cfg(feature = "solver")]
+mod lists;
+#[cfg(feature = "solver")]
 mod measure;
+#[cfg(feature = "solver")]
+mod original;
 #[cfg(feature = "solver")]
 mod page_edit;
 #[cfg(feature = "solver")]
 mod parametrize;
 #[cfg(feature = "solver")]
 mod report;
+#[cfg(feature = "solver")]
+mod seeing;
 #[cfg(feature = "solver")]
 mod selecting;
 #[cfg(feature = "solver")]
@@ -22,6 +28,12 @@ pub mod view;
 mod view_gizmo;
 #[cfg(feature = "view")]
 mod view_map;
+#[cfg(feature = "view")]
+mod view_seeing;
+#[cfg(feature = "view")]
+mod view_split;
+#[cfg(feature = "solver")]
+pub mod warm_up;
 
 use wasm_bindgen::JsValue;
 

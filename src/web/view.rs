@@ -8,14 +8,17 @@ use crate::view::camera::Up;
 use crate::view::colour_map;
 use crate::view::device::{Device, DeviceError};
 use crate::view::flat_map::follow;
+use crate::view::flight::Flight;
 use crate::view::lists::ViewError;
+use crate::view::loss::Loss;
 use crate::view::picture::Picture;
 use crate::view::projections::Projections;
 use crate::view::region::{Outline, Taking};
 use crate::view::row_colours::RowColours;
+use crate::view::split::Split;
 use crate::view::stage::{Display, Stage};
 use glam::Vec2;
-use std::sync::atomic::Ordering;
+use std::sync::Arc;
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 use wgpu::SurfaceTarget;
@@ -27,6 +30,10 @@ pub struct View {
     pub(super) stage: Stage,
     /// The stage of the flat map beside the model.
     pub(super) map: Option<Stage>,
+    /// Two pictures instead of one.
+    pub(super) split: Option<Split>,
+    /// On its way to another view.
+    pub(super) flight: Option<Flight>,
     /// Size of the canvas in CSS pixels.
     pub(super) canvas_size: Vec2,
     pixel_ratio: f32,
@@ -47,24 +54,38 @@ impl Drop for View {
 
 const CONTEXT_LOST: &str = "webglcontextlost";
 
-/// Opens the backend asked for, with its name. `auto` tries WebGPU first: that leaves the canvas
-/// untouched when there is no adapter.
+/// What this module was compiled to draw with.
+const BACKENDS: &[&str] = &[
+    #[cfg(feature = "view-webgpu")]
+    "webgpu",
+    #[cfg(feature = "view-webgl2")]
+    "webgl2",
+];
+
+/// Opens the backend asked for, with its name.
 async fn open(
     canvas: &HtmlCanvasElement,
     backend: &str,
 ) -> Result<(Device, &'static str), DeviceError> {
-    let target = || SurfaceTarget::Canvas(canvas.clone());
+    let target = SurfaceTarget::Canvas(canvas.clone());
     match backend {
-        "webgpu" => Ok((Device::webgpu(target()).await?, "webgpu")),
-        "webgl2" => Ok((Device::webgl2(target()).await?, "webgl2")),
-        "auto" => match Device::webgpu(target()).await {
-            Ok(device) => Ok((device, "webgpu")),
-            Err(no_webgpu) => match Device::webgl2(target()).await {
-                Ok(device) => Ok((device, "webgl2")),
-                Err(no_webgl2) => Err(DeviceError(format!("{no_webgpu}; {no_webgl2}"))),
-            },
-        },
-        _ => Err(DeviceError(format!("backend \"{backend}\", expected auto, webgpu or webgl2"))),
+        #[cfg(feature = "view-webgpu")]
+        "webgpu" => Ok((Device::webgpu(target).await?, "webgpu")),
+        #[cfg(feature = "view-webgl2")]
+        "webgl2" => Ok((Device::webgl2(target).await?, "webgl2")),
+        _ => {
+            let known = BACKENDS.join(" or ");
+            Err(DeviceError(format!("backend \"{backend}\", expected {known}")))
+        }
+    }
+}
+
+/// Does for WebGPU what browsers do for WebGL: the canvas hears of the loss when it happens.
+async fn tell_loss(loss: Arc<Loss>, canvas: HtmlCanvasElement) {
+    loss.wait().await;
+    if let Ok(event) = web_sys::Event::new(CONTEXT_LOST) {
+        // It fails when the event is under way already.
+        let _ = canvas.dispatch_event(&event);
     }
 }
 
@@ -76,28 +97,34 @@ fn outline(corners: &[f32]) -> Outline {
 
 #[wasm_bindgen]
 impl View {
-    /// Opens a view on a canvas that has no context yet. `backend` is `auto`, `webgpu` or `webgl2`.
+    /// Opens a view on a canvas that has no context yet. `backend` is `webgpu` or `webgl2`, one that
+    /// this module has.
     ///
     /// # Errors
-    /// Rejects when there is no adapter, with the reason of each backend.
+    /// Rejects when there is no adapter, with the reason.
     pub async fn create(canvas: HtmlCanvasElement, backend: String) -> Result<View, JsValue> {
         log_panics();
         let (device, backend) = open(&canvas, &backend).await.map_err(thrown)?;
-        device.device.on_uncaptured_error(std::sync::Arc::new(|error| {
+        device.device.on_uncaptured_error(Arc::new(|error| {
             web_sys::console::error_1(&format!("view: {error}").into());
         }));
-        let lost = device.lost();
-        let context_lost = Closure::<dyn FnMut()>::new(move || lost.store(true, Ordering::Relaxed));
+        let loss = device.loss();
+        let context_lost = Closure::<dyn FnMut()>::new(move || loss.happen());
         canvas.add_event_listener_with_callback(
             CONTEXT_LOST,
             context_lost.as_ref().unchecked_ref(),
         )?;
+        if backend == "webgpu" {
+            wasm_bindgen_futures::spawn_local(tell_loss(device.loss(), canvas.clone()));
+        }
         let picture = Picture::new(device);
         let stage = Stage::default();
         let (canvas_size, pixel_ratio) = (stage.camera.canvas, 1.0);
         Ok(View {
             stage,
             map: None,
+            split: None,
+            flight: None,
             canvas_size,
             pixel_ratio,
             picture,
@@ -143,6 +170,8 @@ impl View {
             // Another mesh, and the map is that of the one before.
             self.clear_map();
         }
+        // Its sides show the mesh before.
+        self.split = None;
         Ok(())
     }
 
@@ -370,7 +399,7 @@ impl View {
         self.stage.fit_vertices(vertices).map_err(thrown)
     }
 
-    /// Looks from `top`, `bottom`, `front`, `back`, `left`, `right` or `home`, and fits.
+    /// Looks from `top`, `bottom`, `front`, `back`, `left`, `right`, `isometric` or `home`, and fits.
     ///
     /// # Errors
     /// Any other name.
@@ -428,7 +457,9 @@ impl View {
     /// Whether the next `draw` has something new to show.
     #[wasm_bindgen(js_name = needsDraw)]
     pub fn needs_draw(&self) -> bool {
-        self.stage.changes.any() || self.map.as_ref().is_some_and(|map| map.changes.any())
+        self.stage.changes.any()
+            || self.map.as_ref().is_some_and(|map| map.changes.any())
+            || self.split.as_ref().is_some_and(Split::has_changes)
     }
 
     /// Draws if anything has changed; returns whether it did.
@@ -439,9 +470,12 @@ impl View {
         if let Some(map) = &mut self.map {
             follow(map, &self.stage);
         }
+        if let Some(split) = &mut self.split {
+            split.follow(&self.stage);
+        }
         let drawn = self
             .picture
-            .draw(&mut self.stage, self.map.as_mut(), self.pixel_ratio)
+            .draw(&mut self.stage, self.map.as_mut(), self.split.as_mut(), self.pixel_ratio)
             .map_err(thrown)?;
         self.frames += u32::from(drawn);
         Ok(drawn)

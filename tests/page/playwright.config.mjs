@@ -22,7 +22,9 @@ const base = '/some/sub-path/';
 const url = `http://127.0.0.1:${port}${base}`;
 
 const BEHIND = [
+  'adaptation',
   'autosave',
+  'keyboard',
   'kinds',
   'offline',
   'parameters',
