@@ -156,6 +156,7 @@ pub fn axis_of(axis: usize) -> Vec3 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::view::camera::Projection;
 
     const HELD: Vec3 = Vec3::new(0.3, -0.2, 0.4);
 
@@ -163,9 +164,16 @@ mod tests {
         Camera { turn, tilt, distance: 6.0, canvas: Vec2::new(900.0, 700.0), ..Camera::default() }
     }
 
+    /// From many sides, in perspective and in parallel projection.
     fn views() -> impl Iterator<Item = Camera> {
         let turns = [-2.8, -1.0, 0.4, 0.9, 2.2];
-        turns.into_iter().flat_map(|turn| [-1.2, -0.5, 0.35, 0.8].map(|tilt| camera(turn, tilt)))
+        let cameras = turns
+            .into_iter()
+            .flat_map(|turn| [-1.2, -0.5, 0.35, 0.8].map(|tilt| camera(turn, tilt)));
+        cameras.flat_map(|camera| {
+            let parallel = Projection::Parallel { reach: 10.0 };
+            [camera, Camera { projection: parallel, ..camera }]
+        })
     }
 
     /// Takes hold beside the point, and goes where the point would be after `by`.

@@ -2,10 +2,13 @@
 // of its own work, but nothing is rasterised: here that is done in software, and would be measured
 // instead.
 
+import { cpus, loadavg } from 'node:os';
 import { expect, openPage, screenOf, state, test, waitForState } from './support.mjs';
 
 /** The example with about 2500 vertices. */
 const EXAMPLE = 'fig-05-mixed';
+/** With more programs than this for each processor, the time says nothing of this one. */
+const BUSY = 4;
 /** Milliseconds. */
 const FRAME_BUDGET = 4;
 const ANSWER_BUDGET = 16;
@@ -18,6 +21,8 @@ const median = (values) => values.toSorted((a, b) => a - b)[values.length >> 1];
 test('a drag on 2500 vertices is answered within 16 ms and costs the page 4 ms', async ({
   page,
 }) => {
+  const [load] = loadavg();
+  test.skip(load > BUSY * cpus().length, `the machine is busy: ${load} programs are running`);
   await page.addInitScript(() => {
     const { prototype } = WebGL2RenderingContext;
     for (const name of [

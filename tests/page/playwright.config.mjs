@@ -24,7 +24,6 @@ const url = `http://127.0.0.1:${port}${base}`;
 const BEHIND = [
   'adaptation',
   'autosave',
-  'drag-speed',
   'keyboard',
   'kinds',
   'offline',
@@ -34,6 +33,9 @@ const BEHIND = [
   'undo',
   'units',
 ];
+
+/** What measures time has the machine to itself, after all others. */
+const ALONE = 'drag-speed';
 
 export default defineConfig({
   testDir: '.',
@@ -60,13 +62,19 @@ export default defineConfig({
       name: 'desktop',
       use: { viewport: { width: 1440, height: 900 } },
       // Fingers are the phone's.
-      testIgnore: 'touch.spec.mjs',
+      testIgnore: ['touch.spec.mjs', `${ALONE}.spec.mjs`],
+    },
+    {
+      name: 'alone',
+      use: { viewport: { width: 1440, height: 900 } },
+      testMatch: `${ALONE}.spec.mjs`,
+      dependencies: ['desktop', 'phone'],
     },
     {
       name: 'phone',
       use: { viewport: { width: 390, height: 844 } },
       // A phone shows the page in another arrangement. What these tell lies behind it.
-      testIgnore: BEHIND.map((name) => `${name}.spec.mjs`),
+      testIgnore: [...BEHIND, ALONE].map((name) => `${name}.spec.mjs`),
     },
   ],
   webServer: {
