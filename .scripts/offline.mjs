@@ -10,6 +10,8 @@ const NAMED = ['icon.svg', 'manifest.webmanifest'];
 const WORKER = 'service-worker.js';
 /** Large, and kept only by those who use it: what reads files of Rhino, the pictures of the gallery. */
 const SELDOM = /(^|\/)rhino|^pictures\//;
+/** The view's module, of which a browser uses one variant. */
+const VIEW = /^assets\/view-(webgpu|webgl2)-/;
 
 /** Completes the site in `folder`, which has everything else already. */
 export function writeOfflineParts(folder) {
@@ -17,13 +19,17 @@ export function writeOfflineParts(folder) {
   const source = readFileSync(at('www', WORKER), 'utf8');
   const hash = createHash('sha256').update(source);
   const files = [];
+  /** Those of each variant. */
+  const views = {};
   for (const path of filesUnder(folder)) {
     const name = relative(folder, path).split(sep).join('/');
     if (name === WORKER) continue;
     hash.update(name).update('\0').update(readFileSync(path));
     // The page is asked for by the name of its folder.
-    if (!SELDOM.test(name)) files.push(name === 'index.html' ? './' : `./${name}`);
+    const [, backend] = VIEW.exec(name) ?? [];
+    if (backend) (views[backend] ??= []).push(`./${name}`);
+    else if (!SELDOM.test(name)) files.push(name === 'index.html' ? './' : `./${name}`);
   }
-  const site = { version: hash.digest('hex').slice(0, 12), files };
+  const site = { version: hash.digest('hex').slice(0, 12), files, views };
   writeFileSync(`${folder}/${WORKER}`, `const SITE = ${JSON.stringify(site)};\n${source}`);
 }

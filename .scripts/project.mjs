@@ -13,7 +13,7 @@ export const at = (...parts) => join(root, ...parts);
 /** Cargo's folder for everything it builds. */
 export const targetFolder = resolve(root, process.env.CARGO_TARGET_DIR ?? 'target');
 
-/** The compile target of the page's two modules. */
+/** The compile target of the page's modules. */
 export const wasmTarget = 'wasm32-unknown-unknown';
 
 /** The version of `crate` in Cargo.lock. */

@@ -1,6 +1,6 @@
 // How much of the site a visitor loads, compressed as static hosts do, against its budgets.
 
-import { existsSync, readFileSync } from 'node:fs';
+import { existsSync, readFileSync, statSync } from 'node:fs';
 import { basename, dirname, join } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import { firstPicture } from './examples.mjs';
@@ -43,11 +43,11 @@ function firstNeeded(page) {
 
 await main(() => {
   const code = filesUnder(at('dist')).filter((path) => /\.(html|css|js)$/.test(path));
-  // The view's side in JavaScript is loaded with its module, at the first visit too.
-  const first = new Set([
-    ...firstNeeded(at('dist', 'index.html')),
-    ...code.filter((path) => basename(path).startsWith('shape_up')),
-  ]);
+  // The view's side in JavaScript is loaded with its module, at the first visit too, for WebGPU or for
+  // WebGL2: the larger one counts.
+  const glue = code.filter((path) => /^view-web/.test(basename(path)));
+  const [largest, ...others] = glue.sort((a, b) => statSync(b).size - statSync(a).size);
+  const first = new Set([...firstNeeded(at('dist', 'index.html')), largest]);
   const beside = ['gallery.html', 'projections.html'].flatMap((name) =>
     firstNeeded(at('dist', name)),
   );
@@ -55,10 +55,13 @@ await main(() => {
   // The plots, and uPlot with them, load when they are first shown.
   const isPlot = (path) => basename(path).toLowerCase().includes('plot');
   const isRhino = (path) => /^(rhino|__vite)/.test(basename(path));
-  const isLater = (path) => !first.has(path) && !isBeside(path) && !isPlot(path) && !isRhino(path);
+  const isOther = (path) => others.includes(path);
+  const isLater = (path) =>
+    !isOther(path) && !first.has(path) && !isBeside(path) && !isPlot(path) && !isRhino(path);
   const rows = [
-    row('solver module', [at('www', 'pkg', 'solver', 'shape_up_bg.wasm')], 600 * kB),
-    row('view module', [at('www', 'pkg', 'view', 'shape_up_bg.wasm')], 900 * kB),
+    row('solver module', [at('www', 'pkg', 'solver', 'shape_up_bg.wasm')], 550 * kB),
+    row('view, WebGPU', [at('www', 'pkg', 'view-webgpu', 'shape_up_bg.wasm')], 130 * kB),
+    row('view, WebGL2', [at('www', 'pkg', 'view-webgl2', 'shape_up_bg.wasm')], 900 * kB),
     row('first visit', [...first], 78 * kB),
     row('first picture', [firstPicture], 14 * kB),
     row('plots', code.filter(isPlot), 30 * kB),

@@ -20,12 +20,13 @@ const scriptTests = readdirSync(at('tests', 'scripts'))
 
 /** The arguments that name the browser tests of a module; none where it has none. */
 const browserTests = (feature) => {
-  const isOne = (name) => name.startsWith(`wasm_${feature}`) && name.endsWith('.rs');
-  return readdirSync(at('tests')).some(isOne) ? ['--test', `wasm_${feature}*`] : [];
+  const [first] = feature.split('-');
+  const isOne = (name) => name.startsWith(`wasm_${first}`) && name.endsWith('.rs');
+  return readdirSync(at('tests')).some(isOne) ? ['--test', `wasm_${first}*`] : [];
 };
 
 /** Programs for the browser beside the modules: the arguments that name them. */
-const examples = { solver: ['--example', 'bench_browser'], view: [] };
+const examples = { solver: ['--example', 'bench_browser'] };
 
 /** Title, program, arguments, and which kind of test counts it prints, if any. */
 const steps = [
@@ -44,10 +45,15 @@ const steps = [
   { title: 'lints of Rust, native', run: clippy('--all-targets', '--features', 'view') },
   ...modules.map((feature) => ({
     title: `lints of Rust, ${feature} module`,
-    run: clippy('--lib', ...examples[feature], ...browserTests(feature), ...forModule(feature)),
+    run: clippy(
+      '--lib',
+      ...(examples[feature] ?? []),
+      ...browserTests(feature),
+      ...forModule(feature),
+    ),
   })),
   {
-    // Compiled with both features, or the links between the rooms would not all resolve.
+    // Compiled with all features, or the links between the rooms would not all resolve.
     title: 'documentation',
     run: ['cargo', ['doc', '--locked', '--no-deps', ...forModule(modules.join(','))]],
     env: { RUSTDOCFLAGS: '-D warnings' },
@@ -76,7 +82,7 @@ const steps = [
     count: 'node',
   },
   {
-    // After the build, which writes the declarations of the two modules.
+    // After the build, which writes the declarations of the modules.
     title: 'types of the page',
     run: [tool('tsc'), ['--pretty', 'false', '--project', '.scripts/tsconfig.json']],
   },

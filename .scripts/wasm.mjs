@@ -1,4 +1,4 @@
-// The crate as two WebAssembly modules for the page, each with its JavaScript side.
+// The crate as WebAssembly modules for the page, each with its JavaScript side.
 
 import { rmSync } from 'node:fs';
 import { join } from 'node:path';
@@ -7,22 +7,30 @@ import { outputOf, run, say } from './run.mjs';
 import { wasmBindgen } from './setup-bindgen.mjs';
 import { filesUnder, unlessUnchanged } from './stamp.mjs';
 
-/** The Cargo features that are modules: the worker's and the page's. */
-export const modules = ['solver', 'view'];
+/** The Cargo features that are modules: the worker's, and the page's for each backend. */
+export const modules = ['solver', 'view-webgpu', 'view-webgl2'];
+
+/**
+ * What the compiler is told for the solver beside the profile. Without a limit it copies functions into
+ * their callers until the module is an eighth larger, and hardly faster: what has to be in place for
+ * speed says so itself.
+ */
+export const solverFlags = ['-C', 'llvm-args=-inline-threshold=25'];
 
 /** Builds one of them into `www/pkg/<feature>/`. */
 export async function buildModule(feature) {
   const folder = at('www', 'pkg', feature);
   // The names of functions are most of what could be left out of the file.
   const flags = ['--target', 'web', '--remove-name-section', '--remove-producers-section'];
+  const compilerFlags = feature === 'solver' ? solverFlags : [];
   const work = {
     name: feature,
-    // Cargo gives both modules the same file name, so it would link each anew every time.
+    // Cargo gives all modules the same file name, so it would link each anew every time.
     inputs: [
       ...filesUnder(at('src')),
       ...['Cargo.toml', 'Cargo.lock', '.cargo/config.toml'].map((name) => at(name)),
     ],
-    settings: [flags, outputOf('rustc', ['--version'])],
+    settings: [flags, compilerFlags, outputOf('rustc', ['--version'])],
     output: join(folder, 'shape_up_bg.wasm'),
   };
   await unlessUnchanged(work, async () => {
@@ -32,6 +40,7 @@ export async function buildModule(feature) {
     await run('cargo', [
       ...['rustc', '--locked', '--lib', '--release', '--crate-type', 'cdylib'],
       ...['--target', wasmTarget, '--no-default-features', '--features', feature],
+      ...['--', ...compilerFlags],
     ]);
     rmSync(folder, { recursive: true, force: true });
     const compiled = join(targetFolder, wasmTarget, 'release', 'shape_up.wasm');

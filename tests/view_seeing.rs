@@ -4,6 +4,7 @@
 
 use glam::{DVec3, Vec2};
 use shape_up::view::camera::Projection;
+use shape_up::view::grip::Way;
 use shape_up::view::palette::LineKind;
 use shape_up::view::region::{Outline, Taking};
 use shape_up::view::stage::{Changes, Stage};
@@ -76,10 +77,13 @@ fn in_parallel_everything_can_be_pointed_at_and_taken_with_a_box() {
 
 #[test]
 fn in_parallel_a_drag_follows_the_cursor() {
-    let stage = parallel();
+    let mut stage = parallel();
     let at = stage.camera.eye().project(stage.subject.positions[5]).0;
-    let to = at + Vec2::new(-80.0, 45.0);
-    let target = stage.drag_target(5, to).unwrap();
+    let by = Vec2::new(-80.0, 45.0);
+    let to = at + by;
+    stage.hold_vertex(5, Some(at)).unwrap();
+    let way = stage.held_way(Way::Screen, by).unwrap();
+    let target = stage.subject.exact[5] + way.as_dvec3();
     let seen = stage.camera.eye().project(stage.subject.relative(target)).0;
     assert!((seen - to).length() < 0.05, "{seen} {to}");
 }

@@ -2,9 +2,10 @@
 #![allow(clippy::unwrap_used, reason = "a helper that fails here fails its test")]
 #![cfg(feature = "view")]
 
-use glam::{DVec3, Vec2};
+use glam::{DVec3, Vec2, Vec3};
 use shape_up::view::camera::Up;
 use shape_up::view::flat_map::{flat_map, follow, show_flipped};
+use shape_up::view::grip::Way;
 use shape_up::view::region::{Outline, Taking};
 use shape_up::view::stage::{Changes, Stage};
 
@@ -239,15 +240,43 @@ fn a_dragged_vertex_lies_under_the_cursor_and_keeps_its_depth() {
     stage.set_mesh(faces, (vec![], vec![]), &positions).unwrap();
     let vertex = 24;
     let (before, depth) = stage.camera.eye().project(stage.subject.positions[vertex as usize]);
-    let unmoved = stage.drag_target(vertex, before).unwrap();
-    assert!((unmoved - stage.subject.exact[vertex as usize]).length() < 1e-5);
+    stage.hold_vertex(vertex, Some(before)).unwrap();
+    assert_eq!(stage.held_way(Way::Screen, Vec2::ZERO), Some(Vec3::ZERO));
 
-    let to = before + Vec2::new(120.0, -45.0);
-    let target = stage.drag_target(vertex, to).unwrap();
+    let by = Vec2::new(120.0, -45.0);
+    let way = stage.held_way(Way::Screen, by).unwrap();
+    let target = stage.subject.exact[vertex as usize] + way.as_dvec3();
     let (after, same_depth) = stage.camera.eye().project(stage.subject.relative(target));
-    assert!((after - to).length() < 0.01, "{after} {to}");
+    assert!((after - before - by).length() < 0.01, "{after} {before}");
     assert!((same_depth - depth).abs() < 1e-3 * depth);
-    assert!(stage.drag_target(99, to).is_err());
+    assert!(stage.hold_vertex(99, None).is_err());
+}
+
+#[test]
+fn the_gizmo_is_in_the_middle_of_the_selected_handles() {
+    let mut stage = stage(6, bump);
+    let at = |vertex: usize| stage.subject.exact[vertex];
+    let targets = [at(16), at(32) + DVec3::Z, at(0)];
+    let numbers: Vec<f64> = targets.iter().flat_map(|target| target.to_array()).collect();
+    stage.set_handles(&[16, 32, 0], &[0, 0, 1], &numbers).unwrap();
+    let counts = stage.counts();
+    stage.looks.select(vec![16, 20, 32], vec![], counts).unwrap();
+    assert!(stage.gizmo().is_none(), "it is not wanted yet");
+    stage.changes = Default::default();
+    stage.want_gizmo(|wanted| wanted.shown = true);
+    assert!(stage.changes.view);
+    let middle = stage.subject.relative((targets[0] + targets[1]) * 0.5);
+    let expected = stage.camera.eye().project(middle).0;
+    assert!((stage.gizmo().unwrap().middle - expected).length() < 1e-2);
+
+    let upwards = stage.gizmo().unwrap().best(Way::Axis(2)).unwrap();
+    assert_eq!(stage.gizmo().unwrap().pick(upwards), Some(Way::Axis(2)));
+    stage.hold_gizmo(upwards);
+    let way = stage.held_way(Way::Axis(2), Vec2::new(0.0, -50.0)).unwrap();
+    assert!(way.x == 0.0 && way.y == 0.0 && way.z > 0.0);
+
+    stage.looks.select(vec![20], vec![], counts).unwrap();
+    assert!(stage.gizmo().is_none(), "a selected vertex is no handle");
 }
 
 #[test]

@@ -9,6 +9,9 @@ use web_sys::HtmlCanvasElement;
 
 wasm_bindgen_test_configure!(run_in_browser);
 
+/// Of the variant that is tested.
+const BACKEND: &str = if cfg!(feature = "view-webgl2") { "webgl2" } else { "webgpu" };
+
 const WIDTH: u32 = 320;
 const HEIGHT: u32 = 240;
 
@@ -18,7 +21,7 @@ fn new_canvas() -> HtmlCanvasElement {
 }
 
 async fn open(canvas: &HtmlCanvasElement) -> View {
-    let mut view = View::create(canvas.clone(), "webgl2".to_owned()).await.unwrap();
+    let mut view = View::create(canvas.clone(), BACKEND.to_owned()).await.unwrap();
     view.resize(WIDTH, HEIGHT, 1.0);
     show_tent(&mut view);
     view
@@ -68,7 +71,7 @@ fn message(error: &JsValue) -> String {
 async fn draws_a_mesh_once_and_again_only_when_something_changed() {
     let canvas = new_canvas();
     let mut view = open(&canvas).await;
-    assert_eq!(view.backend(), "webgl2");
+    assert_eq!(view.backend(), BACKEND);
     assert!(view.needs_draw());
     assert!(view.draw().unwrap());
     assert!(distinct_colours(&pixels(&canvas)) > 20);
@@ -151,9 +154,10 @@ async fn moved_vertices_are_seen_and_can_be_pointed_at() {
     let at = view.screen(4).unwrap();
     let (x, y) = (at[0] as f32, at[1] as f32);
     assert_eq!(view.pick_vertex(x, y, 8.0), Some(4));
-    let target = view.drag_target(4, x + 30.0, y + 20.0, 0.0, 0.0).unwrap();
+    view.hold_vertex(4, Some(x), Some(y)).unwrap();
+    let way = view.held_way("screen", 30.0, 20.0).unwrap().unwrap();
     let mut positions = flat_square();
-    positions[12..15].copy_from_slice(&target);
+    positions[12..15].iter_mut().zip(&way).for_each(|(place, by)| *place += by);
     view.set_positions(&positions).unwrap();
     view.draw().unwrap();
     assert!(differing(&before, &pixels(&canvas)) > 200);
@@ -193,7 +197,7 @@ async fn wrong_input_is_thrown_with_a_complete_message() {
     assert_eq!(message(&wrong), "colours of faces: index 1, expected less than 1");
     assert!(view.draw().unwrap());
     let nothing = View::create(canvas.clone(), "vulkan".to_owned()).await.unwrap_err();
-    assert!(message(&nothing).contains("expected auto, webgpu or webgl2"));
+    assert_eq!(message(&nothing), format!("backend \"vulkan\", expected {BACKEND}"));
 }
 
 #[wasm_bindgen_test]

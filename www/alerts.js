@@ -1,6 +1,6 @@
 /** Messages that want to be read: errors and notices, in the page's one `role="alert"`. */
 
-import { element, icon } from './dom.js';
+import { element, icon, leave } from './dom.js';
 
 /** The oldest ones beyond so many are forgotten. */
 const MOST_ENTRIES = 500;
@@ -49,7 +49,7 @@ export class Alerts {
   }
 
   clear() {
-    this.#place.replaceChildren();
+    leave(this.#place, () => this.#place.replaceChildren());
   }
 
   /**

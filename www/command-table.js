@@ -22,7 +22,7 @@ import { viewCommands } from './view-commands.js';
  * @property {() => void} flatMap shows the flat map, or takes it away
  * @property {() => void} split shows two pictures, or one again
  * @property {HTMLInputElement} fileInput
- * @property {HTMLDialogElement} help
+ * @property {() => Promise<void>} help
  */
 
 /**
@@ -307,8 +307,8 @@ export function commandTable(parts) {
       id: 'help',
       group: 'Page',
       label: 'This list',
-      keys: ['?'],
-      action: () => (help.open ? help.close() : help.showModal()),
+      keys: ['?', 'F1'],
+      action: () => actions.told(help()),
       title: () => 'Mouse and keys',
     },
   ];

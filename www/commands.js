@@ -4,6 +4,7 @@
  */
 
 import { setText } from './dom.js';
+import { isSwitchedOff } from './single-keys.js';
 
 /**
  * @typedef {object} Command
@@ -94,7 +95,7 @@ export function bindKeys(commands, store) {
     // With Shift, what is written on the key goes first: on some keyboards + is there.
     const names = digit.startsWith('Shift') ? [chord, digit] : [digit, chord];
     const [command] = names.flatMap((name) => commands.filter(({ keys }) => keys.includes(name)));
-    if (!command) return;
+    if (!command || isSwitchedOff(chord)) return;
     // They have the keys to themselves, and Escape closes them.
     if (document.querySelector('dialog:modal, :popover-open')) return;
     // The browser's own meaning (open, save, print) never applies here, even when there is nothing to do.

@@ -36,7 +36,9 @@ export async function listOfExamples() {
  * @returns {Promise<Uint8Array>}
  */
 export async function exampleFile(name) {
-  const response = await fetch(new URL(name, FOLDER));
+  const response = await fetch(new URL(name, FOLDER)).catch(() => {
+    throw new Error('The examples could not be fetched. Is there a network?');
+  });
   if (!response.ok)
     throw new Error(`The example file ${name} could not be fetched (${response.status}).`);
   return new Uint8Array(await response.arrayBuffer());

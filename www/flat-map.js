@@ -5,7 +5,7 @@
 
 import { messageOf } from './messages.js';
 
-/** @typedef {import("./pkg/view/shape_up.js").View} View */
+/** @typedef {import("./pkg/view-webgl2/shape_up.js").View} View */
 
 /**
  * What a surface shows: the squares of the map, or the colours of the quasi-conformal error.

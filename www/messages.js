@@ -294,19 +294,23 @@
  * Told and forgotten.
  *
  * - `run`, `pause`: iterate until converged, or stop.
- * - `drag`: targets (`#vertices by 3`) for handles under the pointer. Of several `move`s only the
- *   last one counts. While something is dragged the solver iterates even when paused.
+ * - `drag`: targets (`#vertices by 3`) for handles under the pointer; `make` makes them handles first,
+ *   instead of `start`. Of several `move`s only the last one counts; `time` is that of its event.
+ *   While something is dragged the solver iterates even when paused.
  * - `show`: what to send with each frame besides positions.
  * - `recycle`: gives a buffer of positions back.
  * - `cancelExperiment`: ends it; what was measured stays.
  * @typedef {{ type: "run" }
  *   | { type: "pause" }
- *   | { type: "drag", vertices: Uint32Array, targets: Float64Array, phase: "start" | "move" | "end" | "cancel" }
+ *   | Drag
  *   | { type: "show", measure: Measure | null, shapes: boolean, projections: boolean,
  *       corners: boolean }
  *   | { type: "recycle", positions: Float64Array }
  *   | { type: "cancelExperiment" }} Command
  */
+
+/** @typedef {{ type: "drag", vertices: Uint32Array, targets: Float64Array, time?: number,
+ *   phase: "make" | "start" | "move" | "end" | "cancel" }} Drag */
 
 /**
  * Answered by `reply` with the value named in {@link Replies}, or `refused`.
@@ -397,6 +401,7 @@
 
 /**
  * - `ready`: the solver can be spoken to. First, once.
+ * - `loading`: before that, how much of its module is here, where it takes a while.
  * - `model`: another mesh is open. `positions` is one of the two buffers.
  * - `document`: after every edit and every load.
  * - `scene`: the scene file's text, whenever it changed and the solver rests, and now and then
@@ -410,18 +415,22 @@
  *   frame that belongs to it.
  * - `experiment`: what an experiment has measured since the last one. `ended` is null while it goes on;
  *   `message` says why it failed.
+ * - `frame`: `answers` is the time of the newest move of a drag that it shows, and the milliseconds
+ *   from when that came.
  * - `trouble`: an iteration failed; the last good state stays.
  * - `died`: the state is unusable, the worker must be replaced.
  * - `refused`: `path` is the place in the scene that is wrong, such as `constraints[0].length`; empty
  *   when it is not about a scene.
  * @typedef {{ type: "ready", kinds: KindInfo[], elements: ElementInfo[], measures: FaceMeasure[],
  *       operations: Operation[], settings: SettingInfo[] }
+ *   | { type: "loading", bytes: number, all: number }
  *   | { type: "model", loaded: Loaded, connectivity: Connectivity, positions: Float64Array }
  *   | { type: "document", document: SceneDocument }
  *   | { type: "scene", text: string, iteration: number }
  *   | { type: "frame", numbers: Numbers, trace: Float64Array, positions: Float64Array,
  *       measure: Measure | null, values: Float32Array | null, corners: Float32Array | null,
- *       shapes: Float32Array | null, projections: Projections | null }
+ *       shapes: Float32Array | null, projections: Projections | null,
+ *       answers: [number, number] | null }
  *   | { type: "activity", running: boolean, converged: boolean }
  *   | { type: "experiment", news: ExperimentNews[], ended: "done" | "cancelled" | "failed" | null, message: string }
  *   | { type: "trouble", message: string }

@@ -2,6 +2,7 @@
 
 import { groupDigits } from './format.js';
 import { declared, valueInWords } from './measures.js';
+import { spreadOf } from './spread.js';
 
 /** More pixels than this are too many for common graphics cards, with their samples and depths. */
 const MOST_PIXELS = 36e6;
@@ -35,7 +36,11 @@ export async function pictureOf(viewport, state, { scale, legend, white }) {
   });
   if (!drawn) throw new Error('The picture could not be drawn: try a smaller one.');
   if (legend && state.model?.faces) {
-    drawLegend(context, state, viewport.rampStops(), size, white);
+    const stops = viewport.rampStops();
+    for (const [from, shown] of legendsOf(state)) {
+      context.setTransform(size.scale, 0, 0, size.scale, from * size.width, 0);
+      drawLegend(context, shown, stops, size, white);
+    }
   }
   drawLabels(context, viewport.labels(), size.scale, state.dark && !white);
   const blob = await new Promise((done) => canvas.toBlob(done, 'image/png'));
@@ -69,6 +74,20 @@ function drawLabels(context, labels, scale, dark) {
 }
 
 /**
+ * Where each legend begins, as a part of the width, and the state that it shows: of two pictures side
+ * by side each has its own, half the width apart.
+ * @param {import("./state.js").State} state
+ * @returns {[number, import("./state.js").State][]}
+ */
+function legendsOf(state) {
+  if (!state.split) return [[0, state]];
+  return state.split.sides.map(({ measure, values, top }, i) => {
+    const spread = values ? spreadOf(measure, values, top, top, null) : null;
+    return [i / 2, { ...state, measure, spread, range: [0, top], tolerance: null }];
+  });
+}
+
+/**
  * The legend at the lower left: the histogram over the colours, in the sizes of the page.
  * @param {CanvasRenderingContext2D} context
  * @param {import("./state.js").State} state
@@ -85,7 +104,7 @@ function drawLegend(context, state, stops, size, white) {
   const [left, width] = [16, 212];
   const ink = dark && !white ? '#e6e8e8' : '#1d2123';
   const [foot, tallest] = [bottom - 26, 28];
-  context.scale(size.scale, size.scale);
+  context.textAlign = 'left';
   context.font = `12px ${getComputedStyle(document.body).fontFamily}`;
   context.fillStyle = ink;
   context.fillText(about.label, left, foot - tallest - 8);

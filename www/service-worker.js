@@ -1,16 +1,17 @@
 /**
  * Keeps the built files, so that the page opens without a network. Each version has a cache of its
  * own, filled completely before it is used; which files there are, and a name for them together, the
- * build puts before this text as `SITE`. What is fetched later, such as the parts for Rhino, is kept
- * when it was used once.
+ * build puts before this text as `SITE`. Of the view's module, which is compiled for each backend, the
+ * page says which one it draws with. What is fetched later, such as the parts for Rhino, is kept when it
+ * was used once.
  */
 
 /* global SITE */
 
 const scope = /** @type {ServiceWorkerGlobalScope} */ (/** @type {unknown} */ (self));
-/** @type {{ version: string, files: string[] }} */
+/** @type {{ version: string, files: string[], views: Record<string, string[]> }} */
 // @ts-expect-error the build writes it above
-const { version, files } = SITE;
+const { version, files, views } = SITE;
 const PREFIX = 'shape-up ';
 const NAME = PREFIX + version;
 /** The version before, whose pages may still be open. */
@@ -18,8 +19,16 @@ const KEPT = 2;
 
 scope.addEventListener('install', (event) => event.waitUntil(fill()));
 scope.addEventListener('activate', (event) => event.waitUntil(tidy()));
-scope.addEventListener('message', ({ data }) => {
+/** The view's module is being kept. */
+let viewIsKept = Promise.resolve();
+scope.addEventListener('message', (event) => {
+  const { data } = event;
   if (data === 'take over') scope.skipWaiting();
+  if (data.drawsWith) {
+    // Whoever has no network keeps what is there.
+    viewIsKept = keepMissing(views[data.drawsWith]).catch(() => {});
+    event.waitUntil(viewIsKept);
+  }
 });
 scope.addEventListener('fetch', (event) => {
   const { request } = event;
@@ -27,16 +36,28 @@ scope.addEventListener('fetch', (event) => {
   if (request.method === 'GET' && inScope) event.respondWith(answer(request));
 });
 
+/**
+ * A host may let a browser keep old files for a while: those without a hash in their name must be of
+ * this version.
+ * @param {string} file
+ */
+const request = (file) =>
+  new Request(file, { cache: file.startsWith('./assets/') ? 'default' : 'no-cache' });
+
 async function fill() {
   const cache = await caches.open(NAME);
-  // A host may let a browser keep old files for a while: those without a hash in their name must be
-  // of this version.
-  const request = (/** @type {string} */ file) =>
-    new Request(file, { cache: file.startsWith('./assets/') ? 'default' : 'no-cache' });
   await cache.addAll(files.map(request));
 }
 
+/** @param {string[]} wanted */
+async function keepMissing(wanted) {
+  const cache = await caches.open(NAME);
+  const kept = await Promise.all(wanted.map((file) => cache.match(file)));
+  await cache.addAll(wanted.filter((_, i) => !kept[i]).map(request));
+}
+
 async function tidy() {
+  await viewIsKept;
   const names = (await caches.keys()).filter((name) => name.startsWith(PREFIX));
   const old = names.filter((name) => name !== NAME).slice(0, -(KEPT - 1));
   await Promise.all(old.map((name) => caches.delete(name)));

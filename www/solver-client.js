@@ -96,6 +96,11 @@ export class SolverClient extends EventTarget {
     this.tell({ type: 'recycle', positions }, [positions.buffer]);
   }
 
+  /** Gives up what the worker is at; what was open is open again. */
+  abandon() {
+    this.#died('it was cancelled', true);
+  }
+
   #start() {
     const worker = new Worker(new URL('./solver-worker.js', import.meta.url), {
       type: 'module',
@@ -189,8 +194,11 @@ export class SolverClient extends EventTarget {
     else waiting?.resolve(value);
   }
 
-  /** @param {string} reason */
-  async #died(reason) {
+  /**
+   * @param {string} reason
+   * @param {boolean} [wanted] it needs no words
+   */
+  async #died(reason, wanted = false) {
     const lastScene = this.sceneText;
     const again = this.#restoring;
     const atStart = !this.#ready;
@@ -205,7 +213,7 @@ export class SolverClient extends EventTarget {
       }),
     );
 
-    if (atStart || again) {
+    if ((atStart || again) && !wanted) {
       const what = again ? 'stopped again on the same model' : 'could not be started';
       return this.#notice(
         `The solver ${what} (${reason}). Reload the page; the last scene can still be saved.`,
@@ -213,14 +221,15 @@ export class SolverClient extends EventTarget {
     }
     this.#start();
     if (this.#show) this.tell(this.#show);
-    if (!lastScene) return this.#notice(`The solver stopped (${reason}) and was restarted.`);
+    const notice = (/** @type {string} */ text) => wanted || this.#notice(text);
+    if (!lastScene) return void notice(`The solver stopped (${reason}) and was restarted.`);
     this.#restoring = true;
     const iteration = this.sceneIteration;
     try {
       const bytes = new TextEncoder().encode(lastScene);
       const files = [{ name: 'restored.shapeup.json', bytes }];
       await this.request({ type: 'open', files, iteration });
-      this.#notice(
+      notice(
         `The solver stopped (${reason}) and was restarted; your model is back as it was at iteration ${iteration}.`,
       );
     } catch (error) {

@@ -8,6 +8,7 @@ import init, { Solver } from './pkg/solver/shape_up.js';
 import { cancelExperiment, experimentCsv, runExperiment } from './experiment/worker-part.js';
 import { SLICE_MS, messageOf } from './messages.js';
 import { disturb, warmUpWhenQuiet } from './warm-up.js';
+import { fetchModule } from './worker-loading.js';
 
 /** @typedef {import("./messages.js").ToWorker} ToWorker */
 /** @typedef {import("./messages.js").FromWorker} FromWorker */
@@ -25,8 +26,10 @@ let dragging = false;
 let settled = false;
 /** Something that the page has not seen. */
 let unseen = false;
-/** The newest move of a drag that is not applied yet. @type {{ vertices: Uint32Array, targets: Float64Array } | null} */
+/** The newest move of a drag that is not applied yet. @type {import("./messages.js").Drag | null} */
 let move = null;
+/** The move that the next frame answers, and when it came. @type {{ time: number, came: number } | null} */
+let answering = null;
 /** Buffers of positions that are here and free. @type {Float64Array[]} */
 let free = [];
 let positionsLength = 0;
@@ -53,7 +56,7 @@ onmessage = (event) => {
 };
 
 try {
-  await init();
+  await init({ module_or_path: fetchModule(post) });
   solver = new Solver();
   post({
     type: 'ready',
@@ -216,7 +219,7 @@ function open(files, iteration, frame = '') {
   loaded = true;
   settled = false;
   dragging = false;
-  move = null;
+  move = answering = null;
   positionsLength = about.vertices * 3;
   const positions = new Float64Array(positionsLength);
   live().writePositions(positions);
@@ -299,19 +302,22 @@ function endRun() {
   activityDue = true;
 }
 
-/** @param {Extract<ToWorker, { type: "drag" }>} message */
-function drag({ vertices, targets, phase }) {
-  if (phase === 'start') {
+/** @param {import("./messages.js").Drag} message */
+function drag(message) {
+  const { vertices, targets, phase, time } = message;
+  if (phase === 'start' || phase === 'make') {
     if (running) live().endRun();
+    live().drag(vertices, targets, phase);
     dragging = true;
     activityDue = true;
-    live().drag(vertices, targets, 'start');
+    if (phase === 'make') changed();
   } else if (!dragging) {
     return;
   } else if (phase === 'move') {
-    move = { vertices, targets };
+    move = message;
+    if (time !== undefined) answering = { time, came: performance.now() };
   } else {
-    move = null;
+    move = answering = null;
     dragging = false;
     live().drag(vertices, targets, phase);
     if (running) live().beginRun();
@@ -330,7 +336,8 @@ function slice() {
       move = null;
       settled = false;
     }
-    const until = performance.now() + SLICE_MS;
+    // Who drags waits for the answer.
+    const until = performance.now() + SLICE_MS / (answering ? 2 : 1);
     while (iterating() && performance.now() < until) {
       settled = live().step();
       unseen = true;
@@ -403,10 +410,13 @@ function sendFrame() {
   /** @type {import("./messages.js").Projections | null} */
   const projections = showProjections ? live().projections() : null;
   if (projections) transfer.push(...Object.values(projections).map((array) => array.buffer));
+  /** @type {[number, number] | null} */
+  const answers = answering && !move ? [answering.time, performance.now() - answering.came] : null;
+  if (answers) answering = null;
   post(
     {
       ...{ type: 'frame', numbers: now, trace: told, positions },
-      ...{ measure, values, corners, shapes, projections },
+      ...{ measure, values, corners, shapes, projections, answers },
     },
     transfer,
   );

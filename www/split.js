@@ -5,7 +5,7 @@
 
 import { messageOf } from './messages.js';
 
-/** @typedef {import("./pkg/view/shape_up.js").View} View */
+/** @typedef {import("./pkg/view-webgl2/shape_up.js").View} View */
 
 /**
  * What a side shows: the original or the current shape, coloured by a measure.

@@ -4,12 +4,14 @@
  * hands over what changed and asks for one picture.
  */
 
+import { Backend, isBlank, openView } from './backend.js';
 import { removeFirstPicture } from './first-picture.js';
+import { handlesNow } from './state.js';
 import { messageOf } from './messages.js';
 import { modelErrors, showFlatMap } from './flat-map.js';
 import { showSplit } from './split.js';
 
-/** @typedef {import("./pkg/view/shape_up.js").View} View */
+/** @typedef {import("./pkg/view-webgl2/shape_up.js").View} View */
 /** @typedef {import("./state.js").State} State */
 /**
  * Words over the picture, in CSS pixels, with a bar below them that is so long.
@@ -19,12 +21,12 @@ import { showSplit } from './split.js';
 /** A view that is lost this often in a row is given up. */
 const ATTEMPTS = 3;
 const NONE = new Uint32Array(0);
+const FINGERS = matchMedia('(pointer: coarse)');
 const NO_COLOURS = {
   faces: new Uint8Array(0),
   vertices: new Uint8Array(0),
   palette: new Float32Array(0),
 };
-const BACKENDS = ['webgpu', 'webgl2'];
 
 export class Viewport extends EventTarget {
   /** The element that gestures and sizes refer to; canvases come and go in it. @type {HTMLElement} */
@@ -36,6 +38,9 @@ export class Viewport extends EventTarget {
 
   #store;
   #solver;
+  #backend = new Backend();
+  /** WebGPU is asked once whether its picture is there. */
+  #isProven = false;
   /** @type {HTMLCanvasElement | null} */
   #canvas = null;
   #attempts = 0;
@@ -89,6 +94,16 @@ export class Viewport extends EventTarget {
     return action(this.view);
   }
 
+  /** How far what the view holds goes with the pointer. @type {import("./handle-drag.js").Hold} */
+  heldWay = (way, dx, dy) => this.view?.heldWay(way, dx, dy);
+  /** Where what the view holds is seen once it has gone so far. @param {number[]} by */
+  heldPlace = (by) => this.view?.heldPlace(by[0], by[1], by[2]);
+
+  /** In CSS pixels, as the view has it: without measuring the page again. */
+  get width() {
+    return this.#size[0];
+  }
+
   /**
    * The colours of the range as a legend paints them, with their places in it from 0 to 1: gradual, or
    * in bands with hard limits.
@@ -127,6 +142,7 @@ export class Viewport extends EventTarget {
     try {
       view.resize(width, height, scale);
       if (white) view.setTheme(false);
+      view.setGizmo(false, false);
       view.setWhite(white);
       const drawn = view.draw();
       if (drawn) take(canvas);
@@ -138,6 +154,7 @@ export class Viewport extends EventTarget {
       if (this.view === view) {
         view.setWhite(false);
         view.setTheme(dark);
+        showDisplay(view, this.#store.get());
         view.resize(shownWidth, shownHeight, shownWidth / this.#size[0]);
         this.ask();
       }
@@ -152,32 +169,36 @@ export class Viewport extends EventTarget {
     });
     this.#canvas = canvas;
     this.element.replaceChildren(canvas);
+    const backend = await this.#backend.choose();
     try {
-      const { default: init, View } = await import('./pkg/view/shape_up.js');
-      await init();
-      const wanted = new URLSearchParams(location.search).get('backend') ?? 'auto';
-      const view = await View.create(canvas, BACKENDS.includes(wanted) ? wanted : 'auto');
+      const view = await openView(canvas, backend);
       if (canvas !== this.#canvas) return view.free();
       this.view = view;
     } catch (thrown) {
-      if (canvas === this.#canvas) this.#giveUp(messageOf(thrown));
+      if (canvas !== this.#canvas) return;
+      if (this.#backend.failed(backend)) this.#create();
+      else this.#giveUp(messageOf(thrown));
       return;
     }
     this.#size = [0, 0];
     this.#resize();
     this.#newMesh = true;
     this.#handOver();
-    this.#store.set({ renderer: /** @type {"webgpu" | "webgl2"} */ (this.view.backend()) });
+    this.#store.set({ renderer: backend });
     this.dispatchEvent(new Event('ready'));
   }
 
   /** @param {string} reason */
   #lost(reason) {
-    this.view?.free();
+    const { renderer } = this.#store.get();
+    const { view } = this;
     this.view = null;
-    this.#attempts += 1;
-    if (this.#attempts > ATTEMPTS) return this.#giveUp(reason);
+    this.#store.set({ status: 'The 3D picture was lost and is drawn anew' });
     this.#canvas = null;
+    // It may call for help once more.
+    view?.free();
+    if (renderer !== 'webgpu' || !this.#backend.failed(renderer)) this.#attempts += 1;
+    if (this.#attempts > ATTEMPTS) return this.#giveUp(reason);
     this.#create();
   }
 
@@ -239,7 +260,11 @@ export class Viewport extends EventTarget {
       [['display', 'halfway'], showDisplay],
       [['parallel'], (view, { parallel }) => view.setParallel(parallel)],
       [['tape'], (view, { tape }) => view.setTape(Uint32Array.from(tape ?? []))],
-      [['document', 'dragged', 'selection', 'model'], showHandles],
+      [['document', 'dragged', 'moved', 'selection', 'model'], showHandles],
+      [
+        ['gizmoPart', 'dragged'],
+        (view, state) => view.lightGizmo(state.gizmoPart, state.dragged.length > 0),
+      ],
       [['selection', 'model'], showSelection],
       [['tint', 'model'], showTint],
       [['rowColours', 'model', 'flatMap'], showRowColours],
@@ -305,6 +330,10 @@ export class Viewport extends EventTarget {
     if (!this.#solver.geometry || !this.view?.needsDraw()) return;
     try {
       if (!this.view.draw()) return;
+      if (!this.#isProven && this.view.backend() === 'webgpu' && this.#canvas) {
+        if (isBlank(this.#canvas)) return this.#lost('the picture stays empty');
+        this.#isProven = true;
+      }
       this.#attempts = 0;
       removeFirstPicture();
       this.dispatchEvent(new Event('drawn'));
@@ -324,6 +353,7 @@ function showDisplay(view, { display, halfway }) {
   view.setDisplay(edges, vertices, shapes, outlines || halfway, arrows);
   view.setSurroundings(display.ghost, display.ground);
   view.setBands(display.bands);
+  view.setGizmo(display.gizmo, FINGERS.matches);
 }
 
 /**
@@ -331,8 +361,9 @@ function showDisplay(view, { display, halfway }) {
  * @param {View} view
  * @param {State} state
  */
-function showHandles(view, { document, dragged }) {
-  const handles = document?.handles ?? [];
+function showHandles(view, state) {
+  const { dragged } = state;
+  const handles = handlesNow(state);
   const vertices = Uint32Array.from(handles, (handle) => handle.vertex);
   const states = Uint8Array.from(handles, (handle) =>
     dragged.includes(handle.vertex) ? 2 : handle.fixed ? 1 : 0,

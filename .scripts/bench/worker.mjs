@@ -128,9 +128,7 @@ function map({ problem, weights, rounds }) {
   const solver = new Solver();
   solver.load('problem.obj', problem.meshBytes, null);
   const one = () => {
-    const [{ eigenvalue, secondsOf }, total] = timed(() =>
-      solver.parametrize(weights, 'boundary'),
-    );
+    const [{ eigenvalue, secondsOf }, total] = timed(() => solver.parametrize(weights, 'boundary'));
     const parts = Object.entries(secondsOf).map(([part, seconds]) => [part, 1e3 * seconds]);
     return { eigenvalue, run: { total, ...Object.fromEntries(parts) } };
   };

@@ -386,10 +386,11 @@ fn centre_as(centring: Centring, points: &mut [Vec3<Lanes>]) {
 
 #[inline(always)]
 fn gather(x: &[Row], nodes: &[u32; LANES]) -> Vec3<Lanes> {
-    let rows: [Row; LANES] = nodes.map(|node| x[node as usize]);
-    Vec3::new(
-        Lanes(rows.map(|row| row[0])),
-        Lanes(rows.map(|row| row[1])),
-        Lanes(rows.map(|row| row[2])),
-    )
+    // A loop: `map` of an array is a function that may stay one, and this is done for every point.
+    let mut point = Vec3::zero();
+    for (lane, &node) in nodes.iter().enumerate() {
+        let [px, py, pz, _] = x[node as usize];
+        point.set_lane(lane, Vec3::new(px, py, pz));
+    }
+    point
 }

@@ -206,8 +206,9 @@ struct Deviation<S> {
 impl<S: Lane> Deviation<S> {
     #[inline(always)]
     fn of(m: [Vec3<S>; 3]) -> Self {
+        let square = |column: Vec3<S>| column.length_squared() - S::one();
         Deviation {
-            squares: m.map(|column| column.length_squared() - S::one()),
+            squares: [square(m[0]), square(m[1]), square(m[2])],
             products: [m[1].dot(m[2]), m[2].dot(m[0]), m[0].dot(m[1])],
         }
     }
@@ -226,8 +227,10 @@ impl<S: Lane> Deviation<S> {
     #[inline(always)]
     fn mended(&self, m: [Vec3<S>; 3]) -> [Vec3<S>; 3] {
         let half = S::splat(0.5);
-        let [x, y, z] = self.squares.map(|square| S::one() - square * half);
-        let [yz, zx, xy] = self.products.map(|product| product * half);
+        let scale = |square: S| S::one() - square * half;
+        let [x, y, z] = [scale(self.squares[0]), scale(self.squares[1]), scale(self.squares[2])];
+        let [yz, zx, xy] =
+            [self.products[0] * half, self.products[1] * half, self.products[2] * half];
         [
             m[0] * x - m[1] * xy - m[2] * zx,
             m[1] * y - m[0] * xy - m[2] * yz,

@@ -82,7 +82,8 @@ impl Planes {
 
     /// At least this far apart are this triangle and another one.
     pub(super) fn gap(&self, corners: &[Vec3<f64>; 3]) -> f64 {
-        let over = corners.map(|p| self.over(splat(p)));
+        let [a, b, c] = *corners;
+        let over = [self.over(splat(a)), self.over(splat(b)), self.over(splat(c))];
         let least = |of: fn(&Over) -> f64| {
             let [a, b, c] = [of(&over[0]), of(&over[1]), of(&over[2])];
             Lane::min(a, Lane::min(b, c))

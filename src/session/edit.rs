@@ -212,7 +212,7 @@ impl Session {
     }
 
     /// Applies an edit to a state, and gives its name.
-    fn apply(&self, edit: Edit, state: &mut Snapshot) -> Result<String, SceneError> {
+    pub(super) fn apply(&self, edit: Edit, state: &mut Snapshot) -> Result<String, SceneError> {
         let Snapshot { document, handles, positions, iteration } = state;
         let name = match edit {
             Edit::AddConstraint(new) => {
@@ -344,7 +344,7 @@ impl Session {
     }
 
     /// Makes `state` the current one at the least cost.
-    fn go_to(&mut self, state: Snapshot) -> Result<(), Error> {
+    pub(super) fn go_to(&mut self, state: Snapshot) -> Result<(), Error> {
         let Snapshot { document, handles, positions, iteration } = state;
         let moved = self.positions() != positions;
         if same_problem(&document, &self.document) {

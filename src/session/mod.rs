@@ -226,6 +226,24 @@ impl Session {
         self.begin(GestureKind::Drag);
     }
 
+    /// Makes vertices handles where they are and begins to drag them: one step of undo together, and
+    /// taking the drag back takes the handles away.
+    ///
+    /// # Errors
+    /// When a vertex is not there; nothing has changed then.
+    pub fn begin_drag_of_new(&mut self, vertices: Vec<u32>) -> Result<(), Error> {
+        self.begin(GestureKind::Drag);
+        let mut with_handles = self.snapshot();
+        let made = self
+            .apply(Edit::AddHandles { vertices, fixed: false }, &mut with_handles)
+            .map_err(Error::from)
+            .and_then(|_| self.go_to(with_handles));
+        if made.is_err() {
+            self.gesture = None;
+        }
+        made
+    }
+
     /// Moves the targets of handles.
     pub fn drag(&mut self, targets: impl IntoIterator<Item = (u32, Point)>) {
         self.solver.move_handles(targets);
@@ -236,12 +254,13 @@ impl Session {
         let Some(gesture) = self.gesture.take_if(|g| g.kind == GestureKind::Drag) else {
             return;
         };
-        let moved = gesture.before.handles != self.solver.handles();
+        let before = &gesture.before.handles;
+        let now = self.solver.handles();
         if !keep {
-            self.solver.move_handles(gesture.before.handles.iter().map(|h| (h.vertex, h.target)));
-            self.solver.set_positions(&gesture.before.positions);
-            self.arrive(gesture.before.iteration);
-        } else if moved {
+            self.go_to(gesture.before).expect("the state was solvable before");
+        } else if before.len() != now.len() {
+            self.history.push("Make and move handle".to_owned(), gesture.before);
+        } else if before != now {
             self.history.push("Move handle".to_owned(), gesture.before);
         }
     }

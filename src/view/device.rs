@@ -5,9 +5,9 @@
 //! certain which backend draws on it.
 
 use super::canvas_size::clamp_size;
+use super::loss::Loss;
 use super::pipeline::{DEPTH_FORMAT, SAMPLES};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Device, queue and canvas.
 #[derive(Debug)]
@@ -20,7 +20,7 @@ pub struct Device {
     config: wgpu::SurfaceConfiguration,
     colour: wgpu::TextureView,
     depth: wgpu::TextureView,
-    lost: Arc<AtomicBool>,
+    loss: Arc<Loss>,
 }
 
 /// Why no picture can be drawn.
@@ -72,6 +72,7 @@ impl Device {
     ///
     /// # Errors
     /// No adapter answers.
+    #[cfg(feature = "view-webgpu")]
     pub async fn webgpu(target: wgpu::SurfaceTarget<'static>) -> Result<Device, DeviceError> {
         let opened = open(instance(wgpu::Backends::BROWSER_WEBGPU), None).await;
         let opened = opened.map_err(|e| DeviceError(format!("No WebGPU adapter: {e}")))?;
@@ -83,6 +84,7 @@ impl Device {
     ///
     /// # Errors
     /// The canvas has another context already, or WebGL2 is not available.
+    #[cfg(feature = "view-webgl2")]
     pub async fn webgl2(target: wgpu::SurfaceTarget<'static>) -> Result<Device, DeviceError> {
         let instance = instance(wgpu::Backends::GL);
         let failed = |e: String| DeviceError(format!("No WebGL2 context: {e}"));
@@ -103,13 +105,13 @@ impl Device {
         if let Some(&format) = formats.iter().find(|format| !format.is_srgb()) {
             config.format = format;
         }
-        let lost = Arc::new(AtomicBool::new(false));
-        let flag = Arc::clone(&lost);
-        device.set_device_lost_callback(move |_, _| flag.store(true, Ordering::Relaxed));
+        let loss = Arc::new(Loss::default());
+        let lost = Arc::clone(&loss);
+        device.set_device_lost_callback(move |_, _| lost.happen());
         surface.configure(&device, &config);
         let colour = target(&device, &config, config.format);
         let depth = target(&device, &config, DEPTH_FORMAT);
-        Ok(Device { device, queue, surface, config, colour, depth, lost })
+        Ok(Device { device, queue, surface, config, colour, depth, loss })
     }
 
     /// Format of the canvas.
@@ -122,9 +124,9 @@ impl Device {
         (self.config.width, self.config.height)
     }
 
-    /// A flag that is raised when the device is lost.
-    pub fn lost(&self) -> Arc<AtomicBool> {
-        Arc::clone(&self.lost)
+    /// Whether the device is lost.
+    pub fn loss(&self) -> Arc<Loss> {
+        Arc::clone(&self.loss)
     }
 
     /// Sets the size of the canvas, at most what the adapter allows; the proportions are kept.
@@ -147,7 +149,7 @@ impl Device {
     pub fn frame(&mut self) -> Result<Option<Frame>, DeviceError> {
         use wgpu::CurrentSurfaceTexture as Current;
         for _ in 0..2 {
-            if self.lost.load(Ordering::Relaxed) {
+            if self.loss.happened() {
                 break;
             }
             match self.surface.get_current_texture() {

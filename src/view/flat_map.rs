@@ -71,31 +71,30 @@ fn sides(faces: &Lists, chosen: &[u32]) -> Vec<[u32; 2]> {
     sides
 }
 
-/// Comes near the faces that the map turns over: on the model from their front, on the map as near as
-/// they are small.
+/// Comes near the faces that the map turns over, as near as they are small; on the model from their front.
 pub fn show_flipped(map: &mut Stage, model: &mut Stage) {
     let mut vertices = map.flipped.as_flattened().to_vec();
     vertices.sort_unstable();
     vertices.dedup();
-    let places = vertices.iter().map(|&v| map.subject.positions[v as usize]);
-    let (Some(low), Some(high)) =
-        (places.clone().reduce(Vec3::min), places.clone().reduce(Vec3::max))
-    else {
+    if vertices.is_empty() {
         return;
-    };
-    let around = (0.5 * (high - low).length()).max(LEAST_PART * map.size());
-    map.come_near(&vertices, around);
+    }
     let normals = vertices.iter().map(|&v| model.subject.normals.vertices[v as usize]);
     let front: Vec3 = normals.sum();
     if front.length() > 0.0 {
         model.camera.look_against(front);
     }
-    model.come_near(&vertices, model.size() * MODEL_PART);
+    for stage in [model, map] {
+        let places = vertices.iter().map(|&v| stage.subject.positions[v as usize]);
+        let low = places.clone().fold(Vec3::INFINITY, Vec3::min);
+        let high = places.fold(Vec3::NEG_INFINITY, Vec3::max);
+        let around = 0.25 * (high - low).length();
+        stage.come_near(&vertices, around.max(LEAST_PART * stage.size()));
+    }
 }
 
-/// So much of a map and of a model, as parts of their size, is seen around what is shown.
+/// So much around what is shown is seen at least, as a part of the size of the whole.
 const LEAST_PART: f32 = 1e-4;
-const MODEL_PART: f32 = 0.04;
 
 /// Brings what the map has in common with the surface up to date.
 pub fn follow(map: &mut Stage, model: &Stage) {

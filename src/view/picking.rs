@@ -3,7 +3,7 @@
 use super::camera::Camera;
 use super::ray::{Hit, first_hit, hidden};
 use super::subject::Subject;
-use glam::{Vec2, Vec3};
+use glam::Vec2;
 
 /// A vertex this much behind the surface, in parts of its distance from the eye, is still seen.
 const HIDING_TOLERANCE: f32 = 1e-3;
@@ -62,11 +62,4 @@ fn near_cursor(
 pub fn pick_face(subject: &Subject, camera: &Camera, at: Vec2) -> Option<Hit> {
     let (from, direction) = camera.eye().ray(at);
     first_hit(subject, from, direction)
-}
-
-/// How far a vertex must move, parallel to the screen, to lie under a screen position.
-pub fn drag_offset(subject: &Subject, camera: &Camera, vertex: u32, to: Vec2) -> Vec3 {
-    let eye = camera.eye();
-    let (screen, depth) = eye.project(subject.positions[vertex as usize]);
-    if depth > 0.0 { eye.across(to - screen, depth) } else { Vec3::ZERO }
 }

@@ -5,6 +5,7 @@ use super::circles::Circles;
 use super::device::{Device, DeviceError};
 use super::faces::Faces;
 use super::flat_map::Region;
+use super::gizmo_marks::GizmoMarks;
 use super::lines::Lines;
 use super::points::Points;
 use super::projection_lines::ProjectionLines;
@@ -32,6 +33,7 @@ pub struct Picture {
     circles: Circles,
     spheres: Spheres,
     around: SurroundingLines,
+    gizmo: GizmoMarks,
 }
 
 impl Picture {
@@ -48,6 +50,7 @@ impl Picture {
             circles: Circles::new(gpu, &store, format),
             spheres: Spheres::new(gpu, &store, format),
             around: SurroundingLines::new(gpu, &device.queue, &store),
+            gizmo: GizmoMarks::new(gpu, &store, format),
             store,
             map_store,
             side_stores: None,
@@ -158,6 +161,7 @@ impl Picture {
         if !is_original {
             self.lines.draw_pulls(pass);
             self.points.draw_marks(pass);
+            self.gizmo.draw(pass);
         }
     }
 
@@ -187,6 +191,7 @@ impl Picture {
         let changes = stage.changes;
         self.store.update(device, queue, stage, size);
         self.around.update(device, queue, stage, size);
+        self.gizmo.update(device, queue, stage);
         if changes.mesh {
             self.faces.update(device, queue, &stage.subject);
             self.lines.update_mesh(device, queue, &stage.subject);

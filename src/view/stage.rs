@@ -5,6 +5,7 @@ use super::camera::{Camera, Up};
 use super::checks::Checks;
 use super::depth_map::DepthMap;
 use super::framing::frame;
+use super::gizmo::Wanted;
 use super::lists::{Lists, ViewError, check_indices};
 use super::looks::Looks;
 use super::palette::{Colour, DARK, DotKind, LIGHT, Palette};
@@ -112,6 +113,8 @@ pub struct Stage {
     pub tape: Vec<u32>,
     /// What is switched on.
     pub display: Display,
+    /// What is wanted of the gizmo.
+    pub gizmo: Wanted,
     /// Dark theme.
     pub dark: bool,
     /// White behind everything, for figures, instead of the theme's colour.
@@ -139,6 +142,7 @@ impl Default for Stage {
             around: Surroundings::default(),
             tape: Vec::new(),
             display: Display { edges: true, ..Display::default() },
+            gizmo: Wanted::default(),
             dark: false,
             white: false,
             changes: Changes::ALL,
@@ -438,16 +442,5 @@ impl Stage {
         let (screen, _) = self.camera.eye().project(point);
         let inside = screen.cmpge(Vec2::ZERO).all() && screen.cmple(self.camera.canvas).all();
         (inside && picking::visible(&self.subject, &self.camera, vertex)).then_some(screen)
-    }
-
-    /// Where a vertex goes when it is dragged, parallel to the screen, to a screen position; in file
-    /// coordinates.
-    ///
-    /// # Errors
-    /// A vertex that does not exist.
-    pub fn drag_target(&self, vertex: u32, to: Vec2) -> Result<DVec3, ViewError> {
-        check_indices("dragged vertex", &[vertex], self.counts().0)?;
-        let offset = picking::drag_offset(&self.subject, &self.camera, vertex, to);
-        Ok(self.subject.exact[vertex as usize] + offset.as_dvec3())
     }
 }

@@ -1,6 +1,8 @@
 //! wasm-bindgen faces: `solver` for the worker, `view` for the page.
 
 #[cfg(feature = "solver")]
+mod drag;
+#[cfg(feature = "solver")]
 pub mod experiment;
 #[cfg(feature = "solver")]
 mod lists;
@@ -23,13 +25,15 @@ pub mod solver;
 #[cfg(feature = "view")]
 pub mod view;
 #[cfg(feature = "view")]
+mod view_gizmo;
+#[cfg(feature = "view")]
 mod view_map;
 #[cfg(feature = "view")]
 mod view_seeing;
 #[cfg(feature = "view")]
 mod view_split;
 #[cfg(feature = "solver")]
-mod warm_up;
+pub mod warm_up;
 
 use wasm_bindgen::JsValue;
 

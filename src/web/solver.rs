@@ -213,24 +213,6 @@ impl Solver {
         self.open_mut()?.redo().map_err(thrown)
     }
 
-    /// Drags handles: `phase` is "start", "move", "end" or "cancel"; `targets` is `#vertices by 3`.
-    pub fn drag(&mut self, vertices: &[u32], targets: &[f64], phase: &str) -> Result<(), JsValue> {
-        let session = self.open_mut()?;
-        if phase == "start" {
-            session.begin_drag();
-        }
-        if phase != "cancel" {
-            let (targets, _) = targets.as_chunks::<3>();
-            session.drag(vertices.iter().copied().zip(targets.iter().copied()));
-        }
-        match phase {
-            "end" => session.end_drag(true),
-            "cancel" => session.end_drag(false),
-            _ => {}
-        }
-        Ok(())
-    }
-
     /// One iteration; true when it has converged.
     pub fn step(&mut self) -> Result<bool, JsValue> {
         let started = clock::now();
@@ -360,8 +342,7 @@ impl Solver {
         Ok(self.open()?.obj())
     }
 
-    /// A table as CSV: `errors` of the faces, `convergence`, the energies of the iterations, or `angles`
-    /// of the corners of the faces.
+    /// A table as CSV: `errors` of faces, energies of the iterations (`convergence`), or `angles`.
     pub fn table(&mut self, what: &str) -> Result<String, JsValue> {
         let session = self.open_mut()?;
         match what {

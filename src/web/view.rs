@@ -10,6 +10,7 @@ use crate::view::device::{Device, DeviceError};
 use crate::view::flat_map::follow;
 use crate::view::flight::Flight;
 use crate::view::lists::ViewError;
+use crate::view::loss::Loss;
 use crate::view::picture::Picture;
 use crate::view::projections::Projections;
 use crate::view::region::{Outline, Taking};
@@ -17,7 +18,7 @@ use crate::view::row_colours::RowColours;
 use crate::view::split::Split;
 use crate::view::stage::{Display, Stage};
 use glam::Vec2;
-use std::sync::atomic::Ordering;
+use std::sync::Arc;
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 use wgpu::SurfaceTarget;
@@ -53,24 +54,38 @@ impl Drop for View {
 
 const CONTEXT_LOST: &str = "webglcontextlost";
 
-/// Opens the backend asked for, with its name. `auto` tries WebGPU first: that leaves the canvas
-/// untouched when there is no adapter.
+/// What this module was compiled to draw with.
+const BACKENDS: &[&str] = &[
+    #[cfg(feature = "view-webgpu")]
+    "webgpu",
+    #[cfg(feature = "view-webgl2")]
+    "webgl2",
+];
+
+/// Opens the backend asked for, with its name.
 async fn open(
     canvas: &HtmlCanvasElement,
     backend: &str,
 ) -> Result<(Device, &'static str), DeviceError> {
-    let target = || SurfaceTarget::Canvas(canvas.clone());
+    let target = SurfaceTarget::Canvas(canvas.clone());
     match backend {
-        "webgpu" => Ok((Device::webgpu(target()).await?, "webgpu")),
-        "webgl2" => Ok((Device::webgl2(target()).await?, "webgl2")),
-        "auto" => match Device::webgpu(target()).await {
-            Ok(device) => Ok((device, "webgpu")),
-            Err(no_webgpu) => match Device::webgl2(target()).await {
-                Ok(device) => Ok((device, "webgl2")),
-                Err(no_webgl2) => Err(DeviceError(format!("{no_webgpu}; {no_webgl2}"))),
-            },
-        },
-        _ => Err(DeviceError(format!("backend \"{backend}\", expected auto, webgpu or webgl2"))),
+        #[cfg(feature = "view-webgpu")]
+        "webgpu" => Ok((Device::webgpu(target).await?, "webgpu")),
+        #[cfg(feature = "view-webgl2")]
+        "webgl2" => Ok((Device::webgl2(target).await?, "webgl2")),
+        _ => {
+            let known = BACKENDS.join(" or ");
+            Err(DeviceError(format!("backend \"{backend}\", expected {known}")))
+        }
+    }
+}
+
+/// Does for WebGPU what browsers do for WebGL: the canvas hears of the loss when it happens.
+async fn tell_loss(loss: Arc<Loss>, canvas: HtmlCanvasElement) {
+    loss.wait().await;
+    if let Ok(event) = web_sys::Event::new(CONTEXT_LOST) {
+        // It fails when the event is under way already.
+        let _ = canvas.dispatch_event(&event);
     }
 }
 
@@ -82,22 +97,26 @@ fn outline(corners: &[f32]) -> Outline {
 
 #[wasm_bindgen]
 impl View {
-    /// Opens a view on a canvas that has no context yet. `backend` is `auto`, `webgpu` or `webgl2`.
+    /// Opens a view on a canvas that has no context yet. `backend` is `webgpu` or `webgl2`, one that
+    /// this module has.
     ///
     /// # Errors
-    /// Rejects when there is no adapter, with the reason of each backend.
+    /// Rejects when there is no adapter, with the reason.
     pub async fn create(canvas: HtmlCanvasElement, backend: String) -> Result<View, JsValue> {
         log_panics();
         let (device, backend) = open(&canvas, &backend).await.map_err(thrown)?;
-        device.device.on_uncaptured_error(std::sync::Arc::new(|error| {
+        device.device.on_uncaptured_error(Arc::new(|error| {
             web_sys::console::error_1(&format!("view: {error}").into());
         }));
-        let lost = device.lost();
-        let context_lost = Closure::<dyn FnMut()>::new(move || lost.store(true, Ordering::Relaxed));
+        let loss = device.loss();
+        let context_lost = Closure::<dyn FnMut()>::new(move || loss.happen());
         canvas.add_event_listener_with_callback(
             CONTEXT_LOST,
             context_lost.as_ref().unchecked_ref(),
         )?;
+        if backend == "webgpu" {
+            wasm_bindgen_futures::spawn_local(tell_loss(device.loss(), canvas.clone()));
+        }
         let picture = Picture::new(device);
         let stage = Stage::default();
         let (canvas_size, pixel_ratio) = (stage.camera.canvas, 1.0);
@@ -433,24 +452,6 @@ impl View {
     /// Where a vertex is on the canvas; nothing when it is hidden, outside, or not there.
     pub fn screen(&self, vertex: u32) -> Option<Vec<f64>> {
         self.stage.screen(vertex).map(|at| vec![f64::from(at.x), f64::from(at.y)])
-    }
-
-    /// Where a vertex goes when the cursor, which grabbed it `(grab_dx, grab_dy)` beside its middle,
-    /// is at `(x, y)`: in the plane through the vertex that faces the eye.
-    ///
-    /// # Errors
-    /// A vertex that does not exist.
-    #[wasm_bindgen(js_name = dragTarget)]
-    pub fn drag_target(
-        &self,
-        vertex: u32,
-        x: f32,
-        y: f32,
-        grab_dx: f32,
-        grab_dy: f32,
-    ) -> Result<Vec<f64>, JsValue> {
-        let to = Vec2::new(x - grab_dx, y - grab_dy);
-        self.stage.drag_target(vertex, to).map(|p| p.to_array().to_vec()).map_err(thrown)
     }
 
     /// Whether the next `draw` has something new to show.

@@ -19,10 +19,10 @@ const SCENE: &str = r#"{ "format": "shape-up-scene", "version": 1, "mesh": { "fi
     "weights": { "shape": 5, "close": 10, "smooth": 2 }, "solver": { "tolerance": 0 } }"#;
 
 /// Vertices along a side.
-const SIDE: u32 = 32;
+const SIDE: u32 = 20;
 /// Models, one after another, and iterations of each.
-const MODELS: u32 = 3;
-const STEPS: u32 = 60;
+const MODELS: u32 = 4;
+const STEPS: u32 = 100;
 /// Iterations are done for as many seconds at a time.
 const SLICE: f64 = 0.006;
 

@@ -1,23 +1,20 @@
 // What is on the screen before the page can draw, and what becomes of presses on it.
 
-import { statSync } from 'node:fs';
 import { hidePanels } from './actions.mjs';
 import { file, wavyGrid } from './meshes.mjs';
 import { decodePng } from './picture.mjs';
 import { coloursOfView, expect, screenOf, state, test, waitForState } from './support.mjs';
 
-const VIEW_BYTES = statSync(new URL('../../www/pkg/view/shape_up_bg.wasm', import.meta.url)).size;
 const viewOf = (page) => page.getByRole('application', { name: '3D view' });
 
-/** Holds requests until the function that it gives is called; `chosen` is asked of each answer. */
-async function hold(page, address, chosen = () => true) {
+/** Holds requests until the function that it gives is called. */
+async function hold(page, address) {
   let release;
   const released = new Promise((done) => (release = done));
   await page.route(address, async (route) => {
     const response = await route.fetch();
-    const body = await response.body();
-    if (chosen(body)) await released;
-    await route.fulfill({ response, body });
+    await released;
+    await route.fulfill({ response });
   });
   return release;
 }
@@ -26,7 +23,7 @@ async function hold(page, address, chosen = () => true) {
 test.afterEach(({ page }) => page.unrouteAll({ behavior: 'ignoreErrors' }));
 
 /** Holds the view's module, and no other. */
-const holdView = (page) => hold(page, '**/*.wasm', (body) => body.length === VIEW_BYTES);
+const holdView = (page) => hold(page, '**/view-*.wasm');
 
 /** The part of the pixels between two heights, parts of the whole, whose colours differ plainly. */
 function differing(a, b, [top, bottom]) {
@@ -60,6 +57,7 @@ for (const colorScheme of ['light', 'dark']) {
 test('presses count before anything is there to act on', async ({ page }) => {
   const releaseScript = await hold(page, '**/*.js');
   const releaseModules = await hold(page, '**/*.wasm');
+  const mesh = page.waitForResponse(/\/examples\/[^/]+\.obj$/);
   await page.goto('./', { waitUntil: 'commit' });
   expect(await coloursOfView(page)).toBeGreaterThan(50);
   // A phone's tools are in their place when the script is there.
@@ -68,8 +66,11 @@ test('presses count before anything is there to act on', async ({ page }) => {
   if (early) await run.click();
   releaseScript();
   if (!early) await run.click();
-  // Which of the two is said last depends on how fast the list of examples is here.
-  await expect(page.getByRole('status')).toHaveText(/^(Starts when the model is here|Reading )/);
+  const said = page.getByRole('status');
+  await expect(said).toHaveText('Starts when the model is here');
+  // Also when the example is here, and only the solver is not.
+  await (await mesh).finished();
+  await expect(said).toHaveText('Starts when the model is here');
   releaseModules();
   const after = await waitForState(page, (now) => now.converged && !now.running);
   expect(after.iteration).toBeGreaterThan(0);

@@ -70,9 +70,7 @@ export function worstElements(panel, parts) {
   /** @param {number} index */
   function show(index) {
     const worst = shown[index];
-    if (!worst) return;
-    showElements(parts, worst);
-    parts.actions.say(`Selected ${worst.element}: ${rows[index].value.textContent}`);
+    if (worst) showElements(parts, worst);
   }
 
   function offer() {

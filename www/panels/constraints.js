@@ -15,6 +15,7 @@ import { sketch } from '../sketch.js';
 /** The numbers of a run change on the page this often, in milliseconds. */
 const NUMBERS_EVERY_MS = 100;
 const NONE = new Uint32Array(0);
+const renaming = () => import('./rename.js');
 
 /**
  * @param {HTMLElement} place
@@ -181,7 +182,7 @@ export function constraintsPanel(place, store, solver, actions) {
       icon('chevron'),
     );
     const rename = async () => {
-      const { editName } = await import('./rename.js');
+      const { editName } = await renaming();
       editName(opener, row.name, kind, (name) => {
         renamed = row.index;
         actions.edit({ type: 'renameConstraint', index: row.index, name });
@@ -201,7 +202,11 @@ export function constraintsPanel(place, store, solver, actions) {
           if (event.pointerType !== 'touch') tint(row);
         },
         onpointerleave: untint,
-        onfocusin: () => tint(row),
+        onfocusin: () => {
+          tint(row);
+          // It has to be there before somebody types on.
+          renaming();
+        },
         onfocusout: untint,
       },
       element('span', { class: 'chip' }),

@@ -44,6 +44,7 @@ export function displayPanel(place, store) {
       toggle('ghost', 'Original ghost'),
       toggle('ground', 'Ground grid'),
       toggle('bands', 'Colours in bands'),
+      toggle('gizmo', 'Gizmo'),
     ),
   );
   store.subscribe(['measure', 'measures'], ({ measure, measures }) => {

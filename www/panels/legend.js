@@ -3,11 +3,14 @@
  * range, and how many faces are within a tolerance.
  */
 
-import { element, setText } from '../dom.js';
+import { element, setText, throttled } from '../dom.js';
 import { groupDigits, number } from '../format.js';
 import { declared, unitOf, valueInWords } from '../measures.js';
 import { drawOutline, outline } from '../outline.js';
 import { BINS } from '../spread.js';
+
+/** It follows a run or a drag this often. */
+const SHOW_EVERY_MS = 100;
 
 /**
  * @param {HTMLElement} place
@@ -171,6 +174,6 @@ export function legend(place, store, viewport, refit) {
       'split',
       'display',
     ],
-    show,
+    throttled(SHOW_EVERY_MS, show),
   );
 }

@@ -1,5 +1,6 @@
 /** The name of a row of constraints, written in its place. */
 
+import '../style/lists.css';
 import { element } from '../dom.js';
 
 /**

@@ -1,0 +1,60 @@
+//! That the graphics device was lost: asked before each picture, and waited for while nothing is drawn.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, PoisonError};
+use std::task::{Poll, Waker};
+
+/// Whether a device is lost. It never comes back.
+#[derive(Debug, Default)]
+pub struct Loss {
+    happened: AtomicBool,
+    waiting: Mutex<Option<Waker>>,
+}
+
+impl Loss {
+    /// Whether it is.
+    pub fn happened(&self) -> bool {
+        self.happened.load(Ordering::Relaxed)
+    }
+
+    /// Says that it is.
+    pub fn happen(&self) {
+        self.happened.store(true, Ordering::Relaxed);
+        let mut waiting = self.waiting.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(waker) = waiting.take() {
+            waker.wake();
+        }
+    }
+
+    /// Ends when it is. One at a time can wait.
+    pub async fn wait(&self) {
+        std::future::poll_fn(|context| {
+            if self.happened() {
+                return Poll::Ready(());
+            }
+            let mut waiting = self.waiting.lock().unwrap_or_else(PoisonError::into_inner);
+            *waiting = Some(context.waker().clone());
+            Poll::Pending
+        })
+        .await;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::pin::pin;
+    use std::task::Context;
+
+    #[test]
+    fn whoever_waits_goes_on_when_it_happens() {
+        let loss = Loss::default();
+        let mut waiting = pin!(loss.wait());
+        let mut context = Context::from_waker(Waker::noop());
+        assert!(waiting.as_mut().poll(&mut context).is_pending());
+        assert!(!loss.happened());
+        loss.happen();
+        assert!(loss.happened());
+        assert!(waiting.as_mut().poll(&mut context).is_ready());
+    }
+}
