@@ -326,7 +326,6 @@
  * - `faceValues`: of a measure, of the current shape or the original. `originalPositions`: where the
  *   vertices of the original are. `angles`: of the corners of the faces.
  * - `parametrize`: ends a run. Refused where there is no face, or no area.
- * - `rest`: the positions of the model that was opened, `#V by 3`.
  * - `scene`, `obj`, `table`: the texts of the files; an `obj` with `uv` (`#V by 2`) has them as texture
  *   coordinates; a `table` has the errors of the faces, the energies of the iterations, or the angles of the
  *   corners, as CSV.
@@ -349,7 +348,6 @@
  *   | { type: "flawed", flaw: string }
  *   | { type: "results", student: string, time: string }
  *   | { type: "scene" }
- *   | { type: "rest" }
  *   | { type: "parametrize", weights: MapWeights, norm: MapNorm }
  *   | { type: "obj", uv?: Float64Array }
  *   | { type: "table", table: "errors" | "convergence" | "angles" }
@@ -378,7 +376,6 @@
  * @property {string} results
  * @property {Parametrization} parametrize
  * @property {string} scene
- * @property {Float64Array} rest
  * @property {string} obj
  * @property {string} table
  * @property {null} runExperiment

@@ -51,10 +51,13 @@ export class Seeing {
     viewport.element.after(this.#scale);
     viewport.addEventListener('ready', () => this.#handOver());
     viewport.addEventListener('drawn', () => this.#show());
-    store.subscribe(['model', 'display', 'tape', 'parallel', 'flatMap', 'document'], () => {
-      this.#takeRest();
-      this.#show();
-    });
+    store.subscribe(
+      ['model', 'display', 'tape', 'parallel', 'flatMap', 'split', 'document'],
+      () => {
+        this.#takeRest();
+        this.#show();
+      },
+    );
     viewport.labels = () => [...this.#scaleLabels(), ...this.#tape.labels()];
   }
 
@@ -82,7 +85,7 @@ export class Seeing {
     if (!display.ghost && !display.ground && !tape) return;
     this.#model = model;
     this.#rest = null;
-    const rest = await this.#solver.request({ type: 'rest' });
+    const rest = await this.#solver.request({ type: 'originalPositions' });
     if (this.#store.get().model !== model) return;
     this.#rest = rest;
     this.#handOver();
@@ -96,10 +99,10 @@ export class Seeing {
 
   /** What tells of the scale: the squares of the ground, in parallel projection a bar. */
   #scaleNow() {
-    const { document, flatMap, parallel } = this.#store.get();
+    const { document, flatMap, split, parallel } = this.#store.get();
     const { view } = this.#viewport;
     if (!view || !document || flatMap) return { text: '', pixels: 0 };
-    const step = view.gridStep();
+    const step = split ? undefined : view.gridStep();
     if (!parallel) {
       const text = step === undefined ? '' : `Grid ${roundLength(step, document.units)}`;
       return { text, pixels: 0 };

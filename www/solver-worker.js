@@ -180,8 +180,6 @@ function answer(message) {
       return live().select(message.request);
     case 'scene':
       return live().scene();
-    case 'rest':
-      return live().restPositions();
     case 'obj':
       return message.uv ? live().objWithUv(message.uv) : live().obj();
     case 'parametrize':

@@ -111,13 +111,17 @@ impl Lines {
         self.pulls.write(device, queue, &pulls);
     }
 
-    /// Draws edges, if wanted, what parts bands, and curves.
+    /// Draws edges, if wanted, and curves.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, edges: bool) {
         if edges {
             draw(pass, &self.in_front, &self.edges);
         }
-        draw(pass, &self.in_front, &self.bands);
         draw(pass, &self.in_front, &self.curves);
+    }
+
+    /// Draws what parts the bands of values.
+    pub fn draw_bands(&self, pass: &mut wgpu::RenderPass<'_>) {
+        draw(pass, &self.in_front, &self.bands);
     }
 
     /// Draws the outlines of the faces that the flat map turns over.
@@ -125,7 +129,6 @@ impl Lines {
         draw(pass, &self.in_front, &self.flipped);
     }
 
-    /// Draws selected edges: dim where the surface hides them, then those in sight.
     /// Draws lines between other points: those in sight, and the first `through` of them dim where
     /// the surface hides them.
     pub fn draw_others(&self, pass: &mut wgpu::RenderPass<'_>, lines: &VertexBuffer, through: u32) {

@@ -105,11 +105,12 @@ impl Picture {
                 for ((part, is_original), store) in sides.into_iter().zip(stores) {
                     let [left, top, width, height] = part;
                     pass.set_scissor_rect(left, top, width, height);
-                    self.draw_model(&mut pass, store, stage, is_original);
+                    let shown = if is_original { Shown::Original } else { Shown::Current };
+                    self.draw_model(&mut pass, store, stage, shown);
                 }
                 pass.set_scissor_rect(0, 0, canvas.0, canvas.1);
             }
-            _ => self.draw_model(&mut pass, &self.store, stage, false),
+            _ => self.draw_model(&mut pass, &self.store, stage, Shown::Alone),
         }
         if let Some([_, part]) = parts {
             confine(&mut pass, part);
@@ -126,19 +127,26 @@ impl Picture {
     }
 
     /// Everything that is drawn of the model, with the tables of `store`. Of the original there is only
-    /// the mesh: handles, projections and fitted shapes are those of the current shape.
+    /// the mesh: handles, projections and fitted shapes are those of the current shape. Beside another
+    /// picture there are no ghost, no ground and no lines between bands: values are not in bands there.
     fn draw_model(
         &self,
         pass: &mut wgpu::RenderPass<'_>,
         store: &Store,
         stage: &Stage,
-        is_original: bool,
+        shown: Shown,
     ) {
+        let is_original = shown == Shown::Original;
         pass.set_bind_group(0, store.group(), &[]);
         let display = stage.display;
         self.faces.draw(pass);
-        self.around.draw(pass, &self.lines, store);
+        if shown == Shown::Alone {
+            self.around.draw(pass, &self.lines, store);
+        }
         self.lines.draw(pass, display.edges);
+        if shown == Shown::Alone {
+            self.lines.draw_bands(pass);
+        }
         if display.shapes && !is_original {
             self.spheres.draw(pass);
             self.circles.draw(pass, stage.circle_pieces());
@@ -206,6 +214,17 @@ impl Picture {
             self.spheres.update(device, queue, &stage.shapes);
         }
     }
+}
+
+/// What a picture of the model shows.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Shown {
+    /// The current shape, and nothing beside it.
+    Alone,
+    /// The current shape on one side of a split picture.
+    Current,
+    /// The original there.
+    Original,
 }
 
 /// A part of the canvas in pixels: left, top, width, height, all of it on the canvas.

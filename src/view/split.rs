@@ -130,6 +130,7 @@ impl Side {
         let stage = &mut self.stage;
         stage.camera.clone_from(&model.camera);
         (stage.display, stage.dark, stage.white) = (model.display, model.dark, model.white);
+        stage.keep_reach();
         stage.changes.view |= changes.view;
     }
 }

@@ -1,17 +1,11 @@
 //! What only ways of seeing ask the solver.
 
 use super::solver::Solver;
-use js_sys::{Float32Array, Float64Array};
+use js_sys::Float32Array;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
 impl Solver {
-    /// The positions of the model that was opened, `#V by 3`.
-    #[wasm_bindgen(js_name = restPositions)]
-    pub fn rest_positions(&self) -> Result<Float64Array, JsValue> {
-        Ok(Float64Array::from(self.open()?.mesh().positions.as_flattened()))
-    }
-
     /// The values of the vertices, `#V`, whose largest the faces have in a measure; nothing where the
     /// measure is not of vertices.
     #[wasm_bindgen(js_name = cornerValues)]
