@@ -1,7 +1,7 @@
 // How Vite bundles the page: www/ into dist/, with relative addresses, so that the site works
 // from any sub-path of any static host.
 
-import { cpSync, readFileSync } from 'node:fs';
+import { cpSync, readFileSync, statSync } from 'node:fs';
 import { minify } from 'vite';
 import { firstPicture } from './examples.mjs';
 import { writeOfflineParts } from './offline.mjs';
@@ -37,6 +37,9 @@ const picture = {
 /** The pages of the site. */
 const pages = ['index', 'gallery', 'projections'];
 
+/** What is told of the solver's module while it loads. */
+const solverBytes = statSync(at('www', 'pkg', 'solver', 'shape_up_bg.wasm')).size;
+
 // Files of a wasm module are named for it: every module calls them the same.
 const moduleOf = (path) => /\/?pkg\/([\w-]+)\//.exec(path ?? '')?.[1] ?? '[name]';
 const output = {
@@ -47,6 +50,7 @@ const output = {
 export default {
   root: at('www'),
   base: './',
+  define: { 'import.meta.env.SOLVER_BYTES': String(solverBytes) },
   publicDir: false,
   plugins: [examples, picture],
   build: {

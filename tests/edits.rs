@@ -45,6 +45,27 @@ fn a_row_is_duplicated_with_all_that_it_is() {
 }
 
 #[test]
+fn a_row_is_named_in_one_step_that_leaves_the_solver_alone() {
+    let mut session = session();
+    run(&mut session);
+    let before = (session.solver().energy(), session.iteration());
+    let rename = |index, name: &str| Edit::RenameConstraint { index, name: name.to_owned() };
+    session.edit(rename(0, "Skylight is flat")).expect("there is a row");
+    assert_eq!(session.document().constraints[0].label(), "Skylight is flat");
+    assert_eq!((session.solver().energy(), session.iteration()), before);
+    assert!(session.edit(rename(1, "No such row")).is_err());
+    let text = session.scene().to_json(session.mesh());
+    assert!(text.contains(r#""name": "Skylight is flat""#), "{text}");
+    let again = Scene::from_json(&text).expect("it was written here");
+    assert_eq!(again.constraints, session.document().constraints);
+    assert_eq!(session.undo().expect("it can be undone").as_deref(), Some("Rename plane"));
+    assert_eq!(session.document().constraints[0].label(), "Plane");
+    session.redo().expect("it can be done again");
+    session.edit(rename(0, "")).expect("there is a row");
+    assert_eq!(session.document().constraints[0].label(), "Plane");
+}
+
+#[test]
 fn vertices_that_are_held_more_move_less_and_those_let_go_more() {
     let vertices = vec![14, 15, 20, 21];
     let mut moved = Vec::new();

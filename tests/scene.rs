@@ -300,7 +300,7 @@ fn an_inline_mesh_that_is_none_is_refused_with_its_path() {
 
 fn constraint(id: &str, on: Selector) -> ConstraintSpec {
     let kind = Kind::new(id, serde_json::json!({})).expect("a kind without parameters");
-    ConstraintSpec { kind, on, weight: 1.0, enabled: true }
+    ConstraintSpec { kind, on, weight: 1.0, enabled: true, name: String::new() }
 }
 
 #[test]

@@ -7,7 +7,7 @@ use grid::grid;
 use proptest::prelude::*;
 use serde_json::{Map, json};
 use shape_up::mesh::Mesh;
-use shape_up::scene::{ConstraintSpec, MeshSource, Scene, Up, Weights};
+use shape_up::scene::{ConstraintSpec, Goal, GoalOf, Lesson, MeshSource, Scene, Up, Weights};
 use shape_up::session::{Edit, NewConstraint, Session};
 
 const SIDE: u32 = 4;
@@ -24,8 +24,9 @@ fn site() -> Mesh {
 /// What a person does, by the numbers that a strategy draws.
 #[derive(Clone, Debug)]
 enum Deed {
-    Edit(Edit),
+    Edit(Box<Edit>),
     Drag { vertex: u32, by: [f64; 3], steps: usize, keep: bool },
+    DragNew { vertex: u32, by: [f64; 3], steps: usize, keep: bool },
     Run(usize),
     Undo,
     Redo,
@@ -35,6 +36,11 @@ fn new(kind: &str, on: &str) -> Edit {
     let text = format!(r#"{{ "kind": "{kind}", "on": {on} }}"#);
     let spec = ConstraintSpec::from_json(&text).expect("the constraint is valid");
     Edit::AddConstraint(NewConstraint { spec, set: None })
+}
+
+fn lesson() -> Lesson {
+    let goal = Goal { of: GoalOf::Constraint("Plane".to_owned()), at_most: 0.1 };
+    Lesson { text: "Make it flat.".to_owned(), goals: vec![goal] }
 }
 
 fn deed() -> impl Strategy<Value = Deed> {
@@ -71,12 +77,16 @@ fn deed() -> impl Strategy<Value = Deed> {
         (vertices(), any::<bool>())
             .prop_map(|(vertices, fixed)| Edit::AddHandles { vertices, fixed }),
         vertices().prop_map(|vertices| Edit::RemoveHandles { vertices }),
+        (0..3usize, "[a-c]{0,2}").prop_map(|(index, name)| Edit::RenameConstraint { index, name }),
+        any::<bool>().prop_map(|is_one| Edit::SetLesson(is_one.then(lesson))),
         Just(Edit::Reset),
     ];
     prop_oneof![
-        6 => edit.prop_map(Deed::Edit),
+        6 => edit.prop_map(|edit| Deed::Edit(Box::new(edit))),
         2 => (0..VERTICES, prop::array::uniform3(-1.0..1.0), 0..4usize, any::<bool>())
             .prop_map(|(vertex, by, steps, keep)| Deed::Drag { vertex, by, steps, keep }),
+        1 => (0..VERTICES, prop::array::uniform3(-1.0..1.0), 0..4usize, any::<bool>())
+            .prop_map(|(vertex, by, steps, keep)| Deed::DragNew { vertex, by, steps, keep }),
         2 => (1..6usize).prop_map(Deed::Run),
         1 => Just(Deed::Undo),
         1 => Just(Deed::Redo),
@@ -91,12 +101,19 @@ fn act(session: &mut Session, deed: Deed) {
         }
     };
     match deed {
-        Deed::Edit(edit) => drop(session.edit(edit)),
+        Deed::Edit(edit) => drop(session.edit(*edit)),
         Deed::Drag { vertex, by, steps: count, keep } => {
             let handles = session.solver().handles();
             let Some(handle) = handles.get(vertex as usize % handles.len().max(1)) else { return };
             let (vertex, at) = (handle.vertex, handle.target);
             session.begin_drag();
+            session.drag([(vertex, std::array::from_fn(|axis| at[axis] + by[axis]))]);
+            steps(session, count);
+            session.end_drag(keep);
+        }
+        Deed::DragNew { vertex, by, steps: count, keep } => {
+            let at = session.positions()[vertex as usize];
+            session.begin_drag_of_new(vec![vertex]).expect("the vertex is there");
             session.drag([(vertex, std::array::from_fn(|axis| at[axis] + by[axis]))]);
             steps(session, count);
             session.end_drag(keep);
@@ -168,6 +185,24 @@ fn a_cancelled_drag_leaves_nothing_behind() {
     act(&mut session, Deed::Drag { vertex: 0, by: [0.1, 0.2, 0.5], steps: 3, keep: false });
     assert_eq!(everything(&session), before);
     assert_eq!(session.convergence_csv().lines().count(), 2, "the head and iteration 0");
+}
+
+#[test]
+fn a_handle_that_is_made_and_moved_at_once_is_one_step_or_none() {
+    let mut session = open();
+    session.edit(new("plane", "\"faces\"")).expect("faces can be planes");
+    let before = everything(&session);
+    let deed = |keep| Deed::DragNew { vertex: 7, by: [0.1, 0.2, 0.5], steps: 3, keep };
+    act(&mut session, deed(false));
+    assert_eq!(everything(&session), before);
+    assert_eq!(session.undo_and_redo(), [Some("Add plane"), None]);
+    act(&mut session, deed(true));
+    assert_eq!(session.undo_and_redo(), [Some("Make and move handle"), None]);
+    act(&mut session, Deed::Undo);
+    assert_eq!(everything(&session), before);
+    assert!(session.begin_drag_of_new(vec![VERTICES]).is_err());
+    session.end_drag(true);
+    assert_eq!(everything(&session), before);
 }
 
 #[test]

@@ -2,9 +2,10 @@
 #![allow(clippy::unwrap_used, reason = "a helper that fails here fails its test")]
 #![cfg(feature = "view")]
 
-use glam::{DVec3, Vec2};
+use glam::{DVec3, Vec2, Vec3};
 use shape_up::view::camera::Up;
-use shape_up::view::flat_map::{flat_map, follow};
+use shape_up::view::flat_map::{flat_map, follow, show_flipped};
+use shape_up::view::grip::Way;
 use shape_up::view::region::{Outline, Taking};
 use shape_up::view::stage::{Changes, Stage};
 
@@ -239,15 +240,43 @@ fn a_dragged_vertex_lies_under_the_cursor_and_keeps_its_depth() {
     stage.set_mesh(faces, (vec![], vec![]), &positions).unwrap();
     let vertex = 24;
     let (before, depth) = stage.camera.eye().project(stage.subject.positions[vertex as usize]);
-    let unmoved = stage.drag_target(vertex, before).unwrap();
-    assert!((unmoved - stage.subject.exact[vertex as usize]).length() < 1e-5);
+    stage.hold_vertex(vertex, Some(before)).unwrap();
+    assert_eq!(stage.held_way(Way::Screen, Vec2::ZERO), Some(Vec3::ZERO));
 
-    let to = before + Vec2::new(120.0, -45.0);
-    let target = stage.drag_target(vertex, to).unwrap();
+    let by = Vec2::new(120.0, -45.0);
+    let way = stage.held_way(Way::Screen, by).unwrap();
+    let target = stage.subject.exact[vertex as usize] + way.as_dvec3();
     let (after, same_depth) = stage.camera.eye().project(stage.subject.relative(target));
-    assert!((after - to).length() < 0.01, "{after} {to}");
+    assert!((after - before - by).length() < 0.01, "{after} {before}");
     assert!((same_depth - depth).abs() < 1e-3 * depth);
-    assert!(stage.drag_target(99, to).is_err());
+    assert!(stage.hold_vertex(99, None).is_err());
+}
+
+#[test]
+fn the_gizmo_is_in_the_middle_of_the_selected_handles() {
+    let mut stage = stage(6, bump);
+    let at = |vertex: usize| stage.subject.exact[vertex];
+    let targets = [at(16), at(32) + DVec3::Z, at(0)];
+    let numbers: Vec<f64> = targets.iter().flat_map(|target| target.to_array()).collect();
+    stage.set_handles(&[16, 32, 0], &[0, 0, 1], &numbers).unwrap();
+    let counts = stage.counts();
+    stage.looks.select(vec![16, 20, 32], vec![], counts).unwrap();
+    assert!(stage.gizmo().is_none(), "it is not wanted yet");
+    stage.changes = Default::default();
+    stage.want_gizmo(|wanted| wanted.shown = true);
+    assert!(stage.changes.view);
+    let middle = stage.subject.relative((targets[0] + targets[1]) * 0.5);
+    let expected = stage.camera.eye().project(middle).0;
+    assert!((stage.gizmo().unwrap().middle - expected).length() < 1e-2);
+
+    let upwards = stage.gizmo().unwrap().best(Way::Axis(2)).unwrap();
+    assert_eq!(stage.gizmo().unwrap().pick(upwards), Some(Way::Axis(2)));
+    stage.hold_gizmo(upwards);
+    let way = stage.held_way(Way::Axis(2), Vec2::new(0.0, -50.0)).unwrap();
+    assert!(way.x == 0.0 && way.y == 0.0 && way.z > 0.0);
+
+    stage.looks.select(vec![20], vec![], counts).unwrap();
+    assert!(stage.gizmo().is_none(), "a selected vertex is no handle");
 }
 
 #[test]
@@ -344,7 +373,7 @@ fn meshes_without_faces_or_points_can_be_looked_at() {
 fn a_flat_map_is_seen_from_above_without_distortion() {
     let model = stage(4, |x, y| 3.0 * x * y);
     let uv: Vec<f64> = (0..25).flat_map(|v| [100.0 + f64::from(v % 5), f64::from(v / 5)]).collect();
-    let (mut map, checks) = flat_map(&model, &uv).unwrap();
+    let (mut map, checks) = flat_map(&model, &uv, &[]).unwrap();
     assert_eq!(checks.extent(), Vec2::splat(4.0));
     map.resize(CANVAS);
     let at = |map: &Stage, v: u32| map.screen(v).unwrap();
@@ -358,13 +387,13 @@ fn a_flat_map_is_seen_from_above_without_distortion() {
     assert!((at(&map, 12) - before - Vec2::new(30.0, -12.0)).length() < 0.1);
     map.zoom(2.0, at(&map, 12));
     assert!((at(&map, 12) - before - Vec2::new(30.0, -12.0)).length() < 0.1);
-    assert!(flat_map(&model, &uv[..40]).is_err());
+    assert!(flat_map(&model, &uv[..40], &[]).is_err());
 }
 
 #[test]
 fn a_flat_map_has_the_marks_and_the_theme_of_the_model() {
     let mut model = stage(2, |_, _| 0.0);
-    let (mut map, _) = flat_map(&model, &[0.0; 18]).unwrap();
+    let (mut map, _) = flat_map(&model, &[0.0; 18], &[]).unwrap();
     map.changes = Changes::default();
     model.changes = Changes::default();
     follow(&mut map, &model);
@@ -376,4 +405,42 @@ fn a_flat_map_has_the_marks_and_the_theme_of_the_model() {
     follow(&mut map, &model);
     assert!(map.changes.looks && map.changes.view && map.dark);
     assert_eq!(map.looks.bytes(4)[14], 255);
+}
+
+#[test]
+fn faces_that_a_flat_map_turns_over_are_outlined_on_it_alone() {
+    let model = stage(2, |_, _| 0.0);
+    let uv = [0.0; 18];
+    let (map, _) = flat_map(&model, &uv, &[0, 1]).unwrap();
+    // Two quads with a side between them.
+    assert_eq!(map.flipped, [[0, 1], [0, 3], [1, 2], [1, 4], [2, 5], [3, 4], [4, 5]]);
+    assert!(model.flipped.is_empty());
+    assert!(flat_map(&model, &uv, &[4]).is_err());
+}
+
+#[test]
+fn what_a_flat_map_turns_over_is_shown_large_and_from_its_front() {
+    // Two floors that face each other: the lower one hides the upper one from below.
+    let mut model = two_floors();
+    let uv: Vec<f64> = (0..8).flat_map(|v| [f64::from(v % 4 / 2), f64::from(v / 4)]).collect();
+    let uv: Vec<f64> = uv.iter().map(|x| x * 50.0).collect();
+    let (mut map, _) = flat_map(&model, &uv, &[]).unwrap();
+    map.resize(CANVAS);
+    model.preset("bottom").unwrap();
+    assert_eq!(model.screen(4), None);
+    let (before, small) = (model.camera, map.camera);
+    show_flipped(&mut map, &mut model);
+    assert!(model.camera == before && map.camera == small, "there is nothing to show");
+
+    let (mut map, _) = flat_map(&model, &uv, &[1]).unwrap();
+    map.resize(CANVAS);
+    show_flipped(&mut map, &mut model);
+    for v in 4..8 {
+        assert!(model.screen(v).is_some() && map.screen(v).is_some(), "{v}");
+    }
+    let large = |stage: &Stage| (stage.screen(6).unwrap() - stage.screen(4).unwrap()).length();
+    assert!(large(&model) > 0.5 * CANVAS.y, "{}", large(&model));
+    // Seen along its normal it is as wide as it is high.
+    let side = |a: u32, b: u32| (model.screen(a).unwrap() - model.screen(b).unwrap()).length();
+    assert!((side(4, 5) - side(5, 6)).abs() < 1.0);
 }

@@ -8,6 +8,8 @@ mod golden;
 use js_sys::{Float32Array, Float64Array, JSON, Reflect, Uint8Array, Uint32Array};
 use shape_up::constraint::{Arity, KINDS};
 use shape_up::web::solver::Solver;
+use shape_up::web::warm_up::WarmUp;
+use std::fmt::Write;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 
@@ -242,4 +244,73 @@ fn what_cannot_be_flattened_is_told() {
     solver.load("closed.obj", tetrahedron, None).expect("it is a surface");
     let map = solver.parametrize("one", "boundary").expect("it is folded");
     assert_eq!(number(&map, "closedParts"), 1.0);
+}
+
+/// A bumpy grid of quads, `side` vertices along a side: the text of an OBJ file.
+fn bumpy(side: u32) -> String {
+    let mut obj = String::new();
+    for v in 0..side * side {
+        let (i, j) = (v % side, v / side);
+        writeln!(obj, "v {i} {j} {}", f64::from((7 * i + 3 * j) % 5) / 9.0)
+            .expect("it is a string");
+        if i > 0 && j > 0 {
+            let [a, b, c, d] = [v - side, v - side + 1, v + 1, v];
+            writeln!(obj, "f {a} {b} {c} {d}").expect("it is a string");
+        }
+    }
+    obj
+}
+
+const CIRCLES: &str = r#"{ "format": "shape-up-scene", "version": 1, "mesh": { "file": "grid.obj" },
+    "constraints": [ { "kind": "circle", "on": "faces" } ],
+    "weights": { "shape": 5, "close": 10, "smooth": 2 } }"#;
+
+fn open_grid(solver: &mut Solver, scene: &str, obj: &str) -> Result<JsValue, JsValue> {
+    solver.load("a.shapeup.json", scene.as_bytes(), Some(obj.as_bytes().to_vec()))
+}
+
+#[wasm_bindgen_test]
+fn one_model_after_another_takes_no_room_for_two() {
+    let pages = || core::arch::wasm32::memory_size::<0>();
+    let before = pages();
+    let mut solver = Solver::new();
+    let obj = bumpy(90);
+    let mut taken = Vec::new();
+    for _ in 0..5 {
+        open_grid(&mut solver, CIRCLES, &obj).expect("the scene is valid");
+        solver.step().expect("positions stay finite");
+        taken.push(pages() - before);
+    }
+    assert!(taken[0] > 100, "the model is large enough to see: {taken:?}");
+    assert!(taken[4] - taken[0] < taken[0] / 2, "{taken:?}");
+}
+
+#[wasm_bindgen_test]
+fn a_model_that_is_refused_late_leaves_the_one_before_as_it_was() {
+    let mut solver = Solver::new();
+    let obj = bumpy(6);
+    open_grid(&mut solver, CIRCLES, &obj).expect("the scene is valid");
+    solver.begin_run().expect("a model is open");
+    for _ in 0..3 {
+        solver.step().expect("positions stay finite");
+    }
+    solver.end_run().expect("a model is open");
+    let before = solver.scene().expect("a model is open");
+    let singular = CIRCLES.replace(
+        r#""weights": { "shape": 5, "close": 10, "smooth": 2 }"#,
+        r#""handles": [ { "vertices": [0], "weight": 1e-20 } ], "closeness": { "to": "none" }"#,
+    );
+    let refused = open_grid(&mut solver, &singular, &obj).expect_err("the system is singular");
+    assert!(message(refused).contains("singular"));
+    assert_eq!(solver.scene().expect("a model is open"), before);
+    let undone = solver.undo().expect("a model is open");
+    assert_eq!(undone.as_deref(), Some("Run, 3 iterations"));
+}
+
+#[wasm_bindgen_test]
+fn warming_up_comes_to_an_end() {
+    let mut warm_up = WarmUp::new();
+    let slices = (0..).take_while(|_| warm_up.go_on()).count();
+    assert!((4..1000).contains(&slices), "{slices}");
+    assert!(!warm_up.go_on());
 }

@@ -154,9 +154,10 @@ async fn moved_vertices_are_seen_and_can_be_pointed_at() {
     let at = view.screen(4).unwrap();
     let (x, y) = (at[0] as f32, at[1] as f32);
     assert_eq!(view.pick_vertex(x, y, 8.0), Some(4));
-    let target = view.drag_target(4, x + 30.0, y + 20.0, 0.0, 0.0).unwrap();
+    view.hold_vertex(4, Some(x), Some(y)).unwrap();
+    let way = view.held_way("screen", 30.0, 20.0).unwrap().unwrap();
     let mut positions = flat_square();
-    positions[12..15].copy_from_slice(&target);
+    positions[12..15].iter_mut().zip(&way).for_each(|(place, by)| *place += by);
     view.set_positions(&positions).unwrap();
     view.draw().unwrap();
     assert!(differing(&before, &pixels(&canvas)) > 200);
@@ -230,7 +231,7 @@ async fn a_flat_map_shares_the_canvas_and_goes_away_again() {
     let alone = pixels(&canvas);
     assert!(view.map_region().is_none());
     let uv: Vec<f64> = (0..9).flat_map(|v| [f64::from(v % 3), f64::from(v / 3)]).collect();
-    view.set_map(&uv).unwrap();
+    view.set_map(&uv, &[]).unwrap();
     assert_eq!(view.map_region().unwrap(), [300.0, 0.0, 300.0, 300.0]);
     assert!(view.draw().unwrap());
     let plain = pixels(&canvas);
@@ -264,17 +265,45 @@ async fn a_flat_map_shares_the_canvas_and_goes_away_again() {
     let at = view.screen(4).unwrap();
     assert_eq!(view.pick_vertex(at[0] as f32, at[1] as f32, 12.0), Some(4));
 
-    assert!(view.set_map(&uv[..8]).is_err());
+    assert!(view.set_map(&uv[..8], &[]).is_err());
     view.clear_map();
     view.draw().unwrap();
     assert_eq!(differing(&alone, &pixels(&canvas)), 0);
 }
 
 #[wasm_bindgen_test]
+async fn faces_that_the_flat_map_turns_over_are_outlined_in_red() {
+    let canvas = new_canvas();
+    let mut view = open(&canvas).await;
+    view.resize(600, 300, 1.0);
+    let uv: Vec<f64> = (0..9).flat_map(|v| [f64::from(v % 3), f64::from(v / 3)]).collect();
+    let red = |view: &mut View| {
+        view.draw().unwrap();
+        let drawn = pixels(&canvas);
+        let is_red = |p: &&[u8]| p[0] > 180 && p[1] < 90 && p[2] < 90;
+        let of_side = |left: bool| {
+            let side = drawn.chunks(4).enumerate().filter(|(k, _)| (k % 600 < 300) == left);
+            side.filter(|(_, p)| is_red(p)).count()
+        };
+        [of_side(true), of_side(false)]
+    };
+    view.set_map(&uv, &[]).unwrap();
+    assert_eq!(red(&mut view), [0, 0]);
+    view.set_map(&uv, &[2]).unwrap();
+    let [model, map] = red(&mut view);
+    assert!(model == 0 && map > 300, "{model} {map}");
+    // Near, its outline is longer.
+    view.show_flipped();
+    let [_, nearer] = red(&mut view);
+    assert!(nearer > map, "{nearer} {map}");
+    assert!(view.set_map(&uv, &[4]).is_err());
+}
+
+#[wasm_bindgen_test]
 async fn another_mesh_takes_the_flat_map_away() {
     let canvas = new_canvas();
     let mut view = open(&canvas).await;
-    view.set_map(&[0.0; 18]).unwrap();
+    view.set_map(&[0.0; 18], &[]).unwrap();
     show_tent(&mut view);
     assert!(view.map_region().is_some(), "the same faces only move");
     view.set_mesh(vec![0, 3], vec![0, 1, 2], vec![], vec![], &flat_square()[..9]).unwrap();

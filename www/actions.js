@@ -4,6 +4,7 @@
  */
 
 import { count } from './format.js';
+import { halfStepWords } from './half-step.js';
 import { messageOf } from './messages.js';
 import { NOTHING, selectedVertices } from './selection.js';
 
@@ -97,6 +98,12 @@ export function createActions(store, solver, alerts) {
     async step() {
       const converged = await told(solver.request({ type: 'step' }));
       if (converged !== undefined && !converged) say('One iteration');
+    },
+
+    /** The local step, or the global step after it. */
+    async halfStep() {
+      const done = await told(solver.request({ type: 'halfStep' }));
+      if (done) say(halfStepWords(done));
     },
 
     async reset() {

@@ -1,8 +1,15 @@
 /** Messages that want to be read: errors and notices, in the page's one `role="alert"`. */
 
-import { element, icon } from './dom.js';
+import { element, icon, leave } from './dom.js';
+
+/** The oldest ones beyond so many are forgotten. */
+const MOST_ENTRIES = 500;
 
 export class Alerts {
+  /** What was said since the page was opened, oldest first. @type {{ time: Date, kind: "error" | "notice" | "status", text: string }[]} */
+  journal = [];
+  /** @type {(() => void) | undefined} */
+  #listener;
   #place;
 
   /** @param {HTMLElement} place the `role="alert"` */
@@ -24,8 +31,25 @@ export class Alerts {
     this.#show(message, 'notice', offer);
   }
 
+  /** Calls `listener` after everything that is said. @param {() => void} listener */
+  listen(listener) {
+    this.#listener = listener;
+  }
+
+  /**
+   * Keeps what was said.
+   * @param {string} text
+   * @param {"error" | "notice" | "status"} [kind]
+   */
+  note(text, kind = 'status') {
+    if (this.journal.at(-1)?.text === text) return;
+    this.journal.push({ time: new Date(), kind, text });
+    if (this.journal.length > MOST_ENTRIES) this.journal.shift();
+    this.#listener?.();
+  }
+
   clear() {
-    this.#place.replaceChildren();
+    leave(this.#place, () => this.#place.replaceChildren());
   }
 
   /**
@@ -35,6 +59,7 @@ export class Alerts {
    * @param {{ label: string, action: () => void }} [offer]
    */
   #show(message, kind, offer) {
+    this.note(message, kind);
     const close = element(
       'button',
       { type: 'button', class: 'tiny', 'aria-label': 'Dismiss', onclick: () => this.clear() },

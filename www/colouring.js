@@ -5,6 +5,7 @@
  * worse, and starts anew with another mesh or measure, or when it is asked to.
  */
 
+import { messageOf } from './messages.js';
 import { declared, measureOfScene, roundingOf } from './measures.js';
 import { spreadOf } from './spread.js';
 
@@ -34,15 +35,42 @@ export function colourFaces(store, solver) {
     store.set({ spread: null });
   });
   solver.addEventListener('frame', takeIn);
-  store.subscribe(['measure', 'display'], ({ measure, display }) => {
-    const projections = display.outlines || display.arrows;
-    solver.tell({ type: 'show', measure, shapes: display.shapes, projections });
+  store.subscribe(['measure', 'display', 'halfway'], ({ measure, display, halfway }) => {
+    const projections = display.outlines || display.arrows || halfway;
+    const { shapes, bands } = display;
+    solver.tell({ type: 'show', measure, shapes, projections, corners: bands });
   });
   store.subscribe(['measure'], () => {
     fresh = true;
     store.set({ spread: null, tolerance: null });
   });
   store.subscribe(['tolerance', 'range'], takeIn);
+
+  /** Values of the original; null while they are not known. @type {Float32Array | null} */
+  let original = null;
+  let isAsked = false;
+  const forget = () => {
+    original = null;
+    isAsked = false;
+  };
+  // An edit may ask for something else of the faces.
+  store.subscribe(['measure', 'document'], forget);
+
+  /** Asks for the values of the original, once something has moved. */
+  async function askForOriginal() {
+    const { measure, numbers } = store.get();
+    if (isAsked || !measure || !numbers?.iteration) return;
+    isAsked = true;
+    try {
+      const values = await solver.request({ type: 'faceValues', measure, original: true });
+      if (store.get().measure !== measure) return;
+      original = values;
+      takeIn();
+    } catch (error) {
+      // The bars say what matters; the outline only compares.
+      console.warn(messageOf(error));
+    }
+  }
 
   /** Takes in the values of the newest frame. */
   function takeIn() {
@@ -51,7 +79,15 @@ export function colourFaces(store, solver) {
     const { geometry } = solver;
     if (!about || !geometry?.values || geometry.measure !== measure) return;
     const least = LEAST_RANGE * roundingOf(about, size);
-    const now = spreadOf(about.id, geometry.values, least, fresh ? 0 : range[1], tolerance);
+    const now = spreadOf(
+      about.id,
+      geometry.values,
+      least,
+      fresh ? 0 : range[1],
+      tolerance,
+      original?.length === geometry.values.length ? original : null,
+    );
+    askForOriginal();
     if (fresh || now.greatest > range[1]) {
       store.set({ range: [fresh ? 0 : range[0], Math.max(now.greatest, least)] });
     }

@@ -1,7 +1,9 @@
 /** The commands of the page: what each is called, its keys, and when there is something to do. */
 
+import { halfStepTitle } from './half-step.js';
 import { selectCommands } from './select-commands.js';
 import { toggleTheme } from './theme.js';
+import { viewCommands } from './view-commands.js';
 
 /** @typedef {import("./commands.js").Command} Command */
 /** @typedef {import("./state.js").State} State */
@@ -16,9 +18,11 @@ import { toggleTheme } from './theme.js';
  * @property {import("./alerts.js").Alerts} alerts
  * @property {import("./dialog-add-constraint.js").AddConstraintDialog} addConstraint
  * @property {import("./solver-client.js").SolverClient} solver
+ * @property {() => void} lesson opens the dialog that writes one
  * @property {() => void} flatMap shows the flat map, or takes it away
+ * @property {() => void} split shows two pictures, or one again
  * @property {HTMLInputElement} fileInput
- * @property {HTMLDialogElement} help
+ * @property {() => Promise<void>} help
  */
 
 /**
@@ -43,7 +47,9 @@ export function commandTable(parts) {
   function escape() {
     if (pointer.cancel()) return;
     if (addConstraint.isOpen) return addConstraint.close();
+    if (store.get().tape) return store.set({ tape: null, status: 'The tape is rolled up' });
     if (store.get().flatMap) return store.set({ flatMap: null });
+    if (store.get().split) return store.set({ split: null });
     alerts.clear();
     actions.selectNothing();
   }
@@ -65,6 +71,15 @@ export function commandTable(parts) {
       keys: ['.'],
       action: actions.step,
       needsModel: true,
+    },
+    {
+      id: 'half-step',
+      group: 'Solver',
+      label: 'Half an iteration: the local step, then the global step',
+      keys: [','],
+      action: actions.halfStep,
+      needsModel: true,
+      title: halfStepTitle,
     },
     {
       id: 'reset',
@@ -202,6 +217,7 @@ export function commandTable(parts) {
         store.set({ display: { ...display, edges: !display.edges } });
       },
     },
+    ...viewCommands(parts),
     {
       id: 'parametrize',
       group: 'View',
@@ -211,6 +227,16 @@ export function commandTable(parts) {
       needsModel: true,
       enabled: hasFaces,
       pressed: ({ flatMap }) => flatMap !== null,
+    },
+    {
+      id: 'split',
+      group: 'View',
+      label: 'Split view: original and now, or two measures',
+      keys: ['C'],
+      action: parts.split,
+      needsModel: true,
+      enabled: (state) => hasFaces(state) && hasView(state),
+      pressed: ({ split }) => split !== null,
     },
     {
       id: 'open',
@@ -263,6 +289,14 @@ export function commandTable(parts) {
       needsModel: true,
     },
     {
+      id: 'lesson',
+      group: 'File',
+      label: 'Write a lesson: a text, and goals that are checked',
+      keys: [],
+      action: parts.lesson,
+      needsModel: true,
+    },
+    {
       id: 'theme',
       group: 'Page',
       label: 'Light or dark',
@@ -273,8 +307,8 @@ export function commandTable(parts) {
       id: 'help',
       group: 'Page',
       label: 'This list',
-      keys: ['?'],
-      action: () => (help.open ? help.close() : help.showModal()),
+      keys: ['?', 'F1'],
+      action: () => actions.told(help()),
       title: () => 'Mouse and keys',
     },
   ];

@@ -4,6 +4,7 @@
  */
 
 import { setText } from './dom.js';
+import { isSwitchedOff } from './single-keys.js';
 
 /**
  * @typedef {object} Command
@@ -90,10 +91,11 @@ export function bindKeys(commands, store) {
     if (event.defaultPrevented || event.altKey) return;
     const chord = chordOf(event);
     if (!chord.startsWith('Ctrl+') && chord !== 'Escape' && isTyping(event)) return;
-    const command =
-      commands.find(({ keys }) => keys.includes(digitOf(event))) ??
-      commands.find(({ keys }) => keys.includes(chord));
-    if (!command) return;
+    const digit = digitOf(event);
+    // With Shift, what is written on the key goes first: on some keyboards + is there.
+    const names = digit.startsWith('Shift') ? [chord, digit] : [digit, chord];
+    const [command] = names.flatMap((name) => commands.filter(({ keys }) => keys.includes(name)));
+    if (!command || isSwitchedOff(chord)) return;
     // They have the keys to themselves, and Escape closes them.
     if (document.querySelector('dialog:modal, :popover-open')) return;
     // The browser's own meaning (open, save, print) never applies here, even when there is nothing to do.
@@ -116,11 +118,15 @@ function chordOf(event) {
 }
 
 /**
- * A digit by where its key is: some keyboards have other signs there. Empty for other keys.
+ * A digit by where its key is: some keyboards have other signs there. With its name before it on the
+ * number pad, where other keys are the same ones without the lock. Empty for other keys.
  * @param {KeyboardEvent} event
  */
-function digitOf({ code, shiftKey, ctrlKey, metaKey }) {
-  return shiftKey || ctrlKey || metaKey ? '' : (/^Digit(\d)$/.exec(code)?.[1] ?? '');
+function digitOf({ code, key, shiftKey, ctrlKey, metaKey }) {
+  const [, pad, digit] = /^(Digit|Numpad)(\d)$/.exec(code) ?? [];
+  if (!digit || ctrlKey || metaKey) return '';
+  if (pad === 'Numpad') return key === digit ? code : '';
+  return `${shiftKey ? 'Shift+' : ''}${digit}`;
 }
 
 /** @param {KeyboardEvent} event */
@@ -141,6 +147,7 @@ export function keyName(chord) {
   return chord
     .replace('Ctrl+', IS_MAC ? '⌘' : 'Ctrl+')
     .replace('Shift+', IS_MAC ? '⇧' : 'Shift+')
+    .replace('Numpad', 'Num ')
     .replace(/ $/, 'Space')
     .replace('Escape', 'Esc');
 }

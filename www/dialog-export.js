@@ -96,6 +96,17 @@ export function showExport(parts) {
         format('Convergence', 'CSV: the energies of each iteration', async () =>
           files.save('-convergence.csv', await convergence(solver), 'text/csv'),
         ),
+        format(
+          'Angles',
+          'CSV: corners of faces by their angles, originally and now',
+          async () =>
+            files.save(
+              '-angles.csv',
+              await solver.request({ type: 'table', table: 'angles' }),
+              'text/csv',
+            ),
+          !curvesOnly,
+        ),
       ),
       section(
         'Pictures',

@@ -48,6 +48,17 @@ export function byId(id) {
 }
 
 /**
+ * Takes an element's content away, or the element. Focus that was in it goes to the view, not nowhere.
+ * @param {HTMLElement} place
+ * @param {() => void} take
+ */
+export function leave(place, take) {
+  const hadFocus = place.contains(document.activeElement);
+  take();
+  if (hadFocus) byId('viewport').focus({ preventScroll: true });
+}
+
+/**
  * Sets the text only when it differs: no needless layout at ten times a second.
  * @param {Node} node
  * @param {string} text

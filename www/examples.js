@@ -16,6 +16,12 @@
  * @property {{ id: string, label: string }[]} kinds
  * @property {[number, number, number]} weights shape, close, smooth
  * @property {import("./experiment/offer.js").Experiment | null} experiment that compares ways to solve it
+ * @property {Suggestion[]} suggestions what there is to look at
+ */
+
+/**
+ * Something to look at: two pictures side by side, or a plot, by its name.
+ * @typedef {{ label: string, shows: { split?: [import("./split.js").Choice, import("./split.js").Choice], plot?: string } }} Suggestion
  */
 
 const FOLDER = new URL(/* @vite-ignore */ 'examples/', document.baseURI);
@@ -30,7 +36,9 @@ export async function listOfExamples() {
  * @returns {Promise<Uint8Array>}
  */
 export async function exampleFile(name) {
-  const response = await fetch(new URL(name, FOLDER));
+  const response = await fetch(new URL(name, FOLDER)).catch(() => {
+    throw new Error('The examples could not be fetched. Is there a network?');
+  });
   if (!response.ok)
     throw new Error(`The example file ${name} could not be fetched (${response.status}).`);
   return new Uint8Array(await response.arrayBuffer());

@@ -28,6 +28,9 @@ const READABLE = /\.(obj|off|mesh|json)$/i;
 const IS_SCENE = /\.json$/i;
 const IS_RHINO = /\.3dm$/i;
 
+/** Bytes from which on it takes a while to read a file. */
+const LARGE = 2_000_000;
+
 export class Files extends EventTarget {
   /** Where the model that is open comes from. @type {Origin} */
   origin = {};
@@ -74,7 +77,10 @@ export class Files extends EventTarget {
           `${unreadable.name}: this kind of file cannot be read. Open .obj, .off, .mesh or .3dm for a mesh, .json for a scene.`,
         );
       }
-      this.#store.set({ status: `Reading ${files.map((file) => file.name).join(' and ')} …` });
+      // A press that waits for the first model has said so.
+      const { document, status } = this.#store.get();
+      if (document || !status)
+        this.#store.set({ status: `Reading ${files.map((file) => file.name).join(' and ')} …` });
       const main = files.find((file) => IS_SCENE.test(file.name)) ?? files[0];
       const { iteration } = origin;
       const frame = rememberedFrame(main.name);
@@ -103,8 +109,19 @@ export class Files extends EventTarget {
    * @param {Iterable<File>} chosen
    */
   async openFiles(chosen) {
+    const list = [...chosen];
+    if (list.some(({ size }) => size > LARGE)) {
+      const { openLarge } = await import('./importing.js');
+      const [store, solver, alerts] = [this.#store, this.#solver, this.#alerts];
+      return openLarge(list, {
+        store,
+        solver,
+        alerts,
+        open: (files) => this.open(files).catch(() => {}),
+      });
+    }
     const files = await Promise.all(
-      [...chosen].map(async (file) => ({
+      list.map(async (file) => ({
         name: file.name,
         bytes: new Uint8Array(await file.arrayBuffer()),
       })),
@@ -132,7 +149,11 @@ export class Files extends EventTarget {
 
   /** The list of examples. @returns {Promise<Example[]>} */
   examples() {
-    this.#examples ??= listOfExamples();
+    // It can be tried again, with a network.
+    this.#examples ??= listOfExamples().catch((error) => {
+      this.#examples = null;
+      throw error;
+    });
     return this.#examples;
   }
 

@@ -126,8 +126,8 @@ function takeOverDrags(store, solver) {
     if (!isHere || !store.get().firstExample) return;
     while (earlyDrags.drags.length > 0) {
       const [{ vertex, from, to, right, down, ended }] = earlyDrags.drags;
-      current ??= new HandleDrag(store, solver, planeOf(right, down), vertex, ...from);
-      current.move(...to);
+      current ??= new HandleDrag(store, solver, planeOf(right, down), vertex);
+      current.move(to[0] - from[0], to[1] - from[1]);
       if (!ended) return;
       current.end();
       current = null;
@@ -143,12 +143,10 @@ function takeOverDrags(store, solver) {
 }
 
 /**
- * Where a handle goes for a place of the pointer, as the view tells it, but from nowhere in
- * particular: a drag asks for differences only.
+ * How far a handle goes on the screen, as the view tells it.
  * @param {number[]} right displacement per pixel
  * @param {number[]} down
+ * @returns {import("./handle-drag.js").Hold}
  */
-const planeOf = (right, down) => ({
-  /** @type {(vertex: number, x: number, y: number) => Float64Array} */
-  dragTarget: (_, x, y) => Float64Array.from(right, (value, axis) => value * x + down[axis] * y),
-});
+const planeOf = (right, down) => (_, dx, dy) =>
+  Float64Array.from(right, (value, axis) => value * dx + down[axis] * dy);

@@ -37,7 +37,7 @@ export function showFlatMap(view, { flatMap }) {
     return;
   }
   const { found, onModel, onMap, squares } = flatMap;
-  if (shown.get(view) !== found) view.setMap(found.uv);
+  if (shown.get(view) !== found) view.setMap(found.uv, found.flippedFaces);
   shown.set(view, found);
   const values = onMap === 'errors' ? found.faceErrors : undefined;
   view.setMapLooks(squares, onModel === 'checks', onMap === 'checks', values, 1, found.high);

@@ -33,7 +33,8 @@ export function bindHandleKeys(viewport, store, solver, actions) {
   function takeUp() {
     const [vertex] = actions.chosenHandles();
     if (vertex === undefined || !viewport.view || store.get().dragged.length > 0) return false;
-    drag = new HandleDrag(store, solver, viewport.view, vertex, 0, 0);
+    viewport.view.holdVertex(vertex);
+    drag = new HandleDrag(store, solver, viewport.heldWay, vertex);
     at = [0, 0];
     actions.say('Handle taken up: arrows move it, Enter leaves it, Esc puts it back');
     return true;

@@ -1,17 +1,20 @@
 /** The help: everything that keys and the mouse do, from the table that binds them. */
 
+import './style/help.css';
 import { keyName } from './commands.js';
 import { element, icon } from './dom.js';
+import { singleKeys } from './single-keys.js';
 
 /** What the pointer does; see `pointer.js`. @type {[string, string][]} */
 const POINTER = [
   ['Drag a handle', 'move it, parallel to the screen'],
+  ['Drag an arrow', 'of the selected handles: move them along it; a square: in its plane'],
   ['Drag elsewhere', 'orbit; with Select, a box, a lasso or a brush'],
   ['Box to the right', 'what is inside'],
   ['Box to the left', 'what it touches'],
   ['Click', 'select; Shift adds, Ctrl removes'],
   ['Double-click', 'a vertex: a handle; an edge: its loop; a face: its flat patch'],
-  ['Right drag', 'orbit'],
+  ['Right drag', 'orbit; a click, or a long press: the menu'],
   ['Middle drag', 'pan, as Shift + right drag'],
   ['Wheel, pinch', 'zoom to the cursor'],
   ['Two fingers', 'pan and zoom'],
@@ -30,7 +33,7 @@ const VIEW_KEYS = [
  * @param {HTMLDialogElement} dialog
  * @param {import("./commands.js").Command[]} commands
  */
-export function buildHelp(dialog, commands) {
+export function showHelp(dialog, commands) {
   const bound = commands.filter((command) => command.keys.length > 0);
   const groups = [...new Set(bound.map((command) => command.group))];
   const close = element(
@@ -45,6 +48,7 @@ export function buildHelp(dialog, commands) {
       element('h2', { id: 'help-title' }, 'Mouse and keys'),
       close,
     ),
+    singleKeysSwitch(),
     element(
       'div',
       { class: 'columns' },
@@ -68,6 +72,7 @@ export function buildHelp(dialog, commands) {
   dialog.onclick = (event) => {
     if (event.target === dialog) dialog.close();
   };
+  dialog.showModal();
 }
 
 /** @param {import("./commands.js").Command} command @returns {[(Node | string)[], string]} */
@@ -99,4 +104,12 @@ function section(title, rows) {
       ...rows.flatMap(([term, effect]) => [element('dt', {}, ...term), element('dd', {}, effect)]),
     ),
   );
+}
+
+/** The switch of the keys without Ctrl. */
+function singleKeysSwitch() {
+  const onchange = () => singleKeys.set(box.checked);
+  const box = element('input', { type: 'checkbox', checked: singleKeys.on, onchange });
+  const words = element('span', {}, 'Letters, digits and signs act without Ctrl');
+  return element('label', { class: 'single-keys' }, box, words);
 }

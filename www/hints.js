@@ -3,7 +3,7 @@
  * once, and only over the example.
  */
 
-import { element, icon } from './dom.js';
+import { element, icon, leave } from './dom.js';
 import { declared, measureOfScene } from './measures.js';
 
 const KEY = 'shape-up.hints';
@@ -53,13 +53,15 @@ export function firstHints(card, store) {
     if (at === 0 && ran && !state.running) at = 1;
     if (at <= 1 && dragged && state.dragged.length === 0) at = 2;
     dragged ||= state.dragged.length > 0;
+    // Whoever has seen the last one has seen them all.
+    if (at === 2) remember('done');
     text.textContent = hintsFor(declared(state, measureOfScene(state)))[at];
     card.hidden = false;
   });
 
   function finish() {
     done = true;
-    card.hidden = true;
+    leave(card, () => (card.hidden = true));
     remember('done');
   }
 }

@@ -41,9 +41,22 @@ export class Keeping {
       problem = messageOf(error);
       return false;
     });
-    if (!linked) await this.startFresh(true);
+    if (!linked) await this.#openFirst();
     if (problem) this.#alerts.error(problem);
     this.#keepOn();
+  }
+
+  /** The first example, or what to do without it. */
+  async #openFirst() {
+    try {
+      await this.startFresh(true);
+    } catch (error) {
+      this.#alerts.error(messageOf(error));
+      const { showNothingOpen } = await import('./nothing-open.js');
+      showNothingOpen(this.#files, async () => {
+        await this.#told(this.startFresh());
+      });
+    }
   }
 
   /** The model of somebody who comes for the first time. @param {boolean} [first] */

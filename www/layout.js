@@ -13,26 +13,33 @@ const IN_MORE = ['group-mode', 'group-scene', 'group-page'];
 export function arrangeForWidth() {
   const header = byId('header');
   const groups = [...header.querySelectorAll('.group')];
+  const tools = element('div', { id: 'tools', role: 'toolbar', 'aria-label': 'Tools' });
   const bar = byId('phone-bar');
   const more = byId('more');
   const moreButton = element(
     'button',
-    { type: 'button', popovertarget: 'more', 'aria-haspopup': 'true' },
+    { type: 'button', popovertarget: 'more' },
     icon('more'),
     element('span', {}, 'More'),
   );
   bar.append(moreButton);
+  header.append(tools);
 
   function arrange() {
+    tools.append(...groups);
     if (PHONE.matches) {
       moreButton.before(...IN_BAR.map(byId));
       more.append(...IN_MORE.map(byId));
-    } else {
-      header.append(...groups);
+      // In a menu each is a stop of its own.
+      for (const control of more.querySelectorAll('[tabindex]'))
+        control.removeAttribute('tabindex');
     }
   }
   PHONE.addEventListener('change', arrange);
   arrange();
+  import('./toolbar.js').then(({ oneTabStop }) => {
+    [tools, bar, byId('select-bar')].forEach(oneTabStop);
+  });
   more.addEventListener('click', (event) => {
     const inside = event.target instanceof Element && event.target.closest('button');
     if (inside && !inside.hasAttribute('popovertarget')) more.hidePopover();
@@ -88,14 +95,24 @@ export function placeMenu(menu, anchor) {
     const height = Math.min(menu.offsetHeight, room);
     menu.style.left = `${Math.max(2 * gap, left)}px`;
     menu.style.top = `${height <= below ? at.bottom + gap : at.top - gap - height}px`;
-    menu.querySelector('button')?.focus();
+    itemsOf(menu)[0]?.focus();
   });
   menu.addEventListener('keydown', (event) => {
     const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
-    if (!step) return;
+    // A field has them for itself.
+    const isField = event.target instanceof Element && event.target.matches('input, select');
+    if (!step || isField) return;
     event.preventDefault();
-    const items = [...menu.querySelectorAll('button')];
+    const items = itemsOf(menu);
     const at = items.findIndex((item) => item === document.activeElement);
-    items[(at + step + items.length) % items.length].focus();
+    items[(at + step + items.length) % items.length]?.focus();
   });
+}
+
+/** What the arrow keys walk through. @param {HTMLElement} menu */
+function itemsOf(menu) {
+  const items = /** @type {NodeListOf<HTMLElement>} */ (
+    menu.querySelectorAll('a, button, [role="menuitem"]')
+  );
+  return [...items].filter((item) => item.checkVisibility() && !item.matches(':disabled'));
 }

@@ -5,28 +5,30 @@
 
 import { createActions } from './actions.js';
 import { Alerts } from './alerts.js';
+import { analysisRegion } from './analysis.js';
 import { colourFaces } from './colouring.js';
 import { commandTable } from './command-table.js';
 import { bindButtons, bindKeys, bindRunButton, takeEarlyPresses } from './commands.js';
 import { AddConstraintDialog } from './dialog-add-constraint.js';
-import { byId } from './dom.js';
+import { byId, element } from './dom.js';
 import { offerExperiment } from './experiment/offer.js';
 import { Files } from './files.js';
 import { animateFirstPicture } from './first-picture.js';
 import { toggleFlatMap } from './flat-map.js';
 import { count } from './format.js';
+import { attachLater } from './attach-later.js';
 import { bindHandleKeys } from './handle-keys.js';
-import { buildHelp } from './help.js';
 import { firstHints } from './hints.js';
 import { arrangeForWidth } from './layout.js';
 import { messageOf } from './messages.js';
 import { constraintsPanel } from './panels/constraints.js';
-import { Convergence } from './panels/convergence.js';
 import { displayPanel } from './panels/display.js';
 import { energiesPanel } from './panels/energies.js';
 import { exampleNote } from './panels/example.js';
 import { Keeping } from './keeping.js';
+import { showMoved } from './moved-value.js';
 import { handlesPanel } from './panels/handles.js';
+import { bindHalfStepButtons } from './half-step.js';
 import { stayOffline } from './offline.js';
 import { legend } from './panels/legend.js';
 import { modelPanel } from './panels/model.js';
@@ -40,10 +42,12 @@ import { scriptApi } from './script-api.js';
 import { Selecting } from './selecting.js';
 import { NOTHING } from './selection.js';
 import { SolverClient } from './solver-client.js';
+import { splitInto, toggleSplit } from './split.js';
 import { recentMenu } from './recent-menu.js';
 import { createStore } from './state.js';
 import { followTheme } from './theme.js';
 import { frameChips } from './units.js';
+import { bindViewMenu } from './view-commands.js';
 import { bindViewKeys } from './view-keys.js';
 import { Viewport } from './viewport.js';
 
@@ -61,24 +65,38 @@ const region = new RegionSelection(store, viewport);
 const selecting = new Selecting(store, solver, actions);
 const pointer = new PointerInput(store, solver, viewport, region, {
   addHandles: (vertices) => actions.addHandles(vertices, false),
+  chosenHandles: actions.chosenHandles,
+  showMenu: (at) =>
+    actions.told(
+      import('./context-menu.js').then(({ showContextMenu }) =>
+        showContextMenu(at, { store, viewport, actions, selecting, commands }),
+      ),
+    ),
   fitAll: () => viewport.with((view) => view.fit()),
   doubleClick: (...what) => selecting.doubleClick(...what),
 });
 bindHandleKeys(viewport, store, solver, actions);
 bindViewKeys(viewport);
+showMoved(viewport, store);
 const addConstraint = new AddConstraintDialog(byId('add-constraint'), store, solver, actions);
 const { refit } = colourFaces(store, solver);
 colourRows(store, solver, actions);
 
-modelPanel(byId('model'), store, actions);
-exampleNote(byId('example-note'), files, alerts);
+modelPanel(byId('model'), store, actions, () => analysis.bring('log'));
 offerExperiment(byId('experiment'), store, solver, alerts);
 constraintsPanel(byId('constraints'), store, solver, actions);
 handlesPanel(byId('handles'), store, actions, solver);
 energiesPanel(byId('energies'), store, actions);
 displayPanel(byId('display'), store);
 legend(byId('legend'), store, viewport, refit);
-new Convergence(byId('convergence'), store, solver);
+const parts = { store, solver, viewport, files, actions, alerts };
+const analysis = analysisRegion(byId('analysis'), parts);
+exampleNote(byId('example-note'), files, alerts, ({ split, plot }) => {
+  if (split) splitInto(parts, split);
+  if (plot) analysis.bring(plot);
+});
+store.subscribe(['status'], ({ status }) => status && alerts.note(status));
+attachLater(parts);
 statusBar({ status: byId('status'), hint: byId('hint'), numbers: byId('numbers') }, store);
 selectBar(byId('select-bar'), byId('select-menu'), store, actions, selecting, alerts);
 firstHints(byId('hint-card'), store);
@@ -94,8 +112,7 @@ fileInput.addEventListener('change', async () => {
 });
 files.acceptDrops(byId('drop-overlay'));
 
-/** @type {HTMLDialogElement} */
-const help = byId('help');
+/** @type {import("./commands.js").Command[]} */
 const commands = commandTable({
   store,
   viewport,
@@ -106,23 +123,32 @@ const commands = commandTable({
   addConstraint,
   solver,
   fileInput,
-  help,
+  lesson: () => actions.told(import('./lesson/dialog.js').then(({ write }) => write(parts))),
+  // What it lists is complete by the time that somebody looks.
+  help: () => import('./help.js').then(({ showHelp }) => showHelp(byId('help'), commands)),
   flatMap: () => toggleFlatMap({ store, solver, viewport, alerts }),
+  split: () => toggleSplit(parts),
 });
 bindButtons(commands, store);
 bindKeys(commands, store);
 bindRunButton(byId('run'), store);
+bindHalfStepButtons(store);
 /** @type {Window & { earlyPresses?: string[] }} index.html gathers them */
 const early = window;
 takeEarlyPresses(commands, store, early.earlyPresses ?? []);
 delete early.earlyPresses;
-buildHelp(help, commands);
-selecting.bindKeys(commands, help);
+bindViewMenu(byId('view-menu'), byId('view-menu-button'), commands, store);
+selecting.bindKeys(commands);
 
 viewport.addEventListener('none', (event) => {
   const { detail } = /** @type {CustomEvent} */ (event);
   const notice = byId('no-picture');
-  notice.textContent = `No 3D picture: ${detail}. Everything else works: the panels, Run, and Export.`;
+  const words =
+    'No 3D picture: this browser draws neither with WebGPU nor with WebGL2, or it is switched off in its settings. Everything else works: the panels, Run, and Export.';
+  notice.replaceChildren(
+    element('p', {}, words),
+    element('details', {}, element('summary', {}, 'What it says'), element('p', {}, detail)),
+  );
   notice.hidden = false;
   byId('view-buttons').hidden = true;
 });
@@ -135,6 +161,7 @@ recentMenu(byId('recent-button'), byId('recent'), keeping, alerts);
 keeping.begin().catch((error) => alerts.error(messageOf(error)));
 files.offerExamples(byId('examples')).catch((error) => alerts.error(messageOf(error)));
 stayOffline(alerts, keeping, viewport);
+import('./surroundings.js').then((module) => module.tellSurroundings(byId('numbers'), store));
 
 /**
  * Takes the solver's news into the store.
@@ -159,14 +186,26 @@ function takeUp(client) {
       document: null,
       numbers: null,
       measureChosen: false,
+      halfway: false,
       flatMap: null,
+      split: null,
       selection: NOTHING,
       dragged: [],
+      dragMs: 0,
       tint: null,
+      tape: null,
     }),
   );
+  on('loading', ({ bytes, all }) =>
+    import('./loading.js').then(({ showLoading }) => showLoading(store, bytes, all)),
+  );
   on('document', ({ document }) => store.set({ document }));
-  on('frame', ({ numbers }) => store.set({ numbers }));
+  on('frame', ({ numbers, answers }) =>
+    store.set({
+      ...{ numbers, halfway: numbers.halfway },
+      ...(answers && { dragMs: performance.now() - answers[0] }),
+    }),
+  );
   on('activity', ({ running, converged }) => {
     const before = store.get();
     const iterations = count(before.numbers?.iteration ?? 0, 'iteration');
@@ -176,7 +215,12 @@ function takeUp(client) {
     else if (!running && before.running) store.set({ status: `Paused after ${iterations}` });
   });
   on('trouble', ({ message }) => alerts.error(message));
-  client.addEventListener('restarted', (event) =>
-    alerts.notice(/** @type {CustomEvent} */ (event).detail.message),
-  );
+  client.addEventListener('restarted', (event) => {
+    const { message } = /** @type {CustomEvent} */ (event).detail;
+    const action = async () => {
+      const { crashReport, giveReport } = await import('./crash-report.js');
+      await giveReport(crashReport(message, store.get()), store, alerts);
+    };
+    alerts.notice(message, { label: 'Copy report', action });
+  });
 }

@@ -4,7 +4,7 @@
  */
 
 import { element, setText } from './dom.js';
-import { ratio } from './format.js';
+import { count, ratio } from './format.js';
 
 /** Wheel delta, in pixels, that enlarges by e; and of a pinch, which comes as a wheel with Ctrl. */
 const WHEEL_PIXELS = 700;
@@ -29,6 +29,7 @@ export class MapRegion {
   #store;
   #viewport;
   #legend = element('div', { class: 'map-legend' });
+  #flipped = element('span', { class: 'flipped' });
   /** Where each pointer that is down was last. @type {Map<number, [number, number]>} */
   #down = new Map();
 
@@ -41,7 +42,10 @@ export class MapRegion {
     this.#place = place;
     this.#store = store;
     this.#viewport = viewport;
-    place.replaceChildren(element('span', { class: 'caption' }, 'Flat map'), this.#legend);
+    place.replaceChildren(
+      element('span', { class: 'caption' }, 'Flat map', this.#flipped),
+      this.#legend,
+    );
     store.subscribe(['flatMap', 'renderer', 'dark'], () => this.#show());
     new ResizeObserver(() => this.#arrange()).observe(viewport.element);
     this.#listen();
@@ -52,6 +56,9 @@ export class MapRegion {
     this.#place.hidden = !flatMap || !this.#viewport.view;
     if (!flatMap) return;
     this.#arrange();
+    const { flipped } = flatMap.found;
+    this.#flipped.hidden = flipped === 0;
+    setText(this.#flipped, `${count(flipped, 'triangle')} flipped`);
     const isColoured = flatMap.onModel === 'errors' || flatMap.onMap === 'errors';
     this.#legend.hidden = !isColoured;
     const stops = this.#viewport.with((view) => view.colourStops(flatMap.found.histogram.length));

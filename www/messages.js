@@ -81,10 +81,12 @@
  *   | { type: "addHandles", vertices: number[], fixed: boolean }
  *   | { type: "removeHandles", vertices: number[] }
  *   | { type: "duplicateConstraint", index: number }
+ *   | { type: "renameConstraint", index: number, name: string }
  *   | { type: "nameSet", name: string, vertices: number[], faces: number[] }
  *   | { type: "removeSet", name: string }
  *   | { type: "set", id: string, value: ParamValue }
  *   | { type: "holdClose", vertices: number[] | null, weight: number }
+ *   | { type: "setLesson", lesson: Lesson | null }
  *   | { type: "weighHandles", vertices: number[], weight: number }
  *   | { type: "reset" }} Edit
  */
@@ -106,6 +108,30 @@
  */
 
 /** @typedef {"vertices" | "edges" | "faces"} PickMode */
+
+/**
+ * The scene file's `lesson`: each goal is about a measure, or about the constraints of a name.
+ * @typedef {{ text: string, goals: { measure?: Measure, constraint?: string, at_most: number }[] }} Lesson
+ */
+
+/**
+ * A lesson as it stands: `measure` is null for a goal about constraints, `label` their name.
+ * @typedef {object} LessonWords
+ * @property {string} text
+ * @property {{ label: string, words: string, unit: FaceMeasure["unit"], atMost: number, measure: Measure | null }[]} goals
+ */
+
+/**
+ * An element that is far from what is asked of it.
+ * @typedef {object} WorstElement
+ * @property {string} element what it is called
+ * @property {string[]} groups
+ * @property {number | null} row of the constraint that asks most of it
+ * @property {string} constraint what that row is called; empty where there is none
+ * @property {number} value in the unit of the measure; a length for constraints
+ * @property {number[]} faces
+ * @property {number[]} vertices
+ */
 
 /** @typedef {{ operation: string, mode: PickMode, from: Partial<Record<PickMode, number[]>>, params: Record<string, ParamValue> }} SelectRequest */
 
@@ -131,8 +157,8 @@
 
 /**
  * Something wrong in a file that could be survived: a sentence that says how often and where first;
- * `line` is the first of `count`.
- * @typedef {{ message: string, count: number, line: number | null }} Problem
+ * `line` is the first of `count`; `flaw` what to ask for the elements that have it.
+ * @typedef {{ message: string, count: number, line: number | null, flaw: string | null }} Problem
  */
 
 /**
@@ -140,7 +166,8 @@
  * @typedef {object} ConstraintRow
  * @property {number} index
  * @property {string} kind
- * @property {string} label
+ * @property {string} label its name, or what its kind is called
+ * @property {string} name empty when it has none
  * @property {[number, number, number]} colour sRGB bytes
  * @property {string} on in words
  * @property {number} count
@@ -175,6 +202,7 @@
  * @property {number} heldOtherwise vertices that are kept close more or less than the others
  * @property {string | null} undo what Undo would take back
  * @property {string | null} redo what Redo would do again
+ * @property {LessonWords | null} lesson
  * @property {number[]} pinned vertices that were pinned because nothing else holds their part
  */
 
@@ -187,11 +215,13 @@
  * @typedef {object} Numbers
  * @property {number} iteration
  * @property {boolean} converged
+ * @property {boolean} halfway the local step is done, the global step is next
  * @property {Energy} energy
  * @property {{ max_distance: number, mean_distance: number, [measure: string]: number }} planarity
  * @property {{ max_distance: number, mean_distance: number, [measure: string]: number }} circularity
  * @property {number[]} worst per row of the list of constraints: the largest distance of a vertex to its projection
  * @property {number[]} shares per row its part of the total energy, from 0 to 1
+ * @property {{ value: number | null, met: boolean }[]} goals of the lesson; null where nothing has a value
  * @property {number} stepMs
  */
 
@@ -246,6 +276,7 @@
  * @property {number} mean error, weighted by area
  * @property {number} max error
  * @property {number} flipped triangles that the map turns over
+ * @property {Uint32Array} flippedFaces those that have some of these
  * @property {number} parts connected parts of the surface
  * @property {number} closedParts those without a boundary, which cannot be flattened without folds
  * @property {number} eigenvalue
@@ -263,18 +294,23 @@
  * Told and forgotten.
  *
  * - `run`, `pause`: iterate until converged, or stop.
- * - `drag`: targets (`#vertices by 3`) for handles under the pointer. Of several `move`s only the
- *   last one counts. While something is dragged the solver iterates even when paused.
+ * - `drag`: targets (`#vertices by 3`) for handles under the pointer; `make` makes them handles first,
+ *   instead of `start`. Of several `move`s only the last one counts; `time` is that of its event.
+ *   While something is dragged the solver iterates even when paused.
  * - `show`: what to send with each frame besides positions.
  * - `recycle`: gives a buffer of positions back.
  * - `cancelExperiment`: ends it; what was measured stays.
  * @typedef {{ type: "run" }
  *   | { type: "pause" }
- *   | { type: "drag", vertices: Uint32Array, targets: Float64Array, phase: "start" | "move" | "end" | "cancel" }
- *   | { type: "show", measure: Measure | null, shapes: boolean, projections: boolean }
+ *   | Drag
+ *   | { type: "show", measure: Measure | null, shapes: boolean, projections: boolean,
+ *       corners: boolean }
  *   | { type: "recycle", positions: Float64Array }
  *   | { type: "cancelExperiment" }} Command
  */
+
+/** @typedef {{ type: "drag", vertices: Uint32Array, targets: Float64Array, time?: number,
+ *   phase: "make" | "start" | "move" | "end" | "cancel" }} Drag */
 
 /**
  * Answered by `reply` with the value named in {@link Replies}, or `refused`.
@@ -282,12 +318,18 @@
  * - `open`: the first file that is a scene, else the first file; the others may be the mesh that it
  *   names. When it is refused the old model stays. `iteration` is where a restored scene stood;
  *   `frame` what a mesh file is taken for that does not say its unit and axis: `# units: m`, `# up: y`.
- * - `edit`, `undo`, `redo`, `step`.
+ * - `edit`, `undo`, `redo`, `step`; `halfStep`: the local step, or the global step after it.
  * - `members`: what a constraint acts on. `rowColours`: the colours of all of them. `previews`: what
  *   adding one of each kind at each of some places would make. `select`: what is selected then.
+ * - `worst`: the worst faces by a measure, or the worst constraints of a row. `flawed`: the elements
+ *   with a flaw of a {@link Problem}, or `zero-size-faces`. `results`: what a student hands in.
+ * - `faceValues`: of a measure, of the current shape or the original. `originalPositions`: where the
+ *   vertices of the original are. `angles`: of the corners of the faces.
  * - `parametrize`: ends a run. Refused where there is no face, or no area.
+ * - `rest`: the positions of the model that was opened, `#V by 3`.
  * - `scene`, `obj`, `table`: the texts of the files; an `obj` with `uv` (`#V by 2`) has them as texture
- *   coordinates; a `table` has the errors of the faces, or the energies of the iterations, as CSV.
+ *   coordinates; a `table` has the errors of the faces, the energies of the iterations, or the angles of the
+ *   corners, as CSV.
  * - `runExperiment`: starts the experiment of an example, on its files, the scene first; the model that
  *   is open is not touched. `experimentCsv`: what was measured.
  * @typedef {{ type: "open", files: NamedBytes[], iteration?: number, frame?: string }
@@ -295,14 +337,22 @@
  *   | { type: "undo" }
  *   | { type: "redo" }
  *   | { type: "step" }
+ *   | { type: "halfStep" }
+ *   | { type: "faceValues", measure: Measure, original: boolean }
+ *   | { type: "originalPositions" }
+ *   | { type: "angles" }
  *   | { type: "members", constraint: number }
  *   | { type: "rowColours" }
  *   | { type: "previews", places: Selector[] }
  *   | { type: "select", request: SelectRequest }
+ *   | { type: "worst", measure: Measure | null, row: number | null, count: number }
+ *   | { type: "flawed", flaw: string }
+ *   | { type: "results", student: string, time: string }
  *   | { type: "scene" }
+ *   | { type: "rest" }
  *   | { type: "parametrize", weights: MapWeights, norm: MapNorm }
  *   | { type: "obj", uv?: Float64Array }
- *   | { type: "table", table: "errors" | "convergence" }
+ *   | { type: "table", table: "errors" | "convergence" | "angles" }
  *   | { type: "runExperiment", example: string, files: NamedBytes[], iterations?: number, seconds?: number }
  *   | { type: "experimentCsv" }} Request
  */
@@ -315,12 +365,20 @@
  * @property {string | null} undo the name of what was undone
  * @property {string | null} redo the name of what was redone
  * @property {boolean} step whether it has converged
+ * @property {Half} halfStep
+ * @property {Float32Array} faceValues `#F`; not a number where a face has none
+ * @property {Float64Array} originalPositions `#V by 3`
+ * @property {{ original: number[], now: number[] }} angles corners in bins of equal width from 0 to 180 degrees
  * @property {{ faces: Uint32Array, vertices: Uint32Array }} members
  * @property {RowColours} rowColours
  * @property {(Preview | null)[][]} previews `#kinds by #places`, null where nothing fits
  * @property {Record<PickMode, Uint32Array>} select
+ * @property {WorstElement[]} worst
+ * @property {Record<PickMode, Uint32Array>} flawed
+ * @property {string} results
  * @property {Parametrization} parametrize
  * @property {string} scene
+ * @property {Float64Array} rest
  * @property {string} obj
  * @property {string} table
  * @property {null} runExperiment
@@ -335,34 +393,47 @@
 
 /** @typedef {{ constraints: number, skipped: number, vertices: number }} Preview */
 
+/**
+ * What half of an iteration did: how many constraints of which kinds were fitted, or how the vertices
+ * moved.
+ * @typedef {{ half: "local", fitted: { label: string, count: number }[] }
+ *   | { half: "global", converged: boolean, accelerated: boolean }} Half
+ */
+
 /** @typedef {Command | (Request & { id: number })} ToWorker */
 
 /**
  * - `ready`: the solver can be spoken to. First, once.
+ * - `loading`: before that, how much of its module is here, where it takes a while.
  * - `model`: another mesh is open. `positions` is one of the two buffers.
  * - `document`: after every edit and every load.
  * - `scene`: the scene file's text, whenever it changed and the solver rests, and now and then
  *   during a run: what a dead worker is replaced with.
  * - `frame`: a state of the iteration. `trace` has six numbers per iteration since the last frame:
  *   iteration, shape, close, smooth, handles, total. `values` are those of `measure`, `#F`;
+ *   `corners` those of the vertices, `#V`, whose largest the faces have, where they are of vertices;
  *   `shapes` the fitted shapes, eight numbers each;
  *   `projections` where the constraints would have their vertices.
  * - `activity`: whether the solver runs (Run was pressed and it has not converged); sent after the
  *   frame that belongs to it.
  * - `experiment`: what an experiment has measured since the last one. `ended` is null while it goes on;
  *   `message` says why it failed.
+ * - `frame`: `answers` is the time of the newest move of a drag that it shows, and the milliseconds
+ *   from when that came.
  * - `trouble`: an iteration failed; the last good state stays.
  * - `died`: the state is unusable, the worker must be replaced.
  * - `refused`: `path` is the place in the scene that is wrong, such as `constraints[0].length`; empty
  *   when it is not about a scene.
  * @typedef {{ type: "ready", kinds: KindInfo[], elements: ElementInfo[], measures: FaceMeasure[],
  *       operations: Operation[], settings: SettingInfo[] }
+ *   | { type: "loading", bytes: number, all: number }
  *   | { type: "model", loaded: Loaded, connectivity: Connectivity, positions: Float64Array }
  *   | { type: "document", document: SceneDocument }
  *   | { type: "scene", text: string, iteration: number }
  *   | { type: "frame", numbers: Numbers, trace: Float64Array, positions: Float64Array,
- *       measure: Measure | null, values: Float32Array | null, shapes: Float32Array | null,
- *       projections: Projections | null }
+ *       measure: Measure | null, values: Float32Array | null, corners: Float32Array | null,
+ *       shapes: Float32Array | null, projections: Projections | null,
+ *       answers: [number, number] | null }
  *   | { type: "activity", running: boolean, converged: boolean }
  *   | { type: "experiment", news: ExperimentNews[], ended: "done" | "cancelled" | "failed" | null, message: string }
  *   | { type: "trouble", message: string }

@@ -8,6 +8,7 @@ import { duration } from './format.js';
 import { MapRegion } from './map-region.js';
 import { messageOf } from './messages.js';
 import { flatMapPanel } from './panels/flat-map.js';
+import { NOTHING, select } from './selection.js';
 
 /** @typedef {import("./flat-map.js").FlatMap} FlatMap */
 
@@ -27,6 +28,7 @@ let only = null;
 export class Parametrize {
   #store;
   #solver;
+  #viewport;
   #alerts;
   /** @type {Choices} */
   #choices = {
@@ -50,6 +52,7 @@ export class Parametrize {
   constructor({ store, solver, viewport, alerts }) {
     this.#store = store;
     this.#solver = solver;
+    this.#viewport = viewport;
     this.#alerts = alerts;
     flatMapPanel(byId('flat-map-section'), store, this);
     new MapRegion(byId('flat-map'), store, viewport);
@@ -74,6 +77,15 @@ export class Parametrize {
     const { flatMap } = this.#store.get();
     if ('weights' in choices || 'norm' in choices) this.flatten();
     else if (flatMap) this.#store.set({ flatMap: { ...flatMap, ...choices } });
+  }
+
+  /** Selects the faces that the map turns over, and comes near them on the model and on the map. */
+  showFlipped() {
+    const { flatMap } = this.#store.get();
+    if (!flatMap) return;
+    const selection = select(NOTHING, 'faces', flatMap.found.flippedFaces, 'replace');
+    this.#store.set({ mode: 'faces', selection });
+    this.#viewport.with((view) => view.showFlipped());
   }
 
   /** Makes the map of the shape as it is now. */

@@ -2,10 +2,10 @@
 
 import { groupDigits } from './format.js';
 import { declared, valueInWords } from './measures.js';
+import { spreadOf } from './spread.js';
 
 /** More pixels than this are too many for common graphics cards, with their samples and depths. */
 const MOST_PIXELS = 36e6;
-const STOPS = 24;
 
 /**
  * The size of the picture, in pixels.
@@ -36,19 +36,62 @@ export async function pictureOf(viewport, state, { scale, legend, white }) {
   });
   if (!drawn) throw new Error('The picture could not be drawn: try a smaller one.');
   if (legend && state.model?.faces) {
-    const stops = viewport.with((view) => view.colourStops(STOPS)) ?? [];
-    drawLegend(context, state, stops, size, white);
+    const stops = viewport.rampStops();
+    for (const [from, shown] of legendsOf(state)) {
+      context.setTransform(size.scale, 0, 0, size.scale, from * size.width, 0);
+      drawLegend(context, shown, stops, size, white);
+    }
   }
+  drawLabels(context, viewport.labels(), size.scale, state.dark && !white);
   const blob = await new Promise((done) => canvas.toBlob(done, 'image/png'));
   if (!blob) throw new Error('The picture is too large for this browser: try a smaller one.');
   return blob;
 }
 
 /**
+ * The words over the picture, on a ground that parts them from what is below.
+ * @param {CanvasRenderingContext2D} context
+ * @param {import("./viewport.js").Label[]} labels
+ * @param {number} scale
+ * @param {boolean} dark
+ */
+function drawLabels(context, labels, scale, dark) {
+  const [ink, ground] = dark ? ['#e6e8e8', '#25292c'] : ['#1d2123', '#ffffff'];
+  context.setTransform(scale, 0, 0, scale, 0, 0);
+  context.font = `12px ${getComputedStyle(document.body).fontFamily}`;
+  for (const { text, x, y, align, bar } of labels) {
+    const { width } = context.measureText(text);
+    const left = align === 'center' ? x - width / 2 : x - width;
+    context.fillStyle = ground;
+    if (align === 'center') context.fillRect(left - 5, y - 13, width + 10, 18);
+    context.fillStyle = ink;
+    context.textAlign = 'left';
+    context.fillText(text, left, bar > 0 ? y - 8 : y);
+    if (bar === 0) continue;
+    context.fillRect(x - bar, y - 1.5, bar, 1.5);
+    for (const end of [x - bar, x - 1.5]) context.fillRect(end, y - 5, 1.5, 5);
+  }
+}
+
+/**
+ * Where each legend begins, as a part of the width, and the state that it shows: of two pictures side
+ * by side each has its own, half the width apart.
+ * @param {import("./state.js").State} state
+ * @returns {[number, import("./state.js").State][]}
+ */
+function legendsOf(state) {
+  if (!state.split) return [[0, state]];
+  return state.split.sides.map(({ measure, values, top }, i) => {
+    const spread = values ? spreadOf(measure, values, top, top, null) : null;
+    return [i / 2, { ...state, measure, spread, range: [0, top], tolerance: null }];
+  });
+}
+
+/**
  * The legend at the lower left: the histogram over the colours, in the sizes of the page.
  * @param {CanvasRenderingContext2D} context
  * @param {import("./state.js").State} state
- * @param {string[]} stops
+ * @param {[number, string][]} stops
  * @param {{ height: number, scale: number }} size
  * @param {boolean} white
  */
@@ -61,7 +104,7 @@ function drawLegend(context, state, stops, size, white) {
   const [left, width] = [16, 212];
   const ink = dark && !white ? '#e6e8e8' : '#1d2123';
   const [foot, tallest] = [bottom - 26, 28];
-  context.scale(size.scale, size.scale);
+  context.textAlign = 'left';
   context.font = `12px ${getComputedStyle(document.body).fontFamily}`;
   context.fillStyle = ink;
   context.fillText(about.label, left, foot - tallest - 8);
@@ -77,9 +120,7 @@ function drawLegend(context, state, stops, size, white) {
   });
   const ramp = context.createLinearGradient(left, 0, left + width, 0);
   const [from, to] = range.map((value) => Math.min(1, value / spread.top));
-  stops.forEach((colour, i) => {
-    ramp.addColorStop(from + ((to - from) * i) / (stops.length - 1), colour);
-  });
+  for (const [at, colour] of stops) ramp.addColorStop(from + (to - from) * at, colour);
   context.fillStyle = ramp;
   context.fillRect(left, foot, width, 10);
   if (tolerance === null) return;

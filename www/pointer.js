@@ -4,12 +4,14 @@
  * | | Drag tool | Select tool |
  * |---|---|---|
  * | left on a handle | moves it | moves it |
+ * | left on the gizmo | moves the selected handles along an axis or in a plane | same |
  * | left elsewhere, drag | orbits | box, lasso or brush: see `region-selection.js` |
  * | Alt + left on a vertex | makes it a handle and moves it | same |
  * | left click | selects; Shift adds, Ctrl or Cmd removes | same |
  * | double-click | vertex: handle; edge: loop; face: flat patch; nothing: fit all | same |
  * | right, middle or Shift+right | orbits, pans | same |
  * | wheel, pinch | zooms to the cursor | same |
+ * | right click, long press | the menu of what is there | same |
  * | touch | one finger as left, two pan and zoom | same |
  */
 
@@ -19,8 +21,12 @@ import { NOTHING, combineOf, select } from './selection.js';
 
 /** Nearer than this, in CSS pixels, a pointer is on a dot. */
 const NEAR = { mouse: 12, pen: 14, touch: 24 };
+/** So near, a handle goes before the part of the gizmo that lies over it. */
+const ON_HANDLE = 9;
 /** A press that moves less is a click. */
-const CLICK_SLOP = 4;
+const CLICK_SLOP = { mouse: 4, pen: 6, touch: 10 };
+/** A finger that rests so long asks for the menu, in milliseconds. */
+const LONG_PRESS_MS = 500;
 /** Wheel delta, in pixels, that zooms by e; and of a pinch, which comes as a wheel with Ctrl. */
 const WHEEL_PIXELS = 700;
 const PINCH_PIXELS = 100;
@@ -44,6 +50,10 @@ export class PointerInput {
   #start = [0, 0];
   /** The handle that was pressed. @type {number | undefined} */
   #handle;
+  /** The part of the gizmo that was pressed. @type {string | undefined} */
+  #part;
+  /** The timer of a long press. */
+  #resting = 0;
   /** @type {Gesture | null} */
   #gesture = null;
 
@@ -52,7 +62,8 @@ export class PointerInput {
    * @param {import("./solver-client.js").SolverClient} solver
    * @param {import("./viewport.js").Viewport} viewport
    * @param {import("./region-selection.js").RegionSelection} region
-   * @param {{ addHandles: (vertices: number[]) => Promise<void>, fitAll: () => void,
+   * @param {{ addHandles: (vertices: number[]) => Promise<void>, fitAll: () => void, chosenHandles: () => number[],
+   *   showMenu: (at: [number, number]) => void,
    *   doubleClick: (mode: import("./state.js").Mode, item: number, event: MouseEvent) => void }} commands
    */
   constructor(store, solver, viewport, region, commands) {
@@ -72,8 +83,12 @@ export class PointerInput {
     listen('dblclick', (event) => this.#doubleClick(event));
     listen('wheel', (event) => this.#wheel(event), { passive: false });
     listen('contextmenu', (event) => event.preventDefault());
-    window.addEventListener('keydown', (event) => this.#lockAxis(event), { capture: true });
+    listen('keydown', (event) => this.#menuKey(event));
+    window.addEventListener('keydown', (event) => this.#keyWhileDown(event), { capture: true });
     store.subscribe(['tool'], ({ tool }) => (this.#element.dataset.tool = tool));
+    store.subscribe(['tape'], ({ tape }) =>
+      this.#element.toggleAttribute('data-measures', tape !== null),
+    );
   }
 
   /** Ends the gesture and takes back what it did. Whether there was one. */
@@ -81,6 +96,7 @@ export class PointerInput {
     const gesture = this.#gesture;
     if (!gesture) return false;
     if (gesture.kind === 'handle') gesture.drag.cancel();
+    if (gesture.kind === 'making') this.#tellMade([], 'cancel');
     if (gesture.kind === 'region') this.#region.cancel();
     this.#become(this.#down.size > 0 ? { kind: 'spent' } : null);
     return true;
@@ -109,44 +125,122 @@ export class PointerInput {
       event.preventDefault();
       this.#become({ kind: 'pan' });
     } else if (event.button === 2) {
-      this.#become({ kind: event.shiftKey ? 'pan' : 'orbit' });
+      this.#aim(event, at);
+      this.#become({ kind: 'press' });
     } else if (event.button === 0) {
-      this.#handle = this.#handleAt(event, at);
+      this.#aim(event, at);
       if (event.altKey && this.#handle === undefined) return void this.#makeHandle(event, at);
       const paints = this.#handle === undefined && this.#region.paints;
       this.#become({ kind: paints ? 'region' : 'press' });
       if (paints) this.#region.begin(at, combineOf(event));
+      else if (event.pointerType === 'touch')
+        this.#resting = window.setTimeout(() => this.#rest(event, at), LONG_PRESS_MS);
     }
   }
 
   /**
-   * Makes the vertex under the pointer a handle, and drags it when it is one.
+   * A finger has not moved, unless that is about to be told.
    * @param {PointerEvent} event
    * @param {[number, number]} at
    */
-  async #makeHandle(event, at) {
+  #rest(event, at) {
+    const gesture = this.#gesture;
+    requestAnimationFrame(() => {
+      if (gesture?.kind === 'press' && gesture === this.#gesture) this.#askForMenu(event, at);
+    });
+  }
+
+  /**
+   * Shows the menu of what is there; that belongs to the selection then.
+   * @param {PointerEvent} event
+   * @param {[number, number]} at
+   */
+  #askForMenu(event, at) {
+    const { mode, selection } = this.#store.get();
+    const what = this.#handle === undefined ? mode : 'vertices';
+    const item = this.#handle ?? this.#pick(mode, event, at);
+    if (item !== undefined && !selection[what].has(item))
+      this.#store.set({ selection: select(selection, what, [item], 'replace') });
+    this.#become({ kind: 'spent' });
+    this.#commands.showMenu([event.clientX, event.clientY]);
+  }
+
+  /** @param {KeyboardEvent} event */
+  #menuKey(event) {
+    if (event.key !== 'ContextMenu' && !(event.key === 'F10' && event.shiftKey)) return;
+    event.preventDefault();
+    const { left, top, width, height } = this.#element.getBoundingClientRect();
+    this.#commands.showMenu([left + width / 2, top + height / 2]);
+  }
+
+  /**
+   * The handle, or the part of the gizmo and a handle that it moves, under the pointer.
+   * @param {PointerEvent} event
+   * @param {[number, number]} at
+   */
+  #aim(event, at) {
+    this.#part = this.#viewport.with((view) => view.pickGizmo(...at));
+    this.#handle = this.#handleAt(at, this.#part ? ON_HANDLE : near(event));
+    if (this.#handle !== undefined) this.#part = undefined;
+    else if (this.#part) [this.#handle] = this.#commands.chosenHandles();
+  }
+
+  /**
+   * Makes the vertex under the pointer a handle and drags it: one step of undo.
+   * @param {PointerEvent} event
+   * @param {[number, number]} at
+   */
+  #makeHandle(event, at) {
     const vertex = this.#vertexAt(event, at);
     /** @type {Gesture} */
     const making = { kind: vertex === undefined ? 'press' : 'making' };
     this.#become(making);
     if (vertex === undefined) return;
-    await this.#commands.addHandles([vertex]);
-    // Released or taken back meanwhile.
-    if (this.#gesture !== making) return;
-    this.#handle = vertex;
-    this.#begin();
-    const last = this.#down.get(event.pointerId);
-    const gesture = /** @type {Gesture | null} */ (this.#gesture);
-    if (gesture?.kind === 'handle' && last) gesture.drag.move(...last);
+    this.#tellMade([vertex], 'make');
+    const made = () => {
+      // Released or taken back meanwhile.
+      if (this.#gesture !== making) return;
+      this.#handle = vertex;
+      this.#begin(true);
+      const last = this.#down.get(event.pointerId);
+      if (last) this.#drag(event, last);
+    };
+    this.#store.set({ dragged: [vertex] });
+    this.#solver.addEventListener('document', made, { once: true });
   }
 
-  /** X, Y and Z keep a dragged handle on a line along that axis, and let it go again. @param {KeyboardEvent} event */
-  #lockAxis(event) {
+  /**
+   * What becomes of a handle that is made and has not been dragged.
+   * @param {number[]} vertices
+   * @param {"make" | "end" | "cancel"} phase
+   */
+  #tellMade(vertices, phase) {
+    const targets = new Float64Array(0);
+    this.#solver.tell({ type: 'drag', vertices: Uint32Array.from(vertices), targets, phase });
+    if (phase !== 'make') this.#store.set({ dragged: [] });
+  }
+
+  /**
+   * @param {PointerEvent} event
+   * @param {[number, number]} at
+   */
+  #drag(event, at) {
+    if (this.#gesture?.kind !== 'handle') return;
+    const [dx, dy] = [at[0] - this.#start[0], at[1] - this.#start[1]];
+    this.#gesture.drag.move(dx, dy, event.timeStamp);
+  }
+
+  /**
+   * X, Y and Z keep a dragged handle on a line along that axis, and let it go again. Escape takes the
+   * gesture back, whatever else is held down.
+   * @param {KeyboardEvent} event
+   */
+  #keyWhileDown(event) {
     const axis = ['x', 'y', 'z'].indexOf(event.key.toLowerCase());
-    if (axis < 0 || this.#gesture?.kind !== 'handle') return;
+    if (axis >= 0 && this.#gesture?.kind === 'handle') this.#gesture.drag.toggleAxis(axis);
+    else if (event.key !== 'Escape' || !this.cancel()) return;
     event.preventDefault();
     event.stopPropagation();
-    this.#gesture.drag.toggleAxis(axis);
   }
 
   /** A second finger turns what the first one began into pan and zoom; a dragged handle goes on. */
@@ -163,14 +257,15 @@ export class PointerInput {
     this.#down.set(event.pointerId, at);
     if (this.#gesture?.kind === 'press') {
       const moved = Math.hypot(at[0] - this.#start[0], at[1] - this.#start[1]);
-      if (moved < CLICK_SLOP) return;
-      this.#begin();
+      if (moved < slop(event)) return;
+      if (event.buttons === 2) this.#become({ kind: event.shiftKey ? 'pan' : 'orbit' });
+      else this.#begin();
     }
     const [dx, dy] = [at[0] - last[0], at[1] - last[1]];
     switch (this.#gesture?.kind) {
       case 'handle':
         this.#gesture.drag.hold(planeOf(event));
-        return this.#gesture.drag.move(...at);
+        return this.#drag(event, at);
       case 'orbit':
         return void this.#viewport.with((view) => view.orbit(dx, dy));
       case 'pan':
@@ -180,11 +275,17 @@ export class PointerInput {
     }
   }
 
-  /** The press has become a drag: of a handle, of the camera, or of a region. */
-  #begin() {
-    const { view } = this.#viewport;
-    if (this.#handle !== undefined && view) {
-      const drag = new HandleDrag(this.#store, this.#solver, view, this.#handle, ...this.#start);
+  /**
+   * The press has become a drag: of a handle, of the camera, or of a region.
+   * @param {boolean} [begun] the solver knows of the drag
+   */
+  #begin(begun = false) {
+    const { heldWay, view } = this.#viewport;
+    const [handle, part] = [this.#handle, this.#part];
+    if (handle !== undefined && view) {
+      if (part) view.holdGizmo(...this.#start);
+      else view.holdVertex(handle, ...this.#start);
+      const drag = new HandleDrag(this.#store, this.#solver, heldWay, handle, part, begun);
       this.#become({ kind: 'handle', drag });
     } else {
       const selects = this.#store.get().tool === 'select';
@@ -200,11 +301,15 @@ export class PointerInput {
     const gesture = this.#gesture;
     switch (gesture?.kind) {
       case 'handle':
-        gesture.drag.move(...at);
+        this.#drag(event, at);
         gesture.drag.end();
         break;
+      case 'making':
+        this.#tellMade([], 'end');
+        break;
       case 'press':
-        this.#click(event, at);
+        if (event.button === 2) this.#askForMenu(event, at);
+        else this.#click(event, at);
         break;
       case 'region':
         this.#region.end(at, combineOf(event));
@@ -218,7 +323,14 @@ export class PointerInput {
    * @param {[number, number]} at
    */
   #click(event, at) {
-    const { mode, selection } = this.#store.get();
+    if (this.#part) return;
+    const { mode, selection, tape } = this.#store.get();
+    if (tape) {
+      const end = this.#handle ?? this.#vertexAt(event, at);
+      const isOther = tape.length === 1 && tape[0] !== end;
+      if (end !== undefined) this.#store.set({ tape: isOther ? [...tape, end] : [end] });
+      return;
+    }
     const combine = combineOf(event);
     const item = this.#handle ?? this.#pick(mode, event, at);
     if (item !== undefined) {
@@ -245,7 +357,8 @@ export class PointerInput {
   /** @param {MouseEvent} event */
   #doubleClick(event) {
     const at = this.#at(event);
-    const { mode } = this.#store.get();
+    const { mode, tape } = this.#store.get();
+    if (tape || this.#part) return;
     const item = this.#pick(mode, event, at);
     if (item === undefined) {
       const face = this.#viewport.with((view) => view.pickFace(...at));
@@ -287,17 +400,18 @@ export class PointerInput {
    */
   #hover(event, at) {
     if (event.pointerType === 'touch') return;
-    const over = this.#handleAt(event, at) !== undefined;
-    this.#element.dataset.over = over ? 'handle' : '';
+    this.#aim(event, at);
+    this.#element.dataset.over = this.#handle === undefined ? '' : 'handle';
+    this.#store.set({ gizmoPart: this.#part });
     this.#region.hover(at);
   }
 
   /**
-   * @param {PointerEvent} event
    * @param {[number, number]} at
+   * @param {number} radius
    */
-  #handleAt(event, at) {
-    return this.#viewport.with((view) => view.pickHandle(...at, near(event)));
+  #handleAt(at, radius) {
+    return this.#viewport.with((view) => view.pickHandle(...at, radius));
   }
 
   /**
@@ -310,6 +424,7 @@ export class PointerInput {
 
   /** @param {Gesture | null} gesture */
   #become(gesture) {
+    if (gesture?.kind !== 'press') clearTimeout(this.#resting);
     this.#gesture = gesture;
     this.#element.dataset.gesture = gesture?.kind ?? '';
     if (gesture && gesture.kind !== 'region') this.#region.hide();
@@ -327,8 +442,18 @@ function planeOf(event) {
 
 /** @param {MouseEvent} event */
 function near(event) {
+  return NEAR[typeOf(event)] ?? NEAR.mouse;
+}
+
+/** @param {MouseEvent} event */
+function slop(event) {
+  return CLICK_SLOP[typeOf(event)] ?? CLICK_SLOP.mouse;
+}
+
+/** @param {MouseEvent} event */
+function typeOf(event) {
   const type = event instanceof PointerEvent ? event.pointerType : 'mouse';
-  return NEAR[/** @type {keyof typeof NEAR} */ (type)] ?? NEAR.mouse;
+  return /** @type {keyof typeof NEAR} */ (type);
 }
 
 /**

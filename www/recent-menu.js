@@ -30,13 +30,18 @@ export function recentMenu(button, menu, keeping, alerts) {
         ),
       ),
     );
-    const none =
-      'Nothing else yet. What you open or change is kept in this browser, and listed here.';
-    menu.replaceChildren(
-      ...(rows.length > 0 ? rows : [element('p', { class: 'quiet', role: 'none' }, none)]),
-    );
+    menu.replaceChildren(...(rows.length > 0 ? rows : [noEntry()]));
     menu.showPopover();
   });
+}
+
+/** A menu has to have an entry, or nobody hears what it says. */
+function noEntry() {
+  return element(
+    'p',
+    { class: 'quiet', role: 'menuitem', 'aria-disabled': 'true', tabindex: '-1' },
+    'Nothing else yet. What you open or change is kept in this browser, and listed here.',
+  );
 }
 
 /** @param {number} time */

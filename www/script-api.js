@@ -3,6 +3,11 @@
  * line's report.
  */
 
+import { handlesNow } from './state.js';
+
+/** So many moves of drags are kept. */
+const DRAGS_KEPT = 1000;
+
 /**
  * @param {import("./state.js").Store} store
  * @param {import("./solver-client.js").SolverClient} solver
@@ -10,13 +15,29 @@
  * @param {import("./files.js").Files} files
  */
 export function scriptApi(store, solver, viewport, files) {
+  /** @type {{ latency: number[], answer: number[] }} */
+  const drags = { latency: [], answer: [] };
+  solver.addEventListener('frame', (event) => {
+    const { answers } = /** @type {CustomEvent} */ (event).detail;
+    if (!answers) return;
+    drags.latency.push(performance.now() - answers[0]);
+    drags.answer.push(answers[1]);
+    for (const times of Object.values(drags)) times.splice(0, times.length - DRAGS_KEPT);
+  });
+  /** @param {ArrayLike<number> | undefined} at on the view */
+  const onPage = (at) => {
+    const { left, top } = viewport.element.getBoundingClientRect();
+    return at ? [left + at[0], top + at[1]] : null;
+  };
+
   return {
     /**
      * Everything at a glance. `energy` is of the current shape; `constraints` counts by kind;
      * `handles` and `selection` name vertices and faces from 0.
      */
     state() {
-      const { model, document, numbers, running, converged, selection, renderer } = store.get();
+      const state = store.get();
+      const { model, document, numbers, running, converged, selection, renderer } = state;
       /** @type {Record<string, number>} */
       const constraints = {};
       for (const { kind, count, enabled } of document?.constraints ?? []) {
@@ -32,7 +53,7 @@ export function scriptApi(store, solver, viewport, files) {
         planarity: numbers?.planarity ?? null,
         circularity: numbers?.circularity ?? null,
         constraints,
-        handles: document?.handles ?? [],
+        handles: handlesNow(state),
         selection: {
           vertices: [...selection.vertices],
           edges: [...selection.edges],
@@ -43,6 +64,11 @@ export function scriptApi(store, solver, viewport, files) {
         last_step_ms: numbers?.stepMs ?? 0,
         problems: model?.problems ?? [],
       };
+    },
+
+    /** Resolves when the solver has answered all that it was told so far. */
+    async settled() {
+      await solver.request({ type: 'scene' });
     },
 
     /** The scene as JSON (an object), as of the last edit or the end of the last run. */
@@ -65,10 +91,24 @@ export function scriptApi(store, solver, viewport, files) {
      * @param {number} vertex
      */
     screen(vertex) {
-      const at = viewport.with((view) => view.screen(vertex));
-      if (!at) return null;
-      const box = viewport.element.getBoundingClientRect();
-      return [box.left + at[0], box.top + at[1]];
+      return onPage(viewport.with((view) => view.screen(vertex)));
+    },
+
+    /**
+     * Where a part of the gizmo is on the page: an axis `x`, `y`, `z`, or a plane `xy`, `yz`, `zx`; null
+     * while it cannot be taken.
+     * @param {string} part
+     */
+    gizmo(part) {
+      return onPage(viewport.with((view) => view.gizmoPart(part)));
+    },
+
+    /**
+     * Of the last moves of drags, in milliseconds: from the pointer to new positions (`latency`), and
+     * of that, from when the solver was told to when it answered (`answer`).
+     */
+    dragTimes() {
+      return structuredClone(drags);
     },
 
     /**

@@ -3,7 +3,6 @@
  * is what the page does with an answer. How many are selected is said after every change.
  */
 
-import { buildHelp } from './help.js';
 import { count } from './format.js';
 import { combineOf, describe, select, sizeOfSelection } from './selection.js';
 
@@ -83,11 +82,10 @@ export class Selecting {
   }
 
   /**
-   * The keys that operations declare, once they are here, as commands and in the help.
+   * The keys that operations declare, once they are here, as commands.
    * @param {import("./commands.js").Command[]} commands
-   * @param {HTMLDialogElement} help
    */
-  bindKeys(commands, help) {
+  bindKeys(commands) {
     let bound = false;
     this.#store.subscribe(['operations'], ({ operations }) => {
       if (bound || operations.length === 0) return;
@@ -105,7 +103,6 @@ export class Selecting {
           enabled: () => this.canApply(operation),
         });
       }
-      buildHelp(help, commands);
     });
   }
 

@@ -17,6 +17,7 @@ import { messageOf } from './messages.js';
  * @property {import("./messages.js").Connectivity} connectivity
  * @property {Float64Array} positions `#V by 3`, the newest; replaced with every frame, so do not keep it
  * @property {Float32Array | null} values of `measure`, `#F`
+ * @property {Float32Array | null} corners values of `measure` of the vertices, `#V`, where it has any
  * @property {import("./messages.js").Measure | null} measure
  * @property {Float32Array | null} shapes fitted shapes, eight numbers each
  * @property {import("./messages.js").Projections | null} projections
@@ -95,6 +96,11 @@ export class SolverClient extends EventTarget {
     this.tell({ type: 'recycle', positions }, [positions.buffer]);
   }
 
+  /** Gives up what the worker is at; what was open is open again. */
+  abandon() {
+    this.#died('it was cancelled', true);
+  }
+
   #start() {
     const worker = new Worker(new URL('./solver-worker.js', import.meta.url), {
       type: 'module',
@@ -144,6 +150,7 @@ export class SolverClient extends EventTarget {
           connectivity: message.connectivity,
           positions: message.positions,
           values: null,
+          corners: null,
           measure: null,
           shapes: null,
           projections: null,
@@ -159,6 +166,7 @@ export class SolverClient extends EventTarget {
         this.#previous = geometry.positions;
         geometry.positions = message.positions;
         geometry.values = message.values;
+        geometry.corners = message.corners;
         geometry.measure = message.measure;
         geometry.shapes = message.shapes;
         geometry.projections = message.projections;
@@ -186,8 +194,11 @@ export class SolverClient extends EventTarget {
     else waiting?.resolve(value);
   }
 
-  /** @param {string} reason */
-  async #died(reason) {
+  /**
+   * @param {string} reason
+   * @param {boolean} [wanted] it needs no words
+   */
+  async #died(reason, wanted = false) {
     const lastScene = this.sceneText;
     const again = this.#restoring;
     const atStart = !this.#ready;
@@ -202,7 +213,7 @@ export class SolverClient extends EventTarget {
       }),
     );
 
-    if (atStart || again) {
+    if ((atStart || again) && !wanted) {
       const what = again ? 'stopped again on the same model' : 'could not be started';
       return this.#notice(
         `The solver ${what} (${reason}). Reload the page; the last scene can still be saved.`,
@@ -210,14 +221,15 @@ export class SolverClient extends EventTarget {
     }
     this.#start();
     if (this.#show) this.tell(this.#show);
-    if (!lastScene) return this.#notice(`The solver stopped (${reason}) and was restarted.`);
+    const notice = (/** @type {string} */ text) => wanted || this.#notice(text);
+    if (!lastScene) return void notice(`The solver stopped (${reason}) and was restarted.`);
     this.#restoring = true;
     const iteration = this.sceneIteration;
     try {
       const bytes = new TextEncoder().encode(lastScene);
       const files = [{ name: 'restored.shapeup.json', bytes }];
       await this.request({ type: 'open', files, iteration });
-      this.#notice(
+      notice(
         `The solver stopped (${reason}) and was restarted; your model is back as it was at iteration ${iteration}.`,
       );
     } catch (error) {

@@ -7,6 +7,8 @@
 import init, { Solver } from './pkg/solver/shape_up.js';
 import { cancelExperiment, experimentCsv, runExperiment } from './experiment/worker-part.js';
 import { SLICE_MS, messageOf } from './messages.js';
+import { disturb, warmUpWhenQuiet } from './warm-up.js';
+import { fetchModule } from './worker-loading.js';
 
 /** @typedef {import("./messages.js").ToWorker} ToWorker */
 /** @typedef {import("./messages.js").FromWorker} FromWorker */
@@ -24,8 +26,10 @@ let dragging = false;
 let settled = false;
 /** Something that the page has not seen. */
 let unseen = false;
-/** The newest move of a drag that is not applied yet. @type {{ vertices: Uint32Array, targets: Float64Array } | null} */
+/** The newest move of a drag that is not applied yet. @type {import("./messages.js").Drag | null} */
 let move = null;
+/** The move that the next frame answers, and when it came. @type {{ time: number, came: number } | null} */
+let answering = null;
 /** Buffers of positions that are here and free. @type {Float64Array[]} */
 let free = [];
 let positionsLength = 0;
@@ -33,6 +37,7 @@ let positionsLength = 0;
 let measure = null;
 let showShapes = false;
 let showProjections = false;
+let showCorners = false;
 let sceneSentAt = 0;
 let sliceQueued = false;
 /** Whether it runs has changed; told after the frame that belongs to it. */
@@ -51,7 +56,7 @@ onmessage = (event) => {
 };
 
 try {
-  await init();
+  await init({ module_or_path: fetchModule(post) });
   solver = new Solver();
   post({
     type: 'ready',
@@ -85,6 +90,7 @@ function live() {
 /** @param {ToWorker} message */
 function receive(message) {
   if (!solver) return;
+  disturb();
   if (!('id' in message)) return guard(() => command(message));
   try {
     post({ type: 'reply', id: message.id, value: answer(message) });
@@ -101,11 +107,13 @@ function command(message) {
     case 'recycle':
       if (message.positions.length === positionsLength && free.length < 2)
         free.push(message.positions);
+      warmUpWhenQuiet(iterating);
       return sendFrame();
     case 'show':
       measure = message.measure;
       showShapes = message.shapes;
       showProjections = message.projections;
+      showCorners = message.corners;
       unseen = loaded;
       return sendFrame();
     case 'run':
@@ -144,16 +152,36 @@ function answer(message) {
     case 'step':
       pause();
       return step();
+    case 'halfStep':
+      pause();
+      return halfStep();
+    case 'faceValues':
+      if (message.original) return live().originalValues(message.measure);
+      return live().faceValues(message.measure);
+    case 'originalPositions':
+      return live().originalPositions();
+    case 'angles':
+      return live().angles();
     case 'members':
       return live().members(message.constraint);
     case 'rowColours':
       return live().rowColours();
     case 'previews':
       return live().previews(message.places);
+    case 'worst':
+      return message.measure
+        ? live().worstFaces(message.measure, message.count)
+        : live().worstConstraints(message.row ?? 0, message.count);
+    case 'flawed':
+      return live().flawed(message.flaw);
+    case 'results':
+      return live().results(message.student, message.time);
     case 'select':
       return live().select(message.request);
     case 'scene':
       return live().scene();
+    case 'rest':
+      return live().restPositions();
     case 'obj':
       return message.uv ? live().objWithUv(message.uv) : live().obj();
     case 'parametrize':
@@ -193,7 +221,7 @@ function open(files, iteration, frame = '') {
   loaded = true;
   settled = false;
   dragging = false;
-  move = null;
+  move = answering = null;
   positionsLength = about.vertices * 3;
   const positions = new Float64Array(positionsLength);
   live().writePositions(positions);
@@ -250,6 +278,19 @@ function step() {
   return converged;
 }
 
+function halfStep() {
+  const done = live().halfStep();
+  if (done.half === 'global') {
+    settled = done.converged;
+    activityDue = true;
+    changed();
+  } else {
+    unseen = true;
+    sendFrame();
+  }
+  return done;
+}
+
 function pause() {
   if (!running) return;
   endRun();
@@ -263,19 +304,22 @@ function endRun() {
   activityDue = true;
 }
 
-/** @param {Extract<ToWorker, { type: "drag" }>} message */
-function drag({ vertices, targets, phase }) {
-  if (phase === 'start') {
+/** @param {import("./messages.js").Drag} message */
+function drag(message) {
+  const { vertices, targets, phase, time } = message;
+  if (phase === 'start' || phase === 'make') {
     if (running) live().endRun();
+    live().drag(vertices, targets, phase);
     dragging = true;
     activityDue = true;
-    live().drag(vertices, targets, 'start');
+    if (phase === 'make') changed();
   } else if (!dragging) {
     return;
   } else if (phase === 'move') {
-    move = { vertices, targets };
+    move = message;
+    if (time !== undefined) answering = { time, came: performance.now() };
   } else {
-    move = null;
+    move = answering = null;
     dragging = false;
     live().drag(vertices, targets, phase);
     if (running) live().beginRun();
@@ -294,7 +338,8 @@ function slice() {
       move = null;
       settled = false;
     }
-    const until = performance.now() + SLICE_MS;
+    // Who drags waits for the answer.
+    const until = performance.now() + SLICE_MS / (answering ? 2 : 1);
     while (iterating() && performance.now() < until) {
       settled = live().step();
       unseen = true;
@@ -355,18 +400,26 @@ function sendFrame() {
   live().writePositions(positions);
   const now = numbers();
   const values = measure ? live().faceValues(measure) : null;
+  const corners = (measure && showCorners && live().cornerValues(measure)) || null;
   const shapes = showShapes ? live().fitted() : null;
   const told = Float64Array.from(trace);
   trace = [];
   /** @type {Transferable[]} */
   const transfer = [positions.buffer, told.buffer];
   if (values) transfer.push(values.buffer);
+  if (corners) transfer.push(corners.buffer);
   if (shapes) transfer.push(shapes.buffer);
   /** @type {import("./messages.js").Projections | null} */
   const projections = showProjections ? live().projections() : null;
   if (projections) transfer.push(...Object.values(projections).map((array) => array.buffer));
+  /** @type {[number, number] | null} */
+  const answers = answering && !move ? [answering.time, performance.now() - answering.came] : null;
+  if (answers) answering = null;
   post(
-    { type: 'frame', numbers: now, trace: told, positions, measure, values, shapes, projections },
+    {
+      ...{ type: 'frame', numbers: now, trace: told, positions },
+      ...{ measure, values, corners, shapes, projections, answers },
+    },
     transfer,
   );
   unseen = false;

@@ -23,6 +23,7 @@
  * @property {Numbers | null} numbers
  * @property {boolean} running Run was pressed and the iteration has not converged
  * @property {boolean} converged
+ * @property {boolean} halfway the local step is done, the global step is next
  * @property {"drag" | "select"} tool
  * @property {"box" | "lasso" | "paint"} shape of a drag with the Select tool
  * @property {boolean} through a drag also selects what the surface hides
@@ -30,6 +31,10 @@
  * @property {Mode} mode what a click selects
  * @property {Selection} selection
  * @property {number[]} dragged handles under the pointer
+ * @property {{ by: number[], targets: Float64Array } | null} moved how far they are dragged, in units
+ *   of the mesh, and where to, `#dragged by 3`
+ * @property {string | undefined} gizmoPart axis or plane of the gizmo under the pointer
+ * @property {number} dragMs from the pointer to new positions, of the last move
  * @property {Tint | null} tint members of the constraint that is pointed at
  * @property {import("./messages.js").RowColours | null} rowColours of what constraints act on
  * @property {Measure | null} measure what the faces are coloured by
@@ -37,8 +42,12 @@
  * @property {[number, number]} range of the colours, in the unit of the measure
  * @property {import("./spread.js").Spread | null} spread of the values of the faces
  * @property {number | null} tolerance in the unit of the measure
- * @property {{ edges: boolean, vertices: boolean, shapes: boolean, outlines: boolean, arrows: boolean }} display
+ * @property {{ edges: boolean, vertices: boolean, shapes: boolean, outlines: boolean, arrows: boolean,
+ *   ghost: boolean, ground: boolean, bands: boolean, gizmo: boolean }} display
+ * @property {boolean} parallel projection, instead of perspective
+ * @property {number[] | null} tape the ends of the measuring tape that are chosen, while there is one
  * @property {import("./flat-map.js").FlatMap | null} flatMap what is shown beside the model
+ * @property {import("./split.js").Split | null} split two pictures in place of one
  * @property {boolean} dark
  * @property {"webgpu" | "webgl2" | "none" | "starting"} renderer
  * @property {string} saved what became of the autosave, in words
@@ -72,6 +81,7 @@ const INITIAL = {
   numbers: null,
   running: false,
   converged: false,
+  halfway: false,
   tool: 'drag',
   shape: 'box',
   through: false,
@@ -79,6 +89,9 @@ const INITIAL = {
   mode: 'vertices',
   selection: { vertices: new Set(), edges: new Set(), faces: new Set() },
   dragged: [],
+  moved: null,
+  gizmoPart: undefined,
+  dragMs: 0,
   tint: null,
   rowColours: null,
   measure: null,
@@ -86,13 +99,43 @@ const INITIAL = {
   range: [0, 0],
   spread: null,
   tolerance: null,
-  display: { edges: true, vertices: false, shapes: false, outlines: false, arrows: false },
+  display: {
+    edges: true,
+    vertices: false,
+    shapes: false,
+    outlines: false,
+    arrows: false,
+    ghost: false,
+    ground: false,
+    bands: false,
+    gizmo: true,
+  },
+  parallel: false,
+  tape: null,
   flatMap: null,
+  split: null,
   dark: false,
   renderer: 'starting',
   saved: '',
   status: '',
 };
+
+/**
+ * The handles, those that are dragged where they are dragged to.
+ * @param {Readonly<State>} state
+ * @returns {import("./messages.js").Handle[]}
+ */
+export function handlesNow({ document, dragged, moved }) {
+  const handles = document?.handles ?? [];
+  if (!moved) return handles;
+  const places = new Map(dragged.map((vertex, i) => [vertex, 3 * i]));
+  return handles.map((handle) => {
+    const at = places.get(handle.vertex);
+    if (at === undefined) return handle;
+    const [x, y, z] = moved.targets.subarray(at, at + 3);
+    return { ...handle, target: [x, y, z] };
+  });
+}
 
 /** @returns {Store} */
 export function createStore() {

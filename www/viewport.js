@@ -6,15 +6,22 @@
 
 import { Backend, isBlank, openView } from './backend.js';
 import { removeFirstPicture } from './first-picture.js';
+import { handlesNow } from './state.js';
 import { messageOf } from './messages.js';
 import { modelErrors, showFlatMap } from './flat-map.js';
+import { showSplit } from './split.js';
 
 /** @typedef {import("./pkg/view-webgl2/shape_up.js").View} View */
 /** @typedef {import("./state.js").State} State */
+/**
+ * Words over the picture, in CSS pixels, with a bar below them that is so long.
+ * @typedef {{ text: string, x: number, y: number, align: "center" | "right", bar: number }} Label
+ */
 
 /** A view that is lost this often in a row is given up. */
 const ATTEMPTS = 3;
 const NONE = new Uint32Array(0);
+const FINGERS = matchMedia('(pointer: coarse)');
 const NO_COLOURS = {
   faces: new Uint8Array(0),
   vertices: new Uint8Array(0),
@@ -26,6 +33,8 @@ export class Viewport extends EventTarget {
   element;
   /** None while it starts, and where nothing can draw. @type {View | null} */
   view = null;
+  /** What the page writes over the picture, for those that are saved. @type {() => Label[]} */
+  labels = () => [];
 
   #store;
   #solver;
@@ -85,6 +94,35 @@ export class Viewport extends EventTarget {
     return action(this.view);
   }
 
+  /** How far what the view holds goes with the pointer. @type {import("./handle-drag.js").Hold} */
+  heldWay = (way, dx, dy) => this.view?.heldWay(way, dx, dy);
+  /** Where what the view holds is seen once it has gone so far. @param {number[]} by */
+  heldPlace = (by) => this.view?.heldPlace(by[0], by[1], by[2]);
+
+  /** In CSS pixels, as the view has it: without measuring the page again. */
+  get width() {
+    return this.#size[0];
+  }
+
+  /**
+   * The colours of the range as a legend paints them, with their places in it from 0 to 1: gradual, or
+   * in bands with hard limits.
+   * @returns {[number, string][]}
+   */
+  rampStops() {
+    const stops = this.with((view) => {
+      const colours = view.rampColours();
+      const limits = view.bandLimits();
+      const ends = [0, ...limits, 1];
+      return colours.flatMap((colour, i) =>
+        (limits.length > 0 ? [ends[i], ends[i + 1]] : [i / (colours.length - 1)]).map(
+          (at) => /** @type {[number, string]} */ ([at, colour]),
+        ),
+      );
+    });
+    return stops ?? [];
+  }
+
   /**
    * Draws one picture of another size, in the proportions and the framing of the one that is shown,
    * and gives the canvas to `take`, which must read it at once. The shown one is drawn again then.
@@ -104,6 +142,7 @@ export class Viewport extends EventTarget {
     try {
       view.resize(width, height, scale);
       if (white) view.setTheme(false);
+      view.setGizmo(false, false);
       view.setWhite(white);
       const drawn = view.draw();
       if (drawn) take(canvas);
@@ -115,6 +154,7 @@ export class Viewport extends EventTarget {
       if (this.view === view) {
         view.setWhite(false);
         view.setTheme(dark);
+        showDisplay(view, this.#store.get());
         view.resize(shownWidth, shownHeight, shownWidth / this.#size[0]);
         this.ask();
       }
@@ -153,6 +193,7 @@ export class Viewport extends EventTarget {
     const { renderer } = this.#store.get();
     const { view } = this;
     this.view = null;
+    this.#store.set({ status: 'The 3D picture was lost and is drawn anew' });
     this.#canvas = null;
     // It may call for help once more.
     view?.free();
@@ -216,13 +257,20 @@ export class Viewport extends EventTarget {
     const parts = [
       [['dark'], (view, state) => view.setTheme(state.dark)],
       [['document'], (view, { document }) => document && view.setUp(document.up)],
-      [['display'], showDisplay],
-      [['document', 'dragged', 'selection', 'model'], showHandles],
+      [['display', 'halfway'], showDisplay],
+      [['parallel'], (view, { parallel }) => view.setParallel(parallel)],
+      [['tape'], (view, { tape }) => view.setTape(Uint32Array.from(tape ?? []))],
+      [['document', 'dragged', 'moved', 'selection', 'model'], showHandles],
+      [
+        ['gizmoPart', 'dragged'],
+        (view, state) => view.lightGizmo(state.gizmoPart, state.dragged.length > 0),
+      ],
       [['selection', 'model'], showSelection],
       [['tint', 'model'], showTint],
       [['rowColours', 'model', 'flatMap'], showRowColours],
       [['measure', 'range', 'flatMap'], (view, state) => this.#showValues(view, state)],
       [['flatMap'], showFlatMap],
+      [['split'], showSplit],
     ];
     for (const [keys, show] of parts) {
       subscribe(keys, (state) => {
@@ -242,6 +290,8 @@ export class Viewport extends EventTarget {
    */
   #showValues(view, state) {
     const { geometry } = this.#solver;
+    const isCurrent = geometry?.measure === state.measure && !state.flatMap;
+    view.setCornerValues((isCurrent && geometry?.corners) || undefined);
     if (state.flatMap) return view.setFaceValues(...modelErrors(state.flatMap));
     // Right after another choice, the values are still those of the one before.
     const values = geometry && geometry.measure === state.measure ? geometry.values : null;
@@ -286,6 +336,7 @@ export class Viewport extends EventTarget {
       }
       this.#attempts = 0;
       removeFirstPicture();
+      this.dispatchEvent(new Event('drawn'));
     } catch (thrown) {
       this.#lost(messageOf(thrown));
     }
@@ -296,9 +347,13 @@ export class Viewport extends EventTarget {
  * @param {View} view
  * @param {State} state
  */
-function showDisplay(view, { display }) {
+function showDisplay(view, { display, halfway }) {
   const { edges, vertices, shapes, outlines, arrows } = display;
-  view.setDisplay(edges, vertices, shapes, outlines, arrows);
+  // What the local step has fitted is seen until the global step takes it over.
+  view.setDisplay(edges, vertices, shapes, outlines || halfway, arrows);
+  view.setSurroundings(display.ghost, display.ground);
+  view.setBands(display.bands);
+  view.setGizmo(display.gizmo, FINGERS.matches);
 }
 
 /**
@@ -306,8 +361,9 @@ function showDisplay(view, { display }) {
  * @param {View} view
  * @param {State} state
  */
-function showHandles(view, { document, dragged }) {
-  const handles = document?.handles ?? [];
+function showHandles(view, state) {
+  const { dragged } = state;
+  const handles = handlesNow(state);
   const vertices = Uint32Array.from(handles, (handle) => handle.vertex);
   const states = Uint8Array.from(handles, (handle) =>
     dragged.includes(handle.vertex) ? 2 : handle.fixed ? 1 : 0,

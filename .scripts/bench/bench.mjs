@@ -9,6 +9,7 @@ import { main, outputOf, Problem, say } from '../run.mjs';
 import { setUp } from '../setup.mjs';
 import { browserSolver, buildBenchModule } from './in-browser.mjs';
 import {
+  mapSizes,
   measureConvergence,
   measureIterations,
   measureMaps,
@@ -83,13 +84,11 @@ async function placesOf({ where, trial }) {
   const native = await nativeSolver(trial ? 'dev' : 'release');
   const inNative = {
     perform: native,
-    maps: true,
     stream: async (bytes) => (await native({ measure: 'stream', bytes: [bytes] }))[0],
   };
   const browser = where.includes('browser') ? await browserSolver() : null;
   const inBrowser = browser && {
     perform: browser.perform,
-    maps: false,
     run: browser.run,
     stream: async (bytes) =>
       browser.canStream()
@@ -114,7 +113,7 @@ async function measure(options, words) {
   const measures = {
     async iterations() {
       results.iterations = await measureIterations(asked);
-      results.maps = await measureMaps(asked);
+      results.maps = await measureMaps({ ...asked, sizes: mapSizes(sizes) });
     },
     async convergence() {
       results.convergence = await measureConvergence(asked);

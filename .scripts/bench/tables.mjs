@@ -138,10 +138,11 @@ export function firstToConverge(rows) {
 
 const mapTable = (rows) =>
   table(
-    ['problem', 'vertices', 'where', 'ms', 'assemble', 'order', 'factor', 'iterate'],
+    ['problem', 'vertices', 'where', 'first', 'ms', 'assemble', 'order', 'factor', 'iterate', 'MB'],
     rows.map((row) => {
-      const times = [row.total, row.assemble, row.order, row.factor, row.iterate];
-      return [row.problem, number(row.vertices), row.where, ...times.map(number)];
+      const times = [row.cold, row.total, row.assemble, row.order, row.factor, row.iterate];
+      const key = [row.problem, number(row.vertices), row.where];
+      return [...key, ...times.map(number), megabytes(row.bytes)];
     }),
   );
 

@@ -123,13 +123,27 @@ function models({ problems }) {
   return { empty, opened };
 }
 
+/** Flat maps of one mesh: the first, in a module that has run nothing yet, and some more. */
+function map({ problem, weights, rounds }) {
+  const solver = new Solver();
+  solver.load('problem.obj', problem.meshBytes, null);
+  const one = () => {
+    const [{ eigenvalue, secondsOf }, total] = timed(() => solver.parametrize(weights, 'boundary'));
+    const parts = Object.entries(secondsOf).map(([part, seconds]) => [part, 1e3 * seconds]);
+    return { eigenvalue, run: { total, ...Object.fromEntries(parts) } };
+  };
+  const { eigenvalue, run } = one();
+  const runs = Array.from({ length: rounds }, () => one().run);
+  return { eigenvalue, cold: run.total, runs, bytes: memory.buffer.byteLength };
+}
+
 async function stream({ bytes }) {
   const module = await import('/bench/bench_browser.js');
   await module.default();
   return bytes.map((count) => module.stream(count));
 }
 
-const measures = { iterations, convergence, models, stream };
+const measures = { iterations, convergence, models, map, stream };
 
 /** Fetches what a task names by address, so that nothing but addresses is sent. */
 async function fetched({ scene, mesh, move, from, spare }) {

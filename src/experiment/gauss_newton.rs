@@ -79,7 +79,7 @@ impl GaussNewton {
             fixed,
             weights,
             length: sum / count,
-            system: System::new(3 * rest.len(), &[circles, smooth]),
+            system: System::new(3 * rest.len(), vec![circles, smooth]),
             rest: rest.to_vec(),
         }
     }

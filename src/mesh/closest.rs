@@ -31,7 +31,8 @@ impl Surface {
     /// A triangle thinner than 1e-8 of its length counts as its three sides.
     pub fn new(positions: &[Point], mesh: &Mesh) -> Surface {
         let at = |v: &u32| positions[*v as usize];
-        let mut triangles: Vec<[Point; 3]> = Vec::new();
+        let fans = mesh.faces.iter().map(|face| face.len().saturating_sub(2)).sum();
+        let mut triangles: Vec<[Point; 3]> = Vec::with_capacity(fans);
         for face in mesh.faces.iter() {
             for side in face[1..].windows(2) {
                 let [a, b, c] = [at(&face[0]), at(&side[0]), at(&side[1])];
@@ -49,13 +50,13 @@ impl Surface {
         if triangles.is_empty() {
             triangles.extend(positions.iter().map(|&p| [p; 3]));
         }
-        Surface::of_triangles(&triangles)
+        Surface::of_triangles(triangles)
     }
 
-    fn of_triangles(triangles: &[[Point; 3]]) -> Surface {
+    fn of_triangles(triangles: Vec<[Point; 3]>) -> Surface {
         let centre = Box3::around(triangles.as_flattened()).centre();
         let triangles: Vec<[Vec3<f64>; 3]> =
-            triangles.iter().map(|corners| corners.map(|p| Vec3::from(p) - centre)).collect();
+            triangles.into_iter().map(|corners| corners.map(|p| Vec3::from(p) - centre)).collect();
         let boxes: Vec<Box3> =
             triangles.iter().map(|corners| Box3::around(&corners.map(Point::from))).collect();
         let (tree, order) = Tree::new(&boxes);

@@ -159,6 +159,7 @@ impl Draft {
             self.notes.push(format!("{vertices} exactly on an earlier one, first at line {line}"));
         }
         fill_in(positions);
+        positions.shrink_to_fit();
         examine(&self.mesh, &self.vertex_lines, &self.face_lines, &mut self.tally);
         let problems = self.tally.problems(|line| excerpt(text, line));
         Ok(Read { mesh: self.mesh, problems, notes: self.notes })

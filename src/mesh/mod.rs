@@ -75,7 +75,7 @@ pub use quasi_conformal::{MapErrors, QuasiConformal, quasi_conformal};
 pub use ragged::Ragged;
 pub use read::{Read, read};
 pub use strips::strips;
-pub use survey::survey;
+pub use survey::{Flawed, flawed, survey};
 pub use topology::Topology;
 
 /// A position in space, in the units of the mesh.

@@ -19,8 +19,10 @@ pub struct QuasiConformal {
 pub struct MapErrors {
     /// Over all triangles.
     pub quasi_conformal: QuasiConformal,
-    /// Triangles that the map turns over.
+    /// Triangles that the map turns over against their face.
     pub flipped: usize,
+    /// The faces that have some of these, ascending.
+    pub flipped_faces: Vec<u32>,
     /// `#F`: the greatest error of the triangles of each face; not a number where none has an area.
     pub of_faces: Vec<f64>,
 }
@@ -29,18 +31,24 @@ pub struct MapErrors {
 /// area on the surface do not count.
 pub fn quasi_conformal(positions: &[Point], uv: &[[f64; 2]], faces: &Ragged) -> MapErrors {
     let (mut error, mut area, mut flipped) = (QuasiConformal::default(), 0.0, 0);
+    let mut flipped_faces = Vec::new();
     let mut of_faces = Vec::with_capacity(faces.len());
-    for face in faces.iter() {
+    for (index, face) in (0..).zip(faces.iter()) {
         let mut worst = f64::NAN;
+        let flipped_before = flipped;
+        let upward = vector_area(positions, face);
         for side in face[1..].windows(2) {
             let corners = [face[0], side[0], side[1]].map(|v| v as usize);
             let [p, q, r] = corners.map(|v| Vec3::from(positions[v]));
             let (along, across) = (q - p, r - p);
             let base = along.length();
-            let twice_area = along.cross(across).length();
+            let normal = along.cross(across);
+            let twice_area = normal.length();
             if twice_area == 0.0 {
                 continue;
             }
+            // Where a face is not convex, a triangle of the fan can be turned over on the surface.
+            let is_reversed = normal.dot(upward) < 0.0;
             // The triangle in its own plane: (0, 0), (base, 0), (foot, height).
             let (foot, height) = (along.dot(across) / base, twice_area / base);
             let [u0, u1, u2] = corners.map(|v| uv[v]);
@@ -58,7 +66,8 @@ pub fn quasi_conformal(positions: &[Point], uv: &[[f64; 2]], faces: &Ragged) -> 
             } else {
                 (keeps + turns_over) / (keeps - turns_over).abs()
             };
-            flipped += usize::from(keeps < turns_over);
+            let is_turned = if is_reversed { keeps > turns_over } else { keeps < turns_over };
+            flipped += usize::from(is_turned);
             error.mean += twice_area * ratio;
             // The greater of a number and none is the number.
             worst = worst.max(ratio);
@@ -66,9 +75,20 @@ pub fn quasi_conformal(positions: &[Point], uv: &[[f64; 2]], faces: &Ragged) -> 
         }
         error.max = error.max.max(worst);
         of_faces.push(worst);
+        if flipped > flipped_before {
+            flipped_faces.push(index);
+        }
     }
     error.mean /= if area > 0.0 { area } else { 1.0 };
-    MapErrors { quasi_conformal: error, flipped, of_faces }
+    MapErrors { quasi_conformal: error, flipped, flipped_faces, of_faces }
+}
+
+/// The sum of the vector areas of the triangles of a face, twice.
+fn vector_area(positions: &[Point], face: &[u32]) -> Vec3<f64> {
+    let [first, ..] = face else { return Vec3::zero() };
+    let to = |&v: &u32| Vec3::from(positions[v as usize]) - Vec3::from(positions[*first as usize]);
+    let sides = face[1..].windows(2).map(|side| to(&side[0]).cross(to(&side[1])));
+    sides.fold(Vec3::zero(), |sum, area| sum + area)
 }
 
 #[cfg(test)]
@@ -99,6 +119,23 @@ mod tests {
         let [quad, triangle, none] = errors.of_faces[..] else { panic!("three faces") };
         assert_eq!(quad, errors.quasi_conformal.max);
         assert!(quad > 1.5 && (triangle - 1.0).abs() < 1e-15 && none.is_nan(), "{errors:?}");
+    }
+
+    #[test]
+    fn faces_that_are_turned_over_are_named_and_those_that_are_not_convex_are_not_taken_for_such() {
+        // A quad with a corner that points inwards, and a triangle beside it.
+        let positions = [[0.0, 0.0], [4.0, -3.0], [1.0, 0.0], [4.0, 3.0], [9.0, 0.0]];
+        let positions = positions.map(|[x, y]| [x, y, 0.0]);
+        let faces: Ragged = [vec![1, 2, 3, 0], vec![1, 4, 3]].into_iter().collect();
+        let of = |image: &dyn Fn(f64, f64) -> [f64; 2]| {
+            let uv = positions.map(|[x, y, _]| image(x, y));
+            let errors = quasi_conformal(&positions, &uv, &faces);
+            (errors.flipped, errors.flipped_faces)
+        };
+        assert_eq!(of(&|x, y| [x, y]), (0, vec![]));
+        assert_eq!(of(&|x, y| [y, x]), (3, vec![0, 1]));
+        // Folded along the side of the triangle: it alone lies on its back.
+        assert_eq!(of(&|x, y| [if x > 4.0 { 8.0 - x } else { x }, y]), (1, vec![1]));
     }
 
     #[test]

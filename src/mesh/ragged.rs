@@ -19,6 +19,11 @@ impl Ragged {
     pub fn new() -> Self {
         Self::default()
     }
+    /// Rows of these entries, where the offsets are `#rows + 1` and ascend from zero to the number of entries.
+    pub(super) fn from_parts(offsets: Vec<u32>, indices: Vec<u32>) -> Self {
+        assert_eq!(offsets.last().copied(), Some(indices.len() as u32), "the last row ends there");
+        Ragged { offsets, indices }
+    }
     /// How many rows.
     pub fn len(&self) -> usize {
         self.offsets.len() - 1
@@ -37,11 +42,20 @@ impl Ragged {
         self.indices.extend_from_slice(row);
         self.offsets.push(self.indices.len() as u32);
     }
+    /// Gives back what pushing has reserved for more.
+    pub fn shrink_to_fit(&mut self) {
+        self.offsets.shrink_to_fit();
+        self.indices.shrink_to_fit();
+    }
     /// Sorts the entries of each row.
     pub fn sort_rows(&mut self) {
         for ends in self.offsets.windows(2) {
             self.indices[ends[0] as usize..ends[1] as usize].sort_unstable();
         }
+    }
+    /// Calls every entry `v` `name[v]`.
+    pub fn rename(&mut self, name: &[u32]) {
+        self.indices.iter_mut().for_each(|v| *v = name[*v as usize]);
     }
     /// All rows in order.
     pub fn iter(&self) -> impl ExactSizeIterator<Item = &[u32]> + Clone {
@@ -63,6 +77,7 @@ impl<R: AsRef<[u32]>> FromIterator<R> for Ragged {
         for row in rows {
             ragged.push(row.as_ref());
         }
+        ragged.shrink_to_fit();
         ragged
     }
 }

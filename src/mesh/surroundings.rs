@@ -49,7 +49,8 @@ impl Surroundings {
         corners: &[Corners],
     ) -> Surroundings {
         let mut lists = Ragged::new();
-        let (mut limits, mut clearings) = (Vec::new(), Vec::new());
+        let count = boxes.len();
+        let (mut limits, mut clearings) = (Vec::with_capacity(count), Vec::with_capacity(count));
         // A negative limit allows nothing.
         let limit = |reach: f64| half(reach) * half(reach);
         let (mut close, mut others) = (Vec::new(), Vec::new());
@@ -90,6 +91,7 @@ impl Surroundings {
                 clearings.push(clearing);
             }
         }
+        lists.shrink_to_fit();
         Surroundings { clearings, lists, limits }
     }
 

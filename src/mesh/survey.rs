@@ -11,6 +11,47 @@ pub fn survey(mesh: &Mesh) -> Vec<Problem> {
     tally.problems(|_| String::new())
 }
 
+/// The elements of a mesh that have one of the problems of [`survey`].
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Flawed {
+    /// Indices of vertices.
+    pub vertices: Vec<u32>,
+    /// Pairs of vertices, lower first.
+    pub edges: Vec<[u32; 2]>,
+    /// Indices of faces.
+    pub faces: Vec<u32>,
+}
+
+/// Which elements have the problem `kind`; none where it is one of a file and not of a mesh.
+pub fn flawed(mesh: &Mesh, kind: ProblemKind) -> Flawed {
+    let mut flawed = Flawed::default();
+    match kind {
+        ProblemKind::UnusedVertex => {
+            flawed.vertices = unused(mesh).into_iter().map(|vertex| vertex as u32).collect();
+        }
+        ProblemKind::DuplicateFace => flawed.faces = duplicates(mesh),
+        ProblemKind::NonManifoldEdge | ProblemKind::FlippedNeighbour => {
+            let sides = half_edges(mesh);
+            let edges = sides.chunk_by(|a, b| a.ends == b.ends);
+            flawed.edges = edges
+                .filter(|edge| problem_of(edge) == Some(kind))
+                .map(|edge| edge[0].ends)
+                .collect();
+        }
+        _ => {}
+    }
+    flawed
+}
+
+/// What is wrong with an edge of these sides.
+fn problem_of(edge: &[HalfEdge]) -> Option<ProblemKind> {
+    match edge {
+        [a, b] if a.ascending == b.ascending => Some(ProblemKind::FlippedNeighbour),
+        [_] | [_, _] => None,
+        _ => Some(ProblemKind::NonManifoldEdge),
+    }
+}
+
 /// Counts the problems of a mesh whose vertices and faces are from these lines of a file, or from
 /// nowhere (no lines).
 pub(super) fn examine(mesh: &Mesh, vertex_lines: &[u32], face_lines: &[u32], tally: &mut Tally) {
@@ -22,12 +63,9 @@ pub(super) fn examine(mesh: &Mesh, vertex_lines: &[u32], face_lines: &[u32], tal
         tally.add(ProblemKind::DuplicateFace, line(face_lines, face as usize));
     }
     for edge in half_edges(mesh).chunk_by(|a, b| a.ends == b.ends) {
-        let kind = match edge {
-            [a, b] if a.ascending == b.ascending => ProblemKind::FlippedNeighbour,
-            [_] | [_, _] => continue,
-            _ => ProblemKind::NonManifoldEdge,
-        };
-        tally.add(kind, line(face_lines, edge[edge.len() - 1].face as usize));
+        if let Some(kind) = problem_of(edge) {
+            tally.add(kind, line(face_lines, edge[edge.len() - 1].face as usize));
+        }
     }
 }
 
@@ -118,6 +156,24 @@ mod tests {
         assert_eq!(problems(4, &[&[0, 1, 2], &[0, 3, 2]]), [(FlippedNeighbour, 1)]);
         assert_eq!(problems(5, &[&[0, 1, 2], &[1, 0, 3], &[0, 1, 4]]), [(NonManifoldEdge, 1)]);
         assert_eq!(problems(3, &[&[0, 1, 2], &[2, 1, 0], &[2, 0, 1]])[0], (DuplicateFace, 2));
+    }
+
+    #[test]
+    fn what_is_counted_is_found() {
+        use ProblemKind::*;
+        let faces: [&[u32]; 6] =
+            [&[0, 1, 2], &[1, 0, 3], &[0, 1, 4], &[2, 1, 0], &[5, 6, 7], &[5, 8, 7]];
+        let positions = (0..11).map(|i| [f64::from(i), 0.0, 0.0]).collect();
+        let mesh = Mesh { positions, faces: faces.into_iter().collect(), ..Mesh::default() };
+        for problem in survey(&mesh) {
+            let Flawed { vertices, edges, faces } = flawed(&mesh, problem.kind);
+            assert_eq!(vertices.len() + edges.len() + faces.len(), problem.count);
+        }
+        assert_eq!(flawed(&mesh, UnusedVertex).vertices, [9, 10]);
+        assert_eq!(flawed(&mesh, DuplicateFace).faces, [3]);
+        assert_eq!(flawed(&mesh, NonManifoldEdge).edges, [[0, 1]]);
+        assert_eq!(flawed(&mesh, FlippedNeighbour).edges, [[5, 7]]);
+        assert_eq!(flawed(&mesh, UnknownStatement), Flawed::default());
     }
 
     #[test]

@@ -180,18 +180,18 @@ fn sides(mesh: &Mesh) -> Vec<Side> {
 
 /// `n_rows` rows: row `i` has the values that come with key `i`, in the order in which they come.
 fn gather(n_rows: usize, pairs: impl Iterator<Item = (u32, u32)> + Clone) -> Ragged {
-    let mut starts = vec![0_usize; n_rows + 1];
+    let mut starts = vec![0_u32; n_rows + 1];
     for (key, _) in pairs.clone() {
         starts[key as usize + 1] += 1;
     }
     for i in 0..n_rows {
         starts[i + 1] += starts[i];
     }
-    let mut values = vec![0; starts[n_rows]];
+    let mut values = vec![0; starts[n_rows] as usize];
     let mut ends = starts.clone();
     for (key, value) in pairs {
-        values[ends[key as usize]] = value;
+        values[ends[key as usize] as usize] = value;
         ends[key as usize] += 1;
     }
-    starts.windows(2).map(|range| &values[range[0]..range[1]]).collect()
+    Ragged::from_parts(starts, values)
 }

@@ -9,6 +9,7 @@
 //! | `constraint` | one entry of the list of constraints |
 //! | `closeness` | what vertices are kept close to |
 //! | `indices` | index lists: arrays or strings of ranges |
+//! | `lesson` | the exercise that a scene is, and the results that are handed in |
 //! | `selector` | the forms of `on` |
 //! | `inline_mesh` | a mesh inside the scene |
 //! | `write` | JSON out |
@@ -17,6 +18,7 @@ mod closeness;
 mod constraint;
 mod indices;
 mod inline_mesh;
+mod lesson;
 mod node;
 mod selector;
 mod write;
@@ -51,6 +53,7 @@ const KEYS: &[&str] = &[
     "closeness",
     "smoothness",
     "solver",
+    "lesson",
 ];
 
 const UPS: &[(&str, Up)] = &[("z", Up::Z), ("y", Up::Y)];
@@ -169,6 +172,9 @@ fn read_scene(at: &At<'_>) -> Result<Scene, SceneError> {
     }
     if let Some(solver) = at.get("solver") {
         scene.solver = read_solver(&solver)?;
+    }
+    if let Some(lesson) = at.get("lesson") {
+        scene.lesson = Some(lesson::read(&lesson)?);
     }
     Ok(scene)
 }

@@ -3,6 +3,7 @@
 //! | file | holds |
 //! |---|---|
 //! | `json` | the serde form of the scene file, version 1, in and out |
+//! | `lesson` | exercises: a text, goals, and the results that are handed in |
 //! | `validate` | the checks that need the mesh |
 //! | `closeness` | what vertices are kept close to, and how much |
 //! | `frame` | the unit and the vertical axis of a mesh file, stated or guessed |
@@ -12,11 +13,13 @@ mod closeness;
 pub mod examples;
 mod frame;
 mod json;
+mod lesson;
 mod validate;
 
 pub use closeness::{BoundaryCloseness, Closeness, ClosenessTo, ClosenessWeight};
 pub use frame::Frame;
 pub use json::{FORMAT, VERSION};
+pub use lesson::{Goal, GoalOf, GoalResult, Lesson, Results};
 
 use crate::constraint::{Kind, Selector, Sets};
 use crate::mesh::{Mesh, Point};
@@ -50,6 +53,8 @@ pub struct Scene {
     pub smoothness: Smoothness,
     /// How it is solved.
     pub solver: SolverSettings,
+    /// The exercise that it is.
+    pub lesson: Option<Lesson>,
 }
 
 impl Scene {
@@ -68,6 +73,7 @@ impl Scene {
             closeness: Closeness::default(),
             smoothness: Smoothness::default(),
             solver: SolverSettings::default(),
+            lesson: None,
         }
     }
 }
@@ -101,6 +107,15 @@ pub struct ConstraintSpec {
     pub weight: f64,
     /// Whether it counts; a disabled one stays in the list.
     pub enabled: bool,
+    /// What somebody called it; empty for the label of its kind.
+    pub name: String,
+}
+
+impl ConstraintSpec {
+    /// Its name, or the label of its kind where it has none.
+    pub fn label(&self) -> &str {
+        if self.name.is_empty() { self.kind.info().label } else { &self.name }
+    }
 }
 
 /// Vertices held at targets.

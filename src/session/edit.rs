@@ -2,12 +2,14 @@
 
 use super::history::Snapshot;
 use super::holding::hold_close;
+use super::lesson::check_lesson;
+use super::same_problem::same_problem;
 use super::{Session, resolve, settings, solver};
 use crate::constraint::{Kind, KindError, Selector, Set};
 use crate::error::Error;
 use crate::mesh::Point;
 use crate::scene::{
-    Closeness, ConstraintSpec, HANDLE_WEIGHT, Hold, Scene, SceneError, Up, Weights,
+    Closeness, ConstraintSpec, HANDLE_WEIGHT, Hold, Lesson, Scene, SceneError, Up, Weights,
 };
 use crate::solve::Handle;
 use serde_json::{Map, Value};
@@ -37,6 +39,13 @@ pub enum Edit {
     DuplicateConstraint {
         /// Which row.
         index: usize,
+    },
+    /// Gives row `index` another name.
+    RenameConstraint {
+        /// Which row.
+        index: usize,
+        /// Empty for the label of its kind.
+        name: String,
     },
     /// Gives a set a name, instead of what had that name.
     NameSet {
@@ -79,6 +88,8 @@ pub enum Edit {
     SetUnits(String),
     /// Says which axis points up; the coordinates stay as they are.
     SetUp(Up),
+    /// Makes the scene an exercise, or no longer.
+    SetLesson(Option<Lesson>),
     /// Makes vertices handles where they are now; those that are handles already change how they hold.
     AddHandles {
         /// Which vertices.
@@ -201,7 +212,7 @@ impl Session {
     }
 
     /// Applies an edit to a state, and gives its name.
-    fn apply(&self, edit: Edit, state: &mut Snapshot) -> Result<String, SceneError> {
+    pub(super) fn apply(&self, edit: Edit, state: &mut Snapshot) -> Result<String, SceneError> {
         let Snapshot { document, handles, positions, iteration } = state;
         let name = match edit {
             Edit::AddConstraint(new) => {
@@ -231,6 +242,11 @@ impl Session {
                 let label = copy.kind.info().label.to_ascii_lowercase();
                 document.constraints.insert(index + 1, copy);
                 format!("Duplicate {label}")
+            }
+            Edit::RenameConstraint { index, name } => {
+                let spec = row(document, index)?;
+                spec.name = name;
+                format!("Rename {}", spec.kind.info().label.to_lowercase())
             }
             Edit::NameSet { name, set } => {
                 if name.is_empty() || set == Set::default() {
@@ -283,6 +299,11 @@ impl Session {
                 document.up = up;
                 "Change up axis".to_owned()
             }
+            Edit::SetLesson(lesson) => {
+                document.lesson = lesson;
+                check_lesson(document, &self.mesh)?;
+                "Change lesson".to_owned()
+            }
             Edit::AddHandles { vertices, fixed } => {
                 let hold = if fixed { Hold::Fixed } else { Hold::Soft { weight: HANDLE_WEIGHT } };
                 self.hold(&vertices, hold, handles, positions)?;
@@ -323,7 +344,7 @@ impl Session {
     }
 
     /// Makes `state` the current one at the least cost.
-    fn go_to(&mut self, state: Snapshot) -> Result<(), Error> {
+    pub(super) fn go_to(&mut self, state: Snapshot) -> Result<(), Error> {
         let Snapshot { document, handles, positions, iteration } = state;
         let moved = self.positions() != positions;
         if same_problem(&document, &self.document) {
@@ -384,14 +405,6 @@ impl Session {
         let same = Scene { weights: self.document.weights, ..document.clone() };
         same_problem(&same, &self.document) && self.solver.can_reweigh(document.weights)
     }
-}
-
-/// Whether two documents differ in nothing that the solver knows of.
-fn same_problem(a: &Scene, b: &Scene) -> bool {
-    let mut a = a.clone();
-    a.units.clone_from(&b.units);
-    a.up = b.up;
-    a == *b
 }
 
 fn row(document: &mut Scene, index: usize) -> Result<&mut ConstraintSpec, SceneError> {

@@ -37,7 +37,7 @@ pub struct FaceMeasure {
     /// What it is counted in.
     pub unit: MeasureUnit,
     #[serde(skip)]
-    values: fn(&mut Session) -> Vec<f64>,
+    values: fn(&mut Session, Shape) -> Vec<f64>,
 }
 
 /// All measures, in the order in which they are offered.
@@ -48,7 +48,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         words: "largest distance of a face’s corners to its best plane",
         met: "flat",
         unit: MeasureUnit::Length,
-        values: |session| session.measures().planarity_distances,
+        values: |session, shape| session.measures_of(shape).planarity_distances,
     },
     FaceMeasure {
         id: "diagonals",
@@ -88,7 +88,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         words: "mean squared distance of a face’s corners to its best plane, in a model of size 1",
         met: "flat",
         unit: MeasureUnit::Number,
-        values: |session| session.measures().e_p,
+        values: |session, shape| session.measures_of(shape).e_p,
     },
     FaceMeasure {
         id: "circularity",
@@ -96,7 +96,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         words: "largest distance of a face’s corners to its best circle",
         met: "round",
         unit: MeasureUnit::Length,
-        values: |session| session.measures().circularity_distances,
+        values: |session, shape| session.measures_of(shape).circularity_distances,
     },
     FaceMeasure {
         id: "e-c",
@@ -104,7 +104,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         words: "mean squared distance of a face’s corners to its best circle, in a model of size 1",
         met: "round",
         unit: MeasureUnit::Number,
-        values: |session| session.measures().e_c,
+        values: |session, shape| session.measures_of(shape).e_c,
     },
     FaceMeasure {
         id: "residual",
@@ -112,7 +112,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         words: "largest distance of a face’s corners to where their constraints want them",
         met: "as they should be",
         unit: MeasureUnit::Length,
-        values: Session::residuals,
+        values: Session::residuals_of,
     },
     FaceMeasure {
         id: "edges",
@@ -148,17 +148,53 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
     },
 ];
 
+/// Which shape is measured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shape {
+    /// The current positions.
+    Now,
+    /// The rest shape: the model as it was opened.
+    Original,
+}
+
 impl Session {
     /// How planar and circular the faces are now.
     pub fn measures(&self) -> Measures {
-        Measures::new(&self.positions(), &self.mesh.faces, self.diameter)
+        self.measures_of(Shape::Now)
+    }
+
+    fn measures_of(&self, shape: Shape) -> Measures {
+        Measures::new(&self.positions_of(shape), &self.mesh.faces, self.diameter)
+    }
+
+    /// Positions, `#V by 3`.
+    pub(super) fn positions_of(&self, shape: Shape) -> Vec<Point> {
+        match shape {
+            Shape::Now => self.positions(),
+            Shape::Original => self.mesh.positions.clone(),
+        }
     }
 
     /// The values of the measure `id`, `#F`, in its unit; not a number where a face has none, as the
     /// diagonals of a triangle. `None` when no measure is called so.
     pub fn face_values(&mut self, id: &str) -> Option<Vec<f64>> {
+        self.face_values_of(id, Shape::Now)
+    }
+
+    /// The same of another shape.
+    pub fn face_values_of(&mut self, id: &str, shape: Shape) -> Option<Vec<f64>> {
         let measure = FACE_MEASURES.iter().find(|measure| measure.id == id)?;
-        Some((measure.values)(self))
+        Some((measure.values)(self, shape))
+    }
+
+    /// The values of the vertices (`#V`) whose largest a face has in the measure `id`, where they change
+    /// gradually over the surface: distances to what the model was. `None` for every other measure.
+    pub fn corner_values(&self, id: &str) -> Option<Vec<f64>> {
+        match id {
+            "surface" => Some(off_surface(self, Shape::Now)),
+            "displacement" => Some(moved(self, Shape::Now)),
+            _ => None,
+        }
     }
 
     /// Per face the largest of what its vertices have.
@@ -169,8 +205,8 @@ impl Session {
 }
 
 /// A value of every quad; other faces have none.
-fn of_quads(session: &Session, value: impl Fn([Vec3<f64>; 4]) -> f64) -> Vec<f64> {
-    let positions = session.positions();
+fn of_quads(session: &Session, shape: Shape, value: impl Fn([Vec3<f64>; 4]) -> f64) -> Vec<f64> {
+    let positions = session.positions_of(shape);
     let of_face = |face: &[u32]| match face {
         &[a, b, c, d] => value([a, b, c, d].map(|v| Vec3::from(positions[v as usize]))),
         _ => f64::NAN,
@@ -178,12 +214,12 @@ fn of_quads(session: &Session, value: impl Fn([Vec3<f64>; 4]) -> f64) -> Vec<f64
     session.mesh.faces.iter().map(of_face).collect()
 }
 
-fn diagonals(session: &mut Session) -> Vec<f64> {
-    of_quads(session, |quad| 100.0 * diagonal_ratio(quad.map(Point::from)))
+fn diagonals(session: &mut Session, shape: Shape) -> Vec<f64> {
+    of_quads(session, shape, |quad| 100.0 * diagonal_ratio(quad.map(Point::from)))
 }
 
-fn diagonals_by_edge(session: &mut Session) -> Vec<f64> {
-    of_quads(session, |quad| {
+fn diagonals_by_edge(session: &mut Session, shape: Shape) -> Vec<f64> {
+    of_quads(session, shape, |quad| {
         let [a, b, c, d] = quad;
         let mean_diagonal = 0.5 * ((c - a).length() + (d - b).length());
         let distance = diagonal_ratio(quad.map(Point::from)) * mean_diagonal;
@@ -191,8 +227,8 @@ fn diagonals_by_edge(session: &mut Session) -> Vec<f64> {
     })
 }
 
-fn fourth_corners(session: &mut Session) -> Vec<f64> {
-    of_quads(session, |quad| {
+fn fourth_corners(session: &mut Session, shape: Shape) -> Vec<f64> {
+    of_quads(session, shape, |quad| {
         let off = |i: usize| {
             let [p, a, b, c] = [0, 1, 2, 3].map(|step| quad[(i + step) % 4]);
             let normal = (b - a).cross(c - a);
@@ -202,9 +238,9 @@ fn fourth_corners(session: &mut Session) -> Vec<f64> {
     })
 }
 
-fn planarity_by_edge(session: &mut Session) -> Vec<f64> {
-    let positions = session.positions();
-    let distances = session.measures().planarity_distances;
+fn planarity_by_edge(session: &mut Session, shape: Shape) -> Vec<f64> {
+    let positions = session.positions_of(shape);
+    let distances = session.measures_of(shape).planarity_distances;
     let faces = session.mesh.faces.iter().zip(distances);
     let edge = |face: &[u32]| mean_length(face.iter().map(|&v| Vec3::from(positions[v as usize])));
     faces.map(|(face, distance)| 100.0 * ratio(distance, edge(face))).collect()
@@ -218,8 +254,8 @@ fn mean_length(corners: impl IntoIterator<Item = Vec3<f64>>) -> f64 {
     sum / corners.len() as f64
 }
 
-fn edge_changes(session: &mut Session) -> Vec<f64> {
-    let (now, rest) = (session.positions(), &session.mesh.positions);
+fn edge_changes(session: &mut Session, shape: Shape) -> Vec<f64> {
+    let (now, rest) = (session.positions_of(shape), &session.mesh.positions);
     let change = |ends| {
         let before = length(rest, ends);
         100.0 * ratio((length(&now, ends) - before).abs(), before)
@@ -228,8 +264,8 @@ fn edge_changes(session: &mut Session) -> Vec<f64> {
     session.mesh.faces.iter().map(worst).collect()
 }
 
-fn angles(session: &mut Session) -> Vec<f64> {
-    let positions = session.positions();
+fn angles(session: &mut Session, shape: Shape) -> Vec<f64> {
+    let positions = session.positions_of(shape);
     let at = |v: u32| Vec3::from(positions[v as usize]);
     let worst = |face: &[u32]| {
         let regular = 180.0 - 360.0 / face.len() as f64;
@@ -245,20 +281,31 @@ fn angles(session: &mut Session) -> Vec<f64> {
     session.mesh.faces.iter().map(worst).collect()
 }
 
-fn surface_distances(session: &mut Session) -> Vec<f64> {
+fn surface_distances(session: &mut Session, shape: Shape) -> Vec<f64> {
+    let distances = off_surface(session, shape);
+    session.worst_corner(|v| distances[v])
+}
+
+/// Per vertex, its distance to the surface of the model that was opened.
+fn off_surface(session: &Session, shape: Shape) -> Vec<f64> {
     let original = Surface::new(&session.mesh.positions, &session.mesh);
     let mut warm = Surface::COLD;
     // Neighbours in the file are mostly neighbours in space.
     let distance =
         |p: &Point| (Vec3::from(original.closest(*p, &mut warm)) - Vec3::from(*p)).length();
-    let distances: Vec<f64> = session.positions().iter().map(distance).collect();
-    session.worst_corner(|v| distances[v])
+    session.positions_of(shape).iter().map(distance).collect()
 }
 
-fn displacements(session: &mut Session) -> Vec<f64> {
-    let positions = session.positions();
-    let rest = &session.mesh.positions;
-    session.worst_corner(|v| (Vec3::from(positions[v]) - Vec3::from(rest[v])).length())
+fn displacements(session: &mut Session, shape: Shape) -> Vec<f64> {
+    let moved = moved(session, shape);
+    session.worst_corner(|v| moved[v])
+}
+
+/// Per vertex, how far it is from where it was in the model that was opened.
+fn moved(session: &Session, shape: Shape) -> Vec<f64> {
+    let positions = session.positions_of(shape);
+    let pairs = positions.iter().zip(&session.mesh.positions);
+    pairs.map(|(&now, &rest)| (Vec3::from(now) - Vec3::from(rest)).length()).collect()
 }
 
 fn sides(face: &[u32]) -> impl Iterator<Item = [u32; 2]> + '_ {
@@ -310,6 +357,19 @@ mod tests {
         near(value("surface"), 0.02);
         near(value("edges"), 0.02);
         assert!(value("angles") < 0.05);
+    }
+
+    #[test]
+    fn values_of_corners_are_what_their_faces_have_the_largest_of() {
+        let mut session = lifted();
+        for measure in FACE_MEASURES {
+            let Some(corners) = session.corner_values(measure.id) else { continue };
+            let faces = session.face_values(measure.id).expect("it is declared");
+            assert_eq!(corners.len(), 4);
+            assert_eq!(corners.into_iter().fold(0.0, f64::max), faces[0]);
+        }
+        assert!(session.corner_values("displacement").is_some());
+        assert!(session.corner_values("planarity").is_none());
     }
 
     #[test]

@@ -7,46 +7,64 @@
 //! |---|---|
 //! | `edit` | the edits, and what each one costs |
 //! | `resolve` | rows of constraints: selectors resolved, misfits counted |
+//! | `flaws` | elements that have something wrong |
+//! | `halves` | an iteration in its two halves |
 //! | `history` | undo and redo |
 //! | `acting` | which row of constraints each face and vertex belongs to |
+//! | `angles` | the angles at the corners of the faces |
 //! | `face_measure` | the numbers per face that hosts colour and list |
 //! | `holding` | how much single vertices are kept close |
 //! | `inspect` | what hosts show of a session: members of constraints |
+//! | `lesson` | the goals of a lesson, and the results that are handed in |
+//! | `opening` | opening a scene in the place of another |
 //! | `preview` | what adding constraints would make |
 //! | `projected` | the projections of the constraints, to be drawn |
 //! | `report` | the report of design section 6 |
+//! | `same_problem` | which changes of a document the solver need not know of |
 //! | `selection` | selecting by what the mesh is like |
 //! | `settings` | the declared settings of a scene |
 //! | `tables` | errors and energies as CSV |
 //! | `trace` | the energies of the iterations |
+//! | `worst` | the elements that are farthest from what is asked of them |
 
 mod acting;
+mod angles;
 mod edit;
 mod face_measure;
+mod flaws;
+mod halves;
 mod history;
 mod holding;
 mod inspect;
+mod lesson;
+mod opening;
 mod preview;
 mod projected;
 mod report;
 mod resolve;
+mod same_problem;
 mod selection;
 mod settings;
 mod tables;
 mod trace;
+mod worst;
 
 pub use acting::ActingRows;
 pub use edit::{Edit, NewConstraint, Place};
-pub use face_measure::{FACE_MEASURES, FaceMeasure, MeasureUnit};
+pub use face_measure::{FACE_MEASURES, FaceMeasure, MeasureUnit, Shape};
+pub use flaws::{ZERO_SIZE_FACES, flaw_of};
+pub use halves::{Fits, Half};
+pub use lesson::{GoalWords, check_results, goals_in_words};
 pub use preview::Preview;
 pub use projected::Projections;
 pub use report::{EnergyReport, Report, Seconds, TraceEntry};
 pub use resolve::ResolvedRow;
 pub use selection::{Mode, OPERATIONS, Operation, SelectRequest, Selection};
 pub use settings::{SETTINGS, Setting, settings_of};
+pub use worst::WorstElement;
 
 use crate::error::Error;
-use crate::mesh::{BoundingSphere, Mesh, Point, Topology, write_obj};
+use crate::mesh::{Mesh, Point, Topology, write_obj};
 use crate::scene::{Frame, HandleSpec, Hold, Scene};
 use crate::solve::{Constraints, Energy, Handle, Kept, Problem, Solver};
 use history::{History, Snapshot};
@@ -69,6 +87,8 @@ pub struct Session {
     load_seconds: f64,
     history: History,
     gesture: Option<Gesture>,
+    /// See [`Session::halfway`].
+    halfway: bool,
 }
 
 /// A drag or a run that has begun and is not yet a step of undo.
@@ -95,28 +115,8 @@ impl Session {
     ///
     /// # Errors
     /// When the scene does not fit the mesh, a row of constraints is empty, or the system is singular.
-    pub fn open(mut scene: Scene, mesh: Mesh) -> Result<Session, Error> {
-        scene.validate(&mesh)?;
-        let topology = Topology::new(&mesh);
-        let start = scene.current.take().unwrap_or_else(|| mesh.positions.clone());
-        let handles = flat(&std::mem::take(&mut scene.handles), &mesh.positions);
-        let rows = resolve::rows(&scene, &mesh, &topology)?;
-        let solver = solver(&scene, &mesh, &topology, &rows, Kept::default(), handles, &start)?;
-        let initial = solver.energy();
-        Ok(Session {
-            diameter: BoundingSphere::of(&mesh.positions).diameter(),
-            mesh,
-            topology,
-            document: scene,
-            rows,
-            solver,
-            iteration: 0,
-            initial,
-            trace: None,
-            load_seconds: 0.0,
-            history: History::default(),
-            gesture: None,
-        })
+    pub fn open(scene: Scene, mesh: Mesh) -> Result<Session, Error> {
+        opening::Checked::new(scene, mesh)?.open()
     }
 
     /// The rest shape.
@@ -180,6 +180,7 @@ impl Session {
     /// # Errors
     /// When a position leaves the finite numbers; the shape is then that before the step.
     pub fn step(&mut self) -> Result<Step, Error> {
+        self.halfway = false;
         self.solver.step()?;
         self.iteration += 1;
         let entry = self.trace_entry();
@@ -225,6 +226,24 @@ impl Session {
         self.begin(GestureKind::Drag);
     }
 
+    /// Makes vertices handles where they are and begins to drag them: one step of undo together, and
+    /// taking the drag back takes the handles away.
+    ///
+    /// # Errors
+    /// When a vertex is not there; nothing has changed then.
+    pub fn begin_drag_of_new(&mut self, vertices: Vec<u32>) -> Result<(), Error> {
+        self.begin(GestureKind::Drag);
+        let mut with_handles = self.snapshot();
+        let made = self
+            .apply(Edit::AddHandles { vertices, fixed: false }, &mut with_handles)
+            .map_err(Error::from)
+            .and_then(|_| self.go_to(with_handles));
+        if made.is_err() {
+            self.gesture = None;
+        }
+        made
+    }
+
     /// Moves the targets of handles.
     pub fn drag(&mut self, targets: impl IntoIterator<Item = (u32, Point)>) {
         self.solver.move_handles(targets);
@@ -235,12 +254,13 @@ impl Session {
         let Some(gesture) = self.gesture.take_if(|g| g.kind == GestureKind::Drag) else {
             return;
         };
-        let moved = gesture.before.handles != self.solver.handles();
+        let before = &gesture.before.handles;
+        let now = self.solver.handles();
         if !keep {
-            self.solver.move_handles(gesture.before.handles.iter().map(|h| (h.vertex, h.target)));
-            self.solver.set_positions(&gesture.before.positions);
-            self.arrive(gesture.before.iteration);
-        } else if moved {
+            self.go_to(gesture.before).expect("the state was solvable before");
+        } else if before.len() != now.len() {
+            self.history.push("Make and move handle".to_owned(), gesture.before);
+        } else if before != now {
             self.history.push("Move handle".to_owned(), gesture.before);
         }
     }
@@ -268,6 +288,7 @@ impl Session {
     /// Counts on from `iteration` after a jump to a state from before or after.
     fn arrive(&mut self, iteration: u32) {
         self.iteration = iteration;
+        self.halfway = false;
         let entry = self.trace_entry();
         if let Some(trace) = &mut self.trace {
             trace.go_to(entry);
@@ -278,6 +299,7 @@ impl Session {
         self.end_run();
         self.end_drag(true);
         self.gesture = Some(Gesture { kind, before: self.snapshot() });
+        self.halfway = false;
     }
 
     /// Seconds that reading the files took, for the report.

@@ -1,9 +1,10 @@
 //! The projections of the constraints, to be drawn: the projected points, and the edges of the mesh
 //! between them.
 
-use super::Session;
-use crate::constraint::Centring;
+use super::{Session, Shape};
+use crate::constraint::{Centring, Projected};
 use crate::mesh::Topology;
+use crate::solve::{Constraints, projections_at_rest};
 
 /// Every point of every enabled constraint with its projection. A vertex has a point in each
 /// constraint that it is part of.
@@ -57,13 +58,26 @@ impl Session {
     /// How far each face is from what its constraints want, `#F`, in the unit of the mesh: the largest
     /// distance of a corner to its projection in any enabled constraint.
     pub fn residuals(&mut self) -> Vec<f64> {
+        self.residuals_of(Shape::Now)
+    }
+
+    pub(super) fn residuals_of(&mut self, shape: Shape) -> Vec<f64> {
         let mut squares = vec![0.0f64; self.mesh.positions.len()];
-        self.solver.projected(|_, points| {
+        let mut take = |points: &Projected| {
             for (vertex, way) in points {
                 let worst = &mut squares[*vertex as usize];
                 *worst = worst.max(way.length_squared());
             }
-        });
+        };
+        match shape {
+            Shape::Now => self.solver.projected(|_, points| take(points)),
+            Shape::Original => {
+                let enabled = self.rows.iter().filter(|row| row.enabled);
+                let constraints: Vec<Constraints> =
+                    enabled.map(|row| row.constraints.clone()).collect();
+                projections_at_rest(&self.mesh, &constraints, take);
+            }
+        }
         let worst = |face: &[u32]| face.iter().fold(0.0, |w: f64, &v| w.max(squares[v as usize]));
         self.mesh.faces.iter().map(|face| worst(face).sqrt()).collect()
     }

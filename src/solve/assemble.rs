@@ -40,18 +40,12 @@ impl Terms {
     }
 
     /// The same terms with every node `v` called `name[v]`.
-    pub fn renumbered(&self, name: &[u32]) -> Terms {
-        let mut row = Vec::new();
-        let nodes = self
-            .nodes
-            .iter()
-            .map(|nodes| {
-                row.clear();
-                row.extend(nodes.iter().map(|&v| name[v as usize]));
-                row.clone()
-            })
-            .collect();
-        Terms { nodes, a: self.a.clone(), coefficients: self.coefficients.clone() }
+    pub fn renumbered(mut self, name: &[u32]) -> Terms {
+        self.nodes.rename(name);
+        self.nodes.shrink_to_fit();
+        self.a.shrink_to_fit();
+        self.coefficients.shrink_to_fit();
+        self
     }
 }
 
@@ -102,12 +96,14 @@ pub(super) struct Pattern {
 impl Pattern {
     /// From the neighbours of each node (see [`adjacency`]).
     pub(super) fn new(adjacency: &Ragged) -> Pattern {
-        let (mut columns, mut rows) = (vec![0], Vec::new());
+        let (mut columns, mut rows) = (Vec::with_capacity(adjacency.len() + 1), Vec::new());
+        columns.push(0);
         for (v, neighbours) in (0..).zip(adjacency.iter()) {
             rows.extend(neighbours.iter().filter(|&&u| u < v));
             rows.push(v);
             columns.push(rows.len() as u32);
         }
+        rows.shrink_to_fit();
         Pattern { columns, rows }
     }
 
@@ -161,6 +157,7 @@ pub(super) fn adjacency(n: usize, energies: &[&Terms]) -> Ragged {
         column.sort_unstable();
         adjacency.push(&column);
     }
+    adjacency.shrink_to_fit();
     adjacency
 }
 

@@ -258,7 +258,7 @@ impl Part {
             degrees += face.corners.len() as f64;
         }
         seconds.assemble += clock::now() - started;
-        let mut system = System::new(n, &[terms]);
+        let mut system = System::new(n, vec![terms]);
         let shift = SHIFT * diagonal / degrees.max(1.0);
         let node_of = system.node_of();
         let nodes: Vec<[u32; 2]> =

@@ -12,12 +12,14 @@
 //! | `metric` | the inverse in single precision, for accelerated steps |
 //! | `system` | these together: the linear system of the global step |
 //! | `solver`, `kept` | the iteration, and what one solver leaves to the next |
+//! | `at_rest` | projections at the rest shape, apart from any iteration |
 //! | `accelerate`, `quasi_newton`, `anderson` | steps that learn from the steps before |
 //! | `conformal`, `subspace` | conformal parametrisation (Eq. 14), and its eigenvector |
 
 mod accelerate;
 mod anderson;
 mod assemble;
+mod at_rest;
 pub mod clock;
 mod close;
 mod conformal;
@@ -43,6 +45,7 @@ mod symbolic;
 mod system;
 
 pub use assemble::Terms;
+pub use at_rest::projections_at_rest;
 pub use conformal::{ConformalNorm, ConformalSeconds, ConformalWeights, Parametrization};
 pub use energy::{Energy, IterateSeconds};
 pub use hold::Handle;

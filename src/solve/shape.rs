@@ -94,11 +94,8 @@ impl ShapeEnergy {
         let rows = constraints
             .iter()
             .map(|row| {
-                let members: Ragged = row
-                    .members
-                    .iter()
-                    .map(|m| m.iter().map(|&v| node_of[v as usize]).collect::<Vec<_>>())
-                    .collect();
+                let mut members = row.members.clone();
+                members.rename(node_of);
                 let batches = batches(&row.kind, &members, rest, row.weight, guarded, reference);
                 ShapeRow { batches, found: LocalStep::default() }
             })

@@ -38,13 +38,14 @@ impl SmoothEnergy {
         n_nodes: usize,
         rest: Vec<Row>,
     ) -> Self {
-        let mut by_node: Vec<(Vec<u32>, &[f64])> = vec![(Vec::new(), &[]); n_nodes];
-        for (v, (neighbours, weights)) in laplacian.rows().enumerate() {
-            let neighbours = neighbours.iter().map(|&u| node_of[u as usize]).collect();
-            by_node[node_of[v] as usize] = (neighbours, weights);
+        let mut by_node: Vec<(&[u32], &[f64])> = vec![(&[], &[]); n_nodes];
+        for (&node, row) in node_of.iter().zip(laplacian.rows()) {
+            by_node[node as usize] = row;
         }
+        let mut neighbours: Ragged = by_node.iter().map(|(neighbours, _)| neighbours).collect();
+        neighbours.rename(node_of);
         SmoothEnergy {
-            neighbours: by_node.iter().map(|(neighbours, _)| neighbours).collect(),
+            neighbours,
             weights: by_node.iter().flat_map(|(_, weights)| weights.iter().copied()).collect(),
             l: vec![[0.0; 4]; rest.len()],
             rest,

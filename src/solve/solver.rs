@@ -79,6 +79,8 @@ pub struct Solver {
     /// Changes of the total below this are rounding: positions have no more digits.
     rounding: f64,
     converged: bool,
+    /// Whether the last step was not the plain one.
+    accelerated: bool,
     seconds: IterateSeconds,
 }
 
@@ -116,9 +118,9 @@ impl Solver {
             placed.for_each(|&v| held[v as usize] = true);
         }
         let before_system = clock::now();
-        let terms = [shape_terms, smooth_terms];
+        let terms = vec![shape_terms, smooth_terms];
         let Kept { surface: made, ordered } = kept;
-        let mut system = System::with_order(n, &terms, settings.factorization, ordered.as_ref());
+        let mut system = System::with_order(n, terms, settings.factorization, ordered.as_ref());
         let after_system = clock::now();
 
         let (centre, diameter) = centre_and_extent(&mesh.positions);
@@ -186,6 +188,7 @@ impl Solver {
             best: None,
             rounding: 1e-30 * diameter * diameter * n_vertices as f64,
             converged: false,
+            accelerated: false,
             seconds: IterateSeconds::default(),
         };
         solver.hold(handles)?;
@@ -222,7 +225,8 @@ impl Solver {
         let started = clock::now();
         let now = Iterate { x: &self.x, gradient: &self.gradient };
         let previous = Iterate { x: &self.previous.0, gradient: &self.previous.1 };
-        let previous = self.has_previous.then_some(previous);
+        let learned = self.has_previous;
+        let previous = learned.then_some(previous);
         let accelerated = self.accelerator.propose(now, previous, &mut self.system, &mut self.next);
         std::mem::swap(&mut self.previous.0, &mut self.x);
         std::mem::swap(&mut self.previous.1, &mut self.gradient);
@@ -230,10 +234,13 @@ impl Solver {
         self.has_previous = true;
         self.seconds.global += clock::now() - started;
         self.evaluate();
+        // Without a step to learn from, a proposal is the plain step in fewer digits.
+        self.accelerated = accelerated && learned;
         if accelerated {
             // Written so that NaN falls back too.
             let falls = self.energy.total < before.total;
             if !falls {
+                self.accelerated = false;
                 self.take_plain_step();
             }
             self.keep_best(before.total);
@@ -321,6 +328,10 @@ impl Solver {
     pub fn converged(&self) -> bool {
         self.converged
     }
+    /// Whether the last step went elsewhere than to the least-squares answer to its projections.
+    pub fn accelerated(&self) -> bool {
+        self.accelerated
+    }
     /// The handles.
     pub fn handles(&self) -> &[Handle] {
         &self.handles
@@ -392,14 +403,14 @@ fn laplacian(problem: &Problem<'_>) -> Laplacian {
 }
 
 /// The rest surface, relative to `centre`.
-fn rest_surface(mesh: &Mesh, centre: Point) -> Surface {
+pub(super) fn rest_surface(mesh: &Mesh, centre: Point) -> Surface {
     let around_centre = |p: &Point| std::array::from_fn(|i| p[i] - centre[i]);
     let positions: Vec<Point> = mesh.positions.iter().map(around_centre).collect();
     Surface::new(&positions, mesh)
 }
 
 /// Centre and diagonal of the bounding box.
-fn centre_and_extent(points: &[Point]) -> (Point, f64) {
+pub(super) fn centre_and_extent(points: &[Point]) -> (Point, f64) {
     let bound = |i: usize, pick: fn(f64, f64) -> f64| points.iter().map(|p| p[i]).reduce(pick);
     let (mut centre, mut squared) = ([0.0; 3], 0.0);
     for i in 0..3 {

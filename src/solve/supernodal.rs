@@ -38,7 +38,7 @@ pub(super) fn factor(
     pivots: &mut [f64],
     store: &mut dyn FnMut(usize, &Front<'_>),
 ) -> Result<(), Singular> {
-    let mut workspace = Workspace { place: vec![0; pivots.len()], ..Workspace::default() };
+    let mut workspace = Workspace::new(symbolic, pivots.len());
     for s in 0..symbolic.count() {
         let (columns, height) = (symbolic.columns(s), symbolic.rows(s).len());
         let width = columns.len();
@@ -63,7 +63,6 @@ pub(super) fn factor(
 }
 
 /// The front at hand, and what waits for the fronts to come.
-#[derive(Default)]
 struct Workspace {
     /// Its own columns.
     own: Vec<Quad>,
@@ -80,6 +79,36 @@ struct Workspace {
 }
 
 impl Workspace {
+    /// With room for the largest front, and for the most that ever waits: what grows while it is
+    /// filled takes up to three times as much.
+    fn new(symbolic: &Symbolic, n_columns: usize) -> Workspace {
+        let (mut own, mut rest, mut stack, mut deepest) = (0, 0, 0, 0);
+        let mut waiting: Vec<(usize, usize)> = Vec::new();
+        for s in 0..symbolic.count() {
+            let (width, height) = (symbolic.columns(s).len(), symbolic.rows(s).len());
+            while let Some((_, start)) =
+                waiting.pop_if(|(child, _)| symbolic.parent(*child) == s as u32)
+            {
+                stack = start;
+            }
+            let left = dense::size(height - width, height - width);
+            if height > width {
+                waiting.push((s, stack));
+                stack += left;
+            }
+            own = dense::size(width, height).max(own);
+            (rest, deepest) = (left.max(rest), stack.max(deepest));
+        }
+        Workspace {
+            own: Vec::with_capacity(own),
+            rest: Vec::with_capacity(rest),
+            place: vec![0; n_columns],
+            stack: Vec::with_capacity(deepest),
+            waiting: Vec::new(),
+            places: Vec::new(),
+        }
+    }
+
     /// The front of supernode `s` with its columns of the matrix.
     fn assemble(&mut self, symbolic: &Symbolic, normal: &Normal, s: usize) {
         let (columns, rows) = (symbolic.columns(s), symbolic.rows(s));

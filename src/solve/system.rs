@@ -38,14 +38,14 @@ pub struct System {
 
 impl System {
     /// Orders the nodes of the given terms, of which there are `n`.
-    pub fn new(n: usize, energies: &[Terms]) -> System {
+    pub fn new(n: usize, energies: Vec<Terms>) -> System {
         System::with_order(n, energies, Factorization::default(), None)
     }
 
     /// The same, with the order at hand where that is one of the same pattern.
     pub(super) fn with_order(
         n: usize,
-        energies: &[Terms],
+        energies: Vec<Terms>,
         factorization: Factorization,
         at_hand: Option<&Rc<Ordered>>,
     ) -> System {
@@ -59,7 +59,8 @@ impl System {
         };
         let arranged = clock::now();
 
-        let energies = all.iter().map(|terms| terms.renumbered(&ordered.node_of)).collect();
+        let renumbered = energies.into_iter().map(|terms| terms.renumbered(&ordered.node_of));
+        let energies = renumbered.collect();
         let assembler = Assembler::new(n, energies);
         let normal = Normal::new(Rc::clone(&ordered.pattern));
         let factor = Factor::new(Rc::clone(&ordered.symbolic), factorization);

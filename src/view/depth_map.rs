@@ -19,9 +19,12 @@ pub struct DepthMap {
     height: usize,
     /// Pixels per CSS pixel.
     scale: f32,
-    /// One over the depth, which is linear on the screen; 0 where there is nothing.
+    /// What grows towards the eye and is linear on the screen: one over the depth, in parallel
+    /// projection minus the depth. Less than any where there is nothing.
     nearness: Vec<f32>,
     faces: Vec<u32>,
+    /// [`Eye::parallel`].
+    parallel: Option<f32>,
 }
 
 impl DepthMap {
@@ -34,8 +37,9 @@ impl DepthMap {
             width,
             height,
             scale,
-            nearness: vec![0.0; width * height],
+            nearness: vec![f32::NEG_INFINITY; width * height],
             faces: vec![NONE; width * height],
+            parallel: camera.eye().parallel,
         };
         let eye = camera.eye();
         let near = camera.distance * 1e-3;
@@ -72,7 +76,8 @@ impl DepthMap {
     /// Pixel position, and nearness as third coordinate.
     fn pixel(&self, eye: &Eye, point: Vec3) -> Vec3 {
         let (screen, depth) = eye.project(point);
-        (screen * self.scale).extend(1.0 / depth)
+        let nearness = if self.parallel.is_some() { -depth } else { 1.0 / depth };
+        (screen * self.scale).extend(nearness)
     }
 
     fn draw(&mut self, [a, b, c]: [Vec3; 3], face: u32) {
@@ -111,7 +116,10 @@ impl DepthMap {
     /// that points on the outline are seen.
     pub fn shows(&self, screen: Vec2, depth: f32) -> bool {
         let at = (screen * self.scale).floor();
-        let nearness = (1.0 + TOLERANCE) / depth;
+        let nearness = match self.parallel {
+            None => (1.0 + TOLERANCE) / depth,
+            Some(scale) => TOLERANCE * scale - depth,
+        };
         (-1..=1).any(|dy| {
             (-1..=1).any(|dx| {
                 let x = (at.x as i64 + dx).clamp(0, self.width as i64 - 1) as usize;

@@ -2,10 +2,10 @@
 //! seen from above, and how the two share the canvas.
 
 use super::checks::Checks;
-use super::lists::{Lists, ViewError};
+use super::lists::{Lists, ViewError, check_indices};
 use super::stage::Stage;
 use super::subject::Subject;
-use glam::Vec2;
+use glam::{Vec2, Vec3};
 
 /// A part of the canvas, CSS pixels from its upper left corner.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -40,21 +40,61 @@ impl Region {
 }
 
 /// The stage of a flat map of what `model` shows, with a checkerboard for both: the places `uv`
-/// (#V by 2 in a flat array) are in the units of the mesh.
+/// (#V by 2 in a flat array) are in the units of the mesh. The faces that it turns over, `flipped`, are
+/// outlined.
 ///
 /// # Errors
-/// Another number of places than vertices, or one that is not finite.
-pub fn flat_map(model: &Stage, uv: &[f64]) -> Result<(Stage, Checks), ViewError> {
-    let (count, _) = model.counts();
+/// Another number of places than vertices, one that is not finite, or a face that does not exist.
+pub fn flat_map(model: &Stage, uv: &[f64], flipped: &[u32]) -> Result<(Stage, Checks), ViewError> {
+    let (count, faces) = model.counts();
+    check_indices("flipped faces", flipped, faces)?;
     let checks = Checks::new(uv, count)?;
     let flat = checks.places.iter().flat_map(|place| [place.x, place.y, 0.0].map(f64::from));
     let coordinates: Vec<f64> = flat.collect();
     let subject = Subject::new(model.subject.faces.clone(), Lists::default(), &coordinates)?;
     let mut stage = Stage::default();
+    stage.flipped = sides(&subject.faces, flipped);
     (stage.subject, stage.checks) = (subject, checks.clone());
     stage.camera.look_from("top").expect("top is a side to look from");
     Ok((stage, checks))
 }
+
+/// The sides of some faces, each once.
+fn sides(faces: &Lists, chosen: &[u32]) -> Vec<[u32; 2]> {
+    let corners = chosen.iter().map(|&face| faces.row(face as usize));
+    let mut sides: Vec<[u32; 2]> = corners
+        .flat_map(|face| face.iter().zip(face.iter().cycle().skip(1)))
+        .map(|(&a, &b)| [a.min(b), a.max(b)])
+        .collect();
+    sides.sort_unstable();
+    sides.dedup();
+    sides
+}
+
+/// Comes near the faces that the map turns over, as near as they are small; on the model from their front.
+pub fn show_flipped(map: &mut Stage, model: &mut Stage) {
+    let mut vertices = map.flipped.as_flattened().to_vec();
+    vertices.sort_unstable();
+    vertices.dedup();
+    if vertices.is_empty() {
+        return;
+    }
+    let normals = vertices.iter().map(|&v| model.subject.normals.vertices[v as usize]);
+    let front: Vec3 = normals.sum();
+    if front.length() > 0.0 {
+        model.camera.look_against(front);
+    }
+    for stage in [model, map] {
+        let places = vertices.iter().map(|&v| stage.subject.positions[v as usize]);
+        let low = places.clone().fold(Vec3::INFINITY, Vec3::min);
+        let high = places.fold(Vec3::NEG_INFINITY, Vec3::max);
+        let around = 0.25 * (high - low).length();
+        stage.come_near(&vertices, around.max(LEAST_PART * stage.size()));
+    }
+}
+
+/// So much around what is shown is seen at least, as a part of the size of the whole.
+const LEAST_PART: f32 = 1e-4;
 
 /// Brings what the map has in common with the surface up to date.
 pub fn follow(map: &mut Stage, model: &Stage) {

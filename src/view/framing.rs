@@ -17,6 +17,9 @@ const NEAREST: f32 = 1e-3;
 pub fn frame(camera: &mut Camera, points: impl Iterator<Item = Vec3> + Clone, radius: f32) {
     let eye = camera.eye();
     let slope = eye.middle * (1.0 - 2.0 * MARGIN) / eye.focal;
+    if eye.parallel.is_some() {
+        return frame_parallel(camera, points, radius, slope);
+    }
     // How far the ball reaches beyond its centre, measured across the side planes.
     let reach =
         Vec2::new((1.0 + slope.x * slope.x).sqrt(), (1.0 + slope.y * slope.y).sqrt()) * radius;
@@ -43,6 +46,27 @@ pub fn frame(camera: &mut Camera, points: impl Iterator<Item = Vec3> + Clone, ra
     camera.distance = (middle - depth).max(radius);
 }
 
+/// [`frame`] in parallel projection, where the side planes of the field of view are parallel too.
+/// `slope` is half the canvas without its margin, seen at depth 1.
+fn frame_parallel(
+    camera: &mut Camera,
+    points: impl Iterator<Item = Vec3>,
+    radius: f32,
+    slope: Vec2,
+) {
+    let eye = camera.eye();
+    let seen = points.map(|p| Vec3::new(p.dot(eye.right), p.dot(eye.up), p.dot(eye.forward)));
+    let Some((low, high)) =
+        seen.map(|p| (p, p)).reduce(|(low, high), (p, _)| (low.min(p), high.max(p)))
+    else {
+        return;
+    };
+    let middle = 0.5 * (low + high);
+    camera.pivot = eye.right * middle.x + eye.up * middle.y + eye.forward * middle.z;
+    let half = 0.5 * (high - low).truncate() + radius;
+    camera.distance = (half / slope).max_element().max(radius);
+}
+
 /// Near and far depths that hold all `points` tightly.
 pub fn depth_range(camera: &Camera, points: impl Iterator<Item = Vec3>) -> (f32, f32) {
     let eye = camera.eye();
@@ -62,7 +86,7 @@ pub fn depth_range(camera: &Camera, points: impl Iterator<Item = Vec3>) -> (f32,
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::view::camera::Up;
+    use crate::view::camera::{Projection, Up};
 
     fn corners() -> Vec<Vec3> {
         (0..8)
@@ -74,9 +98,15 @@ mod tests {
 
     #[test]
     fn a_framed_box_touches_the_margin_and_nothing_leaves_the_canvas() {
-        for canvas in [Vec2::new(1440.0, 900.0), Vec2::new(390.0, 844.0)] {
+        let parallel = Projection::Parallel { reach: 30.0 };
+        for (canvas, projection) in [
+            (Vec2::new(1440.0, 900.0), Projection::Perspective),
+            (Vec2::new(390.0, 844.0), Projection::Perspective),
+            (Vec2::new(390.0, 844.0), parallel),
+            (Vec2::new(1440.0, 900.0), parallel),
+        ] {
             for (side, up) in [("home", Up::Z), ("top", Up::Z), ("left", Up::Y)] {
-                let mut camera = Camera { canvas, up, ..Camera::default() };
+                let mut camera = Camera { canvas, up, projection, ..Camera::default() };
                 camera.look_from(side).unwrap();
                 frame(&mut camera, corners().into_iter(), 0.0);
                 let eye = camera.eye();

@@ -20,7 +20,8 @@ pub fn numbers(stage: &Stage, width: u32, height: u32) -> Vec<f32> {
 
     let mut numbers = Vec::with_capacity(NUMBERS);
     numbers.extend(camera.clip_from_scene(near, far).to_cols_array());
-    for axis in [eye.at, eye.right, eye.up, eye.forward, sky] {
+    numbers.extend(eye.at.extend(eye.parallel.unwrap_or(0.0)).to_array());
+    for axis in [eye.right, eye.up, eye.forward, sky] {
         numbers.extend(Vec3::extend(axis, 0.0).to_array());
     }
     let pixel = 1.0 / (eye.focal * ratio);
@@ -31,7 +32,8 @@ pub fn numbers(stage: &Stage, width: u32, height: u32) -> Vec<f32> {
     numbers.extend([r, g, b, TINT_STRENGTH]);
     numbers.extend(palette.sphere);
     numbers.extend(palette.check);
-    numbers.extend([stage.checks.per_length, 0.0, 0.0, 0.0]);
+    let [begins, ends] = stage.looks.corner_steps().unwrap_or_default();
+    numbers.extend([stage.checks.per_length, begins, ends, 0.0]);
     extend_stroke(&mut numbers, &palette.circle, stage.circle_pieces());
     let mut strokes = palette.strokes;
     if stage.checks.per_length > 0.0 {
@@ -57,7 +59,7 @@ const TINT_STRENGTH: f32 = 0.55;
 
 fn extend_stroke(numbers: &mut Vec<f32>, stroke: &Stroke, pieces: u32) {
     numbers.extend(stroke.colour);
-    numbers.extend([stroke.width, pieces as f32, stroke.casing, 0.0]);
+    numbers.extend([stroke.width, pieces as f32, stroke.casing, stroke.hidden]);
 }
 
 #[cfg(test)]

@@ -1,5 +1,7 @@
-//! Draws edges, polylines, selected edges, and the lines from handles to their targets: `shaders/lines.wgsl`.
+//! Draws edges, polylines, selected edges, outlines of flipped faces, and the lines from handles to their
+//! targets: `shaders/lines.wgsl`.
 
+use super::bands::{Seam, seams};
 use super::palette::LineKind;
 use super::pipeline::{Layer, Recipe, VertexBuffer, build};
 use super::shaders::LINES;
@@ -19,6 +21,10 @@ pub struct Lines {
     curves: VertexBuffer,
     pulls: VertexBuffer,
     selected: VertexBuffer,
+    flipped: VertexBuffer,
+    bands: VertexBuffer,
+    /// Where two faces of the mesh meet.
+    seams: Vec<Seam>,
 }
 
 impl Lines {
@@ -44,6 +50,9 @@ impl Lines {
             curves: VertexBuffer::new(device),
             pulls: VertexBuffer::new(device),
             selected: VertexBuffer::new(device),
+            flipped: VertexBuffer::new(device),
+            bands: VertexBuffer::new(device),
+            seams: Vec::new(),
         }
     }
 
@@ -56,13 +65,38 @@ impl Lines {
             .flat_map(|curve| curve.windows(2).map(|ends| line(ends[0], ends[1], LineKind::Curve)))
             .collect();
         self.curves.write(device, queue, &curves);
+        self.seams = seams(&subject.faces);
     }
 
-    /// Takes the selected edges.
+    /// Takes the edges between faces in different bands.
+    pub fn update_bands(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, stage: &Stage) {
+        let looks = &stage.looks;
+        let seams = self.seams.iter().filter(|_| looks.bands().is_some());
+        let parting = seams.filter(|seam| {
+            let [a, b] = seam.faces.map(|face| looks.band_of(face));
+            a.is_some() && b.is_some() && a != b
+        });
+        let lines: Vec<[u32; 3]> =
+            parting.map(|seam| line(seam.ends[0], seam.ends[1], LineKind::Band)).collect();
+        self.bands.write(device, queue, &lines);
+    }
+
+    /// Takes the selected edges and the measuring tape.
     pub fn update_marks(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, stage: &Stage) {
         let edges = stage.looks.selected_edges.iter();
-        let selected: Vec<[u32; 3]> = edges.map(|&[a, b]| line(a, b, LineKind::Selected)).collect();
+        let mut selected: Vec<[u32; 3]> =
+            edges.map(|&[a, b]| line(a, b, LineKind::Selected)).collect();
+        if let &[from, to] = &stage.tape[..] {
+            selected.push(line(from, to, LineKind::Tape));
+        }
         self.selected.write(device, queue, &selected);
+    }
+
+    /// Takes the sides of the faces that the flat map `map` turns over.
+    pub fn update_map(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, map: &Stage) {
+        let sides = map.flipped.iter();
+        let flipped: Vec<[u32; 3]> = sides.map(|&[a, b]| line(a, b, LineKind::Flipped)).collect();
+        self.flipped.write(device, queue, &flipped);
     }
 
     /// Takes the handles; their targets come after the vertices in the table of positions.
@@ -77,15 +111,33 @@ impl Lines {
         self.pulls.write(device, queue, &pulls);
     }
 
-    /// Draws edges, if wanted, and curves.
+    /// Draws edges, if wanted, what parts bands, and curves.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, edges: bool) {
         if edges {
             draw(pass, &self.in_front, &self.edges);
         }
+        draw(pass, &self.in_front, &self.bands);
         draw(pass, &self.in_front, &self.curves);
     }
 
+    /// Draws the outlines of the faces that the flat map turns over.
+    pub fn draw_flipped(&self, pass: &mut wgpu::RenderPass<'_>) {
+        draw(pass, &self.in_front, &self.flipped);
+    }
+
     /// Draws selected edges: dim where the surface hides them, then those in sight.
+    /// Draws lines between other points: those in sight, and the first `through` of them dim where
+    /// the surface hides them.
+    pub fn draw_others(&self, pass: &mut wgpu::RenderPass<'_>, lines: &VertexBuffer, through: u32) {
+        if through > 0 {
+            pass.set_pipeline(&self.behind);
+            pass.set_vertex_buffer(0, lines.slice());
+            pass.draw(0..6, 0..through);
+        }
+        draw(pass, &self.in_front, lines);
+    }
+
+    /// Draws selected edges and the tape: dim where the surface hides them, then those in sight.
     pub fn draw_marks(&self, pass: &mut wgpu::RenderPass<'_>) {
         draw(pass, &self.behind, &self.selected);
         draw(pass, &self.in_front, &self.selected);

@@ -2,6 +2,7 @@
 //! the colour of the row of constraints that acts on it, whether it is a member of the one that is
 //! pointed at. Four bytes per face.
 
+use super::bands::Bands;
 use super::colour_map::texel;
 use super::lists::{ViewError, check_indices};
 use super::row_colours::RowColours;
@@ -36,6 +37,11 @@ impl FaceColour {
 pub struct Looks {
     /// Per face, or nothing for the plain material.
     values: Option<(Vec<f32>, f32, f32)>,
+    /// #V, what the values of the faces are the greatest of; nothing where they are not of vertices.
+    corners: Option<Vec<f32>>,
+    in_bands: bool,
+    /// When values are shown in bands.
+    bands: Option<Bands>,
     /// Selected vertices.
     pub selected_vertices: Vec<u32>,
     /// Selected edges, by their vertices.
@@ -66,7 +72,64 @@ impl Looks {
             return Err(ViewError::Length { what: "face values", got, expected: faces });
         }
         self.values = values.map(|v| (v, low, high));
+        self.part();
         Ok(())
+    }
+
+    /// Shows values in bands, or gradually.
+    pub fn set_in_bands(&mut self, in_bands: bool) {
+        self.in_bands = in_bands;
+        self.part();
+    }
+
+    /// Tells the values of the vertices (#V) whose greatest those of the faces are; bands go through
+    /// the faces then.
+    ///
+    /// # Errors
+    /// Another number of values than vertices.
+    pub fn set_corners(
+        &mut self,
+        corners: Option<Vec<f32>>,
+        vertices: usize,
+    ) -> Result<(), ViewError> {
+        if let Some(corners) = &corners
+            && corners.len() != vertices
+        {
+            let got = corners.len();
+            return Err(ViewError::Length { what: "corner values", got, expected: vertices });
+        }
+        self.corners = corners;
+        Ok(())
+    }
+
+    fn part(&mut self) {
+        let range = self.values.as_ref().filter(|_| self.in_bands);
+        self.bands = range.and_then(|&(_, low, high)| Bands::new(low, high));
+    }
+
+    /// The bands that values are shown in, if they are.
+    pub fn bands(&self) -> Option<&Bands> {
+        self.bands.as_ref()
+    }
+
+    /// The band of a face, where faces are in bands as a whole.
+    pub fn band_of(&self, face: u32) -> Option<usize> {
+        let (values, ..) = self.values.as_ref().filter(|_| self.corners.is_none())?;
+        self.bands.as_ref()?.band(values[face as usize])
+    }
+
+    /// Where bands go through the faces, the range in steps from a limit.
+    pub fn corner_steps(&self) -> Option<[f32; 2]> {
+        self.corners.as_ref()?;
+        Some(self.bands.as_ref()?.range_in_steps())
+    }
+
+    /// The value of a vertex in the steps of [`Looks::corner_steps`]; zero where there are none.
+    pub fn corner_in_steps(&self, vertex: usize) -> f32 {
+        match (&self.bands, &self.corners) {
+            (Some(bands), Some(corners)) => bands.in_steps(corners[vertex]),
+            _ => 0.0,
+        }
     }
 
     /// Whether faces are coloured by values.
@@ -122,7 +185,12 @@ impl Looks {
     /// What the colour of a face stands for.
     pub fn colour_of(&self, face: usize) -> FaceColour {
         if let Some((values, low, high)) = &self.values {
-            return texel(values[face], *low, *high).map_or(FaceColour::NoValue, FaceColour::Value);
+            let value = values[face];
+            let texel = match &self.bands {
+                Some(bands) => bands.band(value).map(|band| bands.texels[band]),
+                None => texel(value, *low, *high),
+            };
+            return texel.map_or(FaceColour::NoValue, FaceColour::Value);
         }
         match self.rows.faces.get(face) {
             None | Some(0) => FaceColour::Plain,
@@ -159,6 +227,25 @@ mod tests {
         assert_eq!(looks.bytes(3), [0, 127, 0, 255, 0, 255, 0, 0, 255, 127, 255, 0]);
         looks.set_values(None, 0.0, 1.0, 3).unwrap();
         assert_eq!(looks.bytes(3)[..4], [0, 0, 0, 255]);
+    }
+
+    #[test]
+    fn in_bands_values_of_one_band_look_alike() {
+        let mut looks = Looks::default();
+        looks.set_values(Some(vec![0.1, 1.9, 2.1, f32::NAN]), 0.0, 10.0, 4).unwrap();
+        assert_ne!(looks.colour_of(0), looks.colour_of(1));
+        looks.set_in_bands(true);
+        assert_eq!(looks.colour_of(0), looks.colour_of(1));
+        assert_ne!(looks.colour_of(1), looks.colour_of(2));
+        assert_eq!(looks.colour_of(3), FaceColour::NoValue);
+        assert_eq!([0, 2, 3].map(|face| looks.band_of(face)), [Some(0), Some(1), None]);
+        assert_eq!(looks.corner_steps(), None);
+        assert!(looks.set_corners(Some(vec![0.0; 2]), 3).is_err());
+        looks.set_corners(Some(vec![0.0, 2.0, f32::NAN]), 3).unwrap();
+        let [begins, ends] = looks.corner_steps().unwrap();
+        assert_eq!((ends - begins, looks.corner_in_steps(1)), (5.0, begins + 1.0));
+        assert_eq!(looks.corner_in_steps(2), begins);
+        assert_eq!(looks.band_of(0), None);
     }
 
     #[test]

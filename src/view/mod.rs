@@ -11,6 +11,7 @@
 //! of the first bounding box of the mesh, before it rounds to `f32`: a mesh at site coordinates
 //! neither jitters nor loses digits.
 
+pub mod bands;
 pub mod camera;
 pub mod canvas_size;
 pub mod checks;
@@ -23,8 +24,15 @@ pub mod device;
 #[cfg(target_arch = "wasm32")]
 pub mod faces;
 pub mod flat_map;
+pub mod flight;
 pub mod framing;
+pub mod gizmo;
+#[cfg(target_arch = "wasm32")]
+pub mod gizmo_marks;
+pub mod gizmo_shape;
 pub mod globals;
+pub mod grip;
+pub mod ground;
 pub mod light;
 #[cfg(target_arch = "wasm32")]
 pub mod lines;
@@ -46,14 +54,21 @@ pub mod projection_lines;
 pub mod projections;
 pub mod ray;
 pub mod region;
+pub mod round_length;
 pub mod row_colours;
+pub mod scale_bar;
 pub mod shaders;
 #[cfg(target_arch = "wasm32")]
 pub mod spheres;
+pub mod split;
 pub mod stage;
 pub mod still;
 #[cfg(target_arch = "wasm32")]
 pub mod store;
 pub mod subject;
+#[cfg(target_arch = "wasm32")]
+pub mod surrounding_lines;
+pub mod surroundings;
+pub mod tape;
 pub mod thumbnail;
 pub mod triangulate;

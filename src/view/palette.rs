@@ -13,6 +13,8 @@ pub struct Stroke {
     /// Width of the casing on each side, whose colour is `colour`; the line has a colour of its own
     /// then.
     pub casing: f32,
+    /// Of its opacity, what is left where the surface hides it.
+    pub hidden: f32,
 }
 
 /// How a dot is drawn.
@@ -47,6 +49,16 @@ pub enum LineKind {
     Arrow = 5,
     /// A selected edge.
     Selected = 6,
+    /// An edge of the model as it was opened; the shader knows its number.
+    Ghost = 7,
+    /// Of the grid on the ground.
+    Ground = 8,
+    /// The measuring tape.
+    Tape = 9,
+    /// Between faces whose values are in different bands.
+    Band = 10,
+    /// A side of a face that the flat map turns over.
+    Flipped = 11,
 }
 
 /// What a dot stands for; its number is its place in [`Palette::dots`].
@@ -70,12 +82,14 @@ pub enum DotKind {
     Active = 7,
     /// On a handle that is selected.
     Chosen = 8,
+    /// An end of the measuring tape.
+    Tape = 9,
 }
 
 /// How many kinds of lines there are.
-pub const LINE_KINDS: usize = 7;
+pub const LINE_KINDS: usize = 12;
 /// How many kinds of dots there are.
-pub const DOT_KINDS: usize = 9;
+pub const DOT_KINDS: usize = 10;
 
 /// One theme.
 #[derive(Clone, Copy, Debug)]
@@ -105,21 +119,33 @@ pub struct Palette {
     pub circle: Stroke,
     /// Fitted spheres.
     pub sphere: Colour,
+    /// Arrows of the gizmo along x, y, z, and squares across them.
+    pub axes: [Colour; 3],
+    /// What parts the gizmo from whatever is below.
+    pub axis_casing: Colour,
 }
 
 const BLUE: Colour = [0.13, 0.40, 0.93, 1.0];
 const DEEP_BLUE: Colour = [0.07, 0.19, 0.47, 1.0];
 const ORANGE: Colour = [0.96, 0.52, 0.07, 1.0];
+const TAPE: Colour = [0.80, 0.09, 0.36, 1.0];
 const WHITE: Colour = [1.0, 1.0, 1.0, 1.0];
 const INK: Colour = [0.06, 0.08, 0.11, 1.0];
 
+/// Most lines are dim where they are hidden.
+const HIDDEN: f32 = 0.38;
+
 const fn stroke(colour: Colour, width: f32) -> Stroke {
-    Stroke { colour, width, casing: 0.0 }
+    Stroke { colour, width, casing: 0.0, hidden: HIDDEN }
+}
+
+const fn seen_through(hidden: f32, colour: Colour, width: f32) -> Stroke {
+    Stroke { colour, width, casing: 0.0, hidden }
 }
 
 /// A line in the colour of a row of constraints.
 const fn cased(width: f32) -> Stroke {
-    Stroke { colour: [1.0, 1.0, 1.0, 0.7], width, casing: 0.8 }
+    Stroke { colour: [1.0, 1.0, 1.0, 0.7], width, casing: 0.8, hidden: HIDDEN }
 }
 
 const fn dot(fill: Colour, rim: Colour, radius: f32, rim_width: f32) -> Dot {
@@ -141,6 +167,11 @@ pub const LIGHT: Palette = Palette {
         cased(1.4),
         cased(1.5),
         stroke(ORANGE, 3.4),
+        seen_through(0.26, [0.00, 0.50, 0.50, 0.80], 1.2),
+        stroke([0.36, 0.41, 0.46, 0.34], 1.0),
+        seen_through(0.75, TAPE, 2.2),
+        stroke([0.05, 0.06, 0.09, 0.85], 1.8),
+        stroke([0.84, 0.16, 0.20, 1.0], 2.6),
     ],
     edge_of_values: [1.0, 1.0, 1.0, 0.40],
     check: [0.20, 0.26, 0.36, 0.94],
@@ -155,9 +186,12 @@ pub const LIGHT: Palette = Palette {
         Dot { fill: DEEP_BLUE, rim: WHITE, radius: 5.6, rim_width: 1.4, square: 1.0 },
         dot(BLUE, WHITE, 8.2, 1.8),
         dot(ORANGE, WHITE, 3.6, 1.0),
+        dot(TAPE, WHITE, 4.6, 1.4),
     ],
     circle: stroke([0.84, 0.16, 0.20, 0.95], 1.3),
     sphere: [0.84, 0.16, 0.20, 1.0],
+    axes: [[0.82, 0.14, 0.18, 1.0], [0.10, 0.52, 0.16, 1.0], [0.14, 0.30, 0.86, 1.0]],
+    axis_casing: [1.0, 1.0, 1.0, 0.85],
 };
 
 /// On a dark page.
@@ -175,6 +209,11 @@ pub const DARK: Palette = Palette {
         cased(1.4),
         cased(1.5),
         stroke([1.0, 0.60, 0.15, 1.0], 3.4),
+        seen_through(0.26, [0.38, 0.86, 0.82, 0.72], 1.2),
+        stroke([0.62, 0.68, 0.74, 0.30], 1.0),
+        seen_through(0.75, [1.0, 0.42, 0.62, 1.0], 2.2),
+        stroke([0.02, 0.02, 0.03, 0.9], 1.8),
+        stroke([1.0, 0.40, 0.38, 1.0], 2.6),
     ],
     edge_of_values: [1.0, 1.0, 1.0, 0.34],
     check: [0.125, 0.145, 0.185, 0.95],
@@ -189,7 +228,10 @@ pub const DARK: Palette = Palette {
         Dot { fill: [0.11, 0.26, 0.62, 1.0], rim: WHITE, radius: 5.6, rim_width: 1.4, square: 1.0 },
         dot([0.22, 0.50, 1.0, 1.0], WHITE, 8.2, 1.8),
         dot([1.0, 0.60, 0.15, 1.0], INK, 3.6, 1.0),
+        dot([1.0, 0.42, 0.62, 1.0], INK, 4.6, 1.4),
     ],
     circle: stroke([1.0, 0.40, 0.38, 0.95], 1.3),
     sphere: [1.0, 0.40, 0.38, 1.0],
+    axes: [[1.0, 0.42, 0.42, 1.0], [0.45, 0.86, 0.42, 1.0], [0.48, 0.68, 1.0, 1.0]],
+    axis_casing: [0.05, 0.06, 0.08, 0.80],
 };

@@ -3,7 +3,7 @@
 use super::camera::Camera;
 use super::ray::{Hit, first_hit, hidden};
 use super::subject::Subject;
-use glam::{Vec2, Vec3};
+use glam::Vec2;
 
 /// A vertex this much behind the surface, in parts of its distance from the eye, is still seen.
 const HIDING_TOLERANCE: f32 = 1e-3;
@@ -13,7 +13,9 @@ pub fn visible(subject: &Subject, camera: &Camera, vertex: u32) -> bool {
     let eye = camera.eye();
     let point = subject.positions[vertex as usize];
     let (_, depth) = eye.project(point);
-    depth > 0.0 && !hidden(subject, eye.at, vertex, (point - eye.at).length() * HIDING_TOLERANCE)
+    let from = eye.seen_from(point);
+    let tolerance = eye.scale_depth((point - from).length()) * HIDING_TOLERANCE;
+    depth > 0.0 && !hidden(subject, from, vertex, tolerance)
 }
 
 /// The visible vertex nearest to a screen position, within a radius.
@@ -58,13 +60,6 @@ fn near_cursor(
 
 /// The face under a screen position, with the depth at which it was met.
 pub fn pick_face(subject: &Subject, camera: &Camera, at: Vec2) -> Option<Hit> {
-    let eye = camera.eye();
-    first_hit(subject, eye.at, eye.direction(at))
-}
-
-/// How far a vertex must move, parallel to the screen, to lie under a screen position.
-pub fn drag_offset(subject: &Subject, camera: &Camera, vertex: u32, to: Vec2) -> Vec3 {
-    let eye = camera.eye();
-    let (screen, depth) = eye.project(subject.positions[vertex as usize]);
-    if depth > 0.0 { eye.across(to - screen, depth) } else { Vec3::ZERO }
+    let (from, direction) = camera.eye().ray(at);
+    first_hit(subject, from, direction)
 }

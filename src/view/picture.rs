@@ -5,12 +5,15 @@ use super::circles::Circles;
 use super::device::{Device, DeviceError};
 use super::faces::Faces;
 use super::flat_map::Region;
+use super::gizmo_marks::GizmoMarks;
 use super::lines::Lines;
 use super::points::Points;
 use super::projection_lines::ProjectionLines;
 use super::spheres::Spheres;
+use super::split::Split;
 use super::stage::{Changes, Stage};
 use super::store::Store;
+use super::surrounding_lines::SurroundingLines;
 use glam::Vec2;
 
 /// All GPU objects of a view.
@@ -21,12 +24,16 @@ pub struct Picture {
     store: Store,
     /// Of the stage of the flat map.
     map_store: Store,
+    /// Of the two sides of a split picture.
+    side_stores: Option<[Store; 2]>,
     faces: Faces,
     lines: Lines,
     projections: ProjectionLines,
     points: Points,
     circles: Circles,
     spheres: Spheres,
+    around: SurroundingLines,
+    gizmo: GizmoMarks,
 }
 
 impl Picture {
@@ -42,14 +49,17 @@ impl Picture {
             points: Points::new(gpu, &store, format),
             circles: Circles::new(gpu, &store, format),
             spheres: Spheres::new(gpu, &store, format),
+            around: SurroundingLines::new(gpu, &device.queue, &store),
+            gizmo: GizmoMarks::new(gpu, &store, format),
             store,
             map_store,
+            side_stores: None,
             device,
         }
     }
 
-    /// Draws the stage, and beside it its flat map if there is one, if anything has changed; returns
-    /// whether it did. `ratio` is pixels per CSS pixel.
+    /// Draws the stage, and beside it its flat map if there is one, or else the two sides of a split
+    /// picture in its place, if anything has changed; returns whether it did. `ratio` is pixels per CSS pixel.
     ///
     /// # Errors
     /// The device is lost; a new picture on a new canvas is needed.
@@ -57,9 +67,14 @@ impl Picture {
         &mut self,
         stage: &mut Stage,
         mut map: Option<&mut Stage>,
+        split: Option<&mut Split>,
         ratio: f32,
     ) -> Result<bool, DeviceError> {
-        if !stage.changes.any() && !map.as_ref().is_some_and(|map| map.changes.any()) {
+        let split = split.filter(|_| map.is_none());
+        let is_new = stage.changes.any()
+            || map.as_ref().is_some_and(|map| map.changes.any())
+            || split.as_ref().is_some_and(|split| split.has_changes());
+        if !is_new {
             return Ok(false);
         }
         let Some(frame) = self.device.frame()? else { return Ok(false) };
@@ -73,34 +88,35 @@ impl Picture {
         if let (Some(map), Some([_, [.., width, height]])) = (&mut map, parts) {
             let (device, queue) = (&self.device.device, &self.device.queue);
             self.map_store.update(device, queue, map, (width, height));
+            if map.changes.mesh || map.changes.marks {
+                self.lines.update_map(device, queue, map);
+            }
             map.changes = Changes::default();
         }
+        let sides = split.map(|split| self.update_sides(split, canvas, ratio));
         let label = wgpu::CommandEncoderDescriptor { label: Some("picture") };
         let mut encoder = self.device.device.create_command_encoder(&label);
         let mut pass = self.device.pass(&mut encoder, &frame, stage.background());
         if let Some([part, _]) = parts {
             confine(&mut pass, part);
         }
-        pass.set_bind_group(0, self.store.group(), &[]);
-        let display = stage.display;
-        self.faces.draw(&mut pass);
-        self.lines.draw(&mut pass, display.edges);
-        if display.shapes {
-            self.spheres.draw(&mut pass);
-            self.circles.draw(&mut pass, stage.circle_pieces());
+        match (sides, &self.side_stores) {
+            (Some(sides), Some(stores)) => {
+                for ((part, is_original), store) in sides.into_iter().zip(stores) {
+                    let [left, top, width, height] = part;
+                    pass.set_scissor_rect(left, top, width, height);
+                    self.draw_model(&mut pass, store, stage, is_original);
+                }
+                pass.set_scissor_rect(0, 0, canvas.0, canvas.1);
+            }
+            _ => self.draw_model(&mut pass, &self.store, stage, false),
         }
-        self.projections.draw(&mut pass, display);
-        if display.vertices || stage.subject.is_only_points() {
-            self.points.draw_vertices(&mut pass);
-        }
-        self.lines.draw_marks(&mut pass);
-        self.lines.draw_pulls(&mut pass);
-        self.points.draw_marks(&mut pass);
         if let Some([_, part]) = parts {
             confine(&mut pass, part);
             pass.set_bind_group(0, self.map_store.group(), &[]);
             self.faces.draw(&mut pass);
-            self.lines.draw(&mut pass, display.edges);
+            self.lines.draw(&mut pass, stage.display.edges);
+            self.lines.draw_flipped(&mut pass);
             // On WebGL2 only what is inside the last rectangle arrives on the canvas.
             confine(&mut pass, [0, 0, canvas.0, canvas.1]);
         }
@@ -109,14 +125,72 @@ impl Picture {
         Ok(true)
     }
 
-    fn update(&mut self, stage: &Stage, size: (u32, u32)) {
+    /// Everything that is drawn of the model, with the tables of `store`. Of the original there is only
+    /// the mesh: handles, projections and fitted shapes are those of the current shape.
+    fn draw_model(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        store: &Store,
+        stage: &Stage,
+        is_original: bool,
+    ) {
+        pass.set_bind_group(0, store.group(), &[]);
+        let display = stage.display;
+        self.faces.draw(pass);
+        self.around.draw(pass, &self.lines, store);
+        self.lines.draw(pass, display.edges);
+        if display.shapes && !is_original {
+            self.spheres.draw(pass);
+            self.circles.draw(pass, stage.circle_pieces());
+        }
+        if !is_original {
+            self.projections.draw(pass, display);
+        }
+        if display.vertices || stage.subject.is_only_points() {
+            self.points.draw_vertices(pass);
+        }
+        self.lines.draw_marks(pass);
+        if !is_original {
+            self.lines.draw_pulls(pass);
+            self.points.draw_marks(pass);
+            self.gizmo.draw(pass);
+        }
+    }
+
+    /// Brings the tables of both sides up to date; gives of each its part of the canvas, and whether it
+    /// shows the original.
+    fn update_sides(
+        &mut self,
+        split: &mut Split,
+        canvas: (u32, u32),
+        ratio: f32,
+    ) -> [([u32; 4], bool); 2] {
+        let (device, queue) = (&self.device.device, &self.device.queue);
+        let stores = self
+            .side_stores
+            .get_or_insert_with(|| [(); 2].map(|()| self.store.beside(device, queue)));
+        for (side, store) in split.sides.iter_mut().zip(stores) {
+            store.update(device, queue, &side.stage, canvas);
+            side.stage.changes = Changes::default();
+        }
+        let css = Vec2::new(canvas.0 as f32, canvas.1 as f32) / ratio;
+        let [left, right] = split.parts(css).map(|part| pixels(part, ratio, canvas));
+        [(left, split.sides[0].is_original), (right, split.sides[1].is_original)]
+    }
+
+    fn update(&mut self, stage: &mut Stage, size: (u32, u32)) {
         let (device, queue) = (&self.device.device, &self.device.queue);
         let changes = stage.changes;
         self.store.update(device, queue, stage, size);
+        self.around.update(device, queue, stage, size);
+        self.gizmo.update(device, queue, stage);
         if changes.mesh {
             self.faces.update(device, queue, &stage.subject);
             self.lines.update_mesh(device, queue, &stage.subject);
             self.points.update_mesh(device, queue, stage);
+        }
+        if changes.mesh || changes.looks {
+            self.lines.update_bands(device, queue, stage);
         }
         if changes.mesh || changes.marks {
             self.lines.update_marks(device, queue, stage);

@@ -17,6 +17,8 @@ pub enum Layer {
     InFront,
     /// Blended, where something is in front.
     Behind,
+    /// Blended, over everything.
+    Over,
 }
 
 /// What a primitive's pipeline is made from.
@@ -61,6 +63,7 @@ pub fn build(
     let compare = match recipe.layer {
         Layer::Surface | Layer::InFront => wgpu::CompareFunction::LessEqual,
         Layer::Behind => wgpu::CompareFunction::Greater,
+        Layer::Over => wgpu::CompareFunction::Always,
     };
     device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
         label: Some(recipe.label),

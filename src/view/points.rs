@@ -102,5 +102,6 @@ fn marks(stage: &Stage) -> Vec<[u32; 3]> {
     }
     let chosen = stage.handles.iter().filter(|h| looks.selected_vertices.contains(&h.vertex));
     dots.extend(chosen.map(|handle| dot(handle.vertex, DotKind::Chosen)));
+    dots.extend(stage.tape.iter().map(|&end| dot(end, DotKind::Tape)));
     dots
 }

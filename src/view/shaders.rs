@@ -16,6 +16,8 @@ pub const PROJECTIONS: [&str; 3] = [SCENE, STROKE, include_str!("shaders/project
 pub const POINTS: [&str; 2] = [SCENE, include_str!("shaders/points.wgsl")];
 /// Fitted circles.
 pub const CIRCLES: [&str; 3] = [SCENE, STROKE, include_str!("shaders/circles.wgsl")];
+/// The gizmo.
+pub const GIZMO: [&str; 2] = [SCENE, include_str!("shaders/gizmo.wgsl")];
 /// Fitted spheres.
 pub const SPHERES: [&str; 2] = [SCENE, include_str!("shaders/spheres.wgsl")];
 
@@ -25,13 +27,14 @@ mod tests {
     use naga::back::glsl;
     use naga::valid::{Capabilities, ValidationFlags, Validator};
 
-    fn all() -> [(&'static str, String); 6] {
+    fn all() -> [(&'static str, String); 7] {
         [
             ("faces", FACES.concat()),
             ("lines", LINES.concat()),
             ("projections", PROJECTIONS.concat()),
             ("points", POINTS.concat()),
             ("circles", CIRCLES.concat()),
+            ("gizmo", GIZMO.concat()),
             ("spheres", SPHERES.concat()),
         ]
     }

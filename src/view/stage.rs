@@ -4,13 +4,15 @@
 use super::camera::{Camera, Up};
 use super::checks::Checks;
 use super::depth_map::DepthMap;
-use super::framing::{depth_range, frame};
+use super::framing::frame;
+use super::gizmo::Wanted;
 use super::lists::{Lists, ViewError, check_indices};
 use super::looks::Looks;
 use super::palette::{Colour, DARK, DotKind, LIGHT, Palette};
 use super::picking;
 use super::projections::Projections;
 use super::subject::{Subject, read_points};
+use super::surroundings::Surroundings;
 use glam::{DVec3, Vec2, Vec3, Vec4};
 
 /// Numbers per fitted shape: kind (0 circle, 1 sphere), centre, normal, radius.
@@ -103,8 +105,16 @@ pub struct Stage {
     pub projections: Projections,
     /// The checkerboard of a flat map.
     pub checks: Checks,
+    /// Sides of the faces that a flat map turns over, by their vertices.
+    pub flipped: Vec<[u32; 2]>,
+    /// The ghost of the model as it was opened, and the ground.
+    pub around: Surroundings,
+    /// The ends of the measuring tape: none, the first, or both.
+    pub tape: Vec<u32>,
     /// What is switched on.
     pub display: Display,
+    /// What is wanted of the gizmo.
+    pub gizmo: Wanted,
     /// Dark theme.
     pub dark: bool,
     /// White behind everything, for figures, instead of the theme's colour.
@@ -128,7 +138,11 @@ impl Default for Stage {
             shapes: Vec::new(),
             projections: Projections::default(),
             checks: Checks::default(),
+            flipped: Vec::new(),
+            around: Surroundings::default(),
+            tape: Vec::new(),
             display: Display { edges: true, ..Display::default() },
+            gizmo: Wanted::default(),
             dark: false,
             white: false,
             changes: Changes::ALL,
@@ -166,7 +180,9 @@ impl Stage {
         self.shapes.clear();
         self.projections = Projections::default();
         self.checks = Checks::default();
+        self.tape.clear();
         self.changes = Changes::ALL;
+        self.leave_surroundings();
         self.preset("home")
     }
 
@@ -178,6 +194,7 @@ impl Stage {
         self.subject.set_positions(coordinates)?;
         self.changes.positions = true;
         self.map = None;
+        self.keep_reach();
         Ok(())
     }
 
@@ -286,16 +303,22 @@ impl Stage {
     /// Sets the size of the canvas in CSS pixels.
     pub fn resize(&mut self, canvas: Vec2) {
         self.camera.canvas = canvas.max(Vec2::ONE);
+        self.refit();
+        self.view_changed();
+    }
+
+    /// Fits again, unless somebody has moved the camera since.
+    pub(super) fn refit(&mut self) {
         if self.framed {
             self.fit();
         }
-        self.view_changed();
     }
 
     /// Sets the vertical axis.
     pub fn set_up(&mut self, up: Up) {
         if up != self.camera.up {
             self.camera.up = up;
+            self.surround();
             self.fit();
         }
     }
@@ -321,7 +344,10 @@ impl Stage {
         }
         let eye = self.camera.eye();
         let anchor = match picking::pick_face(&self.subject, &self.camera, cursor) {
-            Some(hit) => eye.at + eye.direction(cursor) * hit.along,
+            Some(hit) => {
+                let (from, direction) = eye.ray(cursor);
+                from + direction * hit.along
+            }
             None => self.camera.on_pivot_plane(cursor),
         };
         let size = self.size();
@@ -344,12 +370,16 @@ impl Stage {
     /// A vertex that does not exist.
     pub fn fit_vertices(&mut self, vertices: &[u32]) -> Result<(), ViewError> {
         check_indices("vertices", vertices, self.counts().0)?;
+        self.come_near(vertices, self.size() * 0.04);
+        Ok(())
+    }
+
+    /// Fills the canvas with some vertices and so much around them.
+    pub(super) fn come_near(&mut self, vertices: &[u32], around: f32) {
         let points = vertices.iter().map(|&v| self.subject.positions[v as usize]);
-        let radius = self.size() * 0.04;
-        frame(&mut self.camera, points, radius);
+        frame(&mut self.camera, points, around);
         self.framed = false;
         self.view_changed();
-        Ok(())
     }
 
     /// Looks from a named side and fills the canvas.
@@ -369,24 +399,10 @@ impl Stage {
         if size > 0.0 && size.is_finite() { size } else { 1.0 }
     }
 
-    fn bounds(&self) -> [Vec3; 2] {
+    pub(super) fn bounds(&self) -> [Vec3; 2] {
         let points = self.subject.positions.iter().copied();
         let low = points.clone().reduce(Vec3::min).unwrap_or_default();
         [low, points.reduce(Vec3::max).unwrap_or_default()]
-    }
-
-    /// Near and far depths around everything drawn.
-    pub fn depth_range(&self) -> (f32, f32) {
-        let [mut low, mut high] = self.bounds();
-        // Projections lie beside their vertices, and are drawn nearer to the eye by as much.
-        let ways = self.projections.points.iter().map(|point| point.way.length_squared());
-        let beside = 2.0 * ways.fold(0.0, f32::max).sqrt();
-        (low, high) = (low - beside, high + beside);
-        let corners = (0..8).map(|i| {
-            let pick = |axis: usize| if i >> axis & 1 == 0 { low[axis] } else { high[axis] };
-            Vec3::new(pick(0), pick(1), pick(2))
-        });
-        depth_range(&self.camera, corners.chain(self.targets()))
     }
 
     /// Where each handle should be, relative to the view's centre.
@@ -426,16 +442,5 @@ impl Stage {
         let (screen, _) = self.camera.eye().project(point);
         let inside = screen.cmpge(Vec2::ZERO).all() && screen.cmple(self.camera.canvas).all();
         (inside && picking::visible(&self.subject, &self.camera, vertex)).then_some(screen)
-    }
-
-    /// Where a vertex goes when it is dragged, parallel to the screen, to a screen position; in file
-    /// coordinates.
-    ///
-    /// # Errors
-    /// A vertex that does not exist.
-    pub fn drag_target(&self, vertex: u32, to: Vec2) -> Result<DVec3, ViewError> {
-        check_indices("dragged vertex", &[vertex], self.counts().0)?;
-        let offset = picking::drag_offset(&self.subject, &self.camera, vertex, to);
-        Ok(self.subject.exact[vertex as usize] + offset.as_dvec3())
     }
 }

@@ -167,8 +167,9 @@ pub(super) fn sides(corners: &[u32]) -> impl Iterator<Item = [u32; 2]> + '_ {
 
 /// Whether the surface hides the mark on a vertex. The view draws marks in front of what is near.
 pub(super) fn is_hidden(stage: &Stage, eye: &Eye, vertex: u32) -> bool {
-    let distance = (stage.subject.positions[vertex as usize] - eye.at).length();
-    hidden(&stage.subject, eye.at, vertex, distance * NEAR)
+    let point = stage.subject.positions[vertex as usize];
+    let from = eye.seen_from(point);
+    hidden(&stage.subject, from, vertex, eye.scale_depth((point - from).length()) * NEAR)
 }
 
 /// A line through places, as the data of a path: the first as it is, the others by their steps.

@@ -5,7 +5,7 @@ use super::colour_map;
 use super::globals::{NUMBERS, numbers};
 use super::row_colours;
 use super::stage::Stage;
-use glam::Vec4;
+use glam::{Vec3, Vec4};
 
 /// Texels in a row of a table; the shaders know it too.
 const WIDTH: u32 = 1024;
@@ -179,9 +179,13 @@ impl Store {
         let changes = stage.changes;
         let subject = &stage.subject;
         let mut rebind = false;
-        if changes.mesh || changes.positions || changes.projections {
-            let places = subject.positions.iter().copied().chain(stage.targets());
-            let points = places.map(|place| place.extend(0.0)).chain(stage.projected());
+        let corners = changes.looks && stage.looks.corner_steps().is_some();
+        if changes.mesh || changes.positions || changes.projections || corners {
+            let vertices = subject.positions.iter().enumerate();
+            // Less than nothing: the fourth number of what lies beside the surface is more.
+            let vertices = vertices.map(|(v, at)| at.extend(-stage.looks.corner_in_steps(v)));
+            let targets = stage.targets().map(|place| place.extend(0.0));
+            let points = vertices.chain(targets).chain(stage.projected());
             rebind |= self.positions.write(device, queue, &four_each(points));
         }
         if changes.mesh || changes.positions {
@@ -205,18 +209,39 @@ impl Store {
             self.write_colours(queue, 2, &stage.projections.palette);
         }
         if rebind {
-            let textures = [
-                &self.positions.texture,
-                &self.vertex_normals.texture,
-                &self.face_normals.texture,
-                &self.face_looks.texture,
-                &self.colour_map,
-                &self.places.texture,
-            ];
-            self.group = bind(device, &self.layout, &self.globals, textures);
+            self.bind(device);
         }
         let numbers = numbers(stage, width, height);
         queue.write_buffer(&self.globals, 0, bytemuck::cast_slice(&numbers));
+    }
+
+    /// Writes points in place of those of a mesh, and the globals, which are those of `stage`.
+    pub fn update_points(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        stage: &Stage,
+        points: Option<impl Iterator<Item = Vec3>>,
+        (width, height): (u32, u32),
+    ) {
+        let points = points.map(|points| four_each(points.map(|point| point.extend(0.0))));
+        if points.is_some_and(|points| self.positions.write(device, queue, &points)) {
+            self.bind(device);
+        }
+        let numbers = numbers(stage, width, height);
+        queue.write_buffer(&self.globals, 0, bytemuck::cast_slice(&numbers));
+    }
+
+    fn bind(&mut self, device: &wgpu::Device) {
+        let textures = [
+            &self.positions.texture,
+            &self.vertex_normals.texture,
+            &self.face_normals.texture,
+            &self.face_looks.texture,
+            &self.colour_map,
+            &self.places.texture,
+        ];
+        self.group = bind(device, &self.layout, &self.globals, textures);
     }
 
     /// Writes a palette of rows of constraints into a row of the texture of colours.

@@ -1,9 +1,15 @@
 //! wasm-bindgen faces: `solver` for the worker, `view` for the page.
 
 #[cfg(feature = "solver")]
+mod drag;
+#[cfg(feature = "solver")]
 pub mod experiment;
 #[cfg(feature = "solver")]
+mod lists;
+#[cfg(feature = "solver")]
 mod measure;
+#[cfg(feature = "solver")]
+mod original;
 #[cfg(feature = "solver")]
 mod page_edit;
 #[cfg(feature = "solver")]
@@ -11,13 +17,23 @@ mod parametrize;
 #[cfg(feature = "solver")]
 mod report;
 #[cfg(feature = "solver")]
+mod seeing;
+#[cfg(feature = "solver")]
 mod selecting;
 #[cfg(feature = "solver")]
 pub mod solver;
 #[cfg(feature = "view")]
 pub mod view;
 #[cfg(feature = "view")]
+mod view_gizmo;
+#[cfg(feature = "view")]
 mod view_map;
+#[cfg(feature = "view")]
+mod view_seeing;
+#[cfg(feature = "view")]
+mod view_split;
+#[cfg(feature = "solver")]
+pub mod warm_up;
 
 use wasm_bindgen::JsValue;
 

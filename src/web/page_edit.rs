@@ -1,6 +1,7 @@
 //! More edits as the page sends them: of rows as a whole, sets, settings, and how things are held.
 
 use crate::constraint::Set;
+use crate::scene::{Lesson, SceneError};
 use crate::session::Edit;
 use serde::Deserialize;
 use serde_json::Value;
@@ -11,6 +12,10 @@ use serde_json::Value;
 pub(super) enum OtherEdit {
     DuplicateConstraint {
         index: usize,
+    },
+    RenameConstraint {
+        index: usize,
+        name: String,
     },
     NameSet {
         name: String,
@@ -34,12 +39,18 @@ pub(super) enum OtherEdit {
         vertices: Vec<u32>,
         weight: f64,
     },
+    SetLesson {
+        lesson: Option<Value>,
+    },
 }
 
-impl From<OtherEdit> for Edit {
-    fn from(edit: OtherEdit) -> Edit {
-        match edit {
+impl TryFrom<OtherEdit> for Edit {
+    type Error = SceneError;
+
+    fn try_from(edit: OtherEdit) -> Result<Edit, SceneError> {
+        Ok(match edit {
             OtherEdit::DuplicateConstraint { index } => Edit::DuplicateConstraint { index },
+            OtherEdit::RenameConstraint { index, name } => Edit::RenameConstraint { index, name },
             OtherEdit::NameSet { name, vertices, faces } => {
                 Edit::NameSet { name, set: Set { vertices, faces } }
             }
@@ -47,6 +58,10 @@ impl From<OtherEdit> for Edit {
             OtherEdit::Set { id, value } => Edit::Set { id, value },
             OtherEdit::HoldClose { vertices, weight } => Edit::HoldClose { vertices, weight },
             OtherEdit::WeighHandles { vertices, weight } => Edit::WeighHandles { vertices, weight },
-        }
+            OtherEdit::SetLesson { lesson } => {
+                let read = |lesson: Value| Lesson::from_json(&lesson.to_string());
+                Edit::SetLesson(lesson.map(read).transpose()?)
+            }
+        })
     }
 }

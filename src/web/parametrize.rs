@@ -16,7 +16,8 @@ const BARS: usize = 24;
 impl Solver {
     /// The flat map of the current shape: `uv` (`#V by 2`, units of the mesh), `faceErrors` (`#F`, the
     /// greatest quasi-conformal error of the triangles of each face, not a number without area), `mean`
-    /// (weighted by area) and `max` of the error, `histogram` (faces, from 1 up to `high`), `flipped` triangles, `parts`, `closedParts`,
+    /// (weighted by area) and `max` of the error, `histogram` (faces, from 1 up to `high`), `flipped` triangles, `flippedFaces`
+    /// that have some of these, `parts`, `closedParts`,
     /// `eigenvalue`, and `seconds`, by part in `secondsOf`. `weights` and `norm` are the words of the command line.
     ///
     /// # Errors
@@ -44,6 +45,7 @@ impl Solver {
             ("mean", errors.quasi_conformal.mean.into()),
             ("max", errors.quasi_conformal.max.into()),
             ("flipped", (errors.flipped as f64).into()),
+            ("flippedFaces", Uint32Array::from(&errors.flipped_faces[..]).into()),
             ("parts", (map.parts as f64).into()),
             ("closedParts", (map.closed_parts as f64).into()),
             ("eigenvalue", map.eigenvalue.into()),

@@ -1,10 +1,11 @@
 //! What the worker tells the page, as plain objects in camelCase.
 
+use super::lists::{GoalNumbers, LessonWords};
 use crate::constraint::{Element, Info, KINDS, Kind, LocalStep, Sketch, describe};
 use crate::math::Vec3;
 use crate::mesh::{Circularity, Planarity, Read};
 use crate::scene::{Hold, SmoothnessOf, Up, Weighting};
-use crate::session::{Session, settings_of};
+use crate::session::{Session, flaw_of, settings_of};
 use crate::solve::Energy;
 use serde::Serialize;
 use serde_json::Value;
@@ -47,6 +48,8 @@ struct Problem {
     message: String,
     count: usize,
     line: Option<usize>,
+    /// What to ask for the elements that have it.
+    flaw: Option<&'static str>,
 }
 
 impl Loaded {
@@ -70,7 +73,12 @@ impl Loaded {
             guessed,
             mean_edge: mean_edge(session),
             problems: problems
-                .map(|p| Problem { message: p.to_string(), count: p.count, line: p.line })
+                .map(|p| Problem {
+                    message: p.to_string(),
+                    count: p.count,
+                    line: p.line,
+                    flaw: flaw_of(p.kind),
+                })
                 .collect(),
             notes: read.notes.clone(),
         }
@@ -97,7 +105,7 @@ pub(super) struct Document<'a> {
     title: &'a str,
     units: &'a str,
     up: &'static str,
-    constraints: Vec<ConstraintRow>,
+    constraints: Vec<ConstraintRow<'a>>,
     handles: Vec<HandleRow>,
     weights: Weights,
     closeness: &'static str,
@@ -111,6 +119,7 @@ pub(super) struct Document<'a> {
     undo: Option<&'a str>,
     redo: Option<&'a str>,
     pinned: &'a [u32],
+    lesson: Option<LessonWords<'a>>,
 }
 
 #[derive(Serialize)]
@@ -121,10 +130,12 @@ struct NamedSet<'a> {
 }
 
 #[derive(Serialize)]
-struct ConstraintRow {
+struct ConstraintRow<'a> {
     index: usize,
     kind: &'static str,
-    label: &'static str,
+    /// Its name, or what its kind is called.
+    label: &'a str,
+    name: &'a str,
     colour: [u8; 3],
     on: String,
     count: usize,
@@ -169,7 +180,8 @@ impl<'a> Document<'a> {
                 ConstraintRow {
                     index,
                     kind: info.id,
-                    label: info.label,
+                    label: spec.label(),
+                    name: &spec.name,
                     colour: info.colour,
                     on: describe(&spec.on),
                     count: row.constraints.members.len(),
@@ -226,6 +238,7 @@ impl<'a> Document<'a> {
             undo,
             redo,
             pinned: session.solver().pinned(),
+            lesson: scene.lesson.as_ref().map(LessonWords::new),
         }
     }
 }
@@ -236,6 +249,8 @@ impl<'a> Document<'a> {
 pub(super) struct Frame {
     iteration: u32,
     converged: bool,
+    /// The local step is done, the global step is next.
+    halfway: bool,
     energy: Energy,
     planarity: Planarity,
     circularity: Circularity,
@@ -243,6 +258,8 @@ pub(super) struct Frame {
     worst: Vec<f64>,
     /// Of each row its part of the total energy, from 0 to 1.
     shares: Vec<f64>,
+    /// Of each goal of the lesson.
+    goals: Vec<GoalNumbers>,
     /// Six numbers per iteration since the last frame.
     trace: Vec<f64>,
     step_ms: f64,
@@ -256,6 +273,7 @@ impl Frame {
             let e = entry.energy;
             [f64::from(entry.iteration), e.shape, e.close, e.smooth, e.handles, e.total]
         });
+        let goals = GoalNumbers::of(session);
         let measures = session.measures();
         let mut found = session.solver().found();
         let rows = session.rows().iter().map(|row| row.enabled.then(|| found.next()).flatten());
@@ -266,11 +284,13 @@ impl Frame {
         Frame {
             iteration: session.iteration(),
             converged: session.solver().converged(),
+            halfway: session.halfway(),
             energy,
             planarity: measures.planarity,
             circularity: measures.circularity,
             worst: rows.iter().map(|row| row.worst_squared.sqrt()).collect(),
             shares: rows.iter().map(share).collect(),
+            goals,
             trace: trace.collect(),
             step_ms,
         }

@@ -146,7 +146,7 @@ impl Solver {
             scene.up = stated.up.unwrap_or_else(|| Frame::guess_up(&file.mesh));
         }
         let mesh = std::mem::take(&mut file.mesh);
-        let mut session = Session::open(scene, mesh).map_err(|error| {
+        let session = Session::replace(&mut self.session, scene, mesh).map_err(|error| {
             thrown(if is_scene { format!("{name}: {error}") } else { error.to_string() })
         })?;
         session.set_load_seconds(clock::now() - started);
@@ -155,10 +155,8 @@ impl Solver {
             units: !is_scene && stated.units.is_none(),
             up: !is_scene && stated.up.is_none(),
         };
-        let loaded = plain(&Loaded::new(name, &session, &file, guessed))?;
-        self.session = Some(session);
         self.step_ms = 0.0;
-        Ok(loaded)
+        plain(&Loaded::new(name, session, &file, guessed))
     }
 
     /// Counts on from `iteration`, where the scene that was just opened stood when it was saved.
@@ -197,7 +195,7 @@ impl Solver {
             PageEdit::AddHandles { vertices, fixed } => Edit::AddHandles { vertices, fixed },
             PageEdit::RemoveHandles { vertices } => Edit::RemoveHandles { vertices },
             PageEdit::Reset => Edit::Reset,
-            PageEdit::Other(edit) => edit.into(),
+            PageEdit::Other(edit) => edit.try_into().map_err(|error| thrown_at(&error))?,
         };
         session.edit(edit).map_err(|error| match error {
             Error::Scene(error) => thrown_at(&error),
@@ -213,24 +211,6 @@ impl Solver {
     /// Repeats the step that was last undone; its name, or null.
     pub fn redo(&mut self) -> Result<Option<String>, JsValue> {
         self.open_mut()?.redo().map_err(thrown)
-    }
-
-    /// Drags handles: `phase` is "start", "move", "end" or "cancel"; `targets` is `#vertices by 3`.
-    pub fn drag(&mut self, vertices: &[u32], targets: &[f64], phase: &str) -> Result<(), JsValue> {
-        let session = self.open_mut()?;
-        if phase == "start" {
-            session.begin_drag();
-        }
-        if phase != "cancel" {
-            let (targets, _) = targets.as_chunks::<3>();
-            session.drag(vertices.iter().copied().zip(targets.iter().copied()));
-        }
-        match phase {
-            "end" => session.end_drag(true),
-            "cancel" => session.end_drag(false),
-            _ => {}
-        }
-        Ok(())
     }
 
     /// One iteration; true when it has converged.
@@ -362,12 +342,13 @@ impl Solver {
         Ok(self.open()?.obj())
     }
 
-    /// A table as CSV: `errors` of the faces, or `convergence`, the energies of the iterations.
+    /// A table as CSV: `errors` of faces, energies of the iterations (`convergence`), or `angles`.
     pub fn table(&mut self, what: &str) -> Result<String, JsValue> {
         let session = self.open_mut()?;
         match what {
             "errors" => Ok(session.errors_csv()),
             "convergence" => Ok(session.convergence_csv()),
+            "angles" => Ok(session.angles_csv()),
             _ => Err(thrown(format!("unknown table {what:?}"))),
         }
     }

@@ -8,12 +8,14 @@ use crate::view::camera::Up;
 use crate::view::colour_map;
 use crate::view::device::{Device, DeviceError};
 use crate::view::flat_map::follow;
+use crate::view::flight::Flight;
 use crate::view::lists::ViewError;
 use crate::view::loss::Loss;
 use crate::view::picture::Picture;
 use crate::view::projections::Projections;
 use crate::view::region::{Outline, Taking};
 use crate::view::row_colours::RowColours;
+use crate::view::split::Split;
 use crate::view::stage::{Display, Stage};
 use glam::Vec2;
 use std::sync::Arc;
@@ -28,6 +30,10 @@ pub struct View {
     pub(super) stage: Stage,
     /// The stage of the flat map beside the model.
     pub(super) map: Option<Stage>,
+    /// Two pictures instead of one.
+    pub(super) split: Option<Split>,
+    /// On its way to another view.
+    pub(super) flight: Option<Flight>,
     /// Size of the canvas in CSS pixels.
     pub(super) canvas_size: Vec2,
     pixel_ratio: f32,
@@ -117,6 +123,8 @@ impl View {
         Ok(View {
             stage,
             map: None,
+            split: None,
+            flight: None,
             canvas_size,
             pixel_ratio,
             picture,
@@ -162,6 +170,8 @@ impl View {
             // Another mesh, and the map is that of the one before.
             self.clear_map();
         }
+        // Its sides show the mesh before.
+        self.split = None;
         Ok(())
     }
 
@@ -389,7 +399,7 @@ impl View {
         self.stage.fit_vertices(vertices).map_err(thrown)
     }
 
-    /// Looks from `top`, `bottom`, `front`, `back`, `left`, `right` or `home`, and fits.
+    /// Looks from `top`, `bottom`, `front`, `back`, `left`, `right`, `isometric` or `home`, and fits.
     ///
     /// # Errors
     /// Any other name.
@@ -444,28 +454,12 @@ impl View {
         self.stage.screen(vertex).map(|at| vec![f64::from(at.x), f64::from(at.y)])
     }
 
-    /// Where a vertex goes when the cursor, which grabbed it `(grab_dx, grab_dy)` beside its middle,
-    /// is at `(x, y)`: in the plane through the vertex that faces the eye.
-    ///
-    /// # Errors
-    /// A vertex that does not exist.
-    #[wasm_bindgen(js_name = dragTarget)]
-    pub fn drag_target(
-        &self,
-        vertex: u32,
-        x: f32,
-        y: f32,
-        grab_dx: f32,
-        grab_dy: f32,
-    ) -> Result<Vec<f64>, JsValue> {
-        let to = Vec2::new(x - grab_dx, y - grab_dy);
-        self.stage.drag_target(vertex, to).map(|p| p.to_array().to_vec()).map_err(thrown)
-    }
-
     /// Whether the next `draw` has something new to show.
     #[wasm_bindgen(js_name = needsDraw)]
     pub fn needs_draw(&self) -> bool {
-        self.stage.changes.any() || self.map.as_ref().is_some_and(|map| map.changes.any())
+        self.stage.changes.any()
+            || self.map.as_ref().is_some_and(|map| map.changes.any())
+            || self.split.as_ref().is_some_and(Split::has_changes)
     }
 
     /// Draws if anything has changed; returns whether it did.
@@ -476,9 +470,12 @@ impl View {
         if let Some(map) = &mut self.map {
             follow(map, &self.stage);
         }
+        if let Some(split) = &mut self.split {
+            split.follow(&self.stage);
+        }
         let drawn = self
             .picture
-            .draw(&mut self.stage, self.map.as_mut(), self.pixel_ratio)
+            .draw(&mut self.stage, self.map.as_mut(), self.split.as_mut(), self.pixel_ratio)
             .map_err(thrown)?;
         self.frames += u32::from(drawn);
         Ok(drawn)

@@ -2,19 +2,21 @@
 
 use super::thrown;
 use super::view::View;
-use crate::view::flat_map::{Region, flat_map};
+use crate::view::flat_map::{Region, flat_map, show_flipped};
 use glam::Vec2;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
 impl View {
-    /// Shows the flat map `uv` (#V by 2) of the mesh beside it, in place of one that is shown already.
+    /// Shows the flat map `uv` (#V by 2) of the mesh beside it, in place of one that is shown already,
+    /// and outlines the faces that it turns over.
     ///
     /// # Errors
-    /// Another number of places than vertices, or one that is not finite; all stays as it was.
+    /// Another number of places than vertices, one that is not finite, or a face that does not exist;
+    /// all stays as it was.
     #[wasm_bindgen(js_name = setMap)]
-    pub fn set_map(&mut self, uv: &[f64]) -> Result<(), JsValue> {
-        let (map, checks) = flat_map(&self.stage, uv).map_err(thrown)?;
+    pub fn set_map(&mut self, uv: &[f64], flipped: &[u32]) -> Result<(), JsValue> {
+        let (map, checks) = flat_map(&self.stage, uv, flipped).map_err(thrown)?;
         self.stage.checks = checks;
         self.stage.changes.checks = true;
         // The marks of the model are those of the map too.
@@ -91,6 +93,14 @@ impl View {
         }
     }
 
+    /// Comes near the faces that the map turns over, on the model and on the map.
+    #[wasm_bindgen(js_name = showFlipped)]
+    pub fn show_flipped(&mut self) {
+        if let Some(map) = &mut self.map {
+            show_flipped(map, &mut self.stage);
+        }
+    }
+
     /// Fills its part of the canvas with the map.
     #[wasm_bindgen(js_name = fitMap)]
     pub fn fit_map(&mut self) {
@@ -101,6 +111,7 @@ impl View {
 
     /// Gives the model and its map their parts of the canvas.
     pub(super) fn arrange(&mut self) {
+        self.arrive();
         let whole = Region::whole(self.canvas_size);
         let [model, map] = match &self.map {
             Some(_) => Region::halves(self.canvas_size),

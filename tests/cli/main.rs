@@ -5,6 +5,7 @@
 mod experiment;
 mod faults;
 mod folder;
+mod lessons;
 
 use folder::{Folder, PLANES, ROOF, scene};
 use serde_json::Value;

@@ -14,7 +14,7 @@ export async function showPanel(page, name) {
 
 /** Closes the sheet of a phone again, so that the view is large. */
 export async function hidePanels(page) {
-  const open = page.getByRole('tab', { selected: true });
+  const open = page.getByRole('tablist', { name: 'Panels' }).getByRole('tab', { selected: true });
   const bar = page.getByRole('toolbar', { name: 'Main tools' });
   if ((await bar.isVisible()) && (await open.count()) > 0) await open.click();
 }
@@ -83,7 +83,7 @@ export async function exported(page, format) {
 }
 
 /** The file that is saved by what is done. */
-async function downloaded(page, action) {
+export async function downloaded(page, action) {
   const download = page.waitForEvent('download');
   await action();
   const got = await download;

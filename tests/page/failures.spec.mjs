@@ -54,5 +54,6 @@ test('a lost graphics context comes back', async ({ page }) => {
   });
   await expect(page.locator('[role="application"] canvas[data-lost]')).toHaveCount(0);
   await waitForState(page, (now) => now.renderer === 'webgl2');
+  await expect(page.getByRole('status')).toHaveText('The 3D picture was lost and is drawn anew');
   await expect.poll(() => coloursOfView(page)).toBeGreaterThan(50);
 });

@@ -57,6 +57,7 @@ for (const colorScheme of ['light', 'dark']) {
 test('presses count before anything is there to act on', async ({ page }) => {
   const releaseScript = await hold(page, '**/*.js');
   const releaseModules = await hold(page, '**/*.wasm');
+  const mesh = page.waitForResponse(/\/examples\/[^/]+\.obj$/);
   await page.goto('./', { waitUntil: 'commit' });
   expect(await coloursOfView(page)).toBeGreaterThan(50);
   // A phone's tools are in their place when the script is there.
@@ -65,8 +66,11 @@ test('presses count before anything is there to act on', async ({ page }) => {
   if (early) await run.click();
   releaseScript();
   if (!early) await run.click();
-  // Which of the two is said last depends on how fast the list of examples is here.
-  await expect(page.getByRole('status')).toHaveText(/^(Starts when the model is here|Reading )/);
+  const said = page.getByRole('status');
+  await expect(said).toHaveText('Starts when the model is here');
+  // Also when the example is here, and only the solver is not.
+  await (await mesh).finished();
+  await expect(said).toHaveText('Starts when the model is here');
   releaseModules();
   const after = await waitForState(page, (now) => now.converged && !now.running);
   expect(after.iteration).toBeGreaterThan(0);

@@ -72,6 +72,16 @@ export function tetScene() {
   return disturbed({ positions: corners, tets });
 }
 
+/** A closed box that leans: the text of an OBJ file. */
+export function box() {
+  const places = [0, 3].flatMap((z) => [0, 2].flatMap((y) => [0, 1].map((x) => [x, y, z])));
+  const corners = places.map(
+    ([x, y, z]) => `v ${x + 0.4 * y * z} ${y + 0.3 * x * z} ${z + 0.5 * x * y}`,
+  );
+  const faces = ['1 3 4 2', '5 6 8 7', '1 2 6 5', '3 7 8 4', '1 5 7 3', '2 4 8 6'];
+  return [...corners, ...faces.map((face) => `f ${face}`), ''].join('\n');
+}
+
 /** A file for a file input. */
 export const file = (name, text) => ({
   name,

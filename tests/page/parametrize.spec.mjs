@@ -6,7 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { program } from '../../.scripts/programs.mjs';
 import { openExample, openText, runToTheEnd, saved, showPanel } from './actions.mjs';
-import { wavyGrid } from './meshes.mjs';
+import { box, wavyGrid } from './meshes.mjs';
 import { decodePng } from './picture.mjs';
 import { expect, openPage, screenOf, test, waitForState } from './support.mjs';
 
@@ -145,4 +145,45 @@ test('what has no faces is not offered, and what has no boundary is told', async
   await parametrize(page);
   await expect(page.getByText('has no boundary: the map folds over itself')).toBeVisible();
   await expect(page.getByLabel('Norm over')).toBeHidden();
+});
+
+test('faces that the map turns over are outlined, counted, and found on the model', async ({
+  page,
+}) => {
+  await openPage(page);
+  await waitForState(page, (now) => now.renderer !== 'none');
+  // A sheet folds nowhere, a box must.
+  await openText(page, 'grid.obj', wavyGrid(4), 25);
+  await parametrize(page);
+  const show = page.getByRole('button', { name: 'Show flipped faces' });
+  await expect(value(page, 'Flipped triangles')).toHaveText('0');
+  await expect(show).toBeHidden();
+  await expect(map(page).getByText('flipped')).toBeHidden();
+  const red = async () => {
+    const { pixels: drawn, channels } = decodePng(await map(page).screenshot());
+    let count = 0;
+    for (let at = 0; at < drawn.length; at += channels)
+      count += Number(drawn[at] > 180 && drawn[at + 1] < 80 && drawn[at + 2] < 90);
+    return count;
+  };
+  expect(await red()).toBe(0);
+
+  await page.keyboard.press('Escape');
+  await openText(page, 'box.obj', box(), 8);
+  // On a phone it would lie over the map.
+  await page.getByRole('button', { name: 'That is right' }).click();
+  await parametrize(page);
+  await expect(show).toBeVisible();
+  const flipped = Number(await value(page, 'Flipped triangles').textContent());
+  expect(flipped).toBeGreaterThan(0);
+  expect(flipped).toBeLessThanOrEqual(12);
+  await expect(map(page).getByText(/^\d+ triangles? flipped$/)).toBeVisible();
+  await expect.poll(red).toBeGreaterThan(80);
+  await show.click();
+  const { selection } = await page.evaluate(() => window.shapeUp.state());
+  expect(selection.faces.length).toBeGreaterThan(0);
+  expect(selection.faces.length).toBeLessThanOrEqual(flipped);
+  await expect(page.getByRole('status')).toHaveText(/^\d faces? selected$/);
+  // Both stay marked: the outlines are the map's own, and longer now that they are nearer.
+  await expect.poll(red).toBeGreaterThan(150);
 });

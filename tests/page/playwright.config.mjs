@@ -21,7 +21,19 @@ const port = process.env.SHAPE_UP_TEST_PORT;
 const base = '/some/sub-path/';
 const url = `http://127.0.0.1:${port}${base}`;
 
-const BEHIND = ['autosave', 'kinds', 'offline', 'parameters', 'share', 'undo', 'units'];
+const BEHIND = [
+  'adaptation',
+  'autosave',
+  'drag-speed',
+  'keyboard',
+  'kinds',
+  'offline',
+  'parameters',
+  'random-undo',
+  'share',
+  'undo',
+  'units',
+];
 
 export default defineConfig({
   testDir: '.',
@@ -44,7 +56,12 @@ export default defineConfig({
     launchOptions: { executablePath: (await findBrowser()) ?? undefined, args: browserFlags },
   },
   projects: [
-    { name: 'desktop', use: { viewport: { width: 1440, height: 900 } } },
+    {
+      name: 'desktop',
+      use: { viewport: { width: 1440, height: 900 } },
+      // Fingers are the phone's.
+      testIgnore: 'touch.spec.mjs',
+    },
     {
       name: 'phone',
       use: { viewport: { width: 390, height: 844 } },

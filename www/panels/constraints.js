@@ -15,6 +15,7 @@ import { sketch } from '../sketch.js';
 /** The numbers of a run change on the page this often, in milliseconds. */
 const NUMBERS_EVERY_MS = 100;
 const NONE = new Uint32Array(0);
+const renaming = () => import('./rename.js');
 
 /**
  * @param {HTMLElement} place
@@ -27,6 +28,8 @@ export function constraintsPanel(place, store, solver, actions) {
   let worstCells = [];
   /** @type {HTMLElement[]} */
   let shareCells = [];
+  /** The row that just got a name: it has the focus again. @type {number | null} */
+  let renamed = null;
   /** The rows that are on the page. */
   let shown = '';
   /** The rows that are open, by what they are: an index would change with what is before it. @type {Set<string>} */
@@ -59,8 +62,9 @@ export function constraintsPanel(place, store, solver, actions) {
    * What opens below a row: what it asks, and its parameters, which act at once.
    * @param {ConstraintRow} row
    * @param {string} name
+   * @param {() => void} rename
    */
-  function detailsOf(row, name) {
+  function detailsOf(row, name, rename) {
     const { kinds, model } = store.get();
     const kind = kinds.find(({ id }) => id === row.kind);
     if (!kind || !model) return element('div', { hidden: true });
@@ -88,6 +92,7 @@ export function constraintsPanel(place, store, solver, actions) {
         textButton('Duplicate', `${name}: duplicate`, () =>
           actions.edit({ type: 'duplicateConstraint', index: row.index }),
         ),
+        textButton('Rename', `${name}: rename`, rename),
       ),
     );
   }
@@ -113,6 +118,7 @@ export function constraintsPanel(place, store, solver, actions) {
     const set = (/** @type {{ weight?: number, enabled?: boolean }} */ change) =>
       actions.edit({ type: 'setConstraint', index: row.index, ...change });
     const name = `${row.label} on ${row.on}`;
+    const kind = store.get().kinds.find(({ id }) => id === row.kind)?.label ?? '';
     const toggle = element('input', {
       type: 'checkbox',
       role: 'switch',
@@ -154,7 +160,7 @@ export function constraintsPanel(place, store, solver, actions) {
     shareCells.push(share);
     worstCells.push(worst);
     const skipped = row.skipped > 0 ? `, ${groupDigits(row.skipped)} skipped` : '';
-    const details = detailsOf(row, name);
+    const details = detailsOf(row, name, () => rename());
     details.hidden = !open.has(key);
     details.id = `constraint-${row.index}-details`;
     const opener = element(
@@ -175,6 +181,17 @@ export function constraintsPanel(place, store, solver, actions) {
       element('span', {}, row.label),
       icon('chevron'),
     );
+    const rename = async () => {
+      const { editName } = await renaming();
+      editName(opener, row.name, kind, (name) => {
+        renamed = row.index;
+        actions.edit({ type: 'renameConstraint', index: row.index, name });
+      });
+    };
+    opener.addEventListener('dblclick', rename);
+    opener.addEventListener('keydown', (event) => {
+      if (event.key === 'F2') rename();
+    });
     return element(
       'li',
       {
@@ -185,7 +202,11 @@ export function constraintsPanel(place, store, solver, actions) {
           if (event.pointerType !== 'touch') tint(row);
         },
         onpointerleave: untint,
-        onfocusin: () => tint(row),
+        onfocusin: () => {
+          tint(row);
+          // It has to be there before somebody types on.
+          renaming();
+        },
         onfocusout: untint,
       },
       element('span', { class: 'chip' }),
@@ -194,7 +215,11 @@ export function constraintsPanel(place, store, solver, actions) {
       element(
         'span',
         { class: 'on' },
-        element('span', {}, `${row.on} · ${groupDigits(row.count)}${skipped}${paramsInWords(row)}`),
+        element(
+          'span',
+          {},
+          `${row.name && `${kind}, `}${row.on} · ${groupDigits(row.count)}${skipped}${paramsInWords(row)}`,
+        ),
         share,
       ),
       element('span', { class: 'measures' }, element('label', {}, 'weight', weight), worst),
@@ -247,10 +272,13 @@ export function constraintsPanel(place, store, solver, actions) {
     if (focused) {
       /** @type {HTMLElement | null} */
       const again = place.querySelector(
-        `:is(button, input, select)[aria-label="${CSS.escape(focused)}"]`,
+        renamed === null
+          ? `:is(button, input, select)[aria-label="${CSS.escape(focused)}"]`
+          : `[data-index="${renamed}"] .name`,
       );
       again?.focus();
     }
+    renamed = null;
     showNumbers();
   });
   store.subscribe(['numbers'], showNumbers);

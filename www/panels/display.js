@@ -41,6 +41,10 @@ export function displayPanel(place, store) {
       toggle('shapes', 'Fitted shapes'),
       toggle('outlines', 'Projected shapes'),
       toggle('arrows', 'Residual arrows'),
+      toggle('ghost', 'Original ghost'),
+      toggle('ground', 'Ground grid'),
+      toggle('bands', 'Colours in bands'),
+      toggle('gizmo', 'Gizmo'),
     ),
   );
   store.subscribe(['measure', 'measures'], ({ measure, measures }) => {
@@ -54,5 +58,6 @@ export function displayPanel(place, store) {
   store.subscribe(['flatMap'], ({ flatMap }) => (colourRow.hidden = flatMap !== null));
   // Only a surface can be flattened.
   const parametrize = byId('parametrize');
-  store.subscribe(['model'], ({ model }) => (parametrize.hidden = !model?.faces));
+  const split = byId('split-button');
+  store.subscribe(['model'], ({ model }) => (parametrize.hidden = split.hidden = !model?.faces));
 }

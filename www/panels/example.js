@@ -11,8 +11,9 @@ import { withSymbols } from '../symbols.js';
  * @param {HTMLElement} place a section, which is hidden while no example is open
  * @param {import("../files.js").Files} files
  * @param {import("../alerts.js").Alerts} alerts
+ * @param {(shows: import("../examples.js").Suggestion["shows"]) => void} show
  */
-export function exampleNote(place, files, alerts) {
+export function exampleNote(place, files, alerts, show) {
   /** @param {string} text @param {Example | undefined} to */
   const link = (text, to) => {
     if (!to) return [];
@@ -30,7 +31,7 @@ export function exampleNote(place, files, alerts) {
     const { example } = files.origin;
     place.hidden = !example;
     if (!example) return;
-    const { figure, summary, statement } = example;
+    const { figure, summary, statement, suggestions } = example;
     const all = await files.examples();
     const at = all.findIndex(({ id }) => id === example.id);
     const title = figure === null ? 'Example' : `Figure ${figure} of the paper`;
@@ -38,6 +39,13 @@ export function exampleNote(place, files, alerts) {
       element('h2', { id: 'heading-example' }, title),
       element('p', {}, summary),
       element('p', { class: 'quiet' }, 'Solved: ', ...withSymbols(statement)),
+      ...suggestions.map(({ label, shows }) =>
+        element(
+          'button',
+          { type: 'button', class: 'bordered small', onclick: () => show(shows) },
+          ...withSymbols(label),
+        ),
+      ),
       element(
         'nav',
         { 'aria-label': 'Examples one by one', class: 'beside' },

@@ -26,6 +26,17 @@ const SQUARES = { least: 8, most: 96, step: 4 };
  */
 export function flatMapPanel(place, store, control) {
   const facts = element('dl', { class: 'facts' });
+  const flipped = element('div', { class: 'flipped-row' });
+  const showFlipped = element(
+    'button',
+    { type: 'button', class: 'bordered', onclick: () => control.showFlipped() },
+    'Show flipped faces',
+  );
+  showFlipped.title = 'Select them on the model, and come nearer on both';
+  flipped.append(
+    element('p', { class: 'quiet' }, 'Outlined in red on the map: there it folds over itself.'),
+    showFlipped,
+  );
   const notice = element('p', { class: 'notice' });
   const again = element(
     'button',
@@ -63,6 +74,7 @@ export function flatMapPanel(place, store, control) {
       ),
     ),
     facts,
+    flipped,
     notice,
     again,
     weights.row,
@@ -80,6 +92,7 @@ export function flatMapPanel(place, store, control) {
     const { found } = flatMap;
     const isStale = state.numbers?.iteration !== flatMap.iteration;
     showFacts(facts, found);
+    flipped.hidden = found.flipped === 0;
     setText(notice, [isStale ? STALE : '', closedWords(found)].filter(Boolean).join(' '));
     notice.hidden = !notice.textContent;
     again.hidden = !isStale;

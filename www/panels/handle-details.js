@@ -1,12 +1,15 @@
 /** The selected handles in numbers: where they should be, and how they hold. */
 
-import { element, setText } from '../dom.js';
+import { element, setText, throttled } from '../dom.js';
 import { count } from '../format.js';
+import { handlesNow } from '../state.js';
 
 /** @typedef {import("../messages.js").Handle} Handle */
 
 /** The mesh follows a target that was typed as it does a drag of this long, in milliseconds. */
 const FOLLOW_MS = 300;
+/** The numbers follow a drag this often. */
+const SHOW_EVERY_MS = 100;
 const AXES = ['x', 'y', 'z'];
 
 /**
@@ -83,8 +86,8 @@ export function handleDetails(store, actions, solver) {
   );
 
   function show() {
-    const { document: scene, selection } = store.get();
-    chosen = (scene?.handles ?? []).filter(({ vertex }) => selection.vertices.has(vertex));
+    const { selection } = store.get();
+    chosen = handlesNow(store.get()).filter(({ vertex }) => selection.vertices.has(vertex));
     all.hidden = chosen.length === 0;
     if (all.hidden) return;
     const [first] = chosen;
@@ -102,5 +105,6 @@ export function handleDetails(store, actions, solver) {
     if (document.activeElement !== weight) weight.value = String(first.weight);
   }
   store.subscribe(['document', 'selection'], show);
+  store.subscribe(['moved'], throttled(SHOW_EVERY_MS, show));
   return all;
 }

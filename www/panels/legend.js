@@ -3,10 +3,14 @@
  * range, and how many faces are within a tolerance.
  */
 
-import { element, setText } from '../dom.js';
+import { element, setText, throttled } from '../dom.js';
 import { groupDigits, number } from '../format.js';
 import { declared, unitOf, valueInWords } from '../measures.js';
+import { drawOutline, outline } from '../outline.js';
 import { BINS } from '../spread.js';
+
+/** It follows a run or a drag this often. */
+const SHOW_EVERY_MS = 100;
 
 /**
  * @param {HTMLElement} place
@@ -17,7 +21,8 @@ import { BINS } from '../spread.js';
 export function legend(place, store, viewport, refit) {
   const title = element('span');
   const bars = Array.from({ length: BINS }, () => element('i'));
-  const histogram = element('div', { class: 'histogram', role: 'img' }, ...bars);
+  const before = outline();
+  const histogram = element('div', { class: 'histogram', role: 'img' }, ...bars, before);
   const tick = element('div', { class: 'tick' });
   const ramp = element('div', { class: 'ramp' }, tick);
   const unit = element('span', { class: 'unit' });
@@ -97,10 +102,10 @@ export function legend(place, store, viewport, refit) {
 
   function show() {
     const state = store.get();
-    const { measure, range, spread, document, renderer, model, flatMap } = state;
+    const { measure, range, spread, document, renderer, model, flatMap, split } = state;
     const about = declared(state, measure);
-    // A flat map has colours and a legend of its own.
-    const isShown = about && !flatMap && model?.faces;
+    // A flat map has colours and a legend of its own, and so have two pictures.
+    const isShown = about && !flatMap && !split && model?.faces;
     place.hidden = !isShown || !(renderer === 'webgpu' || renderer === 'webgl2');
     if (!about || place.hidden) return;
     setText(title, about.label);
@@ -108,7 +113,9 @@ export function legend(place, store, viewport, refit) {
     if (!spread) return;
     const units = document?.units ?? '';
     const written = unitOf(about, spread.top, units);
-    setText(unit, written.unit);
+    const step = viewport.with((view) => view.bandStep());
+    const steps = step && `steps of ${Number((step * written.factor).toPrecision(3))} `;
+    setText(unit, `${steps ?? ''}${written.unit}`);
     const fine = fineUnit();
     setText(toleranceUnit, fine.unit);
     for (const [input, value, factor] of /** @type {const} */ ([
@@ -120,11 +127,10 @@ export function legend(place, store, viewport, refit) {
       input.value = value === null ? '' : number(value * factor);
     }
 
-    const stops = viewport.with((view) => view.colourStops(BINS)) ?? [];
     const [from, to] = range.map((value) => value / spread.top);
-    const spaced = stops.map(
-      (stop, i) => `${stop} ${100 * (from + ((to - from) * i) / (stops.length - 1))}%`,
-    );
+    const spaced = viewport
+      .rampStops()
+      .map(([at, colour]) => `${colour} ${100 * (from + (to - from) * at)}%`);
     ramp.style.background = `linear-gradient(to right, ${spaced.join(', ')})`;
     const most = Math.max(...spread.counts, 1);
     // A single face among thousands is the one that is looked for: it has to be seen.
@@ -135,7 +141,16 @@ export function legend(place, store, viewport, refit) {
     if (state.tolerance !== null) tick.style.left = `${(100 * state.tolerance) / spread.top}%`;
 
     const worst = valueInWords(about, spread.greatest, units);
-    histogram.ariaLabel = `${groupDigits(spread.faces)} faces between 0 and ${worst}`;
+    const was = spread.original && valueInWords(about, spread.original.greatest, units);
+    const compared = was === null ? '' : `; originally up to ${was}`;
+    histogram.ariaLabel = `${groupDigits(spread.faces)} faces between 0 and ${worst}${compared}`;
+    // Each is drawn to its own highest bar: it is how they are spread that is compared.
+    drawOutline(
+      before,
+      spread.original?.counts ?? null,
+      Math.max(...(spread.original?.counts ?? [])),
+    );
+    histogram.title = was === null ? '' : `Outline: the original, up to ${was}`;
     within.title = 'Faces within the tolerance';
     setText(
       within,
@@ -156,7 +171,9 @@ export function legend(place, store, viewport, refit) {
       'model',
       'dark',
       'flatMap',
+      'split',
+      'display',
     ],
-    show,
+    throttled(SHOW_EVERY_MS, show),
   );
 }

@@ -8,8 +8,9 @@ import { frameFields } from '../units.js';
  * @param {HTMLElement} place
  * @param {import("../state.js").Store} store
  * @param {import("../actions.js").Actions} actions
+ * @param {() => void} showLog where each problem can be looked at
  */
-export function modelPanel(place, store, actions) {
+export function modelPanel(place, store, actions, showLog) {
   const frame = frameFields(store, actions);
   store.subscribe(['model'], ({ model }) => {
     if (!model) return;
@@ -24,7 +25,7 @@ export function modelPanel(place, store, actions) {
       ]),
       frame,
       ...groups(model),
-      ...report(model),
+      ...report(model, showLog),
     );
   });
 }
@@ -56,8 +57,12 @@ function groups(model) {
   return [details(count(model.groups.length, 'group'), rows, false)];
 }
 
-/** The import report. @param {import("../messages.js").Loaded} model */
-function report(model) {
+/**
+ * The import report.
+ * @param {import("../messages.js").Loaded} model
+ * @param {() => void} showLog
+ */
+function report(model, showLog) {
   const problems = model.problems.map((problem) => element('li', {}, problem.message));
   const notes = model.notes.map((note) => element('li', { class: 'quiet' }, note));
   if (problems.length + notes.length === 0) return [];
@@ -65,7 +70,14 @@ function report(model) {
     problems.length > 0
       ? `${count(problems.length, 'problem')} in the file`
       : count(notes.length, 'note');
-  return [details(title, [...problems, ...notes], problems.length > 0)];
+  const more = element(
+    'button',
+    { type: 'button', class: 'small bordered', onclick: showLog },
+    'Details',
+  );
+  const shown = details(title, [...problems, ...notes], problems.length > 0);
+  shown.append(more);
+  return [shown];
 }
 
 /**

@@ -51,23 +51,23 @@ export function fillSelectMenu(menu, store, actions, selecting) {
       {},
       model ?? { units: '', meanEdge: 0, up: 'z' },
     );
-    const submit = async (/** @type {SubmitEvent} */ event) => {
-      event.preventDefault();
+    const find = async (/** @type {import("../selection.js").Combine} */ combine) => {
       const params = parameters.values();
       if (!params) return;
-      const combine = /** @type {HTMLButtonElement | null} */ (event.submitter)?.value;
       try {
-        const found = await selecting.apply(operation, {
-          params,
-          combine: combine === 'add' || combine === 'remove' ? combine : 'replace',
-        });
+        const found = await selecting.apply(operation, { params, combine });
         if (found) close();
       } catch (error) {
         if (!parameters.refuse(error)) await actions.told(Promise.reject(error));
       }
     };
-    const verb = (/** @type {string} */ value, /** @type {string} */ label, primary = false) =>
-      element('button', { type: 'submit', value, class: primary ? 'primary' : 'bordered' }, label);
+    // Enter in a field is to press Find, so that no other may submit.
+    const verb = (/** @type {"add" | "remove"} */ combine, /** @type {string} */ label) =>
+      element('button', { type: 'button', class: 'bordered', onclick: () => find(combine) }, label);
+    const submit = (/** @type {SubmitEvent} */ event) => {
+      event.preventDefault();
+      find('replace');
+    };
     return element(
       'form',
       { novalidate: true, onsubmit: submit, 'aria-label': operation.label },
@@ -78,7 +78,7 @@ export function fillSelectMenu(menu, store, actions, selecting) {
         'div',
         { class: 'verbs' },
         ...(operation.needsSelection ? [] : [verb('remove', 'Take away'), verb('add', 'Add')]),
-        verb('replace', 'Find', true),
+        element('button', { type: 'submit', class: 'primary' }, 'Find'),
       ),
     );
   }

@@ -20,12 +20,18 @@ export function statusBar(places, store) {
     ['energy', 'energy', 'wide narrow-hidden'],
     ['worst', 'worst panel', ''],
     ['step', '', 'narrow-hidden'],
+    ['drag', 'drag', 'narrow-hidden'],
     ['units', '', 'wide narrow-hidden'],
     ['saved', '', 'wide narrow-hidden'],
     ['renderer', '', 'wide narrow-hidden'],
   ]) {
     const value = element('dd');
-    const row = element('div', { class: style }, ...(name ? [element('dt', {}, name)] : []), value);
+    const row = element(
+      'div',
+      { class: style, hidden: true },
+      ...(name ? [element('dt', {}, name)] : []),
+      value,
+    );
     places.numbers.append(row);
     cells.set(key, { row, value });
   }
@@ -60,6 +66,12 @@ export function statusBar(places, store) {
   store.subscribe(['document', 'model'], ({ document, model }) => {
     if (document && model) set('units', `${document.units || 'no unit'} · ${document.up}-up`);
   });
+  const showDrag = throttled(NUMBERS_EVERY_MS, () => {
+    const { dragMs } = store.get();
+    set('drag', dragMs > 0 ? duration(dragMs) : '');
+    cells.get('drag').row.title = 'From the pointer to new positions';
+  });
+  store.subscribe(['dragMs'], showDrag);
   store.subscribe(['saved'], ({ saved }) => set('saved', saved));
   store.subscribe(['renderer'], ({ renderer }) => set('renderer', RENDERERS[renderer]));
   store.subscribe(
@@ -90,6 +102,8 @@ function hintOf(state) {
   if (dragged.length > 0) return 'Release to leave it there · Esc puts it back';
   if (document.constraints.length === 0)
     return 'Add a constraint to say what shape its parts should take';
+  if (document.handles.some(({ vertex }) => selection.vertices.has(vertex)))
+    return 'Drag the handle, an arrow or a square · Enter moves it by arrow keys';
   if (sizeOfSelection(selection) > 0) {
     return 'H makes handles of the selection · Add constraint can use it · Esc selects nothing';
   }

@@ -10,9 +10,19 @@ use std::path::PathBuf;
 #[derive(Debug, PartialEq)]
 pub(super) enum Command {
     Solve(Solve),
-    Check { mesh: PathBuf, report: Option<PathBuf> },
+    Check {
+        mesh: PathBuf,
+        report: Option<PathBuf>,
+    },
+    /// `shape-up check RESULTS --scene SCENE`.
+    CheckResults {
+        results: PathBuf,
+        scene: PathBuf,
+    },
     Parametrize(Parametrize),
-    Examples { out: Option<PathBuf> },
+    Examples {
+        out: Option<PathBuf>,
+    },
     Experiments,
     Experiment(Experiment),
     Operators,
@@ -64,6 +74,7 @@ usage: shape-up solve SCENE|MESH {}
                 [--iterations N] [--tolerance T] [--accelerator {}]
                 [--out FILE.obj] [--report FILE.json] [--trace]
        shape-up check MESH [--report FILE.json]
+       shape-up check RESULTS --scene SCENE
        shape-up parametrize MESH [--weights {}] [--norm {}]
                 [--out UV.obj] [--report FILE.json]
        shape-up examples [--out DIR]
@@ -75,6 +86,8 @@ A SCENE is a *.json file, a MESH is OBJ, OFF or Medit (.obj, .off, .mesh).
 The name of a kind puts one constraint of it on every face, with weight 1, beside those of the scene.
 --iterations, --tolerance (0 never stops early) and --accelerator replace the settings of the scene.
 --trace records the energies of every iteration, in the report and on standard output.
+RESULTS is what a student hands in of a lesson: check measures its shape with the goals and the
+constraints of the SCENE, and ends with 1 when one is not met.
 parametrize makes a flat map that keeps angles; --out writes the mesh with the map as its vt.
 experiment solves an example of the paper's comparisons by every method, and prints how far each came;
 --csv writes all iterations; without an example it lists those that have one. The limits are per method.
@@ -98,17 +111,25 @@ pub(super) fn parse(arguments: Vec<OsString>) -> Result<Command, String> {
     match command.to_str() {
         Some("solve") => solve(words),
         Some("check") => {
-            let (mut mesh, mut report) = (None, None);
+            let (mut mesh, mut report, mut scene) = (None, None, None);
             while let Some(word) = words.next()? {
                 match word {
                     Word::File(file) => one(&mut mesh, file)?,
                     Word::Option(name, value) if name == "--report" => {
                         report = Some(words.file(&name, value)?);
                     }
+                    Word::Option(name, value) if name == "--scene" => {
+                        scene = Some(words.file(&name, value)?);
+                    }
                     Word::Option(name, _) => return Err(unknown(&name, "check")),
                 }
             }
-            Ok(Command::Check { mesh: mesh.ok_or("check needs a mesh file")?, report })
+            let file = mesh.ok_or("check needs a mesh file")?;
+            match (scene, report) {
+                (None, report) => Ok(Command::Check { mesh: file, report }),
+                (Some(scene), None) => Ok(Command::CheckResults { results: file, scene }),
+                (Some(_), Some(_)) => Err("check writes no report of results".to_owned()),
+            }
         }
         Some("parametrize") => parametrize(words),
         Some("examples") => {

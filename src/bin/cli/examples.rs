@@ -6,7 +6,7 @@ use shape_up::constraint::Info;
 use shape_up::experiment::Experiment;
 use shape_up::mesh::{Mesh, write_medit, write_obj};
 use shape_up::scene::Scene;
-use shape_up::scene::examples::{EXAMPLES, Example};
+use shape_up::scene::examples::{EXAMPLES, Example, Suggestion, suggestions};
 use std::path::{Path, PathBuf};
 
 /// One entry of `index.json`, from which the page makes its list and the gallery its cards.
@@ -30,6 +30,8 @@ struct Entry {
     weights: [f64; 3],
     /// The comparison that can be run on it.
     experiment: Option<&'static Experiment>,
+    /// What there is to look at.
+    suggestions: &'static [Suggestion],
 }
 
 #[derive(Serialize, PartialEq)]
@@ -63,6 +65,7 @@ impl Entry {
             kinds,
             weights: [scene.weights.shape, scene.weights.close, scene.weights.smooth],
             experiment: Experiment::of(example.id),
+            suggestions: suggestions(example.id),
         }
     }
 }

@@ -72,10 +72,10 @@ pub(super) fn on_faces(id: &str) -> Result<ConstraintSpec, Failure> {
         Failure::Usage(format!("--{id} has parameters without a default, expected it in a scene"))
     })?;
     let on = Selector::Each { element: Element::Face, within: None, radius: 0 };
-    Ok(ConstraintSpec { kind, on, weight: 1.0, enabled: true })
+    Ok(ConstraintSpec { kind, on, weight: 1.0, enabled: true, name: String::new() })
 }
 
-fn bytes(path: &Path) -> Result<Vec<u8>, Failure> {
+pub(super) fn bytes(path: &Path) -> Result<Vec<u8>, Failure> {
     std::fs::read(path).map_err(|error| {
         let what = if is_scene(path) { "a scene file" } else { "a mesh file" };
         Failure::Input(format!("{}: cannot be read: {error}, expected {what}", path.display()))

@@ -6,6 +6,7 @@
 //! | `input` | mesh and scene files in |
 //! | `output` | files and standard output, whole or not at all |
 //! | `solve`, `check`, `parametrize`, `examples`, `experiment` | the commands of these names |
+//! | `results` | `check` of what a student hands in |
 
 mod arguments;
 mod check;
@@ -14,6 +15,7 @@ mod experiment;
 mod input;
 mod output;
 mod parametrize;
+mod results;
 mod solve;
 
 use arguments::Command;
@@ -60,6 +62,7 @@ fn perform(command: Command) -> Result<(), Failure> {
     match command {
         Command::Solve(solve) => solve::solve(&solve),
         Command::Check { mesh, report } => check::check(&mesh, report.as_deref()),
+        Command::CheckResults { results, scene } => results::check(&results, &scene),
         Command::Parametrize(parametrize) => parametrize::parametrize(&parametrize),
         Command::Examples { out: None } => examples::list(),
         Command::Examples { out: Some(folder) } => examples::write(&folder),

@@ -13,6 +13,7 @@
 //! | `flat_maps` | Fig. 9: conformal parametrisation |
 //! | `recovery` | Fig. 10: from a collapsed start, and from a scattered one |
 //! | `strip` | Fig. 11: edges that collapse |
+//! | `suggestions` | what some offer to look at |
 //! | `curves_and_points` | curves on a mesh, points without faces |
 
 mod curves_and_points;
@@ -26,6 +27,9 @@ mod quality;
 mod recovery;
 mod squares;
 mod strip;
+mod suggestions;
+
+pub use suggestions::{Shows, Side, Suggestion, suggestions};
 
 use super::{ConstraintSpec, HandleSpec, Hold, MeshSource, Scene};
 use crate::constraint::{Element, Kind, Selector};
@@ -105,7 +109,7 @@ fn each(element: Element) -> Selector {
 
 fn constraint(id: &str, on: Selector, weight: f64) -> ConstraintSpec {
     let kind = Kind::new(id, serde_json::json!({})).expect("the kind is in the list of kinds");
-    ConstraintSpec { kind, on, weight, enabled: true }
+    ConstraintSpec { kind, on, weight, enabled: true, name: String::new() }
 }
 
 /// Vertices that stay where they are.

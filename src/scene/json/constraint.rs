@@ -17,7 +17,7 @@ impl ConstraintSpec {
 }
 
 /// The keys that every constraint has; all others are parameters of its kind.
-const KEYS: [&str; 4] = ["kind", "on", "weight", "enabled"];
+const KEYS: [&str; 5] = ["kind", "on", "weight", "enabled", "name"];
 
 pub(super) fn read(at: &At<'_>) -> Result<ConstraintSpec, SceneError> {
     let entries = at.entries("a constraint: an object with \"kind\" and \"on\"")?;
@@ -42,12 +42,16 @@ pub(super) fn read(at: &At<'_>) -> Result<ConstraintSpec, SceneError> {
         }
     })?;
     let on = at.need("on", &selector::what())?;
-    let mut spec = ConstraintSpec { kind, on: selector::read(&on)?, weight: 1.0, enabled: true };
+    let on = selector::read(&on)?;
+    let mut spec = ConstraintSpec { kind, on, weight: 1.0, enabled: true, name: String::new() };
     if let Some(weight) = at.get("weight") {
         spec.weight = weight.number("a number from 0")?;
     }
     if let Some(enabled) = at.get("enabled") {
         spec.enabled = enabled.truth()?;
+    }
+    if let Some(name) = at.get("name") {
+        spec.name = name.text("a name")?.to_owned();
     }
     Ok(spec)
 }

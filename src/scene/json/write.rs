@@ -3,7 +3,7 @@
 use super::constraint::default_params;
 use super::{
     ACCELERATORS, FACTORIZATIONS, FORMAT, SMOOTHNESSES, UPS, VERSION, WEIGHTINGS, closeness,
-    indices, inline_mesh, selector, word_of,
+    indices, inline_mesh, lesson, selector, word_of,
 };
 use crate::constraint::Set;
 use crate::mesh::{Mesh, Point};
@@ -72,6 +72,9 @@ pub(super) fn scene(scene: &Scene, mesh: &Mesh) -> String {
     }
     add("smoothness", smoothness);
     add("solver", solver(scene, &defaults));
+    if let Some(lesson) = &scene.lesson {
+        fields.push(field("lesson", lesson::write(lesson)));
+    }
     format!("{{\n  {}\n}}\n", fields.join(",\n  "))
 }
 
@@ -102,7 +105,7 @@ fn solver(scene: &Scene, defaults: &Scene) -> Vec<String> {
     fields
 }
 
-fn constraint(spec: &ConstraintSpec) -> String {
+pub(super) fn constraint(spec: &ConstraintSpec) -> String {
     let id = spec.kind.info().id;
     let mut fields = vec![field("kind", text(id)), field("on", selector::write(&spec.on))];
     if spec.weight != 1.0 {
@@ -110,6 +113,9 @@ fn constraint(spec: &ConstraintSpec) -> String {
     }
     if !spec.enabled {
         fields.push(field("enabled", "false".to_owned()));
+    }
+    if !spec.name.is_empty() {
+        fields.push(field("name", text(&spec.name)));
     }
     let defaults = default_params(id);
     if let serde_json::Value::Object(params) = spec.kind.params() {
@@ -122,7 +128,7 @@ fn constraint(spec: &ConstraintSpec) -> String {
     object(fields)
 }
 
-fn handle(handle: &HandleSpec) -> String {
+pub(super) fn handle(handle: &HandleSpec) -> String {
     let mut fields = vec![field("vertices", indices::write(&handle.vertices))];
     if let Some(targets) = &handle.targets {
         fields.push(field("targets", points(targets)));
@@ -157,7 +163,7 @@ pub(super) fn object(fields: Vec<String>) -> String {
 }
 
 /// One item per line.
-fn lines(open: char, items: Vec<String>, close: char) -> String {
+pub(super) fn lines(open: char, items: Vec<String>, close: char) -> String {
     if items.is_empty() {
         return format!("{open}{close}");
     }

@@ -87,7 +87,7 @@ proptest! {
     ) {
         let (matrix, sparse) = dense(n, &terms, &vec![weight; n]);
         for factorization in FACTORIZATIONS {
-            let mut system = System::with_order(n, std::slice::from_ref(&sparse), factorization, None);
+            let mut system = System::with_order(n, vec![sparse.clone()], factorization, None);
             let fixed = &fixed[..n];
             let by_node = |fixed: &[bool]| {
                 let mut by_node = vec![false; n];
@@ -112,7 +112,7 @@ proptest! {
         held in proptest::collection::vec((0usize..60, proptest::option::of(1e-6..1e6)), 1..12),
     ) {
         let (mut matrix, sparse) = dense(n, &terms, &vec![weight; n]);
-        let mut system = System::new(n, &[sparse]);
+        let mut system = System::new(n, vec![sparse]);
         system.factor(&[1.0], &vec![weight; n], vec![false; n]).expect("positive definite");
         system.metric();
         let mut fixed = vec![false; n];
@@ -146,8 +146,8 @@ proptest! {
         let other: Vec<_> =
             terms.iter().map(|(nodes, diagonal, outer)| (nodes.clone(), 2.0 * diagonal, outer + 1.0)).collect();
         let (matrix, other) = dense(n, &other, &vec![weight; n]);
-        let kept = Rc::clone(System::new(n, &[sparse]).ordered());
-        let mut system = System::with_order(n, &[other], Factorization::default(), Some(&kept));
+        let kept = Rc::clone(System::new(n, vec![sparse]).ordered());
+        let mut system = System::with_order(n, vec![other], Factorization::default(), Some(&kept));
         assert!(Rc::ptr_eq(&kept, system.ordered()), "the pattern is the same");
         system.factor(&[1.0], &vec![weight; n], vec![false; n]).expect("positive definite");
         check(&mut system, &matrix, &vec![false; n]);
@@ -155,7 +155,7 @@ proptest! {
         (1..n as u32).for_each(|v| chain.push(&[v - 1, v], [1.0, -1.0], 0.0, 1.0));
         chain.push(&[0, n as u32 - 1], [1.0; 2], 0.0, 1.0);
         let fits = kept.fits(&adjacency(n, &[&chain]));
-        let system = System::with_order(n, &[chain], Factorization::default(), Some(&kept));
+        let system = System::with_order(n, vec![chain], Factorization::default(), Some(&kept));
         assert_eq!(fits, Rc::ptr_eq(&kept, system.ordered()));
     }
 }
@@ -194,7 +194,7 @@ fn the_factor_of_a_grid_is_that_of_the_reference() {
         }
     }
     let n = (side * side) as usize;
-    let mut system = System::new(n, &[terms]);
+    let mut system = System::new(n, vec![terms]);
     system.factor(&[1.0], &vec![0.1; n], vec![false; n]).expect("positive definite");
     let (columns, pivots) = reference(&system.normal);
     let entries: usize = columns.iter().map(Vec::len).sum();
@@ -230,7 +230,7 @@ fn names_a_vertex_where_the_matrix_is_singular() {
         terms.push(&nodes, [1.0; 4], 0.3, -0.3 / 4.0);
     }
     for factorization in FACTORIZATIONS {
-        let mut system = System::with_order(8, &[terms.clone()], factorization, None);
+        let mut system = System::with_order(8, vec![terms.clone()], factorization, None);
         for (scale, free) in [(1.0, 0.0), (-1.0, 1e-3), (f64::NAN, 1.0)] {
             let error = system.factor(&[scale], &[free; 8], vec![false; 8]);
             let error = error.expect_err("it is singular, indefinite, not a number");
@@ -247,7 +247,7 @@ fn names_a_vertex_where_the_matrix_is_singular() {
             },
         );
     }
-    let system = System::new(8, &[terms]);
+    let system = System::new(8, vec![terms]);
     let parts = system.parts();
     assert_ne!(parts[system.node_of()[0] as usize], parts[system.node_of()[4] as usize]);
 }

@@ -26,7 +26,7 @@ fn corner_of_circle(
     let a = centre + u * cos(start) + v * sin(start);
     let b = centre + u * cos(end) + v * sin(end);
     // Circles of a few pixels are drawn finer, or many of them would be one red patch.
-    let depth = max(dot(centre - scene.eye.xyz, scene.forward.xyz), 1e-12);
+    let depth = max(scale_depth(centre), 1e-12);
     let radius_on_screen = radius / (depth * scene.canvas.w * scene.canvas.z);
     let fineness = clamp(radius_on_screen / 16.0, 0.5, 1.0);
     let half_width = 0.5 * scene.circle.size.x * scene.canvas.z * fineness;

@@ -9,12 +9,16 @@ struct Corner {
     @location(3) @interpolate(flat) look: vec4f,
     // In squares of the checkerboard.
     @location(4) place: vec2f,
+    // Where vertices have values, in steps from a limit.
+    @location(5) steps: f32,
 }
 
 @vertex
 fn corner_of_face(@location(0) ids: vec2u) -> Corner {
-    let at = position_of(ids.x);
+    let table = textureLoad(positions, texel(ids.x), 0);
+    let at = table.xyz;
     var out: Corner;
+    out.steps = -table.w;
     out.position = scene.clip_from_scene * vec4f(at, 1.0);
     out.at = at;
     out.soft_normal = textureLoad(vertex_normals, texel(ids.x), 0).xyz;
@@ -37,8 +41,31 @@ fn dark_part(place: vec2f, pixel: vec2f) -> f32 {
     return 0.5 - 0.5 * sides.x * sides.y;
 }
 
+// The place on the colour map of the band of a value.
+fn band_colour(value: f32) -> vec3f {
+    let begins = scene.checks.y;
+    let ends = scene.checks.z;
+    let limit = floor(clamp(value, begins, ends - 1e-4));
+    let middle = 0.5 * (max(limit, begins) + min(limit + 1.0, ends));
+    let part = (middle - begins) / (ends - begins);
+    return textureLoad(colour_map, vec2u(u32(part * 255.0 + 0.5), 0u), 0).rgb;
+}
+
+// How much of a pixel is on the line of a limit; `change` is how much the value changes there.
+fn on_isoline(value: f32, change: f32) -> f32 {
+    let limit = round(value);
+    let is_inside = limit > scene.checks.y + 1e-3 && limit < scene.checks.z - 1e-3;
+    let half_width = 0.5 * scene.strokes[BAND].size.x * scene.canvas.z;
+    let away = abs(value - limit) / max(change, 1e-9);
+    // Where lines are only a few pixels apart, they fade instead of filling everything.
+    let fading = clamp(0.25 * (1.0 / max(change, 1e-9)) / (half_width + 1.0) - 0.5, 0.0, 1.0);
+    return select(0.0, clamp(half_width + 0.5 - away, 0.0, 1.0) * fading, is_inside);
+}
+
+const BAND: u32 = 10u;
+
 fn light_on(in: Corner) -> f32 {
-    let to_eye = normalize(scene.eye.xyz - in.at);
+    let to_eye = to_eye_from(in.at);
     var normal = in.normal;
     if dot(normal, normal) < 0.5 {
         normal = to_eye;
@@ -58,13 +85,20 @@ fn lit(in: Corner) -> @location(0) vec4f {
     let light = light_on(in);
     // Differences between pixels are there only where all of them come by.
     let pixel = fwidth(in.place);
+    let change = length(vec2f(dpdx(in.steps), dpdy(in.steps)));
     let modelled = mix(0.74, 1.06, light);
     let place = u32(in.look.x * 255.0 + 0.5);
     var colour = mix(scene.shade.rgb, scene.material.rgb, light);
     if in.look.y > 0.75 {
         colour = scene.no_value.rgb * modelled;
     } else if in.look.y > 0.375 {
-        colour = textureLoad(colour_map, vec2u(place, 0u), 0).rgb * modelled;
+        if scene.checks.z > 0.0 {
+            let line = scene.strokes[BAND].colour;
+            let covered = on_isoline(in.steps, change) * line.a;
+            colour = mix(band_colour(in.steps) * modelled, line.rgb, covered);
+        } else {
+            colour = textureLoad(colour_map, vec2u(place, 0u), 0).rgb * modelled;
+        }
     } else if in.look.y > 0.125 {
         let row = colour_of_row(place);
         colour = mix(colour, row.rgb * modelled, row.a);

@@ -6,7 +6,8 @@ struct Corner {
     @location(0) at: vec2f,
     @location(1) @interpolate(flat) ends: vec4f,
     @location(2) @interpolate(flat) colour: vec4f,
-    @location(3) @interpolate(flat) half_width: f32,
+    // Half the width, and what is left of the opacity behind the surface.
+    @location(3) @interpolate(flat) style: vec2f,
 }
 
 @vertex
@@ -24,8 +25,8 @@ fn corner_of_line(
     out.at = quad.at;
     out.ends = vec4f(quad.start, quad.end);
     out.colour = stroke.colour;
-    out.half_width = half_width;
-    if kind == 0u {
+    out.style = vec2f(half_width, stroke.size.w);
+    if kind == 0u || kind == GHOST {
         // Where panels are only a few pixels wide, their edges fade instead of filling everything.
         let length_on_screen = distance(quad.start, quad.end) / ratio;
         out.colour.a *= clamp(length_on_screen / 7.0, 0.12, 1.0);
@@ -34,9 +35,11 @@ fn corner_of_line(
 }
 
 fn line_colour(in: Corner) -> vec4f {
-    let coverage = stroke_coverage(in.at, in.ends.xy, in.ends.zw, in.half_width);
+    let coverage = stroke_coverage(in.at, in.ends.xy, in.ends.zw, in.style.x);
     return vec4f(in.colour.rgb, in.colour.a * coverage);
 }
+
+const GHOST: u32 = 7u;
 
 @fragment
 fn in_front(in: Corner) -> @location(0) vec4f {
@@ -46,5 +49,5 @@ fn in_front(in: Corner) -> @location(0) vec4f {
 @fragment
 fn behind(in: Corner) -> @location(0) vec4f {
     let colour = line_colour(in);
-    return vec4f(colour.rgb, colour.a * 0.38);
+    return vec4f(colour.rgb, colour.a * in.style.y);
 }

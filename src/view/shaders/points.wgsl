@@ -20,12 +20,12 @@ fn corner_of_dot(
     let right = corner == 1u || corner == 2u || corner == 4u;
     let high = corner == 2u || corner == 4u || corner == 5u;
     let middle = position_of(ids.x);
-    let depth = dot(middle - scene.eye.xyz, scene.forward.xyz);
+    let depth = scale_depth(middle);
     // In front of the surface around its vertex, also where that surface is steep. Marks come
     // farther: half a handle is no handle.
     let steepness = select(1.6, 4.0, ids.y > 0u);
     let forward = reach * scene.canvas.w * steepness + 0.0012;
-    let clip = scene.clip_from_scene * vec4f(mix(middle, scene.eye.xyz, min(forward, 0.5)), 1.0);
+    let clip = scene.clip_from_scene * vec4f(nearer(middle, min(forward, 0.5)), 1.0);
     var out: Corner;
     out.at = vec2f(select(-reach, reach, right), select(-reach, reach, high));
     out.kind = ids.y;

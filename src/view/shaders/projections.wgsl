@@ -30,7 +30,7 @@ fn corner_of_projection(
     let to_point = textureLoad(positions, texel(ends.y), 0);
     // A projected point lies beside the surface, by the fourth number: so much nearer to the eye,
     // nothing that it belongs to hides it.
-    let depth = max(dot(to_point.xyz - scene.eye.xyz, scene.forward.xyz), 1e-12);
+    let depth = max(scale_depth(to_point.xyz), 1e-12);
     let lift = 2.5 * LIFT + min(max(from_point.w, to_point.w) / depth, 0.1);
     let head = select(0.0, HEAD * ratio, is_arrow);
     let half_width = 0.5 * stroke.size.x * ratio;

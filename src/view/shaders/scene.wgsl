@@ -3,7 +3,8 @@
 
 struct Stroke {
     colour: vec4f,
-    // Width in CSS pixels; for circles the number of pieces; width of the casing; nothing.
+    // Width in CSS pixels; for circles the number of pieces; width of the casing; what is left of the
+    // opacity where the surface hides it.
     size: vec4f,
 }
 
@@ -16,6 +17,7 @@ struct Dot {
 
 struct Scene {
     clip_from_scene: mat4x4f,
+    // Then in parallel projection the depth whose scale everything has, else 0.
     eye: vec4f,
     right: vec4f,
     up: vec4f,
@@ -31,11 +33,12 @@ struct Scene {
     sphere: vec4f,
     // Colour of the dark squares of the checkerboard; its opacity is how much is mixed into a face.
     check: vec4f,
-    // Squares of the checkerboard along a unit of length, 0 for none; then nothing.
+    // Squares of the checkerboard along a unit of length, 0 for none; then, where vertices have values
+    // in steps, how many steps from a limit the range begins and ends, else 0; then nothing.
     checks: vec4f,
     circle: Stroke,
-    strokes: array<Stroke, 7>,
-    dots: array<Dot, 9>,
+    strokes: array<Stroke, 12>,
+    dots: array<Dot, 10>,
 }
 
 @group(0) @binding(0) var<uniform> scene: Scene;
@@ -60,4 +63,32 @@ fn colour_of_row(place: u32) -> vec4f {
 
 fn position_of(vertex: u32) -> vec3f {
     return textureLoad(positions, texel(vertex), 0).xyz;
+}
+
+fn is_parallel() -> bool {
+    return scene.eye.w > 0.0;
+}
+
+// The depth that decides how large things are at a point.
+fn scale_depth(point: vec3f) -> f32 {
+    if is_parallel() {
+        return scene.eye.w;
+    }
+    return dot(point - scene.eye.xyz, scene.forward.xyz);
+}
+
+// From a point towards the eye.
+fn to_eye_from(point: vec3f) -> vec3f {
+    if is_parallel() {
+        return -scene.forward.xyz;
+    }
+    return normalize(scene.eye.xyz - point);
+}
+
+// A point that comes towards the eye by a part of its distance: its place on the screen stays.
+fn nearer(point: vec3f, part: f32) -> vec3f {
+    if is_parallel() {
+        return point - scene.forward.xyz * (part * scene.eye.w);
+    }
+    return mix(point, scene.eye.xyz, part);
 }

@@ -3,9 +3,10 @@
 
 struct Corner {
     @builtin(position) position: vec4f,
-    // From the eye through the pixel, any length.
+    // From where the line of sight begins through the pixel, any length.
     @location(0) sight: vec3f,
     @location(1) @interpolate(flat) ball: vec4f,
+    @location(2) begins: vec3f,
 }
 
 struct Pixel {
@@ -29,7 +30,15 @@ fn corner_of_sphere(
     // Across the line of sight to the centre, the cone that touches the ball has this radius. Near
     // the ball, or inside, the whole canvas is covered instead.
     let reach = 1.02 * radius * away / sqrt(max(away * away - radius * radius, 1e-12));
-    if away > 1.2 * radius && depth > 1.2 * radius {
+    out.begins = scene.eye.xyz;
+    if is_parallel() {
+        let corner_at =
+            centre + (scene.right.xyz * right + scene.up.xyz * high) * (1.02 * radius);
+        out.begins = corner_at - scene.forward.xyz * depth;
+        out.sight = scene.forward.xyz;
+        let clip = scene.clip_from_scene * vec4f(corner_at, 1.0);
+        out.position = vec4f(clip.xy, 0.5 * clip.w, clip.w);
+    } else if away > 1.2 * radius && depth > 1.2 * radius {
         let forward = to_centre / away;
         let u = normalize(cross(forward, scene.up.xyz));
         let corner_at = centre + (u * right + cross(u, forward) * high) * reach;
@@ -49,19 +58,19 @@ fn corner_of_sphere(
 fn glass(in: Corner) -> Pixel {
     let sight = normalize(in.sight);
     let radius = in.ball.w;
-    let from_centre = scene.eye.xyz - in.ball.xyz;
+    let from_centre = in.begins - in.ball.xyz;
     let middle = -dot(from_centre, sight);
     // Where the line of sight passes nearest to the centre.
     let miss = length(from_centre + sight * middle);
     let half_chord = sqrt(max(radius * radius - miss * miss, 0.0));
     let front = middle - half_chord;
     let along = select(middle + half_chord, front, front > 0.0);
-    let point = scene.eye.xyz + sight * along;
+    let point = in.begins + sight * along;
     let normal = (point - in.ball.xyz) / radius;
     let edge_on = 1.0 - abs(dot(normal, sight));
 
     let ratio = scene.canvas.z;
-    let pixel = max(along, 0.0) * scene.canvas.w * dot(sight, scene.forward.xyz);
+    let pixel = scale_depth(point) * scene.canvas.w;
     let inward = (radius - miss) / max(pixel, 1e-12);
     let outline = clamp(1.6 * ratio + 0.5 - inward, 0.0, 1.0);
     let steepness = max(fwidth(normal), vec3f(1e-6));

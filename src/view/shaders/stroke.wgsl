@@ -19,8 +19,8 @@ fn pixels(clip: vec4f) -> vec2f {
 
 // Corner 0 to 5 of the two triangles around the segment from a to b, lifted towards the eye.
 fn stroke_corner(a: vec3f, b: vec3f, corner: u32, half_width: f32, lift: f32) -> StrokeCorner {
-    var from_clip = scene.clip_from_scene * vec4f(mix(a, scene.eye.xyz, lift), 1.0);
-    var to_clip = scene.clip_from_scene * vec4f(mix(b, scene.eye.xyz, lift), 1.0);
+    var from_clip = scene.clip_from_scene * vec4f(nearer(a, lift), 1.0);
+    var to_clip = scene.clip_from_scene * vec4f(nearer(b, lift), 1.0);
     var out: StrokeCorner;
     if from_clip.z < 0.0 && to_clip.z < 0.0 {
         out.position = vec4f(0.0, 0.0, -1.0, 1.0);

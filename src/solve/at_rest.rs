@@ -1,0 +1,25 @@
+//! The projections of constraints at the rest shape, apart from any iteration: asking for them
+//! changes no solver.
+
+use super::hold::relative;
+use super::shape::{Constraints, ShapeEnergy};
+use super::solver::{centre_and_extent, rest_surface};
+use crate::constraint::{Projected, Reference, Row};
+use crate::mesh::Mesh;
+use std::rc::Rc;
+
+/// Gives `each` the vertices of every constraint, and the way from each of these to its projected
+/// point at the rest shape of `mesh`, in its unit.
+pub fn projections_at_rest(
+    mesh: &Mesh,
+    constraints: &[Constraints],
+    mut each: impl FnMut(&Projected),
+) {
+    let (centre, _) = centre_and_extent(&mesh.positions);
+    let rest: Vec<Row> = mesh.positions.iter().map(|&point| relative(point, centre)).collect();
+    let own_places: Vec<u32> = (0..rest.len() as u32).collect();
+    let surface = || Rc::new(rest_surface(mesh, centre));
+    let reference = Reference { surface: &surface };
+    let mut energy = ShapeEnergy::new(constraints, &own_places, &rest, false, &reference);
+    energy.projected(&rest, |_, points| each(points));
+}

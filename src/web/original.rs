@@ -1,0 +1,47 @@
+//! What the page asks about the original beside the current shape, and an iteration in its halves.
+
+use super::solver::Solver;
+use super::thrown;
+use crate::session::Shape;
+use js_sys::{Float32Array, Float64Array};
+use serde::Serialize;
+use wasm_bindgen::prelude::*;
+
+/// Corners of faces by their angles, in bins of equal width from 0 to 180 degrees.
+#[derive(Serialize)]
+struct Angles {
+    original: Vec<u32>,
+    now: Vec<u32>,
+}
+
+#[wasm_bindgen]
+impl Solver {
+    /// The next half of an iteration: what was fitted, or how the vertices moved.
+    #[wasm_bindgen(js_name = halfStep)]
+    pub fn half_step(&mut self) -> Result<JsValue, JsValue> {
+        let half = self.open_mut()?.half_step().map_err(thrown)?;
+        serde_wasm_bindgen::to_value(&half).map_err(thrown)
+    }
+
+    /// The positions of the original, `#V by 3`.
+    #[wasm_bindgen(js_name = originalPositions)]
+    pub fn original_positions(&self) -> Result<Float64Array, JsValue> {
+        Ok(Float64Array::from(self.open()?.mesh().positions.as_flattened()))
+    }
+
+    /// The values of a measure of the faces of the original, `#F`, in its unit.
+    #[wasm_bindgen(js_name = originalValues)]
+    pub fn original_values(&mut self, measure: &str) -> Result<Float32Array, JsValue> {
+        let values = self.open_mut()?.face_values_of(measure, Shape::Original);
+        let values = values.ok_or_else(|| thrown(format!("unknown measure {measure:?}")))?;
+        let narrow: Vec<f32> = values.iter().map(|&value| value as f32).collect();
+        Ok(Float32Array::from(&narrow[..]))
+    }
+
+    /// The angles at the corners of the faces, of the original and now.
+    pub fn angles(&self) -> Result<JsValue, JsValue> {
+        let session = self.open()?;
+        let [original, now] = [Shape::Original, Shape::Now].map(|shape| session.angles(shape));
+        serde_wasm_bindgen::to_value(&Angles { original, now }).map_err(thrown)
+    }
+}

@@ -1,0 +1,149 @@
+//! Ways of seeing beside the plain picture: projection, flights to views, ghost, ground, bands, tape.
+
+use super::thrown;
+use super::view::View;
+use crate::view::colour_map;
+use crate::view::flight::Flight;
+use crate::view::scale_bar::scale_bar;
+use wasm_bindgen::prelude::*;
+
+/// Colours of the map that stand for all of it.
+const STOPS: usize = 32;
+
+#[wasm_bindgen]
+impl View {
+    /// Parallel projection, or perspective.
+    #[wasm_bindgen(js_name = setParallel)]
+    pub fn set_parallel(&mut self, parallel: bool) {
+        self.arrive();
+        self.stage.set_parallel(parallel);
+    }
+
+    /// Prepares a flight to a view of `preset`, from where the camera is; `fly` makes it.
+    ///
+    /// # Errors
+    /// A name that `preset` does not know.
+    #[wasm_bindgen(js_name = flyTo)]
+    pub fn fly_to(&mut self, name: &str) -> Result<(), JsValue> {
+        let from = self.stage.camera;
+        self.stage.preset(name).map_err(thrown)?;
+        let to = self.stage.camera;
+        self.stage.camera = from;
+        self.flight = Some(Flight::new(from, to));
+        Ok(())
+    }
+
+    /// Flies on to `part` of the way, from 0 to 1. Whether the flight goes on: it ends where it
+    /// arrives, and when the camera is moved otherwise.
+    pub fn fly(&mut self, part: f32) -> bool {
+        let Some(flight) = &mut self.flight else { return false };
+        let goes_on = flight.go(&mut self.stage.camera, part);
+        if !goes_on {
+            self.flight = None;
+        }
+        self.stage.view_changed();
+        goes_on
+    }
+
+    /// Ends a flight where it leads.
+    pub(super) fn arrive(&mut self) {
+        self.fly(1.0);
+    }
+
+    /// Takes the positions of the mesh as it was opened, #V by 3: the ghost, the ground and the tape go
+    /// by them.
+    ///
+    /// # Errors
+    /// Another number of vertices, or a coordinate that is not finite.
+    #[wasm_bindgen(js_name = setRest)]
+    pub fn set_rest(&mut self, positions: &[f64]) -> Result<(), JsValue> {
+        self.stage.set_rest(positions).map_err(thrown)
+    }
+
+    /// Shows or hides the ghost of the mesh as it was opened, and the grid on the ground.
+    #[wasm_bindgen(js_name = setSurroundings)]
+    pub fn set_surroundings(&mut self, ghost: bool, ground: bool) {
+        self.stage.set_surroundings(ghost, ground);
+    }
+
+    /// From one line of the grid on the ground to the next, in the unit of the file; nothing where there
+    /// is no grid.
+    #[wasm_bindgen(js_name = gridStep)]
+    pub fn grid_step(&self) -> Option<f64> {
+        self.stage.around.grid_step()
+    }
+
+    /// The longest bar of round length that is at most `most` CSS pixels long: its length in the unit
+    /// of the file, and how long it is.
+    #[wasm_bindgen(js_name = scaleBar)]
+    pub fn scale_bar(&self, most: f64) -> Vec<f64> {
+        let bar = scale_bar(&self.stage.camera, most);
+        vec![bar.length, bar.pixels]
+    }
+
+    /// Shows values of faces in bands, or gradually.
+    #[wasm_bindgen(js_name = setBands)]
+    pub fn set_bands(&mut self, in_bands: bool) {
+        self.stage.looks.set_in_bands(in_bands);
+        self.stage.changes.looks = true;
+    }
+
+    /// Tells the values of the vertices, #V, whose greatest those of the faces are; null where they are
+    /// not of vertices.
+    ///
+    /// # Errors
+    /// Another number of values than vertices.
+    #[wasm_bindgen(js_name = setCornerValues)]
+    pub fn set_corner_values(&mut self, values: Option<Vec<f32>>) -> Result<(), JsValue> {
+        let (vertices, _) = self.stage.counts();
+        self.stage.looks.set_corners(values, vertices).map_err(thrown)?;
+        self.stage.changes.looks = true;
+        Ok(())
+    }
+
+    /// From one limit of the bands to the next, in the unit of the values; nothing without bands.
+    #[wasm_bindgen(js_name = bandStep)]
+    pub fn band_step(&self) -> Option<f64> {
+        self.stage.looks.bands().map(|bands| bands.step)
+    }
+
+    /// The limits of the bands, as parts of the range from 0 to 1; none without bands.
+    #[wasm_bindgen(js_name = bandLimits)]
+    pub fn band_limits(&self) -> Vec<f64> {
+        self.stage.looks.bands().map_or_else(Vec::new, |bands| bands.limits.clone())
+    }
+
+    /// CSS colours of what the range is painted with: one for each band, or evenly over the map.
+    #[wasm_bindgen(js_name = rampColours)]
+    pub fn ramp_colours(&self) -> Vec<String> {
+        self.stage.looks.bands().map_or_else(|| colour_map::stops(STOPS), |bands| bands.colours())
+    }
+
+    /// Spans the measuring tape between two vertices; one is where it begins, none takes it away.
+    ///
+    /// # Errors
+    /// A vertex that does not exist, or more than two.
+    #[wasm_bindgen(js_name = setTape)]
+    pub fn set_tape(&mut self, vertices: &[u32]) -> Result<(), JsValue> {
+        self.stage.set_tape(vertices).map_err(thrown)
+    }
+
+    /// What the tape spans, in the unit of the file: x, y, z now, and at rest if that is known;
+    /// nothing unless it spans two vertices.
+    pub fn measured(&self) -> Option<Vec<f64>> {
+        let measured = self.stage.measured()?;
+        let mut numbers = measured.now.to_array().to_vec();
+        numbers.extend(measured.rest.iter().flat_map(|rest| rest.to_array()));
+        Some(numbers)
+    }
+
+    /// Where the middle of the tape is on the canvas, hidden or not; nothing without a tape, and where
+    /// it is behind the eye.
+    #[wasm_bindgen(js_name = tapeMiddle)]
+    pub fn tape_middle(&self) -> Option<Vec<f32>> {
+        let &[from, to] = &self.stage.tape[..] else { return None };
+        let [from, to] = [from, to].map(|v| self.stage.subject.positions[v as usize]);
+        let (at, depth) = self.stage.camera.eye().project(0.5 * (from + to));
+        (depth > 0.0).then(|| vec![at.x, at.y])
+    }
+}

@@ -1,0 +1,51 @@
+//! Two pictures of the model on one canvas, left and right of a divider.
+
+use super::thrown;
+use super::view::View;
+use crate::view::split::{Colours, Split};
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen]
+impl View {
+    /// Puts the divider at a part of the width of the canvas, from 0 to 1; begins to show two pictures.
+    #[wasm_bindgen(js_name = setSplit)]
+    pub fn set_split(&mut self, at: f32) {
+        match &mut self.split {
+            Some(split) => split.move_to(at),
+            None => {
+                self.split = Some(Split::new(&self.stage, at));
+                // The marks of the model are those of both sides.
+                self.stage.changes.looks = true;
+                self.stage.changes.positions = true;
+            }
+        }
+    }
+
+    /// What the left side (0) or the right side (1) shows: the shape `original` (#V by 3) or the shape
+    /// as it is, with its faces coloured by a value each (#F), from `low` to `high`.
+    ///
+    /// # Errors
+    /// Arrays that do not fit the mesh.
+    #[wasm_bindgen(js_name = setSplitSide)]
+    pub fn set_split_side(
+        &mut self,
+        side: usize,
+        original: Option<Vec<f64>>,
+        values: Option<Vec<f32>>,
+        low: f32,
+        high: f32,
+    ) -> Result<(), JsValue> {
+        let sides = self.split.as_mut().map(|split| &mut split.sides[..]).unwrap_or_default();
+        let Some(side) = sides.get_mut(side) else { return Ok(()) };
+        side.show(original.as_deref(), &self.stage).map_err(thrown)?;
+        side.colour(Colours { values, low, high }).map_err(thrown)
+    }
+
+    /// Shows one picture again.
+    #[wasm_bindgen(js_name = clearSplit)]
+    pub fn clear_split(&mut self) {
+        if self.split.take().is_some() {
+            self.stage.view_changed();
+        }
+    }
+}

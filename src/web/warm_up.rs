@@ -1,0 +1,85 @@
+//! The work of every model, on a small grid, while nothing else is to be done.
+//!
+//! V8 compiles a wasm function quickly at its first call, and well once it has run for a while: what it
+//! is called from then on is up to three times as fast. This lets it run for a while before somebody
+//! waits for it.
+
+use crate::mesh::read;
+use crate::scene::Scene;
+use crate::session::Session;
+use crate::solve::clock;
+use std::fmt::Write;
+use wasm_bindgen::prelude::*;
+
+/// Operators of the common closed forms, every energy, the default acceleration.
+const SCENE: &str = r#"{ "format": "shape-up-scene", "version": 1, "mesh": { "file": "grid.obj" },
+    "constraints": [ { "kind": "circle", "on": "faces" }, { "kind": "plane", "on": "faces" },
+                     { "kind": "rigid", "on": "faces" } ],
+    "handles": [ { "vertices": [0], "weight": 100 } ],
+    "weights": { "shape": 5, "close": 10, "smooth": 2 }, "solver": { "tolerance": 0 } }"#;
+
+/// Vertices along a side.
+const SIDE: u32 = 20;
+/// Models, one after another, and iterations of each.
+const MODELS: u32 = 4;
+const STEPS: u32 = 100;
+/// Iterations are done for as many seconds at a time.
+const SLICE: f64 = 0.006;
+
+/// What is left of it.
+#[wasm_bindgen]
+#[derive(Default)]
+pub struct WarmUp {
+    session: Option<Session>,
+    models: u32,
+    steps: u32,
+}
+
+#[wasm_bindgen]
+impl WarmUp {
+    /// All of it.
+    #[wasm_bindgen(constructor)]
+    pub fn new() -> WarmUp {
+        WarmUp::default()
+    }
+
+    /// Does a little of it; false when nothing is left.
+    #[wasm_bindgen(js_name = goOn)]
+    pub fn go_on(&mut self) -> bool {
+        let Some(session) = &mut self.session else {
+            if self.models == MODELS {
+                return false;
+            }
+            self.session = Some(grid());
+            (self.models, self.steps) = (self.models + 1, 0);
+            return true;
+        };
+        let until = clock::now() + SLICE;
+        while self.steps < STEPS && clock::now() < until {
+            session.step().expect("a grid stays finite");
+            self.steps += 1;
+        }
+        if self.steps == STEPS {
+            self.session = None;
+        }
+        true
+    }
+}
+
+/// A bumpy grid of quads, opened as files are.
+fn grid() -> Session {
+    let mut obj = String::new();
+    let places = (0..SIDE).flat_map(|j| (0..SIDE).map(move |i| (i, j)));
+    for (i, j) in places.clone() {
+        let height = f64::from((7 * i + 5 * j) % 11) / 21.0;
+        writeln!(obj, "v {i}.25 {j}.5 {height}").expect("strings take everything");
+    }
+    for (i, j) in places.filter(|&(i, j)| i > 0 && j > 0) {
+        let last = j * SIDE + i + 1;
+        let [below, left] = [last - SIDE, last - 1];
+        writeln!(obj, "f {} {below} {last} {left}", below - 1).expect("strings take everything");
+    }
+    let mesh = read("grid.obj", obj.as_bytes()).expect("the grid is a mesh").mesh;
+    let scene = Scene::from_json(SCENE).expect("the scene is valid");
+    Session::open(scene, mesh).expect("it can be solved")
+}

@@ -1,0 +1,59 @@
+//! `check RESULTS --scene SCENE`: what a student hands in is measured again.
+
+use crate::folder::{Folder, PLANES, ROOF, scene};
+
+const LESSON: &str = r#", "lesson": { "text": "Make it flat.", "goals": [
+    { "measure": "planarity", "at_most": 0.001 }, { "constraint": "Plane", "at_most": 0.01 }] }"#;
+
+/// What Ada hands in of that scene: as it is opened, or solved.
+fn results(solved: bool) -> String {
+    let mesh = shape_up::mesh::read("roof.obj", ROOF.as_bytes()).unwrap().mesh;
+    let scene = shape_up::scene::Scene::from_json(&scene(&format!("{PLANES}{LESSON}"))).unwrap();
+    let mut session = shape_up::session::Session::open(scene, mesh).unwrap();
+    if solved {
+        session.solve(false).unwrap();
+    }
+    session.results("Ada Lovelace", "2026-11-20").unwrap().to_json()
+}
+
+fn folder(name: &str) -> Folder {
+    let folder = Folder::new(name);
+    folder.write("roof.obj", ROOF).write("s.json", scene(&format!("{PLANES}{LESSON}")));
+    folder.write("good.json", results(true)).write("bad.json", results(false));
+    folder
+}
+
+#[test]
+fn results_that_meet_the_goals_pass() {
+    let out = folder("passed").run(&["check", "good.json", "--scene", "s.json"]).done();
+    assert!(out.contains("Ada Lovelace") && out.contains("met         planarity: "), "{out}");
+    assert!(!out.contains("not met") && !out.contains("otherwise"), "{out}");
+}
+
+#[test]
+fn results_that_only_say_so_do_not() {
+    let folder = folder("missed");
+    let claimed = folder.read("bad.json").replace("\"met\": false", "\"met\": true");
+    let ended = folder.write("bad.json", claimed).run(&["check", "bad.json", "--scene", "s.json"]);
+    assert_eq!(ended.code, Some(1), "{ended:?}");
+    assert_eq!(ended.err, "bad.json: 2 of 2 goals not met, expected all\n");
+    assert_eq!(ended.out.matches("not met").count(), 2, "{ended:?}");
+    assert_eq!(ended.out.matches("otherwise than the file says").count(), 2, "{ended:?}");
+}
+
+#[test]
+fn results_of_something_else_are_refused() {
+    let folder = folder("else");
+    let check = |results: &str, scene: &str| folder.run(&["check", results, "--scene", scene]);
+    folder.write("easy.json", folder.read("s.json").replace("0.001", "0.5"));
+    check("good.json", "easy.json").refused(&["good.json: scene: ", "another mesh or lesson"]);
+    folder.write("plain.json", scene(PLANES));
+    check("good.json", "plain.json").refused(&["good.json: ", "no lesson"]);
+    check("s.json", "s.json").refused(&["s.json: format: ", "shape-up-results"]);
+    check("gone.json", "s.json").refused(&["gone.json: ", "cannot be read"]);
+    folder.write("cut.json", folder.read("good.json").replace("\"student\"", "\"name\""));
+    check("cut.json", "s.json").refused(&["cut.json: ", "unknown key `name`"]);
+    folder
+        .run(&["check", "good.json", "--scene", "s.json", "--report", "r.json"])
+        .misused("report");
+}

@@ -1,0 +1,114 @@
+/**
+ * The menu of what is under the pointer: a right click, a long press, or the menu key. It acts on the
+ * selection, to which what was pointed at belongs by then. Loaded when it is first asked for.
+ */
+
+import { element } from './dom.js';
+import { placeMenu } from './layout.js';
+
+/**
+ * @typedef {object} Parts
+ * @property {import("./state.js").Store} store
+ * @property {import("./viewport.js").Viewport} viewport
+ * @property {import("./actions.js").Actions} actions
+ * @property {import("./selecting.js").Selecting} selecting
+ * @property {import("./commands.js").Command[]} commands
+ */
+
+/** Where the menu is asked for, in CSS pixels of the page. */
+let place = new DOMRect();
+
+const menu = element('div', {
+  id: 'context-menu',
+  popover: 'manual',
+  role: 'menu',
+  'aria-label': 'What is here',
+  class: 'menu',
+});
+document.body.append(menu);
+placeMenu(menu, () => /** @type {HTMLElement} */ ({ getBoundingClientRect: () => place }));
+// By itself a popover would close when the finger that asked for it is lifted.
+const leave = (/** @type {Event} */ event) => {
+  if (!(event.target instanceof Node && menu.contains(event.target))) menu.hidePopover();
+};
+menu.addEventListener('toggle', (event) => {
+  const isOpen = /** @type {ToggleEvent} */ (event).newState === 'open';
+  const change = isOpen ? window.addEventListener : window.removeEventListener;
+  for (const name of ['pointerdown', 'wheel', 'resize']) change(name, leave, true);
+});
+
+/**
+ * @param {[number, number]} at in CSS pixels of the page
+ * @param {Parts} parts
+ */
+export function showContextMenu(at, parts) {
+  const { store, viewport, actions } = parts;
+  place = new DOMRect(...at, 0, 0);
+  menu.replaceChildren(
+    ...itemsOf(parts).map(([label, action]) =>
+      element(
+        'button',
+        {
+          type: 'button',
+          role: 'menuitem',
+          tabindex: -1,
+          onclick: () => {
+            close();
+            action();
+          },
+        },
+        label,
+      ),
+    ),
+  );
+  const close = () => {
+    menu.hidePopover();
+    viewport.element.focus({ preventScroll: true });
+  };
+  menu.onkeydown = (event) => {
+    if (event.key !== 'Escape' && event.key !== 'Tab') return;
+    event.preventDefault();
+    event.stopPropagation();
+    close();
+  };
+  if (store.get().model) menu.showPopover();
+  else actions.say('Nothing is open yet');
+}
+
+/**
+ * What there is to do, and how.
+ * @param {Parts} parts
+ * @returns {[string, () => void][]}
+ */
+function itemsOf({ store, actions, selecting, commands }) {
+  const state = store.get();
+  const { document, operations } = state;
+  const vertices = actions.chosenVertices();
+  const held = new Map(document?.handles.map((handle) => [handle.vertex, handle.fixed]));
+  const some = (/** @type {boolean | undefined} */ as) =>
+    vertices.some((vertex) => held.get(vertex) === as);
+  const press = (/** @type {string} */ id) => () =>
+    commands.find((command) => command.id === id)?.action();
+  /** @type {[boolean, string, () => void][]} */
+  const items = [
+    [some(undefined), 'Make handle', () => actions.addHandles(vertices, false)],
+    [some(undefined) || some(false), 'Fix here', () => actions.addHandles(vertices, true)],
+    [some(true), 'Hold softly', () => actions.addHandles(vertices, false)],
+    [some(true) || some(false), 'Release handle', press('remove-handles')],
+    ...operations
+      .filter((operation) => operation.needsSelection && operation.params.length === 0)
+      .map((operation) => {
+        const apply = () => void selecting.applyOrTell(operation);
+        return /** @type {[boolean, string, () => void]} */ ([
+          selecting.canApply(operation),
+          operation.label,
+          apply,
+        ]);
+      }),
+    [vertices.length > 0, 'Look at it', press('fit-selection')],
+    [vertices.length === 0, 'Look at everything', press('fit-all')],
+    [vertices.length > 0, 'Select nothing', actions.selectNothing],
+    [Boolean(document?.undo), `Take back: ${document?.undo}`, press('undo')],
+  ];
+  return items.filter(([fits]) => fits).map(([, label, action]) => [label, action]);
+}

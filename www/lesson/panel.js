@@ -1,0 +1,97 @@
+/** The lesson of the scene: its text, its goals with what they are now, and what is handed in. */
+
+import '../style/lesson.css';
+import { element, setText, throttled } from '../dom.js';
+import { count } from '../format.js';
+import { roundingOf, valueInWords } from '../measures.js';
+
+const NUMBERS_EVERY_MS = 100;
+const MARKS = { met: '✓', missed: '✗' };
+
+/** @param {import("../analysis.js").Parts} parts */
+export function lessonPanel(parts) {
+  const { store } = parts;
+  const text = element('p', { class: 'lesson-text' });
+  const list = element('ul', { 'aria-label': 'Goals' });
+  const sum = element('p', { 'aria-live': 'polite', class: 'lesson-sum' });
+  const place = element(
+    'section',
+    { id: 'lesson', 'aria-labelledby': 'heading-lesson', hidden: true },
+    element('h2', { id: 'heading-lesson' }, 'Lesson'),
+    text,
+    list,
+    sum,
+    element(
+      'button',
+      { type: 'button', class: 'bordered', 'aria-haspopup': 'dialog', onclick: handIn },
+      'Results for hand-in',
+    ),
+  );
+  document.getElementById('model-panel')?.prepend(place);
+  /** @type {{ mark: HTMLElement, value: HTMLElement, row: HTMLElement }[]} */
+  let rows = [];
+  let shown = '';
+
+  async function handIn() {
+    await parts.actions.told(import('./hand-in.js').then(({ handIn }) => handIn(parts)));
+  }
+
+  const showNumbers = throttled(NUMBERS_EVERY_MS, () => {
+    const { document, numbers, size } = store.get();
+    const goals = document?.lesson?.goals;
+    if (!goals || numbers?.goals.length !== goals.length) return;
+    numbers.goals.forEach(({ value, met }, index) => {
+      const { mark, value: place, row } = rows[index];
+      const measure = about(goals[index]);
+      const words =
+        value === null
+          ? 'nothing has it'
+          : valueInWords(measure, value < roundingOf(measure, size) ? 0 : value, document.units);
+      row.className = met ? 'met' : 'missed';
+      setText(mark, met ? MARKS.met : MARKS.missed);
+      setText(place, `${met ? 'met' : 'not met'}: ${words}`);
+    });
+    const met = numbers.goals.filter((goal) => goal.met).length;
+    sum.classList.toggle('met', met === goals.length);
+    setText(
+      sum,
+      met === goals.length
+        ? `${MARKS.met} Passed: ${count(met, 'goal')} met`
+        : `${met} of ${count(goals.length, 'goal')} met`,
+    );
+  });
+
+  store.subscribe(['document'], ({ document }) => {
+    const lesson = document?.lesson ?? null;
+    if (document) place.hidden = !lesson;
+    const now = JSON.stringify([lesson, document?.units]);
+    if (!lesson || now === shown) return;
+    shown = now;
+    setText(text, lesson.text);
+    rows = lesson.goals.map((goal) => {
+      const mark = element('span', { class: 'mark', 'aria-hidden': 'true' });
+      const value = element('span', { class: 'now' });
+      const most = valueInWords(about(goal), goal.atMost, document?.units ?? '');
+      const row = element(
+        'li',
+        { title: `The ${goal.words}` },
+        mark,
+        element('span', {}, `Worst ${goal.label.toLowerCase()} at most ${most}`),
+        value,
+      );
+      return { mark, value, row };
+    });
+    list.replaceChildren(...rows.map(({ row }) => row));
+    showNumbers();
+  });
+  store.subscribe(['numbers'], showNumbers);
+}
+
+/**
+ * A goal as the measure that it is about.
+ * @param {import("../messages.js").LessonWords["goals"][number]} goal
+ * @returns {import("../messages.js").FaceMeasure}
+ */
+function about({ measure, label, words, unit }) {
+  return { id: measure ?? '', label, words, unit, met: '' };
+}

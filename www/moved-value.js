@@ -1,0 +1,41 @@
+/** Beside what is dragged: how far it has moved, in the unit of the mesh. */
+
+import { element, setText } from './dom.js';
+import { lengthUnit, number } from './format.js';
+import { ROUNDING } from './rounding.js';
+
+/**
+ * @param {import("./viewport.js").Viewport} viewport
+ * @param {import("./state.js").Store} store
+ */
+export function showMoved(viewport, store) {
+  const label = element('p', { id: 'moved', hidden: true });
+  viewport.element.after(label);
+  store.subscribe(['moved'], (state) => {
+    const { moved } = state;
+    const place = moved && viewport.heldPlace(moved.by);
+    label.hidden = !moved || !place;
+    if (!moved || !place) return;
+    setText(label, movedInWords(moved.by, state));
+    // On the side where there is room, told without measuring: that would lay the page out anew.
+    const [x, y] = place;
+    label.style.translate =
+      x > viewport.width / 2 ? `calc(${x - 22}px - 100%) ${y + 18}px` : `${x + 22}px ${y + 18}px`;
+  });
+}
+
+/**
+ * The parts of a displacement that are not nothing.
+ * @param {number[]} by
+ * @param {Readonly<import("./state.js").State>} state
+ */
+export function movedInWords(by, { document, size }) {
+  const far = Math.hypot(...by);
+  const { unit, factor } = lengthUnit(far, document?.units ?? '');
+  const parts = by.flatMap((part, axis) => {
+    if (Math.abs(part) <= Math.max(ROUNDING * size, 1e-3 * far)) return [];
+    const sign = part > 0 ? '+' : '';
+    return [`${'xyz'[axis]} ${sign}${number(part * factor)}`];
+  });
+  return parts.length > 0 ? `${parts.join('  ')} ${unit}`.trim() : `0 ${unit}`.trim();
+}

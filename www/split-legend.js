@@ -1,0 +1,109 @@
+/**
+ * The legend of one of two pictures: what the side shows, which can be chosen, and how the values of
+ * its faces are spread, over the outline of those of the original.
+ */
+
+import { element, setText } from './dom.js';
+import { groupDigits } from './format.js';
+import { declared, valueInWords } from './measures.js';
+import { drawOutline, outline } from './outline.js';
+import { BINS, countsOf, greatestOf } from './spread.js';
+
+/** @typedef {import("./split.js").Choice} Choice */
+
+export class SplitLegend {
+  #store;
+  #viewport;
+  #measure;
+  #shape;
+  #bars = Array.from({ length: BINS }, () => element('i'));
+  #before = outline();
+  #histogram = element('div', { class: 'histogram', role: 'img' }, ...this.#bars, this.#before);
+  #ramp = element('div', { class: 'ramp' });
+  #top = element('span');
+  #facts = element('p', { class: 'facts-line' });
+  element;
+
+  /**
+   * @param {string} name of the side
+   * @param {import("./state.js").Store} store
+   * @param {import("./viewport.js").Viewport} viewport
+   * @param {(choice: Partial<Choice>) => void} choose
+   */
+  constructor(name, store, viewport, choose) {
+    this.#store = store;
+    this.#viewport = viewport;
+    this.#measure = element('select', {
+      'aria-label': `${name}: coloured by`,
+      onchange: () => choose({ measure: this.#measure.value }),
+    });
+    this.#shape = element(
+      'select',
+      {
+        'aria-label': `${name}: shape`,
+        onchange: () => choose({ original: this.#shape.value === 'original' }),
+      },
+      element('option', { value: 'original' }, 'Original'),
+      element('option', { value: 'now' }, 'Now'),
+    );
+    this.element = element(
+      'div',
+      {
+        class: `split-legend ${name.toLowerCase()}`,
+        role: 'group',
+        'aria-label': `${name} picture`,
+      },
+      element('div', { class: 'choices' }, this.#shape, this.#measure),
+      this.#histogram,
+      this.#ramp,
+      element('div', { class: 'ends figure' }, element('span', {}, '0'), this.#top),
+      this.#facts,
+    );
+  }
+
+  /**
+   * @param {(Choice & import("./split.js").Shown) | undefined} side
+   * @param {Float32Array | undefined} original values of the original in the same measure
+   */
+  show(side, original) {
+    this.element.hidden = !side;
+    const state = this.#store.get();
+    const about = side && declared(state, side.measure);
+    if (!side?.values || !about) return;
+    if (this.#measure.options.length !== state.measures.length) {
+      this.#measure.replaceChildren(
+        ...state.measures.map(({ id, label }) => element('option', { value: id }, label)),
+      );
+    }
+    this.#measure.value = about.id;
+    this.#measure.title = about.words;
+    this.#shape.value = side.original ? 'original' : 'now';
+
+    const counts = countsOf(side.values, side.top);
+    const most = Math.max(...counts, 1);
+    counts.forEach((count, i) => {
+      this.#bars[i].style.height = count > 0 ? `max(2px, ${(100 * count) / most}%)` : '0';
+    });
+    const before = side.original || !original ? null : countsOf(original, side.top);
+    drawOutline(this.#before, before, Math.max(...(before ?? [])));
+    const stops = this.#viewport.with((view) => view.colourStops(BINS)) ?? [];
+    this.#ramp.style.background = `linear-gradient(to right, ${stops.join(', ')})`;
+
+    const units = state.document?.units ?? '';
+    const words = (/** @type {number} */ value) => valueInWords(about, value, units);
+    const { mean, faces } = meanOf(side.values);
+    const worst = words(greatestOf(side.values));
+    setText(this.#top, words(side.top));
+    setText(this.#facts, `mean ${words(mean)}, worst ${worst}`);
+    const outlined = before && original ? `; originally up to ${words(greatestOf(original))}` : '';
+    this.#histogram.ariaLabel = `${groupDigits(faces)} faces between 0 and ${worst}${outlined}`;
+    this.#histogram.title = before ? 'Outline: the original' : '';
+  }
+}
+
+/** @param {Float32Array} values some of which may be no numbers */
+function meanOf(values) {
+  const known = values.filter((value) => !Number.isNaN(value));
+  const sum = known.reduce((total, value) => total + value, 0);
+  return { mean: known.length > 0 ? sum / known.length : 0, faces: known.length };
+}
