@@ -12,7 +12,7 @@ export const modules = ['solver', 'view-webgpu', 'view-webgl2'];
 
 /**
  * What the compiler is told for the solver beside the profile. Without a limit it copies functions into
- * their callers until the module is an eighth larger, and hardly faster: what has to be in place for
+ * their callers until the module is a tenth larger, and hardly faster: what has to be in place for
  * speed says so itself.
  */
 export const solverFlags = ['-C', 'llvm-args=-inline-threshold=25'];

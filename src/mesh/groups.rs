@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::problem::Element;
 use super::{Group, GroupKeyword};
+use crate::math::{ascending, key_of_pair};
 
 /// The statements that open groups.
 pub(super) const STATEMENTS: [(GroupKeyword, &str); 3] =
@@ -65,7 +66,11 @@ impl Groups {
         let mut groups = self.groups;
         groups.retain(|group| !(group.faces.is_empty() && group.curves.is_empty()));
         let first = |members: &[u32]| members.first().copied().unwrap_or(u32::MAX);
-        groups.sort_by_key(|group| (first(&group.faces), first(&group.curves), group.keyword));
-        groups
+        let by_keyword = ascending(groups.iter().map(|group| group.keyword as u64));
+        let key = |group: &Group| key_of_pair([first(&group.faces), first(&group.curves)]);
+        let order = ascending(by_keyword.iter().map(|&group| key(&groups[group as usize])));
+        let places = order.into_iter().map(|i| by_keyword[i as usize] as usize);
+        let mut groups: Vec<Option<Group>> = groups.into_iter().map(Some).collect();
+        places.map(|place| groups[place].take().expect("an order has every place once")).collect()
     }
 }

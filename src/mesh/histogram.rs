@@ -1,5 +1,7 @@
 //! How values are distributed, for a legend of colours that leave out the few that are far out.
 
+use crate::math::{ascending, key_of_number};
+
 /// Of a hundred values, so many may lie beyond the upper end.
 const BEYOND: usize = 1;
 
@@ -20,8 +22,9 @@ impl Histogram {
     /// Without bins, or when `least_high` is not greater than `low`.
     pub fn new(values: &[f64], [low, least_high]: [f64; 2], bins: usize) -> Histogram {
         assert!(bins > 0 && least_high > low, "there is at least one bin, of some width");
-        let mut sorted: Vec<f64> = values.iter().copied().filter(|v| !v.is_nan()).collect();
-        sorted.sort_unstable_by(f64::total_cmp);
+        let numbers: Vec<f64> = values.iter().copied().filter(|v| !v.is_nan()).collect();
+        let order = ascending(numbers.iter().map(|&v| key_of_number(v)));
+        let sorted: Vec<f64> = order.into_iter().map(|i| numbers[i as usize]).collect();
         let within = sorted.len() - sorted.len() * BEYOND / 100;
         let finite = sorted[..within].iter().rev().find(|value| value.is_finite());
         let high = finite.map_or(least_high, |&value| value.max(least_high));

@@ -2,7 +2,7 @@
 
 use super::problem::{Problem, ProblemKind, Tally};
 use super::{Mesh, Point};
-use crate::math::{ascending, key_of_pair};
+use crate::math::{ascending, key_of_number, key_of_pair};
 
 /// The problems of a mesh that is not from a file, such as one inside a scene.
 pub fn survey(mesh: &Mesh) -> Vec<Problem> {
@@ -119,17 +119,16 @@ fn half_edges(mesh: &Mesh) -> Vec<HalfEdge> {
 
 /// How many vertices lie exactly where an earlier one does, and the first of them.
 pub(super) fn coincident(positions: &[Point]) -> Option<(usize, usize)> {
-    let is_number = |p: &Point| !p.iter().any(|x| x.is_nan());
-    // Adding zero makes one zero of the two.
-    let mut vertices: Vec<(Point, usize)> = (positions.iter().enumerate())
-        .filter(|(_, p)| is_number(p))
-        .map(|(vertex, p)| (p.map(|x| x + 0.0), vertex))
-        .collect();
-    vertices.sort_unstable_by(|(p, a), (q, b)| {
-        let axes = p.iter().zip(q).map(|(x, y)| x.total_cmp(y));
-        axes.fold(std::cmp::Ordering::Equal, |order, next| order.then(next)).then(a.cmp(b))
-    });
-    let later = vertices.windows(2).filter(|pair| pair[0].0 == pair[1].0).map(|pair| pair[1].1);
+    let is_number = |vertex: &usize| !positions[*vertex].iter().any(|x| x.is_nan());
+    let mut vertices: Vec<usize> = (0..positions.len()).filter(is_number).collect();
+    // By x, then y, then z, then vertex: the first of these last, as equals keep their order.
+    for axis in (0..3).rev() {
+        // Adding zero makes one zero of the two.
+        let keys = vertices.iter().map(|&vertex| key_of_number(positions[vertex][axis] + 0.0));
+        vertices = ascending(keys).into_iter().map(|i| vertices[i as usize]).collect();
+    }
+    let same = |pair: &&[usize]| positions[pair[0]] == positions[pair[1]];
+    let later = vertices.windows(2).filter(same).map(|pair| pair[1]);
     Some((later.clone().count(), later.min()?))
 }
 

@@ -105,7 +105,8 @@ impl Scene {
     /// Every selector, of constraints and of closeness.
     fn check_selectors(&self, mesh: &Mesh) -> Result<(), SceneError> {
         let groups = mesh.groups.iter().map(|group| group.name.as_str());
-        let names: BTreeSet<&str> = self.sets.keys().map(String::as_str).chain(groups).collect();
+        let mut names: BTreeSet<&str> = BTreeSet::new();
+        names.extend(self.sets.keys().map(String::as_str).chain(groups));
         for (i, spec) in self.constraints.iter().enumerate() {
             check_selector(&format!("constraints[{i}].on"), &spec.on, &names, mesh)?;
         }

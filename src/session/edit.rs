@@ -216,12 +216,12 @@ impl Session {
         let Snapshot { document, handles, positions, iteration } = state;
         let name = match edit {
             Edit::AddConstraint(new) => {
-                let name = format!("Add {}", new.spec.kind.info().label.to_lowercase());
+                let name = format!("Add {}", new.spec.kind.info().label.to_ascii_lowercase());
                 new.add_to(document);
                 name
             }
             Edit::RemoveConstraint { index } => {
-                let label = row(document, index)?.kind.info().label.to_lowercase();
+                let label = row(document, index)?.kind.info().label.to_ascii_lowercase();
                 document.constraints.remove(index);
                 format!("Remove {label}")
             }
@@ -235,11 +235,11 @@ impl Session {
                 set_params(spec, index, params)?;
                 spec.weight = weight.unwrap_or(spec.weight);
                 spec.enabled = enabled.unwrap_or(spec.enabled);
-                format!("{what} {}", spec.kind.info().label.to_lowercase())
+                format!("{what} {}", spec.kind.info().label.to_ascii_lowercase())
             }
             Edit::DuplicateConstraint { index } => {
                 let copy = row(document, index)?.clone();
-                let label = copy.kind.info().label.to_lowercase();
+                let label = copy.kind.info().label.to_ascii_lowercase();
                 document.constraints.insert(index + 1, copy);
                 format!("Duplicate {label}")
             }

@@ -150,7 +150,10 @@ pub fn settings_of(scene: &Scene) -> Map<String, Value> {
         ("mean-centring", json!(word(&SWITCH, solver.mean_centring))),
         ("monotone", json!(word(&SWITCH, solver.monotone))),
     ];
-    values.map(|(id, value)| (id.to_owned(), value)).into_iter().collect()
+    let mut settings = Map::new();
+    // Collecting them would bring a sort along.
+    settings.extend(values.map(|(id, value)| (id.to_owned(), value)));
+    settings
 }
 
 fn word<T: PartialEq + Copy>(words: &[(&'static str, T)], value: T) -> &'static str {

@@ -2,7 +2,7 @@
 //! to where it was.
 
 use crate::constraint::Row;
-use crate::math::cosine;
+use crate::math::{ascending, cosine};
 use crate::mesh::{BoundaryCurves, Point, Surface, Topology};
 use crate::scene::{Closeness, ClosenessTo};
 use std::rc::Rc;
@@ -23,6 +23,7 @@ struct Gliding {
     vertices: Vec<Glider>,
 }
 
+#[derive(Clone, Copy)]
 struct Glider {
     node: u32,
     /// Where the last search for it ended.
@@ -96,8 +97,9 @@ impl CloseEnergy {
             ClosenessTo::None => {}
             ClosenessTo::Rest => energy.resting.extend(others.map(resting)),
             ClosenessTo::Surface => {
-                let mut vertices: Vec<Glider> = others.map(glider).collect();
-                vertices.sort_unstable_by_key(|glider| glider.node);
+                let vertices: Vec<Glider> = others.map(glider).collect();
+                let order = ascending(vertices.iter().map(|glider| u64::from(glider.node)));
+                let vertices = order.into_iter().map(|i| vertices[i as usize]).collect();
                 energy.gliding.push(Gliding { on: surface(), vertices });
             }
         }

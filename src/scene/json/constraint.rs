@@ -27,7 +27,7 @@ pub(super) fn read(at: &At<'_>) -> Result<ConstraintSpec, SceneError> {
     let id = kind.text(&what)?;
     let own = entries.iter().filter(|(key, _)| !KEYS.contains(key));
     let params = own.clone().map(|(key, value)| ((*key).to_owned(), value.node.to_value()));
-    let kind = Kind::new(id, serde_json::Value::Object(params.collect())).map_err(|e| match e {
+    let kind = Kind::new(id, super::node::object(params)).map_err(|e| match e {
         KindError::Unknown => kind.error(format!("unknown kind {id:?}, expected {what}")),
         KindError::Params { path, message } => {
             let known = parameter_keys(id);

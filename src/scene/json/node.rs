@@ -3,7 +3,7 @@
 
 use crate::scene::SceneError;
 use serde::de::{self, Deserialize, Deserializer, MapAccess, SeqAccess, Visitor};
-use serde_json::{Number, Value};
+use serde_json::{Map, Number, Value};
 use std::fmt;
 
 /// A JSON value.
@@ -80,7 +80,7 @@ impl Node {
             Node::Text(value) => Value::String(value.clone()),
             Node::Array(items) => items.iter().map(Node::to_value).collect(),
             Node::Object(entries) => {
-                Value::Object(entries.iter().map(|(k, v)| (k.clone(), v.to_value())).collect())
+                object(entries.iter().map(|(key, node)| (key.clone(), node.to_value())))
             }
         }
     }
@@ -238,6 +238,14 @@ impl<'a> At<'a> {
             self.expected(&words.join(" or "))
         })
     }
+}
+
+/// An object of these entries. Collecting them would sort them first, in a copy of its own of the
+/// standard library's sort wherever it is done.
+pub(in crate::scene) fn object(entries: impl Iterator<Item = (String, Value)>) -> Value {
+    let mut object = Map::new();
+    object.extend(entries);
+    Value::Object(object)
 }
 
 /// Appends a key to a JSON path; one that is not a plain word is quoted.
