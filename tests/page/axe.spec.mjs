@@ -162,7 +162,7 @@ const STATES = {
   },
   'before and after, side by side': async (page) => {
     await page.goto('./#example=fig-05-planar');
-    await waitForState(page, (now) => now.vertices === 2040 && now.renderer !== 'none');
+    await waitForState(page, (now) => now.vertices === 2135 && now.renderer !== 'none');
     await showPanel(page, 'Model');
     await page.getByRole('button', { name: 'Before and after' }).click();
     await expect(page.getByRole('slider', { name: 'Divider' })).toBeVisible();
@@ -204,6 +204,7 @@ const STATES = {
     await expect(page.getByRole('alert')).toContainText('was restarted');
   },
   'a graphics context that was lost for good': async (page) => {
+    await openPage(page, 'backend=webgl2');
     await expect(async () => {
       await page.evaluate(() => {
         const canvas = document.querySelector('#viewport canvas');
@@ -213,6 +214,25 @@ const STATES = {
     }).toPass();
   },
 };
+
+/** Whether the window is a phone's. */
+const isPhone = () => test.info().project.name === 'phone';
+
+/** What a phone shows as every other window does. */
+const SAME_ON_A_PHONE = new Set([
+  'the third hint',
+  'recent works',
+  'a question of the menu of selecting',
+  'the dialog of Export',
+  'the dialog of Share',
+  'an experiment that has been run',
+  'the angles',
+  'the log',
+  'a lesson that is written',
+  'something to drop',
+  'a solver that was restarted',
+  'a graphics context that was lost for good',
+]);
 
 /** In both themes. */
 async function expectNothing(page) {
@@ -224,6 +244,7 @@ async function expectNothing(page) {
 
 for (const [name, reach] of Object.entries(STATES)) {
   test(`axe: ${name}`, async ({ page }) => {
+    test.skip(isPhone() && SAME_ON_A_PHONE.has(name), 'asked of the desktop');
     await openPage(page);
     await reach(page);
     await expectNothing(page);

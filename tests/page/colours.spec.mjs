@@ -177,9 +177,8 @@ test('the legend counts the faces within a tolerance', async ({ page }) => {
   await set('1000');
   await expect(within).toHaveText('432 of 432');
   await set('1');
-  await expect(within).toHaveText(/^\d+ of 432$/);
+  await expect(within).toHaveText(/^(?!432)\d+ of 432$/);
   const before = Number.parseInt(await within.textContent(), 10);
-  expect(before).toBeLessThan(432);
   await runToTheEnd(page);
   const after = () => within.textContent().then((text) => Number.parseInt(text, 10));
   await expect.poll(after).toBeGreaterThan(before + 100);

@@ -24,12 +24,16 @@ const url = `http://127.0.0.1:${port}${base}`;
 const BEHIND = [
   'adaptation',
   'autosave',
+  'backends',
+  'experiments',
+  'gizmo',
   'keyboard',
   'kinds',
   'offline',
   'parameters',
   'random-undo',
   'share',
+  'states',
   'undo',
   'units',
 ];
