@@ -60,12 +60,12 @@ await main(() => {
     !isOther(path) && !first.has(path) && !isBeside(path) && !isPlot(path) && !isRhino(path);
   const rows = [
     row('solver module', [at('www', 'pkg', 'solver', 'shape_up_bg.wasm')], 550 * kB),
-    row('view, WebGPU', [at('www', 'pkg', 'view-webgpu', 'shape_up_bg.wasm')], 130 * kB),
+    row('view, WebGPU', [at('www', 'pkg', 'view-webgpu', 'shape_up_bg.wasm')], 165 * kB),
     row('view, WebGL2', [at('www', 'pkg', 'view-webgl2', 'shape_up_bg.wasm')], 900 * kB),
     row('first visit', [...first], 78 * kB),
     row('first picture', [firstPicture], 14 * kB),
     row('plots', code.filter(isPlot), 30 * kB),
-    row('other dialogs', code.filter(isLater), 24 * kB),
+    row('other dialogs', code.filter(isLater), 42 * kB),
     row('gallery, projections', code.filter(isBeside), 16 * kB),
     row('files of Rhino', filesUnder(at('dist')).filter(isRhino), 1100 * kB),
   ];

@@ -11,18 +11,16 @@ import { filesUnder, unlessUnchanged } from './stamp.mjs';
 export const modules = ['solver', 'view-webgpu', 'view-webgl2'];
 
 /**
- * What the compiler is told for the solver beside the profile. Without a limit it copies functions into
- * their callers until the module is a tenth larger, and hardly faster: what has to be in place for
- * speed says so itself.
+ * What the compiler is told beside the profile. Without a limit it copies functions into their callers
+ * until a module is a tenth larger, and hardly faster: what has to be in place for speed says so itself.
  */
-export const solverFlags = ['-C', 'llvm-args=-inline-threshold=25'];
+export const sizeFlags = ['-C', 'llvm-args=-inline-threshold=25'];
 
 /** Builds one of them into `www/pkg/<feature>/`. */
 export async function buildModule(feature) {
   const folder = at('www', 'pkg', feature);
   // The names of functions are most of what could be left out of the file.
   const flags = ['--target', 'web', '--remove-name-section', '--remove-producers-section'];
-  const compilerFlags = feature === 'solver' ? solverFlags : [];
   const work = {
     name: feature,
     // Cargo gives all modules the same file name, so it would link each anew every time.
@@ -30,7 +28,7 @@ export async function buildModule(feature) {
       ...filesUnder(at('src')),
       ...['Cargo.toml', 'Cargo.lock', '.cargo/config.toml'].map((name) => at(name)),
     ],
-    settings: [flags, compilerFlags, outputOf('rustc', ['--version'])],
+    settings: [flags, sizeFlags, outputOf('rustc', ['--version'])],
     output: join(folder, 'shape_up_bg.wasm'),
   };
   await unlessUnchanged(work, async () => {
@@ -40,7 +38,7 @@ export async function buildModule(feature) {
     await run('cargo', [
       ...['rustc', '--locked', '--lib', '--release', '--crate-type', 'cdylib'],
       ...['--target', wasmTarget, '--no-default-features', '--features', feature],
-      ...['--', ...compilerFlags],
+      ...['--', ...sizeFlags],
     ]);
     rmSync(folder, { recursive: true, force: true });
     const compiled = join(targetFolder, wasmTarget, 'release', 'shape_up.wasm');

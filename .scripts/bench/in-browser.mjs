@@ -7,7 +7,7 @@ import { browserFlags, findBrowser } from '../browser.mjs';
 import { at, targetFolder, wasmTarget } from '../project.mjs';
 import { Problem, run, say } from '../run.mjs';
 import { setUpBindgen, wasmBindgen } from '../setup-bindgen.mjs';
-import { solverFlags } from '../wasm.mjs';
+import { sizeFlags } from '../wasm.mjs';
 import { host, isolation } from './host.mjs';
 import { benchFolder } from './problems.mjs';
 
@@ -22,7 +22,7 @@ export async function buildBenchModule() {
     ...['rustc', '--locked', '--release', '--quiet', '--example', name],
     ...['--target', wasmTarget, '--no-default-features', '--features', 'solver'],
     // As the site's own module, which it is measured for.
-    ...['--', ...solverFlags],
+    ...['--', ...sizeFlags],
   ]);
   const compiled = join(targetFolder, wasmTarget, 'release', 'examples', `${name}.wasm`);
   await run(wasmBindgen, ['--target', 'web', '--out-dir', moduleFolder, compiled]);
