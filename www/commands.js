@@ -75,9 +75,14 @@ export function bindButtons(commands, store) {
     const anything = /** @type {(keyof import("./state.js").State)[]} */ (Object.keys(store.get()));
     store.subscribe(anything, (state) => {
       const title = (command.title ? command.title(state) : command.label) + shortcut;
+      // Also what is set to what it was invalidates styles, and is news for who watches the bar.
       if (button.title !== title) button.title = title;
-      button.disabled = command.enabled ? !command.enabled(state) : false;
-      if (command.pressed) button.setAttribute('aria-pressed', String(command.pressed(state)));
+      const disabled = command.enabled ? !command.enabled(state) : false;
+      if (button.disabled !== disabled) button.disabled = disabled;
+      const pressed = command.pressed ? String(command.pressed(state)) : null;
+      if (pressed !== button.getAttribute('aria-pressed') && pressed !== null) {
+        button.setAttribute('aria-pressed', pressed);
+      }
     });
   }
 }

@@ -65,11 +65,15 @@ export class EnergyPlot {
 
   /** The columns with what a logarithm cannot show at the lower end of the scale. */
   #drawable() {
-    const values = this.#columns.slice(1).flat();
-    const greatest = values.reduce((a, b) => Math.max(a, b), 0);
-    // A term that is nothing but rounding at the start would take most of the scale.
-    const after = this.#columns.slice(1).flatMap((column) => column.slice(1));
-    const smallest = after.reduce((a, b) => (b > 0 ? Math.min(a, b) : a), greatest);
+    let [greatest, smallest] = [0, Infinity];
+    for (const column of this.#columns.slice(1)) {
+      for (let i = 0; i < column.length; i++) {
+        greatest = Math.max(greatest, column[i]);
+        // A term that is nothing but rounding at the start would take most of the scale.
+        if (i > 0 && column[i] > 0) smallest = Math.min(smallest, column[i]);
+      }
+    }
+    smallest = Math.min(smallest, greatest);
     const least = Math.max(smallest, greatest * 10 ** -DECADES) || Number.MIN_VALUE;
     const [iterations, ...energies] = this.#columns;
     return /** @type {uPlot.AlignedData} */ ([

@@ -10,7 +10,8 @@ import { energyOrNothing } from '../rounding.js';
 /** @typedef {import("../plot.js").EnergyPlot} EnergyPlot */
 /** @typedef {import("../messages.js").Numbers} Numbers */
 
-const PLOT_EVERY_MS = 100;
+/** A plot of thousands of iterations takes some milliseconds. */
+const PLOT_EVERY_MS = 250;
 
 export class Convergence {
   /** Columns: iteration, shape, close, smooth, handles, total. @type {number[][]} */
@@ -56,8 +57,8 @@ export class Convergence {
   /** @param {number} iteration */
   #forgetAfter(iteration) {
     const [iterations] = this.#columns;
+    if (iterations.length === 0 || iterations[iterations.length - 1] <= iteration) return;
     const keep = iterations.findIndex((value) => value > iteration);
-    if (keep < 0) return;
     this.#columns.forEach((column) => column.splice(keep));
     this.#draw();
   }
