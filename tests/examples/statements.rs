@@ -201,6 +201,7 @@ const STATEMENTS: &[Statement] = &[
     ("fig-08-similar-1", |run| vec![("width", run.width_at_middle(), 31.0..32.0)]),
     ("fig-08-similar-2", |run| vec![("width", run.width_at_middle(), 29.0..30.0)]),
     ("fig-08-similar-3", |run| vec![("width", run.width_at_middle(), 27.0..29.0)]),
+    ("fig-08-similar-blocks", |run| vec![("width", run.width_at_middle(), 18.0..27.0)]),
     ("fig-08-bar-polygons", |run| vec![("volume", run.volume_left(), 0.0..0.5)]),
     ("fig-08-bar-rings", |run| vec![("volume", run.volume_left(), 0.85..0.93)]),
     ("fig-08-bar-tets", |run| vec![("volume", run.volume_left(), 0.95..1.0)]),

@@ -4,7 +4,7 @@ use super::{Example, constraint, each, fixed, moved};
 use crate::constraint::{Element, Selector};
 use crate::math::{cosine, sine};
 use crate::mesh::generate::{Blocks, Patch, soften};
-use crate::mesh::{Mesh, Point};
+use crate::mesh::{Group, GroupKeyword, Mesh, Point};
 use crate::scene::{ClosenessTo, ConstraintSpec, Scene};
 
 pub(super) const PROTRUSIONS: Example = Example {
@@ -42,6 +42,15 @@ pub(super) const RINGS: [Example; 3] = [
         make: |scene| sheet(scene, 3),
     },
 ];
+
+pub(super) const BLOCKS: Example = Example {
+    id: "fig-08-similar-blocks",
+    title: "Stretched sheet, elements of blocks",
+    summary: "Blocks of six by six panels that overlap by two: each may turn and grow but not shear, and so the whole sheet grows almost evenly.",
+    statement: "Stretched from 30 m to 42 m, the sheet of 18 m becomes less than 27 m wide at its middle.",
+    ending: "obj",
+    make: blocks,
+};
 
 pub(super) const BAR_POLYGONS: Example = Example {
     id: "fig-08-bar-polygons",
@@ -93,12 +102,44 @@ fn protrusions(scene: &mut Scene) -> Mesh {
     mesh
 }
 
+/// Panels of the sheet along x and y.
+const SHEET: [u32; 2] = [30, 18];
+
 fn sheet(scene: &mut Scene, radius: u32) -> Mesh {
-    let sheet = Patch { panels: [30, 18], shear: 0.0, jitter: 0.0, rise: 0.0, ..Patch::default() };
-    let mesh = sheet.mesh();
     let ring = Selector::Each { element: Element::Ring, within: None, radius };
-    free(scene, vec![constraint("similar", ring, 1.0)]);
-    // Both short sides are held, and the right one is pulled away.
+    stretched(scene, ring)
+}
+
+/// A sheet of blocks of panels, each a group of the file.
+fn blocks(scene: &mut Scene) -> Mesh {
+    const SIDE: u32 = 6;
+    const APART: usize = 4;
+    let [nx, ny] = SHEET;
+    let mut mesh = stretched(scene, each(Element::Group));
+    let corners = (0..=ny - SIDE).step_by(APART);
+    let corners = corners.flat_map(|y| (0..=nx - SIDE).step_by(APART).map(move |x| [x, y]));
+    mesh.groups = corners
+        .map(|[x, y]| Group {
+            name: format!("block-{x}-{y}"),
+            keyword: GroupKeyword::Group,
+            faces: (y..y + SIDE).flat_map(|y| (x..x + SIDE).map(move |x| y * nx + x)).collect(),
+            curves: Vec::new(),
+        })
+        .collect();
+    mesh
+}
+
+/// A flat sheet of similar elements. Both short sides are held, and the right one is pulled away.
+fn stretched(scene: &mut Scene, elements: Selector) -> Mesh {
+    let sheet = Patch {
+        panels: SHEET.map(|side| side as usize),
+        shear: 0.0,
+        jitter: 0.0,
+        rise: 0.0,
+        ..Patch::default()
+    };
+    let mesh = sheet.mesh();
+    free(scene, vec![constraint("similar", elements, 1.0)]);
     scene.handles = vec![
         fixed(vertices(&mesh, |p| p[0] == -15.0)),
         moved(&mesh, vertices(&mesh, |p| p[0] == 15.0), |[x, y, z]| [x + 12.0, y, z]),

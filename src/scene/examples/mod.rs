@@ -70,6 +70,7 @@ pub const EXAMPLES: &[Example] = &[
     deformation::RINGS[0],
     deformation::RINGS[1],
     deformation::RINGS[2],
+    deformation::BLOCKS,
     deformation::BAR_POLYGONS,
     deformation::BAR_RINGS,
     deformation::BAR_TETS,
