@@ -29,10 +29,15 @@ async fn open(canvas: &HtmlCanvasElement) -> View {
 
 /// A square of two by two quads with its middle raised.
 fn show_tent(view: &mut View) {
-    let mut positions: Vec<f64> = flat_square();
-    positions[14] = 1.0;
     let indices = vec![0, 1, 4, 3, 1, 2, 5, 4, 3, 4, 7, 6, 4, 5, 8, 7];
-    view.set_mesh(vec![0, 4, 8, 12, 16], indices, vec![], vec![], &positions).unwrap();
+    view.set_mesh(vec![0, 4, 8, 12, 16], indices, vec![], vec![], &tent()).unwrap();
+}
+
+/// Its vertices.
+fn tent() -> Vec<f64> {
+    let mut positions = flat_square();
+    positions[14] = 1.0;
+    positions
 }
 
 /// Three by three vertices.
@@ -156,7 +161,7 @@ async fn moved_vertices_are_seen_and_can_be_pointed_at() {
     assert_eq!(view.pick_vertex(x, y, 8.0), Some(4));
     view.hold_vertex(4, Some(x), Some(y)).unwrap();
     let way = view.held_way("screen", 30.0, 20.0).unwrap().unwrap();
-    let mut positions = flat_square();
+    let mut positions = tent();
     positions[12..15].iter_mut().zip(&way).for_each(|(place, by)| *place += by);
     view.set_positions(&positions).unwrap();
     view.draw().unwrap();
