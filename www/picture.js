@@ -36,7 +36,8 @@ export async function pictureOf(viewport, state, { scale, legend, white }) {
   });
   if (!drawn) throw new Error('The picture could not be drawn: try a smaller one.');
   if (legend && state.model?.faces) {
-    const stops = viewport.rampStops();
+    // Two pictures side by side are coloured gradually, whatever the one is.
+    const stops = viewport.rampStops(!state.split);
     for (const [from, shown] of legendsOf(state)) {
       context.setTransform(size.scale, 0, 0, size.scale, from * size.width, 0);
       drawLegend(context, shown, stops, size, white);

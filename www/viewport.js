@@ -18,6 +18,8 @@ import { showSplit } from './split.js';
  * @typedef {{ text: string, x: number, y: number, align: "center" | "right", bar: number }} Label
  */
 
+/** Colours of a gradual legend. */
+const GRADUAL_STOPS = 12;
 /** A view that is lost this often in a row is given up. */
 const ATTEMPTS = 3;
 const NONE = new Uint32Array(0);
@@ -107,12 +109,13 @@ export class Viewport extends EventTarget {
   /**
    * The colours of the range as a legend paints them, with their places in it from 0 to 1: gradual, or
    * in bands with hard limits.
+   * @param {boolean} [bands] false: gradual, also where the one picture is in bands
    * @returns {[number, string][]}
    */
-  rampStops() {
+  rampStops(bands = true) {
     const stops = this.with((view) => {
-      const colours = view.rampColours();
-      const limits = view.bandLimits();
+      const colours = bands ? view.rampColours() : view.colourStops(GRADUAL_STOPS);
+      const limits = bands ? view.bandLimits() : [];
       const ends = [0, ...limits, 1];
       return colours.flatMap((colour, i) =>
         (limits.length > 0 ? [ends[i], ends[i + 1]] : [i / (colours.length - 1)]).map(
