@@ -25,19 +25,35 @@ export async function findBrowser() {
   return existsSync(own) && starts(own) ? own : null;
 }
 
-/**
- * Draws WebGPU and WebGL2 by SwiftShader, so that no graphics card is needed. The compositor must
- * run on the same Vulkan as WebGPU: without the last three flags its canvas stays blank.
- */
-export const browserFlags = [
+const quiet = [
   '--no-sandbox',
   '--disable-quic',
   '--no-first-run',
   '--disable-background-networking',
   '--disable-component-update',
   '--disable-sync',
+];
+
+/**
+ * Draws WebGPU and WebGL2 by SwiftShader, so that no graphics card is needed. The compositor must
+ * run on the same Vulkan as WebGPU: without the last three flags its canvas stays blank.
+ */
+export const browserFlags = [
+  ...quiet,
   '--enable-unsafe-webgpu',
   '--enable-features=Vulkan',
   '--use-vulkan=swiftshader',
   '--use-angle=swiftshader',
+];
+
+/**
+ * Draws WebGL2 alone by SwiftShader. The page around the picture is not SwiftShader's, so that a
+ * page is used in two thirds of the time.
+ */
+export const webgl2Flags = [
+  ...quiet,
+  '--use-gl=angle',
+  '--use-angle=swiftshader',
+  '--enable-unsafe-swiftshader',
+  '--disable-gpu-compositing',
 ];

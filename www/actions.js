@@ -97,7 +97,9 @@ export function createActions(store, solver, alerts) {
 
     async step() {
       const converged = await told(solver.request({ type: 'step' }));
-      if (converged !== undefined && !converged) say('One iteration');
+      if (converged === undefined) return;
+      const all = count(store.get().numbers?.iteration ?? 0, 'iteration');
+      say(converged ? `Converged after ${all}` : 'One iteration');
     },
 
     /** The local step, or the global step after it. */

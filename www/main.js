@@ -210,9 +210,10 @@ function takeUp(client) {
     const before = store.get();
     const iterations = count(before.numbers?.iteration ?? 0, 'iteration');
     store.set({ running, converged });
-    if (running && !before.running) store.set({ status: 'Running' });
-    else if (converged && !before.converged) store.set({ status: `Converged after ${iterations}` });
-    else if (!running && before.running) store.set({ status: `Paused after ${iterations}` });
+    // A drag comes to rest as well, but whoever drags is told of the handle.
+    if (running === before.running) return;
+    const ended = converged ? 'Converged' : 'Paused';
+    store.set({ status: running ? 'Running' : `${ended} after ${iterations}` });
   });
   on('trouble', ({ message }) => alerts.error(message));
   client.addEventListener('restarted', (event) => {

@@ -51,7 +51,7 @@ test('the view that draws is kept, and another one when it is wanted', async ({
     await openPage(page, `backend=${backend}`);
     await waitForState(page, (now, wanted) => now.renderer === wanted, backend);
     await keptOffline(page);
-    expect(await keptViews(page)).toEqual(kept);
+    await expect.poll(() => keptViews(page)).toEqual(kept);
     await context.setOffline(true);
     await openPage(page, `backend=${backend}`);
     await waitForState(page, (now, wanted) => now.renderer === wanted, backend);

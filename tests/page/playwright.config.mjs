@@ -2,7 +2,7 @@
 
 import { defineConfig } from '@playwright/test';
 import { createServer } from 'node:net';
-import { browserFlags, findBrowser } from '../../.scripts/browser.mjs';
+import { browserFlags, findBrowser, webgl2Flags } from '../../.scripts/browser.mjs';
 
 /** A port that nobody listens on now. */
 function freePort() {
@@ -24,7 +24,6 @@ const url = `http://127.0.0.1:${port}${base}`;
 const BEHIND = [
   'adaptation',
   'autosave',
-  'backends',
   'experiments',
   'export',
   'files',
@@ -32,7 +31,6 @@ const BEHIND = [
   'keyboard',
   'kinds',
   'lists',
-  'offline',
   'parameters',
   'random-undo',
   'selecting',
@@ -42,8 +40,15 @@ const BEHIND = [
   'units',
 ];
 
+/** What tells WebGPU from WebGL2, in a browser that has both. */
+const BOTH = ['backends', 'offline'];
+
 /** What measures time has the machine to itself, after all others. */
 const ALONE = 'drag-speed';
+
+const specs = (names) => names.map((name) => `${name}.spec.mjs`);
+const executablePath = (await findBrowser()) ?? undefined;
+const launched = (args) => ({ launchOptions: { executablePath, args } });
 
 export default defineConfig({
   testDir: '.',
@@ -63,26 +68,31 @@ export default defineConfig({
     // It would answer for the server, whose answers tests hold back.
     serviceWorkers: 'block',
     screenshot: 'only-on-failure',
-    launchOptions: { executablePath: (await findBrowser()) ?? undefined, args: browserFlags },
+    ...launched(webgl2Flags),
   },
   projects: [
     {
       name: 'desktop',
       use: { viewport: { width: 1440, height: 900 } },
       // Fingers are the phone's.
-      testIgnore: ['touch.spec.mjs', `${ALONE}.spec.mjs`],
+      testIgnore: specs(['touch', ...BOTH, ALONE]),
+    },
+    {
+      name: 'both',
+      use: { viewport: { width: 1440, height: 900 }, ...launched(browserFlags) },
+      testMatch: specs(BOTH),
     },
     {
       name: 'alone',
       use: { viewport: { width: 1440, height: 900 } },
-      testMatch: `${ALONE}.spec.mjs`,
-      dependencies: ['desktop', 'phone'],
+      testMatch: specs([ALONE]),
+      dependencies: ['desktop', 'both', 'phone'],
     },
     {
       name: 'phone',
       use: { viewport: { width: 390, height: 844 } },
       // A phone shows the page in another arrangement. What these tell lies behind it.
-      testIgnore: [...BEHIND, ALONE].map((name) => `${name}.spec.mjs`),
+      testIgnore: specs([...BEHIND, ...BOTH, ALONE]),
     },
   ],
   webServer: {

@@ -11,9 +11,11 @@ import { expect, openPage, state, test, waitForState } from './support.mjs';
 const status = (page) => page.getByRole('status');
 const card = (page) => page.getByRole('group', { name: /^Opening / });
 
-/** More faces than can be worked with, cheap to make: the same one again and again. */
+/** More faces than can be worked with, cheap to make and to draw: the same small one again and again. */
 const large = (faces) =>
-  `${wavyGrid(2)}${'f 1 2 5 4\n'.repeat(faces - 4)}`.padEnd(2_100_000, '#\n');
+  [wavyGrid(2), 'v 1 1 0\nv 1.01 1 0\nv 1.01 1.01 0\n', 'f 10 11 12\n'.repeat(faces - 4)]
+    .join('')
+    .padEnd(2_100_000, '#\n');
 
 /** Everything that is said while `action` goes on, in order. */
 async function heard(page, action) {
@@ -138,7 +140,7 @@ test('a large file says how far it is, and can be left while it is read', async 
   await open();
   await expect(card(page)).toContainText(/1\.\d of 2\.1 MB/);
   await page.evaluate(() => window.goOn());
-  await waitForState(page, (now) => now.vertices === 9);
+  await waitForState(page, (now) => now.vertices === 12);
   await expect(card(page)).toBeHidden();
   await expect(status(page)).toHaveText(/^Opened wide\.obj/);
 });
