@@ -2,7 +2,7 @@
 //!
 //! | file | holds |
 //! |---|---|
-//! | [`ragged`](self) | lists of lists of vertex indices |
+//! | `ragged` | lists of lists of vertex indices |
 //! | `read` | files in, by format: `obj` with `groups`, `off`, `medit` |
 //! | `lines`, `stream`, `number`, `draft` | what the formats share: text, rows, numbers, the mesh so far |
 //! | `problem`, `survey` | what a file, and a mesh as a whole, has wrong that can be survived |
@@ -19,7 +19,7 @@
 //! | `angle_histogram` | how many corners of faces have which angle |
 //! | `quasi_conformal` | how far a flat map is from keeping angles |
 //! | `histogram` | how errors are distributed, for legends |
-//! | `bounds` | bounding sphere |
+//! | `bounds` | bounding sphere, and how far out positions may be |
 
 mod angle_histogram;
 mod boundary;
@@ -59,7 +59,7 @@ mod triangle;
 
 pub use angle_histogram::angle_histogram;
 pub use boundary_curves::{BoundaryCurve, BoundaryCurves};
-pub use bounds::BoundingSphere;
+pub use bounds::{BoundingSphere, FARTHEST, too_far};
 pub use closest::Surface;
 pub use components::components;
 pub use edge_lines::edge_lines;
@@ -70,7 +70,7 @@ pub use local::{corners, hinges, stars};
 pub use measure::{Circularity, Measures, Planarity, diagonal_ratio};
 pub use medit_write::write_medit;
 pub use obj_write::{write_obj, write_obj_with_uv};
-pub use problem::{Element, Problem, ProblemKind};
+pub use problem::{Element, Problem, ProblemKind, counted};
 pub use quasi_conformal::{MapErrors, QuasiConformal, quasi_conformal};
 pub use ragged::Ragged;
 pub use read::{Read, read};
@@ -119,6 +119,15 @@ pub enum GroupKeyword {
     Group,
     /// `usemtl`
     Material,
+}
+
+impl GroupKeyword {
+    /// The word of each.
+    pub const STATEMENTS: [(&str, GroupKeyword); 3] = [
+        ("o", GroupKeyword::Object),
+        ("g", GroupKeyword::Group),
+        ("usemtl", GroupKeyword::Material),
+    ];
 }
 
 /// Why a mesh file was refused.

@@ -64,6 +64,11 @@ pub enum SolveError {
         /// The vertex whose pivot failed.
         vertex: u32,
     },
+    /// A part of a surface that is to be flattened has no area, or so little that its matrix is singular.
+    NoArea {
+        /// A vertex of it.
+        vertex: u32,
+    },
     /// A position became NaN or infinite; the last good state stays.
     NotFinite {
         /// The first such vertex.
@@ -77,6 +82,10 @@ impl fmt::Display for SolveError {
             SolveError::NotPositiveDefinite { vertex } => write!(
                 f,
                 "the system is singular at vertex {vertex}: its weights are too small against those of the rest"
+            ),
+            SolveError::NoArea { vertex } => write!(
+                f,
+                "the part with vertex {vertex} has no area, or next to none, expected a surface"
             ),
             SolveError::NotFinite { vertex } => {
                 write!(f, "vertex {vertex} left the finite numbers; the last good shape is kept")
