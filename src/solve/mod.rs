@@ -13,6 +13,7 @@
 //! | `system` | these together: the linear system of the global step |
 //! | `solver`, `kept` | the iteration, and what one solver leaves to the next |
 //! | `at_rest` | projections at the rest shape, apart from any iteration |
+//! | `clock` | the time, for reports |
 //! | `accelerate`, `quasi_newton`, `anderson` | steps that learn from the steps before |
 //! | `conformal`, `subspace` | conformal parametrisation (Eq. 14), and its eigenvector |
 
