@@ -158,6 +158,8 @@ function answer(message) {
     case 'faceValues':
       if (message.original) return live().originalValues(message.measure);
       return live().faceValues(message.measure);
+    case 'cornerValues':
+      return live().cornerValues(message.measure);
     case 'originalPositions':
       return live().originalPositions();
     case 'angles':

@@ -119,6 +119,8 @@ pub struct Palette {
     pub circle: Stroke,
     /// Fitted spheres.
     pub sphere: Colour,
+    /// The surface of the ghost; the opacity is that of a face seen face on.
+    pub ghost: Colour,
     /// Arrows of the gizmo along x, y, z, and squares across them.
     pub axes: [Colour; 3],
     /// What parts the gizmo from whatever is below.
@@ -190,6 +192,7 @@ pub const LIGHT: Palette = Palette {
     ],
     circle: stroke([0.84, 0.16, 0.20, 0.95], 1.3),
     sphere: [0.84, 0.16, 0.20, 1.0],
+    ghost: [0.00, 0.50, 0.50, 0.13],
     axes: [[0.82, 0.14, 0.18, 1.0], [0.10, 0.52, 0.16, 1.0], [0.14, 0.30, 0.86, 1.0]],
     axis_casing: [1.0, 1.0, 1.0, 0.85],
 };
@@ -232,6 +235,7 @@ pub const DARK: Palette = Palette {
     ],
     circle: stroke([1.0, 0.40, 0.38, 0.95], 1.3),
     sphere: [1.0, 0.40, 0.38, 1.0],
+    ghost: [0.38, 0.86, 0.82, 0.13],
     axes: [[1.0, 0.42, 0.42, 1.0], [0.45, 0.86, 0.42, 1.0], [0.48, 0.68, 1.0, 1.0]],
     axis_casing: [0.05, 0.06, 0.08, 0.80],
 };

@@ -1,5 +1,5 @@
-// Outlines of projected shapes, and arrows from vertices to their projections, in the colours of the
-// rows of constraints, with a light casing that parts them from whatever is below.
+// Projected shapes, as outlines with a faint inside, and arrows from vertices to their projections, in
+// the colours of the rows of constraints, with a light casing that parts them from whatever is below.
 
 struct Corner {
     @builtin(position) position: vec4f,
@@ -73,6 +73,34 @@ fn drawn(in: Corner) -> @location(0) vec4f {
     let coverage = clamp(0.5 + in.sizes.w - away, 0.0, 1.0) * casing.a;
     let opacity = max(inside, coverage) * in.colour.a;
     return vec4f(mix(casing.rgb, in.colour.rgb, inside), opacity);
+}
+
+struct InsideCorner {
+    @builtin(position) position: vec4f,
+    @location(0) @interpolate(flat) colour: vec3f,
+}
+
+// How much of the colour is on a shape.
+const INSIDE: f32 = 0.26;
+
+@vertex
+fn corner_of_inside(
+    // The point, and the place of the colour.
+    @location(0) ids: vec2u,
+    @location(1) beside: f32,
+) -> InsideCorner {
+    let at = position_of(ids.x);
+    // As near to the eye as the outlines are, but for a little: they lie on it.
+    let lift = 2.0 * LIFT + min(beside / max(scale_depth(at), 1e-12), 0.1);
+    var out: InsideCorner;
+    out.position = scene.clip_from_scene * vec4f(nearer(at, lift), 1.0);
+    out.colour = textureLoad(colour_map, vec2u(ids.y, 2u), 0).rgb;
+    return out;
+}
+
+@fragment
+fn inside(in: InsideCorner) -> @location(0) vec4f {
+    return vec4f(in.colour, INSIDE);
 }
 
 const OUTLINE: u32 = 4u;
