@@ -77,11 +77,16 @@ fn drawn(in: Corner) -> @location(0) vec4f {
 
 struct InsideCorner {
     @builtin(position) position: vec4f,
-    @location(0) @interpolate(flat) colour: vec3f,
+    @location(0) @interpolate(flat) colour: vec4f,
 }
 
-// How much of the colour is on a shape.
-const INSIDE: f32 = 0.26;
+// How much of its colour is on a shape that lies clear of the surface.
+const INSIDE: f32 = 0.45;
+// It does where it is so many CSS pixels beside it. What lies on its face says nothing, and the colour
+// of the face is seen.
+const CLEAR: f32 = 9.0;
+// A paper of the colour of its row, which is seen on a face of that colour too.
+const PAPER: f32 = 0.72;
 
 @vertex
 fn corner_of_inside(
@@ -91,16 +96,20 @@ fn corner_of_inside(
 ) -> InsideCorner {
     let at = position_of(ids.x);
     // As near to the eye as the outlines are, but for a little: they lie on it.
-    let lift = 2.0 * LIFT + min(beside / max(scale_depth(at), 1e-12), 0.1);
+    let depth = max(scale_depth(at), 1e-12);
+    let lift = 2.0 * LIFT + min(beside / depth, 0.1);
+    let beside_on_screen = beside / (depth * scene.canvas.w * scene.canvas.z);
     var out: InsideCorner;
     out.position = scene.clip_from_scene * vec4f(nearer(at, lift), 1.0);
-    out.colour = textureLoad(colour_map, vec2u(ids.y, 2u), 0).rgb;
+    let colour = textureLoad(colour_map, vec2u(ids.y, 2u), 0).rgb;
+    let opacity = INSIDE * clamp(beside_on_screen / CLEAR, 0.0, 1.0);
+    out.colour = vec4f(mix(colour, vec3f(1.0), PAPER), opacity);
     return out;
 }
 
 @fragment
 fn inside(in: InsideCorner) -> @location(0) vec4f {
-    return vec4f(in.colour, INSIDE);
+    return in.colour;
 }
 
 const OUTLINE: u32 = 4u;
