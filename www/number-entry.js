@@ -1,14 +1,11 @@
-/** Lengths as people type them: 1.5, 1/3, 20cm, and +0.5 to move on from where something is. */
+/** Lengths as people type them: 1.5, 1/3, 20cm; and +0.5 or +-0.5 to move on from where something is. */
 
 /** @type {Record<string, number>} */
 const METRES = { m: 1, cm: 0.01, mm: 0.001, ft: 0.3048, in: 0.0254 };
 
-const DIGITS = '(?:\\d+[.,]?\\d*|[.,]\\d+)(?:e[-+]?\\d+)?';
+const DIGITS = '(?:\\d+[.,]?\\d*|[.,]\\d+)';
 /** What moves on, the number, what it is divided by, its unit. */
-const ENTRY = new RegExp(
-  `^(\\+=?|[-−]=)?\\s*([-−]?${DIGITS})(?:\\s*/\\s*(${DIGITS}))?\\s*([a-z]*)$`,
-  'i',
-);
+const ENTRY = new RegExp(`^(\\+?)\\s*(-?${DIGITS})(?:\\s*/\\s*(${DIGITS}))?\\s*([a-z]*)$`, 'i');
 
 /**
  * @param {string} text
@@ -17,22 +14,18 @@ const ENTRY = new RegExp(
  * @throws {Error} when it is no length; the message says what is expected
  */
 export function readLength(text, units) {
-  const [, sign = '', number = '', divisor = '1', unit = ''] = ENTRY.exec(text.trim()) ?? [];
-  const length = valueOf(number) / valueOf(divisor);
-  if (number === '' || !Number.isFinite(length)) {
-    throw new Error(`“${text}” is no length. Expected a number such as 1.5, 1/3, 20cm or +0.5.`);
-  }
+  const [, sign, number = '', divisor = '1', unit = ''] = ENTRY.exec(text.trim()) ?? [];
   const factor = unit === '' ? 1 : METRES[unit.toLowerCase()] / METRES[units];
-  if (Number.isNaN(factor)) {
-    const known = units in METRES ? Object.keys(METRES).join(', ') : 'none: the model has no unit';
-    throw new Error(`“${unit}” is not known here. Units: ${known}.`);
+  const length = (valueOf(number) / valueOf(divisor)) * factor;
+  if (number === '' || !Number.isFinite(length)) {
+    const example = units in METRES ? '20cm' : '20';
+    throw new Error(`“${text}” is no length here. Expected 1.5, 1/3, ${example} or +0.5.`);
   }
-  const backwards = sign.length === 2 && sign !== '+=';
-  return { by: sign !== '', length: (backwards ? -1 : 1) * length * factor };
+  return { by: sign === '+', length };
 }
 
 /** @param {string} digits */
-const valueOf = (digits) => Number(digits.replace(',', '.').replace('−', '-'));
+const valueOf = (digits) => Number(digits.replace(',', '.'));
 
 /** So many steps fit into the size of a model: millimetres on a building of some 100 m. */
 const STEPS = 2e5;

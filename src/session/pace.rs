@@ -1,16 +1,16 @@
 //! How large a mesh can be that is still worked with at once, told from the pace of a small one.
 
-/// A shape that answers later than this is waited for, in seconds.
-const AT_ONCE: f64 = 0.1;
+/// Seconds of an iteration with which a drag is followed thirty times a second.
+const AT_ONCE: f64 = 1.0 / 30.0;
 /// A face of a large mesh costs this many times as much as one of a small mesh: the factor has more
 /// entries per vertex, and nothing stays in the cache. Measured from 361 to 49,729 faces.
-const GROWTH: f64 = 2.5;
+const GROWTH: f64 = 2.0;
 /// What is said of any machine: fewer faces than the first are always worked with at once, more than
 /// the second fill its memory first.
 const BOUNDS: [f64; 2] = [5e3, 5e5];
 
-/// The most faces of a mesh whose iterations take no longer than a tenth of a second, on a machine that
-/// needs `seconds` for an iteration on `faces` faces; with one digit, or two where the first is 1.
+/// The most faces of a mesh whose iterations take no longer than a thirtieth of a second, on a machine
+/// that needs `seconds` for an iteration on `faces` faces; with one digit, or two where the first is 1.
 pub fn most_faces(faces: usize, seconds: f64) -> u32 {
     let most = AT_ONCE / GROWTH * faces as f64 / seconds;
     let [least, greatest] = BOUNDS;
@@ -45,7 +45,7 @@ mod tests {
 
     #[test]
     fn it_is_a_round_number() {
-        for (seconds, round) in [(1e-3, 16_000), (3e-4, 50_000), (1.4e-4, 110_000)] {
+        for (seconds, round) in [(1e-3, 6_000), (3e-4, 20_000), (1e-4, 60_000), (4e-5, 160_000)] {
             assert_eq!(most_faces(400, seconds), round);
         }
     }

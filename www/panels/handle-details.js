@@ -1,6 +1,5 @@
 /** The selected handles in numbers: where they should be, and how they hold. Comes with the first. */
 
-import '../style/handle-details.css';
 import { element, setText, throttled } from '../dom.js';
 import { count } from '../format.js';
 import { messageOf } from '../messages.js';
@@ -42,7 +41,8 @@ export function handleDetails(store, actions, solver) {
     try {
       entry = readLength(field.value, store.get().document?.units ?? '');
     } catch (problem) {
-      return refuse(field, messageOf(problem));
+      field.setAttribute('aria-invalid', 'true');
+      return setText(error, messageOf(problem));
     }
     const before = chosen;
     pending?.();
@@ -81,7 +81,8 @@ export function handleDetails(store, actions, solver) {
       type: 'text',
       autocomplete: 'off',
       spellcheck: 'false',
-      title: 'A number, 1/3, 20cm, or +0.5 to move by that much',
+      title: 'A number, 1/3 or 20cm; +0.5 or +-0.5 moves by that much',
+      class: 'number',
       'aria-label': `Target ${axis}`,
       'aria-describedby': error.id,
       oninput: () => typed.add(field),
@@ -147,12 +148,6 @@ export function handleDetails(store, actions, solver) {
     ),
   );
 
-  /** @param {HTMLInputElement} field @param {string} message */
-  function refuse(field, message) {
-    field.setAttribute('aria-invalid', 'true');
-    setText(error, message);
-  }
-
   /** What was typed is not wanted. @param {HTMLInputElement} field */
   function leave(field) {
     typed.delete(field);
@@ -167,7 +162,7 @@ export function handleDetails(store, actions, solver) {
   function showCommon(field, values) {
     if (typed.has(field)) return;
     const isCommon = values.every((value) => value === values[0]);
-    field.value = isCommon ? values[0] : '';
+    field.value = isCommon ? (values[0] ?? '') : '';
     field.placeholder = isCommon ? '' : MIXED;
   }
 
