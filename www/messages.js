@@ -323,6 +323,7 @@
  *   adding one of each kind at each of some places would make. `select`: what is selected then.
  * - `worst`: the worst faces by a measure, or the worst constraints of a row. `flawed`: the elements
  *   with a flaw of a {@link Problem}, or `zero-size-faces`. `results`: what a student hands in.
+ * - `mostFaces`: of a mesh that this machine works with at once.
  * - `faceValues`: of a measure, of the current shape or the original. `cornerValues`: those of the
  *   vertices, where they have any. `originalPositions`: where the vertices of the original are. `angles`:
  *   of the corners of the faces.
@@ -348,6 +349,7 @@
  *   | { type: "select", request: SelectRequest }
  *   | { type: "worst", measure: Measure | null, row: number | null, count: number }
  *   | { type: "flawed", flaw: string }
+ *   | { type: "mostFaces" }
  *   | { type: "results", student: string, time: string }
  *   | { type: "scene" }
  *   | { type: "parametrize", weights: MapWeights, norm: MapNorm }
@@ -376,6 +378,7 @@
  * @property {Record<PickMode, Uint32Array>} select
  * @property {WorstElement[]} worst
  * @property {Record<PickMode, Uint32Array>} flawed
+ * @property {number} mostFaces
  * @property {string} results
  * @property {Parametrization} parametrize
  * @property {string} scene
