@@ -3,6 +3,8 @@
 import { file, wavyGrid } from './meshes.mjs';
 import { expect, openPage, positionOf, state, test, waitForState } from './support.mjs';
 
+test.use({ pixels: false });
+
 const status = (page) => page.getByRole('status');
 
 /** Opens the page and waits until its bars know the arrow keys. */

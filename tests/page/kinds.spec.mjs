@@ -4,6 +4,8 @@ import { constraintCount, openText, showPanel } from './actions.mjs';
 import { quadScene, tetScene, triangleScene } from './meshes.mjs';
 import { dragVertex, expect, openPage, state, test, waitForState } from './support.mjs';
 
+test.use({ pixels: false });
+
 const MESHES = [
   { name: 'quads', text: quadScene(4), vertices: 25 },
   { name: 'triangles', text: triangleScene(3), vertices: 16 },

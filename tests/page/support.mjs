@@ -16,8 +16,27 @@ const allowed = [
   /GPU stall due to ReadPixels/,
 ];
 
-/** Fails a test when the page throws, or when the console has an error or a warning. */
+/** Runs in the page: the view does all of its own work, and nothing fills its pixels. */
+function leaveOutPixels() {
+  const { prototype } = WebGL2RenderingContext;
+  for (const name of [
+    ...['drawArrays', 'drawElements', 'drawArraysInstanced', 'drawElementsInstanced'],
+    ...['blitFramebuffer', 'clear', 'clearBufferfv', 'clearBufferfi'],
+  ])
+    prototype[name] = () => {};
+}
+
+/**
+ * Fails a test when the page throws, or when the console has an error or a warning. `pixels` is
+ * whether the picture has any: software takes more time for them than for all the rest, and most
+ * tests do not look.
+ */
 export const test = base.extend({
+  pixels: [true, { option: true }],
+  context: async ({ context, pixels }, use) => {
+    if (!pixels) await context.addInitScript(leaveOutPixels);
+    await use(context);
+  },
   complaints: [
     async ({ page }, use) => {
       const complaints = [];
@@ -59,6 +78,17 @@ export async function waitForState(page, condition, argument, options) {
   );
   return state(page);
 }
+
+/** The scene, as of the last edit or the end of the last run. */
+export const sceneOf = (page) => page.evaluate(() => window.shapeUp.scene());
+
+/** The whole document and the exact shape. */
+export const everything = (page) =>
+  page.evaluate(() => ({
+    scene: window.shapeUp.scene(),
+    positions: [...window.shapeUp.positions()],
+    iteration: window.shapeUp.state().iteration,
+  }));
 
 /** The position of a vertex, in file coordinates. */
 export const positionOf = (page, vertex) =>
