@@ -87,7 +87,8 @@ test('settings come from the declared list, act, and are undone', async ({ page 
   await page.keyboard.press('Escape');
   for (let step = 0; step < 3; step++) await page.keyboard.press('Control+z');
   await expect(near).toHaveValue('word surface');
-  expect((await sceneOf(page)).closeness).toBeUndefined();
+  // The text of the scene comes after what the fields show.
+  await expect.poll(async () => (await sceneOf(page)).closeness).toBeUndefined();
 });
 
 test('the selection is held more than the rest, and all alike again', async ({ page }) => {

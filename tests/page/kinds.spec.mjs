@@ -104,7 +104,6 @@ async function tryKind(page, name, mesh) {
 }
 
 test('every kind can be added to a suitable mesh, and its energy falls', async ({ page }) => {
-  test.skip(page.viewportSize().width < 700, 'once is enough: it is the same list');
   test.setTimeout(240_000);
   // Few pixels to draw: what counts here is not the picture.
   await page.setViewportSize({ width: 1120, height: 600 });

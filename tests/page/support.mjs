@@ -114,6 +114,21 @@ export async function dragVertex(page, vertex, [dx, dy]) {
   await page.mouse.up();
 }
 
+/** Waits until the picture shows all that was asked for so far. */
+export const drawn = (page) => page.evaluate(() => window.shapeUp.drawn());
+
+/**
+ * The middle of the picture, as pixels, once it shows all that was asked for: nothing lies over it
+ * there.
+ */
+export async function middleOfPicture(page) {
+  await drawn(page);
+  const view = page.getByRole('application', { name: '3D view' });
+  const { x, y, width, height } = await view.boundingBox();
+  const clip = { x: x + width / 4, y: y + height / 4, width: width / 2, height: height / 2 };
+  return decodePng(await page.screenshot({ clip }));
+}
+
 /** How many different colours the 3D view shows; a blank one has one. */
 export async function coloursOfView(page) {
   const view = page.getByRole('application', { name: '3D view' });
