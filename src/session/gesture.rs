@@ -41,6 +41,11 @@ impl Session {
         made
     }
 
+    /// Whether a drag has begun and not ended; an edit ends it.
+    pub fn is_dragging(&self) -> bool {
+        self.past.gesture.as_ref().is_some_and(|gesture| gesture.kind == GestureKind::Drag)
+    }
+
     /// Moves the targets of handles.
     pub fn drag(&mut self, targets: impl IntoIterator<Item = (u32, Point)>) {
         self.solver.move_handles(targets);
@@ -57,8 +62,14 @@ impl Session {
             self.go_to(gesture.before).expect("the state was solvable before");
         } else if before.len() != now.len() {
             self.past.history.push("Make and move handle".to_owned(), gesture.before);
-        } else if before != now {
-            self.past.history.push("Move handle".to_owned(), gesture.before);
+        } else {
+            let moved = before.iter().zip(now).filter(|(before, now)| before != now).count();
+            let name = match moved {
+                0 => return,
+                1 => "Move handle".to_owned(),
+                _ => format!("Move {moved} handles"),
+            };
+            self.past.history.push(name, gesture.before);
         }
     }
 

@@ -19,6 +19,7 @@
 //! | `inspect` | what hosts show of a row: its members, its measure; and what is held otherwise |
 //! | `lesson` | the goals of a lesson, and the results that are handed in |
 //! | `opening` | opening a scene in the place of another |
+//! | `pace` | how large a mesh can be that is still worked with at once |
 //! | `place` | where constraints may be |
 //! | `preview` | what adding constraints would make |
 //! | `projected` | the projections of the constraints, to be drawn |
@@ -42,6 +43,7 @@ mod holding;
 mod inspect;
 mod lesson;
 mod opening;
+mod pace;
 mod past;
 mod place;
 mod preview;
@@ -61,6 +63,7 @@ pub use face_measure::{FACE_MEASURES, FaceMeasure, MeasureUnit, Shape};
 pub use flaws::{ZERO_SIZE_FACES, flaw_of};
 pub use halves::{Fits, Half};
 pub use lesson::{GoalWords, check_results, goals_in_words};
+pub use pace::most_faces;
 pub use place::Place;
 pub use preview::Preview;
 pub use projected::Projections;

@@ -19,9 +19,9 @@
 //! | `surroundings`, `ground`, `tape`, `scale_bar`, `round_length` | what is about the mesh, and how large it is |
 //! | `flat_map`, `checks`, `split` | two pictures on one canvas |
 //! | `still`, `thumbnail` | pictures as SVG |
-//! | `picture`, `device`, `loss`, `canvas_size` | the GPU: from a stage to a canvas |
+//! | `picture`, `pane`, `device`, `loss`, `canvas_size` | the GPU: from a stage to a canvas |
 //! | `store`, `globals`, `shaders`, `pipeline` | what shaders read, and what runs them |
-//! | `faces`, `lines`, `points`, `circles`, `spheres`, `projection_lines`, `surrounding_lines`, `gizmo_marks` | the primitives, each with its shader |
+//! | `faces`, `lines`, `points`, `circles`, `spheres`, `projection_lines`, `projected_faces`, `surrounding_lines`, `gizmo_marks` | the primitives, each with its shader |
 //!
 //! Positions come in as `f64` in file coordinates. The view subtracts its own centre, the middle
 //! of the first bounding box of the mesh, before it rounds to `f32`: a mesh at site coordinates
@@ -57,6 +57,8 @@ pub mod looks;
 pub mod loss;
 pub mod normals;
 pub mod palette;
+#[cfg(target_arch = "wasm32")]
+pub mod pane;
 pub mod picking;
 #[cfg(target_arch = "wasm32")]
 pub mod picture;
@@ -65,6 +67,7 @@ pub mod pipeline;
 #[cfg(target_arch = "wasm32")]
 pub mod points;
 pub mod polygon_edges;
+pub mod projected_faces;
 #[cfg(target_arch = "wasm32")]
 pub mod projection_lines;
 pub mod projections;
