@@ -14,7 +14,7 @@
 //! | `boundary_curves` | the boundary loops as curves to glide on, with corners |
 //! | `local` | corners of faces, stars of vertices, hinges |
 //! | `laplacian` | the weights `w_ij` of Eq. 12 |
-//! | `closest` | closest point `c(v)` on the reference surface, Eq. 11; with its parts `triangle`, `tree`, `surroundings`, `clearing` |
+//! | `closest` | closest point `c(v)` on the reference surface, Eq. 11; with its parts `footing`, `triangle`, `tree`, `surroundings`, `clearing` |
 //! | `measure` | planarity, circularity, diagonal ratio of faces; with its part `face_fit` |
 //! | `angle_histogram` | how many corners of faces have which angle |
 //! | `quasi_conformal` | how far a flat map is from keeping angles |
@@ -32,6 +32,7 @@ mod draft;
 mod edge_lines;
 mod face_fit;
 mod feature_curves;
+mod footing;
 pub mod generate;
 mod groups;
 mod histogram;
@@ -64,6 +65,7 @@ pub use closest::Surface;
 pub use components::components;
 pub use edge_lines::edge_lines;
 pub use feature_curves::feature_curves;
+pub use footing::Footing;
 pub use histogram::Histogram;
 pub use laplacian::{LARGEST_COTANGENT, Laplacian};
 pub use local::{corners, hinges, stars};
