@@ -6,7 +6,7 @@
 import { element, setText } from './dom.js';
 import { groupDigits } from './format.js';
 import { declared, valueInWords } from './measures.js';
-import { drawOutline, outline } from './outline.js';
+import { bars, drawBars, drawOutline, outline } from './outline.js';
 import { BINS, countsOf, greatestOf } from './spread.js';
 
 /** @typedef {import("./split.js").Choice} Choice */
@@ -16,9 +16,9 @@ export class SplitLegend {
   #viewport;
   #measure;
   #shape;
-  #bars = Array.from({ length: BINS }, () => element('i'));
+  #bars = bars();
   #before = outline();
-  #histogram = element('div', { class: 'histogram', role: 'img' }, ...this.#bars, this.#before);
+  #histogram = element('div', { class: 'histogram', role: 'img' }, this.#bars, this.#before);
   #ramp = element('div', { class: 'ramp' });
   #top = element('span');
   #facts = element('p', { class: 'facts-line' });
@@ -79,11 +79,7 @@ export class SplitLegend {
     this.#measure.title = about.words;
     this.#shape.value = side.original ? 'original' : 'now';
 
-    const counts = countsOf(side.values, side.top);
-    const most = Math.max(...counts, 1);
-    counts.forEach((count, i) => {
-      this.#bars[i].style.height = count > 0 ? `max(2px, ${(100 * count) / most}%)` : '0';
-    });
+    drawBars(this.#bars, countsOf(side.values, side.top));
     const before = side.original || !original ? null : countsOf(original, side.top);
     drawOutline(this.#before, before, Math.max(...(before ?? [])));
     const stops = this.#viewport.with((view) => view.colourStops(BINS)) ?? [];

@@ -120,6 +120,13 @@ const INITIAL = {
   status: '',
 };
 
+/** What changes with every frame of a run or a drag. No command depends on it. @type {(keyof State)[]} */
+const LIVE = ['numbers', 'moved', 'dragMs', 'spread'];
+/** What commands may depend on. */
+export const STEADY = /** @type {(keyof State)[]} */ (Object.keys(INITIAL)).filter(
+  (key) => !LIVE.includes(key),
+);
+
 /**
  * The handles, those that are dragged where they are dragged to.
  * @param {Readonly<State>} state
