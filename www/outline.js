@@ -6,22 +6,20 @@ const SPACE = 'http://www.w3.org/2000/svg';
 /** A single face among thousands is the one that is looked for: it has to be seen. Of the height. */
 const LEAST = 1 / 15;
 
-/** Nothing yet; `drawOutline` gives it an outline. */
-export function outline() {
+/** @param {"outline" | "bars"} look */
+function drawing(look) {
   const svg = document.createElementNS(SPACE, 'svg');
-  svg.setAttribute('class', 'outline');
+  svg.setAttribute('class', look);
   svg.setAttribute('aria-hidden', 'true');
   svg.setAttribute('preserveAspectRatio', 'none');
   svg.append(document.createElementNS(SPACE, 'path'));
   return svg;
 }
 
+/** Nothing yet; `drawOutline` gives it an outline. */
+export const outline = () => drawing('outline');
 /** Nothing yet; `drawBars` gives it bars. */
-export function bars() {
-  const svg = outline();
-  svg.classList.add('bars');
-  return svg;
-}
+export const bars = () => drawing('bars');
 
 /**
  * @param {SVGSVGElement} svg

@@ -127,6 +127,9 @@ export const STEADY = /** @type {(keyof State)[]} */ (Object.keys(INITIAL)).filt
   (key) => !LIVE.includes(key),
 );
 
+/** Whether there is a picture. @param {Pick<State, "renderer">} state */
+export const isDrawn = ({ renderer }) => renderer === 'webgpu' || renderer === 'webgl2';
+
 /**
  * The handles, those that are dragged where they are dragged to.
  * @param {Readonly<State>} state

@@ -11,74 +11,87 @@ export const marks = [
   '<!-- end of speed -->\n',
 ];
 
-/** The tables of the README. */
-export function section(results) {
-  const { iterations = [], convergence = [], peers = [] } = results;
-  const texts = [`${machineText(results.machine)} In the browser, milliseconds, medians:`];
-  const rows = iterations.filter(({ where }) => where === 'browser');
+const inBrowser = (rows = []) => rows.filter(({ where }) => where === 'browser');
+
+/** What a row is of. */
+const keyOf = (row) => [row.problem, number(row.vertices), accelerated(row.accelerator)];
+
+function iterationsText(rows) {
+  if (!rows.length) return [];
   const head = [
-    'problem',
-    'vertices',
-    'accelerator',
-    'iteration',
-    '90 %',
-    'projections',
-    'closeness',
+    ...['problem', 'vertices', 'accelerator', 'iteration', '90 %', 'projections', 'closeness'],
+    ...['global step', 'limit', 'opened', 'constraints changed', 'handle added', 'MB'],
   ];
-  head.push('global step', 'limit', 'opened', 'constraints changed', 'handle added', 'MB');
   const cells = rows.map((row) => {
     const { step } = row;
     const parts = [step.shape, step.close, step.global].map(({ median }) => median);
     const times = [step.total.median, step.total.p90, ...parts, row.limit, row.setUp.first];
     const edits = [row.change, row.handle].map(number);
-    const key = [row.problem, number(row.vertices), accelerated(row.accelerator)];
-    return [...key, ...times.map(number), ...edits, megabytes(row.bytes.opened)];
+    return [...keyOf(row), ...times.map(number), ...edits, megabytes(row.bytes.opened)];
   });
-  texts.push(table(head, cells));
-  texts.push(
+  return [
+    table(head, cells),
     'The limit is the time to read the nonzeros of the factor twice, as every solve does. "Opened" is from the bytes of the files to the end of the first iteration.',
-  );
-  const there = convergence.filter(({ where }) => where === 'browser');
-  if (there.length) {
-    texts.push(
-      'Seconds in the browser until the energy is within 1e-2, 1e-4, 1e-6 of the converged one:',
+  ];
+}
+
+function mapsText(rows) {
+  if (!rows.length) return [];
+  const first = rows.map(({ vertices, cold }) => `${number(cold)} at ${number(vertices)} vertices`);
+  const later = rows.map(({ total }) => number(total));
+  return [
+    `Conformal maps (problem D), milliseconds of the first one: ${first.join(', ')}; of a later one: ${later.join(', ')}.`,
+  ];
+}
+
+function convergenceText(rows) {
+  if (!rows.length) return [];
+  const within = (row) =>
+    row.reached.map((one) =>
+      one ? `${number(one.ms / 1e3)} (${number(one.iterations)})` : `> ${number(row.ms / 1e3)}`,
     );
-    const key = (row) => [row.problem, number(row.vertices), accelerated(row.accelerator)];
-    const within = (row) =>
-      row.reached.map((one) =>
-        one ? `${number(one.ms / 1e3)} (${number(one.iterations)})` : `> ${number(row.ms / 1e3)}`,
-      );
-    const wide = ['problem', 'vertices', 'accelerator', '1e-2 (iterations)', '1e-4', '1e-6'];
-    texts.push(
-      table(
-        wide,
-        there.map((row) => [...key(row), ...within(row)]),
-      ),
-    );
-  }
-  if (results.start) {
-    texts.push(
-      'The page, with its first model and Run pressed at once, drawn without a graphics card:',
-    );
-    texts.push(startTable(results.start));
-  }
+  const head = ['problem', 'vertices', 'accelerator', '1e-2 (iterations)', '1e-4', '1e-6'];
+  const cells = rows.map((row) => [...keyOf(row), ...within(row)]);
+  return [
+    'Seconds in the browser until the energy is within 1e-2, 1e-4, 1e-6 of the converged one:',
+    table(head, cells),
+  ];
+}
+
+function startText(start) {
+  if (!start) return [];
+  return [
+    'The page, with its first model and Run pressed at once, drawn without a graphics card:',
+    startTable(start),
+  ];
+}
+
+function peersText(peers = []) {
   const compared = peers.filter(({ theirs }) => theirs.ms !== undefined);
-  if (compared.length) {
-    texts.push('Other libraries, natively, and what of their problem is equal to ours:');
-    const its = compared.map(({ peer, version, what, size, equal, theirs, ours }) => {
-      const one = ours.find((own) => own.where === 'browser' && own.accelerator !== 'quasi-newton');
-      const own = ours.find((own) => own.where === 'native' && own.accelerator !== 'quasi-newton');
-      const ms = [theirs.ms, own?.ms, one?.ms].map(number);
-      return [`${peer} ${version}`, what, equal, number(size), ...ms];
-    });
-    texts.push(
-      table(
-        ['library', 'what', 'equal', 'vertices', 'its ms', 'ours natively', 'in the browser'],
-        its,
-      ),
-    );
-  }
-  return texts.join('\n\n');
+  if (!compared.length) return [];
+  const cells = compared.map(({ peer, version, what, size, equal, theirs, ours }) => {
+    const own = (place) =>
+      ours.find(({ where, accelerator }) => where === place && accelerator !== 'quasi-newton');
+    const ms = [theirs.ms, own('native')?.ms, own('browser')?.ms].map(number);
+    return [`${peer} ${version}`, what, equal, number(size), ...ms];
+  });
+  const head = ['library', 'what', 'equal', 'vertices', 'its ms'];
+  return [
+    'Other libraries, natively, and what of their problem is equal to ours:',
+    table([...head, 'ours natively', 'in the browser'], cells),
+  ];
+}
+
+/** The tables of the README. */
+export function section({ machine, iterations, maps, convergence, start, peers }) {
+  return [
+    `${machineText(machine)} In the browser, milliseconds, medians:`,
+    ...iterationsText(inBrowser(iterations)),
+    ...mapsText(inBrowser(maps)),
+    ...convergenceText(inBrowser(convergence)),
+    ...startText(start),
+    ...peersText(peers),
+  ].join('\n\n');
 }
 
 /** Writes the section into the README. */

@@ -7,6 +7,7 @@ import { element, setAttribute, setText } from '../dom.js';
 import { groupDigits, number } from '../format.js';
 import { declared, unitOf, valueInWords } from '../measures.js';
 import { bars, drawBars, drawOutline, outline } from '../outline.js';
+import { isDrawn } from '../state.js';
 
 /**
  * @param {HTMLElement} place
@@ -98,11 +99,11 @@ export function legend(place, store, viewport, refit) {
 
   function show() {
     const state = store.get();
-    const { measure, range, spread, document, renderer, model, flatMap, split } = state;
+    const { measure, range, spread, document, model, flatMap, split } = state;
     const about = declared(state, measure);
     // A flat map has colours and a legend of its own, and so have two pictures.
     const isShown = about && !flatMap && !split && model?.faces;
-    place.hidden = !isShown || !(renderer === 'webgpu' || renderer === 'webgl2');
+    place.hidden = !isShown || !isDrawn(state);
     if (!about || place.hidden) return;
     setText(title, about.label);
     setAttribute(title, 'title', about.words);
@@ -124,11 +125,8 @@ export function legend(place, store, viewport, refit) {
       if (input.value !== text) input.value = text;
     }
 
-    const [from, to] = range.map((value) => value / spread.top);
-    const spaced = viewport
-      .rampStops()
-      .map(([at, colour]) => `${colour} ${100 * (from + (to - from) * at)}%`);
-    setAttribute(ramp, 'style', `background: linear-gradient(to right, ${spaced.join(', ')})`);
+    const [from, to] = range.map((value) => (100 * value) / spread.top);
+    setAttribute(ramp, 'style', `background: ${viewport.rampOf([from, to])}`);
     drawBars(now, spread.counts);
     tick.hidden = state.tolerance === null || state.tolerance > spread.top;
     if (state.tolerance !== null) tick.style.left = `${(100 * state.tolerance) / spread.top}%`;
