@@ -7,7 +7,8 @@
 import init, { Solver } from './pkg/solver/shape_up.js';
 import { cancelExperiment, experimentCsv, runExperiment } from './experiment/worker-part.js';
 import { SLICE_MS, messageOf } from './messages.js';
-import { disturb, warmUpWhenQuiet } from './warm-up.js';
+import { companionOf, mainOf } from './opened-files.js';
+import { disturb, mostFaces, warmUpWhenQuiet } from './warm-up.js';
 import { fetchModule } from './worker-loading.js';
 
 /** @typedef {import("./messages.js").ToWorker} ToWorker */
@@ -176,6 +177,8 @@ function answer(message) {
         : live().worstConstraints(message.row ?? 0, message.count);
     case 'flawed':
       return live().flawed(message.flaw);
+    case 'mostFaces':
+      return mostFaces();
     case 'results':
       return live().results(message.student, message.time);
     case 'select':
@@ -202,21 +205,11 @@ function answer(message) {
  * @param {string} [frame]
  */
 function open(files, iteration, frame = '') {
-  const isScene = (/** @type {{ name: string }} */ file) => /\.json$/i.test(file.name);
-  const main = files.find(isScene) ?? files[0];
-  /** @type {import('./messages.js').NamedBytes | null} */
-  let companion = null;
-  if (isScene(main)) {
-    const wanted = live().sceneMeshFile(main.bytes);
-    const base = wanted?.split('/').pop();
-    companion = files.find((file) => file !== main && file.name === base) ?? null;
-    if (wanted && !companion) {
-      throw new Error(`${main.name} needs the mesh file ${wanted}: open both files together`);
-    }
-  }
+  const main = mainOf(files);
+  const companion = companionOf(files, (scene) => live().sceneMeshFile(scene));
   if (running) endRun();
   live().assume(frame);
-  const about = live().load(main.name, main.bytes, companion ? companion.bytes : null);
+  const about = live().load(main.name, main.bytes, companion?.bytes ?? null);
   if (iteration) live().restoreIteration(iteration);
   loaded = true;
   settled = false;

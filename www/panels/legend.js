@@ -8,6 +8,7 @@ import { groupDigits, number } from '../format.js';
 import { declared, unitOf, valueInWords } from '../measures.js';
 import { drawOutline, outline } from '../outline.js';
 import { BINS } from '../spread.js';
+import { isDrawn } from '../state.js';
 
 /** It follows a run or a drag this often. */
 const SHOW_EVERY_MS = 100;
@@ -102,11 +103,11 @@ export function legend(place, store, viewport, refit) {
 
   function show() {
     const state = store.get();
-    const { measure, range, spread, document, renderer, model, flatMap, split } = state;
+    const { measure, range, spread, document, model, flatMap, split } = state;
     const about = declared(state, measure);
     // A flat map has colours and a legend of its own, and so have two pictures.
     const isShown = about && !flatMap && !split && model?.faces;
-    place.hidden = !isShown || !(renderer === 'webgpu' || renderer === 'webgl2');
+    place.hidden = !isShown || !isDrawn(state);
     if (!about || place.hidden) return;
     setText(title, about.label);
     title.title = about.words;
