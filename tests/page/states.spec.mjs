@@ -252,6 +252,21 @@ test('that there is no network is said, once, and that there is one again', asyn
   expect(words).toEqual([expect.stringMatching(/^Offline: /), 'Online again']);
 });
 
+test('a part of the page that cannot be fetched is told of in plain words', async ({
+  page,
+  complaints,
+}) => {
+  await openPage(page);
+  await waitForState(page, (now) => now.renderer !== 'none');
+  await page.route('**/split-view*', (route) => route.abort());
+  await page.getByRole('application', { name: '3D view' }).focus();
+  await page.keyboard.press('c');
+  const words = 'A part of the page could not be fetched. Is there a network?';
+  await expect(page.getByRole('alert')).toHaveText(words);
+  expect(complaints.filter((text) => !text.includes('net::ERR_FAILED'))).toEqual([]);
+  complaints.length = 0;
+});
+
 test('that no graphics card draws is said quietly', async ({ page }) => {
   await openPage(page);
   await waitForState(page, (now) => now.renderer !== 'none');

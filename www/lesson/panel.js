@@ -63,7 +63,10 @@ export function lessonPanel(parts) {
 
   store.subscribe(['document'], ({ document }) => {
     const lesson = document?.lesson ?? null;
+    const isNew = lesson && place.hidden;
     if (document) place.hidden = !lesson;
+    // Where it was written from is farther down.
+    if (isNew) place.parentElement?.scrollTo(0, 0);
     const now = JSON.stringify([lesson, document?.units]);
     if (!lesson || now === shown) return;
     shown = now;
