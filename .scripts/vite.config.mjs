@@ -34,6 +34,18 @@ const picture = {
   },
 };
 
+/** What the pages to read have in common. */
+const readingHead = {
+  name: 'reading-head',
+  transformIndexHtml: {
+    order: 'pre',
+    handler: (html) =>
+      html.replace('<!-- reading head -->', () =>
+        readFileSync(at('www', 'reading-head.html'), 'utf8'),
+      ),
+  },
+};
+
 /** The pages of the site. */
 const pages = ['index', 'gallery', 'projections'];
 
@@ -52,7 +64,7 @@ export default {
   base: './',
   define: { 'import.meta.env.SOLVER_BYTES': String(solverBytes) },
   publicDir: false,
-  plugins: [examples, picture],
+  plugins: [examples, picture, readingHead],
   build: {
     outDir: at('dist'),
     emptyOutDir: true,

@@ -6,6 +6,7 @@
  * A tab holds a lock on its work as long as it lives, so that no other tab takes it up.
  */
 
+import { recall, remember } from './stored.js';
 import { keep, textOf, works } from './works.js';
 
 /** @typedef {import("./works.js").Work} Work */
@@ -62,7 +63,7 @@ export class Autosave {
     this.#saved = work ? this.#solver.sceneText : null;
     this.#id = work ?? newId();
     this.#store.set({ saved: '' });
-    remember('sessionStorage', MINE, this.#id);
+    remember(MINE, this.#id, 'sessionStorage');
     this.#release();
     // One that goes on was claimed before it was opened.
     this.#release = claims.get(this.#id) ?? (await claim(this.#id)) ?? (() => {});
@@ -98,7 +99,7 @@ export class Autosave {
     };
     try {
       await keep(work, text);
-      remember('localStorage', ANY, 'yes');
+      remember(ANY, 'yes');
       this.#store.set({ saved: `Saved in this browser ${timeOf(savedAt)}` });
     } catch {
       // Blocked, as in some private windows, or full.
@@ -140,8 +141,8 @@ function claim(id) {
  * @returns {Promise<{ work: Work, text: string } | null>}
  */
 export async function lastWork() {
-  if (!recall('localStorage', ANY)) return null;
-  const mine = recall('sessionStorage', MINE);
+  if (!recall(ANY)) return null;
+  const mine = recall(MINE, 'sessionStorage');
   const list = await works();
   const own = list.find(({ id, hash }) => id === mine && hash === location.hash);
   // Somebody who opens a link wants what it links to.
@@ -170,29 +171,4 @@ function newId() {
 /** @param {number} time */
 export function timeOf(time) {
   return new Date(time).toLocaleTimeString([], { hour: '2-digit', minute: '2-digit' });
-}
-
-/**
- * @param {"localStorage" | "sessionStorage"} storage
- * @param {string} key
- * @param {string} value
- */
-function remember(storage, key, value) {
-  try {
-    window[storage].setItem(key, value);
-  } catch {
-    // Storage is blocked; what is said about it is said when saving fails.
-  }
-}
-
-/**
- * @param {"localStorage" | "sessionStorage"} storage
- * @param {string} key
- */
-function recall(storage, key) {
-  try {
-    return window[storage].getItem(key);
-  } catch {
-    return null;
-  }
 }

@@ -4,6 +4,8 @@
  * is loaded, and WebGPU that failed once is not tried again.
  */
 
+import { recall, remember } from './stored.js';
+
 /** @typedef {"webgpu" | "webgl2"} Name */
 
 /**
@@ -25,22 +27,7 @@ function demanded() {
 }
 
 /** Without a network only the module is there that was used before. */
-function kept() {
-  try {
-    return navigator.onLine ? null : nameOf(localStorage.getItem(KEY));
-  } catch {
-    return null;
-  }
-}
-
-/** @param {Name} name */
-function keep(name) {
-  try {
-    localStorage.setItem(KEY, name);
-  } catch {
-    /* storage is blocked: it is asked again */
-  }
-}
+const kept = () => (navigator.onLine ? null : nameOf(recall(KEY)));
 
 async function waitForLong() {
   for (let i = 0; i < WAITS; i++) await new Promise((done) => setTimeout(done, WAIT));
@@ -91,7 +78,7 @@ export async function openView(canvas, name) {
       : await import('./pkg/view-webgl2/shape_up.js');
   await init();
   const view = await View.create(canvas, name);
-  keep(name);
+  remember(KEY, name);
   return view;
 }
 

@@ -2,6 +2,7 @@
 
 import { halfStepTitle } from './half-step.js';
 import { selectCommands } from './select-commands.js';
+import { isDrawn } from './state.js';
 import { toggleTheme } from './theme.js';
 import { viewCommands } from './view-commands.js';
 
@@ -34,8 +35,6 @@ export function commandTable(parts) {
     parts;
   const { solver } = parts;
   const hasFaces = (/** @type {State} */ { model }) => (model?.faces ?? 0) > 0;
-  const hasView = (/** @type {State} */ { renderer }) =>
-    renderer === 'webgpu' || renderer === 'webgl2';
 
   function fitSelection() {
     const vertices = actions.chosenVertices();
@@ -193,7 +192,7 @@ export function commandTable(parts) {
       label: 'Fit the selection',
       keys: ['F'],
       action: fitSelection,
-      enabled: hasView,
+      enabled: isDrawn,
     },
     {
       id: 'fit-all',
@@ -205,7 +204,7 @@ export function commandTable(parts) {
           view.fit();
           view.fitMap();
         }),
-      enabled: hasView,
+      enabled: isDrawn,
     },
     {
       id: 'edges',
@@ -235,7 +234,7 @@ export function commandTable(parts) {
       keys: ['C'],
       action: parts.split,
       needsModel: true,
-      enabled: (state) => hasFaces(state) && hasView(state),
+      enabled: (state) => hasFaces(state) && isDrawn(state),
       pressed: ({ split }) => split !== null,
     },
     {

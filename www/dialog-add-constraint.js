@@ -4,7 +4,7 @@
  * would make is said before it is made.
  */
 
-import { element, icon, setText } from './dom.js';
+import { dialogHead, element, setText } from './dom.js';
 import { count, groupDigits } from './format.js';
 import { KindChoices } from './kind-choices.js';
 import { Parameters } from './parameters.js';
@@ -69,16 +69,7 @@ export class AddConstraintDialog {
     this.#actions = actions;
     const close = () => dialog.close();
     dialog.replaceChildren(
-      element(
-        'div',
-        { class: 'dialog-head' },
-        element('h2', { id: 'add-constraint-title' }, 'New constraint'),
-        element(
-          'button',
-          { type: 'button', class: 'square', 'aria-label': 'Close', onclick: close },
-          icon('close'),
-        ),
-      ),
+      dialogHead(dialog, 'add-constraint-title', 'New constraint'),
       element(
         'form',
         // What is not valid is said at its field.

@@ -1,10 +1,11 @@
 /** The dialog of Export: what can be taken away, grouped by what it is for. */
 
 import './style/keeping.css';
-import { element, icon, setText } from './dom.js';
+import { dialogHead, element, setText } from './dom.js';
 import { messageOf } from './messages.js';
 import { pictureOf, pictureSize } from './picture.js';
 import { convergenceSvg } from './plot-svg.js';
+import { isDrawn } from './state.js';
 
 const SCALES = [1, 2, 4];
 
@@ -22,7 +23,7 @@ const picture = { scale: 2, legend: true, white: false };
 /** @param {Parts} parts */
 export function showExport(parts) {
   const { store, solver, files, viewport } = parts;
-  const { model, document: scene, renderer, flatMap } = store.get();
+  const { model, document: scene, flatMap } = store.get();
   const dialog = element('dialog', { id: 'export', 'aria-labelledby': 'export-title' });
   const working = element('p', { class: 'working quiet', 'aria-live': 'polite' });
 
@@ -51,20 +52,11 @@ export function showExport(parts) {
     }
   }
 
-  const canDraw = renderer === 'webgpu' || renderer === 'webgl2';
+  const canDraw = isDrawn(store.get());
   const curvesOnly = (model?.faces ?? 0) === 0;
   const squared = scene?.units ? `${scene.units}²` : '';
   dialog.append(
-    element(
-      'div',
-      { class: 'dialog-head' },
-      element('h2', { id: 'export-title' }, 'Export'),
-      element(
-        'button',
-        { type: 'button', class: 'square', 'aria-label': 'Close', onclick: () => dialog.close() },
-        icon('close'),
-      ),
-    ),
+    dialogHead(dialog, 'export-title', 'Export'),
     element(
       'div',
       { class: 'dialog-body' },

@@ -1,7 +1,7 @@
 /** The dialog of Share: the link, how long it is, and where a link of that length gets through. */
 
 import './style/keeping.css';
-import { element, icon, setText } from './dom.js';
+import { dialogHead, element, setText } from './dom.js';
 import { groupDigits } from './format.js';
 import { writeLink } from './share-link.js';
 
@@ -64,18 +64,8 @@ function build(link, found, save) {
     ? `${length} characters. ${found.words}`
     : `${length} characters are more than a link can have. Save the scene and send the file.`;
   const dialog = element('dialog', { id: 'share', 'aria-labelledby': 'share-title' });
-  const close = () => dialog.close();
   dialog.append(
-    element(
-      'div',
-      { class: 'dialog-head' },
-      element('h2', { id: 'share-title' }, 'Share'),
-      element(
-        'button',
-        { type: 'button', class: 'square', 'aria-label': 'Close', onclick: close },
-        icon('close'),
-      ),
-    ),
+    dialogHead(dialog, 'share-title', 'Share'),
     element(
       'div',
       { class: 'dialog-body' },

@@ -36,6 +36,25 @@ export function icon(name) {
 }
 
 /**
+ * The title of a dialog, and the cross that closes it.
+ * @param {HTMLDialogElement} dialog
+ * @param {string} id of the title, which the dialog is labelled by
+ * @param {string} title
+ */
+export function dialogHead(dialog, id, title) {
+  return element(
+    'div',
+    { class: 'dialog-head' },
+    element('h2', { id }, title),
+    element(
+      'button',
+      { type: 'button', class: 'square', 'aria-label': 'Close', onclick: () => dialog.close() },
+      icon('close'),
+    ),
+  );
+}
+
+/**
  * The element with that id, which index.html is bound to have.
  * @template {HTMLElement} [Kind=HTMLElement]
  * @param {string} id

@@ -8,6 +8,7 @@ import { element } from './dom.js';
 import { exampleFile, listOfExamples } from './examples.js';
 import { removeFirstPicture } from './first-picture.js';
 import { messageOf } from './messages.js';
+import { mainOf } from './opened-files.js';
 import { saveFile } from './save-file.js';
 import { rememberedFrame } from './units.js';
 
@@ -25,7 +26,6 @@ import { rememberedFrame } from './units.js';
  */
 
 const READABLE = /\.(obj|off|mesh|json)$/i;
-const IS_SCENE = /\.json$/i;
 const IS_RHINO = /\.3dm$/i;
 
 /** Bytes from which on it takes a while to read a file. */
@@ -81,7 +81,7 @@ export class Files extends EventTarget {
       const { document, status } = this.#store.get();
       if (document || !status)
         this.#store.set({ status: `Reading ${files.map((file) => file.name).join(' and ')} …` });
-      const main = files.find((file) => IS_SCENE.test(file.name)) ?? files[0];
+      const main = mainOf(files);
       const { iteration } = origin;
       const frame = rememberedFrame(main.name);
       const loaded = await this.#solver.request({ type: 'open', files, iteration, frame });

@@ -2,7 +2,7 @@
 
 import './style/help.css';
 import { keyName } from './commands.js';
-import { element, icon } from './dom.js';
+import { dialogHead, element } from './dom.js';
 import { singleKeys } from './single-keys.js';
 
 /** What the pointer does; see `pointer.js`. @type {[string, string][]} */
@@ -19,7 +19,7 @@ const POINTER = [
   ['Wheel, pinch', 'zoom to the cursor'],
   ['Two fingers', 'pan and zoom'],
 ];
-/** Keys of the view itself; see `pointer.js`. @type {[string, string][]} */
+/** Keys of the view itself; see `view-keys.js`, `handle-keys.js` and `pointer.js`. @type {[string, string][]} */
 const VIEW_KEYS = [
   ['Arrows', 'orbit, when the view has the focus'],
   ['PgUp PgDn', 'zoom'],
@@ -36,18 +36,8 @@ const VIEW_KEYS = [
 export function showHelp(dialog, commands) {
   const bound = commands.filter((command) => command.keys.length > 0);
   const groups = [...new Set(bound.map((command) => command.group))];
-  const close = element(
-    'button',
-    { type: 'button', class: 'square', 'aria-label': 'Close', onclick: () => dialog.close() },
-    icon('close'),
-  );
   dialog.replaceChildren(
-    element(
-      'div',
-      { class: 'dialog-head' },
-      element('h2', { id: 'help-title' }, 'Mouse and keys'),
-      close,
-    ),
+    dialogHead(dialog, 'help-title', 'Mouse and keys'),
     singleKeysSwitch(),
     element(
       'div',

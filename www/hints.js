@@ -5,6 +5,7 @@
 
 import { element, icon, leave } from './dom.js';
 import { declared, measureOfScene } from './measures.js';
+import { recall, remember } from './stored.js';
 
 const KEY = 'shape-up.hints';
 const LAST = 'Your turn: open a mesh of your own, or try another example.';
@@ -28,7 +29,7 @@ function hintsFor(measure) {
  * @param {import("./state.js").Store} store
  */
 export function firstHints(card, store) {
-  if (recall() === 'done') return;
+  if (recall(KEY) === 'done') return;
   const text = element('p');
   const close = element(
     'button',
@@ -54,7 +55,7 @@ export function firstHints(card, store) {
     if (at <= 1 && dragged && state.dragged.length === 0) at = 2;
     dragged ||= state.dragged.length > 0;
     // Whoever has seen the last one has seen them all.
-    if (at === 2) remember('done');
+    if (at === 2) remember(KEY, 'done');
     text.textContent = hintsFor(declared(state, measureOfScene(state)))[at];
     card.hidden = false;
   });
@@ -62,23 +63,6 @@ export function firstHints(card, store) {
   function finish() {
     done = true;
     leave(card, () => (card.hidden = true));
-    remember('done');
-  }
-}
-
-function recall() {
-  try {
-    return localStorage.getItem(KEY);
-  } catch {
-    return null;
-  }
-}
-
-/** @param {string} value */
-function remember(value) {
-  try {
-    localStorage.setItem(KEY, value);
-  } catch {
-    // Storage is blocked: the card comes again next time.
+    remember(KEY, 'done');
   }
 }

@@ -4,6 +4,7 @@
  */
 
 import { messageOf } from './messages.js';
+import { recall } from './stored.js';
 
 /** @typedef {import("./files.js").Files} Files */
 
@@ -177,10 +178,4 @@ function sceneFile(name, text) {
 }
 
 /** Whether anything was ever kept in this browser. */
-function wasHere() {
-  try {
-    return localStorage.getItem('shape-up.works') !== null;
-  } catch {
-    return false;
-  }
-}
+const wasHere = () => recall('shape-up.works') !== null;

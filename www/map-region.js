@@ -5,11 +5,8 @@
 
 import { element, setText } from './dom.js';
 import { count, ratio } from './format.js';
+import { pair, wheelFactor } from './zooming.js';
 
-/** Wheel delta, in pixels, that enlarges by e; and of a pinch, which comes as a wheel with Ctrl. */
-const WHEEL_PIXELS = 700;
-const PINCH_PIXELS = 100;
-const LINE_PIXELS = 16;
 /** An arrow key slides by so many CSS pixels, a page key enlarges by this factor. */
 const KEY_STEP = 32;
 const KEY_ZOOM = 1.25;
@@ -97,9 +94,7 @@ export class MapRegion {
     listen('contextmenu', (event) => event.preventDefault());
     const onWheel = (/** @type {WheelEvent} */ event) => {
       event.preventDefault();
-      const unit = [1, LINE_PIXELS, this.#place.clientHeight][event.deltaMode] ?? 1;
-      const exponent = (-event.deltaY * unit) / (event.ctrlKey ? PINCH_PIXELS : WHEEL_PIXELS);
-      const factor = Math.exp(Math.max(-0.5, Math.min(0.5, exponent)));
+      const factor = wheelFactor(event, this.#place.clientHeight);
       this.#viewport.with((view) => view.zoomMap(factor, ...this.#at(event)));
     };
     listen('wheel', onWheel, { passive: false });
@@ -131,9 +126,8 @@ export class MapRegion {
     this.#viewport.with((view) => {
       view.panMap(share * (at[0] - last[0]), share * (at[1] - last[1]));
       if (!other) return;
-      const apart = (/** @type {number[]} */ [x, y]) => Math.hypot(x - other[0], y - other[1]);
-      if (apart(last) > 0 && apart(at) > 0)
-        view.zoomMap(apart(at) / apart(last), (at[0] + other[0]) / 2, (at[1] + other[1]) / 2);
+      const [before, now] = [pair(last, other), pair(at, other)];
+      if (before.apart > 0 && now.apart > 0) view.zoomMap(now.apart / before.apart, now.x, now.y);
     });
   }
 

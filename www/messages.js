@@ -18,51 +18,17 @@
  * count from 0.
  */
 
-/**
- * A declared operator: everything that the page shows of a kind.
- * @typedef {object} KindInfo
- * @property {string} id
- * @property {string} label
- * @property {string} summary one sentence
- * @property {string} paper where the paper defines it
- * @property {boolean} exact
- * @property {string} takes how many vertices or edges, in words
- * @property {Measure | null} measure of faces that says how far this kind is from being met on them
- * @property {string[]} elements ids of those that it is meant for; empty where any will do
- * @property {[number, number, number]} colour sRGB bytes
- * @property {ParamInfo[]} params
- * @property {Sketch} sketch
- */
-
-/**
- * A declared parameter of a kind.
- * @typedef {object} ParamInfo
- * @property {string} id
- * @property {string} label
- * @property {"length" | "area" | "volume" | "degrees" | ""} unit
- * @property {ParamValue} default
- * @property {Form[]} forms what a value may be, the form of the default among it
- * @property {[number, number]} range least and greatest number, also at the ends of a range
- */
-
-/** @typedef {"number" | "range" | "vector" | "nothing" | { word: string }} Form */
-
-/**
- * A value in one of these forms: a number, from and to (null for no limit), a direction, a word, or
- * null for whatever fits best.
- * @typedef {number | [number | null, number | null] | [number, number, number] | string | null} ParamValue
- */
-
-/**
- * What a kind does to a few points, drawn in the unit square, y downwards: the points as they are,
- * as they become, which of them are joined, and closed curves of the fitted shapes.
- * @typedef {{ points: [number, number][], projected: [number, number][], lines: [number, number][], outlines: [number, number][][] }} Sketch
- */
-
-/**
- * Elements of a mesh that can carry one constraint each.
- * @typedef {{ id: string, label: string, faceBased: boolean }} ElementInfo
- */
+/** @typedef {import("./declarations.js").ElementInfo} ElementInfo */
+/** @typedef {import("./declarations.js").FaceMeasure} FaceMeasure */
+/** @typedef {import("./declarations.js").Form} Form */
+/** @typedef {import("./declarations.js").KindInfo} KindInfo */
+/** @typedef {import("./declarations.js").Measure} Measure */
+/** @typedef {import("./declarations.js").Operation} Operation */
+/** @typedef {import("./declarations.js").ParamInfo} ParamInfo */
+/** @typedef {import("./declarations.js").ParamValue} ParamValue */
+/** @typedef {import("./declarations.js").PickMode} PickMode */
+/** @typedef {import("./declarations.js").SettingInfo} SettingInfo */
+/** @typedef {import("./declarations.js").Sketch} Sketch */
 
 /**
  * Which vertices a constraint acts on: the scene file's `on`. In an edit, `in` may also be a set
@@ -92,24 +58,6 @@
  */
 
 /**
- * A declared way to select. `gives` is what it gives where that is not what is picked.
- * @typedef {object} Operation
- * @property {string} id
- * @property {string} label
- * @property {string} summary one sentence
- * @property {string} group the heading that it is listed under
- * @property {PickMode[]} modes
- * @property {PickMode | null} gives
- * @property {boolean} needsSelection
- * @property {boolean} takesName of a set or group, as the parameter `name`
- * @property {ParamInfo[]} params
- * @property {string[]} keys
- * @property {PickMode | null} doubleClick
- */
-
-/** @typedef {"vertices" | "edges" | "faces"} PickMode */
-
-/**
  * The scene file's `lesson`: each goal is about a measure, or about the constraints of a name.
  * @typedef {{ text: string, goals: { measure?: Measure, constraint?: string, at_most: number }[] }} Lesson
  */
@@ -134,8 +82,6 @@
  */
 
 /** @typedef {{ operation: string, mode: PickMode, from: Partial<Record<PickMode, number[]>>, params: Record<string, ParamValue> }} SelectRequest */
-
-/** A declared setting of a scene: as a parameter, with one sentence and a heading. @typedef {ParamInfo & { summary: string, group: string }} SettingInfo */
 
 /**
  * What was read from a file.
@@ -253,18 +199,6 @@
  * @property {Float32Array} palette three parts from 0 to 1 per colour
  */
 
-/** The id of a {@link FaceMeasure}. @typedef {string} Measure */
-
-/**
- * A declared measure of faces: never negative, and 0 is best.
- * @typedef {object} FaceMeasure
- * @property {Measure} id
- * @property {string} label
- * @property {string} words what is measured
- * @property {string} met what a face is whose value is 0
- * @property {"length" | "percent" | "degrees" | "number"} unit
- */
-
 /**
  * A flat map that keeps angles (Eq. 14), of the shape as it was when it was asked for. The
  * quasi-conformal error of a triangle is its greater over its smaller stretch: 1 where angles are kept.
@@ -324,8 +258,9 @@
  * - `worst`: the worst faces by a measure, or the worst constraints of a row. `flawed`: the elements
  *   with a flaw of a {@link Problem}, or `zero-size-faces`. `results`: what a student hands in.
  * - `mostFaces`: of a mesh that this machine works with at once.
- * - `faceValues`: of a measure, of the current shape or the original. `originalPositions`: where the
- *   vertices of the original are. `angles`: of the corners of the faces.
+ * - `faceValues`: of a measure, of the current shape or the original. `cornerValues`: those of the
+ *   vertices, where they have any. `originalPositions`: where the vertices of the original are. `angles`:
+ *   of the corners of the faces.
  * - `parametrize`: ends a run. Refused where there is no face, or no area.
  * - `scene`, `obj`, `table`: the texts of the files; an `obj` with `uv` (`#V by 2`) has them as texture
  *   coordinates; a `table` has the errors of the faces, the energies of the iterations, or the angles of the
@@ -339,6 +274,7 @@
  *   | { type: "step" }
  *   | { type: "halfStep" }
  *   | { type: "faceValues", measure: Measure, original: boolean }
+ *   | { type: "cornerValues", measure: Measure }
  *   | { type: "originalPositions" }
  *   | { type: "angles" }
  *   | { type: "members", constraint: number }
@@ -367,6 +303,7 @@
  * @property {boolean} step whether it has converged
  * @property {Half} halfStep
  * @property {Float32Array} faceValues `#F`; not a number where a face has none
+ * @property {Float32Array | undefined} cornerValues `#V`
  * @property {Float64Array} originalPositions `#V by 3`
  * @property {{ original: number[], now: number[] }} angles corners in bins of equal width from 0 to 180 degrees
  * @property {{ faces: Uint32Array, vertices: Uint32Array }} members
@@ -413,13 +350,12 @@
  *   iteration, shape, close, smooth, handles, total. `values` are those of `measure`, `#F`;
  *   `corners` those of the vertices, `#V`, whose largest the faces have, where they are of vertices;
  *   `shapes` the fitted shapes, eight numbers each;
- *   `projections` where the constraints would have their vertices.
+ *   `projections` where the constraints would have their vertices; `answers` the time of the newest
+ *   move of a drag that it shows, and the milliseconds since that came.
  * - `activity`: whether the solver runs (Run was pressed and it has not converged); sent after the
  *   frame that belongs to it.
  * - `experiment`: what an experiment has measured since the last one. `ended` is null while it goes on;
  *   `message` says why it failed.
- * - `frame`: `answers` is the time of the newest move of a drag that it shows, and the milliseconds
- *   from when that came.
  * - `trouble`: an iteration failed; the last good state stays.
  * - `died`: the state is unusable, the worker must be replaced.
  * - `refused`: `path` is the place in the scene that is wrong, such as `constraints[0].length`; empty

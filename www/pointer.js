@@ -17,20 +17,14 @@
 
 import { isFirstPictureThere } from './first-picture.js';
 import { HandleDrag } from './handle-drag.js';
+import { near, slop } from './pointer-reach.js';
 import { NOTHING, combineOf, select } from './selection.js';
+import { pair, wheelFactor } from './zooming.js';
 
-/** Nearer than this, in CSS pixels, a pointer is on a dot. */
-const NEAR = { mouse: 12, pen: 14, touch: 24 };
 /** So near, a handle goes before the part of the gizmo that lies over it. */
 const ON_HANDLE = 9;
-/** A press that moves less is a click. */
-const CLICK_SLOP = { mouse: 4, pen: 6, touch: 10 };
 /** A finger that rests so long asks for the menu, in milliseconds. */
 const LONG_PRESS_MS = 500;
-/** Wheel delta, in pixels, that zooms by e; and of a pinch, which comes as a wheel with Ctrl. */
-const WHEEL_PIXELS = 700;
-const PINCH_PIXELS = 100;
-const LINE_PIXELS = 16;
 
 /**
  * What a press has become: nothing yet, or one of these until it is released.
@@ -388,9 +382,7 @@ export class PointerInput {
   #wheel(event) {
     event.preventDefault();
     if (this.#gesture?.kind === 'handle') return;
-    const unit = [1, LINE_PIXELS, this.#element.clientHeight][event.deltaMode] ?? 1;
-    const exponent = (-event.deltaY * unit) / (event.ctrlKey ? PINCH_PIXELS : WHEEL_PIXELS);
-    const factor = Math.exp(Math.max(-0.5, Math.min(0.5, exponent)));
+    const factor = wheelFactor(event, this.#element.clientHeight);
     this.#viewport.with((view) => view.zoom(factor, ...this.#at(event)));
   }
 
@@ -438,32 +430,4 @@ export class PointerInput {
 function planeOf(event) {
   if (event.ctrlKey || event.metaKey) return 'vertical';
   return event.shiftKey ? 'horizontal' : 'screen';
-}
-
-/** @param {MouseEvent} event */
-function near(event) {
-  return NEAR[typeOf(event)] ?? NEAR.mouse;
-}
-
-/** @param {MouseEvent} event */
-function slop(event) {
-  return CLICK_SLOP[typeOf(event)] ?? CLICK_SLOP.mouse;
-}
-
-/** @param {MouseEvent} event */
-function typeOf(event) {
-  const type = event instanceof PointerEvent ? event.pointerType : 'mouse';
-  return /** @type {keyof typeof NEAR} */ (type);
-}
-
-/**
- * @param {[number, number]} a
- * @param {[number, number]} b
- */
-function pair(a, b) {
-  return {
-    x: (a[0] + b[0]) / 2,
-    y: (a[1] + b[1]) / 2,
-    apart: Math.hypot(a[0] - b[0], a[1] - b[1]),
-  };
 }

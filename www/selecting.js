@@ -3,7 +3,6 @@
  * is what the page does with an answer. How many are selected is said after every change.
  */
 
-import { count } from './format.js';
 import { combineOf, describe, select, sizeOfSelection } from './selection.js';
 
 /** @typedef {import("./messages.js").Operation} Operation */
@@ -114,7 +113,7 @@ export class Selecting {
       ({ selection, model } = state);
       if (isNew || before === selection) return;
       if (sizeOfSelection(before) + sizeOfSelection(selection) === 0) return;
-      const words = describe(selection, count);
+      const words = describe(selection);
       this.#actions.say(words ? `${words} selected` : 'Nothing selected');
     });
   }

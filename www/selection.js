@@ -1,5 +1,7 @@
 /** The selection: sets of vertices, edges and faces, and what clicks and regions do to them. */
 
+import { count } from './format.js';
+
 /** @typedef {import("./state.js").Selection} Selection */
 /** @typedef {import("./state.js").Mode} Mode */
 /** @typedef {"replace" | "add" | "remove"} Combine */
@@ -58,9 +60,8 @@ export function selectedVertices(selection, { faceOffsets, faceIndices, edges })
 /**
  * The selection in words, empty when nothing is selected.
  * @param {Selection} selection
- * @param {(value: number, noun: string, plural?: string) => string} count
  */
-export function describe(selection, count) {
+export function describe(selection) {
   const parts = [];
   if (selection.vertices.size > 0) parts.push(count(selection.vertices.size, 'vertex', 'vertices'));
   if (selection.edges.size > 0) parts.push(count(selection.edges.size, 'edge'));

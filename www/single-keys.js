@@ -3,28 +3,18 @@
  * a computer, or has unsteady hands, presses them without meaning to. The switch is in the help.
  */
 
+import { recall, remember } from './stored.js';
+
 const KEY = 'shape-up.single-keys';
 
 /** Whether a key as the table of commands writes it has no meaning now. @param {string} chord */
 export const isSwitchedOff = (chord) => !singleKeys.on && /^(Shift\+)?[^ ]$/u.test(chord);
 
 export const singleKeys = {
-  on: recall(),
+  on: recall(KEY) !== 'off',
   /** @param {boolean} on */
   set(on) {
     singleKeys.on = on;
-    try {
-      localStorage.setItem(KEY, on ? 'on' : 'off');
-    } catch {
-      // Storage is blocked: it holds for this visit.
-    }
+    remember(KEY, on ? 'on' : 'off');
   },
 };
-
-function recall() {
-  try {
-    return localStorage.getItem(KEY) !== 'off';
-  } catch {
-    return true;
-  }
-}

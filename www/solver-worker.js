@@ -7,6 +7,7 @@
 import init, { Solver } from './pkg/solver/shape_up.js';
 import { cancelExperiment, experimentCsv, runExperiment } from './experiment/worker-part.js';
 import { SLICE_MS, messageOf } from './messages.js';
+import { companionOf, mainOf } from './opened-files.js';
 import { disturb, mostFaces, warmUpWhenQuiet } from './warm-up.js';
 import { fetchModule } from './worker-loading.js';
 
@@ -158,6 +159,8 @@ function answer(message) {
     case 'faceValues':
       if (message.original) return live().originalValues(message.measure);
       return live().faceValues(message.measure);
+    case 'cornerValues':
+      return live().cornerValues(message.measure);
     case 'originalPositions':
       return live().originalPositions();
     case 'angles':
@@ -202,21 +205,11 @@ function answer(message) {
  * @param {string} [frame]
  */
 function open(files, iteration, frame = '') {
-  const isScene = (/** @type {{ name: string }} */ file) => /\.json$/i.test(file.name);
-  const main = files.find(isScene) ?? files[0];
-  /** @type {import('./messages.js').NamedBytes | null} */
-  let companion = null;
-  if (isScene(main)) {
-    const wanted = live().sceneMeshFile(main.bytes);
-    const base = wanted?.split('/').pop();
-    companion = files.find((file) => file !== main && file.name === base) ?? null;
-    if (wanted && !companion) {
-      throw new Error(`${main.name} needs the mesh file ${wanted}: open both files together`);
-    }
-  }
+  const main = mainOf(files);
+  const companion = companionOf(files, (scene) => live().sceneMeshFile(scene));
   if (running) endRun();
   live().assume(frame);
-  const about = live().load(main.name, main.bytes, companion ? companion.bytes : null);
+  const about = live().load(main.name, main.bytes, companion?.bytes ?? null);
   if (iteration) live().restoreIteration(iteration);
   loaded = true;
   settled = false;

@@ -120,6 +120,9 @@ const INITIAL = {
   status: '',
 };
 
+/** Whether there is a picture. @param {Pick<State, "renderer">} state */
+export const isDrawn = ({ renderer }) => renderer === 'webgpu' || renderer === 'webgl2';
+
 /**
  * The handles, those that are dragged where they are dragged to.
  * @param {Readonly<State>} state

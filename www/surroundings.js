@@ -4,6 +4,7 @@
  */
 
 import { element } from './dom.js';
+import { isDrawn } from './state.js';
 
 /** Names of renderers that compute pictures on the processor. */
 const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
@@ -23,9 +24,8 @@ export function tellSurroundings(numbers, store) {
   );
   numbers.append(software, offline);
   tellNetwork(offline, store);
-  store.subscribe(['renderer'], ({ renderer }) => {
-    const draws = renderer === 'webgpu' || renderer === 'webgl2';
-    software.hidden = !(draws && drawsInSoftware());
+  store.subscribe(['renderer'], (state) => {
+    software.hidden = !(isDrawn(state) && drawsInSoftware());
   });
 }
 

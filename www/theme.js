@@ -1,5 +1,8 @@
 /** Light and dark: the system's choice until somebody makes one here. */
 
+import { remember } from './stored.js';
+
+/** Every page looks there before its first paint. */
 const KEY = 'shape-up.theme';
 const system = matchMedia('(prefers-color-scheme: dark)');
 
@@ -14,11 +17,7 @@ export function followTheme(store) {
 export function toggleTheme(store) {
   const theme = isDark() ? 'light' : 'dark';
   document.documentElement.dataset.theme = theme;
-  try {
-    localStorage.setItem(KEY, theme);
-  } catch {
-    // Storage is blocked: it holds for this visit.
-  }
+  remember(KEY, theme);
   store.set({ dark: theme === 'dark' });
 }
 

@@ -4,6 +4,7 @@
  */
 
 import { element } from './dom.js';
+import { recall, remember } from './stored.js';
 
 /** @typedef {import("./state.js").Store} Store */
 /** @typedef {import("./actions.js").Actions} Actions */
@@ -19,9 +20,9 @@ const MOST_FILES = 40;
 /** @returns {[string, Frame][]} the newest last */
 function remembered() {
   try {
-    return JSON.parse(localStorage.getItem(KEY) ?? '[]');
+    return JSON.parse(recall(KEY) ?? '[]');
   } catch {
-    // Storage is blocked, or somebody else wrote there.
+    // Somebody else wrote there.
     return [];
   }
 }
@@ -39,14 +40,10 @@ export function rememberedFrame(name) {
  * @param {string} name of a file
  * @param {Frame} frame
  */
-function remember(name, frame) {
+function rememberFrame(name, frame) {
   const others = remembered().filter(([known]) => known !== name);
   const all = [...others, [name, frame]].slice(-MOST_FILES);
-  try {
-    localStorage.setItem(KEY, JSON.stringify(all));
-  } catch {
-    // Storage is blocked: it will be asked again.
-  }
+  remember(KEY, JSON.stringify(all));
 }
 
 /**
@@ -62,7 +59,7 @@ function changes(store, actions) {
     const { units = document.units, up = document.up } = part;
     if (units !== document.units) await actions.edit({ type: 'setUnits', units });
     if (up !== document.up) await actions.edit({ type: 'setUp', up });
-    remember(model.name, { units, up });
+    rememberFrame(model.name, { units, up });
   };
 }
 

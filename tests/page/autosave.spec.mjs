@@ -4,6 +4,8 @@ import { addConstraint, openText, runToTheEnd, tool } from './actions.mjs';
 import { quadScene, wavyGrid } from './meshes.mjs';
 import { expect, openPage, positionOf, state, test, waitForState } from './support.mjs';
 
+test.use({ pixels: false });
+
 /** A scene that needs many more iterations than there is time for. */
 function endlessScene() {
   const scene = JSON.parse(quadScene(40));

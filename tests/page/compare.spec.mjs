@@ -2,7 +2,7 @@
 
 import { downloaded, hidePanels, showPanel, tool } from './actions.mjs';
 import { decodePng } from './picture.mjs';
-import { expect, positionOf, state, test, waitForState } from './support.mjs';
+import { drawn, expect, positionOf, state, test, waitForState } from './support.mjs';
 
 const view = (page) => page.getByRole('application', { name: '3D view' });
 const divider = (page) => page.getByRole('slider', { name: 'Divider' });
@@ -12,18 +12,10 @@ async function openExample(page, id, faces) {
   await waitForState(page, (state, faces) => state.faces === faces, faces);
 }
 
-/** The picture, once nothing in it changes any more. */
+/** The picture, once it shows all that was asked for. */
 async function picture(page) {
-  let last = '';
-  await expect
-    .poll(async () => {
-      const now = (await view(page).screenshot()).toString('base64');
-      const same = now === last;
-      last = now;
-      return same;
-    })
-    .toBe(true);
-  return decodePng(Buffer.from(last, 'base64'));
+  await drawn(page);
+  return decodePng(await view(page).screenshot());
 }
 
 /** Of the pixels between two parts of the width, how many differ. Above what lies over the view. */
@@ -138,7 +130,7 @@ test('a local step fits and moves nothing; the global step moves as a step does'
   await expect(status).toHaveText('Local step done: 384 shapes fitted (square); next: global step');
   expect(await positionOf(page, 100)).toEqual(before);
   // The squares are seen.
-  await expect.poll(async () => differing(bare, await picture(page), [0, 1])).toBeGreaterThan(1000);
+  expect(differing(bare, await picture(page), [0, 1])).toBeGreaterThan(1000);
 
   await tool(page, 'Global');
   await expect(status).toHaveText(/^Global step done: moved to the least-squares answer/);
@@ -148,7 +140,7 @@ test('a local step fits and moves nothing; the global step moves as a step does'
   await waitForState(page, (state) => state.iteration === 0);
   expect(await positionOf(page, 100)).toEqual(before);
   // The squares are gone.
-  await expect.poll(async () => differing(bare, await picture(page), [0, 1])).toBe(0);
+  expect(differing(bare, await picture(page), [0, 1])).toBe(0);
 });
 
 test('whatever else is done leaves the half step', async ({ page }) => {

@@ -2,7 +2,18 @@
 
 import { addConstraint, hidePanels, openText, showPanel } from './actions.mjs';
 import { wavyGrid } from './meshes.mjs';
-import { expect, openPage, positionOf, screenOf, state, test, waitForState } from './support.mjs';
+import {
+  expect,
+  openPage,
+  positionOf,
+  sceneOf,
+  screenOf,
+  state,
+  test,
+  waitForState,
+} from './support.mjs';
+
+test.use({ pixels: false });
 
 const N = 6;
 const VERTICES = (N + 1) ** 2;
@@ -14,7 +25,6 @@ test.beforeEach(async ({ page }) => {
   await waitForState(page, (now) => now.renderer !== 'none');
 });
 
-const scene = (page) => page.evaluate(() => window.shapeUp.scene());
 const rows = (page) => page.getByRole('list', { name: 'Constraints' }).getByRole('listitem');
 
 test('rows say their share of the energy, are duplicated, and select what they act on', async ({
@@ -35,7 +45,7 @@ test('rows say their share of the energy, are duplicated, and select what they a
   await first.getByRole('button', { name: /parameters/ }).click();
   await first.getByRole('button', { name: /duplicate/ }).click();
   await expect(rows(page)).toHaveCount(3);
-  const { constraints } = await scene(page);
+  const { constraints } = await sceneOf(page);
   expect(constraints[0]).toEqual(constraints[1]);
   await rows(page)
     .first()
@@ -62,13 +72,13 @@ test('settings come from the declared list, act, and are undone', async ({ page 
   await page.getByText('More settings').click();
   const near = page.getByRole('combobox', { name: 'Stay near: kind of value' });
   await near.selectOption('rest');
-  await expect.poll(async () => (await scene(page)).closeness?.to).toBe('rest');
+  await expect.poll(async () => (await sceneOf(page)).closeness?.to).toBe('rest');
   await expect(page.getByText('stay where each vertex was')).toBeVisible();
   const boundary = page.getByRole('combobox', { name: /Boundary stays on its curve/ });
   await boundary.selectOption('exactly');
-  await expect.poll(async () => (await scene(page)).closeness?.boundary?.corners).toBe(90);
+  await expect.poll(async () => (await sceneOf(page)).closeness?.boundary?.corners).toBe(90);
   await page.getByRole('combobox', { name: /^Accelerator/ }).selectOption('anderson');
-  await expect.poll(async () => (await scene(page)).solver?.accelerator).toBe('anderson');
+  await expect.poll(async () => (await sceneOf(page)).solver?.accelerator).toBe('anderson');
   // Cotangents are for triangles: it is said, and the field shows what is.
   const weighting = page.getByRole('combobox', { name: /^Neighbours count/ });
   await weighting.selectOption('cotangent');
@@ -77,7 +87,8 @@ test('settings come from the declared list, act, and are undone', async ({ page 
   await page.keyboard.press('Escape');
   for (let step = 0; step < 3; step++) await page.keyboard.press('Control+z');
   await expect(near).toHaveValue('word surface');
-  expect((await scene(page)).closeness).toBeUndefined();
+  // The text of the scene comes after what the fields show.
+  await expect.poll(async () => (await sceneOf(page)).closeness).toBeUndefined();
 });
 
 test('the selection is held more than the rest, and all alike again', async ({ page }) => {
@@ -86,7 +97,7 @@ test('the selection is held more than the rest, and all alike again', async ({ p
   await showPanel(page, 'Energies and display');
   await page.getByText('More settings').click();
   await page.getByRole('button', { name: 'Hold the selection: more' }).click();
-  const weights = async () => (await scene(page)).closeness?.weights;
+  const weights = async () => (await sceneOf(page)).closeness?.weights;
   await expect.poll(weights).toEqual([{ on: { vertices: [MIDDLE] }, weight: 10 }]);
   await expect(page.getByText('1 vertex is held otherwise.')).toBeVisible();
   await page.getByRole('button', { name: 'Hold all alike' }).click();

@@ -4,6 +4,8 @@ import { openExample, showPanel } from './actions.mjs';
 import { decodePng, distinctColours } from './picture.mjs';
 import { expect, openPage, state, test } from './support.mjs';
 
+test.use({ pixels: false });
+
 /** Opens the dialog of an example's experiment. */
 async function openExperiment(page, word) {
   await openExample(page, word);

@@ -2,7 +2,9 @@
 
 import { addConstraint, hidePanels, openText, showPanel } from './actions.mjs';
 import { wavyGrid } from './meshes.mjs';
-import { expect, openPage, screenOf, state, test, waitForState } from './support.mjs';
+import { everything, expect, openPage, screenOf, state, test, waitForState } from './support.mjs';
+
+test.use({ pixels: false });
 
 const N = 6;
 const VERTICES = (N + 1) ** 2;
@@ -13,14 +15,6 @@ test.beforeEach(async ({ page }) => {
   await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
   await waitForState(page, (now) => now.renderer !== 'none');
 });
-
-/** The whole document and the exact shape. */
-const everything = (page) =>
-  page.evaluate(() => ({
-    scene: window.shapeUp.scene(),
-    positions: [...window.shapeUp.positions()],
-    iteration: window.shapeUp.state().iteration,
-  }));
 
 /** Selects vertices by clicks and makes them handles. */
 async function makeHandles(page, vertices) {

@@ -5,6 +5,8 @@ import { expect, openPage, test } from './support.mjs';
 
 const NAMES = ['Run', 'Step', 'Reset', 'Undo', 'Redo', 'Export', 'Share'];
 
+test.use({ pixels: false });
+
 test('nothing is cut off, and the view has at least half of the window', async ({ page }) => {
   await openPage(page);
   const { width, height } = page.viewportSize();
@@ -39,7 +41,7 @@ test('nothing is cut off, and the view has at least half of the window', async (
   expect(scrolls).toBe(false);
 });
 
-test('every control has a name', async ({ page }) => {
+test('every control has a name, and the help lists the keys', async ({ page }) => {
   await openPage(page);
   const nameless = await page.evaluate(() =>
     [...document.querySelectorAll('button, input, select')]
@@ -53,10 +55,7 @@ test('every control has a name', async ({ page }) => {
   await expect(page.getByRole('heading', { level: 1 })).toHaveCount(1);
   await expect(page.getByRole('status')).toHaveCount(1);
   await expect(page.getByRole('alert')).toHaveCount(1);
-});
 
-test('the help lists the keys', async ({ page }) => {
-  await openPage(page);
   await tool(page, 'Help');
   const help = page.getByRole('dialog', { name: 'Mouse and keys' });
   await expect(help).toBeVisible();

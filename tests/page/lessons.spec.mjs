@@ -8,13 +8,14 @@ import { promisify } from 'node:util';
 import { program } from '../../.scripts/programs.mjs';
 import { addConstraint, openText, runToTheEnd, showPanel } from './actions.mjs';
 import { wavyGrid } from './meshes.mjs';
-import { expect, openPage, test, waitForState } from './support.mjs';
+import { expect, openPage, sceneOf, test, waitForState } from './support.mjs';
+
+test.use({ pixels: false });
 
 const N = 6;
 const VERTICES = (N + 1) ** 2;
 const WORDS = 'Make every panel flat.\nStay near.';
 
-const scene = (page) => page.evaluate(() => window.shapeUp.scene());
 const lesson = (page) => page.getByRole('region', { name: 'Lesson' });
 const goals = (page) => lesson(page).getByRole('list', { name: 'Goals' }).getByRole('listitem');
 
@@ -134,7 +135,7 @@ test('a lesson comes through a link, and is undone', async ({ page, context }) =
   await page.keyboard.press('Control+z');
   await expect(page.getByRole('status')).toHaveText('Undid: Change lesson');
   await expect(lesson(page)).toBeHidden();
-  expect((await scene(page)).lesson).toBeUndefined();
+  expect((await sceneOf(page)).lesson).toBeUndefined();
 });
 
 test('a lesson without an end is not kept, and one can be taken away', async ({ page }) => {

@@ -3,7 +3,9 @@
 
 import { addConstraint, openText, runToTheEnd, showPanel } from './actions.mjs';
 import { wavyGrid } from './meshes.mjs';
-import { expect, openPage, state, test, waitForState } from './support.mjs';
+import { expect, openPage, sceneOf, state, test, waitForState } from './support.mjs';
+
+test.use({ pixels: false });
 
 const N = 6;
 const VERTICES = (N + 1) ** 2;
@@ -13,8 +15,6 @@ test.beforeEach(async ({ page }) => {
   await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
   await waitForState(page, (now) => now.renderer !== 'none');
 });
-
-const scene = (page) => page.evaluate(() => window.shapeUp.scene());
 
 /** Brings a tab of the analysis to the front. */
 async function showTab(page, name) {
@@ -29,7 +29,7 @@ test('a constraint is named where it stands, and the name is kept', async ({ pag
   await showPanel(page, 'Model');
   const row = page.getByRole('list', { name: 'Constraints' }).getByRole('listitem');
   const field = page.getByRole('textbox', { name: 'Name of the constraint' });
-  const name = async () => (await scene(page)).constraints[0].name;
+  const name = async () => (await sceneOf(page)).constraints[0].name;
   await row.getByRole('button', { name: /parameters/ }).focus();
   await page.keyboard.press('F2');
   await expect(field).toBeFocused();
@@ -55,7 +55,7 @@ test('a constraint is named where it stands, and the name is kept', async ({ pag
   await page.keyboard.press('Control+z');
   await expect(page.getByRole('status')).toHaveText('Undid: Rename plane');
   expect(await name()).toBe('Skylight');
-  const text = JSON.stringify(await scene(page));
+  const text = JSON.stringify(await sceneOf(page));
   await openText(page, 'named.shapeup.json', text, VERTICES);
   await expect(row).toContainText('Skylight');
 });
@@ -139,7 +139,7 @@ test('a run that ends in a compromise says what is worst, and what can be done',
   const compromise = page.getByRole('group', { name: 'Compromise' });
   await expect(compromise).toBeHidden();
   // Four corners of a face are held where no plane has them.
-  const text = await scene(page);
+  const text = await sceneOf(page);
   text.handles = [
     { vertices: [0], targets: [[0, 0, 3]], fixed: true },
     { vertices: [1], targets: [[1, 0, -3]], fixed: true },
@@ -155,5 +155,5 @@ test('a run that ends in a compromise says what is worst, and what can be done',
   await page.getByRole('button', { name: 'Reset' }).click();
   await runToTheEnd(page);
   await compromise.getByRole('button', { name: 'Lower weight' }).click();
-  await expect.poll(async () => (await scene(page)).constraints[0].weight).toBe(0.5);
+  await expect.poll(async () => (await sceneOf(page)).constraints[0].weight).toBe(0.5);
 });

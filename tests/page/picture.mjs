@@ -52,6 +52,10 @@ export function colourAt(picture, x, y) {
   return [...picture.pixels.subarray(at, at + 3)];
 }
 
+/** How many bytes two pictures of the same size do not share. */
+export const differingBytes = (a, b) =>
+  a.pixels.reduce((sum, byte, at) => sum + Number(byte !== b.pixels[at]), 0);
+
 /** How many different colours a region has; the whole picture when none is given. */
 export function distinctColours(picture, region = {}) {
   const { x = 0, y = 0, width = picture.width - x, height = picture.height - y } = region;

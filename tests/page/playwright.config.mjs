@@ -21,24 +21,8 @@ const port = process.env.SHAPE_UP_TEST_PORT;
 const base = '/some/sub-path/';
 const url = `http://127.0.0.1:${port}${base}`;
 
-const BEHIND = [
-  'adaptation',
-  'autosave',
-  'experiments',
-  'export',
-  'files',
-  'gizmo',
-  'keyboard',
-  'kinds',
-  'lists',
-  'parameters',
-  'random-undo',
-  'selecting',
-  'share',
-  'states',
-  'undo',
-  'units',
-];
+/** What a phone shows in another arrangement than other windows. The rest lies behind it. */
+const ARRANGED = ['axe', 'first-picture', 'first-visit', 'layout', 'phone', 'shaping', 'touch'];
 
 /** What tells WebGPU from WebGL2, in a browser that has both. */
 const BOTH = ['backends', 'offline'];
@@ -75,7 +59,7 @@ export default defineConfig({
       name: 'desktop',
       use: { viewport: { width: 1440, height: 900 } },
       // Fingers are the phone's.
-      testIgnore: specs(['touch', ...BOTH, ALONE]),
+      testIgnore: specs(['phone', 'touch', ...BOTH, ALONE]),
     },
     {
       name: 'both',
@@ -91,8 +75,7 @@ export default defineConfig({
     {
       name: 'phone',
       use: { viewport: { width: 390, height: 844 } },
-      // A phone shows the page in another arrangement. What these tell lies behind it.
-      testIgnore: specs([...BEHIND, ...BOTH, ALONE]),
+      testMatch: specs(ARRANGED),
     },
   ],
   webServer: {

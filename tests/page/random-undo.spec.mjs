@@ -2,19 +2,22 @@
 
 import { addConstraint, hidePanels, openText, showPanel } from './actions.mjs';
 import { wavyGrid } from './meshes.mjs';
-import { dragVertex, expect, openPage, screenOf, state, test, waitForState } from './support.mjs';
+import {
+  dragVertex,
+  everything,
+  expect,
+  openPage,
+  screenOf,
+  state,
+  test,
+  waitForState,
+} from './support.mjs';
+
+test.use({ pixels: false });
 
 const N = 4;
 const VERTICES = (N + 1) ** 2;
 const DEEDS = 16;
-
-/** The whole document and the exact shape. */
-const everything = (page) =>
-  page.evaluate(() => ({
-    scene: window.shapeUp.scene(),
-    positions: [...window.shapeUp.positions()],
-    iteration: window.shapeUp.state().iteration,
-  }));
 
 /** Numbers from 0 to below `limit`, the same on every machine for a seed. */
 function seeded(seed) {

@@ -2,9 +2,18 @@
 
 import { addConstraint, openExample, openText, runToTheEnd, tool } from './actions.mjs';
 import { wavyGrid } from './meshes.mjs';
-import { dragVertex, expect, openPage, positionOf, state, test, waitForState } from './support.mjs';
+import {
+  dragVertex,
+  expect,
+  openPage,
+  positionOf,
+  sceneOf,
+  state,
+  test,
+  waitForState,
+} from './support.mjs';
 
-const sceneOf = (page) => page.evaluate(() => window.shapeUp.scene());
+test.use({ pixels: false });
 
 /** Presses Share and returns the link of the dialog, which stays open. */
 async function linkOf(page) {

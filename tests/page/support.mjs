@@ -16,8 +16,27 @@ const allowed = [
   /GPU stall due to ReadPixels/,
 ];
 
-/** Fails a test when the page throws, or when the console has an error or a warning. */
+/** Runs in the page: the view does all of its own work, and nothing fills its pixels. */
+function leaveOutPixels() {
+  const { prototype } = WebGL2RenderingContext;
+  for (const name of [
+    ...['drawArrays', 'drawElements', 'drawArraysInstanced', 'drawElementsInstanced'],
+    ...['blitFramebuffer', 'clear', 'clearBufferfv', 'clearBufferfi'],
+  ])
+    prototype[name] = () => {};
+}
+
+/**
+ * Fails a test when the page throws, or when the console has an error or a warning. `pixels` is
+ * whether the picture has any: software takes more time for them than for all the rest, and most
+ * tests do not look.
+ */
 export const test = base.extend({
+  pixels: [true, { option: true }],
+  context: async ({ context, pixels }, use) => {
+    if (!pixels) await context.addInitScript(leaveOutPixels);
+    await use(context);
+  },
   complaints: [
     async ({ page }, use) => {
       const complaints = [];
@@ -60,6 +79,17 @@ export async function waitForState(page, condition, argument, options) {
   return state(page);
 }
 
+/** The scene, as of the last edit or the end of the last run. */
+export const sceneOf = (page) => page.evaluate(() => window.shapeUp.scene());
+
+/** The whole document and the exact shape. */
+export const everything = (page) =>
+  page.evaluate(() => ({
+    scene: window.shapeUp.scene(),
+    positions: [...window.shapeUp.positions()],
+    iteration: window.shapeUp.state().iteration,
+  }));
+
 /** The position of a vertex, in file coordinates. */
 export const positionOf = (page, vertex) =>
   page.evaluate((v) => [...window.shapeUp.positions().slice(3 * v, 3 * v + 3)], vertex);
@@ -82,6 +112,21 @@ export async function dragVertex(page, vertex, [dx, dy]) {
   await page.mouse.down();
   await page.mouse.move(x + dx, y + dy, { steps: 5 });
   await page.mouse.up();
+}
+
+/** Waits until the picture shows all that was asked for so far. */
+export const drawn = (page) => page.evaluate(() => window.shapeUp.drawn());
+
+/**
+ * The middle of the picture, as pixels, once it shows all that was asked for: nothing lies over it
+ * there.
+ */
+export async function middleOfPicture(page) {
+  await drawn(page);
+  const view = page.getByRole('application', { name: '3D view' });
+  const { x, y, width, height } = await view.boundingBox();
+  const clip = { x: x + width / 4, y: y + height / 4, width: width / 2, height: height / 2 };
+  return decodePng(await page.screenshot({ clip }));
 }
 
 /** How many different colours the 3D view shows; a blank one has one. */

@@ -2,15 +2,9 @@
 
 import { addConstraint, openText, runToTheEnd, showPanel, tool } from './actions.mjs';
 import { wavyGrid } from './meshes.mjs';
-import { dragVertex, expect, openPage, state, test, waitForState } from './support.mjs';
+import { dragVertex, everything, expect, openPage, state, test, waitForState } from './support.mjs';
 
-/** The whole document and the exact shape. */
-const everything = (page) =>
-  page.evaluate(() => ({
-    scene: window.shapeUp.scene(),
-    positions: [...window.shapeUp.positions()],
-    iteration: window.shapeUp.state().iteration,
-  }));
+test.use({ pixels: false });
 
 test('all that was done is undone step by step, to the start, and done again', async ({ page }) => {
   await openPage(page);

@@ -4,6 +4,8 @@ import { exported, hidePanels, openText, saved, showPanel } from './actions.mjs'
 import { wavyGrid } from './meshes.mjs';
 import { expect, openPage, positionOf, screenOf, state, test, waitForState } from './support.mjs';
 
+test.use({ pixels: false });
+
 const chips = (page) => page.getByRole('group', { name: 'Unit and up axis' });
 const upOf = (page) => page.evaluate(() => window.shapeUp.scene().up ?? 'z');
 

@@ -5,7 +5,8 @@
 
 import { element, icon, setText, throttled } from '../dom.js';
 import { groupDigits, length, part } from '../format.js';
-import { Parameters, valueInWords } from '../parameters.js';
+import { valueInWords } from '../parameter-forms.js';
+import { Parameters } from '../parameters.js';
 import { energyOrNothing, lengthOrNothing } from '../rounding.js';
 import { NOTHING } from '../selection.js';
 import { sketch } from '../sketch.js';

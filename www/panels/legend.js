@@ -8,6 +8,7 @@ import { groupDigits, number } from '../format.js';
 import { declared, unitOf, valueInWords } from '../measures.js';
 import { drawOutline, outline } from '../outline.js';
 import { BINS } from '../spread.js';
+import { isDrawn } from '../state.js';
 
 /** It follows a run or a drag this often. */
 const SHOW_EVERY_MS = 100;
@@ -102,11 +103,11 @@ export function legend(place, store, viewport, refit) {
 
   function show() {
     const state = store.get();
-    const { measure, range, spread, document, renderer, model, flatMap, split } = state;
+    const { measure, range, spread, document, model, flatMap, split } = state;
     const about = declared(state, measure);
     // A flat map has colours and a legend of its own, and so have two pictures.
     const isShown = about && !flatMap && !split && model?.faces;
-    place.hidden = !isShown || !(renderer === 'webgpu' || renderer === 'webgl2');
+    place.hidden = !isShown || !isDrawn(state);
     if (!about || place.hidden) return;
     setText(title, about.label);
     title.title = about.words;
@@ -127,11 +128,8 @@ export function legend(place, store, viewport, refit) {
       input.value = value === null ? '' : number(value * factor);
     }
 
-    const [from, to] = range.map((value) => value / spread.top);
-    const spaced = viewport
-      .rampStops()
-      .map(([at, colour]) => `${colour} ${100 * (from + (to - from) * at)}%`);
-    ramp.style.background = `linear-gradient(to right, ${spaced.join(', ')})`;
+    const [from, to] = range.map((value) => (100 * value) / spread.top);
+    ramp.style.background = viewport.rampOf([from, to]);
     const most = Math.max(...spread.counts, 1);
     // A single face among thousands is the one that is looked for: it has to be seen.
     spread.counts.forEach((count, i) => {

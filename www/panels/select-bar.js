@@ -4,7 +4,6 @@
  */
 
 import { element, icon, setText } from '../dom.js';
-import { count } from '../format.js';
 import { placeMenu } from '../layout.js';
 import { messageOf } from '../messages.js';
 import { describe, sizeOfSelection } from '../selection.js';
@@ -112,7 +111,7 @@ export function selectBar(bar, menu, store, actions, selecting, alerts) {
     brush.hidden = tool !== 'select' || shape !== 'paint';
     brush.value = String(state.brush);
     brush.setAttribute('aria-valuetext', `${state.brush} pixels`);
-    const words = describe(selection, count);
+    const words = describe(selection);
     setText(said, words || 'Select by…');
     opener.setAttribute('aria-label', words ? `${words}: select by…` : 'Select by…');
     none.hidden = !some;

@@ -45,12 +45,7 @@ export function fillSelectMenu(menu, store, actions, selecting) {
 
   /** The fields of an operation. @param {Operation} operation */
   function form(operation) {
-    const { model } = store.get();
-    const parameters = new Parameters(
-      operation.params,
-      {},
-      model ?? { units: '', meanEdge: 0, up: 'z' },
-    );
+    const parameters = new Parameters(operation.params, {}, store.get().model);
     const find = async (/** @type {import("../selection.js").Combine} */ combine) => {
       const params = parameters.values();
       if (!params) return;

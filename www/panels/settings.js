@@ -50,8 +50,7 @@ export function settingsPanel(place, store, actions) {
  */
 function settingRow(setting, store, actions) {
   const { document, model } = store.get();
-  const about = model ?? { units: '', meanEdge: 0, up: /** @type {const} */ ('z') };
-  const parameters = new Parameters([setting], document?.settings ?? {}, about, {
+  const parameters = new Parameters([setting], document?.settings ?? {}, model, {
     changed: (id, value) =>
       actions.edit({ type: 'set', id, value }, (error) => {
         const now = store.get().document?.settings;

@@ -1,0 +1,18 @@
+/** How exact a mouse, a pen and a finger are, in CSS pixels. */
+
+/** Nearer than this, a pointer is on a dot. */
+const NEAR = { mouse: 12, pen: 14, touch: 24 };
+/** A press that moves less is a click. */
+const CLICK_SLOP = { mouse: 4, pen: 6, touch: 10 };
+
+/** @param {MouseEvent} event */
+export const near = (event) => NEAR[typeOf(event)] ?? NEAR.mouse;
+
+/** @param {MouseEvent} event */
+export const slop = (event) => CLICK_SLOP[typeOf(event)] ?? CLICK_SLOP.mouse;
+
+/** @param {MouseEvent} event */
+function typeOf(event) {
+  const type = event instanceof PointerEvent ? event.pointerType : 'mouse';
+  return /** @type {keyof typeof NEAR} */ (type);
+}
