@@ -101,6 +101,28 @@ test('two coordinates one right after the other are both taken', async ({ page }
   await expect(undoButton(page)).toHaveAttribute('title', /Move handle/);
 });
 
+test('undo takes a number back for good, while the mesh still follows it', async ({ page }) => {
+  // The end of the move comes when it is told to.
+  await page.addInitScript(() => {
+    const { postMessage } = Worker.prototype;
+    Worker.prototype.postMessage = function (...message) {
+      if (message[0].phase !== 'end') return postMessage.apply(this, message);
+      window.end = () => postMessage.apply(this, message);
+    };
+  });
+  await open(page);
+  await makeHandles(page, [MIDDLE]);
+  const before = await targets(page);
+  await enter(target(page, 'z'), '7.5');
+  await page.waitForFunction(() => window.end);
+  await undoButton(page).click();
+  await expect(page.getByRole('status')).toHaveText('Undid: Move handle');
+  await page.evaluate(() => window.end());
+  await page.getByRole('button', { name: 'Step' }).click();
+  await waitForState(page, (now) => now.iteration === 1);
+  expect(await targets(page)).toEqual(before);
+});
+
 test('weight, soft and fixed are those of all selected handles', async ({ page }) => {
   await open(page);
   await makeHandles(page, [MIDDLE, MIDDLE + 1]);
