@@ -59,6 +59,36 @@ test('the view that draws is kept, and another one when it is wanted', async ({
   }
 });
 
+test('the gallery has all its pictures without a network, once it was opened', async ({
+  page,
+  context,
+}) => {
+  await openPage(page);
+  await keptOffline(page);
+  const openGallery = async () => {
+    await page.goto('./gallery.html');
+    await expect(page.getByRole('article').first()).toBeVisible();
+  };
+  await openGallery();
+  const addresses = await page
+    .getByRole('article')
+    .getByRole('img')
+    .evaluateAll((all) => all.filter(({ src }) => src).map(({ src }) => src));
+  expect(addresses.length).toBeGreaterThan(50);
+  const missing = () =>
+    page.evaluate(async (wanted) => {
+      const kept = await Promise.all(wanted.map((address) => caches.match(address)));
+      return kept.filter((one) => !one).length;
+    }, addresses);
+  await expect.poll(missing).toBe(0);
+  await context.setOffline(true);
+  await openGallery();
+  // The last one, which is far below.
+  const last = page.locator(`img[src="${addresses.at(-1)}"]`);
+  await last.scrollIntoViewIfNeeded();
+  await expect.poll(() => last.evaluate((image) => image.naturalWidth)).toBeGreaterThan(100);
+});
+
 /** A host of the site, at which a new version can be put. */
 const hosted = test.extend({
   // eslint-disable-next-line no-empty-pattern
