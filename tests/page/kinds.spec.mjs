@@ -126,7 +126,9 @@ test('every kind can be added to a suitable mesh, and its energy falls', async (
   expect([...walked].sort()).toEqual([...labels].sort());
 });
 
-test('each kind is shown with its drawing and says what it asks', async ({ page }) => {
+test('each kind is shown with its drawing and says what it asks, by keys too, and Escape closes', async ({
+  page,
+}) => {
   await openPage(page);
   const kinds = await kindsOf(page);
   const dialog = await openDialog(page);
@@ -143,6 +145,20 @@ test('each kind is shown with its drawing and says what it asks', async ({ page 
     expect(Math.min(box.width, box.height)).toBeGreaterThanOrEqual(40);
     expect(await drawing.locator('.found circle').count()).toBe(kind.sketch.points.length);
   }
+
+  // Arrow keys walk the palette.
+  const names = await namesIn(dialog, 'Shape');
+  await dialog.getByRole('radio', { name: names[0], exact: true }).focus();
+  await page.keyboard.press('ArrowRight');
+  await expect(dialog.getByRole('radio', { name: names[1], exact: true })).toBeChecked();
+  // The last one too, which is out of sight at first.
+  await page.keyboard.press('ArrowLeft');
+  await page.keyboard.press('ArrowLeft');
+  const last = dialog.getByRole('radio', { name: names.at(-1), exact: true });
+  await expect(last).toBeChecked();
+  await expect(last).toBeInViewport();
+  await page.keyboard.press('Escape');
+  await expect(dialog).toBeHidden();
 });
 
 test('a kind that is meant for some elements is offered on these only', async ({ page }) => {
@@ -180,21 +196,4 @@ test('the dialog asks once, however many kinds and places there are', async ({ p
   await dialog.getByRole('radio', { name: 'Circle', exact: true }).check();
   const asked = await page.evaluate(() => window.asked.filter((type) => type === 'previews'));
   expect(asked).toHaveLength(1);
-});
-
-test('arrow keys walk the palette, and Escape closes the dialog', async ({ page }) => {
-  await openPage(page);
-  const dialog = await openDialog(page);
-  const names = await namesIn(dialog, 'Shape');
-  await dialog.getByRole('radio', { name: names[0], exact: true }).focus();
-  await page.keyboard.press('ArrowRight');
-  await expect(dialog.getByRole('radio', { name: names[1], exact: true })).toBeChecked();
-  // The last one too, which is out of sight at first.
-  await page.keyboard.press('ArrowLeft');
-  await page.keyboard.press('ArrowLeft');
-  const last = dialog.getByRole('radio', { name: names.at(-1), exact: true });
-  await expect(last).toBeChecked();
-  await expect(last).toBeInViewport();
-  await page.keyboard.press('Escape');
-  await expect(dialog).toBeHidden();
 });

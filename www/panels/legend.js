@@ -23,7 +23,12 @@ export function legend(place, store, viewport, refit) {
   const title = element('span');
   const bars = Array.from({ length: BINS }, () => element('i'));
   const before = outline();
-  const histogram = element('div', { class: 'histogram', role: 'img' }, ...bars, before);
+  const histogram = element(
+    'div',
+    { class: 'histogram', role: 'img', 'aria-label': 'No values yet' },
+    ...bars,
+    before,
+  );
   const tick = element('div', { class: 'tick' });
   const ramp = element('div', { class: 'ramp' }, tick);
   const unit = element('span', { class: 'unit' });
