@@ -2,7 +2,7 @@
 
 import { constraintCount, openText, showPanel } from './actions.mjs';
 import { quadScene, tetScene, triangleScene } from './meshes.mjs';
-import { dragVertex, expect, openPage, state, test, waitForState } from './support.mjs';
+import { dragVertex, drawn, expect, openPage, state, test, waitForState } from './support.mjs';
 
 test.use({ pixels: false });
 
@@ -53,17 +53,15 @@ async function undoAll(page) {
   const undo = page.getByRole('button', { name: 'Undo' });
   await expect(undo).toBeEnabled();
   while (await undo.isEnabled()) {
-    const what = await undo.getAttribute('title');
     await page.keyboard.press('Control+z');
-    await expect(undo).not.toHaveAttribute('title', what);
+    await page.evaluate(() => window.shapeUp.settled());
   }
   await expect.poll(() => constraintCount(page)).toBe(0);
 }
 
-/** The shape energy as soon as it is something, or when it has been nothing for a while. */
+/** The shape energy, once the page knows it. */
 async function shapeEnergy(page) {
-  const something = (now, nothing) => now.energy.shape > nothing;
-  await waitForState(page, something, NOTHING, { timeout: 2000 }).catch(() => null);
+  await drawn(page);
   return (await state(page)).energy.shape;
 }
 
@@ -105,8 +103,6 @@ async function tryKind(page, name, mesh) {
 
 test('every kind can be added to a suitable mesh, and its energy falls', async ({ page }) => {
   test.setTimeout(240_000);
-  // Few pixels to draw: what counts here is not the picture.
-  await page.setViewportSize({ width: 1120, height: 600 });
   await openPage(page);
   const labels = (await kindsOf(page)).map((kind) => kind.label);
   const walked = new Set();
