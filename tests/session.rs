@@ -148,6 +148,13 @@ fn a_drag_is_one_step_and_can_be_cancelled() {
     assert_eq!(session.undo(), Ok(Some("Move handle".to_owned())));
     assert_eq!(session.positions(), before);
 
+    session.begin_drag();
+    session.drag([(0, [0.0, 0.0, 0.5]), (20, [0.0, 4.0, 0.5])]);
+    assert!(session.is_dragging());
+    session.end_drag(true);
+    assert!(!session.is_dragging());
+    assert_eq!(session.undo(), Ok(Some("Move 2 handles".to_owned())));
+
     // A drag that ends where it began is no step.
     session.begin_drag();
     session.end_drag(true);

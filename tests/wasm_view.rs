@@ -315,3 +315,128 @@ async fn another_mesh_takes_the_flat_map_away() {
     assert!(view.map_region().is_none());
     assert!(view.draw().unwrap());
 }
+
+/// How many pixels of the left and of the right half of a canvas `width` wide differ.
+fn differing_halves(a: &[u8], b: &[u8], width: usize) -> [usize; 2] {
+    let differs = |left: bool| {
+        let both = a.chunks(4).zip(b.chunks(4)).enumerate();
+        both.filter(|(k, (p, q))| (k % width < width / 2) == left && p != q).count()
+    };
+    [differs(true), differs(false)]
+}
+
+#[wasm_bindgen_test]
+async fn both_sides_of_a_split_picture_have_what_the_single_one_has() {
+    let canvas = new_canvas();
+    let mut view = open(&canvas).await;
+    view.preset("top").unwrap();
+    view.set_rest(&flat_square()).unwrap();
+    view.set_split(0.5);
+    let original = Some(flat_square());
+    let values = |k: f32| Some(vec![0.1 * k, 0.3 * k, 0.6 * k, 0.9 * k]);
+    view.set_split_side(0, original.clone(), values(1.0), None, 0.0, 1.0).unwrap();
+    view.set_split_side(1, None, values(20.0), None, 0.0, 20.0).unwrap();
+    view.draw().unwrap();
+    let mut before = pixels(&canvas);
+    let mut both_change = |view: &mut View, what: &str| {
+        assert!(view.draw().unwrap(), "{what}: nothing was drawn");
+        let after = pixels(&canvas);
+        let [left, right] = differing_halves(&before, &after, WIDTH as usize);
+        assert!(left > 30 && right > 30, "{what}: {left} and {right} pixels differ");
+        before = after;
+    };
+    assert_eq!((view.band_step(Some(0)), view.band_step(Some(1))), (None, None));
+    view.set_bands(true);
+    both_change(&mut view, "bands");
+    let steps = [Some(0), Some(1), None].map(|side| view.band_step(side));
+    assert_eq!(steps, [Some(0.2), Some(2.0), None]);
+    assert_eq!(view.ramp_colours(Some(1)).len(), view.band_limits(Some(1)).len() + 1);
+    // Isolines go through the faces by the values of the vertices.
+    let corners = |k: f32| Some((0..9).map(|v| 0.1 * k * v as f32).collect());
+    view.set_split_side(0, original, values(1.0), corners(1.0), 0.0, 1.0).unwrap();
+    view.set_split_side(1, None, values(20.0), corners(20.0), 0.0, 20.0).unwrap();
+    both_change(&mut view, "isolines");
+    view.set_surroundings(false, true);
+    both_change(&mut view, "ground");
+    view.set_split_side(0, None, values(1.0), None, 0.0, 1.0).unwrap();
+    view.draw().unwrap();
+    before = pixels(&canvas);
+    view.set_surroundings(true, true);
+    view.draw().unwrap();
+    let after = pixels(&canvas);
+    let [left, right] = differing_halves(&before, &after, WIDTH as usize);
+    assert!(left > 30 && right > 30, "ghost: {left} and {right} pixels differ");
+}
+
+#[wasm_bindgen_test]
+async fn the_ghost_is_a_veil_that_never_stains_a_surface_in_the_same_place() {
+    let canvas = new_canvas();
+    let mut view = open(&canvas).await;
+    view.set_rest(&tent()).unwrap();
+    // The middles of the faces, away from all lines.
+    let middles = |view: &View| {
+        let drawn = pixels(&canvas);
+        let colour = |face: [u32; 4]| {
+            let at = face.map(|v| view.screen(v));
+            let known: Vec<Vec<f64>> = at.into_iter().flatten().collect();
+            (known.len() == 4).then(|| {
+                let [x, y] = [0, 1].map(|axis| known.iter().map(|p| p[axis]).sum::<f64>() / 4.0);
+                let place = 4 * (y as usize * WIDTH as usize + x as usize);
+                drawn[place..place + 3].to_vec()
+            })
+        };
+        [[0, 1, 4, 3], [1, 2, 5, 4], [3, 4, 7, 6], [4, 5, 8, 7]].map(colour)
+    };
+    let mut seen = 0;
+    for parallel in [false, true] {
+        view.set_parallel(parallel);
+        for turn in 0..12 {
+            view.orbit(13.0, if turn < 6 { 5.0 } else { -9.0 });
+            let [without, with] = [false, true].map(|ghost| {
+                view.set_surroundings(ghost, false);
+                view.draw().unwrap();
+                middles(&view)
+            });
+            assert_eq!(without, with, "turn {turn}");
+            seen += with.iter().flatten().count();
+        }
+    }
+    assert!(seen > 40, "{seen}");
+
+    // Where the mesh has gone away from it, it is seen, in front of the mesh and beside it.
+    view.set_surroundings(false, false);
+    view.set_parallel(false);
+    view.preset("top").unwrap();
+    let sunken: Vec<f64> = tent().chunks(3).flat_map(|p| [p[0], p[1], p[2] - 1.5]).collect();
+    view.set_positions(&sunken).unwrap();
+    view.draw().unwrap();
+    let without = middles(&view);
+    view.set_surroundings(true, false);
+    view.draw().unwrap();
+    for (before, after) in without.into_iter().zip(middles(&view)) {
+        assert_ne!(before, after);
+    }
+}
+
+#[wasm_bindgen_test]
+async fn projected_shapes_have_an_inside_where_they_lie_beside_their_faces() {
+    let canvas = new_canvas();
+    let mut view = open(&canvas).await;
+    view.preset("top").unwrap();
+    view.set_display(false, false, false, true, false);
+    let ring = [0, 1, 1, 2, 2, 3, 0, 3];
+    let show = |view: &mut View, up: f32| {
+        let ways = [0.0, 0.0, up].repeat(4);
+        let blue = [0.1, 0.3, 0.9];
+        view.set_projections(&[0, 1, 4, 3], &ways, &[1; 4], &ring, &blue).unwrap();
+        view.draw().unwrap();
+        pixels(&canvas)
+    };
+    view.set_projections(&[], &[], &[], &[], &[]).unwrap();
+    view.draw().unwrap();
+    let bare = pixels(&canvas);
+    let lying = differing(&bare, &show(&mut view, 0.0));
+    let clear = differing(&bare, &show(&mut view, 0.4));
+    // Lines alone, and then most of a quarter of the tent.
+    assert!(lying > 50 && clear > 3 * lying, "{lying} {clear}");
+}

@@ -17,6 +17,8 @@
  * @property {[number, number, number]} weights shape, close, smooth
  * @property {import("./experiment/offer.js").Experiment | null} experiment that compares ways to solve it
  * @property {Suggestion[]} suggestions what there is to look at
+ * @property {import("./messages.js").LessonWords["goals"]} [goals] what a student is to reach, where it is a lesson
+ * @property {string} units of the mesh
  */
 
 /**

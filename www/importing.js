@@ -8,8 +8,6 @@ import { byId, element, leave, setText } from './dom.js';
 import { groupDigits } from './format.js';
 import { messageOf } from './messages.js';
 
-/** Up to so many faces an iteration takes no longer than a tenth of a second on most computers. */
-const MOST_FACES = 50_000;
 const MB = 1_000_000;
 const [LF, CR, SPACE, TAB, F] = [10, 13, 32, 9, 102];
 
@@ -30,6 +28,9 @@ export async function openLarge(chosen, { store, solver, alerts, open }) {
   const all = chosen.reduce((sum, { size }) => sum + size, 0);
   const card = new Card(names);
   const count = new FaceCount();
+  // The solver measures it, where it has not yet, while the file is read.
+  const limit = solver.request({ type: 'mostFaces' });
+  limit.catch(() => {});
   store.set({ status: `Reading ${names} …` });
   try {
     /** @type {import("./messages.js").NamedBytes[]} */
@@ -43,9 +44,10 @@ export async function openLarge(chosen, { store, solver, alerts, open }) {
       });
       files.push({ name: file.name, bytes });
     }
-    if (count.faces > MOST_FACES) {
+    const most = await card.unlessCancelled(limit);
+    if (count.faces > most) {
       const size = groupDigits(count.faces);
-      const question = `${names} has ${size} faces. Shape-Up stays interactive up to about ${groupDigits(MOST_FACES)} on most computers.`;
+      const question = `${names} has ${size} faces. Shape-Up stays interactive up to about ${groupDigits(most)} on this computer.`;
       store.set({ status: `${names}: ${size} faces` });
       await card.ask(question, 'Load anyway');
     }
@@ -154,16 +156,30 @@ class Card {
   async ask(question, yes) {
     setText(this.#text, question);
     this.#bar.hidden = true;
-    await new Promise((done, stop) => {
+    const answer = new Promise((done) => {
       const button = this.#button(yes, () => done(undefined));
       // Whoever hears the button hears the question.
       button.setAttribute('aria-describedby', this.#text.id);
       this.#buttons.prepend(button);
       button.focus();
-      this.cancelled.addEventListener('abort', () => stop(new Cancelled()));
     });
+    await this.unlessCancelled(answer);
     this.#buttons.firstElementChild?.remove();
     this.#bar.hidden = false;
+  }
+
+  /**
+   * What is waited for, unless it is cancelled first.
+   * @template T
+   * @param {Promise<T>} promise
+   * @returns {Promise<T>}
+   */
+  unlessCancelled(promise) {
+    const stopped = new Promise((_, stop) => {
+      if (this.cancelled.aborted) stop(new Cancelled());
+      this.cancelled.addEventListener('abort', () => stop(new Cancelled()));
+    });
+    return Promise.race([promise, stopped]);
   }
 
   remove() {

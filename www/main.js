@@ -46,7 +46,7 @@ import { splitInto, toggleSplit } from './split.js';
 import { recentMenu } from './recent-menu.js';
 import { createStore } from './state.js';
 import { followTheme } from './theme.js';
-import { frameChips } from './units.js';
+import { askForFrames } from './units.js';
 import { bindViewMenu } from './view-commands.js';
 import { bindViewKeys } from './view-keys.js';
 import { Viewport } from './viewport.js';
@@ -155,7 +155,7 @@ viewport.addEventListener('none', (event) => {
 
 Object.assign(window, { shapeUp: scriptApi(store, solver, viewport, files) });
 
-frameChips(byId('frame-chips'), store, actions, files);
+askForFrames(byId('frame-chips'), store, actions, files);
 const keeping = new Keeping(store, solver, files, alerts);
 recentMenu(byId('recent-button'), byId('recent'), keeping, alerts);
 keeping.begin().catch((error) => alerts.error(messageOf(error)));

@@ -257,8 +257,10 @@
  *   adding one of each kind at each of some places would make. `select`: what is selected then.
  * - `worst`: the worst faces by a measure, or the worst constraints of a row. `flawed`: the elements
  *   with a flaw of a {@link Problem}, or `zero-size-faces`. `results`: what a student hands in.
- * - `faceValues`: of a measure, of the current shape or the original. `originalPositions`: where the
- *   vertices of the original are. `angles`: of the corners of the faces.
+ * - `mostFaces`: of a mesh that this machine works with at once.
+ * - `faceValues`: of a measure, of the current shape or the original. `cornerValues`: those of the
+ *   vertices, where they have any. `originalPositions`: where the vertices of the original are. `angles`:
+ *   of the corners of the faces.
  * - `parametrize`: ends a run. Refused where there is no face, or no area.
  * - `scene`, `obj`, `table`: the texts of the files; an `obj` with `uv` (`#V by 2`) has them as texture
  *   coordinates; a `table` has the errors of the faces, the energies of the iterations, or the angles of the
@@ -272,6 +274,7 @@
  *   | { type: "step" }
  *   | { type: "halfStep" }
  *   | { type: "faceValues", measure: Measure, original: boolean }
+ *   | { type: "cornerValues", measure: Measure }
  *   | { type: "originalPositions" }
  *   | { type: "angles" }
  *   | { type: "members", constraint: number }
@@ -280,6 +283,7 @@
  *   | { type: "select", request: SelectRequest }
  *   | { type: "worst", measure: Measure | null, row: number | null, count: number }
  *   | { type: "flawed", flaw: string }
+ *   | { type: "mostFaces" }
  *   | { type: "results", student: string, time: string }
  *   | { type: "scene" }
  *   | { type: "parametrize", weights: MapWeights, norm: MapNorm }
@@ -299,6 +303,7 @@
  * @property {boolean} step whether it has converged
  * @property {Half} halfStep
  * @property {Float32Array} faceValues `#F`; not a number where a face has none
+ * @property {Float32Array | undefined} cornerValues `#V`
  * @property {Float64Array} originalPositions `#V by 3`
  * @property {{ original: number[], now: number[] }} angles corners in bins of equal width from 0 to 180 degrees
  * @property {{ faces: Uint32Array, vertices: Uint32Array }} members
@@ -307,6 +312,7 @@
  * @property {Record<PickMode, Uint32Array>} select
  * @property {WorstElement[]} worst
  * @property {Record<PickMode, Uint32Array>} flawed
+ * @property {number} mostFaces
  * @property {string} results
  * @property {Parametrization} parametrize
  * @property {string} scene

@@ -36,12 +36,10 @@ export async function pictureOf(viewport, state, { scale, legend, white }) {
   });
   if (!drawn) throw new Error('The picture could not be drawn: try a smaller one.');
   if (legend && state.model?.faces) {
-    // Two pictures side by side are coloured gradually, whatever the one is.
-    const stops = viewport.rampStops(!state.split);
-    for (const [from, shown] of legendsOf(state)) {
+    legendsOf(state).forEach(([from, shown], i) => {
       context.setTransform(size.scale, 0, 0, size.scale, from * size.width, 0);
-      drawLegend(context, shown, stops, size, white);
-    }
+      drawLegend(context, shown, viewport.rampStops(state.split ? i : undefined), size, white);
+    });
   }
   drawLabels(context, viewport.labels(), size.scale, state.dark && !white);
   const blob = await new Promise((done) => canvas.toBlob(done, 'image/png'));

@@ -99,10 +99,10 @@ export class Seeing {
 
   /** What tells of the scale: the squares of the ground, in parallel projection a bar. */
   #scaleNow() {
-    const { document, flatMap, split, parallel } = this.#store.get();
+    const { document, flatMap, parallel } = this.#store.get();
     const { view } = this.#viewport;
     if (!view || !document || flatMap) return { text: '', pixels: 0 };
-    const step = split ? undefined : view.gridStep();
+    const step = view.gridStep();
     if (!parallel) {
       const text = step === undefined ? '' : `Grid ${roundLength(step, document.units)}`;
       return { text, pixels: 0 };

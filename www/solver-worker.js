@@ -8,7 +8,7 @@ import init, { Solver } from './pkg/solver/shape_up.js';
 import { cancelExperiment, experimentCsv, runExperiment } from './experiment/worker-part.js';
 import { SLICE_MS, messageOf } from './messages.js';
 import { companionOf, mainOf } from './opened-files.js';
-import { disturb, warmUpWhenQuiet } from './warm-up.js';
+import { disturb, mostFaces, warmUpWhenQuiet } from './warm-up.js';
 import { fetchModule } from './worker-loading.js';
 
 /** @typedef {import("./messages.js").ToWorker} ToWorker */
@@ -159,6 +159,8 @@ function answer(message) {
     case 'faceValues':
       if (message.original) return live().originalValues(message.measure);
       return live().faceValues(message.measure);
+    case 'cornerValues':
+      return live().cornerValues(message.measure);
     case 'originalPositions':
       return live().originalPositions();
     case 'angles':
@@ -175,6 +177,8 @@ function answer(message) {
         : live().worstConstraints(message.row ?? 0, message.count);
     case 'flawed':
       return live().flawed(message.flaw);
+    case 'mostFaces':
+      return mostFaces();
     case 'results':
       return live().results(message.student, message.time);
     case 'select':

@@ -5,13 +5,14 @@
 
 import { element, setText } from './dom.js';
 import { groupDigits } from './format.js';
-import { declared, valueInWords } from './measures.js';
+import { declared, unitOf, valueInWords } from './measures.js';
 import { drawOutline, outline } from './outline.js';
 import { BINS, countsOf, greatestOf } from './spread.js';
 
 /** @typedef {import("./split.js").Choice} Choice */
 
 export class SplitLegend {
+  #side;
   #store;
   #viewport;
   #measure;
@@ -20,17 +21,20 @@ export class SplitLegend {
   #before = outline();
   #histogram = element('div', { class: 'histogram', role: 'img' }, ...this.#bars, this.#before);
   #ramp = element('div', { class: 'ramp' });
+  #steps = element('span', { class: 'quiet' });
   #top = element('span');
   #facts = element('p', { class: 'facts-line' });
   element;
 
   /**
    * @param {string} name of the side
+   * @param {number} side 0 left, 1 right
    * @param {import("./state.js").Store} store
    * @param {import("./viewport.js").Viewport} viewport
    * @param {(choice: Partial<Choice>) => void} choose
    */
-  constructor(name, store, viewport, choose) {
+  constructor(name, side, store, viewport, choose) {
+    this.#side = side;
     this.#store = store;
     this.#viewport = viewport;
     this.#measure = element('select', {
@@ -56,7 +60,7 @@ export class SplitLegend {
       element('div', { class: 'choices' }, this.#shape, this.#measure),
       this.#histogram,
       this.#ramp,
-      element('div', { class: 'ends figure' }, element('span', {}, '0'), this.#top),
+      element('div', { class: 'ends figure' }, element('span', {}, '0'), this.#steps, this.#top),
       this.#facts,
     );
   }
@@ -86,10 +90,12 @@ export class SplitLegend {
     });
     const before = side.original || !original ? null : countsOf(original, side.top);
     drawOutline(this.#before, before, Math.max(...(before ?? [])));
-    const stops = this.#viewport.with((view) => view.colourStops(BINS)) ?? [];
-    this.#ramp.style.background = `linear-gradient(to right, ${stops.join(', ')})`;
+    this.#ramp.style.background = this.#viewport.rampOf([0, 100], this.#side);
 
     const units = state.document?.units ?? '';
+    const step = this.#viewport.with((view) => view.bandStep(this.#side));
+    const written = unitOf(about, side.top, units);
+    setText(this.#steps, step ? `steps of ${Number((step * written.factor).toPrecision(3))}` : '');
     const words = (/** @type {number} */ value) => valueInWords(about, value, units);
     const { mean, faces } = meanOf(side.values);
     const worst = words(greatestOf(side.values));

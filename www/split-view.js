@@ -51,7 +51,7 @@ export class SplitView {
     this.#solver = solver;
     this.#alerts = alerts;
     this.#legends = ['Left', 'Right'].map(
-      (name, i) => new SplitLegend(name, store, viewport, (choice) => this.#choose(i, choice)),
+      (name, i) => new SplitLegend(name, i, store, viewport, (choice) => this.#choose(i, choice)),
     );
     const divider = splitDivider(store, () => this.#choices?.map((choice) => this.#words(choice)));
     this.#legends[1].element.firstElementChild?.append(
@@ -68,7 +68,7 @@ export class SplitView {
       ),
     );
     byId('legend').after(divider, ...this.#legends.map((legend) => legend.element));
-    store.subscribe(['split', 'measures', 'document', 'dark'], (state) => {
+    store.subscribe(['split', 'measures', 'document', 'dark', 'display'], (state) => {
       this.#legends.forEach((legend, i) => {
         const side = state.split?.sides[i];
         legend.show(side, this.#originalValues.get(side?.measure ?? ''));
@@ -77,6 +77,7 @@ export class SplitView {
     store.subscribe(['flatMap'], ({ flatMap }) => {
       if (flatMap) store.set({ split: null });
     });
+    store.subscribe(['display'], () => this.#update());
     solver.addEventListener('frame', () => this.#update());
     solver.addEventListener('model', () => {
       this.#choices = null;
@@ -146,7 +147,10 @@ export class SplitView {
     if (!choices) return;
     const wasOpen = this.#store.get().split !== null;
     this.#original ??= await this.#solver.request({ type: 'originalPositions' });
-    const values = await Promise.all(choices.map((choice) => this.#valuesOf(choice)));
+    const [values, corners] = await Promise.all([
+      Promise.all(choices.map((choice) => this.#valuesOf(choice))),
+      Promise.all(choices.map((choice) => this.#cornersOf(choice))),
+    ]);
     const { split, model: now } = this.#store.get();
     // Something else has been opened, or this was closed.
     if (now !== model || choices !== this.#choices || (wasOpen && !split)) return;
@@ -156,6 +160,7 @@ export class SplitView {
         ...choice,
         positions: choice.original ? (this.#original ?? undefined) : undefined,
         values: values[i],
+        corners: corners[i],
         top: this.#tops.get(choice.measure) ?? 1,
       };
       const before = split?.sides[i];
@@ -178,6 +183,17 @@ export class SplitView {
     const { geometry } = this.#solver;
     if (geometry?.measure === measure && geometry.values) return geometry.values;
     return this.#solver.request({ type: 'faceValues', measure, original: false });
+  }
+
+  /**
+   * What bands go through faces by. The original has not moved: there they are in one band.
+   * @param {Choice} choice
+   */
+  async #cornersOf({ measure, original }) {
+    if (original || !this.#store.get().display.bands) return undefined;
+    const { geometry } = this.#solver;
+    if (geometry?.measure === measure && geometry.corners) return geometry.corners;
+    return (await this.#solver.request({ type: 'cornerValues', measure })) ?? undefined;
   }
 
   /**

@@ -16,6 +16,7 @@ import { messageOf } from './messages.js';
  * @typedef {object} Shown what the view needs of a side
  * @property {Float64Array | undefined} positions of the original, where it is shown
  * @property {Float32Array | undefined} values of the faces
+ * @property {Float32Array | undefined} corners values of the vertices whose greatest those are, for bands
  * @property {number} top of the range of the colours, which begins at 0
  */
 
@@ -41,7 +42,9 @@ export function showSplit(view, { split }) {
   shown.set(view, split);
   if (before?.at !== split.at) view.setSplit(split.at);
   split.sides.forEach((side, i) => {
-    if (side !== before?.sides[i]) view.setSplitSide(i, side.positions, side.values, 0, side.top);
+    if (side === before?.sides[i]) return;
+    const { positions, values, corners, top } = side;
+    view.setSplitSide(i, positions, values, corners, 0, top);
   });
 }
 

@@ -3,7 +3,7 @@
  * not say them, and remembered by the name of the file. Coordinates never change by it.
  */
 
-import { element, icon } from './dom.js';
+import { element } from './dom.js';
 import { recall, remember } from './stored.js';
 
 /** @typedef {import("./state.js").Store} Store */
@@ -50,9 +50,9 @@ function rememberFrame(name, frame) {
  * Changes them, as one step of undo each.
  * @param {Store} store
  * @param {Actions} actions
+ * @returns {(part: Partial<Frame>) => Promise<void>}
  */
 function changes(store, actions) {
-  /** @param {Partial<Frame>} part */
   return async (part) => {
     const { model, document } = store.get();
     if (!model || !document) return;
@@ -101,80 +101,23 @@ export function frameFields(store, actions) {
 }
 
 /**
- * Asks after a file that does not say them, with what was guessed chosen already.
+ * Asks after a file that does not say them. What asks comes with the first such file.
  * @param {HTMLElement} place
  * @param {Store} store
  * @param {Actions} actions
  * @param {import("./files.js").Files} files
  */
-export function frameChips(place, store, actions, files) {
-  const change = changes(store, actions);
-  const close = () => place.replaceChildren();
-
-  files.addEventListener('opened', () => {
+export function askForFrames(place, store, actions, files) {
+  /** @type {Promise<import("./frame-question.js").FrameQuestion> | undefined} */
+  let question;
+  files.addEventListener('opened', async () => {
+    place.replaceChildren();
     const { model } = store.get();
-    close();
-    if (model && (model.guessed.units || model.guessed.up)) place.append(strip(model.name));
-  });
-  store.subscribe(['document'], ({ document }) => {
-    for (const chip of place.querySelectorAll('button[data-value]')) {
-      if (!(chip instanceof HTMLElement) || !document) continue;
-      const now = chip.dataset.part === 'up' ? document.up : document.units;
-      chip.setAttribute('aria-pressed', String(chip.dataset.value === now));
-    }
-  });
-
-  /** @param {string} name of the file */
-  function strip(name) {
-    return element(
-      'div',
-      { class: 'message notice frame-chips', role: 'group', 'aria-label': 'Unit and up axis' },
-      element('p', {}, `${name} does not say these. Guessed:`),
-      chips('Up', 'up', ['z', 'y']),
-      chips('Unit', 'units', UNITS),
-      element(
-        'button',
-        { type: 'button', class: 'small primary', onclick: () => accept() },
-        'That is right',
-      ),
-      element(
-        'button',
-        { type: 'button', class: 'tiny', 'aria-label': 'Dismiss', onclick: close },
-        icon('close'),
-      ),
+    if (!model?.guessed.units && !model?.guessed.up) return;
+    question ??= import('./frame-question.js').then(
+      ({ FrameQuestion }) => new FrameQuestion(place, store, UNITS, changes(store, actions)),
     );
-  }
-
-  async function accept() {
-    // Nothing changes, but it will not be asked again.
-    await change({});
-    close();
-  }
-
-  /**
-   * @param {string} label
-   * @param {"up" | "units"} part
-   * @param {string[]} values
-   */
-  function chips(label, part, values) {
-    const now = store.get().document?.[part];
-    return element(
-      'div',
-      { class: 'segmented', role: 'group', 'aria-label': label },
-      element('span', { class: 'quiet', 'aria-hidden': 'true' }, label),
-      ...values.map((value) =>
-        element(
-          'button',
-          {
-            type: 'button',
-            'data-part': part,
-            'data-value': value,
-            'aria-pressed': String(value === now),
-            onclick: () => change({ [part]: value }),
-          },
-          value || 'none',
-        ),
-      ),
-    );
-  }
+    const asks = await actions.told(question);
+    if (store.get().model === model) asks?.ask(model.name);
+  });
 }

@@ -18,8 +18,6 @@ import { showSplit } from './split.js';
  * @typedef {{ text: string, x: number, y: number, align: "center" | "right", bar: number }} Label
  */
 
-/** Colours of a gradual legend. */
-const GRADUAL_STOPS = 12;
 /** A view that is lost this often in a row is given up. */
 const ATTEMPTS = 3;
 const NONE = new Uint32Array(0);
@@ -109,13 +107,13 @@ export class Viewport extends EventTarget {
   /**
    * The colours of the range as a legend paints them, with their places in it from 0 to 1: gradual, or
    * in bands with hard limits.
-   * @param {boolean} [bands] false: gradual, also where the one picture is in bands
+   * @param {number} [side] of two pictures, 0 left or 1 right
    * @returns {[number, string][]}
    */
-  rampStops(bands = true) {
+  rampStops(side) {
     const stops = this.with((view) => {
-      const colours = bands ? view.rampColours() : view.colourStops(GRADUAL_STOPS);
-      const limits = bands ? view.bandLimits() : [];
+      const colours = view.rampColours(side);
+      const limits = view.bandLimits(side);
       const ends = [0, ...limits, 1];
       return colours.flatMap((colour, i) =>
         (limits.length > 0 ? [ends[i], ends[i + 1]] : [i / (colours.length - 1)]).map(
@@ -124,6 +122,18 @@ export class Viewport extends EventTarget {
       );
     });
     return stops ?? [];
+  }
+
+  /**
+   * The same as a CSS background.
+   * @param {[number, number]} ends of the range, in per cent of the width
+   * @param {number} [side]
+   */
+  rampOf([from, to], side) {
+    const spaced = this.rampStops(side).map(
+      ([at, colour]) => `${colour} ${from + (to - from) * at}%`,
+    );
+    return `linear-gradient(to right, ${spaced.join(', ')})`;
   }
 
   /**

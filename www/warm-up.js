@@ -1,6 +1,6 @@
 /**
- * Lets the solver's functions run for a while before somebody waits for them: see
- * `src/web/warm_up.rs`. In slices, when the worker has nothing else to do.
+ * Lets the solver's functions run for a while before somebody waits for them, and tells from it what
+ * the machine can do: see `src/web/warm_up.rs`. In slices, when the worker has nothing else to do.
  */
 
 import { WarmUp } from './pkg/solver/shape_up.js';
@@ -9,6 +9,8 @@ import { WarmUp } from './pkg/solver/shape_up.js';
 const QUIET_MS = 400;
 
 let begun = false;
+/** @type {number | undefined} */
+let most;
 let quietSince = 0;
 
 /** Something was asked. */
@@ -29,7 +31,23 @@ export function warmUpWhenQuiet(isBusy) {
     if (isBusy()) work.free();
     else if (quiet < QUIET_MS) setTimeout(goOn, QUIET_MS - quiet);
     else if (work.goOn()) setTimeout(goOn);
-    else work.free();
+    else finish(work);
   };
   goOn();
+}
+
+/** The most faces of a mesh that this machine works with at once; measured now where it is not known. */
+export function mostFaces() {
+  if (most === undefined) {
+    const work = new WarmUp();
+    while (work.goOn());
+    finish(work);
+  }
+  return most;
+}
+
+/** @param {WarmUp} work all of it done */
+function finish(work) {
+  most = work.mostFaces();
+  work.free();
 }

@@ -17,6 +17,7 @@
 //! | `inspect` | what hosts show of a session: members of constraints |
 //! | `lesson` | the goals of a lesson, and the results that are handed in |
 //! | `opening` | opening a scene in the place of another |
+//! | `pace` | how large a mesh can be that is still worked with at once |
 //! | `preview` | what adding constraints would make |
 //! | `projected` | the projections of the constraints, to be drawn |
 //! | `report` | the report of design section 6 |
@@ -38,6 +39,7 @@ mod holding;
 mod inspect;
 mod lesson;
 mod opening;
+mod pace;
 mod preview;
 mod projected;
 mod report;
@@ -55,6 +57,7 @@ pub use face_measure::{FACE_MEASURES, FaceMeasure, MeasureUnit, Shape};
 pub use flaws::{ZERO_SIZE_FACES, flaw_of};
 pub use halves::{Fits, Half};
 pub use lesson::{GoalWords, check_results, goals_in_words};
+pub use pace::most_faces;
 pub use preview::Preview;
 pub use projected::Projections;
 pub use report::{EnergyReport, Report, Seconds, TraceEntry};
@@ -244,6 +247,11 @@ impl Session {
         made
     }
 
+    /// Whether a drag has begun and not ended; an edit ends it.
+    pub fn is_dragging(&self) -> bool {
+        self.gesture.as_ref().is_some_and(|gesture| gesture.kind == GestureKind::Drag)
+    }
+
     /// Moves the targets of handles.
     pub fn drag(&mut self, targets: impl IntoIterator<Item = (u32, Point)>) {
         self.solver.move_handles(targets);
@@ -260,8 +268,14 @@ impl Session {
             self.go_to(gesture.before).expect("the state was solvable before");
         } else if before.len() != now.len() {
             self.history.push("Make and move handle".to_owned(), gesture.before);
-        } else if before != now {
-            self.history.push("Move handle".to_owned(), gesture.before);
+        } else {
+            let moved = before.iter().zip(now).filter(|(before, now)| before != now).count();
+            let name = match moved {
+                0 => return,
+                1 => "Move handle".to_owned(),
+                _ => format!("Move {moved} handles"),
+            };
+            self.history.push(name, gesture.before);
         }
     }
 

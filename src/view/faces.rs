@@ -1,4 +1,4 @@
-//! Draws the faces: `shaders/faces.wgsl`.
+//! Draws the faces, and those of the ghost as a veil: `shaders/faces.wgsl`.
 
 use super::pipeline::{Layer, Recipe, VertexBuffer, build};
 use super::shaders::FACES;
@@ -10,7 +10,8 @@ const CORNER: [wgpu::VertexAttribute; 1] = wgpu::vertex_attr_array![0 => Uint32x
 /// The faces' triangles.
 #[derive(Debug)]
 pub struct Faces {
-    pipeline: wgpu::RenderPipeline,
+    surface: wgpu::RenderPipeline,
+    veil: wgpu::RenderPipeline,
     /// Per corner its vertex and its face.
     corners: VertexBuffer,
 }
@@ -18,18 +19,24 @@ pub struct Faces {
 impl Faces {
     /// Nothing to draw yet.
     pub fn new(device: &wgpu::Device, store: &Store, format: wgpu::TextureFormat) -> Faces {
-        let recipe = Recipe {
-            label: "faces",
-            source: &FACES.concat(),
-            vertex: "corner_of_face",
-            fragment: "lit",
-            attributes: &CORNER,
-            stride: 8,
-            step: wgpu::VertexStepMode::Vertex,
-            layer: Layer::Surface,
+        let pipeline = |vertex: &str, fragment: &str, layer: Layer| {
+            let recipe = Recipe {
+                label: "faces",
+                source: &FACES.concat(),
+                vertex,
+                fragment,
+                attributes: &CORNER,
+                stride: 8,
+                step: wgpu::VertexStepMode::Vertex,
+                layer,
+            };
+            build(device, store, format, &recipe)
         };
-        let pipeline = build(device, store, format, &recipe);
-        Faces { pipeline, corners: VertexBuffer::new(device) }
+        Faces {
+            surface: pipeline("corner_of_face", "lit", Layer::Surface),
+            veil: pipeline("corner_of_veil", "veil", Layer::Veil),
+            corners: VertexBuffer::new(device),
+        }
     }
 
     /// Takes the triangles of a mesh.
@@ -45,8 +52,17 @@ impl Faces {
 
     /// Draws them.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
+        self.draw_with(pass, &self.surface);
+    }
+
+    /// Draws them where the points of the ghost are, whose group is bound.
+    pub fn draw_veil(&self, pass: &mut wgpu::RenderPass<'_>) {
+        self.draw_with(pass, &self.veil);
+    }
+
+    fn draw_with(&self, pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline) {
         if self.corners.count() > 0 {
-            pass.set_pipeline(&self.pipeline);
+            pass.set_pipeline(pipeline);
             pass.set_vertex_buffer(0, self.corners.slice());
             pass.draw(0..self.corners.count(), 0..1);
         }

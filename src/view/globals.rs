@@ -6,7 +6,7 @@ use super::stage::Stage;
 use glam::{Vec3, Vec4};
 
 /// How many numbers there are.
-pub const NUMBERS: usize = 16 + 4 * (5 + 1 + 6 + 2) + 8 + 8 * LINE_KINDS + 12 * DOT_KINDS;
+pub const NUMBERS: usize = 16 + 4 * (5 + 1 + 7 + 2) + 8 + 8 * LINE_KINDS + 12 * DOT_KINDS;
 
 /// The numbers for a canvas of `width` by `height` pixels.
 pub fn numbers(stage: &Stage, width: u32, height: u32) -> Vec<f32> {
@@ -31,6 +31,7 @@ pub fn numbers(stage: &Stage, width: u32, height: u32) -> Vec<f32> {
     }
     numbers.extend([r, g, b, TINT_STRENGTH]);
     numbers.extend(palette.sphere);
+    numbers.extend(palette.ghost);
     numbers.extend(palette.check);
     let [begins, ends] = stage.looks.corner_steps().unwrap_or_default();
     numbers.extend([stage.checks.per_length, begins, ends, 0.0]);

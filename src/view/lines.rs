@@ -22,7 +22,6 @@ pub struct Lines {
     pulls: VertexBuffer,
     selected: VertexBuffer,
     flipped: VertexBuffer,
-    bands: VertexBuffer,
     /// Where two faces of the mesh meet.
     seams: Vec<Seam>,
 }
@@ -51,7 +50,6 @@ impl Lines {
             pulls: VertexBuffer::new(device),
             selected: VertexBuffer::new(device),
             flipped: VertexBuffer::new(device),
-            bands: VertexBuffer::new(device),
             seams: Vec::new(),
         }
     }
@@ -68,17 +66,15 @@ impl Lines {
         self.seams = seams(&subject.faces);
     }
 
-    /// Takes the edges between faces in different bands.
-    pub fn update_bands(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, stage: &Stage) {
+    /// The edges between faces whose values are in different bands, as [`Lines::draw_others`] takes them.
+    pub fn between_bands(&self, stage: &Stage) -> Vec<[u32; 3]> {
         let looks = &stage.looks;
         let seams = self.seams.iter().filter(|_| looks.bands().is_some());
         let parting = seams.filter(|seam| {
             let [a, b] = seam.faces.map(|face| looks.band_of(face));
             a.is_some() && b.is_some() && a != b
         });
-        let lines: Vec<[u32; 3]> =
-            parting.map(|seam| line(seam.ends[0], seam.ends[1], LineKind::Band)).collect();
-        self.bands.write(device, queue, &lines);
+        parting.map(|seam| line(seam.ends[0], seam.ends[1], LineKind::Band)).collect()
     }
 
     /// Takes the selected edges and the measuring tape.
@@ -119,18 +115,13 @@ impl Lines {
         draw(pass, &self.in_front, &self.curves);
     }
 
-    /// Draws what parts the bands of values.
-    pub fn draw_bands(&self, pass: &mut wgpu::RenderPass<'_>) {
-        draw(pass, &self.in_front, &self.bands);
-    }
-
     /// Draws the outlines of the faces that the flat map turns over.
     pub fn draw_flipped(&self, pass: &mut wgpu::RenderPass<'_>) {
         draw(pass, &self.in_front, &self.flipped);
     }
 
-    /// Draws lines between other points: those in sight, and the first `through` of them dim where
-    /// the surface hides them.
+    /// Draws other lines: those in sight, and the first `through` of them dim where the surface hides
+    /// them.
     pub fn draw_others(&self, pass: &mut wgpu::RenderPass<'_>, lines: &VertexBuffer, through: u32) {
         if through > 0 {
             pass.set_pipeline(&self.behind);

@@ -82,6 +82,11 @@ impl Looks {
         self.part();
     }
 
+    /// Whether values are to be shown in bands.
+    pub fn is_in_bands(&self) -> bool {
+        self.in_bands
+    }
+
     /// Tells the values of the vertices (#V) whose greatest those of the faces are; bands go through
     /// the faces then.
     ///

@@ -41,6 +41,8 @@ pub mod looks;
 pub mod loss;
 pub mod normals;
 pub mod palette;
+#[cfg(target_arch = "wasm32")]
+pub mod pane;
 pub mod picking;
 #[cfg(target_arch = "wasm32")]
 pub mod picture;
@@ -49,6 +51,7 @@ pub mod pipeline;
 #[cfg(target_arch = "wasm32")]
 pub mod points;
 pub mod polygon_edges;
+pub mod projected_faces;
 #[cfg(target_arch = "wasm32")]
 pub mod projection_lines;
 pub mod projections;

@@ -119,6 +119,8 @@ pub struct Palette {
     pub circle: Stroke,
     /// Fitted spheres.
     pub sphere: Colour,
+    /// The surface of the ghost; the opacity is that of a face seen face on.
+    pub ghost: Colour,
     /// Arrows of the gizmo along x, y, z, and squares across them.
     pub axes: [Colour; 3],
     /// What parts the gizmo from whatever is below.
@@ -164,7 +166,7 @@ pub const LIGHT: Palette = Palette {
         stroke([0.13, 0.16, 0.21, 1.0], 1.9),
         stroke([0.10, 0.12, 0.16, 1.0], 2.4),
         stroke([0.13, 0.40, 0.93, 0.9], 1.5),
-        cased(1.4),
+        cased(1.7),
         cased(1.5),
         stroke(ORANGE, 3.4),
         seen_through(0.26, [0.00, 0.50, 0.50, 0.80], 1.2),
@@ -190,6 +192,7 @@ pub const LIGHT: Palette = Palette {
     ],
     circle: stroke([0.84, 0.16, 0.20, 0.95], 1.3),
     sphere: [0.84, 0.16, 0.20, 1.0],
+    ghost: [0.00, 0.50, 0.50, 0.13],
     axes: [[0.82, 0.14, 0.18, 1.0], [0.10, 0.52, 0.16, 1.0], [0.14, 0.30, 0.86, 1.0]],
     axis_casing: [1.0, 1.0, 1.0, 0.85],
 };
@@ -206,7 +209,7 @@ pub const DARK: Palette = Palette {
         stroke([0.80, 0.83, 0.88, 1.0], 1.7),
         stroke([0.90, 0.92, 0.95, 1.0], 2.4),
         stroke([0.45, 0.65, 1.0, 0.95], 1.5),
-        cased(1.4),
+        cased(1.7),
         cased(1.5),
         stroke([1.0, 0.60, 0.15, 1.0], 3.4),
         seen_through(0.26, [0.38, 0.86, 0.82, 0.72], 1.2),
@@ -232,6 +235,7 @@ pub const DARK: Palette = Palette {
     ],
     circle: stroke([1.0, 0.40, 0.38, 0.95], 1.3),
     sphere: [1.0, 0.40, 0.38, 1.0],
+    ghost: [0.38, 0.86, 0.82, 0.13],
     axes: [[1.0, 0.42, 0.42, 1.0], [0.45, 0.86, 0.42, 1.0], [0.48, 0.68, 1.0, 1.0]],
     axis_casing: [0.05, 0.06, 0.08, 0.80],
 };

@@ -7,13 +7,13 @@ use super::faces::Faces;
 use super::flat_map::Region;
 use super::gizmo_marks::GizmoMarks;
 use super::lines::Lines;
+use super::pane::Pane;
 use super::points::Points;
 use super::projection_lines::ProjectionLines;
 use super::spheres::Spheres;
 use super::split::Split;
 use super::stage::{Changes, Stage};
 use super::store::Store;
-use super::surrounding_lines::SurroundingLines;
 use glam::Vec2;
 
 /// All GPU objects of a view.
@@ -21,18 +21,18 @@ use glam::Vec2;
 pub struct Picture {
     /// Device and canvas.
     pub device: Device,
-    store: Store,
+    /// Of the stage itself.
+    whole: Pane,
     /// Of the stage of the flat map.
     map_store: Store,
     /// Of the two sides of a split picture.
-    side_stores: Option<[Store; 2]>,
+    sides: Option<[Pane; 2]>,
     faces: Faces,
     lines: Lines,
     projections: ProjectionLines,
     points: Points,
     circles: Circles,
     spheres: Spheres,
-    around: SurroundingLines,
     gizmo: GizmoMarks,
 }
 
@@ -41,7 +41,6 @@ impl Picture {
     pub fn new(device: Device) -> Picture {
         let (gpu, format) = (&device.device, device.format());
         let store = Store::new(gpu, &device.queue);
-        let map_store = store.beside(gpu, &device.queue);
         Picture {
             faces: Faces::new(gpu, &store, format),
             lines: Lines::new(gpu, &store, format),
@@ -49,11 +48,10 @@ impl Picture {
             points: Points::new(gpu, &store, format),
             circles: Circles::new(gpu, &store, format),
             spheres: Spheres::new(gpu, &store, format),
-            around: SurroundingLines::new(gpu, &device.queue, &store),
             gizmo: GizmoMarks::new(gpu, &store, format),
-            store,
-            map_store,
-            side_stores: None,
+            whole: Pane::new(gpu, &device.queue, &store),
+            map_store: store.beside(gpu, &device.queue),
+            sides: None,
             device,
         }
     }
@@ -100,17 +98,16 @@ impl Picture {
         if let Some([part, _]) = parts {
             confine(&mut pass, part);
         }
-        match (sides, &self.side_stores) {
-            (Some(sides), Some(stores)) => {
-                for ((part, is_original), store) in sides.into_iter().zip(stores) {
+        match (sides, &self.sides) {
+            (Some(sides), Some(panes)) => {
+                for ((part, is_original), pane) in sides.into_iter().zip(panes) {
                     let [left, top, width, height] = part;
                     pass.set_scissor_rect(left, top, width, height);
-                    let shown = if is_original { Shown::Original } else { Shown::Current };
-                    self.draw_model(&mut pass, store, stage, shown);
+                    self.draw_model(&mut pass, pane, stage, is_original);
                 }
                 pass.set_scissor_rect(0, 0, canvas.0, canvas.1);
             }
-            _ => self.draw_model(&mut pass, &self.store, stage, Shown::Alone),
+            _ => self.draw_model(&mut pass, &self.whole, stage, false),
         }
         if let Some([_, part]) = parts {
             confine(&mut pass, part);
@@ -126,27 +123,17 @@ impl Picture {
         Ok(true)
     }
 
-    /// Everything that is drawn of the model, with the tables of `store`. Of the original there is only
-    /// the mesh: handles, projections and fitted shapes are those of the current shape. Beside another
-    /// picture there are no ghost, no ground and no lines between bands: values are not in bands there.
+    /// Everything that is drawn of the model, as `pane` has it. Of the original there is only the mesh
+    /// and what is about it: handles, projections and fitted shapes are those of the current shape.
     fn draw_model(
         &self,
         pass: &mut wgpu::RenderPass<'_>,
-        store: &Store,
+        pane: &Pane,
         stage: &Stage,
-        shown: Shown,
+        is_original: bool,
     ) {
-        let is_original = shown == Shown::Original;
-        pass.set_bind_group(0, store.group(), &[]);
         let display = stage.display;
-        self.faces.draw(pass);
-        if shown == Shown::Alone {
-            self.around.draw(pass, &self.lines, store);
-        }
-        self.lines.draw(pass, display.edges);
-        if shown == Shown::Alone {
-            self.lines.draw_bands(pass);
-        }
+        pane.draw(pass, &self.faces, &self.lines, display.edges);
         if display.shapes && !is_original {
             self.spheres.draw(pass);
             self.circles.draw(pass, stage.circle_pieces());
@@ -174,11 +161,11 @@ impl Picture {
         ratio: f32,
     ) -> [([u32; 4], bool); 2] {
         let (device, queue) = (&self.device.device, &self.device.queue);
-        let stores = self
-            .side_stores
-            .get_or_insert_with(|| [(); 2].map(|()| self.store.beside(device, queue)));
-        for (side, store) in split.sides.iter_mut().zip(stores) {
-            store.update(device, queue, &side.stage, canvas);
+        let like = &self.map_store;
+        let panes =
+            self.sides.get_or_insert_with(|| [(); 2].map(|()| Pane::new(device, queue, like)));
+        for (side, pane) in split.sides.iter_mut().zip(panes) {
+            pane.update((device, queue), &mut side.stage, &self.lines, canvas);
             side.stage.changes = Changes::default();
         }
         let css = Vec2::new(canvas.0 as f32, canvas.1 as f32) / ratio;
@@ -189,17 +176,13 @@ impl Picture {
     fn update(&mut self, stage: &mut Stage, size: (u32, u32)) {
         let (device, queue) = (&self.device.device, &self.device.queue);
         let changes = stage.changes;
-        self.store.update(device, queue, stage, size);
-        self.around.update(device, queue, stage, size);
         self.gizmo.update(device, queue, stage);
         if changes.mesh {
             self.faces.update(device, queue, &stage.subject);
             self.lines.update_mesh(device, queue, &stage.subject);
             self.points.update_mesh(device, queue, stage);
         }
-        if changes.mesh || changes.looks {
-            self.lines.update_bands(device, queue, stage);
-        }
+        self.whole.update((device, queue), stage, &self.lines, size);
         if changes.mesh || changes.marks {
             self.lines.update_marks(device, queue, stage);
             self.lines.update_handles(device, queue, stage);
@@ -214,17 +197,6 @@ impl Picture {
             self.spheres.update(device, queue, &stage.shapes);
         }
     }
-}
-
-/// What a picture of the model shows.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Shown {
-    /// The current shape, and nothing beside it.
-    Alone,
-    /// The current shape on one side of a split picture.
-    Current,
-    /// The original there.
-    Original,
 }
 
 /// A part of the canvas in pixels: left, top, width, height, all of it on the canvas.

@@ -13,6 +13,9 @@ pub enum Layer {
     /// Opaque, and pushed back a little so that lines on it are seen. WebGPU allows such a bias on
     /// triangles only.
     Surface,
+    /// Blended, where nothing is in front, and pushed back more than a surface: where both are in the
+    /// same place, the surface is seen and nothing flickers.
+    Veil,
     /// Blended, where nothing is in front.
     InFront,
     /// Blended, where something is in front.
@@ -22,7 +25,7 @@ pub enum Layer {
 }
 
 /// What a primitive's pipeline is made from.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Recipe<'a> {
     /// The primitive's name.
     pub label: &'a str,
@@ -59,9 +62,13 @@ pub fn build(
         immediate_size: 0,
     });
     let surface = recipe.layer == Layer::Surface;
-    let bias = wgpu::DepthBiasState { constant: 2, slope_scale: 1.5, clamp: 0.0 };
+    let bias = match recipe.layer {
+        Layer::Surface => wgpu::DepthBiasState { constant: 2, slope_scale: 1.5, clamp: 0.0 },
+        Layer::Veil => wgpu::DepthBiasState { constant: 8, slope_scale: 3.0, clamp: 0.0 },
+        Layer::InFront | Layer::Behind | Layer::Over => wgpu::DepthBiasState::default(),
+    };
     let compare = match recipe.layer {
-        Layer::Surface | Layer::InFront => wgpu::CompareFunction::LessEqual,
+        Layer::Surface | Layer::Veil | Layer::InFront => wgpu::CompareFunction::LessEqual,
         Layer::Behind => wgpu::CompareFunction::Greater,
         Layer::Over => wgpu::CompareFunction::Always,
     };
@@ -84,7 +91,7 @@ pub fn build(
             depth_write_enabled: Some(surface),
             depth_compare: Some(compare),
             stencil: wgpu::StencilState::default(),
-            bias: if surface { bias } else { wgpu::DepthBiasState::default() },
+            bias,
         }),
         multisample: wgpu::MultisampleState { count: SAMPLES, ..Default::default() },
         fragment: Some(wgpu::FragmentState {

@@ -1,18 +1,35 @@
-//! Draws the outlines of projected shapes and the arrows to projected points:
+//! Draws projected shapes, as outlines with a faint inside, and the arrows to projected points:
 //! `shaders/projections.wgsl`.
 
 use super::palette::LineKind;
 use super::pipeline::{Layer, Recipe, VertexBuffer, build};
+use super::projected_faces::ProjectedFaces;
 use super::shaders::PROJECTIONS;
 use super::stage::{Display, Stage};
 use super::store::Store;
+use glam::Vec3;
 
 const LINE: [wgpu::VertexAttribute; 2] = wgpu::vertex_attr_array![0 => Uint32x2, 1 => Uint32x2];
+const CORNER: [wgpu::VertexAttribute; 2] = wgpu::vertex_attr_array![0 => Uint32x2, 1 => Float32];
+
+/// A corner of the inside of a projected shape.
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+#[repr(C)]
+struct Corner {
+    point: u32,
+    /// Of its colour.
+    place: u32,
+    /// How far beside the surface it may lie.
+    beside: f32,
+}
 
 /// Lines between vertices and projected points, which are entries of the table of positions.
 #[derive(Debug)]
 pub struct ProjectionLines {
-    pipeline: wgpu::RenderPipeline,
+    lines: wgpu::RenderPipeline,
+    insides: wgpu::RenderPipeline,
+    /// Three per triangle.
+    corners: VertexBuffer,
     /// Per line its two ends, its [`LineKind`], and the place of its colour.
     outlines: VertexBuffer,
     arrows: VertexBuffer,
@@ -25,7 +42,7 @@ impl ProjectionLines {
         store: &Store,
         format: wgpu::TextureFormat,
     ) -> ProjectionLines {
-        let recipe = Recipe {
+        let lines = Recipe {
             label: "projections",
             source: &PROJECTIONS.concat(),
             vertex: "corner_of_projection",
@@ -35,8 +52,18 @@ impl ProjectionLines {
             step: wgpu::VertexStepMode::Instance,
             layer: Layer::InFront,
         };
+        let insides = Recipe {
+            vertex: "corner_of_inside",
+            fragment: "inside",
+            attributes: &CORNER,
+            stride: 12,
+            step: wgpu::VertexStepMode::Vertex,
+            ..lines
+        };
         ProjectionLines {
-            pipeline: build(device, store, format, &recipe),
+            lines: build(device, store, format, &lines),
+            insides: build(device, store, format, &insides),
+            corners: VertexBuffer::new(device),
             outlines: VertexBuffer::new(device),
             arrows: VertexBuffer::new(device),
         }
@@ -55,6 +82,20 @@ impl ProjectionLines {
             })
             .collect();
         self.outlines.write(device, queue, &outlines);
+        let places: Vec<Vec3> = stage.projected().map(|point| point.truncate()).collect();
+        let faces = ProjectedFaces::new(&stage.projections, &places);
+        let corners: Vec<Corner> = faces
+            .triangles
+            .iter()
+            .zip(faces.beside)
+            .flat_map(|(triangle, beside)| {
+                triangle.map(|point| {
+                    let place = u32::from(points[point as usize].place);
+                    Corner { point: first + point, place, beside }
+                })
+            })
+            .collect();
+        self.corners.write(device, queue, &corners);
         let arrows: Vec<[u32; 4]> = points
             .iter()
             .zip(first..)
@@ -65,10 +106,15 @@ impl ProjectionLines {
 
     /// Draws what is switched on.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, display: Display) {
+        if display.outlines && self.corners.count() > 0 {
+            pass.set_pipeline(&self.insides);
+            pass.set_vertex_buffer(0, self.corners.slice());
+            pass.draw(0..self.corners.count(), 0..1);
+        }
         for (lines, wanted) in [(&self.outlines, display.outlines), (&self.arrows, display.arrows)]
         {
             if wanted && lines.count() > 0 {
-                pass.set_pipeline(&self.pipeline);
+                pass.set_pipeline(&self.lines);
                 pass.set_vertex_buffer(0, lines.slice());
                 pass.draw(0..6, 0..lines.count());
             }

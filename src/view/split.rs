@@ -30,6 +30,8 @@ pub struct Side {
 pub struct Colours {
     /// A value per face.
     pub values: Option<Vec<f32>>,
+    /// #V, what the values of the faces are the greatest of; nothing where they are not of vertices.
+    pub corners: Option<Vec<f32>>,
     /// What the first colour stands for.
     pub low: f32,
     /// What the last colour stands for.
@@ -42,11 +44,22 @@ impl Split {
         let side = || {
             let mut stage = Stage::default();
             stage.subject = model.subject.clone();
+            stage.around = model.around.clone();
+            stage.around.changed = true;
+            stage.looks.set_in_bands(model.looks.is_in_bands());
             Side { stage, is_original: false }
         };
         let mut split = Split { at: 0.0, sides: [side(), side()] };
         split.move_to(at);
         split
+    }
+
+    /// Shows the values of both sides in bands, or gradually.
+    pub fn set_in_bands(&mut self, in_bands: bool) {
+        for side in &mut self.sides {
+            side.stage.looks.set_in_bands(in_bands);
+            side.stage.changes.looks = true;
+        }
     }
 
     /// Moves the divider.
@@ -93,11 +106,12 @@ impl Side {
     /// Colours the faces.
     ///
     /// # Errors
-    /// Another number of values than faces.
+    /// Another number of values than faces, or of those of corners than vertices.
     pub fn colour(&mut self, colours: Colours) -> Result<(), ViewError> {
-        let (_, faces) = self.stage.counts();
-        let Colours { values, low, high } = colours;
+        let (vertices, faces) = self.stage.counts();
+        let Colours { values, corners, low, high } = colours;
         self.stage.looks.set_values(values, low, high, faces)?;
+        self.stage.looks.set_corners(corners, vertices)?;
         self.stage.changes.looks = true;
         Ok(())
     }
@@ -128,6 +142,9 @@ impl Side {
             self.stage.changes.looks = true;
         }
         let stage = &mut self.stage;
+        if model.around.changed {
+            stage.around.clone_from(&model.around);
+        }
         stage.camera.clone_from(&model.camera);
         (stage.display, stage.dark, stage.white) = (model.display, model.dark, model.white);
         stage.keep_reach();
@@ -189,12 +206,64 @@ mod tests {
     }
 
     #[test]
+    fn both_sides_are_in_bands_and_each_has_its_own() {
+        let mut model = model();
+        model.looks.set_in_bands(true);
+        let mut split = Split::new(&model, 0.5);
+        for (side, high) in split.sides.iter_mut().zip([1.0, 30.0]) {
+            let corners = Some(vec![0.0, 0.0, 0.0, high]);
+            let colours = Colours { values: Some(vec![high]), corners, low: 0.0, high };
+            side.colour(colours).unwrap();
+        }
+        let steps = |split: &Split| {
+            split.sides.each_ref().map(|side| side.stage.looks.bands().map(|bands| bands.step))
+        };
+        assert_eq!(steps(&split), [Some(0.2), Some(5.0)]);
+        // Isolines go through the faces, from the values of the vertices.
+        for side in &split.sides {
+            assert!(side.stage.looks.corner_steps().is_some());
+            assert!(side.stage.looks.corner_in_steps(3) > side.stage.looks.corner_in_steps(0));
+        }
+        split.set_in_bands(false);
+        assert_eq!(steps(&split), [None, None]);
+        let wrong = Colours { corners: Some(vec![0.0]), ..Colours::default() };
+        assert!(split.sides[0].colour(wrong).is_err());
+    }
+
+    #[test]
+    fn ghost_and_ground_are_about_both_sides_and_nothing_of_them_is_cut_off() {
+        let mut model = model();
+        let low: Vec<f64> = lifted().chunks(3).flat_map(|at| [at[0], at[1], -40.0]).collect();
+        model.set_surroundings(false, true);
+        let mut split = Split::new(&model, 0.5);
+        model.set_rest(&low).unwrap();
+        model.set_surroundings(true, true);
+        split.follow(&model);
+        let eye = model.camera.eye();
+        for side in &split.sides {
+            assert!(side.stage.around.changed);
+            assert!(side.stage.surrounding_points().eq(model.surrounding_points()));
+            assert_eq!(side.stage.surrounding_lines(), model.surrounding_lines());
+            let (near, far) = side.stage.depth_range();
+            for point in side.stage.surrounding_points() {
+                let (_, depth) = eye.project(point);
+                assert!(depth < far && (depth > near || depth < 0.0), "{near} {depth} {far}");
+            }
+        }
+        // A split picture that begins later has them at once.
+        let later = Split::new(&model, 0.5);
+        assert_eq!(later.sides[1].stage.around.grid_step(), model.around.grid_step());
+        assert!(later.sides[1].stage.around.changed);
+    }
+
+    #[test]
     fn each_side_has_colours_of_its_own() {
         let model = model();
         let mut split = Split::new(&model, 0.5);
         split.sides.iter_mut().for_each(|side| side.stage.changes = Default::default());
         assert!(!split.has_changes());
-        let colours = |value| Colours { values: Some(vec![value]), low: 0.0, high: 1.0 };
+        let colours =
+            |value| Colours { values: Some(vec![value]), corners: None, low: 0.0, high: 1.0 };
         split.sides[0].colour(colours(0.0)).unwrap();
         split.sides[1].colour(colours(1.0)).unwrap();
         assert!(split.has_changes());

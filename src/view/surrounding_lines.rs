@@ -1,5 +1,7 @@
-//! Draws the ghost and the ground: lines between points of their own, in the picture of the stage.
+//! Draws the ghost and the ground: lines between points of their own, in the picture of the stage, and
+//! the surface of the ghost.
 
+use super::faces::Faces;
 use super::lines::Lines;
 use super::palette::LineKind;
 use super::pipeline::VertexBuffer;
@@ -43,10 +45,20 @@ impl SurroundingLines {
         }
     }
 
-    /// Draws them; the group of the mesh is bound again then.
-    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, lines: &Lines, mesh: &Store) {
+    /// Draws them; `faces` are those of the mesh, whose group is bound again then. The points of the
+    /// ghost are numbered as its vertices are.
+    pub fn draw(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        faces: &Faces,
+        lines: &Lines,
+        mesh: &Store,
+    ) {
         if self.lines.count() > 0 {
             pass.set_bind_group(0, self.store.group(), &[]);
+            if self.ghosts > 0 {
+                faces.draw_veil(pass);
+            }
             lines.draw_others(pass, &self.lines, self.ghosts);
             pass.set_bind_group(0, mesh.group(), &[]);
         }

@@ -15,7 +15,8 @@ impl Solver {
             "start" => session.begin_drag(),
             _ => {}
         }
-        if phase != "cancel" {
+        // What was edited or undone meanwhile has ended it.
+        if phase != "cancel" && session.is_dragging() {
             let (targets, _) = targets.as_chunks::<3>();
             session.drag(vertices.iter().copied().zip(targets.iter().copied()));
         }

@@ -2,6 +2,7 @@
 
 use super::thrown;
 use super::view::View;
+use crate::view::bands::Bands;
 use crate::view::colour_map;
 use crate::view::flight::Flight;
 use crate::view::scale_bar::scale_bar;
@@ -86,6 +87,9 @@ impl View {
     pub fn set_bands(&mut self, in_bands: bool) {
         self.stage.looks.set_in_bands(in_bands);
         self.stage.changes.looks = true;
+        if let Some(split) = &mut self.split {
+            split.set_in_bands(in_bands);
+        }
     }
 
     /// Tells the values of the vertices, #V, whose greatest those of the faces are; null where they are
@@ -101,22 +105,28 @@ impl View {
         Ok(())
     }
 
-    /// From one limit of the bands to the next, in the unit of the values; nothing without bands.
+    /// From one limit of the bands to the next, in the unit of the values; nothing without bands. Of the
+    /// left (0) or right (1) of two pictures, if a side is given; so in what follows.
     #[wasm_bindgen(js_name = bandStep)]
-    pub fn band_step(&self) -> Option<f64> {
-        self.stage.looks.bands().map(|bands| bands.step)
+    pub fn band_step(&self, side: Option<usize>) -> Option<f64> {
+        self.bands(side).map(|bands| bands.step)
     }
 
     /// The limits of the bands, as parts of the range from 0 to 1; none without bands.
     #[wasm_bindgen(js_name = bandLimits)]
-    pub fn band_limits(&self) -> Vec<f64> {
-        self.stage.looks.bands().map_or_else(Vec::new, |bands| bands.limits.clone())
+    pub fn band_limits(&self, side: Option<usize>) -> Vec<f64> {
+        self.bands(side).map_or_else(Vec::new, |bands| bands.limits.clone())
     }
 
     /// CSS colours of what the range is painted with: one for each band, or evenly over the map.
     #[wasm_bindgen(js_name = rampColours)]
-    pub fn ramp_colours(&self) -> Vec<String> {
-        self.stage.looks.bands().map_or_else(|| colour_map::stops(STOPS), |bands| bands.colours())
+    pub fn ramp_colours(&self, side: Option<usize>) -> Vec<String> {
+        self.bands(side).map_or_else(|| colour_map::stops(STOPS), |bands| bands.colours())
+    }
+
+    fn bands(&self, side: Option<usize>) -> Option<&Bands> {
+        let split = side.and_then(|side| self.split.as_ref()?.sides.get(side));
+        split.map_or(&self.stage, |side| &side.stage).looks.bands()
     }
 
     /// Spans the measuring tape between two vertices; one is where it begins, none takes it away.

@@ -22,7 +22,8 @@ impl View {
     }
 
     /// What the left side (0) or the right side (1) shows: the shape `original` (#V by 3) or the shape
-    /// as it is, with its faces coloured by a value each (#F), from `low` to `high`.
+    /// as it is, with its faces coloured by a value each (#F), from `low` to `high`, and by those of the
+    /// vertices (#V) whose greatest they are, where they are such.
     ///
     /// # Errors
     /// Arrays that do not fit the mesh.
@@ -32,13 +33,14 @@ impl View {
         side: usize,
         original: Option<Vec<f64>>,
         values: Option<Vec<f32>>,
+        corners: Option<Vec<f32>>,
         low: f32,
         high: f32,
     ) -> Result<(), JsValue> {
         let sides = self.split.as_mut().map(|split| &mut split.sides[..]).unwrap_or_default();
         let Some(side) = sides.get_mut(side) else { return Ok(()) };
         side.show(original.as_deref(), &self.stage).map_err(thrown)?;
-        side.colour(Colours { values, low, high }).map_err(thrown)
+        side.colour(Colours { values, corners, low, high }).map_err(thrown)
     }
 
     /// Shows one picture again.

@@ -2,11 +2,11 @@
 //!
 //! V8 compiles a wasm function quickly at its first call, and well once it has run for a while: what it
 //! is called from then on is up to three times as fast. This lets it run for a while before somebody
-//! waits for it.
+//! waits for it, and takes the time: what the machine can do is known then.
 
 use crate::mesh::read;
 use crate::scene::Scene;
-use crate::session::Session;
+use crate::session::{Session, most_faces};
 use crate::solve::clock;
 use std::fmt::Write;
 use wasm_bindgen::prelude::*;
@@ -33,6 +33,8 @@ pub struct WarmUp {
     session: Option<Session>,
     models: u32,
     steps: u32,
+    /// Of an iteration, in the fastest slice: what else the machine did slows down the others.
+    seconds: Option<f64>,
 }
 
 #[wasm_bindgen]
@@ -54,15 +56,24 @@ impl WarmUp {
             (self.models, self.steps) = (self.models + 1, 0);
             return true;
         };
-        let until = clock::now() + SLICE;
-        while self.steps < STEPS && clock::now() < until {
+        let (begun, before) = (clock::now(), self.steps);
+        while self.steps < STEPS && clock::now() < begun + SLICE {
             session.step().expect("a grid stays finite");
             self.steps += 1;
         }
+        let seconds = (clock::now() - begun) / f64::from(self.steps - before);
+        self.seconds = Some(self.seconds.map_or(seconds, |fastest| fastest.min(seconds)));
         if self.steps == STEPS {
             self.session = None;
         }
         true
+    }
+
+    /// The most faces of a mesh that this machine works with at once; none before it has begun.
+    #[wasm_bindgen(js_name = mostFaces)]
+    pub fn most_faces(&self) -> Option<u32> {
+        let faces = (SIDE - 1) * (SIDE - 1);
+        self.seconds.map(|seconds| most_faces(faces as usize, seconds))
     }
 }
 

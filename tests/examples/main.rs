@@ -1,5 +1,6 @@
 //! The example scenes: their meshes are clean, their scenes fit, and there is something to do.
 
+mod exercise;
 mod statements;
 
 use shape_up::mesh::generate::{Canopy, Creature, Dome, Hall, Lantern, Mounds};

@@ -17,6 +17,8 @@ struct Run {
     totals: Vec<f64>,
     mesh: Mesh,
     positions: Vec<Point>,
+    /// Of the lesson, if it is one.
+    goals_met: usize,
 }
 
 impl Run {
@@ -36,6 +38,7 @@ impl Run {
             totals: session.take_trace().iter().map(|entry| entry.energy.total).collect(),
             mesh: session.mesh().clone(),
             positions: session.positions(),
+            goals_met: session.goals().iter().filter(|goal| goal.met).count(),
         }
     }
 
@@ -242,6 +245,13 @@ const STATEMENTS: &[Statement] = &[
     ("points-pavilion", |run| {
         let [before, after] = run.worst_of_all();
         vec![("points before", before, 0.34..0.355), ("points", after, 0.0..0.005)]
+    }),
+    ("lesson-glass-roof", |run| {
+        vec![
+            ("worst pane before", run.before.planarity.max_distance, 0.009..0.0095),
+            ("worst pane", run.after.planarity.max_distance, 0.001..0.003),
+            ("goals met", run.goals_met as f64, 0.0..0.5),
+        ]
     }),
 ];
 

@@ -112,7 +112,7 @@ test('a handle is moved by numbers, made fixed, and weighed', async ({ page }) =
   await waitForState(page, (now) => now.handles.length === 1);
   const before = await positionOf(page, MIDDLE);
   await showPanel(page, 'Model');
-  const height = page.getByRole('spinbutton', { name: 'Target z' });
+  const height = page.getByRole('textbox', { name: 'Target z' });
   await height.fill(String(before[2] + 1));
   await height.press('Enter');
   await expect

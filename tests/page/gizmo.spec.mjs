@@ -66,7 +66,7 @@ test('an arrow moves all selected handles along its axis, and says how far', asy
   expect(first[2]).toBeGreaterThan(0);
   expect(first.slice(0, 2)).toEqual([0, 0]);
   for (const axis of [0, 1, 2]) expect(second[axis]).toBeCloseTo(first[axis], 12);
-  await expect(undoButton(page)).toHaveAttribute('title', /Move handle/);
+  await expect(undoButton(page)).toHaveAttribute('title', /Move 2 handles/);
 });
 
 test('a square moves them in its plane; Escape puts them back exactly', async ({ page }) => {
@@ -153,7 +153,7 @@ test('keys: Shift at its height, an axis, numbers, soft or fixed', async ({ page
   expect(upwards[2]).toBeGreaterThan(0);
 
   await showPanel(page, 'Model');
-  const target = page.getByRole('spinbutton', { name: 'Target z' });
+  const target = page.getByRole('textbox', { name: 'Target z' });
   await target.fill('7.5');
   await target.press('Enter');
   await waitForState(page, (now) => now.handles[0].target[2] === 7.5);

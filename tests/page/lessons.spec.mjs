@@ -25,17 +25,22 @@ test.beforeEach(async ({ page }) => {
   await addConstraint(page, 'Plane', 'each face');
 });
 
+/** What a goal is about, and how large it may be. */
+const worst = (dialog, goal) =>
+  dialog.getByRole('combobox', { name: `Goal ${goal}: worst`, exact: true });
+const most = (dialog, name) => dialog.getByRole('spinbutton', { name, exact: true });
+
 /** Writes a lesson with two goals, up to the last button. */
 async function write(page) {
   await showPanel(page, 'Model');
   await page.getByRole('button', { name: 'Write a lesson' }).click();
   const dialog = page.getByRole('dialog', { name: 'Lesson' });
   await dialog.getByLabel('What is to be done').fill(WORDS);
-  await dialog.getByLabel('Goal: worst').selectOption({ label: 'Planarity' });
-  await dialog.getByLabel('Goal: at most').fill('0.001');
+  await worst(dialog, 1).selectOption({ label: 'Planarity' });
+  await most(dialog, 'Goal 1: planarity at most, m').fill('0.001');
   await dialog.getByRole('button', { name: 'Add goal' }).click();
-  await dialog.getByLabel('Goal: worst').nth(1).selectOption({ label: 'Constraint: Plane' });
-  await dialog.getByLabel('Goal: at most').nth(1).fill('0.01');
+  await worst(dialog, 2).selectOption({ label: 'Constraint: Plane' });
+  await most(dialog, 'Goal 2: constraint: plane at most, m').fill('0.01');
   return dialog;
 }
 
@@ -135,15 +140,18 @@ test('a lesson comes through a link, and is undone', async ({ page, context }) =
 
 test('a lesson without an end is not kept, and one can be taken away', async ({ page }) => {
   const dialog = await write(page);
-  await dialog.getByLabel('Goal: at most').first().fill('');
+  await most(dialog, 'Goal 1: planarity at most, m').fill('');
   await dialog.getByRole('button', { name: 'Keep the lesson' }).click();
   await expect(dialog).toBeVisible();
-  for (let goal = 0; goal < 2; goal++)
-    await dialog.getByRole('button', { name: 'Take the goal away' }).first().click();
+  // What is left is the first one then.
+  await dialog.getByRole('button', { name: 'Take away Goal 1: planarity' }).click();
+  await worst(dialog, 1).selectOption({ label: 'Angle quality' });
+  await expect(most(dialog, 'Goal 1: angle quality at most, °')).toHaveValue('0.01');
+  await dialog.getByRole('button', { name: 'Take away Goal 1: angle quality' }).click();
   await dialog.getByRole('button', { name: 'Keep the lesson' }).click();
   await expect(dialog).toContainText('expected at least one goal');
   await dialog.getByRole('button', { name: 'Add goal' }).click();
-  await dialog.getByLabel('Goal: at most').fill('2');
+  await dialog.getByLabel(/^Goal 1: .* at most/).fill('2');
   await dialog.getByRole('button', { name: 'Keep the lesson' }).click();
   await expect(dialog).toBeHidden();
   await showPanel(page, 'Model');

@@ -3,6 +3,7 @@
 import { element } from '../dom.js';
 import { linkTo } from '../example-links.js';
 import { number as energyInWords } from '../format.js';
+import { goalInWords } from '../lesson/goal.js';
 import { angleHistogram } from './angles.js';
 import { withSymbols } from '../symbols.js';
 
@@ -22,7 +23,7 @@ const PICTURES = new URL(/* @vite-ignore */ 'pictures/', document.baseURI);
  * @param {Result | undefined} result
  */
 export function card(example, result) {
-  const { id, title, summary, statement, kinds, weights } = example;
+  const { id, title, summary, statement, kinds, weights, goals = [], units } = example;
   // Nothing is asked of its shape: it is there to be flattened.
   const isMap = kinds.length === 0;
   const picture = (/** @type {"start" | "end"} */ when, /** @type {string} */ words) =>
@@ -59,6 +60,7 @@ export function card(example, result) {
     element(
       'dl',
       {},
+      ...goals.flatMap((goal) => fact('Goal', goalInWords(goal, units))),
       ...(isMap ? [] : fact('Constraints', kinds.map(({ label }) => label).join(', '))),
       ...(isMap
         ? []

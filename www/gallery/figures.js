@@ -13,6 +13,9 @@ const TITLES = {
   11: 'collapsing edges',
 };
 
+/** The heading of a lesson. */
+export const LESSONS = 'Lessons';
+
 /**
  * @param {number | null} figure
  * @param {boolean} isFirst nothing comes before

@@ -5,7 +5,7 @@ import { listOfExamples } from '../examples.js';
 import { count } from '../format.js';
 import { messageOf } from '../messages.js';
 import { card } from './card.js';
-import { headingOf } from './figures.js';
+import { LESSONS, headingOf } from './figures.js';
 
 /** @typedef {import("../examples.js").Example} Example */
 /** @typedef {{ example: Example, words: string, card: HTMLElement, section: HTMLElement }} Entry */
@@ -54,8 +54,10 @@ function build(examples, results) {
   /** @type {HTMLElement[]} */
   const sections = [];
   examples.forEach((example, at) => {
-    if (at === 0 || example.figure !== examples[at - 1].figure) {
-      sections.push(section(headingOf(example.figure, at === 0), `heading-${at}`));
+    const before = examples[at - 1];
+    if (!before || example.figure !== before.figure || !example.goals !== !before.goals) {
+      const heading = example.goals ? LESSONS : headingOf(example.figure, at === 0);
+      sections.push(section(heading, `heading-${at}`));
     }
     const made = card(
       example,

@@ -33,7 +33,7 @@ export function write(parts) {
   text.value = scene.lesson?.text ?? '';
   const list = element('ul', { 'aria-label': 'Goals of the lesson' });
   const error = element('p', { class: 'refused', 'aria-live': 'assertive' });
-  /** @type {{ row: HTMLElement, of: HTMLSelectElement, most: HTMLInputElement }[]} */
+  /** @type {{ row: HTMLElement, of: HTMLSelectElement, most: HTMLInputElement, unit: HTMLElement, remove: HTMLElement }[]} */
   let goals = [];
 
   /**
@@ -43,17 +43,11 @@ export function write(parts) {
   function addGoal(value, atMost) {
     const of = element(
       'select',
-      { 'aria-label': 'Goal: worst', onchange: showUnit },
+      { onchange: showUnit },
       ...about.map((choice) => element('option', { value: choice.value }, choice.label)),
     );
     if (about.some((choice) => choice.value === value)) of.value = value;
-    const most = element('input', {
-      type: 'number',
-      min: '0',
-      step: 'any',
-      required: true,
-      'aria-label': 'Goal: at most',
-    });
+    const most = element('input', { type: 'number', min: '0', step: 'any', required: true });
     if (atMost !== null) most.value = String(atMost);
     const unit = element('span', { class: 'unit' });
     const remove = element(
@@ -61,10 +55,10 @@ export function write(parts) {
       {
         type: 'button',
         class: 'tiny',
-        'aria-label': 'Take the goal away',
         onclick: () => {
           goals = goals.filter((goal) => goal.of !== of);
           row.remove();
+          nameGoals();
           add.focus();
         },
       },
@@ -73,10 +67,22 @@ export function write(parts) {
     const row = element('li', {}, 'worst', of, 'at most', most, unit, remove);
     function showUnit() {
       setText(unit, about.find((choice) => choice.value === of.value)?.unit ?? '');
+      nameGoals();
     }
-    showUnit();
-    goals.push({ row, of, most });
+    goals.push({ row, of, most, unit, remove });
     list.append(row);
+    showUnit();
+  }
+
+  /** Whoever does not see the rows hears which goal a control is of, and what it is about. */
+  function nameGoals() {
+    goals.forEach(({ of, most, unit, remove }, at) => {
+      const goal = `Goal ${at + 1}`;
+      const what = `${goal}: ${of.selectedOptions[0]?.label.toLowerCase() ?? ''}`;
+      of.setAttribute('aria-label', `${goal}: worst`);
+      most.setAttribute('aria-label', `${what} at most, ${unit.textContent}`.replace(/, $/, ''));
+      remove.setAttribute('aria-label', `Take away ${what}`);
+    });
   }
 
   const add = element(

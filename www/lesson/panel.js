@@ -4,6 +4,7 @@ import '../style/lesson.css';
 import { element, setText, throttled } from '../dom.js';
 import { count } from '../format.js';
 import { roundingOf, valueInWords } from '../measures.js';
+import { goalInWords, measureOf } from './goal.js';
 
 const NUMBERS_EVERY_MS = 100;
 const MARKS = { met: '✓', missed: '✗' };
@@ -42,7 +43,7 @@ export function lessonPanel(parts) {
     if (!goals || numbers?.goals.length !== goals.length) return;
     numbers.goals.forEach(({ value, met }, index) => {
       const { mark, value: place, row } = rows[index];
-      const measure = about(goals[index]);
+      const measure = measureOf(goals[index]);
       const words =
         value === null
           ? 'nothing has it'
@@ -71,12 +72,11 @@ export function lessonPanel(parts) {
     rows = lesson.goals.map((goal) => {
       const mark = element('span', { class: 'mark', 'aria-hidden': 'true' });
       const value = element('span', { class: 'now' });
-      const most = valueInWords(about(goal), goal.atMost, document?.units ?? '');
       const row = element(
         'li',
         { title: `The ${goal.words}` },
         mark,
-        element('span', {}, `Worst ${goal.label.toLowerCase()} at most ${most}`),
+        element('span', {}, goalInWords(goal, document?.units ?? '')),
         value,
       );
       return { mark, value, row };
@@ -85,13 +85,4 @@ export function lessonPanel(parts) {
     showNumbers();
   });
   store.subscribe(['numbers'], showNumbers);
-}
-
-/**
- * A goal as the measure that it is about.
- * @param {import("../messages.js").LessonWords["goals"][number]} goal
- * @returns {import("../messages.js").FaceMeasure}
- */
-function about({ measure, label, words, unit }) {
-  return { id: measure ?? '', label, words, unit, met: '' };
 }

@@ -3,7 +3,6 @@
 import { element } from '../dom.js';
 import { count } from '../format.js';
 import { sizeOfSelection } from '../selection.js';
-import { handleDetails } from './handle-details.js';
 
 /**
  * @param {HTMLElement} place
@@ -28,7 +27,8 @@ export function handlesPanel(place, store, actions, solver) {
     actions.removeHandles(actions.chosenVertices()),
   );
   const row = element('div', { class: 'handles-row' }, add, fix, remove);
-  place.replaceChildren(summary, row, handleDetails(store, actions, solver));
+  place.replaceChildren(summary, row);
+  let asked = false;
 
   store.subscribe(['document', 'selection'], ({ document, selection }) => {
     const handles = document?.handles ?? [];
@@ -43,6 +43,13 @@ export function handlesPanel(place, store, actions, solver) {
     }
     add.disabled = fix.disabled = !chosen;
     remove.disabled = !handles.some((handle) => isChosen(handle.vertex));
+    if (remove.disabled || asked) return;
+    asked = true;
+    actions.told(
+      import('./handle-details.js').then(({ handleDetails }) =>
+        place.append(handleDetails(store, actions, solver)),
+      ),
+    );
   });
 
   /** @param {number} vertex */

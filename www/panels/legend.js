@@ -133,11 +133,8 @@ export function legend(place, store, viewport, refit) {
       input.value = value === null ? '' : number(value * factor);
     }
 
-    const [from, to] = range.map((value) => value / spread.top);
-    const spaced = viewport
-      .rampStops()
-      .map(([at, colour]) => `${colour} ${100 * (from + (to - from) * at)}%`);
-    ramp.style.background = `linear-gradient(to right, ${spaced.join(', ')})`;
+    const [from, to] = range.map((value) => (100 * value) / spread.top);
+    ramp.style.background = viewport.rampOf([from, to]);
     const most = Math.max(...spread.counts, 1);
     // A single face among thousands is the one that is looked for: it has to be seen.
     spread.counts.forEach((count, i) => {

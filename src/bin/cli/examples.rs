@@ -7,11 +7,12 @@ use shape_up::experiment::Experiment;
 use shape_up::mesh::{Mesh, write_medit, write_obj};
 use shape_up::scene::Scene;
 use shape_up::scene::examples::{EXAMPLES, Example, Suggestion, suggestions};
+use shape_up::session::{GoalWords, goals_in_words};
 use std::path::{Path, PathBuf};
 
 /// One entry of `index.json`, from which the page makes its list and the gallery its cards.
 #[derive(Serialize)]
-struct Entry {
+struct Entry<'a> {
     id: &'static str,
     /// The figure of the paper, if it is of one.
     figure: Option<u32>,
@@ -24,6 +25,8 @@ struct Entry {
     vertices: usize,
     faces: usize,
     tets: usize,
+    /// In which its coordinates are.
+    units: &'a str,
     /// The kinds of its constraints, each once.
     kinds: Vec<KindName>,
     /// `lambda_shape`, `lambda_close` and `lambda_smooth` of Eq. 13.
@@ -32,6 +35,9 @@ struct Entry {
     experiment: Option<&'static Experiment>,
     /// What there is to look at.
     suggestions: &'static [Suggestion],
+    /// What a student is to reach, where it is a lesson.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    goals: Vec<GoalWords<'a>>,
 }
 
 #[derive(Serialize, PartialEq)]
@@ -40,8 +46,8 @@ struct KindName {
     label: &'static str,
 }
 
-impl Entry {
-    fn new(example: &Example, scene: &Scene, mesh: &Mesh) -> Entry {
+impl<'a> Entry<'a> {
+    fn new(example: &Example, scene: &'a Scene, mesh: &Mesh) -> Entry<'a> {
         let mut kinds = Vec::new();
         for spec in &scene.constraints {
             let Info { id, label, .. } = *spec.kind.info();
@@ -62,10 +68,12 @@ impl Entry {
             vertices: mesh.positions.len(),
             faces: mesh.faces.len(),
             tets: mesh.tets.len(),
+            units: &scene.units,
             kinds,
             weights: [scene.weights.shape, scene.weights.close, scene.weights.smooth],
             experiment: Experiment::of(example.id),
             suggestions: suggestions(example.id),
+            goals: scene.lesson.as_ref().map(goals_in_words).unwrap_or_default(),
         }
     }
 }
@@ -87,16 +95,16 @@ pub(super) fn write(folder: &Path) -> Result<(), Failure> {
         ))
     })?;
     let mut files: Vec<(PathBuf, String)> = Vec::new();
+    let built: Vec<_> = EXAMPLES.iter().map(|example| (example, example.build())).collect();
     let mut index = Vec::new();
-    for example in EXAMPLES {
-        let (scene, mesh) = example.build();
+    for (example, (scene, mesh)) in &built {
         let text = match mesh.tets.is_empty() {
-            true => write_obj(&mesh, &mesh.positions),
-            false => write_medit(&mesh),
+            true => write_obj(mesh, &mesh.positions),
+            false => write_medit(mesh),
         };
-        files.push((folder.join(example.file()), scene.to_json(&mesh)));
+        files.push((folder.join(example.file()), scene.to_json(mesh)));
         files.push((folder.join(example.mesh_file()), text));
-        index.push(Entry::new(example, &scene, &mesh));
+        index.push(Entry::new(example, scene, mesh));
     }
     let index = serde_json::to_string_pretty(&index).expect("entries are plain text");
     files.push((folder.join("index.json"), index + "\n"));

@@ -1,5 +1,5 @@
 //! The example scenes, on meshes that the project's own generators make: first three models to play
-//! with, then the figures of the paper, whose numbers begin their ids.
+//! with, then the figures of the paper, whose numbers begin their ids, and lessons.
 //!
 //! | file | holds |
 //! |---|---|
@@ -15,9 +15,11 @@
 //! | `strip` | Fig. 11: edges that collapse |
 //! | `suggestions` | what some offer to look at |
 //! | `curves_and_points` | curves on a mesh, points without faces |
+//! | `exercise` | a lesson to hand in |
 
 mod curves_and_points;
 mod deformation;
+mod exercise;
 mod exploration;
 mod first;
 mod flat_maps;
@@ -81,6 +83,7 @@ pub const EXAMPLES: &[Example] = &[
     strip::STRIP,
     curves_and_points::SLABS,
     curves_and_points::POINTS,
+    exercise::GLASS_ROOF,
 ];
 
 impl Example {

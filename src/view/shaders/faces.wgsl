@@ -111,3 +111,30 @@ fn lit(in: Corner) -> @location(0) vec4f {
     colour = mix(colour, scene.selected.rgb * modelled, in.look.z * scene.selected.a);
     return vec4f(min(colour, vec3f(1.0)), 1.0);
 }
+
+// The ghost: the faces where the mesh was, as a veil that is denser where it is seen edge on.
+
+struct VeilCorner {
+    @builtin(position) position: vec4f,
+    @location(0) at: vec3f,
+}
+
+// It lies behind a surface that is as good as there: one that has hardly moved has no stains.
+const BACK: f32 = 0.0012;
+
+@vertex
+fn corner_of_veil(@location(0) ids: vec2u) -> VeilCorner {
+    let at = position_of(ids.x);
+    var out: VeilCorner;
+    out.position = scene.clip_from_scene * vec4f(nearer(at, -BACK), 1.0);
+    out.at = at;
+    return out;
+}
+
+@fragment
+fn veil(in: VeilCorner) -> @location(0) vec4f {
+    let normal = cross(dpdx(in.at), dpdy(in.at));
+    let facing = abs(dot(normal, to_eye_from(in.at))) / max(length(normal), 1e-20);
+    let edge_on = 1.0 - min(facing, 1.0);
+    return vec4f(scene.ghost.rgb, scene.ghost.a * (1.0 + 1.5 * edge_on * edge_on));
+}

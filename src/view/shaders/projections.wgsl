@@ -1,5 +1,5 @@
-// Outlines of projected shapes, and arrows from vertices to their projections, in the colours of the
-// rows of constraints, with a light casing that parts them from whatever is below.
+// Projected shapes, as outlines with a faint inside, and arrows from vertices to their projections, in
+// the colours of the rows of constraints, with a light casing that parts them from whatever is below.
 
 struct Corner {
     @builtin(position) position: vec4f,
@@ -73,6 +73,43 @@ fn drawn(in: Corner) -> @location(0) vec4f {
     let coverage = clamp(0.5 + in.sizes.w - away, 0.0, 1.0) * casing.a;
     let opacity = max(inside, coverage) * in.colour.a;
     return vec4f(mix(casing.rgb, in.colour.rgb, inside), opacity);
+}
+
+struct InsideCorner {
+    @builtin(position) position: vec4f,
+    @location(0) @interpolate(flat) colour: vec4f,
+}
+
+// How much of its colour is on a shape that lies clear of the surface.
+const INSIDE: f32 = 0.45;
+// It does where it is so many CSS pixels beside it. What lies on its face says nothing, and the colour
+// of the face is seen.
+const CLEAR: f32 = 9.0;
+// A paper of the colour of its row, which is seen on a face of that colour too.
+const PAPER: f32 = 0.72;
+
+@vertex
+fn corner_of_inside(
+    // The point, and the place of the colour.
+    @location(0) ids: vec2u,
+    @location(1) beside: f32,
+) -> InsideCorner {
+    let at = position_of(ids.x);
+    // As near to the eye as the outlines are, but for a little: they lie on it.
+    let depth = max(scale_depth(at), 1e-12);
+    let lift = 2.0 * LIFT + min(beside / depth, 0.1);
+    let beside_on_screen = beside / (depth * scene.canvas.w * scene.canvas.z);
+    var out: InsideCorner;
+    out.position = scene.clip_from_scene * vec4f(nearer(at, lift), 1.0);
+    let colour = textureLoad(colour_map, vec2u(ids.y, 2u), 0).rgb;
+    let opacity = INSIDE * clamp(beside_on_screen / CLEAR, 0.0, 1.0);
+    out.colour = vec4f(mix(colour, vec3f(1.0), PAPER), opacity);
+    return out;
+}
+
+@fragment
+fn inside(in: InsideCorner) -> @location(0) vec4f {
+    return in.colour;
 }
 
 const OUTLINE: u32 = 4u;

@@ -31,6 +31,8 @@ struct Scene {
     selected: vec4f,
     tint: vec4f,
     sphere: vec4f,
+    // The surface of the ghost.
+    ghost: vec4f,
     // Colour of the dark squares of the checkerboard; its opacity is how much is mixed into a face.
     check: vec4f,
     // Squares of the checkerboard along a unit of length, 0 for none; then, where vertices have values

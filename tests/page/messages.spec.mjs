@@ -1,0 +1,69 @@
+// What is said lies beside what is worked with, not over it.
+
+import { file, wavyGrid } from './meshes.mjs';
+import { openText, showPanel } from './actions.mjs';
+import { expect, openPage, test, waitForState } from './support.mjs';
+
+/** Whether two things on the page lie apart. */
+async function apart(one, other) {
+  const [a, b] = await Promise.all([one.boundingBox(), other.boundingBox()]);
+  return (
+    a.x + a.width <= b.x || b.x + b.width <= a.x || a.y + a.height <= b.y || b.y + b.height <= a.y
+  );
+}
+
+test('a message does not cover the dialog of constraints', async ({ page }, { project }) => {
+  await openPage(page);
+  await page.getByLabel('Open file').setInputFiles(file('notes.txt', 'not a mesh'));
+  const message = page.getByRole('alert').getByText('cannot be read');
+  await expect(message).toBeVisible();
+  await showPanel(page, 'Model');
+  await page.getByRole('button', { name: 'Add constraint' }).click();
+  const dialog = page.getByRole('dialog', { name: 'New constraint' });
+  await expect(dialog).toBeVisible();
+  const desktop = [1440, 1280, 1120, 1000, 760].map((width) => ({ width, height: 900 }));
+  const sizes = project.name === 'phone' ? [{ width: 390, height: 844 }] : desktop;
+  for (const size of sizes) {
+    await page.setViewportSize(size);
+    const place = page.getByRole('alert').locator('.message');
+    await expect.poll(() => apart(place, dialog), `at ${size.width}`).toBe(true);
+    await expect(message).toBeInViewport({ ratio: 1 });
+    // Nothing else is under the pointer either.
+    await dialog.getByRole('button', { name: 'Close' }).click({ trial: true });
+  }
+  await dialog.getByRole('button', { name: 'Close' }).click();
+  await expect(dialog).toBeHidden();
+  await expect(message).toBeVisible();
+});
+
+test('on a phone the question for unit and axis is one line beside the view', async ({ page }, {
+  project,
+}) => {
+  test.skip(project.name !== 'phone', 'there is room for it on a screen');
+  await openPage(page);
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  await waitForState(page, (now) => now.renderer !== 'none');
+  const question = page.getByRole('group', { name: 'Unit and up axis' });
+  const view = page.getByRole('application', { name: '3D view' });
+  await expect(question).toBeInViewport({ ratio: 1 });
+  await expect.poll(() => apart(question, view)).toBe(true);
+  expect((await question.boundingBox()).height).toBeLessThan(60);
+  const legend = page.locator('#legend');
+  if (await legend.isVisible()) expect(await apart(question, legend)).toBe(true);
+  // Nothing of the model is under it.
+  const below = await question.boundingBox();
+  for (const vertex of [0, 4, 20, 24]) {
+    const [, y] = await page.evaluate((v) => window.shapeUp.screen(v) ?? [0, 0], vertex);
+    expect(y).toBeLessThan(below.y);
+  }
+
+  const tall = (await view.boundingBox()).height;
+  const chip = (name) => question.getByRole('button', { name, exact: true });
+  await chip('in').click();
+  await expect(chip('in')).toHaveAttribute('aria-pressed', 'true');
+  await chip('y').click();
+  await expect(chip('y')).toHaveAttribute('aria-pressed', 'true');
+  await chip('That is right').click();
+  await expect(question).toBeHidden();
+  await expect.poll(async () => (await view.boundingBox()).height).toBeGreaterThan(tall);
+});

@@ -1,0 +1,51 @@
+/** Lengths as people type them: 1.5, 1/3, 20cm; and +0.5 or +-0.5 to move on from where something is. */
+
+/** @type {Record<string, number>} */
+const METRES = { m: 1, cm: 0.01, mm: 0.001, ft: 0.3048, in: 0.0254 };
+
+const DIGITS = '(?:\\d+[.,]?\\d*|[.,]\\d+)';
+/** What moves on, the number, what it is divided by, its unit. */
+const ENTRY = new RegExp(`^(\\+?)\\s*(-?${DIGITS})(?:\\s*/\\s*(${DIGITS}))?\\s*([a-z]*)$`, 'i');
+
+/**
+ * @param {string} text
+ * @param {string} units of the model; empty when not known
+ * @returns {{ by: boolean, length: number }} how far to move on, or where to
+ * @throws {Error} when it is no length; the message says what is expected
+ */
+export function readLength(text, units) {
+  const [, sign, number = '', divisor = '1', unit = ''] = ENTRY.exec(text.trim()) ?? [];
+  const factor = unit === '' ? 1 : METRES[unit.toLowerCase()] / METRES[units];
+  const length = (valueOf(number) / valueOf(divisor)) * factor;
+  if (number === '' || !Number.isFinite(length)) {
+    const example = units in METRES ? '20cm' : '20';
+    throw new Error(`“${text}” is no length here. Expected 1.5, 1/3, ${example} or +0.5.`);
+  }
+  return { by: sign === '+', length };
+}
+
+/** @param {string} digits */
+const valueOf = (digits) => Number(digits.replace(',', '.'));
+
+/** So many steps fit into the size of a model: millimetres on a building of some 100 m. */
+const STEPS = 2e5;
+const MOST_DECIMALS = 12;
+
+/**
+ * How many decimals a coordinate needs.
+ * @param {number} size of the model, in its unit
+ */
+export function decimalsFor(size) {
+  if (!(size > 0)) return 3;
+  return Math.min(Math.max(Math.floor(Math.log10(STEPS / size)), 0), MOST_DECIMALS);
+}
+
+/**
+ * A coordinate with so many decimals, and no minus before nothing.
+ * @param {number} value
+ * @param {number} decimals
+ */
+export function coordinate(value, decimals) {
+  const text = value.toFixed(decimals);
+  return Number(text) === 0 ? text.replace('-', '') : text;
+}
