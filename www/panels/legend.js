@@ -19,7 +19,12 @@ export function legend(place, store, viewport, refit) {
   const title = element('span');
   const now = bars();
   const before = outline();
-  const histogram = element('div', { class: 'histogram', role: 'img' }, now, before);
+  const histogram = element(
+    'div',
+    { class: 'histogram', role: 'img', 'aria-label': 'No values yet' },
+    now,
+    before,
+  );
   const tick = element('div', { class: 'tick' });
   const ramp = element('div', { class: 'ramp' }, tick);
   const unit = element('span', { class: 'unit' });
