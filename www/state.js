@@ -61,6 +61,7 @@
 /**
  * @typedef {object} Store
  * @property {() => Readonly<State>} get
+ * @property {(keyof State)[]} steady what commands may depend on
  * @property {(patch: Partial<State>) => void} set
  * @property {(keys: (keyof State)[], listener: (state: Readonly<State>) => void) => void} subscribe
  *   calls the listener now, and after every task in which one of the keys changed
@@ -122,10 +123,6 @@ const INITIAL = {
 
 /** What changes with every frame of a run or a drag. No command depends on it. @type {(keyof State)[]} */
 const LIVE = ['numbers', 'moved', 'dragMs', 'spread'];
-/** What commands may depend on. */
-export const STEADY = /** @type {(keyof State)[]} */ (Object.keys(INITIAL)).filter(
-  (key) => !LIVE.includes(key),
-);
 
 /** Whether there is a picture. @param {Pick<State, "renderer">} state */
 export const isDrawn = ({ renderer }) => renderer === 'webgpu' || renderer === 'webgl2';
@@ -165,6 +162,9 @@ export function createStore() {
 
   return {
     get: () => state,
+    steady: /** @type {(keyof State)[]} */ (Object.keys(INITIAL)).filter(
+      (key) => !LIVE.includes(key),
+    ),
     set(patch) {
       const keys = /** @type {(keyof State)[]} */ (Object.keys(patch)).filter(
         (key) => patch[key] !== state[key],
