@@ -38,12 +38,8 @@ export class FrameQuestion {
         'div',
         { class: 'message notice frame-chips', role: 'group', 'aria-label': 'Unit and up axis' },
         element('p', {}, `${name} does not say these. Guessed:`),
-        element(
-          'div',
-          { class: 'all-chips' },
-          this.#chips('Up', 'up', ['z', 'y']),
-          this.#chips('Unit', 'units', this.#units),
-        ),
+        this.#chips('Up', 'up', ['z', 'y']),
+        element('div', { class: 'all-chips' }, this.#chips('Unit', 'units', this.#units)),
         element(
           'button',
           { type: 'button', class: 'small primary', onclick: () => this.#accept() },

@@ -4,6 +4,8 @@ import { addConstraint, hidePanels, openText, showPanel } from './actions.mjs';
 import { wavyGrid } from './meshes.mjs';
 import { expect, openPage, screenOf, state, test, waitForState } from './support.mjs';
 
+test.use({ pixels: false });
+
 const N = 6;
 const VERTICES = (N + 1) ** 2;
 const MIDDLE = (VERTICES - 1) / 2;
@@ -99,6 +101,28 @@ test('two coordinates one right after the other are both taken', async ({ page }
   await page.keyboard.press('Enter');
   await expect.poll(() => targets(page)).toEqual([[1.25, 2.75, z]]);
   await expect(undoButton(page)).toHaveAttribute('title', /Move handle/);
+});
+
+test('undo takes a number back for good, while the mesh still follows it', async ({ page }) => {
+  // The end of the move comes when it is told to.
+  await page.addInitScript(() => {
+    const { postMessage } = Worker.prototype;
+    Worker.prototype.postMessage = function (...message) {
+      if (message[0].phase !== 'end') return postMessage.apply(this, message);
+      window.end = () => postMessage.apply(this, message);
+    };
+  });
+  await open(page);
+  await makeHandles(page, [MIDDLE]);
+  const before = await targets(page);
+  await enter(target(page, 'z'), '7.5');
+  await page.waitForFunction(() => window.end);
+  await undoButton(page).click();
+  await expect(page.getByRole('status')).toHaveText('Undid: Move handle');
+  await page.evaluate(() => window.end());
+  await page.getByRole('button', { name: 'Step' }).click();
+  await waitForState(page, (now) => now.iteration === 1);
+  expect(await targets(page)).toEqual(before);
 });
 
 test('weight, soft and fixed are those of all selected handles', async ({ page }) => {

@@ -10,7 +10,7 @@ pub(super) const GLASS_ROOF: Example = Example {
     id: "lesson-glass-roof",
     title: "Lesson: a glass roof of flat panes",
     summary: "An exercise to hand in: every pane is to be flat to a millimetre, and the roof is to stay where the architect drew it. Run alone does not do it; the right weights do.",
-    statement: "The worst pane, 9 mm from flat, comes within 3 mm, and the roof leaves its place by up to 6 cm, which misses both goals; with a weight of 10000 for the shapes and 50 for staying near both are met.",
+    statement: "The worst pane, 9 mm from flat, comes within 3 mm, and the roof leaves its place by up to 6 cm: both goals are missed, and there are weights that meet both.",
     ending: "obj",
     make: glass_roof,
 };
