@@ -90,12 +90,11 @@ export class Selecting {
       if (bound || operations.length === 0) return;
       bound = true;
       for (const operation of operations.filter(({ keys }) => keys.length > 0)) {
-        const { id, label, keys, needsSelection } = operation;
-        const subject = needsSelection ? 'the selection' : 'of what is picked';
+        const { id, label, keys } = operation;
         commands.push({
           id: `select-${id}`,
           group: 'Select',
-          label: `${label} ${subject}`,
+          label: `Selection: ${label.toLowerCase()}`,
           keys,
           action: () => this.applyOrTell(operation),
           needsModel: true,
