@@ -22,7 +22,16 @@ const base = '/some/sub-path/';
 const url = `http://127.0.0.1:${port}${base}`;
 
 /** What a phone shows in another arrangement than other windows. The rest lies behind it. */
-const ARRANGED = ['axe', 'first-picture', 'first-visit', 'layout', 'phone', 'shaping', 'touch'];
+const ARRANGED = [
+  'axe',
+  'first-picture',
+  'first-visit',
+  'layout',
+  'messages',
+  'phone',
+  'shaping',
+  'touch',
+];
 
 /** What tells WebGPU from WebGL2, in a browser that has both. */
 const BOTH = ['backends', 'offline'];
