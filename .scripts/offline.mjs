@@ -8,8 +8,10 @@ import { filesUnder } from './stamp.mjs';
 
 const NAMED = ['icon.svg', 'manifest.webmanifest'];
 const WORKER = 'service-worker.js';
-/** Large, and kept only by those who use it: what reads files of Rhino, the pictures of the gallery. */
-const SELDOM = /(^|\/)rhino|^pictures\//;
+/** Large, and kept only by those who use it: what reads files of Rhino. */
+const SELDOM = /(^|\/)rhino/;
+/** Those of the gallery, a third of all else: kept, all of them, by those who open it. */
+const PICTURE = /^pictures\/.*\.svg$/;
 /** The view's module, of which a browser uses one variant. */
 const VIEW = /^assets\/view-(webgpu|webgl2)-/;
 
@@ -19,6 +21,7 @@ export function writeOfflineParts(folder) {
   const source = readFileSync(at('www', WORKER), 'utf8');
   const hash = createHash('sha256').update(source);
   const files = [];
+  const pictures = [];
   /** Those of each variant. */
   const views = {};
   for (const path of filesUnder(folder)) {
@@ -28,8 +31,9 @@ export function writeOfflineParts(folder) {
     // The page is asked for by the name of its folder.
     const [, backend] = VIEW.exec(name) ?? [];
     if (backend) (views[backend] ??= []).push(`./${name}`);
+    else if (PICTURE.test(name)) pictures.push(`./${name}`);
     else if (!SELDOM.test(name)) files.push(name === 'index.html' ? './' : `./${name}`);
   }
-  const site = { version: hash.digest('hex').slice(0, 12), files, views };
+  const site = { version: hash.digest('hex').slice(0, 12), files, views, pictures };
   writeFileSync(`${folder}/${WORKER}`, `const SITE = ${JSON.stringify(site)};\n${source}`);
 }

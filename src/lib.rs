@@ -8,24 +8,29 @@
 //! # Data flow
 //!
 //! ```text
-//! OBJ / scene  ->  mesh  ->  constraint  ->  solve  ->  session  ->  positions  ->  view
-//!                           math lies under all of them
+//! OBJ  ->  mesh  ->  constraint  ->  scene  ->  solve  ->  session  ->  positions  ->  view
+//!                         math lies under all of them
 //! ```
 //!
 //! Nothing to the left knows of anything to the right; [`view`] sees positions and index buffers,
-//! never the solver.
+//! never the solver. What a room knows of, it may know all of; `tests/rooms.rs` holds the code to this
+//! table.
 //!
 //! | room | holds | knows of |
 //! |---|---|---|
 //! | [`math`] | small vectors in lanes, eigenvectors, closest rotations, fitted circles and spheres | nothing |
 //! | [`mesh`] | polygon mesh, files in and out, topology, Laplacian, closest point, error measures | math |
 //! | [`constraint`] | one projection operator per file, the list of kinds, selectors, batches | math, mesh |
-//! | [`scene`] | the scene file: serde form and validation; the examples | mesh, constraint |
-//! | [`solve`] | assembly, ordering, LDL^T, the two-step iteration, accelerators, conformal maps | constraint, scene |
+//! | [`scene`] | the scene file: serde form and validation; the examples | math, mesh, constraint |
+//! | [`solve`] | assembly, ordering, LDL^T, the two-step iteration, accelerators, conformal maps | math, mesh, constraint, scene |
+//! | [`error`] | the one error that hosts see | mesh, scene, solve |
 //! | [`session`] | what every host drives: load, edit, drag, step, undo, report | all above |
-//! | [`experiment`] | the paper's comparisons with other methods (Fig. 10, 11), run live | session, solve |
-//! | `web` | wasm-bindgen faces: one for the worker (solver), one for the page (view) | session, view |
+//! | [`experiment`] | the paper's comparisons with other methods (Fig. 10, 11), run live | all above |
 //! | [`view`] | wgpu: camera, picking, faces, edges, handles, fitted shapes | math |
+//! | `web` | wasm-bindgen faces: one for the worker (solver), one for the page (view) | all above |
+//!
+//! `src/bin` is outside: the command line, which drives sessions too, and the steps of the build that
+//! draw examples.
 //!
 //! Beside the pipeline, [`experiment`] holds what the paper compares its method with: gradient descent,
 //! quasi-Newton without a metric, and a penalty method with Gauss-Newton. It drives sessions as a host

@@ -7,7 +7,7 @@ mod shared;
 
 use meshes::{mixed, wavy};
 use proptest::prelude::*;
-use shape_up::mesh::{Mesh, Point, Ragged, Surface};
+use shape_up::mesh::{Footing, Mesh, Point, Ragged, Surface};
 
 fn sub(a: Point, b: Point) -> Point {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
@@ -92,6 +92,22 @@ proptest! {
                 prop_assert!((distance(p, again) - expected).abs() <= tolerance);
                 let cold = surface.closest(p, &mut Surface::COLD.clone());
                 prop_assert!((distance(p, cold) - expected).abs() <= tolerance);
+            }
+        }
+    }
+
+    #[test]
+    fn a_footing_changes_no_bit(mesh in mixed(), steps in steps()) {
+        prop_assume!(!mesh.faces.is_empty());
+        let surface = Surface::new(&mesh.positions, &mesh);
+        let start = vec![(Surface::COLD, Footing::unknown(), Surface::COLD); mesh.positions.len()];
+        let mut left = start;
+        // Each vertex wanders, and is searched for with what its own last search left.
+        for by in [0.0, 0.01, 0.02, -0.1, 0.1, 0.4, -1.0, 0.4, 0.41] {
+            for (p, (warm, footing, other)) in queries(&mesh, &steps, by).into_iter().zip(&mut left) {
+                let found = surface.closest_from(p, warm, footing);
+                prop_assert_eq!(found.map(f64::to_bits), surface.closest(p, other).map(f64::to_bits));
+                prop_assert_eq!(*warm, *other);
             }
         }
     }

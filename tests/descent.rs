@@ -14,7 +14,7 @@ use shape_up::math::Vec3;
 use shape_up::mesh::generate::Dome;
 use shape_up::mesh::{Mesh, Point};
 use shape_up::scene::examples::{EXAMPLES, Example};
-use shape_up::scene::{Accelerator, Scene};
+use shape_up::scene::{Accelerator, Scene, Worded};
 use shape_up::session::Session;
 
 const ITERATIONS: usize = 200;

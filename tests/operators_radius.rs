@@ -170,3 +170,20 @@ fn degenerate_places_are_as_documented() {
     let point = project(&with_radius("circle", json!(0)), &square, &square);
     assert!(size(&point) <= 1e-15, "with a radius of zero all meet: {point:?}");
 }
+
+#[test]
+fn a_radius_of_zero_takes_all_points_to_their_mean() {
+    // A point at the centre has no direction from it, and its distance was divided by the radius.
+    let cross = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0], [0.0, 0.0]];
+    let line = [[-1.0, 0.0], [0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [-2.0, 0.0]];
+    for points in [cross, line, [[0.0; 2]; 5]] {
+        for scale in [1.0, 1e-160, 1e-320, 1e150] {
+            let points: Points = points.map(|[x, y]| Vec3::new(x * scale, y * scale, 0.0)).to_vec();
+            for (id, radius) in [("circle", json!(0)), ("sphere", json!([0, 0]))] {
+                let found = project(&with_radius(id, radius), &points, &points);
+                let far = found.iter().map(|v| v.length()).fold(0.0, f64::max);
+                assert!(far <= 1e-12 * scale, "{id}, {points:?}: {found:?}");
+            }
+        }
+    }
+}

@@ -6,7 +6,7 @@ use shape_up::mesh::Mesh;
 use shape_up::scene::{
     Accelerator, BoundaryCloseness, Closeness, ClosenessTo, ClosenessWeight, ConstraintSpec,
     Factorization, Goal, GoalOf, HandleSpec, Hold, Lesson, MeshSource, Scene, Smoothness,
-    SmoothnessOf, SolverSettings, Up, Weighting, Weights,
+    SmoothnessOf, SolverSettings, Up, Weighting, Weights, Worded,
 };
 
 fn constraint(id: &str, on: Selector) -> ConstraintSpec {

@@ -61,6 +61,18 @@ fn a_part_that_nothing_holds_is_pinned_and_named() {
 }
 
 #[test]
+fn what_only_constraints_without_weight_act_on_is_pinned() {
+    // They were counted as if they held their vertices together, and the system was singular.
+    let rows = r#", "constraints": [{ "kind": "plane", "on": "faces", "weight": 0 },
+        { "kind": "sphere", "on": { "vertices": "0-35" }, "weight": 0 },
+        { "kind": "plane", "on": { "vertices": "0-3" } }]"#;
+    let mut session = Session::open(scene(rows), bumpy(5)).expect("pins make it regular");
+    assert_eq!(session.report().pinned.len(), 1 + 32, "one of the four, and all others");
+    run(&mut session, 3);
+    assert_eq!(session.positions()[20], session.mesh().positions[20]);
+}
+
+#[test]
 fn a_mesh_of_one_vertex_stays_where_it_is() {
     // The factorisation underneath panics below two unknowns.
     let mesh = Mesh { positions: vec![[1.0, 2.0, 3.0]], ..Mesh::default() };

@@ -72,8 +72,8 @@ fn deed() -> impl Strategy<Value = Deed> {
         }),
         (0.1..9.0, 0.1..9.0, 0.0..9.0)
             .prop_map(|(shape, close, smooth)| Edit::SetWeights(Weights { shape, close, smooth })),
-        "(m|mm|ft)".prop_map(Edit::SetUnits),
-        any::<bool>().prop_map(|y| Edit::SetUp(if y { Up::Y } else { Up::Z })),
+        "(m|mm|ft)".prop_map(|units| Edit::SetUnits { units }),
+        any::<bool>().prop_map(|y| Edit::SetUp { up: if y { Up::Y } else { Up::Z } }),
         (vertices(), any::<bool>())
             .prop_map(|(vertices, fixed)| Edit::AddHandles { vertices, fixed }),
         vertices().prop_map(|vertices| Edit::RemoveHandles { vertices }),
@@ -210,8 +210,8 @@ fn saying_the_unit_and_the_axis_moves_nothing() {
     let mut session = open();
     act(&mut session, Deed::Run(2));
     let before = session.positions();
-    session.edit(Edit::SetUnits("ft".to_owned())).expect("any unit will do");
-    session.edit(Edit::SetUp(Up::Y)).expect("any axis will do");
+    session.edit(Edit::SetUnits { units: "ft".to_owned() }).expect("any unit will do");
+    session.edit(Edit::SetUp { up: Up::Y }).expect("any axis will do");
     assert_eq!(session.positions(), before);
     assert!(session.obj().starts_with("# units: ft\n# up: y\nv "));
     assert_eq!(session.undo_and_redo()[0], Some("Change up axis"));

@@ -5,6 +5,7 @@
  * worse, and starts anew with another mesh or measure, or when it is asked to.
  */
 
+import { RENEW_MS, throttled } from './dom.js';
 import { messageOf } from './messages.js';
 import { declared, measureOfScene, roundingOf } from './measures.js';
 import { spreadOf } from './spread.js';
@@ -34,7 +35,9 @@ export function colourFaces(store, solver) {
     fresh = true;
     store.set({ spread: null });
   });
-  solver.addEventListener('frame', takeIn);
+  const takeInSoon = throttled(RENEW_MS, takeIn);
+  // What is coloured for the first time has its range at once.
+  solver.addEventListener('frame', () => (fresh ? takeIn() : takeInSoon()));
   store.subscribe(['measure', 'display', 'halfway'], ({ measure, display, halfway }) => {
     const projections = display.outlines || display.arrows || halfway;
     const { shapes, bands } = display;

@@ -5,6 +5,7 @@
 
 import { setText } from './dom.js';
 import { isSwitchedOff } from './single-keys.js';
+import { STEADY } from './state.js';
 
 /**
  * @typedef {object} Command
@@ -72,8 +73,7 @@ export function bindButtons(commands, store) {
     if (!command) throw new Error(`no command is called ${button.dataset.command}`);
     button.addEventListener('click', () => press(command, store));
     const shortcut = command.keys.length > 0 ? ` (${keyName(command.keys[0])})` : '';
-    const anything = /** @type {(keyof import("./state.js").State)[]} */ (Object.keys(store.get()));
-    store.subscribe(anything, (state) => {
+    store.subscribe(STEADY, (state) => {
       const title = (command.title ? command.title(state) : command.label) + shortcut;
       // Also what is set to what it was invalidates styles, and is news for who watches the bar.
       if (button.title !== title) button.title = title;

@@ -78,39 +78,55 @@ export function leave(place, take) {
 }
 
 /**
- * Sets the text only when it differs: no needless layout at ten times a second.
+ * Sets the text only when it differs: no needless layout several times a second.
  * @param {Node} node
  * @param {string} text
  */
 export function setText(node, text) {
-  if (node.textContent !== text) node.textContent = text;
+  const { firstChild } = node;
+  // Another text node would have its style computed anew.
+  const place = firstChild instanceof Text && !firstChild.nextSibling ? firstChild : node;
+  if (place.textContent !== text) place.textContent = text;
 }
 
 /**
- * Calls `action` at most once per `interval` milliseconds, and once more for the last call.
+ * Sets the attribute only when it differs: what is set to what it was invalidates styles too.
+ * @param {Element} place
+ * @param {string} name
+ * @param {string} value
+ */
+export function setAttribute(place, name, value) {
+  if (place.getAttribute(name) !== value) place.setAttribute(name, value);
+}
+
+/** What is read while it changes, in a run or a drag, is renewed this often, in milliseconds. */
+export const RENEW_MS = 125;
+
+/**
+ * Calls `action` at most once per `interval` milliseconds, and once more for the last call. Intervals
+ * begin at the same times everywhere: what changes together is laid out once.
  * @template {unknown[]} Arguments
  * @param {number} interval
  * @param {(...values: Arguments) => void} action
  * @returns {(...values: Arguments) => void}
  */
 export function throttled(interval, action) {
-  let last = -Infinity;
+  /** The interval of the last call, counted from the start of the page. */
+  let turn = -1;
   let timer = 0;
   /** @type {Arguments} */
   let latest;
   return (...values) => {
     latest = values;
     if (timer) return;
-    const wait = last + interval - performance.now();
-    if (wait <= 0) {
-      last = performance.now();
+    const now = performance.now();
+    const begins = (turn + 1) * interval;
+    const call = () => {
+      timer = 0;
+      turn = Math.max(turn + 1, Math.floor(performance.now() / interval));
       action(...latest);
-    } else {
-      timer = window.setTimeout(() => {
-        timer = 0;
-        last = performance.now();
-        action(...latest);
-      }, wait);
-    }
+    };
+    if (now >= begins) call();
+    else timer = window.setTimeout(call, begins - now);
   };
 }

@@ -390,7 +390,10 @@ export const TRACE_WIDTH = 6;
  * @returns {string}
  */
 export function messageOf(thrown) {
-  if (typeof thrown === 'string') return thrown;
-  if (thrown && typeof thrown === 'object' && 'message' in thrown) return String(thrown.message);
-  return String(thrown);
+  const hasMessage = thrown && typeof thrown === 'object' && 'message' in thrown;
+  const message = String(hasMessage ? thrown.message : thrown);
+  // In the words of browsers and of what bundles the page.
+  return /preload CSS|imported module|importing a module/i.test(message)
+    ? 'A part of the page could not be fetched. Is there a network?'
+    : message;
 }

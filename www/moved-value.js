@@ -1,6 +1,6 @@
 /** Beside what is dragged: how far it has moved, in the unit of the mesh. */
 
-import { element, setText } from './dom.js';
+import { RENEW_MS, element, setText, throttled } from './dom.js';
 import { lengthUnit, number } from './format.js';
 import { ROUNDING } from './rounding.js';
 
@@ -11,12 +11,18 @@ import { ROUNDING } from './rounding.js';
 export function showMoved(viewport, store) {
   const label = element('p', { id: 'moved', hidden: true });
   viewport.element.after(label);
-  store.subscribe(['moved'], (state) => {
-    const { moved } = state;
+  const write = () => {
+    const { moved } = store.get();
+    if (moved) setText(label, movedInWords(moved.by, store.get()));
+  };
+  const writeSoon = throttled(RENEW_MS, write);
+  store.subscribe(['moved'], ({ moved }) => {
     const place = moved && viewport.heldPlace(moved.by);
-    label.hidden = !moved || !place;
-    if (!moved || !place) return;
-    setText(label, movedInWords(moved.by, state));
+    const wasHidden = label.hidden;
+    label.hidden = !place;
+    if (!place) return;
+    if (wasHidden) write();
+    else writeSoon();
     // On the side where there is room, told without measuring: that would lay the page out anew.
     const [x, y] = place;
     label.style.translate =

@@ -40,6 +40,8 @@ export class PointerInput {
   #commands;
   /** Where each pointer that is down was last. @type {Map<number, [number, number]>} */
   #down = new Map();
+  /** Where the element begins on the page. */
+  #corner = [0, 0];
   /** @type {[number, number]} */
   #start = [0, 0];
   /** The handle that was pressed. @type {number | undefined} */
@@ -101,8 +103,12 @@ export class PointerInput {
    * @returns {[number, number]}
    */
   #at(event) {
-    const box = this.#element.getBoundingClientRect();
-    return [event.clientX - box.left, event.clientY - box.top];
+    // While something is down it stays: to measure it would lay out what a drag changes, twice a frame.
+    if (this.#down.size === 0) {
+      const { left, top } = this.#element.getBoundingClientRect();
+      this.#corner = [left, top];
+    }
+    return [event.clientX - this.#corner[0], event.clientY - this.#corner[1]];
   }
 
   /** @param {PointerEvent} event */

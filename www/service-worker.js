@@ -2,16 +2,18 @@
  * Keeps the built files, so that the page opens without a network. Each version has a cache of its
  * own, filled completely before it is used; which files there are, and a name for them together, the
  * build puts before this text as `SITE`. Of the view's module, which is compiled for each backend, the
- * page says which one it draws with. What is fetched later, such as the parts for Rhino, is kept when it
- * was used once.
+ * page says which one it draws with. The pictures of the gallery are kept when it is opened. What is
+ * fetched later, such as the parts for Rhino, is kept when it was used once.
  */
 
 /* global SITE */
 
 const scope = /** @type {ServiceWorkerGlobalScope} */ (/** @type {unknown} */ (self));
-/** @type {{ version: string, files: string[], views: Record<string, string[]> }} */
+/** @type {{ version: string, files: string[], views: Record<string, string[]>, pictures: string[] }} */
 // @ts-expect-error the build writes it above
-const { version, files, views } = SITE;
+const { version, files, views, pictures } = SITE;
+/** What the gallery asks for first. */
+const GALLERY = '/pictures/results.json';
 const PREFIX = 'shape-up ';
 const NAME = PREFIX + version;
 /** The version before, whose pages may still be open. */
@@ -33,7 +35,9 @@ scope.addEventListener('message', (event) => {
 scope.addEventListener('fetch', (event) => {
   const { request } = event;
   const inScope = request.url.startsWith(scope.registration.scope);
-  if (request.method === 'GET' && inScope) event.respondWith(answer(request));
+  if (request.method !== 'GET' || !inScope) return;
+  event.respondWith(answer(request));
+  if (request.url.endsWith(GALLERY)) event.waitUntil(keepMissing(pictures).catch(() => {}));
 });
 
 /**

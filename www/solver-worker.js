@@ -8,6 +8,7 @@ import init, { Solver } from './pkg/solver/shape_up.js';
 import { cancelExperiment, experimentCsv, runExperiment } from './experiment/worker-part.js';
 import { SLICE_MS, messageOf } from './messages.js';
 import { companionOf, mainOf } from './opened-files.js';
+import { isTrap } from './traps.js';
 import { disturb, mostFaces, warmUpWhenQuiet } from './warm-up.js';
 import { fetchModule } from './worker-loading.js';
 
@@ -96,7 +97,7 @@ function receive(message) {
   try {
     post({ type: 'reply', id: message.id, value: answer(message) });
   } catch (thrown) {
-    if (isDeath(thrown)) die(thrown);
+    if (isTrap(thrown)) die(thrown);
     const path = thrown instanceof Error && 'path' in thrown ? String(thrown.path) : '';
     post({ type: 'refused', id: message.id, message: messageOf(thrown), path });
   }
@@ -428,18 +429,13 @@ function guard(action) {
   try {
     action();
   } catch (thrown) {
-    if (isDeath(thrown)) return die(thrown);
+    if (isTrap(thrown)) return die(thrown);
     running = false;
     dragging = false;
     settled = true;
     post({ type: 'trouble', message: messageOf(thrown) });
     post({ type: 'activity', running, converged: false });
   }
-}
-
-/** @param {unknown} thrown */
-function isDeath(thrown) {
-  return thrown instanceof WebAssembly.RuntimeError || thrown instanceof RangeError;
 }
 
 /** @param {unknown} thrown */

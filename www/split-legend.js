@@ -6,8 +6,8 @@
 import { element, setText } from './dom.js';
 import { groupDigits } from './format.js';
 import { declared, unitOf, valueInWords } from './measures.js';
-import { drawOutline, outline } from './outline.js';
-import { BINS, countsOf, greatestOf } from './spread.js';
+import { bars, drawBars, drawOutline, outline } from './outline.js';
+import { countsOf, greatestOf } from './spread.js';
 
 /** @typedef {import("./split.js").Choice} Choice */
 
@@ -17,9 +17,9 @@ export class SplitLegend {
   #viewport;
   #measure;
   #shape;
-  #bars = Array.from({ length: BINS }, () => element('i'));
+  #bars = bars();
   #before = outline();
-  #histogram = element('div', { class: 'histogram', role: 'img' }, ...this.#bars, this.#before);
+  #histogram = element('div', { class: 'histogram', role: 'img' }, this.#bars, this.#before);
   #ramp = element('div', { class: 'ramp' });
   #steps = element('span', { class: 'quiet' });
   #top = element('span');
@@ -83,11 +83,7 @@ export class SplitLegend {
     this.#measure.title = about.words;
     this.#shape.value = side.original ? 'original' : 'now';
 
-    const counts = countsOf(side.values, side.top);
-    const most = Math.max(...counts, 1);
-    counts.forEach((count, i) => {
-      this.#bars[i].style.height = count > 0 ? `max(2px, ${(100 * count) / most}%)` : '0';
-    });
+    drawBars(this.#bars, countsOf(side.values, side.top));
     const before = side.original || !original ? null : countsOf(original, side.top);
     drawOutline(this.#before, before, Math.max(...(before ?? [])));
     this.#ramp.style.background = this.#viewport.rampOf([0, 100], this.#side);

@@ -120,6 +120,13 @@ const INITIAL = {
   status: '',
 };
 
+/** What changes with every frame of a run or a drag. No command depends on it. @type {(keyof State)[]} */
+const LIVE = ['numbers', 'moved', 'dragMs', 'spread'];
+/** What commands may depend on. */
+export const STEADY = /** @type {(keyof State)[]} */ (Object.keys(INITIAL)).filter(
+  (key) => !LIVE.includes(key),
+);
+
 /** Whether there is a picture. @param {Pick<State, "renderer">} state */
 export const isDrawn = ({ renderer }) => renderer === 'webgpu' || renderer === 'webgl2';
 

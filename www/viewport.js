@@ -87,8 +87,19 @@ export class Viewport extends EventTarget {
    * @returns {T | undefined}
    */
   with(action) {
+    if (this.view) this.#resize();
+    return this.unmeasured(action);
+  }
+
+  /**
+   * The same for what does not depend on the size of the view. To measure lays the page out anew
+   * when something has changed on it, as in every frame of a drag.
+   * @template T
+   * @param {(view: View) => T} action
+   * @returns {T | undefined}
+   */
+  unmeasured(action) {
     if (!this.view) return undefined;
-    this.#resize();
     this.#handOver();
     this.ask();
     return action(this.view);
@@ -111,7 +122,7 @@ export class Viewport extends EventTarget {
    * @returns {[number, string][]}
    */
   rampStops(side) {
-    const stops = this.with((view) => {
+    const stops = this.unmeasured((view) => {
       const colours = view.rampColours(side);
       const limits = view.bandLimits(side);
       const ends = [0, ...limits, 1];
@@ -288,7 +299,7 @@ export class Viewport extends EventTarget {
     for (const [keys, show] of parts) {
       subscribe(keys, (state) => {
         // A mesh that has not been handed over yet brings all of this with it.
-        if (!this.#newMesh) this.with((view) => show(view, state));
+        if (!this.#newMesh) this.unmeasured((view) => show(view, state));
       });
     }
     this.#showAll = (view, state) => parts.forEach(([, show]) => show(view, state));

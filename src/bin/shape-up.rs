@@ -1,4 +1,4 @@
-//! The command line (design section 6): `shape-up solve | check | examples | operators`.
+//! The command line (design section 6): solves scenes, checks and flattens meshes, writes the examples.
 
 mod cli;
 

@@ -1,4 +1,4 @@
-//! Line segment (paper section 3.1): the ends of an edge at a given distance, or at a distance
+//! Line segment (paper section 3.3): the ends of an edge at a given distance, or at a distance
 //! within limits.
 
 use super::limits::Limits;
@@ -32,7 +32,7 @@ impl Projection for LineSegment {
         id: "line-segment",
         label: "Line segment",
         summary: "The two vertices keep their distance, or have a given one.",
-        paper: "3.1",
+        paper: "3.3",
         arity: Arity::Exactly(2),
         centring: Centring::Together,
         elements: &[],

@@ -6,12 +6,25 @@
 //! 1. Write `constraint/<kind>.rs`: a struct whose fields are the parameters of the scene file, and
 //!    its [`Projection`]. It sees its own mean-centred points and their rest points, and nothing
 //!    else: no indices, no mesh, no weights.
-//! 2. Add one line to the list at the end of this file.
+//! 2. Add one line to the list at the end of this file, and its `mod`.
 //! 3. Tell what the kind means a second time, without the operator, in `tests/support/shapes`:
 //!    the property tests run over the list of kinds.
 //!
 //! The scene format, the command line, the controls of the page, the property tests and the
 //! operator table follow from the declaration.
+//!
+//! # What is not an operator
+//!
+//! | file | holds |
+//! |---|---|
+//! | `info` | the declaration of a kind |
+//! | `params` | the parameters of a kind from JSON |
+//! | `limits`, `target`, `angle_range`, `direction` | values that parameters have in common |
+//! | `select`, `resolve` | selectors, and the vertices of each constraint that one makes |
+//! | `batch` | many constraints of one kind, projected in lanes |
+//! | `separate_lanes` | for operators whose work depends on where the points are |
+//! | `pitot`, `symmetry_group` | what incircles and tangent incircles, and symmetries, are made of |
+//! | `sketch` | a drawing of what a kind asks, made by the operator itself |
 
 mod angle;
 mod angle_range;

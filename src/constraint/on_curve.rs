@@ -1,4 +1,4 @@
-//! On curve (an application of paper section 4.1, where vertices slide along feature curves): the
+//! On curve (an application of paper section 4.2, where vertices slide along feature curves): the
 //! closest point of a polyline that stays in its place.
 
 use super::separate_lanes::separate_lanes;

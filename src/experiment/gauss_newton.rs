@@ -3,7 +3,7 @@
 
 use super::circularity::{Circularity, RESIDUALS};
 use crate::constraint::Row;
-use crate::math::Vec3;
+use crate::math::{Vec3, polygon_sides};
 use crate::mesh::{Laplacian, Point};
 use crate::solve::{System, Terms};
 
@@ -55,7 +55,7 @@ impl GaussNewton {
         fixed: Vec<bool>,
         weights: [f64; 2],
     ) -> GaussNewton {
-        let sides = quads.iter().flat_map(|quad| (0..4).map(|k| [quad[k], quad[(k + 1) % 4]]));
+        let sides = quads.iter().flat_map(|quad| polygon_sides(quad));
         let lengths = sides.map(|[a, b]| (at(rest, b) - at(rest, a)).length());
         let (sum, count) = lengths.fold((0.0, 0.0), |(sum, count), l| (sum + l, count + 1.0));
         let mut circles = Terms::default();
@@ -116,7 +116,7 @@ impl GaussNewton {
 
     /// Half the gradient of the total at the current positions, three coordinates of each vertex; the
     /// derivatives of the residuals become the coefficients of the system.
-    pub(super) fn linearise(&mut self, weight: f64) -> Vec<f64> {
+    fn linearise(&mut self, weight: f64) -> Vec<f64> {
         let mut gradient = vec![0.0; 3 * self.positions.len()];
         let mut add = |v: u32, by: Vec3<f64>| {
             let own = &mut gradient[3 * v as usize..][..3];

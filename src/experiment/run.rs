@@ -106,8 +106,9 @@ impl Run {
             };
             let method = (info.start)(&self.scene, &self.mesh)?;
             let first = Sample { seconds: method.set_up_seconds(), values: method.values() };
-            self.series.push(Series { samples: vec![first], ended_by: None });
-            self.under_way = Some(method);
+            let ended_by = (self.limits.iterations == 0).then_some(EndedBy::Iterations);
+            self.series.push(Series { samples: vec![first], ended_by });
+            self.under_way = ended_by.is_none().then_some(method);
             return Ok(true);
         };
         let started = clock::now();

@@ -1,6 +1,7 @@
 //! Small dense mathematics under everything else: lanes, 3-vectors of lanes, symmetric 3x3
 //! eigenvectors, singular values, principal axes, closest rotations, fitted circles and spheres,
-//! regular polygons, closest numbers with a given product, angles, sines and cube roots, and sorting.
+//! regular polygons, the sides and corners of any, closest numbers with a given product, angles, sines
+//! and cube roots, and sorting.
 //! Knows of nothing else in the crate.
 
 mod alignment;
@@ -12,6 +13,7 @@ mod jacobi;
 mod lane;
 mod orthogonal_pair;
 mod plane_frame;
+mod polygon;
 mod principal;
 mod product;
 mod root;
@@ -32,6 +34,7 @@ pub use jacobi::symmetric_eigen;
 pub use lane::{LANES, Lane, Lanes, Pair};
 pub use orthogonal_pair::OrthogonalPair;
 pub use plane_frame::plane_frame;
+pub use polygon::{polygon_corners, polygon_sides, twice_vector_area};
 pub use principal::PrincipalAxes;
 pub use product::{
     pair_with_product, pair_with_product_carefully, triple_with_product,

@@ -165,13 +165,16 @@ impl RoundWithin<f64> {
 ///
 /// Collinear (for a sphere, coplanar) points that may not stay on their line have their centre along
 /// the shortest axis. A limit of more than a million times the size of the points is the radius of a line
-/// along the longest axis (of a plane along the two longest). Coincident points stay.
+/// along the longest axis (of a plane along the two longest). Coincident points stay. Where the radius
+/// must be zero all points go to their mean.
 #[derive(Clone, Copy, Debug)]
 pub struct PrincipalRound {
     /// The principal axes of the points.
     pub axes: PrincipalAxes,
     within: RoundWithin<f64>,
     dimensions: usize,
+    /// No radius is allowed but zero: all that is left of the circle is its centre, the mean.
+    is_point: bool,
 }
 
 impl PrincipalRound {
@@ -187,18 +190,22 @@ impl PrincipalRound {
         let seen: Vec<_> = points.iter().map(|v| with_dimensions(*v, dimensions)).collect();
         let chosen = if round.reach > 0.0 { axis(0) } else { axis(dimensions - 1) };
         let normal = if dimensions == 2 { axis(2) } else { Vec3::zero() };
+        let is_point = clamp(f64::INFINITY) == 0.0;
         let clamp = |radius: f64| {
             let in_space = radius * axes.scale;
             let clamped = clamp(in_space);
             if clamped == in_space { radius } else { clamped / axes.scale }
         };
         let within = RoundWithin::of(&seen, round, normal, clamp, chosen, &mut 1.0);
-        PrincipalRound { axes, within, dimensions }
+        PrincipalRound { axes, within, dimensions, is_point }
     }
 
     /// The closest point, in space, to the point with principal coordinates `v`. One at the centre
     /// goes to where the first axis meets the circle or sphere.
     pub fn closest(&self, v: Vec3<f64>) -> Vec3<f64> {
+        if self.is_point {
+            return Vec3::zero();
+        }
         let v = with_dimensions(v, self.dimensions);
         let RoundWithin { round, limited, .. } = self.within;
         self.axes.point(if limited == 0.0 {

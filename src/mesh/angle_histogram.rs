@@ -1,7 +1,7 @@
 //! How many corners of faces have which angle (paper Fig. 7).
 
 use super::{Point, Ragged};
-use crate::math::{Vec3, cosine};
+use crate::math::{Vec3, cosine, polygon_corners};
 
 /// The corners of `faces` at `positions` (`#V by 3`), counted by their angles: `bins` of equal width
 /// from 0 to 180 degrees. An angle on the bound of two bins is in the upper one. A corner at a side
@@ -13,10 +13,9 @@ pub fn angle_histogram(positions: &[Point], faces: &Ragged, bins: usize) -> Vec<
     let at = |v: u32| Vec3::from(positions[v as usize]);
     let mut counts = vec![0; bins];
     for face in faces.iter() {
-        let n = face.len();
-        for k in 0..n {
-            let here = at(face[k]);
-            let (before, after) = (at(face[(k + n - 1) % n]) - here, at(face[(k + 1) % n]) - here);
+        for [before, here, after] in polygon_corners(face) {
+            let here = at(here);
+            let (before, after) = (at(before) - here, at(after) - here);
             let lengths = before.length() * after.length();
             if lengths > 0.0 {
                 let cosine = before.dot(after) / lengths;

@@ -6,6 +6,7 @@
 //! simple loops in every case.
 
 use super::{Mesh, Ragged};
+use crate::math::polygon_sides;
 
 /// See [`super::Topology::boundary_loops`].
 pub(super) fn boundary_loops(
@@ -40,8 +41,8 @@ pub(super) fn boundary_loops(
 }
 
 /// Whether the face goes from the first of two neighbouring corners to the second.
-fn runs(face: &[u32], [a, b]: [u32; 2]) -> bool {
-    face.iter().zip(face.iter().cycle().skip(1)).any(|(&from, &to)| from == a && to == b)
+fn runs(face: &[u32], ends: [u32; 2]) -> bool {
+    polygon_sides(face).any(|side| side == ends)
 }
 
 struct Walk<'a> {

@@ -1,9 +1,18 @@
-//! The bounding sphere: the smallest ball that holds all points.
+//! The bounding sphere: the smallest ball that holds all points; and how far out points may be.
 //!
 //! Errors `e_p` and `e_c` are stated in the scale where its diameter is 1 (paper Fig. 5).
 
 use super::Point;
 use crate::math::Vec3;
+
+/// Coordinates are at most this, of either sign, or there is nothing to be measured: sixth powers of
+/// lengths, the highest that are formed, stay finite.
+pub const FARTHEST: f64 = 1e50;
+
+/// The first position (of `#V by 3`) that is farther out than [`FARTHEST`], or not a number.
+pub fn too_far(positions: &[Point]) -> Option<usize> {
+    positions.iter().position(|point| !point.iter().all(|x| x.abs() <= FARTHEST))
+}
 
 /// A ball.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,6 +4,7 @@
 //! that vertex found. Near the surface, the short list of triangles around the last closest one has
 //! all that can be nearer; elsewhere its distance bounds the search of a tree. Both are exact.
 
+use super::footing::Footing;
 use super::surroundings::Surroundings;
 use super::tree::{Box3, Tree};
 use super::triangle::{Corners, Hit, Planes, is_sliver, splat};
@@ -74,20 +75,52 @@ impl Surface {
     #[inline]
     pub fn closest(&self, p: Point, warm: &mut u32) -> Point {
         let p = Vec3::from(p) - self.centre;
+        if let Some(planes) = self.planes.get(*warm as usize) {
+            let over = planes.over(splat(p));
+            if self.surroundings.clearing(*warm as usize).holds(over) {
+                return (planes.foot(p, over) + self.centre).into();
+            }
+        }
+        (self.search(p, warm) + self.centre).into()
+    }
+
+    /// As [`Surface::closest`], and as exact. `footing` is what the last search for this point left too,
+    /// or [`Footing::unknown`].
+    #[inline(always)]
+    pub fn closest_from(&self, p: Point, warm: &mut u32, footing: &mut Footing) -> Point {
+        let p = Vec3::from(p) - self.centre;
+        let foot = match footing.foot(p) {
+            Some(foot) => foot,
+            None => self.find_footing(p, warm, footing),
+        };
+        (foot + self.centre).into()
+    }
+
+    #[inline(never)]
+    fn find_footing(&self, p: Vec3<f64>, warm: &mut u32, footing: &mut Footing) -> Vec3<f64> {
+        let before = *warm;
+        let found = self.search(p, warm);
+        if *warm != before {
+            let t = *warm as usize;
+            footing.planes.clone_from(&self.planes[t]);
+            footing.clearing.clone_from(self.surroundings.clearing(t));
+        }
+        found
+    }
+
+    /// The closest point among the surroundings of the triangle `warm`, or of all.
+    #[inline(never)]
+    fn search(&self, p: Vec3<f64>, warm: &mut u32) -> Vec3<f64> {
         let lanes = splat(p);
         let mut best = Hit { point: p, distance_squared: f64::INFINITY };
         if let Some(planes) = self.planes.get(*warm as usize) {
             let t = *warm as usize;
-            let over = planes.over(lanes);
-            if self.surroundings.leave_alone(t, over) {
-                return (planes.foot(p, over) + self.centre).into();
-            }
-            best = self.corners[t].closest(planes, p, over);
+            best = self.corners[t].closest(planes, p, planes.over(lanes));
             if let Some(list) = self.surroundings.of(t, best.distance_squared) {
                 for &s in list {
                     self.consider(s as usize, p, lanes, &mut best, warm);
                 }
-                return (best.point + self.centre).into();
+                return best.point;
             }
         }
         self.tree.search(lanes, best.distance_squared, |leaf, _| {
@@ -96,7 +129,7 @@ impl Surface {
             }
             best.distance_squared
         });
-        (best.point + self.centre).into()
+        best.point
     }
 
     /// Takes the closest point of triangle `t` if it is nearer than the best one so far.

@@ -46,8 +46,7 @@ fn follow(topology: &Topology, first: u32, v: u32, walked: &mut [bool]) -> (Vec<
             return (vertices, true);
         }
         walked[next as usize] = true;
-        let [a, b] = topology.edges()[next as usize];
-        (edge, at) = (next, if a == at { b } else { a });
+        (edge, at) = (next, topology.other_end(next, at));
         vertices.push(at);
     }
     (vertices, false)

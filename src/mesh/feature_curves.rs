@@ -2,7 +2,7 @@
 //! section 4.2).
 
 use super::{Mesh, Ragged, Topology};
-use crate::math::{Vec3, cosine};
+use crate::math::{Vec3, cosine, twice_vector_area};
 
 /// The curves of edges where the surface turns by more than `degrees`, its boundary, and edges of
 /// more than two faces. Each such edge is in exactly one curve.
@@ -11,7 +11,9 @@ use crate::math::{Vec3, cosine};
 /// corners. A closed one repeats its first vertex at the end. An edge at a face without area turns
 /// nowhere.
 pub fn feature_curves(mesh: &Mesh, topology: &Topology, degrees: f64) -> Ragged {
-    let normals: Vec<Vec3<f64>> = mesh.faces.iter().map(|face| area_vector(mesh, face)).collect();
+    let at = |&v: &u32| Vec3::from(mesh.positions[v as usize]);
+    let normal = |face: &[u32]| twice_vector_area(face.iter().map(at));
+    let normals: Vec<Vec3<f64>> = mesh.faces.iter().map(normal).collect();
     let least = cosine(degrees / 360.0);
     let is_feature: Vec<bool> = topology
         .edge_faces()
@@ -71,21 +73,12 @@ impl Creases<'_> {
         let (mut next, mut v) = (Some(first), start);
         while let Some(edge) = next {
             self.walked[edge as usize] = true;
-            let [a, b] = self.topology.edges()[edge as usize];
-            v = if a == v { b } else { a };
+            v = self.topology.other_end(edge, v);
             curve.push(v);
             next = if self.is_corner(v) { None } else { self.fresh(v) };
         }
         curve
     }
-}
-
-/// Twice the area vector of a polygon.
-fn area_vector(mesh: &Mesh, face: &[u32]) -> Vec3<f64> {
-    let at = |v: u32| {
-        Vec3::from(mesh.positions[v as usize]) - Vec3::from(mesh.positions[face[0] as usize])
-    };
-    face.windows(2).fold(Vec3::zero(), |sum, side| sum + at(side[0]).cross(at(side[1])))
 }
 
 #[cfg(test)]

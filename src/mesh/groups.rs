@@ -6,13 +6,9 @@ use super::problem::Element;
 use super::{Group, GroupKeyword};
 use crate::math::{ascending, key_of_pair};
 
-/// The statements that open groups.
-pub(super) const STATEMENTS: [(GroupKeyword, &str); 3] =
-    [(GroupKeyword::Object, "o"), (GroupKeyword::Group, "g"), (GroupKeyword::Material, "usemtl")];
-
 /// How many names of one `g` statement are kept. Without a limit, a file could ask for memory in
 /// the square of its size.
-pub(super) const MOST_NAMES: usize = 32;
+const MOST_NAMES: usize = 32;
 
 /// The groups so far.
 #[derive(Default)]
@@ -20,7 +16,7 @@ pub(super) struct Groups {
     groups: Vec<Group>,
     by_name: BTreeMap<(GroupKeyword, String), usize>,
     /// Indices in `groups` of those that elements now fall into, for each keyword.
-    open: [Vec<usize>; STATEMENTS.len()],
+    open: [Vec<usize>; GroupKeyword::STATEMENTS.len()],
 }
 
 impl Groups {

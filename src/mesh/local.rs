@@ -2,13 +2,14 @@
 //! hinges between triangles.
 
 use super::{Mesh, Ragged, Topology};
+use crate::math::polygon_corners;
 
 /// Each corner of each face, with its face: the vertex before, the corner, the vertex after.
 pub fn corners(mesh: &Mesh) -> impl Iterator<Item = (usize, [u32; 3])> {
-    mesh.faces.iter().enumerate().flat_map(|(f, face)| {
-        let n = face.len();
-        (0..n).map(move |k| (f, [face[(k + n - 1) % n], face[k], face[(k + 1) % n]]))
-    })
+    mesh.faces
+        .iter()
+        .enumerate()
+        .flat_map(|(f, face)| polygon_corners(face).map(move |corner| (f, corner)))
 }
 
 /// Each interior vertex that is surrounded by one fan of faces, then its neighbours around it, from
@@ -19,10 +20,8 @@ pub fn stars(mesh: &Mesh, topology: &Topology) -> Ragged {
         // Two neighbours are next to each other where one face has a corner between them.
         let mut next_to = Vec::new();
         for &f in topology.vertex_faces().row(v as usize) {
-            let face = mesh.faces.row(f as usize);
-            let n = face.len();
-            for k in (0..n).filter(|&k| face[k] == v) {
-                let (before, after) = (face[(k + n - 1) % n], face[(k + 1) % n]);
+            let corners = polygon_corners(mesh.faces.row(f as usize));
+            for [before, _, after] in corners.filter(|&[_, here, _]| here == v) {
                 next_to.extend([[before, after], [after, before]]);
             }
         }

@@ -2,7 +2,7 @@
 //!
 //! | file | holds |
 //! |---|---|
-//! | [`ragged`](self) | lists of lists of vertex indices |
+//! | `ragged` | lists of lists of vertex indices |
 //! | `read` | files in, by format: `obj` with `groups`, `off`, `medit` |
 //! | `lines`, `stream`, `number`, `draft` | what the formats share: text, rows, numbers, the mesh so far |
 //! | `problem`, `survey` | what a file, and a mesh as a whole, has wrong that can be survived |
@@ -14,12 +14,12 @@
 //! | `boundary_curves` | the boundary loops as curves to glide on, with corners |
 //! | `local` | corners of faces, stars of vertices, hinges |
 //! | `laplacian` | the weights `w_ij` of Eq. 12 |
-//! | `closest` | closest point `c(v)` on the reference surface, Eq. 11; with its parts `triangle`, `tree`, `surroundings`, `clearing` |
+//! | `closest` | closest point `c(v)` on the reference surface, Eq. 11; with its parts `footing`, `triangle`, `tree`, `surroundings`, `clearing` |
 //! | `measure` | planarity, circularity, diagonal ratio of faces; with its part `face_fit` |
 //! | `angle_histogram` | how many corners of faces have which angle |
 //! | `quasi_conformal` | how far a flat map is from keeping angles |
 //! | `histogram` | how errors are distributed, for legends |
-//! | `bounds` | bounding sphere |
+//! | `bounds` | bounding sphere, and how far out positions may be |
 
 mod angle_histogram;
 mod boundary;
@@ -32,6 +32,7 @@ mod draft;
 mod edge_lines;
 mod face_fit;
 mod feature_curves;
+mod footing;
 pub mod generate;
 mod groups;
 mod histogram;
@@ -59,18 +60,19 @@ mod triangle;
 
 pub use angle_histogram::angle_histogram;
 pub use boundary_curves::{BoundaryCurve, BoundaryCurves};
-pub use bounds::BoundingSphere;
+pub use bounds::{BoundingSphere, FARTHEST, too_far};
 pub use closest::Surface;
 pub use components::components;
 pub use edge_lines::edge_lines;
 pub use feature_curves::feature_curves;
+pub use footing::Footing;
 pub use histogram::Histogram;
 pub use laplacian::{LARGEST_COTANGENT, Laplacian};
 pub use local::{corners, hinges, stars};
 pub use measure::{Circularity, Measures, Planarity, diagonal_ratio};
 pub use medit_write::write_medit;
 pub use obj_write::{write_obj, write_obj_with_uv};
-pub use problem::{Element, Problem, ProblemKind};
+pub use problem::{Element, Problem, ProblemKind, counted};
 pub use quasi_conformal::{MapErrors, QuasiConformal, quasi_conformal};
 pub use ragged::Ragged;
 pub use read::{Read, read};
@@ -119,6 +121,15 @@ pub enum GroupKeyword {
     Group,
     /// `usemtl`
     Material,
+}
+
+impl GroupKeyword {
+    /// The word of each.
+    pub const STATEMENTS: [(&str, GroupKeyword); 3] = [
+        ("o", GroupKeyword::Object),
+        ("g", GroupKeyword::Group),
+        ("usemtl", GroupKeyword::Material),
+    ];
 }
 
 /// Why a mesh file was refused.

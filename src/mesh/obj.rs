@@ -3,8 +3,9 @@
 //! degree one that Rhino writes. Texture, normals, points and true free-form geometry are counted
 //! and left out.
 
+use super::GroupKeyword;
 use super::draft::Draft;
-use super::groups::{Groups, STATEMENTS};
+use super::groups::Groups;
 use super::lines::{joined_lines, words};
 use super::number::{Numbering, whole};
 use super::problem::{Element, ProblemKind, counted};
@@ -66,8 +67,8 @@ pub(super) fn read(text: &str) -> Draft {
                 continue;
             }
             _ => {
-                if let Some(&(keyword, _)) = STATEMENTS.iter().find(|(_, word)| *word == statement)
-                {
+                let opens = |(word, _): &&(&str, GroupKeyword)| *word == statement;
+                if let Some(&(_, keyword)) = GroupKeyword::STATEMENTS.iter().find(opens) {
                     if groups.open(keyword, &text) {
                         draft.tally.add(ProblemKind::TooManyNames, Some(line));
                     }

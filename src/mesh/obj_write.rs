@@ -2,7 +2,6 @@
 
 use std::fmt::{Display, Write};
 
-use super::groups::STATEMENTS;
 use super::{Group, GroupKeyword, Mesh, Point};
 
 /// The mesh at other positions (`#V by 3`, finite) as the text of an OBJ file: vertices, faces,
@@ -85,7 +84,7 @@ fn members(mesh: &Mesh) -> Vec<(u32, u32)> {
 
 /// Writes the statements that lead from the groups of one element to those of the next.
 fn push_groups(out: &mut String, groups: &[Group], open: &[(u32, u32)], now: &[(u32, u32)]) {
-    for (keyword, statement) in STATEMENTS {
+    for (statement, keyword) in GroupKeyword::STATEMENTS {
         let (most, gap) = match keyword {
             GroupKeyword::Group => (usize::MAX, '_'),
             GroupKeyword::Object | GroupKeyword::Material => (1, ' '),

@@ -125,7 +125,7 @@ impl fmt::Display for Problem {
 }
 
 /// `1 face`, `2 faces`.
-pub(super) fn counted(count: usize, one: &str, many: &str) -> String {
+pub fn counted(count: usize, one: &str, many: &str) -> String {
     format!("{count} {}", if count == 1 { one } else { many })
 }
 

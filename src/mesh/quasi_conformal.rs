@@ -1,7 +1,7 @@
 //! How far a flat map of a surface is from keeping angles (Sander, Snyder, Gortler, Hoppe 2001).
 
 use super::{Point, Ragged};
-use crate::math::Vec3;
+use crate::math::{Vec3, twice_vector_area};
 use serde::Serialize;
 
 /// The quasi-conformal error over the triangles of the fans `(f0, fk, fk+1)`: the ratio of the
@@ -36,7 +36,7 @@ pub fn quasi_conformal(positions: &[Point], uv: &[[f64; 2]], faces: &Ragged) -> 
     for (index, face) in (0..).zip(faces.iter()) {
         let mut worst = f64::NAN;
         let flipped_before = flipped;
-        let upward = vector_area(positions, face);
+        let upward = twice_vector_area(face.iter().map(|&v| Vec3::from(positions[v as usize])));
         for side in face[1..].windows(2) {
             let corners = [face[0], side[0], side[1]].map(|v| v as usize);
             let [p, q, r] = corners.map(|v| Vec3::from(positions[v]));
@@ -81,14 +81,6 @@ pub fn quasi_conformal(positions: &[Point], uv: &[[f64; 2]], faces: &Ragged) -> 
     }
     error.mean /= if area > 0.0 { area } else { 1.0 };
     MapErrors { quasi_conformal: error, flipped, flipped_faces, of_faces }
-}
-
-/// The sum of the vector areas of the triangles of a face, twice.
-fn vector_area(positions: &[Point], face: &[u32]) -> Vec3<f64> {
-    let [first, ..] = face else { return Vec3::zero() };
-    let to = |&v: &u32| Vec3::from(positions[v as usize]) - Vec3::from(positions[*first as usize]);
-    let sides = face[1..].windows(2).map(|side| to(&side[0]).cross(to(&side[1])));
-    sides.fold(Vec3::zero(), |sum, area| sum + area)
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@
 use super::Ragged;
 use super::clearing::Clearing;
 use super::tree::{Box3, Tree};
-use super::triangle::{Corners, Over, Planes};
+use super::triangle::{Corners, Planes};
 use crate::math::Lane;
 
 /// How far the surroundings of a triangle reach, relative to the diagonal of its box.
@@ -95,11 +95,10 @@ impl Surroundings {
         Surroundings { clearings, lists, limits }
     }
 
-    /// Whether no triangle is nearer to a point than triangle `t`, which it is `over`, and the point is
-    /// above or below it.
+    /// The clearing of triangle `t`.
     #[inline(always)]
-    pub(super) fn leave_alone(&self, t: usize, over: Over) -> bool {
-        self.clearings[t].holds(over)
+    pub(super) fn clearing(&self, t: usize) -> &Clearing {
+        &self.clearings[t]
     }
 
     /// The triangles that can be nearer to a point than triangle `t`, from which it is at this

@@ -2,7 +2,7 @@
 
 use super::problem::{Problem, ProblemKind, Tally};
 use super::{Mesh, Point};
-use crate::math::{ascending, key_of_number, key_of_pair};
+use crate::math::{ascending, key_of_number, key_of_pair, polygon_sides};
 
 /// The problems of a mesh that is not from a file, such as one inside a scene.
 pub fn survey(mesh: &Mesh) -> Vec<Problem> {
@@ -106,11 +106,9 @@ struct HalfEdge {
 fn half_edges(mesh: &Mesh) -> Vec<HalfEdge> {
     let mut sides: Vec<HalfEdge> = Vec::with_capacity(mesh.faces.indices().len());
     for (face, corners) in mesh.faces.iter().enumerate() {
-        let mut from = corners[corners.len() - 1];
-        for &to in corners {
+        for [from, to] in polygon_sides(corners) {
             let ends = [from.min(to), from.max(to)];
             sides.push(HalfEdge { ends, face: face as u32, ascending: from < to });
-            from = to;
         }
     }
     let order = ascending(sides.iter().map(|side| key_of_pair(side.ends)));

@@ -4,7 +4,7 @@
 //! not be a manifold: an edge may have any number of faces, a vertex any number of fans.
 
 use super::{Mesh, Ragged};
-use crate::math::{ascending, key_of_pair};
+use crate::math::{ascending, key_of_pair, polygon_sides};
 
 /// The adjacency of a mesh. Indices are those of the mesh; edges are numbered in lexicographic
 /// order of their ends.
@@ -77,6 +77,11 @@ impl Topology {
     /// The edge between two vertices.
     pub fn edge(&self, a: u32, b: u32) -> Option<u32> {
         self.edges.binary_search(&[a.min(b), a.max(b)]).ok().map(|e| e as u32)
+    }
+    /// The end of edge `e` that is not `v`.
+    pub fn other_end(&self, e: u32, v: u32) -> u32 {
+        let [a, b] = self.edges[e as usize];
+        if a == v { b } else { a }
     }
     /// `#V` rows: the vertices that share an edge with a vertex, `N(i)` of Eq. 12, ascending.
     pub fn neighbours(&self) -> &Ragged {
@@ -160,10 +165,11 @@ struct Side {
 /// All sides, sorted by ends, then by face.
 fn sides(mesh: &Mesh) -> Vec<Side> {
     const TET_EDGES: [[usize; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
-    let of_faces = mesh.faces.iter().zip(0..).flat_map(|(face, f)| {
-        let next = face.iter().cycle().skip(1);
-        face.iter().zip(next).map(move |(&a, &b)| (a, b, Some(f)))
-    });
+    let of_faces = mesh
+        .faces
+        .iter()
+        .zip(0..)
+        .flat_map(|(face, f)| polygon_sides(face).map(move |[a, b]| (a, b, Some(f))));
     let of_curves =
         mesh.curves.iter().flat_map(|curve| curve.windows(2).map(|ends| (ends[0], ends[1], None)));
     let of_tets = mesh.tets.iter().flat_map(|tet| TET_EDGES.map(|[a, b]| (tet[a], tet[b], None)));

@@ -69,7 +69,9 @@ impl Closeness {
             let selected = resolve(&entry.on, mesh, topology, sets)
                 .map_err(|problem| error(problem.to_string()))?;
             if selected.indices().is_empty() {
-                return Err(error("nothing is selected: the mesh has no such element".to_owned()));
+                let message =
+                    "nothing is selected: the mesh has no such element, expected at least one";
+                return Err(error(message.to_owned()));
             }
             selected.indices().iter().for_each(|&v| factors[v as usize] = entry.weight);
         }

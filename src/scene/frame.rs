@@ -1,7 +1,7 @@
 //! The unit and the vertical axis of a mesh file. The formats have neither: a comment may state them,
 //! and where none does they are guessed from the shape. Coordinates are never touched.
 
-use super::Up;
+use super::{Up, Worded};
 use crate::mesh::{Mesh, Point};
 
 /// A size, the diagonal of the bounding box, from which on it is taken as a building in metres.
@@ -31,8 +31,7 @@ impl Frame {
             let Ok(comment) = std::str::from_utf8(comment) else { continue };
             match comment.split_once(':').map(|(key, value)| (key.trim(), value.trim())) {
                 Some(("units", units)) if !units.is_empty() => frame.units = Some(units.to_owned()),
-                Some(("up", "y")) => frame.up = Some(Up::Y),
-                Some(("up", "z")) => frame.up = Some(Up::Z),
+                Some(("up", axis)) => frame.up = Up::of_word(axis).or(frame.up),
                 _ => {}
             }
         }

@@ -26,8 +26,8 @@ mod write;
 pub(super) use node::push_key;
 
 use super::{
-    Accelerator, Factorization, HANDLE_WEIGHT, HandleSpec, Hold, MeshSource, Scene, SceneError,
-    Smoothness, SmoothnessOf, SolverSettings, Up, Weighting, Weights,
+    HANDLE_WEIGHT, HandleSpec, Hold, MeshSource, Scene, SceneError, Smoothness, SolverSettings,
+    Weights,
 };
 use crate::constraint::{Set, Sets};
 use crate::mesh::Point;
@@ -56,33 +56,6 @@ const KEYS: &[&str] = &[
     "lesson",
 ];
 
-const UPS: &[(&str, Up)] = &[("z", Up::Z), ("y", Up::Y)];
-const SMOOTHNESSES: &[(&str, SmoothnessOf)] =
-    &[("surface", SmoothnessOf::Surface), ("displacement", SmoothnessOf::Displacement)];
-const WEIGHTINGS: &[(&str, Weighting)] = &[
-    ("auto", Weighting::Auto),
-    ("uniform", Weighting::Uniform),
-    ("cotangent", Weighting::Cotangent),
-];
-const ACCELERATORS: &[(&str, Accelerator)] = &[
-    ("quasi-newton", Accelerator::QuasiNewton),
-    ("anderson", Accelerator::Anderson),
-    ("none", Accelerator::None),
-];
-const FACTORIZATIONS: &[(&str, Factorization)] =
-    &[("supernodal", Factorization::Supernodal), ("sprs-ldl", Factorization::SprsLdl)];
-
-/// The word that scene files use for `value`.
-fn word_of<T: PartialEq + Copy>(words: &[(&'static str, T)], value: T) -> &'static str {
-    let found = words.iter().find(|(_, v)| *v == value);
-    found.expect("every value of an enumeration has a word").0
-}
-
-impl Accelerator {
-    /// Every accelerator with its word in scene files and on the command line.
-    pub const WORDS: &'static [(&'static str, Accelerator)] = ACCELERATORS;
-}
-
 impl Scene {
     /// Reads a scene file.
     ///
@@ -90,9 +63,7 @@ impl Scene {
     /// When the text is not JSON (line and column), or not a scene of version 1 (the JSON path,
     /// what was found there and what was expected).
     pub fn from_json(text: &str) -> Result<Scene, SceneError> {
-        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        let document: Node = serde_json::from_str(text).map_err(|e| syntax_error(text, &e))?;
-        let scene = read_scene(&At::root(&document))?;
+        let scene = read_scene(&At::root(&parse(text)?))?;
         scene.check_numbers()?;
         Ok(scene)
     }
@@ -103,6 +74,12 @@ impl Scene {
     pub fn to_json(&self, mesh: &crate::mesh::Mesh) -> String {
         write::scene(self, mesh)
     }
+}
+
+/// The document as a tree, with or without a byte order mark before it.
+fn parse(text: &str) -> Result<Node, SceneError> {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    serde_json::from_str(text).map_err(|error| syntax_error(text, &error))
 }
 
 fn syntax_error(text: &str, error: &serde_json::Error) -> SceneError {
@@ -117,24 +94,8 @@ fn syntax_error(text: &str, error: &serde_json::Error) -> SceneError {
 }
 
 fn read_scene(at: &At<'_>) -> Result<Scene, SceneError> {
-    if !matches!(at.node, Node::Object(_)) {
-        return Err(at.expected("a scene: an object"));
-    }
-    // These two first: a later version may have keys that are unknown here.
-    let format = at.need("format", &format!("\"format\": \"{FORMAT}\""))?;
-    if format.node != &Node::Text(FORMAT.to_owned()) {
-        return Err(format.expected(&format!("\"{FORMAT}\"")));
-    }
-    let version = at.need("version", &VERSION.to_string())?;
-    match version.whole(&VERSION.to_string())? {
-        VERSION => {}
-        later if later > VERSION => {
-            return Err(version.error(format!(
-                "this is version {later} of the scene file, this program reads version {VERSION}: it needs a later program"
-            )));
-        }
-        _ => return Err(version.expected(&VERSION.to_string())),
-    }
+    // First of all: a later version may have keys that are unknown here.
+    check_format(at, "a scene: an object", FORMAT, VERSION)?;
     at.only_keys(KEYS)?;
 
     let mut scene = Scene::new(read_mesh(&at.need("mesh", "{\"file\": ...} or a mesh")?)?);
@@ -145,7 +106,7 @@ fn read_scene(at: &At<'_>) -> Result<Scene, SceneError> {
         scene.units = units.text("a unit of length such as \"m\"")?.to_owned();
     }
     if let Some(up) = at.get("up") {
-        scene.up = up.one_of(UPS)?;
+        scene.up = up.choice()?;
     }
     if let Some(current) = at.get("current") {
         scene.current = Some(read_points(&current)?);
@@ -177,6 +138,26 @@ fn read_scene(at: &At<'_>) -> Result<Scene, SceneError> {
         scene.lesson = Some(lesson::read(&lesson)?);
     }
     Ok(scene)
+}
+
+/// Checks that a document is of this `format`, and of the `version` that is read here; `what` says what it
+/// would be.
+fn check_format(at: &At<'_>, what: &str, format: &str, version: u32) -> Result<(), SceneError> {
+    if !matches!(at.node, Node::Object(_)) {
+        return Err(at.expected(what));
+    }
+    let found = at.need("format", &format!("\"format\": \"{format}\""))?;
+    if found.node != &Node::Text(format.to_owned()) {
+        return Err(found.expected(&format!("\"{format}\"")));
+    }
+    let found = at.need("version", &version.to_string())?;
+    match found.whole(&version.to_string())? {
+        own if own == version => Ok(()),
+        later if later > version => Err(found.error(format!(
+            "this is version {later} of {format}, this program reads version {version}: it needs a later program"
+        ))),
+        _ => Err(found.expected(&version.to_string())),
+    }
 }
 
 fn read_mesh(at: &At<'_>) -> Result<MeshSource, SceneError> {
@@ -265,10 +246,10 @@ fn read_smoothness(at: &At<'_>) -> Result<Smoothness, SceneError> {
     at.only_keys(&["of", "weighting"])?;
     let mut smoothness = Smoothness::default();
     if let Some(of) = at.get("of") {
-        smoothness.of = of.one_of(SMOOTHNESSES)?;
+        smoothness.of = of.choice()?;
     }
     if let Some(weighting) = at.get("weighting") {
-        smoothness.weighting = weighting.one_of(WEIGHTINGS)?;
+        smoothness.weighting = weighting.choice()?;
     }
     Ok(smoothness)
 }
@@ -291,7 +272,7 @@ fn read_solver(at: &At<'_>) -> Result<SolverSettings, SceneError> {
         solver.tolerance = tolerance.number("a number from 0")?;
     }
     if let Some(accelerator) = at.get("accelerator") {
-        solver.accelerator = accelerator.one_of(ACCELERATORS)?;
+        solver.accelerator = accelerator.choice()?;
     }
     if let Some(window) = at.get("window") {
         solver.window = window.whole("a whole number from 0")?;
@@ -303,7 +284,7 @@ fn read_solver(at: &At<'_>) -> Result<SolverSettings, SceneError> {
         solver.monotone = monotone.truth()?;
     }
     if let Some(factorization) = at.get("factorization") {
-        solver.factorization = factorization.one_of(FACTORIZATIONS)?;
+        solver.factorization = factorization.choice()?;
     }
     Ok(solver)
 }

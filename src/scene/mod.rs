@@ -6,6 +6,7 @@
 //! | `lesson` | exercises: a text, goals, and the results that are handed in |
 //! | `validate` | the checks that need the mesh |
 //! | `closeness` | what vertices are kept close to, and how much |
+//! | `words` | the words for choices, in files and everywhere else |
 //! | `frame` | the unit and the vertical axis of a mesh file, stated or guessed |
 //! | `examples` | the example scenes, on meshes that the project's own generators make |
 
@@ -15,11 +16,13 @@ mod frame;
 mod json;
 mod lesson;
 mod validate;
+mod words;
 
 pub use closeness::{BoundaryCloseness, Closeness, ClosenessTo, ClosenessWeight};
 pub use frame::Frame;
 pub use json::{FORMAT, VERSION};
 pub use lesson::{Goal, GoalOf, GoalResult, Lesson, Results};
+pub use words::{Worded, of_word};
 
 use crate::constraint::{Kind, Selector, Sets};
 use crate::mesh::{Mesh, Point};

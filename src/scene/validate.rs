@@ -3,7 +3,7 @@
 use super::json::push_key;
 use super::{ClosenessTo, HandleSpec, Hold, Scene, SceneError, Weighting};
 use crate::constraint::Selector;
-use crate::mesh::Mesh;
+use crate::mesh::{FARTHEST, Mesh, too_far};
 use std::collections::{BTreeMap, BTreeSet};
 
 impl Scene {
@@ -14,6 +14,7 @@ impl Scene {
     pub fn validate(&self, mesh: &Mesh) -> Result<(), SceneError> {
         self.check_numbers()?;
         let vertices = mesh.positions.len();
+        self.check_extent(mesh)?;
         if let Some(current) = &self.current
             && current.len() != vertices
         {
@@ -82,6 +83,25 @@ impl Scene {
         for (i, point) in self.current.iter().flatten().enumerate() {
             if !point.iter().all(|x| x.is_finite()) {
                 return error(&format!("current[{i}]"), "the position is not finite");
+            }
+        }
+        Ok(())
+    }
+
+    /// No position is so far out that it cannot be measured.
+    fn check_extent(&self, mesh: &Mesh) -> Result<(), SceneError> {
+        let beyond =
+            format!("is too far out, expected coordinates from -{FARTHEST:e} to {FARTHEST:e}");
+        if let Some(vertex) = too_far(&mesh.positions) {
+            return error("mesh", format!("vertex {vertex} {beyond}"));
+        }
+        if let Some(i) = self.current.as_deref().and_then(too_far) {
+            return error(&format!("current[{i}]"), format!("the position {beyond}"));
+        }
+        for (i, handle) in self.handles.iter().enumerate() {
+            if let Some(k) = handle.targets.as_deref().and_then(too_far) {
+                let path = format!("handles[{i}].targets[{k}]");
+                return error(&path, format!("the target {beyond}"));
             }
         }
         Ok(())

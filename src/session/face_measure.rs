@@ -4,7 +4,7 @@
 //! Which measures there are is declared here, so that hosts name none of them.
 
 use super::Session;
-use crate::math::{Vec3, angle};
+use crate::math::{Vec3, angle, polygon_corners, polygon_sides};
 use crate::mesh::{Measures, Point, Surface, diagonal_ratio};
 use serde::Serialize;
 use std::f64::consts::PI;
@@ -249,8 +249,7 @@ fn planarity_by_edge(session: &mut Session, shape: Shape) -> Vec<f64> {
 /// Of the sides of a polygon.
 fn mean_length(corners: impl IntoIterator<Item = Vec3<f64>>) -> f64 {
     let corners: Vec<Vec3<f64>> = corners.into_iter().collect();
-    let next = corners.iter().cycle().skip(1);
-    let sum: f64 = corners.iter().zip(next).map(|(&a, &b)| (b - a).length()).sum();
+    let sum: f64 = polygon_sides(&corners).map(|[a, b]| (b - a).length()).sum();
     sum / corners.len() as f64
 }
 
@@ -260,7 +259,7 @@ fn edge_changes(session: &mut Session, shape: Shape) -> Vec<f64> {
         let before = length(rest, ends);
         100.0 * ratio((length(&now, ends) - before).abs(), before)
     };
-    let worst = |face: &[u32]| sides(face).map(change).fold(0.0, f64::max);
+    let worst = |face: &[u32]| polygon_sides(face).map(change).fold(0.0, f64::max);
     session.mesh.faces.iter().map(worst).collect()
 }
 
@@ -269,14 +268,13 @@ fn angles(session: &mut Session, shape: Shape) -> Vec<f64> {
     let at = |v: u32| Vec3::from(positions[v as usize]);
     let worst = |face: &[u32]| {
         let regular = 180.0 - 360.0 / face.len() as f64;
-        let corner = |i: usize| {
-            let [before, here, after] =
-                [face.len() - 1, 0, 1].map(|step| at(face[(i + step) % face.len()]));
+        let corner = |corner: [u32; 3]| {
+            let [before, here, after] = corner.map(at);
             let (a, b) = (before - here, after - here);
             let angle = angle(a.dot(b), a.cross(b).length()) * (180.0 / PI);
             (angle - regular).abs()
         };
-        (0..face.len()).map(corner).fold(0.0, f64::max)
+        polygon_corners(face).map(corner).fold(0.0, f64::max)
     };
     session.mesh.faces.iter().map(worst).collect()
 }
@@ -306,10 +304,6 @@ fn moved(session: &Session, shape: Shape) -> Vec<f64> {
     let positions = session.positions_of(shape);
     let pairs = positions.iter().zip(&session.mesh.positions);
     pairs.map(|(&now, &rest)| (Vec3::from(now) - Vec3::from(rest)).length()).collect()
-}
-
-fn sides(face: &[u32]) -> impl Iterator<Item = [u32; 2]> + '_ {
-    face.iter().zip(face.iter().cycle().skip(1)).map(|(&a, &b)| [a, b])
 }
 
 fn length(positions: &[Point], ends: [u32; 2]) -> f64 {

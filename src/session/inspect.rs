@@ -1,4 +1,5 @@
-//! What hosts show of a session: members of constraints.
+//! What hosts show of a row of constraints: its members, and the measure that it is about; and how
+//! many vertices are held otherwise than the rest.
 
 use super::Session;
 use super::acting::Cover;

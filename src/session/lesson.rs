@@ -116,7 +116,7 @@ impl Session {
             title,
             scene: self.document.fingerprint(&self.mesh),
             time: time.to_owned(),
-            iterations: self.iteration,
+            iterations: self.past.iteration,
             passed: goals.iter().all(|goal| goal.met),
             goals,
             constraints,

@@ -5,23 +5,25 @@
 //!
 //! | file | holds |
 //! |---|---|
-//! | `edit` | the edits, and what each one costs |
+//! | `edit`, `apply` | the edits, and what each does to a state |
+//! | `transition` | from one state to another at the least cost: edits, undo, redo |
+//! | `gesture` | drags and runs, one step of undo each |
 //! | `resolve` | rows of constraints: selectors resolved, misfits counted |
 //! | `flaws` | elements that have something wrong |
 //! | `halves` | an iteration in its two halves |
-//! | `history` | undo and redo |
+//! | `history`, `past` | the steps of undo and redo, and all else that has happened |
 //! | `acting` | which row of constraints each face and vertex belongs to |
 //! | `angles` | the angles at the corners of the faces |
 //! | `face_measure` | the numbers per face that hosts colour and list |
 //! | `holding` | how much single vertices are kept close |
-//! | `inspect` | what hosts show of a session: members of constraints |
+//! | `inspect` | what hosts show of a row: its members, its measure; and what is held otherwise |
 //! | `lesson` | the goals of a lesson, and the results that are handed in |
 //! | `opening` | opening a scene in the place of another |
 //! | `pace` | how large a mesh can be that is still worked with at once |
+//! | `place` | where constraints may be |
 //! | `preview` | what adding constraints would make |
 //! | `projected` | the projections of the constraints, to be drawn |
 //! | `report` | the report of design section 6 |
-//! | `same_problem` | which changes of a document the solver need not know of |
 //! | `selection` | selecting by what the mesh is like |
 //! | `settings` | the declared settings of a scene |
 //! | `tables` | errors and energies as CSV |
@@ -30,9 +32,11 @@
 
 mod acting;
 mod angles;
+mod apply;
 mod edit;
 mod face_measure;
 mod flaws;
+mod gesture;
 mod halves;
 mod history;
 mod holding;
@@ -40,24 +44,27 @@ mod inspect;
 mod lesson;
 mod opening;
 mod pace;
+mod past;
+mod place;
 mod preview;
 mod projected;
 mod report;
 mod resolve;
-mod same_problem;
 mod selection;
 mod settings;
 mod tables;
 mod trace;
+mod transition;
 mod worst;
 
 pub use acting::ActingRows;
-pub use edit::{Edit, NewConstraint, Place};
+pub use edit::{Edit, NewConstraint};
 pub use face_measure::{FACE_MEASURES, FaceMeasure, MeasureUnit, Shape};
 pub use flaws::{ZERO_SIZE_FACES, flaw_of};
 pub use halves::{Fits, Half};
 pub use lesson::{GoalWords, check_results, goals_in_words};
 pub use pace::most_faces;
+pub use place::Place;
 pub use preview::Preview;
 pub use projected::Projections;
 pub use report::{EnergyReport, Report, Seconds, TraceEntry};
@@ -69,8 +76,8 @@ pub use worst::WorstElement;
 use crate::error::Error;
 use crate::mesh::{Mesh, Point, Topology, write_obj};
 use crate::scene::{Frame, HandleSpec, Hold, Scene};
-use crate::solve::{Constraints, Energy, Handle, Kept, Problem, Solver};
-use history::{History, Snapshot};
+use crate::solve::{Constraints, Handle, Kept, Problem, Solver};
+use past::Past;
 use trace::Trace;
 
 /// A scene that is open.
@@ -83,27 +90,9 @@ pub struct Session {
     document: Scene,
     rows: Vec<ResolvedRow>,
     solver: Solver,
-    /// See [`Session::iteration`].
-    iteration: u32,
-    initial: Energy,
-    trace: Option<Trace>,
-    load_seconds: f64,
-    history: History,
-    gesture: Option<Gesture>,
+    past: Past,
     /// See [`Session::halfway`].
     halfway: bool,
-}
-
-/// A drag or a run that has begun and is not yet a step of undo.
-struct Gesture {
-    kind: GestureKind,
-    before: Snapshot,
-}
-
-#[derive(PartialEq)]
-enum GestureKind {
-    Drag,
-    Run,
 }
 
 /// What one iteration did.
@@ -152,13 +141,13 @@ impl Session {
     }
     /// Iterations from where the scene starts to the current shape; undo takes them back.
     pub fn iteration(&self) -> u32 {
-        self.iteration
+        self.past.iteration
     }
 
     /// Counts on from `iteration`, for a scene that is opened again where it stood.
     pub fn restore_iteration(&mut self, iteration: u32) {
-        self.iteration = iteration;
-        if self.trace.is_some() {
+        self.past.iteration = iteration;
+        if self.past.trace.is_some() {
             self.start_trace();
         }
     }
@@ -185,9 +174,9 @@ impl Session {
     pub fn step(&mut self) -> Result<Step, Error> {
         self.halfway = false;
         self.solver.step()?;
-        self.iteration += 1;
+        self.past.iteration += 1;
         let entry = self.trace_entry();
-        if let Some(trace) = &mut self.trace {
+        if let Some(trace) = &mut self.past.trace {
             trace.push(entry);
         }
         Ok(Step { converged: self.solver.converged() })
@@ -212,113 +201,31 @@ impl Session {
 
     /// Records the energies of every iteration from here on, this one included.
     pub fn start_trace(&mut self) {
-        self.trace = Some(Trace::from(self.trace_entry()));
+        self.past.trace = Some(Trace::from(self.trace_entry()));
     }
 
     /// The energies recorded since the last call.
     pub fn take_trace(&mut self) -> Vec<TraceEntry> {
-        self.trace.as_mut().map(Trace::news).unwrap_or_default()
+        self.past.trace.as_mut().map(Trace::news).unwrap_or_default()
     }
 
     fn trace_entry(&self) -> TraceEntry {
-        TraceEntry::new(self.iteration, self.solver.energy())
-    }
-
-    /// Begins to drag vertices that are handles; targets move until [`Session::end_drag`].
-    pub fn begin_drag(&mut self) {
-        self.begin(GestureKind::Drag);
-    }
-
-    /// Makes vertices handles where they are and begins to drag them: one step of undo together, and
-    /// taking the drag back takes the handles away.
-    ///
-    /// # Errors
-    /// When a vertex is not there; nothing has changed then.
-    pub fn begin_drag_of_new(&mut self, vertices: Vec<u32>) -> Result<(), Error> {
-        self.begin(GestureKind::Drag);
-        let mut with_handles = self.snapshot();
-        let made = self
-            .apply(Edit::AddHandles { vertices, fixed: false }, &mut with_handles)
-            .map_err(Error::from)
-            .and_then(|_| self.go_to(with_handles));
-        if made.is_err() {
-            self.gesture = None;
-        }
-        made
-    }
-
-    /// Whether a drag has begun and not ended; an edit ends it.
-    pub fn is_dragging(&self) -> bool {
-        self.gesture.as_ref().is_some_and(|gesture| gesture.kind == GestureKind::Drag)
-    }
-
-    /// Moves the targets of handles.
-    pub fn drag(&mut self, targets: impl IntoIterator<Item = (u32, Point)>) {
-        self.solver.move_handles(targets);
-    }
-
-    /// Ends a drag: keeps it as one step of undo, or puts everything back.
-    pub fn end_drag(&mut self, keep: bool) {
-        let Some(gesture) = self.gesture.take_if(|g| g.kind == GestureKind::Drag) else {
-            return;
-        };
-        let before = &gesture.before.handles;
-        let now = self.solver.handles();
-        if !keep {
-            self.go_to(gesture.before).expect("the state was solvable before");
-        } else if before.len() != now.len() {
-            self.history.push("Make and move handle".to_owned(), gesture.before);
-        } else {
-            let moved = before.iter().zip(now).filter(|(before, now)| before != now).count();
-            let name = match moved {
-                0 => return,
-                1 => "Move handle".to_owned(),
-                _ => format!("Move {moved} handles"),
-            };
-            self.history.push(name, gesture.before);
-        }
-    }
-
-    /// Begins a run: iterations up to [`Session::end_run`] are one step of undo.
-    pub fn begin_run(&mut self) {
-        if self.gesture.is_none() {
-            self.begin(GestureKind::Run);
-        }
-    }
-
-    /// Ends a run, at the lowest total that it saw.
-    pub fn end_run(&mut self) {
-        let Some(gesture) = self.gesture.take_if(|g| g.kind == GestureKind::Run) else {
-            return;
-        };
-        self.solver.settle();
-        let iterations = self.iteration - gesture.before.iteration;
-        if iterations > 0 {
-            let plural = if iterations == 1 { "" } else { "s" };
-            self.history.push(format!("Run, {iterations} iteration{plural}"), gesture.before);
-        }
+        TraceEntry::new(self.past.iteration, self.solver.energy())
     }
 
     /// Counts on from `iteration` after a jump to a state from before or after.
     fn arrive(&mut self, iteration: u32) {
-        self.iteration = iteration;
+        self.past.iteration = iteration;
         self.halfway = false;
         let entry = self.trace_entry();
-        if let Some(trace) = &mut self.trace {
+        if let Some(trace) = &mut self.past.trace {
             trace.go_to(entry);
         }
     }
 
-    fn begin(&mut self, kind: GestureKind) {
-        self.end_run();
-        self.end_drag(true);
-        self.gesture = Some(Gesture { kind, before: self.snapshot() });
-        self.halfway = false;
-    }
-
     /// Seconds that reading the files took, for the report.
     pub fn set_load_seconds(&mut self, seconds: f64) {
-        self.load_seconds = seconds;
+        self.past.load_seconds = seconds;
     }
 }
 

@@ -2,12 +2,12 @@
 //! checked while the scene that is open is still whole, and then that one can do without its solver,
 //! which is most of what it takes, until the next one is there.
 
-use super::trace::Trace;
-use super::{Gesture, History, ResolvedRow, Session, flat, lesson, resolve, solver};
+use super::past::Past;
+use super::{ResolvedRow, Session, flat, lesson, resolve, solver};
 use crate::error::Error;
 use crate::mesh::{BoundingSphere, Mesh, Point, Topology};
 use crate::scene::Scene;
-use crate::solve::{Energy, Handle, Kept};
+use crate::solve::{Handle, Kept};
 
 impl Session {
     /// Opens a scene, as [`Session::open`], in the place of the one that is `open`, which stays when it
@@ -38,14 +38,8 @@ impl Session {
             positions: self.positions(),
             handles: self.solver.handles().to_vec(),
             mesh: self.mesh,
-            diameter: self.diameter,
             document: self.document,
-            iteration: self.iteration,
-            initial: self.initial,
-            trace: self.trace,
-            load_seconds: self.load_seconds,
-            history: self.history,
-            gesture: self.gesture,
+            past: self.past,
         }
     }
 }
@@ -71,29 +65,37 @@ impl Checked {
         Ok(Checked { scene, mesh, topology, rows })
     }
 
-    /// Sets up the solver.
+    /// Opens it where the scene starts.
     ///
     /// # Errors
     /// When the system is singular.
-    pub(super) fn open(self) -> Result<Session, Error> {
-        let Checked { mut scene, mesh, topology, rows } = self;
-        let start = scene.current.take().unwrap_or_else(|| mesh.positions.clone());
-        let handles = flat(&std::mem::take(&mut scene.handles), &mesh.positions);
-        let solver = solver(&scene, &mesh, &topology, &rows, Kept::default(), handles, &start)?;
-        let initial = solver.energy();
+    pub(super) fn open(mut self) -> Result<Session, Error> {
+        let start = self.scene.current.take().unwrap_or_else(|| self.mesh.positions.clone());
+        let handles = flat(&std::mem::take(&mut self.scene.handles), &self.mesh.positions);
+        self.set_up(handles, &start, None)
+    }
+
+    /// Sets up the solver, at the positions `start` (`#V by 3`), in a session with this `past`, or with
+    /// none. The scene has neither handles nor positions of its own.
+    ///
+    /// # Errors
+    /// When the system is singular.
+    fn set_up(
+        self,
+        handles: Vec<Handle>,
+        start: &[Point],
+        past: Option<Past>,
+    ) -> Result<Session, Error> {
+        let Checked { scene, mesh, topology, rows } = self;
+        let solver = solver(&scene, &mesh, &topology, &rows, Kept::default(), handles, start)?;
         Ok(Session {
             diameter: BoundingSphere::of(&mesh.positions).diameter(),
+            past: past.unwrap_or_else(|| Past::beginning(solver.energy())),
             mesh,
             topology,
             document: scene,
             rows,
             solver,
-            iteration: 0,
-            initial,
-            trace: None,
-            load_seconds: 0.0,
-            history: History::default(),
-            gesture: None,
             halfway: false,
         })
     }
@@ -102,17 +104,11 @@ impl Checked {
 /// A session without its solver, and without anything that follows from the rest.
 struct Resting {
     mesh: Mesh,
-    diameter: f64,
     document: Scene,
     handles: Vec<Handle>,
     /// Current positions, `#V by 3`.
     positions: Vec<Point>,
-    iteration: u32,
-    initial: Energy,
-    trace: Option<Trace>,
-    load_seconds: f64,
-    history: History,
-    gesture: Option<Gesture>,
+    past: Past,
 }
 
 impl Resting {
@@ -121,25 +117,7 @@ impl Resting {
     /// # Errors
     /// When the system is singular, which it was not before.
     fn wake(self) -> Result<Session, Error> {
-        let Resting { mesh, document, handles, positions, .. } = self;
-        let topology = Topology::new(&mesh);
-        let rows = resolve::rows(&document, &mesh, &topology)?;
-        let kept = Kept::default();
-        let solver = solver(&document, &mesh, &topology, &rows, kept, handles, &positions)?;
-        Ok(Session {
-            mesh,
-            topology,
-            diameter: self.diameter,
-            document,
-            rows,
-            solver,
-            iteration: self.iteration,
-            initial: self.initial,
-            trace: self.trace,
-            load_seconds: self.load_seconds,
-            history: self.history,
-            gesture: self.gesture,
-            halfway: false,
-        })
+        let checked = Checked::new(self.document, self.mesh)?;
+        checked.set_up(self.handles, &self.positions, Some(self.past))
     }
 }

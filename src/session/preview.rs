@@ -1,7 +1,6 @@
 //! What adding constraints would make, for every kind at several places at once.
 
-use super::edit::Place;
-use super::{Session, resolve};
+use super::{Place, Session, resolve};
 use crate::constraint::{Centring, Info, KINDS, Selector, resolve as select};
 use crate::mesh::{Ragged, Topology};
 use crate::scene::SceneError;

@@ -2,7 +2,7 @@
 
 use super::Session;
 use crate::mesh::{Circularity, Planarity};
-use crate::scene::Accelerator;
+use crate::scene::{Accelerator, Worded};
 use crate::solve::{Energy, IterateSeconds};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -100,6 +100,9 @@ impl Session {
         let measures = self.measures();
         let set_up = self.solver.set_up_seconds();
         let settings = &self.document.solver;
+        // Without steps to learn from there is nothing but the plain iteration.
+        let accelerator =
+            if settings.window == 0 { Accelerator::None } else { settings.accelerator };
         Report {
             vertices: self.mesh.positions.len(),
             faces: self.mesh.faces.len(),
@@ -107,27 +110,22 @@ impl Session {
             skipped,
             unknowns: self.solver.system().unknowns(),
             factor_nonzeros: self.solver.system().factor_nonzeros(),
-            iterations: self.iteration,
+            iterations: self.past.iteration,
             stopped_by: if self.solver.converged() { "tolerance" } else { "iterations" },
-            accelerator: match settings.accelerator {
-                _ if settings.window == 0 => "none",
-                Accelerator::None => "none",
-                Accelerator::QuasiNewton => "quasi-newton",
-                Accelerator::Anderson => "anderson",
-            },
+            accelerator: accelerator.word(),
             pinned: self.solver.pinned().to_vec(),
-            energy: EnergyReport { initial: self.initial, last: self.solver.energy() },
+            energy: EnergyReport { initial: self.past.initial, last: self.solver.energy() },
             planarity: measures.planarity,
             circularity: measures.circularity,
             seconds: Seconds {
-                load: self.load_seconds,
+                load: self.past.load_seconds,
                 assemble: set_up.assemble,
                 order: set_up.order,
                 factor: set_up.factor,
                 iterate: self.solver.iterate_seconds().total(),
                 parts: self.solver.iterate_seconds(),
             },
-            trace: self.trace.as_ref().map(|trace| trace.entries().to_vec()),
+            trace: self.past.trace.as_ref().map(|trace| trace.entries().to_vec()),
         }
     }
 }

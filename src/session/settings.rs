@@ -3,7 +3,7 @@
 
 use crate::constraint::{Form, Param, ParamValue};
 use crate::scene::{
-    Accelerator, BoundaryCloseness, ClosenessTo, Scene, SceneError, SmoothnessOf, Weighting,
+    Accelerator, BoundaryCloseness, ClosenessTo, Scene, SceneError, SmoothnessOf, Weighting, Worded,
 };
 use serde::Serialize;
 use serde_json::{Map, Value, json};
@@ -25,6 +25,22 @@ const SMOOTH: &str = "Smoothness";
 const SOLVER: &str = "Solver";
 const OFF: Form = Form::Word("off");
 
+/// A switch.
+impl Worded for bool {
+    const WORDS: &'static [(&'static str, bool)] = &[("on", true), ("off", false)];
+}
+
+/// The words of a choice as forms of its value.
+const fn forms<T: Worded, const N: usize>() -> [Form; N] {
+    let mut forms = [Form::Nothing; N];
+    let mut i = 0;
+    while i < N {
+        forms[i] = Form::Word(T::WORDS[i].0);
+        i += 1;
+    }
+    forms
+}
+
 const fn words(
     id: &'static str,
     label: &'static str,
@@ -37,12 +53,7 @@ const fn words(
 /// All settings, in the order in which hosts list them.
 pub const SETTINGS: &[Setting] = &[
     Setting {
-        param: words(
-            "closeness",
-            "Stay near",
-            "surface",
-            &[Form::Word("surface"), Form::Word("rest"), Form::Word("none")],
-        ),
+        param: words("closeness", "Stay near", "surface", const { &forms::<ClosenessTo, 3>() }),
         summary: "The original surface lets vertices glide along it; rest holds each where it was; none holds nothing.",
         group: NEAR,
     },
@@ -59,22 +70,12 @@ pub const SETTINGS: &[Setting] = &[
         group: NEAR,
     },
     Setting {
-        param: words(
-            "smoothness",
-            "Smooth",
-            "surface",
-            &[Form::Word("surface"), Form::Word("displacement")],
-        ),
+        param: words("smoothness", "Smooth", "surface", const { &forms::<SmoothnessOf, 2>() }),
         summary: "The surface itself, or only how far it moves, which keeps its bumps and creases.",
         group: SMOOTH,
     },
     Setting {
-        param: words(
-            "weighting",
-            "Neighbours count",
-            "auto",
-            &[Form::Word("auto"), Form::Word("uniform"), Form::Word("cotangent")],
-        ),
+        param: words("weighting", "Neighbours count", "auto", const { &forms::<Weighting, 3>() }),
         summary: "All alike, or by the angles of the triangles between them; auto is cotangent on triangle meshes.",
         group: SMOOTH,
     },
@@ -83,7 +84,7 @@ pub const SETTINGS: &[Setting] = &[
             "accelerator",
             "Accelerator",
             "quasi-newton",
-            &[Form::Word("quasi-newton"), Form::Word("anderson"), Form::Word("none")],
+            const { &forms::<Accelerator, 3>() },
         ),
         summary: "How steps are lengthened by what earlier ones found; none is the plain iteration of the paper.",
         group: SOLVER,
@@ -124,17 +125,6 @@ pub const SETTINGS: &[Setting] = &[
     },
 ];
 
-const SMOOTHNESSES: [(&str, SmoothnessOf); 2] =
-    [("surface", SmoothnessOf::Surface), ("displacement", SmoothnessOf::Displacement)];
-const WEIGHTINGS: [(&str, Weighting); 3] = [
-    ("auto", Weighting::Auto),
-    ("uniform", Weighting::Uniform),
-    ("cotangent", Weighting::Cotangent),
-];
-const CLOSENESSES: [(&str, ClosenessTo); 3] =
-    [("surface", ClosenessTo::Surface), ("rest", ClosenessTo::Rest), ("none", ClosenessTo::None)];
-const SWITCH: [(&str, bool); 2] = [("on", true), ("off", false)];
-
 /// The value of every setting in `scene`, by id.
 pub fn settings_of(scene: &Scene) -> Map<String, Value> {
     let boundary = scene.closeness.boundary;
@@ -142,22 +132,18 @@ pub fn settings_of(scene: &Scene) -> Map<String, Value> {
     let values = [
         ("closeness", json!(scene.closeness.to.word())),
         ("boundary", boundary.map_or(json!("off"), |boundary| json!(boundary.corners))),
-        ("smoothness", json!(word(&SMOOTHNESSES, scene.smoothness.of))),
-        ("weighting", json!(word(&WEIGHTINGS, scene.smoothness.weighting))),
-        ("accelerator", json!(word(Accelerator::WORDS, solver.accelerator))),
+        ("smoothness", json!(scene.smoothness.of.word())),
+        ("weighting", json!(scene.smoothness.weighting.word())),
+        ("accelerator", json!(solver.accelerator.word())),
         ("window", json!(solver.window)),
         ("tolerance", json!(solver.tolerance)),
-        ("mean-centring", json!(word(&SWITCH, solver.mean_centring))),
-        ("monotone", json!(word(&SWITCH, solver.monotone))),
+        ("mean-centring", json!(solver.mean_centring.word())),
+        ("monotone", json!(solver.monotone.word())),
     ];
     let mut settings = Map::new();
     // Collecting them would bring a sort along.
     settings.extend(values.map(|(id, value)| (id.to_owned(), value)));
     settings
-}
-
-fn word<T: PartialEq + Copy>(words: &[(&'static str, T)], value: T) -> &'static str {
-    words.iter().find(|(_, other)| *other == value).expect("every value has a word").0
 }
 
 /// Gives a setting of `scene` another value, and tells its name.
@@ -176,21 +162,16 @@ pub(super) fn set(scene: &mut Scene, id: &str, value: &Value) -> Result<&'static
             error(format!("found {value}, expected a number from {least} to {greatest}"))
         })
     };
-    let refused = || error(format!("found {value}, which is none of its values"));
     match id {
-        "closeness" => scene.closeness.to = one_of(&CLOSENESSES, value).ok_or_else(refused)?,
+        "closeness" => scene.closeness.to = choice(id, value)?,
         "boundary" => {
             let off = value.as_str() == Some("off");
             scene.closeness.boundary =
                 if off { None } else { Some(BoundaryCloseness { corners: number()? }) };
         }
-        "smoothness" => scene.smoothness.of = one_of(&SMOOTHNESSES, value).ok_or_else(refused)?,
-        "weighting" => {
-            scene.smoothness.weighting = one_of(&WEIGHTINGS, value).ok_or_else(refused)?;
-        }
-        "accelerator" => {
-            scene.solver.accelerator = one_of(Accelerator::WORDS, value).ok_or_else(refused)?;
-        }
+        "smoothness" => scene.smoothness.of = choice(id, value)?,
+        "weighting" => scene.smoothness.weighting = choice(id, value)?,
+        "accelerator" => scene.solver.accelerator = choice(id, value)?,
         "window" => {
             let steps = number()?;
             if steps.fract() != 0.0 {
@@ -199,18 +180,19 @@ pub(super) fn set(scene: &mut Scene, id: &str, value: &Value) -> Result<&'static
             scene.solver.window = steps as u32;
         }
         "tolerance" => scene.solver.tolerance = number()?,
-        "mean-centring" => {
-            scene.solver.mean_centring = one_of(&SWITCH, value).ok_or_else(refused)?;
-        }
-        "monotone" => scene.solver.monotone = one_of(&SWITCH, value).ok_or_else(refused)?,
+        "mean-centring" => scene.solver.mean_centring = choice(id, value)?,
+        "monotone" => scene.solver.monotone = choice(id, value)?,
         _ => unreachable!("{id} is declared"),
     }
     Ok(setting.param.label)
 }
 
-fn one_of<T: Copy>(words: &[(&'static str, T)], value: &Value) -> Option<T> {
-    let value = value.as_str()?;
-    words.iter().find(|(word, _)| *word == value).map(|(_, value)| *value)
+/// What a value of setting `id` stands for among the words of a choice.
+fn choice<T: Worded>(id: &str, value: &Value) -> Result<T, SceneError> {
+    value.as_str().and_then(T::of_word).ok_or_else(|| SceneError {
+        path: id.to_owned(),
+        message: format!("found {value}, expected {}", T::list(" or ")),
+    })
 }
 
 #[cfg(test)]

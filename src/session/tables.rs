@@ -47,7 +47,7 @@ impl Session {
         let names =
             ["shape", "close", "smooth", "handles", "total"].map(|name| format!("{name}{unit}"));
         let mut text = format!("iteration,{}\n", names.join(","));
-        for entry in self.trace.iter().flat_map(|trace| trace.entries()) {
+        for entry in self.past.trace.iter().flat_map(|trace| trace.entries()) {
             let e = entry.energy;
             row(
                 &mut text,

@@ -3,7 +3,7 @@
 
 use crate::constraint::Row;
 use crate::math::{ascending, cosine};
-use crate::mesh::{BoundaryCurves, Point, Surface, Topology};
+use crate::mesh::{BoundaryCurves, Footing, Point, Surface, Topology};
 use crate::scene::{Closeness, ClosenessTo};
 use std::rc::Rc;
 
@@ -21,6 +21,15 @@ struct Gliding {
     /// On the rest surface by ascending nodes: neighbours in the elimination order are neighbours
     /// on the surface, so that its tree stays in the cache.
     vertices: Vec<Glider>,
+    /// What the last search for each of the vertices left.
+    footings: Vec<Footing>,
+}
+
+impl Gliding {
+    fn new(on: Rc<Surface>, vertices: Vec<Glider>) -> Gliding {
+        let footings = vec![Footing::unknown(); vertices.len()];
+        Gliding { on, vertices, footings }
+    }
 }
 
 #[derive(Clone, Copy)]
@@ -86,10 +95,8 @@ impl CloseEnergy {
             corners = boundary.corners.into_iter().filter(&mut take).collect();
             energy.resting.extend(corners.iter().copied().map(resting));
             for curve in boundary.curves {
-                let vertices = curve.vertices.into_iter().filter(&mut take).map(glider);
-                energy
-                    .gliding
-                    .push(Gliding { vertices: vertices.collect(), on: Rc::new(curve.polyline) });
+                let vertices = curve.vertices.into_iter().filter(&mut take).map(glider).collect();
+                energy.gliding.push(Gliding::new(Rc::new(curve.polyline), vertices));
             }
         }
         let others = (0..).zip(&elsewhere).filter(|(_, elsewhere)| !**elsewhere).map(|(v, _)| v);
@@ -100,7 +107,7 @@ impl CloseEnergy {
                 let vertices: Vec<Glider> = others.map(glider).collect();
                 let order = ascending(vertices.iter().map(|glider| u64::from(glider.node)));
                 let vertices = order.into_iter().map(|i| vertices[i as usize]).collect();
-                energy.gliding.push(Gliding { on: surface(), vertices });
+                energy.gliding.push(Gliding::new(surface(), vertices));
             }
         }
         let any = energy.held().next().is_some();
@@ -126,10 +133,10 @@ impl CloseEnergy {
                 gradient[i] += lambda * away;
             }
         };
-        for Gliding { on, vertices } in &mut self.gliding {
-            for Glider { node, warm, factor } in vertices {
+        for Gliding { on, vertices, footings } in &mut self.gliding {
+            for (Glider { node, warm, factor }, footing) in vertices.iter_mut().zip(footings) {
                 let [px, py, pz, _] = x[*node as usize];
-                pull(*node, *factor, on.closest([px, py, pz], warm));
+                pull(*node, *factor, on.closest_from([px, py, pz], warm, footing));
             }
         }
         for &Resting { node, factor, target: [px, py, pz, _] } in &self.resting {

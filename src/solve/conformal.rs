@@ -1,4 +1,4 @@
-//! Conformal parametrisation (paper section 4, Eq. 14): a flat map of a polygon mesh whose polygons
+//! Conformal parametrisation (paper section 4.3, Eq. 14): a flat map of a polygon mesh whose polygons
 //! stay as similar to themselves as they can, with a free boundary.
 //!
 //! In the plane a point is a complex number, and the polygons similar to the centred rest polygon `z`
@@ -11,6 +11,7 @@ use super::subspace::{Pair, smallest};
 use super::{SolveError, System, clock};
 use crate::math::{PrincipalAxes, Vec3, centre};
 use crate::mesh::{MapErrors, Mesh, Point, Topology, components, quasi_conformal};
+use crate::scene::Worded;
 use serde::Serialize;
 
 /// The weights `w_i` of Eq. 14.
@@ -36,19 +37,17 @@ pub enum ConformalNorm {
     Vertices,
 }
 
-impl ConformalWeights {
-    /// The words of the command line.
-    pub const WORDS: [(&str, ConformalWeights); 3] = [
+impl Worded for ConformalWeights {
+    const WORDS: &'static [(&'static str, ConformalWeights)] = &[
         ("inverse-area", ConformalWeights::InverseArea),
         ("one", ConformalWeights::One),
         ("lscm", ConformalWeights::Lscm),
     ];
 }
 
-impl ConformalNorm {
-    /// The words of the command line.
-    pub const WORDS: [(&str, ConformalNorm); 2] =
-        [("boundary", ConformalNorm::Boundary), ("vertices", ConformalNorm::Vertices)];
+impl Worded for ConformalNorm {
+    const WORDS: &'static [(&'static str, ConformalNorm)] =
+        &[("boundary", ConformalNorm::Boundary), ("vertices", ConformalNorm::Vertices)];
 }
 
 /// A flat map.
@@ -242,7 +241,7 @@ impl Part {
         seconds: &mut ConformalSeconds,
     ) -> Result<(Vec<[f64; 2]>, f64), SolveError> {
         let started = clock::now();
-        let singular = || SolveError::NotPositiveDefinite { vertex: self.vertices[0] };
+        let singular = || SolveError::NoArea { vertex: self.vertices[0] };
         // A face without area has no shape to keep.
         let faces = || self.faces.iter().filter(|face| face.area > 0.0);
         let n = 2 * self.vertices.len();
@@ -272,7 +271,7 @@ impl Part {
         }
         system.factor(&[1.0], &shifts, vec![false; n]).map_err(|error| match error {
             SolveError::NotPositiveDefinite { vertex } => {
-                SolveError::NotPositiveDefinite { vertex: self.vertices[vertex as usize / 2] }
+                SolveError::NoArea { vertex: self.vertices[vertex as usize / 2] }
             }
             other => other,
         })?;

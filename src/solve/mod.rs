@@ -13,6 +13,7 @@
 //! | `system` | these together: the linear system of the global step |
 //! | `solver`, `kept` | the iteration, and what one solver leaves to the next |
 //! | `at_rest` | projections at the rest shape, apart from any iteration |
+//! | `clock` | the time, for reports |
 //! | `accelerate`, `quasi_newton`, `anderson` | steps that learn from the steps before |
 //! | `conformal`, `subspace` | conformal parametrisation (Eq. 14), and its eigenvector |
 
@@ -64,6 +65,11 @@ pub enum SolveError {
         /// The vertex whose pivot failed.
         vertex: u32,
     },
+    /// A part of a surface that is to be flattened has no area, or so little that its matrix is singular.
+    NoArea {
+        /// A vertex of it.
+        vertex: u32,
+    },
     /// A position became NaN or infinite; the last good state stays.
     NotFinite {
         /// The first such vertex.
@@ -77,6 +83,10 @@ impl fmt::Display for SolveError {
             SolveError::NotPositiveDefinite { vertex } => write!(
                 f,
                 "the system is singular at vertex {vertex}: its weights are too small against those of the rest"
+            ),
+            SolveError::NoArea { vertex } => write!(
+                f,
+                "the part with vertex {vertex} has no area, or next to none, expected a surface"
             ),
             SolveError::NotFinite { vertex } => {
                 write!(f, "vertex {vertex} left the finite numbers; the last good shape is kept")

@@ -25,8 +25,14 @@ pub struct Constraints {
 impl Constraints {
     /// Vertices of each constraint that takes an extra unknown.
     fn big(&self) -> impl Iterator<Item = &[u32]> {
-        let together = self.centring() == Centring::Together;
+        let together = self.couples() && self.centring() == Centring::Together;
         self.members.iter().filter(move |members| together && members.len() > BIG)
+    }
+
+    /// Whether they couple their vertices in the normal matrix. Those without weight do not: they hold
+    /// nothing, and what nothing holds has to be pinned.
+    fn couples(&self) -> bool {
+        self.weight > 0.0
     }
 
     fn centring(&self) -> Centring {
@@ -35,7 +41,7 @@ impl Constraints {
 
     /// Vertices that these constraints hold in their place.
     pub(super) fn placed(&self) -> &[u32] {
-        let holds = self.centring() == Centring::Placed && self.weight > 0.0;
+        let holds = self.centring() == Centring::Placed && self.couples();
         if holds { self.members.indices() } else { &[] }
     }
 }
@@ -49,7 +55,7 @@ pub(super) fn extra_unknowns(constraints: &[Constraints], mean_centring: bool) -
 pub(super) fn terms(constraints: &[Constraints], n_vertices: usize, mean_centring: bool) -> Terms {
     let mut terms = Terms::default();
     let mut mean = n_vertices as u32;
-    for row in constraints {
+    for row in constraints.iter().filter(|row| row.couples()) {
         let centring = if mean_centring { row.centring() } else { Centring::Placed };
         for members in row.members.iter() {
             let n = members.len();

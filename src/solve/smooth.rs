@@ -4,6 +4,9 @@ use super::assemble::Terms;
 use crate::constraint::Row;
 use crate::mesh::{Laplacian, Ragged};
 
+/// Nodes that are treated by one call of a function that is entered often.
+const BLOCK: usize = 64;
+
 /// The terms of `L^T L` over vertices: one for each row `sum_j w_ij (l_j - l_i)`.
 pub(super) fn terms(laplacian: &Laplacian) -> Terms {
     let mut terms = Terms::default();
@@ -64,34 +67,40 @@ impl SmoothEnergy {
             }
             l
         };
-        for (node, row) in rows.iter_mut().enumerate() {
-            *row = laplace(neighbours, weights, node, smoothed);
+        for (k, block) in rows.chunks_mut(BLOCK).enumerate() {
+            laplace(neighbours, weights, k * BLOCK, smoothed, block);
         }
         let mut energy = [0.0; 3];
+        let mut twice = [[0.0; 4]; BLOCK];
         // w_ij = w_ji, so that L^T = L and the gradient is the same gather once more.
-        for (node, gradient) in gradient.iter_mut().enumerate() {
-            let twice = laplace(neighbours, weights, node, rows);
-            for i in 0..3 {
-                energy[i] += rows[node][i] * rows[node][i];
-                gradient[i] += lambda * twice[i];
+        for (k, gradient) in gradient.chunks_mut(BLOCK).enumerate() {
+            let twice = &mut twice[..gradient.len()];
+            laplace(neighbours, weights, k * BLOCK, rows, twice);
+            for ((gradient, twice), row) in gradient.iter_mut().zip(twice).zip(&rows[k * BLOCK..]) {
+                for i in 0..3 {
+                    energy[i] += row[i] * row[i];
+                    gradient[i] += lambda * twice[i];
+                }
             }
         }
         energy[0] + energy[1] + energy[2]
     }
 }
 
-/// `sum_j w_ij (l_j - l_i)` for `i = node`.
+/// `sum_j w_ij (l_j - l_i)` for each node `i` of a block, the first of which is `first`.
 #[inline(never)]
-fn laplace(neighbours: &Ragged, weights: &[f64], node: usize, l: &[Row]) -> Row {
-    let own = l[node];
-    let first = neighbours.offsets()[node] as usize;
-    let neighbours = neighbours.row(node);
-    let mut sum = [0.0; 4];
-    for (&j, &w) in neighbours.iter().zip(&weights[first..]) {
-        let other = l[j as usize];
-        for i in 0..4 {
-            sum[i] += w * (other[i] - own[i]);
+fn laplace(neighbours: &Ragged, weights: &[f64], first: usize, l: &[Row], block: &mut [Row]) {
+    let offsets = &neighbours.offsets()[first..=first + block.len()];
+    for ((ends, own), to) in offsets.windows(2).zip(&l[first..]).zip(block) {
+        let entries = ends[0] as usize..ends[1] as usize;
+        let neighbours = &neighbours.indices()[entries.clone()];
+        let mut sum = [0.0; 4];
+        for (&j, &w) in neighbours.iter().zip(&weights[entries]) {
+            let other = l[j as usize];
+            for i in 0..4 {
+                sum[i] += w * (other[i] - own[i]);
+            }
         }
+        *to = sum;
     }
-    sum
 }

@@ -7,6 +7,7 @@
 use super::colour_map::{self, colour};
 use super::lists::Lists;
 use super::round_length::round_down;
+use crate::math::polygon_sides;
 
 /// There are at least so many bands in a range, and at most five halves as many.
 const LEAST: f64 = 5.0;
@@ -94,8 +95,7 @@ pub struct Seam {
 pub fn seams(faces: &Lists) -> Vec<Seam> {
     let mut sides: Vec<([u32; 2], u32)> = Vec::new();
     for (face, corners) in (0..).zip(faces.iter()) {
-        for (i, &from) in corners.iter().enumerate() {
-            let to = corners[(i + 1) % corners.len()];
+        for [from, to] in polygon_sides(corners) {
             if from != to {
                 sides.push(([from.min(to), from.max(to)], face));
             }

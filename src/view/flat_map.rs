@@ -5,6 +5,7 @@ use super::checks::Checks;
 use super::lists::{Lists, ViewError, check_indices};
 use super::stage::Stage;
 use super::subject::Subject;
+use crate::math::polygon_sides;
 use glam::{Vec2, Vec3};
 
 /// A part of the canvas, CSS pixels from its upper left corner.
@@ -62,10 +63,8 @@ pub fn flat_map(model: &Stage, uv: &[f64], flipped: &[u32]) -> Result<(Stage, Ch
 /// The sides of some faces, each once.
 fn sides(faces: &Lists, chosen: &[u32]) -> Vec<[u32; 2]> {
     let corners = chosen.iter().map(|&face| faces.row(face as usize));
-    let mut sides: Vec<[u32; 2]> = corners
-        .flat_map(|face| face.iter().zip(face.iter().cycle().skip(1)))
-        .map(|(&a, &b)| [a.min(b), a.max(b)])
-        .collect();
+    let mut sides: Vec<[u32; 2]> =
+        corners.flat_map(polygon_sides).map(|[a, b]| [a.min(b), a.max(b)]).collect();
     sides.sort_unstable();
     sides.dedup();
     sides

@@ -7,6 +7,22 @@
 //! `still` writes a stage as SVG, for a page that cannot draw yet, `thumbnail`
 //! writes small ones for the gallery.
 //!
+//! | file | holds |
+//! |---|---|
+//! | `stage` | everything that a picture shows, and what has changed since the last one |
+//! | `lists`, `subject`, `triangulate`, `normals`, `polygon_edges` | the mesh as it is shown |
+//! | `camera`, `framing`, `flight` | where it is looked at from, and the way from there to elsewhere |
+//! | `picking`, `ray`, `region`, `depth_map` | what is under the cursor, inside an outline, in front |
+//! | `gizmo`, `gizmo_shape`, `grip` | handles that the pointer takes hold of |
+//! | `looks`, `colour_map`, `bands`, `row_colours`, `light`, `palette` | colours of faces and of all else |
+//! | `projections` | where constraints want their vertices |
+//! | `surroundings`, `ground`, `tape`, `scale_bar`, `round_length` | what is about the mesh, and how large it is |
+//! | `flat_map`, `checks`, `split` | two pictures on one canvas |
+//! | `still`, `thumbnail` | pictures as SVG |
+//! | `picture`, `pane`, `device`, `loss`, `canvas_size` | the GPU: from a stage to a canvas |
+//! | `store`, `globals`, `shaders`, `pipeline` | what shaders read, and what runs them |
+//! | `faces`, `lines`, `points`, `circles`, `spheres`, `projection_lines`, `projected_faces`, `surrounding_lines`, `gizmo_marks` | the primitives, each with its shader |
+//!
 //! Positions come in as `f64` in file coordinates. The view subtracts its own centre, the middle
 //! of the first bounding box of the mesh, before it rounds to `f32`: a mesh at site coordinates
 //! neither jitters nor loses digits.

@@ -1,6 +1,7 @@
 //! The edges of polygons, each once, with the mark that only one face uses it.
 
 use super::lists::Lists;
+use crate::math::polygon_sides;
 
 /// A side of one or more faces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,8 +17,7 @@ pub struct PolygonEdge {
 pub fn polygon_edges(faces: &Lists) -> Vec<PolygonEdge> {
     let mut sides: Vec<[u32; 2]> = Vec::new();
     for face in faces.iter() {
-        for (i, &from) in face.iter().enumerate() {
-            let to = face[(i + 1) % face.len()];
+        for [from, to] in polygon_sides(face) {
             if from != to {
                 sides.push([from.min(to), from.max(to)]);
             }

@@ -5,6 +5,7 @@ use super::depth_map::DepthMap;
 use super::lists::{ViewError, check_indices};
 use super::stage::Stage;
 use super::subject::Subject;
+use crate::math::polygon_sides;
 use glam::{Vec2, Vec3};
 
 /// A closed polygon on the screen. Where it crosses itself, every other part is inside.
@@ -35,7 +36,7 @@ impl Outline {
     /// Whether a segment crosses the outline.
     fn crosses(&self, a: Vec2, b: Vec2) -> bool {
         let beside = a.max(b).cmplt(self.low).any() || a.min(b).cmpgt(self.high).any();
-        !beside && sides(&self.corners).any(|(c, d)| cross(a, b, c, d))
+        !beside && polygon_sides(&self.corners).any(|[c, d]| cross(a, b, c, d))
     }
 
     /// Whether any part of a segment is inside.
@@ -49,13 +50,9 @@ impl Outline {
     }
 }
 
-fn sides(corners: &[Vec2]) -> impl Iterator<Item = (Vec2, Vec2)> + '_ {
-    corners.iter().copied().zip(corners.iter().copied().cycle().skip(1))
-}
-
 /// The even-odd rule: how often the way to the right leaves the polygon.
 fn holds(corners: &[Vec2], p: Vec2) -> bool {
-    let crossed = sides(corners).filter(|&(a, b)| {
+    let crossed = polygon_sides(corners).filter(|&[a, b]| {
         (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)
     });
     crossed.count() % 2 == 1
@@ -157,10 +154,10 @@ impl Stage {
             let corners: Vec<Vec2> = places.iter().map(|&(at, _)| at).collect();
             let within = if taking.touching {
                 // The outline may lie inside the face, and touch none of its sides.
-                sides(&corners).any(|(a, b)| outline.meets(a, b))
+                polygon_sides(&corners).any(|[a, b]| outline.meets(a, b))
                     || outline.corners.first().is_some_and(|&corner| holds(&corners, corner))
             } else {
-                sides(&corners).all(|(a, b)| outline.has(a, b))
+                polygon_sides(&corners).all(|[a, b]| outline.has(a, b))
             };
             within && shown.as_ref().is_none_or(|shown| shown[face as usize])
         };

@@ -122,6 +122,12 @@ impl Side {
         own.positions.clone_from(&other.positions);
         own.normals.clone_from(&other.normals);
         self.stage.changes.positions = true;
+        self.take_targets(model);
+    }
+
+    fn take_targets(&mut self, model: &Stage) {
+        self.stage.handles.clone_from(&model.handles);
+        self.stage.changes.targets = true;
     }
 
     fn follow(&mut self, model: &Stage) {
@@ -129,7 +135,8 @@ impl Side {
         if !self.is_original {
             if changes.positions {
                 self.take_positions(model);
-                self.stage.handles.clone_from(&model.handles);
+            } else if changes.targets {
+                self.take_targets(model);
             }
             if changes.projections || self.stage.projections != model.projections {
                 self.stage.projections.clone_from(&model.projections);

@@ -49,8 +49,10 @@ pub struct Display {
 pub struct Changes {
     /// Faces, curves, edges.
     pub mesh: bool,
-    /// Where vertices or handle targets are.
+    /// Where vertices are.
     pub positions: bool,
+    /// Where handle targets are.
+    pub targets: bool,
     /// Values and marks of faces.
     pub looks: bool,
     /// Which dots and pulling lines there are.
@@ -70,6 +72,7 @@ impl Changes {
     pub const ALL: Changes = Changes {
         mesh: true,
         positions: true,
+        targets: true,
         looks: true,
         marks: true,
         shapes: true,
@@ -240,7 +243,7 @@ impl Stage {
                 .all(|(a, b)| a.vertex == b.vertex && a.kind == b.kind);
         self.handles = handles;
         self.changes.marks |= !same;
-        self.changes.positions = true;
+        self.changes.targets = true;
         Ok(())
     }
 

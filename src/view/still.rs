@@ -14,6 +14,7 @@ use super::light::face_colour;
 use super::palette::{Colour, DARK, Dot, DotKind, LIGHT, LineKind, Palette, Stroke};
 use super::ray::hidden;
 use super::stage::Stage;
+use crate::math::polygon_sides;
 use glam::{Vec2, Vec3, Vec4};
 use std::collections::BTreeSet;
 use std::fmt::{Display, Write};
@@ -161,8 +162,7 @@ pub fn from_far_to_near(stage: &Stage) -> Vec<u32> {
 
 /// The sides of a face, the smaller vertex first.
 pub(super) fn sides(corners: &[u32]) -> impl Iterator<Item = [u32; 2]> + '_ {
-    let next = corners.iter().cycle().skip(1);
-    corners.iter().zip(next).map(|(&a, &b)| [a.min(b), a.max(b)])
+    polygon_sides(corners).map(|[a, b]| [a.min(b), a.max(b)])
 }
 
 /// Whether the surface hides the mark on a vertex. The view draws marks in front of what is near.

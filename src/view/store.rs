@@ -1,5 +1,6 @@
 //! What vertex shaders pull from: tables of four numbers per vertex or face. They are textures
-//! because WebGL2 has no storage buffers; one small write per picture moves the whole mesh.
+//! because WebGL2 has no storage buffers. Each table is written at once, in whole rows: it is the
+//! number of writes that costs time, not their size.
 
 use super::colour_map;
 use super::globals::{NUMBERS, numbers};
@@ -22,23 +23,42 @@ impl Table {
         Table { texture: create(device, label, format, WIDTH, 1), label }
     }
 
+    /// Whether there is room for so many texels.
+    fn holds(&self, count: usize) -> bool {
+        count <= (WIDTH * self.texture.height()) as usize
+    }
+
     /// Writes all texels; returns whether the texture is another one than before.
-    fn write(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, texels: &[u8]) -> bool {
-        let format = self.texture.format();
-        let texel = format.block_copy_size(None).expect("tables have plain colour formats");
-        let count = texels.len() as u32 / texel;
-        let rows = count.div_ceil(WIDTH).max(1);
+    fn write<T: bytemuck::Pod>(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        texels: Vec<T>,
+    ) -> bool {
+        let rows = (size_of_val(&texels[..]) as u32).div_ceil(self.row_bytes()).max(1);
         let grown = rows > self.texture.height();
         if grown {
             // Room to grow by a few handles without a new texture each time.
+            let format = self.texture.format();
             self.texture = create(device, self.label, format, WIDTH, rows + 1);
         }
-        let whole = count / WIDTH;
-        let row_bytes = WIDTH * texel;
-        let (full, rest) = texels.split_at((whole * row_bytes) as usize);
-        write(queue, &self.texture, full, row_bytes, [0, WIDTH, whole]);
-        write(queue, &self.texture, rest, row_bytes, [whole, count % WIDTH, 1]);
+        self.write_rows(queue, 0, texels);
         grown
+    }
+
+    /// Writes texels from the start of a row on. What is left of their last row is nothing.
+    fn write_rows<T: bytemuck::Pod>(&self, queue: &wgpu::Queue, first: u32, mut texels: Vec<T>) {
+        let row_bytes = self.row_bytes();
+        let row = row_bytes as usize / size_of::<T>();
+        let rows = texels.len().div_ceil(row);
+        texels.resize(rows * row, T::zeroed());
+        let bytes = bytemuck::cast_slice(&texels);
+        write(queue, &self.texture, bytes, row_bytes, [first, WIDTH, rows as u32]);
+    }
+
+    fn row_bytes(&self) -> u32 {
+        let texel = self.texture.format().block_copy_size(None);
+        WIDTH * texel.expect("tables have plain colour formats")
     }
 }
 
@@ -180,30 +200,36 @@ impl Store {
         let subject = &stage.subject;
         let mut rebind = false;
         let corners = changes.looks && stage.looks.corner_steps().is_some();
-        if changes.mesh || changes.positions || changes.projections || corners {
-            let vertices = subject.positions.iter().enumerate();
-            // Less than nothing: the fourth number of what lies beside the surface is more.
-            let vertices = vertices.map(|(v, at)| at.extend(-stage.looks.corner_in_steps(v)));
-            let targets = stage.targets().map(|place| place.extend(0.0));
-            let points = vertices.chain(targets).chain(stage.projected());
-            rebind |= self.positions.write(device, queue, &four_each(points));
+        let vertices_changed = changes.mesh || changes.positions || corners;
+        if vertices_changed || changes.targets || changes.projections {
+            let vertices = subject.positions.len();
+            let count = vertices + stage.handles.len() + stage.projections.points.len();
+            if vertices_changed || !self.positions.holds(count) {
+                rebind |= self.positions.write(device, queue, points(stage, 0));
+            } else {
+                // Only what comes after the vertices.
+                let row = vertices as u32 / WIDTH;
+                self.positions.write_rows(queue, row, points(stage, (row * WIDTH) as usize));
+            }
         }
         if changes.mesh || changes.positions {
             let normals = &subject.normals;
             let soft = four_each(normals.vertices.iter().map(|normal| normal.extend(0.0)));
-            rebind |= self.vertex_normals.write(device, queue, &soft);
+            rebind |= self.vertex_normals.write(device, queue, soft);
             let flat = four_each(normals.faces.iter().map(|normal| normal.extend(0.0)));
-            rebind |= self.face_normals.write(device, queue, &flat);
+            rebind |= self.face_normals.write(device, queue, flat);
         }
         if changes.mesh || changes.looks {
             let looks = stage.looks.bytes(subject.faces.len());
-            rebind |= self.face_looks.write(device, queue, &looks);
+            rebind |= self.face_looks.write(device, queue, looks);
+        }
+        if changes.mesh || changes.marks {
             self.write_colours(queue, 1, &stage.looks.rows.palette);
         }
         if changes.mesh || changes.checks {
             let places = stage.checks.places.iter();
             let texels = four_each(places.map(|place| place.extend(0.0).extend(0.0)));
-            rebind |= self.places.write(device, queue, &texels);
+            rebind |= self.places.write(device, queue, texels);
         }
         if changes.projections {
             self.write_colours(queue, 2, &stage.projections.palette);
@@ -225,7 +251,7 @@ impl Store {
         (width, height): (u32, u32),
     ) {
         let points = points.map(|points| four_each(points.map(|point| point.extend(0.0))));
-        if points.is_some_and(|points| self.positions.write(device, queue, &points)) {
+        if points.is_some_and(|points| self.positions.write(device, queue, points)) {
             self.bind(device);
         }
         let numbers = numbers(stage, width, height);
@@ -252,10 +278,18 @@ impl Store {
     }
 }
 
-/// Vectors as bytes of four floats each.
-fn four_each(vectors: impl Iterator<Item = Vec4>) -> Vec<u8> {
-    let floats: Vec<[f32; 4]> = vectors.map(|v| v.to_array()).collect();
-    bytemuck::cast_slice(&floats).to_vec()
+/// The table of positions from a vertex on: vertices, targets of handles, projected points.
+fn points(stage: &Stage, first: usize) -> Vec<[f32; 4]> {
+    let vertices = stage.subject.positions.iter().enumerate().skip(first);
+    // Less than nothing: the fourth number of what lies beside the surface is more.
+    let vertices = vertices.map(|(v, at)| at.extend(-stage.looks.corner_in_steps(v)));
+    let targets = stage.targets().map(|place| place.extend(0.0));
+    four_each(vertices.chain(targets).chain(stage.projected()))
+}
+
+/// Vectors as four floats each.
+fn four_each(vectors: impl Iterator<Item = Vec4>) -> Vec<[f32; 4]> {
+    vectors.map(|vector| vector.to_array()).collect()
 }
 
 fn group_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {

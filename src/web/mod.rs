@@ -1,9 +1,26 @@
-//! wasm-bindgen faces: `solver` for the worker, `view` for the page.
+//! wasm-bindgen faces: one for the worker (feature `solver`), one for the page (feature `view`).
+//!
+//! | file | holds |
+//! |---|---|
+//! | `solver` | the worker's face: the model that is open, its state, its numbers |
+//! | `reading`, `edit`, `drag` | files in; edits and previews; handles that are dragged |
+//! | `shown`, `original`, `report` | what is drawn and told of the session, and of what it was before |
+//! | `selecting`, `lists`, `lesson` | selections and settings, lists of elements, goals |
+//! | `parametrize`, `experiment` | the flat map, the paper's comparisons |
+//! | `measure`, `warm_up` | what benchmarks ask; what makes the first steps fast |
+//! | `plain` | from Rust to JavaScript |
+//! | `view` | the page's face: the canvas and what is shown on it |
+//! | `view_camera`, `view_picking`, `view_gizmo` | where it is looked from, what is under the cursor, what it holds |
+//! | `view_map`, `view_split`, `view_seeing` | the flat map beside the model, two pictures, ways of seeing |
 
 #[cfg(feature = "solver")]
 mod drag;
 #[cfg(feature = "solver")]
+mod edit;
+#[cfg(feature = "solver")]
 pub mod experiment;
+#[cfg(feature = "solver")]
+mod lesson;
 #[cfg(feature = "solver")]
 mod lists;
 #[cfg(feature = "solver")]
@@ -11,23 +28,29 @@ mod measure;
 #[cfg(feature = "solver")]
 mod original;
 #[cfg(feature = "solver")]
-mod page_edit;
-#[cfg(feature = "solver")]
 mod parametrize;
+#[cfg(feature = "solver")]
+mod plain;
+#[cfg(feature = "solver")]
+mod reading;
 #[cfg(feature = "solver")]
 mod report;
 #[cfg(feature = "solver")]
-mod seeing;
-#[cfg(feature = "solver")]
 mod selecting;
+#[cfg(feature = "solver")]
+mod shown;
 #[cfg(feature = "solver")]
 pub mod solver;
 #[cfg(feature = "view")]
 pub mod view;
 #[cfg(feature = "view")]
+mod view_camera;
+#[cfg(feature = "view")]
 mod view_gizmo;
 #[cfg(feature = "view")]
 mod view_map;
+#[cfg(feature = "view")]
+mod view_picking;
 #[cfg(feature = "view")]
 mod view_seeing;
 #[cfg(feature = "view")]

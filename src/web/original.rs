@@ -3,7 +3,7 @@
 use super::solver::Solver;
 use super::thrown;
 use crate::session::Shape;
-use js_sys::{Float32Array, Float64Array};
+use js_sys::Float64Array;
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
@@ -27,15 +27,6 @@ impl Solver {
     #[wasm_bindgen(js_name = originalPositions)]
     pub fn original_positions(&self) -> Result<Float64Array, JsValue> {
         Ok(Float64Array::from(self.open()?.mesh().positions.as_flattened()))
-    }
-
-    /// The values of a measure of the faces of the original, `#F`, in its unit.
-    #[wasm_bindgen(js_name = originalValues)]
-    pub fn original_values(&mut self, measure: &str) -> Result<Float32Array, JsValue> {
-        let values = self.open_mut()?.face_values_of(measure, Shape::Original);
-        let values = values.ok_or_else(|| thrown(format!("unknown measure {measure:?}")))?;
-        let narrow: Vec<f32> = values.iter().map(|&value| value as f32).collect();
-        Ok(Float32Array::from(&narrow[..]))
     }
 
     /// The angles at the corners of the faces, of the original and now.

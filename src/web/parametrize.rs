@@ -1,10 +1,12 @@
-//! The flat map of the model in the worker (paper section 4, Eq. 14).
+//! The flat map of the model in the worker (paper section 4.3, Eq. 14).
 
-use super::solver::{Solver, object, plain};
+use super::plain::{indices, narrow, object, plain};
+use super::solver::Solver;
 use super::thrown;
 use crate::mesh::{Histogram, Mesh, write_obj_with_uv};
+use crate::scene::Worded;
 use crate::solve::{ConformalNorm, ConformalWeights, Parametrization, clock};
-use js_sys::{Float32Array, Float64Array, Uint32Array};
+use js_sys::Float64Array;
 use wasm_bindgen::prelude::*;
 
 /// The colours of a map span at least this: a difference of one per cent is hardly seen in a shape.
@@ -23,8 +25,8 @@ impl Solver {
     /// # Errors
     /// A mesh without faces, a surface without area, or an unknown word.
     pub fn parametrize(&self, weights: &str, norm: &str) -> Result<JsValue, JsValue> {
-        let weights = of_word("weights", weights, &ConformalWeights::WORDS)?;
-        let norm = of_word("norm", norm, &ConformalNorm::WORDS)?;
+        let weights: ConformalWeights = of_word("weights", weights)?;
+        let norm: ConformalNorm = of_word("norm", norm)?;
         let session = self.open()?;
         if session.mesh().faces.is_empty() {
             return Err(thrown("the mesh has no faces, expected a surface"));
@@ -35,17 +37,16 @@ impl Solver {
             .map_err(|error| thrown(format!("the surface cannot be flattened: {error}")))?;
         let seconds = clock::now() - started;
         let errors = &map.errors;
-        let of_faces: Vec<f32> = errors.of_faces.iter().map(|&error| error as f32).collect();
         let histogram = Histogram::new(&errors.of_faces, LEAST_RANGE, BARS);
         object([
-            ("histogram", Uint32Array::from(&histogram.counts[..]).into()),
+            ("histogram", indices(&histogram.counts)),
             ("high", histogram.high.into()),
             ("uv", Float64Array::from(map.uv.as_flattened()).into()),
-            ("faceErrors", Float32Array::from(&of_faces[..]).into()),
+            ("faceErrors", narrow(&errors.of_faces).into()),
             ("mean", errors.quasi_conformal.mean.into()),
             ("max", errors.quasi_conformal.max.into()),
             ("flipped", (errors.flipped as f64).into()),
-            ("flippedFaces", Uint32Array::from(&errors.flipped_faces[..]).into()),
+            ("flippedFaces", indices(&errors.flipped_faces)),
             ("parts", (map.parts as f64).into()),
             ("closedParts", (map.closed_parts as f64).into()),
             ("eigenvalue", map.eigenvalue.into()),
@@ -72,8 +73,7 @@ impl Solver {
 }
 
 /// What a word of the command line stands for.
-fn of_word<T: Copy>(what: &str, word: &str, words: &[(&str, T)]) -> Result<T, JsValue> {
-    let known = || words.iter().map(|(word, _)| *word).collect::<Vec<_>>().join(", ");
-    let found = words.iter().find(|(known, _)| *known == word).map(|(_, value)| *value);
-    found.ok_or_else(|| thrown(format!("{what} \"{word}\", expected one of {}", known())))
+fn of_word<T: Worded>(what: &str, word: &str) -> Result<T, JsValue> {
+    let unknown = || thrown(format!("{what} \"{word}\", expected one of {}", T::list(", ")));
+    T::of_word(word).ok_or_else(unknown)
 }

@@ -1,10 +1,10 @@
 //! What the worker tells the page, as plain objects in camelCase.
 
-use super::lists::{GoalNumbers, LessonWords};
+use super::lesson::{GoalNumbers, LessonWords};
 use crate::constraint::{Element, Info, KINDS, Kind, LocalStep, Sketch, describe};
 use crate::math::Vec3;
 use crate::mesh::{Circularity, Planarity, Read};
-use crate::scene::{Hold, SmoothnessOf, Up, Weighting};
+use crate::scene::{Hold, Worded};
 use crate::session::{Session, flaw_of, settings_of};
 use crate::solve::Energy;
 use serde::Serialize;
@@ -69,7 +69,7 @@ impl Loaded {
                 .map(|group| Group { name: group.name.clone(), faces: group.faces.len() })
                 .collect(),
             units: session.document().units.clone(),
-            up: up(session.document().up),
+            up: session.document().up.word(),
             guessed,
             mean_edge: mean_edge(session),
             problems: problems
@@ -90,13 +90,6 @@ fn mean_edge(session: &Session) -> f64 {
     let edges = session.topology().edges();
     let sum: f64 = edges.iter().map(|&[a, b]| (at(b) - at(a)).length()).sum();
     sum / edges.len().max(1) as f64
-}
-
-fn up(up: Up) -> &'static str {
-    match up {
-        Up::Y => "y",
-        Up::Z => "z",
-    }
 }
 
 /// The document as it stands.
@@ -208,21 +201,14 @@ impl<'a> Document<'a> {
         Document {
             title: &scene.title,
             units: &scene.units,
-            up: up(scene.up),
+            up: scene.up.word(),
             constraints,
             handles,
             weights: Weights { shape, close, smooth },
             closeness: scene.closeness.to.word(),
             smoothness: SmoothnessWords {
-                of: match scene.smoothness.of {
-                    SmoothnessOf::Surface => "surface",
-                    SmoothnessOf::Displacement => "displacement",
-                },
-                weighting: match scene.smoothness.weighting {
-                    Weighting::Auto => "auto",
-                    Weighting::Uniform => "uniform",
-                    Weighting::Cotangent => "cotangent",
-                },
+                of: scene.smoothness.of.word(),
+                weighting: scene.smoothness.weighting.word(),
             },
             settings: settings_of(scene),
             sets: scene

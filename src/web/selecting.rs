@@ -1,6 +1,7 @@
 //! What the page selects with, and the settings that it offers: the declared lists, and the answers.
 
-use super::solver::{Solver, object, plain, thrown_at};
+use super::plain::{plain, selection, thrown_at};
+use super::solver::Solver;
 use super::thrown;
 use crate::session::{OPERATIONS, SETTINGS, SelectRequest};
 use js_sys::Uint32Array;
@@ -27,11 +28,6 @@ impl Solver {
     pub fn select(&mut self, request: JsValue) -> Result<JsValue, JsValue> {
         let request: SelectRequest = serde_wasm_bindgen::from_value(request).map_err(thrown)?;
         let found = self.open_mut()?.select(&request).map_err(|error| thrown_at(&error))?;
-        let indices = |indices: &[u32]| JsValue::from(Uint32Array::from(indices));
-        object([
-            ("vertices", indices(&found.vertices)),
-            ("edges", indices(&found.edges)),
-            ("faces", indices(&found.faces)),
-        ])
+        selection(&found.vertices, &found.edges, &found.faces)
     }
 }

@@ -4,16 +4,13 @@
 //! of the file. What is thrown is an `Error` whose message is one complete line.
 
 use super::{log_panics, thrown};
-use crate::view::camera::Up;
 use crate::view::colour_map;
 use crate::view::device::{Device, DeviceError};
 use crate::view::flat_map::follow;
 use crate::view::flight::Flight;
-use crate::view::lists::ViewError;
 use crate::view::loss::Loss;
 use crate::view::picture::Picture;
 use crate::view::projections::Projections;
-use crate::view::region::{Outline, Taking};
 use crate::view::row_colours::RowColours;
 use crate::view::split::Split;
 use crate::view::stage::{Display, Stage};
@@ -87,12 +84,6 @@ async fn tell_loss(loss: Arc<Loss>, canvas: HtmlCanvasElement) {
         // It fails when the event is under way already.
         let _ = canvas.dispatch_event(&event);
     }
-}
-
-/// From x and y of each corner.
-fn outline(corners: &[f32]) -> Outline {
-    let (corners, _) = corners.as_chunks::<2>();
-    Outline::new(corners.iter().map(|&[x, y]| Vec2::new(x, y)).collect())
 }
 
 #[wasm_bindgen]
@@ -350,108 +341,6 @@ impl View {
         let projections = Projections::new(vertices, ways, colours, outlines, palette, count);
         self.stage.set_projections(projections.map_err(thrown)?);
         Ok(())
-    }
-
-    /// Sets the vertical axis, `z` or `y`.
-    ///
-    /// # Errors
-    /// Any other axis.
-    #[wasm_bindgen(js_name = setUp)]
-    pub fn set_up(&mut self, up: &str) -> Result<(), JsValue> {
-        let up = match up {
-            "z" => Up::Z,
-            "y" => Up::Y,
-            _ => {
-                let got = up.to_owned();
-                return Err(thrown(ViewError::Word { what: "up", got, known: "z or y" }));
-            }
-        };
-        self.stage.set_up(up);
-        Ok(())
-    }
-
-    /// Turns the camera about its pivot by a drag.
-    pub fn orbit(&mut self, dx: f32, dy: f32) {
-        self.stage.orbit(dx, dy);
-    }
-
-    /// Slides the picture by a drag.
-    pub fn pan(&mut self, dx: f32, dy: f32) {
-        self.stage.pan(dx, dy);
-    }
-
-    /// Comes `factor` times nearer (farther when less than one) to what is under the cursor.
-    pub fn zoom(&mut self, factor: f32, x: f32, y: f32) {
-        self.stage.zoom(factor, Vec2::new(x, y));
-    }
-
-    /// Fills the canvas with the mesh, from where the camera looks now.
-    pub fn fit(&mut self) {
-        self.stage.fit();
-    }
-
-    /// Fills the canvas with some vertices.
-    ///
-    /// # Errors
-    /// A vertex that does not exist.
-    #[wasm_bindgen(js_name = fitVertices)]
-    pub fn fit_vertices(&mut self, vertices: &[u32]) -> Result<(), JsValue> {
-        self.stage.fit_vertices(vertices).map_err(thrown)
-    }
-
-    /// Looks from `top`, `bottom`, `front`, `back`, `left`, `right`, `isometric` or `home`, and fits.
-    ///
-    /// # Errors
-    /// Any other name.
-    pub fn preset(&mut self, name: &str) -> Result<(), JsValue> {
-        self.stage.preset(name).map_err(thrown)
-    }
-
-    /// The visible vertex nearest to the cursor.
-    #[wasm_bindgen(js_name = pickVertex)]
-    pub fn pick_vertex(&self, x: f32, y: f32, radius: f32) -> Option<u32> {
-        self.stage.pick_vertex(Vec2::new(x, y), radius)
-    }
-
-    /// The vertex of the handle nearest to the cursor, hidden or not.
-    #[wasm_bindgen(js_name = pickHandle)]
-    pub fn pick_handle(&self, x: f32, y: f32, radius: f32) -> Option<u32> {
-        self.stage.pick_handle(Vec2::new(x, y), radius)
-    }
-
-    /// The face under the cursor.
-    #[wasm_bindgen(js_name = pickFace)]
-    pub fn pick_face(&self, x: f32, y: f32) -> Option<u32> {
-        self.stage.pick_face(Vec2::new(x, y))
-    }
-
-    /// The visible edge nearest to the cursor, by its place in `setEdges`.
-    #[wasm_bindgen(js_name = pickEdge)]
-    pub fn pick_edge(&mut self, x: f32, y: f32, radius: f32) -> Option<u32> {
-        self.stage.pick_edge(Vec2::new(x, y), radius)
-    }
-
-    /// Vertices inside a polygon on the screen (x and y of each corner); with `through` hidden ones too.
-    #[wasm_bindgen(js_name = verticesIn)]
-    pub fn vertices_in(&mut self, corners: &[f32], through: bool) -> Vec<u32> {
-        self.stage.vertices_in(&outline(corners), through)
-    }
-
-    /// Edges inside a polygon on the screen; with `touching` also those partly inside.
-    #[wasm_bindgen(js_name = edgesIn)]
-    pub fn edges_in(&mut self, corners: &[f32], touching: bool, through: bool) -> Vec<u32> {
-        self.stage.edges_in(&outline(corners), Taking { touching, through })
-    }
-
-    /// Faces inside a polygon on the screen; with `touching` also those partly inside.
-    #[wasm_bindgen(js_name = facesIn)]
-    pub fn faces_in(&mut self, corners: &[f32], touching: bool, through: bool) -> Vec<u32> {
-        self.stage.faces_in(&outline(corners), Taking { touching, through })
-    }
-
-    /// Where a vertex is on the canvas; nothing when it is hidden, outside, or not there.
-    pub fn screen(&self, vertex: u32) -> Option<Vec<f64>> {
-        self.stage.screen(vertex).map(|at| vec![f64::from(at.x), f64::from(at.y)])
     }
 
     /// Whether the next `draw` has something new to show.

@@ -8,7 +8,7 @@ mod stream;
 
 use serde::{Deserialize, Serialize};
 use shape_up::mesh::{Point, Topology, read};
-use shape_up::scene::Scene;
+use shape_up::scene::{Scene, Worded};
 use shape_up::session::{Edit, Report, Session};
 use shape_up::solve::{ConformalNorm, ConformalWeights, Parametrization, clock};
 use std::hint::black_box;
@@ -257,8 +257,8 @@ fn map(path: &str, weights: &str, rounds: usize) -> Map {
     let mesh = read(path, &std::fs::read(path).expect("the mesh was written"));
     let mesh = mesh.expect("the mesh can be read").mesh;
     let topology = Topology::new(&mesh);
-    let known = ConformalWeights::WORDS.iter().find(|(word, _)| *word == weights);
-    let weights = known.expect("the weights are a word of the command line").1;
+    let weights = ConformalWeights::of_word(weights);
+    let weights = weights.expect("the weights are a word of the command line");
     let run = || {
         let (map, total) =
             timed(|| Parametrization::new(&mesh, &topology, weights, ConformalNorm::Boundary));

@@ -20,3 +20,13 @@ fn experiments_are_listed_and_run() {
     assert_eq!(csv.lines().count(), 1 + 2 * 4, "{csv}");
     assert!(csv.starts_with("method,iteration,seconds,smooth,e_c,shortest\n"), "{csv}");
 }
+
+#[test]
+fn a_limit_of_no_iterations_leaves_the_start() {
+    // The limit was looked at after the first iteration only.
+    let folder = Folder::new("start");
+    folder.run(&["experiment", "fig-11-strip", "--iterations=0", "--csv=start.csv"]).done();
+    let csv = folder.read("start.csv");
+    assert_eq!(csv.lines().count(), 1 + 2, "{csv}");
+    assert!(csv.lines().skip(1).all(|line| line.split(',').nth(1) == Some("0")), "{csv}");
+}

@@ -20,6 +20,8 @@ const FAULTY: &[(&str, &[&str])] = &[
     (r#", "closeness": { "weights": [{ "on": { "set": "rim" }, "weight": 5 }] }"#, &["s.json: closeness.weights[0].on.set: ", "rim"]),
     (r#", "closeness": { "weights": [{ "on": "tets", "weight": 5 }] }"#, &["s.json: closeness.weights[0].on: ", "nothing is selected"]),
     (r#", "closeness": { "boundary": { "corners": 200 } }"#, &["s.json: closeness.boundary.corners: ", "200", "degrees"]),
+    (r#", "current": [[0,0,0],[0,0,0],[0,0,0],[0,0,0],[0,1e60,0],[0,0,0],[0,0,0],[0,0,0],[0,0,0]]"#, &["s.json: current[4]: ", "from -1e50 to 1e50"]),
+    (r#", "handles": [{ "vertices": [0], "targets": [[1e200, 0, 0]] }]"#, &["s.json: handles[0].targets[0]: ", "from -1e50 to 1e50"]),
     (r#", "smoothness": { "weighting": "cotangent" }"#, &["s.json: smoothness.weighting: ", "triangle"]),
     (r#", "solver": { "threads": 4 }"#, &["s.json: solver: ", "threads"]),
 ];
@@ -55,6 +57,31 @@ fn a_faulty_mesh_is_one_line_with_its_place() {
     }
     folder.run(&["solve", ".", "--plane"]).refused(&["."]);
     assert_eq!(folder.files(), ["cut.off", "empty.obj", "note.txt"]);
+}
+
+#[test]
+fn a_mesh_that_is_too_large_to_be_measured_is_refused_and_no_report_has_holes() {
+    // Squares of such lengths are infinite: energies and measures were not numbers, null in reports.
+    let folder = Folder::new("large");
+    folder.write("large.obj", "v 1e200 0 0\nv 0 1e200 0\nv 0 0 1e200\nf 1 2 3\n");
+    for command in ["solve", "check", "parametrize"] {
+        let words = ["large.obj: mesh: vertex 0 is too far out", "from -1e50 to 1e50"];
+        folder.run(&[command, "large.obj", "--report", "r.json"]).refused(&words);
+    }
+    assert_eq!(folder.files(), ["large.obj"]);
+    folder.write("large.obj", "v 1e50 0 0\nv 0 1e50 0\nv 0 0 1e50\nv 1e50 1e50 1e50\nf 1 2 3 4\n");
+    for command in [vec!["solve", "--circle"], vec!["check"]] {
+        folder.run(&[&command[..], &["large.obj", "--report", "r.json"]].concat()).done();
+        assert!(!folder.read("r.json").contains("null"), "{}", folder.read("r.json"));
+    }
+}
+
+#[test]
+fn a_surface_without_area_is_called_so_when_it_is_flattened() {
+    let folder = Folder::new("line");
+    folder.write("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
+    let words = ["line.obj: cannot be flattened: the part with vertex 0 has no area", "expected"];
+    folder.run(&["parametrize", "line.obj", "--out", "uv.obj"]).refused(&words);
 }
 
 #[test]
@@ -95,6 +122,7 @@ fn a_wrong_call_says_how_it_is_called() {
         (vec![], "expected a command"),
         (vec!["sovle"], "`sovle`"),
         (vec!["solve"], "needs a scene or a mesh"),
+        (vec!["solve", ""], "empty"),
         (vec!["solve", "roof.obj", "roof.obj"], "second"),
         (vec!["solve", "roof.obj", "--plain"], "`--plain`"),
         (vec!["solve", "roof.obj", "-o", "x.obj"], "`-o`"),
@@ -126,5 +154,11 @@ fn a_wrong_call_says_how_it_is_called() {
     for info in shape_up::constraint::KINDS {
         assert!(help.contains(&format!("--{}", info.id)), "{help}");
     }
+    assert!(help.lines().all(|line| line.len() <= 106), "{help}");
+    // Wherever it stands; behind two dashes it is the name of a file.
+    for asked in [&["-h"][..], &["help"], &["solve", "--help"], &["check", "roof.obj", "-h"]] {
+        assert_eq!(folder.run(asked).done(), help);
+    }
+    folder.run(&["check", "--", "--help"]).refused(&["--help: cannot be read"]);
     assert!(folder.run(&["--version"]).done().starts_with("shape-up "));
 }

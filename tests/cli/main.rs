@@ -6,6 +6,7 @@ mod experiment;
 mod faults;
 mod folder;
 mod lessons;
+mod written;
 
 use folder::{Folder, PLANES, ROOF, scene};
 use serde_json::Value;

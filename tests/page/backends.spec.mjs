@@ -1,7 +1,7 @@
 // WebGPU where it draws, WebGL2 elsewhere: which module is loaded, and that the pictures are the same.
 
 import { decodePng } from './picture.mjs';
-import { coloursOfView, expect, openPage, test, waitForState } from './support.mjs';
+import { coloursOfView, expect, keptOffline, openPage, test, waitForState } from './support.mjs';
 
 /** Which variants of the view's module a page loads. */
 function watchModules(page) {
@@ -109,4 +109,38 @@ test('WebGPU draws unasked where it can', async ({ page }) => {
   await openPage(page);
   await drawnWith(page, 'webgpu');
   expect([...loaded]).toEqual(['webgpu']);
+});
+
+/** The variants of the view's module that are kept. */
+const keptViews = (page) =>
+  page.evaluate(async () => {
+    const names = (await caches.keys()).filter((name) => name.startsWith('shape-up'));
+    const opened = await Promise.all(names.map((name) => caches.open(name)));
+    const requests = (await Promise.all(opened.map((cache) => cache.keys()))).flat();
+    const backends = requests.map(({ url }) => /view-(\w+)-[^/]*\.wasm$/.exec(url)?.[1]);
+    return backends.filter(Boolean).sort();
+  });
+
+test.describe('without a network', () => {
+  test.use({ serviceWorkers: 'allow' });
+
+  test('the view that draws is kept, and another one when it is wanted', async ({
+    page,
+    context,
+  }) => {
+    for (const [backend, kept] of [
+      ['webgpu', ['webgpu']],
+      ['webgl2', ['webgl2', 'webgpu']],
+    ]) {
+      await context.setOffline(false);
+      await openPage(page, `backend=${backend}`);
+      await waitForState(page, (now, wanted) => now.renderer === wanted, backend);
+      await keptOffline(page);
+      await expect.poll(() => keptViews(page)).toEqual(kept);
+      await context.setOffline(true);
+      await openPage(page, `backend=${backend}`);
+      await waitForState(page, (now, wanted) => now.renderer === wanted, backend);
+      await expect.poll(() => coloursOfView(page)).toBeGreaterThan(50);
+    }
+  });
 });

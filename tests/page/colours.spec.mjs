@@ -119,15 +119,18 @@ test('while colours say nothing else, faces have those of their constraints', as
   await page.keyboard.press('Escape');
   await showPanel(page, 'Energies and display');
   await page.getByLabel('Colour by').selectOption('');
-  await expect.poll(async () => (await tints())[0]).toBeLessThan(plain - 20);
-  expect((await tints())[1]).toBeGreaterThan(plain + 20);
+  const [round, others] = await tints();
+  expect(round).toBeLessThan(plain - 20);
+  expect(others).toBeGreaterThan(plain + 20);
 
   // A row that is off has no colour; the one behind it has.
   await showPanel(page, 'Model');
   await page.getByRole('switch', { name: /^Sphere/ }).uncheck();
-  await expect.poll(async () => (await tints())[0]).toBeGreaterThan(plain + 20);
+  await waitForState(page, (now) => now.constraints.sphere === undefined);
+  expect((await tints())[0]).toBeGreaterThan(plain + 20);
   await tool(page, 'Undo');
-  await expect.poll(async () => (await tints())[0]).toBeLessThan(plain - 20);
+  await waitForState(page, (now) => now.constraints.sphere === 1);
+  expect((await tints())[0]).toBeLessThan(plain - 20);
 });
 
 test('residuals are arrows to the projected shapes, until there are none', async ({ page }) => {

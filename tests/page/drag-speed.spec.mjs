@@ -1,6 +1,7 @@
 // Dragging on a large mesh is fast: what the page and the worker take for a move. The view does all
 // of its own work, but nothing is rasterised: here that is done in software, and would be measured
-// instead.
+// instead. The work of the page is counted by the shapes that it shows, not by the pictures: while the
+// worker is still computing, a picture shows the dot at the pointer and nothing else that is new.
 
 import { cpus, loadavg } from 'node:os';
 import { expect, openPage, screenOf, state, test, waitForState } from './support.mjs';
@@ -9,12 +10,15 @@ import { expect, openPage, screenOf, state, test, waitForState } from './support
 const EXAMPLE = 'fig-05-mixed';
 /** With more programs than this for each processor, the time says nothing of this one. */
 const BUSY = 1;
-/** Milliseconds. The aim for a frame is 4; what is measured is said with the test. */
-const FRAME_BUDGET = 10;
+/** Milliseconds of the page's main thread for each shape. */
+const FRAME_BUDGET = 4;
+/** Milliseconds from when the worker is told of a move. */
 const ANSWER_BUDGET = 16;
-/** So many times so many frames with a move each. */
+/** So many times so many moves, each made when the one before it is answered. */
 const BATCHES = 9;
-const FRAMES = 8;
+const MOVES = 8;
+
+test.use({ pixels: false });
 
 const median = (values) => values.toSorted((a, b) => a - b)[values.length >> 1];
 
@@ -24,16 +28,16 @@ test('a drag on 2500 vertices is answered within 16 ms and costs the page less',
   const [load] = loadavg();
   test.skip(load > BUSY * cpus().length, `the machine is busy: ${load} programs are running`);
   await page.addInitScript(() => {
-    const { prototype } = WebGL2RenderingContext;
-    for (const name of [
-      'drawArrays',
-      'drawElements',
-      'drawArraysInstanced',
-      'drawElementsInstanced',
-    ])
-      prototype[name] = () => {};
-    for (const name of ['blitFramebuffer', 'clearBufferfv', 'clearBufferfi', 'clear'])
-      prototype[name] = () => {};
+    window.shapes = { shown: 0, answered: 0 };
+    window.Worker = class extends Worker {
+      constructor(...about) {
+        super(...about);
+        this.addEventListener('message', ({ data }) => {
+          window.shapes.shown += Number(data.type === 'frame');
+          window.shapes.answered += Number(Boolean(data.answers));
+        });
+      }
+    };
   });
   await openPage(page, `backend=webgl2#example=${EXAMPLE}`);
   await waitForState(page, (now) => now.vertices > 2400 && now.renderer === 'webgl2');
@@ -60,28 +64,29 @@ test('a drag on 2500 vertices is answered within 16 ms and costs the page less',
   await page.mouse.down();
   await page.mouse.move(x, y - 10, { steps: 4 });
   await waitForState(page, (now) => now.iteration > 0);
-  // What Playwright itself does in the page would count: a batch of moves, one a frame, is one call.
-  const moveInFrames = ([left, top, count]) =>
-    new Promise((done) => {
-      const view = document.querySelector('[role="application"]');
-      const next = (i) => {
-        if (i === count) return done();
-        const [clientX, clientY] = [left + 3 * i, top - i];
-        const where = { clientX, clientY, pointerId: 1, pointerType: 'mouse', buttons: 1 };
-        view.dispatchEvent(new PointerEvent('pointermove', where));
-        requestAnimationFrame(() => next(i + 1));
-      };
-      next(0);
-    });
-  const perFrame = [];
+  // What Playwright itself does in the page would count: a batch of moves is one call.
+  const showMoves = async ([left, top, count]) => {
+    const view = document.querySelector('[role="application"]');
+    const { shapes } = window;
+    const before = shapes.shown;
+    for (let i = 0; i < count; i++) {
+      const [clientX, clientY] = [left + 3 * i, top - i];
+      const where = { clientX, clientY, pointerId: 1, pointerType: 'mouse', buttons: 1 };
+      const { answered } = shapes;
+      view.dispatchEvent(new PointerEvent('pointermove', where));
+      while (shapes.answered === answered) await new Promise(requestAnimationFrame);
+    }
+    return shapes.shown - before;
+  };
+  const perShape = [];
   for (let batch = 0; batch < BATCHES; batch++) {
     const before = await spent();
-    await page.evaluate(moveInFrames, [x, y - 12 - batch, FRAMES]);
-    perFrame.push(((await spent()) - before) / FRAMES);
+    const shown = await page.evaluate(showMoves, [x, y - 12 - batch, MOVES]);
+    perShape.push(((await spent()) - before) / shown);
   }
   await page.mouse.up();
   const { answer, latency } = await page.evaluate(() => window.shapeUp.dragTimes());
-  const [work, answers] = [median(perFrame), median(answer)];
+  const [work, answers] = [median(perShape), median(answer)];
   const said = `page ${work.toFixed(2)} ms, worker ${answers.toFixed(2)} ms, pointer to positions ${median(latency).toFixed(1)} ms`;
   test.info().annotations.push({ type: 'measured', description: said });
   expect(work, said).toBeLessThan(FRAME_BUDGET);

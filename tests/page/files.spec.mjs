@@ -19,6 +19,9 @@ import {
 
 test('a mesh opens, with a report of what was wrong in it', async ({ page }) => {
   await openPage(page);
+  await openText(page, 'odd.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 x\n', 3);
+  await showPanel(page, 'Model');
+  await expect(page.getByText(/line 4: `f 1 2 x`/)).toBeVisible();
   await openText(page, 'roof.obj', `${wavyGrid(4)}f 1 2\n`, 25);
   const { faces, problems } = await state(page);
   expect(faces).toBe(16);
@@ -52,15 +55,16 @@ test('a broken file is refused with the reason, and the old mesh stays', async (
   await expect(page.getByRole('alert')).toContainText('no vertices');
   const after = await state(page);
   expect([after.vertices, after.faces]).toEqual([before.vertices, before.faces]);
-});
 
-test('what cannot be read says so', async ({ page }) => {
-  await openPage(page);
+  // Nor can what is no mesh at all.
   await page.getByLabel('Open file').setInputFiles(file('house.ifc', 'ISO-10303-21;'));
   await expect(page.getByRole('alert')).toContainText('house.ifc');
+  expect((await state(page)).vertices).toBe(before.vertices);
 });
 
-test('a file dropped anywhere on the window opens', async ({ page }) => {
+test('a file dropped on the window opens, and a scene with its mesh beside it', async ({
+  page,
+}) => {
   await openPage(page);
   const data = await page.evaluateHandle((text) => {
     const transfer = new DataTransfer();
@@ -72,10 +76,8 @@ test('a file dropped anywhere on the window opens', async ({ page }) => {
   await page.dispatchEvent('footer', 'drop', { dataTransfer: data });
   await waitForState(page, (now) => now.vertices === 16);
   await expect(page.getByText('Drop to open')).toBeHidden();
-});
 
-test('a scene needs its mesh beside it, and opens with it', async ({ page }) => {
-  await openPage(page);
+  // A scene needs its mesh beside it.
   const scene = JSON.stringify({
     format: 'shape-up-scene',
     version: 1,

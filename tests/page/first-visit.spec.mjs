@@ -21,7 +21,17 @@ test('text and tools are there before the solver and the view', async ({ page })
   await expect(page.getByLabel('Open file')).toBeAttached();
 });
 
-test('the example is drawn, and Run makes its panels round', async ({ page }) => {
+test('the example is drawn, Run makes its panels round, and then the page is at rest', async ({
+  page,
+}) => {
+  await page.addInitScript(() => {
+    const { requestAnimationFrame: ask } = window;
+    window.pictures = 0;
+    window.requestAnimationFrame = (draw) => {
+      window.pictures += 1;
+      return ask(draw);
+    };
+  });
   await openPage(page);
   await expect.poll(() => coloursOfView(page)).toBeGreaterThan(50);
   const before = await state(page);
@@ -38,6 +48,19 @@ test('the example is drawn, and Run makes its panels round', async ({ page }) =>
   await expect(page.getByRole('button', { name: 'Run' })).toBeVisible();
   await expect(page.getByRole('status')).toHaveText(/Converged after \d+ iterations/);
   await expect(card).toBeHidden();
+
+  const pictures = () => page.evaluate(() => window.pictures);
+  expect(await pictures()).toBeGreaterThan(0);
+  // Whatever was under way has ended when the count stays.
+  let last = -1;
+  await expect
+    .poll(async () => {
+      const now = await pictures();
+      const drawn = now - last;
+      last = now;
+      return drawn;
+    })
+    .toBe(0);
 });
 
 test('the hints lead on and, once dismissed, stay away', async ({ page }) => {
@@ -111,33 +134,14 @@ test('the example is painted within a second of the bytes of the page', async ({
   expect(Math.min(...pictures) - Math.min(...words), description).toBeLessThan(1000);
 });
 
-test('a page that has converged is at rest', async ({ page }) => {
-  await page.addInitScript(() => {
-    const { requestAnimationFrame: ask } = window;
-    window.pictures = 0;
-    window.requestAnimationFrame = (draw) => {
-      window.pictures += 1;
-      return ask(draw);
-    };
-  });
+test('the examples menu opens another model, and the theme is a choice that is remembered', async ({
+  page,
+}) => {
   await openPage(page);
-  await runToTheEnd(page);
-  const pictures = () => page.evaluate(() => window.pictures);
-  expect(await pictures()).toBeGreaterThan(0);
-  // Whatever was under way has ended when the count stays.
-  let before = -1;
-  await expect
-    .poll(async () => {
-      const now = await pictures();
-      const drawn = now - before;
-      before = now;
-      return drawn;
-    })
-    .toBe(0);
-});
-
-test('the theme is a choice that is remembered', async ({ page }) => {
-  await openPage(page);
+  const before = await state(page);
+  await openExample(page, 'Hypar');
+  expect((await state(page)).vertices).not.toBe(before.vertices);
+  expect(await page.getByRole('menuitem', { includeHidden: true }).count()).toBeGreaterThan(2);
   const theme = () => page.evaluate(() => document.documentElement.dataset.theme);
   if (!(await page.getByRole('button', { name: 'Light or dark' }).isVisible())) {
     await page.getByRole('button', { name: 'More' }).click();
@@ -147,12 +151,4 @@ test('the theme is a choice that is remembered', async ({ page }) => {
   expect(['light', 'dark']).toContain(chosen);
   await openPage(page);
   expect(await theme()).toBe(chosen);
-});
-
-test('the examples menu opens another model', async ({ page }) => {
-  await openPage(page);
-  const before = await state(page);
-  await openExample(page, 'Hypar');
-  expect((await state(page)).vertices).not.toBe(before.vertices);
-  expect(await page.getByRole('menuitem', { includeHidden: true }).count()).toBeGreaterThan(2);
 });

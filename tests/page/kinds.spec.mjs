@@ -2,7 +2,7 @@
 
 import { constraintCount, openText, showPanel } from './actions.mjs';
 import { quadScene, tetScene, triangleScene } from './meshes.mjs';
-import { dragVertex, expect, openPage, state, test, waitForState } from './support.mjs';
+import { dragVertex, drawn, expect, openPage, state, test, waitForState } from './support.mjs';
 
 test.use({ pixels: false });
 
@@ -53,17 +53,15 @@ async function undoAll(page) {
   const undo = page.getByRole('button', { name: 'Undo' });
   await expect(undo).toBeEnabled();
   while (await undo.isEnabled()) {
-    const what = await undo.getAttribute('title');
     await page.keyboard.press('Control+z');
-    await expect(undo).not.toHaveAttribute('title', what);
+    await page.evaluate(() => window.shapeUp.settled());
   }
   await expect.poll(() => constraintCount(page)).toBe(0);
 }
 
-/** The shape energy as soon as it is something, or when it has been nothing for a while. */
+/** The shape energy, once the page knows it. */
 async function shapeEnergy(page) {
-  const something = (now, nothing) => now.energy.shape > nothing;
-  await waitForState(page, something, NOTHING, { timeout: 2000 }).catch(() => null);
+  await drawn(page);
   return (await state(page)).energy.shape;
 }
 
@@ -105,8 +103,6 @@ async function tryKind(page, name, mesh) {
 
 test('every kind can be added to a suitable mesh, and its energy falls', async ({ page }) => {
   test.setTimeout(240_000);
-  // Few pixels to draw: what counts here is not the picture.
-  await page.setViewportSize({ width: 1120, height: 600 });
   await openPage(page);
   const labels = (await kindsOf(page)).map((kind) => kind.label);
   const walked = new Set();
@@ -126,7 +122,9 @@ test('every kind can be added to a suitable mesh, and its energy falls', async (
   expect([...walked].sort()).toEqual([...labels].sort());
 });
 
-test('each kind is shown with its drawing and says what it asks', async ({ page }) => {
+test('each kind is shown with its drawing and says what it asks, by keys too, and Escape closes', async ({
+  page,
+}) => {
   await openPage(page);
   const kinds = await kindsOf(page);
   const dialog = await openDialog(page);
@@ -143,6 +141,20 @@ test('each kind is shown with its drawing and says what it asks', async ({ page 
     expect(Math.min(box.width, box.height)).toBeGreaterThanOrEqual(40);
     expect(await drawing.locator('.found circle').count()).toBe(kind.sketch.points.length);
   }
+
+  // Arrow keys walk the palette.
+  const names = await namesIn(dialog, 'Shape');
+  await dialog.getByRole('radio', { name: names[0], exact: true }).focus();
+  await page.keyboard.press('ArrowRight');
+  await expect(dialog.getByRole('radio', { name: names[1], exact: true })).toBeChecked();
+  // The last one too, which is out of sight at first.
+  await page.keyboard.press('ArrowLeft');
+  await page.keyboard.press('ArrowLeft');
+  const last = dialog.getByRole('radio', { name: names.at(-1), exact: true });
+  await expect(last).toBeChecked();
+  await expect(last).toBeInViewport();
+  await page.keyboard.press('Escape');
+  await expect(dialog).toBeHidden();
 });
 
 test('a kind that is meant for some elements is offered on these only', async ({ page }) => {
@@ -180,21 +192,4 @@ test('the dialog asks once, however many kinds and places there are', async ({ p
   await dialog.getByRole('radio', { name: 'Circle', exact: true }).check();
   const asked = await page.evaluate(() => window.asked.filter((type) => type === 'previews'));
   expect(asked).toHaveLength(1);
-});
-
-test('arrow keys walk the palette, and Escape closes the dialog', async ({ page }) => {
-  await openPage(page);
-  const dialog = await openDialog(page);
-  const names = await namesIn(dialog, 'Shape');
-  await dialog.getByRole('radio', { name: names[0], exact: true }).focus();
-  await page.keyboard.press('ArrowRight');
-  await expect(dialog.getByRole('radio', { name: names[1], exact: true })).toBeChecked();
-  // The last one too, which is out of sight at first.
-  await page.keyboard.press('ArrowLeft');
-  await page.keyboard.press('ArrowLeft');
-  const last = dialog.getByRole('radio', { name: names.at(-1), exact: true });
-  await expect(last).toBeChecked();
-  await expect(last).toBeInViewport();
-  await page.keyboard.press('Escape');
-  await expect(dialog).toBeHidden();
 });

@@ -4,6 +4,8 @@ import { file, wavyGrid } from './meshes.mjs';
 import { openText, showPanel } from './actions.mjs';
 import { expect, openPage, test, waitForState } from './support.mjs';
 
+test.use({ pixels: false });
+
 /** Whether two things on the page lie apart. */
 async function apart(one, other) {
   const [a, b] = await Promise.all([one.boundingBox(), other.boundingBox()]);

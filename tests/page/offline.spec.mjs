@@ -6,15 +6,9 @@ import { join } from 'node:path';
 import { at } from '../../.scripts/project.mjs';
 import { serve } from '../../.scripts/serve.mjs';
 import { openExample, runToTheEnd } from './actions.mjs';
-import { coloursOfView, expect, openPage, state, test, waitForState } from './support.mjs';
+import { expect, keptOffline, openPage, state, test } from './support.mjs';
 
-test.use({ serviceWorkers: 'allow' });
-
-/** Waits until the built files are kept and the service worker answers for them. */
-async function keptOffline(page) {
-  await page.evaluate(() => navigator.serviceWorker.ready);
-  await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
-}
+test.use({ serviceWorkers: 'allow', pixels: false });
 
 test('after one visit the page works without a network', async ({ page, context }) => {
   await openPage(page);
@@ -29,34 +23,34 @@ test('after one visit the page works without a network', async ({ page, context 
   expect((await state(page)).vertices).toBeGreaterThan(0);
 });
 
-/** The variants of the view's module that are kept. */
-const keptViews = (page) =>
-  page.evaluate(async () => {
-    const names = (await caches.keys()).filter((name) => name.startsWith('shape-up'));
-    const opened = await Promise.all(names.map((name) => caches.open(name)));
-    const requests = (await Promise.all(opened.map((cache) => cache.keys()))).flat();
-    const backends = requests.map(({ url }) => /view-(\w+)-[^/]*\.wasm$/.exec(url)?.[1]);
-    return backends.filter(Boolean).sort();
-  });
-
-test('the view that draws is kept, and another one when it is wanted', async ({
+test('the gallery has all its pictures without a network, once it was opened', async ({
   page,
   context,
 }) => {
-  for (const [backend, kept] of [
-    ['webgpu', ['webgpu']],
-    ['webgl2', ['webgl2', 'webgpu']],
-  ]) {
-    await context.setOffline(false);
-    await openPage(page, `backend=${backend}`);
-    await waitForState(page, (now, wanted) => now.renderer === wanted, backend);
-    await keptOffline(page);
-    await expect.poll(() => keptViews(page)).toEqual(kept);
-    await context.setOffline(true);
-    await openPage(page, `backend=${backend}`);
-    await waitForState(page, (now, wanted) => now.renderer === wanted, backend);
-    await expect.poll(() => coloursOfView(page)).toBeGreaterThan(50);
-  }
+  await openPage(page);
+  await keptOffline(page);
+  const openGallery = async () => {
+    await page.goto('./gallery.html');
+    await expect(page.getByRole('article').first()).toBeVisible();
+  };
+  await openGallery();
+  const addresses = await page
+    .getByRole('article')
+    .getByRole('img')
+    .evaluateAll((all) => all.filter(({ src }) => src).map(({ src }) => src));
+  expect(addresses.length).toBeGreaterThan(50);
+  const missing = () =>
+    page.evaluate(async (wanted) => {
+      const kept = await Promise.all(wanted.map((address) => caches.match(address)));
+      return kept.filter((one) => !one).length;
+    }, addresses);
+  await expect.poll(missing).toBe(0);
+  await context.setOffline(true);
+  await openGallery();
+  // The last one, which is far below.
+  const last = page.locator(`img[src="${addresses.at(-1)}"]`);
+  await last.scrollIntoViewIfNeeded();
+  await expect.poll(() => last.evaluate((image) => image.naturalWidth)).toBeGreaterThan(100);
 });
 
 /** A host of the site, at which a new version can be put. */

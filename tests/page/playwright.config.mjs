@@ -34,7 +34,7 @@ const ARRANGED = [
 ];
 
 /** What tells WebGPU from WebGL2, in a browser that has both. */
-const BOTH = ['backends', 'offline'];
+const BOTH = 'backends';
 
 /** What measures time has the machine to itself, after all others. */
 const ALONE = 'drag-speed';
@@ -68,12 +68,12 @@ export default defineConfig({
       name: 'desktop',
       use: { viewport: { width: 1440, height: 900 } },
       // Fingers are the phone's.
-      testIgnore: specs(['phone', 'touch', ...BOTH, ALONE]),
+      testIgnore: specs(['phone', 'touch', BOTH, ALONE]),
     },
     {
       name: 'both',
       use: { viewport: { width: 1440, height: 900 }, ...launched(browserFlags) },
-      testMatch: specs(BOTH),
+      testMatch: specs([BOTH]),
     },
     {
       name: 'alone',

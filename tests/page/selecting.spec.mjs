@@ -80,16 +80,14 @@ test('clicks on vertices, edges and faces; Shift adds, Control takes away', asyn
   await expect(status(page)).toHaveText('1 vertex selected');
   await page.keyboard.press('Escape');
   await expect(status(page)).toHaveText('Nothing selected');
-});
 
-test('digits are found by where their keys are', async ({ page }) => {
-  // On a French keyboard the unshifted key of 2 prints é.
+  // Digits are found by where their keys are: on a French keyboard the unshifted key of 2 prints é.
   await page.evaluate(() =>
     document.body.dispatchEvent(
       new KeyboardEvent('keydown', { key: 'é', code: 'Digit2', bubbles: true }),
     ),
   );
-  await page.mouse.click(...(await middleOf(page, [vertex(2, 3), vertex(3, 3)])));
+  await page.mouse.click(...(await edge(2, 3)));
   await expect.poll(() => counts(page)).toEqual([0, 1, 0]);
 });
 
@@ -185,7 +183,9 @@ test('through takes what the surface hides', async ({ page }) => {
   );
 });
 
-test('a double-click on an edge is its loop, on a face its flat patch', async ({ page }) => {
+test('a double-click takes a loop or a flat patch; keys grow, shrink, invert and select all', async ({
+  page,
+}) => {
   await page.keyboard.press('2');
   await page.mouse.dblclick(...(await middleOf(page, [vertex(2, 3), vertex(3, 3)])));
   await expect(status(page)).toHaveText(`${N} edges selected`);
@@ -193,10 +193,8 @@ test('a double-click on an edge is its loop, on a face its flat patch', async ({
   await page.mouse.dblclick(...(await faceAt(page, 3, 3)));
   await expect.poll(async () => (await counts(page))[2]).toBeGreaterThan(0);
   expect((await state(page)).selection.faces).toContain(3 * N + 3);
-});
 
-test('keys grow, shrink, invert and select all', async ({ page }) => {
-  await page.keyboard.press('3');
+  // Keys grow, shrink, invert and select all.
   await page.mouse.click(...(await faceAt(page, 2, 2)));
   await expect(status(page)).toHaveText('1 face selected');
   await page.keyboard.press('+');

@@ -145,7 +145,7 @@ test('every edit is one step of undo', async ({ page }) => {
   await waitForState(page, (now) => now.constraints.plane === 36);
 });
 
-test('run, pause, step and reset by keys', async ({ page }) => {
+test('run, pause, step and reset by keys; a weight is an edit', async ({ page }) => {
   await addConstraint(page, 'Plane', 'each face');
   await hidePanels(page);
   await page.getByRole('application', { name: '3D view' }).focus();
@@ -155,9 +155,8 @@ test('run, pause, step and reset by keys', async ({ page }) => {
   await waitForState(page, (now) => now.iteration > 1 && now.converged);
   await page.keyboard.press('Shift+R');
   await waitForState(page, (now) => now.iteration === 0);
-});
 
-test('the weights of the energies are edits too', async ({ page }) => {
+  // The weights of the energies are edits too.
   await showPanel(page, 'Energies and display');
   const weight = page.getByRole('spinbutton', { name: 'Close weight' });
   await weight.fill('12');

@@ -103,13 +103,6 @@ test('where no example can be fetched, the page says what can be opened', async 
   complaints.length = 0;
 });
 
-test('a mistake in a file is shown with its line', async ({ page }) => {
-  await openPage(page);
-  await openText(page, 'odd.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 x\n', 3);
-  await showPanel(page, 'Model');
-  await expect(page.getByText(/line 4: `f 1 2 x`/)).toBeVisible();
-});
-
 test('a large file says how far it is, and can be left while it is read', async ({ page }) => {
   await page.addInitScript(() => {
     const { stream } = Blob.prototype;
@@ -236,11 +229,18 @@ test('a solver that died leaves a report to copy', async ({ page, context }) => 
     expect(report).toContain(part);
 });
 
-test('that there is no network is said, once, and that there is one again', async ({
+test('no graphics card is told quietly; no network is said, once, and that there is one again', async ({
   page,
   context,
 }) => {
   await openPage(page);
+  await waitForState(page, (now) => now.renderer !== 'none');
+  const note = page.locator('#numbers').getByText('no graphics card');
+  // The tests draw by software; a narrow window has no room for it.
+  await expect(note).toBeAttached();
+  await expect(note.locator('..')).toHaveAttribute('title', /acceleration/);
+  await expect(page.getByRole('alert')).toBeEmpty();
+
   await expect(page.getByText('Offline', { exact: true })).toBeHidden();
   const words = await heard(page, async () => {
     await context.setOffline(true);
@@ -252,12 +252,17 @@ test('that there is no network is said, once, and that there is one again', asyn
   expect(words).toEqual([expect.stringMatching(/^Offline: /), 'Online again']);
 });
 
-test('that no graphics card draws is said quietly', async ({ page }) => {
+test('a part of the page that cannot be fetched is told of in plain words', async ({
+  page,
+  complaints,
+}) => {
   await openPage(page);
   await waitForState(page, (now) => now.renderer !== 'none');
-  const note = page.locator('#numbers').getByText('no graphics card');
-  // The tests draw by software; a narrow window has no room for it.
-  await expect(note).toBeAttached();
-  await expect(note.locator('..')).toHaveAttribute('title', /acceleration/);
-  await expect(page.getByRole('alert')).toBeEmpty();
+  await page.route('**/split-view*', (route) => route.abort());
+  await page.getByRole('application', { name: '3D view' }).focus();
+  await page.keyboard.press('c');
+  const words = 'A part of the page could not be fetched. Is there a network?';
+  await expect(page.getByRole('alert')).toHaveText(words);
+  expect(complaints.filter((text) => !text.includes('net::ERR_FAILED'))).toEqual([]);
+  complaints.length = 0;
 });

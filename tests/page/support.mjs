@@ -59,6 +59,12 @@ export async function openPage(page, query = '') {
   await page.waitForFunction(() => window.shapeUp?.state().vertices > 0);
 }
 
+/** Waits until the built files are kept and the service worker answers for them. */
+export async function keptOffline(page) {
+  await page.evaluate(() => navigator.serviceWorker.ready);
+  await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
+}
+
 /** `window.shapeUp.state()`. */
 export const state = (page) => page.evaluate(() => window.shapeUp.state());
 

@@ -5,6 +5,7 @@
 
 import { messageOf } from '../messages.js';
 import { ExperimentRun } from '../pkg/solver/shape_up.js';
+import { isTrap } from '../traps.js';
 
 /** How long it iterates before other messages have their turn, in milliseconds. */
 const SLICE_MS = 30;
@@ -59,7 +60,7 @@ function slice() {
     post({ type: 'experiment', news: run.news(), ended: null, message: '' });
     yielding.port2.postMessage(null);
   } catch (thrown) {
-    if (thrown instanceof WebAssembly.RuntimeError || thrown instanceof RangeError) died(thrown);
+    if (isTrap(thrown)) died(thrown);
     else end('failed', messageOf(thrown));
   }
 }

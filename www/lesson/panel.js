@@ -1,12 +1,11 @@
 /** The lesson of the scene: its text, its goals with what they are now, and what is handed in. */
 
 import '../style/lesson.css';
-import { element, setText, throttled } from '../dom.js';
+import { RENEW_MS, element, setText, throttled } from '../dom.js';
 import { count } from '../format.js';
 import { roundingOf, valueInWords } from '../measures.js';
 import { goalInWords, measureOf } from './goal.js';
 
-const NUMBERS_EVERY_MS = 100;
 const MARKS = { met: '✓', missed: '✗' };
 
 /** @param {import("../analysis.js").Parts} parts */
@@ -37,7 +36,7 @@ export function lessonPanel(parts) {
     await parts.actions.told(import('./hand-in.js').then(({ handIn }) => handIn(parts)));
   }
 
-  const showNumbers = throttled(NUMBERS_EVERY_MS, () => {
+  const showNumbers = throttled(RENEW_MS, () => {
     const { document, numbers, size } = store.get();
     const goals = document?.lesson?.goals;
     if (!goals || numbers?.goals.length !== goals.length) return;
@@ -64,7 +63,10 @@ export function lessonPanel(parts) {
 
   store.subscribe(['document'], ({ document }) => {
     const lesson = document?.lesson ?? null;
+    const isNew = lesson && place.hidden;
     if (document) place.hidden = !lesson;
+    // Where it was written from is farther down.
+    if (isNew) place.parentElement?.scrollTo(0, 0);
     const now = JSON.stringify([lesson, document?.units]);
     if (!lesson || now === shown) return;
     shown = now;

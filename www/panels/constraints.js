@@ -3,7 +3,7 @@
  * being typed into is not taken away by a frame.
  */
 
-import { element, icon, setText, throttled } from '../dom.js';
+import { RENEW_MS, element, icon, setText, throttled } from '../dom.js';
 import { groupDigits, length, part } from '../format.js';
 import { valueInWords } from '../parameter-forms.js';
 import { Parameters } from '../parameters.js';
@@ -13,8 +13,6 @@ import { sketch } from '../sketch.js';
 
 /** @typedef {import("../messages.js").ConstraintRow} ConstraintRow */
 
-/** The numbers of a run change on the page this often, in milliseconds. */
-const NUMBERS_EVERY_MS = 100;
 const NONE = new Uint32Array(0);
 const renaming = () => import('./rename.js');
 
@@ -239,7 +237,7 @@ export function constraintsPanel(place, store, solver, actions) {
     return rowOf(row, `${row.kind} ${row.on} ${alike.length}`);
   }
 
-  const showNumbers = throttled(NUMBERS_EVERY_MS, () => {
+  const showNumbers = throttled(RENEW_MS, () => {
     const { numbers, document, size } = store.get();
     document?.constraints.forEach((row, i) => {
       const value = numbers?.worst[i];

@@ -1,6 +1,6 @@
 /**
- * The energies of every iteration since the model was opened or reset. The plotting library comes
- * with the first iteration, not with the page.
+ * The energies of every iteration since the model was opened or reset, drawn while they are in sight.
+ * The plotting library comes with the first iteration, not with the page.
  */
 
 import { element, throttled } from '../dom.js';
@@ -21,6 +21,7 @@ export class Convergence {
   #place;
   #store;
   #draw;
+  #inSight = false;
 
   /**
    * @param {HTMLElement} place
@@ -32,6 +33,10 @@ export class Convergence {
     this.#store = store;
     this.#draw = throttled(PLOT_EVERY_MS, () => this.#drawNow());
     this.#empty();
+    new IntersectionObserver(([entry]) => {
+      this.#inSight = entry.isIntersecting;
+      if (this.#inSight) this.#draw();
+    }).observe(place);
     solver.addEventListener('model', () => this.#empty());
     solver.addEventListener('frame', (event) => {
       const { numbers, trace } = /** @type {CustomEvent} */ (event).detail;
@@ -88,7 +93,7 @@ export class Convergence {
   }
 
   async #drawNow() {
-    if (this.#columns[0].length < 2) return;
+    if (this.#columns[0].length < 2 || !this.#inSight) return;
     this.#plot ??= this.#load();
     const { document } = this.#store.get();
     const units = document?.units ? `${document.units}²` : '';

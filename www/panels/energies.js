@@ -1,13 +1,12 @@
 /** The three weights of Eq. 13 in plain words, and the energies as they stand. */
 
-import { element, setText, throttled } from '../dom.js';
+import { RENEW_MS, element, setText, throttled } from '../dom.js';
 import { number } from '../format.js';
 import { energyOrNothing } from '../rounding.js';
 import { weightPresets } from './weight-presets.js';
 
 /** @typedef {import("../messages.js").SceneDocument} SceneDocument */
 
-const NUMBERS_EVERY_MS = 100;
 /** The slider's ends as powers of ten; its left end is off. */
 const LEAST = -3;
 const MOST = 4;
@@ -60,7 +59,7 @@ export function energiesPanel(place, store, actions) {
   });
   store.subscribe(
     ['numbers'],
-    throttled(NUMBERS_EVERY_MS, () => {
+    throttled(RENEW_MS, () => {
       const { numbers, size } = store.get();
       if (!numbers) return;
       const words = (/** @type {keyof import("../messages.js").Energy} */ id) =>

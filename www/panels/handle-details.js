@@ -1,6 +1,6 @@
 /** The selected handles in numbers: where they should be, and how they hold. Comes with the first. */
 
-import { element, setText, throttled } from '../dom.js';
+import { RENEW_MS, element, setText, throttled } from '../dom.js';
 import { count } from '../format.js';
 import { messageOf } from '../messages.js';
 import { coordinate, decimalsFor, readLength } from '../number-entry.js';
@@ -10,8 +10,6 @@ import { handlesNow } from '../state.js';
 
 /** The mesh follows a target that was typed as it does a drag of this long, in milliseconds. */
 const FOLLOW_MS = 300;
-/** The numbers follow a drag this often. */
-const SHOW_EVERY_MS = 100;
 const AXES = ['x', 'y', 'z'];
 const MIXED = 'mixed';
 /** Numbers with more characters stand one below the other. */
@@ -202,6 +200,6 @@ export function handleDetails(store, actions, solver) {
     typed.clear();
     show();
   });
-  store.subscribe(['moved'], throttled(SHOW_EVERY_MS, show));
+  store.subscribe(['moved'], throttled(RENEW_MS, show));
   return all;
 }

@@ -3,15 +3,11 @@
  * range, and how many faces are within a tolerance.
  */
 
-import { element, setText, throttled } from '../dom.js';
+import { element, setAttribute, setText } from '../dom.js';
 import { groupDigits, number } from '../format.js';
 import { declared, unitOf, valueInWords } from '../measures.js';
-import { drawOutline, outline } from '../outline.js';
-import { BINS } from '../spread.js';
+import { bars, drawBars, drawOutline, outline } from '../outline.js';
 import { isDrawn } from '../state.js';
-
-/** It follows a run or a drag this often. */
-const SHOW_EVERY_MS = 100;
 
 /**
  * @param {HTMLElement} place
@@ -21,14 +17,19 @@ const SHOW_EVERY_MS = 100;
  */
 export function legend(place, store, viewport, refit) {
   const title = element('span');
-  const bars = Array.from({ length: BINS }, () => element('i'));
+  const now = bars();
   const before = outline();
-  const histogram = element('div', { class: 'histogram', role: 'img' }, ...bars, before);
+  const histogram = element(
+    'div',
+    { class: 'histogram', role: 'img', 'aria-label': 'No values yet' },
+    now,
+    before,
+  );
   const tick = element('div', { class: 'tick' });
   const ramp = element('div', { class: 'ramp' }, tick);
   const unit = element('span', { class: 'unit' });
   const toleranceUnit = element('span');
-  const within = element('span', { class: 'within' });
+  const within = element('span', { class: 'within', title: 'Faces within the tolerance' });
   const low = field('Colours from', ([, high], value) => [Math.min(value, high), high]);
   const high = field('Colours to', ([low], value) => [Math.min(low, value), value]);
   const tolerance = element('input', {
@@ -110,11 +111,11 @@ export function legend(place, store, viewport, refit) {
     place.hidden = !isShown || !isDrawn(state);
     if (!about || place.hidden) return;
     setText(title, about.label);
-    title.title = about.words;
+    setAttribute(title, 'title', about.words);
     if (!spread) return;
     const units = document?.units ?? '';
     const written = unitOf(about, spread.top, units);
-    const step = viewport.with((view) => view.bandStep());
+    const step = viewport.unmeasured((view) => view.bandStep());
     const steps = step && `steps of ${Number((step * written.factor).toPrecision(3))} `;
     setText(unit, `${steps ?? ''}${written.unit}`);
     const fine = fineUnit();
@@ -125,31 +126,28 @@ export function legend(place, store, viewport, refit) {
       [tolerance, state.tolerance, fine.factor],
     ])) {
       if (input === globalThis.document.activeElement) continue;
-      input.value = value === null ? '' : number(value * factor);
+      const text = value === null ? '' : number(value * factor);
+      if (input.value !== text) input.value = text;
     }
 
     const [from, to] = range.map((value) => (100 * value) / spread.top);
-    ramp.style.background = viewport.rampOf([from, to]);
-    const most = Math.max(...spread.counts, 1);
-    // A single face among thousands is the one that is looked for: it has to be seen.
-    spread.counts.forEach((count, i) => {
-      bars[i].style.height = count > 0 ? `max(2px, ${(100 * count) / most}%)` : '0';
-    });
+    setAttribute(ramp, 'style', `background: ${viewport.rampOf([from, to])}`);
+    drawBars(now, spread.counts);
     tick.hidden = state.tolerance === null || state.tolerance > spread.top;
     if (state.tolerance !== null) tick.style.left = `${(100 * state.tolerance) / spread.top}%`;
 
     const worst = valueInWords(about, spread.greatest, units);
     const was = spread.original && valueInWords(about, spread.original.greatest, units);
     const compared = was === null ? '' : `; originally up to ${was}`;
-    histogram.ariaLabel = `${groupDigits(spread.faces)} faces between 0 and ${worst}${compared}`;
+    const words = `${groupDigits(spread.faces)} faces between 0 and ${worst}${compared}`;
+    setAttribute(histogram, 'aria-label', words);
     // Each is drawn to its own highest bar: it is how they are spread that is compared.
     drawOutline(
       before,
       spread.original?.counts ?? null,
       Math.max(...(spread.original?.counts ?? [])),
     );
-    histogram.title = was === null ? '' : `Outline: the original, up to ${was}`;
-    within.title = 'Faces within the tolerance';
+    setAttribute(histogram, 'title', was === null ? '' : `Outline: the original, up to ${was}`);
     setText(
       within,
       state.tolerance === null
@@ -172,6 +170,6 @@ export function legend(place, store, viewport, refit) {
       'split',
       'display',
     ],
-    throttled(SHOW_EVERY_MS, show),
+    show,
   );
 }

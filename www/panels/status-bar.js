@@ -1,12 +1,11 @@
 /** The status bar: what happened, what to do next, and the numbers of the iteration. */
 
-import { element, setText, throttled } from '../dom.js';
+import { RENEW_MS, element, setAttribute, setText, throttled } from '../dom.js';
 import { duration, groupDigits, number } from '../format.js';
 import { declared, measureOfScene, roundingOf, valueInWords, worstOf } from '../measures.js';
 import { energyOrNothing } from '../rounding.js';
 import { sizeOfSelection } from '../selection.js';
 
-const NUMBERS_EVERY_MS = 100;
 const RENDERERS = { webgpu: 'WebGPU', webgl2: 'WebGL2', none: 'no 3D', starting: '' };
 
 /**
@@ -38,10 +37,12 @@ export function statusBar(places, store) {
   const set = (/** @type {string} */ key, /** @type {string} */ text) => {
     const { row, value } = cells.get(key);
     setText(value, text);
-    row.hidden = text === '';
+    const isEmpty = text === '';
+    if (row.hidden !== isEmpty) row.hidden = isEmpty;
   };
+  cells.get('drag').row.title = 'From the pointer to new positions';
 
-  const showNumbers = throttled(NUMBERS_EVERY_MS, () => {
+  const showNumbers = throttled(RENEW_MS, () => {
     const state = store.get();
     const { numbers, document, model, size } = state;
     const measure = state.measure ?? measureOfScene(state);
@@ -54,7 +55,7 @@ export function statusBar(places, store) {
       const worst = worstOf(state, about.id);
       const shown = worst < roundingOf(about, size) ? 0 : worst;
       set('worst', valueInWords(about, shown, units));
-      cells.get('worst').row.title = `${about.label}: ${about.words}`;
+      setAttribute(cells.get('worst').row, 'title', `${about.label}: ${about.words}`);
     } else {
       set('worst', '');
     }
@@ -66,10 +67,9 @@ export function statusBar(places, store) {
   store.subscribe(['document', 'model'], ({ document, model }) => {
     if (document && model) set('units', `${document.units || 'no unit'} · ${document.up}-up`);
   });
-  const showDrag = throttled(NUMBERS_EVERY_MS, () => {
+  const showDrag = throttled(RENEW_MS, () => {
     const { dragMs } = store.get();
     set('drag', dragMs > 0 ? duration(dragMs) : '');
-    cells.get('drag').row.title = 'From the pointer to new positions';
   });
   store.subscribe(['dragMs'], showDrag);
   store.subscribe(['saved'], ({ saved }) => set('saved', saved));

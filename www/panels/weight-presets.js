@@ -4,11 +4,11 @@ import { element } from '../dom.js';
 
 /** @typedef {import("../messages.js").Weights} Weights */
 
-/** @type {{ words: string, weights: Weights }[]} */
+/** So short that the closed list cuts nothing off. @type {{ words: string, title: string, weights: Weights }[]} */
 const PRESETS = [
-  { words: 'Fig. 5, panels: 5, 10, 2', weights: { shape: 5, close: 10, smooth: 2 } },
-  { words: 'Fig. 7, mesh quality: 5, 1, 0', weights: { shape: 5, close: 1, smooth: 0 } },
-  { words: 'Fig. 6 and 8, handles: 1, 0, 0', weights: { shape: 1, close: 0, smooth: 0 } },
+  { words: 'Fig. 5: 5, 10, 2', title: 'panels', weights: { shape: 5, close: 10, smooth: 2 } },
+  { words: 'Fig. 7: 5, 1, 0', title: 'mesh quality', weights: { shape: 5, close: 1, smooth: 0 } },
+  { words: 'Fig. 6, 8: 1, 0, 0', title: 'handles', weights: { shape: 1, close: 0, smooth: 0 } },
 ];
 const OWN = 'own';
 
@@ -17,7 +17,9 @@ const OWN = 'own';
  * @returns {{ element: HTMLElement, show: (weights: Weights) => void }}
  */
 export function weightPresets(actions) {
-  const options = PRESETS.map(({ words }, at) => element('option', { value: at }, words));
+  const options = PRESETS.map(({ words, title }, at) =>
+    element('option', { value: at, title }, words),
+  );
   const own = element('option', { value: OWN, disabled: true }, 'own weights');
   const choice = element(
     'select',

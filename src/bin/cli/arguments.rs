@@ -1,7 +1,7 @@
 //! The words of the command line.
 
 use shape_up::constraint::KINDS;
-use shape_up::scene::Accelerator;
+use shape_up::scene::{Accelerator, Worded};
 use shape_up::solve::{ConformalNorm, ConformalWeights};
 use std::ffi::{OsStr, OsString};
 use std::path::PathBuf;
@@ -67,12 +67,11 @@ pub(super) struct Experiment {
 
 /// How the program is called.
 pub(super) fn usage() -> String {
-    let flags: Vec<_> = KINDS.iter().map(|info| format!("[--{}]", info.id)).collect();
     format!(
         "\
 usage: shape-up solve SCENE|MESH {}
                 [--iterations N] [--tolerance T] [--accelerator {}]
-                [--out FILE.obj] [--report FILE.json] [--trace]
+                [--out FILE.obj|FILE.mesh] [--report FILE.json] [--trace]
        shape-up check MESH [--report FILE.json]
        shape-up check RESULTS --scene SCENE
        shape-up parametrize MESH [--weights {}] [--norm {}]
@@ -85,6 +84,7 @@ usage: shape-up solve SCENE|MESH {}
 A SCENE is a *.json file, a MESH is OBJ, OFF or Medit (.obj, .off, .mesh).
 The name of a kind puts one constraint of it on every face, with weight 1, beside those of the scene.
 --iterations, --tolerance (0 never stops early) and --accelerator replace the settings of the scene.
+--out writes OBJ, or where the name ends in .mesh, Medit, which has tetrahedra.
 --trace records the energies of every iteration, in the report and on standard output.
 RESULTS is what a student hands in of a lesson: check measures its shape with the goals and the
 constraints of the SCENE, and ends with 1 when one is not met.
@@ -92,20 +92,33 @@ parametrize makes a flat map that keeps angles; --out writes the mesh with the m
 experiment solves an example of the paper's comparisons by every method, and prints how far each came;
 --csv writes all iterations; without an example it lists those that have one. The limits are per method.
 Exit code: 0 done, 1 the input is at fault, 2 usage, 3 internal.",
-        flags.join(" "),
-        words(Accelerator::WORDS, "|"),
-        words(&ConformalWeights::WORDS, "|"),
-        words(&ConformalNorm::WORDS, "|"),
+        flags(),
+        Accelerator::list("|"),
+        ConformalWeights::list("|"),
+        ConformalNorm::list("|"),
     )
 }
 
-/// The words of an option.
-fn words<T>(known: &[(&str, T)], between: &str) -> String {
-    known.iter().map(|(word, _)| *word).collect::<Vec<_>>().join(between)
+/// The flags of the kinds, in lines under each other.
+fn flags() -> String {
+    const WIDTH: usize = 72;
+    let mut lines = vec![String::new()];
+    for info in KINDS {
+        let flag = format!("[--{}] ", info.id);
+        if lines[lines.len() - 1].len() + flag.len() > WIDTH {
+            lines.push(String::new());
+        }
+        lines.last_mut().expect("there is a line").push_str(&flag);
+    }
+    lines.iter().map(|line| line.trim_end()).collect::<Vec<_>>().join("\n                ")
 }
 
 /// Reads the arguments after the name of the program; the error says what is wrong with them.
 pub(super) fn parse(arguments: Vec<OsString>) -> Result<Command, String> {
+    let asks_for_help = |word: &&OsString| *word == "--help" || *word == "-h";
+    if arguments.iter().take_while(|word| *word != "--").any(|word| asks_for_help(&word)) {
+        return Ok(Command::Help);
+    }
     let mut words = Words { rest: arguments.into_iter(), seen: Vec::new(), only_files: false };
     let command = words.rest.next().ok_or("expected a command")?;
     match command.to_str() {
@@ -150,7 +163,7 @@ pub(super) fn parse(arguments: Vec<OsString>) -> Result<Command, String> {
             None => Ok(Command::Operators),
             Some(word) => Err(unknown(&word.to_string_lossy(), "operators")),
         },
-        Some("--help" | "-h" | "help") => Ok(Command::Help),
+        Some("help") => Ok(Command::Help),
         Some("--version" | "-V") => Ok(Command::Version),
         _ => Err(format!(
             "unknown command `{}`, expected solve, check, parametrize, examples, experiment or operators",
@@ -206,12 +219,12 @@ fn solve(mut words: Words) -> Result<Command, String> {
                 no_value(&name, value)?;
                 solve.trace = true;
             }
-            ("--out", _) => solve.out = Some(words.file(&name, value)?),
+            ("--out", _) => solve.out = Some(words.mesh(&name, value, &["obj", "mesh"])?),
             ("--report", _) => solve.report = Some(words.file(&name, value)?),
             ("--iterations", _) => solve.iterations = Some(words.iterations(&name, value)?),
             ("--tolerance", _) => solve.tolerance = Some(words.not_negative(&name, value)?),
             ("--accelerator", _) => {
-                solve.accelerator = Some(words.one_of(&name, value, Accelerator::WORDS)?);
+                solve.accelerator = Some(words.one_of(&name, value)?);
             }
             _ => return Err(unknown(&name, "solve")),
         }
@@ -233,10 +246,10 @@ fn parametrize(mut words: Words) -> Result<Command, String> {
         };
         match name.as_str() {
             "--weights" => {
-                parametrize.weights = words.one_of(&name, value, &ConformalWeights::WORDS)?;
+                parametrize.weights = words.one_of(&name, value)?;
             }
-            "--norm" => parametrize.norm = words.one_of(&name, value, &ConformalNorm::WORDS)?,
-            "--out" => parametrize.out = Some(words.file(&name, value)?),
+            "--norm" => parametrize.norm = words.one_of(&name, value)?,
+            "--out" => parametrize.out = Some(words.mesh(&name, value, &["obj"])?),
             "--report" => parametrize.report = Some(words.file(&name, value)?),
             _ => return Err(unknown(&name, "parametrize")),
         }
@@ -247,10 +260,13 @@ fn parametrize(mut words: Words) -> Result<Command, String> {
 }
 
 fn not_the_same(out: &Option<PathBuf>, report: &Option<PathBuf>) -> Result<(), String> {
-    if out.is_some() && out == report {
-        return Err("--out and --report name the same file".to_owned());
+    let place = |path: &PathBuf| std::path::absolute(path).unwrap_or_else(|_| path.clone());
+    match (out, report) {
+        (Some(out), Some(report)) if place(out) == place(report) => {
+            Err("--out and --report name the same file".to_owned())
+        }
+        _ => Ok(()),
     }
-    Ok(())
 }
 
 fn unknown(word: &str, command: &str) -> String {
@@ -258,6 +274,9 @@ fn unknown(word: &str, command: &str) -> String {
 }
 
 fn one(place: &mut Option<PathBuf>, file: OsString) -> Result<(), String> {
+    if file.is_empty() {
+        return Err("the name of a file is empty".to_owned());
+    }
     match place.replace(file.into()) {
         None => Ok(()),
         Some(first) => {
@@ -321,6 +340,25 @@ impl Words {
         self.value(name, value).map(PathBuf::from)
     }
 
+    /// The value of an option that takes the name of a mesh file to be written, of one of the `formats`.
+    /// An ending that no mesh format has is no matter.
+    fn mesh(
+        &mut self,
+        name: &str,
+        value: Option<OsString>,
+        formats: &[&str],
+    ) -> Result<PathBuf, String> {
+        let path = self.file(name, value)?;
+        let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
+        let is = |format: &&str| ending.as_deref() == Some(format);
+        if ["obj", "off", "mesh"].iter().any(is) && !formats.iter().any(is) {
+            let formats: Vec<_> = formats.iter().map(|format| format!(".{format}")).collect();
+            let known = formats.join(" or ");
+            return Err(format!("{name} writes {known}, found `{}`", path.display()));
+        }
+        Ok(path)
+    }
+
     /// The value of an option that takes a whole number.
     fn iterations(&mut self, name: &str, value: Option<OsString>) -> Result<u32, String> {
         let value = self.text(name, value)?;
@@ -335,16 +373,10 @@ impl Words {
     }
 
     /// The value of an option that takes one of some words.
-    fn one_of<T: Copy>(
-        &mut self,
-        name: &str,
-        value: Option<OsString>,
-        known: &[(&str, T)],
-    ) -> Result<T, String> {
+    fn one_of<T: Worded>(&mut self, name: &str, value: Option<OsString>) -> Result<T, String> {
         let value = self.text(name, value)?;
-        let found = known.iter().find(|(word, _)| *word == value);
-        let expected = || format!("{name} takes {}, found `{value}`", words(known, " or "));
-        found.map(|(_, meant)| *meant).ok_or_else(expected)
+        let expected = || format!("{name} takes {}, found `{value}`", T::list(" or "));
+        T::of_word(&value).ok_or_else(expected)
     }
 
     fn text(&mut self, name: &str, value: Option<OsString>) -> Result<String, String> {

@@ -49,7 +49,7 @@ pub(super) fn check(path: &Path, report: Option<&Path>) -> Result<(), Failure> {
     let topology = Topology::new(mesh);
     let boundary_edges =
         (0..topology.edges().len()).filter(|&e| topology.is_boundary_edge(e as u32)).count();
-    let diameter = 2.0 * BoundingSphere::of(&mesh.positions).radius;
+    let diameter = BoundingSphere::of(&mesh.positions).diameter();
     let measures = Measures::new(&mesh.positions, &mesh.faces, diameter);
     let problems = read.problems.iter().map(|problem| Problem {
         message: problem.to_string(),

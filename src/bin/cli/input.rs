@@ -55,10 +55,14 @@ pub(super) fn read(path: &Path) -> Result<Input, Failure> {
     }
 }
 
-/// Reads a mesh file.
+/// Reads a mesh file to be measured: one whose numbers can be squared.
 pub(super) fn read_mesh(path: &Path) -> Result<Read, Failure> {
-    mesh::read(&path.to_string_lossy(), &bytes(path)?)
-        .map_err(|error| Failure::Input(error.to_string()))
+    let read = mesh::read(&path.to_string_lossy(), &bytes(path)?)
+        .map_err(|error| Failure::Input(error.to_string()))?;
+    Scene::new(MeshSource::Inline(Box::default()))
+        .validate(&read.mesh)
+        .map_err(|error| Failure::Input(format!("{}: {error}", path.display())))?;
+    Ok(read)
 }
 
 /// What the reader has to say of a mesh, one line each.

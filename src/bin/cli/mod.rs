@@ -5,6 +5,7 @@
 //! | `arguments` | the words of the command line, and the usage |
 //! | `input` | mesh and scene files in |
 //! | `output` | files and standard output, whole or not at all |
+//! | `mesh_file` | a solved mesh as a file, by the ending of its name |
 //! | `solve`, `check`, `parametrize`, `examples`, `experiment` | the commands of these names |
 //! | `results` | `check` of what a student hands in |
 
@@ -13,6 +14,7 @@ mod check;
 mod examples;
 mod experiment;
 mod input;
+mod mesh_file;
 mod output;
 mod parametrize;
 mod results;

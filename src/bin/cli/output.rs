@@ -9,43 +9,75 @@ use std::path::{Path, PathBuf};
 /// Writes all files. Each goes beside its place first and is then moved there, all of them once
 /// all are complete: whatever fails, no file is there in part.
 pub(super) fn write(files: &[(&Path, String)]) -> Result<(), Failure> {
-    let mut complete: Vec<PathBuf> = Vec::new();
+    let mut complete: Vec<Complete<'_>> = Vec::new();
     let result = files
         .iter()
         .try_for_each(|(path, text)| {
-            let beside = beside(path)?;
-            let file = OpenOptions::new().write(true).create_new(true).open(&beside);
-            let mut file = file.map_err(|error| cannot(path, &error))?;
-            complete.push(beside);
-            let written = file.write_all(text.as_bytes()).and_then(|()| file.sync_all());
+            let place = Place::of(path)?;
+            let mut options = OpenOptions::new();
+            let opened = match &place {
+                Place::File { beside, .. } => options.write(true).create_new(true).open(beside),
+                Place::Stream => options.write(true).open(path),
+            };
+            let mut file = opened.map_err(|error| cannot(path, &error))?;
+            let mut written = file.write_all(text.as_bytes());
+            if let Place::File { beside, place } = place {
+                complete.push(Complete { path, beside, place });
+                written = written.and_then(|()| file.sync_all());
+            }
             written.map_err(|error| cannot(path, &error))
         })
         .and_then(|()| {
-            files.iter().zip(&complete).try_for_each(|((path, _), beside)| {
-                fs::rename(beside, path).map_err(|error| cannot(path, &error))
+            complete.iter().try_for_each(|Complete { path, beside, place }| {
+                fs::rename(beside, place).map_err(|error| cannot(path, &error))
             })
         });
     if result.is_err() {
         for file in &complete {
             // Those that are in their place already are not here any more.
-            let _ = fs::remove_file(file);
+            let _ = fs::remove_file(&file.beside);
         }
     }
     result
 }
 
-/// The name under which the file is written first.
-fn beside(path: &Path) -> Result<PathBuf, Failure> {
-    let Some(name) = path.file_name().filter(|_| !path.is_dir()) else {
-        return Err(Failure::Input(format!(
-            "{}: cannot be written: it is a folder, expected the name of a file",
-            path.display()
-        )));
-    };
-    let mut hidden = std::ffi::OsString::from(".");
-    hidden.push(name);
-    hidden.push(format!(".{}.part", std::process::id()));
-    Ok(path.with_file_name(hidden))
+/// A file that is written and not yet in its place.
+struct Complete<'a> {
+    /// What the command line calls it.
+    path: &'a Path,
+    beside: PathBuf,
+    place: PathBuf,
+}
+
+/// What a path leads to.
+enum Place {
+    /// A file, there or not: behind all links, so that these stay.
+    File {
+        /// The name under which it is written first.
+        beside: PathBuf,
+        place: PathBuf,
+    },
+    /// A pipe or a device: nothing is there in part, and nothing may take its place.
+    Stream,
+}
+
+impl Place {
+    fn of(path: &Path) -> Result<Place, Failure> {
+        let place = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        let Some(name) = place.file_name().filter(|_| !place.is_dir()) else {
+            return Err(Failure::Input(format!(
+                "{}: cannot be written: it is a folder, expected the name of a file",
+                path.display()
+            )));
+        };
+        if fs::metadata(&place).is_ok_and(|found| !found.is_file()) {
+            return Ok(Place::Stream);
+        }
+        let mut hidden = std::ffi::OsString::from(".");
+        hidden.push(name);
+        hidden.push(format!(".{}.part", std::process::id()));
+        Ok(Place::File { beside: place.with_file_name(hidden), place })
+    }
 }
 
 fn cannot(path: &Path, error: &io::Error) -> Failure {

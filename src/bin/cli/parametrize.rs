@@ -77,10 +77,15 @@ pub(super) fn parametrize(asked: &Parametrize) -> Result<(), Failure> {
     lines.extend(read.problems.iter().map(|problem| format!("problem: {problem}")));
     lines.extend(read.notes.iter().map(|note| format!("note: {note}")));
     if map.closed_parts > 0 && asked.norm == ConformalNorm::Boundary {
-        lines.push(format!(
-            "warning: {} of {} parts has no boundary, the norm takes all its vertices",
-            map.closed_parts, map.parts
-        ));
+        let closed = match (map.closed_parts, map.parts) {
+            (1, 1) => "the mesh has no boundary: the norm takes all its vertices".to_owned(),
+            (closed, all) => {
+                format!(
+                    "parts without a boundary: {closed} of {all}, there the norm takes all vertices"
+                )
+            }
+        };
+        lines.push(format!("warning: {closed}"));
     }
     output::print(&(lines.join("\n") + "\n"))
 }

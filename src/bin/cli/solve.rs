@@ -1,9 +1,10 @@
 //! `shape-up solve`: solves a scene, or a mesh with the kinds of the command line on every face.
 
 use super::arguments::Solve;
-use super::{Failure, input, output};
+use super::{Failure, input, mesh_file, output};
 use shape_up::constraint::describe;
 use shape_up::error::Error;
+use shape_up::mesh::counted;
 use shape_up::scene::SceneError;
 use shape_up::session::{Report, Session};
 use std::fmt::Write;
@@ -41,7 +42,8 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
 
     let mut files: Vec<(&Path, String)> = Vec::new();
     if let Some(path) = &command.out {
-        files.push((path, session.obj()));
+        files.push((path, mesh_file::text(path, &session)));
+        remarks.extend(mesh_file::left_out(path, session.mesh()));
     }
     if let Some(path) = &command.report {
         let text = serde_json::to_string_pretty(&report);
@@ -56,10 +58,11 @@ fn place_flag(error: SceneError, of_scene: usize, kinds: &[&str]) -> SceneError 
     let index = error.path.strip_prefix("constraints[").and_then(|rest| rest.split(']').next());
     let index = index.and_then(|index| index.parse::<usize>().ok());
     match index.and_then(|index| kinds.get(index.checked_sub(of_scene)?)) {
-        Some(kind) => SceneError {
-            path: format!("--{kind}"),
-            message: format!("{}, expected faces that it can be put on", error.message),
-        },
+        Some(kind) => {
+            let (what, _) = error.message.split_once(", expected").unwrap_or((&error.message, ""));
+            let message = format!("{what}, expected faces that it can be put on");
+            SceneError { path: format!("--{kind}"), message }
+        }
         None => error,
     }
 }
@@ -87,10 +90,10 @@ fn summary(input: &Path, report: &Report, remarks: &[String], units: &str) -> St
     let kinds: Vec<_> =
         report.constraints.iter().map(|(kind, count)| format!("{count} {kind}")).collect();
     line(format_args!(
-        "{}: {} vertices, {} faces, constraints: {}",
+        "{}: {}, {}, constraints: {}",
         input.display(),
-        report.vertices,
-        report.faces,
+        counted(report.vertices, "vertex", "vertices"),
+        counted(report.faces, "face", "faces"),
         if kinds.is_empty() { "none".to_owned() } else { kinds.join(", ") }
     ));
     for remark in remarks {
@@ -101,8 +104,12 @@ fn summary(input: &Path, report: &Report, remarks: &[String], units: &str) -> St
             report.pinned.iter().take(NAMED_PINS).map(ToString::to_string).collect();
         let more = report.pinned.len() - named.len();
         line(format_args!(
-            "note: nothing holds {} of the mesh, pinned at vertices {}{}",
-            if report.pinned.len() == 1 { "one part" } else { "some parts" },
+            "note: nothing holds {} {}{}",
+            if report.pinned.len() == 1 {
+                "one part of the mesh, pinned at vertex"
+            } else {
+                "some parts of the mesh, pinned at vertices"
+            },
             named.join(", "),
             if more == 0 { String::new() } else { format!(" and {more} more") }
         ));

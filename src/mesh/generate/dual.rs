@@ -1,5 +1,6 @@
 //! The dual of a surface: a polygon for each vertex.
 
+use crate::math::polygon_corners;
 use crate::mesh::{Mesh, Point, Ragged};
 
 /// The dual of a surface that is a manifold: its vertices are the means of the faces, in their
@@ -17,11 +18,8 @@ pub(super) fn dual(mesh: &Mesh, is_corner: impl Fn(u32) -> bool) -> Mesh {
     let mut positions: Vec<Point> = mesh.faces.iter().map(mean).collect();
     let mut wedges: Vec<Vec<Wedge>> = vec![Vec::new(); mesh.positions.len()];
     for (face, corners) in (0..).zip(mesh.faces.iter()) {
-        let n = corners.len();
-        for k in 0..n {
-            let wedge =
-                Wedge { face, next: corners[(k + 1) % n], before: corners[(k + n - 1) % n] };
-            wedges[corners[k] as usize].push(wedge);
+        for [before, here, next] in polygon_corners(corners) {
+            wedges[here as usize].push(Wedge { face, next, before });
         }
     }
     let mut middles: Vec<([u32; 2], u32)> = Vec::new();

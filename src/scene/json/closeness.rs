@@ -6,25 +6,17 @@
 //! ```
 
 use super::node::At;
+use super::selector;
 use super::write::{field, number, object};
-use super::{selector, word_of};
-use crate::scene::{BoundaryCloseness, Closeness, ClosenessTo, ClosenessWeight, SceneError};
-
-const WORDS: &[(&str, ClosenessTo)] =
-    &[("surface", ClosenessTo::Surface), ("rest", ClosenessTo::Rest), ("none", ClosenessTo::None)];
-
-impl ClosenessTo {
-    /// The word in scene files.
-    pub fn word(self) -> &'static str {
-        word_of(WORDS, self)
-    }
-}
+use crate::scene::{
+    BoundaryCloseness, Closeness, ClosenessTo, ClosenessWeight, SceneError, Worded,
+};
 
 pub(super) fn read(at: &At<'_>) -> Result<Closeness, SceneError> {
     at.only_keys(&["to", "weights", "boundary"])?;
     let mut closeness = Closeness::default();
     if let Some(to) = at.get("to") {
-        closeness.to = to.one_of(WORDS)?;
+        closeness.to = to.choice()?;
     }
     if let Some(weights) = at.get("weights") {
         let entries = weights.array("an array of {\"on\": ..., \"weight\": NUMBER}")?;

@@ -1,6 +1,6 @@
 //! One entry of the list of constraints: kind, selector, weight, and the parameters of the kind.
 
-use super::node::{At, Node};
+use super::node::At;
 use super::selector;
 use crate::constraint::{KINDS, Kind, KindError};
 use crate::scene::{ConstraintSpec, SceneError};
@@ -11,8 +11,7 @@ impl ConstraintSpec {
     /// # Errors
     /// As [`crate::scene::Scene::from_json`].
     pub fn from_json(text: &str) -> Result<ConstraintSpec, SceneError> {
-        let entry: Node = serde_json::from_str(text).map_err(|e| super::syntax_error(text, &e))?;
-        read(&At::root(&entry))
+        read(&At::root(&super::parse(text)?))
     }
 }
 

@@ -5,13 +5,11 @@
 //! of one name under different statements are an array. So an OBJ that was saved in a scene comes
 //! out of it as it went in.
 
-use super::node::At;
+use super::node::{At, Node};
+use super::write::{field, object, point, rows, text};
 use super::{indices, read_points};
 use crate::mesh::{Group, GroupKeyword, Mesh, Ragged};
-use crate::scene::SceneError;
-
-pub(super) const KEYWORDS: &[(&str, GroupKeyword)] =
-    &[("g", GroupKeyword::Group), ("o", GroupKeyword::Object), ("usemtl", GroupKeyword::Material)];
+use crate::scene::{SceneError, Worded};
 
 pub(super) fn read(at: &At<'_>) -> Result<Mesh, SceneError> {
     at.only_keys(&["positions", "faces", "curves", "tets", "groups", "file"])?;
@@ -36,7 +34,7 @@ pub(super) fn read(at: &At<'_>) -> Result<Mesh, SceneError> {
     }
     if let Some(groups) = at.get("groups") {
         for (name, entry) in groups.entries("an object of named groups")? {
-            if matches!(entry.node, super::node::Node::Array(_)) {
+            if matches!(entry.node, Node::Array(_)) {
                 for part in entry.array("an array of groups")? {
                     mesh.groups.push(read_group(name, &part, &mesh)?);
                 }
@@ -85,7 +83,7 @@ fn read_group(name: &str, at: &At<'_>, mesh: &Mesh) -> Result<Group, SceneError>
     };
     Ok(Group {
         name: name.to_owned(),
-        keyword: at.get("keyword").map_or(Ok(GroupKeyword::Group), |k| k.one_of(KEYWORDS))?,
+        keyword: at.get("keyword").map_or(Ok(GroupKeyword::Group), |k| k.choice())?,
         faces: list("faces", "face", mesh.faces.len())?,
         curves: list("curves", "curve", mesh.curves.len())?,
     })
@@ -93,21 +91,19 @@ fn read_group(name: &str, at: &At<'_>, mesh: &Mesh) -> Result<Group, SceneError>
 
 /// The mesh as a JSON object whose lines are indented by `indent`.
 pub(super) fn write(mesh: &Mesh, indent: &str) -> String {
-    let point = super::write::point;
     let row = |row: &[u32]| {
         let items: Vec<_> = row.iter().map(u32::to_string).collect();
         format!("[{}]", items.join(", "))
     };
-    let mut fields =
-        vec![("positions", super::write::rows(mesh.positions.iter().map(point), indent))];
+    let mut fields = vec![("positions", rows(mesh.positions.iter().map(point), indent))];
     if !mesh.faces.is_empty() {
-        fields.push(("faces", super::write::rows(mesh.faces.iter().map(row), indent)));
+        fields.push(("faces", rows(mesh.faces.iter().map(row), indent)));
     }
     if !mesh.curves.is_empty() {
-        fields.push(("curves", super::write::rows(mesh.curves.iter().map(row), indent)));
+        fields.push(("curves", rows(mesh.curves.iter().map(row), indent)));
     }
     if !mesh.tets.is_empty() {
-        fields.push(("tets", super::write::rows(mesh.tets.iter().map(|tet| row(tet)), indent)));
+        fields.push(("tets", rows(mesh.tets.iter().map(|tet| row(tet)), indent)));
     }
     if !mesh.groups.is_empty() {
         fields.push(("groups", write_groups(&mesh.groups, indent)));
@@ -129,18 +125,18 @@ fn write_groups(groups: &[Group], indent: &str) -> String {
             [one] => one.clone(),
             several => format!("[{}]", several.join(", ")),
         };
-        lines.push(format!("{indent}    {}: {value}", super::write::text(&group.name)));
+        lines.push(format!("{indent}    {}: {value}", text(&group.name)));
     }
     format!("{{\n{}\n{indent}  }}", lines.join(",\n"))
 }
 
 fn write_group(group: &Group) -> String {
-    let mut fields = vec![format!("\"faces\": {}", indices::write(&group.faces))];
+    let mut fields = vec![field("faces", indices::write(&group.faces))];
     if !group.curves.is_empty() {
-        fields.push(format!("\"curves\": {}", indices::write(&group.curves)));
+        fields.push(field("curves", indices::write(&group.curves)));
     }
     if group.keyword != GroupKeyword::Group {
-        fields.push(format!("\"keyword\": \"{}\"", super::word_of(KEYWORDS, group.keyword)));
+        fields.push(field("keyword", text(group.keyword.word())));
     }
-    format!("{{ {} }}", fields.join(", "))
+    object(fields)
 }

@@ -8,7 +8,7 @@
 
 use super::node::{At, Node};
 use super::write::{self, field, number, object, text};
-use super::{constraint, read_handle, read_points};
+use super::{check_format, constraint, read_handle, read_points};
 use crate::scene::{Goal, GoalOf, GoalResult, Lesson, Results, SceneError};
 
 /// The value of `format` in every file of results.
@@ -38,8 +38,7 @@ impl Lesson {
     /// # Errors
     /// As [`crate::scene::Scene::from_json`].
     pub fn from_json(text: &str) -> Result<Lesson, SceneError> {
-        let entry: Node = serde_json::from_str(text).map_err(|e| super::syntax_error(text, &e))?;
-        read(&At::root(&entry))
+        read(&At::root(&super::parse(text)?))
     }
 }
 
@@ -94,10 +93,7 @@ impl Results {
     /// # Errors
     /// As [`crate::scene::Scene::from_json`].
     pub fn from_json(text: &str) -> Result<Results, SceneError> {
-        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        let document: Node =
-            serde_json::from_str(text).map_err(|e| super::syntax_error(text, &e))?;
-        read_results(&At::root(&document))
+        read_results(&At::root(&super::parse(text)?))
     }
 
     /// Writes the file that [`Results::from_json`] reads.
@@ -129,17 +125,7 @@ impl Results {
 }
 
 fn read_results(at: &At<'_>) -> Result<Results, SceneError> {
-    if !matches!(at.node, Node::Object(_)) {
-        return Err(at.expected("results: an object"));
-    }
-    let format = at.need("format", &format!("\"format\": \"{FORMAT}\""))?;
-    if format.node != &Node::Text(FORMAT.to_owned()) {
-        return Err(format.expected(&format!("\"{FORMAT}\"")));
-    }
-    let version = at.need("version", &VERSION.to_string())?;
-    if version.whole(&VERSION.to_string())? != VERSION {
-        return Err(version.expected(&VERSION.to_string()));
-    }
+    check_format(at, "results: an object", FORMAT, VERSION)?;
     at.only_keys(RESULT_KEYS)?;
     let word = |key: &'static str| -> Result<String, SceneError> {
         Ok(at.need(key, "a text")?.text("a text")?.to_owned())

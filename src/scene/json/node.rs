@@ -1,7 +1,7 @@
 //! A JSON document as a tree that keeps the order of keys and refuses a key that occurs twice, and
 //! [`At`], a place in it: values are taken out by type, and what does not fit names the place.
 
-use crate::scene::SceneError;
+use crate::scene::{SceneError, Worded};
 use serde::de::{self, Deserialize, Deserializer, MapAccess, SeqAccess, Visitor};
 use serde_json::{Map, Number, Value};
 use std::fmt;
@@ -225,6 +225,11 @@ impl<'a> At<'a> {
         let items = self.array(WHAT)?;
         let [x, y, z] = items.as_slice() else { return Err(self.expected(WHAT)) };
         Ok([x.number("a number")?, y.number("a number")?, z.number("a number")?])
+    }
+
+    /// The choice that a word stands for.
+    pub(super) fn choice<T: Worded>(&self) -> Result<T, SceneError> {
+        self.one_of(T::WORDS)
     }
 
     /// One of the words of `choices`.

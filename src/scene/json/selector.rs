@@ -2,6 +2,7 @@
 
 use super::indices;
 use super::node::{At, Node};
+use super::write::{field, object, text};
 use crate::constraint::{Element, Selector};
 use crate::scene::SceneError;
 
@@ -23,8 +24,7 @@ impl Selector {
     /// # Errors
     /// As [`crate::scene::Scene::from_json`].
     pub fn from_json(text: &str) -> Result<Selector, SceneError> {
-        let on: Node = serde_json::from_str(text).map_err(|e| super::syntax_error(text, &e))?;
-        read(&At::root(&on))
+        read(&At::root(&super::parse(text)?))
     }
 }
 
@@ -74,25 +74,22 @@ fn read_object(at: &At<'_>) -> Result<Selector, SceneError> {
 
 /// The shortest form that reads back to the selector.
 pub(super) fn write(selector: &Selector) -> String {
-    let text = |name: &String| serde_json::Value::from(name.as_str()).to_string();
     match selector {
-        Selector::Set(name) => format!("{{ \"set\": {} }}", text(name)),
-        Selector::Vertices(vertices) => {
-            format!("{{ \"vertices\": {} }}", indices::write(vertices))
-        }
+        Selector::Set(name) => object(vec![field("set", text(name))]),
+        Selector::Vertices(vertices) => object(vec![field("vertices", indices::write(vertices))]),
         Selector::Each { element, within, radius } => {
             let plain = within.is_none() && *radius == default_radius(*element);
             if let Some(word) = element.word_for_all().filter(|_| plain) {
-                return format!("\"{word}\"");
+                return text(word);
             }
-            let mut fields = vec![format!("\"each\": \"{}\"", element.id())];
+            let mut fields = vec![field("each", text(element.id()))];
             if let Some(name) = within {
-                fields.push(format!("\"in\": {}", text(name)));
+                fields.push(field("in", text(name)));
             }
             if *radius != default_radius(*element) {
-                fields.push(format!("\"radius\": {radius}"));
+                fields.push(field("radius", radius.to_string()));
             }
-            format!("{{ {} }}", fields.join(", "))
+            object(fields)
         }
     }
 }

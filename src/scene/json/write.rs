@@ -1,13 +1,12 @@
 //! The scene as JSON: one line per constraint, handle and set; only what is not the default.
 
 use super::constraint::default_params;
-use super::{
-    ACCELERATORS, FACTORIZATIONS, FORMAT, SMOOTHNESSES, UPS, VERSION, WEIGHTINGS, closeness,
-    indices, inline_mesh, lesson, selector, word_of,
-};
+use super::{FORMAT, VERSION, closeness, indices, inline_mesh, lesson, selector};
 use crate::constraint::Set;
 use crate::mesh::{Mesh, Point};
-use crate::scene::{ConstraintSpec, HANDLE_WEIGHT, HandleSpec, Hold, MeshSource, Scene, Up};
+use crate::scene::{
+    ConstraintSpec, HANDLE_WEIGHT, HandleSpec, Hold, MeshSource, Scene, Up, Worded,
+};
 
 pub(super) fn scene(scene: &Scene, mesh: &Mesh) -> String {
     let mut fields = vec![field("format", text(FORMAT)), field("version", VERSION.to_string())];
@@ -18,7 +17,7 @@ pub(super) fn scene(scene: &Scene, mesh: &Mesh) -> String {
         fields.push(field("units", text(&scene.units)));
     }
     if scene.up != Up::Z {
-        fields.push(field("up", text(word_of(UPS, scene.up))));
+        fields.push(field("up", text(scene.up.word())));
     }
     fields.push(field(
         "mesh",
@@ -65,10 +64,10 @@ pub(super) fn scene(scene: &Scene, mesh: &Mesh) -> String {
     add("closeness", closeness::write(&scene.closeness));
     let mut smoothness = Vec::new();
     if scene.smoothness.of != defaults.smoothness.of {
-        smoothness.push(field("of", text(word_of(SMOOTHNESSES, scene.smoothness.of))));
+        smoothness.push(field("of", text(scene.smoothness.of.word())));
     }
     if scene.smoothness.weighting != defaults.smoothness.weighting {
-        smoothness.push(field("weighting", text(word_of(WEIGHTINGS, scene.smoothness.weighting))));
+        smoothness.push(field("weighting", text(scene.smoothness.weighting.word())));
     }
     add("smoothness", smoothness);
     add("solver", solver(scene, &defaults));
@@ -88,7 +87,7 @@ fn solver(scene: &Scene, defaults: &Scene) -> Vec<String> {
         fields.push(field("tolerance", number(s.tolerance)));
     }
     if s.accelerator != d.accelerator {
-        fields.push(field("accelerator", text(word_of(ACCELERATORS, s.accelerator))));
+        fields.push(field("accelerator", text(s.accelerator.word())));
     }
     if s.window != d.window {
         fields.push(field("window", s.window.to_string()));
@@ -100,7 +99,7 @@ fn solver(scene: &Scene, defaults: &Scene) -> Vec<String> {
         fields.push(field("monotone", s.monotone.to_string()));
     }
     if s.factorization != d.factorization {
-        fields.push(field("factorization", text(word_of(FACTORIZATIONS, s.factorization))));
+        fields.push(field("factorization", text(s.factorization.word())));
     }
     fields
 }

@@ -2,7 +2,7 @@
 
 use super::elements::{Elements, Marks, items, marked};
 use super::{Mode, Selection};
-use crate::math::{Vec3, cosine_and_sine_of_degrees};
+use crate::math::{Vec3, cosine_and_sine_of_degrees, polygon_sides, twice_vector_area};
 use crate::mesh::{Point, components, edge_lines, strips};
 
 impl Elements<'_> {
@@ -28,8 +28,7 @@ impl Elements<'_> {
             if anything && !along.iter().any(|&v| corners[v as usize]) {
                 continue;
             }
-            let next = along.iter().cycle().skip(1);
-            for (&a, &b) in along.iter().zip(next) {
+            for [a, b] in polygon_sides(along) {
                 let edge = self.topology.edge(a, b).filter(|&e| self.topology.is_boundary_edge(e));
                 match (mode, edge) {
                     (Mode::Vertices, _) => marks[a as usize] = true,
@@ -102,8 +101,7 @@ impl Elements<'_> {
     /// The quads between edges that follow each other, round to the first where the strip is closed.
     fn faces_between(&self, edges: &[u32]) -> Vec<u32> {
         let faces = |edge: u32| self.topology.edge_faces().row(edge as usize);
-        let next = edges.iter().cycle().skip(1);
-        let between = edges.iter().zip(next).flat_map(|(&a, &b)| {
+        let between = polygon_sides(edges).flat_map(|[a, b]| {
             let is_quad = |face: &u32| self.mesh.faces.row(*face as usize).len() == 4;
             faces(a).iter().copied().filter(move |f| faces(b).contains(f)).filter(is_quad)
         });
@@ -122,7 +120,7 @@ impl Elements<'_> {
         let mut reached: Vec<u32> = items(seeds).collect();
         while let Some(face) = reached.pop() {
             let corners = self.mesh.faces.row(face as usize);
-            for (&a, &b) in corners.iter().zip(corners.iter().cycle().skip(1)) {
+            for [a, b] in polygon_sides(corners) {
                 let Some(edge) = self.topology.edge(a, b) else { continue };
                 let &[first, second] = self.topology.edge_faces().row(edge as usize) else {
                     continue;
@@ -130,10 +128,7 @@ impl Elements<'_> {
                 let next = if first == face { second } else { first };
                 // Faces that run the same way along their edge lie the other way round.
                 let other = self.mesh.faces.row(next as usize);
-                let same_way = other
-                    .iter()
-                    .zip(other.iter().cycle().skip(1))
-                    .any(|(&from, &to)| (from, to) == (a, b));
+                let same_way = polygon_sides(other).any(|side| side == [a, b]);
                 let (n, m) = (normals[face as usize], normals[next as usize]);
                 let cosine = if same_way { -n.dot(m) } else { n.dot(m) };
                 if !marks[next as usize] && cosine >= least && m.dot(m) > 0.0 {
@@ -146,14 +141,9 @@ impl Elements<'_> {
     }
 }
 
-/// The unit normal of Newell's method; zero where the face has no area.
+/// The unit normal; zero where the face has no area.
 fn normal(face: &[u32], positions: &[Point]) -> Vec3<f64> {
-    let at = |v: u32| Vec3::from(positions[v as usize]);
-    let origin = at(face[0]);
-    let sum = face
-        .iter()
-        .zip(face.iter().cycle().skip(1))
-        .fold(Vec3::zero(), |sum, (&a, &b)| sum + (at(a) - origin).cross(at(b) - origin));
-    let length = sum.length();
-    if length > 0.0 { sum * (1.0 / length) } else { Vec3::zero() }
+    let area = twice_vector_area(face.iter().map(|&v| Vec3::from(positions[v as usize])));
+    let length = area.length();
+    if length > 0.0 { area * (1.0 / length) } else { Vec3::zero() }
 }

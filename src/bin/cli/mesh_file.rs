@@ -1,0 +1,33 @@
+//! A solved mesh as a file, by the ending of its name: Medit (`.mesh`), else OBJ.
+
+use shape_up::mesh::{Mesh, counted, write_medit};
+use shape_up::session::Session;
+use std::path::Path;
+
+/// The text of the file `path`.
+pub(super) fn text(path: &Path, session: &Session) -> String {
+    if !is_medit(path) {
+        return session.obj();
+    }
+    write_medit(&Mesh { positions: session.positions(), ..session.mesh().clone() })
+}
+
+/// What of the mesh the format of `path` does not have: none where all of it is written.
+pub(super) fn left_out(path: &Path, mesh: &Mesh) -> Option<String> {
+    let larger = mesh.faces.iter().filter(|face| face.len() > 4).count();
+    let (format, parts) = if is_medit(path) {
+        let faces = (larger, "face of more than four corners", "faces of more than four corners");
+        let curves = (mesh.curves.len(), "curve", "curves");
+        ("Medit", vec![faces, curves, (mesh.groups.len(), "group", "groups")])
+    } else {
+        ("OBJ", vec![(mesh.tets.len(), "tetrahedron", "tetrahedra")])
+    };
+    let parts = parts.into_iter().filter(|(count, ..)| *count > 0);
+    let parts: Vec<_> = parts.map(|(count, one, many)| counted(count, one, many)).collect();
+    let parts = (!parts.is_empty()).then(|| parts.join(", "))?;
+    Some(format!("{} is {format}, which has no place for {parts}", path.display()))
+}
+
+fn is_medit(path: &Path) -> bool {
+    path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("mesh"))
+}

@@ -1,0 +1,80 @@
+//! The words for choices: one list for each, by which scene files, the command line and every host
+//! read and write them.
+
+use super::{Accelerator, ClosenessTo, Factorization, SmoothnessOf, Up, Weighting};
+use crate::mesh::GroupKeyword;
+use serde::de::{Deserialize, Deserializer, Error};
+
+/// A choice between a few values that have a word each.
+pub trait Worded: Copy + PartialEq + 'static {
+    /// Every value with its word, in the order in which hosts list them.
+    const WORDS: &'static [(&'static str, Self)];
+
+    /// The word for it.
+    fn word(self) -> &'static str {
+        let found = Self::WORDS.iter().find(|(_, value)| *value == self);
+        found.expect("every value has a word").0
+    }
+
+    /// What a word stands for, if for anything.
+    fn of_word(word: &str) -> Option<Self> {
+        Self::WORDS.iter().find(|(known, _)| *known == word).map(|(_, value)| *value)
+    }
+
+    /// All words, with something `between` each two.
+    fn list(between: &str) -> String {
+        Self::WORDS.iter().map(|(word, _)| *word).collect::<Vec<_>>().join(between)
+    }
+}
+
+/// Reads a choice by its word, wherever serde reads a field.
+///
+/// # Errors
+/// Another word, with those that are known.
+pub fn of_word<'de, T: Worded, D: Deserializer<'de>>(deserializer: D) -> Result<T, D::Error> {
+    let word = String::deserialize(deserializer)?;
+    let expected = || Error::custom(format!("found {word:?}, expected {}", T::list(" or ")));
+    T::of_word(&word).ok_or_else(expected)
+}
+
+impl Worded for Up {
+    const WORDS: &'static [(&'static str, Up)] = &[("z", Up::Z), ("y", Up::Y)];
+}
+
+impl Worded for ClosenessTo {
+    const WORDS: &'static [(&'static str, ClosenessTo)] = &[
+        ("surface", ClosenessTo::Surface),
+        ("rest", ClosenessTo::Rest),
+        ("none", ClosenessTo::None),
+    ];
+}
+
+impl Worded for SmoothnessOf {
+    const WORDS: &'static [(&'static str, SmoothnessOf)] =
+        &[("surface", SmoothnessOf::Surface), ("displacement", SmoothnessOf::Displacement)];
+}
+
+impl Worded for Weighting {
+    const WORDS: &'static [(&'static str, Weighting)] = &[
+        ("auto", Weighting::Auto),
+        ("uniform", Weighting::Uniform),
+        ("cotangent", Weighting::Cotangent),
+    ];
+}
+
+impl Worded for Accelerator {
+    const WORDS: &'static [(&'static str, Accelerator)] = &[
+        ("quasi-newton", Accelerator::QuasiNewton),
+        ("anderson", Accelerator::Anderson),
+        ("none", Accelerator::None),
+    ];
+}
+
+impl Worded for Factorization {
+    const WORDS: &'static [(&'static str, Factorization)] =
+        &[("supernodal", Factorization::Supernodal), ("sprs-ldl", Factorization::SprsLdl)];
+}
+
+impl Worded for GroupKeyword {
+    const WORDS: &'static [(&'static str, GroupKeyword)] = &GroupKeyword::STATEMENTS;
+}

@@ -1,0 +1,102 @@
+//! Drags and runs: many changes that are one step of undo together.
+
+use super::history::Snapshot;
+use super::{Edit, Session};
+use crate::error::Error;
+use crate::mesh::{Point, counted};
+
+/// A drag or a run that has begun and is not yet a step of undo.
+pub(super) struct Gesture {
+    kind: GestureKind,
+    before: Snapshot,
+}
+
+#[derive(PartialEq)]
+enum GestureKind {
+    Drag,
+    Run,
+}
+
+impl Session {
+    /// Begins to drag vertices that are handles; targets move until [`Session::end_drag`].
+    pub fn begin_drag(&mut self) {
+        self.begin(GestureKind::Drag);
+    }
+
+    /// Makes vertices handles where they are and begins to drag them: one step of undo together, and
+    /// taking the drag back takes the handles away.
+    ///
+    /// # Errors
+    /// When a vertex is not there; nothing has changed then.
+    pub fn begin_drag_of_new(&mut self, vertices: Vec<u32>) -> Result<(), Error> {
+        self.begin(GestureKind::Drag);
+        let mut with_handles = self.snapshot();
+        let made = self
+            .apply(Edit::AddHandles { vertices, fixed: false }, &mut with_handles)
+            .map_err(Error::from)
+            .and_then(|_| self.go_to(with_handles));
+        if made.is_err() {
+            self.past.gesture = None;
+        }
+        made
+    }
+
+    /// Whether a drag has begun and not ended; an edit ends it.
+    pub fn is_dragging(&self) -> bool {
+        self.past.gesture.as_ref().is_some_and(|gesture| gesture.kind == GestureKind::Drag)
+    }
+
+    /// Moves the targets of handles.
+    pub fn drag(&mut self, targets: impl IntoIterator<Item = (u32, Point)>) {
+        self.solver.move_handles(targets);
+    }
+
+    /// Ends a drag: keeps it as one step of undo, or puts everything back.
+    pub fn end_drag(&mut self, keep: bool) {
+        let Some(gesture) = self.past.gesture.take_if(|g| g.kind == GestureKind::Drag) else {
+            return;
+        };
+        let before = &gesture.before.handles;
+        let now = self.solver.handles();
+        if !keep {
+            self.go_to(gesture.before).expect("the state was solvable before");
+        } else if before.len() != now.len() {
+            self.past.history.push("Make and move handle".to_owned(), gesture.before);
+        } else {
+            let moved = before.iter().zip(now).filter(|(before, now)| before != now).count();
+            let name = match moved {
+                0 => return,
+                1 => "Move handle".to_owned(),
+                _ => format!("Move {moved} handles"),
+            };
+            self.past.history.push(name, gesture.before);
+        }
+    }
+
+    /// Begins a run: iterations up to [`Session::end_run`] are one step of undo.
+    pub fn begin_run(&mut self) {
+        if self.past.gesture.is_none() {
+            self.begin(GestureKind::Run);
+        }
+    }
+
+    /// Ends a run, at the lowest total that it saw.
+    pub fn end_run(&mut self) {
+        let Some(gesture) = self.past.gesture.take_if(|g| g.kind == GestureKind::Run) else {
+            return;
+        };
+        self.solver.settle();
+        let iterations = self.past.iteration - gesture.before.iteration;
+        if iterations > 0 {
+            let iterations = counted(iterations as usize, "iteration", "iterations");
+            self.past.history.push(format!("Run, {iterations}"), gesture.before);
+        }
+    }
+
+    fn begin(&mut self, kind: GestureKind) {
+        self.end_run();
+        self.end_drag(true);
+        self.past.gesture = Some(Gesture { kind, before: self.snapshot() });
+        self.halfway = false;
+    }
+}

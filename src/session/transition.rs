@@ -1,0 +1,135 @@
+//! From one state of the document to another: edits, undo and redo, at the least cost.
+
+use super::history::Snapshot;
+use super::{Edit, Session, resolve, solver};
+use crate::error::Error;
+use crate::scene::Scene;
+
+impl Session {
+    /// Makes an edit.
+    ///
+    /// # Errors
+    /// When it names a row or vertex that is not there, leaves a row without constraints, or makes the
+    /// system singular; nothing has changed then.
+    pub fn edit(&mut self, edit: Edit) -> Result<(), Error> {
+        self.end_run();
+        self.end_drag(true);
+        let before = self.snapshot();
+        let mut after = before.clone();
+        let name = self.apply(edit, &mut after)?;
+        self.go_to(after)?;
+        self.past.history.push(name, before);
+        Ok(())
+    }
+
+    /// Takes back the last step; gives its name, or none when there is none.
+    ///
+    /// # Errors
+    /// Never in practice: the state was solvable before.
+    pub fn undo(&mut self) -> Result<Option<String>, Error> {
+        self.end_run();
+        self.end_drag(true);
+        let now = self.snapshot();
+        self.past.history.undo(now).map(|(name, to)| self.go_to(to).map(|()| name)).transpose()
+    }
+
+    /// Repeats the step that was last undone; gives its name, or none when there is none.
+    ///
+    /// # Errors
+    /// Never in practice: the state was solvable before.
+    pub fn redo(&mut self) -> Result<Option<String>, Error> {
+        self.end_run();
+        self.end_drag(true);
+        let now = self.snapshot();
+        self.past.history.redo(now).map(|(name, to)| self.go_to(to).map(|()| name)).transpose()
+    }
+
+    /// The names of the steps that undo and redo would take.
+    pub fn undo_and_redo(&self) -> [Option<&str>; 2] {
+        [self.past.history.undo_name(), self.past.history.redo_name()]
+    }
+
+    pub(super) fn snapshot(&self) -> Snapshot {
+        Snapshot {
+            document: self.document.clone(),
+            handles: self.solver.handles().to_vec(),
+            positions: self.positions(),
+            iteration: self.past.iteration,
+        }
+    }
+
+    /// Makes `state` the current one at the least cost.
+    pub(super) fn go_to(&mut self, state: Snapshot) -> Result<(), Error> {
+        let Snapshot { document, handles, positions, iteration } = state;
+        let moved = self.positions() != positions;
+        if same_problem(&document, &self.document) {
+            let same_holds = handles.len() == self.solver.handles().len()
+                && handles
+                    .iter()
+                    .zip(self.solver.handles())
+                    .all(|(a, b)| a.vertex == b.vertex && a.hold == b.hold);
+            if same_holds {
+                self.solver.move_handles(handles.iter().map(|h| (h.vertex, h.target)));
+            } else {
+                let old = self.solver.handles().to_vec();
+                if let Err(error) = self.solver.hold(handles) {
+                    self.solver.hold(old)?;
+                    return Err(error.into());
+                }
+            }
+            if moved {
+                self.solver.set_positions(&positions);
+            }
+            self.document = document;
+        } else if self.differs_in_weights(&document) {
+            document.validate(&self.mesh)?;
+            let old = self.solver.handles().to_vec();
+            if let Err(error) = self.solver.reweigh(document.weights, handles) {
+                self.solver.reweigh(self.document.weights, old)?;
+                return Err(error.into());
+            }
+            if moved {
+                self.solver.set_positions(&positions);
+            }
+            self.document = document;
+        } else {
+            document.validate(&self.mesh)?;
+            let rows = resolve::rows(&document, &self.mesh, &self.topology)?;
+            // A set that nothing uses needs no other solver.
+            let mut as_before = document.clone();
+            as_before.sets.clone_from(&self.document.sets);
+            let unused = same_problem(&as_before, &self.document)
+                && rows == self.rows
+                && !moved
+                && as_before.closeness.weights.is_empty()
+                && handles == self.solver.handles();
+            if !unused {
+                let (mesh, topology) = (&self.mesh, &self.topology);
+                let kept = self.solver.kept();
+                self.solver = solver(&document, mesh, topology, &rows, kept, handles, &positions)?;
+            }
+            self.rows = rows;
+            self.document = document;
+        }
+        self.arrive(iteration);
+        Ok(())
+    }
+
+    /// Whether a document is the current one but for weights that the solver can replace.
+    fn differs_in_weights(&self, document: &Scene) -> bool {
+        let same = Scene { weights: self.document.weights, ..document.clone() };
+        same_problem(&same, &self.document) && self.solver.can_reweigh(document.weights)
+    }
+}
+
+/// Whether two documents differ in nothing that the solver knows of.
+fn same_problem(a: &Scene, b: &Scene) -> bool {
+    let mut a = a.clone();
+    a.units.clone_from(&b.units);
+    a.up = b.up;
+    a.lesson.clone_from(&b.lesson);
+    for (a, b) in a.constraints.iter_mut().zip(&b.constraints) {
+        a.name.clone_from(&b.name);
+    }
+    a == *b
+}

@@ -1,0 +1,50 @@
+//! From Rust to the page: plain objects, typed arrays, and errors with their place.
+
+use super::thrown;
+use crate::scene::SceneError;
+use js_sys::{Float32Array, Uint32Array};
+use serde::Serialize;
+use wasm_bindgen::JsValue;
+
+/// As a plain object: maps become objects, absent values null.
+pub(super) fn plain(value: &impl Serialize) -> Result<JsValue, JsValue> {
+    let serializer = serde_wasm_bindgen::Serializer::json_compatible();
+    value.serialize(&serializer).map_err(thrown)
+}
+
+/// An object of typed arrays.
+pub(super) fn object<const N: usize>(entries: [(&str, JsValue); N]) -> Result<JsValue, JsValue> {
+    let object = js_sys::Object::new();
+    for (key, value) in entries {
+        js_sys::Reflect::set(&object, &key.into(), &value)?;
+    }
+    Ok(object.into())
+}
+
+/// Numbers in single precision, as they are drawn.
+pub(super) fn narrow(numbers: &[f64]) -> Float32Array {
+    let narrow: Vec<f32> = numbers.iter().map(|&number| number as f32).collect();
+    Float32Array::from(&narrow[..])
+}
+
+/// Indices of vertices, edges or faces.
+pub(super) fn indices(indices: &[u32]) -> JsValue {
+    Uint32Array::from(indices).into()
+}
+
+/// Some vertices, edges and faces, as the page selects them.
+pub(super) fn selection(
+    vertices: &[u32],
+    edges: &[u32],
+    faces: &[u32],
+) -> Result<JsValue, JsValue> {
+    object([("vertices", indices(vertices)), ("edges", indices(edges)), ("faces", indices(faces))])
+}
+
+/// What is thrown for an error in a scene or in an entry of one: an Error with its JSON path.
+pub(super) fn thrown_at(error: &SceneError) -> JsValue {
+    let thrown = thrown(error);
+    // An object that was just made takes every property.
+    let _ = js_sys::Reflect::set(&thrown, &"path".into(), &error.path.as_str().into());
+    thrown
+}

@@ -1,0 +1,97 @@
+//! Files in: meshes, and scenes with the mesh files that they name.
+
+use super::plain::plain;
+use super::report::{Guessed, Loaded};
+use super::solver::Solver;
+use super::thrown;
+use crate::mesh::{Read, read};
+use crate::scene::{Frame, MeshSource, Scene};
+use crate::session::Session;
+use crate::solve::clock;
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen]
+impl Solver {
+    /// The mesh file that a scene names, or null.
+    #[wasm_bindgen(js_name = sceneMeshFile)]
+    pub fn scene_mesh_file(&self, bytes: &[u8]) -> Result<Option<String>, JsValue> {
+        Ok(match scene_of(bytes)?.mesh {
+            MeshSource::File(path) => Some(path),
+            MeshSource::Inline(_) => None,
+        })
+    }
+
+    /// What the next mesh file is taken for unless it states otherwise, in its own words:
+    /// `# units: m`, `# up: y`, a line each.
+    pub fn assume(&mut self, comments: &str) {
+        self.assumed = Frame::stated(comments.as_bytes());
+    }
+
+    /// Opens a mesh, or a scene with the mesh file that it names as `companion`. The model that is
+    /// open stays when this one is refused.
+    pub fn load(
+        &mut self,
+        name: &str,
+        bytes: &[u8],
+        companion: Option<Vec<u8>>,
+    ) -> Result<JsValue, JsValue> {
+        let started = clock::now();
+        let is_scene = name.to_ascii_lowercase().ends_with(".json");
+        let mut stated = Frame::default();
+        let (mut scene, mut file) = if is_scene {
+            let in_scene = |message: String| thrown(format!("{name}: {message}"));
+            let mut scene = scene_of(bytes).map_err(|e| in_scene(message_of(&e)))?;
+            let file = match std::mem::replace(&mut scene.mesh, MeshSource::File(String::new())) {
+                MeshSource::Inline(mesh) => {
+                    Read { mesh: *mesh, problems: Vec::new(), notes: Vec::new() }
+                }
+                MeshSource::File(path) => {
+                    let bytes = companion.ok_or_else(|| {
+                        in_scene(format!("it needs the mesh file {path}: open both files together"))
+                    })?;
+                    let file = read(&path, &bytes).map_err(thrown)?;
+                    scene.mesh = MeshSource::File(path);
+                    file
+                }
+            };
+            (scene, file)
+        } else {
+            stated = Frame::stated(bytes).or(std::mem::take(&mut self.assumed));
+            (Scene::new(MeshSource::File(name.to_owned())), read(name, bytes).map_err(thrown)?)
+        };
+        if !is_scene {
+            let units = || Frame::guess_units(&file.mesh).to_owned();
+            scene.units = stated.units.clone().unwrap_or_else(units);
+            scene.up = stated.up.unwrap_or_else(|| Frame::guess_up(&file.mesh));
+        }
+        let mesh = std::mem::take(&mut file.mesh);
+        let session = Session::replace(&mut self.session, scene, mesh).map_err(|error| {
+            thrown(if is_scene { format!("{name}: {error}") } else { error.to_string() })
+        })?;
+        session.set_load_seconds(clock::now() - started);
+        session.start_trace();
+        let guessed = Guessed {
+            units: !is_scene && stated.units.is_none(),
+            up: !is_scene && stated.up.is_none(),
+        };
+        self.step_ms = 0.0;
+        plain(&Loaded::new(name, session, &file, guessed))
+    }
+
+    /// Counts on from `iteration`, where the scene that was just opened stood when it was saved.
+    #[wasm_bindgen(js_name = restoreIteration)]
+    pub fn restore_iteration(&mut self, iteration: u32) -> Result<(), JsValue> {
+        self.open_mut()?.restore_iteration(iteration);
+        Ok(())
+    }
+}
+
+fn message_of(error: &JsValue) -> String {
+    error.dyn_ref::<js_sys::Error>().map(|e| String::from(e.message())).unwrap_or_default()
+}
+
+fn scene_of(bytes: &[u8]) -> Result<Scene, JsValue> {
+    let text =
+        std::str::from_utf8(bytes).map_err(|_| thrown("a scene is UTF-8 text, and this is not"))?;
+    Scene::from_json(text).map_err(thrown)
+}

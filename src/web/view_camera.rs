@@ -1,0 +1,66 @@
+//! Where the model is looked at from.
+
+use super::thrown;
+use super::view::View;
+use crate::view::camera::Up;
+use crate::view::lists::ViewError;
+use glam::Vec2;
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen]
+impl View {
+    /// Sets the vertical axis, `z` or `y`.
+    ///
+    /// # Errors
+    /// Any other axis.
+    #[wasm_bindgen(js_name = setUp)]
+    pub fn set_up(&mut self, up: &str) -> Result<(), JsValue> {
+        let up = match up {
+            "z" => Up::Z,
+            "y" => Up::Y,
+            _ => {
+                let got = up.to_owned();
+                return Err(thrown(ViewError::Word { what: "up", got, known: "z or y" }));
+            }
+        };
+        self.stage.set_up(up);
+        Ok(())
+    }
+
+    /// Turns the camera about its pivot by a drag.
+    pub fn orbit(&mut self, dx: f32, dy: f32) {
+        self.stage.orbit(dx, dy);
+    }
+
+    /// Slides the picture by a drag.
+    pub fn pan(&mut self, dx: f32, dy: f32) {
+        self.stage.pan(dx, dy);
+    }
+
+    /// Comes `factor` times nearer (farther when less than one) to what is under the cursor.
+    pub fn zoom(&mut self, factor: f32, x: f32, y: f32) {
+        self.stage.zoom(factor, Vec2::new(x, y));
+    }
+
+    /// Fills the canvas with the mesh, from where the camera looks now.
+    pub fn fit(&mut self) {
+        self.stage.fit();
+    }
+
+    /// Fills the canvas with some vertices.
+    ///
+    /// # Errors
+    /// A vertex that does not exist.
+    #[wasm_bindgen(js_name = fitVertices)]
+    pub fn fit_vertices(&mut self, vertices: &[u32]) -> Result<(), JsValue> {
+        self.stage.fit_vertices(vertices).map_err(thrown)
+    }
+
+    /// Looks from `top`, `bottom`, `front`, `back`, `left`, `right`, `isometric` or `home`, and fits.
+    ///
+    /// # Errors
+    /// Any other name.
+    pub fn preset(&mut self, name: &str) -> Result<(), JsValue> {
+        self.stage.preset(name).map_err(thrown)
+    }
+}

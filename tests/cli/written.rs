@@ -1,0 +1,98 @@
+//! What is written where: links, pipes, formats, and what a format has no place for.
+
+use crate::folder::{Folder, ROOF};
+
+fn mesh(folder: &Folder, name: &str) -> shape_up::mesh::Mesh {
+    shape_up::mesh::read(name, folder.read(name).as_bytes()).unwrap().mesh
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_stays_and_the_file_behind_it_is_written() {
+    // A file that is renamed to the name of a link would take its place.
+    let folder = Folder::new("link");
+    std::fs::create_dir(folder.0.join("store")).unwrap();
+    folder.write("roof.obj", ROOF).write("store/out.obj", "");
+    std::os::unix::fs::symlink("store/out.obj", folder.0.join("out.obj")).unwrap();
+    folder.run(&["solve", "roof.obj", "--plane", "--out", "out.obj"]).done();
+    assert!(folder.0.join("out.obj").is_symlink());
+    assert_eq!(mesh(&folder, "store/out.obj").positions.len(), 9);
+    assert_eq!(std::fs::read_dir(folder.0.join("store")).unwrap().count(), 1);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_pipe_is_written_to_and_stays() {
+    // As is a device: renaming a file to the name of one would take its place.
+    use std::os::unix::fs::FileTypeExt;
+    let folder = Folder::new("pipe");
+    let pipe = folder.0.join("out.obj");
+    let made = std::process::Command::new("mkfifo").arg(&pipe).status();
+    assert!(made.is_ok_and(|status| status.success()), "mkfifo makes a pipe");
+    folder.write("roof.obj", ROOF);
+    let reader = {
+        let pipe = pipe.clone();
+        std::thread::spawn(move || std::fs::read_to_string(pipe).unwrap())
+    };
+    folder.run(&["solve", "roof.obj", "--plane", "--out", "out.obj"]).done();
+    assert_eq!(reader.join().unwrap().lines().filter(|line| line.starts_with("v ")).count(), 9);
+    assert!(std::fs::metadata(&pipe).unwrap().file_type().is_fifo());
+}
+
+#[test]
+fn one_file_cannot_take_two_outputs_whatever_it_is_called() {
+    let folder = Folder::new("same");
+    folder.write("roof.obj", ROOF);
+    let absolute = folder.0.join("x").to_string_lossy().into_owned();
+    for report in ["x", "./x", ".//x", &absolute] {
+        folder.run(&["solve", "roof.obj", "--out", "x", "--report", report]).misused("same file");
+    }
+    assert_eq!(folder.files(), ["roof.obj"]);
+}
+
+#[test]
+fn an_ending_of_another_format_is_refused_before_anything_is_solved() {
+    // OBJ in a file that is called OFF cannot be read by anything.
+    let folder = Folder::new("ending");
+    folder.write("roof.obj", ROOF);
+    for (command, out, words) in [
+        ("solve", "out.off", "--out writes .obj or .mesh, found `out.off`"),
+        ("solve", "out.OFF", ".obj or .mesh"),
+        ("parametrize", "out.off", "--out writes .obj, found"),
+        ("parametrize", "out.mesh", "--out writes .obj, found"),
+    ] {
+        folder.run(&[command, "roof.obj", "--out", out]).misused(words);
+    }
+    assert_eq!(folder.files(), ["roof.obj"]);
+    folder.run(&["solve", "roof.obj", "--out", "solved"]).done();
+    assert_eq!(mesh(&folder, "solved").positions.len(), 9);
+}
+
+/// Two tetrahedra on a quad.
+const TETS: &str = "MeshVersionFormatted 2\nDimension 3\nVertices\n5\n0 0 0 0\n1 0 0 0\n1 1 0.2 0\n\
+    0 1 0 0\n0.5 0.5 1 0\nQuadrilaterals\n1\n1 2 3 4 0\nTetrahedra\n2\n1 2 3 5 0\n1 3 4 5 0\nEnd\n";
+
+#[test]
+fn tetrahedra_come_out_in_the_format_that_has_them() {
+    let folder = Folder::new("tets");
+    folder.write("block.mesh", TETS);
+    let out = folder.run(&["solve", "block.mesh", "--plane", "--out", "out.mesh"]).done();
+    assert!(!out.contains("no place for"), "{out}");
+    let (before, after) = (mesh(&folder, "block.mesh"), mesh(&folder, "out.mesh"));
+    assert_eq!((&after.tets, &after.faces), (&before.tets, &before.faces));
+    assert_ne!(after.positions, before.positions);
+    let out = folder.run(&["solve", "block.mesh", "--plane", "--out", "out.obj"]).done();
+    assert!(out.contains("note: out.obj is OBJ, which has no place for 2 tetrahedra\n"), "{out}");
+    folder.write("roof.obj", format!("{ROOF}f 1 2 3 6 5\n"));
+    let out = folder.run(&["solve", "roof.obj", "--plane", "--out", "out.mesh"]).done();
+    let lost = "which has no place for 1 face of more than four corners, 1 curve, 5 groups\n";
+    assert!(out.contains(lost), "{out}");
+}
+
+#[test]
+fn one_of_something_is_not_several() {
+    let folder = Folder::new("one");
+    folder.write("panel.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0.1\nv 0 1 0\nf 1 2 3 4\n");
+    let out = folder.run(&["solve", "panel.obj", "--plane"]).done();
+    assert!(out.contains("4 vertices, 1 face, ") && out.contains("pinned at vertex 0\n"), "{out}");
+}
