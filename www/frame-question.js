@@ -3,6 +3,7 @@
  * guessed chosen already. On a phone one line below the view, which covers nothing of the model.
  */
 
+import './style/frame-question.css';
 import { element, icon, leave } from './dom.js';
 
 export class FrameQuestion {

@@ -175,4 +175,7 @@ test('there is room for the digits', async ({ page }) => {
   await enter(target(page, 'y'), '-123456.789');
   await expect(target(page, 'y')).toHaveValue('-123456.789');
   expect(await fits()).toEqual([true, true, true]);
+  await page.setViewportSize({ width: 390, height: 844 });
+  await showPanel(page, 'Model');
+  await expect.poll(fits, 'on a phone').toEqual([true, true, true]);
 });
