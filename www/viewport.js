@@ -194,6 +194,8 @@ export class Viewport extends EventTarget {
     this.#canvas = canvas;
     this.element.replaceChildren(canvas);
     const backend = await this.#backend.choose();
+    // It may have been lost by now, and another one have taken its place.
+    if (canvas !== this.#canvas) return;
     try {
       const view = await openView(canvas, backend);
       if (canvas !== this.#canvas) return view.free();

@@ -342,14 +342,12 @@ const WALKS = {
       name: 'a graphics context that was lost for good',
       only: 'desktop',
       reach: async (page) => {
-        // Each new one too, before it has drawn: a picture that was there makes up for those that were
-        // lost.
+        // Each new one too, as soon as it is there: one that has drawn makes up for those that were lost.
         await page.evaluate(() => {
-          const lose = () => {
-            const canvas = document.querySelector('#viewport canvas');
-            canvas?.dispatchEvent(new Event('webglcontextlost'));
-            if (!document.body.innerText.includes('No 3D picture')) setTimeout(lose, 5);
-          };
+          const place = document.querySelector('#viewport');
+          const lose = () =>
+            place.querySelector('canvas')?.dispatchEvent(new Event('webglcontextlost'));
+          new MutationObserver(lose).observe(place, { childList: true });
           lose();
         });
         await expect(page.getByText('No 3D picture')).toBeVisible();
