@@ -79,7 +79,7 @@ export function handleDetails(store, actions, solver) {
       type: 'text',
       autocomplete: 'off',
       spellcheck: 'false',
-      title: 'A number, 1/3 or 20cm; +0.5 or +-0.5 moves by that much',
+      title: '1.5, 1/3 or 20cm; +0.5 moves by that much',
       class: 'number',
       'aria-label': `Target ${axis}`,
       'aria-describedby': error.id,
