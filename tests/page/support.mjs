@@ -75,7 +75,9 @@ export const state = (page) => page.evaluate(() => window.shapeUp.state());
 export async function waitForState(page, condition, argument, options) {
   await page.waitForFunction(
     ([text, given]) => {
-      const now = window.shapeUp.state();
+      // It is not there yet while another page is on its way.
+      const now = window.shapeUp?.state();
+      if (!now) return false;
       // The text is a function of this file's callers.
       return new Function('state', 'given', `return (${text})(state, given)`)(now, given);
     },
