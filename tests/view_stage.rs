@@ -337,9 +337,9 @@ fn handles_that_do_not_fit_are_refused_and_the_old_ones_stay() {
     }
     assert_eq!(stage.handles.len(), 2);
     assert!(!stage.changes.any());
-    // A moving target is only a position: the dots stay the same.
+    // A target that moves is nothing else: the vertices and the dots stay the same.
     stage.set_handles(&[1, 2], &[0, 2], &[1.0; 6]).unwrap();
-    assert!(stage.changes.positions && !stage.changes.marks);
+    assert_eq!(stage.changes, Changes { targets: true, ..Changes::default() });
 }
 
 #[test]
