@@ -1,6 +1,8 @@
-//! The README's table of operators is the list of kinds. `UPDATE=1 cargo test --test readme` writes it.
+//! The README is true: its table of operators is the list of kinds (`UPDATE=1 cargo test --test readme`
+//! writes it), its scene can be read, and no selector is missing.
 
-use shape_up::constraint::{Info, KINDS};
+use shape_up::constraint::{Element, Info, KINDS};
+use shape_up::scene::Scene;
 use std::fmt::Write;
 
 const START: &str = "<!-- operators: written by `UPDATE=1 cargo test --test readme` -->\n";
@@ -23,15 +25,39 @@ fn table() -> String {
     table
 }
 
+const PATH: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/README.md");
+
+fn readme() -> String {
+    std::fs::read_to_string(PATH).expect("there is a README")
+}
+
+#[test]
+fn its_scene_is_one() {
+    let readme = readme();
+    let (_, rest) = readme.split_once("```json\n").expect("it shows a scene");
+    let (text, _) = rest.split_once("```").expect("which ends");
+    let scene = Scene::from_json(text).expect("it can be read");
+    assert_eq!(scene.constraints.len(), 4);
+    assert_eq!(scene.handles.len(), 2);
+}
+
+#[test]
+fn every_selector_is_in_it() {
+    let readme = readme();
+    for element in Element::ALL {
+        let word = element.word_for_all().unwrap_or(element.id());
+        assert!(readme.contains(&format!("\"{word}\"")), "{word}");
+    }
+}
+
 #[test]
 fn the_table_of_operators_is_the_list_of_kinds() {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/README.md");
-    let readme = std::fs::read_to_string(path).expect("there is a README");
+    let readme = readme();
     let (before, rest) = readme.split_once(START).expect("the README has the start of the table");
     let (_, after) = rest.split_once(END).expect("the README has the end of the table");
     let expected = format!("{before}{START}\n{}\n{END}{after}", table());
     if std::env::var_os("UPDATE").is_some() {
-        std::fs::write(path, &expected).expect("the README can be written");
+        std::fs::write(PATH, &expected).expect("the README can be written");
     }
     assert!(
         std::env::var_os("UPDATE").is_some() || readme == expected,

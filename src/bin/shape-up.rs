@@ -1,4 +1,4 @@
-//! The command line (design section 6): solves scenes, checks and flattens meshes, writes the examples.
+//! The command line: solves scenes, checks and flattens meshes, writes the examples.
 
 mod cli;
 

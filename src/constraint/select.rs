@@ -45,7 +45,7 @@ pub enum Element {
     Hinge,
 }
 
-/// Which vertices a constraint acts on (design section 5).
+/// Which vertices a constraint acts on.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Selector {
     /// One constraint per element.

@@ -1,4 +1,4 @@
-//! The scene file, version 1 (design section 5), as JSON in and out.
+//! The scene file, version 1, as JSON in and out; the README shows one.
 //!
 //! What is wrong is named by its JSON path, with what was found and what was expected. Here the
 //! form is checked; whether indices and names fit the mesh is checked by `validate`.

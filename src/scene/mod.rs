@@ -1,4 +1,4 @@
-//! The scene: a mesh, what its parts shall be, and how it is solved (design section 5).
+//! The scene: a mesh, what its parts shall be, and how it is solved.
 //!
 //! | file | holds |
 //! |---|---|

@@ -23,7 +23,7 @@
 //! | `place` | where constraints may be |
 //! | `preview` | what adding constraints would make |
 //! | `projected` | the projections of the constraints, to be drawn |
-//! | `report` | the report of design section 6 |
+//! | `report` | the report of a solved scene |
 //! | `selection` | selecting by what the mesh is like |
 //! | `settings` | the declared settings of a scene |
 //! | `tables` | errors and energies as CSV |

@@ -1,4 +1,4 @@
-//! The report of a solved scene (design section 6).
+//! The report of a solved scene.
 
 use super::Session;
 use crate::mesh::{Circularity, Planarity};
