@@ -69,16 +69,20 @@ function startText(start) {
 function peersText(peers = []) {
   const compared = peers.filter(({ theirs }) => theirs.ms !== undefined);
   if (!compared.length) return [];
+  const places = ['native', 'browser'].filter((place) =>
+    compared.some(({ ours }) => ours.some(({ where }) => where === place)),
+  );
   const cells = compared.map(({ peer, version, what, size, equal, theirs, ours }) => {
     const own = (place) =>
       ours.find(({ where, accelerator }) => where === place && accelerator !== 'quasi-newton');
-    const ms = [theirs.ms, own('native')?.ms, own('browser')?.ms].map(number);
+    const ms = [theirs.ms, ...places.map((place) => own(place)?.ms)].map(number);
     return [`${peer} ${version}`, what, equal, number(size), ...ms];
   });
+  const names = { native: 'ours natively', browser: 'ours in the browser' };
   const head = ['library', 'what', 'equal', 'vertices', 'its ms'];
   return [
     'Other libraries, natively, and what of their problem is equal to ours:',
-    table([...head, 'ours natively', 'in the browser'], cells),
+    table([...head, ...places.map((place) => names[place])], cells),
   ];
 }
 
