@@ -12,6 +12,7 @@
 //! | `lesson` | the exercise that a scene is, and the results that are handed in |
 //! | `selector` | the forms of `on` |
 //! | `inline_mesh` | a mesh inside the scene |
+//! | `text` | the text of a document as a tree |
 //! | `write` | JSON out |
 
 mod closeness;
@@ -21,6 +22,7 @@ mod inline_mesh;
 mod lesson;
 mod node;
 mod selector;
+mod text;
 mod write;
 
 pub(super) use node::push_key;
@@ -32,6 +34,7 @@ use super::{
 use crate::constraint::{Set, Sets};
 use crate::mesh::Point;
 use node::{At, Node};
+use text::Fault;
 
 /// The value of `format` in every scene file.
 pub const FORMAT: &str = "shape-up-scene";
@@ -79,18 +82,14 @@ impl Scene {
 /// The document as a tree, with or without a byte order mark before it.
 fn parse(text: &str) -> Result<Node, SceneError> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    serde_json::from_str(text).map_err(|error| syntax_error(text, &error))
-}
-
-fn syntax_error(text: &str, error: &serde_json::Error) -> SceneError {
-    let message = if text.trim().is_empty() {
-        "the file is empty, expected a scene".to_owned()
-    } else {
-        let what = error.to_string();
-        let what = what.split(" at line ").next().unwrap_or_default();
-        format!("line {}, column {}: not JSON: {what}", error.line(), error.column())
-    };
-    SceneError { path: String::new(), message }
+    text::read(text).map_err(|Fault { message, line, column }| {
+        let message = if text.trim().is_empty() {
+            "the file is empty, expected a scene".to_owned()
+        } else {
+            format!("line {line}, column {column}: not JSON: {message}")
+        };
+        SceneError { path: String::new(), message }
+    })
 }
 
 fn read_scene(at: &At<'_>) -> Result<Scene, SceneError> {
