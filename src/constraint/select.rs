@@ -1,6 +1,6 @@
 //! Selectors: which vertices a constraint acts on, orthogonal to its kind.
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -8,8 +8,7 @@ use std::fmt;
 pub type Sets = BTreeMap<String, Set>;
 
 /// A named set of vertices and faces.
-#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
-#[serde(default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Set {
     /// Indices of vertices.
     pub vertices: Vec<u32>,

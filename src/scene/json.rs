@@ -25,15 +25,19 @@ mod selector;
 mod text;
 mod write;
 
-pub(super) use node::push_key;
-
 use super::{
     HANDLE_WEIGHT, HandleSpec, Hold, MeshSource, Scene, SceneError, Smoothness, SolverSettings,
     Weights,
 };
 use crate::constraint::{Set, Sets};
 use crate::mesh::Point;
-use node::{At, Node};
+pub(super) use node::push_key;
+
+pub(crate) use constraint::read as read_constraint;
+pub(crate) use indices::read as read_indices;
+pub(crate) use lesson::read as read_lesson;
+pub(crate) use node::{At, Node};
+pub(crate) use selector::read as read_selector;
 use text::Fault;
 
 /// The value of `format` in every scene file.
@@ -80,7 +84,7 @@ impl Scene {
 }
 
 /// The document as a tree, with or without a byte order mark before it.
-fn parse(text: &str) -> Result<Node, SceneError> {
+pub(crate) fn parse(text: &str) -> Result<Node, SceneError> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     text::read(text).map_err(|Fault { message, line, column }| {
         let message = if text.trim().is_empty() {

@@ -20,9 +20,10 @@ mod words;
 
 pub use closeness::{BoundaryCloseness, Closeness, ClosenessTo, ClosenessWeight};
 pub use frame::Frame;
+pub(crate) use json::{At, Node, parse, read_constraint, read_indices, read_lesson, read_selector};
 pub use json::{FORMAT, VERSION};
 pub use lesson::{Goal, GoalOf, GoalResult, Lesson, Results};
-pub use words::{Worded, of_word};
+pub use words::Worded;
 
 use crate::constraint::{Kind, Selector, Sets};
 use crate::mesh::{Mesh, Point};

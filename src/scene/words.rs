@@ -3,7 +3,6 @@
 
 use super::{Accelerator, ClosenessTo, Factorization, SmoothnessOf, Up, Weighting};
 use crate::mesh::GroupKeyword;
-use serde::de::{Deserialize, Deserializer, Error};
 
 /// A choice between a few values that have a word each.
 pub trait Worded: Copy + PartialEq + 'static {
@@ -25,16 +24,6 @@ pub trait Worded: Copy + PartialEq + 'static {
     fn list(between: &str) -> String {
         Self::WORDS.iter().map(|(word, _)| *word).collect::<Vec<_>>().join(between)
     }
-}
-
-/// Reads a choice by its word, wherever serde reads a field.
-///
-/// # Errors
-/// Another word, with those that are known.
-pub fn of_word<'de, T: Worded, D: Deserializer<'de>>(deserializer: D) -> Result<T, D::Error> {
-    let word = String::deserialize(deserializer)?;
-    let expected = || Error::custom(format!("found {word:?}, expected {}", T::list(" or ")));
-    T::of_word(&word).ok_or_else(expected)
 }
 
 impl Worded for Up {

@@ -2,19 +2,13 @@
 
 use super::place::Place;
 use crate::constraint::Set;
-use crate::scene::{Closeness, ConstraintSpec, Lesson, Scene, Up, Weights, of_word};
-use serde::Deserialize;
+use crate::scene::{Closeness, ConstraintSpec, Lesson, Scene, Up, Weights};
 use serde_json::{Map, Value};
 
-/// An edit of the document.
-///
-/// Hosts that speak JSON send one by its `type`, the name of the variant, with its fields; those that
-/// are not read so are made by the host.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
-#[serde(tag = "type", rename_all = "camelCase")]
+/// An edit of the document; [`Edit::from_json`] reads one.
+#[derive(Clone, Debug, PartialEq)]
 pub enum Edit {
     /// Appends a row of constraints.
-    #[serde(skip_deserializing)]
     AddConstraint(NewConstraint),
     /// Removes row `index`.
     RemoveConstraint {
@@ -30,7 +24,6 @@ pub enum Edit {
         /// Whether it counts.
         enabled: Option<bool>,
         /// New values of parameters, as in scene files; those that are not here stay.
-        #[serde(default)]
         params: Map<String, Value>,
     },
     /// Adds a row like row `index` after it.
@@ -50,7 +43,6 @@ pub enum Edit {
         /// Not empty.
         name: String,
         /// The set.
-        #[serde(flatten)]
         set: Set,
     },
     /// Takes a set away.
@@ -80,10 +72,8 @@ pub enum Edit {
         weight: f64,
     },
     /// Replaces the weights of Eq. 13.
-    #[serde(skip_deserializing)]
     SetWeights(Weights),
     /// Replaces what vertices are kept close to.
-    #[serde(skip_deserializing)]
     SetCloseness(Closeness),
     /// Says in which unit the coordinates are; they stay as they are.
     SetUnits {
@@ -93,11 +83,9 @@ pub enum Edit {
     /// Says which axis points up; the coordinates stay as they are.
     SetUp {
         /// Which one.
-        #[serde(deserialize_with = "of_word")]
         up: Up,
     },
     /// Makes the scene an exercise, or no longer.
-    #[serde(skip_deserializing)]
     SetLesson(Option<Lesson>),
     /// Makes vertices handles where they are now; those that are handles already change how they hold.
     AddHandles {

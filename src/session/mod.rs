@@ -6,6 +6,7 @@
 //! | file | holds |
 //! |---|---|
 //! | `edit`, `apply` | the edits, and what each does to a state |
+//! | `edit_json` | what hosts ask for, from JSON |
 //! | `transition` | from one state to another at the least cost: edits, undo, redo |
 //! | `gesture` | drags and runs, one step of undo each |
 //! | `resolve` | rows of constraints: selectors resolved, misfits counted |
@@ -34,6 +35,7 @@ mod acting;
 mod angles;
 mod apply;
 mod edit;
+mod edit_json;
 mod face_measure;
 mod flaws;
 mod gesture;

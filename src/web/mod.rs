@@ -8,7 +8,7 @@
 //! | `selecting`, `lists`, `lesson` | selections and settings, lists of elements, goals |
 //! | `parametrize`, `experiment` | the flat map, the paper's comparisons |
 //! | `measure`, `warm_up` | what benchmarks ask; what makes the first steps fast |
-//! | `plain` | from Rust to JavaScript |
+//! | `plain` | between Rust and JavaScript |
 //! | `view` | the page's face: the canvas and what is shown on it |
 //! | `view_camera`, `view_picking`, `view_gizmo` | where it is looked from, what is under the cursor, what it holds |
 //! | `view_map`, `view_split`, `view_seeing` | the flat map beside the model, two pictures, ways of seeing |

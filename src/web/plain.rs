@@ -1,4 +1,4 @@
-//! From Rust to the page: plain objects, typed arrays, and errors with their place.
+//! Between Rust and the page: plain objects, typed arrays, and errors with their place.
 
 use super::thrown;
 use crate::scene::SceneError;
@@ -10,6 +10,11 @@ use wasm_bindgen::JsValue;
 pub(super) fn plain(value: &impl Serialize) -> Result<JsValue, JsValue> {
     let serializer = serde_wasm_bindgen::Serializer::json_compatible();
     value.serialize(&serializer).map_err(thrown)
+}
+
+/// A plain object of the page as JSON.
+pub(super) fn text(value: &JsValue) -> Result<String, JsValue> {
+    Ok(String::from(js_sys::JSON::stringify(value)?))
 }
 
 /// An object of typed arrays.

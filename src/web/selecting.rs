@@ -1,8 +1,7 @@
 //! What the page selects with, and the settings that it offers: the declared lists, and the answers.
 
-use super::plain::{plain, selection, thrown_at};
+use super::plain::{plain, selection, text, thrown_at};
 use super::solver::Solver;
-use super::thrown;
 use crate::session::{OPERATIONS, SETTINGS, SelectRequest};
 use js_sys::Uint32Array;
 use wasm_bindgen::prelude::*;
@@ -26,7 +25,8 @@ impl Solver {
 
     /// What is selected after an operation: `vertices`, `edges` and `faces`, ascending.
     pub fn select(&mut self, request: JsValue) -> Result<JsValue, JsValue> {
-        let request: SelectRequest = serde_wasm_bindgen::from_value(request).map_err(thrown)?;
+        let request =
+            SelectRequest::from_json(&text(&request)?).map_err(|error| thrown_at(&error))?;
         let found = self.open_mut()?.select(&request).map_err(|error| thrown_at(&error))?;
         selection(&found.vertices, &found.edges, &found.faces)
     }

@@ -18,7 +18,7 @@ impl ConstraintSpec {
 /// The keys that every constraint has; all others are parameters of its kind.
 const KEYS: [&str; 5] = ["kind", "on", "weight", "enabled", "name"];
 
-pub(super) fn read(at: &At<'_>) -> Result<ConstraintSpec, SceneError> {
+pub(crate) fn read(at: &At<'_>) -> Result<ConstraintSpec, SceneError> {
     let entries = at.entries("a constraint: an object with \"kind\" and \"on\"")?;
     let ids: Vec<_> = KINDS.iter().map(|info| info.id).collect();
     let what = format!("one of {}", ids.join(", "));

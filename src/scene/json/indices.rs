@@ -9,7 +9,7 @@ const WHAT: &str = "a list of indices such as [0, 1, 5] or \"0-1,5\"";
 /// More indices than any mesh has, so that `"0-4294967295"` is an error and not 16 GiB.
 const MOST: usize = 100_000_000;
 
-pub(super) fn read(at: &At<'_>) -> Result<Vec<u32>, SceneError> {
+pub(crate) fn read(at: &At<'_>) -> Result<Vec<u32>, SceneError> {
     match at.node {
         Node::Array(_) => {
             at.array(WHAT)?.iter().map(|item| item.whole("an index, counted from 0")).collect()

@@ -42,7 +42,7 @@ impl Lesson {
     }
 }
 
-pub(super) fn read(at: &At<'_>) -> Result<Lesson, SceneError> {
+pub(crate) fn read(at: &At<'_>) -> Result<Lesson, SceneError> {
     at.only_keys(&["text", "goals"])?;
     let text = at.need("text", "what is to be done")?.text("what is to be done")?.to_owned();
     let goals = at.need("goals", "an array of goals")?;

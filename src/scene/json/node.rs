@@ -6,7 +6,7 @@ use serde_json::{Map, Number, Value};
 
 /// A JSON value.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Node {
+pub(crate) enum Node {
     Null,
     Bool(bool),
     Number(Number),
@@ -18,7 +18,7 @@ pub(super) enum Node {
 
 impl Node {
     /// The same value for serde.
-    pub(super) fn to_value(&self) -> Value {
+    pub(crate) fn to_value(&self) -> Value {
         match self {
             Node::Null => Value::Null,
             Node::Bool(value) => Value::Bool(*value),
@@ -49,10 +49,10 @@ impl Node {
 
 /// A value and where it stands in the document.
 #[derive(Clone, Copy)]
-pub(super) struct At<'a> {
+pub(crate) struct At<'a> {
     parent: Option<&'a At<'a>>,
     step: Step<'a>,
-    pub(super) node: &'a Node,
+    pub(crate) node: &'a Node,
 }
 
 #[derive(Clone, Copy)]
@@ -63,12 +63,12 @@ enum Step<'a> {
 }
 
 impl<'a> At<'a> {
-    pub(super) fn root(node: &'a Node) -> At<'a> {
+    pub(crate) fn root(node: &'a Node) -> At<'a> {
         At { parent: None, step: Step::Root, node }
     }
 
     /// The JSON path, such as `constraints[2].on.set`; empty at the root.
-    pub(super) fn path(&self) -> String {
+    pub(crate) fn path(&self) -> String {
         let mut path = self.parent.map(At::path).unwrap_or_default();
         match self.step {
             Step::Root => {}
@@ -78,17 +78,17 @@ impl<'a> At<'a> {
         path
     }
 
-    pub(super) fn error(&self, message: impl Into<String>) -> SceneError {
+    pub(crate) fn error(&self, message: impl Into<String>) -> SceneError {
         SceneError { path: self.path(), message: message.into() }
     }
 
     /// "found ..., expected ..." at this place.
-    pub(super) fn expected(&self, what: &str) -> SceneError {
+    pub(crate) fn expected(&self, what: &str) -> SceneError {
         self.error(format!("found {}, expected {what}", self.node.describe()))
     }
 
     /// The entries of an object, whatever their keys are.
-    pub(super) fn entries(&'a self, what: &str) -> Result<Vec<(&'a str, At<'a>)>, SceneError> {
+    pub(crate) fn entries(&'a self, what: &str) -> Result<Vec<(&'a str, At<'a>)>, SceneError> {
         let Node::Object(entries) = self.node else { return Err(self.expected(what)) };
         Ok(entries
             .iter()
@@ -99,7 +99,7 @@ impl<'a> At<'a> {
     }
 
     /// Checks that this is an object with no other keys than `known`.
-    pub(super) fn only_keys(&self, known: &[&str]) -> Result<(), SceneError> {
+    pub(crate) fn only_keys(&self, known: &[&str]) -> Result<(), SceneError> {
         let Node::Object(entries) = self.node else { return Err(self.expected("an object")) };
         match entries.iter().find(|(key, _)| !known.contains(&key.as_str())) {
             Some((key, _)) => Err(self.unknown_key(key, known)),
@@ -108,23 +108,23 @@ impl<'a> At<'a> {
     }
 
     /// The error for a key that has no meaning in this object.
-    pub(super) fn unknown_key(&self, key: &str, known: &[&str]) -> SceneError {
+    pub(crate) fn unknown_key(&self, key: &str, known: &[&str]) -> SceneError {
         self.error(format!("unknown key `{key}`, known here: {}", known.join(", ")))
     }
 
     /// The value of `key` when this is an object that has it.
-    pub(super) fn get(&'a self, key: &'a str) -> Option<At<'a>> {
+    pub(crate) fn get(&'a self, key: &'a str) -> Option<At<'a>> {
         let Node::Object(entries) = self.node else { return None };
         let (key, node) = entries.iter().find(|(k, _)| k == key)?;
         Some(At { parent: Some(self), step: Step::Key(key), node })
     }
 
     /// The value of `key`, which must be there; `what` says what it would be.
-    pub(super) fn need(&'a self, key: &'a str, what: &str) -> Result<At<'a>, SceneError> {
+    pub(crate) fn need(&'a self, key: &'a str, what: &str) -> Result<At<'a>, SceneError> {
         self.get(key).ok_or_else(|| self.error(format!("`{key}` is missing, expected {what}")))
     }
 
-    pub(super) fn array(&'a self, what: &str) -> Result<Vec<At<'a>>, SceneError> {
+    pub(crate) fn array(&'a self, what: &str) -> Result<Vec<At<'a>>, SceneError> {
         let Node::Array(items) = self.node else { return Err(self.expected(what)) };
         Ok(items
             .iter()
@@ -133,14 +133,14 @@ impl<'a> At<'a> {
             .collect())
     }
 
-    pub(super) fn text(&self, what: &str) -> Result<&'a str, SceneError> {
+    pub(crate) fn text(&self, what: &str) -> Result<&'a str, SceneError> {
         match self.node {
             Node::Text(text) => Ok(text),
             _ => Err(self.expected(what)),
         }
     }
 
-    pub(super) fn truth(&self) -> Result<bool, SceneError> {
+    pub(crate) fn truth(&self) -> Result<bool, SceneError> {
         match self.node {
             Node::Bool(value) => Ok(*value),
             _ => Err(self.expected("true or false")),
@@ -148,7 +148,7 @@ impl<'a> At<'a> {
     }
 
     /// A finite number.
-    pub(super) fn number(&self, what: &str) -> Result<f64, SceneError> {
+    pub(crate) fn number(&self, what: &str) -> Result<f64, SceneError> {
         match self.node {
             Node::Number(number) => {
                 let value = number.as_f64().filter(|value| value.is_finite());
@@ -159,14 +159,14 @@ impl<'a> At<'a> {
     }
 
     /// A whole number that an index or a count can have.
-    pub(super) fn whole(&self, what: &str) -> Result<u32, SceneError> {
+    pub(crate) fn whole(&self, what: &str) -> Result<u32, SceneError> {
         let Node::Number(number) = self.node else { return Err(self.expected(what)) };
         let whole = number.as_u64().and_then(|value| u32::try_from(value).ok());
         whole.ok_or_else(|| self.expected(what))
     }
 
     /// Three finite numbers.
-    pub(super) fn point(&'a self) -> Result<[f64; 3], SceneError> {
+    pub(crate) fn point(&'a self) -> Result<[f64; 3], SceneError> {
         const WHAT: &str = "a point [x, y, z]";
         let items = self.array(WHAT)?;
         let [x, y, z] = items.as_slice() else { return Err(self.expected(WHAT)) };
@@ -174,12 +174,12 @@ impl<'a> At<'a> {
     }
 
     /// The choice that a word stands for.
-    pub(super) fn choice<T: Worded>(&self) -> Result<T, SceneError> {
+    pub(crate) fn choice<T: Worded>(&self) -> Result<T, SceneError> {
         self.one_of(T::WORDS)
     }
 
     /// One of the words of `choices`.
-    pub(super) fn one_of<T: Copy>(&self, choices: &[(&str, T)]) -> Result<T, SceneError> {
+    pub(crate) fn one_of<T: Copy>(&self, choices: &[(&str, T)]) -> Result<T, SceneError> {
         let found = match self.node {
             Node::Text(text) => choices.iter().find(|(word, _)| word == text),
             _ => None,

@@ -28,7 +28,7 @@ impl Selector {
     }
 }
 
-pub(super) fn read(at: &At<'_>) -> Result<Selector, SceneError> {
+pub(crate) fn read(at: &At<'_>) -> Result<Selector, SceneError> {
     match at.node {
         Node::Text(word) => {
             let element = Element::ALL.into_iter().find(|e| e.word_for_all() == Some(word));

@@ -15,13 +15,13 @@ mod operation;
 pub use operation::{OPERATIONS, Operation};
 
 use super::Session;
-use crate::scene::SceneError;
+use crate::scene::{SceneError, Worded};
 use elements::Elements;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use serde_json::{Map, Value};
 
 /// What is picked.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Mode {
     /// Vertices.
@@ -32,9 +32,13 @@ pub enum Mode {
     Faces,
 }
 
+impl Worded for Mode {
+    const WORDS: &'static [(&'static str, Mode)] =
+        &[("vertices", Mode::Vertices), ("edges", Mode::Edges), ("faces", Mode::Faces)];
+}
+
 /// Some vertices, edges and faces.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Selection {
     /// Indices of vertices.
     pub vertices: Vec<u32>,
@@ -45,17 +49,15 @@ pub struct Selection {
 }
 
 /// A way to select, from where.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct SelectRequest {
     /// The id of an [`Operation`].
     pub operation: String,
     /// What is picked; the answer is of that kind unless the operation gives another.
     pub mode: Mode,
     /// What is selected now.
-    #[serde(default)]
     pub from: Selection,
     /// The parameters that are not at their default.
-    #[serde(default)]
     pub params: Map<String, Value>,
 }
 
