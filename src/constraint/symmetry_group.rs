@@ -87,9 +87,8 @@ const ROUNDS: usize = 10;
 /// Of each coordinate the one in the middle.
 fn median(vectors: impl Iterator<Item = Vec3<f64>> + Clone) -> Vec3<f64> {
     let middle = |coordinate: fn(Vec3<f64>) -> f64| {
-        let mut all: Vec<f64> = vectors.clone().map(coordinate).collect();
-        let half = all.len() / 2;
-        *all.select_nth_unstable_by(half, f64::total_cmp).1
+        let all: Vec<f64> = vectors.clone().map(coordinate).collect();
+        all[ascending(all.iter().map(|&x| key_of_number(x)))[all.len() / 2] as usize]
     };
     Vec3::new(middle(|v| v.x), middle(|v| v.y), middle(|v| v.z))
 }

@@ -7,6 +7,7 @@
 //! | `lines`, `stream`, `number`, `draft` | what the formats share: text, rows, numbers, the mesh so far |
 //! | `problem`, `survey` | what a file, and a mesh as a whole, has wrong that can be survived |
 //! | `obj_write`, `medit_write` | OBJ and Medit out |
+//! | `decimal` | numbers as text that reads back to the same bits |
 //! | `generate` | meshes of the examples |
 //! | `topology` | edges, neighbours, rings, faces around edges and vertices |
 //! | `boundary`, `edge_lines`, `strips`, `components` | boundary loops, straight edge lines, strips of quads, connected components |
@@ -28,6 +29,7 @@ mod bounds;
 mod clearing;
 mod closest;
 mod components;
+mod decimal;
 mod draft;
 mod edge_lines;
 mod face_fit;
@@ -63,6 +65,7 @@ pub use boundary_curves::{BoundaryCurve, BoundaryCurves};
 pub use bounds::{BoundingSphere, FARTHEST, too_far};
 pub use closest::Surface;
 pub use components::components;
+pub use decimal::Decimal;
 pub use edge_lines::edge_lines;
 pub use feature_curves::feature_curves;
 pub use footing::Footing;

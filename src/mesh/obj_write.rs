@@ -2,7 +2,7 @@
 
 use std::fmt::{Display, Write};
 
-use super::{Group, GroupKeyword, Mesh, Point};
+use super::{Decimal, Group, GroupKeyword, Mesh, Point};
 
 /// The mesh at other positions (`#V by 3`, finite) as the text of an OBJ file: vertices, faces,
 /// then polylines in their order, in their groups. Numbers have the fewest digits that read back
@@ -57,11 +57,7 @@ fn push_row(out: &mut String, statement: &str, numbers: &[f64]) {
     out.push_str(statement);
     for &x in numbers {
         out.push(' ');
-        // Plain decimals of very large and very small numbers are mostly zeros.
-        match x == 0.0 || (1e-5..1e16).contains(&x.abs()) {
-            true => push(out, x),
-            false => push(out, format_args!("{x:e}")),
-        }
+        push(out, Decimal(x));
     }
     out.push('\n');
 }

@@ -39,6 +39,7 @@ pub(crate) use lesson::read as read_lesson;
 pub(crate) use node::{At, Node};
 pub(crate) use selector::read as read_selector;
 use text::Fault;
+pub(crate) use write::value as json_text;
 
 /// The value of `format` in every scene file.
 pub const FORMAT: &str = "shape-up-scene";

@@ -3,6 +3,7 @@
 //! back to the same bits. Units stand in the head, in brackets, where they are known.
 
 use super::{FACE_MEASURES, MeasureUnit, Session};
+use crate::mesh::Decimal;
 
 impl Session {
     /// One line per face, from 0: its corners, the groups that it is in, and every measure of
@@ -65,8 +66,7 @@ fn row(text: &mut String, words: &[String], numbers: &[f64]) {
     for &number in numbers {
         text.push(',');
         if number.is_finite() {
-            let digits = serde_json::Value::from(number).to_string();
-            text.push_str(digits.strip_suffix(".0").unwrap_or(&digits));
+            text.push_str(&Decimal(number).to_string());
         }
     }
     text.push('\n');

@@ -3,6 +3,7 @@
 use super::Session;
 use super::acting::Cover;
 use crate::constraint::{Element, Selector};
+use crate::math::{ascending, key_of_number};
 use crate::mesh::Group;
 use serde::Serialize;
 
@@ -30,11 +31,10 @@ impl Session {
     /// the first of the mesh; those without a value are left out. `None` when no measure is called so.
     pub fn worst_faces(&mut self, id: &str, count: usize) -> Option<Vec<WorstElement>> {
         let values = self.face_values(id)?;
-        let mut faces: Vec<u32> =
-            (0..values.len() as u32).filter(|&face| !values[face as usize].is_nan()).collect();
         let value = |face: u32| values[face as usize];
-        faces.sort_unstable_by(|&a, &b| value(b).total_cmp(&value(a)).then(a.cmp(&b)));
-        faces.truncate(count);
+        let descending = ascending(values.iter().map(|&value| !key_of_number(value)));
+        let with_value = descending.into_iter().filter(|&face| !value(face).is_nan());
+        let faces: Vec<u32> = with_value.take(count).collect();
         let pulling = self.pulling_rows(&faces);
         let worst = faces.iter().zip(pulling).map(|(&face, row)| WorstElement {
             element: format!("face {face}"),

@@ -9,7 +9,7 @@
 
 use super::System;
 use crate::constraint::Row;
-use crate::math::symmetric_eigen;
+use crate::math::{ascending, key_of_number, symmetric_eigen};
 
 /// Iterations at most. Maps whose fifth eigenvalue is well apart need five to fifteen.
 const ITERATIONS: usize = 300;
@@ -84,13 +84,12 @@ fn principal(matrix: Hermitian) -> Mix {
     let symmetric =
         std::array::from_fn(|i| std::array::from_fn(|j| 0.5 * (matrix[i][j] + matrix[j][i])));
     let (values, vectors) = symmetric_eigen(symmetric);
-    let mut order: [usize; REAL] = std::array::from_fn(|k| k);
-    order.sort_by(|&a, &b| values[b].total_cmp(&values[a]));
+    let descending = ascending(values.iter().map(|&value| !key_of_number(value)));
     // Of the two real vectors of an eigenvalue one is a multiple of the other by a complex number.
     let mut mix = [[0.0; REAL]; VECTORS];
     let mut taken = 0;
-    for k in order {
-        let mut vector = vectors[k];
+    for k in descending {
+        let mut vector = vectors[k as usize];
         for before in mix[..taken].iter().flat_map(|&before| [before, turned(before)]) {
             let along = dot(before, vector);
             vector = std::array::from_fn(|i| vector[i] - along * before[i]);

@@ -1,6 +1,7 @@
 //! A JSON document as a tree that keeps the order of keys and refuses a key that occurs twice, and
 //! [`At`], a place in it: values are taken out by type, and what does not fit names the place.
 
+use super::write;
 use crate::scene::{SceneError, Worded};
 use serde_json::{Map, Number, Value};
 
@@ -36,7 +37,7 @@ impl Node {
         match self {
             Node::Null => "null".to_owned(),
             Node::Bool(value) => value.to_string(),
-            Node::Number(value) => value.to_string(),
+            Node::Number(_) => write::value(&self.to_value()),
             Node::Text(text) if text.chars().count() > 40 => {
                 format!("{:?}...", text.chars().take(40).collect::<String>())
             }
