@@ -45,13 +45,14 @@ impl Projection for Conical {
     ) -> bool {
         let v: &[Vec3<S>; 5] = v.try_into().expect("it takes five points");
         let mut x = *v;
-        for _ in 0..NEAR {
-            x = Angles::of(&x).nearest(v, &x);
-        }
-        for _ in 0..ONTO {
-            x = Angles::of(&x).nearest(&x.clone(), &x);
-        }
-        let angles = Angles::of(&x);
+        let mut steps = 0..NEAR + ONTO;
+        let angles = loop {
+            let angles = Angles::of(&x);
+            match steps.next() {
+                Some(step) => x = angles.nearest(if step < NEAR { v } else { &x }, &x),
+                None => break angles,
+            }
+        };
         projected.copy_from_slice(&x);
         let moved = (0..5).fold(S::zero(), |sum, k| sum + (x[k] - v[k]).length_squared());
         let [a, b, c, d] = angles.lengths;
@@ -148,6 +149,12 @@ impl<S: Lane> Angles<S> {
     }
 }
 
+/// A step of the slower way from `x` towards `v`.
+#[inline(never)]
+fn step(v: &[Vec3<f64>; 5], x: &[Vec3<f64>; 5]) -> [Vec3<f64>; 5] {
+    Angles::of(x).nearest(v, x)
+}
+
 /// What may be the closest points to `v` that have the shape; at least one has it.
 fn candidates(v: &[Vec3<f64>; 5]) -> Vec<[Vec3<f64>; 5]> {
     let has_shape = |x: &[Vec3<f64>; 5]| {
@@ -161,18 +168,18 @@ fn candidates(v: &[Vec3<f64>; 5]) -> Vec<[Vec3<f64>; 5]> {
     for slower in [1.0, 0.3, 0.1] {
         let mut x = *v;
         for _ in 0..SLOW {
-            let next = Angles::of(&x).nearest(v, &x);
+            let next = step(v, &x);
             x = std::array::from_fn(|k| x[k] + (next[k] - x[k]) * slower);
         }
         for _ in 0..SLOW {
-            x = Angles::of(&x).nearest(&x, &x);
+            x = step(&x, &x);
         }
         found.push(x);
         // And straight onto the shape.
         let mut x = *v;
-        for step in 0..SLOW {
-            let next = Angles::of(&x).nearest(&x, &x);
-            let slower = if 2 * step < SLOW { slower } else { 1.0 };
+        for k in 0..SLOW {
+            let next = step(&x, &x);
+            let slower = if 2 * k < SLOW { slower } else { 1.0 };
             x = std::array::from_fn(|k| x[k] + (next[k] - x[k]) * slower);
         }
         found.push(x);

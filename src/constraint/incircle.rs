@@ -35,7 +35,8 @@ impl Projection for Incircle {
         v: &[Vec3<S>],
         projected: &mut [Vec3<S>],
     ) -> bool {
-        pitot::closest(v, projected)
+        let (v, projected) = (v.try_into(), projected.try_into());
+        pitot::closest(v.expect("it takes four points"), projected.expect("it gives four points"))
     }
 
     fn careful(&self, _rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {

@@ -124,16 +124,19 @@ fn points<S: Lane>(v: &[Vec3<S>], sides: &Sides<S>, projected: &mut [Vec3<S>]) {
 const STEPS: usize = 5;
 
 /// The closest points to `v`, four each, whose opposite sides have the same sum; false where they
-/// are not found, or might not be the closest.
-#[inline(always)]
-pub(super) fn closest<S: Lane>(v: &[Vec3<S>], projected: &mut [Vec3<S>]) -> bool {
+/// are not found, or might not be the closest. One function for all kinds that are made of it.
+#[inline(never)]
+pub(super) fn closest<S: Lane>(v: &[Vec3<S>; 4], projected: &mut [Vec3<S>; 4]) -> bool {
     let mut newton = Newton::new(v);
     let size = newton.w.iter().fold(S::zero(), |sum, w| sum + w.length_squared());
-    for _ in 0..STEPS {
+    let mut steps = 0..STEPS;
+    let sides = loop {
         let sides = newton.sides();
-        newton.step(&sides);
-    }
-    let sides = newton.sides();
+        match steps.next() {
+            Some(_) => newton.step(&sides),
+            None => break sides,
+        }
+    };
     points(v, &sides, projected);
     let off = sides.off[0].length_squared() + sides.off[1].length_squared();
     let [a, b, c, d] = sides.m;

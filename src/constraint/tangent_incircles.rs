@@ -36,8 +36,9 @@ impl Projection for TangentIncircles {
         v: &[Vec3<S>],
         projected: &mut [Vec3<S>],
     ) -> bool {
-        let accurate = pitot::closest(&[v[0], v[2], v[1], v[3]], projected);
-        projected.swap(1, 2);
+        let mut found = [Vec3::zero(); 4];
+        let accurate = pitot::closest(&[v[0], v[2], v[1], v[3]], &mut found);
+        projected.copy_from_slice(&[found[0], found[2], found[1], found[3]]);
         accurate
     }
 
