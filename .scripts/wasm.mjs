@@ -13,8 +13,12 @@ export const modules = ['solver', 'view-webgpu', 'view-webgl2'];
 /**
  * What the compiler is told beside the profile. Without a limit it copies functions into their callers
  * until a module is a tenth larger, and hardly faster: what has to be in place for speed says so itself.
+ * So it is with the bodies of loops that it repeats, which is another twentieth.
  */
-export const sizeFlags = ['-C', 'llvm-args=-inline-threshold=25'];
+export const sizeFlags = [
+  ...['-C', 'llvm-args=-inline-threshold=25'],
+  ...['-C', 'llvm-args=-unroll-runtime=false', '-C', 'llvm-args=-unroll-allow-partial=false'],
+];
 
 /** Builds one of them into `www/pkg/<feature>/`. */
 export async function buildModule(feature) {
