@@ -10,7 +10,7 @@ import { colourFaces } from './colouring.js';
 import { commandTable } from './command-table.js';
 import { bindButtons, bindKeys, bindRunButton, takeEarlyPresses } from './commands.js';
 import { AddConstraintDialog } from './dialog-add-constraint.js';
-import { byId, element } from './dom.js';
+import { byId } from './dom.js';
 import { offerExperiment } from './experiment/offer.js';
 import { Files } from './files.js';
 import { animateFirstPicture } from './first-picture.js';
@@ -142,15 +142,7 @@ selecting.bindKeys(commands);
 
 viewport.addEventListener('none', (event) => {
   const { detail } = /** @type {CustomEvent} */ (event);
-  const notice = byId('no-picture');
-  const words =
-    'No 3D picture: this browser draws neither with WebGPU nor with WebGL2, or it is switched off in its settings. Everything else works: the panels, Run, and Export.';
-  notice.replaceChildren(
-    element('p', {}, words),
-    element('details', {}, element('summary', {}, 'What it says'), element('p', {}, detail)),
-  );
-  notice.hidden = false;
-  byId('view-buttons').hidden = true;
+  import('./no-picture.js').then((module) => module.tellWhy(detail));
 });
 
 Object.assign(window, { shapeUp: scriptApi(store, solver, viewport, files) });

@@ -219,13 +219,14 @@ export class Viewport extends EventTarget {
     const { renderer } = this.#store.get();
     const { view } = this;
     this.view = null;
-    this.#store.set({ status: 'The 3D picture was lost and is drawn anew' });
     this.#canvas = null;
     // It may call for help once more.
     view?.free();
     if (renderer !== 'webgpu' || !this.#backend.failed(renderer)) this.#attempts += 1;
-    if (this.#attempts > ATTEMPTS) return this.#giveUp(reason);
-    this.#create();
+    const isOver = this.#attempts > ATTEMPTS;
+    this.#store.set({ status: `The 3D picture was lost${isOver ? '' : ' and is drawn anew'}` });
+    if (isOver) this.#giveUp(reason);
+    else this.#create();
   }
 
   /** @param {string} reason */

@@ -1,7 +1,15 @@
 // What axe says of every state of the page, in both themes: nothing.
 
 import AxeBuilder from '@axe-core/playwright';
-import { addConstraint, hidePanels, openExample, openText, showPanel, tool } from './actions.mjs';
+import {
+  addConstraint,
+  hidePanels,
+  openExample,
+  openText,
+  runToTheEnd,
+  showPanel,
+  tool,
+} from './actions.mjs';
 import { file, quadScene, wavyGrid } from './meshes.mjs';
 import { dragVertex, expect, openPage, screenOf, state, test, waitForState } from './support.mjs';
 
@@ -225,6 +233,13 @@ const WALKS = {
   ],
   'a mesh of one’s own': [
     {
+      name: 'the question for its unit',
+      reach: async (page) => {
+        await openText(page, 'roof.obj', wavyGrid(6), 49);
+        await expect(page.getByRole('group', { name: 'Unit and up axis' })).toBeVisible();
+      },
+    },
+    {
       name: 'its report',
       reach: async (page) => {
         await openText(page, 'grid.obj', `${wavyGrid(4)}f 1 2\n`, 25);
@@ -280,6 +295,18 @@ const WALKS = {
       },
     },
     {
+      name: 'the numbers of several handles, one of them refused',
+      reach: async (page) => {
+        const details = page.getByRole('group', { name: 'Selected handles' });
+        const field = details.getByRole('textbox', { name: 'Target x' });
+        await expect(field).toHaveAttribute('placeholder', 'mixed');
+        await field.fill('high');
+        await field.press('Enter');
+        await expect(field).toHaveAttribute('aria-invalid', 'true');
+      },
+      leave: escape,
+    },
+    {
       name: 'a lesson that is written',
       only: 'desktop',
       reach: async (page) => {
@@ -314,6 +341,33 @@ const WALKS = {
       leave: (page) => page.getByRole('button', { name: 'Back to the model' }).click(),
     },
     {
+      name: 'a lesson whose goals are missed',
+      reach: async (page) => {
+        await openExample(page, 'Lesson: a glass roof of flat panes');
+        await runToTheEnd(page);
+        await showPanel(page, 'Model');
+        const lesson = page.getByRole('region', { name: 'Lesson' });
+        await expect(lesson).toContainText('0 of 2 goals met');
+      },
+    },
+    {
+      name: 'a lesson whose goals are met',
+      only: 'desktop',
+      reach: async (page) => {
+        for (const [energy, value] of [
+          ['Shape weight', '10000'],
+          ['Close weight', '50'],
+        ]) {
+          const field = page.getByRole('spinbutton', { name: energy });
+          await field.fill(value);
+          await field.press('Enter');
+          await runToTheEnd(page);
+        }
+        const lesson = page.getByRole('region', { name: 'Lesson' });
+        await expect(lesson).toContainText('Passed: 2 goals met');
+      },
+    },
+    {
       name: 'before and after, side by side',
       reach: async (page) => {
         await page.goto('./#example=fig-05-planar');
@@ -325,6 +379,13 @@ const WALKS = {
     },
   ],
   'what went wrong': [
+    {
+      name: 'a link that was cut',
+      reach: async (page) => {
+        await page.goto('./#scene=bVLLbt');
+        await expect(page.getByRole('alert')).toContainText('probably cut');
+      },
+    },
     {
       name: 'a solver that was restarted',
       only: 'desktop',
