@@ -130,6 +130,9 @@ for (const [what, block] of [
     await expect
       .poll(() => page.evaluate(() => document.querySelector('#numbers')?.textContent))
       .toContain('Autosave is off: use Save scene');
+    // In every window, unlike that it is saved.
+    await page.setViewportSize({ width: 390, height: 844 });
+    await expect(page.getByText('Autosave is off: use Save scene')).toBeInViewport();
     await expect(page.getByRole('alert')).toBeEmpty();
     await openPage(page);
     expect((await state(page)).vertices).toBeGreaterThan(25);
