@@ -15,7 +15,7 @@ test('after one visit the page works without a network', async ({ page, context 
   await keptOffline(page);
   await context.setOffline(true);
   await visit(page);
-  expect((await state(page)).converged).toBe(true);
+  await waitForState(page, (now) => now.converged);
   await page.getByRole('button', { name: 'Reset' }).click();
   await waitForState(page, (now) => now.iteration === 0);
   const after = await runToTheEnd(page);
