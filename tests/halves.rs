@@ -3,15 +3,11 @@
 #[path = "support/grid.rs"]
 mod grid;
 
-use grid::grid;
-use shape_up::mesh::{Mesh, Point};
+use grid::bumpy;
+use shape_up::mesh::Point;
 use shape_up::scene::Scene;
 use shape_up::scene::examples::EXAMPLES;
 use shape_up::session::{Edit, FACE_MEASURES, Fits, Half, Session, Shape};
-
-fn bumpy(n: u32) -> Mesh {
-    grid(n, n, |i, j| [f64::from(i), f64::from(j), f64::from((i * 5 + j * 7) % 4) / 8.0])
-}
 
 /// Squares on the faces of a bumpy grid, with a scene's `rest`.
 fn squares(rest: &str) -> Session {

@@ -3,18 +3,10 @@
 #[path = "support/grid.rs"]
 mod grid;
 
-use grid::grid;
+use grid::bumpy;
 use shape_up::mesh::Mesh;
 use shape_up::scene::{Lesson, Results, Scene};
 use shape_up::session::{Edit, Session, check_results};
-
-/// Five by five bumpy quads.
-fn bumpy() -> Mesh {
-    grid(5, 5, |i, j| {
-        let bump = f64::from((i * 5 + j * 7) % 4) / 8.0;
-        [f64::from(i), f64::from(j), bump]
-    })
-}
 
 /// Planes on all faces, which is to be reached without going far.
 fn scene() -> Scene {
@@ -30,7 +22,7 @@ fn scene() -> Scene {
 }
 
 fn session() -> Session {
-    Session::open(scene(), bumpy()).expect("it fits")
+    Session::open(scene(), bumpy(5)).expect("it fits")
 }
 
 fn met(session: &mut Session) -> Vec<bool> {
@@ -159,7 +151,7 @@ fn what_is_wrong_in_a_lesson_is_named_by_its_place() {
         ),
         (r#"{ "text": "", "goals": [], "lock": [] }"#, "lesson: ", "unknown key `lock`"),
     ] {
-        let message = in_scene(rows, lesson, bumpy());
+        let message = in_scene(rows, lesson, bumpy(5));
         assert!(message.starts_with(place) && message.contains(what), "{message}");
     }
     let points = Mesh { positions: vec![[0.0; 3], [1.0; 3]], ..Mesh::default() };
@@ -167,7 +159,7 @@ fn what_is_wrong_in_a_lesson_is_named_by_its_place() {
     assert!(in_scene("[]", lesson, points).contains("the mesh has none"));
     let lesson = r#"{ "text": "", "goals": [{ "constraint": "Plane", "at_most": 1 }] }"#;
     assert!(
-        in_scene("[]", lesson, bumpy()).contains("expected a constraint, of which there are none")
+        in_scene("[]", lesson, bumpy(5)).contains("expected a constraint, of which there are none")
     );
 }
 
@@ -180,7 +172,7 @@ fn results_are_written_read_and_measured_again() {
     assert_eq!(results.iterations, session.iteration());
     let again = Results::from_json(&results.to_json()).expect("it was written here");
     assert_eq!(again, results);
-    let goals = check_results(&again, scene(), bumpy()).expect("they are of this scene");
+    let goals = check_results(&again, scene(), bumpy(5)).expect("they are of this scene");
     assert!(goals.iter().all(|goal| goal.met), "{goals:?}");
     for (measured, said) in goals.iter().zip(&results.goals) {
         let (measured, said) =
@@ -199,27 +191,27 @@ fn results_are_not_believed() {
         goal.met = true;
         goal.value = Some(0.0);
     }
-    let goals = check_results(&results, scene(), bumpy()).expect("they are of this scene");
+    let goals = check_results(&results, scene(), bumpy(5)).expect("they are of this scene");
     assert_eq!(goals.iter().map(|goal| goal.met).collect::<Vec<_>>(), [false, true, false]);
     results.positions.pop();
-    assert!(check_results(&results, scene(), bumpy()).is_err());
+    assert!(check_results(&results, scene(), bumpy(5)).is_err());
 }
 
 #[test]
 fn results_of_another_mesh_or_lesson_are_refused() {
     let results = solved().results("Ada", "").expect("it is a lesson");
-    let mut other = bumpy();
+    let mut other = bumpy(5);
     other.positions[3][2] += 0.5;
     let refused = check_results(&results, scene(), other).expect_err("it is another mesh");
     assert!(refused.to_string().starts_with("scene: "), "{refused}");
     let mut easier = scene();
     easier.lesson.as_mut().expect("it has one").goals[0].at_most = 1.0;
-    assert!(check_results(&results, easier, bumpy()).is_err());
+    assert!(check_results(&results, easier, bumpy(5)).is_err());
     // What students change does not make it another exercise.
     let mut changed = scene();
     changed.constraints.clear();
     changed.weights.close = 3.0;
-    assert_eq!(changed.fingerprint(&bumpy()), scene().fingerprint(&bumpy()));
+    assert_eq!(changed.fingerprint(&bumpy(5)), scene().fingerprint(&bumpy(5)));
 }
 
 #[test]

@@ -3,18 +3,13 @@
 #[path = "support/grid.rs"]
 mod grid;
 
-use grid::grid;
+use grid::bumpy;
 use serde_json::{Value, json};
 use shape_up::constraint::{Arity, Centring, Element, KINDS, Selector, Set};
 use shape_up::error::Error;
 use shape_up::mesh::Mesh;
 use shape_up::scene::{ConstraintSpec, MeshSource, Scene};
 use shape_up::session::{Edit, NewConstraint, Place, Session};
-
-/// A bumpy grid of `n` by `n` quads.
-fn bumpy(n: u32) -> Mesh {
-    grid(n, n, |i, j| [f64::from(i), f64::from(j), f64::from((i * 5 + j * 7) % 4) / 8.0])
-}
 
 fn session(mesh: Mesh) -> Session {
     Session::open(Scene::new(MeshSource::File("grid.obj".to_owned())), mesh)

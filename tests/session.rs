@@ -3,19 +3,11 @@
 #[path = "support/grid.rs"]
 mod grid;
 
-use grid::grid;
+use grid::{bumpy, grid};
 use serde_json::Map;
 use shape_up::mesh::Mesh;
 use shape_up::scene::{Accelerator, Hold, MeshSource, Scene, Weights};
 use shape_up::session::{Edit, NewConstraint, Session};
-
-/// A bumpy grid of `n` by `n` quads, a unit apart.
-fn bumpy(n: u32) -> Mesh {
-    grid(n, n, |i, j| {
-        let bump = f64::from((i * 5 + j * 7) % 4) / 8.0;
-        [f64::from(i), f64::from(j), bump]
-    })
-}
 
 fn scene(rest: &str) -> Scene {
     let text = format!(

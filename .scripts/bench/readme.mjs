@@ -3,6 +3,7 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import { at } from '../project.mjs';
 import { Problem } from '../run.mjs';
+import { accelerators } from './problems.mjs';
 import { accelerated, machineText, megabytes, number, startTable, table } from './tables.mjs';
 
 /** Between these lines of the README. */
@@ -44,17 +45,28 @@ function mapsText(rows) {
   ];
 }
 
+/** A row for each problem and size of which the converged energy is certain. */
 function convergenceText(rows) {
-  if (!rows.length) return [];
-  const within = (row) =>
-    row.reached.map((one) =>
-      one ? `${number(one.ms / 1e3)} (${number(one.iterations)})` : `> ${number(row.ms / 1e3)}`,
-    );
-  const head = ['problem', 'vertices', 'accelerator', '1e-2 (iterations)', '1e-4', '1e-6'];
-  const cells = rows.map((row) => [...keyOf(row), ...within(row)]);
+  const certain = rows.filter((row) => row.certain);
+  if (!certain.length) return [];
+  const seconds = (row) => {
+    const [, found] = row.reached;
+    if (!found) return `> ${number(row.ms / 1e3)}`;
+    return `${number(found.ms / 1e3)} (${number(found.iterations)})`;
+  };
+  const cells = accelerators.map((name) =>
+    certain.filter(({ accelerator }) => accelerator === name).map(seconds),
+  );
+  const keys = certain.filter(({ accelerator }) => accelerator === accelerators[0]);
   return [
-    'Seconds in the browser until the energy is within 1e-2, 1e-4, 1e-6 of the converged one:',
-    table(head, cells),
+    'Seconds (iterations) from the moved handle until the energy is within 1e-4 of the converged one:',
+    table(
+      ['problem', 'vertices', ...accelerators.map(accelerated)],
+      keys.map(({ problem, vertices }, k) => [
+        ...[problem, number(vertices)],
+        ...cells.map((column) => column[k]),
+      ]),
+    ),
   ];
 }
 

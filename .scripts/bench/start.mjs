@@ -4,7 +4,7 @@
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { browserFlags, findBrowser } from '../browser.mjs';
+import { findBrowser, webgl2Flags } from '../browser.mjs';
 import { at } from '../project.mjs';
 import { say } from '../run.mjs';
 import { host } from './host.mjs';
@@ -33,7 +33,8 @@ function watch() {
 async function visit(chromium, profile, server) {
   const context = await chromium.launchPersistentContext(profile, {
     executablePath: (await findBrowser()) ?? undefined,
-    args: browserFlags,
+    // SwiftShader takes seconds to draw the page around the picture, which no user's machine has it do.
+    args: webgl2Flags,
     viewport: { width: 1440, height: 900 },
   });
   try {

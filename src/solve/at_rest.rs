@@ -1,9 +1,8 @@
 //! The projections of constraints at the rest shape, apart from any iteration: asking for them
 //! changes no solver.
 
-use super::hold::relative;
+use super::centred::{centre_and_extent, relative, rest_surface};
 use super::shape::{Constraints, ShapeEnergy};
-use super::solver::{centre_and_extent, rest_surface};
 use crate::constraint::{Projected, Reference, Row};
 use crate::mesh::Mesh;
 use std::rc::Rc;

@@ -1,5 +1,6 @@
 //! What holds vertices in place: soft and fixed handles, and pins of parts that nothing holds.
 
+use super::centred::relative;
 use crate::constraint::Row;
 use crate::mesh::Point;
 use crate::scene::Hold;
@@ -64,9 +65,4 @@ impl SoftHandles {
         }
         energy
     }
-}
-
-/// A point relative to the centre of the model, so that site coordinates do not cost digits.
-pub(super) fn relative(point: Point, centre: Point) -> Row {
-    [point[0] - centre[0], point[1] - centre[1], point[2] - centre[2], 0.0]
 }

@@ -4,6 +4,8 @@
 //! |---|---|
 //! | `shape`, `close`, `smooth`, `hold` | the energies of Eq. 13, each with its gradient and its part of the matrix |
 //! | `energy` | their weighted total |
+//! | `problem` | what is solved |
+//! | `centred` | positions relative to the centre of the model |
 //! | `assemble` | the normal matrix `Q^T Q` in compressed columns |
 //! | `elimination_tree`, `order`, `symbolic`, `ordered` | the order of elimination, and what follows from the pattern |
 //! | `dense`, `supernodal`, `factor` | `L D L^T` |
@@ -21,6 +23,7 @@ mod accelerate;
 mod anderson;
 mod assemble;
 mod at_rest;
+mod centred;
 pub mod clock;
 mod close;
 mod conformal;
@@ -34,6 +37,7 @@ mod metric;
 mod order;
 mod ordered;
 mod panels;
+mod problem;
 mod quasi_newton;
 mod rank_one;
 mod scalar;
@@ -51,8 +55,9 @@ pub use conformal::{ConformalNorm, ConformalSeconds, ConformalWeights, Parametri
 pub use energy::{Energy, IterateSeconds};
 pub use hold::Handle;
 pub use kept::Kept;
+pub use problem::Problem;
 pub use shape::Constraints;
-pub use solver::{Problem, Solver};
+pub use solver::Solver;
 pub use system::{SetUpSeconds, System};
 
 use std::fmt;

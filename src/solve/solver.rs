@@ -7,39 +7,21 @@
 mod handles;
 
 use super::accelerate::{Accelerator, Iterate};
+use super::centred::{centre_and_extent, relative, rest_surface};
 use super::close::{CloseEnergy, RestShape};
 use super::energy::{Energies, Energy, IterateSeconds};
-use super::hold::{Handle, SoftHandles, relative};
+use super::hold::{Handle, SoftHandles};
 use super::kept::Kept;
-use super::shape::{Constraints, ShapeEnergy, extra_unknowns};
+use super::problem::Problem;
+use super::shape::ShapeEnergy;
 use super::smooth::SmoothEnergy;
 use super::system::{SetUpSeconds, System};
-use super::{SolveError, clock, shape, smooth};
+use super::{SolveError, clock, smooth};
 use crate::constraint::{Fitted, LocalStep, Projected, Reference, Row};
-use crate::mesh::{Laplacian, Mesh, Point, Surface, Topology};
-use crate::scene::{Closeness, Smoothness, SmoothnessOf, SolverSettings, Weighting, Weights};
+use crate::mesh::{Point, Surface};
+use crate::scene::{SmoothnessOf, SolverSettings};
 use std::cell::OnceCell;
 use std::rc::Rc;
-
-/// What is solved: the rest shape and what its parts shall be.
-pub struct Problem<'a> {
-    /// The rest shape.
-    pub mesh: &'a Mesh,
-    /// Its topology.
-    pub topology: &'a Topology,
-    /// Every row of constraints, resolved.
-    pub constraints: &'a [Constraints],
-    /// The weights of Eq. 13.
-    pub weights: Weights,
-    /// What vertices are kept close to.
-    pub closeness: &'a Closeness,
-    /// `k_v` of each vertex, `#V`: see [`Closeness::factors`].
-    pub closeness_factors: &'a [f64],
-    /// What is smoothed.
-    pub smoothness: Smoothness,
-    /// How it is solved.
-    pub settings: SolverSettings,
-}
 
 /// A problem that is assembled, factored, and evaluated at its current positions.
 pub struct Solver {
@@ -99,24 +81,13 @@ impl Solver {
         let started = clock::now();
         let Problem { mesh, constraints, weights, settings, .. } = *problem;
         let n_vertices = mesh.positions.len();
-        let n_unknowns = n_vertices + extra_unknowns(constraints, settings.mean_centring);
+        let n_unknowns = problem.n_unknowns();
         // `sprs-ldl` panics below two unknowns: the rest is padding, and fixed.
         let n = n_unknowns.max(2);
-        let laplacian = (weights.smooth > 0.0).then(|| laplacian(problem));
-        let shape_terms = if weights.shape > 0.0 {
-            shape::terms(constraints, n_vertices, settings.mean_centring)
-        } else {
-            Default::default()
-        };
+        let laplacian = problem.laplacian();
+        let shape_terms = problem.shape_terms();
+        let held = problem.nodes_held_by(&shape_terms, n);
         let smooth_terms = laplacian.as_ref().map(smooth::terms).unwrap_or_default();
-        let mut held = vec![false; n];
-        if !settings.mean_centring {
-            // Without N_i a constraint holds its points against translation too.
-            shape_terms.nodes().indices().iter().for_each(|&v| held[v as usize] = true);
-        } else if weights.shape > 0.0 {
-            let placed = constraints.iter().flat_map(Constraints::placed);
-            placed.for_each(|&v| held[v as usize] = true);
-        }
         let before_system = clock::now();
         let terms = vec![shape_terms, smooth_terms];
         let Kept { surface: made, ordered } = kept;
@@ -387,37 +358,4 @@ impl Solver {
         }
         shapes
     }
-}
-
-fn laplacian(problem: &Problem<'_>) -> Laplacian {
-    let cotangent = match problem.smoothness.weighting {
-        Weighting::Auto => problem.topology.is_triangle_mesh(),
-        Weighting::Uniform => false,
-        Weighting::Cotangent => true,
-    };
-    if cotangent {
-        Laplacian::cotangent(problem.mesh, problem.topology)
-    } else {
-        Laplacian::uniform(problem.topology)
-    }
-}
-
-/// The rest surface, relative to `centre`.
-pub(super) fn rest_surface(mesh: &Mesh, centre: Point) -> Surface {
-    let around_centre = |p: &Point| std::array::from_fn(|i| p[i] - centre[i]);
-    let positions: Vec<Point> = mesh.positions.iter().map(around_centre).collect();
-    Surface::new(&positions, mesh)
-}
-
-/// Centre and diagonal of the bounding box.
-pub(super) fn centre_and_extent(points: &[Point]) -> (Point, f64) {
-    let bound = |i: usize, pick: fn(f64, f64) -> f64| points.iter().map(|p| p[i]).reduce(pick);
-    let (mut centre, mut squared) = ([0.0; 3], 0.0);
-    for i in 0..3 {
-        let low = bound(i, f64::min).unwrap_or(0.0);
-        let high = bound(i, f64::max).unwrap_or(0.0);
-        centre[i] = 0.5 * low + 0.5 * high;
-        squared += (high - low) * (high - low);
-    }
-    (centre, squared.sqrt())
 }

@@ -97,3 +97,19 @@ test('the README has a place for the numbers, and they are those of the browser'
   assert.match(text, /\| A \| 2,500 \| quasi-newton \| 1\.25 \|/);
   assert.doesNotMatch(text, /77/);
 });
+
+test('the README compares the accelerators where the converged energy is certain', () => {
+  const run = (vertices, accelerator, found, certain = true) => {
+    const reached = [null, found && { ms: 500, iterations: found }, null];
+    return { problem: 'B', vertices, accelerator, where: 'browser', ms: 3000, reached, certain };
+  };
+  const of = (...row) =>
+    ['none', 'quasi-newton', 'anderson'].map((name, k) => run(row[0], name, row[k + 1]));
+  const unsure = of(900, 1, 2, 3).map((row) => ({ ...row, certain: false }));
+  const text = section({
+    machine: { cores: 2 },
+    convergence: [...of(400, null, 12, 34), ...unsure],
+  });
+  assert.match(text, /\| B \| 400 \| > 3 \| 0\.500 \(12\) \| 0\.500 \(34\) \|/);
+  assert.doesNotMatch(text, /900/);
+});

@@ -18,3 +18,9 @@ pub(crate) fn grid(columns: u32, rows: u32, point: impl Fn(u32, u32) -> Point) -
     }
     mesh
 }
+
+/// `n * n` quads over bumps that repeat after four steps.
+#[allow(dead_code, reason = "not every test file uses it")]
+pub(crate) fn bumpy(n: u32) -> Mesh {
+    grid(n, n, |i, j| [f64::from(i), f64::from(j), f64::from((i * 5 + j * 7) % 4) / 8.0])
+}

@@ -12,6 +12,7 @@
 //! | `net` | a piece of a torus, whose lines are circles |
 //! | `strip` | a strip between two rails |
 //! | `noise` | numbers without a pattern |
+//! | `rings` | vertices in rings one above another |
 //! | `patch` | a sheet of skew, uneven panels |
 //! | `archway` | a block with a pitched roof and a round passage: creases and corners |
 //! | `vase` | a surface of revolution of triangles, out of the round |
@@ -40,6 +41,7 @@ mod opening;
 mod patch;
 mod pavilion;
 mod relax;
+mod rings;
 mod strip;
 mod tower;
 mod vase;

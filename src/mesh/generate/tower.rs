@@ -1,8 +1,9 @@
 //! A tower whose floors are wavy.
 
+use super::rings::Rings;
 use super::rounded;
 use crate::math::{cosine, sine};
-use crate::mesh::{Mesh, Ragged};
+use crate::mesh::Mesh;
 
 /// A tower, open below and above, whose plan is a rounded triangle that turns as it goes up, and
 /// whose rings of edges rise and fall around it.
@@ -30,36 +31,25 @@ impl Tower {
     /// The mesh. Vertex `i` of ring `k`, counted from the x axis towards the y axis and from the
     /// ground up, is number `k * meridians + i`.
     pub fn mesh(&self) -> Mesh {
-        let mut mesh = Mesh::default();
-        for k in 0..=self.rows {
-            let up = f64::from(k) / f64::from(self.rows);
+        let rings = self.rings();
+        let positions = rings.positions(|_, up, turn| {
             // The ground is level and round.
             let off_ground = up.min(0.1) / 0.1;
             let radius = 7.6 + 1.6 * cosine(0.7 * up + 0.05);
-            for i in 0..self.meridians {
-                let turn = f64::from(i) / f64::from(self.meridians);
-                let plan = 1.0 + self.bulge * off_ground * cosine(3.0 * turn - 0.5 * up);
-                let wave = self.wave * off_ground * sine(2.0 * turn + 1.3 * up);
-                mesh.positions.push([
-                    radius * plan * cosine(turn),
-                    radius * plan * sine(turn),
-                    self.height * up + wave,
-                ]);
-            }
-        }
-        let mut faces = Ragged::new();
-        for k in 0..self.rows {
-            for i in 0..self.meridians {
-                let next = (i + 1) % self.meridians;
-                let [low, high] = [k, k + 1].map(|k| k * self.meridians);
-                faces.push(&[low + i, low + next, high + next, high + i]);
-            }
-        }
-        rounded(Mesh { faces, ..mesh })
+            let plan = 1.0 + self.bulge * off_ground * cosine(3.0 * turn - 0.5 * up);
+            let wave = self.wave * off_ground * sine(2.0 * turn + 1.3 * up);
+            let [x, y] = [radius * plan * cosine(turn), radius * plan * sine(turn)];
+            [x, y, self.height * up + wave]
+        });
+        rounded(Mesh { positions, faces: rings.faces(), ..Mesh::default() })
     }
 
     /// The vertices of ring `k`, from 0 on the ground to `rows` at the top.
     pub fn ring(&self, k: u32) -> std::ops::Range<u32> {
-        k * self.meridians..(k + 1) * self.meridians
+        self.rings().ring(k)
+    }
+
+    fn rings(&self) -> Rings {
+        Rings { meridians: self.meridians, rows: self.rows }
     }
 }

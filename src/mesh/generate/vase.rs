@@ -1,5 +1,6 @@
 //! A surface of revolution of triangles, out of the round.
 
+use super::rings::Rings;
 use super::rounded;
 use crate::math::{cosine, sine};
 use crate::mesh::{Mesh, Ragged};
@@ -27,39 +28,34 @@ impl Vase {
     /// The mesh. Vertex `i` of ring `k`, counted from the x axis towards the y axis and from the
     /// ground up, is number `k * meridians + i`. Odd rings are turned by half a step.
     pub fn mesh(&self) -> Mesh {
-        let mut mesh = Mesh::default();
-        for k in 0..=self.rows {
-            let up = f64::from(k) / f64::from(self.rows);
+        let rings = self.rings();
+        let half_step = 0.5 / f64::from(self.meridians);
+        let positions = rings.positions(|k, up, turn| {
             // Widest below the middle, narrowest at the neck; the rim flares.
             let flare = (up - 0.72).max(0.0);
             let radius = 1.75 + 1.05 * sine(0.9 * up - 0.02) + 9.0 * flare * flare;
             let oval = self.ovality * sine(0.55 * up - 0.28) * up.min(0.2) / 0.2;
-            for i in 0..self.meridians {
-                let shift = if k % 2 == 1 { 0.5 } else { 0.0 };
-                let turn = (f64::from(i) + shift) / f64::from(self.meridians);
-                let [x, y] = [(1.0 + oval) * radius, (1.0 - oval) * radius];
-                mesh.positions.push([x * cosine(turn), y * sine(turn), self.height * up]);
-            }
-        }
-        let mut faces = Ragged::new();
-        for k in 0..self.rows {
-            let [low, high] = [k, k + 1].map(|k| k * self.meridians);
-            for i in 0..self.meridians {
-                let next = (i + 1) % self.meridians;
-                // The vertices of an odd ring lie between those of the even ones.
-                let pair = if k % 2 == 0 {
-                    [[low + i, low + next, high + i], [low + next, high + next, high + i]]
-                } else {
-                    [[low + i, low + next, high + next], [low + i, high + next, high + i]]
-                };
-                pair.iter().for_each(|triangle| faces.push(triangle));
-            }
-        }
-        rounded(Mesh { faces, ..mesh })
+            let turn = if is_odd(k) { turn + half_step } else { turn };
+            let [x, y] = [(1.0 + oval) * radius, (1.0 - oval) * radius];
+            [x * cosine(turn), y * sine(turn), self.height * up]
+        });
+        // The vertices of an odd ring lie between those of the even ones.
+        let triangles = rings.quads().flat_map(|[a, b, c, d]| {
+            if is_odd(a / self.meridians) { [[a, b, c], [a, c, d]] } else { [[a, b, d], [b, c, d]] }
+        });
+        rounded(Mesh { positions, faces: Ragged::from_iter(triangles), ..Mesh::default() })
     }
 
     /// The vertices of ring `k`, from 0 on the ground to `rows` at the rim.
     pub fn ring(&self, k: u32) -> std::ops::Range<u32> {
-        k * self.meridians..(k + 1) * self.meridians
+        self.rings().ring(k)
     }
+
+    fn rings(&self) -> Rings {
+        Rings { meridians: self.meridians, rows: self.rows }
+    }
+}
+
+fn is_odd(k: u32) -> bool {
+    k % 2 == 1
 }

@@ -4,7 +4,8 @@
 //! elimination tree. Anything else factors the matrix again, in the same order.
 
 use super::super::SolveError;
-use super::super::hold::{Handle, SoftHandles, pins, relative};
+use super::super::centred::relative;
+use super::super::hold::{Handle, SoftHandles, pins};
 use super::super::rank_one::Change;
 use super::Solver;
 use crate::mesh::Point;
