@@ -15,7 +15,7 @@ import { offerExperiment } from './experiment/offer.js';
 import { Files } from './files.js';
 import { animateFirstPicture } from './first-picture.js';
 import { toggleFlatMap } from './flat-map.js';
-import { count } from './format.js';
+import { ended } from './format.js';
 import { attachLater } from './attach-later.js';
 import { bindHandleKeys } from './handle-keys.js';
 import { firstHints } from './hints.js';
@@ -200,12 +200,11 @@ function takeUp(client) {
   );
   on('activity', ({ running, converged }) => {
     const before = store.get();
-    const iterations = count(before.numbers?.iteration ?? 0, 'iteration');
     store.set({ running, converged });
     // A drag comes to rest as well, but whoever drags is told of the handle.
     if (running === before.running) return;
-    const ended = converged ? 'Converged' : 'Paused';
-    store.set({ status: running ? 'Running' : `${ended} after ${iterations}` });
+    const { iteration = 0 } = before.numbers ?? {};
+    store.set({ status: running ? 'Running' : ended(converged, iteration) });
   });
   on('trouble', ({ message }) => alerts.error(message));
   client.addEventListener('restarted', (event) => {

@@ -320,8 +320,9 @@ export class Viewport extends EventTarget {
     const isCurrent = geometry?.measure === state.measure && !state.flatMap;
     view.setCornerValues((isCurrent && geometry?.corners) || undefined);
     if (state.flatMap) return view.setFaceValues(...modelErrors(state.flatMap));
-    // Right after another choice, the values are still those of the one before.
-    const values = geometry && geometry.measure === state.measure ? geometry.values : null;
+    // Right after another choice, the values are still those of the one before, or have no range.
+    const isRanged = geometry?.measure === state.measure && state.spread;
+    const values = isRanged ? geometry?.values : null;
     view.setFaceValues(values ?? undefined, state.range[0], state.range[1]);
   }
 
@@ -362,7 +363,8 @@ export class Viewport extends EventTarget {
         this.#isProven = true;
       }
       this.#attempts = 0;
-      removeFirstPicture();
+      // Which has its colours at once.
+      if (this.#store.get().spread) removeFirstPicture();
       this.dispatchEvent(new Event('drawn'));
     } catch (thrown) {
       this.#lost(messageOf(thrown));

@@ -11,7 +11,16 @@ import {
   tool,
 } from './actions.mjs';
 import { file, quadScene, wavyGrid } from './meshes.mjs';
-import { dragVertex, expect, openPage, screenOf, state, test, waitForState } from './support.mjs';
+import {
+  dragVertex,
+  expect,
+  openPage,
+  screenOf,
+  state,
+  test,
+  visit,
+  waitForState,
+} from './support.mjs';
 
 test.use({ pixels: false });
 
@@ -190,6 +199,20 @@ const WALKS = {
   ],
   'the panels of the first example': [
     {
+      name: 'solved, with the first hint',
+      reach: async (page) => {
+        await waitForState(page, (now) => now.converged);
+        await expect(page.getByText('Drag a blue dot: this stays true.')).toBeVisible();
+      },
+    },
+    {
+      name: 'at its start',
+      reach: async (page) => {
+        await page.getByRole('button', { name: 'Reset' }).click();
+        await expect(page.getByText('It began like this')).toBeVisible();
+      },
+    },
+    {
       name: 'energies, all settings and the legend',
       reach: async (page) => {
         await showPanel(page, 'Energies and display');
@@ -213,7 +236,7 @@ const WALKS = {
       reach: (page) => showTab(page, 'Log'),
     },
     {
-      name: 'converged, with the second hint',
+      name: 'converged',
       reach: async (page) => {
         await hidePanels(page);
         await page.getByRole('button', { name: 'Run' }).click();
@@ -221,12 +244,22 @@ const WALKS = {
       },
     },
     {
-      name: 'the third hint',
+      name: 'the second hint',
       only: 'desktop',
       reach: async (page) => {
         await waitForState(page, (now) => now.renderer !== 'none');
         const soft = (await state(page)).handles.find((handle) => !handle.fixed);
         await dragVertex(page, soft.vertex, [10, -20]);
+        await expect(page.getByText('Press Reset to see how it began')).toBeVisible();
+      },
+    },
+    {
+      name: 'the third hint',
+      only: 'desktop',
+      reach: async (page) => {
+        await page.getByRole('button', { name: 'Reset' }).click();
+        await expect(page.getByText('It began like this')).toBeVisible();
+        await page.getByRole('button', { name: 'Run' }).click();
         await expect(page.getByText('open a mesh of your own')).toBeVisible();
       },
     },
@@ -316,6 +349,14 @@ const WALKS = {
     },
   ],
   'other examples': [
+    {
+      name: 'a lesson, of which a line is over the view',
+      only: 'phone',
+      reach: async (page) => {
+        await openExample(page, 'Lesson: a glass roof');
+        await expect(page.getByRole('button', { name: /goals met/ })).toBeVisible();
+      },
+    },
     {
       name: 'an experiment that has been run',
       only: 'desktop',
@@ -435,7 +476,7 @@ for (const [title, states] of Object.entries(WALKS)) {
   test(`axe: ${title}`, async ({ page }, { project }) => {
     const seen = states.filter(({ only = project.name }) => only === project.name);
     test.skip(seen.length === 0, 'asked of the desktop');
-    await openPage(page);
+    await visit(page);
     for (const { name, reach, leave } of seen) {
       await test.step(name, async () => {
         await reach?.(page);
