@@ -63,9 +63,27 @@ fn a_goal_on_a_constraint_is_not_met_by_taking_it_away() {
     assert_eq!(met(&mut session), [true, true, false]);
     session.edit(off(true)).expect("there is a row");
     assert_eq!(met(&mut session), [true; 3]);
-    let name = "Other".to_owned();
-    session.edit(Edit::RenameConstraint { index: 0, name }).expect("there is a row");
-    assert_eq!(met(&mut session), [true, true, false]);
+}
+
+#[test]
+fn a_row_stays_what_a_goal_is_on() {
+    let mut session = solved();
+    let renamed = Edit::RenameConstraint { index: 0, name: "Other".to_owned() };
+    let removed = Edit::RemoveConstraint { index: 0 };
+    for (edit, expected) in [(&renamed, "expected \"Other\""), (&removed, "there are none")] {
+        let refused = session.edit(edit.clone()).expect_err(expected).to_string();
+        assert!(refused.starts_with("lesson.goals[2].constraint: "), "{refused}");
+        assert!(refused.contains("\"Panels\"") && refused.contains(expected), "{refused}");
+        assert_eq!(session.document(), solved().document());
+    }
+    // Of two that are called so, one can go; and both when there is no lesson any more.
+    session.edit(Edit::DuplicateConstraint { index: 0 }).expect("there is a row");
+    session.edit(removed.clone()).expect("another one is called so");
+    session.edit(Edit::SetLesson(None)).expect("it can be taken away");
+    session.edit(renamed).expect("nothing is on it");
+    session.edit(removed).expect("nothing is on it");
+    while session.undo().expect("the state was solvable").is_some() {}
+    assert_eq!(session.document(), solved().document());
 }
 
 #[test]
@@ -87,10 +105,13 @@ fn a_lesson_is_written_in_one_step_that_leaves_the_solver_alone() {
 
 #[test]
 fn what_is_wrong_in_a_lesson_is_named_by_its_place() {
-    let in_scene = |lesson: &str, mesh: Mesh| {
+    let rows = r#"[{ "kind": "plane", "on": "faces", "enabled": false },
+        { "kind": "plane", "on": "faces", "name": "Panels" },
+        { "kind": "circle", "on": "faces", "name": "Panels" }]"#;
+    let in_scene = |rows: &str, lesson: &str, mesh: Mesh| {
         let text = format!(
             r#"{{ "format": "shape-up-scene", "version": 1, "mesh": {{ "file": "a.obj" }},
-                "lesson": {lesson} }}"#
+                "constraints": {rows}, "lesson": {lesson} }}"#
         );
         let opened = Scene::from_json(&text)
             .map_err(shape_up::error::Error::from)
@@ -123,14 +144,23 @@ fn what_is_wrong_in_a_lesson_is_named_by_its_place() {
             "lesson.goals[0].measure: ",
             "expected one of planarity, ",
         ),
+        (
+            r#"{ "text": "", "goals": [{ "constraint": "Panel", "at_most": 1 }] }"#,
+            "lesson.goals[0].constraint: ",
+            "on the constraint \"Panel\", expected one of \"Panels\", \"Plane\"",
+        ),
         (r#"{ "text": "", "goals": [], "lock": [] }"#, "lesson: ", "unknown key `lock`"),
     ] {
-        let message = in_scene(lesson, bumpy(5));
+        let message = in_scene(rows, lesson, bumpy(5));
         assert!(message.starts_with(place) && message.contains(what), "{message}");
     }
     let points = Mesh { positions: vec![[0.0; 3], [1.0; 3]], ..Mesh::default() };
     let lesson = r#"{ "text": "", "goals": [{ "measure": "planarity", "at_most": 1 }] }"#;
-    assert!(in_scene(lesson, points).contains("the mesh has none"));
+    assert!(in_scene("[]", lesson, points).contains("the mesh has none"));
+    let lesson = r#"{ "text": "", "goals": [{ "constraint": "Plane", "at_most": 1 }] }"#;
+    assert!(
+        in_scene("[]", lesson, bumpy(5)).contains("expected a constraint, of which there are none")
+    );
 }
 
 #[test]

@@ -158,6 +158,8 @@ proptest! {
         // What was undone on the way is not part of the state at the end.
         while session.redo().expect("the state was solvable").is_some() {}
         let end = everything(&session);
+        let again = Session::open(session.scene(), site()).map(|_| ());
+        prop_assert!(again.is_ok(), "what was made can be opened: {again:?}");
         let mut done = Vec::new();
         while let Some(name) = session.undo().expect("the state was solvable") {
             prop_assert!(!name.is_empty());

@@ -3,7 +3,7 @@
  * Buttons, keys, panels and scripts all come through here.
  */
 
-import { count } from './format.js';
+import { count, ended } from './format.js';
 import { halfStepWords } from './half-step.js';
 import { messageOf } from './messages.js';
 import { NOTHING, selectedVertices } from './selection.js';
@@ -98,8 +98,7 @@ export function createActions(store, solver, alerts) {
     async step() {
       const converged = await told(solver.request({ type: 'step' }));
       if (converged === undefined) return;
-      const all = count(store.get().numbers?.iteration ?? 0, 'iteration');
-      say(converged ? `Converged after ${all}` : 'One iteration');
+      say(converged ? ended(true, store.get().numbers?.iteration ?? 0) : 'One iteration');
     },
 
     /** The local step, or the global step after it. */

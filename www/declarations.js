@@ -77,7 +77,7 @@
  * @property {Measure} id
  * @property {string} label
  * @property {string} words what is measured
- * @property {string} met what a face is whose value is 0
+ * @property {string} met what is true where the values of all faces are 0
  * @property {"length" | "percent" | "degrees" | "number"} unit
  */
 

@@ -26,6 +26,8 @@ const LEVELS = [
   },
 ];
 
+const NOT_COPIED = 'This browser does not let the page copy: select the link and copy it yourself.';
+
 /**
  * @param {object} parts
  * @param {import("./state.js").Store} parts.store
@@ -50,7 +52,10 @@ export async function share({ store, solver, files }) {
   const field = dialog.querySelector('textarea');
   field?.focus();
   field?.select();
-  if (found) await copy(link, dialog);
+  // Its beginning tells what it is.
+  if (field) field.scrollTop = 0;
+  // Some browsers copy only what a press asks for, and may do so at the button then.
+  if (found) await copy(link, dialog, '');
 }
 
 /**
@@ -119,12 +124,13 @@ function build(link, found, save) {
 /**
  * @param {string} link
  * @param {HTMLDialogElement} dialog
+ * @param {string} [refused] what is said where it cannot be copied
  */
-async function copy(link, dialog) {
+async function copy(link, dialog, refused = NOT_COPIED) {
   const place = dialog.querySelector('#share-copied');
   const said = await navigator.clipboard.writeText(link).then(
     () => 'Copied to the clipboard.',
-    () => 'This browser does not let the page copy: press Ctrl+C while the link is selected.',
+    () => refused,
   );
   if (place) setText(place, said);
 }

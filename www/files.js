@@ -3,7 +3,7 @@
  * it has opened.
  */
 
-import { count } from './format.js';
+import { count, ended } from './format.js';
 import { element } from './dom.js';
 import { exampleFile, listOfExamples } from './examples.js';
 import { removeFirstPicture } from './first-picture.js';
@@ -18,7 +18,7 @@ import { rememberedFrame } from './units.js';
 /**
  * Where a model comes from.
  * @typedef {object} Origin
- * @property {boolean} [first] it is what the page opens with
+ * @property {boolean} [first] it is what the page opens with, solved
  * @property {Example} [example] whose mesh it has
  * @property {string} [work] the name under which it is kept in this browser, see `works.js`
  * @property {string} [title] of the work
@@ -82,9 +82,9 @@ export class Files extends EventTarget {
       if (document || !status)
         this.#store.set({ status: `Reading ${files.map((file) => file.name).join(' and ')} …` });
       const main = mainOf(files);
-      const { iteration } = origin;
+      const { iteration, first: solved } = origin;
       const frame = rememberedFrame(main.name);
-      const loaded = await this.#solver.request({ type: 'open', files, iteration, frame });
+      const loaded = await this.#solver.request({ type: 'open', files, iteration, frame, solved });
       this.#name = main.name.replace(/(\.shapeup)?\.[^.]+$/, '');
       this.origin = origin;
       this.original = origin.work ? null : this.#solver.sceneText;
@@ -131,7 +131,7 @@ export class Files extends EventTarget {
 
   /**
    * @param {Example} example
-   * @param {boolean} [first] it is what the page opens with
+   * @param {boolean} [first] it is what the page opens with, solved
    */
   async openExample(example, first = false) {
     const names = [example.scene, example.mesh];
@@ -139,7 +139,9 @@ export class Files extends EventTarget {
       names.map(async (name) => ({ name, bytes: await exampleFile(name) })),
     );
     await this.open(files, { first, example });
-    this.#store.set({ status: first ? '' : `Opened the example ${example.title}` });
+    const { numbers } = this.#store.get();
+    const status = first && numbers && ended(true, numbers.iteration);
+    this.#store.set({ status: status || `Opened the example ${example.title}` });
   }
 
   /** A mesh or a scene of the examples. @param {string} name */

@@ -90,6 +90,15 @@ export function count(value, noun, plural = `${noun}s`) {
 }
 
 /**
+ * How a run ended.
+ * @param {boolean} converged
+ * @param {number} iterations
+ */
+export function ended(converged, iterations) {
+  return `${converged ? 'Converged' : 'Paused'} after ${count(iterations, 'iteration')}`;
+}
+
+/**
  * A whole number with thin spaces between thousands, from five digits on.
  * @param {number} value
  * @returns {string}

@@ -38,7 +38,7 @@ export class FrameQuestion {
       element(
         'div',
         { class: 'message notice frame-chips', role: 'group', 'aria-label': 'Unit and up axis' },
-        element('p', {}, `${name} does not say these. Guessed:`),
+        element('p', {}, `${name} says neither its unit nor which axis is up. This is guessed:`),
         this.#chips('Up', 'up', ['z', 'y']),
         element('div', { class: 'all-chips' }, this.#chips('Unit', 'units', this.#units)),
         element(

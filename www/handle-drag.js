@@ -52,7 +52,8 @@ export class HandleDrag {
     this.#vertices = Uint32Array.from(together, (handle) => handle.vertex);
     this.#from = Float64Array.from(together.flatMap((handle) => handle.target));
     this.#targets = this.#from;
-    store.set({ dragged: [...this.#vertices], gizmoPart: part });
+    // What was said of a run is no longer so.
+    store.set({ dragged: [...this.#vertices], gizmoPart: part, status: '' });
     if (!begun) this.#tell('start');
   }
 

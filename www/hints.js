@@ -1,28 +1,21 @@
 /**
  * The card of the first visit: three hints, each leading to the next by doing what it says. Shown
- * once, and only over the example.
+ * once, and only over the example, which is solved when it opens.
  */
 
-import { element, icon, leave } from './dom.js';
+import { element, icon, leave, setText } from './dom.js';
 import { declared, measureOfScene } from './measures.js';
 import { recall, remember } from './stored.js';
 
 const KEY = 'shape-up.hints';
-const LAST = 'Your turn: open a mesh of your own, or try another example.';
+const START = 'It began like this, yellow where it is worst. Press Run.';
 
-/**
- * What the hints say of a scene.
- * @param {import("./messages.js").FaceMeasure | undefined} measure
- */
-function hintsFor(measure) {
-  if (!measure) return ['Press Run: the mesh takes its shape.', 'Now drag a blue dot.', LAST];
-  const { met } = measure;
-  return [
-    `These panels are not ${met}. Press Run.`,
-    `Now they are. Drag a blue dot: the panels stay ${met}.`,
-    LAST,
-  ];
-}
+/** @param {string} met what is true of every panel */
+const hints = (met) => [
+  `Solved: ${met}. Drag a blue dot: this stays true.`,
+  'Press Reset to see how it began.',
+  'Your turn: open a mesh of your own, or try another example.',
+];
 
 /**
  * @param {HTMLElement} card
@@ -37,26 +30,33 @@ export function firstHints(card, store) {
     icon('close'),
   );
   card.replaceChildren(text, close);
+  /** Hints that have been followed. */
   let at = 0;
-  let ran = false;
-  let dragged = false;
+  let drags = false;
+  let runs = false;
+  /** From the start, where nothing is solved. */
+  let hasRun = false;
   let done = false;
 
-  store.subscribe(['firstExample', 'document', 'running', 'dragged'], (state) => {
+  store.subscribe(['firstExample', 'document', 'numbers', 'running', 'dragged'], (state) => {
     if (done) return;
-    if (!state.firstExample) {
+    const { firstExample, document, numbers, running, dragged } = state;
+    if (!firstExample) {
       if (at > 0) finish();
       else card.hidden = true;
       return;
     }
-    if (!state.document) return;
-    ran ||= state.running;
-    if (at === 0 && ran && !state.running) at = 1;
-    if (at <= 1 && dragged && state.dragged.length === 0) at = 2;
-    dragged ||= state.dragged.length > 0;
+    const about = declared(state, measureOfScene(state));
+    if (!document || !numbers || !about) return;
+    const isStart = numbers.iteration === 0;
+    if (drags && dragged.length === 0) at = Math.max(at, 1);
+    if (runs && !running) hasRun = true;
+    drags = dragged.length > 0;
+    runs = running && (runs || isStart);
+    if (at === 1 && hasRun) at = 2;
     // Whoever has seen the last one has seen them all.
     if (at === 2) remember(KEY, 'done');
-    text.textContent = hintsFor(declared(state, measureOfScene(state)))[at];
+    setText(text, isStart && at < 2 ? START : hints(about.met)[at]);
     card.hidden = false;
   });
 

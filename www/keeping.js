@@ -50,7 +50,7 @@ export class Keeping {
   /** The first example, or what to do without it. */
   async #openFirst() {
     try {
-      await this.startFresh(true);
+      await this.startFresh();
     } catch (error) {
       this.#alerts.error(messageOf(error));
       const { showNothingOpen } = await import('./nothing-open.js');
@@ -60,10 +60,10 @@ export class Keeping {
     }
   }
 
-  /** The model of somebody who comes for the first time. @param {boolean} [first] */
-  async startFresh(first = false) {
+  /** The model of somebody who comes for the first time. */
+  async startFresh() {
     const [example] = await this.#files.examples();
-    await this.#files.openExample(example, first);
+    await this.#files.openExample(example, true);
   }
 
   /** Everything that has not been saved yet is. */

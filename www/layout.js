@@ -61,12 +61,18 @@ function tabs() {
     const same = (dataset.tab ?? 'model') === name;
     dataset.sheet = same && dataset.sheet === 'open' ? 'closed' : 'open';
     dataset.tab = name;
-    buttons.forEach((button, i) => {
-      const open = !PHONE.matches || dataset.sheet === 'open';
-      button.setAttribute('aria-selected', String(names[i] === name && open));
-      button.tabIndex = names[i] === name ? 0 : -1;
-    });
+    tell();
   };
+  function tell() {
+    const open = !PHONE.matches || dataset.sheet === 'open';
+    buttons.forEach((button, i) => {
+      const isShown = names[i] === (dataset.tab ?? 'model');
+      button.setAttribute('aria-selected', String(isShown && open));
+      button.tabIndex = isShown ? 0 : -1;
+    });
+  }
+  PHONE.addEventListener('change', tell);
+  tell();
   buttons.forEach((button, i) => {
     button.addEventListener('click', () => show(names[i]));
     button.addEventListener('keydown', (event) => {
@@ -86,6 +92,8 @@ export function placeMenu(menu, anchor) {
   menu.addEventListener('toggle', (event) => {
     if (/** @type {ToggleEvent} */ (event).newState !== 'open') return;
     const at = anchor().getBoundingClientRect();
+    // As wide as it wants to be, wherever it was last.
+    menu.style.left = '0';
     const gap = 4;
     const left = Math.min(at.left, innerWidth - menu.offsetWidth - 2 * gap);
     const [above, below] = [at.top - 2 * gap, innerHeight - at.bottom - 2 * gap];

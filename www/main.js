@@ -10,12 +10,12 @@ import { colourFaces } from './colouring.js';
 import { commandTable } from './command-table.js';
 import { bindButtons, bindKeys, bindRunButton, takeEarlyPresses } from './commands.js';
 import { AddConstraintDialog } from './dialog-add-constraint.js';
-import { byId, element } from './dom.js';
+import { byId } from './dom.js';
 import { offerExperiment } from './experiment/offer.js';
 import { Files } from './files.js';
 import { animateFirstPicture } from './first-picture.js';
 import { toggleFlatMap } from './flat-map.js';
-import { count } from './format.js';
+import { ended } from './format.js';
 import { attachLater } from './attach-later.js';
 import { bindHandleKeys } from './handle-keys.js';
 import { firstHints } from './hints.js';
@@ -142,15 +142,7 @@ selecting.bindKeys(commands);
 
 viewport.addEventListener('none', (event) => {
   const { detail } = /** @type {CustomEvent} */ (event);
-  const notice = byId('no-picture');
-  const words =
-    'No 3D picture: this browser draws neither with WebGPU nor with WebGL2, or it is switched off in its settings. Everything else works: the panels, Run, and Export.';
-  notice.replaceChildren(
-    element('p', {}, words),
-    element('details', {}, element('summary', {}, 'What it says'), element('p', {}, detail)),
-  );
-  notice.hidden = false;
-  byId('view-buttons').hidden = true;
+  import('./no-picture.js').then((module) => module.tellWhy(detail));
 });
 
 Object.assign(window, { shapeUp: scriptApi(store, solver, viewport, files) });
@@ -208,12 +200,11 @@ function takeUp(client) {
   );
   on('activity', ({ running, converged }) => {
     const before = store.get();
-    const iterations = count(before.numbers?.iteration ?? 0, 'iteration');
     store.set({ running, converged });
     // A drag comes to rest as well, but whoever drags is told of the handle.
     if (running === before.running) return;
-    const ended = converged ? 'Converged' : 'Paused';
-    store.set({ status: running ? 'Running' : `${ended} after ${iterations}` });
+    const { iteration = 0 } = before.numbers ?? {};
+    store.set({ status: running ? 'Running' : ended(converged, iteration) });
   });
   on('trouble', ({ message }) => alerts.error(message));
   client.addEventListener('restarted', (event) => {

@@ -251,7 +251,8 @@
  *
  * - `open`: the first file that is a scene, else the first file; the others may be the mesh that it
  *   names. When it is refused the old model stays. `iteration` is where a restored scene stood;
- *   `frame` what a mesh file is taken for that does not say its unit and axis: `# units: m`, `# up: y`.
+ *   `frame` what a mesh file is taken for that does not say its unit and axis: `# units: m`, `# up: y`;
+ *   `solved` runs before anything is shown: only for what is known to converge soon.
  * - `edit`, `undo`, `redo`, `step`; `halfStep`: the local step, or the global step after it.
  * - `members`: what a constraint acts on. `rowColours`: the colours of all of them. `previews`: what
  *   adding one of each kind at each of some places would make. `select`: what is selected then.
@@ -267,7 +268,8 @@
  *   corners, as CSV.
  * - `runExperiment`: starts the experiment of an example, on its files, the scene first; the model that
  *   is open is not touched. `experimentCsv`: what was measured.
- * @typedef {{ type: "open", files: NamedBytes[], iteration?: number, frame?: string }
+ * @typedef {{ type: "open", files: NamedBytes[], iteration?: number, frame?: string,
+ *       solved?: boolean }
  *   | { type: "edit", edit: Edit }
  *   | { type: "undo" }
  *   | { type: "redo" }

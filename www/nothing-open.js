@@ -4,6 +4,8 @@ import './style/waiting.css';
 import { byId, element } from './dom.js';
 import { removeFirstPicture } from './first-picture.js';
 
+const FILES = 'a mesh (.obj, .off, .mesh, .3dm) or a scene (.json)';
+
 /**
  * Says what can be opened, until something is.
  * @param {import("./files.js").Files} files
@@ -16,7 +18,8 @@ export function showNothingOpen(files, again) {
   const card = element(
     'div',
     { id: 'nothing-open' },
-    element('p', {}, 'Drop a mesh (.obj, .off, .mesh, .3dm) or a scene (.json) here.'),
+    element('p', { class: 'with-drop' }, `Drop ${FILES} here.`),
+    element('p', { class: 'without-drop' }, `Open ${FILES}.`),
     element('button', { type: 'button', class: 'bordered', onclick: again }, 'Open a sample'),
   );
   byId('main').append(card);

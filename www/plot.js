@@ -2,7 +2,7 @@
 
 import uPlot from 'uplot';
 import { element, setText } from './dom.js';
-import { number } from './format.js';
+import { groupDigits, number } from './format.js';
 
 /** In the order of the columns. */
 const SERIES = [
@@ -13,6 +13,12 @@ const SERIES = [
   { id: 'total', label: 'Total', width: 2 },
 ];
 const HEIGHT = 180;
+/** Round numbers, to count with. */
+export const COUNTS = [1, 10, 100, 1000, 1e4, 1e5].flatMap((power) => [
+  power,
+  2 * power,
+  5 * power,
+]);
 /** Energies this far below the greatest are drawn as this: a logarithm has no zero. */
 const DECADES = 12;
 
@@ -101,12 +107,19 @@ export class EnergyPlot {
       {
         width: Math.max(this.#place.clientWidth, 120),
         height: HEIGHT,
-        padding: [8, 8, 0, 0],
+        padding: [8, 20, 0, 0],
         legend: { show: false },
         cursor: { y: false, points: { size: 5 }, drag: { x: false, y: false } },
         scales: { x: { time: false }, y: { distr: 3 } },
         axes: [
-          { ...axis, size: 22, gap: 4, space: 48 },
+          {
+            ...axis,
+            size: 22,
+            gap: 4,
+            space: 48,
+            incrs: COUNTS,
+            values: (_, ticks) => ticks.map(groupDigits),
+          },
           {
             ...axis,
             size: 46,

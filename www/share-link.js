@@ -92,6 +92,8 @@ export async function unpack(code) {
       text += decoder.decode(value, { stream: true });
     }
   } catch {
-    throw new Error('The link is incomplete or damaged: it was probably cut when it was sent.');
+    throw new Error(
+      'The link is incomplete or damaged: it was probably cut when it was sent. Ask for it again, or for the scene as a file.',
+    );
   }
 }

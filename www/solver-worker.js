@@ -141,7 +141,7 @@ function command(message) {
 function answer(message) {
   switch (message.type) {
     case 'open':
-      return open(message.files, message.iteration, message.frame);
+      return open(message);
     case 'edit':
       if (message.edit.type === 'reset') pause();
       return betweenRuns(() => live().edit(message.edit), null);
@@ -200,12 +200,8 @@ function answer(message) {
   }
 }
 
-/**
- * @param {import("./messages.js").NamedBytes[]} files
- * @param {number} [iteration]
- * @param {string} [frame]
- */
-function open(files, iteration, frame = '') {
+/** @param {Extract<ToWorker, { type: "open" }>} message */
+function open({ files, iteration, frame = '', solved }) {
   const main = mainOf(files);
   const companion = companionOf(files, (scene) => live().sceneMeshFile(scene));
   if (running) endRun();
@@ -216,6 +212,7 @@ function open(files, iteration, frame = '') {
   settled = false;
   dragging = false;
   move = answering = null;
+  if (solved) iterate(true);
   positionsLength = about.vertices * 3;
   const positions = new Float64Array(positionsLength);
   live().writePositions(positions);
@@ -259,17 +256,21 @@ function betweenRuns(edit, value) {
 }
 
 function step() {
+  iterate(false);
+  activityDue = true;
+  changed();
+  return settled;
+}
+
+/** Iterates once or until nothing would change, as a run of its own. @param {boolean} toTheEnd */
+function iterate(toTheEnd) {
   live().beginRun();
-  let converged;
   try {
-    converged = live().step();
+    do settled = live().step();
+    while (toTheEnd && !settled);
   } finally {
     live().endRun();
   }
-  settled = converged;
-  activityDue = true;
-  changed();
-  return converged;
 }
 
 function halfStep() {

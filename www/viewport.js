@@ -219,13 +219,14 @@ export class Viewport extends EventTarget {
     const { renderer } = this.#store.get();
     const { view } = this;
     this.view = null;
-    this.#store.set({ status: 'The 3D picture was lost and is drawn anew' });
     this.#canvas = null;
     // It may call for help once more.
     view?.free();
     if (renderer !== 'webgpu' || !this.#backend.failed(renderer)) this.#attempts += 1;
-    if (this.#attempts > ATTEMPTS) return this.#giveUp(reason);
-    this.#create();
+    const isOver = this.#attempts > ATTEMPTS;
+    this.#store.set({ status: `The 3D picture was lost${isOver ? '' : ' and is drawn anew'}` });
+    if (isOver) this.#giveUp(reason);
+    else this.#create();
   }
 
   /** @param {string} reason */
@@ -319,8 +320,9 @@ export class Viewport extends EventTarget {
     const isCurrent = geometry?.measure === state.measure && !state.flatMap;
     view.setCornerValues((isCurrent && geometry?.corners) || undefined);
     if (state.flatMap) return view.setFaceValues(...modelErrors(state.flatMap));
-    // Right after another choice, the values are still those of the one before.
-    const values = geometry && geometry.measure === state.measure ? geometry.values : null;
+    // Right after another choice, the values are still those of the one before, or have no range.
+    const isRanged = geometry?.measure === state.measure && state.spread;
+    const values = isRanged ? geometry?.values : null;
     view.setFaceValues(values ?? undefined, state.range[0], state.range[1]);
   }
 
@@ -361,7 +363,8 @@ export class Viewport extends EventTarget {
         this.#isProven = true;
       }
       this.#attempts = 0;
-      removeFirstPicture();
+      // Which has its colours at once.
+      if (this.#store.get().spread) removeFirstPicture();
       this.dispatchEvent(new Event('drawn'));
     } catch (thrown) {
       this.#lost(messageOf(thrown));

@@ -72,10 +72,7 @@ function convergenceText(rows) {
 
 function startText(start) {
   if (!start) return [];
-  return [
-    'The page, with its first model and Run pressed at once, drawn without a graphics card:',
-    startTable(start),
-  ];
+  return ['The page with its first model, drawn without a graphics card:', startTable(start)];
 }
 
 function peersText(peers = []) {

@@ -13,25 +13,18 @@ import { medians } from './statistics.mjs';
 /** A page that does not come as far in this time does not work. */
 const LONGEST_MS = 120_000;
 
-/** In the page, before its own scripts: presses Run as soon as it is there, and notes the times. */
+/** In the page, before its own scripts: notes the times. */
 function watch() {
   const marks = {};
   Object.assign(window, { benchMarks: marks });
   const mark = (name, reached) => {
     if (reached && !(name in marks)) marks[name] = performance.now();
   };
-  let pressed = false;
   const look = () => {
     const state = window.shapeUp?.state();
-    const run = document.getElementById('run');
-    if (run && !pressed) {
-      pressed = true;
-      run.click();
-    }
-    mark('model', state?.vertices > 0);
+    mark('solved', state?.converged);
     mark('drawn', state && state.renderer !== 'none' && !document.getElementById('first-picture'));
-    mark('iterated', state?.iteration > 0);
-    if (!('drawn' in marks && 'iterated' in marks)) requestAnimationFrame(look);
+    if (!('drawn' in marks && 'solved' in marks)) requestAnimationFrame(look);
   };
   requestAnimationFrame(look);
 }
@@ -49,7 +42,7 @@ async function visit(chromium, profile, server) {
     await page.addInitScript(watch);
     server.takeBytes();
     await page.goto(server.address);
-    const there = () => 'drawn' in window.benchMarks && 'iterated' in window.benchMarks;
+    const there = () => 'drawn' in window.benchMarks && 'solved' in window.benchMarks;
     await page.waitForFunction(there, null, { timeout: LONGEST_MS });
     const times = await page.evaluate(() => {
       const [painted] = performance.getEntriesByName('first-contentful-paint');
@@ -57,8 +50,8 @@ async function visit(chromium, profile, server) {
     });
     // What the browser compiled is written to the profile a moment later.
     await page.waitForTimeout(1500);
-    const { painted, model, drawn, iterated } = times;
-    return { painted, model, drawn, iterated, bytes: server.takeBytes() };
+    const { painted, solved, drawn } = times;
+    return { painted, solved, drawn, bytes: server.takeBytes() };
   } finally {
     await context.close();
   }

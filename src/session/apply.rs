@@ -101,7 +101,6 @@ impl Session {
             }
             Edit::SetLesson(lesson) => {
                 document.lesson = lesson;
-                check_lesson(document, &self.mesh)?;
                 "Change lesson".to_owned()
             }
             Edit::AddHandles { vertices, fixed } => {
@@ -119,6 +118,8 @@ impl Session {
                 "Reset".to_owned()
             }
         };
+        // Also of a row that is renamed or taken away: the scene could not be opened again.
+        check_lesson(document, &self.mesh)?;
         Ok(name)
     }
 

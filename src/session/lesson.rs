@@ -4,7 +4,8 @@ use super::{FACE_MEASURES, FaceMeasure, MeasureUnit, Session};
 use crate::error::Error;
 use crate::mesh::Mesh;
 use crate::scene::{
-    ClosenessTo, Goal, GoalOf, GoalResult, Lesson, MeshSource, Results, Scene, SceneError,
+    ClosenessTo, ConstraintSpec, Goal, GoalOf, GoalResult, Lesson, MeshSource, Results, Scene,
+    SceneError,
 };
 use serde::Serialize;
 
@@ -27,22 +28,47 @@ pub struct GoalWords<'a> {
 /// Checks that `scene` asks for nothing that cannot be measured on `mesh`.
 ///
 /// # Errors
-/// A goal on a measure that there is not, or on one of faces where there are none, with its JSON path.
+/// A goal on a measure that there is not, on one of faces where there are none, or on a constraint that
+/// there is not, with its JSON path.
 pub(super) fn check_lesson(scene: &Scene, mesh: &Mesh) -> Result<(), SceneError> {
     let goals = scene.lesson.iter().flat_map(|lesson| &lesson.goals);
     for (i, goal) in goals.enumerate() {
-        let GoalOf::Measure(id) = &goal.of else { continue };
-        let at =
-            |message: String| SceneError { path: format!("lesson.goals[{i}].measure"), message };
-        if declared(id).is_none() {
-            let known: Vec<_> = FACE_MEASURES.iter().map(|measure| measure.id).collect();
-            return Err(at(format!("found {id:?}, expected one of {}", known.join(", "))));
-        }
-        if mesh.faces.is_empty() {
-            return Err(at("this is measured on faces, and the mesh has none".to_owned()));
-        }
+        let (key, checked) = match &goal.of {
+            GoalOf::Measure(id) => ("measure", check_measure(id, mesh)),
+            GoalOf::Constraint(name) => ("constraint", check_constraint(name, scene)),
+        };
+        let path = || format!("lesson.goals[{i}].{key}");
+        checked.map_err(|message| SceneError { path: path(), message })?;
     }
     Ok(())
+}
+
+fn check_measure(id: &str, mesh: &Mesh) -> Result<(), String> {
+    if declared(id).is_none() {
+        let known: Vec<_> = FACE_MEASURES.iter().map(|measure| measure.id).collect();
+        return Err(format!("found {id:?}, expected one of {}", known.join(", ")));
+    }
+    if mesh.faces.is_empty() {
+        return Err("this is measured on faces, and the mesh has none".to_owned());
+    }
+    Ok(())
+}
+
+/// One that is switched off is there.
+fn check_constraint(name: &str, scene: &Scene) -> Result<(), String> {
+    let mut labels: Vec<_> = scene.constraints.iter().map(ConstraintSpec::label).collect();
+    if labels.contains(&name) {
+        return Ok(());
+    }
+    labels.sort_unstable();
+    labels.dedup();
+    let labels: Vec<_> = labels.iter().map(|label| format!("{label:?}")).collect();
+    let expected = match &*labels {
+        [] => "a constraint, of which there are none".to_owned(),
+        [one] => one.clone(),
+        _ => format!("one of {}", labels.join(", ")),
+    };
+    Err(format!("this goal is on the constraint {name:?}, expected {expected}"))
 }
 
 fn declared(id: &str) -> Option<&'static FaceMeasure> {

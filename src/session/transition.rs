@@ -9,8 +9,8 @@ impl Session {
     /// Makes an edit.
     ///
     /// # Errors
-    /// When it names a row or vertex that is not there, leaves a row without constraints, or makes the
-    /// system singular; nothing has changed then.
+    /// When it names a row or vertex that is not there, leaves a row without constraints or a goal without
+    /// the row that it is on, or makes the system singular; nothing has changed then.
     pub fn edit(&mut self, edit: Edit) -> Result<(), Error> {
         self.end_run();
         self.end_drag(true);

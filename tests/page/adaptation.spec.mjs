@@ -2,7 +2,7 @@
 
 import { openText, runToTheEnd } from './actions.mjs';
 import { wavyGrid } from './meshes.mjs';
-import { expect, openPage, test, waitForState } from './support.mjs';
+import { expect, openPage, test, visit, waitForState } from './support.mjs';
 
 test('with less motion nothing moves by itself', async ({ page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' });
@@ -57,7 +57,7 @@ test.describe('at twice the size', () => {
   test.use({ viewport: { width: 720, height: 450 }, deviceScaleFactor: 2 });
 
   test('every tool is there, and nothing is out of the window', async ({ page }) => {
-    await openPage(page);
+    await visit(page);
     await waitForState(page, (now) => now.renderer !== 'none');
     const names = ['Export', 'Share', 'Run', 'Step', 'Reset', 'Undo', 'Drag', 'Faces', 'Help'];
     for (const name of names) {
@@ -74,6 +74,8 @@ test.describe('at twice the size', () => {
     await expect(page.getByRole('button', { name: 'Dismiss hint' })).toBeVisible();
     await page.getByRole('button', { name: /select by/i }).click({ trial: true });
     await page.keyboard.press('v');
+    await page.getByRole('button', { name: 'Reset' }).click();
+    await waitForState(page, (now) => now.iteration === 0);
     await runToTheEnd(page);
 
     // Dialogs scroll within the window.

@@ -2,7 +2,7 @@
 
 import { addConstraint, openText, runToTheEnd, tool } from './actions.mjs';
 import { quadScene, wavyGrid } from './meshes.mjs';
-import { expect, openPage, positionOf, state, test, waitForState } from './support.mjs';
+import { expect, positionOf, state, test, visit, waitForState } from './support.mjs';
 
 test.use({ pixels: false });
 
@@ -23,7 +23,7 @@ const kept = (page) =>
 const back = (page) => page.getByRole('alert').getByText('is back as you left it');
 
 test('work is back after the tab was killed', async ({ page, context }) => {
-  await openPage(page);
+  await visit(page);
   await openText(page, 'roof.obj', wavyGrid(4), 25);
   await addConstraint(page, 'Plane', 'each face');
   const before = await runToTheEnd(page);
@@ -36,7 +36,7 @@ test('work is back after the tab was killed', async ({ page, context }) => {
   await page.waitForEvent('crash');
   await page.close();
   const again = await context.newPage();
-  await openPage(again);
+  await visit(again);
   // The numbers come with the first frame.
   const after = await waitForState(again, (now, at) => now.iteration === at, before.iteration);
   expect(after.constraints).toEqual({ plane: 16 });
@@ -45,7 +45,7 @@ test('work is back after the tab was killed', async ({ page, context }) => {
 
   await again.getByRole('button', { name: 'Start fresh' }).click();
   await waitForState(again, (now) => now.vertices > 25);
-  await openPage(again);
+  await visit(again);
   expect((await state(again)).vertices).toBeGreaterThan(25);
   // It is not lost.
   await tool(again, 'Open recent');
@@ -54,11 +54,11 @@ test('work is back after the tab was killed', async ({ page, context }) => {
 });
 
 test('two tabs do not overwrite each other', async ({ page, context }) => {
-  await openPage(page);
+  await visit(page);
   await openText(page, 'one.obj', wavyGrid(2), 9);
   await kept(page);
   const second = await context.newPage();
-  await openPage(second);
+  await visit(second);
   // The work of a tab that is open is not taken from it.
   expect((await state(second)).vertices).toBeGreaterThan(9);
   await openText(second, 'two.obj', wavyGrid(3), 16);
@@ -67,7 +67,7 @@ test('two tabs do not overwrite each other', async ({ page, context }) => {
     [page, 9],
     [second, 16],
   ]) {
-    await openPage(tab);
+    await visit(tab);
     await expect(back(tab)).toBeVisible();
     expect((await state(tab)).vertices).toBe(vertices);
   }
@@ -82,7 +82,7 @@ test('a run saves nothing until it rests', async ({ page }) => {
       return put.apply(this, values);
     };
   });
-  await openPage(page);
+  await visit(page);
   await openText(page, 'endless.shapeup.json', endlessScene(), 41 * 41);
   await kept(page);
   const before = await page.evaluate(() => window.puts);
@@ -97,9 +97,9 @@ test('a run saves nothing until it rests', async ({ page }) => {
 });
 
 test('an example that nobody touched is not kept', async ({ page }) => {
-  await openPage(page);
+  await visit(page);
   await page.waitForTimeout(2500);
-  await openPage(page);
+  await visit(page);
   await expect(back(page)).toBeHidden();
   await tool(page, 'Open recent');
   await expect(page.getByRole('menu', { name: 'Open recent' })).toContainText('Nothing else yet');
@@ -125,13 +125,16 @@ for (const [what, block] of [
 ]) {
   test(`where storage is ${what} the page works, and says so quietly`, async ({ page }) => {
     await page.addInitScript(block);
-    await openPage(page);
+    await visit(page);
     await openText(page, 'roof.obj', wavyGrid(4), 25);
     await expect
       .poll(() => page.evaluate(() => document.querySelector('#numbers')?.textContent))
       .toContain('Autosave is off: use Save scene');
+    // In every window, unlike that it is saved.
+    await page.setViewportSize({ width: 390, height: 844 });
+    await expect(page.getByText('Autosave is off: use Save scene')).toBeInViewport();
     await expect(page.getByRole('alert')).toBeEmpty();
-    await openPage(page);
+    await visit(page);
     expect((await state(page)).vertices).toBeGreaterThan(25);
   });
 }

@@ -1,9 +1,26 @@
 // What axe says of every state of the page, in both themes: nothing.
 
 import AxeBuilder from '@axe-core/playwright';
-import { addConstraint, hidePanels, openExample, openText, showPanel, tool } from './actions.mjs';
+import {
+  addConstraint,
+  hidePanels,
+  openExample,
+  openText,
+  runToTheEnd,
+  showPanel,
+  tool,
+} from './actions.mjs';
 import { file, quadScene, wavyGrid } from './meshes.mjs';
-import { dragVertex, expect, openPage, screenOf, state, test, waitForState } from './support.mjs';
+import {
+  dragVertex,
+  expect,
+  openPage,
+  screenOf,
+  state,
+  test,
+  visit,
+  waitForState,
+} from './support.mjs';
 
 test.use({ pixels: false });
 
@@ -182,6 +199,20 @@ const WALKS = {
   ],
   'the panels of the first example': [
     {
+      name: 'solved, with the first hint',
+      reach: async (page) => {
+        await waitForState(page, (now) => now.converged);
+        await expect(page.getByText('Drag a blue dot: this stays true.')).toBeVisible();
+      },
+    },
+    {
+      name: 'at its start',
+      reach: async (page) => {
+        await page.getByRole('button', { name: 'Reset' }).click();
+        await expect(page.getByText('It began like this')).toBeVisible();
+      },
+    },
+    {
       name: 'energies, all settings and the legend',
       reach: async (page) => {
         await showPanel(page, 'Energies and display');
@@ -205,7 +236,7 @@ const WALKS = {
       reach: (page) => showTab(page, 'Log'),
     },
     {
-      name: 'converged, with the second hint',
+      name: 'converged',
       reach: async (page) => {
         await hidePanels(page);
         await page.getByRole('button', { name: 'Run' }).click();
@@ -213,17 +244,34 @@ const WALKS = {
       },
     },
     {
-      name: 'the third hint',
+      name: 'the second hint',
       only: 'desktop',
       reach: async (page) => {
         await waitForState(page, (now) => now.renderer !== 'none');
         const soft = (await state(page)).handles.find((handle) => !handle.fixed);
         await dragVertex(page, soft.vertex, [10, -20]);
+        await expect(page.getByText('Press Reset to see how it began')).toBeVisible();
+      },
+    },
+    {
+      name: 'the third hint',
+      only: 'desktop',
+      reach: async (page) => {
+        await page.getByRole('button', { name: 'Reset' }).click();
+        await expect(page.getByText('It began like this')).toBeVisible();
+        await page.getByRole('button', { name: 'Run' }).click();
         await expect(page.getByText('open a mesh of your own')).toBeVisible();
       },
     },
   ],
   'a mesh of one’s own': [
+    {
+      name: 'the question for its unit',
+      reach: async (page) => {
+        await openText(page, 'roof.obj', wavyGrid(6), 49);
+        await expect(page.getByRole('group', { name: 'Unit and up axis' })).toBeVisible();
+      },
+    },
     {
       name: 'its report',
       reach: async (page) => {
@@ -280,6 +328,18 @@ const WALKS = {
       },
     },
     {
+      name: 'the numbers of several handles, one of them refused',
+      reach: async (page) => {
+        const details = page.getByRole('group', { name: 'Selected handles' });
+        const field = details.getByRole('textbox', { name: 'Target x' });
+        await expect(field).toHaveAttribute('placeholder', 'mixed');
+        await field.fill('high');
+        await field.press('Enter');
+        await expect(field).toHaveAttribute('aria-invalid', 'true');
+      },
+      leave: escape,
+    },
+    {
       name: 'a lesson that is written',
       only: 'desktop',
       reach: async (page) => {
@@ -289,6 +349,14 @@ const WALKS = {
     },
   ],
   'other examples': [
+    {
+      name: 'a lesson, of which a line is over the view',
+      only: 'phone',
+      reach: async (page) => {
+        await openExample(page, 'Lesson: a glass roof');
+        await expect(page.getByRole('button', { name: /goals met/ })).toBeVisible();
+      },
+    },
     {
       name: 'an experiment that has been run',
       only: 'desktop',
@@ -314,6 +382,33 @@ const WALKS = {
       leave: (page) => page.getByRole('button', { name: 'Back to the model' }).click(),
     },
     {
+      name: 'a lesson whose goals are missed',
+      reach: async (page) => {
+        await openExample(page, 'Lesson: a glass roof of flat panes');
+        await runToTheEnd(page);
+        await showPanel(page, 'Model');
+        const lesson = page.getByRole('region', { name: 'Lesson' });
+        await expect(lesson).toContainText('0 of 2 goals met');
+      },
+    },
+    {
+      name: 'a lesson whose goals are met',
+      only: 'desktop',
+      reach: async (page) => {
+        for (const [energy, value] of [
+          ['Shape weight', '10000'],
+          ['Close weight', '50'],
+        ]) {
+          const field = page.getByRole('spinbutton', { name: energy });
+          await field.fill(value);
+          await field.press('Enter');
+          await runToTheEnd(page);
+        }
+        const lesson = page.getByRole('region', { name: 'Lesson' });
+        await expect(lesson).toContainText('Passed: 2 goals met');
+      },
+    },
+    {
       name: 'before and after, side by side',
       reach: async (page) => {
         await page.goto('./#example=fig-05-planar');
@@ -325,6 +420,13 @@ const WALKS = {
     },
   ],
   'what went wrong': [
+    {
+      name: 'a link that was cut',
+      reach: async (page) => {
+        await page.goto('./#scene=bVLLbt');
+        await expect(page.getByRole('alert')).toContainText('probably cut');
+      },
+    },
     {
       name: 'a solver that was restarted',
       only: 'desktop',
@@ -374,7 +476,7 @@ for (const [title, states] of Object.entries(WALKS)) {
   test(`axe: ${title}`, async ({ page }, { project }) => {
     const seen = states.filter(({ only = project.name }) => only === project.name);
     test.skip(seen.length === 0, 'asked of the desktop');
-    await openPage(page);
+    await visit(page);
     for (const { name, reach, leave } of seen) {
       await test.step(name, async () => {
         await reach?.(page);

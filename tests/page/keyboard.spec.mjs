@@ -1,7 +1,7 @@
 // Everything without a pointer: a story from a file to its export, the rings, and the keys themselves.
 
 import { file, wavyGrid } from './meshes.mjs';
-import { expect, openPage, positionOf, state, test, waitForState } from './support.mjs';
+import { expect, openPage, positionOf, state, test, visit, waitForState } from './support.mjs';
 
 test.use({ pixels: false });
 
@@ -243,7 +243,7 @@ test('Escape closes what was opened, and the focus is back at what opened it', a
 });
 
 test('what is dismissed gives the focus to the view', async ({ page }) => {
-  await openBars(page);
+  await visit(page);
   const view = page.getByRole('application', { name: '3D view' });
   await page.getByRole('button', { name: 'Dismiss hint' }).focus();
   await page.keyboard.press('Enter');

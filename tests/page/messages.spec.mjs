@@ -30,12 +30,33 @@ test('a message does not cover the dialog of constraints', async ({ page }, { pr
     const place = page.getByRole('alert').locator('.message');
     await expect.poll(() => apart(place, dialog), `at ${size.width}`).toBe(true);
     await expect(message).toBeInViewport({ ratio: 1 });
+    const panel = page.getByRole('complementary', { name: 'Model' });
+    if (project.name !== 'phone') expect(await apart(place, panel), `at ${size.width}`).toBe(true);
     // Nothing else is under the pointer either.
     await dialog.getByRole('button', { name: 'Close' }).click({ trial: true });
   }
   await dialog.getByRole('button', { name: 'Close' }).click();
   await expect(dialog).toBeHidden();
   await expect(message).toBeVisible();
+  const buttons = page.getByRole('group', { name: 'Camera' });
+  for (const size of sizes) {
+    await page.setViewportSize(size);
+    const place = page.getByRole('alert').locator('.message');
+    await expect.poll(() => apart(place, buttons), `at ${size.width}`).toBe(true);
+  }
+});
+
+test('on a phone nothing is chosen among the tabs while their sheet is closed', async ({ page }, {
+  project,
+}) => {
+  test.skip(project.name !== 'phone', 'there is no sheet on a screen');
+  await openPage(page);
+  const chosen = page.getByRole('tablist', { name: 'Panels' }).getByRole('tab', { selected: true });
+  await expect(chosen).toHaveCount(0);
+  await page.getByRole('tab', { name: 'Model' }).click();
+  await expect(chosen).toHaveText('Model');
+  await page.getByRole('tab', { name: 'Model' }).click();
+  await expect(chosen).toHaveCount(0);
 });
 
 test('on a phone the question for unit and axis is one line beside the view', async ({ page }, {

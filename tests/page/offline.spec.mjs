@@ -6,20 +6,23 @@ import { join } from 'node:path';
 import { at } from '../../.scripts/project.mjs';
 import { serve } from '../../.scripts/serve.mjs';
 import { openExample, runToTheEnd } from './actions.mjs';
-import { expect, keptOffline, openPage, state, test } from './support.mjs';
+import { expect, keptOffline, state, test, visit, waitForState } from './support.mjs';
 
 test.use({ serviceWorkers: 'allow', pixels: false });
 
 test('after one visit the page works without a network', async ({ page, context }) => {
-  await openPage(page);
+  await visit(page);
   await keptOffline(page);
   await context.setOffline(true);
-  await openPage(page);
+  await visit(page);
+  await waitForState(page, (now) => now.converged);
+  await page.getByRole('button', { name: 'Reset' }).click();
+  await waitForState(page, (now) => now.iteration === 0);
   const after = await runToTheEnd(page);
   expect(after.iteration).toBeGreaterThan(0);
   await openExample(page, 'Hypar');
   // A parameter of the address does not lead out.
-  await openPage(page, `backend=${(await state(page)).renderer}`);
+  await visit(page, `backend=${(await state(page)).renderer}`);
   expect((await state(page)).vertices).toBeGreaterThan(0);
 });
 
@@ -27,7 +30,7 @@ test('the gallery has all its pictures without a network, once it was opened', a
   page,
   context,
 }) => {
-  await openPage(page);
+  await visit(page);
   await keptOffline(page);
   const openGallery = async () => {
     await page.goto('./gallery.html');
@@ -93,7 +96,7 @@ hosted('a new version is announced and waits until it is wanted', async ({ page,
 });
 
 test('it can be installed', async ({ page, context }) => {
-  await openPage(page);
+  await visit(page);
   const session = await context.newCDPSession(page);
   const { installabilityErrors } = await session.send('Page.getInstallabilityErrors');
   // A test runs in a window without a history.

@@ -108,6 +108,25 @@ test.describe('behind tabs', () => {
     await waitForState(page, (now, count) => now.vertices === count, examples[at + 1].vertices);
   });
 
+  test('a lesson says over the view that it is one, and leads to its goals', async ({ page }) => {
+    await page.goto('./#example=lesson-glass-roof');
+    const line = page.getByRole('button', { name: /Lesson: / });
+    await expect(line).toHaveText('✗ Lesson: 1 of 2 goals met');
+    await runToTheEnd(page);
+    await expect(line).toHaveText('✗ Lesson: 0 of 2 goals met');
+    await line.click();
+    const lesson = page.getByRole('region', { name: 'Lesson' });
+    await expect(lesson).toBeInViewport();
+    await expect(lesson).toContainText('Make every pane flat to a millimetre');
+    // Where the goals are in sight, it would say the same again.
+    await expect(line).toBeHidden();
+    await showPanel(page, SHEET);
+    await expect(line).toBeVisible();
+    await hidePanels(page);
+    await openExample(page, 'Hypar');
+    await expect(line).toBeHidden();
+  });
+
   test('two pictures beside each other, and a flat map below the model', async ({ page }) => {
     await page.goto('./#example=fig-04-squares');
     await waitForState(page, (now) => now.faces === 384 && now.renderer !== 'none');

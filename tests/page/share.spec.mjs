@@ -100,6 +100,19 @@ test('the link is selected and copied', async ({ page, context }) => {
   await expect(dialogOf(page)).toBeHidden();
 });
 
+test('what may not be copied unasked is copied by the button, or it is said', async ({ page }) => {
+  await page.addInitScript(() => {
+    navigator.clipboard.writeText = async () => {
+      throw new DOMException('Nobody has asked for it.', 'NotAllowedError');
+    };
+  });
+  await openPage(page);
+  await linkOf(page);
+  await expect(dialogOf(page).getByText('does not let the page copy')).toBeHidden();
+  await dialogOf(page).getByRole('button', { name: 'Copy link' }).click();
+  await expect(dialogOf(page).getByText('does not let the page copy')).toBeVisible();
+});
+
 test('a link that is long says what becomes of it', async ({ page }) => {
   await openPage(page);
   await openText(page, 'large.obj', wavyGrid(40), 41 * 41);

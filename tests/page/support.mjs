@@ -53,10 +53,23 @@ export const test = base.extend({
   ],
 });
 
-/** Opens the page and waits until a mesh is there. `query`: the address's, without "?". */
-export async function openPage(page, query = '') {
+const meshIsThere = (page) => page.waitForFunction(() => window.shapeUp?.state().vertices > 0);
+
+/**
+ * Opens the page as it is, which begins with the work of last time, or else with the first example,
+ * solved. `query`: the address's, without "?".
+ */
+export async function visit(page, query = '') {
   await page.goto(query ? `./?${query}` : './');
-  await page.waitForFunction(() => window.shapeUp?.state().vertices > 0);
+  await meshIsThere(page);
+}
+
+/** Opens the first example at its start, unsolved, as its link does. */
+export async function openPage(page, query = '') {
+  // What is there already would only be told of another fragment.
+  if (page.url() !== 'about:blank') await page.goto('about:blank');
+  await page.goto(`./?${query}#example=canopy`);
+  await meshIsThere(page);
 }
 
 /** Waits until the built files are kept and the service worker answers for them. */

@@ -1,11 +1,11 @@
 /** A plot of an experiment: one line for each method, the values on a logarithmic scale, with uPlot. */
 
 import uPlot from 'uplot';
-import { decades, powerOfTen } from '../plot.js';
+import { COUNTS, decades, powerOfTen } from '../plot.js';
 
 const HEIGHT = 240;
-/** Round numbers. */
-const COUNTS = [1, 10, 100, 1000, 10_000].flatMap((power) => [power, 2 * power, 5 * power]);
+/** While a dialog is open nothing else changes the theme. */
+const SYSTEM = matchMedia('(prefers-color-scheme: dark)');
 
 /**
  * @typedef {object} Axes
@@ -20,6 +20,8 @@ export class Chart {
   #axes;
   #plot;
   #observer;
+  /** @type {uPlot.AlignedData | null} */
+  #data = null;
 
   /**
    * @param {HTMLElement} place
@@ -29,13 +31,12 @@ export class Chart {
     this.#place = place;
     this.#axes = axes;
     this.#plot = this.#make();
-    this.#plot.root.setAttribute('role', 'img');
-    this.#plot.root.setAttribute('aria-label', axes.label);
     this.#observer = new ResizeObserver(() => {
       const width = place.clientWidth;
       if (width > 0 && width !== this.#plot.width) this.#plot.setSize({ width, height: HEIGHT });
     });
     this.#observer.observe(place);
+    SYSTEM.addEventListener('change', this.#restyle);
   }
 
   /** @param {number[][][]} methods the columns of those that have started */
@@ -49,10 +50,19 @@ export class Chart {
       const values = columns[y].map((value) => (value > 0 ? value : null));
       return /** @type {uPlot.AlignedData} */ ([over, values]);
     });
-    this.#plot.setData(uPlot.join(tables));
+    this.#data = uPlot.join(tables);
+    this.#plot.setData(this.#data);
   }
 
+  /** uPlot paints on a canvas and does not see style sheets. */
+  #restyle = () => {
+    this.#plot.destroy();
+    this.#plot = this.#make();
+    if (this.#data) this.#plot.setData(this.#data);
+  };
+
   destroy() {
+    SYSTEM.removeEventListener('change', this.#restyle);
     this.#observer.disconnect();
     this.#plot.destroy();
   }
@@ -66,7 +76,7 @@ export class Chart {
       grid: { stroke: colour('--line'), width: 1 },
       ticks: { show: false },
     };
-    return new uPlot(
+    const plot = new uPlot(
       {
         width: Math.max(this.#place.clientWidth, 200),
         height: HEIGHT,
@@ -107,6 +117,9 @@ export class Chart {
       [[], ...this.#axes.names.map(() => [])],
       this.#place,
     );
+    plot.root.setAttribute('role', 'img');
+    plot.root.setAttribute('aria-label', this.#axes.label);
+    return plot;
   }
 }
 

@@ -1,7 +1,10 @@
-/** The lesson of the scene: its text, its goals with what they are now, and what is handed in. */
+/**
+ * The lesson of the scene: its text, its goals with what they are now, and what is handed in. In
+ * windows where its panel is behind a tab, a line over the view says how many goals are met.
+ */
 
 import '../style/lesson.css';
-import { RENEW_MS, element, setText, throttled } from '../dom.js';
+import { RENEW_MS, byId, element, icon, setText, throttled } from '../dom.js';
 import { count } from '../format.js';
 import { roundingOf, valueInWords } from '../measures.js';
 import { goalInWords, measureOf } from './goal.js';
@@ -27,10 +30,28 @@ export function lessonPanel(parts) {
       'Results for hand-in',
     ),
   );
-  document.getElementById('model-panel')?.prepend(place);
+  byId('model-panel').prepend(place);
+  const line = element('span');
+  const card = element(
+    'div',
+    { id: 'lesson-card', 'aria-live': 'polite', hidden: true },
+    element(
+      'button',
+      { type: 'button', class: 'card', title: 'Show the goals', onclick: showGoals },
+      line,
+      icon('chevron'),
+    ),
+  );
+  byId('messages').before(card);
   /** @type {{ mark: HTMLElement, value: HTMLElement, row: HTMLElement }[]} */
   let rows = [];
   let shown = '';
+
+  /** Where the card is shown, the panel is not. */
+  function showGoals() {
+    byId('tab-model').click();
+    byId('model-panel').scrollTo(0, 0);
+  }
 
   async function handIn() {
     await parts.actions.told(import('./hand-in.js').then(({ handIn }) => handIn(parts)));
@@ -52,19 +73,20 @@ export function lessonPanel(parts) {
       setText(place, `${met ? 'met' : 'not met'}: ${words}`);
     });
     const met = numbers.goals.filter((goal) => goal.met).length;
-    sum.classList.toggle('met', met === goals.length);
-    setText(
-      sum,
-      met === goals.length
-        ? `${MARKS.met} Passed: ${count(met, 'goal')} met`
-        : `${met} of ${count(goals.length, 'goal')} met`,
-    );
+    const passed = met === goals.length;
+    const words = passed
+      ? `Passed: ${count(met, 'goal')} met`
+      : `${met} of ${count(goals.length, 'goal')} met`;
+    sum.classList.toggle('met', passed);
+    card.classList.toggle('met', passed);
+    setText(sum, passed ? `${MARKS.met} ${words}` : words);
+    setText(line, `${passed ? MARKS.met : MARKS.missed} Lesson: ${words}`);
   });
 
   store.subscribe(['document'], ({ document }) => {
     const lesson = document?.lesson ?? null;
     const isNew = lesson && place.hidden;
-    if (document) place.hidden = !lesson;
+    if (document) place.hidden = card.hidden = !lesson;
     // Where it was written from is farther down.
     if (isNew) place.parentElement?.scrollTo(0, 0);
     const now = JSON.stringify([lesson, document?.units]);

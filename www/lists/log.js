@@ -15,7 +15,8 @@ const NAMES = { error: 'Error', notice: 'Notice', status: '' };
 export function logOf(panel, parts) {
   const { store, solver, alerts, actions } = parts;
   const file = element('div', { class: 'import-report' });
-  const list = element('ol', { 'aria-label': 'Messages', class: 'log' });
+  // It scrolls, also by keyboard.
+  const list = element('ol', { 'aria-label': 'Messages', class: 'log', tabindex: 0 });
   const said = element('span', { class: 'quiet', 'aria-live': 'polite' });
   panel.append(
     element('h3', {}, 'File'),

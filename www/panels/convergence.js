@@ -85,6 +85,11 @@ export class Convergence {
 
   #empty() {
     this.#columns = emptyColumns();
+    this.#showNone();
+  }
+
+  /** No plot: there is no iteration, or none any more. */
+  #showNone() {
     this.#plot?.then((plot) => plot.destroy());
     this.#plot = null;
     this.#place.replaceChildren(
@@ -93,7 +98,8 @@ export class Convergence {
   }
 
   async #drawNow() {
-    if (this.#columns[0].length < 2 || !this.#inSight) return;
+    if (!this.#inSight) return;
+    if (this.#columns[0].length < 2) return this.#showNone();
     this.#plot ??= this.#load();
     const { document } = this.#store.get();
     const units = document?.units ? `${document.units}²` : '';

@@ -162,7 +162,7 @@ export function fillSelectMenu(menu, store, actions, selecting) {
       element(
         'p',
         { class: 'quiet' },
-        'It stays in the scene, to be selected or constrained again.',
+        'The selection gets a name, and can be selected or constrained again by it.',
       ),
       name,
       element(

@@ -21,7 +21,7 @@ export function statusBar(places, store) {
     ['step', '', 'narrow-hidden'],
     ['drag', 'drag', 'narrow-hidden'],
     ['units', '', 'wide narrow-hidden'],
-    ['saved', '', 'wide narrow-hidden'],
+    ['saved', '', ''],
     ['renderer', '', 'wide narrow-hidden'],
   ]) {
     const value = element('dd');
@@ -72,7 +72,11 @@ export function statusBar(places, store) {
     set('drag', dragMs > 0 ? duration(dragMs) : '');
   });
   store.subscribe(['dragMs'], showDrag);
-  store.subscribe(['saved'], ({ saved }) => set('saved', saved));
+  store.subscribe(['saved'], ({ saved }) => {
+    set('saved', saved);
+    // That something is not saved is said everywhere.
+    cells.get('saved').row.className = /^Saved/.test(saved) ? 'wide narrow-hidden' : '';
+  });
   store.subscribe(['renderer'], ({ renderer }) => set('renderer', RENDERERS[renderer]));
   store.subscribe(
     [
