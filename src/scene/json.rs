@@ -12,7 +12,6 @@
 //! | `lesson` | the exercise that a scene is, and the results that are handed in |
 //! | `selector` | the forms of `on` |
 //! | `inline_mesh` | a mesh inside the scene |
-//! | `text` | the text of a document as a tree |
 //! | `write` | JSON out |
 
 mod closeness;
@@ -22,7 +21,6 @@ mod inline_mesh;
 mod lesson;
 mod node;
 mod selector;
-mod text;
 mod write;
 
 use super::{
@@ -38,8 +36,6 @@ pub(crate) use indices::read as read_indices;
 pub(crate) use lesson::read as read_lesson;
 pub(crate) use node::{At, Node};
 pub(crate) use selector::read as read_selector;
-use text::Fault;
-pub(crate) use write::value as json_text;
 
 /// The value of `format` in every scene file.
 pub const FORMAT: &str = "shape-up-scene";
@@ -87,14 +83,18 @@ impl Scene {
 /// The document as a tree, with or without a byte order mark before it.
 pub(crate) fn parse(text: &str) -> Result<Node, SceneError> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    text::read(text).map_err(|Fault { message, line, column }| {
-        let message = if text.trim().is_empty() {
-            "the file is empty, expected a scene".to_owned()
-        } else {
-            format!("line {line}, column {column}: not JSON: {message}")
-        };
-        SceneError { path: String::new(), message }
-    })
+    serde_json::from_str(text).map_err(|error| syntax_error(text, &error))
+}
+
+fn syntax_error(text: &str, error: &serde_json::Error) -> SceneError {
+    let message = if text.trim().is_empty() {
+        "the file is empty, expected a scene".to_owned()
+    } else {
+        let what = error.to_string();
+        let what = what.split(" at line ").next().unwrap_or_default();
+        format!("line {}, column {}: not JSON: {what}", error.line(), error.column())
+    };
+    SceneError { path: String::new(), message }
 }
 
 fn read_scene(at: &At<'_>) -> Result<Scene, SceneError> {

@@ -20,9 +20,7 @@ mod words;
 
 pub use closeness::{BoundaryCloseness, Closeness, ClosenessTo, ClosenessWeight};
 pub use frame::Frame;
-pub(crate) use json::{
-    At, Node, json_text, parse, read_constraint, read_indices, read_lesson, read_selector,
-};
+pub(crate) use json::{At, Node, parse, read_constraint, read_indices, read_lesson, read_selector};
 pub use json::{FORMAT, VERSION};
 pub use lesson::{Goal, GoalOf, GoalResult, Lesson, Results};
 pub use words::Worded;

@@ -3,8 +3,7 @@
 
 use crate::constraint::{Form, Param, ParamValue};
 use crate::scene::{
-    Accelerator, BoundaryCloseness, ClosenessTo, Scene, SceneError, SmoothnessOf, Weighting,
-    Worded, json_text,
+    Accelerator, BoundaryCloseness, ClosenessTo, Scene, SceneError, SmoothnessOf, Weighting, Worded,
 };
 use serde::Serialize;
 use serde_json::{Map, Value, json};
@@ -160,10 +159,7 @@ pub(super) fn set(scene: &mut Scene, id: &str, value: &Value) -> Result<&'static
     let [least, greatest] = setting.param.range;
     let number = || {
         value.as_f64().filter(|number| (least..=greatest).contains(number)).ok_or_else(|| {
-            error(format!(
-                "found {}, expected a number from {least} to {greatest}",
-                json_text(value)
-            ))
+            error(format!("found {value}, expected a number from {least} to {greatest}"))
         })
     };
     match id {
@@ -195,7 +191,7 @@ pub(super) fn set(scene: &mut Scene, id: &str, value: &Value) -> Result<&'static
 fn choice<T: Worded>(id: &str, value: &Value) -> Result<T, SceneError> {
     value.as_str().and_then(T::of_word).ok_or_else(|| SceneError {
         path: id.to_owned(),
-        message: format!("found {}, expected {}", json_text(value), T::list(" or ")),
+        message: format!("found {value}, expected {}", T::list(" or ")),
     })
 }
 

@@ -1,9 +1,10 @@
 //! A JSON document as a tree that keeps the order of keys and refuses a key that occurs twice, and
 //! [`At`], a place in it: values are taken out by type, and what does not fit names the place.
 
-use super::write;
 use crate::scene::{SceneError, Worded};
+use serde::de::{self, Deserialize, Deserializer, MapAccess, SeqAccess, Visitor};
 use serde_json::{Map, Number, Value};
+use std::fmt;
 
 /// A JSON value.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,6 +16,58 @@ pub(crate) enum Node {
     Array(Vec<Node>),
     /// Keys in the order of the document, none twice.
     Object(Vec<(String, Node)>),
+}
+
+impl<'de> Deserialize<'de> for Node {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Node, D::Error> {
+        deserializer.deserialize_any(NodeVisitor)
+    }
+}
+
+struct NodeVisitor;
+
+impl<'de> Visitor<'de> for NodeVisitor {
+    type Value = Node;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a JSON value")
+    }
+    fn visit_unit<E>(self) -> Result<Node, E> {
+        Ok(Node::Null)
+    }
+    fn visit_bool<E>(self, value: bool) -> Result<Node, E> {
+        Ok(Node::Bool(value))
+    }
+    fn visit_u64<E>(self, value: u64) -> Result<Node, E> {
+        Ok(Node::Number(value.into()))
+    }
+    fn visit_i64<E>(self, value: i64) -> Result<Node, E> {
+        Ok(Node::Number(value.into()))
+    }
+    fn visit_f64<E: de::Error>(self, value: f64) -> Result<Node, E> {
+        Number::from_f64(value).map(Node::Number).ok_or_else(|| E::custom("number is not finite"))
+    }
+    fn visit_str<E>(self, value: &str) -> Result<Node, E> {
+        Ok(Node::Text(value.to_owned()))
+    }
+    fn visit_seq<A: SeqAccess<'de>>(self, mut array: A) -> Result<Node, A::Error> {
+        let mut items = Vec::new();
+        while let Some(item) = array.next_element()? {
+            items.push(item);
+        }
+        Ok(Node::Array(items))
+    }
+    fn visit_map<A: MapAccess<'de>>(self, mut object: A) -> Result<Node, A::Error> {
+        let mut entries = Vec::new();
+        let mut seen = std::collections::BTreeSet::new();
+        while let Some(key) = object.next_key::<String>()? {
+            if !seen.insert(key.clone()) {
+                return Err(de::Error::custom(format_args!("the key `{key}` occurs twice")));
+            }
+            entries.push((key, object.next_value()?));
+        }
+        Ok(Node::Object(entries))
+    }
 }
 
 impl Node {
@@ -37,7 +90,7 @@ impl Node {
         match self {
             Node::Null => "null".to_owned(),
             Node::Bool(value) => value.to_string(),
-            Node::Number(_) => write::value(&self.to_value()),
+            Node::Number(value) => value.to_string(),
             Node::Text(text) if text.chars().count() > 40 => {
                 format!("{:?}...", text.chars().take(40).collect::<String>())
             }

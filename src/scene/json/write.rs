@@ -7,7 +7,6 @@ use crate::mesh::{Decimal, Mesh, Point};
 use crate::scene::{
     ConstraintSpec, HANDLE_WEIGHT, HandleSpec, Hold, MeshSource, Scene, Up, Worded,
 };
-use serde_json::{Number, Value};
 
 pub(super) fn scene(scene: &Scene, mesh: &Mesh) -> String {
     let mut fields = vec![field("format", text(FORMAT)), field("version", VERSION.to_string())];
@@ -118,10 +117,10 @@ pub(super) fn constraint(spec: &ConstraintSpec) -> String {
         fields.push(field("name", text(&spec.name)));
     }
     let defaults = default_params(id);
-    if let Value::Object(params) = spec.kind.params() {
-        for (key, param) in params {
-            if defaults.get(&key) != Some(&param) {
-                fields.push(field(&key, value(&param)));
+    if let serde_json::Value::Object(params) = spec.kind.params() {
+        for (key, value) in params {
+            if defaults.get(&key) != Some(&value) {
+                fields.push(field(&key, value.to_string()));
             }
         }
     }
@@ -208,49 +207,5 @@ pub(super) fn number(value: f64) -> String {
 
 /// A JSON string.
 pub(super) fn text(value: &str) -> String {
-    serde_json::to_string(value).expect("every text is a JSON string")
-}
-
-/// Any value in as few characters as can be. Not by its own `Display`, which would bring a second
-/// writer of numbers along.
-pub(crate) fn value(value: &Value) -> String {
-    match value {
-        Value::Null => "null".to_owned(),
-        Value::Bool(value) => value.to_string(),
-        Value::Number(value) => whole(value).unwrap_or_else(|| {
-            let digits = value.as_f64().map_or("null".to_owned(), number);
-            let is_whole = digits.bytes().all(|digit| digit == b'-' || digit.is_ascii_digit());
-            if is_whole { digits + ".0" } else { digits }
-        }),
-        Value::String(value) => text(value),
-        Value::Array(items) => {
-            let items: Vec<_> = items.iter().map(self::value).collect();
-            format!("[{}]", items.join(","))
-        }
-        Value::Object(entries) => {
-            let entry =
-                |(key, value): (&String, &Value)| format!("{}:{}", text(key), self::value(value));
-            let entries: Vec<_> = entries.iter().map(entry).collect();
-            format!("{{{}}}", entries.join(","))
-        }
-    }
-}
-
-/// A number that was given without a fraction.
-fn whole(number: &Number) -> Option<String> {
-    let negative = || number.as_i64().map(|number| number.to_string());
-    number.as_u64().map(|number| number.to_string()).or_else(negative)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use serde_json::json;
-
-    #[test]
-    fn values_are_written_as_they_display() {
-        let numbers = json!([0, -7, u64::MAX, 80.0, -0.0, 0.5, -2.5e-9, 1e15, null]);
-        let all = json!({ "numbers": numbers, "words": ["é\"\n\u{1}", true, {}], "none": [] });
-        assert_eq!(value(&all), all.to_string());
-    }
+    serde_json::Value::from(value).to_string()
 }
