@@ -59,7 +59,7 @@ await main(() => {
   const isLater = (path) =>
     !isOther(path) && !first.has(path) && !isBeside(path) && !isPlot(path) && !isRhino(path);
   const rows = [
-    row('solver module', [at('www', 'pkg', 'solver', 'shape_up_bg.wasm')], 450 * kB),
+    row('solver module', [at('www', 'pkg', 'solver', 'shape_up_bg.wasm')], 480 * kB),
     row('view, WebGPU', [at('www', 'pkg', 'view-webgpu', 'shape_up_bg.wasm')], 165 * kB),
     row('view, WebGL2', [at('www', 'pkg', 'view-webgl2', 'shape_up_bg.wasm')], 900 * kB),
     row('first visit', [...first], 78 * kB),
