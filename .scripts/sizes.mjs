@@ -65,7 +65,7 @@ await main(() => {
     row('first visit', [...first], 78 * kB),
     row('first picture', [firstPicture], 14 * kB),
     row('plots', code.filter(isPlot), 30 * kB),
-    row('other dialogs', code.filter(isLater), 43 * kB),
+    row('other dialogs', code.filter(isLater), 44 * kB),
     row('gallery, projections', code.filter(isBeside), 16 * kB),
     row('files of Rhino', filesUnder(at('dist')).filter(isRhino), 1100 * kB),
   ];
