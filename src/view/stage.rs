@@ -359,10 +359,10 @@ impl Stage {
         self.view_changed();
     }
 
-    /// Fills the canvas with the whole mesh, from where the camera looks now.
+    /// Fills the canvas with the whole model, from where the camera looks now.
     pub fn fit(&mut self) {
         let radius = self.size() * 1e-3;
-        frame(&mut self.camera, self.subject.positions.iter().copied(), radius);
+        frame(&mut self.camera, self.subject.used_positions(), radius);
         self.framed = true;
         self.view_changed();
     }
@@ -403,7 +403,7 @@ impl Stage {
     }
 
     pub(super) fn bounds(&self) -> [Vec3; 2] {
-        let points = self.subject.positions.iter().copied();
+        let points = self.subject.used_positions();
         let low = points.clone().reduce(Vec3::min).unwrap_or_default();
         [low, points.reduce(Vec3::max).unwrap_or_default()]
     }

@@ -11,6 +11,9 @@ use glam::{DVec3, Vec3};
 pub struct Subject {
     /// The middle of the first bounding box, in file coordinates. It stays when vertices move.
     pub centre: DVec3,
+    /// The vertices that the model is made of: those of faces and curves, or all where it has neither.
+    /// A stray one far away would leave the model as small as a dot, and its digits too few.
+    pub used: Vec<u32>,
     /// #V, in file coordinates.
     pub exact: Vec<DVec3>,
     /// #V, relative to the centre.
@@ -36,11 +39,13 @@ impl Subject {
     /// Arrays that do not fit together, or a coordinate that is not finite.
     pub fn new(faces: Lists, curves: Lists, coordinates: &[f64]) -> Result<Subject, ViewError> {
         let exact = read_points(coordinates)?;
-        let low = exact.iter().copied().reduce(DVec3::min).unwrap_or_default();
-        let high = exact.iter().copied().reduce(DVec3::max).unwrap_or_default();
+        let used = used(&faces, &curves, exact.len());
+        let corners = used.iter().map(|&v| exact[v as usize]);
+        let low = corners.clone().reduce(DVec3::min).unwrap_or_default();
+        let high = corners.reduce(DVec3::max).unwrap_or_default();
         let edges = polygon_edges(&faces);
         let centre = low + (high - low) * 0.5;
-        let mut subject = Subject { centre, faces, curves, edges, ..Subject::default() };
+        let mut subject = Subject { centre, used, faces, curves, edges, ..Subject::default() };
         subject.place(exact);
         for (f, face) in subject.faces.iter().enumerate() {
             triangulate(&subject.positions, face, &mut subject.triangles);
@@ -70,6 +75,11 @@ impl Subject {
         self.normals.update(&self.positions, &self.faces);
     }
 
+    /// The positions of the vertices that the model is made of, relative to the centre.
+    pub fn used_positions(&self) -> impl Iterator<Item = Vec3> + Clone {
+        self.used.iter().map(|&v| self.positions[v as usize])
+    }
+
     /// Whether there is nothing but vertices to see.
     pub fn is_only_points(&self) -> bool {
         self.faces.is_empty() && self.curves.is_empty()
@@ -79,6 +89,15 @@ impl Subject {
     pub fn relative(&self, point: DVec3) -> Vec3 {
         (point - self.centre).as_vec3()
     }
+}
+
+/// Of `count` vertices those of faces and curves, ascending, or all where there are neither.
+fn used(faces: &Lists, curves: &Lists, count: usize) -> Vec<u32> {
+    let mut is_used = vec![faces.is_empty() && curves.is_empty(); count];
+    for &vertex in faces.iter().chain(curves.iter()).flatten() {
+        is_used[vertex as usize] = true;
+    }
+    (0..).zip(is_used).filter_map(|(vertex, used)| used.then_some(vertex)).collect()
 }
 
 /// Reads #P by 3 coordinates.
@@ -116,6 +135,18 @@ mod tests {
         assert_eq!(here.positions, there.positions);
         assert_eq!(here.triangles.len(), 2);
         assert_eq!(here.edges.len(), 4);
+    }
+
+    #[test]
+    fn a_stray_vertex_costs_no_digits() {
+        let at = DVec3::new(2_679_500.0, 1_247_250.0, 408.0);
+        let there = square(at);
+        let mut coordinates: Vec<f64> = there.exact.iter().flat_map(|p| p.to_array()).collect();
+        coordinates.extend([0.0; 3]);
+        let stray = Subject::new(there.faces.clone(), Lists::default(), &coordinates).unwrap();
+        assert_eq!(stray.centre, there.centre);
+        assert_eq!(stray.positions[..4], there.positions);
+        assert!(stray.used_positions().eq(there.used_positions()));
     }
 
     #[test]
