@@ -9,7 +9,7 @@ mod random;
 use random::Random;
 use shape_up::math::Vec3;
 use shape_up::mesh::{Mesh, Point, Surface, Topology};
-use shape_up::scene::{Accelerator, Closeness, ClosenessTo, Scene, SmoothnessOf, Weighting};
+use shape_up::scene::{Accelerator, Scene, SmoothnessOf, Weighting};
 use shape_up::session::{Edit, Session};
 
 fn scene(rest: &str) -> Scene {
@@ -247,7 +247,7 @@ fn what_weighs_more_moves_less() {
 }
 
 #[test]
-fn edits_keep_the_weights_and_closeness_is_an_edit() {
+fn edits_keep_the_weights_and_can_change_them() {
     let mesh = grid(false);
     let closeness = format!(r#"{ROW}, "closeness": {{ "to": "rest", {WEIGHTS} }}"#);
     let mut session = disturbed_session(&closeness, &mesh);
@@ -256,16 +256,14 @@ fn edits_keep_the_weights_and_closeness_is_an_edit() {
     session.edit(Edit::RemoveHandles { vertices: vec![9] }).expect("it fits");
     assert_eq!((session.scene(), session.solver().energy()), before);
 
-    let plain = Closeness { to: ClosenessTo::Rest, ..Closeness::default() };
-    session.edit(Edit::SetCloseness(plain.clone())).expect("it fits");
-    assert_eq!(session.scene().closeness, plain);
+    session.edit(Edit::HoldClose { vertices: None, weight: 1.0 }).expect("it fits");
+    assert_eq!(session.scene().closeness.weights, []);
     assert!(session.solver().energy().close != before.1.close);
-    assert_eq!(session.undo(), Ok(Some("Change closeness".to_owned())));
+    session.undo().expect("the state before can be solved");
     assert_eq!((session.scene(), session.solver().energy()), before);
 
-    let mut wrong = before.0.closeness.clone();
-    wrong.weights[0].weight = -1.0;
-    let error = session.edit(Edit::SetCloseness(wrong)).expect_err("it is negative").to_string();
-    assert!(error.contains("closeness.weights[0].weight"), "{error}");
+    let wrong = Edit::HoldClose { vertices: Some(vec![3]), weight: -1.0 };
+    let error = session.edit(wrong).expect_err("it is negative").to_string();
+    assert!(error.contains("closeness.weights[2].weight"), "{error}");
     assert_eq!((session.scene(), session.solver().energy()), before);
 }

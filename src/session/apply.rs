@@ -87,10 +87,6 @@ impl Session {
                 document.weights = weights;
                 "Change weights".to_owned()
             }
-            Edit::SetCloseness(closeness) => {
-                document.closeness = closeness;
-                "Change closeness".to_owned()
-            }
             Edit::SetUnits { units } => {
                 document.units = units;
                 "Change unit".to_owned()

@@ -2,7 +2,7 @@
 
 use super::place::Place;
 use crate::constraint::Set;
-use crate::scene::{Closeness, ConstraintSpec, Lesson, Scene, Up, Weights};
+use crate::scene::{ConstraintSpec, Lesson, Scene, Up, Weights};
 use serde_json::{Map, Value};
 
 /// An edit of the document; [`Edit::from_json`] reads one.
@@ -73,8 +73,6 @@ pub enum Edit {
     },
     /// Replaces the weights of Eq. 13.
     SetWeights(Weights),
-    /// Replaces what vertices are kept close to.
-    SetCloseness(Closeness),
     /// Says in which unit the coordinates are; they stay as they are.
     SetUnits {
         /// Empty when not known.

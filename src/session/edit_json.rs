@@ -11,8 +11,7 @@ use serde_json::{Map, Value};
 impl Edit {
     /// Reads an edit of `document`: an object with its `type`, which is the name of the variant in camel
     /// case, and its fields. A constraint is described as in a scene file, but with its parameters in
-    /// `params` and `on` as a [`Place`]; of weights, those that are not given stay. The closeness is set by
-    /// [`Edit::Set`] alone.
+    /// `params` and `on` as a [`Place`]; of weights, those that are not given stay.
     ///
     /// # Errors
     /// As [`Scene::from_json`].
