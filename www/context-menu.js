@@ -45,13 +45,14 @@ export function showContextMenu(at, parts) {
   const { store, viewport, actions } = parts;
   place = new DOMRect(...at, 0, 0);
   menu.replaceChildren(
-    ...itemsOf(parts).map(([label, action]) =>
+    ...itemsOf(parts).map(([label, action], k) =>
       element(
         'button',
         {
           type: 'button',
           role: 'menuitem',
-          tabindex: -1,
+          // One of them can be reached where the menu is so long that it scrolls.
+          tabindex: k ? -1 : 0,
           onclick: () => {
             close();
             action();

@@ -75,6 +75,7 @@ test('a solver that comes slowly says how much of it is here', async ({ page }) 
 
 test('running, paused and converged are each said once', async ({ page }) => {
   await openPage(page);
+  await expect(status(page)).toHaveText(/^Opened the example/);
   const words = await heard(page, async () => {
     await page.getByRole('button', { name: 'Run' }).click();
     await expect(status(page)).toHaveText(/^Converged after \d+ iterations$/);
