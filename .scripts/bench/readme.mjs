@@ -72,7 +72,11 @@ function convergenceText(rows) {
 
 function startText(start) {
   if (!start) return [];
-  return ['The page with its first model, drawn without a graphics card:', startTable(start)];
+  return [
+    'The page with its first model, drawn without a graphics card:',
+    startTable(start),
+    'The kB are those until a second and a half later: with what the page keeps for use without a network.',
+  ];
 }
 
 function peersText(peers = []) {
