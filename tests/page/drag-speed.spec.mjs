@@ -4,7 +4,7 @@
 // worker is still computing, a picture shows the dot at the pointer and nothing else that is new.
 
 import { cpus, loadavg } from 'node:os';
-import { expect, openPage, screenOf, state, test, waitForState } from './support.mjs';
+import { expect, screenOf, state, test, visit, waitForState } from './support.mjs';
 
 /** The example with about 2500 vertices. */
 const EXAMPLE = 'fig-05-mixed';
@@ -42,7 +42,7 @@ test('a drag on 2500 vertices is answered within 16 ms and costs the page less',
       }
     };
   });
-  await openPage(page, `backend=webgl2#example=${EXAMPLE}`);
+  await visit(page, `backend=webgl2#example=${EXAMPLE}`);
   await waitForState(page, (now) => now.vertices > 2400 && now.renderer === 'webgl2');
   const known = (await state(page)).handles.length;
   const vertex = await page.evaluate(() => {
