@@ -93,6 +93,6 @@ test('a drag on 2500 vertices is answered within 16 ms and costs the page less',
   const said = `page ${work.toFixed(2)} ms, worker ${answers.toFixed(2)} ms, pointer to positions ${median(latency).toFixed(1)} ms`;
   test.info().annotations.push({ type: 'measured', description: said });
   expect(work, said).toBeLessThan(FRAME_BUDGET);
-  expect(answers, said).toBeLessThan(ANSWER_BUDGET);
+  expect(answers, said).toBeLessThanOrEqual(ANSWER_BUDGET);
   await expect(page.getByTitle('From the pointer to new positions')).toContainText('ms');
 });
