@@ -45,14 +45,12 @@ export function showContextMenu(at, parts) {
   const { store, viewport, actions } = parts;
   place = new DOMRect(...at, 0, 0);
   menu.replaceChildren(
-    ...itemsOf(parts).map(([label, action], k) =>
+    ...itemsOf(parts).map(([label, action]) =>
       element(
         'button',
         {
           type: 'button',
           role: 'menuitem',
-          // One of them can be reached where the menu is so long that it scrolls.
-          tabindex: k ? -1 : 0,
           onclick: () => {
             close();
             action();
