@@ -2,6 +2,8 @@
 
 import { element, icon, leave } from './dom.js';
 
+/** What can be done about a message. @typedef {{ label: string, action: () => void }} Offer */
+
 /** The oldest ones beyond so many are forgotten. */
 const MOST_ENTRIES = 500;
 
@@ -25,10 +27,10 @@ export class Alerts {
   /**
    * Something happened that was not asked for.
    * @param {string} message
-   * @param {{ label: string, action: () => void }} [offer] what can be done about it
+   * @param {...Offer} offers what can be done about it
    */
-  notice(message, offer) {
-    this.#show(message, 'notice', offer);
+  notice(message, ...offers) {
+    this.#show(message, 'notice', offers);
   }
 
   /** Calls `listener` after everything that is said. @param {() => void} listener */
@@ -56,9 +58,9 @@ export class Alerts {
    * The newest message only: an old one is about something that was tried again since.
    * @param {string} message
    * @param {"error" | "notice"} kind
-   * @param {{ label: string, action: () => void }} [offer]
+   * @param {Offer[]} [offers]
    */
-  #show(message, kind, offer) {
+  #show(message, kind, offers = []) {
     this.note(message, kind);
     const close = element(
       'button',
@@ -66,15 +68,15 @@ export class Alerts {
       icon('close'),
     );
     const text = element('p', {}, message);
-    const act = () => {
-      this.clear();
-      offer?.action();
-    };
-    const offers = offer
-      ? [element('button', { type: 'button', class: 'small bordered', onclick: act }, offer.label)]
-      : [];
+    const buttons = offers.map(({ label, action }) => {
+      const onclick = () => {
+        this.clear();
+        action();
+      };
+      return element('button', { type: 'button', class: 'small bordered', onclick }, label);
+    });
     this.#place.replaceChildren(
-      element('div', { class: `message ${kind}` }, text, ...offers, close),
+      element('div', { class: `message ${kind}` }, text, ...buttons, close),
     );
   }
 }

@@ -14,6 +14,8 @@ import { Convergence } from './panels/convergence.js';
  * @property {import("./files.js").Files} files
  * @property {import("./actions.js").Actions} actions
  * @property {import("./alerts.js").Alerts} alerts
+ * @property {import("./hold-original.js").HoldOriginal} hold
+ * @property {import("./dialog-add-constraint.js").AddConstraintDialog} addConstraint
  */
 
 /**

@@ -19,6 +19,7 @@ import { viewCommands } from './view-commands.js';
  * @property {import("./alerts.js").Alerts} alerts
  * @property {import("./dialog-add-constraint.js").AddConstraintDialog} addConstraint
  * @property {import("./solver-client.js").SolverClient} solver
+ * @property {import("./hold-original.js").HoldOriginal} hold
  * @property {() => void} lesson opens the dialog that writes one
  * @property {() => void} flatMap shows the flat map, or takes it away
  * @property {() => void} split shows two pictures, or one again
@@ -83,10 +84,19 @@ export function commandTable(parts) {
     {
       id: 'reset',
       group: 'Solver',
-      label: 'Back to the shape of the file',
+      label: 'Back to the original',
       keys: ['Shift+R'],
       action: actions.reset,
       needsModel: true,
+      title: () => 'Back to the original; hold to see it',
+    },
+    {
+      id: 'hold-original',
+      group: 'View',
+      label: 'Hold: show the original',
+      keys: ['R'],
+      action: () => parts.hold.begin(),
+      enabled: (state) => state.document !== null && isDrawn(state),
     },
     {
       id: 'undo',

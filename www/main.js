@@ -29,6 +29,7 @@ import { Keeping } from './keeping.js';
 import { showMoved } from './moved-value.js';
 import { handlesPanel } from './panels/handles.js';
 import { bindHalfStepButtons } from './half-step.js';
+import { HoldOriginal } from './hold-original.js';
 import { stayOffline } from './offline.js';
 import { legend } from './panels/legend.js';
 import { modelPanel } from './panels/model.js';
@@ -89,7 +90,8 @@ handlesPanel(byId('handles'), store, actions, solver);
 energiesPanel(byId('energies'), store, actions);
 displayPanel(byId('display'), store);
 legend(byId('legend'), store, viewport, refit);
-const parts = { store, solver, viewport, files, actions, alerts };
+const hold = new HoldOriginal(store, solver);
+const parts = { store, solver, viewport, files, actions, alerts, hold, addConstraint };
 const analysis = analysisRegion(byId('analysis'), parts);
 exampleNote(byId('example-note'), files, alerts, ({ split, plot }) => {
   if (split) splitInto(parts, split);
@@ -122,6 +124,7 @@ const commands = commandTable({
   alerts,
   addConstraint,
   solver,
+  hold,
   fileInput,
   lesson: () => actions.told(import('./lesson/dialog.js').then(({ write }) => write(parts))),
   // What it lists is complete by the time that somebody looks.
@@ -129,6 +132,8 @@ const commands = commandTable({
   flatMap: () => toggleFlatMap({ store, solver, viewport, alerts }),
   split: () => toggleSplit(parts),
 });
+for (const button of document.querySelectorAll('[data-command="reset"]'))
+  if (button instanceof HTMLElement) hold.bind(button, { clicks: true });
 bindButtons(commands, store);
 bindKeys(commands, store);
 bindRunButton(byId('run'), store);
@@ -181,6 +186,7 @@ function takeUp(client) {
       halfway: false,
       flatMap: null,
       split: null,
+      heldOriginal: null,
       selection: NOTHING,
       dragged: [],
       dragMs: 0,

@@ -10,6 +10,9 @@ import { combineOf, describe, select, sizeOfSelection } from './selection.js';
 /** @typedef {import("./selection.js").Combine} Combine */
 /** @typedef {import("./state.js").Mode} Mode */
 
+/** @type {Mode[]} */
+const MODES = ['vertices', 'edges', 'faces'];
+
 export class Selecting {
   #store;
   #solver;
@@ -52,8 +55,8 @@ export class Selecting {
     });
     // Somebody opened another model meanwhile.
     if (this.#store.get().model !== model) return false;
-    const gives = operation.gives ?? mode;
-    if (found[gives].length === 0) {
+    const gives = MODES.find((one) => found[one].length > 0);
+    if (!gives) {
       this.#actions.say(`${operation.label}: nothing found`);
       return false;
     }

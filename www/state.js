@@ -48,6 +48,7 @@
  * @property {number[] | null} tape the ends of the measuring tape that are chosen, while there is one
  * @property {import("./flat-map.js").FlatMap | null} flatMap what is shown beside the model
  * @property {import("./split.js").Split | null} split two pictures in place of one
+ * @property {HeldOriginal | null} heldOriginal shown in place of the current shape while somebody holds
  * @property {boolean} dark
  * @property {"webgpu" | "webgl2" | "none" | "starting"} renderer
  * @property {string} saved what became of the autosave, in words
@@ -57,6 +58,10 @@
 /** @typedef {"vertices" | "edges" | "faces"} Mode */
 /** Edges by their places in `Connectivity.edges`. @typedef {Record<Mode, ReadonlySet<number>>} Selection */
 /** @typedef {{ vertices: Uint32Array, faces: Uint32Array, colour: [number, number, number] }} Tint */
+/**
+ * The shape that was opened, `#V by 3`, and its values of the measure, `#F`, where there is one.
+ * @typedef {{ positions: Float64Array, values: Float32Array | null }} HeldOriginal
+ */
 
 /**
  * @typedef {object} Store
@@ -115,6 +120,7 @@ const INITIAL = {
   tape: null,
   flatMap: null,
   split: null,
+  heldOriginal: null,
   dark: false,
   renderer: 'starting',
   saved: '',

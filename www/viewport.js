@@ -6,6 +6,7 @@
 
 import { Backend, isBlank, openView } from './backend.js';
 import { removeFirstPicture } from './first-picture.js';
+import { ShapeTransition } from './shape-transition.js';
 import { handlesNow } from './state.js';
 import { messageOf } from './messages.js';
 import { modelErrors, showFlatMap } from './flat-map.js';
@@ -52,6 +53,8 @@ export class Viewport extends EventTarget {
   #newMesh = false;
   /** The positions, values or fitted shapes are newer than the picture. */
   #newFrame = false;
+  /** @type {{ shapes: ShapeTransition, arrived: () => void } | null} */
+  #transition = null;
 
   /**
    * @param {HTMLElement} element
@@ -103,6 +106,24 @@ export class Viewport extends EventTarget {
     this.#handOver();
     this.ask();
     return action(this.view);
+  }
+
+  /**
+   * Goes from the shape as it is to the next ones of the solver gradually.
+   * @param {number} milliseconds
+   * @returns {Promise<void>} when it is there
+   */
+  transition(milliseconds) {
+    this.#endTransition();
+    const { geometry } = this.#solver;
+    if (!this.view || !geometry) return Promise.resolve();
+    const shapes = new ShapeTransition(geometry.positions, milliseconds);
+    return new Promise((arrived) => (this.#transition = { shapes, arrived }));
+  }
+
+  #endTransition() {
+    this.#transition?.arrived();
+    this.#transition = null;
   }
 
   /** How far what the view holds goes with the pointer. @type {import("./handle-drag.js").Hold} */
@@ -270,6 +291,7 @@ export class Viewport extends EventTarget {
   #watchSolver() {
     this.#solver.addEventListener('model', () => {
       this.#newMesh = true;
+      this.#endTransition();
       this.ask();
     });
     this.#solver.addEventListener('frame', () => {
@@ -280,14 +302,18 @@ export class Viewport extends EventTarget {
 
   #watchStore() {
     const { subscribe } = this.#store;
+    subscribe(['heldOriginal'], () => {
+      this.#newFrame = true;
+      this.ask();
+    });
     /** @type {[(keyof State)[], (view: View, state: State) => void][]} */
     const parts = [
       [['dark'], (view, state) => view.setTheme(state.dark)],
       [['document'], (view, { document }) => document && view.setUp(document.up)],
-      [['display', 'halfway'], showDisplay],
+      [['display', 'halfway', 'heldOriginal'], showDisplay],
       [['parallel'], (view, { parallel }) => view.setParallel(parallel)],
       [['tape'], (view, { tape }) => view.setTape(Uint32Array.from(tape ?? []))],
-      [['document', 'dragged', 'moved', 'selection', 'model'], showHandles],
+      [['document', 'dragged', 'moved', 'selection', 'model', 'heldOriginal'], showHandles],
       [
         ['gizmoPart', 'dragged'],
         (view, state) => view.lightGizmo(state.gizmoPart, state.dragged.length > 0),
@@ -317,13 +343,30 @@ export class Viewport extends EventTarget {
    */
   #showValues(view, state) {
     const { geometry } = this.#solver;
-    const isCurrent = geometry?.measure === state.measure && !state.flatMap;
+    const { heldOriginal } = state;
+    const isCurrent = geometry?.measure === state.measure && !state.flatMap && !heldOriginal;
     view.setCornerValues((isCurrent && geometry?.corners) || undefined);
     if (state.flatMap) return view.setFaceValues(...modelErrors(state.flatMap));
     // Right after another choice, the values are still those of the one before, or have no range.
     const isRanged = geometry?.measure === state.measure && state.spread;
-    const values = isRanged ? geometry?.values : null;
+    const values = isRanged ? (heldOriginal ?? geometry)?.values : null;
     view.setFaceValues(values ?? undefined, state.range[0], state.range[1]);
+  }
+
+  /**
+   * Those that are shown for the newest ones, `#V by 3`.
+   * @param {Float64Array} newest
+   * @param {State} state
+   */
+  #positions(newest, { heldOriginal }) {
+    const positions = this.#transition?.shapes.towards(newest) ?? newest;
+    if (this.#transition?.shapes.part === 1) this.#endTransition();
+    if (this.#transition) {
+      // The next picture is another one without a frame, too.
+      this.#newFrame = true;
+      this.ask();
+    }
+    return heldOriginal?.positions ?? positions;
   }
 
   /** Gives the view what is newer than what it has. */
@@ -342,7 +385,7 @@ export class Viewport extends EventTarget {
       view.fit();
     }
     this.#newFrame = false;
-    view.setPositions(geometry.positions);
+    view.setPositions(this.#positions(geometry.positions, state));
     this.#showValues(view, state);
     if (geometry.shapes) view.setShapes(geometry.shapes);
     if (geometry.projections) {
@@ -376,10 +419,14 @@ export class Viewport extends EventTarget {
  * @param {View} view
  * @param {State} state
  */
-function showDisplay(view, { display, halfway }) {
-  const { edges, vertices, shapes, outlines, arrows } = display;
-  // What the local step has fitted is seen until the global step takes it over.
-  view.setDisplay(edges, vertices, shapes, outlines || halfway, arrows);
+function showDisplay(view, { display, halfway, heldOriginal }) {
+  const { edges, vertices } = display;
+  // All of them are of the current shape. What the local step has fitted is seen until the global
+  // step takes it over.
+  const [shapes, outlines, arrows] = heldOriginal
+    ? [false, false, false]
+    : [display.shapes, display.outlines || halfway, display.arrows];
+  view.setDisplay(edges, vertices, shapes, outlines, arrows);
   view.setSurroundings(display.ghost, display.ground);
   view.setBands(display.bands);
   view.setGizmo(display.gizmo, FINGERS.matches);
@@ -392,7 +439,8 @@ function showDisplay(view, { display, halfway }) {
  */
 function showHandles(view, state) {
   const { dragged } = state;
-  const handles = handlesNow(state);
+  // Where they pull is about the current shape.
+  const handles = state.heldOriginal ? [] : handlesNow(state);
   const vertices = Uint32Array.from(handles, (handle) => handle.vertex);
   const states = Uint8Array.from(handles, (handle) =>
     dragged.includes(handle.vertex) ? 2 : handle.fixed ? 1 : 0,

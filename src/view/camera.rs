@@ -70,6 +70,8 @@ pub struct Camera {
     pub projection: Projection,
     /// Size of the canvas, CSS pixels.
     pub canvas: Vec2,
+    /// At the lower edge of the canvas, what framing leaves free for what lies over it, CSS pixels.
+    pub covered: f32,
 }
 
 /// The camera's axes and place, computed once per use.
@@ -101,6 +103,7 @@ impl Default for Camera {
             up: Up::Z,
             projection: Projection::Perspective,
             canvas: Vec2::new(300.0, 150.0),
+            covered: 0.0,
         }
     }
 }

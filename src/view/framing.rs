@@ -12,47 +12,50 @@ const MARGIN: f32 = 0.045;
 const NEAREST: f32 = 1e-3;
 
 /// Moves `camera` along and across its direction of view until the balls of `radius` about all
-/// `points` are inside the canvas with a small margin. The radius is more than nothing, so that one
+/// `points` are inside the part of the canvas that nothing covers, with a small margin. The radius is more than nothing, so that one
 /// point has a size. No points leave the camera as it was.
 pub fn frame(camera: &mut Camera, points: impl Iterator<Item = Vec3> + Clone, radius: f32) {
     let eye = camera.eye();
+    // Of the side planes: to the right and upwards, to the left and downwards.
     let slope = eye.middle * (1.0 - 2.0 * MARGIN) / eye.focal;
+    let bottom = (2.0 * MARGIN * eye.middle.y).max(camera.covered.min(eye.middle.y));
+    let slope_back = Vec2::new(slope.x, (eye.middle.y - bottom) / eye.focal);
     if eye.parallel.is_some() {
-        return frame_parallel(camera, points, radius, slope);
+        return frame_parallel(camera, points, radius, [slope, slope_back]);
     }
     // How far the ball reaches beyond its centre, measured across the side planes.
-    let reach =
-        Vec2::new((1.0 + slope.x * slope.x).sqrt(), (1.0 + slope.y * slope.y).sqrt()) * radius;
+    let reach = |slope: Vec2| (slope * slope + 1.0).map(f32::sqrt) * radius;
     let seen = points.map(|p| Vec3::new(p.dot(eye.right), p.dot(eye.up), p.dot(eye.forward)));
     let nowhere = Vec2::splat(f32::NEG_INFINITY);
     let (mut high, mut low) = (nowhere, nowhere);
     let (mut front, mut back) = (f32::INFINITY, f32::NEG_INFINITY);
     for p in seen {
         high = high.max(p.truncate() - slope * p.z);
-        low = low.max(-p.truncate() - slope * p.z);
+        low = low.max(-p.truncate() - slope_back * p.z);
         front = front.min(p.z - radius);
         back = back.max(p.z + radius);
     }
     if !back.is_finite() {
         return;
     }
-    let (high, low) = (high + reach, low + reach);
-    let depth = (-(high + low) / (slope * 2.0)).min_element();
+    let (high, low) = (high + reach(slope), low + reach(slope_back));
+    let depth = (-(high + low) / (slope + slope_back)).min_element();
     let middle = 0.5 * (front + back);
     // Points on one line of sight give no width to go by.
     let depth = depth.min(front - 0.05 * (back - front));
-    let across = (high - low) * 0.5;
+    let across = (high - low + (slope - slope_back) * depth) * 0.5;
     camera.pivot = eye.right * across.x + eye.up * across.y + eye.forward * middle;
     camera.distance = (middle - depth).max(radius);
 }
 
 /// [`frame`] in parallel projection, where the side planes of the field of view are parallel too.
-/// `slope` is half the canvas without its margin, seen at depth 1.
+/// The slopes are the free parts of the canvas from its middle to the right and upwards, and to the left
+/// and downwards, seen at depth 1.
 fn frame_parallel(
     camera: &mut Camera,
     points: impl Iterator<Item = Vec3>,
     radius: f32,
-    slope: Vec2,
+    [slope, slope_back]: [Vec2; 2],
 ) {
     let eye = camera.eye();
     let seen = points.map(|p| Vec3::new(p.dot(eye.right), p.dot(eye.up), p.dot(eye.forward)));
@@ -61,10 +64,11 @@ fn frame_parallel(
     else {
         return;
     };
-    let middle = 0.5 * (low + high);
-    camera.pivot = eye.right * middle.x + eye.up * middle.y + eye.forward * middle.z;
     let half = 0.5 * (high - low).truncate() + radius;
-    camera.distance = (half / slope).max_element().max(radius);
+    camera.distance = (half * 2.0 / (slope + slope_back)).max_element().max(radius);
+    let aside = 0.5 * (slope - slope_back) * camera.distance;
+    let middle = 0.5 * (low + high) - aside.extend(0.0);
+    camera.pivot = eye.right * middle.x + eye.up * middle.y + eye.forward * middle.z;
 }
 
 /// Near and far depths that hold all `points` tightly.
@@ -118,6 +122,32 @@ mod tests {
                     spare = spare.min(edge.min_element());
                 }
                 assert!((spare - MARGIN).abs() < 1e-3, "{side} {canvas}: {spare}");
+            }
+        }
+    }
+
+    #[test]
+    fn nothing_of_a_framed_box_is_where_the_canvas_is_covered() {
+        let canvas = Vec2::new(390.0, 600.0);
+        for projection in [Projection::Perspective, Projection::Parallel { reach: 30.0 }] {
+            for side in ["home", "front"] {
+                let mut camera = Camera { canvas, projection, covered: 120.0, ..Camera::default() };
+                camera.look_from(side).unwrap();
+                // As high as the canvas.
+                frame(
+                    &mut camera,
+                    corners().into_iter().map(|p| p * Vec3::new(1.0, 1.0, 20.0)),
+                    0.0,
+                );
+                let eye = camera.eye();
+                let heights = corners()
+                    .into_iter()
+                    .map(|p| eye.project(p * Vec3::new(1.0, 1.0, 20.0)).0.y)
+                    .collect::<Vec<_>>();
+                let low = heights.iter().copied().fold(0.0, f32::max);
+                let high = heights.iter().copied().fold(f32::INFINITY, f32::min);
+                assert!((low - 480.0).abs() < 0.5, "{side} {projection:?}: {low}");
+                assert!((high - 600.0 * MARGIN).abs() < 0.5, "{side} {projection:?}: {high}");
             }
         }
     }

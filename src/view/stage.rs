@@ -359,6 +359,16 @@ impl Stage {
         self.view_changed();
     }
 
+    /// Leaves so much free at the lower edge of the canvas when something is framed, in CSS pixels. What is
+    /// framed now moves away from there, and not back.
+    pub fn cover(&mut self, pixels: f32) {
+        let is_more = pixels > self.camera.covered;
+        self.camera.covered = pixels;
+        if is_more && self.framed {
+            self.fit();
+        }
+    }
+
     /// Fills the canvas with the whole model, from where the camera looks now.
     pub fn fit(&mut self) {
         let radius = self.size() * 1e-3;

@@ -42,6 +42,12 @@ impl View {
         self.stage.zoom(factor, Vec2::new(x, y));
     }
 
+    /// Leaves so many CSS pixels free at the lower edge when something is framed. What is framed now moves
+    /// away from there, and not back.
+    pub fn cover(&mut self, pixels: f32) {
+        self.stage.cover(pixels);
+    }
+
     /// Fills the canvas with the mesh, from where the camera looks now.
     pub fn fit(&mut self) {
         self.stage.fit();

@@ -277,3 +277,40 @@ test('another model takes the tape away, and a lost context none of it', async (
   await openText(page, 'roof.obj', wavyGrid(4), 25);
   await expect(tape(page)).toBeHidden();
 });
+
+test('the original is shown for as long as a key, or the Reset button, is held', async ({
+  page,
+}) => {
+  await openPage(page);
+  await runToTheEnd(page);
+  const before = await state(page);
+  const vertex = 40;
+  const now = await screenOf(page, vertex);
+  const seen = () => page.evaluate((v) => window.shapeUp.screen(v), vertex);
+  const status = page.getByRole('status');
+  const isShown = async () => {
+    await expect(status).toHaveText('The original, while held');
+    expect(await seen()).not.toEqual(now);
+  };
+  const isOver = async () => {
+    await expect(status).not.toHaveText('The original, while held');
+    expect(await seen()).toEqual(now);
+  };
+
+  await view(page).focus();
+  await page.keyboard.down('r');
+  await isShown();
+  await page.keyboard.up('r');
+  await isOver();
+
+  const reset = page.getByRole('button', { name: 'Reset' });
+  await reset.hover();
+  await page.mouse.down();
+  await isShown();
+  await page.mouse.up();
+  await isOver();
+  // A long press is no click: nothing was reset.
+  expect((await state(page)).iteration).toBe(before.iteration);
+  await reset.click();
+  await waitForState(page, (later) => later.iteration === 0);
+});

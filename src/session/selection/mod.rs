@@ -73,7 +73,11 @@ impl Session {
                 || error("operation", format!("`{}` is no way to select", request.operation)),
             )?;
         self.check(&request.from)?;
-        let mode = operation.gives.unwrap_or(request.mode);
+        let mode = match operation.id {
+            // The faces along a boundary have a second ring of vertices, which nobody asked for.
+            "boundary" if request.mode == Mode::Faces => Mode::Edges,
+            _ => operation.gives.unwrap_or(request.mode),
+        };
         let params = Params { operation, given: &request.params };
         let found = match operation.id {
             // These two need the session: errors of faces, and sets.

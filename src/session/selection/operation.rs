@@ -145,7 +145,7 @@ pub const OPERATIONS: &[Operation] = &[
     Operation {
         id: "boundary",
         label: "Boundary loop",
-        summary: "The boundary loops that the selection touches; all of them where nothing is selected.",
+        summary: "The boundary loops that the selection touches, of faces their edges; all of them where nothing is selected.",
         group: FOLLOW,
         ..PLAIN
     },
