@@ -15,7 +15,6 @@ import { Convergence } from './panels/convergence.js';
  * @property {import("./actions.js").Actions} actions
  * @property {import("./alerts.js").Alerts} alerts
  * @property {import("./hold-original.js").HoldOriginal} hold
- * @property {import("./dialog-add-constraint.js").AddConstraintDialog} addConstraint
  */
 
 /**

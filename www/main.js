@@ -91,7 +91,7 @@ energiesPanel(byId('energies'), store, actions);
 displayPanel(byId('display'), store);
 legend(byId('legend'), store, viewport, refit);
 const hold = new HoldOriginal(store, solver);
-const parts = { store, solver, viewport, files, actions, alerts, hold, addConstraint };
+const parts = { store, solver, viewport, files, actions, alerts, hold };
 const analysis = analysisRegion(byId('analysis'), parts);
 exampleNote(byId('example-note'), files, alerts, ({ split, plot }) => {
   if (split) splitInto(parts, split);

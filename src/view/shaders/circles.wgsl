@@ -25,7 +25,7 @@ fn corner_of_circle(
     let end = select((piece + 1.0) / pieces * 6.283185307, 0.0, piece + 1.5 > pieces);
     let a = centre + u * cos(start) + v * sin(start);
     let b = centre + u * cos(end) + v * sin(end);
-    // Circles of a few pixels are drawn finer, or many of them would be one red patch.
+    // Circles of a few pixels are drawn finer, or many of them would be one patch.
     let depth = max(scale_depth(centre), 1e-12);
     let radius_on_screen = radius / (depth * scene.canvas.w * scene.canvas.z);
     let fineness = clamp(radius_on_screen / 16.0, 0.5, 1.0);
