@@ -2,8 +2,8 @@
 
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { join } from 'node:path';
-import { targetFolder } from './project.mjs';
+import { join, relative } from 'node:path';
+import { root, targetFolder } from './project.mjs';
 
 /** The files under `folder`, in a fixed order. */
 export function filesUnder(folder) {
@@ -19,7 +19,8 @@ export function filesUnder(folder) {
  */
 export async function unlessUnchanged({ name, inputs, settings = [], output }, step) {
   const hash = createHash('sha256').update(JSON.stringify(settings));
-  for (const path of inputs) hash.update(path).update('\0').update(readFileSync(path));
+  for (const path of inputs)
+    hash.update(relative(root, path)).update('\0').update(readFileSync(path));
   const key = hash.digest('hex');
 
   const stamp = join(targetFolder, 'stamps', name);

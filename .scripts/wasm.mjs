@@ -1,8 +1,8 @@
 // The crate as WebAssembly modules for the page, each with its JavaScript side.
 
 import { rmSync } from 'node:fs';
-import { join } from 'node:path';
-import { at, targetFolder, wasmTarget } from './project.mjs';
+import { join, relative } from 'node:path';
+import { at, root, targetFolder, wasmTarget } from './project.mjs';
 import { outputOf, run, say } from './run.mjs';
 import { wasmBindgen } from './setup-bindgen.mjs';
 import { filesUnder, unlessUnchanged } from './stamp.mjs';
@@ -20,6 +20,16 @@ export const sizeFlags = [
   ...['-C', 'llvm-args=-unroll-runtime=false', '-C', 'llvm-args=-unroll-allow-partial=false'],
 ];
 
+/** The rooms of `src/` that a view is compiled from; `src/lib.rs` says so. */
+const isOfView = (path) => /^src\/(lib\.rs|math\/|view\/|web\/(mod|view\w*)\.rs)/.test(path);
+
+/** The sources of a module: an edit of the solver compiles no view anew, which takes minutes. */
+function sourcesOf(feature) {
+  const paths = filesUnder(at('src'));
+  if (!feature.startsWith('view')) return paths;
+  return paths.filter((path) => isOfView(relative(root, path)));
+}
+
 /** Builds one of them into `www/pkg/<feature>/`. */
 export async function buildModule(feature) {
   const folder = at('www', 'pkg', feature);
@@ -29,7 +39,7 @@ export async function buildModule(feature) {
     name: feature,
     // Cargo gives all modules the same file name, so it would link each anew every time.
     inputs: [
-      ...filesUnder(at('src')),
+      ...sourcesOf(feature),
       ...['Cargo.toml', 'Cargo.lock', '.cargo/config.toml'].map((name) => at(name)),
     ],
     settings: [flags, sizeFlags, outputOf('rustc', ['--version'])],
