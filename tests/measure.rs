@@ -6,8 +6,12 @@ mod meshes;
 mod shared;
 
 use meshes::mixed;
+use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 use proptest::prelude::*;
-use shape_up::mesh::{BoundingSphere, Measures, Point, Ragged, diagonal_ratio};
+use shape_up::math::cosine;
+use shape_up::mesh::{BoundingSphere, Measures, Mesh, Point, Ragged, diagonal_ratio};
+use shape_up::scene::Scene;
+use shape_up::session::Session;
 
 fn one_face(corners: &[Point]) -> Measures {
     let indices: Vec<u32> = (0..corners.len() as u32).collect();
@@ -74,7 +78,7 @@ proptest! {
         mesh in mixed(),
         scale in prop::sample::select(vec![1e-3, 1e3]),
     ) {
-        let measure = |mesh: &shape_up::mesh::Mesh| {
+        let measure = |mesh: &Mesh| {
             let diameter = BoundingSphere::of(&mesh.positions).diameter();
             Measures::new(&mesh.positions, &mesh.faces, diameter)
         };
@@ -216,17 +220,107 @@ fn agrees_with_the_expected_errors_before_the_iteration() {
 
         let measured = Measures::new(&mesh.positions, &mesh.faces, diameter);
         let before = &expected["before"];
+        // Their circles are moved to the mean of the corners, as in the shape energy: see the next test.
+        let faces: Vec<Vec<Point>> = mesh.faces.iter().map(|face| corners(&mesh, face)).collect();
+        let moved = faces.iter().map(|face| mean_square(&ways_to_circle(face), true));
+        let moved: Vec<f64> = moved.map(|square| square / diameter / diameter).collect();
         let pairs = [
             (measured.planarity.e_p_mean, &before["planarity"]["mean"]),
             (measured.planarity.e_p_max, &before["planarity"]["max"]),
-            (measured.circularity.e_c_mean, &before["circularity"]["mean"]),
-            (measured.circularity.e_c_max, &before["circularity"]["max"]),
+            (moved.iter().sum::<f64>() / moved.len() as f64, &before["circularity"]["mean"]),
+            (moved.into_iter().fold(0.0, f64::max), &before["circularity"]["max"]),
         ];
         for (ours, theirs) in pairs {
             let theirs = theirs.as_f64().expect("a number");
             println!("{name}: {ours:e}, theirs {theirs:e}");
-            // The plane errors of halftunnel are rounding of its file: 1e-14 of the square.
-            assert!((ours - theirs).abs() <= 1e-9 * theirs + 1e-20, "{name}: {ours:e} {theirs:e}");
+            // The plane errors of halftunnel are rounding of its file: 1e-14 of the square. The circles
+            // of nearly straight faces have a far centre, which costs the linear equations digits.
+            assert!((ours - theirs).abs() <= 1e-4 * theirs + 1e-20, "{name}: {ours:e} {theirs:e}");
+        }
+    }
+}
+
+fn corners(mesh: &Mesh, face: &[u32]) -> Vec<Point> {
+    face.iter().map(|&v| mesh.positions[v as usize]).collect()
+}
+
+/// From each corner to the circle of the definition: that which minimises `sum (|p - c|^2 - r^2)^2`
+/// (Thomas, Chan 1989) for the corners in their least-squares plane, found by the linear equations of
+/// `|p|^2 = a x + b y + c`.
+fn ways_to_circle(corners: &[Point]) -> Vec<Vector3<f64>> {
+    let points: Vec<Vector3<f64>> = corners.iter().map(|&p| p.into()).collect();
+    let mean = points.iter().sum::<Vector3<f64>>() / points.len() as f64;
+    let scatter: Matrix3<f64> = points.iter().map(|p| (p - mean) * (p - mean).transpose()).sum();
+    let eigen = scatter.symmetric_eigen();
+    let mut by_extent = [0, 1, 2];
+    by_extent.sort_by(|&a, &b| eigen.eigenvalues[b].total_cmp(&eigen.eigenvalues[a]));
+    let [x, y, _] = by_extent.map(|k| eigen.eigenvectors.column(k).into_owned());
+    let flat: Vec<[f64; 2]> =
+        points.iter().map(|p| [(p - mean).dot(&x), (p - mean).dot(&y)]).collect();
+    let rows = DMatrix::from_fn(flat.len(), 3, |i, k| [flat[i][0], flat[i][1], 1.0][k]);
+    let right = DVector::from_iterator(flat.len(), flat.iter().map(|[x, y]| x * x + y * y));
+    let [a, b, c] =
+        rows.svd(true, true).solve(&right, 1e-14).expect("it has both sides").data.as_vec()[..]
+    else {
+        panic!("there are three unknowns");
+    };
+    let (centre, radius) = ([a / 2.0, b / 2.0], (c + (a * a + b * b) / 4.0).sqrt());
+    let ways = points.iter().zip(&flat).map(|(point, p)| {
+        let out = [p[0] - centre[0], p[1] - centre[1]];
+        let stretch = radius / (out[0] * out[0] + out[1] * out[1]).sqrt();
+        let closest = [centre[0] + out[0] * stretch, centre[1] + out[1] * stretch];
+        mean + x * closest[0] + y * closest[1] - point
+    });
+    ways.collect()
+}
+
+/// The mean square of ways; `moved` takes their mean off first.
+fn mean_square(ways: &[Vector3<f64>], moved: bool) -> f64 {
+    let n = ways.len() as f64;
+    let off = if moved { ways.iter().sum::<Vector3<f64>>() / n } else { Vector3::zeros() };
+    ways.iter().map(|way| (way - off).norm_squared()).sum::<f64>() / n
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(256))]
+
+    /// The error was once that to the circle moved to the mean of the corners, as in the shape energy,
+    /// which is less.
+    #[test]
+    fn e_c_and_every_distance_are_those_to_the_circle_of_the_definition(
+        angles in prop::collection::vec(0.0..1.0, 4..8),
+        off in prop::collection::vec(point(), 8),
+        noise in prop::sample::select(vec![1e-4, 1e-2, 0.1, 0.3]),
+        q in prop::array::uniform4(0.1..1.0),
+    ) {
+        // One corner in each part of the circle.
+        let n = angles.len() as f64;
+        let place = |(k, (angle, off)): (usize, (&f64, &Point))| {
+            let turn = (k as f64 + angle) / n;
+            let p = [cosine(turn), cosine(turn - 0.25), 0.0];
+            rotate(q, [0, 1, 2].map(|i| p[i] + noise * off[i]))
+        };
+        let corners: Vec<Point> = angles.iter().zip(&off).enumerate().map(place).collect();
+        let ways = ways_to_circle(&corners);
+        let e_c = mean_square(&ways, false);
+        let largest = ways.iter().map(|way| way.norm()).fold(0.0, f64::max);
+        let measured = one_face(&corners).circularity;
+        prop_assert!((measured.e_c_max - e_c).abs() <= 1e-9 * e_c, "{} {e_c}", measured.e_c_max);
+        prop_assert!((measured.max_distance - largest).abs() <= 1e-9 * largest);
+
+        // What is shown of a row that asks for circles is the same.
+        let mesh = Mesh {
+            positions: corners.clone(),
+            faces: Ragged::from_iter([(0..corners.len() as u32).collect::<Vec<_>>()]),
+            ..Mesh::default()
+        };
+        let scene = Scene::from_json(r#"{ "format": "shape-up-scene", "version": 1,
+            "mesh": { "file": "face.obj" }, "constraints": [{ "kind": "circle", "on": "faces" }] }"#);
+        let scene = scene.expect("it is valid");
+        let mut session = Session::open(scene, mesh).expect("it fits");
+        let row = session.solver().found().next().expect("there is one row").worst_squared.sqrt();
+        for shown in [row, session.residuals()[0], session.worst_constraints(0, 1)[0].value] {
+            prop_assert!((shown - largest).abs() <= 1e-9 * largest, "{shown} {largest}");
         }
     }
 }

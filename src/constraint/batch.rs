@@ -17,11 +17,11 @@ pub type Row = [f64; 4];
 pub struct LocalStep {
     /// `sum_i w_i |N_i V_i - P_i|^2` over the batch, in squared length.
     pub energy: f64,
-    /// The largest squared distance of a vertex to its projection.
+    /// The largest squared distance of a vertex to the shape that fits.
     pub worst_squared: f64,
 }
 
-/// The points of one constraint: which node, and the way from there to its projected point.
+/// The points of one constraint: which node, and the way from there to the shape that fits.
 pub type Projected = [(u32, Vec3<f64>)];
 
 /// What an operator may look up besides its own points.
@@ -230,7 +230,7 @@ impl Batch {
     }
 
     /// Gives `each` the projection of every constraint at positions `x`: its nodes, and the way from
-    /// each to its projected point, `P_i - N_i V_i`. It is the projection of the local step.
+    /// each to the shape that fits. The energy takes the same projection, moved to the mean of the points.
     pub fn projected(&mut self, x: &[Row], each: &mut dyn FnMut(&Projected)) {
         self.ways = Some(vec![Vec3::zero(); self.nodes.len()]);
         self.local_step(x, &mut vec![[0.0; 4]; x.len()], 0.0);
@@ -275,6 +275,14 @@ impl Batch {
         centre_as(self.centring, centred);
         let rest = self.rest.get(first..first + n).unwrap_or_default();
         self.operator.project(rest, centred, projected);
+        // Distances are those to the shape that fits, before it is moved.
+        let mut worst = Lanes::zero();
+        for (v, p) in centred.iter().zip(projected.iter()) {
+            worst = worst.max((*v - *p).length_squared());
+        }
+        if self.ways.is_some() {
+            self.note_ways(first, centred, projected);
+        }
         // The set of a shape is closed under translation of what is centred together, so that the
         // centred projection has the shape too, and is nearer. Circle and sphere results are not centred
         // by themselves.
@@ -282,20 +290,15 @@ impl Batch {
         if self.guarded {
             self.keep_nearer(first, centred, projected);
         }
-        if self.ways.is_some() {
-            self.note_ways(first, centred, projected);
-        }
         // A lane that only pads the last chunk has no weight.
         let lanes = LANES.min(self.count - chunk * LANES);
         let counts = Lanes(std::array::from_fn(|lane| f64::from(u8::from(lane < lanes))));
         let scale = counts * Lanes::splat(scale);
-        let (mut sum, mut worst) = (Lanes::zero(), Lanes::zero());
+        let mut sum = Lanes::zero();
         let points = centred.iter().zip(projected.iter()).zip(&self.nodes[first..first + n]);
         for ((v, p), nodes) in points {
             let residual = *v - *p;
-            let squared = residual.length_squared();
-            sum += squared;
-            worst = worst.max(squared);
+            sum += residual.length_squared();
             let scaled = residual * scale;
             for lane in 0..LANES {
                 let row = &mut gradient[nodes[lane] as usize];

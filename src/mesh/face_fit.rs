@@ -29,22 +29,15 @@ impl FaceFit {
 
     /// The errors, from the height of each corner over the plane and its step in the plane to the
     /// circle.
-    ///
-    /// The mean square to the circle is that of the energy `E_shape` (Eq. 4), in which the closest
-    /// points are moved so that they have the mean of the corners.
     #[inline(always)]
     fn sum(&self, height_and_step: impl Fn(Vec3<f64>) -> (f64, Vec3<f64>)) -> FaceErrors {
         let share = 1.0 / self.corners.len() as f64;
         let mut errors = FaceErrors::default();
-        let mut mean_step = Vec3::zero();
         for p in &self.corners {
             let (height, step) = height_and_step(*p);
             errors.plane.add(height * height, share);
             errors.circle.add(step.length_squared() + height * height, share);
-            mean_step += step * share;
         }
-        let moved = errors.circle.mean_square - mean_step.length_squared();
-        errors.circle.mean_square = if moved > 0.0 { moved } else { 0.0 };
         errors
     }
 }

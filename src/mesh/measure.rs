@@ -30,8 +30,8 @@ pub struct Circularity {
     /// The mean over faces of the largest distance of their vertices.
     pub mean_distance: f64,
     /// The largest `e_c` of a face, bounding sphere of diameter 1: the mean squared distance of its
-    /// vertices to their closest points on the circle, these moved to the mean of the vertices as in
-    /// `E_shape` (Eq. 4).
+    /// vertices to the circle of Thomas and Chan in their least-squares plane. It is more than their share
+    /// of `E_shape` (Eq. 4), where the circle is moved until the closest points have their mean.
     pub e_c_max: f64,
     /// The mean `e_c`.
     pub e_c_mean: f64,

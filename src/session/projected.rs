@@ -12,8 +12,7 @@ use crate::solve::{Constraints, projections_at_rest};
 pub struct Projections {
     /// Per point its vertex.
     pub vertices: Vec<u32>,
-    /// `#points by 3`: from the vertex to its projected point, in the unit of the mesh. In the terms
-    /// of the paper `P_i - N_i V_i`, so that a shape that may be anywhere stays in its place.
+    /// `#points by 3`: from the vertex to the shape that fits, in the unit of the mesh.
     pub ways: Vec<[f64; 3]>,
     /// Per point its row of constraints.
     pub rows: Vec<u32>,

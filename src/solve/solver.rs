@@ -332,8 +332,8 @@ impl Solver {
         self.seconds
     }
 
-    /// Gives `each` the row of every constraint, its vertices, and the way from each of these to its
-    /// projected point at the current positions: `P_i - N_i V_i`, in the unit of the mesh.
+    /// Gives `each` the row of every constraint, its vertices, and the way from each of these to the
+    /// shape that fits at the current positions, in the unit of the mesh.
     pub fn projected(&mut self, mut each: impl FnMut(usize, &Projected)) {
         let mut vertex_of = vec![0; self.x.len()];
         for (vertex, &node) in (0..).zip(&self.system.node_of()[..self.n_vertices]) {
