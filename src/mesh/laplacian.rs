@@ -1,7 +1,8 @@
 //! The weights `w_ij` of the smoothness energy (paper section 4, Eq. 12).
 
+use super::polygon_weights::PolygonWeights;
 use super::{Mesh, Point, Ragged, Topology};
-use crate::math::Vec3;
+use crate::math::{Vec3, ascending, key_of_pair};
 
 /// Cotangents beyond this count as this, which is the cotangent of 0.057 degrees. A triangle with a
 /// smaller angle, or with no area, so keeps finite weights; the bound is on a ratio of lengths, and
@@ -47,6 +48,42 @@ impl Laplacian {
         let weights =
             topology.vertex_edges().indices().iter().map(|&e| of_edge[e as usize]).collect();
         Laplacian { neighbours: topology.neighbours().clone(), weights }
+    }
+
+    /// The most corners of a face for [`Laplacian::polygon`], which joins all of them with each other.
+    pub const MOST_CORNERS: usize = 500;
+
+    /// `w_ij` of Alexa and Wardetzky 2011 on the rest mesh, whose faces may have any number of corners
+    /// and need not be planar. The neighbours of a vertex are the corners of its faces. On triangles
+    /// these are the cotangent weights, and on planar faces linear functions have the Laplacian zero at
+    /// vertices inside. See `polygon_weights.rs`.
+    pub fn polygon(mesh: &Mesh) -> Laplacian {
+        let (mut pairs, mut of_pair) = (Vec::new(), Vec::new());
+        let mut weights = PolygonWeights::default();
+        for face in mesh.faces.iter() {
+            let corners: Vec<Point> = face.iter().map(|&v| mesh.positions[v as usize]).collect();
+            weights.take(&corners);
+            for j in 1..face.len() {
+                for i in (0..j).filter(|&i| face[i] != face[j]) {
+                    let weight = match corners[..] {
+                        // Clamped as these are.
+                        [_, _, _] => 0.5 * cotangent([3 - i - j, i, j].map(|k| corners[k])),
+                        _ => weights.weight(i, j),
+                    };
+                    pairs.extend([[face[i], face[j]], [face[j], face[i]]]);
+                    of_pair.extend([weight; 2]);
+                }
+            }
+        }
+        let order = ascending(pairs.iter().copied().map(key_of_pair));
+        let order: Vec<usize> = order.into_iter().map(|k| k as usize).collect();
+        let (mut rows, mut sums) = (vec![Vec::new(); mesh.positions.len()], Vec::new());
+        for same in order.chunk_by(|&a, &b| pairs[a] == pairs[b]) {
+            let [vertex, neighbour] = pairs[same[0]];
+            rows[vertex as usize].push(neighbour);
+            sums.push(same.iter().map(|&k| of_pair[k]).sum());
+        }
+        Laplacian { neighbours: rows.iter().collect(), weights: sums }
     }
 
     /// How many vertices.

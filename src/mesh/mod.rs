@@ -14,7 +14,7 @@
 //! | `feature_curves` | creases: lines along which the surface turns sharply |
 //! | `boundary_curves` | the boundary loops as curves to glide on, with corners |
 //! | `local` | corners of faces, stars of vertices, hinges |
-//! | `laplacian` | the weights `w_ij` of Eq. 12 |
+//! | `laplacian` | the weights `w_ij` of Eq. 12; with its part `polygon_weights` |
 //! | `closest` | closest point `c(v)` on the reference surface, Eq. 11; with its parts `footing`, `triangle`, `tree`, `surroundings`, `clearing` |
 //! | `measure` | planarity, circularity, diagonal ratio of faces; with its part `face_fit` |
 //! | `angle_histogram` | how many corners of faces have which angle |
@@ -48,6 +48,7 @@ mod number;
 mod obj;
 mod obj_write;
 mod off;
+mod polygon_weights;
 mod problem;
 mod quasi_conformal;
 mod ragged;

@@ -194,6 +194,8 @@ pub enum Weighting {
     Uniform,
     /// `w_ij = (cot a + cot b) / 2` on the rest mesh; triangle meshes only.
     Cotangent,
+    /// The same for polygons with any number of corners, planar or not (Alexa, Wardetzky 2011).
+    Polygon,
 }
 
 /// How a scene is solved.

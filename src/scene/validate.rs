@@ -1,9 +1,9 @@
 //! The checks of a scene beyond its form: numbers in range, and indices and names that the mesh has.
 
 use super::json::push_key;
-use super::{ClosenessTo, HandleSpec, Hold, Scene, SceneError, Weighting};
+use super::{ClosenessTo, HandleSpec, Hold, Scene, SceneError, Weighting, Worded};
 use crate::constraint::Selector;
-use crate::mesh::{FARTHEST, Mesh, too_far};
+use crate::mesh::{FARTHEST, Laplacian, Mesh, too_far};
 use std::collections::{BTreeMap, BTreeSet};
 
 impl Scene {
@@ -29,18 +29,7 @@ impl Scene {
         self.check_sets(mesh)?;
         self.check_selectors(mesh)?;
         self.check_handles(vertices)?;
-        if self.smoothness.weighting == Weighting::Cotangent {
-            let other = mesh.faces.iter().position(|face| face.len() != 3);
-            if let Some(face) = other {
-                let corners = mesh.faces.row(face).len();
-                return error(
-                    "smoothness.weighting",
-                    format!(
-                        "cotangent weights need a triangle mesh, but face {face} has {corners} corners, expected \"auto\" or \"uniform\""
-                    ),
-                );
-            }
-        }
+        self.check_weighting(mesh)?;
         if self.closeness.to == ClosenessTo::Surface
             && self.weights.close > 0.0
             && mesh.faces.is_empty()
@@ -105,6 +94,30 @@ impl Scene {
             }
         }
         Ok(())
+    }
+
+    /// The faces are such that the Laplacian has weights.
+    fn check_weighting(&self, mesh: &Mesh) -> Result<(), SceneError> {
+        const MOST: usize = Laplacian::MOST_CORNERS;
+        let (fits, needed, others): (fn(usize) -> bool, _, _) = match self.smoothness.weighting {
+            Weighting::Auto | Weighting::Uniform => return Ok(()),
+            Weighting::Cotangent => {
+                (|corners| corners == 3, "a triangle mesh".to_owned(), "\"polygon\", ")
+            }
+            Weighting::Polygon => {
+                (|corners| corners <= MOST, format!("faces of at most {MOST} corners"), "")
+            }
+        };
+        let Some(face) = mesh.faces.iter().position(|face| !fits(face.len())) else {
+            return Ok(());
+        };
+        let (weighting, corners) = (self.smoothness.weighting.word(), mesh.faces.row(face).len());
+        error(
+            "smoothness.weighting",
+            format!(
+                "{weighting} weights need {needed}, but face {face} has {corners} corners, expected {others}\"auto\" or \"uniform\""
+            ),
+        )
     }
 
     fn check_sets(&self, mesh: &Mesh) -> Result<(), SceneError> {

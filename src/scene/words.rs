@@ -48,6 +48,7 @@ impl Worded for Weighting {
         ("auto", Weighting::Auto),
         ("uniform", Weighting::Uniform),
         ("cotangent", Weighting::Cotangent),
+        ("polygon", Weighting::Polygon),
     ];
 }
 

@@ -75,8 +75,8 @@ pub const SETTINGS: &[Setting] = &[
         group: SMOOTH,
     },
     Setting {
-        param: words("weighting", "Neighbours count", "auto", const { &forms::<Weighting, 3>() }),
-        summary: "All alike, or by the angles of the triangles between them; auto is cotangent on triangle meshes.",
+        param: words("weighting", "Neighbours count", "auto", const { &forms::<Weighting, 4>() }),
+        summary: "All alike, or by the shape of the faces between them: cotangent for triangles, polygon for any face; auto is cotangent on triangle meshes, else uniform.",
         group: SMOOTH,
     },
     Setting {

@@ -56,17 +56,14 @@ impl Problem<'_> {
 
     /// The Laplacian of the smoothness energy, if that counts.
     pub(super) fn laplacian(&self) -> Option<Laplacian> {
-        let cotangent = match self.smoothness.weighting {
-            Weighting::Auto => self.topology.is_triangle_mesh(),
-            Weighting::Uniform => false,
-            Weighting::Cotangent => true,
+        let weighting = match self.smoothness.weighting {
+            Weighting::Auto if self.topology.is_triangle_mesh() => Weighting::Cotangent,
+            weighting => weighting,
         };
-        (self.weights.smooth > 0.0).then(|| {
-            if cotangent {
-                Laplacian::cotangent(self.mesh, self.topology)
-            } else {
-                Laplacian::uniform(self.topology)
-            }
+        (self.weights.smooth > 0.0).then(|| match weighting {
+            Weighting::Auto | Weighting::Uniform => Laplacian::uniform(self.topology),
+            Weighting::Cotangent => Laplacian::cotangent(self.mesh, self.topology),
+            Weighting::Polygon => Laplacian::polygon(self.mesh),
         })
     }
 }
