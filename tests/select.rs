@@ -117,6 +117,64 @@ fn curves_are_those_of_the_file_and_the_straight_lines_of_the_grid() {
 }
 
 #[test]
+fn polylines_and_edge_lines_can_be_had_apart_and_sets_restrict_both() {
+    let polylines = [vec![0, 5, 10], vec![1, 2, 6, 5]];
+    assert_eq!(rows(&each(Element::Polyline, None, 0)), polylines);
+    let lines = rows(&each(Element::EdgeLine, None, 0));
+    assert_eq!(lines.len(), 4 + 4);
+    assert_eq!(lines, rows(&each(Element::Curve, None, 0))[2..]);
+    // A group that lists curves keeps these; one of faces those that lie in it.
+    assert_eq!(rows(&each(Element::Polyline, Some("ribs"), 0)), [[1, 2, 6, 5]]);
+    assert!(rows(&each(Element::EdgeLine, Some("ribs"), 0)).is_empty());
+    let mesh = roof();
+    let left = |element| {
+        let found =
+            resolve(&each(element, Some("left"), 0), &mesh, &Topology::new(&mesh), &Sets::new());
+        found.expect("there is such a group").iter().map(<[u32]>::to_vec).collect::<Vec<_>>()
+    };
+    assert!(left(Element::Polyline).is_empty());
+    assert_eq!(left(Element::EdgeLine), [[0, 4, 8, 12], [1, 5, 9, 13]]);
+}
+
+/// Each of the two was a constraint of its own, so that the same vertices were pulled twice as much.
+#[test]
+fn a_polyline_along_an_edge_line_counts_once() {
+    let curves = |polylines: &[&[u32]], within: Option<&str>| {
+        let mesh = Mesh {
+            curves: Ragged::from_iter(polylines),
+            groups: vec![Group {
+                name: "ribs".to_string(),
+                keyword: GroupKeyword::Group,
+                faces: Vec::new(),
+                curves: vec![0],
+            }],
+            ..wavy(3, 3)
+        };
+        let found =
+            resolve(&each(Element::Curve, within, 0), &mesh, &Topology::new(&mesh), &sets());
+        found.expect("it is valid").iter().map(<[u32]>::to_vec).collect::<Vec<_>>()
+    };
+    let all_lines = 4 + 4;
+    // The same one in either direction: it is that of the file.
+    for polyline in [[4, 5, 6, 7], [7, 6, 5, 4]] {
+        let found = curves(&[&polyline], None);
+        assert_eq!((found.len(), &found[0][..]), (all_lines, &polyline[..]));
+        assert!(found[1..].iter().all(|line| line != &[4, 5, 6, 7]));
+        assert_eq!(curves(&[&polyline], Some("ribs")), [polyline]);
+    }
+    // A part of a line is in the line, unless that is not in the group.
+    assert_eq!(curves(&[&[5, 6, 7]], None).len(), all_lines);
+    assert_eq!(curves(&[&[5, 6, 7], &[4, 5, 6, 7]], None).len(), all_lines);
+    assert_eq!(curves(&[&[5, 6, 7]], Some("ribs")), [[5, 6, 7]]);
+    // One that turns from line to line covers those that it has as a whole.
+    let turning = curves(&[&[4, 5, 6, 7, 11, 15]], None);
+    assert_eq!((turning.len(), &turning[0][..]), (all_lines, &[4, 5, 6, 7, 11, 15][..]));
+    // Neither of two that only meet, or of which one skips a vertex, runs along the other.
+    assert_eq!(curves(&[&[4, 5, 9]], None).len(), all_lines + 1);
+    assert_eq!(curves(&[&[4, 6, 7]], None).len(), all_lines + 1);
+}
+
+#[test]
 fn boundary_loops_tets_and_groups_are_elements_too() {
     let boundary = rows(&each(Element::Boundary, None, 0));
     assert_eq!(boundary, [[0, 1, 2, 3, 7, 11, 15, 14, 13, 12, 8, 4]]);

@@ -50,7 +50,7 @@ impl Projection for OnCurve {
         paper: "",
         arity: Arity::AtLeast(2),
         centring: Centring::Placed,
-        elements: &[Element::Curve, Element::Boundary],
+        elements: &[Element::Curve, Element::Polyline, Element::EdgeLine, Element::Boundary],
         exact: true,
         measure: None,
         colour: [0, 130, 120],

@@ -1,7 +1,7 @@
 //! From a selector to the vertices of each constraint that it makes.
 
 use super::{Element, SelectError, Selector, Sets};
-use crate::mesh::{Mesh, Ragged, Topology, corners, edge_lines, hinges, stars, strips};
+use crate::mesh::{Mesh, Ragged, Topology, corners, edge_lines, hinges, repeated, stars, strips};
 
 /// The vertices of each constraint that a selector makes: one row of distinct vertices for each.
 ///
@@ -10,7 +10,9 @@ use crate::mesh::{Mesh, Ragged, Topology, corners, edge_lines, hinges, stars, st
 /// | faces, tets | in the order of the mesh | as its corners |
 /// | edges | in the order of [`Topology::edges`] | the smaller first |
 /// | rings | one per vertex | the vertex, then ring by ring, each ring ascending |
-/// | curves | those of the file, then the lines of [`edge_lines`] | along the curve |
+/// | curves | polylines, then edge lines; not those that run along another, see [`repeated`] | along the curve |
+/// | polylines | in the order of the file | along the polyline |
+/// | edge lines | as [`edge_lines`] | along the line |
 /// | boundary | as [`Topology::boundary_loops`] | along the loop |
 /// | strips | as [`strips`] | along the strip, side by side |
 /// | corners | face by face | before, corner, after |
@@ -59,7 +61,27 @@ pub fn resolve(
                 }
                 Element::Tet => mesh.tets.iter().for_each(|tet| push(Place::Other, tet)),
                 Element::Curve => {
-                    each(&mesh.curves, |c, curve| push(Place::Curve(c), curve));
+                    let lines = edge_lines(topology);
+                    // What a set leaves out repeats nothing.
+                    let kept = |place, row| if keeps(place, row) { row } else { &[][..] };
+                    let polylines = (0..)
+                        .zip(mesh.curves.iter())
+                        .map(|(c, curve)| kept(Place::Curve(c), curve));
+                    let kept_lines = lines.iter().map(|line| kept(Place::Other, line));
+                    let found = repeated(&polylines.collect(), &kept_lines.collect(), topology);
+                    each(&mesh.curves, |c, curve| {
+                        if !found.polylines[c] {
+                            push(Place::Curve(c), curve);
+                        }
+                    });
+                    each(&lines, |k, line| {
+                        if !found.lines[k] {
+                            push(Place::Other, line);
+                        }
+                    });
+                }
+                Element::Polyline => each(&mesh.curves, |c, curve| push(Place::Curve(c), curve)),
+                Element::EdgeLine => {
                     each(&edge_lines(topology), |_, line| push(Place::Other, line));
                 }
                 Element::Boundary => {

@@ -28,8 +28,13 @@ pub enum Element {
     Ring,
     /// The corners of a tetrahedron.
     Tet,
-    /// A polyline of the file, or a straight edge line of a quad-dominant mesh.
+    /// A polyline of the file, or a straight edge line of a quad-dominant mesh; of two of which one runs
+    /// along the other, the longer.
     Curve,
+    /// A polyline of the file.
+    Polyline,
+    /// A straight edge line of a quad-dominant mesh.
+    EdgeLine,
     /// A boundary loop.
     Boundary,
     /// The quads that one crosses through opposite edges, on a quad-dominant mesh.
@@ -64,12 +69,14 @@ pub enum Selector {
 
 impl Element {
     /// All of them, in the order in which hosts list them.
-    pub const ALL: [Element; 11] = [
+    pub const ALL: [Element; 13] = [
         Element::Face,
         Element::Edge,
         Element::Ring,
         Element::Tet,
         Element::Curve,
+        Element::Polyline,
+        Element::EdgeLine,
         Element::Boundary,
         Element::Strip,
         Element::Group,
@@ -86,6 +93,8 @@ impl Element {
             Element::Ring => "ring",
             Element::Tet => "tet",
             Element::Curve => "curve",
+            Element::Polyline => "polyline",
+            Element::EdgeLine => "edge-line",
             Element::Boundary => "boundary",
             Element::Strip => "strip",
             Element::Group => "group",
@@ -103,6 +112,8 @@ impl Element {
             Element::Ring => Some("rings"),
             Element::Tet => Some("tets"),
             Element::Curve => Some("curves"),
+            Element::Polyline => Some("polylines"),
+            Element::EdgeLine => Some("edge-lines"),
             Element::Boundary => Some("boundary"),
             Element::Strip => Some("strips"),
             Element::Group => None,
@@ -125,6 +136,8 @@ impl Element {
             Element::Ring => ["vertex with its neighbours", "vertices with their neighbours"],
             Element::Tet => ["tetrahedron", "tetrahedra"],
             Element::Curve => ["curve", "curves"],
+            Element::Polyline => ["polyline of the file", "polylines of the file"],
+            Element::EdgeLine => ["straight line of edges", "straight lines of edges"],
             Element::Boundary => ["boundary loop", "boundary loops"],
             Element::Strip => ["strip of faces", "strips of faces"],
             Element::Group => ["group", "groups"],

@@ -11,6 +11,7 @@
 //! | `generate` | meshes of the examples |
 //! | `topology` | edges, neighbours, rings, faces around edges and vertices |
 //! | `boundary`, `edge_lines`, `strips`, `components` | boundary loops, straight edge lines, strips of quads, connected components |
+//! | `curves` | polylines and edge lines that run along each other |
 //! | `feature_curves` | creases: lines along which the surface turns sharply |
 //! | `boundary_curves` | the boundary loops as curves to glide on, with corners |
 //! | `local` | corners of faces, stars of vertices, hinges |
@@ -29,6 +30,7 @@ mod bounds;
 mod clearing;
 mod closest;
 mod components;
+mod curves;
 mod decimal;
 mod draft;
 mod edge_lines;
@@ -66,6 +68,7 @@ pub use boundary_curves::{BoundaryCurve, BoundaryCurves};
 pub use bounds::{BoundingSphere, FARTHEST, too_far};
 pub use closest::Surface;
 pub use components::components;
+pub use curves::{Repeated, repeated};
 pub use decimal::Decimal;
 pub use edge_lines::edge_lines;
 pub use feature_curves::feature_curves;

@@ -116,8 +116,11 @@ fn sampler() -> Mesh {
 /// The digest of ten steps with a kind on each sort of element that fits it.
 fn kind_digest(info: &Info) -> u64 {
     let elements = if info.elements.is_empty() { &Element::ALL } else { info.elements };
+    // Curves are polylines and edge lines.
+    let parts = [Element::Polyline, Element::EdgeLine];
+    let elements = elements.iter().filter(|element| !parts.contains(element));
     let mesh = sampler();
-    elements.iter().fold(0, |combined, element| {
+    elements.fold(0, |combined, element| {
         let text = format!(
             r#"{{ "format": "shape-up-scene", "version": 1, "mesh": {{ "file": "sampler.obj" }},
                   "constraints": [{{ "kind": "{}", "on": {{ "each": "{}" }} }}],
