@@ -13,6 +13,7 @@
  * @property {boolean} exact
  * @property {string} takes how many vertices or edges, in words
  * @property {Measure | null} measure of faces that says how far this kind is from being met on them
+ * @property {string | null} panels what panels are that have it ("flat"), of kinds that are offered for all of them
  * @property {string[]} elements ids of those that it is meant for; empty where any will do
  * @property {[number, number, number]} colour sRGB bytes
  * @property {ParamInfo[]} params

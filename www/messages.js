@@ -39,6 +39,7 @@
 /**
  * One edit of the document; each is one step of undo.
  * @typedef {{ type: "addConstraint", kind: string, params: Record<string, ParamValue>, on: Selector, weight: number }
+ *   | { type: "makePanels", kind: string }
  *   | { type: "removeConstraint", index: number }
  *   | { type: "setConstraint", index: number, weight?: number, enabled?: boolean, params?: Record<string, ParamValue> }
  *   | { type: "setWeights", shape?: number, close?: number, smooth?: number }
@@ -97,6 +98,9 @@
  * @property {"y" | "z"} up
  * @property {{ units: boolean, up: boolean }} guessed which of the two the file does not say
  * @property {number} meanEdge mean length of an edge, 0 without edges
+ * @property {number} tolerance for distances on this mesh: a thousandth of the mean edge, rounded to 1, 2 or 5
+ * @property {{ kind: string, reason: string | null }[]} panels the kinds that are offered for all panels, and
+ *   why one means nothing on this mesh
  * @property {Problem[]} problems
  * @property {string[]} notes
  */
@@ -165,6 +169,8 @@
  * @property {Energy} energy
  * @property {{ max_distance: number, mean_distance: number, [measure: string]: number }} planarity
  * @property {{ max_distance: number, mean_distance: number, [measure: string]: number }} circularity
+ * @property {{ max: number, mean: number }} moved distances of the vertices from where they were in the original
+ * @property {number} shortestEdge the least length of an edge as a part of its length in the original
  * @property {number[]} worst per row of the list of constraints: the largest distance of a vertex to its projection
  * @property {number[]} shares per row its part of the total energy, from 0 to 1
  * @property {{ value: number | null, met: boolean }[]} goals of the lesson; null where nothing has a value
@@ -258,6 +264,7 @@
  *   adding one of each kind at each of some places would make. `select`: what is selected then.
  * - `worst`: the worst faces by a measure, or the worst constraints of a row. `flawed`: the elements
  *   with a flaw of a {@link Problem}, or `zero-size-faces`. `results`: what a student hands in.
+ * - `verdict`: how many panels are as asked, within a tolerance.
  * - `mostFaces`: of a mesh that this machine works with at once.
  * - `faceValues`: of a measure, of the current shape or the original. `cornerValues`: those of the
  *   vertices, where they have any. `originalPositions`: where the vertices of the original are. `angles`:
@@ -285,6 +292,7 @@
  *   | { type: "select", request: SelectRequest }
  *   | { type: "worst", measure: Measure | null, row: number | null, count: number }
  *   | { type: "flawed", flaw: string }
+ *   | { type: "verdict", tolerance: number }
  *   | { type: "mostFaces" }
  *   | { type: "results", student: string, time: string }
  *   | { type: "scene" }
@@ -314,6 +322,7 @@
  * @property {Record<PickMode, Uint32Array>} select
  * @property {WorstElement[]} worst
  * @property {Record<PickMode, Uint32Array>} flawed
+ * @property {Verdict | null} verdict null where nothing is asked of the panels
  * @property {number} mostFaces
  * @property {string} results
  * @property {Parametrization} parametrize
@@ -322,6 +331,13 @@
  * @property {string} table
  * @property {null} runExperiment
  * @property {string} experimentCsv
+ */
+
+/**
+ * What has become of the panels: `within` of them have their worst vertex within the tolerance; `adjective` is what
+ * they are then ("flat"), `worst` the distance of the worst vertex, of the face `worstFace`.
+ * @typedef {{ kind: string, adjective: string, panels: number, within: number, worst: number, worstFace: number,
+ *   moved: Numbers["moved"] }} Verdict
  */
 
 /**

@@ -178,6 +178,8 @@ function answer(message) {
         : live().worstConstraints(message.row ?? 0, message.count);
     case 'flawed':
       return live().flawed(message.flaw);
+    case 'verdict':
+      return live().verdict(message.tolerance);
     case 'mostFaces':
       return mostFaces();
     case 'results':

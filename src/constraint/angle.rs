@@ -53,6 +53,7 @@ impl Projection for Angle {
         elements: &[Element::Corner],
         exact: true,
         measure: None,
+        panels: None,
         colour: [70, 130, 130],
         params: &[Param {
             id: "angle",

@@ -53,6 +53,7 @@ impl Projection for Area {
         elements: &[],
         exact: true,
         measure: None,
+        panels: None,
         colour: [100, 140, 60],
         params: &Target::params("area", "Area", "Times the rest area"),
     };

@@ -44,6 +44,7 @@ impl Projection for Bending {
         elements: &[Element::Hinge],
         exact: true,
         measure: None,
+        panels: None,
         colour: [120, 100, 150],
         params: &[Param {
             id: "bend",

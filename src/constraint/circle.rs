@@ -39,6 +39,7 @@ impl Projection for Circle {
         elements: &[],
         exact: false,
         measure: Some("circularity"),
+        panels: Some("circular"),
         colour: [40, 115, 215],
         params: &[Param {
             id: "radius",

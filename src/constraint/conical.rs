@@ -33,6 +33,7 @@ impl Projection for Conical {
         elements: &[Element::Star],
         exact: false,
         measure: None,
+        panels: None,
         colour: [205, 85, 60],
         params: &[],
     };

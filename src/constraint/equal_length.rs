@@ -27,6 +27,7 @@ impl Projection for EqualLength {
         elements: &[],
         exact: true,
         measure: None,
+        panels: None,
         colour: [185, 95, 60],
         params: &[],
     };

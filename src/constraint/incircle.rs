@@ -25,6 +25,7 @@ impl Projection for Incircle {
         elements: &[Element::Face],
         exact: false,
         measure: None,
+        panels: None,
         colour: [120, 110, 170],
         params: &[],
     };

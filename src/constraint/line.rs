@@ -28,6 +28,7 @@ impl Projection for Line {
         elements: &[],
         exact: true,
         measure: None,
+        panels: None,
         colour: [150, 90, 200],
         params: &[Param {
             id: "direction",

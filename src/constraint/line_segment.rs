@@ -38,6 +38,7 @@ impl Projection for LineSegment {
         elements: &[],
         exact: true,
         measure: None,
+        panels: None,
         colour: [150, 105, 20],
         params: &Target::params("length", "Length", "Times the rest length"),
     };

@@ -53,6 +53,7 @@ impl Projection for OnCurve {
         elements: &[Element::Curve, Element::Polyline, Element::EdgeLine, Element::Boundary],
         exact: true,
         measure: None,
+        panels: None,
         colour: [0, 130, 120],
         params: &[
             Param {

@@ -48,6 +48,7 @@ impl Projection for OnSurface {
         elements: &[],
         exact: true,
         measure: None,
+        panels: None,
         colour: [70, 130, 70],
         params: &[],
     };

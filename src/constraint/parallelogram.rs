@@ -25,6 +25,7 @@ impl Projection for Parallelogram {
         elements: &[],
         exact: true,
         measure: None,
+        panels: None,
         colour: [95, 85, 200],
         params: &[],
     };

@@ -39,6 +39,7 @@ impl Projection for PlanarSimilar {
         elements: &[],
         exact: false,
         measure: None,
+        panels: None,
         colour: [125, 140, 20],
         params: &[],
     };

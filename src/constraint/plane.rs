@@ -54,6 +54,7 @@ impl Projection for Plane {
         elements: &[],
         exact: true,
         measure: Some("planarity"),
+        panels: Some("flat"),
         colour: [190, 120, 0],
         params: &[
             Param {

@@ -58,6 +58,7 @@ impl Projection for Rectangle {
         elements: &[],
         exact: true,
         measure: None,
+        panels: None,
         colour: [110, 120, 140],
         params: &[Param {
             id: "fit",

@@ -31,6 +31,7 @@ impl Projection for RegularPolygon {
         elements: &[],
         exact: true,
         measure: None,
+        panels: None,
         colour: [200, 60, 150],
         params: &[],
     };

@@ -27,6 +27,7 @@ impl Projection for Rigid {
         elements: &[],
         exact: true,
         measure: None,
+        panels: None,
         colour: [44, 160, 80],
         params: &[],
     };

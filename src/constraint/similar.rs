@@ -32,6 +32,7 @@ impl Projection for Similar {
         elements: &[],
         exact: true,
         measure: None,
+        panels: None,
         colour: [0, 145, 160],
         params: &[Param {
             id: "scale",

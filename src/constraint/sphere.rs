@@ -38,6 +38,7 @@ impl Projection for Sphere {
         elements: &[],
         exact: false,
         measure: None,
+        panels: None,
         colour: [220, 50, 47],
         params: &[Param {
             id: "radius",

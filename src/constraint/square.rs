@@ -27,6 +27,7 @@ impl Projection for Square {
         elements: &[],
         exact: true,
         measure: None,
+        panels: None,
         colour: [140, 100, 70],
         params: &[],
     };

@@ -57,6 +57,7 @@ impl Projection for Symmetry {
         elements: &[],
         exact: true,
         measure: None,
+        panels: None,
         colour: [180, 70, 110],
         params: &[
             Param {

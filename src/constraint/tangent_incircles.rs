@@ -26,6 +26,7 @@ impl Projection for TangentIncircles {
         elements: &[Element::Hinge],
         exact: false,
         measure: None,
+        panels: None,
         colour: [170, 100, 60],
         params: &[],
     };

@@ -49,6 +49,7 @@ impl Projection for Volume {
         elements: &[Element::Tet],
         exact: true,
         measure: None,
+        panels: None,
         colour: [165, 80, 110],
         params: &Target::params("volume", "Volume", "Times the rest volume"),
     };

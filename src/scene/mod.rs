@@ -8,6 +8,8 @@
 //! | `closeness` | what vertices are kept close to, and how much |
 //! | `words` | the words for choices, in files and everywhere else |
 //! | `frame` | the unit and the vertical axis of a mesh file, stated or guessed |
+//! | `opened` | the settings of a mesh file that somebody opens |
+//! | `panels` | the same shape for all panels, by one press |
 //! | `examples` | the example scenes, on meshes that the project's own generators make |
 
 mod closeness;
@@ -15,6 +17,8 @@ pub mod examples;
 mod frame;
 mod json;
 mod lesson;
+mod opened;
+mod panels;
 mod validate;
 mod words;
 
@@ -23,6 +27,7 @@ pub use frame::Frame;
 pub(crate) use json::{At, Node, parse, read_constraint, read_indices, read_lesson, read_selector};
 pub use json::{FORMAT, VERSION};
 pub use lesson::{Goal, GoalOf, GoalResult, Lesson, Results};
+pub use panels::{PanelOffer, panel_offers};
 pub use words::Worded;
 
 use crate::constraint::{Kind, Selector, Sets};

@@ -20,6 +20,10 @@ impl Session {
                 new.add_to(document);
                 name
             }
+            Edit::MakePanels { kind } => {
+                let info = document.ask_of_panels(&kind, &self.mesh)?;
+                format!("Make panels {}", info.panels.unwrap_or(info.id))
+            }
             Edit::RemoveConstraint { index } => {
                 let label = row(document, index)?.kind.info().label.to_ascii_lowercase();
                 document.constraints.remove(index);

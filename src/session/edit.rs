@@ -10,6 +10,11 @@ use serde_json::{Map, Value};
 pub enum Edit {
     /// Appends a row of constraints.
     AddConstraint(NewConstraint),
+    /// Asks for one shape of every face that can have it: see [`Scene::ask_of_panels`].
+    MakePanels {
+        /// The id of the kind.
+        kind: String,
+    },
     /// Removes row `index`.
     RemoveConstraint {
         /// Which row.

@@ -140,7 +140,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
     },
     FaceMeasure {
         id: "displacement",
-        label: "Displacement",
+        label: "Moved",
         words: "how far a face’s corners have moved from where they were in the model, at most",
         met: "each panel is where it was",
         unit: MeasureUnit::Length,
@@ -192,7 +192,7 @@ impl Session {
     pub fn corner_values(&self, id: &str) -> Option<Vec<f64>> {
         match id {
             "surface" => Some(off_surface(self, Shape::Now)),
-            "displacement" => Some(moved(self, Shape::Now)),
+            "displacement" => Some(self.ways_moved()),
             _ => None,
         }
     }
@@ -295,15 +295,13 @@ fn off_surface(session: &Session, shape: Shape) -> Vec<f64> {
 }
 
 fn displacements(session: &mut Session, shape: Shape) -> Vec<f64> {
-    let moved = moved(session, shape);
-    session.worst_corner(|v| moved[v])
-}
-
-/// Per vertex, how far it is from where it was in the model that was opened.
-fn moved(session: &Session, shape: Shape) -> Vec<f64> {
-    let positions = session.positions_of(shape);
-    let pairs = positions.iter().zip(&session.mesh.positions);
-    pairs.map(|(&now, &rest)| (Vec3::from(now) - Vec3::from(rest)).length()).collect()
+    match shape {
+        Shape::Now => {
+            let ways = session.ways_moved();
+            session.worst_corner(|v| ways[v])
+        }
+        Shape::Original => vec![0.0; session.mesh.faces.len()],
+    }
 }
 
 fn length(positions: &[Point], ends: [u32; 2]) -> f64 {

@@ -19,6 +19,7 @@
 //! | `holding` | how much single vertices are kept close |
 //! | `inspect` | what hosts show of a row: its members, its measure; and what is held otherwise |
 //! | `lesson` | the goals of a lesson, and the results that are handed in |
+//! | `moved` | what the shape has cost: how far vertices moved, how much edges shrank |
 //! | `opening` | opening a scene in the place of another |
 //! | `pace` | how large a mesh can be that is still worked with at once |
 //! | `place` | where constraints may be |
@@ -29,6 +30,7 @@
 //! | `settings` | the declared settings of a scene |
 //! | `tables` | errors and energies as CSV |
 //! | `trace` | the energies of the iterations |
+//! | `verdict` | how many panels are as asked, within which tolerance |
 //! | `worst` | the elements that are farthest from what is asked of them |
 
 mod acting;
@@ -44,6 +46,7 @@ mod history;
 mod holding;
 mod inspect;
 mod lesson;
+mod moved;
 mod opening;
 mod pace;
 mod past;
@@ -57,6 +60,7 @@ mod settings;
 mod tables;
 mod trace;
 mod transition;
+mod verdict;
 mod worst;
 
 pub use acting::ActingRows;
@@ -65,6 +69,7 @@ pub use face_measure::{FACE_MEASURES, FaceMeasure, MeasureUnit, Shape};
 pub use flaws::{ZERO_SIZE_FACES, flaw_of};
 pub use halves::{Fits, Half};
 pub use lesson::{GoalWords, check_results, goals_in_words};
+pub use moved::Moved;
 pub use pace::most_faces;
 pub use place::Place;
 pub use preview::Preview;
@@ -73,6 +78,7 @@ pub use report::{EnergyReport, Report, Seconds, TraceEntry};
 pub use resolve::ResolvedRow;
 pub use selection::{Mode, OPERATIONS, Operation, SelectRequest, Selection};
 pub use settings::{SETTINGS, Setting, settings_of};
+pub use verdict::Verdict;
 pub use worst::WorstElement;
 
 use crate::error::Error;

@@ -1,6 +1,6 @@
 //! The report of a solved scene.
 
-use super::Session;
+use super::{Moved, Session};
 use crate::mesh::{Circularity, Planarity};
 use crate::scene::{Accelerator, Worded};
 use crate::solve::{Energy, IterateSeconds};
@@ -36,6 +36,10 @@ pub struct Report {
     pub planarity: Planarity,
     /// Circularity of the faces.
     pub circularity: Circularity,
+    /// How far the vertices are from their rest positions.
+    pub moved: Moved,
+    /// The least length of an edge as a part of its length at rest.
+    pub shortest_edge: f64,
     /// Where the time went.
     pub seconds: Seconds,
     /// Every iteration, when a trace was asked for.
@@ -117,6 +121,8 @@ impl Session {
             energy: EnergyReport { initial: self.past.initial, last: self.solver.energy() },
             planarity: measures.planarity,
             circularity: measures.circularity,
+            moved: self.moved(),
+            shortest_edge: self.shortest_edge(),
             seconds: Seconds {
                 load: self.past.load_seconds,
                 assemble: set_up.assemble,

@@ -1,4 +1,4 @@
-//! Lists of elements: the worst ones, and those that have something wrong.
+//! What is told of elements: how many panels are as asked, the worst ones, those that have something wrong.
 
 use super::plain::{plain, selection};
 use super::solver::Solver;
@@ -18,6 +18,11 @@ impl Solver {
     #[wasm_bindgen(js_name = worstConstraints)]
     pub fn worst_constraints(&mut self, row: usize, count: usize) -> Result<JsValue, JsValue> {
         plain(&self.open_mut()?.worst_constraints(row, count))
+    }
+
+    /// How many panels are as asked within a tolerance, units of the mesh; null where none is asked.
+    pub fn verdict(&mut self, tolerance: f64) -> Result<JsValue, JsValue> {
+        plain(&self.open_mut()?.verdict(tolerance))
     }
 
     /// The vertices, edges and faces that have a flaw, as the page selects them.

@@ -57,7 +57,7 @@ impl Solver {
             (scene, file)
         } else {
             stated = Frame::stated(bytes).or(std::mem::take(&mut self.assumed));
-            (Scene::new(MeshSource::File(name.to_owned())), read(name, bytes).map_err(thrown)?)
+            (Scene::opened(name), read(name, bytes).map_err(thrown)?)
         };
         if !is_scene {
             let units = || Frame::guess_units(&file.mesh).to_owned();

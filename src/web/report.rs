@@ -2,10 +2,9 @@
 
 use super::lesson::{GoalNumbers, LessonWords};
 use crate::constraint::{Element, Info, KINDS, Kind, LocalStep, Sketch, describe};
-use crate::math::Vec3;
 use crate::mesh::{Circularity, Planarity, Read};
-use crate::scene::{Hold, Worded};
-use crate::session::{Session, flaw_of, settings_of};
+use crate::scene::{Hold, PanelOffer, Worded, panel_offers};
+use crate::session::{Moved, Session, flaw_of, settings_of};
 use crate::solve::Energy;
 use serde::Serialize;
 use serde_json::Value;
@@ -26,6 +25,9 @@ pub(super) struct Loaded {
     /// Mean length of an edge at rest; zero without edges.
     #[serde(rename = "meanEdge")]
     mean_edge: f64,
+    /// For distances, in the unit of the mesh.
+    tolerance: f64,
+    panels: Vec<PanelOffer>,
     problems: Vec<Problem>,
     notes: Vec<String>,
 }
@@ -71,7 +73,9 @@ impl Loaded {
             units: session.document().units.clone(),
             up: session.document().up.word(),
             guessed,
-            mean_edge: mean_edge(session),
+            mean_edge: session.mean_edge(),
+            tolerance: session.tolerance(),
+            panels: panel_offers(mesh),
             problems: problems
                 .map(|p| Problem {
                     message: p.to_string(),
@@ -83,13 +87,6 @@ impl Loaded {
             notes: read.notes.clone(),
         }
     }
-}
-
-fn mean_edge(session: &Session) -> f64 {
-    let at = |v: u32| Vec3::from(session.mesh().positions[v as usize]);
-    let edges = session.topology().edges();
-    let sum: f64 = edges.iter().map(|&[a, b]| (at(b) - at(a)).length()).sum();
-    sum / edges.len().max(1) as f64
 }
 
 /// The document as it stands.
@@ -240,6 +237,9 @@ pub(super) struct Frame {
     energy: Energy,
     planarity: Planarity,
     circularity: Circularity,
+    moved: Moved,
+    /// The least length of an edge as a part of its length at rest.
+    shortest_edge: f64,
     /// Of each row of the document, disabled ones included as zero.
     worst: Vec<f64>,
     /// Of each row its part of the total energy, from 0 to 1.
@@ -274,6 +274,8 @@ impl Frame {
             energy,
             planarity: measures.planarity,
             circularity: measures.circularity,
+            moved: session.moved(),
+            shortest_edge: session.shortest_edge(),
             worst: rows.iter().map(|row| row.worst_squared.sqrt()).collect(),
             shares: rows.iter().map(share).collect(),
             goals,

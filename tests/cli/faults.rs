@@ -49,13 +49,13 @@ fn a_faulty_mesh_is_one_line_with_its_place() {
         .write("note.txt", "hello\n");
     for file in ["empty.obj", "cut.off", "note.txt", "gone.obj"] {
         for command in [
-            vec!["solve", file, "--plane", "--out", "out.obj"],
+            vec!["solve", file, "--panels", "plane", "--out", "out.obj"],
             vec!["check", file, "--report", "out.json"],
         ] {
             folder.run(&command).refused(&[file]);
         }
     }
-    folder.run(&["solve", ".", "--plane"]).refused(&["."]);
+    folder.run(&["solve", ".", "--panels", "plane"]).refused(&["."]);
     assert_eq!(folder.files(), ["cut.off", "empty.obj", "note.txt"]);
 }
 
@@ -70,7 +70,7 @@ fn a_mesh_that_is_too_large_to_be_measured_is_refused_and_no_report_has_holes() 
     }
     assert_eq!(folder.files(), ["large.obj"]);
     folder.write("large.obj", "v 1e50 0 0\nv 0 1e50 0\nv 0 0 1e50\nv 1e50 1e50 1e50\nf 1 2 3 4\n");
-    for command in [vec!["solve", "--circle"], vec!["check"]] {
+    for command in [vec!["solve", "--panels", "circle"], vec!["check"]] {
         folder.run(&[&command[..], &["large.obj", "--report", "r.json"]].concat()).done();
         assert!(!folder.read("r.json").contains("null"), "{}", folder.read("r.json"));
     }
@@ -89,8 +89,8 @@ fn a_kind_that_fits_no_face_names_its_flag() {
     let folder = Folder::new("fits");
     folder.write("curve.obj", "v 0 0 0\nv 1 0 0\nv 2 1 0\nl 1 2 3\n");
     folder
-        .run(&["solve", "curve.obj", "--plane"])
-        .refused(&["curve.obj: --plane: ", "expected faces"]);
+        .run(&["solve", "curve.obj", "--panels", "plane"])
+        .refused(&["curve.obj: --panels: ", "There are no panels"]);
 }
 
 #[test]
@@ -105,7 +105,7 @@ fn a_place_that_cannot_be_written_is_one_line_and_leaves_nothing() {
         ("out.obj", "taken"),
     ] {
         folder
-            .run(&["solve", "roof.obj", "--plane", "--out", out, "--report", report])
+            .run(&["solve", "roof.obj", "--panels", "plane", "--out", out, "--report", report])
             .refused(&["cannot be written"]);
         assert_eq!(folder.files(), ["roof.obj", "taken"], "{out} {report}");
     }
@@ -126,15 +126,19 @@ fn a_wrong_call_says_how_it_is_called() {
         (vec!["solve", "roof.obj", "roof.obj"], "second"),
         (vec!["solve", "roof.obj", "--plain"], "`--plain`"),
         (vec!["solve", "roof.obj", "-o", "x.obj"], "`-o`"),
-        (vec!["solve", "roof.obj", "--plane", "--plane"], "twice"),
-        (vec!["solve", "roof.obj", "--plane=1"], "no value"),
-        (vec!["solve", "roof.obj", "--plane", "--out"], "--out needs a value"),
-        (vec!["solve", "roof.obj", "--plane", "--out", "--trace"], "--out needs a value"),
-        (vec!["solve", "roof.obj", "--plane", "--out", "x", "--report", "x"], "same file"),
-        (vec!["solve", "roof.obj", "--plane", "--iterations", "-1"], "`-1`"),
-        (vec!["solve", "roof.obj", "--plane", "--iterations", "2.5"], "`2.5`"),
-        (vec!["solve", "roof.obj", "--plane", "--tolerance", "nan"], "`nan`"),
-        (vec!["solve", "roof.obj", "--plane", "--accelerator", "newton"], "quasi-newton"),
+        (vec!["solve", "roof.obj", "--panels", "plane", "--panels=plane"], "twice"),
+        (vec!["solve", "roof.obj", "--trace=1"], "no value"),
+        (vec!["solve", "roof.obj", "--panels", "plate"], "plane or circle"),
+        (vec!["solve", "roof.obj", "--panels", "plane", "--out"], "--out needs a value"),
+        (vec!["solve", "roof.obj", "--panels", "plane", "--out", "--trace"], "--out needs a value"),
+        (
+            vec!["solve", "roof.obj", "--panels", "plane", "--out", "x", "--report", "x"],
+            "same file",
+        ),
+        (vec!["solve", "roof.obj", "--panels", "plane", "--iterations", "-1"], "`-1`"),
+        (vec!["solve", "roof.obj", "--panels", "plane", "--iterations", "2.5"], "`2.5`"),
+        (vec!["solve", "roof.obj", "--panels", "plane", "--tolerance", "nan"], "`nan`"),
+        (vec!["solve", "roof.obj", "--panels", "plane", "--accelerator", "newton"], "quasi-newton"),
         (vec!["check"], "needs a mesh"),
         (vec!["check", "roof.obj", "--out", "x"], "`--out`"),
         (vec!["examples", "canopy"], "`canopy`"),
@@ -152,7 +156,7 @@ fn a_wrong_call_says_how_it_is_called() {
     assert_eq!(folder.files(), ["roof.obj"]);
     let help = folder.run(&["--help"]).done();
     for info in shape_up::constraint::KINDS {
-        assert!(help.contains(&format!("--{}", info.id)), "{help}");
+        assert!(help.contains(&format!(" {}", info.id)), "{help}");
     }
     assert!(help.lines().all(|line| line.len() <= 106), "{help}");
     // Wherever it stands; behind two dashes it is the name of a file.

@@ -16,7 +16,7 @@ use std::path::Path;
 fn a_mesh_is_solved_and_comes_out_in_its_order() {
     let folder = Folder::new("order");
     folder.write("roof.obj", ROOF);
-    let out = folder.run(&["solve", "roof.obj", "--circle", "--out", "out.obj"]).done();
+    let out = folder.run(&["solve", "roof.obj", "--panels", "circle", "--out", "out.obj"]).done();
     assert!(out.contains("9 vertices, 4 faces") && out.contains("4 circle"), "{out}");
     assert_eq!(folder.files(), ["out.obj", "roof.obj"]);
     let read = |name: &str| shape_up::mesh::read(name, folder.read(name).as_bytes()).unwrap().mesh;
@@ -31,7 +31,9 @@ fn a_mesh_is_solved_and_comes_out_in_its_order() {
 fn no_iteration_gives_back_the_same_positions() {
     let folder = Folder::new("none");
     folder.write("roof.obj", ROOF);
-    folder.run(&["solve", "roof.obj", "--plane", "--iterations=0", "--out=out.obj"]).done();
+    folder
+        .run(&["solve", "roof.obj", "--panels", "plane", "--iterations=0", "--out=out.obj"])
+        .done();
     let read = |name: &str| shape_up::mesh::read(name, folder.read(name).as_bytes()).unwrap().mesh;
     let (before, after) = (read("roof.obj").positions, read("out.obj").positions);
     for (a, b) in before.as_flattened().iter().zip(after.as_flattened()) {
@@ -64,6 +66,8 @@ fn the_report_has_the_fields_that_are_agreed_on() {
         "energy",
         "planarity",
         "circularity",
+        "moved",
+        "shortest_edge",
         "seconds",
         "trace",
     ];
@@ -82,6 +86,10 @@ fn the_report_has_the_fields_that_are_agreed_on() {
     assert_eq!(keys(&report["planarity"]), planarity);
     let circularity = ["e_c_max", "e_c_mean", "max_distance", "mean_distance"];
     assert_eq!(keys(&report["circularity"]), circularity);
+    assert_eq!(keys(&report["moved"]), ["max", "mean"]);
+    let [most, mean] = ["max", "mean"].map(|which| report["moved"][which].as_f64().unwrap());
+    assert!(0.0 < mean && mean < most && most < 1.0, "{mean} {most}");
+    assert!((0.5..1.5).contains(&report["shortest_edge"].as_f64().unwrap()));
     for stage in ["load", "assemble", "order", "factor", "iterate"] {
         assert!(report["seconds"][stage].as_f64().unwrap() >= 0.0, "{stage}");
     }
@@ -120,7 +128,7 @@ fn a_mesh_of_which_nothing_is_asked_comes_out_as_it_came_in() {
 fn without_trace_the_report_has_none() {
     let folder = Folder::new("untraced");
     folder.write("roof.obj", ROOF);
-    folder.run(&["solve", "roof.obj", "--plane", "--report", "r.json"]).done();
+    folder.run(&["solve", "roof.obj", "--panels", "plane", "--report", "r.json"]).done();
     assert!(folder.json("r.json").get("trace").is_none());
 }
 
@@ -144,7 +152,7 @@ fn options_replace_the_settings_of_the_scene() {
     assert_eq!(report["stopped_by"], "iterations");
     assert_eq!(report["accelerator"], "none");
     assert_eq!(solve(&["--accelerator=quasi-newton"])["accelerator"], "quasi-newton");
-    let report = solve(&["--sphere"]);
+    let report = solve(&["--panels=sphere"]);
     assert_eq!(report["constraints"], serde_json::json!({ "plane": 4, "sphere": 4 }));
 }
 
@@ -241,7 +249,7 @@ fn a_scene_with_its_mesh_inside_is_solved() {
 fn an_output_replaces_the_file_of_its_name_even_the_input() {
     let folder = Folder::new("replace");
     folder.write("roof.obj", ROOF);
-    folder.run(&["solve", "roof.obj", "--plane", "--out", "roof.obj"]).done();
+    folder.run(&["solve", "roof.obj", "--panels", "plane", "--out", "roof.obj"]).done();
     assert_ne!(folder.read("roof.obj"), ROOF);
     assert_eq!(folder.files(), ["roof.obj"]);
 }
@@ -250,7 +258,7 @@ fn an_output_replaces_the_file_of_its_name_even_the_input() {
 fn a_file_whose_name_is_like_an_option_goes_after_two_dashes() {
     let folder = Folder::new("dashes");
     folder.write("--roof.obj", ROOF);
-    folder.run(&["solve", "--plane", "--", "--roof.obj"]).done();
+    folder.run(&["solve", "--panels", "plane", "--", "--roof.obj"]).done();
 }
 
 #[test]

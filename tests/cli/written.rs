@@ -14,7 +14,7 @@ fn a_link_stays_and_the_file_behind_it_is_written() {
     std::fs::create_dir(folder.0.join("store")).unwrap();
     folder.write("roof.obj", ROOF).write("store/out.obj", "");
     std::os::unix::fs::symlink("store/out.obj", folder.0.join("out.obj")).unwrap();
-    folder.run(&["solve", "roof.obj", "--plane", "--out", "out.obj"]).done();
+    folder.run(&["solve", "roof.obj", "--panels", "plane", "--out", "out.obj"]).done();
     assert!(folder.0.join("out.obj").is_symlink());
     assert_eq!(mesh(&folder, "store/out.obj").positions.len(), 9);
     assert_eq!(std::fs::read_dir(folder.0.join("store")).unwrap().count(), 1);
@@ -34,7 +34,7 @@ fn a_pipe_is_written_to_and_stays() {
         let pipe = pipe.clone();
         std::thread::spawn(move || std::fs::read_to_string(pipe).unwrap())
     };
-    folder.run(&["solve", "roof.obj", "--plane", "--out", "out.obj"]).done();
+    folder.run(&["solve", "roof.obj", "--panels", "plane", "--out", "out.obj"]).done();
     assert_eq!(reader.join().unwrap().lines().filter(|line| line.starts_with("v ")).count(), 9);
     assert!(std::fs::metadata(&pipe).unwrap().file_type().is_fifo());
 }
@@ -76,15 +76,15 @@ const TETS: &str = "MeshVersionFormatted 2\nDimension 3\nVertices\n5\n0 0 0 0\n1
 fn tetrahedra_come_out_in_the_format_that_has_them() {
     let folder = Folder::new("tets");
     folder.write("block.mesh", TETS);
-    let out = folder.run(&["solve", "block.mesh", "--plane", "--out", "out.mesh"]).done();
+    let out = folder.run(&["solve", "block.mesh", "--panels", "plane", "--out", "out.mesh"]).done();
     assert!(!out.contains("no place for"), "{out}");
     let (before, after) = (mesh(&folder, "block.mesh"), mesh(&folder, "out.mesh"));
     assert_eq!((&after.tets, &after.faces), (&before.tets, &before.faces));
     assert_ne!(after.positions, before.positions);
-    let out = folder.run(&["solve", "block.mesh", "--plane", "--out", "out.obj"]).done();
+    let out = folder.run(&["solve", "block.mesh", "--panels", "plane", "--out", "out.obj"]).done();
     assert!(out.contains("note: out.obj is OBJ, which has no place for 2 tetrahedra\n"), "{out}");
     folder.write("roof.obj", format!("{ROOF}f 1 2 3 6 5\n"));
-    let out = folder.run(&["solve", "roof.obj", "--plane", "--out", "out.mesh"]).done();
+    let out = folder.run(&["solve", "roof.obj", "--panels", "plane", "--out", "out.mesh"]).done();
     let lost = "which has no place for 1 face of more than four corners, 1 curve, 5 groups\n";
     assert!(out.contains(lost), "{out}");
 }
@@ -93,6 +93,6 @@ fn tetrahedra_come_out_in_the_format_that_has_them() {
 fn one_of_something_is_not_several() {
     let folder = Folder::new("one");
     folder.write("panel.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0.1\nv 0 1 0\nf 1 2 3 4\n");
-    let out = folder.run(&["solve", "panel.obj", "--plane"]).done();
+    let out = folder.run(&["solve", "panel.obj", "--panels", "plane"]).done();
     assert!(out.contains("4 vertices, 1 face, ") && out.contains("pinned at vertex 0\n"), "{out}");
 }

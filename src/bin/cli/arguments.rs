@@ -35,8 +35,8 @@ pub(super) enum Command {
 pub(super) struct Solve {
     /// A scene or a mesh.
     pub(super) input: PathBuf,
-    /// Ids of the kinds to put on every face.
-    pub(super) kinds: Vec<&'static str>,
+    /// The id of the kind that is asked of every face.
+    pub(super) panels: Option<&'static str>,
     pub(super) iterations: Option<u32>,
     pub(super) tolerance: Option<f64>,
     pub(super) accelerator: Option<Accelerator>,
@@ -69,8 +69,8 @@ pub(super) struct Experiment {
 pub(super) fn usage() -> String {
     format!(
         "\
-usage: shape-up solve SCENE|MESH {}
-                [--iterations N] [--tolerance T] [--accelerator {}]
+usage: shape-up solve SCENE|MESH [--panels KIND] [--iterations N] [--tolerance T]
+                [--accelerator {}]
                 [--out FILE.obj|FILE.mesh] [--report FILE.json] [--trace]
        shape-up check MESH [--report FILE.json]
        shape-up check RESULTS --scene SCENE
@@ -82,7 +82,9 @@ usage: shape-up solve SCENE|MESH {}
        shape-up --help | --version
 
 A SCENE is a *.json file, a MESH is OBJ, OFF or Medit (.obj, .off, .mesh).
-The name of a kind puts one constraint of it on every face, with weight 1, beside those of the scene.
+--panels asks for a KIND of shape on every face that can have it. The kinds are:
+ {}
+A MESH is solved with the settings that keep it whole, a scene with its own.
 --iterations, --tolerance (0 never stops early) and --accelerator replace the settings of the scene.
 --out writes OBJ, or where the name ends in .mesh, Medit, which has tetrahedra.
 --trace records the energies of every iteration, in the report and on standard output.
@@ -92,25 +94,26 @@ parametrize makes a flat map that keeps angles; --out writes the mesh with the m
 experiment solves an example of the paper's comparisons by every method, and prints how far each came;
 --csv writes all iterations; without an example it lists those that have one. The limits are per method.
 Exit code: 0 done, 1 the input is at fault, 2 usage, 3 internal.",
-        flags(),
         Accelerator::list("|"),
         ConformalWeights::list("|"),
         ConformalNorm::list("|"),
+        kinds(),
     )
 }
 
-/// The flags of the kinds, in lines under each other.
-fn flags() -> String {
-    const WIDTH: usize = 72;
+/// The ids of the kinds, in lines under each other.
+fn kinds() -> String {
+    const WIDTH: usize = 96;
     let mut lines = vec![String::new()];
     for info in KINDS {
-        let flag = format!("[--{}] ", info.id);
-        if lines[lines.len() - 1].len() + flag.len() > WIDTH {
+        if lines[lines.len() - 1].len() + info.id.len() > WIDTH {
             lines.push(String::new());
         }
-        lines.last_mut().expect("there is a line").push_str(&flag);
+        let line = lines.last_mut().expect("there is a line");
+        line.push(' ');
+        line.push_str(info.id);
     }
-    lines.iter().map(|line| line.trim_end()).collect::<Vec<_>>().join("\n                ")
+    lines.join("\n ")
 }
 
 /// Reads the arguments after the name of the program; the error says what is wrong with them.
@@ -209,21 +212,17 @@ fn solve(mut words: Words) -> Result<Command, String> {
             }
             Word::Option(name, value) => (name, value),
         };
-        let kind = KINDS.iter().find(|info| name.strip_prefix("--") == Some(info.id));
-        match (name.as_str(), kind) {
-            (_, Some(info)) => {
-                no_value(&name, value)?;
-                solve.kinds.push(info.id);
-            }
-            ("--trace", _) => {
+        match name.as_str() {
+            "--panels" => solve.panels = Some(words.kind(&name, value)?),
+            "--trace" => {
                 no_value(&name, value)?;
                 solve.trace = true;
             }
-            ("--out", _) => solve.out = Some(words.mesh(&name, value, &["obj", "mesh"])?),
-            ("--report", _) => solve.report = Some(words.file(&name, value)?),
-            ("--iterations", _) => solve.iterations = Some(words.iterations(&name, value)?),
-            ("--tolerance", _) => solve.tolerance = Some(words.not_negative(&name, value)?),
-            ("--accelerator", _) => {
+            "--out" => solve.out = Some(words.mesh(&name, value, &["obj", "mesh"])?),
+            "--report" => solve.report = Some(words.file(&name, value)?),
+            "--iterations" => solve.iterations = Some(words.iterations(&name, value)?),
+            "--tolerance" => solve.tolerance = Some(words.not_negative(&name, value)?),
+            "--accelerator" => {
                 solve.accelerator = Some(words.one_of(&name, value)?);
             }
             _ => return Err(unknown(&name, "solve")),
@@ -370,6 +369,17 @@ impl Words {
         let value = self.text(name, value)?;
         let parsed = value.parse().ok().filter(|number: &f64| number.is_finite() && *number >= 0.0);
         parsed.ok_or_else(|| format!("{name} takes a number from 0, found `{value}`"))
+    }
+
+    /// The value of an option that takes the id of a kind.
+    fn kind(&mut self, name: &str, value: Option<OsString>) -> Result<&'static str, String> {
+        let value = self.text(name, value)?;
+        let known: Vec<_> = KINDS.iter().map(|info| info.id).collect();
+        known
+            .iter()
+            .copied()
+            .find(|id| *id == value)
+            .ok_or_else(|| format!("{name} takes {}, found `{value}`", known.join(" or ")))
     }
 
     /// The value of an option that takes one of some words.

@@ -1,9 +1,8 @@
 //! Mesh and scene files in.
 
 use super::Failure;
-use shape_up::constraint::{Element, Kind, Selector};
 use shape_up::mesh::{self, Mesh, Read};
-use shape_up::scene::{ConstraintSpec, Frame, MeshSource, Scene};
+use shape_up::scene::{Frame, MeshSource, Scene};
 use std::path::Path;
 
 /// A scene with its mesh.
@@ -19,7 +18,7 @@ pub(super) fn is_scene(path: &Path) -> bool {
     path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("json"))
 }
 
-/// Reads a scene and the mesh that it names, or a mesh as a scene without constraints.
+/// Reads a scene and the mesh that it names, or a mesh as the scene of one that is opened.
 pub(super) fn read(path: &Path) -> Result<Input, Failure> {
     if !is_scene(path) {
         let bytes = bytes(path)?;
@@ -27,7 +26,7 @@ pub(super) fn read(path: &Path) -> Result<Input, Failure> {
             .map_err(|error| Failure::Input(error.to_string()))?;
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let frame = Frame::stated(&bytes);
-        let mut scene = Scene::new(MeshSource::File(name));
+        let mut scene = Scene::opened(&name);
         scene.units = frame.units.unwrap_or_default();
         scene.up = frame.up.unwrap_or(scene.up);
         return Ok(Input { remarks: remarks(&read), scene, mesh: read.mesh });
@@ -68,15 +67,6 @@ pub(super) fn read_mesh(path: &Path) -> Result<Read, Failure> {
 /// What the reader has to say of a mesh, one line each.
 pub(super) fn remarks(read: &Read) -> Vec<String> {
     read.problems.iter().map(ToString::to_string).chain(read.notes.iter().cloned()).collect()
-}
-
-/// The constraint that the flag of a kind stands for: one on every face.
-pub(super) fn on_faces(id: &str) -> Result<ConstraintSpec, Failure> {
-    let kind = Kind::new(id, serde_json::json!({})).map_err(|_| {
-        Failure::Usage(format!("--{id} has parameters without a default, expected it in a scene"))
-    })?;
-    let on = Selector::Each { element: Element::Face, within: None, radius: 0 };
-    Ok(ConstraintSpec { kind, on, weight: 1.0, enabled: true, name: String::new() })
 }
 
 pub(super) fn bytes(path: &Path) -> Result<Vec<u8>, Failure> {

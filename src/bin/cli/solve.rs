@@ -1,11 +1,10 @@
-//! `shape-up solve`: solves a scene, or a mesh with the kinds of the command line on every face.
+//! `shape-up solve`: solves a scene or a mesh, with the kind of the command line on every face.
 
 use super::arguments::Solve;
 use super::{Failure, input, mesh_file, output};
 use shape_up::constraint::describe;
 use shape_up::error::Error;
 use shape_up::mesh::counted;
-use shape_up::scene::SceneError;
 use shape_up::session::{Report, Session};
 use std::fmt::Write;
 use std::path::Path;
@@ -17,9 +16,15 @@ const NAMED_PINS: usize = 8;
 pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
     let start = Instant::now();
     let input::Input { mut scene, mesh, mut remarks } = input::read(&command.input)?;
-    let of_scene = scene.constraints.len();
-    for id in &command.kinds {
-        scene.constraints.push(input::on_faces(id)?);
+    let at_input = |error: Error| {
+        let message = match error {
+            Error::Scene(error) if error.path == "panels" => format!("--panels: {}", error.message),
+            error => error.to_string(),
+        };
+        Failure::Input(format!("{}: {message}", command.input.display()))
+    };
+    if let Some(kind) = command.panels {
+        scene.ask_of_panels(kind, &mesh).map_err(|error| at_input(error.into()))?;
     }
     scene.solver.iterations = command.iterations.unwrap_or(scene.solver.iterations);
     scene.solver.tolerance = command.tolerance.unwrap_or(scene.solver.tolerance);
@@ -27,13 +32,6 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
     let units = scene.units.clone();
     let load_seconds = start.elapsed().as_secs_f64();
 
-    let at_input = |error: Error| {
-        let message = match error {
-            Error::Scene(error) => place_flag(error, of_scene, &command.kinds).to_string(),
-            error => error.to_string(),
-        };
-        Failure::Input(format!("{}: {message}", command.input.display()))
-    };
     let mut session = Session::open(scene, mesh).map_err(at_input)?;
     session.set_load_seconds(load_seconds);
     session.solve(command.trace).map_err(at_input)?;
@@ -51,20 +49,6 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
     }
     output::write(&files)?;
     output::print(&summary(&command.input, &report, &remarks, &units))
-}
-
-/// An error of a constraint that the command line asked for names its flag, not a place in a file.
-fn place_flag(error: SceneError, of_scene: usize, kinds: &[&str]) -> SceneError {
-    let index = error.path.strip_prefix("constraints[").and_then(|rest| rest.split(']').next());
-    let index = index.and_then(|index| index.parse::<usize>().ok());
-    match index.and_then(|index| kinds.get(index.checked_sub(of_scene)?)) {
-        Some(kind) => {
-            let (what, _) = error.message.split_once(", expected").unwrap_or((&error.message, ""));
-            let message = format!("{what}, expected faces that it can be put on");
-            SceneError { path: format!("--{kind}"), message }
-        }
-        None => error,
-    }
 }
 
 /// What each row of constraints left out.

@@ -1,0 +1,112 @@
+//! The same shape for all panels, by one press.
+
+use super::{ConstraintSpec, Scene, SceneError};
+use crate::constraint::{Centring, Element, Info, KINDS, Kind, KindError, Selector};
+use crate::mesh::Mesh;
+use serde::Serialize;
+
+/// Whether a kind is offered for all panels of a mesh.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct PanelOffer {
+    /// The id of a kind with [`Info::panels`].
+    pub kind: &'static str,
+    /// Why it is not.
+    pub reason: Option<String>,
+}
+
+/// The kinds that are offered for all panels, and whether each means something on `mesh`.
+pub fn panel_offers(mesh: &Mesh) -> Vec<PanelOffer> {
+    let offered = KINDS.iter().filter_map(|info| Some((info, info.panels?)));
+    offered
+        .map(|(info, adjective)| PanelOffer {
+            kind: info.id,
+            reason: against(info, adjective, mesh),
+        })
+        .collect()
+}
+
+/// Why it means nothing on `mesh` to ask for panels that are so.
+fn against(info: &Info, adjective: &str, mesh: &Mesh) -> Option<String> {
+    if mesh.faces.is_empty() {
+        Some("There are no panels.".to_owned())
+    } else if mesh.faces.iter().all(|face| face.len() <= 3) {
+        Some(format!("All panels are triangles, which are always {adjective}."))
+    } else if fitting(info, mesh) == 0 {
+        Some(format!("A panel takes {} for this.", info.takes()))
+    } else {
+        None
+    }
+}
+
+/// How many faces can have a kind.
+fn fitting(info: &Info, mesh: &Mesh) -> usize {
+    let size = |face: &[u32]| match info.centring {
+        Centring::ByEdge => 2 * face.len(),
+        Centring::Together | Centring::Placed => face.len(),
+    };
+    mesh.faces.iter().filter(|face| info.arity.fits(size(face))).count()
+}
+
+impl Scene {
+    /// Asks for the shape `kind` of every face of `mesh` that can have it. Such a row that is there is
+    /// switched on, instead of one more. Between kinds that are offered for all panels it is a choice:
+    /// rows of the others on all faces are switched off. A scene whose weights would not keep the mesh
+    /// whole gets those of one that is opened. Gives the declaration of the kind.
+    ///
+    /// # Errors
+    /// When there is no such kind, or no face can have it.
+    pub fn ask_of_panels(&mut self, kind: &str, mesh: &Mesh) -> Result<&'static Info, SceneError> {
+        let error = |message: String| SceneError { path: "panels".to_owned(), message };
+        let kind = Kind::new(kind, serde_json::json!({})).map_err(|failed| match failed {
+            KindError::Unknown => error(format!("found `{kind}`, expected {}", known())),
+            KindError::Params { path, message } => {
+                error(format!("`{kind}` needs the parameter {path}: {message}"))
+            }
+        })?;
+        let info = kind.info();
+        let reason = info.panels.and_then(|adjective| against(info, adjective, mesh));
+        if let Some(reason) = reason {
+            return Err(error(reason));
+        }
+        if fitting(info, mesh) == 0 {
+            let takes = info.takes();
+            return Err(error(format!(
+                "no face can be asked for `{}`, which takes {takes}",
+                info.id
+            )));
+        }
+
+        let mut found = false;
+        for row in self.constraints.iter_mut().filter(|row| row.on == all_faces()) {
+            let other = row.kind.info();
+            if other.id == info.id {
+                row.enabled = row.enabled || !found;
+                found = true;
+            } else if info.panels.is_some() && other.panels.is_some() {
+                row.enabled = false;
+            }
+        }
+        if !found {
+            self.constraints.push(ConstraintSpec {
+                kind,
+                on: all_faces(),
+                weight: 1.0,
+                enabled: true,
+                name: String::new(),
+            });
+        }
+        let held = self.weights.close > 0.0 || self.weights.smooth > 0.0;
+        if !held || self.weights.shape == 0.0 {
+            self.keep_whole();
+        }
+        Ok(info)
+    }
+}
+
+fn all_faces() -> Selector {
+    Selector::Each { element: Element::Face, within: None, radius: 0 }
+}
+
+fn known() -> String {
+    KINDS.iter().map(|info| info.id).collect::<Vec<_>>().join(", ")
+}
