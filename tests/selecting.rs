@@ -226,6 +226,27 @@ fn a_boundary_loop_is_that_of_the_selection() {
     let found = ask(&mut session, "boundary", Mode::Faces, &from, json!({}));
     let found = found.expect("it is no error");
     assert_eq!((found.edges.len(), found.faces.len()), (4, 0));
+    // The faces along it are another thing.
+    assert_eq!(after(&mut session, "boundary-faces", Mode::Faces, &[7]).len(), 4);
+}
+
+#[test]
+fn vertices_that_nothing_acts_on_are_found() {
+    let mut session = session(wavy(5, 5));
+    let plane = r#"{ "type": "addConstraint", "kind": "plane", "on": { "vertices": [0, 1, 6, 7] }, "weight": 1 }"#;
+    let plane = Edit::from_json(plane, session.document()).expect("it is an edit");
+    let find = |session: &mut Session| {
+        let found = ask(session, "free", Mode::Faces, &Selection::default(), json!({}));
+        found.expect("it takes no parameters").vertices.len()
+    };
+    assert_eq!(find(&mut session), 36);
+    session.edit(plane).expect("it fits");
+    assert_eq!(find(&mut session), 32);
+    session.edit(Edit::AddHandles { vertices: vec![35], fixed: true }).expect("it is there");
+    assert_eq!(find(&mut session), 31);
+    // A mesh that is opened has none.
+    session.edit(Edit::Preset { id: "opened".to_owned() }).expect("it is declared");
+    assert_eq!((find(&mut session), session.free().len()), (0, 0));
 }
 
 #[test]

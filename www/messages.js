@@ -40,9 +40,11 @@
  * One edit of the document; each is one step of undo.
  * @typedef {{ type: "addConstraint", kind: string, params: Record<string, ParamValue>, on: Selector, weight: number }
  *   | { type: "makePanels", kind: string }
+ *   | { type: "holdCloser" }
  *   | { type: "removeConstraint", index: number }
  *   | { type: "setConstraint", index: number, weight?: number, enabled?: boolean, params?: Record<string, ParamValue> }
  *   | { type: "setWeights", shape?: number, close?: number, smooth?: number }
+ *   | { type: "preset", id: string }
  *   | { type: "setUnits", units: string }
  *   | { type: "setUp", up: "y" | "z" }
  *   | { type: "addHandles", vertices: number[], fixed: boolean }
@@ -137,6 +139,11 @@
  */
 
 /**
+ * Settings that belong together: what they assume, and what this scene lacks of that.
+ * @typedef {{ id: string, label: string, assumes: string, warning: string | null }} Preset
+ */
+
+/**
  * The document as it stands.
  * @typedef {object} SceneDocument
  * @property {string} title
@@ -148,6 +155,9 @@
  * @property {"surface" | "rest" | "none"} closeness
  * @property {{ of: "surface" | "displacement", weighting: string }} smoothness
  * @property {Record<string, ParamValue>} settings of every declared one its value
+ * @property {string | null} preset the one whose settings the scene has
+ * @property {Preset[]} presets
+ * @property {number} free vertices that nothing acts on: no constraint, closeness, smoothness or handle
  * @property {{ name: string, vertices: number, faces: number }[]} sets
  * @property {number} heldOtherwise vertices that are kept close more or less than the others
  * @property {string | null} undo what Undo would take back
@@ -161,10 +171,17 @@
  */
 
 /**
+ * How a shape has collapsed: the whole has shrunk, and what is left of its diagonal; faces have lost their
+ * area, and how many of all; vertices have moved far, and the farthest way as a part of the diagonal.
+ * @typedef {{ reason: "shrunk" | "area" | "moved", amount: number }} Collapse
+ */
+
+/**
  * The numbers of one state of the iteration.
  * @typedef {object} Numbers
  * @property {number} iteration
  * @property {boolean} converged
+ * @property {Collapse["reason"] | null} collapse in which way the shape has collapsed since iterating began
  * @property {boolean} halfway the local step is done, the global step is next
  * @property {Energy} energy
  * @property {{ max_distance: number, mean_distance: number, [measure: string]: number }} planarity
@@ -233,14 +250,15 @@
 /**
  * Told and forgotten.
  *
- * - `run`, `pause`: iterate until converged, or stop.
+ * - `run`, `pause`: iterate until converged, or stop. A run ends too when the shape collapses while nobody
+ *   drags, unless it shall `goOn`.
  * - `drag`: targets (`#vertices by 3`) for handles under the pointer; `make` makes them handles first,
  *   instead of `start`. Of several `move`s only the last one counts; `time` is that of its event.
  *   While something is dragged the solver iterates even when paused.
  * - `show`: what to send with each frame besides positions.
  * - `recycle`: gives a buffer of positions back.
  * - `cancelExperiment`: ends it; what was measured stays.
- * @typedef {{ type: "run" }
+ * @typedef {{ type: "run", goOn?: boolean }
  *   | { type: "pause" }
  *   | Drag
  *   | { type: "show", measure: Measure | null, shapes: boolean, projections: boolean,
@@ -372,6 +390,7 @@
  *   move of a drag that it shows, and the milliseconds since that came.
  * - `activity`: whether the solver runs (Run was pressed and it has not converged); sent after the
  *   frame that belongs to it.
+ * - `collapsed`: the run has ended with a shape that has collapsed. `converged` is not said of it.
  * - `experiment`: what an experiment has measured since the last one. `ended` is null while it goes on;
  *   `message` says why it failed.
  * - `trouble`: an iteration failed; the last good state stays.
@@ -389,6 +408,7 @@
  *       shapes: Float32Array | null, projections: Projections | null,
  *       answers: [number, number] | null }
  *   | { type: "activity", running: boolean, converged: boolean }
+ *   | ({ type: "collapsed" } & Collapse)
  *   | { type: "experiment", news: ExperimentNews[], ended: "done" | "cancelled" | "failed" | null, message: string }
  *   | { type: "trouble", message: string }
  *   | { type: "died", message: string }

@@ -121,6 +121,7 @@ function command(message) {
     case 'run':
       if (!loaded || running) return;
       live().beginRun();
+      if (message.goOn) live().goOn();
       running = true;
       settled = false;
       sendActivity();
@@ -330,6 +331,7 @@ function drag(message) {
 function slice() {
   sliceQueued = false;
   guard(() => {
+    let collapsed = null;
     if (move) {
       live().drag(move.vertices, move.targets, 'move');
       move = null;
@@ -344,10 +346,12 @@ function slice() {
     if (settled && running && !dragging) {
       endRun();
       changed();
+      collapsed = live().collapse();
     } else if (running && performance.now() - sceneSentAt > SCENE_EVERY_MS) {
       sendScene();
     }
     sendFrame();
+    if (collapsed) post({ type: 'collapsed', ...collapsed });
   });
   if (iterating()) queueSlice();
 }
@@ -377,7 +381,7 @@ function sendScene() {
 
 function sendActivity() {
   activityDue = false;
-  post({ type: 'activity', running, converged: settled });
+  post({ type: 'activity', running, converged: settled && !live().collapse() });
 }
 
 /** The state of the iteration; what it says of the trace is kept for the next frame. */

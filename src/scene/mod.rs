@@ -10,6 +10,7 @@
 //! | `frame` | the unit and the vertical axis of a mesh file, stated or guessed |
 //! | `opened` | the settings of a mesh file that somebody opens |
 //! | `panels` | the same shape for all panels, by one press |
+//! | `presets` | settings that belong together |
 //! | `examples` | the example scenes, on meshes that the project's own generators make |
 
 mod closeness;
@@ -19,6 +20,7 @@ mod json;
 mod lesson;
 mod opened;
 mod panels;
+mod presets;
 mod validate;
 mod words;
 
@@ -28,6 +30,7 @@ pub(crate) use json::{At, Node, parse, read_constraint, read_indices, read_lesso
 pub use json::{FORMAT, VERSION};
 pub use lesson::{Goal, GoalOf, GoalResult, Lesson, Results};
 pub use panels::{PanelOffer, panel_offers};
+pub use presets::{PRESETS, Preset, PresetOffer};
 pub use words::Worded;
 
 use crate::constraint::{Kind, Selector, Sets};

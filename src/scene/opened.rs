@@ -5,15 +5,13 @@
 //! was, and what neighbours move is smooth; the weight of the shapes is so much greater that these are
 //! met all the same.
 
-use super::{ClosenessTo, MeshSource, Scene, Smoothness, SmoothnessOf, Weighting, Weights};
+use super::{MeshSource, PRESETS, Scene};
 
 /// Where a run ends. On ten real meshes of 80 to 2400 vertices, with flat and with circular panels, the
 /// worst panel and the ways that vertices moved have then settled to three digits, after 80 to 950
 /// iterations; with a hundredth of the tolerance it takes half as many again, and nothing changes.
 const TOLERANCE: f64 = 1e-7;
 const ITERATIONS: u32 = 1000;
-/// What keeps it whole.
-const WEIGHTS: Weights = Weights { shape: 1000.0, close: 1.0, smooth: 1.0 };
 
 impl Scene {
     /// The scene of the mesh file `name`, which somebody opens.
@@ -27,9 +25,6 @@ impl Scene {
 
     /// Sets the weights, and what is kept close and smooth, to those of a mesh that is opened.
     pub fn keep_whole(&mut self) {
-        self.weights = WEIGHTS;
-        self.closeness.to = ClosenessTo::Rest;
-        self.smoothness =
-            Smoothness { of: SmoothnessOf::Displacement, weighting: Weighting::Uniform };
+        PRESETS[0].set(self);
     }
 }

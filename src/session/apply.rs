@@ -1,19 +1,20 @@
 //! What each edit does to a state of the document. It fails without leaving a trace.
 
+use super::collapse::hold_closer;
 use super::history::Snapshot;
 use super::holding::hold_close;
 use super::lesson::check_lesson;
 use super::{Edit, Session, settings};
 use crate::constraint::{Kind, KindError, Set};
 use crate::mesh::{Point, counted};
-use crate::scene::{ConstraintSpec, HANDLE_WEIGHT, Hold, Scene, SceneError};
+use crate::scene::{ConstraintSpec, HANDLE_WEIGHT, Hold, PRESETS, Scene, SceneError};
 use crate::solve::Handle;
 use serde_json::{Map, Value};
 
 impl Session {
     /// Applies an edit to a state, and gives its name.
     pub(super) fn apply(&self, edit: Edit, state: &mut Snapshot) -> Result<String, SceneError> {
-        let Snapshot { document, handles, positions, iteration } = state;
+        let Snapshot { document, handles, positions, iteration, start } = state;
         let name = match edit {
             Edit::AddConstraint(new) => {
                 let name = format!("Add {}", new.spec.kind.info().label.to_ascii_lowercase());
@@ -77,6 +78,15 @@ impl Session {
                     format!("Hold {} close", of_vertices(vertices.len()))
                 })
             }
+            Edit::HoldCloser => {
+                hold_closer(document);
+                // From a shape without extent there is no way back.
+                if let Some(start) = start.take() {
+                    positions.clone_from(&start.positions);
+                    *iteration = start.iteration;
+                }
+                "Hold closer".to_owned()
+            }
             Edit::WeighHandles { vertices, weight } => {
                 if !(weight.is_finite() && weight > 0.0) {
                     let message = format!("found {weight}, expected a number above 0");
@@ -90,6 +100,14 @@ impl Session {
             Edit::SetWeights(weights) => {
                 document.weights = weights;
                 "Change weights".to_owned()
+            }
+            Edit::Preset { id } => {
+                let preset = PRESETS.iter().find(|preset| preset.id == id).ok_or_else(|| {
+                    let message = format!("there is no preset `{id}`");
+                    SceneError { path: "id".to_owned(), message }
+                })?;
+                preset.set(document);
+                format!("Use {}", preset.label)
             }
             Edit::SetUnits { units } => {
                 document.units = units;
@@ -115,6 +133,7 @@ impl Session {
             Edit::Reset => {
                 positions.clone_from(&self.mesh.positions);
                 *iteration = 0;
+                *start = None;
                 "Reset".to_owned()
             }
         };

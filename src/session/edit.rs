@@ -69,6 +69,9 @@ pub enum Edit {
         /// A factor of the weight of closeness, not negative; 1 is as the others.
         weight: f64,
     },
+    /// Goes back to where iterating began, if the shape has collapsed since, and holds all vertices
+    /// closer to where they were.
+    HoldCloser,
     /// Makes handles soft, with a weight.
     WeighHandles {
         /// Their vertices.
@@ -78,6 +81,11 @@ pub enum Edit {
     },
     /// Replaces the weights of Eq. 13.
     SetWeights(Weights),
+    /// Sets what belongs together: see [`crate::scene::PRESETS`].
+    Preset {
+        /// The id of a preset.
+        id: String,
+    },
     /// Says in which unit the coordinates are; they stay as they are.
     SetUnits {
         /// Empty when not known.

@@ -43,6 +43,7 @@ impl Edit {
                 vertices: given(at, "vertices", read_indices)?,
                 weight: weight(&at.need("weight", A_WEIGHT)?)?,
             },
+            "holdCloser" => Edit::HoldCloser,
             "weighHandles" => Edit::WeighHandles {
                 vertices: vertices(at)?,
                 weight: weight(&at.need("weight", A_WEIGHT)?)?,
@@ -55,6 +56,7 @@ impl Edit {
                     smooth: given(at, "smooth", weight)?.unwrap_or(smooth),
                 })
             }
+            "preset" => Edit::Preset { id: word(at, "id")? },
             "setUnits" => Edit::SetUnits { units: word(at, "units")? },
             "setUp" => Edit::SetUp { up: at.need("up", "an axis")?.choice()? },
             "setLesson" => Edit::SetLesson(given(at, "lesson", |lesson| {

@@ -75,9 +75,15 @@ impl Session {
 
     /// Begins a run: iterations up to [`Session::end_run`] are one step of undo.
     pub fn begin_run(&mut self) {
+        self.past.guard.goes_on = false;
         if self.past.gesture.is_none() {
             self.begin(GestureKind::Run);
         }
+    }
+
+    /// Lets the run that has begun go on when the shape collapses.
+    pub fn go_on(&mut self) {
+        self.past.guard.goes_on = true;
     }
 
     /// Ends a run, at the lowest total that it saw.
@@ -86,6 +92,7 @@ impl Session {
             return;
         };
         self.solver.settle();
+        self.look();
         let iterations = self.past.iteration - gesture.before.iteration;
         if iterations > 0 {
             let iterations = counted(iterations as usize, "iteration", "iterations");
@@ -97,6 +104,9 @@ impl Session {
         self.end_run();
         self.end_drag(true);
         self.past.gesture = Some(Gesture { kind, before: self.snapshot() });
+        if self.is_dragging() && self.collapse().is_none() {
+            self.past.guard.start = None;
+        }
         self.halfway = false;
     }
 }

@@ -52,7 +52,7 @@ impl Session {
         self.begin_run();
         let step = self.step();
         self.end_run();
-        let Step { converged } = step?;
+        let Step { converged, .. } = step?;
         Ok(Half::Global { converged, accelerated: self.solver.accelerated() })
     }
 

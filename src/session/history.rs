@@ -1,8 +1,10 @@
 //! Undo and redo of everything, one step per gesture.
 
+use super::collapse::Start;
 use crate::mesh::Point;
 use crate::scene::Scene;
 use crate::solve::Handle;
+use std::rc::Rc;
 
 /// Snapshots beyond this many bytes of positions are forgotten, oldest first.
 const LIMIT_BYTES: usize = 64 << 20;
@@ -18,6 +20,8 @@ pub(super) struct Snapshot {
     pub positions: Vec<Point>,
     /// Iterations up to it.
     pub iteration: u32,
+    /// The shape from which iterations led to it, since somebody last changed something.
+    pub start: Option<Rc<Start>>,
 }
 
 /// Steps of undo and redo, each with its name and the state on its other side.

@@ -5,9 +5,11 @@
 //!
 //! | file | holds |
 //! |---|---|
+//! | `collapse` | the guard against a shape that collapses while nobody drags |
 //! | `edit`, `apply` | the edits, and what each does to a state |
 //! | `edit_json` | what hosts ask for, from JSON |
 //! | `transition` | from one state to another at the least cost: edits, undo, redo |
+//! | `free` | vertices that nothing acts on |
 //! | `gesture` | drags and runs, one step of undo each |
 //! | `resolve` | rows of constraints: selectors resolved, misfits counted |
 //! | `flaws` | elements that have something wrong |
@@ -36,10 +38,12 @@
 mod acting;
 mod angles;
 mod apply;
+mod collapse;
 mod edit;
 mod edit_json;
 mod face_measure;
 mod flaws;
+mod free;
 mod gesture;
 mod halves;
 mod history;
@@ -64,6 +68,7 @@ mod verdict;
 mod worst;
 
 pub use acting::ActingRows;
+pub use collapse::{Collapse, CollapseReason};
 pub use edit::{Edit, NewConstraint};
 pub use face_measure::{FACE_MEASURES, FaceMeasure, MeasureUnit, Shape};
 pub use flaws::{ZERO_SIZE_FACES, flaw_of};
@@ -85,7 +90,9 @@ use crate::error::Error;
 use crate::mesh::{Mesh, Point, Topology, write_obj};
 use crate::scene::{Frame, HandleSpec, Hold, Scene};
 use crate::solve::{Constraints, Handle, Kept, Problem, Solver};
+use collapse::Start;
 use past::Past;
+use std::rc::Rc;
 use trace::Trace;
 
 /// A scene that is open.
@@ -106,8 +113,10 @@ pub struct Session {
 /// What one iteration did.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Step {
-    /// Whether the total changed by no more than the tolerance.
+    /// Whether the total changed by no more than the tolerance, and the shape has not collapsed.
     pub converged: bool,
+    /// Whether there is nothing to go on for: the total did not change, or the shape collapsed.
+    pub ended: bool,
 }
 
 impl Session {
@@ -181,13 +190,15 @@ impl Session {
     /// When a position leaves the finite numbers; the shape is then that before the step.
     pub fn step(&mut self) -> Result<Step, Error> {
         self.halfway = false;
+        self.take_start();
         self.solver.step()?;
         self.past.iteration += 1;
         let entry = self.trace_entry();
         if let Some(trace) = &mut self.past.trace {
             trace.push(entry);
         }
-        Ok(Step { converged: self.solver.converged() })
+        let collapsed = self.watch();
+        Ok(Step { converged: self.converged(), ended: self.solver.converged() || collapsed })
     }
 
     /// Iterates until the tolerance or the limit of the scene is reached.
@@ -199,7 +210,7 @@ impl Session {
             self.start_trace();
         }
         for _ in 0..self.document.solver.iterations {
-            if self.step()?.converged {
+            if self.step()?.ended {
                 break;
             }
         }
@@ -221,8 +232,10 @@ impl Session {
         TraceEntry::new(self.past.iteration, self.solver.energy())
     }
 
-    /// Counts on from `iteration` after a jump to a state from before or after.
-    fn arrive(&mut self, iteration: u32) {
+    /// Counts on from `iteration` after a jump to a state from before or after, to which iterations led
+    /// from `start`.
+    fn arrive(&mut self, iteration: u32, start: Option<Rc<Start>>) {
+        self.start_from(start);
         self.past.iteration = iteration;
         self.halfway = false;
         let entry = self.trace_entry();

@@ -90,7 +90,7 @@ impl Checked {
         let solver = solver(&scene, &mesh, &topology, &rows, Kept::default(), handles, start)?;
         Ok(Session {
             diameter: BoundingSphere::of(&mesh.positions).diameter(),
-            past: past.unwrap_or_else(|| Past::beginning(solver.energy())),
+            past: past.unwrap_or_else(|| Past::beginning(solver.energy(), scene.clone())),
             mesh,
             topology,
             document: scene,

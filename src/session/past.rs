@@ -1,9 +1,11 @@
 //! What has happened in a session since it was opened: all of it that lasts while the solver is made
 //! anew.
 
+use super::collapse::Guard;
 use super::gesture::Gesture;
 use super::history::History;
 use super::trace::Trace;
+use crate::scene::Scene;
 use crate::solve::Energy;
 
 /// What has happened so far.
@@ -20,11 +22,13 @@ pub(super) struct Past {
     pub(super) history: History,
     /// What has begun and is not yet a step of undo.
     pub(super) gesture: Option<Gesture>,
+    /// What watches over the shape.
+    pub(super) guard: Guard,
 }
 
 impl Past {
-    /// Nothing has happened yet.
-    pub(super) fn beginning(initial: Energy) -> Past {
+    /// Nothing has happened yet to the document `opened`.
+    pub(super) fn beginning(initial: Energy, opened: Scene) -> Past {
         Past {
             iteration: 0,
             initial,
@@ -32,6 +36,7 @@ impl Past {
             load_seconds: 0.0,
             history: History::default(),
             gesture: None,
+            guard: Guard::new(opened),
         }
     }
 }

@@ -115,7 +115,7 @@ impl Session {
             unknowns: self.solver.system().unknowns(),
             factor_nonzeros: self.solver.system().factor_nonzeros(),
             iterations: self.past.iteration,
-            stopped_by: if self.solver.converged() { "tolerance" } else { "iterations" },
+            stopped_by: if self.converged() { "tolerance" } else { "iterations" },
             accelerator: accelerator.word(),
             pinned: self.solver.pinned().to_vec(),
             energy: EnergyReport { initial: self.past.initial, last: self.solver.energy() },

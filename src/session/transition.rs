@@ -16,6 +16,9 @@ impl Session {
         self.end_drag(true);
         let before = self.snapshot();
         let mut after = before.clone();
+        if self.collapse().is_none() {
+            after.start = None;
+        }
         let name = self.apply(edit, &mut after)?;
         self.go_to(after)?;
         self.past.history.push(name, before);
@@ -55,12 +58,13 @@ impl Session {
             handles: self.solver.handles().to_vec(),
             positions: self.positions(),
             iteration: self.past.iteration,
+            start: self.past.guard.start.clone(),
         }
     }
 
     /// Makes `state` the current one at the least cost.
     pub(super) fn go_to(&mut self, state: Snapshot) -> Result<(), Error> {
-        let Snapshot { document, handles, positions, iteration } = state;
+        let Snapshot { document, handles, positions, iteration, start } = state;
         let moved = self.positions() != positions;
         if same_problem(&document, &self.document) {
             let same_holds = handles.len() == self.solver.handles().len()
@@ -111,7 +115,7 @@ impl Session {
             self.rows = rows;
             self.document = document;
         }
-        self.arrive(iteration);
+        self.arrive(iteration, start);
         Ok(())
     }
 
@@ -123,7 +127,7 @@ impl Session {
 }
 
 /// Whether two documents differ in nothing that the solver knows of.
-fn same_problem(a: &Scene, b: &Scene) -> bool {
+pub(super) fn same_problem(a: &Scene, b: &Scene) -> bool {
     let mut a = a.clone();
     a.units.clone_from(&b.units);
     a.up = b.up;

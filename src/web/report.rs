@@ -3,8 +3,8 @@
 use super::lesson::{GoalNumbers, LessonWords};
 use crate::constraint::{Element, Info, KINDS, Kind, LocalStep, Sketch, describe};
 use crate::mesh::{Circularity, Planarity, Read};
-use crate::scene::{Hold, PanelOffer, Worded, panel_offers};
-use crate::session::{Moved, Session, flaw_of, settings_of};
+use crate::scene::{Hold, PRESETS, PanelOffer, Preset, PresetOffer, Worded, panel_offers};
+use crate::session::{CollapseReason, Moved, Session, flaw_of, settings_of};
 use crate::solve::Energy;
 use serde::Serialize;
 use serde_json::Value;
@@ -102,6 +102,11 @@ pub(super) struct Document<'a> {
     smoothness: SmoothnessWords,
     /// Of every declared setting its value.
     settings: serde_json::Map<String, Value>,
+    /// The id of the preset whose settings it has.
+    preset: Option<&'static str>,
+    presets: Vec<PresetOffer>,
+    /// Vertices that nothing acts on.
+    free: usize,
     sets: Vec<NamedSet<'a>>,
     /// Vertices that are kept close more or less than the others.
     #[serde(rename = "heldOtherwise")]
@@ -208,6 +213,12 @@ impl<'a> Document<'a> {
                 weighting: scene.smoothness.weighting.word(),
             },
             settings: settings_of(scene),
+            preset: Preset::of(scene).map(|preset| preset.id),
+            presets: PRESETS
+                .iter()
+                .map(|preset| preset.offer(session.topology(), session.solver().handles().len()))
+                .collect(),
+            free: session.free().len(),
             sets: scene
                 .sets
                 .iter()
@@ -232,6 +243,8 @@ impl<'a> Document<'a> {
 pub(super) struct Frame {
     iteration: u32,
     converged: bool,
+    /// In which way the shape has collapsed.
+    collapse: Option<CollapseReason>,
     /// The local step is done, the global step is next.
     halfway: bool,
     energy: Energy,
@@ -269,7 +282,8 @@ impl Frame {
         let share = |row: &LocalStep| if energy.total > 0.0 { row.energy * whole } else { 0.0 };
         Frame {
             iteration: session.iteration(),
-            converged: session.solver().converged(),
+            converged: session.converged(),
+            collapse: session.collapse().map(|collapse| collapse.reason),
             halfway: session.halfway(),
             energy,
             planarity: measures.planarity,

@@ -59,12 +59,24 @@ impl Solver {
         self.open_mut()?.redo().map_err(thrown)
     }
 
-    /// One iteration; true when it has converged.
+    /// One iteration; true when there is nothing to go on for.
     pub fn step(&mut self) -> Result<bool, JsValue> {
         let started = clock::now();
         let step = self.open_mut()?.step().map_err(thrown)?;
         self.step_ms = 1e3 * (clock::now() - started);
-        Ok(step.converged)
+        Ok(step.ended)
+    }
+
+    /// How the shape has collapsed, or null.
+    pub fn collapse(&self) -> Result<JsValue, JsValue> {
+        plain(&self.open()?.collapse())
+    }
+
+    /// Lets the run that has begun go on when the shape collapses.
+    #[wasm_bindgen(js_name = goOn)]
+    pub fn go_on(&mut self) -> Result<(), JsValue> {
+        self.open_mut()?.go_on();
+        Ok(())
     }
 
     /// Begins a run: iterations up to [`Solver::end_run`] are one step of undo.

@@ -214,7 +214,7 @@ test('strips, rings, boundary loops and connected parts from the menu', async ({
   await page.mouse.click(...(await faceAt(page, 2, 2)));
   await selectBy(page, 'Face strip');
   await expect(status(page)).toHaveText(`${2 * N - 1} faces selected`);
-  await selectBy(page, 'Boundary loop');
+  await selectBy(page, 'Faces along the boundary');
   await expect(status(page)).toHaveText(`${4 * N - 4} faces selected`);
   await selectBy(page, /^Connected/);
   await expect(status(page)).toHaveText(`${N * N} faces selected`);

@@ -80,11 +80,12 @@ impl Session {
         };
         let params = Params { operation, given: &request.params };
         let found = match operation.id {
-            // These two need the session: errors of faces, and sets.
+            // These need the session: errors of faces, sets, and what acts on vertices.
             "error" => {
                 self.with_error_above(params.word("measure")?, params.number("tolerance")?)?
             }
             "named" => self.named(params.word("name")?)?,
+            "free" => Selection { vertices: self.free(), ..Selection::default() },
             _ => Selection::default(),
         };
         let positions = self.positions();
@@ -97,14 +98,14 @@ impl Session {
             "shrink" => elements::not(elements.around(mode, &elements::not(seeds))),
             "to-vertices" | "to-edges" | "to-faces" => seeds,
             "connected" => elements.connected(mode, &seeds),
-            "boundary" => elements.boundary(mode, &seeds),
+            "boundary" | "boundary-faces" => elements.boundary(mode, &seeds),
             "loop" => elements.edge_loops(mode, &request.from),
             "ring" => elements.edge_rings(&seeds),
             "strip" => elements.strips(&seeds),
             "flat" => elements.flat_patch(&seeds, params.number("angle")?, &positions),
             "sides" => elements.with_sides(params.number("sides")?),
             "valence" => elements.with_valence(params.number("edges")?),
-            "error" | "named" => elements.marks(mode, &found),
+            "error" | "named" | "free" => elements.marks(mode, &found),
             id => unreachable!("{id} is declared"),
         };
         Ok(elements::selection(mode, &marks))

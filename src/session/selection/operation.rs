@@ -150,6 +150,14 @@ pub const OPERATIONS: &[Operation] = &[
         ..PLAIN
     },
     Operation {
+        id: "boundary-faces",
+        label: "Faces along the boundary",
+        summary: "The faces along the boundary loops that the selection touches; along all of them where nothing is selected.",
+        group: FOLLOW,
+        modes: &[Mode::Faces],
+        ..PLAIN
+    },
+    Operation {
         id: "loop",
         label: "Edge loop",
         summary: "The straight lines of edges through the selected edges, on meshes of mostly quads.",
@@ -237,6 +245,14 @@ pub const OPERATIONS: &[Operation] = &[
                 range: [0.0, f64::INFINITY],
             },
         ],
+        ..PLAIN
+    },
+    Operation {
+        id: "free",
+        label: "Nothing acts on",
+        summary: "Vertices without constraint, closeness, smoothness or handle, which stay where they are.",
+        group: FIND,
+        gives: Some(Mode::Vertices),
         ..PLAIN
     },
     Operation {

@@ -1,0 +1,129 @@
+//! Settings that belong together: weights, what is kept close to what, what is smoothed. Weights alone,
+//! taken from a figure of the paper, may shrink a mesh to a dot.
+
+use super::{BoundaryCloseness, ClosenessTo, Scene, Smoothness, SmoothnessOf, Weighting, Weights};
+use crate::mesh::Topology;
+use serde::Serialize;
+
+/// Settings that belong together.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Preset {
+    /// Its name in messages.
+    pub id: &'static str,
+    /// Its name for people.
+    pub label: &'static str,
+    /// What it does, and what it takes for given.
+    pub assumes: &'static str,
+    needs: Needs,
+    weights: Weights,
+    to: ClosenessTo,
+    boundary: Option<BoundaryCloseness>,
+    smoothness: Smoothness,
+}
+
+/// What has to be there for a preset to keep a mesh whole.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Needs {
+    Nothing,
+    /// A boundary that holds what is smoothed.
+    Boundary,
+    /// Handles that hold the mesh.
+    Handles,
+}
+
+/// A preset as hosts offer it for a scene.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct PresetOffer {
+    /// See [`Preset::id`].
+    pub id: &'static str,
+    /// See [`Preset::label`].
+    pub label: &'static str,
+    /// See [`Preset::assumes`].
+    pub assumes: &'static str,
+    /// What this scene lacks of that, and what follows.
+    pub warning: Option<&'static str>,
+}
+
+const OF_DISPLACEMENT: Smoothness =
+    Smoothness { of: SmoothnessOf::Displacement, weighting: Weighting::Uniform };
+const OF_SURFACE: Smoothness = Smoothness { of: SmoothnessOf::Surface, weighting: Weighting::Auto };
+const ON_ITS_CURVE: Option<BoundaryCloseness> = Some(BoundaryCloseness { corners: 45.0 });
+
+/// All presets, that of a mesh that is opened first.
+pub const PRESETS: &[Preset] = &[
+    Preset {
+        id: "opened",
+        label: "Keep the design",
+        assumes: "Shapes come first. Each vertex stays near to where it was, and neighbours move together.",
+        needs: Needs::Nothing,
+        weights: Weights { shape: 1000.0, close: 1.0, smooth: 1.0 },
+        to: ClosenessTo::Rest,
+        boundary: None,
+        smoothness: OF_DISPLACEMENT,
+    },
+    Preset {
+        id: "fig-5",
+        label: "Fig. 5: 5, 10, 2",
+        assumes: "Vertices glide over the original surface, those of the boundary along their own curve; corners of the boundary stay. The surface is smoothed.",
+        needs: Needs::Boundary,
+        weights: Weights { shape: 5.0, close: 10.0, smooth: 2.0 },
+        to: ClosenessTo::Surface,
+        boundary: ON_ITS_CURVE,
+        smoothness: OF_SURFACE,
+    },
+    Preset {
+        id: "fig-7",
+        label: "Fig. 7: 5, 1, 0",
+        assumes: "Vertices glide over the original surface, those of the boundary along their own curve; corners of the boundary stay. Nothing is smoothed.",
+        needs: Needs::Nothing,
+        weights: Weights { shape: 5.0, close: 1.0, smooth: 0.0 },
+        to: ClosenessTo::Surface,
+        boundary: ON_ITS_CURVE,
+        smoothness: OF_SURFACE,
+    },
+    Preset {
+        id: "fig-6",
+        label: "Fig. 6, 8: 1, 0, 0",
+        assumes: "Only constraints and handles count: nothing keeps the mesh near the original.",
+        needs: Needs::Handles,
+        weights: Weights { shape: 1.0, close: 0.0, smooth: 0.0 },
+        to: ClosenessTo::None,
+        boundary: None,
+        smoothness: OF_SURFACE,
+    },
+];
+
+impl Preset {
+    /// Gives `scene` these settings.
+    pub fn set(&self, scene: &mut Scene) {
+        scene.weights = self.weights;
+        scene.closeness.to = self.to;
+        scene.closeness.boundary = self.boundary;
+        scene.smoothness = self.smoothness;
+    }
+
+    /// The preset whose settings `scene` has.
+    pub fn of(scene: &Scene) -> Option<&'static Preset> {
+        let closeness = &scene.closeness;
+        PRESETS.iter().find(|preset| {
+            preset.weights == scene.weights
+                && preset.to == closeness.to
+                && preset.boundary == closeness.boundary
+                && preset.smoothness == scene.smoothness
+        })
+    }
+
+    /// As it is offered for a mesh with this topology and so many handles.
+    pub fn offer(&self, topology: &Topology, handles: usize) -> PresetOffer {
+        let warning = match self.needs {
+            Needs::Boundary if topology.boundary_loops().is_empty() => {
+                Some("This mesh has no boundary that would hold it: smoothing shrinks it.")
+            }
+            Needs::Handles if handles == 0 => {
+                Some("There are no handles: nothing holds this mesh.")
+            }
+            _ => None,
+        };
+        PresetOffer { id: self.id, label: self.label, assumes: self.assumes, warning }
+    }
+}

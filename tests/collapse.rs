@@ -1,0 +1,148 @@
+//! The guard against shapes that collapse while nobody drags.
+
+#![allow(clippy::unwrap_used, reason = "a helper that fails here fails its test")]
+
+#[path = "support/grid.rs"]
+mod grid;
+#[path = "support/shared.rs"]
+mod shared;
+
+use shape_up::mesh::Mesh;
+use shape_up::scene::{Closeness, Scene, Smoothness, Weights, examples::EXAMPLES};
+use shape_up::session::{CollapseReason, Edit, Session};
+
+/// The weights of Fig. 5, which take an open mesh for one whose boundary is held.
+const FIG_5: Weights = Weights { shape: 5.0, close: 10.0, smooth: 2.0 };
+
+/// Circular panels with the weights of Fig. 5, as the page offered them: nothing else is set with them.
+fn with_weights_of_fig_5(mesh: Mesh) -> Session {
+    let mut scene = Scene::opened("own.obj");
+    scene.closeness = Closeness::default();
+    scene.smoothness = Smoothness::default();
+    let mut session = Session::open(scene, mesh).unwrap();
+    session.edit(Edit::MakePanels { kind: "circle".to_owned() }).unwrap();
+    session.edit(Edit::SetWeights(FIG_5)).unwrap();
+    session
+}
+
+/// A run as hosts make it, of so many iterations at most; whether it ended by itself.
+fn run(session: &mut Session, iterations: u32, goes_on: bool) -> bool {
+    session.begin_run();
+    if goes_on {
+        session.go_on();
+    }
+    let ended = (0..iterations).any(|_| session.step().unwrap().ended);
+    session.end_run();
+    ended
+}
+
+#[test]
+fn a_roof_that_shrinks_to_a_dot_stops_and_is_never_called_converged() {
+    // It ended as a dot: "converged", "worst panel 0 mm".
+    for file in ["botanic-garden-bubble-0.obj", "compas_hypar.obj", "pillow_1.obj"] {
+        let Some(mesh) = shared::mesh(file) else { return };
+        let before = mesh.positions.clone();
+        let mut session = with_weights_of_fig_5(mesh);
+        assert!(run(&mut session, 2000, false), "{file}");
+        let collapse = session.collapse().unwrap();
+        assert!(!session.converged() && session.report().stopped_by == "iterations", "{file}");
+        assert!(session.moved().max > 0.0);
+
+        // Whoever wants to may go on; then too it is not converged.
+        run(&mut session, 1000, true);
+        assert!(session.collapse().is_some() && !session.converged(), "{file}");
+
+        // Undo and redo know of it.
+        session.undo().unwrap();
+        session.undo().unwrap();
+        assert_eq!(session.collapse(), None);
+        assert_eq!(session.positions(), before);
+        session.redo().unwrap();
+        assert_eq!(session.collapse(), Some(collapse), "{file}");
+
+        // Holding closer helps, from where it began.
+        session.edit(Edit::HoldCloser).unwrap();
+        assert_eq!(session.collapse(), None);
+        assert_eq!(session.positions(), before);
+        assert!(run(&mut session, 2000, false) && session.converged(), "{file}");
+        assert!(session.shortest_edge() > 0.0);
+    }
+}
+
+#[test]
+fn a_run_that_stops_says_in_which_way() {
+    for (file, reason) in [
+        ("botanic-garden-bubble-0.obj", CollapseReason::Shrunk),
+        ("cmc1.obj", CollapseReason::Moved),
+        ("decimated-knight.off", CollapseReason::Area),
+    ] {
+        let Some(mesh) = shared::mesh(file) else { return };
+        let mut session = with_weights_of_fig_5(mesh);
+        run(&mut session, 2000, false);
+        assert_eq!(session.collapse().unwrap().reason, reason, "{file}");
+    }
+}
+
+#[test]
+fn what_its_author_meant_is_not_stopped() {
+    // The strip of Fig. 11 shrinks by design, and Fig. 10 begins with a shape that has collapsed.
+    for example in EXAMPLES {
+        let (scene, mesh) = example.build();
+        let limit = scene.solver.iterations;
+        let mut session = Session::open(scene, mesh).unwrap();
+        run(&mut session, limit, false);
+        assert_eq!(session.collapse(), None, "{}", example.id);
+        assert_eq!(session.converged(), session.solver().converged(), "{}", example.id);
+    }
+}
+
+#[test]
+fn examples_that_are_edited_and_handles_that_pull_far_do_not_trip_it() {
+    // Whoever edits an example says what is meant: only what shrinks by design is then told so.
+    for example in EXAMPLES {
+        let (scene, mesh) = example.build();
+        let limit = scene.solver.iterations;
+        let mut session = Session::open(scene, mesh).unwrap();
+        let weights = session.document().weights;
+        session.edit(Edit::SetWeights(Weights { shape: 1.01 * weights.shape, ..weights })).unwrap();
+        run(&mut session, limit, false);
+        let by_design = ["fig-11-strip"].contains(&example.id);
+        assert_eq!(
+            session.collapse().is_some(),
+            by_design,
+            "{} {:?}",
+            example.id,
+            session.collapse()
+        );
+    }
+}
+
+#[test]
+fn a_mesh_that_is_dragged_across_the_scene_has_not_collapsed() {
+    let mut scene = Scene::opened("own.obj");
+    scene.weights = Weights::default();
+    let mut session = Session::open(scene, grid::bumpy(6)).unwrap();
+    session.edit(Edit::MakePanels { kind: "plane".to_owned() }).unwrap();
+    session.edit(Edit::SetWeights(Weights::default())).unwrap();
+    session.edit(Edit::AddHandles { vertices: vec![0], fixed: true }).unwrap();
+    session.begin_drag();
+    session.drag([(0, [100.0, 0.0, 0.0])]);
+    session.step().unwrap();
+    session.end_drag(true);
+    run(&mut session, 500, false);
+    assert!(session.moved().max > 50.0);
+    assert_eq!(session.collapse(), None);
+}
+
+#[test]
+fn real_meshes_with_the_settings_of_an_opened_mesh_do_not_trip_it() {
+    for file in ["M2_eq_quad2.obj", "compas_hypar.obj", "pillow_1.obj", "horse_quad.obj"] {
+        let Some(mesh) = shared::mesh(file) else { return };
+        for kind in ["circle", "plane"] {
+            let mut session = Session::open(Scene::opened("own.obj"), mesh.clone()).unwrap();
+            session.edit(Edit::MakePanels { kind: kind.to_owned() }).unwrap();
+            assert!(run(&mut session, 2000, false), "{file}");
+            assert!(session.collapse().is_none() && session.converged(), "{file} {kind}");
+        }
+    }
+}
