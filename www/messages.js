@@ -103,6 +103,8 @@
  * @property {number} tolerance for distances on this mesh: a thousandth of the mean edge, rounded to 1, 2 or 5
  * @property {{ kind: string, reason: string | null }[]} panels the kinds that are offered for all panels, and
  *   why one means nothing on this mesh
+ * @property {{ before: number, after: number, tolerance: number } | null} welded vertices of the file and of the
+ *   mesh, where faces had their own and those within the tolerance were made one
  * @property {Problem[]} problems
  * @property {string[]} notes
  */
@@ -276,7 +278,7 @@
  * - `open`: the first file that is a scene, else the first file; the others may be the mesh that it
  *   names. When it is refused the old model stays. `iteration` is where a restored scene stood;
  *   `frame` what a mesh file is taken for that does not say its unit and axis: `# units: m`, `# up: y`;
- *   `solved` runs before anything is shown: only for what is known to converge soon.
+ *   `weld: false` leaves a mesh file whose faces have their own vertices as it came; `solved` runs before anything is shown: only for what is known to converge soon.
  * - `edit`, `undo`, `redo`, `step`; `halfStep`: the local step, or the global step after it.
  * - `members`: what a constraint acts on. `rowColours`: the colours of all of them. `previews`: what
  *   adding one of each kind at each of some places would make. `select`: what is selected then.
@@ -288,13 +290,14 @@
  *   vertices, where they have any. `originalPositions`: where the vertices of the original are. `angles`:
  *   of the corners of the faces.
  * - `parametrize`: ends a run. Refused where there is no face, or no area.
- * - `scene`, `obj`, `table`: the texts of the files; an `obj` with `uv` (`#V by 2`) has them as texture
+ * - `scene`, `obj`, `table`: the texts of the files; an `obj` `asItCame` has the vertices and faces of a file
+ *   that was welded, one with `uv` (`#V by 2`) has them as texture
  *   coordinates; a `table` has the errors of the faces, the energies of the iterations, or the angles of the
  *   corners, as CSV.
  * - `runExperiment`: starts the experiment of an example, on its files, the scene first; the model that
  *   is open is not touched. `experimentCsv`: what was measured.
  * @typedef {{ type: "open", files: NamedBytes[], iteration?: number, frame?: string,
- *       solved?: boolean }
+ *       solved?: boolean, weld?: boolean }
  *   | { type: "edit", edit: Edit }
  *   | { type: "undo" }
  *   | { type: "redo" }
@@ -315,7 +318,7 @@
  *   | { type: "results", student: string, time: string }
  *   | { type: "scene" }
  *   | { type: "parametrize", weights: MapWeights, norm: MapNorm }
- *   | { type: "obj", uv?: Float64Array }
+ *   | { type: "obj", uv?: Float64Array, asItCame?: boolean }
  *   | { type: "table", table: "errors" | "convergence" | "angles" }
  *   | { type: "runExperiment", example: string, files: NamedBytes[], iterations?: number, seconds?: number }
  *   | { type: "experimentCsv" }} Request

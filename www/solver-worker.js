@@ -190,6 +190,7 @@ function answer(message) {
     case 'scene':
       return live().scene();
     case 'obj':
+      if (message.asItCame) return live().objAsItCame();
       return message.uv ? live().objWithUv(message.uv) : live().obj();
     case 'parametrize':
       pause();
@@ -204,11 +205,12 @@ function answer(message) {
 }
 
 /** @param {Extract<ToWorker, { type: "open" }>} message */
-function open({ files, iteration, frame = '', solved }) {
+function open({ files, iteration, frame = '', solved, weld }) {
   const main = mainOf(files);
   const companion = companionOf(files, (scene) => live().sceneMeshFile(scene));
   if (running) endRun();
   live().assume(frame);
+  live().keepApart(weld === false);
   const about = live().load(main.name, main.bytes, companion?.bytes ?? null);
   if (iteration) live().restoreIteration(iteration);
   loaded = true;

@@ -21,6 +21,7 @@
 //! | `angle_histogram` | how many corners of faces have which angle |
 //! | `quasi_conformal` | how far a flat map is from keeping angles |
 //! | `histogram` | how errors are distributed, for legends |
+//! | `weld` | vertices at one place made one, where faces have their own |
 //! | `bounds` | bounding sphere, and how far out positions may be |
 
 mod angle_histogram;
@@ -62,6 +63,7 @@ mod survey;
 mod topology;
 mod tree;
 mod triangle;
+mod weld;
 
 pub use angle_histogram::angle_histogram;
 pub use boundary_curves::{BoundaryCurve, BoundaryCurves};
@@ -86,6 +88,7 @@ pub use read::{Read, read};
 pub use strips::strips;
 pub use survey::{Flawed, flawed, survey};
 pub use topology::Topology;
+pub use weld::Weld;
 
 /// A position in space, in the units of the mesh.
 pub type Point = [f64; 3];

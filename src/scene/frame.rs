@@ -1,5 +1,5 @@
 //! The unit and the vertical axis of a mesh file. The formats have neither: a comment may state them,
-//! and where none does they are guessed from the shape. Coordinates are never touched.
+//! and where none does they are guessed from the shape (the axis in `up_guess`). Coordinates are never touched.
 
 use super::{Up, Worded};
 use crate::mesh::{Mesh, Point};
@@ -8,10 +8,6 @@ use crate::mesh::{Mesh, Point};
 const METRES_FROM: f64 = 3.0;
 /// A size from which on it is taken as one in millimetres.
 const MILLIMETRES_FROM: f64 = 500.0;
-/// Vertices this near to the lowest one, as a part of the size, stand on the ground.
-const GROUND: f64 = 1e-3;
-/// A flat mesh lies: its height is at most this part of both its other sides.
-const LYING: f64 = 0.5;
 
 /// The unit and the vertical axis, where they are known.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -69,17 +65,6 @@ impl Frame {
             ""
         }
     }
-
-    /// The axis that likely points up: z, unless the mesh lies flat or stands when y does.
-    pub fn guess_up(mesh: &Mesh) -> Up {
-        let [x, y, z] = [0, 1, 2].map(|axis| extent(&mesh.positions, axis).length());
-        let lies = |height: f64, others: [f64; 2]| others.iter().all(|side| height <= LYING * side);
-        if lies(z, [x, y]) {
-            return Up::Z;
-        }
-        let [on_y, on_z] = [1, 2].map(|axis| on_ground(&mesh.positions, axis));
-        if lies(y, [x, z]) || on_y >= 2 * on_z { Up::Y } else { Up::Z }
-    }
 }
 
 struct Extent {
@@ -99,13 +84,6 @@ fn extent(positions: &[Point], axis: usize) -> Extent {
         low: all.low.min(point[axis]),
         high: all.high.max(point[axis]),
     })
-}
-
-/// How many vertices stand on the ground when this axis points up.
-fn on_ground(positions: &[Point], axis: usize) -> usize {
-    let extent = extent(positions, axis);
-    let limit = extent.low + GROUND * extent.length();
-    positions.iter().filter(|point| point[axis] <= limit).count()
 }
 
 #[cfg(test)]
@@ -134,18 +112,6 @@ mod tests {
         let foreign = b"# Blender 4.2\r\n#\r\n# units: cm\r\n# a: b: c\r\nmtllib x.mtl\r\n";
         assert_eq!(Frame::stated(foreign).units.as_deref(), Some("cm"));
         assert_eq!(Frame::stated(b""), Frame::default());
-    }
-
-    #[test]
-    fn a_roof_lies_and_a_tower_stands() {
-        assert_eq!(Frame::guess_up(&block([20.0, 15.0, 4.0])), Up::Z);
-        assert_eq!(Frame::guess_up(&block([20.0, 4.0, 15.0])), Up::Y);
-        assert_eq!(Frame::guess_up(&block([4.0, 4.0, 30.0])), Up::Z);
-        // A pyramid whose square lies in the plane of x and z.
-        let mut tower = block([4.0, 0.0, 4.0]).positions;
-        tower.push([2.0, 30.0, 2.0]);
-        assert_eq!(Frame::guess_up(&points(tower)), Up::Y);
-        assert_eq!(Frame::guess_up(&points(Vec::new())), Up::Z);
     }
 
     #[test]

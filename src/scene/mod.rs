@@ -8,6 +8,7 @@
 //! | `closeness` | what vertices are kept close to, and how much |
 //! | `words` | the words for choices, in files and everywhere else |
 //! | `frame` | the unit and the vertical axis of a mesh file, stated or guessed |
+//! | `up_guess` | which axis of a mesh likely points up |
 //! | `opened` | the settings of a mesh file that somebody opens |
 //! | `panels` | the same shape for all panels, by one press |
 //! | `presets` | settings that belong together |
@@ -21,6 +22,7 @@ mod lesson;
 mod opened;
 mod panels;
 mod presets;
+mod up_guess;
 mod validate;
 mod words;
 

@@ -7,7 +7,7 @@
 
 use super::Session;
 use super::transition::same_problem;
-use crate::math::Vec3;
+use crate::math::{Vec3, twice_vector_area};
 use crate::mesh::{Mesh, Point, Ragged};
 use crate::scene::{ClosenessTo, Scene};
 use serde::Serialize;
@@ -201,11 +201,6 @@ fn diagonal(positions: &[Point], faces: &Ragged) -> f64 {
 
 /// The lengths of the area vectors of faces: `#F`.
 fn areas(positions: &[Point], faces: &Ragged) -> Vec<f64> {
-    let at = |v: u32| Vec3::from(positions[v as usize]);
-    let area = |face: &[u32]| {
-        let first = at(face[0]);
-        let ways = face.windows(2).map(|ends| (at(ends[0]) - first).cross(at(ends[1]) - first));
-        0.5 * ways.fold(Vec3::zero(), |sum, way| sum + way).length()
-    };
-    faces.iter().map(area).collect()
+    let at = |&v: &u32| Vec3::from(positions[v as usize]);
+    faces.iter().map(|face| 0.5 * twice_vector_area(face.iter().map(at)).length()).collect()
 }

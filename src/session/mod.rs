@@ -87,7 +87,7 @@ pub use verdict::Verdict;
 pub use worst::WorstElement;
 
 use crate::error::Error;
-use crate::mesh::{Mesh, Point, Topology, write_obj};
+use crate::mesh::{Mesh, Point, Topology, Weld, write_obj};
 use crate::scene::{Frame, HandleSpec, Hold, Scene};
 use crate::solve::{Constraints, Handle, Kept, Problem, Solver};
 use collapse::Start;
@@ -173,6 +173,13 @@ impl Session {
     pub fn obj(&self) -> String {
         let comments = Frame::comments(&self.document.units, self.document.up);
         comments + &write_obj(&self.mesh, &self.positions())
+    }
+
+    /// The same of the mesh as it came, which was welded to the mesh of this session.
+    pub fn obj_as_it_came(&self, weld: &Weld) -> String {
+        let comments = Frame::comments(&self.document.units, self.document.up);
+        let positions = weld.as_it_came(&self.mesh.positions, &self.positions());
+        comments + &write_obj(&weld.original, &positions)
     }
 
     /// The scene as it stands, with current positions when they are not at rest.

@@ -27,6 +27,13 @@ impl Solver {
         self.assumed = Frame::stated(comments.as_bytes());
     }
 
+    /// Whether the next mesh file keeps vertices at one place apart: otherwise it is welded where its faces
+    /// have their own.
+    #[wasm_bindgen(js_name = keepApart)]
+    pub fn keep_apart(&mut self, apart: bool) {
+        self.keeps_apart = apart;
+    }
+
     /// Opens a mesh, or a scene with the mesh file that it names as `companion`. The model that is
     /// open stays when this one is refused.
     pub fn load(
@@ -64,6 +71,9 @@ impl Solver {
             scene.units = stated.units.clone().unwrap_or_else(units);
             scene.up = stated.up.unwrap_or_else(|| Frame::guess_up(&file.mesh));
         }
+        // The indices in a scene are those of its mesh as it is.
+        let apart = std::mem::take(&mut self.keeps_apart) || is_scene;
+        let weld = if apart { None } else { file.weld() };
         let mesh = std::mem::take(&mut file.mesh);
         let session = Session::replace(&mut self.session, scene, mesh).map_err(|error| {
             thrown(if is_scene { format!("{name}: {error}") } else { error.to_string() })
@@ -74,8 +84,10 @@ impl Solver {
             units: !is_scene && stated.units.is_none(),
             up: !is_scene && stated.up.is_none(),
         };
+        let loaded = plain(&Loaded::new(name, session, &file, guessed, weld.as_ref()));
         self.step_ms = 0.0;
-        plain(&Loaded::new(name, session, &file, guessed))
+        self.weld = weld;
+        loaded
     }
 
     /// Counts on from `iteration`, where the scene that was just opened stood when it was saved.

@@ -2,7 +2,7 @@
 
 use super::lesson::{GoalNumbers, LessonWords};
 use crate::constraint::{Element, Info, KINDS, Kind, LocalStep, Sketch, describe};
-use crate::mesh::{Circularity, Planarity, Read};
+use crate::mesh::{Circularity, Planarity, Read, Weld};
 use crate::scene::{Hold, PRESETS, PanelOffer, Preset, PresetOffer, Worded, panel_offers};
 use crate::session::{CollapseReason, Moved, Session, flaw_of, settings_of};
 use crate::solve::Energy;
@@ -28,8 +28,17 @@ pub(super) struct Loaded {
     /// For distances, in the unit of the mesh.
     tolerance: f64,
     panels: Vec<PanelOffer>,
+    welded: Option<Welded>,
     problems: Vec<Problem>,
     notes: Vec<String>,
+}
+
+/// How many vertices the file has and the mesh has, and within which distance they are at one place.
+#[derive(Serialize)]
+struct Welded {
+    before: usize,
+    after: usize,
+    tolerance: f64,
 }
 
 /// Which of these the file does not say.
@@ -56,7 +65,13 @@ struct Problem {
 
 impl Loaded {
     /// About the file `name`, opened as `session`; `read` holds what its reader said.
-    pub(super) fn new(name: &str, session: &Session, read: &Read, guessed: Guessed) -> Self {
+    pub(super) fn new(
+        name: &str,
+        session: &Session,
+        read: &Read,
+        guessed: Guessed,
+        weld: Option<&Weld>,
+    ) -> Self {
         let mesh = session.mesh();
         let groups = mesh.groups.iter();
         let problems = read.problems.iter();
@@ -76,6 +91,11 @@ impl Loaded {
             mean_edge: session.mean_edge(),
             tolerance: session.tolerance(),
             panels: panel_offers(mesh),
+            welded: weld.map(|weld| Welded {
+                before: weld.to.len(),
+                after: mesh.positions.len(),
+                tolerance: weld.tolerance,
+            }),
             problems: problems
                 .map(|p| Problem {
                     message: p.to_string(),

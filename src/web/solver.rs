@@ -3,6 +3,7 @@
 use super::plain::plain;
 use super::report::{self, Document, elements, kinds};
 use super::{log_panics, thrown};
+use crate::mesh::Weld;
 use crate::scene::{Frame, MeshSource};
 use crate::session::{FACE_MEASURES, Session};
 use crate::solve::clock;
@@ -16,6 +17,10 @@ pub struct Solver {
     pub(super) session: Option<Session>,
     /// For the next mesh file that does not state its own.
     pub(super) assumed: Frame,
+    /// The next mesh file keeps vertices at one place apart.
+    pub(super) keeps_apart: bool,
+    /// How the mesh that is open was welded.
+    pub(super) weld: Option<Weld>,
     /// Milliseconds that the last step took.
     pub(super) step_ms: f64,
 }
@@ -122,6 +127,13 @@ impl Solver {
     /// The current shape as OBJ.
     pub fn obj(&self) -> Result<String, JsValue> {
         Ok(self.open()?.obj())
+    }
+
+    /// The current shape as OBJ with the vertices and faces of the file, where these were welded.
+    #[wasm_bindgen(js_name = objAsItCame)]
+    pub fn obj_as_it_came(&self) -> Result<String, JsValue> {
+        let session = self.open()?;
+        Ok(self.weld.as_ref().map_or_else(|| session.obj(), |weld| session.obj_as_it_came(weld)))
     }
 
     /// A table as CSV: `errors` of faces, energies of the iterations (`convergence`), or `angles`.

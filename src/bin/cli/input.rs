@@ -1,7 +1,7 @@
 //! Mesh and scene files in.
 
 use super::Failure;
-use shape_up::mesh::{self, Mesh, Read};
+use shape_up::mesh::{self, Mesh, Read, Weld};
 use shape_up::scene::{Frame, MeshSource, Scene};
 use std::path::Path;
 
@@ -9,6 +9,8 @@ use std::path::Path;
 pub(super) struct Input {
     pub(super) scene: Scene,
     pub(super) mesh: Mesh,
+    /// How the mesh file was welded.
+    pub(super) weld: Option<Weld>,
     /// What the mesh file has wrong that could be survived, and what was found out about it.
     pub(super) remarks: Vec<String>,
 }
@@ -22,14 +24,15 @@ pub(super) fn is_scene(path: &Path) -> bool {
 pub(super) fn read(path: &Path) -> Result<Input, Failure> {
     if !is_scene(path) {
         let bytes = bytes(path)?;
-        let read = mesh::read(&path.to_string_lossy(), &bytes)
+        let mut read = mesh::read(&path.to_string_lossy(), &bytes)
             .map_err(|error| Failure::Input(error.to_string()))?;
+        let weld = read.weld();
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let frame = Frame::stated(&bytes);
         let mut scene = Scene::opened(&name);
         scene.units = frame.units.unwrap_or_default();
         scene.up = frame.up.unwrap_or(scene.up);
-        return Ok(Input { remarks: remarks(&read), scene, mesh: read.mesh });
+        return Ok(Input { remarks: remarks(&read), scene, mesh: read.mesh, weld });
     }
     let at = |message: String| Failure::Input(format!("{}: {message}", path.display()));
     let text = String::from_utf8(bytes(path)?)
@@ -37,7 +40,7 @@ pub(super) fn read(path: &Path) -> Result<Input, Failure> {
     let scene = Scene::from_json(&text).map_err(|error| at(error.to_string()))?;
     match &scene.mesh {
         MeshSource::Inline(mesh) => {
-            Ok(Input { mesh: (**mesh).clone(), remarks: Vec::new(), scene })
+            Ok(Input { mesh: (**mesh).clone(), remarks: Vec::new(), scene, weld: None })
         }
         MeshSource::File(file) => {
             let beside = path.parent().unwrap_or(Path::new("")).join(file);
@@ -49,7 +52,7 @@ pub(super) fn read(path: &Path) -> Result<Input, Failure> {
             })?;
             let read = mesh::read(&beside.to_string_lossy(), &bytes)
                 .map_err(|error| Failure::Input(error.to_string()))?;
-            Ok(Input { remarks: remarks(&read), mesh: read.mesh, scene })
+            Ok(Input { remarks: remarks(&read), mesh: read.mesh, scene, weld: None })
         }
     }
 }

@@ -1,15 +1,21 @@
 //! A solved mesh as a file, by the ending of its name: Medit (`.mesh`), else OBJ.
 
-use shape_up::mesh::{Mesh, counted, write_medit};
+use shape_up::mesh::{Mesh, Weld, counted, write_medit};
 use shape_up::session::Session;
 use std::path::Path;
 
-/// The text of the file `path`.
-pub(super) fn text(path: &Path, session: &Session) -> String {
-    if !is_medit(path) {
-        return session.obj();
+/// The text of the file `path`; with the vertices and faces as they came where they were welded.
+pub(super) fn text(path: &Path, session: &Session, weld: Option<&Weld>) -> String {
+    let now = session.positions();
+    match (is_medit(path), weld) {
+        (false, None) => session.obj(),
+        (false, Some(weld)) => session.obj_as_it_came(weld),
+        (true, None) => write_medit(&Mesh { positions: now, ..session.mesh().clone() }),
+        (true, Some(weld)) => {
+            let positions = weld.as_it_came(&session.mesh().positions, &now);
+            write_medit(&Mesh { positions, ..weld.original.clone() })
+        }
     }
-    write_medit(&Mesh { positions: session.positions(), ..session.mesh().clone() })
 }
 
 /// What of the mesh the format of `path` does not have: none where all of it is written.

@@ -15,7 +15,7 @@ const NAMED_PINS: usize = 8;
 
 pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
     let start = Instant::now();
-    let input::Input { mut scene, mesh, mut remarks } = input::read(&command.input)?;
+    let input::Input { mut scene, mesh, mut remarks, weld } = input::read(&command.input)?;
     let at_input = |error: Error| {
         let message = match error {
             Error::Scene(error) if error.path == "panels" => format!("--panels: {}", error.message),
@@ -40,7 +40,7 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
 
     let mut files: Vec<(&Path, String)> = Vec::new();
     if let Some(path) = &command.out {
-        files.push((path, mesh_file::text(path, &session)));
+        files.push((path, mesh_file::text(path, &session, weld.as_ref())));
         remarks.extend(mesh_file::left_out(path, session.mesh()));
     }
     if let Some(path) = &command.report {

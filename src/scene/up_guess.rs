@@ -1,0 +1,180 @@
+//! Which axis of a mesh likely points up, from its extents and the normals of its faces.
+//!
+//! A surface with a boundary is mostly a roof: what it covers, the area that a vertical light would
+//! draw, tells. What is closed stands on something flat, or is a figure, which is least wide across.
+
+use super::{Frame, Up};
+use crate::math::{Vec3, twice_vector_area};
+use crate::mesh::{Mesh, Point};
+
+/// What a surface covers along its axis, at least, as a part of its area.
+const COVERS: f64 = 0.05;
+/// How many times as much as along the other axis.
+const CLEARLY: f64 = 2.0;
+/// A face looks along an axis where this part of its area does.
+const ALONG: f64 = 0.9;
+/// Faces this near to the lowest point, as a part of the height, are on the ground.
+const GROUND: f64 = 0.03;
+/// What a closed shape has on the ground at least, as a part of its area: so that it is built, or that it
+/// stands.
+const BUILT: f64 = 0.03;
+const STANDS: f64 = 0.015;
+/// Vertices this near to the lowest one, as a part of the height, stand on the ground.
+const TOUCHES: f64 = 1e-3;
+/// What lies has a height of at most this part of both its other sides.
+const LYING: f64 = 0.5;
+/// A figure is less wide across than this part of both its other sides.
+const ACROSS: f64 = 0.8;
+
+impl Frame {
+    /// The axis that likely points up: z, unless the mesh tells otherwise.
+    pub fn guess_up(mesh: &Mesh) -> Up {
+        let [x, y, z] = [0, 1, 2].map(|axis| Extent::of(mesh, axis));
+        let surface = Areas::of(mesh, [&y, &z]);
+        let [covers_y, covers_z] = surface.net.map(f64::abs);
+        if covers_y.max(covers_z) > COVERS * surface.total {
+            if covers_z > CLEARLY * covers_y {
+                return Up::Z;
+            }
+            if covers_y > CLEARLY * covers_z {
+                return Up::Y;
+            }
+        }
+        let [x, y, z] = [&x, &y, &z].map(Extent::length);
+        let within = |part: f64, height: f64, others: [f64; 2]| {
+            others.iter().all(|side| height <= part * side)
+        };
+        let is_tower = within(LYING, x, [z, z]) && within(LYING, y, [z, z]);
+        if within(LYING, z, [x, y]) || is_tower {
+            return Up::Z;
+        }
+        if within(LYING, y, [x, z]) {
+            return Up::Y;
+        }
+        let [on_y, on_z] = surface.on_ground;
+        let is_closed =
+            surface.total > 0.0 && surface.net.iter().all(|net| net.abs() < 1e-6 * surface.total);
+        if is_closed {
+            let stands = on_y > CLEARLY * on_z && on_y > STANDS * surface.total;
+            let figure = within(ACROSS, z, [x, y]);
+            return if on_z < BUILT * surface.total && (stands || figure) { Up::Y } else { Up::Z };
+        }
+        let [touch_y, touch_z] = [1, 2].map(|axis| touching(mesh, axis));
+        if touch_y >= 2 * touch_z { Up::Y } else { Up::Z }
+    }
+}
+
+/// Areas of faces along y and z.
+#[derive(Default)]
+struct Areas {
+    total: f64,
+    /// Of all area vectors together: what the surface covers, 0 where it is closed.
+    net: [f64; 2],
+    /// Of faces that look along the axis, at the lower end of the extent.
+    on_ground: [f64; 2],
+}
+
+impl Areas {
+    fn of(mesh: &Mesh, extents: [&Extent; 2]) -> Areas {
+        let mut areas = Areas::default();
+        for face in mesh.faces.iter() {
+            let corners = || face.iter().map(|&v| Vec3::from(mesh.positions[v as usize]));
+            let area = twice_vector_area(corners()) * 0.5;
+            let size = area.length();
+            areas.total += size;
+            for (k, (along, extent)) in [area.y, area.z].into_iter().zip(extents).enumerate() {
+                areas.net[k] += along;
+                let heights = corners().map(|corner| [corner.y, corner.z][k]);
+                let highest = heights.fold(f64::NEG_INFINITY, f64::max);
+                let is_low = highest <= extent.low + GROUND * extent.length();
+                if along.abs() > ALONG * size && is_low {
+                    areas.on_ground[k] += size;
+                }
+            }
+        }
+        areas
+    }
+}
+
+struct Extent {
+    low: f64,
+    high: f64,
+}
+
+impl Extent {
+    fn of(mesh: &Mesh, axis: usize) -> Extent {
+        let start = Extent { low: f64::INFINITY, high: f64::NEG_INFINITY };
+        points(mesh).fold(start, |all, point| Extent {
+            low: all.low.min(point[axis]),
+            high: all.high.max(point[axis]),
+        })
+    }
+
+    fn length(&self) -> f64 {
+        (self.high - self.low).max(0.0)
+    }
+}
+
+/// The corners of faces; all vertices where there are no faces.
+fn points(mesh: &Mesh) -> impl Iterator<Item = Point> {
+    let alone = if mesh.faces.is_empty() { &mesh.positions[..] } else { &[] };
+    let corners = mesh.faces.indices().iter().map(|&v| mesh.positions[v as usize]);
+    corners.chain(alone.iter().copied())
+}
+
+/// How many vertices stand on the ground when this axis points up.
+fn touching(mesh: &Mesh, axis: usize) -> usize {
+    let extent = Extent::of(mesh, axis);
+    let limit = extent.low + TOUCHES * extent.length();
+    mesh.positions.iter().filter(|point| point[axis] <= limit).count()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn points(positions: Vec<Point>) -> Mesh {
+        Mesh { positions, ..Mesh::default() }
+    }
+
+    /// The corners of a box of these sides.
+    fn corners(sides: Point) -> Vec<Point> {
+        (0..8).map(|i| [0, 1, 2].map(|axis| sides[axis] * f64::from(i >> axis & 1))).collect()
+    }
+
+    /// A closed box.
+    fn solid(sides: Point) -> Mesh {
+        let faces =
+            [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+        Mesh { faces: faces.into_iter().collect(), ..points(corners(sides)) }
+    }
+
+    #[test]
+    fn points_that_lie_and_points_that_stand() {
+        assert_eq!(Frame::guess_up(&points(corners([20.0, 15.0, 4.0]))), Up::Z);
+        assert_eq!(Frame::guess_up(&points(corners([20.0, 4.0, 15.0]))), Up::Y);
+        assert_eq!(Frame::guess_up(&points(corners([4.0, 4.0, 30.0]))), Up::Z);
+        // A pyramid whose square lies in the plane of x and z.
+        let mut tower = corners([4.0, 0.0, 4.0]);
+        tower.push([2.0, 30.0, 2.0]);
+        assert_eq!(Frame::guess_up(&points(tower)), Up::Y);
+        assert_eq!(Frame::guess_up(&points(Vec::new())), Up::Z);
+    }
+
+    #[test]
+    fn a_roof_covers_the_ground_and_a_solid_stands_on_it() {
+        // Five sides of a box: what is open is below.
+        for (sides, open, up) in
+            [([4.0, 4.0, 9.0], 0, Up::Z), ([9.0, 9.0, 4.0], 2, Up::Y), ([9.0, 4.0, 9.0], 2, Up::Y)]
+        {
+            let whole = solid(sides);
+            let kept = whole.faces.iter().enumerate().filter(|(f, _)| *f != open);
+            let house = Mesh { faces: kept.map(|(_, face)| face).collect(), ..whole.clone() };
+            assert_eq!(Frame::guess_up(&house), up, "{sides:?} {open}");
+        }
+        // Of a closed box there is no telling.
+        for sides in [[20.0, 15.0, 9.0], [4.0, 4.0, 30.0], [1.0, 1.0, 1.0], [20.0, 15.0, 1.0]] {
+            assert_eq!(Frame::guess_up(&solid(sides)), Up::Z, "{sides:?}");
+        }
+    }
+}
