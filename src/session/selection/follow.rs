@@ -19,7 +19,7 @@ impl Elements<'_> {
     }
 
     /// The boundary loops that have a vertex of what is marked, or all of them where nothing is: their
-    /// vertices or their edges.
+    /// vertices, their edges, or the faces along them.
     pub(super) fn boundary(&self, mode: Mode, seeds: &Marks) -> Marks {
         let corners = self.corners(mode, seeds);
         let anything = seeds.contains(&true);
@@ -32,7 +32,10 @@ impl Elements<'_> {
                 let edge = self.topology.edge(a, b).filter(|&e| self.topology.is_boundary_edge(e));
                 match (mode, edge) {
                     (Mode::Vertices, _) => marks[a as usize] = true,
-                    (_, Some(edge)) => marks[edge as usize] = true,
+                    (Mode::Edges, Some(edge)) => marks[edge as usize] = true,
+                    (Mode::Faces, Some(edge)) => {
+                        marks[self.topology.edge_faces().row(edge as usize)[0] as usize] = true;
+                    }
                     // An open chain does not come back.
                     (_, None) => {}
                 }
