@@ -36,7 +36,7 @@ scope.addEventListener('fetch', (event) => {
   const { request } = event;
   const inScope = request.url.startsWith(scope.registration.scope);
   if (request.method !== 'GET' || !inScope) return;
-  event.respondWith(answer(request));
+  event.respondWith(answer(event));
   if (request.url.endsWith(GALLERY)) event.waitUntil(keepMissing(pictures).catch(() => {}));
 });
 
@@ -70,14 +70,25 @@ async function tidy() {
 
 /**
  * From this version, else from the one before, else from the network.
- * @param {Request} request
+ * @param {FetchEvent} event
  */
-async function answer(request) {
-  const options = { ignoreSearch: request.mode === 'navigate' };
-  const cache = await caches.open(NAME);
-  const kept = (await cache.match(request, options)) ?? (await caches.match(request, options));
+async function answer(event) {
+  const { request } = event;
+  const kept = await keptAnswer(request).catch(() => undefined);
   if (kept) return kept;
   const response = await fetch(request);
-  if (response.ok && response.type === 'basic') await cache.put(request, response.clone());
+  if (response.ok && response.type === 'basic') {
+    const copy = response.clone();
+    // Storage that is full or switched off must not keep the answer of the network from the page.
+    const keep = async () => (await caches.open(NAME)).put(request, copy);
+    event.waitUntil(keep().catch(() => {}));
+  }
   return response;
+}
+
+/** @param {Request} request */
+async function keptAnswer(request) {
+  const options = { ignoreSearch: request.mode === 'navigate' };
+  const cache = await caches.open(NAME);
+  return (await cache.match(request, options)) ?? caches.match(request, options);
 }

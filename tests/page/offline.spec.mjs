@@ -5,7 +5,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { at } from '../../.scripts/project.mjs';
 import { serve } from '../../.scripts/serve.mjs';
-import { openExample, runToTheEnd } from './actions.mjs';
+import { exported, openExample, runToTheEnd } from './actions.mjs';
 import { expect, keptOffline, state, test, visit, waitForState } from './support.mjs';
 
 test.use({ serviceWorkers: 'allow', pixels: false });
@@ -54,6 +54,26 @@ test('the gallery has all its pictures without a network, once it was opened', a
   const last = page.locator(`img[src="${addresses.at(-1)}"]`);
   await last.scrollIntoViewIfNeeded();
   await expect.poll(() => last.evaluate((image) => image.naturalWidth)).toBeGreaterThan(100);
+});
+
+test('what comes later loads with full storage too, as long as there is a network', async ({
+  page,
+  context,
+}) => {
+  await visit(page);
+  await keptOffline(page);
+  const session = await context.newCDPSession(page);
+  const { origin } = new URL(page.url());
+  await session.send('Storage.overrideQuotaForOrigin', { origin, quotaSize: 1 });
+  const rhino = await exported(page, '3DM');
+  expect(rhino.bytes.subarray(0, 22).toString()).toBe('3D Geometry File Forma');
+  // It is that storage which is full: nothing of Rhino is kept.
+  const kept = await page.evaluate(async () => {
+    const caught = await Promise.all((await caches.keys()).map((name) => caches.open(name)));
+    const requests = await Promise.all(caught.map((cache) => cache.keys()));
+    return requests.flat().filter(({ url }) => url.includes('rhino')).length;
+  });
+  expect(kept).toBe(0);
 });
 
 /** A host of the site, at which a new version can be put. */
