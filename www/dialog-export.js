@@ -137,10 +137,10 @@ function convergence(solver) {
 
 /** The reader and writer of Rhino's files is large, and comes only for this. @param {Parts} parts */
 async function saveForRhino({ solver, files }) {
-  const { rhinoFile } = await import('./rhino-out.js');
+  const { askRhino } = await import('./rhino-client.js');
   const scene = await solver.request({ type: 'scene' });
   const errors = await solver.request({ type: 'table', table: 'errors' });
-  files.save('.3dm', await rhinoFile(scene, errors), 'model/vnd.3dm');
+  files.save('.3dm', await askRhino({ type: 'write', scene, errors }), 'model/vnd.3dm');
 }
 
 /**

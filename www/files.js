@@ -8,7 +8,7 @@ import { element } from './dom.js';
 import { exampleFile, listOfExamples } from './examples.js';
 import { removeFirstPicture } from './first-picture.js';
 import { messageOf } from './messages.js';
-import { mainOf } from './opened-files.js';
+import { isReadable, leftOut, mainOf, worthReading } from './opened-files.js';
 import { saveFile } from './save-file.js';
 import { rememberedFrame } from './units.js';
 
@@ -25,7 +25,6 @@ import { rememberedFrame } from './units.js';
  * @property {number} [iteration] where it stood
  */
 
-const READABLE = /\.(obj|off|mesh|json)$/i;
 const IS_RHINO = /\.3dm$/i;
 
 /** Bytes from which on it takes a while to read a file. */
@@ -66,12 +65,13 @@ export class Files extends EventTarget {
    * old model stays and the alert says why.
    * @param {NamedBytes[]} given
    * @param {Origin} [origin]
+   * @param {AbortSignal} [cancelled]
    * @returns {Promise<import("./messages.js").Loaded>} rejects with what the alert says
    */
-  async open(given, origin = {}) {
+  async open(given, origin = {}, cancelled) {
     try {
-      const files = await Promise.all(given.map(asMesh));
-      const unreadable = files.find((file) => !READABLE.test(file.name));
+      const files = await Promise.all(given.map((file) => asMesh(file, cancelled)));
+      const unreadable = files.find((file) => !isReadable(file));
       if (unreadable) {
         throw new Error(
           `${unreadable.name}: this kind of file cannot be read. Open .obj, .off, .mesh or .3dm for a mesh, .json for a scene.`,
@@ -105,28 +105,52 @@ export class Files extends EventTarget {
   }
 
   /**
-   * What a file input or a drop gives.
-   * @param {Iterable<File>} chosen
+   * What a file input or a drop gives: one model of it, and words on what is left out.
+   * @param {File[]} chosen
+   * @param {string[]} [folders] names of those that were dropped with them
    */
-  async openFiles(chosen) {
-    const list = [...chosen];
-    if (list.some(({ size }) => size > LARGE)) {
+  async openFiles(chosen, folders = []) {
+    const wanted = worthReading(chosen);
+    if (wanted.length === 0) {
+      const [name] = folders;
+      if (name) this.#alerts.error(`${name} is a folder. Open the files in it instead.`);
+      return;
+    }
+    const loaded = await this.#read(wanted);
+    if (!loaded) return;
+    const taken = wanted.filter(({ name }) => loaded.files.includes(meshName(name)));
+    const words = leftOut(
+      taken.map(({ name }) => name),
+      chosen,
+      folders,
+    );
+    if (words) this.#alerts.notice(words);
+  }
+
+  /** Opens them together, or says what is wrong. @param {File[]} chosen */
+  async #read(chosen) {
+    if (chosen.some(({ size }) => size > LARGE)) {
       const { openLarge } = await import('./importing.js');
       const [store, solver, alerts] = [this.#store, this.#solver, this.#alerts];
-      return openLarge(list, {
+      return openLarge(chosen, {
         store,
         solver,
         alerts,
-        open: (files) => this.open(files).catch(() => {}),
+        open: (files, cancelled) => this.open(files, {}, cancelled).catch(() => undefined),
       });
     }
-    const files = await Promise.all(
-      list.map(async (file) => ({
-        name: file.name,
-        bytes: new Uint8Array(await file.arrayBuffer()),
-      })),
-    );
-    if (files.length > 0) await this.open(files).catch(() => {});
+    try {
+      const files = await Promise.all(
+        chosen.map(async (file) => ({
+          name: file.name,
+          bytes: new Uint8Array(await file.arrayBuffer()),
+        })),
+      );
+      return await this.open(files).catch(() => undefined);
+    } catch (error) {
+      const names = chosen.map(({ name }) => name).join(' and ');
+      this.#alerts.error(`${names} could not be read from the disk (${messageOf(error)}).`);
+    }
   }
 
   /**
@@ -201,7 +225,15 @@ export class Files extends EventTarget {
       overlay.hidden = true;
       if (!carriesFiles(event)) return;
       event.preventDefault();
-      this.openFiles(event.dataTransfer?.files ?? []);
+      const { files, items } = /** @type {DataTransfer} */ (event.dataTransfer);
+      // A folder looks like a file that cannot be read.
+      const folders = [...items]
+        .map((item) => item.webkitGetAsEntry())
+        .flatMap((entry) => (entry?.isDirectory ? [entry.name] : []));
+      this.openFiles(
+        [...files].filter(({ name }) => !folders.includes(name)),
+        folders,
+      );
     });
   }
 
@@ -235,15 +267,19 @@ export class Files extends EventTarget {
   }
 }
 
+/** What the mesh in a file is called. @param {string} name */
+const meshName = (name) => name.replace(IS_RHINO, '.obj');
+
 /**
  * A file of Rhino as the mesh that is in it; any other as it is. What reads it comes when it is needed.
  * @param {NamedBytes} file
+ * @param {AbortSignal} [cancelled]
  * @returns {Promise<NamedBytes>}
  */
-async function asMesh(file) {
+async function asMesh(file, cancelled) {
   if (!IS_RHINO.test(file.name)) return file;
-  const { meshFromRhino } = await import('./rhino-in.js');
-  return meshFromRhino(file);
+  const { askRhino } = await import('./rhino-client.js');
+  return askRhino({ type: 'read', file }, cancelled);
 }
 
 /**

@@ -21,7 +21,7 @@ class Cancelled extends Error {}
  * @param {import("./state.js").Store} parts.store
  * @param {import("./solver-client.js").SolverClient} parts.solver
  * @param {import("./alerts.js").Alerts} parts.alerts
- * @param {(files: import("./messages.js").NamedBytes[]) => Promise<unknown>} parts.open says itself what is wrong with them
+ * @param {(files: import("./messages.js").NamedBytes[], cancelled: AbortSignal) => Promise<import("./messages.js").Loaded | undefined>} parts.open says itself what is wrong with them
  */
 export async function openLarge(chosen, { store, solver, alerts, open }) {
   const names = chosen.map(({ name }) => name).join(' and ');
@@ -53,10 +53,11 @@ export async function openLarge(chosen, { store, solver, alerts, open }) {
     }
     card.show(`Opening ${names}${facesIn(count)}`, null);
     card.cancelled.addEventListener('abort', () => solver.abandon());
-    await open(files);
+    const loaded = await open(files, card.cancelled);
     if (card.cancelled.aborted) throw new Cancelled();
+    return loaded;
   } catch (error) {
-    if (!card.cancelled.aborted) return alerts.error(messageOf(error));
+    if (!card.cancelled.aborted) return void alerts.error(messageOf(error));
     alerts.clear();
     store.set({ status: 'Cancelled' });
   } finally {

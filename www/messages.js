@@ -90,6 +90,7 @@
  * What was read from a file.
  * @typedef {object} Loaded
  * @property {string} name the file's name
+ * @property {string[]} files names of those that it was read from
  * @property {string} title
  * @property {number} vertices
  * @property {number} faces
@@ -426,6 +427,14 @@ export const SLICE_MS = 8;
 export const TRACE_WIDTH = 6;
 
 /**
+ * What the worker for files of Rhino is asked, once: to read one, as the mesh in it, or to write a scene
+ * with the table of the errors of its faces.
+ * @typedef {{ type: "read", file: NamedBytes } | { type: "write", scene: string, errors: string }} RhinoRequest
+ * @typedef {{ read: NamedBytes, write: Uint8Array<ArrayBuffer> }} RhinoReplies
+ * @typedef {{ value: RhinoReplies[keyof RhinoReplies] } | { refused: string }} RhinoAnswer
+ */
+
+/**
  * One line for whatever was thrown.
  * @param {unknown} thrown
  * @returns {string}
@@ -434,7 +443,9 @@ export function messageOf(thrown) {
   const hasMessage = thrown && typeof thrown === 'object' && 'message' in thrown;
   const message = String(hasMessage ? thrown.message : thrown);
   // In the words of browsers and of what bundles the page.
-  return /preload CSS|imported module|importing a module/i.test(message)
+  return /preload CSS|imported module|importing a module|HTTP status code|Failed to fetch|NetworkError when|^Load failed/i.test(
+    message,
+  )
     ? 'A part of the page could not be fetched. Is there a network?'
     : message;
 }

@@ -1,11 +1,54 @@
-/** Of files that are opened together: which one is opened, and which is the mesh that it names. */
+/** Of files that are opened together: which one is opened, which is the mesh that it names, and which are left out. */
 
 /** @typedef {import("./messages.js").NamedBytes} NamedBytes */
 
-const isScene = (/** @type {NamedBytes} */ { name }) => /\.json$/i.test(name);
+/** @typedef {{ name: string }} Named */
 
-/** The first scene, else the first file. @param {NamedBytes[]} files */
+const isScene = (/** @type {Named} */ { name }) => /\.json$/i.test(name);
+
+/** Whether it can be a mesh or a scene, by its name. @param {Named} file */
+export const isReadable = ({ name }) => /\.(obj|off|mesh|json|3dm)$/i.test(name);
+
+/**
+ * The first scene, else the first file.
+ * @template {Named} File
+ * @param {File[]} files
+ */
 export const mainOf = (files) => files.find(isScene) ?? files[0];
+
+/**
+ * The files that are worth reading: a scene and what may be its mesh, or one mesh. Where none is, the
+ * first one, which is refused with the reason.
+ * @template {Named} File
+ * @param {File[]} files
+ */
+export function worthReading(files) {
+  const readable = files.filter(isReadable);
+  const main = mainOf(readable);
+  if (!main) return files.slice(0, 1);
+  return isScene(main) ? [main, ...readable.filter((file) => !isScene(file))] : [main];
+}
+
+/**
+ * What was taken of the files and folders that were given together, and why not the others; null where
+ * everything was.
+ * @param {string[]} taken names
+ * @param {Named[]} files
+ * @param {string[]} folders names
+ */
+export function leftOut(taken, files, folders) {
+  const others = files.filter(({ name }) => !taken.includes(name));
+  const reasons = [
+    ...others.map((file) => {
+      const reason = isReadable(file) ? 'one model at a time' : 'neither a mesh nor a scene';
+      return `${file.name} (${reason})`;
+    }),
+    ...folders.map((name) => `${name} (a folder: open the files in it)`),
+  ];
+  return reasons.length > 0
+    ? `Opened ${taken.join(' with ')}. Left out: ${reasons.join(', ')}.`
+    : null;
+}
 
 /**
  * The mesh that goes with the main file: null where it needs none.

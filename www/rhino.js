@@ -1,24 +1,18 @@
 /**
  * McNeel's reader and writer of Rhino files, rhino3dm. It is larger than all the rest of the page, and
- * comes when the first file of Rhino is read or written.
+ * comes in a worker of its own (`rhino-worker.js`) when a file of Rhino is read or written.
  */
 
 import open from 'rhino3dm/rhino3dm.module.min.js';
 import module from 'rhino3dm/rhino3dm.wasm?url';
 
-/** @type {Promise<any> | null} */
-let loading = null;
-
 /** @returns {Promise<typeof import("rhino3dm")["RhinoModule"] | any>} */
 export function rhino() {
-  loading ??= open({ locateFile: () => module }).catch((/** @type {unknown} */ error) => {
-    // It can be tried again, with a network.
-    loading = null;
+  return open({ locateFile: () => module }).catch((/** @type {unknown} */ error) => {
     throw new Error('What reads and writes .3dm files could not be loaded. Is there a network?', {
       cause: error,
     });
   });
-  return /** @type {Promise<any>} */ (loading);
 }
 
 /** The user text that says what a polyline is. */

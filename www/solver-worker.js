@@ -211,7 +211,10 @@ function open({ files, iteration, frame = '', solved, weld }) {
   if (running) endRun();
   live().assume(frame);
   live().keepApart(weld === false);
-  const about = live().load(main.name, main.bytes, companion?.bytes ?? null);
+  const about = {
+    ...live().load(main.name, main.bytes, companion?.bytes ?? null),
+    files: companion ? [main.name, companion.name] : [main.name],
+  };
   if (iteration) live().restoreIteration(iteration);
   loaded = true;
   settled = false;

@@ -1,7 +1,7 @@
 // Files in and out.
 
 import { execFileSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { program } from '../../.scripts/programs.mjs';
@@ -90,6 +90,42 @@ test('a file dropped on the window opens, and a scene with its mesh beside it', 
   await input.setInputFiles([file('grid.shapeup.json', scene), file('grid.obj', wavyGrid(3))]);
   await waitForState(page, (now) => now.vertices === 16 && now.constraints.circle === 9);
   await expect(page.getByRole('alert')).toBeEmpty();
+});
+
+test('of what is dropped together one model is taken, and it is said what is not', async ({
+  page,
+}) => {
+  const folder = mkdtempSync(join(tmpdir(), 'shape-up-'));
+  try {
+    const [roof, tower, finish, sheets] = ['roof.obj', 'tower.obj', 'roof.mtl', 'sheets'].map(
+      (name) => join(folder, name),
+    );
+    writeFileSync(roof, wavyGrid(3));
+    writeFileSync(tower, wavyGrid(5));
+    writeFileSync(finish, 'newmtl finish');
+    mkdirSync(sheets);
+    await openPage(page);
+    const session = await page.context().newCDPSession(page);
+    const drop = async (files) => {
+      const at = { x: 700, y: 450, data: { items: [], files, dragOperationsMask: 1 } };
+      for (const type of ['dragEnter', 'dragOver', 'drop'])
+        await session.send('Input.dispatchDragEvent', { type, ...at });
+    };
+    const message = page.getByRole('alert').getByRole('paragraph');
+
+    await drop([sheets]);
+    await expect(message).toHaveText('sheets is a folder. Open the files in it instead.');
+    await drop([roof, tower, finish, sheets]);
+    await waitForState(page, (now) => now.vertices === 16);
+    await expect(message).toHaveText(
+      'Opened roof.obj. Left out: tower.obj (one model at a time), roof.mtl (neither a mesh nor a scene), sheets (a folder: open the files in it).',
+    );
+    await drop([tower]);
+    await waitForState(page, (now) => now.vertices === 36);
+    await expect(message).toBeHidden();
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
 });
 
 test('a saved scene opens as it was', async ({ page }) => {
