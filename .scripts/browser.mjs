@@ -27,9 +27,11 @@ export async function findBrowser() {
 
 /**
  * A window of a system's Chromium starts a process for the list under its bar of addresses, which takes
- * as long as a third of a page. The others are Playwright's own, whose list this one takes the place of.
+ * as long as a third of a page; and it asks its maker about the fields of forms. The others are
+ * Playwright's own, whose list this one takes the place of.
  */
 const unwanted = [
+  'AutofillServerCommunication',
   ...['WebUIOmniboxPopup', 'WebUIOmniboxFullPopup', 'WebUIOmniboxAimPopup'],
   ...['AvoidUnnecessaryBeforeUnloadCheckSync', 'DestroyProfileOnBrowserClose', 'HttpsUpgrades'],
   ...['HttpsFirstBalancedModeAutoEnable', 'LensOverlay', 'MediaRouter', 'PaintHolding'],

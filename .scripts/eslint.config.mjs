@@ -18,6 +18,20 @@ export default [
   {
     files: ['www/**/*.js'],
     languageOptions: { globals: { ...globals.browser, ...globals.worker } },
+    rules: {
+      'no-restricted-syntax': [
+        'error',
+        {
+          selector: "CallExpression[callee.name=/^setAttribute$/] > Literal[value='style']",
+          message: 'The policy of the page refuses the attribute: set element.style.',
+        },
+        {
+          selector:
+            "CallExpression[callee.property.name=/^setAttribute$/] > Literal[value='style']",
+          message: 'The policy of the page refuses the attribute: set element.style.',
+        },
+      ],
+    },
   },
   {
     // These run in Node, the functions that they evaluate in a page.

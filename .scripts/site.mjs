@@ -8,7 +8,11 @@ export const viteConfig = at('.scripts', 'vite.config.mjs');
 
 /** Bundles `www/` into `dist/`. */
 export async function bundleSite() {
-  const inputs = [...filesUnder(at('www')), viteConfig, at('package-lock.json')];
+  const inputs = [
+    ...filesUnder(at('www')),
+    ...['vite.config', 'offline', 'policy'].map((name) => at('.scripts', `${name}.mjs`)),
+    at('package-lock.json'),
+  ];
   const output = at('dist', 'index.html');
   await unlessUnchanged({ name: 'site', inputs, output }, async () => {
     say('bundling the page into dist/');

@@ -5,6 +5,7 @@ import { cpSync, readFileSync, statSync } from 'node:fs';
 import { minify } from 'vite';
 import { firstPicture } from './examples.mjs';
 import { writeOfflineParts } from './offline.mjs';
+import { lockPages } from './policy.mjs';
 import { at } from './project.mjs';
 
 // Examples and their pictures keep their names, because links to them are permanent.
@@ -15,6 +16,7 @@ const examples = {
     for (const folder of ['examples', 'pictures']) {
       cpSync(at('www', folder), at('dist', folder), { recursive: true });
     }
+    lockPages(at('dist'));
     writeOfflineParts(at('dist'));
   },
 };

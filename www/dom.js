@@ -2,7 +2,8 @@
 
 /**
  * Makes an element. Keys that start with "on" are listeners, boolean values set or leave out the
- * attribute, everything else is an attribute.
+ * attribute, everything else is an attribute. `style` is set as declarations, because the policy of
+ * the page refuses the attribute.
  * @template {keyof HTMLElementTagNameMap} Tag
  * @param {Tag} tag
  * @param {Record<string, string | number | boolean | ((event: any) => void)>} [attributes]
@@ -14,6 +15,7 @@ export function element(tag, attributes = {}, ...children) {
   for (const [key, value] of Object.entries(attributes)) {
     if (typeof value === 'function') made.addEventListener(key.slice(2), value);
     else if (typeof value === 'boolean') made.toggleAttribute(key, value);
+    else if (key === 'style') made.style.cssText = String(value);
     else made.setAttribute(key, String(value));
   }
   made.append(...children);

@@ -86,17 +86,9 @@ export const state = (page) => page.evaluate(() => window.shapeUp.state());
  * page: it sees nothing of the test but its argument.
  */
 export async function waitForState(page, condition, argument, options) {
-  await page.waitForFunction(
-    ([text, given]) => {
-      // It is not there yet while another page is on its way.
-      const now = window.shapeUp?.state();
-      if (!now) return false;
-      // The text is a function of this file's callers.
-      return new Function('state', 'given', `return (${text})(state, given)`)(now, given);
-    },
-    [condition.toString(), argument],
-    options,
-  );
+  // It is not there yet while another page is on its way.
+  const body = `const now = window.shapeUp?.state(); return now ? (${condition})(now, given) : false;`;
+  await page.waitForFunction(new Function('given', body), argument, options);
   return state(page);
 }
 

@@ -131,7 +131,7 @@ export function legend(place, store, viewport, refit) {
     }
 
     const [from, to] = range.map((value) => (100 * value) / spread.top);
-    setAttribute(ramp, 'style', `background: ${viewport.rampOf([from, to])}`);
+    ramp.style.background = viewport.rampOf([from, to]);
     drawBars(now, spread.counts);
     tick.hidden = state.tolerance === null || state.tolerance > spread.top;
     if (state.tolerance !== null) tick.style.left = `${(100 * state.tolerance) / spread.top}%`;
