@@ -24,15 +24,27 @@ const examples = {
 const PLACE = '<!-- first picture -->';
 const picture = {
   name: 'first-picture',
-  async transformIndexHtml(html, { path }) {
+  transformIndexHtml(html, { path }) {
     if (path !== '/index.html') return html;
     if (!html.includes(PLACE)) throw new Error(`index.html has no place for ${firstPicture}`);
-    const { code } = await minify(
-      'early-drag.js',
-      readFileSync(at('www', 'early-drag.js'), 'utf8'),
-    );
-    const script = `<script>${code}</script>`;
+    const script = `<script>${readFileSync(at('www', 'early-drag.js'), 'utf8')}</script>`;
     return html.replace(PLACE, () => readFileSync(firstPicture, 'utf8') + script);
+  },
+};
+
+/** Scripts that stand in a page are as small as the others. */
+const inlineScripts = {
+  name: 'inline-scripts',
+  apply: 'build',
+  transformIndexHtml: {
+    order: 'post',
+    async handler(html) {
+      const pieces = html.split(/(?<=<script>)([\s\S]*?)(?=<\/script>)/);
+      const small = pieces.map(async (piece, i) =>
+        i % 2 ? (await minify('inline.js', piece)).code.trim() : piece,
+      );
+      return (await Promise.all(small)).join('');
+    },
   },
 };
 
@@ -66,7 +78,7 @@ export default {
   base: './',
   define: { 'import.meta.env.SOLVER_BYTES': String(solverBytes) },
   publicDir: false,
-  plugins: [examples, picture, readingHead],
+  plugins: [examples, picture, readingHead, inlineScripts],
   build: {
     outDir: at('dist'),
     emptyOutDir: true,

@@ -13,6 +13,8 @@ export class Alerts {
   /** @type {(() => void) | undefined} */
   #listener;
   #place;
+  /** What is shown is not to be covered. */
+  #stays = false;
 
   /** @param {HTMLElement} place the `role="alert"` */
   constructor(place) {
@@ -33,6 +35,16 @@ export class Alerts {
     this.#show(message, 'notice', offers);
   }
 
+  /**
+   * Something is missing without which nothing works. It is not covered by what fails because of it.
+   * @param {string} message
+   * @param {Offer} offer
+   */
+  stop(message, offer) {
+    this.#show(message, 'error', [offer]);
+    this.#stays = true;
+  }
+
   /** Calls `listener` after everything that is said. @param {() => void} listener */
   listen(listener) {
     this.#listener = listener;
@@ -51,6 +63,11 @@ export class Alerts {
   }
 
   clear() {
+    if (!this.#stays) this.#clear();
+  }
+
+  #clear() {
+    this.#stays = false;
     leave(this.#place, () => this.#place.replaceChildren());
   }
 
@@ -62,15 +79,16 @@ export class Alerts {
    */
   #show(message, kind, offers = []) {
     this.note(message, kind);
+    if (this.#stays) return;
     const close = element(
       'button',
-      { type: 'button', class: 'tiny', 'aria-label': 'Dismiss', onclick: () => this.clear() },
+      { type: 'button', class: 'tiny', 'aria-label': 'Dismiss', onclick: () => this.#clear() },
       icon('close'),
     );
     const text = element('p', {}, message);
     const buttons = offers.map(({ label, action }) => {
       const onclick = () => {
-        this.clear();
+        this.#clear();
         action();
       };
       return element('button', { type: 'button', class: 'small bordered', onclick }, label);

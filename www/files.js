@@ -8,7 +8,7 @@ import { element } from './dom.js';
 import { exampleFile, listOfExamples } from './examples.js';
 import { removeFirstPicture } from './first-picture.js';
 import { messageOf } from './messages.js';
-import { isReadable, leftOut, mainOf, worthReading } from './opened-files.js';
+import { isReadable, mainOf, worthReading } from './opened-files.js';
 import { saveFile } from './save-file.js';
 import { rememberedFrame } from './units.js';
 
@@ -118,13 +118,13 @@ export class Files extends EventTarget {
     }
     const loaded = await this.#read(wanted);
     if (!loaded) return;
-    const taken = wanted.filter(({ name }) => loaded.files.includes(meshName(name)));
-    const words = leftOut(
-      taken.map(({ name }) => name),
-      chosen,
-      folders,
-    );
-    if (words) this.#alerts.notice(words);
+    const isTaken = (/** @type {File} */ file) =>
+      wanted.includes(file) && loaded.files.includes(meshName(file.name));
+    const others = chosen.filter((file) => !isTaken(file)).map(({ name }) => name);
+    if (others.length + folders.length === 0) return;
+    const { leftOut } = await import('./left-out.js');
+    const taken = wanted.filter(isTaken).map(({ name }) => name);
+    this.#alerts.notice(leftOut(taken, others, folders));
   }
 
   /** Opens them together, or says what is wrong. @param {File[]} chosen */

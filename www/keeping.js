@@ -53,6 +53,7 @@ export class Keeping {
       await this.startFresh();
     } catch (error) {
       this.#alerts.error(messageOf(error));
+      if (this.#solver.isAbsent) return;
       const { showNothingOpen } = await import('./nothing-open.js');
       showNothingOpen(this.#files, async () => {
         await this.#told(this.startFresh());

@@ -213,6 +213,10 @@ function takeUp(client) {
     store.set({ status: running ? 'Running' : ended(converged, iteration) });
   });
   on('trouble', ({ message }) => alerts.error(message));
+  client.addEventListener('absent', (event) => {
+    const { message } = /** @type {CustomEvent} */ (event).detail;
+    alerts.stop(message, { label: 'Reload', action: () => location.reload() });
+  });
   client.addEventListener('restarted', (event) => {
     const { message } = /** @type {CustomEvent} */ (event).detail;
     const action = async () => {

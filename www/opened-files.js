@@ -1,4 +1,4 @@
-/** Of files that are opened together: which one is opened, which is the mesh that it names, and which are left out. */
+/** Of files that are opened together: which one is opened, which is the mesh that it names, and which are not read. */
 
 /** @typedef {import("./messages.js").NamedBytes} NamedBytes */
 
@@ -27,27 +27,6 @@ export function worthReading(files) {
   const main = mainOf(readable);
   if (!main) return files.slice(0, 1);
   return isScene(main) ? [main, ...readable.filter((file) => !isScene(file))] : [main];
-}
-
-/**
- * What was taken of the files and folders that were given together, and why not the others; null where
- * everything was.
- * @param {string[]} taken names
- * @param {Named[]} files
- * @param {string[]} folders names
- */
-export function leftOut(taken, files, folders) {
-  const others = files.filter(({ name }) => !taken.includes(name));
-  const reasons = [
-    ...others.map((file) => {
-      const reason = isReadable(file) ? 'one model at a time' : 'neither a mesh nor a scene';
-      return `${file.name} (${reason})`;
-    }),
-    ...folders.map((name) => `${name} (a folder: open the files in it)`),
-  ];
-  return reasons.length > 0
-    ? `Opened ${taken.join(' with ')}. Left out: ${reasons.join(', ')}.`
-    : null;
 }
 
 /**

@@ -96,6 +96,11 @@ export class SolverClient extends EventTarget {
     this.tell({ type: 'recycle', positions }, [positions.buffer]);
   }
 
+  /** Whether there is no worker, and there will be none. */
+  get isAbsent() {
+    return !this.#worker;
+  }
+
   /** Gives up what the worker is at; what was open is open again. */
   abandon() {
     this.#died('it was cancelled', true);
@@ -112,7 +117,7 @@ export class SolverClient extends EventTarget {
     worker.onerror = (event) => {
       event.preventDefault();
       const message = event.message?.replace(/^Uncaught /, '');
-      this.#died(message || 'its worker could not be loaded');
+      this.#died(message || 'its worker could not be fetched');
     };
   }
 
@@ -213,6 +218,10 @@ export class SolverClient extends EventTarget {
       }),
     );
 
+    if (atStart && !lastScene && !wanted) {
+      const message = `The solver could not be started (${reason}). Check the network, then reload the page.`;
+      return this.dispatchEvent(new CustomEvent('absent', { detail: { message } }));
+    }
     if ((atStart || again) && !wanted) {
       const what = again ? 'stopped again on the same model' : 'could not be started';
       return this.#notice(

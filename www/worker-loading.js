@@ -6,12 +6,16 @@ const EVERY_MS = 200;
 
 /**
  * @param {(message: import("./messages.js").FromWorker) => void} post
- * @returns {Promise<Response>} the module
+ * @returns {Promise<Response>} the module; rejects with the reason where it does not come
  */
 export async function fetchModule(post) {
-  const response = await fetch(new URL('./pkg/solver/shape_up_bg.wasm', import.meta.url));
+  const address = new URL('./pkg/solver/shape_up_bg.wasm', import.meta.url);
+  const response = await fetch(address).catch(() => {
+    throw new Error('its module could not be fetched');
+  });
+  if (!response.ok) throw new Error(`its module could not be fetched: ${response.status}`);
   // A copy is counted: browsers keep what they have compiled for an answer as it came only.
-  if (response.ok) count(response.clone(), post).catch(() => {});
+  count(response.clone(), post).catch(() => {});
   return response;
 }
 
