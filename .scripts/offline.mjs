@@ -8,8 +8,8 @@ import { filesUnder } from './stamp.mjs';
 
 const NAMED = ['icon.svg', 'manifest.webmanifest'];
 const WORKER = 'service-worker.js';
-/** Large, and kept only by those who use it: what reads files of Rhino. */
-const SELDOM = /(^|\/)rhino/;
+/** Kept only by those who use it: what reads files of Rhino, the licences and the sources. */
+const SELDOM = /(^|\/)(rhino|licences|sources\/)/;
 /** Those of the gallery, a third of all else: kept, all of them, by those who open it. */
 const PICTURE = /^pictures\/.*\.svg$/;
 /** The view's module, of which a browser uses one variant. */

@@ -27,7 +27,11 @@ export function run(command, args, { env = {} } = {}) {
 
 /** What a program prints, or null where it is missing or fails. */
 export function outputOf(command, args) {
-  const { status, stdout } = spawnSync(command, args, { cwd: root, encoding: 'utf8' });
+  const { status, stdout } = spawnSync(command, args, {
+    ...{ cwd: root, encoding: 'utf8' },
+    // Cargo tells a lot.
+    maxBuffer: 2 ** 27,
+  });
   return status === 0 ? stdout.trim() : null;
 }
 

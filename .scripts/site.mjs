@@ -2,6 +2,7 @@
 
 import { at } from './project.mjs';
 import { Problem, say } from './run.mjs';
+import { writeSources } from './sources.mjs';
 import { filesUnder, unlessUnchanged } from './stamp.mjs';
 
 export const viteConfig = at('.scripts', 'vite.config.mjs');
@@ -10,8 +11,10 @@ export const viteConfig = at('.scripts', 'vite.config.mjs');
 export async function bundleSite() {
   const inputs = [
     ...filesUnder(at('www')),
-    ...['vite.config', 'offline', 'policy'].map((name) => at('.scripts', `${name}.mjs`)),
-    at('package-lock.json'),
+    ...['vite.config', 'offline', 'policy', 'licences', 'licences-page'].map((name) =>
+      at('.scripts', `${name}.mjs`),
+    ),
+    ...['package-lock.json', 'Cargo.lock'].map((name) => at(name)),
   ];
   const output = at('dist', 'index.html');
   await unlessUnchanged({ name: 'site', inputs, output }, async () => {
@@ -23,4 +26,5 @@ export async function bundleSite() {
       throw new Problem(`The page cannot be bundled: ${error.message}`);
     }
   });
+  writeSources(at('dist', 'sources'));
 }

@@ -56,8 +56,14 @@ await main(() => {
   const isPlot = (path) => basename(path).toLowerCase().includes('plot');
   const isRhino = (path) => /^(rhino|__vite)/.test(basename(path));
   const isOther = (path) => others.includes(path);
+  const isLicences = (path) => /^licences/.test(basename(path));
   const isLater = (path) =>
-    !isOther(path) && !first.has(path) && !isBeside(path) && !isPlot(path) && !isRhino(path);
+    !isLicences(path) &&
+    !isOther(path) &&
+    !first.has(path) &&
+    !isBeside(path) &&
+    !isPlot(path) &&
+    !isRhino(path);
   const rows = [
     row('solver module', [at('www', 'pkg', 'solver', 'shape_up_bg.wasm')], 480 * kB),
     row('view, WebGPU', [at('www', 'pkg', 'view-webgpu', 'shape_up_bg.wasm')], 165 * kB),
@@ -67,6 +73,7 @@ await main(() => {
     row('plots', code.filter(isPlot), 30 * kB),
     row('other dialogs', code.filter(isLater), 44 * kB),
     row('gallery, projections', code.filter(isBeside), 16 * kB),
+    row('licences', code.filter(isLicences), 24 * kB),
     row('files of Rhino', filesUnder(at('dist')).filter(isRhino), 1100 * kB),
   ];
   const line = (name, ...numbers) =>

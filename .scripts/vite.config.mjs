@@ -4,6 +4,8 @@
 import { cpSync, readFileSync, statSync } from 'node:fs';
 import { minify } from 'vite';
 import { firstPicture } from './examples.mjs';
+import { licenceTexts } from './licences-page.mjs';
+import { assertTold } from './licences.mjs';
 import { writeOfflineParts } from './offline.mjs';
 import { lockPages } from './policy.mjs';
 import { at } from './project.mjs';
@@ -60,8 +62,18 @@ const readingHead = {
   },
 };
 
+/** Whatever is bundled has its licence on the page of licences. */
+const licences = {
+  name: 'licences',
+  transformIndexHtml: (html, { path }) => (path === '/licences.html' ? licenceTexts(html) : html),
+};
+const told = () => ({
+  name: 'told',
+  moduleParsed: ({ id }) => assertTold(id),
+});
+
 /** The pages of the site. */
-const pages = ['index', 'gallery', 'projections'];
+const pages = ['index', 'gallery', 'projections', 'licences'];
 
 /** What is told of the solver's module while it loads. */
 const solverBytes = statSync(at('www', 'pkg', 'solver', 'shape_up_bg.wasm')).size;
@@ -78,7 +90,7 @@ export default {
   base: './',
   define: { 'import.meta.env.SOLVER_BYTES': String(solverBytes) },
   publicDir: false,
-  plugins: [examples, picture, readingHead, inlineScripts],
+  plugins: [examples, picture, readingHead, licences, inlineScripts, told()],
   build: {
     outDir: at('dist'),
     emptyOutDir: true,
@@ -87,6 +99,6 @@ export default {
     assetsInlineLimit: 0,
     rolldownOptions: { input: pages.map((page) => at('www', `${page}.html`)), output },
   },
-  worker: { format: 'es' },
+  worker: { format: 'es', plugins: () => [told()] },
   server: { host: '127.0.0.1' },
 };

@@ -56,7 +56,8 @@ export function showHelp(dialog, commands) {
     element(
       'p',
       { class: 'about' },
-      'Everything is computed in this browser; nothing is uploaded. After “Shape-Up: Shaping Discrete Geometry with Projections”, Bouaziz, Deuss, Schwartzburg, Weise, Pauly, 2012.',
+      'Everything is computed in this browser; nothing is uploaded. After “Shape-Up: Shaping Discrete Geometry with Projections”, Bouaziz, Deuss, Schwartzburg, Weise, Pauly, 2012. ',
+      element('a', { href: './licences.html', target: '_blank' }, 'Licences'),
     ),
   );
   dialog.onclick = (event) => {

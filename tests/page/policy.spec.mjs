@@ -74,7 +74,7 @@ test('from opening to sharing nothing is asked for elsewhere, and the policy hol
   await waitForState(page, (now) => now.vertices === 25);
   await page.reload();
   await waitForState(page, (now) => now.vertices === 25);
-  for (const other of ['./gallery.html', './projections.html']) {
+  for (const other of ['./gallery.html', './projections.html', './licences.html']) {
     await page.goto(other);
     await expect(page.getByRole('heading', { level: 1 })).toBeVisible();
   }

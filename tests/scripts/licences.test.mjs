@@ -1,0 +1,57 @@
+// Everything that is shipped has a licence that is allowed, with its text; and nothing else gets in.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import {
+  alternatives,
+  assertTold,
+  licencesOf,
+  shipped,
+  textsOf,
+} from '../../.scripts/licences.mjs';
+import { at } from '../../.scripts/project.mjs';
+
+const component = (expression, name = 'newcomer') => ({
+  ...{ name, version: '1.0.0', expression, authors: 'somebody', folder: null, address: '' },
+});
+
+test('what is shipped is under licences that are allowed, and brings their texts', () => {
+  const all = shipped();
+  const names = all.map(({ name }) => name);
+  // Of the solver, of the view, of the page, and of what only the page's bundler adds.
+  for (const name of [
+    'sprs-ldl',
+    'amd',
+    'wgpu',
+    'uplot',
+    'rhino3dm',
+    'vite',
+    'Rust standard library',
+  ])
+    assert.ok(names.includes(name), name);
+  // What makes code while Cargo compiles is not in the modules, nor is what only tests use.
+  for (const name of ['serde_derive', 'proptest', 'wasm-bindgen-test', 'eslint'])
+    assert.ok(!names.includes(name), name);
+  for (const one of all) for (const text of textsOf(one)) assert.ok(text.length > 200, one.name);
+  const [lgpl] = textsOf(all.find(({ name }) => name === 'sprs-ldl'));
+  assert.match(lgpl, /GNU LESSER GENERAL PUBLIC LICENSE\s+Version 2\.1/);
+});
+
+test('a newcomer under another licence, or under none, is refused', () => {
+  for (const expression of ['GPL-3.0-only', 'LGPL-2.1', 'MIT AND GPL-2.0', '', 'SEE LICENSE'])
+    assert.throws(() => licencesOf(component(expression)), /newcomer 1\.0\.0 is under/, expression);
+  assert.throws(() => licencesOf(component('GPL-3.0', 'sprs-ldl')), /sprs-ldl/);
+  assert.throws(() => textsOf(component('Apache-2.0')), /its text is not in/);
+  assert.throws(() => assertTold(at('node_modules', 'axe-core', 'axe.js')), /axe-core is bundled/);
+  assertTold(at('node_modules', 'uplot', 'dist', 'uPlot.esm.js'));
+  assertTold(at('www', 'main.js'));
+});
+
+test('of a choice the first that is allowed is taken', () => {
+  assert.deepEqual(alternatives('(MIT OR Apache-2.0) AND Unicode-3.0'), [
+    ['MIT', 'Unicode-3.0'],
+    ['Apache-2.0', 'Unicode-3.0'],
+  ]);
+  assert.deepEqual(licencesOf(component('GPL-2.0 OR Apache-2.0 OR MIT')), ['MIT']);
+  assert.deepEqual(licencesOf(component('MIT/Apache-2.0')), ['MIT']);
+});
