@@ -5,6 +5,7 @@
  */
 export function indices(list) {
   if (typeof list !== 'string') return list;
+  if (list.trim() === '') return [];
   return list.split(',').flatMap((range) => {
     const [first, last = first] = range.split('-').map(Number);
     return Array.from({ length: last - first + 1 }, (_, i) => first + i);

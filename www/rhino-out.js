@@ -6,14 +6,12 @@
  */
 
 import { ROLE, UNITS, rhino } from './rhino.js';
-import { indices } from './index-list.js';
+import { byLayer } from './rhino-layers.js';
 
 /** @typedef {[number, number, number]} Point */
 
 const PLANARITY = 'shape-up:planarity';
 const CURVES = 'Curves';
-/** Of faces that are in no group. */
-const REST = 'Panels';
 
 /**
  * @param {string} text of a scene with its mesh
@@ -57,26 +55,6 @@ const same = (point) => point;
 
 /** From y up to z up. @param {Point} point @returns {Point} */
 const turned = ([x, y, z]) => [x, -z, y];
-
-/**
- * The faces on each layer; one that is in several groups is on the layer of the first.
- * @param {number} count of faces
- * @param {Record<string, { faces?: number[] | string }>} groups
- */
-function byLayer(count, groups) {
-  /** @type {(string | null)[]} */
-  const layerOf = new Array(count).fill(null);
-  for (const [name, group] of Object.entries(groups)) {
-    for (const face of indices(group.faces ?? [])) layerOf[face] ??= name;
-  }
-  /** @type {Map<string, number[]>} */
-  const layers = new Map();
-  layerOf.forEach((name, face) => {
-    const key = name ?? REST;
-    layers.set(key, [...(layers.get(key) ?? []), face]);
-  });
-  return layers;
-}
 
 /** The planarity distance of each face. @param {string} csv */
 function planarities(csv) {
