@@ -14,7 +14,11 @@
 /** @typedef {import("./files.js").Example} Example */
 
 /** A scene that unpacks to more than this is not a scene that somebody made here, in bytes. */
-const MOST_BYTES = 256 << 20;
+export const MOST_BYTES = 32 << 20;
+/** So many characters are unpacked at once, a multiple of four: each byte in them can become a thousand. */
+const PIECE = 1 << 10;
+/** After so many unpacked bytes the page has a turn. */
+const TURN = 1 << 20;
 const FORMAT = 'deflate-raw';
 
 /**
@@ -72,28 +76,50 @@ async function pack(text) {
 }
 
 /**
- * The text that was packed.
+ * The text that was packed. It is unpacked piece by piece, and no further than a scene can be.
  * @param {string} code
  */
 export async function unpack(code) {
+  const decoder = new TextDecoder();
+  let text = '';
+  let size = 0;
+  let turn = TURN;
   try {
-    const binary = atob(code.replaceAll('-', '+').replaceAll('_', '/'));
-    const bytes = Uint8Array.from(binary, (character) => character.charCodeAt(0));
-    const unpacked = new Blob([bytes]).stream().pipeThrough(new DecompressionStream(FORMAT));
-    const decoder = new TextDecoder();
-    let text = '';
-    let size = 0;
-    const reader = unpacked.getReader();
+    const reader = inPieces(code).pipeThrough(new DecompressionStream(FORMAT)).getReader();
     for (;;) {
       const { done, value } = await reader.read();
       if (done) return text + decoder.decode();
       size += value.length;
-      if (size > MOST_BYTES) throw new Error('it is too large');
+      // Nothing more is unpacked than is read.
+      if (size > MOST_BYTES) break;
       text += decoder.decode(value, { stream: true });
+      if (size < turn) continue;
+      turn = size + TURN;
+      await new Promise((resolve) => setTimeout(resolve));
     }
   } catch {
     throw new Error(
       'The link is incomplete or damaged: it was probably cut when it was sent. Ask for it again, or for the scene as a file.',
     );
   }
+  const most = MOST_BYTES >> 20;
+  throw new Error(`The link unpacks to more than ${most} MB. Ask for the scene as a file.`);
+}
+
+/**
+ * A stream of the bytes that are in base64url, each piece when it is asked for.
+ * @param {string} code
+ * @returns {ReadableStream<Uint8Array<ArrayBuffer>>}
+ */
+function inPieces(code) {
+  let from = 0;
+  const source = {
+    pull(/** @type {ReadableStreamDefaultController} */ controller) {
+      if (from >= code.length) return controller.close();
+      const piece = code.slice(from, (from += PIECE));
+      const binary = atob(piece.replaceAll('-', '+').replaceAll('_', '/'));
+      controller.enqueue(Uint8Array.from(binary, (character) => character.charCodeAt(0)));
+    },
+  };
+  return new ReadableStream(source, { highWaterMark: 0 });
 }
