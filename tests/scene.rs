@@ -266,6 +266,25 @@ fn what_is_not_json_is_refused_with_line_and_column() {
 }
 
 #[test]
+fn no_size_in_a_file_takes_memory_that_the_file_cannot_fill() {
+    // Each list was checked by itself: forty of them, 1.5 kB of text, asked for 16 GB.
+    for last in [99_999_998, 999_999] {
+        let set = |k: u32| format!(r#""s{k}": {{ "vertices": "0-{last}" }}"#);
+        let sets = (0..40).map(set).collect::<Vec<_>>().join(", ");
+        let error = refused(&file_with(&format!(r#", "sets": {{ {sets} }}"#)));
+        assert!(error.path.starts_with("sets.s") && error.path.ends_with(".vertices"), "{error}");
+        assert!(error.message.contains("longer than any mesh"), "{error}");
+    }
+    // As many as a large mesh has are no matter.
+    let one = file_with(r#", "sets": { "all": { "vertices": "0-999999" } }"#);
+    assert_eq!(Scene::from_json(&one).unwrap().sets["all"].vertices.len(), 1_000_000);
+    // An accelerator keeps as many shapes as its window is wide.
+    let error = refused(&file_with(r#", "solver": { "window": 4294967295 }"#));
+    assert_eq!(error.path, "solver.window");
+    assert!(error.message.contains("from 0 to 50"), "{error}");
+}
+
+#[test]
 fn a_byte_order_mark_is_no_syntax_error() {
     assert!(Scene::from_json(&format!("\u{feff}{}", file_with(""))).is_ok());
 }

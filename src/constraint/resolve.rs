@@ -1,5 +1,6 @@
 //! From a selector to the vertices of each constraint that it makes.
 
+use super::select::MOST_MEMBERS;
 use super::{Element, SelectError, Selector, Sets};
 use crate::mesh::{Mesh, Ragged, Topology, corners, edge_lines, hinges, repeated, stars, strips};
 
@@ -27,7 +28,8 @@ use crate::mesh::{Mesh, Ragged, Topology, corners, edge_lines, hinges, repeated,
 /// included. Then `radius` adds rings of neighbours to what is left, each ring ascending.
 ///
 /// # Errors
-/// When a name is unknown, or a set or list has an index that the mesh does not have.
+/// When a name is unknown, a set or list has an index that the mesh does not have, or the rows have more
+/// vertices than can be solved for.
 pub fn resolve(
     selector: &Selector,
     mesh: &Mesh,
@@ -48,7 +50,7 @@ pub fn resolve(
                 kept.as_ref().is_none_or(|kept| kept.keeps(place, vertices))
             };
             let mut push = |place: Place, vertices: &[u32]| {
-                if keeps(place, vertices) {
+                if keeps(place, vertices) && rows.rows.indices().len() <= MOST_MEMBERS {
                     let own = rows.distinct(vertices);
                     rows.rows.push(&topology.grow(&own, *radius));
                 }
@@ -107,6 +109,9 @@ pub fn resolve(
                 }
             }
         }
+    }
+    if rows.rows.indices().len() > MOST_MEMBERS {
+        return Err(SelectError::TooMany);
     }
     Ok(rows.rows)
 }

@@ -148,6 +148,10 @@ impl Element {
     }
 }
 
+/// The elements that one selector selects have at most so many vertices, counted in each of them. With a
+/// radius they could have the square of those of the mesh.
+pub(super) const MOST_MEMBERS: usize = 20_000_000;
+
 /// Why a selector cannot be resolved.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SelectError {
@@ -157,6 +161,8 @@ pub enum SelectError {
     VertexOutOfRange(u32),
     /// A face that the mesh does not have.
     FaceOutOfRange(u32),
+    /// All constraints together are on more vertices than can be solved for.
+    TooMany,
 }
 
 impl fmt::Display for SelectError {
@@ -167,6 +173,10 @@ impl fmt::Display for SelectError {
             }
             SelectError::VertexOutOfRange(v) => write!(f, "the mesh has no vertex {v}"),
             SelectError::FaceOutOfRange(face) => write!(f, "the mesh has no face {face}"),
+            SelectError::TooMany => write!(
+                f,
+                "the elements have more than {MOST_MEMBERS} vertices together, expected a smaller radius or fewer elements"
+            ),
         }
     }
 }

@@ -6,6 +6,9 @@ use crate::constraint::Selector;
 use crate::mesh::{FARTHEST, Laplacian, Mesh, too_far};
 use std::collections::{BTreeMap, BTreeSet};
 
+/// Accelerators keep so many steps at most, each as large as the mesh.
+const MOST_WINDOW: u32 = 50;
+
 impl Scene {
     /// Checks that everything in the scene fits `mesh`, the mesh that [`Scene::mesh`] stands for.
     ///
@@ -69,6 +72,11 @@ impl Scene {
         from_zero("weights.close", self.weights.close)?;
         from_zero("weights.smooth", self.weights.smooth)?;
         from_zero("solver.tolerance", self.solver.tolerance)?;
+        if self.solver.window > MOST_WINDOW {
+            let found = self.solver.window;
+            let message = format!("found {found}, expected a whole number from 0 to {MOST_WINDOW}");
+            return error("solver.window", message);
+        }
         for (i, point) in self.current.iter().flatten().enumerate() {
             if !point.iter().all(|x| x.is_finite()) {
                 return error(&format!("current[{i}]"), "the position is not finite");

@@ -16,18 +16,31 @@ pub struct ResolvedRow {
     pub enabled: bool,
 }
 
+/// All constraints have at most so many vertices, counted in each of them: a few words of a scene could
+/// stand for any number.
+const MOST_MEMBERS: usize = 40_000_000;
+
 /// Resolves every row of a scene.
 ///
 /// # Errors
-/// When a row has no constraint left, with its JSON path.
+/// When a row has no constraint left, or all of them are on more vertices than can be solved for, with the
+/// JSON path of the row.
 pub(super) fn rows(
     scene: &Scene,
     mesh: &Mesh,
     topology: &Topology,
 ) -> Result<Vec<ResolvedRow>, SceneError> {
+    let mut members = 0;
     let resolved = scene.constraints.iter().enumerate().map(|(i, spec)| {
-        row(spec, scene, mesh, topology)
-            .map_err(|message| SceneError { path: format!("constraints[{i}].on"), message })
+        let error = |message| SceneError { path: format!("constraints[{i}].on"), message };
+        let row = row(spec, scene, mesh, topology).map_err(error)?;
+        members += row.constraints.members.indices().len();
+        if members > MOST_MEMBERS {
+            return Err(error(format!(
+                "the constraints have more than {MOST_MEMBERS} vertices together, expected fewer of them"
+            )));
+        }
+        Ok(row)
     });
     resolved.collect()
 }

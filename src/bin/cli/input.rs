@@ -3,7 +3,12 @@
 use super::Failure;
 use shape_up::mesh::{self, Mesh, Read, Weld};
 use shape_up::scene::{Frame, MeshSource, Scene};
+use std::fs::File;
+use std::io::{self, Read as _};
 use std::path::Path;
+
+/// No mesh and no scene that can be solved here is larger, in bytes.
+const MOST_BYTES: u64 = 1 << 30;
 
 /// A scene with its mesh.
 pub(super) struct Input {
@@ -44,12 +49,18 @@ pub(super) fn read(path: &Path) -> Result<Input, Failure> {
         }
         MeshSource::File(file) => {
             let beside = path.parent().unwrap_or(Path::new("")).join(file);
-            let bytes = std::fs::read(&beside).map_err(|error| {
+            let unread = |why: String| {
                 at(format!(
-                    "mesh.file: cannot read {}: {error}, expected a mesh file beside the scene",
+                    "mesh.file: cannot read {}: {why}, expected a mesh file beside the scene",
                     beside.display()
                 ))
-            })?;
+            };
+            // A scene comes from anywhere: what it names may be a device without an end.
+            let about = std::fs::metadata(&beside).map_err(|error| unread(error.to_string()))?;
+            if !about.is_file() {
+                return Err(unread("it is no regular file".to_owned()));
+            }
+            let bytes = read_whole(&beside).map_err(|error| unread(error.to_string()))?;
             let read = mesh::read(&beside.to_string_lossy(), &bytes)
                 .map_err(|error| Failure::Input(error.to_string()))?;
             Ok(Input { remarks: remarks(&read), mesh: read.mesh, scene, weld: None })
@@ -73,8 +84,19 @@ pub(super) fn remarks(read: &Read) -> Vec<String> {
 }
 
 pub(super) fn bytes(path: &Path) -> Result<Vec<u8>, Failure> {
-    std::fs::read(path).map_err(|error| {
+    read_whole(path).map_err(|error| {
         let what = if is_scene(path) { "a scene file" } else { "a mesh file" };
         Failure::Input(format!("{}: cannot be read: {error}, expected {what}", path.display()))
     })
+}
+
+/// The bytes of a file, which may be a pipe, but not one without an end.
+fn read_whole(path: &Path) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    File::open(path)?.take(MOST_BYTES + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > MOST_BYTES {
+        let message = format!("it is larger than {} MB", MOST_BYTES >> 20);
+        return Err(io::Error::new(io::ErrorKind::FileTooLarge, message));
+    }
+    Ok(bytes)
 }

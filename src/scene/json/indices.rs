@@ -6,20 +6,20 @@ use crate::scene::SceneError;
 
 const WHAT: &str = "a list of indices such as [0, 1, 5] or \"0-1,5\"";
 
-/// More indices than any mesh has, so that `"0-4294967295"` is an error and not 16 GiB.
-const MOST: usize = 100_000_000;
-
 pub(crate) fn read(at: &At<'_>) -> Result<Vec<u32>, SceneError> {
     match at.node {
         Node::Array(_) => {
             at.array(WHAT)?.iter().map(|item| item.whole("an index, counted from 0")).collect()
         }
-        Node::Text(text) => read_ranges(text).map_err(|message| at.error(message)),
+        Node::Text(text) => {
+            read_ranges(text, |count| at.takes_indices(count)).map_err(|message| at.error(message))
+        }
         _ => Err(at.expected(WHAT)),
     }
 }
 
-fn read_ranges(text: &str) -> Result<Vec<u32>, String> {
+/// `takes` tells whether there is room for so many more indices: before they take any.
+fn read_ranges(text: &str, takes: impl Fn(usize) -> bool) -> Result<Vec<u32>, String> {
     let mut indices = Vec::new();
     if text.trim().is_empty() {
         return Ok(indices);
@@ -37,8 +37,10 @@ fn read_ranges(text: &str) -> Result<Vec<u32>, String> {
                 "the range {range:?} runs backwards, expected the smaller index first"
             ));
         }
-        if indices.len() + (last - first) as usize >= MOST {
-            return Err(format!("the range {range:?} is longer than any mesh"));
+        if !takes(((last - first) as usize).saturating_add(1)) {
+            return Err(format!(
+                "with the range {range:?} the lists of the scene are longer than any mesh"
+            ));
         }
         indices.extend(first..=last);
     }
@@ -80,16 +82,20 @@ pub(super) fn write(indices: &[u32]) -> String {
 mod tests {
     use super::*;
 
+    fn read(text: &str) -> Result<Vec<u32>, String> {
+        read_ranges(text, |_| true)
+    }
+
     #[test]
     fn ranges_include_both_ends_and_keep_their_order() {
-        assert_eq!(read_ranges("0-3,7, 5 - 6").unwrap(), [0, 1, 2, 3, 7, 5, 6]);
-        assert_eq!(read_ranges(" ").unwrap(), [0u32; 0]);
+        assert_eq!(read("0-3,7, 5 - 6").unwrap(), [0, 1, 2, 3, 7, 5, 6]);
+        assert_eq!(read(" ").unwrap(), [0u32; 0]);
     }
 
     #[test]
     fn a_bad_range_is_named() {
-        for bad in ["0-", "-3", "1,,2", "a", "3-1", "+1", "1.5", "4294967296", "0-4294967295"] {
-            let message = read_ranges(bad).unwrap_err();
+        for bad in ["0-", "-3", "1,,2", "a", "3-1", "+1", "1.5", "4294967296"] {
+            let message = read(bad).unwrap_err();
             assert!(message.contains("range"), "{bad}: {message}");
         }
     }
@@ -100,6 +106,6 @@ mod tests {
         assert_eq!(write(&[4, 5]), "[4, 5]");
         assert_eq!(write(&[0, 1, 2, 3, 9]), "\"0-3,9\"");
         assert_eq!(write(&[9, 3, 4, 4]), "\"9,3-4,4\"");
-        assert_eq!(read_ranges("9,3-4,4").unwrap(), [9, 3, 4, 4]);
+        assert_eq!(read("9,3-4,4").unwrap(), [9, 3, 4, 4]);
     }
 }

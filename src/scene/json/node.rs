@@ -4,6 +4,7 @@
 use crate::scene::{SceneError, Worded};
 use serde::de::{self, Deserialize, Deserializer, MapAccess, SeqAccess, Visitor};
 use serde_json::{Map, Number, Value};
+use std::cell::Cell;
 use std::fmt;
 
 /// A JSON value.
@@ -101,12 +102,17 @@ impl Node {
     }
 }
 
+/// How many indices the ranges of a document may stand for, all together: a few bytes of text stand for
+/// any number, and this many take 64 MiB.
+const MOST_INDICES: usize = 1 << 24;
+
 /// A value and where it stands in the document.
-#[derive(Clone, Copy)]
 pub(crate) struct At<'a> {
     parent: Option<&'a At<'a>>,
     step: Step<'a>,
     pub(crate) node: &'a Node,
+    /// How many indices ranges may still stand for; that of the root counts.
+    indices_left: Cell<usize>,
 }
 
 #[derive(Clone, Copy)]
@@ -118,7 +124,21 @@ enum Step<'a> {
 
 impl<'a> At<'a> {
     pub(crate) fn root(node: &'a Node) -> At<'a> {
-        At { parent: None, step: Step::Root, node }
+        At { parent: None, step: Step::Root, node, indices_left: Cell::new(MOST_INDICES) }
+    }
+
+    fn below(&'a self, step: Step<'a>, node: &'a Node) -> At<'a> {
+        At { parent: Some(self), step, node, indices_left: Cell::new(0) }
+    }
+
+    /// Whether the ranges of the document may stand for `count` more indices, which then count.
+    pub(crate) fn takes_indices(&self, count: usize) -> bool {
+        let mut root = self;
+        while let Some(parent) = root.parent {
+            root = parent;
+        }
+        let left = root.indices_left.get().checked_sub(count);
+        left.inspect(|&left| root.indices_left.set(left)).is_some()
     }
 
     /// The JSON path, such as `constraints[2].on.set`; empty at the root.
@@ -146,9 +166,7 @@ impl<'a> At<'a> {
         let Node::Object(entries) = self.node else { return Err(self.expected(what)) };
         Ok(entries
             .iter()
-            .map(|(key, node)| {
-                (key.as_str(), At { parent: Some(self), step: Step::Key(key), node })
-            })
+            .map(|(key, node)| (key.as_str(), self.below(Step::Key(key), node)))
             .collect())
     }
 
@@ -170,7 +188,7 @@ impl<'a> At<'a> {
     pub(crate) fn get(&'a self, key: &'a str) -> Option<At<'a>> {
         let Node::Object(entries) = self.node else { return None };
         let (key, node) = entries.iter().find(|(k, _)| k == key)?;
-        Some(At { parent: Some(self), step: Step::Key(key), node })
+        Some(self.below(Step::Key(key), node))
     }
 
     /// The value of `key`, which must be there; `what` says what it would be.
@@ -180,11 +198,7 @@ impl<'a> At<'a> {
 
     pub(crate) fn array(&'a self, what: &str) -> Result<Vec<At<'a>>, SceneError> {
         let Node::Array(items) = self.node else { return Err(self.expected(what)) };
-        Ok(items
-            .iter()
-            .enumerate()
-            .map(|(i, node)| At { parent: Some(self), step: Step::Index(i), node })
-            .collect())
+        Ok(items.iter().enumerate().map(|(i, node)| self.below(Step::Index(i), node)).collect())
     }
 
     pub(crate) fn text(&self, what: &str) -> Result<&'a str, SceneError> {
