@@ -92,7 +92,7 @@ fn flattened_and_held(scene: &mut Scene, mesh: &Mesh) {
 
 fn hold_first_where_it_is(session: &mut Session) {
     let first = session.positions()[0];
-    session.drag([(0, first)]);
+    session.drag([(0, first)]).expect("the targets are near");
 }
 
 /// The lowest 22 vertices stay; the highest 22 are turned by 90 degrees about the upright axis

@@ -146,7 +146,7 @@ fn handles_that_were_added_one_by_one_hold_in_the_long_run() {
         .iter()
         .map(|handle| (handle.vertex, [handle.target[0], handle.target[1], 0.3]))
         .collect();
-    session.drag(targets);
+    session.drag(targets).expect("the targets are near");
     let mut anew = open(&session.scene(), 4);
     run(&mut session, 300);
     run(&mut anew, 300);

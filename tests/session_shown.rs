@@ -4,7 +4,8 @@
 mod grid;
 
 use grid::grid;
-use shape_up::mesh::{Measures, Mesh, Ragged};
+use shape_up::math::Vec3;
+use shape_up::mesh::{Measures, Mesh, Ragged, Surface};
 use shape_up::scene::Scene;
 use shape_up::session::{Edit, NewConstraint, Session};
 
@@ -132,4 +133,26 @@ fn projections_are_those_that_the_energy_measures() {
         let spread = Measures::new(&corners, &faces, 1.0);
         assert!(spread.circularity.max_distance < 1e-9, "{spread:?}");
     }
+}
+
+#[test]
+fn distances_to_the_original_are_those_of_its_surface_in_every_state() {
+    let mut session = Session::open(scene(""), bumpy(6)).expect("it is regular");
+    session.edit(new("plane", r#""faces""#)).expect("quads fit");
+    let surface = Surface::new(&session.mesh().positions, session.mesh());
+    for step in 0..4 {
+        let values = session.corner_values("surface").expect("it is of vertices");
+        for (found, p) in values.iter().zip(session.positions()) {
+            let foot = surface.closest(p, &mut { Surface::COLD });
+            let expected = (Vec3::from(foot) - Vec3::from(p)).length();
+            assert!((found - expected).abs() < 1e-12, "step {step}: {found}, {expected}");
+        }
+        assert_eq!(session.corner_values("surface"), Some(values), "asked for twice");
+        let measures = Measures::new(&session.positions(), &session.mesh().faces, 1.0);
+        assert_eq!(session.measures().planarity_distances, measures.planarity_distances);
+        session.step().expect("positions stay finite");
+    }
+    session.edit(Edit::Reset).expect("it can be reset");
+    let largest = session.corner_values("surface").into_iter().flatten().fold(0.0, f64::max);
+    assert!(largest < 1e-12, "{largest}");
 }

@@ -1,14 +1,17 @@
 //! Undo of everything: whatever is done to a session, in whatever order, is taken back exactly.
 
+#[path = "support/fuzz.rs"]
+mod fuzz;
 #[path = "support/grid.rs"]
 mod grid;
 
 use grid::grid;
 use proptest::prelude::*;
 use serde_json::{Map, json};
+use shape_up::constraint::{Form, Set};
 use shape_up::mesh::Mesh;
 use shape_up::scene::{ConstraintSpec, Goal, GoalOf, Lesson, MeshSource, Scene, Up, Weights};
-use shape_up::session::{Edit, NewConstraint, Session};
+use shape_up::session::{Edit, NewConstraint, SETTINGS, Session};
 
 const SIDE: u32 = 4;
 const VERTICES: u32 = (SIDE + 1) * (SIDE + 1);
@@ -43,6 +46,20 @@ fn lesson() -> Lesson {
     Lesson { text: "Make it flat.".to_owned(), goals: vec![goal] }
 }
 
+/// One of the declared settings, at one of its values.
+fn setting() -> impl Strategy<Value = Edit> {
+    (0..SETTINGS.len(), 0..3usize, 0.0..1.0).prop_map(|(index, form, part)| {
+        let param = SETTINGS[index].param;
+        let [least, greatest] = param.range;
+        let value = match param.forms[form % param.forms.len()] {
+            Form::Word(word) => json!(word),
+            // A run does not end where the tolerance is 0, and windows are whole.
+            _ => json!(f64::ceil(least + part * (greatest - least))),
+        };
+        Edit::Set { id: param.id.to_owned(), value }
+    })
+}
+
 fn deed() -> impl Strategy<Value = Deed> {
     let vertices = || proptest::collection::vec(0..VERTICES, 1..4);
     let edit = prop_oneof![
@@ -72,6 +89,17 @@ fn deed() -> impl Strategy<Value = Deed> {
         }),
         (0.1..9.0, 0.1..9.0, 0.0..9.0)
             .prop_map(|(shape, close, smooth)| Edit::SetWeights(Weights { shape, close, smooth })),
+        (proptest::collection::vec(0..VERTICES + 2, 0..4), 0.0..9.0)
+            .prop_map(|(vertices, weight)| Edit::WeighHandles { vertices, weight }),
+        (proptest::option::of(vertices()), 0.0..9.0)
+            .prop_map(|(vertices, weight)| Edit::HoldClose { vertices, weight }),
+        "[a-c]".prop_map(|name| Edit::RemoveSet { name }),
+        ("[a-c]", vertices()).prop_map(|(name, vertices)| Edit::NameSet {
+            name,
+            set: Set { vertices, faces: Vec::new() },
+        }),
+        (0..3usize).prop_map(|index| Edit::DuplicateConstraint { index }),
+        setting(),
         "(m|mm|ft)".prop_map(|units| Edit::SetUnits { units }),
         any::<bool>().prop_map(|y| Edit::SetUp { up: if y { Up::Y } else { Up::Z } }),
         (vertices(), any::<bool>())
@@ -107,14 +135,18 @@ fn act(session: &mut Session, deed: Deed) {
             let Some(handle) = handles.get(vertex as usize % handles.len().max(1)) else { return };
             let (vertex, at) = (handle.vertex, handle.target);
             session.begin_drag();
-            session.drag([(vertex, std::array::from_fn(|axis| at[axis] + by[axis]))]);
+            session
+                .drag([(vertex, std::array::from_fn(|axis| at[axis] + by[axis]))])
+                .expect("the targets are near");
             steps(session, count);
             session.end_drag(keep);
         }
         Deed::DragNew { vertex, by, steps: count, keep } => {
             let at = session.positions()[vertex as usize];
             session.begin_drag_of_new(vec![vertex]).expect("the vertex is there");
-            session.drag([(vertex, std::array::from_fn(|axis| at[axis] + by[axis]))]);
+            session
+                .drag([(vertex, std::array::from_fn(|axis| at[axis] + by[axis]))])
+                .expect("the targets are near");
             steps(session, count);
             session.end_drag(keep);
         }
@@ -143,8 +175,47 @@ fn open() -> Session {
     session
 }
 
+#[test]
+fn an_edit_that_changes_nothing_is_no_step() {
+    let mut session = open();
+    session.edit(new("plane", "\"faces\"")).expect("faces can be planes");
+    session.edit(Edit::AddHandles { vertices: vec![6], fixed: true }).expect("it is there");
+    let before = everything(&session);
+    let same =
+        |weight| Edit::SetConstraint { index: 0, weight, enabled: Some(true), params: Map::new() };
+    let document = session.document().clone();
+    let nothing = [
+        Edit::Reset,
+        same(Some(1.0)),
+        same(None),
+        Edit::SetWeights(document.weights),
+        Edit::SetUnits { units: document.units },
+        Edit::SetUp { up: document.up },
+        Edit::SetLesson(None),
+        Edit::RenameConstraint { index: 0, name: String::new() },
+        Edit::RemoveSet { name: "eaves".to_owned() },
+        Edit::Set { id: "tolerance".to_owned(), value: json!(1e-9) },
+        Edit::HoldClose { vertices: None, weight: 1.0 },
+        Edit::AddHandles { vertices: vec![6], fixed: true },
+        Edit::AddHandles { vertices: vec![], fixed: true },
+        Edit::WeighHandles { vertices: vec![3], weight: 7.0 },
+        Edit::RemoveHandles { vertices: vec![3, 7] },
+    ];
+    // What was undone can still be done again.
+    act(&mut session, Deed::Run(2));
+    act(&mut session, Deed::Undo);
+    let steps = [Some("Fix 1 vertex"), Some("Run, 2 iterations")];
+    assert_eq!(session.undo_and_redo(), steps);
+    for edit in nothing {
+        let words = format!("{edit:?}");
+        session.edit(edit).expect("it does no harm");
+        assert_eq!(everything(&session), before, "{words}");
+        assert_eq!(session.undo_and_redo(), steps, "{words}");
+    }
+}
+
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 96, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(fuzz::cases(96))]
 
     #[test]
     fn every_sequence_of_deeds_is_taken_back_to_the_start_and_done_again(

@@ -111,6 +111,28 @@ fn a_handle_is_dragged() {
 }
 
 #[wasm_bindgen_test]
+fn a_drag_that_makes_no_sense_is_refused_and_moves_nothing() {
+    // Any unknown phase was a move, and of arrays of unequal length the rest was dropped.
+    let mut solver = loaded();
+    solver.drag(&[4], &[2.0, 0.0, 1.0], "make").expect("the vertex is there");
+    let target = |solver: &Solver| {
+        number(&solver.document().expect("a model is open"), "handles.0.target.2")
+    };
+    for (vertices, targets, phase, words) in [
+        (&[4][..], &[2.0, 0.0, 9.0][..], "shove", "found the phase \"shove\", expected make"),
+        (&[4], &[2.0, 0.0, 9.0, 1.0], "move", "found 4 coordinates, expected three per target"),
+        (&[4, 5], &[2.0, 0.0, 9.0], "move", "found 1 targets, expected one for each of the 2"),
+        (&[4], &[2.0, 0.0, f64::NAN], "move", "the target of vertex 4 is not finite"),
+        (&[4], &[2.0, 0.0, 1e51], "end", "the target of vertex 4 is not finite or too far out"),
+    ] {
+        let error = solver.drag(vertices, targets, phase).expect_err("it makes no sense");
+        let error = message(error);
+        assert!(error.contains(words), "{error}");
+        assert_eq!(target(&solver), 1.0);
+    }
+}
+
+#[wasm_bindgen_test]
 fn a_selection_becomes_a_set_of_the_scene() {
     let mut solver = loaded();
     let on = r#"{ "each": "face", "in": { "faces": [1] } }"#;

@@ -8,7 +8,7 @@ use super::{Edit, Session, settings};
 use crate::constraint::{Kind, KindError, Set};
 use crate::mesh::{Point, counted};
 use crate::scene::{ConstraintSpec, HANDLE_WEIGHT, Hold, PRESETS, Scene, SceneError};
-use crate::solve::Handle;
+use crate::solve::{Handle, HandlePlaces};
 use serde_json::{Map, Value};
 
 impl Session {
@@ -92,8 +92,9 @@ impl Session {
                     let message = format!("found {weight}, expected a number above 0");
                     return Err(SceneError { path: "handles.weight".to_owned(), message });
                 }
-                for handle in handles.iter_mut().filter(|h| vertices.contains(&h.vertex)) {
-                    handle.hold = Hold::Soft { weight };
+                let places = HandlePlaces::new(positions.len(), handles);
+                for place in vertices.iter().filter_map(|&vertex| places.get(vertex)) {
+                    handles[place].hold = Hold::Soft { weight };
                 }
                 format!("Weigh {}", of_vertices(vertices.len()))
             }
@@ -127,7 +128,10 @@ impl Session {
                 format!("{} {}", if fixed { "Fix" } else { "Hold" }, of_vertices(vertices.len()))
             }
             Edit::RemoveHandles { vertices } => {
-                handles.retain(|handle| !vertices.contains(&handle.vertex));
+                let mut released = vec![false; positions.len()];
+                let known = vertices.iter().filter(|vertex| (**vertex as usize) < positions.len());
+                known.for_each(|&vertex| released[vertex as usize] = true);
+                handles.retain(|handle| !released[handle.vertex as usize]);
                 format!("Release {}", of_vertices(vertices.len()))
             }
             Edit::Reset => {
@@ -142,6 +146,7 @@ impl Session {
         Ok(name)
     }
 
+    /// Makes vertices handles where they are; those that are handles already change how they hold.
     fn hold(
         &self,
         vertices: &[u32],
@@ -149,15 +154,19 @@ impl Session {
         handles: &mut Vec<Handle>,
         positions: &[Point],
     ) -> Result<(), SceneError> {
+        let mut places = HandlePlaces::new(positions.len(), handles);
         for &vertex in vertices {
             let Some(&target) = positions.get(vertex as usize) else {
                 let message =
                     format!("vertex {vertex} is out of range: the mesh has {}", positions.len());
                 return Err(SceneError { path: "handles".to_owned(), message });
             };
-            match handles.iter_mut().find(|handle| handle.vertex == vertex) {
-                Some(handle) => handle.hold = hold,
-                None => handles.push(Handle { vertex, target, hold }),
+            match places.get(vertex) {
+                Some(place) => handles[place].hold = hold,
+                None => {
+                    places.insert(vertex, handles.len());
+                    handles.push(Handle { vertex, target, hold });
+                }
             }
         }
         Ok(())

@@ -5,9 +5,10 @@
 
 use super::Session;
 use crate::math::{Vec3, angle, polygon_corners, polygon_sides};
-use crate::mesh::{Measures, Point, Surface, diagonal_ratio};
+use crate::mesh::{Measures, Point, diagonal_ratio};
 use serde::Serialize;
 use std::f64::consts::PI;
+use std::rc::Rc;
 
 /// What a value of a measure is counted in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -48,7 +49,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         words: "largest distance of a face’s corners to its best plane",
         met: "each panel is flat",
         unit: MeasureUnit::Length,
-        values: |session, shape| session.measures_of(shape).planarity_distances,
+        values: |session, shape| session.measures_of(shape).planarity_distances.clone(),
     },
     FaceMeasure {
         id: "diagonals",
@@ -88,7 +89,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         words: "mean squared distance of a face’s corners to its best plane, in a model of size 1",
         met: "each panel is flat",
         unit: MeasureUnit::Number,
-        values: |session, shape| session.measures_of(shape).e_p,
+        values: |session, shape| session.measures_of(shape).e_p.clone(),
     },
     FaceMeasure {
         id: "circularity",
@@ -96,7 +97,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         words: "largest distance of a face’s corners to its best circle",
         met: "the corners of each panel lie on a circle",
         unit: MeasureUnit::Length,
-        values: |session, shape| session.measures_of(shape).circularity_distances,
+        values: |session, shape| session.measures_of(shape).circularity_distances.clone(),
     },
     FaceMeasure {
         id: "e-c",
@@ -104,7 +105,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         words: "mean squared distance of a face’s corners to its best circle, in a model of size 1",
         met: "the corners of each panel lie on a circle",
         unit: MeasureUnit::Number,
-        values: |session, shape| session.measures_of(shape).e_c,
+        values: |session, shape| session.measures_of(shape).e_c.clone(),
     },
     FaceMeasure {
         id: "residual",
@@ -158,13 +159,13 @@ pub enum Shape {
 }
 
 impl Session {
-    /// How planar and circular the faces are now.
-    pub fn measures(&self) -> Measures {
-        self.measures_of(Shape::Now)
-    }
-
-    fn measures_of(&self, shape: Shape) -> Measures {
-        Measures::new(&self.positions_of(shape), &self.mesh.faces, self.diameter)
+    fn measures_of(&self, shape: Shape) -> Rc<Measures> {
+        match shape {
+            Shape::Now => self.measures(),
+            Shape::Original => {
+                Rc::new(Measures::new(&self.mesh.positions, &self.mesh.faces, self.diameter))
+            }
+        }
     }
 
     /// Positions, `#V by 3`.
@@ -191,7 +192,7 @@ impl Session {
     /// gradually over the surface: distances to what the model was. `None` for every other measure.
     pub fn corner_values(&self, id: &str) -> Option<Vec<f64>> {
         match id {
-            "surface" => Some(off_surface(self, Shape::Now)),
+            "surface" => Some(self.surface_distances(Shape::Now).to_vec()),
             "displacement" => Some(self.ways_moved()),
             _ => None,
         }
@@ -240,10 +241,10 @@ fn fourth_corners(session: &mut Session, shape: Shape) -> Vec<f64> {
 
 fn planarity_by_edge(session: &mut Session, shape: Shape) -> Vec<f64> {
     let positions = session.positions_of(shape);
-    let distances = session.measures_of(shape).planarity_distances;
-    let faces = session.mesh.faces.iter().zip(distances);
+    let measures = session.measures_of(shape);
+    let faces = session.mesh.faces.iter().zip(&measures.planarity_distances);
     let edge = |face: &[u32]| mean_length(face.iter().map(|&v| Vec3::from(positions[v as usize])));
-    faces.map(|(face, distance)| 100.0 * ratio(distance, edge(face))).collect()
+    faces.map(|(face, distance)| 100.0 * ratio(*distance, edge(face))).collect()
 }
 
 /// Of the sides of a polygon.
@@ -280,18 +281,8 @@ fn angles(session: &mut Session, shape: Shape) -> Vec<f64> {
 }
 
 fn surface_distances(session: &mut Session, shape: Shape) -> Vec<f64> {
-    let distances = off_surface(session, shape);
+    let distances = session.surface_distances(shape);
     session.worst_corner(|v| distances[v])
-}
-
-/// Per vertex, its distance to the surface of the model that was opened.
-fn off_surface(session: &Session, shape: Shape) -> Vec<f64> {
-    let original = Surface::new(&session.mesh.positions, &session.mesh);
-    let mut warm = Surface::COLD;
-    // Neighbours in the file are mostly neighbours in space.
-    let distance =
-        |p: &Point| (Vec3::from(original.closest(*p, &mut warm)) - Vec3::from(*p)).length();
-    session.positions_of(shape).iter().map(distance).collect()
 }
 
 fn displacements(session: &mut Session, shape: Shape) -> Vec<f64> {

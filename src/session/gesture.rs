@@ -3,7 +3,8 @@
 use super::history::Snapshot;
 use super::{Edit, Session};
 use crate::error::Error;
-use crate::mesh::{Point, counted};
+use crate::mesh::{FARTHEST, Point, counted, too_far};
+use crate::scene::SceneError;
 
 /// A drag or a run that has begun and is not yet a step of undo.
 pub(super) struct Gesture {
@@ -15,6 +16,28 @@ pub(super) struct Gesture {
 enum GestureKind {
     Drag,
     Run,
+}
+
+/// Checks that the targets of these vertices are such as a scene file may have.
+///
+/// # Errors
+/// When there is not one target for each vertex, or one is not finite or too far out: the error names its
+/// vertex.
+pub fn check_targets(vertices: &[u32], targets: &[Point]) -> Result<(), SceneError> {
+    let error = |message| Err(SceneError { path: "handles".to_owned(), message });
+    if vertices.len() != targets.len() {
+        let (found, expected) = (targets.len(), vertices.len());
+        return error(format!(
+            "found {found} targets, expected one for each of the {expected} vertices"
+        ));
+    }
+    match too_far(targets) {
+        None => Ok(()),
+        Some(place) => error(format!(
+            "the target of vertex {} is not finite or too far out, expected coordinates from -{FARTHEST:e} to {FARTHEST:e}",
+            vertices[place]
+        )),
+    }
 }
 
 impl Session {
@@ -47,8 +70,17 @@ impl Session {
     }
 
     /// Moves the targets of handles.
-    pub fn drag(&mut self, targets: impl IntoIterator<Item = (u32, Point)>) {
-        self.solver.move_handles(targets);
+    ///
+    /// # Errors
+    /// As [`check_targets`]; nothing has moved then.
+    pub fn drag(
+        &mut self,
+        targets: impl IntoIterator<Item = (u32, Point)>,
+    ) -> Result<(), SceneError> {
+        let (vertices, targets): (Vec<u32>, Vec<Point>) = targets.into_iter().unzip();
+        check_targets(&vertices, &targets)?;
+        self.solver.move_handles(vertices.into_iter().zip(targets));
+        Ok(())
     }
 
     /// Ends a drag: keeps it as one step of undo, or puts everything back.

@@ -24,6 +24,16 @@ pub(super) struct Snapshot {
     pub start: Option<Rc<Start>>,
 }
 
+impl Snapshot {
+    /// Whether going from one to the other would change nothing.
+    pub(super) fn is_same(&self, other: &Snapshot) -> bool {
+        self.positions == other.positions
+            && self.handles == other.handles
+            && self.iteration == other.iteration
+            && self.document == other.document
+    }
+}
+
 /// Steps of undo and redo, each with its name and the state on its other side.
 #[derive(Default)]
 pub(super) struct History {

@@ -22,6 +22,7 @@
 //! | `inspect` | what hosts show of a row: its members, its measure; and what is held otherwise |
 //! | `lesson` | the goals of a lesson, and the results that are handed in |
 //! | `moved` | what the shape has cost: how far vertices moved, how much edges shrank |
+//! | `measured` | what was measured of the current shape, kept as long as it stays |
 //! | `opening` | opening a scene in the place of another |
 //! | `pace` | how large a mesh can be that is still worked with at once |
 //! | `place` | where constraints may be |
@@ -50,6 +51,7 @@ mod history;
 mod holding;
 mod inspect;
 mod lesson;
+mod measured;
 mod moved;
 mod opening;
 mod pace;
@@ -72,6 +74,7 @@ pub use collapse::{Collapse, CollapseReason};
 pub use edit::{Edit, NewConstraint};
 pub use face_measure::{FACE_MEASURES, FaceMeasure, MeasureUnit, Shape};
 pub use flaws::{ZERO_SIZE_FACES, flaw_of};
+pub use gesture::check_targets;
 pub use halves::{Fits, Half};
 pub use lesson::{GoalWords, check_results, goals_in_words};
 pub use moved::Moved;
@@ -91,7 +94,9 @@ use crate::mesh::{Mesh, Point, Topology, Weld, write_obj};
 use crate::scene::{Frame, HandleSpec, Hold, Scene};
 use crate::solve::{Constraints, Handle, Kept, Problem, Solver};
 use collapse::Start;
+use measured::Measured;
 use past::Past;
+use std::cell::RefCell;
 use std::rc::Rc;
 use trace::Trace;
 
@@ -106,6 +111,7 @@ pub struct Session {
     rows: Vec<ResolvedRow>,
     solver: Solver,
     past: Past,
+    measured: RefCell<Measured>,
     /// See [`Session::halfway`].
     halfway: bool,
 }

@@ -8,6 +8,7 @@ use crate::error::Error;
 use crate::mesh::{BoundingSphere, Mesh, Point, Topology};
 use crate::scene::Scene;
 use crate::solve::{Handle, Kept};
+use std::cell::RefCell;
 
 impl Session {
     /// Opens a scene, as [`Session::open`], in the place of the one that is `open`, which stays when it
@@ -96,6 +97,7 @@ impl Checked {
             document: scene,
             rows,
             solver,
+            measured: RefCell::default(),
             halfway: false,
         })
     }

@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::scene::Scene;
 
 impl Session {
-    /// Makes an edit.
+    /// Makes an edit. One that changes nothing is no step of undo.
     ///
     /// # Errors
     /// When it names a row or vertex that is not there, leaves a row without constraints or a goal without
@@ -20,6 +20,9 @@ impl Session {
             after.start = None;
         }
         let name = self.apply(edit, &mut after)?;
+        if after.is_same(&before) {
+            return Ok(());
+        }
         self.go_to(after)?;
         self.past.history.push(name, before);
         Ok(())

@@ -91,6 +91,14 @@ fn divide(rows: &mut [Quad], below: &[Quad; 3], inverse: &Quad) {
     }
 }
 
+/// Whether one of the rows below the first `width` columns of `panels` is not zero there.
+pub(super) fn has_below(panels: &[Quad], width: usize, height: usize) -> bool {
+    (0..width.div_ceil(4)).any(|p| {
+        let rows = &panels[start(p, height)..][..height - 4 * p];
+        rows[width - 4 * p..].as_flattened().iter().any(|&value| value != 0.0)
+    })
+}
+
 /// Subtracts `L D L^T` of the rows below the first `width` columns of `panels`, which are factored, from
 /// the lower triangle `update`.
 pub(super) fn subtract_outer(

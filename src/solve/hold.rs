@@ -4,6 +4,7 @@ use super::centred::relative;
 use crate::constraint::Row;
 use crate::mesh::Point;
 use crate::scene::Hold;
+use std::num::NonZeroU32;
 
 /// A vertex held at a target.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,6 +15,34 @@ pub struct Handle {
     pub target: Point,
     /// How it is held.
     pub hold: Hold,
+}
+
+/// Where the handle of each vertex is in a list of handles.
+pub struct HandlePlaces {
+    /// `#V`
+    places: Vec<Option<NonZeroU32>>,
+}
+
+impl HandlePlaces {
+    /// Of `handles`, of which each vertex has one at most, on a mesh of `n_vertices`.
+    pub fn new(n_vertices: usize, handles: &[Handle]) -> HandlePlaces {
+        let mut places = HandlePlaces { places: vec![None; n_vertices] };
+        for (place, handle) in handles.iter().enumerate() {
+            places.insert(handle.vertex, place);
+        }
+        places
+    }
+
+    /// The place of the handle of `vertex`, if it is one.
+    pub fn get(&self, vertex: u32) -> Option<usize> {
+        let place = self.places.get(vertex as usize).copied().flatten()?;
+        Some(place.get() as usize - 1)
+    }
+
+    /// Says that the handle of `vertex` is at `place` of the list.
+    pub fn insert(&mut self, vertex: u32, place: usize) {
+        self.places[vertex as usize] = NonZeroU32::new(place as u32 + 1);
+    }
 }
 
 /// One vertex of each connected part that nothing holds: without, the system would be singular.

@@ -53,7 +53,7 @@ pub use assemble::Terms;
 pub use at_rest::projections_at_rest;
 pub use conformal::{ConformalNorm, ConformalSeconds, ConformalWeights, Parametrization};
 pub use energy::{Energy, IterateSeconds};
-pub use hold::Handle;
+pub use hold::{Handle, HandlePlaces};
 pub use kept::Kept;
 pub use problem::Problem;
 pub use shape::Constraints;
@@ -75,6 +75,8 @@ pub enum SolveError {
         /// A vertex of it.
         vertex: u32,
     },
+    /// The flat map of a surface puts it onto a line or into a point.
+    Collapsed,
     /// A position became NaN or infinite; the last good state stays.
     NotFinite {
         /// The first such vertex.
@@ -92,6 +94,10 @@ impl fmt::Display for SolveError {
             SolveError::NoArea { vertex } => write!(
                 f,
                 "the part with vertex {vertex} has no area, or next to none, expected a surface"
+            ),
+            SolveError::Collapsed => write!(
+                f,
+                "its flat map collapses, expected a surface whose faces do not contradict each other"
             ),
             SolveError::NotFinite { vertex } => {
                 write!(f, "vertex {vertex} left the finite numbers; the last good shape is kept")

@@ -10,7 +10,7 @@ use super::accelerate::{Accelerator, Iterate};
 use super::centred::{centre_and_extent, relative, rest_surface};
 use super::close::{CloseEnergy, RestShape};
 use super::energy::{Energies, Energy, IterateSeconds};
-use super::hold::{Handle, SoftHandles};
+use super::hold::{Handle, HandlePlaces, SoftHandles};
 use super::kept::Kept;
 use super::problem::Problem;
 use super::shape::ShapeEnergy;
@@ -18,7 +18,7 @@ use super::smooth::SmoothEnergy;
 use super::system::{SetUpSeconds, System};
 use super::{SolveError, clock, smooth};
 use crate::constraint::{Fitted, LocalStep, Projected, Reference, Row};
-use crate::mesh::{Point, Surface};
+use crate::mesh::{Mesh, Point, Surface};
 use crate::scene::{SmoothnessOf, SolverSettings};
 use std::cell::OnceCell;
 use std::rc::Rc;
@@ -39,6 +39,7 @@ pub struct Solver {
     /// Corners of the boundary, if these are fixed, and where.
     corners: Vec<(u32, Point)>,
     handles: Vec<Handle>,
+    handle_places: HandlePlaces,
     /// Whether the factor is that of these handles.
     factored: bool,
     pinned: Vec<u32>,
@@ -146,6 +147,7 @@ impl Solver {
             held,
             corners: corners.into_iter().map(|v| (v, mesh.positions[v as usize])).collect(),
             handles: Vec::new(),
+            handle_places: HandlePlaces::new(n_vertices, &[]),
             factored: false,
             pinned: Vec::new(),
             accelerator: Accelerator::new(&settings),
@@ -318,6 +320,12 @@ impl Solver {
     /// The linear system.
     pub fn system(&self) -> &System {
         &self.system
+    }
+    /// The rest surface of `mesh`, which is that of the problem, and the centre that its coordinates are
+    /// relative to. It is made when it is first asked for.
+    pub fn rest_surface(&self, mesh: &Mesh) -> (Rc<Surface>, Point) {
+        let surface = self.surface.get_or_init(|| Rc::new(rest_surface(mesh, self.centre)));
+        (Rc::clone(surface), self.centre)
     }
     /// For the next solver on the same mesh.
     pub fn kept(&self) -> Kept {

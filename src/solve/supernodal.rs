@@ -52,7 +52,10 @@ pub(super) fn factor(
             pivot > smallest * diagonal && diagonal > 0.0
         })
         .map_err(|c| Singular { column: first + c })?;
-        dense::subtract_outer(&mut workspace.rest, &workspace.own, width, height, own);
+        // Where all of its columns are fixed they are those of the identity.
+        if dense::has_below(&workspace.own, width, height) {
+            dense::subtract_outer(&mut workspace.rest, &workspace.own, width, height, own);
+        }
         store(s, &Front { panels: &workspace.own, height });
         if height > width {
             workspace.waiting.push((s, workspace.stack.len()));

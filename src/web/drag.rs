@@ -2,29 +2,53 @@
 
 use super::solver::Solver;
 use super::thrown;
+use crate::session::check_targets;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
 impl Solver {
     /// Drags handles: `phase` is "make", which makes the vertices handles first, or "start", then
     /// "move", "end" or "cancel"; `targets` is `#vertices by 3`.
+    ///
+    /// # Errors
+    /// An unknown phase, or targets that are not one for each vertex, not finite or too far out: nothing
+    /// moves then, and an "end" keeps the move before.
     pub fn drag(&mut self, vertices: &[u32], targets: &[f64], phase: &str) -> Result<(), JsValue> {
         let session = self.open_mut()?;
+        let (targets, rest) = targets.as_chunks::<3>();
+        if !rest.is_empty() {
+            let numbers = 3 * targets.len() + rest.len();
+            return Err(thrown(format!("found {numbers} coordinates, expected three per target")));
+        }
+        // Before handles are made for it.
+        let checked = check_targets(vertices, targets).map_err(thrown);
+        let moves = vertices.iter().copied().zip(targets.iter().copied());
         match phase {
-            "make" => session.begin_drag_of_new(vertices.to_vec()).map_err(thrown)?,
-            "start" => session.begin_drag(),
-            _ => {}
+            "make" => {
+                checked?;
+                session.begin_drag_of_new(vertices.to_vec()).map_err(thrown)?;
+                session.drag(moves).map_err(thrown)
+            }
+            "start" => {
+                checked?;
+                session.begin_drag();
+                session.drag(moves).map_err(thrown)
+            }
+            // What was edited or undone meanwhile has ended it.
+            "move" | "end" | "cancel" if !session.is_dragging() => Ok(()),
+            "move" => session.drag(moves).map_err(thrown),
+            "end" => {
+                let moved = session.drag(moves).map_err(thrown);
+                session.end_drag(true);
+                moved
+            }
+            "cancel" => {
+                session.end_drag(false);
+                Ok(())
+            }
+            other => Err(thrown(format!(
+                "found the phase {other:?}, expected make, start, move, end or cancel"
+            ))),
         }
-        // What was edited or undone meanwhile has ended it.
-        if phase != "cancel" && session.is_dragging() {
-            let (targets, _) = targets.as_chunks::<3>();
-            session.drag(vertices.iter().copied().zip(targets.iter().copied()));
-        }
-        match phase {
-            "end" => session.end_drag(true),
-            "cancel" => session.end_drag(false),
-            _ => {}
-        }
-        Ok(())
     }
 }

@@ -82,7 +82,7 @@ impl Problem {
         });
         let targets: Vec<(u32, Point)> = targets.collect();
         session.begin_drag();
-        session.drag(targets);
+        session.drag(targets).expect("the targets are near");
         session.end_drag(true);
     }
 }

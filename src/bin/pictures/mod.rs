@@ -41,8 +41,8 @@ pub(crate) fn values(session: &Session) -> Option<Vec<f32>> {
     let measures = session.measures();
     let rows = (0..).zip(session.rows()).filter(|(_, row)| row.enabled);
     let values = match rows.filter_map(|(index, _)| session.asked_measure(index)).next()? {
-        "circularity" => measures.circularity_distances,
-        _ => measures.planarity_distances,
+        "circularity" => measures.circularity_distances.clone(),
+        _ => measures.planarity_distances.clone(),
     };
     Some(values.iter().map(|&value| value as f32).collect())
 }

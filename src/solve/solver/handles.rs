@@ -5,7 +5,7 @@
 
 use super::super::SolveError;
 use super::super::centred::relative;
-use super::super::hold::{Handle, SoftHandles, pins};
+use super::super::hold::{Handle, HandlePlaces, SoftHandles, pins};
 use super::super::rank_one::Change;
 use super::Solver;
 use crate::mesh::Point;
@@ -24,6 +24,9 @@ impl Solver {
             && self.system.change(&changes)
         {
             let added = handles[self.handles.len()..].to_vec();
+            for (place, handle) in handles.iter().enumerate().skip(self.handles.len()) {
+                self.handle_places.insert(handle.vertex, place);
+            }
             self.handles = handles;
             self.begin_holding(&added);
             return Ok(());
@@ -58,6 +61,7 @@ impl Solver {
         self.factored = false;
         self.system.factor_for(precision, &[weights.shape, weights.smooth], &diagonal, fixed)?;
         self.factored = true;
+        self.handle_places = HandlePlaces::new(self.n_vertices, &handles);
         self.handles = handles;
         self.retarget();
         Ok(())
@@ -108,8 +112,8 @@ impl Solver {
     /// Moves the targets of handles. Costs no factorisation: only the gradient changes.
     pub fn move_handles(&mut self, targets: impl IntoIterator<Item = (u32, Point)>) {
         for (vertex, target) in targets {
-            if let Some(handle) = self.handles.iter_mut().find(|h| h.vertex == vertex) {
-                handle.target = target;
+            if let Some(place) = self.handle_places.get(vertex) {
+                self.handles[place].target = target;
             }
         }
         self.retarget();
@@ -142,7 +146,7 @@ impl Solver {
         let node_of = &self.system.node_of()[..self.n_vertices];
         let fixed = self.handles.iter().filter(|handle| handle.hold == Hold::Fixed);
         let fixed = fixed.map(|handle| (handle.vertex, handle.target));
-        let is_handle = |v: u32| self.handles.iter().any(|handle| handle.vertex == v);
+        let is_handle = |v: u32| self.handle_places.get(v).is_some();
         let corners = self.corners.iter().copied().filter(|&(v, _)| !is_handle(v));
         for (vertex, target) in corners.chain(fixed) {
             self.x[node_of[vertex as usize] as usize] = relative(target, self.centre);
