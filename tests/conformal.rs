@@ -123,12 +123,21 @@ fn a_closed_surface_is_mapped_over_all_its_vertices() {
     assert!(found.uv.iter().flatten().all(|value| value.is_finite()));
 }
 
+/// Maps it, and checks that every number of the map is one.
+fn finite_map(mesh: &Mesh) -> Parametrization {
+    let found = map(mesh, ConformalWeights::InverseArea, ConformalNorm::Boundary);
+    assert!(found.uv.as_flattened().iter().all(|value| value.is_finite()));
+    assert!(found.errors.quasi_conformal.max.is_finite(), "{:?}", found.errors);
+    found
+}
+
 #[test]
 fn faces_without_area_are_left_out_and_a_surface_without_any_is_refused() {
     let mut mesh = roll(1.0);
     mesh.faces.push(&[0, 1, 0]);
-    let found = map(&mesh, ConformalWeights::InverseArea, ConformalNorm::Boundary);
+    let found = finite_map(&mesh);
     assert!((found.errors.quasi_conformal.max - 1.0).abs() < 1e-6, "{found:?}");
+    assert_eq!(found.left_out, [60]);
 
     let mut line = Mesh::default();
     line.positions.extend([[0.0; 3], [1.0; 3], [2.0; 3]]);
@@ -136,4 +145,62 @@ fn faces_without_area_are_left_out_and_a_surface_without_any_is_refused() {
     let topology = Topology::new(&line);
     let (weights, norm) = (ConformalWeights::default(), ConformalNorm::default());
     Parametrization::new(&line, &topology, weights, norm).expect_err("it has no area");
+}
+
+#[test]
+fn a_face_that_has_shrunk_to_a_point_or_a_line_does_not_take_the_map_with_it() {
+    let sound = finite_map(&grid::bumpy(4));
+    // Two vertices where a third one is: nothing held them but the norm, which took all of its length from
+    // them. The mean error was infinite, and the exit code 0.
+    let mut point = grid::bumpy(4);
+    point.positions.extend([point.positions[6]; 2]);
+    point.faces.push(&[6, 25, 26]);
+    // A sliver that is as thin as rounding: its weight was 1e14 times that of the others.
+    let mut sliver = grid::bumpy(4);
+    let [a, b] = [0, 1].map(|k| sliver.positions[k]);
+    sliver.positions.push(std::array::from_fn(|i| 0.5 * a[i] + 0.5 * b[i] + [0.0, 1e-14, 0.0][i]));
+    sliver.faces.push(&[0, 25, 1]);
+    for mesh in [point, sliver] {
+        let found = finite_map(&mesh);
+        assert_eq!(found.left_out, [16]);
+        assert_eq!(found.errors.quasi_conformal, sound.errors.quasi_conformal);
+        assert!(found.errors.of_faces[16].is_nan());
+    }
+}
+
+#[test]
+fn faces_of_an_edge_that_is_not_manifold_do_not_make_the_map_collapse() {
+    // A fin stands on an inner edge: three faces share it. It is mapped with the rest.
+    let mut fin = grid::bumpy(4);
+    fin.positions.extend([[1.0, 1.0, 2.0], [2.0, 1.0, 2.0]]);
+    fin.faces.push(&[6, 7, 26, 25]);
+    let found = finite_map(&fin);
+    assert!(found.left_out.is_empty() && found.errors.quasi_conformal.max < 1.2, "{found:?}");
+    // The fin has a back, a face on the same vertices in the other direction: no map is conformal on both,
+    // and the part that they are collapsed, with a mean error of 1e14.
+    fin.faces.push(&[25, 26, 7, 6]);
+    let with_back = finite_map(&fin);
+    assert_eq!(with_back.left_out, [17]);
+    assert_eq!(with_back.uv, found.uv);
+}
+
+#[test]
+fn a_polygon_of_many_corners_is_mapped_in_time_that_grows_with_them() {
+    // Its corners were coupled with each other, a dense block of the matrix: 4,000 took 34 s and 1.4 GB,
+    // and 20,000 aborted.
+    let mut polygon = Mesh::default();
+    // Points of a circle without any angle function: those of slopes that are fractions.
+    let n = 20_000;
+    polygon.positions.extend((0..n).map(|k| {
+        let slope = 2.0 * f64::from(k % (n / 2)) / f64::from(n / 2) - 1.0;
+        let (square, turn) = (slope * slope, if k < n / 2 { 1.0 } else { -1.0 });
+        let (x, y) = ((1.0 - square) / (1.0 + square), 2.0 * slope / (1.0 + square));
+        [turn * x, turn * y, 0.05 * x * x]
+    }));
+    polygon.faces.push(&(0..n).collect::<Vec<_>>());
+    let started = std::time::Instant::now();
+    let found = finite_map(&polygon);
+    assert!(started.elapsed().as_secs() < 30, "it took {:?}", started.elapsed());
+    assert_eq!((found.parts, found.errors.flipped), (1, 0));
+    assert!(found.errors.quasi_conformal.mean < 1.01, "{:?}", found.errors.quasi_conformal);
 }

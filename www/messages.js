@@ -239,6 +239,7 @@
  * @property {Uint32Array} flippedFaces those that have some of these
  * @property {number} parts connected parts of the surface
  * @property {number} closedParts those without a boundary, which cannot be flattened without folds
+ * @property {number} leftOut faces without area, or on the same vertices as another: they are not on the map
  * @property {number} eigenvalue
  * @property {number} seconds
  * @property {Record<"assemble" | "order" | "factor" | "iterate", number>} secondsOf

@@ -21,11 +21,7 @@ pub(super) fn boundary_loops(
         vertex_edges,
         // An edge that is not on the boundary counts as walked.
         walked: edge_faces.iter().map(|faces| faces.len() != 1).collect(),
-        from_first: edges
-            .iter()
-            .zip(edge_faces.iter())
-            .map(|(&ends, faces)| faces.len() == 1 && runs(mesh.faces.row(faces[0] as usize), ends))
-            .collect(),
+        from_first: runs_from_first(mesh, edges, edge_faces),
         path: Vec::new(),
         place: vec![None; n_vertices],
         loops: Ragged::new(),
@@ -40,9 +36,29 @@ pub(super) fn boundary_loops(
     walk.loops
 }
 
-/// Whether the face goes from the first of two neighbouring corners to the second.
-fn runs(face: &[u32], ends: [u32; 2]) -> bool {
-    polygon_sides(face).any(|side| side == ends)
+/// A side is searched for in the corners of a face with no more of them than this.
+const FEW_CORNERS: usize = 32;
+
+/// Of each edge whether it is on the boundary, and its face runs from the smaller end to the greater.
+fn runs_from_first(mesh: &Mesh, edges: &[[u32; 2]], edge_faces: &Ragged) -> Vec<bool> {
+    let only_face = |e: usize| match edge_faces.row(e) {
+        &[face] => Some(mesh.faces.row(face as usize)),
+        _ => None,
+    };
+    let runs = |(e, ends): (usize, &[u32; 2])| {
+        only_face(e)
+            .filter(|face| face.len() <= FEW_CORNERS)
+            .is_some_and(|face| polygon_sides(face).any(|side| side == *ends))
+    };
+    let mut from_first: Vec<bool> = edges.iter().enumerate().map(runs).collect();
+    for face in mesh.faces.iter().filter(|face| face.len() > FEW_CORNERS) {
+        for side in polygon_sides(face).filter(|[a, b]| a < b) {
+            if let Ok(e) = edges.binary_search(&side) {
+                from_first[e] = only_face(e).is_some();
+            }
+        }
+    }
+    from_first
 }
 
 struct Walk<'a> {

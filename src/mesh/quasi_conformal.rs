@@ -1,6 +1,6 @@
 //! How far a flat map of a surface is from keeping angles (Sander, Snyder, Gortler, Hoppe 2001).
 
-use super::{Point, Ragged};
+use super::{BoundingSphere, Point, Ragged};
 use crate::math::{Vec3, twice_vector_area};
 use serde::Serialize;
 
@@ -27,13 +27,26 @@ pub struct MapErrors {
     pub of_faces: Vec<f64>,
 }
 
+/// A triangle that is thinner than this part of the size of the mesh has no area but by rounding.
+const ROUNDING: f64 = 1e-12;
+
 /// The errors of the map `uv` (`#V by 2`) of the surface (`#V by 3` positions). Triangles without
-/// area on the surface do not count.
-pub fn quasi_conformal(positions: &[Point], uv: &[[f64; 2]], faces: &Ragged) -> MapErrors {
+/// area on the surface do not count, nor do the faces that are `left_out` of the map, ascending.
+pub fn quasi_conformal(
+    positions: &[Point],
+    uv: &[[f64; 2]],
+    faces: &Ragged,
+    left_out: &[u32],
+) -> MapErrors {
+    let least = ROUNDING * BoundingSphere::of(positions).diameter();
     let (mut error, mut area, mut flipped) = (QuasiConformal::default(), 0.0, 0);
     let mut flipped_faces = Vec::new();
     let mut of_faces = Vec::with_capacity(faces.len());
     for (index, face) in (0..).zip(faces.iter()) {
+        if left_out.binary_search(&index).is_ok() {
+            of_faces.push(f64::NAN);
+            continue;
+        }
         let mut worst = f64::NAN;
         let flipped_before = flipped;
         let upward = twice_vector_area(face.iter().map(|&v| Vec3::from(positions[v as usize])));
@@ -44,7 +57,8 @@ pub fn quasi_conformal(positions: &[Point], uv: &[[f64; 2]], faces: &Ragged) -> 
             let base = along.length();
             let normal = along.cross(across);
             let twice_area = normal.length();
-            if twice_area == 0.0 {
+            let longest = base.max(across.length()).max((r - q).length());
+            if twice_area <= least * longest {
                 continue;
             }
             // Where a face is not convex, a triangle of the fan can be turned over on the surface.
@@ -97,7 +111,7 @@ mod tests {
         let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
         let positions = corners.map(|[x, y]| [x, 0.6 * y, 0.8 * y]);
         let uv = corners.map(|[x, y]| image(x, y));
-        quasi_conformal(&positions, &uv, &[vec![0, 1, 2, 3]].into_iter().collect())
+        quasi_conformal(&positions, &uv, &[vec![0, 1, 2, 3]].into_iter().collect(), &[])
     }
 
     #[test]
@@ -107,7 +121,7 @@ mod tests {
         // The second triangle of the square is sheared, the first is not.
         let uv = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [-0.5, 1.0]];
         let faces = [vec![0, 1, 2, 3], vec![0, 1, 2], vec![0, 1, 0]].into_iter().collect();
-        let errors = quasi_conformal(&positions, &uv, &faces);
+        let errors = quasi_conformal(&positions, &uv, &faces, &[]);
         let [quad, triangle, none] = errors.of_faces[..] else { panic!("three faces") };
         assert_eq!(quad, errors.quasi_conformal.max);
         assert!(quad > 1.5 && (triangle - 1.0).abs() < 1e-15 && none.is_nan(), "{errors:?}");
@@ -121,7 +135,7 @@ mod tests {
         let faces: Ragged = [vec![1, 2, 3, 0], vec![1, 4, 3]].into_iter().collect();
         let of = |image: &dyn Fn(f64, f64) -> [f64; 2]| {
             let uv = positions.map(|[x, y, _]| image(x, y));
-            let errors = quasi_conformal(&positions, &uv, &faces);
+            let errors = quasi_conformal(&positions, &uv, &faces, &[]);
             (errors.flipped, errors.flipped_faces)
         };
         assert_eq!(of(&|x, y| [x, y]), (0, vec![]));

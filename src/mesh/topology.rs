@@ -44,15 +44,13 @@ impl Topology {
         // neighbours.
         let neighbours = by_vertex(|[a, b], _, first| if first { b } else { a });
         let vertex_edges = by_vertex(|_, e, _| e);
-        let vertex_faces = gather(
-            n_vertices,
-            mesh.faces.iter().zip(0..).flat_map(|(face, f)| {
-                // A vertex that a face repeats still has that face once.
-                (0..face.len())
-                    .filter(|&k| !face[..k].contains(&face[k]))
-                    .map(move |k| (face[k], f))
-            }),
-        );
+        // A vertex that a face repeats still has that face once.
+        let mut last_face = vec![None; n_vertices];
+        let corners = mesh.faces.iter().zip(0..);
+        let corners = corners.flat_map(|(face, f)| face.iter().map(move |&v| (v, f)));
+        let distinct: Vec<(u32, u32)> =
+            corners.filter(|&(v, f)| last_face[v as usize].replace(f) != Some(f)).collect();
+        let vertex_faces = gather(n_vertices, distinct.iter().copied());
         let boundary_loops =
             super::boundary::boundary_loops(mesh, &edges, &vertex_edges, &edge_faces);
         let quads = mesh.faces.iter().filter(|face| face.len() == 4).count();

@@ -6,12 +6,16 @@
 //! with `N u` centred Eq. 14 is `phi(u) = sum_i w_i (|N_i u_i|^2 - |z_i* u_i|^2 / |z_i|^2)`: a quadratic
 //! form. Its smallest eigenvector beside the constants is the map.
 
+mod face;
+
 use super::assemble::Terms;
 use super::subspace::{Pair, smallest};
 use super::{SolveError, System, clock};
-use crate::math::{PrincipalAxes, Vec3, centre};
-use crate::mesh::{MapErrors, Mesh, Point, Topology, components, quasi_conformal};
+use crate::mesh::{
+    BoundingSphere, MapErrors, Mesh, ProblemKind, Topology, components, flawed, quasi_conformal,
+};
 use crate::scene::Worded;
+use face::Face;
 use serde::Serialize;
 
 /// The weights `w_i` of Eq. 14.
@@ -54,13 +58,16 @@ impl Worded for ConformalNorm {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parametrization {
     /// `#V by 2`. Every part has the area that it has on the surface, its longest axis along the first
-    /// coordinate; the parts lie side by side from the origin on. Vertices without faces are at the
-    /// origin.
+    /// coordinate; the parts lie side by side from the origin on. Vertices without faces that count are
+    /// at the origin.
     pub uv: Vec<[f64; 2]>,
     /// The smallest eigenvalue beside zero, of the part with the greatest area.
     pub eigenvalue: f64,
-    /// The connected parts that have faces.
+    /// The parts that the faces connect.
     pub parts: usize,
+    /// Faces that count nowhere, ascending: those without an area, which have no shape to keep, and those
+    /// on the same vertices as an earlier one, which would keep these from having any.
+    pub left_out: Vec<u32>,
     /// Parts without a boundary.
     pub closed_parts: usize,
     /// The quasi-conformal error, of each face too, and the triangles that the map turns over.
@@ -86,6 +93,9 @@ pub struct ConformalSeconds {
 /// diagonal, so that the matrix is positive definite; small against all eigenvalues but zero.
 const SHIFT: f64 = 1e-10;
 
+/// A map with a greater mean error has put a surface onto a line or into a point.
+const COLLAPSED: f64 = 1e6;
+
 /// The gap between parts, as a fraction of their mean width.
 const GAP: f64 = 0.05;
 
@@ -93,27 +103,41 @@ impl Parametrization {
     /// Maps `mesh`, part by part.
     ///
     /// # Errors
-    /// When a part has no area, or so little that its matrix is singular.
+    /// When no face has an area, a part has so little that its matrix is singular, or a surface with a
+    /// boundary has no map but one that collapses.
     pub fn new(
         mesh: &Mesh,
         topology: &Topology,
         weights: ConformalWeights,
         norm: ConformalNorm,
     ) -> Result<Parametrization, SolveError> {
-        let mut on_boundary = vec![false; mesh.positions.len()];
-        for loop_ in topology.boundary_loops().iter() {
-            loop_.iter().for_each(|&v| on_boundary[v as usize] = true);
-        }
         let mut result = Parametrization {
             uv: vec![[0.0; 2]; mesh.positions.len()],
             eigenvalue: 0.0,
             parts: 0,
+            left_out: Vec::new(),
             closed_parts: 0,
             errors: MapErrors::default(),
             seconds: ConformalSeconds::default(),
         };
+        let faces = faces_that_count(mesh);
+        result.left_out =
+            (0..).zip(&faces).filter(|(_, face)| face.is_none()).map(|(index, _)| index).collect();
+        if let Some(&first) = result.left_out.first()
+            && result.left_out.len() == faces.len()
+        {
+            return Err(SolveError::NoArea { vertex: mesh.faces.row(first as usize)[0] });
+        }
+        let on_boundary = if result.left_out.is_empty() {
+            boundary(topology)
+        } else {
+            let mut counting = Mesh { positions: mesh.positions.clone(), ..Mesh::default() };
+            let all = mesh.faces.iter().zip(&faces);
+            counting.faces = all.filter(|(_, face)| face.is_some()).map(|(face, _)| face).collect();
+            boundary(&Topology::new(&counting))
+        };
         let (mut greatest, mut edge) = (0.0, 0.0);
-        for part in parts(mesh) {
+        for part in parts(mesh, faces) {
             let is_closed = !part.vertices.iter().any(|&v| on_boundary[v as usize]);
             let counts: Vec<bool> = part
                 .vertices
@@ -132,9 +156,23 @@ impl Parametrization {
             result.parts += 1;
             result.closed_parts += usize::from(is_closed);
         }
-        result.errors = quasi_conformal(&mesh.positions, &result.uv, &mesh.faces);
+        result.errors = quasi_conformal(&mesh.positions, &result.uv, &mesh.faces, &result.left_out);
+        // What is closed cannot be flattened without folds, of whatever kind these are.
+        let mean = result.errors.quasi_conformal.mean;
+        if result.closed_parts == 0 && (mean.is_nan() || mean > COLLAPSED) {
+            return Err(SolveError::Collapsed);
+        }
         Ok(result)
     }
+}
+
+/// Which vertices are on the boundary, `#V`.
+fn boundary(topology: &Topology) -> Vec<bool> {
+    let mut on_boundary = vec![false; topology.neighbours().len()];
+    for &vertex in topology.boundary_loops().indices() {
+        on_boundary[vertex as usize] = true;
+    }
+    on_boundary
 }
 
 /// A connected part of a mesh with numbers of its own.
@@ -144,20 +182,21 @@ struct Part {
     faces: Vec<Face>,
 }
 
-/// A face in its own plane.
-struct Face {
-    /// Corners, in the numbers of the part.
-    corners: Vec<u32>,
-    /// The corners in the least-squares plane, centred, the face's own turn counterclockwise.
-    flat: Vec<[f64; 2]>,
-    area: f64,
-    /// `|z|^2`.
-    squares: f64,
+/// The shape of each face of `mesh` (`#F`), none where it does not count: see [`Parametrization::left_out`].
+fn faces_that_count(mesh: &Mesh) -> Vec<Option<Face>> {
+    let diameter = BoundingSphere::of(&mesh.positions).diameter();
+    let faces = mesh.faces.iter().map(|face| Face::new(face, &mesh.positions, diameter));
+    let mut faces: Vec<Option<Face>> = faces.collect();
+    for repeated in flawed(mesh, ProblemKind::DuplicateFace).faces {
+        faces[repeated as usize] = None;
+    }
+    faces
 }
 
-/// The connected parts that have faces, in the order of their smallest vertices.
-fn parts(mesh: &Mesh) -> Vec<Part> {
-    let labels = components(mesh.positions.len(), mesh.faces.iter());
+/// The parts that these faces connect, in the order of their smallest vertices.
+fn parts(mesh: &Mesh, faces: Vec<Option<Face>>) -> Vec<Part> {
+    let with_area = mesh.faces.iter().zip(&faces).filter(|(_, face)| face.is_some());
+    let labels = components(mesh.positions.len(), with_area.map(|(corners, _)| corners));
     let count = labels.iter().max().map_or(0, |&last| last as usize + 1);
     let mut parts: Vec<Part> =
         (0..count).map(|_| Part { vertices: Vec::new(), faces: Vec::new() }).collect();
@@ -166,69 +205,13 @@ fn parts(mesh: &Mesh) -> Vec<Part> {
         own.push(parts[label as usize].vertices.len() as u32);
         parts[label as usize].vertices.push(v);
     }
-    for face in mesh.faces.iter() {
-        let corners = face.iter().map(|&v| own[v as usize]).collect();
-        let part = &mut parts[labels[face[0] as usize] as usize];
-        part.faces.push(Face::new(corners, face, &mesh.positions));
+    for (corners, face) in mesh.faces.iter().zip(faces) {
+        let Some(mut face) = face else { continue };
+        face.corners = corners.iter().map(|&v| own[v as usize]).collect();
+        parts[labels[corners[0] as usize] as usize].faces.push(face);
     }
     parts.retain(|part| !part.faces.is_empty());
     parts
-}
-
-impl Face {
-    fn new(corners: Vec<u32>, vertices: &[u32], positions: &[Point]) -> Face {
-        let mut points: Vec<Vec3<f64>> =
-            vertices.iter().map(|&v| positions[v as usize].into()).collect();
-        centre(&mut points);
-        let mut flat = match points[..] {
-            [a, b, c] => flat_triangle(a, b, c),
-            _ => flat_polygon(points),
-        };
-        let n = flat.len();
-        let cross = |k: usize| {
-            let ([a, b], [c, d]) = (flat[k], flat[(k + 1) % n]);
-            a * d - b * c
-        };
-        let area = 0.5 * (0..n).map(cross).sum::<f64>();
-        if area < 0.0 {
-            // The axes are of either handedness.
-            flat.iter_mut().for_each(|[_, y]| *y = -*y);
-        }
-        let squares = flat.iter().map(|[x, y]| x * x + y * y).sum();
-        Face { corners, flat, area: area.abs(), squares }
-    }
-
-    fn weight(&self, weights: ConformalWeights) -> f64 {
-        match weights {
-            ConformalWeights::InverseArea => 1.0 / self.area,
-            ConformalWeights::One => 1.0,
-            ConformalWeights::Lscm => self.squares / self.area,
-        }
-    }
-
-    /// `|N u - P u|^2` at the map `u`.
-    fn distance(&self, u: &[[f64; 2]]) -> f64 {
-        let n = self.corners.len() as f64;
-        let mut mean = [0.0; 2];
-        for &v in &self.corners {
-            mean = [mean[0] + u[v as usize][0] / n, mean[1] + u[v as usize][1] / n];
-        }
-        let own =
-            || self.corners.iter().map(|&v| u[v as usize]).map(|[x, y]| [x - mean[0], y - mean[1]]);
-        // z* u / |z|^2, the factor of the closest multiple of z.
-        let (mut real, mut imaginary) = (0.0, 0.0);
-        for ([x, y], [a, b]) in own().zip(&self.flat) {
-            real += (a * x + b * y) / self.squares;
-            imaginary += (a * y - b * x) / self.squares;
-        }
-        own()
-            .zip(&self.flat)
-            .map(|([x, y], [a, b])| {
-                let (dx, dy) = (x - (real * a - imaginary * b), y - (real * b + imaginary * a));
-                dx * dx + dy * dy
-            })
-            .sum()
-    }
 }
 
 impl Part {
@@ -242,26 +225,27 @@ impl Part {
     ) -> Result<(Vec<[f64; 2]>, f64), SolveError> {
         let started = clock::now();
         let singular = || SolveError::NoArea { vertex: self.vertices[0] };
-        // A face without area has no shape to keep.
-        let faces = || self.faces.iter().filter(|face| face.area > 0.0);
-        let n = 2 * self.vertices.len();
+        // Complex unknowns: the vertices, and the extra ones of faces with many corners.
+        let mut unknowns = self.vertices.len();
         let mut terms = Terms::default();
         let (mut diagonal, mut degrees) = (0.0, 0.0);
-        for face in faces() {
+        for face in &self.faces {
             let weight = face.weight(weights);
             if !weight.is_finite() {
                 return Err(singular());
             }
-            push_terms(&mut terms, face, weight);
+            face.push_terms(&mut terms, weight, unknowns as u32);
+            unknowns += face.extra_unknowns();
             diagonal += weight * face.corners.len() as f64;
             degrees += face.corners.len() as f64;
         }
+        let n = 2 * unknowns;
         seconds.assemble += clock::now() - started;
         let mut system = System::new(n, vec![terms]);
         let shift = SHIFT * diagonal / degrees.max(1.0);
         let node_of = system.node_of();
         let nodes: Vec<[u32; 2]> =
-            (0..self.vertices.len()).map(|v| [node_of[2 * v], node_of[2 * v + 1]]).collect();
+            (0..unknowns).map(|k| [node_of[2 * k], node_of[2 * k + 1]]).collect();
         let counted: Vec<u32> = (0..).zip(counts).filter(|(_, c)| **c).map(|(v, _)| v).collect();
         let mut shifts = vec![0.0; n];
         for &v in &counted {
@@ -271,7 +255,9 @@ impl Part {
         }
         system.factor(&[1.0], &shifts, vec![false; n]).map_err(|error| match error {
             SolveError::NotPositiveDefinite { vertex } => {
-                SolveError::NoArea { vertex: self.vertices[vertex as usize / 2] }
+                // That of an extra unknown is anywhere in its face.
+                let vertex = self.vertices.get(vertex as usize / 2);
+                SolveError::NoArea { vertex: *vertex.unwrap_or(&self.vertices[0]) }
             }
             other => other,
         })?;
@@ -281,8 +267,10 @@ impl Part {
 
         let iterating = clock::now();
         let start = counted.iter().map(|&v| start(v as usize)).collect();
-        let map = smallest(&mut system, &nodes, &counted, start).ok_or_else(singular)?;
-        let energy: f64 = faces().map(|face| face.weight(weights) * face.distance(&map)).sum();
+        let mut map = smallest(&mut system, &nodes, &counted, start).ok_or_else(singular)?;
+        map.truncate(self.vertices.len());
+        let energies = self.faces.iter().map(|face| face.weight(weights) * face.distance(&map));
+        let energy: f64 = energies.sum();
         seconds.iterate += clock::now() - iterating;
         Ok((map, energy))
     }
@@ -324,65 +312,8 @@ impl Part {
     }
 }
 
-/// Centred points in their least-squares plane.
-fn flat_polygon(mut points: Vec<Vec3<f64>>) -> Vec<[f64; 2]> {
-    let scale = PrincipalAxes::rotate(&mut points).scale;
-    points.iter().map(|p| [p.x * scale, p.y * scale]).collect()
-}
-
-/// A centred triangle in its own plane, with its first side along the first axis.
-fn flat_triangle(a: Vec3<f64>, b: Vec3<f64>, c: Vec3<f64>) -> Vec<[f64; 2]> {
-    let (along, across) = (b - a, c - a);
-    let base = along.length();
-    if base == 0.0 {
-        return vec![[0.0; 2]; 3];
-    }
-    let (foot, height) = (along.dot(across) / base, along.cross(across).length() / base);
-    let (x, y) = ((base + foot) / 3.0, height / 3.0);
-    vec![[-x, -y], [base - x, -y], [foot - x, height - y]]
-}
-
 /// Vectors to begin with, at one vertex: what is in no way special has some of every eigenvector.
 fn start(vertex: usize) -> Pair {
     let scattered = |k: usize| ((vertex * 7919 + k * 104_729) % 1009) as f64 / 1009.0 - 0.5;
     [0, 4].map(|first| std::array::from_fn(|k| scattered(first + k)))
-}
-
-impl Face {
-    /// The signed area in the map.
-    fn area_in(&self, map: &[[f64; 2]]) -> f64 {
-        let n = self.corners.len();
-        let at = |k: usize| map[self.corners[k % n] as usize];
-        let crosses = (0..n).map(|k| at(k)[0] * at(k + 1)[1] - at(k)[1] * at(k + 1)[0]);
-        0.5 * crosses.sum::<f64>()
-    }
-}
-
-/// Adds `w (|N u|^2 - |z* u|^2 / |z|^2)`, where vertex `v` has the unknowns `2 v` and `2 v + 1`.
-fn push_terms(terms: &mut Terms, face: &Face, weight: f64) {
-    let nodes: Vec<u32> = face.corners.iter().flat_map(|&v| [2 * v, 2 * v + 1]).collect();
-    let n = face.corners.len();
-    let flat = || face.flat.iter();
-    if n == 3 {
-        // Beside the constants and the multiples of z there is one direction left, so that the energy is
-        // the square of one complex number: the sum of the u, each times the side opposite to it.
-        let opposite = || {
-            (0..3).map(|k| {
-                let ([a, b], [c, d]) = (face.flat[(k + 1) % 3], face.flat[(k + 2) % 3]);
-                [c - a, d - b]
-            })
-        };
-        let outer = weight / (3.0 * face.squares);
-        terms.push(&nodes, opposite().flat_map(|[a, b]| [a, -b]), 0.0, outer);
-        terms.push(&nodes, opposite().flat_map(|[a, b]| [b, a]), 0.0, outer);
-        return;
-    }
-    for part in 0..2 {
-        let nodes: Vec<u32> = face.corners.iter().map(|&v| 2 * v + part).collect();
-        terms.push(&nodes, flat().map(|_| 1.0), weight, -weight / n as f64);
-    }
-    // The real and the imaginary part of z* u.
-    let outer = -weight / face.squares;
-    terms.push(&nodes, flat().flat_map(|&[a, b]| [a, b]), 0.0, outer);
-    terms.push(&nodes, flat().flat_map(|&[a, b]| [-b, a]), 0.0, outer);
 }

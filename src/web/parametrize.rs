@@ -19,7 +19,8 @@ impl Solver {
     /// The flat map of the current shape: `uv` (`#V by 2`, units of the mesh), `faceErrors` (`#F`, the
     /// greatest quasi-conformal error of the triangles of each face, not a number without area), `mean`
     /// (weighted by area) and `max` of the error, `histogram` (faces, from 1 up to `high`), `flipped` triangles, `flippedFaces`
-    /// that have some of these, `parts`, `closedParts`,
+    /// that have some of these, `parts`, `closedParts`, `leftOut` faces without area or on the same vertices
+    /// as another,
     /// `eigenvalue`, and `seconds`, by part in `secondsOf`. `weights` and `norm` are the words of the command line.
     ///
     /// # Errors
@@ -49,6 +50,7 @@ impl Solver {
             ("flippedFaces", indices(&errors.flipped_faces)),
             ("parts", (map.parts as f64).into()),
             ("closedParts", (map.closed_parts as f64).into()),
+            ("leftOut", (map.left_out.len() as f64).into()),
             ("eigenvalue", map.eigenvalue.into()),
             ("seconds", seconds.into()),
             ("secondsOf", plain(&map.seconds)?),

@@ -84,6 +84,31 @@ fn a_surface_without_area_is_called_so_when_it_is_flattened() {
     folder.run(&["parametrize", "line.obj", "--out", "uv.obj"]).refused(&words);
 }
 
+#[cfg(unix)]
+#[test]
+fn a_scene_that_names_a_device_as_its_mesh_is_refused_before_it_is_read() {
+    // It has no end: 8 GB of it were read.
+    let folder = Folder::new("device");
+    let scene = r#"{ "format": "shape-up-scene", "version": 1, "mesh": { "file": "/dev/zero" } }"#;
+    folder.write("zero.shapeup.json", scene);
+    let words = ["zero.shapeup.json: mesh.file: cannot read /dev/zero: it is no regular file"];
+    folder.run(&["solve", "zero.shapeup.json"]).refused(&words);
+}
+
+#[test]
+fn a_flat_map_says_what_is_left_out_of_it() {
+    let folder = Folder::new("left-out");
+    let point = "v 1 1 0\nv 1 1 0\nv 1 1 0\nf 5 6 7\n";
+    folder.write("roof.obj", format!("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n{point}f 1 2 3 4\n"));
+    let done = folder.run(&["parametrize", "roof.obj", "--report", "r.json"]).done();
+    assert!(done.contains("left out         1 face without area"), "{done}");
+    assert_eq!(folder.json("r.json")["left_out"], 1);
+    // A face and its back: no map is conformal on both sides of it, and what is left is one face.
+    folder.write("back.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\nf 3 2 1\n");
+    folder.run(&["parametrize", "back.obj", "--report", "r.json"]).done();
+    assert_eq!(folder.json("r.json")["left_out"], 1);
+}
+
 #[test]
 fn a_kind_that_fits_no_face_names_its_flag() {
     let folder = Folder::new("fits");

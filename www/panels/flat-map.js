@@ -108,6 +108,7 @@ export function flatMapPanel(place, store, control) {
   });
 }
 
+const LEFT_OUT = 'Faces without area, or on the same vertices as another';
 const STALE = 'The model has moved since it was flattened.';
 
 /** @param {import("../messages.js").Parametrization} found */
@@ -130,6 +131,7 @@ function showFacts(list, found) {
     ['Time', duration(1000 * found.seconds), 'In the solver’s worker'],
   ];
   if (found.parts > 1) rows.push(['Parts', groupDigits(found.parts), 'Each has its own map']);
+  if (found.leftOut > 0) rows.push(['Left out', groupDigits(found.leftOut), LEFT_OUT]);
   list.replaceChildren(
     ...rows.flatMap(([name, value, title]) => [
       element('dt', { title }, name),

@@ -3,7 +3,7 @@
 use super::arguments::Parametrize;
 use super::{Failure, input, output};
 use serde::Serialize;
-use shape_up::mesh::{QuasiConformal, Topology, write_obj_with_uv};
+use shape_up::mesh::{QuasiConformal, Topology, counted, write_obj_with_uv};
 use shape_up::solve::{ConformalNorm, ConformalSeconds, Parametrization, clock};
 use std::path::Path;
 
@@ -13,6 +13,8 @@ struct Report {
     vertices: usize,
     faces: usize,
     parts: usize,
+    /// Faces without area, or on the same vertices as another.
+    left_out: usize,
     eigenvalue: f64,
     quasi_conformal: QuasiConformal,
     flipped: usize,
@@ -44,6 +46,7 @@ pub(super) fn parametrize(asked: &Parametrize) -> Result<(), Failure> {
         vertices: mesh.positions.len(),
         faces: mesh.faces.len(),
         parts: map.parts,
+        left_out: map.left_out.len(),
         eigenvalue: map.eigenvalue,
         quasi_conformal: map.errors.quasi_conformal,
         flipped: map.errors.flipped,
@@ -74,6 +77,12 @@ pub(super) fn parametrize(asked: &Parametrize) -> Result<(), Failure> {
         format!("flipped          {}", report.flipped),
         format!("seconds          {}", output::short(report.seconds.total)),
     ];
+    if report.left_out > 0 {
+        let faces = counted(report.left_out, "face", "faces");
+        lines.push(format!(
+            "left out         {faces} without area or on the same vertices as another"
+        ));
+    }
     lines.extend(read.problems.iter().map(|problem| format!("problem: {problem}")));
     lines.extend(read.notes.iter().map(|note| format!("note: {note}")));
     if map.closed_parts > 0 && asked.norm == ConformalNorm::Boundary {
