@@ -73,7 +73,8 @@ impl KindVisitor for MakeBatch<'_> {
     fn visit<P: Projection>(self, operator: &P) -> Batch {
         let mut operator = operator.clone();
         operator.refer(self.reference);
-        Batch::new(Box::new(operator), P::READS_REST, self)
+        let make = MakeBatch { guarded: self.guarded || P::GUARDED, ..self };
+        Batch::new(Box::new(operator), P::READS_REST, make)
     }
 }
 

@@ -38,6 +38,8 @@ impl Projection for Conical {
         params: &[],
     };
 
+    const GUARDED: bool = true;
+
     fn closed_form<S: Lane>(
         &self,
         _rest: &[Vec3<S>],

@@ -30,6 +30,8 @@ impl Projection for Incircle {
         params: &[],
     };
 
+    const GUARDED: bool = true;
+
     fn closed_form<S: Lane>(
         &self,
         _rest: &[Vec3<S>],

@@ -22,8 +22,8 @@ pub struct Info {
     /// The elements whose vertices come in the order that it means; hosts offer it on these only.
     /// Empty where any elements will do.
     pub elements: &'static [Element],
-    /// Whether the projection is the closest point of the set. Where it is not, the total energy
-    /// can rise in a late digit, unless the `monotone` guard is on.
+    /// Whether the projection is the closest point of the set, with the default parameters. Where it is
+    /// not, the total energy can rise, unless the `monotone` guard is on.
     pub exact: bool,
     /// The error measure of a face (`"planarity"` or `"circularity"`) that says how far faces are
     /// from the shape, when they are what it acts on. None where no measure of a face does.

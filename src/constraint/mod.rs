@@ -79,6 +79,17 @@ pub trait Projection: Clone + PartialEq + std::fmt::Debug + 'static {
     /// Whether [`Projection::project`] reads the rest points; without, it gets none.
     const READS_REST: bool = false;
 
+    /// Whether each constraint keeps the previous projection where the new one is farther, also in a scene
+    /// that does not ask for it: where projections are so far from the closest at times that the total
+    /// energy would rise by more than a few digits.
+    const GUARDED: bool = false;
+
+    /// Whether the projection is the closest point of the set, with these parameters; [`Info::exact`] is
+    /// about the default ones.
+    fn is_exact(&self) -> bool {
+        Self::INFO.exact
+    }
+
     /// Gives the operator what it may look up besides its own points. Called once, before anything
     /// else.
     fn refer(&mut self, reference: &Reference<'_>) {
@@ -234,6 +245,16 @@ macro_rules! kinds {
                 const ALL: &[Info] = KINDS;
                 let id = match self { $(Kind::$Kind(_) => $module::$Kind::INFO.id),* };
                 ALL.iter().find(|info| info.id == id).expect("every kind is in the list of kinds")
+            }
+
+            /// Whether its projection is the closest point of the set, with these parameters.
+            pub fn is_exact(&self) -> bool {
+                match self { $(Kind::$Kind(p) => p.is_exact()),* }
+            }
+
+            /// Whether the total energy can rise with it where the scene has no `monotone` guard.
+            pub fn can_rise(&self) -> bool {
+                match self { $(Kind::$Kind(p) => !(p.is_exact() || $module::$Kind::GUARDED)),* }
             }
 
             /// The parameters as the object of a scene file.

@@ -70,6 +70,10 @@ impl Projection for Rectangle {
         }],
     };
 
+    fn is_exact(&self) -> bool {
+        self.fit == Fit::Closest
+    }
+
     fn closed_form<S: Lane>(
         &self,
         _rest: &[Vec3<S>],

@@ -31,6 +31,8 @@ impl Projection for TangentIncircles {
         params: &[],
     };
 
+    const GUARDED: bool = true;
+
     fn closed_form<S: Lane>(
         &self,
         _rest: &[Vec3<S>],
