@@ -1,5 +1,8 @@
 //! No bytes make a reader panic, hang, or return a mesh that is not one.
 
+#[path = "support/fuzz.rs"]
+mod fuzz;
+
 use std::time::{Duration, Instant};
 
 use proptest::collection::vec;
@@ -110,7 +113,7 @@ fn piece() -> impl Strategy<Value = Vec<u8>> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(1000))]
+    #![proptest_config(fuzz::cases(1000))]
 
     #[test]
     fn random_bytes(bytes in vec(any::<u8>(), 0..300)) {
