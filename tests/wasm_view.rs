@@ -110,7 +110,7 @@ async fn every_switch_changes_the_picture() {
     check(&mut view, "colours of rows on faces");
     view.set_row_colours(vec![1, 2, 0, 0], vec![0, 0, 0, 0, 2, 1, 0, 0, 0], &two_colours).unwrap();
     check(&mut view, "colours of rows on vertices");
-    view.set_face_values(Some(vec![0.0, 0.3, 0.6, f32::NAN]), 0.0, 1.0).unwrap();
+    view.set_face_values(Some(vec![0.0, 0.3, 0.6, f32::NAN]), 0.0, 1.0, None, None).unwrap();
     check(&mut view, "values");
     view.set_display(true, false, false, false, false);
     check(&mut view, "edges between values");
@@ -148,6 +148,33 @@ async fn every_switch_changes_the_picture() {
     check(&mut view, "pan");
     view.fit();
     check(&mut view, "fit");
+}
+
+#[wasm_bindgen_test]
+async fn within_the_tolerance_faces_look_as_without_values() {
+    let canvas = new_canvas();
+    let mut view = open(&canvas).await;
+    let drawn = |view: &mut View| {
+        view.draw().unwrap();
+        pixels(&canvas)
+    };
+    let plain = drawn(&mut view);
+    let values = || Some(vec![0.0, 0.01, 0.3, 0.6]);
+    view.set_face_values(values(), 0.0, 1.0, Some(1.0), None).unwrap();
+    assert_eq!(differing(&plain, &drawn(&mut view)), 0);
+    // Two faces of four are beyond this one.
+    view.set_face_values(values(), 0.01, 1.0, Some(0.01), None).unwrap();
+    let beyond = drawn(&mut view);
+    assert!(differing(&plain, &beyond) > 100);
+    view.set_face_values(values(), 0.01, 1.0, Some(0.01), Some(true)).unwrap();
+    assert!(differing(&beyond, &drawn(&mut view)) > 100, "by logarithms");
+    view.set_face_values(values(), 0.0, 1.0, None, None).unwrap();
+    assert!(differing(&plain, &drawn(&mut view)) > differing(&plain, &beyond), "all values");
+    // In bands through the faces, too: with all vertices within, nothing has a colour.
+    view.set_bands(true);
+    view.set_corner_values(Some(vec![0.005; 9])).unwrap();
+    view.set_face_values(Some(vec![0.005; 4]), 0.01, 1.0, Some(0.01), None).unwrap();
+    assert_eq!(differing(&plain, &drawn(&mut view)), 0);
 }
 
 #[wasm_bindgen_test]
@@ -196,7 +223,7 @@ async fn wrong_input_is_thrown_with_a_complete_message() {
     assert_eq!(message(&wrong), "positions: 5 entries, expected 27");
     let wrong = view.set_up("x").unwrap_err();
     assert_eq!(message(&wrong), "up: \"x\", expected z or y");
-    assert!(view.set_face_values(Some(vec![1.0]), 0.0, 1.0).is_err());
+    assert!(view.set_face_values(Some(vec![1.0]), 0.0, 1.0, None, None).is_err());
     assert!(view.set_projections(&[9], &[0.0; 3], &[1], &[], &[0.0; 3]).is_err());
     let wrong = view.set_row_colours(vec![1; 4], vec![], &[]).unwrap_err();
     assert_eq!(message(&wrong), "colours of faces: index 1, expected less than 1");

@@ -27,8 +27,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     let mut stage = pictures::stage(&session)?;
     let faces = session.mesh().faces.len();
-    stage.looks.set_values(pictures::values(&session), 0.0, greatest, faces)?;
-    let style = still::style(stage.looks.has_values());
+    let scale = pictures::scale(&session, greatest);
+    stage.looks.set_values(pictures::values(&session), scale, faces)?;
+    let style = still::style(stage.looks.has_full_map());
     let faces = still::spaced(still::from_far_to_near(&stage));
     let mut html = format!(
         r#"<div id="first-picture" aria-hidden="true" data-faces="{faces}"><style>{style}</style>"#

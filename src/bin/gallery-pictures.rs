@@ -74,7 +74,8 @@ fn picture(example: &Example, folder: &Path) -> std::result::Result<Result, Box<
         stage.preset("top")?;
     }
     let faces = session.mesh().faces.len();
-    stage.looks.set_values(pictures::values(&session), 0.0, greatest, faces)?;
+    let scale = pictures::scale(&session, greatest);
+    stage.looks.set_values(pictures::values(&session), scale, faces)?;
     std::fs::write(folder.join(format!("{}-end.svg", example.id)), thumbnail::svg(&stage))?;
 
     let report = session.report();

@@ -4,7 +4,8 @@
 //! between faces of different bands. Where every vertex has a value, the faces are coloured by what
 //! lies between their corners, and the lines are isolines through them (`shaders/faces.wgsl`).
 
-use super::colour_map::{self, colour};
+use super::colour_map::{ColourMap, texel};
+use super::colour_scale::ColourScale;
 use super::lists::Lists;
 use super::round_length::round_down;
 use crate::math::polygon_sides;
@@ -15,9 +16,10 @@ const LEAST: f64 = 5.0;
 /// Round limits over a range of values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bands {
+    scale: ColourScale,
     low: f64,
     high: f64,
-    /// From one limit to the next, a round number in the unit of the values.
+    /// From one limit to the next, a round number in the unit of the values, or of their logarithm.
     pub step: f64,
     /// The limits inside the range, as parts of it.
     pub limits: Vec<f64>,
@@ -26,11 +28,9 @@ pub struct Bands {
 }
 
 impl Bands {
-    /// For the values from `low` to `high`; none where there is nothing between them.
-    pub fn new(low: f32, high: f32) -> Option<Bands> {
-        // The shortest decimal: a range that was entered as 0.01 is not a little less.
-        let exact = |value: f32| format!("{value}").parse::<f64>().ok();
-        let (low, high) = (exact(low)?, exact(high)?);
+    /// For the range of a scale; none where there is nothing in it.
+    pub fn new(scale: ColourScale) -> Option<Bands> {
+        let [low, high] = scale.ends();
         let step = round_down((high - low) / LEAST);
         if step == 0.0 {
             return None;
@@ -40,23 +40,22 @@ impl Bands {
         let limits: Vec<f64> = parts.take_while(|&part| part < 1.0 - 1e-6).collect();
         let starts = std::iter::once(0.0).chain(limits.iter().copied());
         let ends = limits.iter().copied().chain(std::iter::once(1.0));
-        let last = (colour_map::TEXELS - 1) as f64;
-        let middle = |(from, to): (f64, f64)| (0.5 * (from + to) * last).round() as u8;
+        let middle = |(from, to): (f64, f64)| texel(0.5 * (from + to));
         let texels = starts.zip(ends).map(middle).collect();
-        Some(Bands { low, high, step, limits, texels })
+        Some(Bands { scale, low, high, step, limits, texels })
     }
 
     /// Which band a value is in, from 0 on; values beyond the range are in its first or last band,
     /// and what is not a number is in none.
     pub fn band(&self, value: f32) -> Option<usize> {
-        let part = (f64::from(value) - self.low) / (self.high - self.low);
+        let part = (self.scale.coordinate(value) - self.low) / (self.high - self.low);
         (!part.is_nan()).then(|| self.limits.partition_point(|&limit| limit <= part))
     }
 
     /// The CSS colour of each band.
-    pub fn colours(&self) -> Vec<String> {
+    pub fn colours(&self, map: ColourMap) -> Vec<String> {
         let css = |&texel: &u8| {
-            let [r, g, b] = (colour(texel) * 255.0).round().to_array();
+            let [r, g, b] = (map.colour(texel) * 255.0).round().to_array();
             format!("rgb({r} {g} {b})")
         };
         self.texels.iter().map(css).collect()
@@ -71,7 +70,7 @@ impl Bands {
     /// a number is at its beginning.
     pub fn in_steps(&self, value: f32) -> f32 {
         let [begins, ends] = self.range_in_steps();
-        let steps = self.steps_to(f64::from(value));
+        let steps = self.steps_to(self.scale.coordinate(value));
         if steps.is_nan() { begins } else { steps.clamp(begins - 1.0, ends + 1.0).max(0.0) }
     }
 
@@ -113,36 +112,49 @@ pub fn seams(faces: &Lists) -> Vec<Seam> {
 mod tests {
     use super::*;
 
+    fn of(low: f32, high: f32) -> Option<Bands> {
+        Bands::new(ColourScale::linear(low, high))
+    }
+
+    #[test]
+    fn by_logarithms_the_powers_of_ten_part_bands() {
+        let scale = ColourScale { logarithmic: true, ..ColourScale::linear(0.001, 1.0) };
+        let bands = Bands::new(scale).unwrap();
+        assert_eq!(bands.step, 0.5);
+        let found = [0.0011, 0.099, 0.101, 0.9].map(|value| bands.band(value).unwrap());
+        assert_eq!(found, [0, 3, 4, 5]);
+    }
+
     #[test]
     fn limits_are_round_and_inside_the_range() {
-        let bands = Bands::new(0.0, 0.038).unwrap();
+        let bands = of(0.0, 0.038).unwrap();
         assert_eq!(bands.step, 0.005);
         let limits: Vec<f64> = bands.limits.iter().map(|part| part * 0.038).collect();
         assert_eq!(limits.len(), 7);
         assert!((limits[0] - 0.005).abs() < 1e-9 && (limits[6] - 0.035).abs() < 1e-9);
         // A limit at the end of the range parts nothing.
-        assert_eq!(Bands::new(0.0, 0.01).unwrap().limits.len(), 4);
-        assert_eq!(Bands::new(3.0, 8.0).unwrap().limits, [0.2, 0.4, 0.6, 0.8]);
+        assert_eq!(of(0.0, 0.01).unwrap().limits.len(), 4);
+        assert_eq!(of(3.0, 8.0).unwrap().limits, [0.2, 0.4, 0.6, 0.8]);
         for (low, high) in [(0.0, 0.0), (1.0, 0.5), (0.0, f32::NAN), (0.0, f32::INFINITY)] {
-            assert_eq!(Bands::new(low, high), None);
+            assert_eq!(of(low, high), None);
         }
     }
 
     #[test]
     fn a_value_is_in_the_band_between_its_limits() {
-        let bands = Bands::new(0.0, 10.0).unwrap();
+        let bands = of(0.0, 10.0).unwrap();
         assert_eq!(bands.step, 2.0);
         let found = [-1.0, 0.0, 1.9, 2.0, 9.9, 50.0].map(|value| bands.band(value).unwrap());
         assert_eq!(found, [0, 0, 0, 1, 4, 4]);
         assert_eq!(bands.band(f32::NAN), None);
         assert_eq!(bands.texels, [26, 77, 128, 179, 230]);
-        assert_eq!(bands.colours().len(), 5);
+        assert_eq!(bands.colours(ColourMap::Full).len(), 5);
     }
 
     #[test]
     fn in_steps_limits_are_whole() {
         for (low, high, limit) in [(0.0, 10.0, 4.0), (1.0, 11.0, 4.0), (-3.0, 7.0, 0.0)] {
-            let bands = Bands::new(low, high).unwrap();
+            let bands = of(low, high).unwrap();
             let steps = bands.in_steps(limit);
             assert_eq!(steps, steps.round());
             let [begins, ends] = bands.range_in_steps();

@@ -34,12 +34,13 @@ pub fn numbers(stage: &Stage, width: u32, height: u32) -> Vec<f32> {
     numbers.extend(palette.ghost);
     numbers.extend(palette.check);
     let [begins, ends] = stage.looks.corner_steps().unwrap_or_default();
-    numbers.extend([stage.checks.per_length, begins, ends, 0.0]);
+    let tolerance = stage.looks.tolerance_in_steps();
+    numbers.extend([stage.checks.per_length, begins, ends, tolerance]);
     extend_stroke(&mut numbers, &palette.circle, stage.circle_pieces());
     let mut strokes = palette.strokes;
     if stage.checks.per_length > 0.0 {
         strokes[LineKind::Edge as usize].colour = palette.edge_of_checks;
-    } else if stage.looks.has_values() {
+    } else if stage.looks.has_full_map() {
         strokes[LineKind::Edge as usize].colour = palette.edge_of_values;
     }
     for stroke in &strokes {

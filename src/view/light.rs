@@ -2,7 +2,7 @@
 //! face. A page test holds the still picture, which is made of these, to what the view draws.
 
 use super::camera::Eye;
-use super::colour_map;
+use super::colour_map::ColourMap;
 use super::looks::FaceColour;
 use super::palette::{Colour, Palette};
 use super::row_colours;
@@ -21,7 +21,8 @@ pub fn face_colour(stage: &Stage, face: u32, palette: &Palette) -> Vec3 {
             plain.lerp(row * modelled, row_colours::STRENGTH)
         }
         FaceColour::NoValue => rgb(palette.no_value) * modelled,
-        FaceColour::Value(texel) => colour_map::colour(texel) * modelled,
+        FaceColour::Value(texel) => ColourMap::Full.colour(texel) * modelled,
+        FaceColour::Beyond(texel) => ColourMap::Beyond.colour(texel) * modelled,
     };
     colour.min(Vec3::ONE)
 }

@@ -3,7 +3,8 @@
 //! pointed at. Four bytes per face.
 
 use super::bands::Bands;
-use super::colour_map::texel;
+use super::colour_map::{ColourMap, texel};
+use super::colour_scale::ColourScale;
 use super::lists::{ViewError, check_indices};
 use super::row_colours::RowColours;
 
@@ -14,8 +15,10 @@ pub enum FaceColour {
     Plain,
     /// A row of constraints: its place among the colours of rows, from 1 on.
     Row(u8),
-    /// A value: its texel on the colour map.
+    /// A value: its texel on the full colour map.
     Value(u8),
+    /// A value beyond the tolerance: its texel on the map of these.
+    Beyond(u8),
     /// There should be a value, but it is not a number.
     NoValue,
 }
@@ -27,6 +30,7 @@ impl FaceColour {
             FaceColour::Plain => [0, 0],
             FaceColour::Row(place) => [place, 64],
             FaceColour::Value(texel) => [texel, 127],
+            FaceColour::Beyond(texel) => [texel, 191],
             FaceColour::NoValue => [0, 255],
         }
     }
@@ -36,7 +40,7 @@ impl FaceColour {
 #[derive(Clone, Debug, Default)]
 pub struct Looks {
     /// Per face, or nothing for the plain material.
-    values: Option<(Vec<f32>, f32, f32)>,
+    values: Option<(Vec<f32>, ColourScale)>,
     /// #V, what the values of the faces are the greatest of; nothing where they are not of vertices.
     corners: Option<Vec<f32>>,
     in_bands: bool,
@@ -54,15 +58,14 @@ pub struct Looks {
 }
 
 impl Looks {
-    /// Colours faces by `values` (#F) between `low` and `high`; `None` is the plain material.
+    /// Colours faces by `values` (#F) on a scale; `None` is the plain material.
     ///
     /// # Errors
     /// Another number of values than faces.
     pub fn set_values(
         &mut self,
         values: Option<Vec<f32>>,
-        low: f32,
-        high: f32,
+        scale: ColourScale,
         faces: usize,
     ) -> Result<(), ViewError> {
         if let Some(values) = &values
@@ -71,7 +74,7 @@ impl Looks {
             let got = values.len();
             return Err(ViewError::Length { what: "face values", got, expected: faces });
         }
-        self.values = values.map(|v| (v, low, high));
+        self.values = values.map(|values| (values, scale));
         self.part();
         Ok(())
     }
@@ -109,7 +112,7 @@ impl Looks {
 
     fn part(&mut self) {
         let range = self.values.as_ref().filter(|_| self.in_bands);
-        self.bands = range.and_then(|&(_, low, high)| Bands::new(low, high));
+        self.bands = range.and_then(|&(_, scale)| Bands::new(scale));
     }
 
     /// The bands that values are shown in, if they are.
@@ -119,8 +122,11 @@ impl Looks {
 
     /// The band of a face, where faces are in bands as a whole.
     pub fn band_of(&self, face: u32) -> Option<usize> {
-        let (values, ..) = self.values.as_ref().filter(|_| self.corners.is_none())?;
-        self.bands.as_ref()?.band(values[face as usize])
+        let (values, scale) = self.values.as_ref().filter(|_| self.corners.is_none())?;
+        let value = values[face as usize];
+        let bands = self.bands.as_ref()?;
+        // What is within the tolerance is a band of its own, after the others.
+        if scale.is_within(value) { Some(bands.texels.len()) } else { bands.band(value) }
     }
 
     /// Where bands go through the faces, the range in steps from a limit.
@@ -137,9 +143,32 @@ impl Looks {
         }
     }
 
+    /// The tolerance in the steps of [`Looks::corner_steps`]; zero where there is none.
+    pub fn tolerance_in_steps(&self) -> f32 {
+        let scale = self.values.as_ref().map(|(_, scale)| scale);
+        let tolerance = scale.and_then(|scale| scale.tolerance);
+        match (self.corner_steps(), &self.bands, tolerance) {
+            (Some(_), Some(bands), Some(tolerance)) => bands.in_steps(tolerance),
+            _ => 0.0,
+        }
+    }
+
     /// Whether faces are coloured by values.
     pub fn has_values(&self) -> bool {
         self.values.is_some()
+    }
+
+    /// Whether all faces have colours of values; with a tolerance, only those beyond it have.
+    pub fn has_full_map(&self) -> bool {
+        self.has_values() && self.map() == ColourMap::Full
+    }
+
+    /// The map of the values.
+    pub fn map(&self) -> ColourMap {
+        match &self.values {
+            Some((_, ColourScale { tolerance: Some(_), .. })) => ColourMap::Beyond,
+            _ => ColourMap::Full,
+        }
     }
 
     /// Marks vertices and faces as selected, and no others.
@@ -189,13 +218,18 @@ impl Looks {
 
     /// What the colour of a face stands for.
     pub fn colour_of(&self, face: usize) -> FaceColour {
-        if let Some((values, low, high)) = &self.values {
+        if let Some((values, scale)) = &self.values {
             let value = values[face];
             let texel = match &self.bands {
                 Some(bands) => bands.band(value).map(|band| bands.texels[band]),
-                None => texel(value, *low, *high),
+                None => scale.part(value).map(texel),
             };
-            return texel.map_or(FaceColour::NoValue, FaceColour::Value);
+            return match texel {
+                None => FaceColour::NoValue,
+                Some(_) if scale.is_within(value) => FaceColour::Plain,
+                Some(texel) if scale.tolerance.is_some() => FaceColour::Beyond(texel),
+                Some(texel) => FaceColour::Value(texel),
+            };
         }
         match self.rows.faces.get(face) {
             None | Some(0) => FaceColour::Plain,
@@ -223,21 +257,45 @@ impl Looks {
 mod tests {
     use super::*;
 
+    const UNIT: ColourScale =
+        ColourScale { low: 0.0, high: 1.0, tolerance: None, logarithmic: false };
+
+    #[test]
+    fn within_the_tolerance_faces_keep_the_material() {
+        let mut looks = Looks::default();
+        let scale = ColourScale { low: 0.2, tolerance: Some(0.2), ..UNIT };
+        looks.set_values(Some(vec![0.1, 0.2, 0.21, 1.0, f32::NAN]), scale, 5).unwrap();
+        let colours = [0, 1, 2, 3, 4].map(|face| looks.colour_of(face));
+        assert_eq!(colours[..2], [FaceColour::Plain, FaceColour::Plain]);
+        assert_eq!(colours[3..], [FaceColour::Beyond(255), FaceColour::NoValue]);
+        assert!(matches!(colours[2], FaceColour::Beyond(_)));
+        assert!(looks.has_values() && !looks.has_full_map());
+        assert_eq!(looks.bytes(5)[12..14], [255, 191]);
+        // A line parts what is within from the first band beyond.
+        looks.set_in_bands(true);
+        assert_eq!(looks.band_of(0), looks.band_of(1));
+        assert_ne!(looks.band_of(1), looks.band_of(2));
+        assert_eq!(looks.colour_of(1), FaceColour::Plain);
+        looks.set_corners(Some(vec![0.2]), 1).unwrap();
+        assert_eq!(looks.tolerance_in_steps(), looks.corner_in_steps(0));
+    }
+
     #[test]
     fn values_and_marks_end_in_their_bytes() {
         let mut looks = Looks::default();
-        looks.set_values(Some(vec![0.0, f32::NAN, 1.0]), 0.0, 1.0, 3).unwrap();
+        looks.set_values(Some(vec![0.0, f32::NAN, 1.0]), UNIT, 3).unwrap();
         looks.select(vec![], vec![2], (0, 3)).unwrap();
         looks.tint(vec![], vec![0], (0, 3)).unwrap();
         assert_eq!(looks.bytes(3), [0, 127, 0, 255, 0, 255, 0, 0, 255, 127, 255, 0]);
-        looks.set_values(None, 0.0, 1.0, 3).unwrap();
+        looks.set_values(None, UNIT, 3).unwrap();
         assert_eq!(looks.bytes(3)[..4], [0, 0, 0, 255]);
     }
 
     #[test]
     fn in_bands_values_of_one_band_look_alike() {
         let mut looks = Looks::default();
-        looks.set_values(Some(vec![0.1, 1.9, 2.1, f32::NAN]), 0.0, 10.0, 4).unwrap();
+        let to_ten = ColourScale::linear(0.0, 10.0);
+        looks.set_values(Some(vec![0.1, 1.9, 2.1, f32::NAN]), to_ten, 4).unwrap();
         assert_ne!(looks.colour_of(0), looks.colour_of(1));
         looks.set_in_bands(true);
         assert_eq!(looks.colour_of(0), looks.colour_of(1));
@@ -258,14 +316,14 @@ mod tests {
         let rows = RowColours::new(vec![0, 2], vec![], &[0.5; 6], (3, 2)).unwrap();
         let mut looks = Looks { rows, ..Looks::default() };
         assert_eq!(looks.bytes(2), [0, 0, 0, 0, 2, 64, 0, 0]);
-        looks.set_values(Some(vec![0.0, 1.0]), 0.0, 1.0, 2).unwrap();
+        looks.set_values(Some(vec![0.0, 1.0]), UNIT, 2).unwrap();
         assert_eq!(looks.bytes(2), [0, 127, 0, 0, 255, 127, 0, 0]);
     }
 
     #[test]
     fn marks_on_things_that_do_not_exist_are_refused() {
         let mut looks = Looks::default();
-        assert!(looks.set_values(Some(vec![1.0]), 0.0, 1.0, 2).is_err());
+        assert!(looks.set_values(Some(vec![1.0]), UNIT, 2).is_err());
         assert!(looks.select(vec![4], vec![], (4, 2)).is_err());
         assert!(looks.tint(vec![], vec![2], (4, 2)).is_err());
     }

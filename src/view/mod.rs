@@ -14,7 +14,7 @@
 //! | `camera`, `framing`, `flight` | where it is looked at from, and the way from there to elsewhere |
 //! | `picking`, `ray`, `region`, `depth_map` | what is under the cursor, inside an outline, in front |
 //! | `gizmo`, `gizmo_shape`, `grip` | handles that the pointer takes hold of |
-//! | `looks`, `colour_map`, `bands`, `row_colours`, `light`, `palette` | colours of faces and of all else |
+//! | `looks`, `colour_map`, `colour_scale`, `bands`, `row_colours`, `light`, `palette` | colours of faces and of all else |
 //! | `projections` | where constraints want their vertices |
 //! | `surroundings`, `ground`, `tape`, `scale_bar`, `round_length` | what is about the mesh, and how large it is |
 //! | `flat_map`, `checks`, `split` | two pictures on one canvas |
@@ -34,6 +34,7 @@ pub mod checks;
 #[cfg(target_arch = "wasm32")]
 pub mod circles;
 pub mod colour_map;
+pub mod colour_scale;
 pub mod depth_map;
 #[cfg(target_arch = "wasm32")]
 pub mod device;

@@ -1,6 +1,7 @@
 //! Two pictures of the same mesh on one canvas, seen by the same camera: one left and one right of a
 //! divider. Each shows the shape as it is or the original, with colours of its own (paper Fig. 5).
 
+use super::colour_scale::ColourScale;
 use super::flat_map::Region;
 use super::lists::ViewError;
 use super::stage::Stage;
@@ -110,7 +111,7 @@ impl Side {
     pub fn colour(&mut self, colours: Colours) -> Result<(), ViewError> {
         let (vertices, faces) = self.stage.counts();
         let Colours { values, corners, low, high } = colours;
-        self.stage.looks.set_values(values, low, high, faces)?;
+        self.stage.looks.set_values(values, ColourScale::linear(low, high), faces)?;
         self.stage.looks.set_corners(corners, vertices)?;
         self.stage.changes.looks = true;
         Ok(())

@@ -105,11 +105,11 @@ pub fn spaced(values: impl IntoIterator<Item = impl Display>) -> String {
 }
 
 /// The style sheet of still pictures: the colours and widths of the view's palette. Faces with
-/// values have lighter edges than plain ones.
-pub fn style(has_values: bool) -> String {
+/// a full map of values have lighter edges than plain ones.
+pub fn style(has_full_map: bool) -> String {
     let edge = |palette: &Palette| {
         let mut stroke = palette.strokes[LineKind::Edge as usize];
-        if has_values {
+        if has_full_map {
             stroke.colour = palette.edge_of_values;
         }
         let [r, g, b, a] = stroke.colour;

@@ -2,7 +2,7 @@
 //! because WebGL2 has no storage buffers. Each table is written at once, in whole rows: it is the
 //! number of writes that costs time, not their size.
 
-use super::colour_map;
+use super::colour_map::{ColourMap, TEXELS};
 use super::globals::{NUMBERS, numbers};
 use super::row_colours;
 use super::stage::Stage;
@@ -147,9 +147,11 @@ impl Store {
             usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
             mapped_at_creation: false,
         });
-        let texels = colour_map::TEXELS as u32;
-        let colours = create(device, "colour map", bytes, texels, 3);
-        write(queue, &colours, &colour_map::texels(), texels * 4, [0, texels, 1]);
+        let texels = TEXELS as u32;
+        let colours = create(device, "colour maps", bytes, texels, 4);
+        for (row, map) in [(0, ColourMap::Full), (3, ColourMap::Beyond)] {
+            write(queue, &colours, &map.texels(), texels * 4, [row, texels, 1]);
+        }
         let positions = Table::new(device, "positions", float);
         let vertex_normals = Table::new(device, "vertex normals", float);
         let face_normals = Table::new(device, "face normals", float);
@@ -272,8 +274,8 @@ impl Store {
 
     /// Writes a palette of rows of constraints into a row of the texture of colours.
     fn write_colours(&self, queue: &wgpu::Queue, row: u32, palette: &[[f32; 3]]) {
-        let width = colour_map::TEXELS as u32;
-        let texels = row_colours::texels(palette, colour_map::TEXELS);
+        let width = TEXELS as u32;
+        let texels = row_colours::texels(palette, TEXELS);
         write(queue, &self.colour_map, &texels, width * 4, [row, width, 1]);
     }
 }

@@ -65,7 +65,7 @@ impl<'a> Drawing<'a> {
 
     fn style(&self) -> String {
         let looks = &self.stage.looks;
-        let edge = |palette: &Palette| match looks.has_values() {
+        let edge = |palette: &Palette| match looks.has_full_map() {
             true => palette.edge_of_values,
             false => palette.strokes[LineKind::Edge as usize].colour,
         };
@@ -133,7 +133,7 @@ impl<'a> Drawing<'a> {
     fn coarse(&self, colour: Vec3) -> Vec3 {
         let coarse = |part: f32| (part * self.steps).round() / self.steps;
         let most = colour.max_element();
-        if self.stage.looks.has_values() || most == 0.0 {
+        if self.stage.looks.has_full_map() || most == 0.0 {
             Vec3::from(colour.to_array().map(coarse))
         } else {
             (colour * (coarse(most) / most)).min(Vec3::ONE)

@@ -4,7 +4,8 @@
 //! of the file. What is thrown is an `Error` whose message is one complete line.
 
 use super::{log_panics, thrown};
-use crate::view::colour_map;
+use crate::view::colour_map::ColourMap;
+use crate::view::colour_scale::ColourScale;
 use crate::view::device::{Device, DeviceError};
 use crate::view::flat_map::follow;
 use crate::view::flight::Flight;
@@ -175,7 +176,8 @@ impl View {
         self.stage.set_positions(positions).map_err(thrown)
     }
 
-    /// Colours faces by a value each, from `low` to `high`; NaN is grey; null is the plain material.
+    /// Colours faces by a value each, from `low` to `high`, evenly or by their logarithm; with a
+    /// tolerance, those within it keep the material. NaN is grey; null is the plain material.
     ///
     /// # Errors
     /// Another number of values than faces.
@@ -185,9 +187,13 @@ impl View {
         values: Option<Vec<f32>>,
         low: f32,
         high: f32,
+        tolerance: Option<f32>,
+        logarithmic: Option<bool>,
     ) -> Result<(), JsValue> {
         let (_, faces) = self.stage.counts();
-        self.stage.looks.set_values(values, low, high, faces).map_err(thrown)?;
+        let logarithmic = logarithmic.unwrap_or_default();
+        let scale = ColourScale { low, high, tolerance, logarithmic };
+        self.stage.looks.set_values(values, scale, faces).map_err(thrown)?;
         self.stage.changes.looks = true;
         Ok(())
     }
@@ -195,7 +201,7 @@ impl View {
     /// CSS colours of the map from low to high, for a legend.
     #[wasm_bindgen(js_name = colourStops)]
     pub fn colour_stops(&self, count: usize) -> Vec<String> {
-        colour_map::stops(count)
+        ColourMap::Full.stops(count)
     }
 
     /// Light or dark.

@@ -2,6 +2,7 @@
 
 use super::thrown;
 use super::view::View;
+use crate::view::colour_scale::ColourScale;
 use crate::view::flat_map::{Region, flat_map, show_flipped};
 use glam::Vec2;
 use wasm_bindgen::prelude::*;
@@ -63,7 +64,7 @@ impl View {
         self.stage.checks.per_length = drawn(on_model);
         map.checks.per_length = drawn(on_map);
         let (_, faces) = map.counts();
-        map.looks.set_values(values, low, high, faces).map_err(thrown)?;
+        map.looks.set_values(values, ColourScale::linear(low, high), faces).map_err(thrown)?;
         map.changes.looks = true;
         self.stage.changes.view = true;
         Ok(())

@@ -3,8 +3,8 @@
 use super::thrown;
 use super::view::View;
 use crate::view::bands::Bands;
-use crate::view::colour_map;
 use crate::view::flight::Flight;
+use crate::view::looks::Looks;
 use crate::view::scale_bar::scale_bar;
 use wasm_bindgen::prelude::*;
 
@@ -105,7 +105,8 @@ impl View {
         Ok(())
     }
 
-    /// From one limit of the bands to the next, in the unit of the values; nothing without bands. Of the
+    /// From one limit of the bands to the next, in the unit of the values, or of their logarithm to the
+    /// base 10; nothing without bands. Of the
     /// left (0) or right (1) of two pictures, if a side is given; so in what follows.
     #[wasm_bindgen(js_name = bandStep)]
     pub fn band_step(&self, side: Option<usize>) -> Option<f64> {
@@ -121,12 +122,18 @@ impl View {
     /// CSS colours of what the range is painted with: one for each band, or evenly over the map.
     #[wasm_bindgen(js_name = rampColours)]
     pub fn ramp_colours(&self, side: Option<usize>) -> Vec<String> {
-        self.bands(side).map_or_else(|| colour_map::stops(STOPS), |bands| bands.colours())
+        let looks = self.looks(side);
+        let map = looks.map();
+        looks.bands().map_or_else(|| map.stops(STOPS), |bands| bands.colours(map))
     }
 
     fn bands(&self, side: Option<usize>) -> Option<&Bands> {
+        self.looks(side).bands()
+    }
+
+    fn looks(&self, side: Option<usize>) -> &Looks {
         let split = side.and_then(|side| self.split.as_ref()?.sides.get(side));
-        split.map_or(&self.stage, |side| &side.stage).looks.bands()
+        &split.map_or(&self.stage, |side| &side.stage).looks
     }
 
     /// Spans the measuring tape between two vertices; one is where it begins, none takes it away.

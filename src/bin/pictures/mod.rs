@@ -3,6 +3,7 @@
 use shape_up::scene::Hold;
 use shape_up::session::Session;
 use shape_up::view::camera::Up;
+use shape_up::view::colour_scale::ColourScale;
 use shape_up::view::lists::ViewError;
 use shape_up::view::row_colours::RowColours;
 use shape_up::view::stage::Stage;
@@ -21,8 +22,8 @@ pub(crate) fn stage(session: &Session) -> Result<Stage, ViewError> {
     stage.set_mesh(lists(&mesh.faces), lists(&mesh.curves), positions.as_flattened())?;
 
     let values = values(session);
-    let greatest = greatest(&values);
-    stage.looks.set_values(values, 0.0, greatest, mesh.faces.len())?;
+    let scale = scale(session, greatest(&values));
+    stage.looks.set_values(values, scale, mesh.faces.len())?;
     if !stage.looks.has_values() {
         stage.looks.rows = row_colours(session)?;
     }
@@ -34,6 +35,22 @@ pub(crate) fn stage(session: &Session) -> Result<Stage, ViewError> {
     let targets: Vec<f64> = handles.iter().flat_map(|handle| handle.target).collect();
     stage.set_handles(&vertices, &states, &targets)?;
     Ok(stage)
+}
+
+/// The colours of the page (`www/colouring.js`): up to the tolerance faces keep the material, and the
+/// range ends at a round number from `greatest` on.
+pub(crate) fn scale(session: &Session, greatest: f32) -> ColourScale {
+    let tolerance = session.tolerance() as f32;
+    let high = round_up(greatest.max(2.0 * tolerance));
+    ColourScale { tolerance: Some(tolerance), ..ColourScale::linear(tolerance, high) }
+}
+
+/// As `roundUp` of `www/value-axis.js`.
+fn round_up(value: f32) -> f32 {
+    let power = 10_f64.powi(f64::from(value).log10().floor() as i32);
+    let round = [1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0].map(|round| round * power);
+    let enough = round.into_iter().find(|&round| round >= f64::from(value) * (1.0 - 1e-9));
+    enough.map_or(value, |round| round as f32)
 }
 
 /// The error of each face in the measure of the first row of constraints that has one.

@@ -41,14 +41,14 @@ fn dark_part(place: vec2f, pixel: vec2f) -> f32 {
     return 0.5 - 0.5 * sides.x * sides.y;
 }
 
-// The place on the colour map of the band of a value.
-fn band_colour(value: f32) -> vec3f {
+// The colour of the band of a value, on the map in that row.
+fn band_colour(value: f32, row: u32) -> vec3f {
     let begins = scene.checks.y;
     let ends = scene.checks.z;
     let limit = floor(clamp(value, begins, ends - 1e-4));
     let middle = 0.5 * (max(limit, begins) + min(limit + 1.0, ends));
     let part = (middle - begins) / (ends - begins);
-    return textureLoad(colour_map, vec2u(u32(part * 255.0 + 0.5), 0u), 0).rgb;
+    return textureLoad(colour_map, vec2u(u32(part * 255.0 + 0.5), row), 0).rgb;
 }
 
 // How much of a pixel is on the line of a limit; `change` is how much the value changes there.
@@ -89,15 +89,19 @@ fn lit(in: Corner) -> @location(0) vec4f {
     let modelled = mix(0.74, 1.06, light);
     let place = u32(in.look.x * 255.0 + 0.5);
     var colour = mix(scene.shade.rgb, scene.material.rgb, light);
-    if in.look.y > 0.75 {
+    if in.look.y > 0.875 {
         colour = scene.no_value.rgb * modelled;
     } else if in.look.y > 0.375 {
+        let map = select(0u, 3u, in.look.y > 0.625);
         if scene.checks.z > 0.0 {
             let line = scene.strokes[BAND].colour;
             let covered = on_isoline(in.steps, change) * line.a;
-            colour = mix(band_colour(in.steps) * modelled, line.rgb, covered);
+            // A part of a face that is beyond the tolerance may be within it.
+            let banded = band_colour(in.steps, map) * modelled;
+            colour = mix(banded, colour, select(0.0, 1.0, in.steps < scene.checks.w));
+            colour = mix(colour, line.rgb, covered);
         } else {
-            colour = textureLoad(colour_map, vec2u(place, 0u), 0).rgb * modelled;
+            colour = textureLoad(colour_map, vec2u(place, map), 0).rgb * modelled;
         }
     } else if in.look.y > 0.125 {
         let row = colour_of_row(place);

@@ -36,7 +36,7 @@ struct Scene {
     // Colour of the dark squares of the checkerboard; its opacity is how much is mixed into a face.
     check: vec4f,
     // Squares of the checkerboard along a unit of length, 0 for none; then, where vertices have values
-    // in steps, how many steps from a limit the range begins and ends, else 0; then nothing.
+    // in steps, how many steps from a limit the range begins and ends, and where the tolerance is, else 0.
     checks: vec4f,
     circle: Stroke,
     strokes: array<Stroke, 12>,
@@ -48,8 +48,8 @@ struct Scene {
 @group(0) @binding(2) var vertex_normals: texture_2d<f32>;
 @group(0) @binding(3) var face_normals: texture_2d<f32>;
 @group(0) @binding(4) var face_looks: texture_2d<f32>;
-// Row 0: the map of values. Row 1: the colours of the rows of constraints. Row 2: the same, for
-// projections.
+// Row 0: the full map of values. Row 1: the colours of the rows of constraints. Row 2: the same, for
+// projections. Row 3: the map of values beyond a tolerance.
 @group(0) @binding(5) var colour_map: texture_2d<f32>;
 // Where the vertices are on the checkerboard.
 @group(0) @binding(6) var places: texture_2d<f32>;
