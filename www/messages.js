@@ -287,6 +287,7 @@
  * - `worst`: the worst faces by a measure, or the worst constraints of a row. `flawed`: the elements
  *   with a flaw of a {@link Problem}, or `zero-size-faces`. `results`: what a student hands in.
  * - `verdict`: how many panels are as asked, within a tolerance.
+ * - `remedies`: changes that lower the worst distance, tried on a copy; ends early when something changes.
  * - `mostFaces`: of a mesh that this machine works with at once.
  * - `faceValues`: of a measure, of the current shape or the original. `cornerValues`: those of the
  *   vertices, where they have any. `originalPositions`: where the vertices of the original are. `angles`:
@@ -316,6 +317,7 @@
  *   | { type: "worst", measure: Measure | null, row: number | null, count: number }
  *   | { type: "flawed", flaw: string }
  *   | { type: "verdict", tolerance: number }
+ *   | { type: "remedies" }
  *   | { type: "mostFaces" }
  *   | { type: "results", student: string, time: string }
  *   | { type: "scene" }
@@ -346,6 +348,7 @@
  * @property {WorstElement[]} worst
  * @property {Record<PickMode, Uint32Array>} flawed
  * @property {Verdict | null} verdict null where nothing is asked of the panels
+ * @property {Remedy[]} remedies the greatest help first
  * @property {number} mostFaces
  * @property {string} results
  * @property {Parametrization} parametrize
@@ -361,6 +364,9 @@
  * they are then ("flat"), `worst` the distance of the worst vertex, of the face `worstFace`.
  * @typedef {{ kind: string, adjective: string, panels: number, within: number, worst: number, worstFace: number,
  *   moved: Numbers["moved"] }} Verdict
+ * A change that helps where constraints are not met: what it does, in words, and the worst distance of a
+ * vertex to where its constraints want it when it was tried.
+ * @typedef {{ label: string, edit: Edit, worst: number }} Remedy
  */
 
 /**

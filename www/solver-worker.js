@@ -8,6 +8,7 @@ import init, { Solver } from './pkg/solver/shape_up.js';
 import { cancelExperiment, experimentCsv, runExperiment } from './experiment/worker-part.js';
 import { SLICE_MS, messageOf } from './messages.js';
 import { companionOf, mainOf } from './opened-files.js';
+import { findRemedies, stopTrials } from './remedies.js';
 import { isTrap } from './traps.js';
 import { disturb, mostFaces, warmUpWhenQuiet } from './warm-up.js';
 import { fetchModule } from './worker-loading.js';
@@ -15,6 +16,8 @@ import { fetchModule } from './worker-loading.js';
 /** @typedef {import("./messages.js").ToWorker} ToWorker */
 /** @typedef {import("./messages.js").FromWorker} FromWorker */
 
+/** What makes it useless to try what would help the shape as it is. @type {Set<ToWorker["type"]>} */
+const CHANGES = new Set(['run', 'drag', 'open', 'edit', 'undo', 'redo', 'step', 'halfStep']);
 /** A run sends its scene this often, so that little is lost when the worker dies, in milliseconds. */
 const SCENE_EVERY_MS = 2000;
 
@@ -93,13 +96,20 @@ function live() {
 function receive(message) {
   if (!solver) return;
   disturb();
+  if (CHANGES.has(message.type)) stopTrials();
   if (!('id' in message)) return guard(() => command(message));
-  try {
-    post({ type: 'reply', id: message.id, value: answer(message) });
-  } catch (thrown) {
+  const { id } = message;
+  const refuse = (/** @type {unknown} */ thrown) => {
     if (isTrap(thrown)) die(thrown);
     const path = thrown instanceof Error && 'path' in thrown ? String(thrown.path) : '';
-    post({ type: 'refused', id: message.id, message: messageOf(thrown), path });
+    post({ type: 'refused', id, message: messageOf(thrown), path });
+  };
+  try {
+    const value = answer(message);
+    if (value instanceof Promise) value.then((value) => post({ type: 'reply', id, value }), refuse);
+    else post({ type: 'reply', id, value });
+  } catch (thrown) {
+    refuse(thrown);
   }
 }
 
@@ -181,6 +191,8 @@ function answer(message) {
       return live().flawed(message.flaw);
     case 'verdict':
       return live().verdict(message.tolerance);
+    case 'remedies':
+      return findRemedies(live());
     case 'mostFaces':
       return mostFaces();
     case 'results':

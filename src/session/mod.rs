@@ -28,6 +28,7 @@
 //! | `place` | where constraints may be |
 //! | `preview` | what adding constraints would make |
 //! | `projected` | the projections of the constraints, to be drawn |
+//! | `remedies` | changes that help where constraints are not met |
 //! | `report` | the report of a solved scene |
 //! | `selection` | selecting by what the mesh is like |
 //! | `settings` | the declared settings of a scene |
@@ -59,6 +60,7 @@ mod past;
 mod place;
 mod preview;
 mod projected;
+mod remedies;
 mod report;
 mod resolve;
 mod selection;
@@ -82,6 +84,7 @@ pub use pace::most_faces;
 pub use place::Place;
 pub use preview::Preview;
 pub use projected::Projections;
+pub use remedies::{Remedies, Remedy};
 pub use report::{EnergyReport, Report, Seconds, TraceEntry};
 pub use resolve::ResolvedRow;
 pub use selection::{Mode, OPERATIONS, Operation, SelectRequest, Selection};

@@ -7,6 +7,7 @@
 //! | `shown`, `original`, `report` | what is drawn and told of the session, and of what it was before |
 //! | `selecting`, `lists`, `lesson` | selections and settings, lists of elements, goals |
 //! | `parametrize`, `experiment` | the flat map, the paper's comparisons |
+//! | `remedies` | what would help where constraints are not met |
 //! | `measure`, `warm_up` | what benchmarks ask; what makes the first steps fast |
 //! | `plain` | between Rust and JavaScript |
 //! | `view` | the page's face: the canvas and what is shown on it |
@@ -33,6 +34,8 @@ mod parametrize;
 mod plain;
 #[cfg(feature = "solver")]
 mod reading;
+#[cfg(feature = "solver")]
+pub mod remedies;
 #[cfg(feature = "solver")]
 mod report;
 #[cfg(feature = "solver")]

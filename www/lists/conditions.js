@@ -1,27 +1,18 @@
 /**
- * What is worth saying of a shape beyond its numbers: faces without an area, and a run that ended
- * though its constraints are not met. Said in the place of the messages, once each time.
+ * What is worth saying of a shape beyond its numbers: faces without an area, and how a run ended: within
+ * the tolerance, or solved as far as possible, with changes that help. Said in the place of the
+ * messages, or with the verdict on panels, once each time.
  */
 
 import '../style/lists.css';
-import { element, icon } from '../dom.js';
-import { count, length } from '../format.js';
-import { declared } from '../measures.js';
+import { element, icon, setText } from '../dom.js';
+import { count, length, limit } from '../format.js';
+import { movedInWords } from '../measures.js';
 import { showElements } from './show.js';
 
-/** An error below this part of an edge is not seen, and mostly not built. */
-const PART_OF_EDGE = 1e-3;
 const ZERO_SIZE = 'zero-size-faces';
-
-/**
- * The error that is nothing to speak of: the tolerance, where one is given for lengths.
- * @param {Readonly<import("../state.js").State>} state
- * @param {import("../messages.js").Loaded} model
- */
-function allowed(state, model) {
-  const inLengths = declared(state, state.measure)?.unit === 'length';
-  return inLengths && state.tolerance !== null ? state.tolerance : PART_OF_EDGE * model.meanEdge;
-}
+/** So many changes that help are offered. */
+const MOST_REMEDIES = 3;
 
 /** @param {import("../analysis.js").Parts} parts */
 export function watchConditions(parts) {
@@ -30,6 +21,8 @@ export function watchConditions(parts) {
   document.getElementById('messages')?.append(place);
   /** Faces without an area when they were last counted. */
   let flat = 0;
+  /** What is told now. @type {HTMLElement | null} */
+  let shown = null;
 
   async function lookForFlatFaces() {
     if (!store.get().model?.faces) return;
@@ -44,66 +37,105 @@ export function watchConditions(parts) {
     });
   }
 
-  async function lookForCompromise() {
-    const { document: scene, numbers, model } = store.get();
+  /** Says how a run ended: that all is within the tolerance, or what is worst and what helps. */
+  async function tellVerdict() {
+    const { document: scene, numbers, model, tolerance } = store.get();
     if (!scene || !numbers || !model) return;
-    const errors = scene.constraints.map(({ index, enabled, weight }) =>
-      enabled && weight > 0 ? (numbers.worst[index] ?? 0) : 0,
+    const allowed = tolerance ?? model.tolerance;
+    const isAsked = (/** @type {import("../messages.js").ConstraintRow} */ { enabled, weight }) =>
+      enabled && weight > 0;
+    const errors = scene.constraints.map((row) =>
+      isAsked(row) ? (numbers.worst[row.index] ?? 0) : 0,
     );
     const greatest = Math.max(0, ...errors);
     const hints = document.getElementById('hint-card');
     // Whoever is here for the first time reads one thing at a time.
-    if (greatest <= allowed(store.get(), model) || hints?.hidden === false) return;
+    if (hints?.hidden === false || !scene.constraints.some(isAsked)) return;
+    const most = limit(allowed, scene.units);
+    const moved = movedInWords(store.get());
+    const cost = moved && ` Moved ${moved}.`;
+    if (greatest <= allowed) {
+      if (!cardOfPanels()) tell(`All constraints are met within ${most}.${cost}`);
+      return;
+    }
     const row = scene.constraints[errors.indexOf(greatest)];
     const request = { measure: null, row: row.index, count: 1 };
     const [worst] = await solver.request({ type: 'worst', ...request }).catch(() => []);
-    if (!worst || store.get().document !== scene) return;
-    const { running } = store.get();
-    if (!running) tell(row, worst, scene.units);
+    if (!worst || store.get().document !== scene || store.get().running) return;
+    const far = length(worst.value, scene.units, allowed);
+    const what = `Worst: ${row.label} on ${worst.element}, ${far}; the tolerance is ${most}.`;
+    const group = tell(
+      `Solved as far as possible. ${what}${cost}`,
+      button('Show it', () => showElements(parts, worst)),
+    );
+    const waiting = element('p', { class: 'quiet' }, 'Looking for what would help …');
+    group.append(waiting);
+    const remedies = await solver.request({ type: 'remedies' }).catch(() => []);
+    const helping = remedies
+      .slice(0, MOST_REMEDIES)
+      .map(({ label, edit, worst }) =>
+        button(
+          `${label}: ${length(worst, scene.units, allowed)}`,
+          () => take(edit),
+          'To so much the worst distance went when it was tried',
+        ),
+      );
+    if (helping.length === 0) setText(waiting, 'Nothing that was tried brings it nearer.');
+    else waiting.replaceWith(...helping);
   }
 
+  /** Where the verdict on panels is told, if it is. @returns {HTMLElement | null} */
+  const cardOfPanels = () =>
+    document.querySelector('#make-panels-card[data-shows="verdict"]:not([hidden])');
+
   /**
-   * @param {import("../messages.js").ConstraintRow} row
-   * @param {import("../messages.js").WorstElement} worst
-   * @param {string} units
+   * @param {string} label
+   * @param {() => unknown} action
+   * @param {string} [title]
    */
-  function tell(row, worst, units) {
-    const act = (/** @type {() => unknown} */ action) => () => {
+  function button(label, action, title = '') {
+    const onclick = () => {
       clear();
       action();
     };
-    const button = (/** @type {string} */ label, /** @type {() => unknown} */ action) =>
-      element('button', { type: 'button', class: 'small bordered', onclick: act(action) }, label);
-    place.replaceChildren(
-      element(
-        'div',
-        { class: 'message notice', role: 'group', 'aria-label': 'Compromise' },
-        element(
-          'p',
-          {},
-          `Best compromise reached: not everything can be met at once. Worst: ${row.label} on ${worst.element} (${length(worst.value, units)}).`,
-        ),
-        button('Show it', () => showElements(parts, worst)),
-        button('Lower weight', () => lower(row)),
-        element(
-          'button',
-          { type: 'button', class: 'tiny', 'aria-label': 'Dismiss the compromise', onclick: clear },
-          icon('close'),
-        ),
-      ),
+    const attributes = { type: 'button', class: 'small bordered', title, onclick };
+    return element('button', attributes, label);
+  }
+
+  /**
+   * @param {string} text
+   * @param {...HTMLElement} buttons
+   * @returns {HTMLElement} where more can be added
+   */
+  function tell(text, ...buttons) {
+    const group = element(
+      'div',
+      { class: 'remedies', role: 'group', 'aria-label': 'Verdict' },
+      element('p', {}, text),
+      ...buttons,
     );
+    clear();
+    const card = cardOfPanels();
+    if (card) {
+      card.append(group);
+    } else {
+      group.classList.add('message', 'notice');
+      const cross = { type: 'button', class: 'tiny', 'aria-label': 'Dismiss the verdict' };
+      group.append(element('button', { ...cross, onclick: clear }, icon('close')));
+      place.append(group);
+    }
+    shown = group;
+    return group;
   }
 
   function clear() {
-    place.replaceChildren();
+    shown?.remove();
+    shown = null;
   }
 
-  /** Halves the weight of what is farthest from being met, and goes on. @param {import("../messages.js").ConstraintRow} row */
-  async function lower(row) {
-    const weight = row.weight / 2;
-    const done = await actions.edit({ type: 'setConstraint', index: row.index, weight });
-    if (done === undefined) return;
-    solver.tell({ type: 'run' });
+  /** Makes a change that helps, and goes on. @param {import("../messages.js").Edit} edit */
+  async function take(edit) {
+    if ((await actions.edit(edit)) !== undefined) solver.tell({ type: 'run' });
   }
 
   let wasRunning = false;
@@ -114,14 +146,14 @@ export function watchConditions(parts) {
     wasRunning = running;
     if (!ended) return;
     lookForFlatFaces();
-    if (converged) lookForCompromise();
+    if (converged) tellVerdict();
   });
   solver.addEventListener('model', () => {
     clear();
     flat = 0;
     wasRunning = false;
   });
-  store.subscribe(['document'], clear);
+  store.subscribe(['document', 'tolerance'], clear);
   files.addEventListener('opened', lookForFlatFaces);
   lookForFlatFaces();
 }
