@@ -80,6 +80,7 @@
  * @property {string} words what is measured
  * @property {string} met what is true where the values of all faces are 0
  * @property {"length" | "percent" | "degrees" | "number"} unit
+ * @property {boolean} toleranced whether the tolerance of the model applies to it
  */
 
 export {};

@@ -39,10 +39,11 @@ const LEAST_MM = 0.001;
  * A length with its unit.
  * @param {number} value in units of the mesh
  * @param {string} units
+ * @param {number} [like] the length that decides the unit: errors have that of their tolerance
  * @returns {string}
  */
-export function length(value, units) {
-  const { unit, factor } = lengthUnit(value, units);
+export function length(value, units, like = value) {
+  const { unit, factor } = lengthUnit(like, units);
   const scaled = value * factor;
   if (!unit) return number(scaled);
   if (unit === 'mm' && scaled !== 0 && Math.abs(scaled) < 1) {
@@ -50,6 +51,22 @@ export function length(value, units) {
   }
   return `${number(scaled)} ${unit}`;
 }
+
+/**
+ * A length that somebody chose, such as a tolerance, without digits that say nothing.
+ * @param {number} value in units of the mesh
+ * @param {string} units
+ */
+export function limit(value, units) {
+  const { unit, factor } = lengthUnit(value, units);
+  return `${round(value * factor)} ${unit}`.trim();
+}
+
+/**
+ * As short as it can be written with so many digits as anybody chooses.
+ * @param {number} value
+ */
+export const round = (value) => String(Number(value.toPrecision(6)));
 
 /**
  * A part of a whole, in per cent.

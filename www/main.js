@@ -80,7 +80,7 @@ bindHandleKeys(viewport, store, solver, actions);
 bindViewKeys(viewport);
 showMoved(viewport, store);
 const addConstraint = new AddConstraintDialog(byId('add-constraint'), store, solver, actions);
-const { refit } = colourFaces(store, solver);
+const { fit } = colourFaces(store, solver);
 colourRows(store, solver, actions);
 
 modelPanel(byId('model'), store, actions, () => analysis.bring('log'));
@@ -89,7 +89,7 @@ constraintsPanel(byId('constraints'), store, solver, actions);
 handlesPanel(byId('handles'), store, actions, solver);
 energiesPanel(byId('energies'), store, actions);
 displayPanel(byId('display'), store);
-legend(byId('legend'), store, viewport, refit);
+legend(byId('legend'), store, viewport, fit);
 const hold = new HoldOriginal(store, solver);
 const parts = { store, solver, viewport, files, actions, alerts, hold };
 const analysis = analysisRegion(byId('analysis'), parts);
@@ -182,6 +182,8 @@ function takeUp(client) {
       size: sizeOf(positions),
       document: null,
       numbers: null,
+      tolerance: loaded.tolerance || null,
+      tolerances: {},
       measureChosen: false,
       halfway: false,
       flatMap: null,

@@ -29,9 +29,19 @@ export function roundingOf({ unit }, size) {
 }
 
 /**
+ * What may be off: the tolerance of the model where that applies, else the one that somebody set for
+ * this measure. In its unit; null where there is none.
+ * @param {State} state
+ * @param {FaceMeasure} measure
+ */
+export function toleranceOf({ tolerance, tolerances }, { id, toleranced }) {
+  return toleranced ? tolerance : (tolerances[id] ?? null);
+}
+
+/**
  * The unit in which values of this size are written and entered, and the factor to it.
  * @param {FaceMeasure} measure
- * @param {number} size of the value
+ * @param {number} size of the value; of errors, their tolerance
  * @param {string} units of the mesh
  */
 export function unitOf({ unit }, size, units) {
@@ -43,9 +53,10 @@ export function unitOf({ unit }, size, units) {
  * @param {FaceMeasure} measure
  * @param {number} value
  * @param {string} units of the mesh
+ * @param {number | null} [like] the value that decides the unit: errors have that of their tolerance
  */
-export function valueInWords({ unit }, value, units) {
-  if (unit === 'length') return length(value, units);
+export function valueInWords({ unit }, value, units, like = null) {
+  if (unit === 'length') return length(value, units, like ?? value);
   const sign = SIGNS[unit];
   return sign === '%' ? `${number(value)} ${sign}` : `${number(value)}${sign}`;
 }
@@ -60,6 +71,17 @@ export function worstOf({ numbers, spread }, measure) {
   if (spread?.measure === measure) return spread.greatest;
   const always = /** @type {Record<string, any> | null} */ (numbers)?.[measure];
   return always ? always.max_distance : Math.max(0, ...(numbers?.worst ?? []));
+}
+
+/**
+ * How far the vertices are from where they were: "0.21 m, mean 0.05 m"; empty until something moves.
+ * @param {State} state
+ */
+export function movedInWords({ numbers, document, size }) {
+  if (!numbers?.moved || numbers.moved.max < ROUNDING * size) return '';
+  const { max, mean } = numbers.moved;
+  const units = document?.units ?? '';
+  return `${length(max, units)}, mean ${length(mean, units, max)}`;
 }
 
 /**

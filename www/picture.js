@@ -1,8 +1,9 @@
 /** A picture of the view as PNG, larger than the screen if wanted, with the legend drawn into it. */
 
 import { groupDigits } from './format.js';
-import { declared, valueInWords } from './measures.js';
+import { declared, toleranceOf, valueInWords } from './measures.js';
 import { spreadOf } from './spread.js';
+import { axisOf, placeOn } from './value-axis.js';
 
 /** More pixels than this are too many for common graphics cards, with their samples and depths. */
 const MOST_PIXELS = 36e6;
@@ -81,8 +82,12 @@ function drawLabels(context, labels, scale, dark) {
 function legendsOf(state) {
   if (!state.split) return [[0, state]];
   return state.split.sides.map(({ measure, values, top }, i) => {
-    const spread = values ? spreadOf(measure, values, top, top, null) : null;
-    return [i / 2, { ...state, measure, spread, range: [0, top], tolerance: null }];
+    const spread = values ? spreadOf(measure, values, axisOf(0, top, false), null) : null;
+    const display = { ...state.display, full: true, log: false };
+    return [
+      i / 2,
+      { ...state, measure, spread, display, range: [0, top], tolerance: null, tolerances: {} },
+    ];
   });
 }
 
@@ -95,10 +100,13 @@ function legendsOf(state) {
  * @param {boolean} white
  */
 function drawLegend(context, state, stops, size, white) {
-  const { spread, range, tolerance, document: scene, dark } = state;
+  const { spread, range, document: scene, dark, display } = state;
   const about = declared(state, state.measure);
   if (!about || !spread || spread.measure !== about.id) return;
+  const tolerance = toleranceOf(state, about);
+  const { axis } = spread;
   const units = scene?.units ?? '';
+  const words = (/** @type {number} */ value) => valueInWords(about, value, units, tolerance);
   const bottom = size.height / size.scale - (tolerance === null ? 16 : 28);
   const [left, width] = [16, 212];
   const ink = dark && !white ? '#e6e8e8' : '#1d2123';
@@ -107,9 +115,9 @@ function drawLegend(context, state, stops, size, white) {
   context.font = `12px ${getComputedStyle(document.body).fontFamily}`;
   context.fillStyle = ink;
   context.fillText(about.label, left, foot - tallest - 8);
-  context.fillText('0', left, bottom);
+  context.fillText(axis.log ? words(axis.low) : '0', left, bottom);
   context.textAlign = 'right';
-  context.fillText(valueInWords(about, spread.top, units), left + width, bottom);
+  context.fillText(words(axis.high), left + width, bottom);
 
   const most = Math.max(...spread.counts, 1);
   const bar = width / spread.counts.length;
@@ -118,15 +126,21 @@ function drawLegend(context, state, stops, size, white) {
     context.fillRect(left + i * bar, foot - height, bar - 1, height);
   });
   const ramp = context.createLinearGradient(left, 0, left + width, 0);
-  const [from, to] = range.map((value) => Math.min(1, value / spread.top));
+  const [from, to] = range.map((value) => placeOn(axis, value));
   for (const [at, colour] of stops) ramp.addColorStop(from + (to - from) * at, colour);
   context.fillStyle = ramp;
   context.fillRect(left, foot, width, 10);
   if (tolerance === null) return;
+  const limit = left + placeOn(axis, tolerance) * width;
+  if (!display.full) {
+    context.fillStyle = white
+      ? '#f1efea'
+      : getComputedStyle(document.body).getPropertyValue('--material');
+    context.fillRect(left, foot, limit - left, 10);
+  }
   context.fillStyle = ink;
-  const within = `${groupDigits(spread.within)} of ${groupDigits(spread.faces)} within ${valueInWords(about, tolerance, units)}`;
+  const within = `${groupDigits(spread.within)} of ${groupDigits(spread.faces)} within ${words(tolerance)}`;
   context.textAlign = 'center';
   context.fillText(within, left + width / 2, bottom + 14);
-  if (tolerance > spread.top) return;
-  context.fillRect(left + (tolerance / spread.top) * width - 1, foot - tallest, 2, tallest + 10);
+  if (tolerance <= axis.high) context.fillRect(limit - 1, foot - tallest, 2, tallest + 10);
 }

@@ -52,6 +52,7 @@ export function scriptApi(store, solver, viewport, files) {
         energy: numbers?.energy ?? null,
         planarity: numbers?.planarity ?? null,
         circularity: numbers?.circularity ?? null,
+        moved: numbers?.moved ?? null,
         constraints,
         handles: handlesNow(state),
         selection: {

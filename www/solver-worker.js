@@ -348,6 +348,7 @@ function drag(message) {
 function slice() {
   sliceQueued = false;
   guard(() => {
+    /** @type {import("./messages.js").Collapse | null} */
     let collapsed = null;
     if (move) {
       live().drag(move.vertices, move.targets, 'move');

@@ -5,9 +5,10 @@
 
 import { element, setText } from './dom.js';
 import { groupDigits } from './format.js';
-import { declared, unitOf, valueInWords } from './measures.js';
+import { declared, movedInWords, toleranceOf, unitOf, valueInWords } from './measures.js';
 import { bars, drawBars, drawOutline, outline } from './outline.js';
 import { countsOf, greatestOf } from './spread.js';
+import { axisOf } from './value-axis.js';
 
 /** @typedef {import("./split.js").Choice} Choice */
 
@@ -83,20 +84,23 @@ export class SplitLegend {
     this.#measure.title = about.words;
     this.#shape.value = side.original ? 'original' : 'now';
 
-    drawBars(this.#bars, countsOf(side.values, side.top));
-    const before = side.original || !original ? null : countsOf(original, side.top);
+    const axis = axisOf(0, side.top, false);
+    drawBars(this.#bars, countsOf(side.values, axis));
+    const before = side.original || !original ? null : countsOf(original, axis);
     drawOutline(this.#before, before, Math.max(...(before ?? [])));
-    this.#ramp.style.background = this.#viewport.rampOf([0, 100], this.#side);
+    this.#ramp.style.background = this.#viewport.rampOf([0, 100], { side: this.#side });
 
     const units = state.document?.units ?? '';
     const step = this.#viewport.with((view) => view.bandStep(this.#side));
-    const written = unitOf(about, side.top, units);
+    const like = toleranceOf(state, about);
+    const written = unitOf(about, like ?? side.top, units);
     setText(this.#steps, step ? `steps of ${Number((step * written.factor).toPrecision(3))}` : '');
-    const words = (/** @type {number} */ value) => valueInWords(about, value, units);
+    const words = (/** @type {number} */ value) => valueInWords(about, value, units, like);
     const { mean, faces } = meanOf(side.values);
     const worst = words(greatestOf(side.values));
     setText(this.#top, words(side.top));
-    setText(this.#facts, `mean ${words(mean)}, worst ${worst}`);
+    const moved = side.original ? '' : movedInWords(state);
+    setText(this.#facts, `mean ${words(mean)}, worst ${worst}${moved && ` · moved ${moved}`}`);
     const outlined = before && original ? `; originally up to ${words(greatestOf(original))}` : '';
     this.#histogram.ariaLabel = `${groupDigits(faces)} faces between 0 and ${worst}${outlined}`;
     this.#histogram.title = before ? 'Outline: the original' : '';

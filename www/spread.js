@@ -1,5 +1,7 @@
 /** How the values of the faces are spread: what the legend shows of them. */
 
+import { placeOn } from './value-axis.js';
+
 /** Bars of the histogram. */
 export const BINS = 36;
 
@@ -7,25 +9,25 @@ export const BINS = 36;
  * @typedef {object} Spread
  * @property {import("./messages.js").Measure} measure
  * @property {number} greatest
- * @property {number} top where the last bar ends; the first begins at 0
+ * @property {import("./value-axis.js").Axis} axis of the bars
  * @property {number[]} counts faces per bar, `#bins`
  * @property {number} faces that have a value
  * @property {number} within faces that are within the tolerance; all without one
  * @property {{ counts: number[], greatest: number } | null} original the same bars for the original shape, without
- *   faces beyond the top
+ *   faces beyond the end
  */
 
 /**
  * @param {import("./messages.js").Measure} measure
  * @param {Float32Array} values not a number where a face has none
- * @param {number} least the smallest top
- * @param {number} top of the range of the colours; the bars end there or beyond
+ * @param {import("./value-axis.js").Axis} axis
  * @param {number | null} tolerance
  * @param {Float32Array | null} [original] values of the original shape
  * @returns {Spread}
  */
-export function spreadOf(measure, values, least, top, tolerance, original = null) {
-  const limit = tolerance ?? Infinity;
+export function spreadOf(measure, values, axis, tolerance, original = null) {
+  // As the view compares them.
+  const limit = tolerance === null ? Infinity : Math.fround(tolerance);
   let [greatest, faces, within] = [0, 0, 0];
   for (const value of values) {
     if (Number.isNaN(value)) continue;
@@ -33,28 +35,30 @@ export function spreadOf(measure, values, least, top, tolerance, original = null
     if (value <= limit) within += 1;
     if (value > greatest) greatest = value;
   }
-  const end = Math.max(greatest, top, least);
   return {
     measure,
     greatest,
-    top: end,
-    counts: countsOf(values, end),
+    axis,
+    counts: countsOf(values, axis),
     faces,
     within,
-    original: original && { counts: countsOf(original, end), greatest: greatestOf(original) },
+    original: original && { counts: countsOf(original, axis), greatest: greatestOf(original) },
   };
 }
 
 /**
- * Faces per bar between 0 and `top`, which has its bar; not a number is in none, nor what is beyond.
+ * Faces per bar along an axis; the first and the last bar have what is at the ends, and what is below
+ * the first. Not a number is in none, nor what is beyond the end.
  * @param {Float32Array} values
- * @param {number} top
+ * @param {import("./value-axis.js").Axis} axis
  * @returns {number[]}
  */
-export function countsOf(values, top) {
+export function countsOf(values, axis) {
   const counts = new Array(BINS).fill(0);
+  // What is as great as the end has been rounded.
+  const end = Math.fround(axis.high) * (1 + 1e-6);
   for (const value of values) {
-    if (value <= top) counts[Math.min(BINS - 1, Math.floor((value / top) * BINS))] += 1;
+    if (value <= end) counts[Math.min(BINS - 1, Math.floor(placeOn(axis, value) * BINS))] += 1;
   }
   return counts;
 }

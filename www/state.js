@@ -40,10 +40,13 @@
  * @property {Measure | null} measure what the faces are coloured by
  * @property {boolean} measureChosen somebody chose it since the model was opened
  * @property {[number, number]} range of the colours, in the unit of the measure
+ * @property {OwnRange} ownRange what somebody chose of it
  * @property {import("./spread.js").Spread | null} spread of the values of the faces
- * @property {number | null} tolerance in the unit of the measure
+ * @property {number | null} tolerance of lengths, in the unit of the mesh
+ * @property {Record<Measure, number | null>} tolerances of measures that it does not apply to, in their units
  * @property {{ edges: boolean, vertices: boolean, shapes: boolean, outlines: boolean, arrows: boolean,
- *   ghost: boolean, ground: boolean, bands: boolean, gizmo: boolean }} display
+ *   ghost: boolean, ground: boolean, bands: boolean, full: boolean, log: boolean, gizmo: boolean,
+ *   timings: boolean }} display
  * @property {boolean} parallel projection, instead of perspective
  * @property {number[] | null} tape the ends of the measuring tape that are chosen, while there is one
  * @property {import("./flat-map.js").FlatMap | null} flatMap what is shown beside the model
@@ -55,6 +58,11 @@
  * @property {string} status what happened last, in words
  */
 
+/**
+ * The ends of the range of the colours and of the axis of the legend, where somebody chose them; null
+ * where they follow from the values.
+ * @typedef {{ low: number | null, high: number | null, top: number | null }} OwnRange
+ */
 /** @typedef {"vertices" | "edges" | "faces"} Mode */
 /** Edges by their places in `Connectivity.edges`. @typedef {Record<Mode, ReadonlySet<number>>} Selection */
 /** @typedef {{ vertices: Uint32Array, faces: Uint32Array, colour: [number, number, number] }} Tint */
@@ -103,8 +111,10 @@ const INITIAL = {
   measure: null,
   measureChosen: false,
   range: [0, 0],
+  ownRange: { low: null, high: null, top: null },
   spread: null,
   tolerance: null,
+  tolerances: {},
   display: {
     edges: true,
     vertices: false,
@@ -114,7 +124,10 @@ const INITIAL = {
     ghost: false,
     ground: false,
     bands: false,
+    full: false,
+    log: false,
     gizmo: true,
+    timings: false,
   },
   parallel: false,
   tape: null,

@@ -8,6 +8,7 @@ import { Backend, isBlank, openView } from './backend.js';
 import { removeFirstPicture } from './first-picture.js';
 import { ShapeTransition } from './shape-transition.js';
 import { handlesNow } from './state.js';
+import { declared, toleranceOf } from './measures.js';
 import { messageOf } from './messages.js';
 import { modelErrors, showFlatMap } from './flat-map.js';
 import { showSplit } from './split.js';
@@ -159,13 +160,16 @@ export class Viewport extends EventTarget {
   /**
    * The same as a CSS background.
    * @param {[number, number]} ends of the range, in per cent of the width
-   * @param {number} [side]
+   * @param {{ side?: number, neutral?: number }} [options] of two pictures the side; up to where the
+   *   faces keep the material, in per cent of the width
    */
-  rampOf([from, to], side) {
+  rampOf([from, to], { side, neutral = 0 } = {}) {
     const spaced = this.rampStops(side).map(
       ([at, colour]) => `${colour} ${from + (to - from) * at}%`,
     );
-    return `linear-gradient(to right, ${spaced.join(', ')})`;
+    const ramp = `linear-gradient(to right, ${spaced.join(', ')})`;
+    const material = `linear-gradient(to right, var(--material) ${neutral}%, transparent 0)`;
+    return neutral > 0 ? `${material}, ${ramp}` : ramp;
   }
 
   /**
@@ -321,7 +325,10 @@ export class Viewport extends EventTarget {
       [['selection', 'model'], showSelection],
       [['tint', 'model'], showTint],
       [['rowColours', 'model', 'flatMap'], showRowColours],
-      [['measure', 'range', 'flatMap'], (view, state) => this.#showValues(view, state)],
+      [
+        ['measure', 'range', 'tolerance', 'tolerances', 'display', 'flatMap'],
+        (view, state) => this.#showValues(view, state),
+      ],
       [['flatMap'], showFlatMap],
       [['split'], showSplit],
     ];
@@ -350,7 +357,10 @@ export class Viewport extends EventTarget {
     // Right after another choice, the values are still those of the one before, or have no range.
     const isRanged = geometry?.measure === state.measure && state.spread;
     const values = isRanged ? (heldOriginal ?? geometry)?.values : null;
-    view.setFaceValues(values ?? undefined, state.range[0], state.range[1]);
+    const { full, log } = state.display;
+    const about = declared(state, state.measure);
+    const tolerance = about && !full ? toleranceOf(state, about) : null;
+    view.setFaceValues(values ?? undefined, ...state.range, tolerance ?? undefined, log);
   }
 
   /**

@@ -37,6 +37,9 @@ pub struct FaceMeasure {
     pub met: &'static str,
     /// What it is counted in.
     pub unit: MeasureUnit,
+    /// Whether it is an error that the tolerance of the model applies to: a length that whoever builds
+    /// it has to allow for.
+    pub toleranced: bool,
     #[serde(skip)]
     values: fn(&mut Session, Shape) -> Vec<f64>,
 }
@@ -49,6 +52,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         words: "largest distance of a face’s corners to its best plane",
         met: "each panel is flat",
         unit: MeasureUnit::Length,
+        toleranced: true,
         values: |session, shape| session.measures_of(shape).planarity_distances.clone(),
     },
     FaceMeasure {
@@ -57,6 +61,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         words: "distance between the diagonals of a quad, of their mean length",
         met: "each panel is flat",
         unit: MeasureUnit::Percent,
+        toleranced: false,
         values: diagonals,
     },
     FaceMeasure {
@@ -65,6 +70,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         words: "distance between the diagonals of a quad, of its mean edge",
         met: "each panel is flat",
         unit: MeasureUnit::Percent,
+        toleranced: false,
         values: diagonals_by_edge,
     },
     FaceMeasure {
@@ -73,6 +79,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         words: "largest distance of a face’s corners to its best plane, of its mean edge",
         met: "each panel is flat",
         unit: MeasureUnit::Percent,
+        toleranced: false,
         values: planarity_by_edge,
     },
     FaceMeasure {
@@ -81,6 +88,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         words: "largest distance of a quad’s corner to the plane of the other three",
         met: "each panel is flat",
         unit: MeasureUnit::Length,
+        toleranced: true,
         values: fourth_corners,
     },
     FaceMeasure {
@@ -89,6 +97,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         words: "mean squared distance of a face’s corners to its best plane, in a model of size 1",
         met: "each panel is flat",
         unit: MeasureUnit::Number,
+        toleranced: false,
         values: |session, shape| session.measures_of(shape).e_p.clone(),
     },
     FaceMeasure {
@@ -97,6 +106,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         words: "largest distance of a face’s corners to its best circle",
         met: "the corners of each panel lie on a circle",
         unit: MeasureUnit::Length,
+        toleranced: true,
         values: |session, shape| session.measures_of(shape).circularity_distances.clone(),
     },
     FaceMeasure {
@@ -105,6 +115,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         words: "mean squared distance of a face’s corners to its best circle, in a model of size 1",
         met: "the corners of each panel lie on a circle",
         unit: MeasureUnit::Number,
+        toleranced: false,
         values: |session, shape| session.measures_of(shape).e_c.clone(),
     },
     FaceMeasure {
@@ -113,6 +124,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         words: "largest distance of a face’s corners to where their constraints want them",
         met: "each panel is as its constraints want it",
         unit: MeasureUnit::Length,
+        toleranced: true,
         values: Session::residuals_of,
     },
     FaceMeasure {
@@ -121,6 +133,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         words: "largest change of a face’s edges against the model that was opened",
         met: "each edge is as long as it was",
         unit: MeasureUnit::Percent,
+        toleranced: false,
         values: edge_changes,
     },
     FaceMeasure {
@@ -129,6 +142,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         words: "largest difference of a face’s angles from those of the regular polygon",
         met: "the angles of each panel are equal",
         unit: MeasureUnit::Degrees,
+        toleranced: false,
         values: angles,
     },
     FaceMeasure {
@@ -137,6 +151,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         words: "largest distance of a face’s corners to the surface of the model that was opened",
         met: "each panel lies on the original",
         unit: MeasureUnit::Length,
+        toleranced: false,
         values: surface_distances,
     },
     FaceMeasure {
@@ -145,6 +160,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         words: "how far a face’s corners have moved from where they were in the model, at most",
         met: "each panel is where it was",
         unit: MeasureUnit::Length,
+        toleranced: false,
         values: displacements,
     },
 ];

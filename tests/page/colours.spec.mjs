@@ -25,7 +25,7 @@ test('faces are coloured by what is asked of them, until somebody chooses', asyn
   await openPage(page);
   await showPanel(page, 'Energies and display');
   const colours = page.getByLabel('Colour by');
-  const legend = page.getByText('Refit colours');
+  const legend = page.getByText('Fit range');
   await expect(colours).toHaveValue('circularity');
   await expect(legend).toBeVisible();
   await openExample(page, 'Hypar');
@@ -54,7 +54,7 @@ test('faces are coloured by how far they are from any constraint', async ({ page
   await addConstraint(page, 'Square', 'each face');
   await showPanel(page, 'Energies and display');
   await expect(page.getByLabel('Colour by')).toHaveValue('residual');
-  await expect(page.getByText('Refit colours')).toBeVisible();
+  await expect(page.getByText('Fit range')).toBeVisible();
   await expect.poll(() => worst(page)).toBeGreaterThan(0);
   const before = await worst(page);
   await runToTheEnd(page);
@@ -190,4 +190,100 @@ test('the legend counts the faces within a tolerance', async ({ page }) => {
   await page.getByLabel('Colours to').press('Enter');
   await tolerance.focus();
   await expect(page.getByLabel('Colours to')).toHaveValue('2.50');
+});
+
+/** The ends of the range as the legend has them. */
+const rangeOf = async (page) =>
+  Promise.all(['Colours from', 'Colours to'].map((name) => page.getByLabel(name).inputValue()));
+
+test('choosing a measure again gives the same picture, whatever came between', async ({ page }) => {
+  await openPage(page);
+  await waitForState(page, (now) => now.renderer !== 'none');
+  await runToTheEnd(page);
+  await showPanel(page, 'Energies and display');
+  const colours = page.getByLabel('Colour by');
+  const before = [await rangeOf(page), await middleOfPicture(page)];
+  await page.getByRole('button', { name: 'Fit range' }).click();
+  await expect.poll(() => rangeOf(page)).not.toEqual(before[0]);
+  await colours.selectOption('planarity');
+  await expect(page.locator('#legend')).toContainText('Planarity');
+  await drawn(page);
+  await colours.selectOption('circularity');
+  await expect.poll(() => rangeOf(page)).toEqual(before[0]);
+  expect(differingBytes(await middleOfPicture(page), before[1])).toBe(0);
+  // Full map and back.
+  const full = page.getByLabel('Full map');
+  await full.check();
+  await expect(page.getByLabel('Colours from')).toHaveValue('0');
+  expect(differingBytes(await middleOfPicture(page), before[1])).toBeGreaterThan(2000);
+  await full.uncheck();
+  expect(differingBytes(await middleOfPicture(page), before[1])).toBe(0);
+});
+
+test('the ends of the range are dragged and moved by keys; the scale can be logarithmic', async ({
+  page,
+}) => {
+  await openPage(page);
+  await waitForState(page, (now) => now.renderer !== 'none');
+  const high = page.getByRole('slider', { name: 'High end of the range' });
+  const low = page.getByRole('slider', { name: 'Low end of the range' });
+  await expect(high).toHaveAttribute('aria-valuenow', '100');
+  const automatic = await rangeOf(page);
+  const before = await middleOfPicture(page);
+  await high.focus();
+  await page.keyboard.press('Shift+ArrowLeft');
+  await expect(high).toHaveAttribute('aria-valuenow', '90');
+  expect(differingBytes(await middleOfPicture(page), before)).toBeGreaterThan(500);
+  const { x, y, width, height } = await high.boundingBox();
+  await page.mouse.move(x + width / 2, y + height / 2);
+  await page.mouse.down();
+  await page.mouse.move(x + width / 2 - 80, y + height / 2, { steps: 4 });
+  await page.mouse.up();
+  await expect
+    .poll(async () => Number((await rangeOf(page))[1]))
+    .toBeLessThan(0.8 * Number(automatic[1]));
+  await high.dblclick();
+  await expect.poll(() => rangeOf(page)).toEqual(automatic);
+  await low.focus();
+  await page.keyboard.press('ArrowRight');
+  await expect.poll(() => rangeOf(page)).not.toEqual(automatic);
+  await page.keyboard.press('Delete');
+  await expect.poll(() => rangeOf(page)).toEqual(automatic);
+
+  await page.getByLabel('Log scale').check();
+  expect(differingBytes(await middleOfPicture(page), before)).toBeGreaterThan(500);
+  expect(await rangeOf(page)).toEqual(automatic);
+});
+
+test('errors have one unit, that of the tolerance, beside how far the mesh moved', async ({
+  page,
+}) => {
+  await openPage(page);
+  const scene = {
+    ...{ format: 'shape-up-scene', version: 1, units: 'm', up: 'z' },
+    mesh: { positions: [], faces: [] },
+    constraints: [{ kind: 'plane', on: 'faces' }],
+  };
+  // One face of four is off by much more than a decimetre.
+  for (let i = 0; i < 9; i++)
+    scene.mesh.positions.push([i % 3, Math.floor(i / 3), i === 8 ? 2 : 0]);
+  scene.mesh.faces = [0, 1, 3, 4].map((at) => [at, at + 1, at + 4, at + 3]);
+  await openText(page, 'm.shapeup.json', JSON.stringify(scene), 9);
+  const legend = page.locator('#legend');
+  await expect(page.getByLabel('Tolerance')).toHaveValue('1');
+  await expect(page.getByTitle('Faces within the tolerance')).toHaveText('3 of 4');
+  await expect(legend).toContainText(/Worst 398 mm/);
+  await expect(page.getByTitle('Planarity: ').first()).toHaveText(/398 mm$/);
+  await showPanel(page, 'Model');
+  const row = page.getByRole('list', { name: 'Constraints' }).getByRole('listitem');
+  await expect(row).toContainText(/worst \d+ mm/);
+  await expect(row).toContainText('beyond 1 mm');
+  await expect(legend).not.toContainText('Moved');
+  await runToTheEnd(page);
+  await expect(legend).toContainText(/Moved \d.* m, mean \d/);
+  await expect(page.locator('#numbers')).toContainText(/moved\d.* m, mean/);
+  // Another measure keeps the tolerance.
+  await page.getByLabel('Tolerance').fill('200');
+  await page.getByLabel('Tolerance').press('Enter');
+  await expect(legend).toContainText(/Worst 0\.\d+ m/);
 });

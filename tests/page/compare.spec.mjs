@@ -142,7 +142,7 @@ test('both sides have bands, ghost and ground as the one picture has, and so has
   expect(onTop).toBe(false);
 
   // Isolines, through the faces, are on the side that has moved.
-  await sides[1].getByLabel('coloured by').selectOption({ label: 'Displacement' });
+  await sides[1].getByLabel('coloured by').selectOption({ label: 'Moved' });
   const isolines = await picture(page);
   expect(differing(before, isolines, [0.02, 0.45])).toBe(0);
   expect(differing(before, isolines, [0.55, 0.98])).toBeGreaterThan(1000);
@@ -167,9 +167,9 @@ function coloursAcross({ width, height, channels, pixels }, part) {
 test('the original is outlined in the legend', async ({ page }) => {
   await openExample(page, 'fig-04-squares', 384);
   const bars = page.getByRole('img', { name: /^384 faces between/ });
-  await expect(bars).toHaveAccessibleName(/^384 faces between 0 and [\d.]+ m$/);
+  await expect(bars).toHaveAccessibleName(/^384 faces between 0 and [\d.]+ mm$/);
   await page.getByRole('button', { name: 'Step' }).click();
-  await expect(bars).toHaveAccessibleName(/; originally up to 0\.387 m$/);
+  await expect(bars).toHaveAccessibleName(/; originally up to 387 mm$/);
   await expect(bars.locator('.outline')).toBeVisible();
 });
 

@@ -87,8 +87,10 @@ test('the worst elements are a table that selects, by keyboard too', async ({ pa
   const before = (await state(page)).planarity.max_distance;
   await runToTheEnd(page);
   await showPanel(page, 'Energies and display');
-  const worst = () => table.getByRole('row').nth(1).getByRole('cell').last().innerText();
-  await expect.poll(async () => Number.parseFloat(await worst())).toBeLessThan(before / 10);
+  const cell = table.getByRole('row').nth(1).getByRole('cell').last();
+  await expect(cell).toHaveText(/ mm$/);
+  const metres = async () => Number.parseFloat(await cell.innerText()) / 1000;
+  await expect.poll(metres).toBeLessThan(before / 10);
 });
 
 test('the log has the report of the file, and selects what a problem is about', async ({
@@ -140,14 +142,14 @@ test('a run says whether all is within the tolerance, or what is worst and what 
     await page.getByLabel('Tolerance').fill(value);
     await page.getByLabel('Tolerance').press('Enter');
   };
-  await within('0.5');
+  await within('50');
   await runToTheEnd(page);
   const verdict = page.getByRole('group', { name: 'Verdict' });
-  await expect(verdict).toContainText('All constraints are met within 0.5. Moved ');
-  await expect(row).toContainText('within 0.5');
+  await expect(verdict).toContainText('All constraints are met within 50 mm. Moved ');
+  await expect(row).toContainText('within 50 mm');
   await within('0');
   await expect(verdict).toBeHidden();
-  await expect(row).toContainText('beyond 0');
+  await expect(row).toContainText('beyond 0 ');
 
   // Four corners of a face are held where no plane has them.
   const text = await sceneOf(page);

@@ -34,12 +34,14 @@ test('colours, their legend in bands, and how many faces are within a tolerance'
   await page.getByRole('button', { name: 'That is right' }).click();
   await addConstraint(page, 'Plane', 'each face');
   await runToTheEnd(page);
+  // It lies over the legend as well.
+  await page.getByRole('button', { name: 'Dismiss the verdict' }).click();
   await showPanel(page, SHEET);
   await page.getByLabel('Colour by').selectOption({ label: 'Edge length change' });
   await hidePanels(page);
   const legend = page.locator('#legend');
   await expect(legend).toContainText('Edge length change');
-  await page.getByRole('button', { name: 'Refit colours' }).click();
+  await page.getByRole('button', { name: 'Fit range' }).click();
   await drawn(page);
   const smooth = await coloursOfView(page);
   await showPanel(page, SHEET);

@@ -185,12 +185,12 @@ test('values in bands: steps in the legend, and isolines where vertices have val
   await showPanel(page, 'Energies and display');
   const legend = page.locator('#legend');
   const bands = page.getByLabel('Colours in bands');
-  for (const measure of ['Edge length change', 'Displacement']) {
+  for (const measure of ['Edge length change', 'Moved']) {
     await page.getByLabel('Colour by').selectOption({ label: measure });
     await bands.uncheck();
     await expect(legend).toContainText(measure);
     await expect(legend).not.toContainText('steps of');
-    await page.getByRole('button', { name: 'Refit colours' }).click();
+    await page.getByRole('button', { name: 'Fit range' }).click();
     const smooth = await middleOfPicture(page);
     await bands.check();
     await expect(legend).toContainText('steps of');

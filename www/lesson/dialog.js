@@ -3,7 +3,7 @@
 import '../style/keeping.css';
 import '../style/lesson.css';
 import { element, icon, setText } from '../dom.js';
-import { declared, measureOfScene } from '../measures.js';
+import { declared, measureOfScene, toleranceOf } from '../measures.js';
 import { messageOf } from '../messages.js';
 
 const UNITS = { percent: '%', degrees: '°', number: '' };
@@ -98,11 +98,13 @@ export function write(parts) {
     },
     'Add goal',
   );
-  const first = `measure ${declared(state, state.measure ?? measureOfScene(state))?.id ?? ''}`;
+  const asked = declared(state, state.measure ?? measureOfScene(state));
+  const first = `measure ${asked?.id ?? ''}`;
   for (const { measure, label, atMost } of scene.lesson?.goals ?? []) {
     addGoal(measure ? `measure ${measure}` : `constraint ${label}`, atMost);
   }
-  if (goals.length === 0 && about.length > 0) addGoal(first, state.tolerance);
+  if (goals.length === 0 && about.length > 0)
+    addGoal(first, asked ? toleranceOf(state, asked) : null);
 
   /** Makes the scene this lesson, as one step of undo; then gives it on. @param {(() => unknown)} [then] */
   async function keep(then) {

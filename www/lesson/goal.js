@@ -10,7 +10,7 @@ import { valueInWords } from '../measures.js';
  * @returns {import("../messages.js").FaceMeasure}
  */
 export function measureOf({ measure, label, words, unit }) {
-  return { id: measure ?? '', label, words, unit, met: '' };
+  return { id: measure ?? '', label, words, unit, met: '', toleranced: unit === 'length' };
 }
 
 /**

@@ -6,7 +6,14 @@
 import '../style/lists.css';
 import { element, setText, throttled } from '../dom.js';
 import { length } from '../format.js';
-import { declared, measureOfScene, roundingOf, valueInWords } from '../measures.js';
+import {
+  declared,
+  measureOfScene,
+  movedInWords,
+  roundingOf,
+  toleranceOf,
+  valueInWords,
+} from '../measures.js';
 import { lengthOrNothing } from '../rounding.js';
 import { showElements } from './show.js';
 
@@ -112,25 +119,29 @@ export function worstElements(panel, parts) {
    * @param {import("../messages.js").FaceMeasure | undefined} about none for a constraint
    */
   function fill(found, about) {
-    const { document, size } = store.get();
+    const state = store.get();
+    const { document, size } = state;
     const units = document?.units ?? '';
+    const tolerance = about ? toleranceOf(state, about) : state.tolerance;
+    const moved = movedInWords(state);
     shown = found;
-    setText(
-      words,
-      found.length === 0
-        ? 'Nothing is asked of this mesh, or nothing has a value.'
-        : about
-          ? `The ${about.words}.`
-          : 'The largest distance of a vertex to where the constraint wants it.',
-    );
+    const what = about?.words ?? 'largest distance of a vertex to where the constraint wants it';
+    const nothing = 'Nothing is asked of this mesh, or nothing has a value.';
+    const said = `The ${what}.${moved && ` Moved ${moved}.`}`;
+    setText(words, found.length === 0 ? nothing : said);
     table.hidden = found.length === 0;
     rows.forEach(({ line, button, constraint, value }, index) => {
       const worst = found[index];
       line.hidden = !worst;
       if (!worst) return;
       const text = about
-        ? valueInWords(about, worst.value < roundingOf(about, size) ? 0 : worst.value, units)
-        : length(lengthOrNothing(worst.value, size), units);
+        ? valueInWords(
+            about,
+            worst.value < roundingOf(about, size) ? 0 : worst.value,
+            units,
+            tolerance,
+          )
+        : length(lengthOrNothing(worst.value, size), units, tolerance ?? worst.value);
       setText(button, worst.element);
       setText(value, text);
       setText(constraint, [worst.constraint, ...worst.groups].filter(Boolean).join(' · ') || '–');
@@ -143,5 +154,5 @@ export function worstElements(panel, parts) {
     if (inSight) ask();
   }).observe(panel);
   store.subscribe(['document', 'measure', 'model'], offer);
-  store.subscribe(['numbers', 'running'], () => ask());
+  store.subscribe(['numbers', 'running', 'tolerance', 'tolerances'], () => ask());
 }

@@ -3,8 +3,9 @@
  * being typed into is not taken away by a frame.
  */
 
-import { RENEW_MS, element, icon, setText, throttled } from '../dom.js';
-import { groupDigits, length, part } from '../format.js';
+import { RENEW_MS, element, icon, setAttribute, setText, throttled } from '../dom.js';
+import { groupDigits, length, limit, part } from '../format.js';
+import { movedInWords } from '../measures.js';
 import { valueInWords } from '../parameter-forms.js';
 import { Parameters } from '../parameters.js';
 import { energyOrNothing, lengthOrNothing } from '../rounding.js';
@@ -26,7 +27,13 @@ export function constraintsPanel(place, store, solver, actions) {
   /** @type {HTMLElement[]} */
   let worstCells = [];
   /** @type {HTMLElement[]} */
+  let withinCells = [];
+  /** @type {HTMLElement[]} */
   let shareCells = [];
+  const moved = element('p', {
+    class: 'quiet',
+    title: 'How far the vertices are from where they were',
+  });
   /** The row that just got a name: it has the focus again. @type {number | null} */
   let renamed = null;
   /** The rows that are on the page. */
@@ -158,6 +165,8 @@ export function constraintsPanel(place, store, solver, actions) {
     const share = element('span', { class: 'share figure', title: 'Its part of the total energy' });
     shareCells.push(share);
     worstCells.push(worst);
+    const within = element('span');
+    withinCells.push(within);
     const skipped = row.skipped > 0 ? `, ${groupDigits(row.skipped)} skipped` : '';
     const details = detailsOf(row, name, () => rename());
     details.hidden = !open.has(key);
@@ -221,7 +230,7 @@ export function constraintsPanel(place, store, solver, actions) {
         ),
         share,
       ),
-      element('span', { class: 'measures' }, element('label', {}, 'weight', weight), worst),
+      element('span', { class: 'measures' }, element('label', {}, 'weight', weight), worst, within),
       details,
     );
   }
@@ -238,13 +247,22 @@ export function constraintsPanel(place, store, solver, actions) {
   }
 
   const showNumbers = throttled(RENEW_MS, () => {
-    const { numbers, document, size } = store.get();
+    const { numbers, document, size, tolerance } = store.get();
+    const way = movedInWords(store.get());
+    setText(moved, way && `Moved ${way}`);
+    moved.hidden = !way;
     document?.constraints.forEach((row, i) => {
       const value = numbers?.worst[i];
       if (!worstCells[i]) return;
       const known = row.enabled && value !== undefined;
-      const text = known ? `worst ${length(lengthOrNothing(value, size), document.units)}` : '';
-      setText(worstCells[i], text);
+      const words = (/** @type {number} */ far) => length(far, document.units, tolerance ?? far);
+      setText(worstCells[i], known ? `worst ${words(lengthOrNothing(value, size))}` : '');
+      const isWithin = known && tolerance !== null && value <= tolerance;
+      const isBeyond = known && tolerance !== null && !isWithin;
+      const allowed = limit(tolerance ?? 0, document.units);
+      const side = isWithin ? 'within' : 'beyond';
+      setText(withinCells[i], isWithin || isBeyond ? `${side} ${allowed}` : '');
+      setAttribute(withinCells[i], 'class', isWithin ? 'within met' : 'within');
       const some = known && numbers && energyOrNothing(numbers.energy.total, size) > 0;
       setText(shareCells[i], some ? `${part(numbers.shares[i])} of energy` : '');
     });
@@ -256,6 +274,7 @@ export function constraintsPanel(place, store, solver, actions) {
     if (rows === shown) return;
     shown = rows;
     worstCells = [];
+    withinCells = [];
     shareCells = [];
     untint();
     const focused = focusedField(place);
@@ -267,6 +286,7 @@ export function constraintsPanel(place, store, solver, actions) {
             { class: 'quiet' },
             'Nothing is asked of this mesh yet. Add a constraint, then press Run.',
           ),
+      moved,
     );
     if (focused) {
       /** @type {HTMLElement | null} */
@@ -280,7 +300,7 @@ export function constraintsPanel(place, store, solver, actions) {
     renamed = null;
     showNumbers();
   });
-  store.subscribe(['numbers'], showNumbers);
+  store.subscribe(['numbers', 'tolerance'], showNumbers);
 }
 
 /**

@@ -44,7 +44,10 @@ export function displayPanel(place, store) {
       toggle('ghost', 'Original ghost'),
       toggle('ground', 'Ground grid'),
       toggle('bands', 'Colours in bands'),
+      toggle('full', 'Full colour map'),
+      toggle('log', 'Logarithmic scale'),
       toggle('gizmo', 'Gizmo'),
+      toggle('timings', 'Timings'),
     ),
   );
   store.subscribe(['measure', 'measures'], ({ measure, measures }) => {

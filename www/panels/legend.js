@@ -1,21 +1,23 @@
 /**
- * The legend of the faces' colours: a histogram of their values over the ramp, the ends of the
- * range, and how many faces are within a tolerance.
+ * The legend of the faces' colours: a histogram of their values over the ramp, the ends of the range,
+ * which can be dragged or entered, how many faces are within the tolerance, and how far the mesh moved.
  */
 
 import { element, setAttribute, setText } from '../dom.js';
-import { groupDigits, number } from '../format.js';
-import { declared, unitOf, valueInWords } from '../measures.js';
+import { groupDigits, number, round } from '../format.js';
+import { declared, movedInWords, toleranceOf, unitOf, valueInWords } from '../measures.js';
 import { bars, drawBars, drawOutline, outline } from '../outline.js';
 import { isDrawn } from '../state.js';
+import { placeOn } from '../value-axis.js';
+import { rangeEnd } from './range-end.js';
 
 /**
  * @param {HTMLElement} place
  * @param {import("../state.js").Store} store
  * @param {import("../viewport.js").Viewport} viewport
- * @param {() => void} refit
+ * @param {() => void} fit
  */
-export function legend(place, store, viewport, refit) {
+export function legend(place, store, viewport, fit) {
   const title = element('span');
   const now = bars();
   const before = outline();
@@ -27,22 +29,26 @@ export function legend(place, store, viewport, refit) {
   );
   const tick = element('div', { class: 'tick' });
   const ramp = element('div', { class: 'ramp' }, tick);
+  const ends = [rangeEnd('low', ramp, store), rangeEnd('high', ramp, store)];
   const unit = element('span', { class: 'unit' });
   const toleranceUnit = element('span');
   const within = element('span', { class: 'within', title: 'Faces within the tolerance' });
-  const low = field('Colours from', ([, high], value) => [Math.min(value, high), high]);
-  const high = field('Colours to', ([low], value) => [Math.min(low, value), value]);
+  const facts = element('p', { class: 'quiet facts' });
+  const low = field('Colours from', 'low');
+  const high = field('Colours to', 'high');
   const tolerance = element('input', {
     type: 'text',
     inputMode: 'decimal',
     'aria-label': 'Tolerance',
     placeholder: 'none',
     onchange: () => {
-      const value = Number.parseFloat(tolerance.value.replace(',', '.'));
-      store.set({ tolerance: value >= 0 ? value / fineUnit().factor : null });
+      const value = numberIn(tolerance);
+      setTolerance(value === null ? null : value / unitNow().factor);
     },
     onblur: () => show(),
   });
+  const full = toggle('full', 'Full map', 'Colours for values within the tolerance, too');
+  const log = toggle('log', 'Log scale', 'Equal factors are equal steps');
   place.replaceChildren(
     element(
       'div',
@@ -52,10 +58,10 @@ export function legend(place, store, viewport, refit) {
         'button',
         {
           type: 'button',
-          title: 'Take the range of the colours from the shape as it is',
-          onclick: refit,
+          title: 'End the range at the worst face of the shape as it is',
+          onclick: fit,
         },
-        'Refit colours',
+        'Fit range',
       ),
     ),
     histogram,
@@ -64,47 +70,66 @@ export function legend(place, store, viewport, refit) {
     element(
       'div',
       { class: 'ends' },
-      element('label', {}, 'tolerance', tolerance, toleranceUnit),
+      element('label', {}, 'Tolerance', tolerance, toleranceUnit),
       within,
     ),
+    facts,
+    element('div', { class: 'ends switches' }, full.label, log.label),
   );
 
-  /** From the measure's unit to the one in which its values are written. */
-  function factor() {
-    const { spread, document } = store.get();
-    const about = declared(store.get(), spread?.measure ?? null);
-    return about && spread ? unitOf(about, spread.top, document?.units ?? '').factor : 1;
+  /** The unit of all values of the measure: that of its tolerance, or of its greatest value. */
+  function unitNow() {
+    const state = store.get();
+    const about = declared(state, state.measure);
+    const size = (about && toleranceOf(state, about)) ?? state.spread?.axis.high ?? 0;
+    return about ? unitOf(about, size, state.document?.units ?? '') : { unit: '', factor: 1 };
   }
 
-  /** What is small enough to be a tolerance is written in it. */
-  function fineUnit() {
-    const about = declared(store.get(), store.get().measure);
-    const units = store.get().document?.units ?? '';
-    return about ? unitOf(about, 0, units) : { unit: '', factor: 1 };
+  /** @param {number | null} value */
+  function setTolerance(value) {
+    const state = store.get();
+    const about = declared(state, state.measure);
+    if (about?.toleranced) store.set({ tolerance: value });
+    else if (about) store.set({ tolerances: { ...state.tolerances, [about.id]: value } });
   }
 
   /**
-   * An end of the range.
+   * An end of the range: empty, it follows from the values again.
    * @param {string} name
-   * @param {(range: [number, number], value: number) => [number, number]} change
+   * @param {"low" | "high"} end
    */
-  function field(name, change) {
+  function field(name, end) {
     const input = element('input', {
       type: 'text',
       inputMode: 'decimal',
       'aria-label': name,
       onchange: () => {
-        const value = Number.parseFloat(input.value.replace(',', '.'));
-        if (value >= 0) store.set({ range: change(store.get().range, value / factor()) });
+        const value = numberIn(input);
+        const { ownRange } = store.get();
+        const entered = value === null ? null : value / unitNow().factor;
+        store.set({ ownRange: { ...ownRange, [end]: entered, top: null } });
       },
       onblur: () => show(),
     });
     return input;
   }
 
+  /**
+   * @param {"full" | "log"} key
+   * @param {string} label
+   * @param {string} words
+   */
+  function toggle(key, label, words) {
+    const box = element('input', {
+      type: 'checkbox',
+      onchange: () => store.set({ display: { ...store.get().display, [key]: box.checked } }),
+    });
+    return { box, label: element('label', { title: words }, box, label) };
+  }
+
   function show() {
     const state = store.get();
-    const { measure, range, spread, document, model, flatMap, split } = state;
+    const { measure, range, spread, document, model, flatMap, split, display } = state;
     const about = declared(state, measure);
     // A flat map has colours and a legend of its own, and so have two pictures.
     const isShown = about && !flatMap && !split && model?.faces;
@@ -112,35 +137,41 @@ export function legend(place, store, viewport, refit) {
     if (!about || place.hidden) return;
     setText(title, about.label);
     setAttribute(title, 'title', about.words);
+    full.box.checked = display.full;
+    log.box.checked = display.log;
     if (!spread) return;
+    const allowed = toleranceOf(state, about);
+    full.label.hidden = allowed === null;
     const units = document?.units ?? '';
-    const written = unitOf(about, spread.top, units);
-    const step = viewport.unmeasured((view) => view.bandStep());
-    const steps = step && `steps of ${Number((step * written.factor).toPrecision(3))} `;
-    setText(unit, `${steps ?? ''}${written.unit}`);
-    const fine = fineUnit();
-    setText(toleranceUnit, fine.unit);
-    for (const [input, value, factor] of /** @type {const} */ ([
-      [low, range[0], written.factor],
-      [high, range[1], written.factor],
-      [tolerance, state.tolerance, fine.factor],
+    const { unit: sign, factor } = unitNow();
+    const step = display.log ? null : viewport.unmeasured((view) => view.bandStep());
+    const steps = step && `steps of ${Number((step * factor).toPrecision(3))} `;
+    setText(unit, `${steps ?? ''}${sign}`);
+    setText(toleranceUnit, sign);
+    for (const [input, text] of /** @type {const} */ ([
+      [low, number(range[0] * factor)],
+      [high, number(range[1] * factor)],
+      [tolerance, allowed === null ? '' : round(allowed * factor)],
     ])) {
       if (input === globalThis.document.activeElement) continue;
-      const text = value === null ? '' : number(value * factor);
       if (input.value !== text) input.value = text;
     }
 
-    const [from, to] = range.map((value) => (100 * value) / spread.top);
-    ramp.style.background = viewport.rampOf([from, to]);
+    const { axis } = spread;
+    const [from, to] = range.map((value) => 100 * placeOn(axis, value));
+    const neutral = allowed === null || display.full ? 0 : 100 * placeOn(axis, allowed);
+    ramp.style.background = viewport.rampOf([from, to], { neutral });
+    const words = (/** @type {number} */ value) => valueInWords(about, value, units, allowed);
+    ends.forEach((end, i) => end.show(axis, range, words(range[i])));
     drawBars(now, spread.counts);
-    tick.hidden = state.tolerance === null || state.tolerance > spread.top;
-    if (state.tolerance !== null) tick.style.left = `${(100 * state.tolerance) / spread.top}%`;
+    tick.hidden = allowed === null || allowed > axis.high;
+    if (allowed !== null) tick.style.left = `${100 * placeOn(axis, allowed)}%`;
 
-    const worst = valueInWords(about, spread.greatest, units);
-    const was = spread.original && valueInWords(about, spread.original.greatest, units);
+    const worst = words(spread.greatest);
+    const was = spread.original && words(spread.original.greatest);
     const compared = was === null ? '' : `; originally up to ${was}`;
-    const words = `${groupDigits(spread.faces)} faces between 0 and ${worst}${compared}`;
-    setAttribute(histogram, 'aria-label', words);
+    const named = `${groupDigits(spread.faces)} faces between 0 and ${worst}${compared}`;
+    setAttribute(histogram, 'aria-label', named);
     // Each is drawn to its own highest bar: it is how they are spread that is compared.
     drawOutline(
       before,
@@ -148,12 +179,11 @@ export function legend(place, store, viewport, refit) {
       Math.max(...(spread.original?.counts ?? [])),
     );
     setAttribute(histogram, 'title', was === null ? '' : `Outline: the original, up to ${was}`);
-    setText(
-      within,
-      state.tolerance === null
-        ? ''
-        : `${groupDigits(spread.within)} of ${groupDigits(spread.faces)}`,
-    );
+    const [met, all] = [spread.within, spread.faces].map(groupDigits);
+    setText(within, allowed === null ? '' : `${met} of ${all}`);
+    setAttribute(within, 'class', allowed !== null && met === all ? 'within met' : 'within');
+    const moved = movedInWords(state);
+    setText(facts, `Worst ${worst}${moved && `\nMoved ${moved}`}`);
   }
   store.subscribe(
     [
@@ -162,6 +192,7 @@ export function legend(place, store, viewport, refit) {
       'range',
       'spread',
       'tolerance',
+      'tolerances',
       'document',
       'renderer',
       'model',
@@ -172,4 +203,13 @@ export function legend(place, store, viewport, refit) {
     ],
     show,
   );
+}
+
+/**
+ * What is entered: a number that is not negative, else none.
+ * @param {HTMLInputElement} input
+ */
+function numberIn(input) {
+  const value = Number.parseFloat(input.value.replace(',', '.'));
+  return value >= 0 ? value : null;
 }

@@ -2,7 +2,15 @@
 
 import { RENEW_MS, element, setAttribute, setText, throttled } from '../dom.js';
 import { duration, groupDigits, number } from '../format.js';
-import { declared, measureOfScene, roundingOf, valueInWords, worstOf } from '../measures.js';
+import {
+  declared,
+  measureOfScene,
+  movedInWords,
+  roundingOf,
+  toleranceOf,
+  valueInWords,
+  worstOf,
+} from '../measures.js';
 import { energyOrNothing } from '../rounding.js';
 import { sizeOfSelection } from '../selection.js';
 
@@ -18,6 +26,7 @@ export function statusBar(places, store) {
     ['iteration', 'iteration', 'narrow-hidden'],
     ['energy', 'energy', 'wide narrow-hidden'],
     ['worst', 'worst panel', ''],
+    ['moved', 'moved', 'narrow-hidden'],
     ['step', '', 'narrow-hidden'],
     ['drag', 'drag', 'narrow-hidden'],
     ['units', '', 'wide narrow-hidden'],
@@ -54,24 +63,29 @@ export function statusBar(places, store) {
     if (about && model?.faces) {
       const worst = worstOf(state, about.id);
       const shown = worst < roundingOf(about, size) ? 0 : worst;
-      set('worst', valueInWords(about, shown, units));
+      set('worst', valueInWords(about, shown, units, toleranceOf(state, about)));
       setAttribute(cells.get('worst').row, 'title', `${about.label}: ${about.words}`);
     } else {
       set('worst', '');
     }
-    set('step', numbers.stepMs > 0 ? `${duration(numbers.stepMs)} per iteration` : '');
+    set('moved', movedInWords(state));
+    const isTimed = state.display.timings && numbers.stepMs > 0;
+    set('step', isTimed ? `${duration(numbers.stepMs)} per iteration` : '');
   });
 
   store.subscribe(['status'], ({ status }) => setText(places.status, status));
-  store.subscribe(['numbers', 'measure', 'spread', 'model', 'document'], showNumbers);
+  store.subscribe(
+    ['numbers', 'measure', 'spread', 'model', 'document', 'tolerance', 'tolerances', 'display'],
+    showNumbers,
+  );
   store.subscribe(['document', 'model'], ({ document, model }) => {
     if (document && model) set('units', `${document.units || 'no unit'} · ${document.up}-up`);
   });
   const showDrag = throttled(RENEW_MS, () => {
-    const { dragMs } = store.get();
-    set('drag', dragMs > 0 ? duration(dragMs) : '');
+    const { dragMs, display } = store.get();
+    set('drag', display.timings && dragMs > 0 ? duration(dragMs) : '');
   });
-  store.subscribe(['dragMs'], showDrag);
+  store.subscribe(['dragMs', 'display'], showDrag);
   store.subscribe(['saved'], ({ saved }) => {
     set('saved', saved);
     // That something is not saved is said everywhere.
