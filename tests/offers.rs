@@ -9,7 +9,7 @@ use shape_up::constraint::{Arity, Centring, Element, KINDS, Selector, Set};
 use shape_up::error::Error;
 use shape_up::mesh::Mesh;
 use shape_up::scene::{ConstraintSpec, MeshSource, Scene};
-use shape_up::session::{Edit, NewConstraint, Place, Session};
+use shape_up::session::{Edit, NewConstraint, Place, Preview, Session};
 
 fn session(mesh: Mesh) -> Session {
     Session::open(Scene::new(MeshSource::File("grid.obj".to_owned())), mesh)
@@ -88,6 +88,37 @@ fn what_a_kind_is_not_meant_for_is_not_offered() {
             }
         }
     }
+}
+
+/// The kinds that are the usual choice at a place.
+fn usual(session: &Session, place: Place) -> Vec<&'static str> {
+    let previews = session.previews(&[place]).expect("everything is there");
+    let is_usual = |row: &[Option<Preview>]| row[0].is_some_and(|one| one.usual);
+    KINDS.iter().zip(previews).filter(|(_, row)| is_usual(row)).map(|(info, _)| info.id).collect()
+}
+
+#[test]
+fn the_usual_kind_follows_from_what_the_place_is_to_the_mesh() {
+    // 5 by 5 vertices, row by row.
+    let session = session(bumpy(4));
+    let selected = |vertices: &[u32]| {
+        usual(&session, Place { on: Selector::Vertices(vertices.to_vec()), set: None })
+    };
+    assert_eq!(usual(&session, each(Element::Face)), ["plane", "circle"]);
+    assert_eq!(usual(&session, each(Element::Boundary)), ["circle"]);
+    assert_eq!(usual(&session, each(Element::Edge)), ["line-segment"]);
+    // A cap of two by two faces, one face, the boundary, a loop inside, a chain, an edge.
+    assert_eq!(selected(&[0, 1, 2, 5, 6, 7, 10, 11, 12]), ["sphere"]);
+    assert_eq!(selected(&[0, 1, 5, 6]), ["plane", "circle"]);
+    let boundary = [0, 1, 2, 3, 4, 9, 14, 19, 24, 23, 22, 21, 20, 15, 10, 5];
+    assert_eq!(selected(&boundary), ["circle"]);
+    assert_eq!(selected(&[6, 7, 8, 13, 18, 17, 16, 11]), ["circle"]);
+    assert_eq!(selected(&[10, 11, 12, 13]), ["line"]);
+    assert_eq!(selected(&[0, 1]), ["line-segment"]);
+    // Two chains apart are no chain; the whole mesh is no patch of it; one vertex is nothing.
+    assert_eq!(selected(&[0, 1, 2, 20, 21, 22]), ["plane"]);
+    assert_eq!(selected(&(0..25).collect::<Vec<_>>()), [""; 0]);
+    assert_eq!(selected(&[12]), [""; 0]);
 }
 
 #[test]

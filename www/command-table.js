@@ -1,5 +1,6 @@
 /** The commands of the page: what each is called, its keys, and when there is something to do. */
 
+import { byId } from './dom.js';
 import { halfStepTitle } from './half-step.js';
 import { selectCommands } from './select-commands.js';
 import { isDrawn } from './state.js';
@@ -17,7 +18,6 @@ import { viewCommands } from './view-commands.js';
  * @property {import("./files.js").Files} files
  * @property {import("./actions.js").Actions} actions
  * @property {import("./alerts.js").Alerts} alerts
- * @property {import("./dialog-add-constraint.js").AddConstraintDialog} addConstraint
  * @property {import("./solver-client.js").SolverClient} solver
  * @property {import("./hold-original.js").HoldOriginal} hold
  * @property {() => void} lesson opens the dialog that writes one
@@ -32,9 +32,7 @@ import { viewCommands } from './view-commands.js';
  * @returns {Command[]}
  */
 export function commandTable(parts) {
-  const { store, viewport, pointer, files, actions, alerts, addConstraint, fileInput, help } =
-    parts;
-  const { solver } = parts;
+  const { store, solver, viewport, pointer, files, actions, alerts, fileInput, help } = parts;
   const hasFaces = (/** @type {State} */ { model }) => (model?.faces ?? 0) > 0;
 
   function fitSelection() {
@@ -46,7 +44,9 @@ export function commandTable(parts) {
 
   function escape() {
     if (pointer.cancel()) return;
-    if (addConstraint.isOpen) return addConstraint.close();
+    /** @type {HTMLDialogElement} */
+    const newConstraint = byId('add-constraint');
+    if (newConstraint.open) return newConstraint.close();
     if (store.get().tape) return store.set({ tape: null, status: 'The tape is rolled up' });
     if (store.get().flatMap) return store.set({ flatMap: null });
     if (store.get().split) return store.set({ split: null });
@@ -121,7 +121,12 @@ export function commandTable(parts) {
       group: 'Edit',
       label: 'Add constraint',
       keys: [],
-      action: () => addConstraint.open(),
+      action: () =>
+        actions.told(
+          import('./dialog-add-constraint.js').then(({ toggleAddConstraint }) =>
+            toggleAddConstraint(store, solver, actions),
+          ),
+        ),
       needsModel: true,
     },
     {

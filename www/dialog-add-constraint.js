@@ -1,14 +1,15 @@
 /**
- * Add constraint: a shape, where, its parameters, and how much. Beside the view and not over it, so
- * that the selection can change while it is open. Only what fits the mesh is offered; what a choice
+ * Add constraint: a shape, where, its parameters, and how much. It is docked in the place of the
+ * model's panel, never over the view, so that the selection can change while it is open. Only what
+ * fits the mesh is offered, the usual shape for the place is chosen beforehand, and what a choice
  * would make is said before it is made.
  */
 
-import { dialogHead, element, setText } from './dom.js';
+import './style/add-constraint.css';
+import { byId, dialogHead, element, setText } from './dom.js';
 import { count, groupDigits } from './format.js';
 import { KindChoices } from './kind-choices.js';
 import { Parameters } from './parameters.js';
-import { sizeOfSelection } from './selection.js';
 
 /** @typedef {import("./messages.js").KindInfo} KindInfo */
 /** @typedef {import("./messages.js").Selector} Selector */
@@ -21,13 +22,28 @@ import { sizeOfSelection } from './selection.js';
  */
 /** @typedef {{ place: Place, preview: Preview }} Offer */
 
-export class AddConstraintDialog {
+/** @type {AddConstraintDialog | undefined} */
+let dialog;
+
+/**
+ * Opens the dialog, or closes it when it is open.
+ * @param {import("./state.js").Store} store
+ * @param {import("./solver-client.js").SolverClient} solver
+ * @param {import("./actions.js").Actions} actions
+ */
+export function toggleAddConstraint(store, solver, actions) {
+  dialog ??= new AddConstraintDialog(byId('add-constraint'), store, solver, actions);
+  return dialog.toggle();
+}
+
+class AddConstraintDialog {
   #dialog;
   #store;
   #solver;
   #actions;
   #kinds = new KindChoices((kind) => {
     this.#kindId = kind.id;
+    this.#isChosen = true;
     this.#show();
   });
   /** The shapes that fit nowhere, and why. */
@@ -47,10 +63,13 @@ export class AddConstraintDialog {
     value: '1',
     id: 'new-weight',
   });
-  #add = element('button', { type: 'submit', class: 'primary' }, 'Add');
+  #addAndRun = element('button', { type: 'submit', class: 'primary' }, 'Add and run');
+  #add = element('button', { type: 'submit', class: 'bordered' }, 'Add');
   /** The shape and the place that are chosen, while they are offered. */
   #kindId = '';
   #placeId = '';
+  /** Whether somebody chose one of them: then a new selection changes neither. */
+  #isChosen = false;
   /** What each kind would make, by kind; those that fit nowhere are not in it. @type {Map<string, Offer[]>} */
   #offers = new Map();
   /** Answers to an older question are not wanted. */
@@ -67,7 +86,6 @@ export class AddConstraintDialog {
     this.#store = store;
     this.#solver = solver;
     this.#actions = actions;
-    const close = () => dialog.close();
     dialog.replaceChildren(
       dialogHead(dialog, 'add-constraint-title', 'New constraint'),
       element(
@@ -75,14 +93,18 @@ export class AddConstraintDialog {
         // What is not valid is said at its field.
         { novalidate: true, onsubmit: (/** @type {SubmitEvent} */ event) => this.#submit(event) },
         element(
-          'fieldset',
-          {},
-          element('legend', {}, 'Shape'),
-          this.#kinds.element,
-          this.#misfits,
+          'div',
+          { class: 'shape' },
+          element(
+            'fieldset',
+            {},
+            element('legend', {}, 'Shape'),
+            this.#kinds.element,
+            this.#misfits,
+          ),
           this.#about,
+          this.#parametersPlace,
         ),
-        this.#parametersPlace,
         element('fieldset', {}, element('legend', {}, 'Where'), this.#places),
         element(
           'div',
@@ -91,43 +113,28 @@ export class AddConstraintDialog {
           this.#weight,
           element('span', { class: 'quiet' }, 'against the other constraints'),
         ),
-        element(
-          'div',
-          { class: 'dialog-foot' },
-          this.#preview,
-          element('button', { type: 'button', class: 'bordered', onclick: close }, 'Cancel'),
-          this.#add,
-        ),
+        element('div', { class: 'dialog-foot' }, this.#preview, this.#add, this.#addAndRun),
       ),
     );
     dialog.addEventListener('keydown', (event) => {
       if (event.key !== 'Escape') return;
       event.preventDefault();
-      close();
+      dialog.close();
     });
     store.subscribe(['selection', 'model'], () => {
       if (dialog.open) this.#ask();
     });
   }
 
-  get isOpen() {
-    return this.#dialog.open;
-  }
-
-  async open() {
-    const { selection } = this.#store.get();
+  async toggle() {
     if (this.#dialog.open) return this.#dialog.close();
-    this.#placeId = sizeOfSelection(selection) > 0 ? 'selection' : '';
+    this.#isChosen = false;
     this.#weight.value = '1';
     this.#parametersOf = '';
-    this.#add.disabled = true;
+    this.#allow(false);
     this.#dialog.show();
     await this.#ask();
     this.#kinds.focus(this.#kindId);
-  }
-
-  close() {
-    this.#dialog.close();
   }
 
   /** Where a constraint could be, before asking which of it fits. @returns {Place[]} */
@@ -175,17 +182,27 @@ export class AddConstraintDialog {
       });
       if (offers.length > 0) this.#offers.set(kind.id, offers);
     });
+    if (!this.#isChosen) this.#suggest(places);
     this.#show();
+  }
+
+  /** Chooses the usual shape at the first place that has one. @param {Place[]} places */
+  #suggest(places) {
+    for (const place of places) {
+      for (const [kind, offers] of this.#offers) {
+        if (!offers.some((one) => one.place === place && one.preview.usual)) continue;
+        [this.#kindId, this.#placeId] = [kind, place.id];
+        return;
+      }
+    }
+    this.#kindId = '';
+    this.#placeId = places[0]?.id ?? '';
   }
 
   /** Shows what is offered and chosen. */
   #show() {
     const offered = this.#store.get().kinds.filter((kind) => this.#offers.has(kind.id));
-    // The first choice is one for panels, not one that would flatten them to lines.
-    const kind =
-      offered.find((one) => one.id === this.#kindId) ??
-      offered.find((one) => one.measure) ??
-      offered[0];
+    const kind = offered.find((one) => one.id === this.#kindId) ?? offered[0];
     this.#kindId = kind?.id ?? '';
     this.#kinds.show(offered, this.#kindId);
     this.#showMisfits();
@@ -199,6 +216,9 @@ export class AddConstraintDialog {
     const focused = document.activeElement?.id;
     this.#places.replaceChildren(...offers.map((one) => this.#placeChoice(one)));
     if (focused) document.getElementById(focused)?.focus();
+    // The choices that are made are in sight, wherever they are in their lists.
+    for (const choice of this.#dialog.querySelectorAll('label:has(:checked)'))
+      choice.scrollIntoView({ block: 'nearest', inline: 'nearest' });
     this.#showPreview();
   }
 
@@ -238,6 +258,7 @@ export class AddConstraintDialog {
       'aria-describedby': amount,
       onchange: () => {
         this.#placeId = place.id;
+        this.#isChosen = true;
         this.#showPreview();
       },
     });
@@ -258,7 +279,7 @@ export class AddConstraintDialog {
 
   #showPreview() {
     const offer = this.#chosen();
-    this.#add.disabled = !offer;
+    this.#allow(offer !== undefined);
     if (!offer) return setText(this.#preview, 'No shape fits here.');
     const { constraints, skipped, vertices } = offer.preview;
     const each = vertices / constraints;
@@ -269,6 +290,12 @@ export class AddConstraintDialog {
     const left =
       skipped > 0 ? ` ${groupDigits(skipped)} skipped: their number of vertices does not fit.` : '';
     setText(this.#preview, made + left);
+  }
+
+  /** @param {boolean} isPossible to add what is chosen */
+  #allow(isPossible) {
+    this.#add.disabled = !isPossible;
+    this.#addAndRun.disabled = !isPossible;
   }
 
   /** @param {SubmitEvent} event */
@@ -285,6 +312,7 @@ export class AddConstraintDialog {
     );
     if (added === undefined) return;
     this.#dialog.close();
+    if (event.submitter === this.#addAndRun) this.#solver.tell({ type: 'run' });
     const { label } = this.#store.get().kinds.find(({ id }) => id === kind) ?? {};
     this.#actions.say(`Added ${count(offer.preview.constraints, 'constraint')}: ${label}`);
   }

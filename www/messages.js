@@ -375,7 +375,7 @@
  * @typedef {{ method: number, endedBy: string | null, samples: Float64Array }} ExperimentNews
  */
 
-/** @typedef {{ constraints: number, skipped: number, vertices: number }} Preview */
+/** `usual`: the kind is what somebody usually wants there. @typedef {{ constraints: number, skipped: number, vertices: number, usual: boolean }} Preview */
 
 /**
  * What half of an iteration did: how many constraints of which kinds were fitted, or how the vertices

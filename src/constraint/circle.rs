@@ -2,7 +2,7 @@
 //! radius may be given.
 
 use super::limits::Limits;
-use super::{Arity, Centring, Fitted, Form, Info, Param, ParamValue, Projection};
+use super::{Arity, Centring, Fitted, Form, Info, Param, ParamValue, PlaceShape, Projection};
 use crate::math::{CircleFit, Lane, PrincipalRound, Vec3, centre};
 use serde::{Deserialize, Serialize};
 
@@ -50,6 +50,8 @@ impl Projection for Circle {
             range: [0.0, f64::INFINITY],
         }],
     };
+
+    const USUAL_FOR: &'static [PlaceShape] = &[PlaceShape::Panels, PlaceShape::Loop];
 
     fn closed_form<S: Lane>(
         &self,

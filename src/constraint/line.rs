@@ -2,7 +2,7 @@
 //! eigenvalue of the scatter matrix, or is given.
 
 use super::direction::Direction;
-use super::{Arity, Centring, Form, Info, Param, ParamValue, Projection};
+use super::{Arity, Centring, Form, Info, Param, ParamValue, PlaceShape, Projection};
 use crate::math::{Lane, PrincipalAxes, Scatter, Vec3};
 use serde::{Deserialize, Serialize};
 
@@ -39,6 +39,8 @@ impl Projection for Line {
             range: [f64::NEG_INFINITY, f64::INFINITY],
         }],
     };
+
+    const USUAL_FOR: &'static [PlaceShape] = &[PlaceShape::Chain];
 
     fn closed_form<S: Lane>(
         &self,

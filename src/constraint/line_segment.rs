@@ -3,7 +3,7 @@
 
 use super::limits::Limits;
 use super::target::Target;
-use super::{Arity, Centring, Info, Projection};
+use super::{Arity, Centring, Info, PlaceShape, Projection};
 use crate::math::{Lane, Vec3};
 use serde::{Deserialize, Serialize};
 
@@ -42,6 +42,8 @@ impl Projection for LineSegment {
         colour: [150, 105, 20],
         params: &Target::params("length", "Length", "Times the rest length"),
     };
+
+    const USUAL_FOR: &'static [PlaceShape] = &[PlaceShape::Edges];
 
     const READS_REST: bool = true;
 

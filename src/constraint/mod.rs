@@ -24,6 +24,7 @@
 //! | `batch` | many constraints of one kind, projected in lanes |
 //! | `separate_lanes` | for operators whose work depends on where the points are |
 //! | `pitot`, `symmetry_group` | what incircles and tangent incircles, and symmetries, are made of |
+//! | `usual` | what a place is to the mesh, for which a kind is the usual choice |
 //! | `sketch` | a drawing of what a kind asks, made by the operator itself |
 
 mod angle;
@@ -61,6 +62,7 @@ mod symmetry;
 mod symmetry_group;
 mod tangent_incircles;
 mod target;
+mod usual;
 mod volume;
 
 pub use batch::{Batch, LocalStep, Projected, Reference, Row, batches};
@@ -68,6 +70,7 @@ pub use info::{Arity, Centring, Form, Info, Param, ParamValue};
 pub use resolve::resolve;
 pub use select::{Element, SelectError, Selector, Set, Sets, describe};
 pub use sketch::Sketch;
+pub use usual::PlaceShape;
 
 use crate::math::{Lane, Vec3};
 
@@ -89,6 +92,9 @@ pub trait Projection: Clone + PartialEq + std::fmt::Debug + 'static {
     fn is_exact(&self) -> bool {
         Self::INFO.exact
     }
+
+    /// The places for which it is what somebody usually wants: hosts choose it beforehand there.
+    const USUAL_FOR: &'static [PlaceShape] = &[];
 
     /// Gives the operator what it may look up besides its own points. Called once, before anything
     /// else.
@@ -225,6 +231,9 @@ macro_rules! kinds {
 
         /// Every kind, in the order in which hosts list them.
         pub const KINDS: &[Info] = &[$($module::$Kind::INFO),*];
+
+        /// `#KINDS` rows: see [`Projection::USUAL_FOR`].
+        pub const USUAL_FOR: &[&[PlaceShape]] = &[$($module::$Kind::USUAL_FOR),*];
 
         impl Kind {
             /// The kind named `id` with the parameters `params`.

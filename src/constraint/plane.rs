@@ -2,7 +2,7 @@
 //! of the scatter matrix. It may be given, or a direction in the plane may be.
 
 use super::direction::Direction;
-use super::{Arity, Centring, Form, Info, Param, ParamValue, Projection};
+use super::{Arity, Centring, Form, Info, Param, ParamValue, PlaceShape, Projection};
 use crate::math::{Lane, PrincipalAxes, Scatter, Vec3};
 use serde::{Deserialize, Serialize};
 
@@ -75,6 +75,8 @@ impl Projection for Plane {
             },
         ],
     };
+
+    const USUAL_FOR: &'static [PlaceShape] = &[PlaceShape::Panels, PlaceShape::Points];
 
     fn closed_form<S: Lane>(
         &self,

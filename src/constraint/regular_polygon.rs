@@ -5,7 +5,7 @@
 //! `p = sum cos(2 pi k / n) v_k` and `q = sum sin(2 pi k / n) v_k`. The best frame in space is
 //! the closest pair of equal, orthogonal vectors to them, and turns either way without a reflection.
 
-use super::{Arity, Centring, Info, Projection};
+use super::{Arity, Centring, Info, PlaceShape, Projection};
 use crate::math::{Lane, OrthogonalPair, UnitPolygon, Vec3};
 use serde::{Deserialize, Serialize};
 
@@ -35,6 +35,8 @@ impl Projection for RegularPolygon {
         colour: [200, 60, 150],
         params: &[],
     };
+
+    const USUAL_FOR: &'static [PlaceShape] = &[PlaceShape::Triangles];
 
     fn closed_form<S: Lane>(
         &self,

@@ -2,7 +2,7 @@
 //! (Thomas and Chan). Its radius may be given.
 
 use super::limits::Limits;
-use super::{Arity, Centring, Fitted, Form, Info, Param, ParamValue, Projection};
+use super::{Arity, Centring, Fitted, Form, Info, Param, ParamValue, PlaceShape, Projection};
 use crate::math::{Lane, PrincipalRound, Round, RoundWithin, Scatter, Vec3, centre};
 use serde::{Deserialize, Serialize};
 
@@ -49,6 +49,8 @@ impl Projection for Sphere {
             range: [0.0, f64::INFINITY],
         }],
     };
+
+    const USUAL_FOR: &'static [PlaceShape] = &[PlaceShape::Patch];
 
     fn closed_form<S: Lane>(
         &self,

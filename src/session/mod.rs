@@ -58,6 +58,7 @@ mod opening;
 mod pace;
 mod past;
 mod place;
+mod place_shape;
 mod preview;
 mod projected;
 mod remedies;

@@ -1,7 +1,10 @@
 //! What adding constraints would make, for every kind at several places at once.
 
+use super::place_shape::place_shape;
 use super::{Place, Session, resolve};
-use crate::constraint::{Centring, Info, KINDS, Selector, resolve as select};
+use crate::constraint::{
+    Centring, Info, KINDS, PlaceShape, Selector, USUAL_FOR, resolve as select,
+};
 use crate::mesh::{Ragged, Topology};
 use crate::scene::SceneError;
 use serde::Serialize;
@@ -16,6 +19,8 @@ pub struct Preview {
     pub skipped: usize,
     /// Vertices of all constraints together; one counts in each constraint that it is in.
     pub vertices: usize,
+    /// Whether the kind is the usual choice there.
+    pub usual: bool,
 }
 
 impl Session {
@@ -28,7 +33,10 @@ impl Session {
     pub fn previews(&self, places: &[Place]) -> Result<Vec<Vec<Option<Preview>>>, SceneError> {
         let places: Vec<_> =
             places.iter().map(|place| self.sizes(place)).collect::<Result<_, _>>()?;
-        Ok(KINDS.iter().map(|info| places.iter().map(|sizes| sizes.of(info)).collect()).collect())
+        let of = |(info, usual_for): (&Info, &&[PlaceShape])| {
+            places.iter().map(|sizes| sizes.of(info, usual_for)).collect()
+        };
+        Ok(KINDS.iter().zip(USUAL_FOR).map(of).collect())
     }
 
     fn sizes<'a>(&self, place: &'a Place) -> Result<Sizes<'a>, SceneError> {
@@ -36,13 +44,16 @@ impl Session {
         let on = place.clone().name_in(&mut document);
         let selected = select(&on, &self.mesh, &self.topology, &document.sets)
             .map_err(|error| SceneError { path: "on".to_owned(), message: error.to_string() })?;
-        Ok(Sizes::new(&place.on, &selected, &self.topology))
+        let shape = place_shape(&on, &selected, &self.mesh, &self.topology);
+        Ok(Sizes::new(&place.on, &selected, shape, &self.topology))
     }
 }
 
 /// How large the elements of a place are.
 struct Sizes<'a> {
     on: &'a Selector,
+    /// What they are to the mesh.
+    shape: Option<PlaceShape>,
     /// How many elements have that many vertices.
     vertices: BTreeMap<usize, usize>,
     /// How many elements have that many ends of edges among their vertices.
@@ -50,7 +61,12 @@ struct Sizes<'a> {
 }
 
 impl<'a> Sizes<'a> {
-    fn new(on: &'a Selector, selected: &Ragged, topology: &Topology) -> Sizes<'a> {
+    fn new(
+        on: &'a Selector,
+        selected: &Ragged,
+        shape: Option<PlaceShape>,
+        topology: &Topology,
+    ) -> Sizes<'a> {
         let count = |size: &dyn Fn(&[u32]) -> usize| {
             let mut counts = BTreeMap::new();
             selected.iter().for_each(|row| *counts.entry(size(row)).or_insert(0) += 1);
@@ -59,6 +75,7 @@ impl<'a> Sizes<'a> {
         let by_edge = KINDS.iter().any(|info| info.centring == Centring::ByEdge);
         Sizes {
             on,
+            shape,
             vertices: count(&|row| row.len()),
             ends: if by_edge {
                 count(&|row| resolve::edges_among(row, topology).len())
@@ -68,7 +85,7 @@ impl<'a> Sizes<'a> {
         }
     }
 
-    fn of(&self, info: &Info) -> Option<Preview> {
+    fn of(&self, info: &Info, usual_for: &[PlaceShape]) -> Option<Preview> {
         let meant = |on: &Selector| match on {
             Selector::Each { element, .. } => {
                 info.elements.is_empty() || info.elements.contains(element)
@@ -82,7 +99,8 @@ impl<'a> Sizes<'a> {
             Centring::ByEdge => &self.ends,
             Centring::Together | Centring::Placed => &self.vertices,
         };
-        let mut preview = Preview::default();
+        let usual = self.shape.is_some_and(|shape| usual_for.contains(&shape));
+        let mut preview = Preview { usual, ..Preview::default() };
         for (&size, &count) in sizes {
             if info.arity.fits(size) {
                 preview.constraints += count;

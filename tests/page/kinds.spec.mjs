@@ -1,8 +1,17 @@
 // The list of kinds: every one can be added to a suitable mesh, and does something there.
 
 import { constraintCount, openText, showPanel } from './actions.mjs';
-import { quadScene, tetScene, triangleScene } from './meshes.mjs';
-import { dragVertex, drawn, expect, openPage, state, test, waitForState } from './support.mjs';
+import { quadScene, tetScene, triangleScene, wavyGrid } from './meshes.mjs';
+import {
+  dragVertex,
+  drawn,
+  expect,
+  openPage,
+  screenOf,
+  state,
+  test,
+  waitForState,
+} from './support.mjs';
 
 test.use({ pixels: false });
 
@@ -192,4 +201,29 @@ test('the dialog asks once, however many kinds and places there are', async ({ p
   await dialog.getByRole('radio', { name: 'Circle', exact: true }).check();
   const asked = await page.evaluate(() => window.asked.filter((type) => type === 'previews'));
   expect(asked).toHaveLength(1);
+});
+
+test('the usual kind is chosen beforehand, follows the selection, and runs', async ({ page }) => {
+  await openPage(page);
+  const n = 6;
+  await openText(page, 'grid.obj', wavyGrid(n), (n + 1) ** 2);
+  await waitForState(page, (now) => now.renderer !== 'none');
+  const dialog = await openDialog(page);
+  const chosen = (group) =>
+    dialog.getByRole('group', { name: group, exact: true }).getByRole('radio', { checked: true });
+  await expect(chosen('Where')).toHaveAccessibleName('each face');
+  const whole = await chosen('Shape').getAttribute('aria-label');
+  // A patch of faces, while the dialog is open: the view is beside it.
+  await page.keyboard.press('Control+a');
+  await page.mouse.click(...(await screenOf(page, 3 * (n + 1) + 3)));
+  await page.keyboard.press('3');
+  await page.keyboard.press('+');
+  await waitForState(page, (now) => now.selection.vertices.length > 1);
+  await expect(chosen('Where')).toHaveAccessibleName('the selection as one set');
+  await expect(chosen('Shape')).not.toHaveAccessibleName(whole);
+  const other = await chosen('Shape').getAttribute('aria-label');
+  await dialog.getByRole('button', { name: 'Add and run' }).click();
+  await expect(dialog).toBeHidden();
+  await waitForState(page, (now) => now.iteration > 0);
+  await expect(page.getByRole('list', { name: 'Constraints' })).toContainText(other);
 });
