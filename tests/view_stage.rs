@@ -444,3 +444,51 @@ fn what_a_flat_map_turns_over_is_shown_large_and_from_its_front() {
     let side = |a: u32, b: u32| (model.screen(a).unwrap() - model.screen(b).unwrap()).length();
     assert!((side(4, 5) - side(5, 6)).abs() < 1.0);
 }
+
+#[test]
+fn a_kept_camera_comes_back_in_another_window_too() {
+    let mut first = stage(4, bump);
+    first.orbit(70.0, 25.0);
+    first.pan(40.0, -10.0);
+    let kept = first.camera_numbers();
+    let mut second = stage(4, bump);
+    second.place_camera(&kept);
+    assert_eq!(second.camera, first.camera);
+
+    // One that framed everything frames it in a narrower window as well.
+    let mut framed = stage(4, bump);
+    framed.preset("top").unwrap();
+    let mut narrow = stage(4, bump);
+    narrow.resize(Vec2::new(300.0, 600.0));
+    narrow.place_camera(&framed.camera_numbers());
+    framed.resize(Vec2::new(300.0, 600.0));
+    assert_eq!(narrow.camera, framed.camera);
+
+    // Nonsense changes nothing.
+    second.place_camera(&[0.0; 3]);
+    second.place_camera(&[f64::NAN; 7]);
+    second.place_camera(&[0.0; 7]);
+    assert_eq!(second.camera, first.camera);
+}
+
+#[test]
+fn a_drag_turns_about_what_is_under_the_cursor() {
+    let mut stage = stage(6, bump);
+    let vertex = 24;
+    let before = stage.screen(vertex).unwrap();
+    stage.begin_turn(before);
+    stage.turn(60.0, 10.0);
+    assert!((stage.screen(vertex).unwrap() - before).length() < 1.0);
+    // Beside the model it turns about its middle, however it was moved before.
+    let mut other = self::stage(6, bump);
+    other.pan(80.0, 30.0);
+    let middle = |stage: &Stage| {
+        let low = stage.subject.positions.iter().copied().reduce(Vec3::min).unwrap();
+        let high = stage.subject.positions.iter().copied().reduce(Vec3::max).unwrap();
+        stage.camera.eye().project((low + high) * 0.5).0
+    };
+    let before = middle(&other);
+    other.begin_turn(Vec2::new(2.0, 2.0));
+    other.turn(-90.0, 5.0);
+    assert!((middle(&other) - before).length() < 1.0);
+}

@@ -10,7 +10,8 @@ const PHONE = matchMedia('(max-width: 699px)');
 const IN_BAR = ['group-run', 'group-file'];
 const IN_MORE = ['group-mode', 'group-scene', 'group-page'];
 
-export function arrangeForWidth() {
+/** @param {import("./state.js").Store} store */
+export function arrangeForWidth(store) {
   const header = byId('header');
   const groups = [...header.querySelectorAll('.group')];
   const tools = element('div', { id: 'tools', role: 'toolbar', 'aria-label': 'Tools' });
@@ -45,34 +46,39 @@ export function arrangeForWidth() {
     if (inside && !inside.hasAttribute('popovertarget')) more.hidePopover();
   });
   byId('examples').addEventListener('click', () => more.hidePopover());
-  tabs();
+  tabs(store);
   placeMenu(byId('examples'), () => (PHONE.matches ? moreButton : byId('examples-button')));
   placeMenu(byId('recent'), () => (PHONE.matches ? moreButton : byId('recent-button')));
   byId('recent').addEventListener('click', () => more.hidePopover());
   placeMenu(more, () => moreButton);
 }
 
-/** Two panels in one place: the model and the inspector. On a phone a tab also closes the sheet. */
-function tabs() {
+/**
+ * Two panels in one place: the model and the inspector. On a phone a tab also closes the sheet.
+ * @param {import("./state.js").Store} store
+ */
+function tabs(store) {
   const { dataset } = document.body;
-  const names = ['model', 'inspector'];
+  const names = /** @type {const} */ (['model', 'inspector']);
   const buttons = names.map((name) => byId(`tab-${name}`));
-  const show = (/** @type {string} */ name) => {
-    const same = (dataset.tab ?? 'model') === name;
+  const show = (/** @type {typeof names[number]} */ tab) => {
+    const same = store.get().tab === tab;
     dataset.sheet = same && dataset.sheet === 'open' ? 'closed' : 'open';
-    dataset.tab = name;
+    store.set({ tab });
     tell();
   };
   function tell() {
+    const { tab } = store.get();
+    dataset.tab = tab;
     const open = !PHONE.matches || dataset.sheet === 'open';
     buttons.forEach((button, i) => {
-      const isShown = names[i] === (dataset.tab ?? 'model');
+      const isShown = names[i] === tab;
       button.setAttribute('aria-selected', String(isShown && open));
       button.tabIndex = isShown ? 0 : -1;
     });
   }
   PHONE.addEventListener('change', tell);
-  tell();
+  store.subscribe(['tab'], tell);
   buttons.forEach((button, i) => {
     button.addEventListener('click', () => show(names[i]));
     button.addEventListener('keydown', (event) => {

@@ -23,6 +23,9 @@ import { pair, wheelFactor } from './zooming.js';
 
 /** So near, a handle goes before the part of the gizmo that lies over it. */
 const ON_HANDLE = 9;
+/** So near, a double-click is on a vertex, else on an edge, and not on the face. */
+const ON_VERTEX = 8;
+const ON_EDGE = 5;
 /** A finger that rests so long asks for the menu, in milliseconds. */
 const LONG_PRESS_MS = 500;
 
@@ -76,6 +79,7 @@ export class PointerInput {
     listen('pointermove', (event) => this.#move(event));
     listen('pointerup', (event) => this.#release(event));
     listen('pointercancel', () => this.cancel());
+    listen('pointerleave', () => store.set({ gizmoPart: undefined, pointedAt: undefined }));
     listen('dblclick', (event) => this.#doubleClick(event));
     listen('wheel', (event) => this.#wheel(event), { passive: false });
     listen('contextmenu', (event) => event.preventDefault());
@@ -258,8 +262,9 @@ export class PointerInput {
     if (this.#gesture?.kind === 'press') {
       const moved = Math.hypot(at[0] - this.#start[0], at[1] - this.#start[1]);
       if (moved < slop(event)) return;
-      if (event.buttons === 2) this.#become({ kind: event.shiftKey ? 'pan' : 'orbit' });
-      else this.#begin();
+      if (event.buttons !== 2) this.#begin();
+      else if (event.shiftKey) this.#become({ kind: 'pan' });
+      else this.#beginTurn();
     }
     const [dx, dy] = [at[0] - last[0], at[1] - last[1]];
     switch (this.#gesture?.kind) {
@@ -267,7 +272,7 @@ export class PointerInput {
         this.#gesture.drag.hold(planeOf(event));
         return this.#drag(event, at);
       case 'orbit':
-        return void this.#viewport.with((view) => view.orbit(dx, dy));
+        return void this.#viewport.with((view) => view.turn(dx, dy));
       case 'pan':
         return void this.#viewport.with((view) => view.pan(dx, dy));
       case 'region':
@@ -288,10 +293,16 @@ export class PointerInput {
       const drag = new HandleDrag(this.#store, this.#solver, heldWay, handle, part, begun);
       this.#become({ kind: 'handle', drag });
     } else {
-      const selects = this.#store.get().tool === 'select';
-      this.#become({ kind: selects ? 'region' : 'orbit' });
-      if (selects) this.#region.begin(this.#start, 'replace');
+      if (this.#store.get().tool !== 'select') return this.#beginTurn();
+      this.#become({ kind: 'region' });
+      this.#region.begin(this.#start, 'replace');
     }
+  }
+
+  /** The camera turns about what was pressed. */
+  #beginTurn() {
+    this.#viewport.with((view) => view.beginTurn(...this.#start));
+    this.#become({ kind: 'orbit' });
   }
 
   /** @param {PointerEvent} event */
@@ -354,17 +365,19 @@ export class PointerInput {
     );
   }
 
-  /** @param {MouseEvent} event */
+  /** Acts on what is hit, whatever a click selects. @param {MouseEvent} event */
   #doubleClick(event) {
     const at = this.#at(event);
-    const { mode, tape } = this.#store.get();
-    if (tape || this.#part) return;
-    const item = this.#pick(mode, event, at);
-    if (item === undefined) {
-      const face = this.#viewport.with((view) => view.pickFace(...at));
-      if (face === undefined) this.#commands.fitAll();
-    } else if (mode === 'vertices') this.#commands.addHandles([item]);
-    else this.#commands.doubleClick(mode, item, event);
+    if (this.#store.get().tape || this.#part) return;
+    this.#viewport.with((view) => {
+      const vertex = view.pickVertex(...at, ON_VERTEX);
+      if (vertex !== undefined) return void this.#commands.addHandles([vertex]);
+      const edge = view.pickEdge(...at, ON_EDGE);
+      const face = view.pickFace(...at);
+      if (edge !== undefined) this.#commands.doubleClick('edges', edge, event);
+      else if (face !== undefined) this.#commands.doubleClick('faces', face, event);
+      else this.#commands.fitAll();
+    });
   }
 
   /**
@@ -400,7 +413,8 @@ export class PointerInput {
     if (event.pointerType === 'touch') return;
     this.#aim(event, at);
     this.#element.dataset.over = this.#handle === undefined ? '' : 'handle';
-    this.#store.set({ gizmoPart: this.#part });
+    const pointedAt = this.#part ? undefined : this.#handle;
+    this.#store.set({ gizmoPart: this.#part, pointedAt });
     this.#region.hover(at);
   }
 

@@ -79,8 +79,9 @@ export class Selecting {
   doubleClick(mode, item, event) {
     const { operations } = this.#store.get();
     const operation = operations.find(({ doubleClick }) => doubleClick === mode);
-    if (operation)
-      this.applyOrTell(operation, { from: { [mode]: [item] }, combine: combineOf(event) });
+    if (!operation) return;
+    this.#store.set({ mode });
+    this.applyOrTell(operation, { from: { [mode]: [item] }, combine: combineOf(event) });
   }
 
   /**

@@ -34,9 +34,11 @@
  * @property {{ by: number[], targets: Float64Array } | null} moved how far they are dragged, in units
  *   of the mesh, and where to, `#dragged by 3`
  * @property {string | undefined} gizmoPart axis or plane of the gizmo under the pointer
+ * @property {number | undefined} pointedAt handle under the pointer
  * @property {number} dragMs from the pointer to new positions, of the last move
  * @property {Tint | null} tint members of the constraint that is pointed at
  * @property {import("./messages.js").RowColours | null} rowColours of what constraints act on
+ * @property {"model" | "inspector"} tab the panel that is shown where there is room for one
  * @property {Measure | null} measure what the faces are coloured by
  * @property {boolean} measureChosen somebody chose it since the model was opened
  * @property {[number, number]} range of the colours, in the unit of the measure
@@ -47,6 +49,8 @@
  * @property {{ edges: boolean, vertices: boolean, shapes: boolean, outlines: boolean, arrows: boolean,
  *   ghost: boolean, ground: boolean, bands: boolean, full: boolean, log: boolean, gizmo: boolean,
  *   timings: boolean }} display
+ * @property {number[] | null} camera where the view is seen from, as `View.camera` gives it; what somebody else
+ *   than the viewport sets here is where the camera goes
  * @property {boolean} parallel projection, instead of perspective
  * @property {number[] | null} tape the ends of the measuring tape that are chosen, while there is one
  * @property {import("./flat-map.js").FlatMap | null} flatMap what is shown beside the model
@@ -105,9 +109,11 @@ const INITIAL = {
   dragged: [],
   moved: null,
   gizmoPart: undefined,
+  pointedAt: undefined,
   dragMs: 0,
   tint: null,
   rowColours: null,
+  tab: 'model',
   measure: null,
   measureChosen: false,
   range: [0, 0],
@@ -129,6 +135,7 @@ const INITIAL = {
     gizmo: true,
     timings: false,
   },
+  camera: null,
   parallel: false,
   tape: null,
   flatMap: null,
@@ -141,7 +148,7 @@ const INITIAL = {
 };
 
 /** What changes with every frame of a run or a drag. No command depends on it. @type {(keyof State)[]} */
-const LIVE = ['numbers', 'moved', 'dragMs', 'spread'];
+const LIVE = ['numbers', 'moved', 'pointedAt', 'dragMs', 'spread', 'camera'];
 
 /** Whether there is a picture. @param {Pick<State, "renderer">} state */
 export const isDrawn = ({ renderer }) => renderer === 'webgpu' || renderer === 'webgl2';

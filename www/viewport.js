@@ -50,6 +50,8 @@ export class Viewport extends EventTarget {
   #size = [0, 0];
   /** A picture is asked for. */
   #asked = false;
+  /** Where the camera is, as the store was told. @type {import("./state.js").State["camera"]} */
+  #camera = null;
   /** The mesh itself is another one. */
   #newMesh = false;
   /** The positions, values or fitted shapes are newer than the picture. */
@@ -317,7 +319,10 @@ export class Viewport extends EventTarget {
       [['display', 'halfway', 'heldOriginal'], showDisplay],
       [['parallel'], (view, { parallel }) => view.setParallel(parallel)],
       [['tape'], (view, { tape }) => view.setTape(Uint32Array.from(tape ?? []))],
-      [['document', 'dragged', 'moved', 'selection', 'model', 'heldOriginal'], showHandles],
+      [
+        ['document', 'dragged', 'moved', 'pointedAt', 'selection', 'model', 'heldOriginal'],
+        showHandles,
+      ],
       [
         ['gizmoPart', 'dragged'],
         (view, state) => view.lightGizmo(state.gizmoPart, state.dragged.length > 0),
@@ -339,6 +344,10 @@ export class Viewport extends EventTarget {
       });
     }
     this.#showAll = (view, state) => parts.forEach(([, show]) => show(view, state));
+    subscribe(['camera'], ({ camera }) => {
+      if (!camera || camera === this.#camera || this.#newMesh) return;
+      this.unmeasured((view) => view.placeCamera(Float64Array.from(camera)));
+    });
   }
 
   /** @type {(view: View, state: State) => void} */
@@ -393,6 +402,8 @@ export class Viewport extends EventTarget {
       this.#newMesh = false;
       this.#showAll(view, state);
       view.fit();
+      // The view may be a new one of the same mesh, and the mesh may be restored.
+      if (state.camera) view.placeCamera(Float64Array.from(state.camera));
     }
     this.#newFrame = false;
     view.setPositions(this.#positions(geometry.positions, state));
@@ -402,6 +413,14 @@ export class Viewport extends EventTarget {
       const { vertices, ways, colours, outlines, palette } = geometry.projections;
       view.setProjections(vertices, ways, colours, outlines, palette);
     }
+  }
+
+  /** @param {Float64Array} numbers */
+  #tellCamera(numbers) {
+    const isSame = this.#camera?.every((number, i) => number === numbers[i]);
+    if (isSame) return;
+    this.#camera = [...numbers];
+    this.#store.set({ camera: this.#camera });
   }
 
   #draw() {
@@ -418,6 +437,7 @@ export class Viewport extends EventTarget {
       this.#attempts = 0;
       // Which has its colours at once.
       if (this.#store.get().spread) removeFirstPicture();
+      this.#tellCamera(this.view.camera());
       this.dispatchEvent(new Event('drawn'));
     } catch (thrown) {
       this.#lost(messageOf(thrown));
@@ -448,12 +468,12 @@ function showDisplay(view, { display, halfway, heldOriginal }) {
  * @param {State} state
  */
 function showHandles(view, state) {
-  const { dragged } = state;
+  const { dragged, pointedAt } = state;
   // Where they pull is about the current shape.
   const handles = state.heldOriginal ? [] : handlesNow(state);
   const vertices = Uint32Array.from(handles, (handle) => handle.vertex);
   const states = Uint8Array.from(handles, (handle) =>
-    dragged.includes(handle.vertex) ? 2 : handle.fixed ? 1 : 0,
+    handle.vertex === pointedAt || dragged.includes(handle.vertex) ? 2 : handle.fixed ? 1 : 0,
   );
   const targets = Float64Array.from(handles.flatMap((handle) => handle.target));
   view.setHandles(vertices, states, targets);

@@ -137,6 +137,18 @@ impl Camera {
         self.tilt = (self.tilt + dy * TURN_PER_PIXEL).clamp(-FRAC_PI_2, FRAC_PI_2);
     }
 
+    /// Turns by a drag of so many CSS pixels about `anchor`, which keeps its place on the screen. Only
+    /// the direction of view changes as in [`Camera::orbit`].
+    pub fn orbit_about(&mut self, anchor: Vec3, dx: f32, dy: f32) {
+        let before = self.eye();
+        let offset = self.pivot - anchor;
+        let [right, up, forward] =
+            [before.right, before.up, before.forward].map(|axis| offset.dot(axis));
+        self.orbit(dx, dy);
+        let after = self.eye();
+        self.pivot = anchor + after.right * right + after.up * up + after.forward * forward;
+    }
+
     /// Slides the picture by so many CSS pixels: what lies at the pivot's depth follows the cursor.
     pub fn pan(&mut self, dx: f32, dy: f32) {
         let eye = self.eye();
@@ -344,6 +356,22 @@ mod tests {
             camera.pan(60.0, -35.0);
             let (screen, _) = camera.eye().project(grabbed);
             assert!((screen - Vec2::new(260.0, 115.0)).length() < 1e-2);
+        }
+    }
+
+    #[test]
+    fn an_orbit_about_a_point_holds_it_on_the_screen() {
+        for mut camera in cameras() {
+            let anchor = Vec3::new(0.3, -1.0, 1.0);
+            let (before, depth) = camera.eye().project(anchor);
+            let (turn, tilt) = (camera.turn, camera.tilt);
+            camera.orbit_about(anchor, 120.0, -45.0);
+            let (after, deeper) = camera.eye().project(anchor);
+            assert!((after - before).length() < 1e-2);
+            let eye = camera.eye();
+            assert!(eye.parallel.is_some() || (deeper - depth).abs() < 1e-4);
+            camera.orbit(-120.0, 45.0);
+            assert!((camera.turn - turn).abs() < 1e-5 && (camera.tilt - tilt).abs() < 1e-5);
         }
     }
 

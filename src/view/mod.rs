@@ -50,6 +50,7 @@ pub mod gizmo_shape;
 pub mod globals;
 pub mod grip;
 pub mod ground;
+pub mod kept_camera;
 pub mod light;
 #[cfg(target_arch = "wasm32")]
 pub mod lines;

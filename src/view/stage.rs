@@ -124,6 +124,8 @@ pub struct Stage {
     pub white: bool,
     /// Since the last picture.
     pub changes: Changes,
+    /// The point that a drag turns the camera about.
+    turned_about: Vec3,
     /// Whether the camera stands as `fit` left it, and follows the canvas when that is resized.
     framed: bool,
     map: Option<DepthMap>,
@@ -149,6 +151,7 @@ impl Default for Stage {
             dark: false,
             white: false,
             changes: Changes::ALL,
+            turned_about: Vec3::ZERO,
             framed: true,
             map: None,
         }
@@ -317,6 +320,18 @@ impl Stage {
         }
     }
 
+    /// Whether the camera stands as `fit` left it.
+    pub(super) fn is_framed(&self) -> bool {
+        self.framed
+    }
+
+    /// Says whether the camera stands as `fit` would leave it, and lets it.
+    pub(super) fn set_framed(&mut self, framed: bool) {
+        self.framed = framed;
+        self.refit();
+        self.view_changed();
+    }
+
     /// Sets the vertical axis.
     pub fn set_up(&mut self, up: Up) {
         if up != self.camera.up {
@@ -326,9 +341,27 @@ impl Stage {
         }
     }
 
-    /// Turns the camera by a drag in CSS pixels.
+    /// Turns the camera about the middle of the canvas by a drag in CSS pixels.
     pub fn orbit(&mut self, dx: f32, dy: f32) {
         self.camera.orbit(dx, dy);
+        self.framed = false;
+        self.view_changed();
+    }
+
+    /// Begins to turn the camera by a drag: about what is under the cursor, or where nothing is about
+    /// the middle of the model, or what is in the middle of the canvas when that is out of sight.
+    pub fn begin_turn(&mut self, cursor: Vec2) {
+        let [low, high] = self.bounds();
+        let middle = (low + high) * 0.5;
+        let (screen, depth) = self.camera.eye().project(middle);
+        let inside = screen.cmpge(Vec2::ZERO).all() && screen.cmple(self.camera.canvas).all();
+        let otherwise = if inside && depth > 0.0 { middle } else { self.camera.pivot };
+        self.turned_about = self.surface_at(cursor).unwrap_or(otherwise);
+    }
+
+    /// Turns the camera about the point of [`Stage::begin_turn`], which keeps its place.
+    pub fn turn(&mut self, dx: f32, dy: f32) {
+        self.camera.orbit_about(self.turned_about, dx, dy);
         self.framed = false;
         self.view_changed();
     }
@@ -345,14 +378,7 @@ impl Stage {
         if !(factor.is_finite() && factor > 0.0) {
             return;
         }
-        let eye = self.camera.eye();
-        let anchor = match picking::pick_face(&self.subject, &self.camera, cursor) {
-            Some(hit) => {
-                let (from, direction) = eye.ray(cursor);
-                from + direction * hit.along
-            }
-            None => self.camera.on_pivot_plane(cursor),
-        };
+        let anchor = self.surface_at(cursor).unwrap_or_else(|| self.camera.on_pivot_plane(cursor));
         let size = self.size();
         self.camera.zoom(factor, anchor, size * 1e-3, size * 50.0);
         self.framed = false;
@@ -367,6 +393,13 @@ impl Stage {
         if is_more && self.framed {
             self.fit();
         }
+    }
+
+    /// The point of the surface under the cursor.
+    fn surface_at(&self, cursor: Vec2) -> Option<Vec3> {
+        let hit = picking::pick_face(&self.subject, &self.camera, cursor)?;
+        let (from, direction) = self.camera.eye().ray(cursor);
+        Some(from + direction * hit.along)
     }
 
     /// Fills the canvas with the whole model, from where the camera looks now.

@@ -27,9 +27,20 @@ impl View {
         Ok(())
     }
 
-    /// Turns the camera about its pivot by a drag.
+    /// Turns the camera about the middle of the canvas.
     pub fn orbit(&mut self, dx: f32, dy: f32) {
         self.stage.orbit(dx, dy);
+    }
+
+    /// Begins to turn the camera by a drag, about what is under the cursor.
+    #[wasm_bindgen(js_name = beginTurn)]
+    pub fn begin_turn(&mut self, x: f32, y: f32) {
+        self.stage.begin_turn(Vec2::new(x, y));
+    }
+
+    /// Goes on with the drag that `beginTurn` began: what was under the cursor keeps its place.
+    pub fn turn(&mut self, dx: f32, dy: f32) {
+        self.stage.turn(dx, dy);
     }
 
     /// Slides the picture by a drag.
@@ -46,6 +57,17 @@ impl View {
     /// away from there, and not back.
     pub fn cover(&mut self, pixels: f32) {
         self.stage.cover(pixels);
+    }
+
+    /// Where the camera is: numbers to be kept. See [`crate::view::kept_camera`].
+    pub fn camera(&self) -> Vec<f64> {
+        self.stage.camera_numbers().to_vec()
+    }
+
+    /// Puts the camera back where `camera` said that it was.
+    #[wasm_bindgen(js_name = placeCamera)]
+    pub fn place_camera(&mut self, numbers: &[f64]) {
+        self.stage.place_camera(numbers);
     }
 
     /// Fills the canvas with the mesh, from where the camera looks now.
