@@ -9,7 +9,6 @@ import { analysisRegion } from './analysis.js';
 import { colourFaces } from './colouring.js';
 import { commandTable } from './command-table.js';
 import { bindButtons, bindKeys, bindRunButton, takeEarlyPresses } from './commands.js';
-import { AddConstraintDialog } from './dialog-add-constraint.js';
 import { byId } from './dom.js';
 import { offerExperiment } from './experiment/offer.js';
 import { Files } from './files.js';
@@ -47,7 +46,6 @@ import { splitInto, toggleSplit } from './split.js';
 import { recentMenu } from './recent-menu.js';
 import { createStore } from './state.js';
 import { followTheme } from './theme.js';
-import { askForFrames } from './units.js';
 import { bindViewMenu } from './view-commands.js';
 import { bindViewKeys } from './view-keys.js';
 import { Viewport } from './viewport.js';
@@ -79,7 +77,6 @@ const pointer = new PointerInput(store, solver, viewport, region, {
 bindHandleKeys(viewport, store, solver, actions);
 bindViewKeys(viewport);
 showMoved(viewport, store);
-const addConstraint = new AddConstraintDialog(byId('add-constraint'), store, solver, actions);
 const { fit } = colourFaces(store, solver);
 colourRows(store, solver, actions);
 
@@ -102,7 +99,7 @@ attachLater(parts);
 statusBar({ status: byId('status'), hint: byId('hint'), numbers: byId('numbers') }, store);
 selectBar(byId('select-bar'), byId('select-menu'), store, actions, selecting, alerts);
 firstHints(byId('hint-card'), store);
-arrangeForWidth();
+arrangeForWidth(store);
 
 /** @type {HTMLInputElement} */
 const fileInput = byId('file');
@@ -122,7 +119,6 @@ const commands = commandTable({
   files,
   actions,
   alerts,
-  addConstraint,
   solver,
   hold,
   fileInput,
@@ -152,7 +148,6 @@ viewport.addEventListener('none', (event) => {
 
 Object.assign(window, { shapeUp: scriptApi(store, solver, viewport, files) });
 
-askForFrames(byId('frame-chips'), store, actions, files);
 const keeping = new Keeping(store, solver, files, alerts);
 recentMenu(byId('recent-button'), byId('recent'), keeping, alerts);
 keeping.begin().catch((error) => alerts.error(messageOf(error)));
@@ -179,6 +174,7 @@ function takeUp(client) {
   on('model', ({ loaded, positions }) =>
     store.set({
       model: loaded,
+      camera: null,
       size: sizeOf(positions),
       document: null,
       numbers: null,

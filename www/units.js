@@ -1,14 +1,15 @@
 /**
- * The unit and the vertical axis of the model: chosen in the panel, asked for after a file that does
- * not say them, and remembered by the name of the file. Coordinates never change by it.
+ * The unit and the vertical axis of the model, chosen in its panel, which says when they are guessed,
+ * and remembered by the name of the file. Coordinates never change by it.
  */
 
-import { element } from './dom.js';
+import { element, leave, setText } from './dom.js';
 import { recall, remember } from './stored.js';
 
 /** @typedef {import("./state.js").Store} Store */
 /** @typedef {import("./actions.js").Actions} Actions */
 /** @typedef {{ units: string, up: "y" | "z" }} Frame */
+/** @typedef {import("./messages.js").Loaded} Loaded */
 
 /** With the empty one for a mesh without a unit. */
 const UNITS = ['m', 'cm', 'mm', 'ft', 'in', ''];
@@ -64,13 +65,20 @@ function changes(store, actions) {
 }
 
 /**
- * Two rows of the panel of the model.
+ * Rows of the panel of the model: what is guessed, and the two choices.
  * @param {Store} store
  * @param {Actions} actions
  * @returns {HTMLElement} always up to date
  */
 export function frameFields(store, actions) {
-  const change = changes(store, actions);
+  const apply = changes(store, actions);
+  /** @type {Loaded | null} */
+  let confirmed = null;
+  const change = async (/** @type {Partial<Frame>} */ part) => {
+    await apply(part);
+    confirmed = store.get().model;
+    showGuess();
+  };
   const units = element('select', {
     id: 'units',
     onchange: () => change({ units: units.value }),
@@ -81,6 +89,25 @@ export function frameFields(store, actions) {
     element('option', { value: 'z' }, 'z'),
     element('option', { value: 'y' }, 'y'),
   );
+  const guess = element('span');
+  const note = element(
+    'p',
+    { class: 'guess', hidden: true },
+    guess,
+    element(
+      'button',
+      // Nothing changes, but the file is known from now on.
+      { type: 'button', class: 'small bordered', onclick: () => leave(note, () => change({})) },
+      'Looks right',
+    ),
+  );
+  function showGuess() {
+    const { model } = store.get();
+    const words = model && guessInWords(model);
+    note.hidden = !words || model === confirmed;
+    if (words) setText(guess, words);
+  }
+  store.subscribe(['model'], showGuess);
   store.subscribe(['document'], ({ document }) => {
     if (!document) return;
     const known = UNITS.includes(document.units) ? UNITS : [document.units, ...UNITS];
@@ -97,27 +124,15 @@ export function frameFields(store, actions) {
     units,
     element('label', { for: 'up' }, 'Up axis'),
     up,
+    note,
   );
 }
 
 /**
- * Asks after a file that does not say them. What asks comes with the first such file.
- * @param {HTMLElement} place
- * @param {Store} store
- * @param {Actions} actions
- * @param {import("./files.js").Files} files
+ * What a file does not say and was guessed, empty where it says both.
+ * @param {Loaded} model
  */
-export function askForFrames(place, store, actions, files) {
-  /** @type {Promise<import("./frame-question.js").FrameQuestion> | undefined} */
-  let question;
-  files.addEventListener('opened', async () => {
-    place.replaceChildren();
-    const { model } = store.get();
-    if (!model?.guessed.units && !model?.guessed.up) return;
-    question ??= import('./frame-question.js').then(
-      ({ FrameQuestion }) => new FrameQuestion(place, store, UNITS, changes(store, actions)),
-    );
-    const asks = await actions.told(question);
-    if (store.get().model === model) asks?.ask(model.name);
-  });
+function guessInWords({ name, guessed }) {
+  const missing = [guessed.units && 'units', guessed.up && 'up axis'].filter(Boolean).join(' or ');
+  return missing && `Our guess: ${name} has no ${missing}.`;
 }

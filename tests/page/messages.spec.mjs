@@ -1,8 +1,8 @@
 // What is said lies beside what is worked with, not over it.
 
-import { file, wavyGrid } from './meshes.mjs';
-import { openText, showPanel } from './actions.mjs';
-import { expect, openPage, test, waitForState } from './support.mjs';
+import { file } from './meshes.mjs';
+import { showPanel } from './actions.mjs';
+import { expect, openPage, test } from './support.mjs';
 
 test.use({ pixels: false });
 
@@ -57,42 +57,4 @@ test('on a phone nothing is chosen among the tabs while their sheet is closed', 
   await expect(chosen).toHaveText('Model');
   await page.getByRole('tab', { name: 'Model' }).click();
   await expect(chosen).toHaveCount(0);
-});
-
-test('on a phone the question for unit and axis is one line beside the view', async ({ page }, {
-  project,
-}) => {
-  test.skip(project.name !== 'phone', 'there is room for it on a screen');
-  await openPage(page);
-  // So large that it is taken for millimetres, which are not among the first units.
-  const large = (_, ...at) => `v ${at.map((x) => 3000 * x).join(' ')}`;
-  await openText(page, 'roof.obj', wavyGrid(4).replace(/^v (\S+) (\S+) (\S+)$/gm, large), 25);
-  await waitForState(page, (now) => now.renderer !== 'none');
-  const question = page.getByRole('group', { name: 'Unit and up axis' });
-  const view = page.getByRole('application', { name: '3D view' });
-  await expect(question).toBeInViewport({ ratio: 1 });
-  await expect.poll(() => apart(question, view)).toBe(true);
-  expect((await question.boundingBox()).height).toBeLessThan(60);
-  const legend = page.locator('#legend');
-  if (await legend.isVisible()) expect(await apart(question, legend)).toBe(true);
-  // Nothing of the model is under it.
-  const below = await question.boundingBox();
-  for (const vertex of [0, 4, 20, 24]) {
-    const [, y] = await page.evaluate((v) => window.shapeUp.screen(v) ?? [0, 0], vertex);
-    expect(y).toBeLessThan(below.y);
-  }
-
-  const tall = (await view.boundingBox()).height;
-  const chip = (name) => question.getByRole('button', { name, exact: true });
-  for (const guessed of ['z', 'mm']) {
-    await expect(chip(guessed)).toHaveAttribute('aria-pressed', 'true');
-    await expect(chip(guessed)).toBeInViewport({ ratio: 1 });
-  }
-  await chip('in').click();
-  await expect(chip('in')).toHaveAttribute('aria-pressed', 'true');
-  await chip('y').click();
-  await expect(chip('y')).toHaveAttribute('aria-pressed', 'true');
-  await chip('That is right').click();
-  await expect(question).toBeHidden();
-  await expect.poll(async () => (await view.boundingBox()).height).toBeGreaterThan(tall);
 });

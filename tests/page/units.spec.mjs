@@ -6,24 +6,32 @@ import { expect, openPage, positionOf, screenOf, state, test, waitForState } fro
 
 test.use({ pixels: false });
 
-const chips = (page) => page.getByRole('group', { name: 'Unit and up axis' });
+const guess = (page) => page.getByText(/^Our guess: .* has no units or up axis\.$/);
+const looksRight = (page) => page.getByRole('button', { name: 'Looks right' });
 const upOf = (page) => page.evaluate(() => window.shapeUp.scene().up ?? 'z');
 
-test('they are guessed, asked for once, and written into what is saved', async ({ page }) => {
+test('they are guessed in the panel, over nothing, and written into what is saved', async ({
+  page,
+}) => {
   await openPage(page);
   // The example says its own.
-  await expect(chips(page)).toBeHidden();
+  await showPanel(page, 'Model');
+  await expect(guess(page)).toBeHidden();
   await openText(page, 'roof.obj', wavyGrid(4), 25);
   const corner = await positionOf(page, 24);
-  const chip = (name) => chips(page).getByRole('button', { name, exact: true });
-  await expect(chip('m')).toHaveAttribute('aria-pressed', 'true');
-  await expect(chip('z')).toHaveAttribute('aria-pressed', 'true');
-  await chip('ft').click();
-  await chip('y').click();
-  await expect(chip('ft')).toHaveAttribute('aria-pressed', 'true');
+  const units = page.getByRole('combobox', { name: 'Unit' });
+  const up = page.getByRole('combobox', { name: 'Up axis' });
+  await expect(guess(page)).toBeVisible();
+  // It is a line of the panel: nothing lies over the model, and nothing has to be answered.
+  await expect(
+    page.getByRole('complementary', { name: 'Model' }).locator(guess(page)),
+  ).toBeVisible();
+  await expect(units).toHaveValue('m');
+  await expect(up).toHaveValue('z');
+  await units.selectOption('ft');
+  await expect(guess(page)).toBeHidden();
+  await up.selectOption('y');
   await expect.poll(() => upOf(page)).toBe('y');
-  await chips(page).getByRole('button', { name: 'That is right' }).click();
-  await expect(chips(page)).toBeHidden();
   expect(await positionOf(page, 24), 'nothing is rescaled').toEqual(corner);
 
   const scene = JSON.parse((await saved(page, 'Save scene')).text);
@@ -32,17 +40,23 @@ test('they are guessed, asked for once, and written into what is saved', async (
   expect(mesh.text).toMatch(/^# units: ft\n# up: y\nv /);
 
   // The same file again is taken for the same, and so is what was exported.
-  await openText(page, 'other.obj', wavyGrid(2), 9);
-  await chips(page).getByRole('button', { name: 'Dismiss' }).click();
   for (const [name, text] of [
     ['roof.obj', wavyGrid(4)],
     ['copy.obj', mesh.text],
   ]) {
     await openText(page, 'other.obj', wavyGrid(2), 9);
+    await expect(guess(page)).toBeVisible();
     await openText(page, name, text, 25);
-    await expect(chips(page)).toBeHidden();
+    await expect(guess(page)).toBeHidden();
     await expect.poll(() => upOf(page)).toBe('y');
   }
+  // What looks right is not asked again either.
+  await openText(page, 'other.obj', wavyGrid(2), 9);
+  await looksRight(page).click();
+  await expect(guess(page)).toBeHidden();
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  await openText(page, 'other.obj', wavyGrid(2), 9);
+  await expect(guess(page)).toBeHidden();
 });
 
 test('another axis turns the view, and undo turns it back', async ({ page }) => {
