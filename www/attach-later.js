@@ -11,6 +11,9 @@ export function attachLater(parts) {
     import('./lists/conditions.js').then(({ watchConditions }) => watchConditions(parts), failed);
   files.addEventListener('opened', watch, { once: true });
 
+  if (matchMedia('(any-pointer: coarse)').matches)
+    import('./tooltips.js').then(({ tooltipsForTouch }) => tooltipsForTouch(), failed);
+
   let taught = false;
   store.subscribe(['document'], ({ document }) => {
     if (taught || !document?.lesson) return;

@@ -45,21 +45,23 @@ export function showContextMenu(at, parts) {
   const { store, viewport, actions } = parts;
   place = new DOMRect(...at, 0, 0);
   menu.replaceChildren(
-    ...itemsOf(parts).map(([label, action]) =>
+    ...sectionsOf(parts).map(([heading, items]) =>
       element(
-        'button',
-        {
-          type: 'button',
-          role: 'menuitem',
-          onclick: () => {
-            close();
-            action();
-          },
-        },
-        label,
+        'div',
+        { class: 'section', role: 'group', 'aria-label': heading },
+        element('p', { class: 'heading quiet', 'aria-hidden': 'true' }, heading),
+        ...items.map(([label, action]) => item(label, action)),
       ),
     ),
   );
+  /** @type {(label: string, action: () => void) => HTMLElement} */
+  function item(label, action) {
+    const onclick = () => {
+      close();
+      action();
+    };
+    return element('button', { type: 'button', role: 'menuitem', onclick }, label);
+  }
   const close = () => {
     menu.hidePopover();
     viewport.element.focus({ preventScroll: true });
@@ -74,12 +76,14 @@ export function showContextMenu(at, parts) {
   else actions.say('Nothing is open yet');
 }
 
+/** @typedef {[label: string, action: () => void]} Item */
+
 /**
- * What there is to do, and how.
+ * What there is to do, and how, under its headings.
  * @param {Parts} parts
- * @returns {[string, () => void][]}
+ * @returns {[heading: string, items: Item[]][]}
  */
-function itemsOf({ store, actions, selecting, commands }) {
+function sectionsOf({ store, actions, selecting, commands }) {
   const state = store.get();
   const { document, operations } = state;
   const vertices = actions.chosenVertices();
@@ -88,26 +92,48 @@ function itemsOf({ store, actions, selecting, commands }) {
     vertices.some((vertex) => held.get(vertex) === as);
   const press = (/** @type {string} */ id) => () =>
     commands.find((command) => command.id === id)?.action();
-  /** @type {[boolean, string, () => void][]} */
-  const items = [
-    [some(undefined), 'Make handle', () => actions.addHandles(vertices, false)],
-    [some(undefined) || some(false), 'Fix here', () => actions.addHandles(vertices, true)],
-    [some(true), 'Hold softly', () => actions.addHandles(vertices, false)],
-    [some(true) || some(false), 'Release handle', press('remove-handles')],
-    ...operations
-      .filter((operation) => operation.needsSelection && operation.params.length === 0)
-      .map((operation) => {
-        const apply = () => void selecting.applyOrTell(operation);
-        return /** @type {[boolean, string, () => void]} */ ([
-          selecting.canApply(operation),
-          operation.label,
-          apply,
-        ]);
-      }),
-    [vertices.length > 0, 'Look at it', press('fit-selection')],
-    [vertices.length === 0, 'Look at everything', press('fit-all')],
-    [vertices.length > 0, 'Select nothing', actions.selectNothing],
-    [Boolean(document?.undo), `Take back: ${document?.undo}`, press('undo')],
+  const selections = operations
+    .filter((operation) => operation.needsSelection && operation.params.length === 0)
+    .filter((operation) => selecting.canApply(operation))
+    .map(
+      (operation) =>
+        /** @type {Item} */ ([operation.label, () => void selecting.applyOrTell(operation)]),
+    );
+  /** @type {[string, [boolean, ...Item][]][]} */
+  const sections = [
+    [
+      'Handles',
+      [
+        [some(undefined), 'Make handle', () => actions.addHandles(vertices, false)],
+        [some(undefined) || some(false), 'Fix here', () => actions.addHandles(vertices, true)],
+        [some(true), 'Make movable', () => actions.addHandles(vertices, false)],
+        [some(true) || some(false), 'Release handle', press('remove-handles')],
+      ],
+    ],
+    ['Constraints', [[true, 'Add constraint', press('add-constraint')]]],
+    [
+      'Selection',
+      [
+        ...selections.map((item) => /** @type {[boolean, ...Item]} */ ([true, ...item])),
+        [vertices.length > 0, 'Select nothing', actions.selectNothing],
+      ],
+    ],
+    [
+      'View',
+      [
+        [vertices.length > 0, 'Zoom to selection', press('fit-selection')],
+        [vertices.length === 0, 'Zoom to everything', press('fit-all')],
+      ],
+    ],
+    ['Edit', [[Boolean(document?.undo), `Undo: ${document?.undo}`, press('undo')]]],
   ];
-  return items.filter(([fits]) => fits).map(([, label, action]) => [label, action]);
+  return sections
+    .map(
+      ([heading, items]) =>
+        /** @type {[string, Item[]]} */ ([
+          heading,
+          items.filter(([fits]) => fits).map(([, label, action]) => [label, action]),
+        ]),
+    )
+    .filter(([, items]) => items.length > 0);
 }

@@ -203,6 +203,14 @@ export class Files extends EventTarget {
               this.openExample(example).catch((error) => this.#alerts.error(messageOf(error)));
             },
           },
+          // It loads when the menu is opened.
+          element('img', {
+            src: new URL(`pictures/${example.id}-end.svg`, document.baseURI).href,
+            alt: '',
+            width: 72,
+            height: 52,
+            loading: 'lazy',
+          }),
           entry(example.title, example.summary),
         ),
       ),

@@ -183,7 +183,15 @@ test('a right click and the menu key show what can be done here', async ({ page 
   const menu = page.getByRole('menu', { name: 'What is here' });
   await page.mouse.click(...(await screenOf(page, MIDDLE)), { button: 'right' });
   await expect(menu).toBeVisible();
-  await menu.getByRole('menuitem', { name: 'Make handle' }).click();
+  await expect(
+    menu
+      .getByRole('group', { name: 'Constraints' })
+      .getByRole('menuitem', { name: 'Add constraint' }),
+  ).toBeVisible();
+  await menu
+    .getByRole('group', { name: 'Handles' })
+    .getByRole('menuitem', { name: 'Make handle' })
+    .click();
   await expect(menu).toBeHidden();
   const made = await waitForState(page, (now) => now.handles.length === 1);
   expect(made.handles[0].vertex).toBe(MIDDLE);

@@ -124,3 +124,22 @@ test('a long press shows the menu; a handle and its arrows follow a finger', asy
   );
   expect(lifted.handles[0].target.slice(0, 2)).toEqual(before.target.slice(0, 2));
 });
+
+test('a finger that rests on a button without a name is told what it is, and presses nothing', async ({
+  page,
+}) => {
+  const touch = await fingers(page);
+  const undo = page.getByRole('button', { name: 'Undo' });
+  await page.mouse.dblclick(...(await screenOf(page, MIDDLE)));
+  await waitForState(page, (now) => now.handles.length === 1);
+  const { x, y, width, height } = await undo.boundingBox();
+  await touch.down([x + width / 2, y + height / 2]);
+  const tip = page.getByRole('tooltip');
+  await expect(tip).toHaveText(/^Undo: /);
+  await touch.up();
+  expect((await state(page)).handles).toHaveLength(1);
+  await expect(tip).toBeInViewport({ ratio: 1 });
+  await undo.tap();
+  await expect(tip).toBeHidden();
+  await waitForState(page, (now) => now.handles.length === 0);
+});
