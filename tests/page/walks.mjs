@@ -166,7 +166,7 @@ export const walks = {
       name: 'solved, with the first hint',
       reach: async (page) => {
         await waitForState(page, (now) => now.converged);
-        await expect(page.getByText('Drag a blue dot: this stays true.')).toBeVisible();
+        await expect(page.getByText(/Drag a blue handle/)).toBeVisible();
       },
     },
     {
@@ -277,7 +277,7 @@ export const walks = {
         await dialog.getByText(/shapes? do(es)? not fit here/).click();
         await expect(dialog.getByRole('button', { name: 'Add', exact: true })).toBeEnabled();
       },
-      leave: (page) => page.getByRole('button', { name: 'Cancel', exact: true }).click(),
+      leave: escape,
     },
     {
       name: 'constraints and a handle with their parameters',

@@ -38,7 +38,7 @@ export function exampleNote(place, files, alerts, show) {
     place.replaceChildren(
       element('h2', { id: 'heading-example' }, title),
       element('p', {}, summary),
-      element('p', { class: 'quiet' }, 'Solved: ', ...withSymbols(statement)),
+      element('p', { class: 'quiet' }, 'Once solved: ', ...withSymbols(statement)),
       ...suggestions.map(({ label, shows }) =>
         element(
           'button',

@@ -130,6 +130,6 @@ function hintOf(state) {
     return `${SHAPES[shape]} over ${mode} · Shift adds, Ctrl removes · V goes back to Drag`;
   if (document.handles.length === 0)
     return 'Double-click a vertex to make it a handle · drag to orbit';
-  if (!running && !converged) return 'Space runs · drag a blue dot · drag elsewhere to orbit';
-  return 'Drag a blue dot · drag elsewhere to orbit, wheel to zoom';
+  if (!running && !converged) return 'Space runs · drag a blue handle · drag elsewhere to orbit';
+  return 'Drag a blue handle · drag elsewhere to orbit, wheel to zoom';
 }
