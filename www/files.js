@@ -92,6 +92,7 @@ export class Files extends EventTarget {
       if (!origin.first) removeFirstPicture();
       this.#store.set({
         firstExample: Boolean(origin.first),
+        fileName: origin.title ?? main.name,
         example: origin.example ?? null,
         status: `Opened ${main.name}: ${count(loaded.vertices, 'vertex', 'vertices')}, ${count(loaded.faces, 'face')}`,
       });

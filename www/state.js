@@ -17,6 +17,7 @@
  * @property {import("./messages.js").SettingInfo[]} settings of a scene
  * @property {Loaded | null} model
  * @property {number} size diagonal of the bounding box of the mesh as it was opened, in its unit
+ * @property {string} fileName what was opened, also when it is work of last time that goes on
  * @property {boolean} firstExample the model is the one that the page opens with
  * @property {import("./files.js").Example | null} example whose mesh is open, if it is that of one
  * @property {SceneDocument | null} document
@@ -93,6 +94,7 @@ const INITIAL = {
   settings: [],
   model: null,
   size: 0,
+  fileName: '',
   firstExample: false,
   example: null,
   document: null,

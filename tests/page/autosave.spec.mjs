@@ -42,6 +42,9 @@ test('work is back after the tab was killed', async ({ page, context }) => {
   expect(after.constraints).toEqual({ plane: 16 });
   expect(await positionOf(again, 24)).toEqual(corner);
   await expect(back(again)).toContainText('roof.obj');
+  // Under its own name, not under that of the scene that it was kept as.
+  const panel = again.getByRole('complementary', { name: 'Model' });
+  await expect(panel.getByText('roof.obj', { exact: true })).toBeVisible();
 
   await again.getByRole('button', { name: 'Start fresh' }).click();
   await waitForState(again, (now) => now.vertices > 25);

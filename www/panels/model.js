@@ -12,10 +12,10 @@ import { frameFields } from '../units.js';
  */
 export function modelPanel(place, store, actions, showLog) {
   const frame = frameFields(store, actions);
-  store.subscribe(['model'], ({ model }) => {
+  store.subscribe(['model', 'fileName'], ({ model, fileName }) => {
     if (!model) return;
     place.replaceChildren(
-      element('p', { class: 'model-name' }, model.title || model.name),
+      element('p', { class: 'model-name' }, model.title || fileName),
       facts([
         ['Vertices', groupDigits(model.vertices)],
         ['Faces', groupDigits(model.faces)],
