@@ -163,6 +163,8 @@ export class Files extends EventTarget {
     const files = await Promise.all(
       names.map(async (name) => ({ name, bytes: await exampleFile(name) })),
     );
+    // The first thing that somebody sees of it is what it does.
+    if (first) this.#store.set({ display: { ...this.#store.get().display, shapes: true } });
     await this.open(files, { first, example });
     const { numbers } = this.#store.get();
     const status = first && numbers && ended(true, numbers.iteration);

@@ -1,6 +1,6 @@
 // What is on the screen before the page can draw, and what becomes of presses on it.
 
-import { hidePanels } from './actions.mjs';
+import { hidePanels, showPanel } from './actions.mjs';
 import { file, wavyGrid } from './meshes.mjs';
 import { decodePng } from './picture.mjs';
 import { coloursOfView, expect, screenOf, state, test, waitForState } from './support.mjs';
@@ -43,6 +43,10 @@ for (const colorScheme of ['light', 'dark']) {
     await page.goto('./');
     expect(await coloursOfView(page)).toBeGreaterThan(50);
     await waitForState(page, (now) => now.converged);
+    // Circles are the view's: several hundred would double the bytes of the picture.
+    await showPanel(page, 'Energies and display');
+    await page.getByLabel('Fitted shapes').uncheck();
+    await hidePanels(page);
     const still = decodePng(await viewOf(page).screenshot());
 
     release();
