@@ -11,7 +11,7 @@
 //! |---|---|
 //! | `stage` | everything that a picture shows, and what has changed since the last one |
 //! | `lists`, `subject`, `triangulate`, `normals`, `polygon_edges` | the mesh as it is shown |
-//! | `camera`, `framing`, `flight` | where it is looked at from, and the way from there to elsewhere |
+//! | `camera`, `framing`, `flight`, `kept_camera` | where it is looked at from, and the way from there to elsewhere |
 //! | `picking`, `ray`, `region`, `depth_map` | what is under the cursor, inside an outline, in front |
 //! | `gizmo`, `gizmo_shape`, `grip` | handles that the pointer takes hold of |
 //! | `looks`, `colour_map`, `colour_scale`, `bands`, `row_colours`, `light`, `palette` | colours of faces and of all else |

@@ -183,6 +183,19 @@ test('through takes what the surface hides', async ({ page }) => {
   );
 });
 
+test('a drag turns the model about what was pressed', async ({ page }) => {
+  const [pressed, other] = [vertex(4, 3), vertex(1, 1)];
+  const [x, y] = await screenOf(page, pressed);
+  const before = await screenOf(page, other);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 60, y + 10, { steps: 4 });
+  await page.mouse.up();
+  await expect.poll(() => screenOf(page, other)).not.toEqual(before);
+  const after = await screenOf(page, pressed);
+  expect(Math.hypot(after[0] - x, after[1] - y)).toBeLessThan(3);
+});
+
 test('a double-click takes a loop or a flat patch; keys grow, shrink, invert and select all', async ({
   page,
 }) => {

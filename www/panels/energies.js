@@ -54,7 +54,7 @@ export function energiesPanel(place, store, actions) {
 
   store.subscribe(['document'], ({ document }) => {
     if (!document) return;
-    presets.show(document.weights);
+    presets.show(document);
     rows.forEach((row) => row.show(document));
   });
   store.subscribe(

@@ -1,45 +1,74 @@
-/** The weights of the paper's figures, to be taken with one choice. */
+/**
+ * The settings of the paper's figures, to be taken with one choice. One that assumes what this mesh has
+ * not says so before it is taken.
+ */
 
-import { element } from '../dom.js';
+import { element, leave } from '../dom.js';
 
-/** @typedef {import("../messages.js").Weights} Weights */
+/** @typedef {import("../messages.js").Preset} Preset */
 
-/** So short that the closed list cuts nothing off. @type {{ words: string, title: string, weights: Weights }[]} */
-const PRESETS = [
-  { words: 'Fig. 5: 5, 10, 2', title: 'panels', weights: { shape: 5, close: 10, smooth: 2 } },
-  { words: 'Fig. 7: 5, 1, 0', title: 'mesh quality', weights: { shape: 5, close: 1, smooth: 0 } },
-  { words: 'Fig. 6, 8: 1, 0, 0', title: 'handles', weights: { shape: 1, close: 0, smooth: 0 } },
-];
-const OWN = 'own';
+const CUSTOM = 'custom';
 
 /**
  * @param {import("../actions.js").Actions} actions
- * @returns {{ element: HTMLElement, show: (weights: Weights) => void }}
+ * @returns {{ element: HTMLElement, show: (document: import("../messages.js").SceneDocument) => void }}
  */
 export function weightPresets(actions) {
-  const options = PRESETS.map(({ words, title }, at) =>
-    element('option', { value: at, title }, words),
-  );
-  const own = element('option', { value: OWN, disabled: true }, 'own weights');
-  const choice = element(
-    'select',
-    {
-      'aria-label': 'Weights of the paper',
-      onchange: () => {
-        const { weights } = PRESETS[Number(choice.value)];
-        actions.edit({ type: 'setWeights', ...weights });
-      },
-    },
-    own,
-    ...options,
-  );
+  /** @type {Preset[]} */
+  let presets = [];
+  /** The one whose settings the scene has. @type {string | null} */
+  let current = null;
+  const choice = element('select', { 'aria-label': 'Settings of the paper', onchange: choose });
+  const warning = element('div', {
+    class: 'warning',
+    role: 'group',
+    'aria-labelledby': 'preset-warning',
+    hidden: true,
+  });
+  const take = (/** @type {Preset} */ { id }) => actions.edit({ type: 'preset', id });
+
+  function choose() {
+    const preset = presets.find(({ id }) => id === choice.value);
+    if (!preset) return;
+    if (!preset.warning) return void take(preset);
+    // It is not taken yet.
+    showChosen();
+    const close = () => leave(warning, () => (warning.hidden = true));
+    const answer = (/** @type {string} */ label, /** @type {() => void} */ action) =>
+      element('button', { type: 'button', class: 'small bordered', onclick: action }, label);
+    const useAnyway = () => {
+      close();
+      take(preset);
+    };
+    warning.replaceChildren(
+      element('p', { id: 'preset-warning' }, `${preset.assumes} ${preset.warning}`),
+      answer('Use anyway', useAnyway),
+      answer('Cancel', close),
+    );
+    warning.hidden = false;
+    warning.querySelector('button')?.focus();
+  }
+
+  const showChosen = () => (choice.value = current ?? CUSTOM);
+
   return {
-    element: element('label', { class: 'presets' }, 'As in the paper', choice),
-    show(weights) {
-      const at = PRESETS.findIndex(({ weights: one }) =>
-        ['shape', 'close', 'smooth'].every((id) => one[id] === weights[id]),
-      );
-      choice.value = at < 0 ? OWN : String(at);
+    element: element(
+      'div',
+      {},
+      element('label', { class: 'presets' }, 'As in the paper', choice),
+      warning,
+    ),
+    show(document) {
+      const isNew = presets.length === 0;
+      ({ presets, preset: current } = document);
+      if (isNew)
+        choice.replaceChildren(
+          element('option', { value: CUSTOM, disabled: true }, 'Custom'),
+          ...presets.map(({ id, label, assumes }) =>
+            element('option', { value: id, title: assumes }, label),
+          ),
+        );
+      showChosen();
     },
   };
 }
