@@ -67,6 +67,15 @@ export function showExport(parts) {
           `The mesh as it is now, in the order of the file${flatMap ? ', with its flat map' : ''}`,
           () => files.exportMesh(),
         ),
+        ...(model?.welded
+          ? [
+              format(
+                'OBJ as it came',
+                'With the vertices of the file, before they were welded',
+                () => files.exportAsItCame(),
+              ),
+            ]
+          : []),
         format('3DM', 'For Rhino, with a layer for each group', () => saveForRhino(parts)),
         format('Scene', 'The mesh with its constraints, handles and weights', () =>
           files.saveScene(),

@@ -3,7 +3,7 @@
  * it has opened.
  */
 
-import { count, ended } from './format.js';
+import { count, ended, groupDigits, length } from './format.js';
 import { element } from './dom.js';
 import { exampleFile, listOfExamples } from './examples.js';
 import { removeFirstPicture } from './first-picture.js';
@@ -23,6 +23,7 @@ import { rememberedFrame } from './units.js';
  * @property {string} [work] the name under which it is kept in this browser, see `works.js`
  * @property {string} [title] of the work
  * @property {number} [iteration] where it stood
+ * @property {boolean} [asItCame] its vertices are not welded
  */
 
 const IS_RHINO = /\.3dm$/i;
@@ -40,6 +41,8 @@ export class Files extends EventTarget {
   #store;
   #solver;
   #alerts;
+  /** What was opened last. @type {NamedBytes[]} */
+  #given = [];
   /** Base name for what is saved. */
   #name = 'model';
 
@@ -82,10 +85,14 @@ export class Files extends EventTarget {
       if (document || !status)
         this.#store.set({ status: `Reading ${files.map((file) => file.name).join(' and ')} …` });
       const main = mainOf(files);
-      const { iteration, first: solved } = origin;
+      const { iteration, first: solved, asItCame } = origin;
       const frame = rememberedFrame(main.name);
-      const loaded = await this.#solver.request({ type: 'open', files, iteration, frame, solved });
+      const loaded = await this.#solver.request({
+        ...{ type: 'open', files, iteration, frame, solved },
+        weld: !asItCame,
+      });
       this.#name = main.name.replace(/(\.shapeup)?\.[^.]+$/, '');
+      this.#given = files;
       this.origin = origin;
       this.original = origin.work ? null : this.#solver.sceneText;
       this.#alerts.clear();
@@ -96,6 +103,7 @@ export class Files extends EventTarget {
         example: origin.example ?? null,
         status: `Opened ${main.name}: ${count(loaded.vertices, 'vertex', 'vertices')}, ${count(loaded.faces, 'face')}`,
       });
+      if (loaded.welded) this.#tellWelded(loaded.welded, loaded.units);
       this.dispatchEvent(new Event('opened'));
       return loaded;
     } catch (error) {
@@ -246,6 +254,22 @@ export class Files extends EventTarget {
         folders,
       );
     });
+  }
+
+  /**
+   * @param {NonNullable<import("./messages.js").Loaded["welded"]>} welded
+   * @param {string} units
+   */
+  #tellWelded({ before, after, tolerance }, units) {
+    const words = `${groupDigits(before)} vertices welded into ${groupDigits(after)}: those within ${length(tolerance, units)} of each other.`;
+    const asItCame = () =>
+      this.open(this.#given, { ...this.origin, asItCame: true }).catch(() => {});
+    this.#alerts.notice(words, { label: 'Undo', action: asItCame });
+  }
+
+  /** The current shape in the vertices of the file, before they were welded. */
+  async exportAsItCame() {
+    this.save('.obj', await this.#solver.request({ type: 'obj', asItCame: true }), 'model/obj');
   }
 
   /** The current shape, with the flat map that is shown, as OBJ. */

@@ -180,3 +180,37 @@ test('scripts open scenes and meshes, and hear why not', async ({ page }) => {
   expect(refused).toContain('99');
   expect((await state(page)).vertices).toBe(9);
 });
+
+test('faces with vertices of their own are welded at once, can be opened as they came, and go out so', async ({
+  page,
+}) => {
+  await openPage(page);
+  const vertices = [];
+  const faces = [];
+  const corner = (x, y) => vertices.push(`v ${x} ${y} ${x * y * 0.1}`);
+  for (let x = 0; x < 3; x++) {
+    for (let y = 0; y < 3; y++) {
+      const [a] = [corner(x, y), corner(x + 1, y), corner(x + 1, y + 1), corner(x, y + 1)];
+      faces.push(`f ${a} ${a + 1} ${a + 2} ${a + 3}`);
+    }
+  }
+  const text = [...vertices, ...faces, ''].join('\n');
+  await openText(page, 'loose.obj', text, 16);
+  const message = page.getByRole('alert').getByText(/^36 vertices welded into 16: those within /);
+  await expect(message).toBeVisible();
+  await addConstraint(page, 'Plane', 'each face');
+  await runToTheEnd(page);
+  const { text: out } = await exported(page, 'OBJ as it came');
+  expect(out.match(/^v /gm)).toHaveLength(36);
+  expect(out.match(/^f .*$/gm)).toEqual(faces);
+  // Where two faces met they still do.
+  const at = out.match(/^v .*$/gm);
+  expect(at[3]).toBe(at[4]);
+  expect(at[3]).not.toBe(vertices[3]);
+  expect((await exported(page, 'OBJ\\s*The')).text.match(/^v /gm)).toHaveLength(16);
+
+  await openText(page, 'loose.obj', text, 16);
+  await page.getByRole('alert').getByRole('button', { name: 'Undo' }).click();
+  await waitForState(page, (now) => now.vertices === 36);
+  await expect(message).toBeHidden();
+});
