@@ -6,6 +6,7 @@
 import { byId, element, icon } from './dom.js';
 
 const PHONE = matchMedia('(max-width: 699px)');
+const MOUSE = matchMedia('(pointer: fine)');
 /** Where each group of the toolbar is on a phone; the others stay in the header. */
 const IN_BAR = ['group-run', 'group-file'];
 const IN_MORE = ['group-mode', 'group-scene', 'group-page'];
@@ -98,17 +99,20 @@ export function placeMenu(menu, anchor) {
   menu.addEventListener('toggle', (event) => {
     if (/** @type {ToggleEvent} */ (event).newState !== 'open') return;
     const at = anchor().getBoundingClientRect();
+    // A menu at a point may lie beside it, but under a finger it would be pressed.
+    const isPoint = at.width === 0 && at.height === 0 && MOUSE.matches;
     // As wide as it wants to be, wherever it was last.
     menu.style.left = '0';
     const gap = 4;
-    const left = Math.min(at.left, innerWidth - menu.offsetWidth - 2 * gap);
+    const left = Math.min(at.left + (isPoint ? gap : 0), innerWidth - menu.offsetWidth - 2 * gap);
     const [above, below] = [at.top - 2 * gap, innerHeight - at.bottom - 2 * gap];
-    const room = Math.max(above, below);
-    // What is too long for the roomier side scrolls there.
+    const room = isPoint ? innerHeight - 2 * gap : Math.max(above, below);
+    // What is too long for the roomier side scrolls there; at a point it moves up instead.
     menu.style.maxHeight = `${room}px`;
     const height = Math.min(menu.offsetHeight, room);
+    const higher = isPoint ? innerHeight - gap - height : at.top - gap - height;
     menu.style.left = `${Math.max(2 * gap, left)}px`;
-    menu.style.top = `${height <= below ? at.bottom + gap : at.top - gap - height}px`;
+    menu.style.top = `${height <= below ? at.bottom + gap : higher}px`;
     itemsOf(menu)[0]?.focus();
   });
   menu.addEventListener('keydown', (event) => {

@@ -120,11 +120,11 @@ export function frameFields(store, actions) {
   return element(
     'div',
     { class: 'frame-fields', title },
+    note,
     element('label', { for: 'units' }, 'Unit'),
     units,
     element('label', { for: 'up' }, 'Up axis'),
     up,
-    note,
   );
 }
 
@@ -134,5 +134,5 @@ export function frameFields(store, actions) {
  */
 function guessInWords({ name, guessed }) {
   const missing = [guessed.units && 'units', guessed.up && 'up axis'].filter(Boolean).join(' or ');
-  return missing && `Our guess: ${name} has no ${missing}.`;
+  return missing && `${name} has no ${missing}. Our guess:`;
 }

@@ -78,7 +78,7 @@ test('a mesh of one’s own, from its file to its export, by keys only', async (
   await walkTo(page, /select by/i);
   await page.keyboard.press('Enter');
   await expect(page.getByRole('dialog', { name: 'Select' })).toBeVisible();
-  await walkDown(page, /^Boundary loop/);
+  await walkDown(page, /^Faces along the boundary/);
   await page.keyboard.press('Enter');
   await expect(status(page)).toHaveText('12 faces selected');
   await press(page, 'Control+a');

@@ -214,11 +214,14 @@ test('the usual kind is chosen beforehand, follows the selection, and runs', asy
   await expect(chosen('Where')).toHaveAccessibleName('each face');
   const whole = await chosen('Shape').getAttribute('aria-label');
   // A patch of faces, while the dialog is open: the view is beside it.
-  await page.keyboard.press('Control+a');
-  await page.mouse.click(...(await screenOf(page, 3 * (n + 1) + 3)));
   await page.keyboard.press('3');
+  const at = 3 * (n + 1) + 3;
+  const corners = [at, at + 1, at + n + 1, at + n + 2];
+  const places = await Promise.all(corners.map((corner) => screenOf(page, corner)));
+  const middle = [0, 1].map((axis) => places.reduce((sum, place) => sum + place[axis] / 4, 0));
+  await page.mouse.click(...middle);
   await page.keyboard.press('+');
-  await waitForState(page, (now) => now.selection.vertices.length > 1);
+  await waitForState(page, (now) => now.selection.faces.length === 9);
   await expect(chosen('Where')).toHaveAccessibleName('the selection as one set');
   await expect(chosen('Shape')).not.toHaveAccessibleName(whole);
   const other = await chosen('Shape').getAttribute('aria-label');
