@@ -5,7 +5,7 @@ import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'nod
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { program } from '../../.scripts/programs.mjs';
-import { addConstraint, exported, openText, saved, showPanel } from './actions.mjs';
+import { addConstraint, exported, openText, runToTheEnd, saved, showPanel } from './actions.mjs';
 import { file, wavyGrid } from './meshes.mjs';
 import {
   coloursOfView,
