@@ -56,7 +56,7 @@ fn a_scene_that_is_refused_leaves_the_one_before_as_it_was() {
         assert_eq!(after.solver().energy(), before.solver().energy());
         assert_eq!(after.solver().handles(), before.solver().handles());
         assert_eq!(after.iteration(), 10);
-        assert_eq!(after.take_trace(), before.take_trace());
+        assert_eq!(after.trace(), before.trace());
         // Everything can be undone, and goes on from there.
         for _ in 0..3 {
             assert_eq!(after.undo(), before.undo());

@@ -77,7 +77,7 @@ fn the_convergence_is_the_trace_of_the_report() {
     for _ in 0..7 {
         session.step().expect("it stays finite");
     }
-    assert_eq!(session.take_trace().len(), 8);
+    assert_eq!(session.trace().len(), 8);
     let csv = session.convergence_csv();
     let trace = session.report().trace.expect("it was asked for");
     assert_eq!(column(&csv, "iteration"), (0..8).map(f64::from).collect::<Vec<_>>());

@@ -1,8 +1,10 @@
 /**
  * Whether the wasm machine has trapped: what it holds cannot be used any more. Other errors leave it as
- * it was.
+ * it was, also a RangeError of the page's own. One that passes through the machine is its stack overflow,
+ * or cut it off in the middle of its work.
  * @param {unknown} thrown
  */
 export function isTrap(thrown) {
-  return thrown instanceof WebAssembly.RuntimeError || thrown instanceof RangeError;
+  if (thrown instanceof WebAssembly.RuntimeError) return true;
+  return thrown instanceof RangeError && /\bwasm-function\b/.test(thrown.stack ?? '');
 }

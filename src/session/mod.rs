@@ -218,13 +218,14 @@ impl Session {
         Ok(Step { converged: self.converged(), ended: self.solver.converged() || collapsed })
     }
 
-    /// Iterates until the tolerance or the limit of the scene is reached.
+    /// Iterates until the tolerance or the limit of the scene is reached; with `trace` the energies of
+    /// all iterations are recorded.
     ///
     /// # Errors
     /// As [`Session::step`].
     pub fn solve(&mut self, trace: bool) -> Result<(), Error> {
         if trace {
-            self.start_trace();
+            self.past.trace = Some(Trace::whole(self.trace_entry()));
         }
         for _ in 0..self.document.solver.iterations {
             if self.step()?.ended {
@@ -235,14 +236,15 @@ impl Session {
         Ok(())
     }
 
-    /// Records the energies of every iteration from here on, this one included.
+    /// Records the energies of the iterations from here on, this one included. Of some thousands
+    /// there are all; of more, as many at equal distances.
     pub fn start_trace(&mut self) {
-        self.past.trace = Some(Trace::from(self.trace_entry()));
+        self.past.trace = Some(Trace::bounded(self.trace_entry()));
     }
 
-    /// The energies recorded since the last call.
-    pub fn take_trace(&mut self) -> Vec<TraceEntry> {
-        self.past.trace.as_mut().map(Trace::news).unwrap_or_default()
+    /// The recorded energies that led to the current shape, ascending; none where nothing is recorded.
+    pub fn trace(&self) -> &[TraceEntry] {
+        self.past.trace.as_ref().map_or(&[], Trace::entries)
     }
 
     fn trace_entry(&self) -> TraceEntry {

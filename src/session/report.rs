@@ -131,7 +131,7 @@ impl Session {
                 iterate: self.solver.iterate_seconds().total(),
                 parts: self.solver.iterate_seconds(),
             },
-            trace: self.past.trace.as_ref().map(|trace| trace.entries().to_vec()),
+            trace: self.past.trace.as_ref().map(|_| self.trace().to_vec()),
         }
     }
 }

@@ -40,7 +40,7 @@ impl Session {
         text
     }
 
-    /// One line per iteration since the scene was opened: the energies, weights included.
+    /// One line per recorded iteration since the scene was opened: the energies, weights included.
     pub fn convergence_csv(&self) -> String {
         let units = &self.document.units;
         let square = if units.is_empty() { String::new() } else { format!("{units}²") };
@@ -48,7 +48,7 @@ impl Session {
         let names =
             ["shape", "close", "smooth", "handles", "total"].map(|name| format!("{name}{unit}"));
         let mut text = format!("iteration,{}\n", names.join(","));
-        for entry in self.past.trace.iter().flat_map(|trace| trace.entries()) {
+        for entry in self.trace() {
             let e = entry.energy;
             row(
                 &mut text,

@@ -2,24 +2,48 @@
 
 use super::TraceEntry;
 
+/// A trace of bounded length has at most so many entries: more than a plot has pixels.
+const MOST: usize = 8192;
+
 /// One entry per iteration, ascending. Iterations that were undone are not in it; of a run that was
 /// done again there is its last one.
-#[derive(Clone, Default)]
+///
+/// A host may iterate for hours. When a trace of bounded length is full, only every second of its
+/// iterations stays, then every fourth, and so on, evenly spaced; the first and the newest always do.
+#[derive(Clone)]
 pub(super) struct Trace {
     entries: Vec<TraceEntry>,
-    /// How many of them the host has heard of.
-    told: usize,
+    /// Of the iterations between the first and the newest, its multiples are kept.
+    stride: u32,
+    most: usize,
 }
 
 impl Trace {
-    /// Begins with the state that iterations start from.
-    pub(super) fn from(start: TraceEntry) -> Trace {
-        Trace { entries: vec![start], told: 0 }
+    /// Begins with the state that iterations start from, and keeps all of them.
+    pub(super) fn whole(start: TraceEntry) -> Trace {
+        Trace { entries: vec![start], stride: 1, most: usize::MAX }
+    }
+
+    /// Begins with the state that iterations start from, and keeps as many as a plot can show.
+    pub(super) fn bounded(start: TraceEntry) -> Trace {
+        Trace { most: MOST, ..Trace::whole(start) }
     }
 
     /// Adds an iteration.
     pub(super) fn push(&mut self, entry: TraceEntry) {
+        if self.entries.len() > 1 {
+            self.entries.pop_if(|newest| newest.iteration % self.stride != 0);
+        }
         self.entries.push(entry);
+        if self.entries.len() > self.most {
+            self.stride *= 2;
+            let (stride, newest) = (self.stride, self.entries.len() - 1);
+            let mut places = 0..;
+            self.entries.retain(|entry| {
+                let place = places.next();
+                place == Some(0) || place == Some(newest) || entry.iteration % stride == 0
+            });
+        }
     }
 
     /// Goes to a state from before or after, or from where an edit has changed the energies: forgets
@@ -27,10 +51,12 @@ impl Trace {
     pub(super) fn go_to(&mut self, state: TraceEntry) {
         let kept = self.entries.partition_point(|entry| entry.iteration <= state.iteration);
         self.entries.truncate(kept);
-        self.told = self.told.min(kept);
         match self.entries.last_mut() {
             Some(last) if last.iteration == state.iteration => *last = state,
             _ => self.entries.push(state),
+        }
+        if self.entries.len() == 1 {
+            self.stride = 1;
         }
     }
 
@@ -38,11 +64,54 @@ impl Trace {
     pub(super) fn entries(&self) -> &[TraceEntry] {
         &self.entries
     }
+}
 
-    /// What was added since the last call.
-    pub(super) fn news(&mut self) -> Vec<TraceEntry> {
-        let news = self.entries[self.told..].to_vec();
-        self.told = self.entries.len();
-        news
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::solve::Energy;
+
+    fn at(iteration: u32) -> TraceEntry {
+        TraceEntry::new(iteration, Energy { total: f64::from(iteration), ..Energy::default() })
+    }
+
+    fn iterations(trace: &Trace) -> Vec<u32> {
+        trace.entries().iter().map(|entry| entry.iteration).collect()
+    }
+
+    #[test]
+    fn a_long_run_is_kept_evenly_within_bounds() {
+        let mut trace = Trace::bounded(at(0));
+        for iteration in 1..=1_000_001 {
+            trace.push(at(iteration));
+            assert!(trace.entries().len() <= MOST, "{}", trace.entries().len());
+        }
+        let kept = iterations(&trace);
+        assert!(kept.len() > MOST / 2, "{}", kept.len());
+        assert_eq!((kept[0], kept.last()), (0, Some(&1_000_001)));
+        let inside = &kept[..kept.len() - 1];
+        assert!(inside.windows(2).all(|pair| pair[1] - pair[0] == kept[1]), "evenly spaced");
+    }
+
+    #[test]
+    fn a_run_that_fits_is_kept_whole_and_so_is_any_run_that_was_asked_for() {
+        let mut bounded = Trace::bounded(at(0));
+        let mut whole = Trace::whole(at(0));
+        (1..MOST as u32).for_each(|iteration| bounded.push(at(iteration)));
+        (1..3 * MOST as u32).for_each(|iteration| whole.push(at(iteration)));
+        assert_eq!(iterations(&bounded), (0..MOST as u32).collect::<Vec<_>>());
+        assert_eq!(iterations(&whole), (0..3 * MOST as u32).collect::<Vec<_>>());
+    }
+
+    #[test]
+    fn after_going_back_to_the_start_every_iteration_is_kept_again() {
+        let mut trace = Trace::bounded(at(0));
+        (1..=100_000).for_each(|iteration| trace.push(at(iteration)));
+        trace.go_to(at(50_003));
+        trace.push(at(50_004));
+        assert_eq!(iterations(&trace).last(), Some(&50_004));
+        trace.go_to(at(0));
+        (1..=10).for_each(|iteration| trace.push(at(iteration)));
+        assert_eq!(iterations(&trace), (0..=10).collect::<Vec<_>>());
     }
 }

@@ -279,19 +279,12 @@ pub(super) struct Frame {
     shares: Vec<f64>,
     /// Of each goal of the lesson.
     goals: Vec<GoalNumbers>,
-    /// Six numbers per iteration since the last frame.
-    trace: Vec<f64>,
     step_ms: f64,
 }
 
 impl Frame {
     /// The state of `session`, whose last step took `step_ms`.
     pub(super) fn new(session: &mut Session, step_ms: f64) -> Self {
-        let trace = session.take_trace();
-        let trace = trace.iter().flat_map(|entry| {
-            let e = entry.energy;
-            [f64::from(entry.iteration), e.shape, e.close, e.smooth, e.handles, e.total]
-        });
         let goals = GoalNumbers::of(session);
         let measures = session.measures();
         let mut found = session.solver().found();
@@ -313,7 +306,6 @@ impl Frame {
             worst: rows.iter().map(|row| row.worst_squared.sqrt()).collect(),
             shares: rows.iter().map(share).collect(),
             goals,
-            trace: trace.collect(),
             step_ms,
         }
     }

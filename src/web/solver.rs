@@ -98,7 +98,22 @@ impl Solver {
         Ok(())
     }
 
-    /// The numbers of the current state, and the energies of the iterations since the last call.
+    /// The iteration of the current state.
+    pub fn iteration(&self) -> Result<u32, JsValue> {
+        Ok(self.open()?.iteration())
+    }
+
+    /// The energies of the iterations that led to the current state, `#iterations by 6`: iteration,
+    /// shape, close, smooth, handles, total.
+    pub fn trace(&self) -> Result<Float64Array, JsValue> {
+        let entries = self.open()?.trace().iter().map(|entry| {
+            let e = entry.energy;
+            [f64::from(entry.iteration), e.shape, e.close, e.smooth, e.handles, e.total]
+        });
+        Ok(Float64Array::from(entries.collect::<Vec<_>>().as_flattened()))
+    }
+
+    /// The numbers of the current state.
     pub fn frame(&mut self) -> Result<JsValue, JsValue> {
         let step_ms = self.step_ms;
         plain(&report::Frame::new(self.open_mut()?, step_ms))

@@ -35,7 +35,7 @@ impl Run {
             before,
             after: session.report(),
             worst: far.into_iter().zip(near).map(|(far, near)| [far, near]).collect(),
-            totals: session.take_trace().iter().map(|entry| entry.energy.total).collect(),
+            totals: session.trace().iter().map(|entry| entry.energy.total).collect(),
             mesh: session.mesh().clone(),
             positions: session.positions(),
             goals_met: session.goals().iter().filter(|goal| goal.met).count(),
