@@ -9,7 +9,7 @@ use crate::scene::SceneError;
 /// A drag or a run that has begun and is not yet a step of undo.
 pub(super) struct Gesture {
     kind: GestureKind,
-    before: Snapshot,
+    pub(super) before: Snapshot,
 }
 
 #[derive(PartialEq)]

@@ -42,6 +42,16 @@ pub(super) struct History {
 }
 
 impl History {
+    /// The steps of undo and those of redo, each list in the order in which they were made or undone.
+    pub(super) fn of([undo, redo]: [Vec<(String, Snapshot)>; 2]) -> History {
+        History { undo, redo }
+    }
+
+    /// See [`History::of`].
+    pub(super) fn steps(&self) -> [&[(String, Snapshot)]; 2] {
+        [&self.undo, &self.redo]
+    }
+
     /// Adds a step that started at `before`; what was undone can no longer be redone.
     pub(super) fn push(&mut self, name: String, before: Snapshot) {
         self.redo.clear();

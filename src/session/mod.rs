@@ -30,6 +30,7 @@
 //! | `projected` | the projections of the constraints, to be drawn |
 //! | `remedies` | changes that help where constraints are not met |
 //! | `report` | the report of a solved scene |
+//! | `saved` | steps of undo and unfinished work as bytes, to go on after a restart |
 //! | `selection` | selecting by what the mesh is like |
 //! | `settings` | the declared settings of a scene |
 //! | `tables` | errors and energies as CSV |
@@ -64,6 +65,7 @@ mod projected;
 mod remedies;
 mod report;
 mod resolve;
+mod saved;
 mod selection;
 mod settings;
 mod tables;

@@ -6,6 +6,7 @@
 //! | `reading`, `edit`, `drag` | files in; edits and previews; handles that are dragged |
 //! | `shown`, `original`, `report` | what is drawn and told of the session, and of what it was before |
 //! | `selecting`, `lists`, `lesson` | selections and settings, lists of elements, goals |
+//! | `saved` | steps of undo and unfinished work as bytes, to go on after a restart |
 //! | `parametrize`, `experiment` | the flat map, the paper's comparisons |
 //! | `remedies` | what would help where constraints are not met |
 //! | `measure`, `warm_up` | what benchmarks ask; what makes the first steps fast |
@@ -38,6 +39,8 @@ mod reading;
 pub mod remedies;
 #[cfg(feature = "solver")]
 mod report;
+#[cfg(feature = "solver")]
+mod saved;
 #[cfg(feature = "solver")]
 mod selecting;
 #[cfg(feature = "solver")]
