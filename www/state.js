@@ -183,8 +183,17 @@ export function createStore() {
   function notify() {
     const keys = changed;
     changed = new Set();
-    for (const subscription of subscriptions) {
-      if (subscription.keys.some((key) => keys.has(key))) subscription.listener(state);
+    for (const { keys: wanted, listener } of subscriptions) {
+      if (wanted.some((key) => keys.has(key))) tell(listener);
+    }
+  }
+
+  /** One that throws is no harm to the others. @param {(state: Readonly<State>) => void} listener */
+  function tell(listener) {
+    try {
+      listener(state);
+    } catch (error) {
+      reportError(error);
     }
   }
 
@@ -204,7 +213,7 @@ export function createStore() {
     },
     subscribe(keys, listener) {
       subscriptions.push({ keys, listener });
-      listener(state);
+      tell(listener);
     },
   };
 }
