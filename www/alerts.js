@@ -21,9 +21,13 @@ export class Alerts {
     this.#place = place;
   }
 
-  /** Something that was asked for did not happen. @param {string} message */
-  error(message) {
-    this.#show(message, 'error');
+  /**
+   * Something that was asked for did not happen.
+   * @param {string} message
+   * @param {...Offer} offers what can be done about it
+   */
+  error(message, ...offers) {
+    this.#show(message, 'error', offers);
   }
 
   /**

@@ -53,7 +53,8 @@ const TABS = [
 /**
  * @param {HTMLElement} place
  * @param {Parts} parts
- * @returns {{ bring: (id: string) => void }} brings a tab into sight
+ * @returns {{ bring: (id: string) => void, show: (id: string) => void, shown: () => string }} `bring`
+ *   shows a tab and brings the region into sight; `shown` is the tab that is shown
  */
 export function analysisRegion(place, parts) {
   const list = element('div', { role: 'tablist', 'aria-label': 'Analysis' });
@@ -101,8 +102,12 @@ export function analysisRegion(place, parts) {
     }
   }
 
+  let shown = '';
+
   /** @param {string} id */
   function show(id) {
+    if (!entries.some((entry) => entry.id === id)) return undefined;
+    shown = id;
     for (const { id: other, panel, button } of entries) {
       const isShown = other === id;
       panel.hidden = !isShown;
@@ -113,6 +118,8 @@ export function analysisRegion(place, parts) {
   }
   show(TABS[0].id);
   return {
+    show,
+    shown: () => shown,
     async bring(id) {
       const filled = show(id);
       // In a narrow window the panel may be behind another, or closed.

@@ -21,8 +21,7 @@ import { rememberedFrame } from './units.js';
  * @property {boolean} [first] it is what the page opens with, solved
  * @property {Example} [example] whose mesh it has
  * @property {string} [work] the name under which it is kept in this browser, see `works.js`
- * @property {string} [title] of the work
- * @property {number} [iteration] where it stood
+ * @property {import("./messages.js").Saved} [saved] beside its scene
  * @property {boolean} [asItCame] its vertices are not welded
  */
 
@@ -85,10 +84,10 @@ export class Files extends EventTarget {
       if (document || !status)
         this.#store.set({ status: `Reading ${files.map((file) => file.name).join(' and ')} …` });
       const main = mainOf(files);
-      const { iteration, first: solved, asItCame } = origin;
+      const { saved, first: solved, asItCame } = origin;
       const frame = rememberedFrame(main.name);
       const loaded = await this.#solver.request({
-        ...{ type: 'open', files, iteration, frame, solved },
+        ...{ type: 'open', files, saved, frame, solved },
         weld: !asItCame,
       });
       this.#name = main.name.replace(/(\.shapeup)?\.[^.]+$/, '');
@@ -99,7 +98,7 @@ export class Files extends EventTarget {
       if (!origin.first) removeFirstPicture();
       this.#store.set({
         firstExample: Boolean(origin.first),
-        fileName: origin.title ?? main.name,
+        fileName: origin.saved?.name ?? main.name,
         example: origin.example ?? null,
         status: `Opened ${main.name}: ${count(loaded.vertices, 'vertex', 'vertices')}, ${count(loaded.faces, 'face')}`,
       });

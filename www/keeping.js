@@ -4,12 +4,14 @@
  */
 
 import { messageOf } from './messages.js';
+import { saveFile } from './save-file.js';
 import { recall } from './stored.js';
 
 /** @typedef {import("./files.js").Files} Files */
 
 export class Keeping {
   #store;
+  #seen;
   #solver;
   #files;
   #alerts;
@@ -17,13 +19,14 @@ export class Keeping {
   #autosave = null;
 
   /**
-   * @param {import("./state.js").Store} store
    * @param {import("./solver-client.js").SolverClient} solver
    * @param {Files} files
    * @param {import("./alerts.js").Alerts} alerts
+   * @param {import("./saved-view.js").Seen} seen
    */
-  constructor(store, solver, files, alerts) {
-    this.#store = store;
+  constructor(solver, files, alerts, seen) {
+    this.#store = seen.store;
+    this.#seen = seen;
     this.#solver = solver;
     this.#files = files;
     this.#alerts = alerts;
@@ -32,10 +35,13 @@ export class Keeping {
   /** Opens what the page is to begin with. */
   async begin() {
     window.addEventListener('hashchange', () => this.#told(this.#openLink()));
+    /** @type {unknown} */
+    let lost = null;
     try {
       if (await this.#restored()) return;
-    } catch {
-      // What cannot be read any more is no reason to stay without a model.
+    } catch (error) {
+      // No reason to stay without a model.
+      lost = error;
     }
     let problem = '';
     const linked = await this.#openLink().catch((error) => {
@@ -44,6 +50,7 @@ export class Keeping {
     });
     if (!linked) await this.#openFirst();
     if (problem) this.#alerts.error(problem);
+    if (lost) this.#tellUnreadable(lost);
     this.#keepOn();
   }
 
@@ -79,22 +86,49 @@ export class Keeping {
     return (await works()).filter(({ id }) => id !== current);
   }
 
-  /** @param {import("./works.js").Work} work */
+  /**
+   * Opens a work that somebody chose, or says why that cannot be done.
+   * @param {import("./works.js").Work} work
+   */
   async openWork(work) {
-    await this.saveNow();
-    const { take } = await import('./autosave.js');
-    const taken = await take(work);
-    if (!taken) throw new Error(`${work.title} is open in another tab of this browser.`);
-    await this.#openWork(taken);
-    this.#store.set({ status: `Opened ${work.title}` });
+    const { title } = work;
+    try {
+      await this.saveNow();
+      const { take } = await import('./autosave.js');
+      const taken = await take(work);
+      if (!taken) throw new Error(`${title} is open in another tab of this browser.`);
+      const { undoLost } = await this.#openWork(taken);
+      this.#store.set({ status: `Opened ${title}` });
+      if (undoLost) this.#alerts.notice(`The steps of undo of ${title} are gone: ${undoLost}.`);
+    } catch (error) {
+      this.#tellUnreadable(error);
+    }
+  }
+
+  /**
+   * Says that a work cannot be opened, and offers what is there of it.
+   * @param {unknown} error
+   */
+  #tellUnreadable(error) {
+    if (!(error instanceof Error && 'work' in error && 'raw' in error)) {
+      return this.#alerts.error(messageOf(error));
+    }
+    const { raw } = error;
+    const { title, name } = /** @type {import("./works.js").Work} */ (error.work);
+    const text = typeof raw === 'string' ? raw : (JSON.stringify(raw) ?? '');
+    const words = `${title} is kept in this browser, but cannot be opened: ${messageOf(error)}.`;
+    this.#alerts.error(words.replace(/\.\.$/, '.'), {
+      label: 'Save its file',
+      action: () => saveFile(`${name}.shapeup.json`, text, 'application/json'),
+    });
   }
 
   #keepOn() {
-    const [store, solver, files] = [this.#store, this.#solver, this.#files];
+    const [solver, files, seen] = [this.#solver, this.#files, this.#seen];
     this.#autosave ??= import('./autosave.js').then(
-      ({ Autosave }) => new Autosave(store, solver, files),
+      ({ Autosave }) => new Autosave(solver, files, seen),
     );
-    this.#autosave.catch(() => store.set({ saved: 'Autosave is off: use Save scene' }));
+    this.#autosave.catch(() => this.#store.set({ saved: 'Autosave is off: use Save scene' }));
   }
 
   /** Goes on where this tab was, if it was anywhere. @returns {Promise<boolean>} */
@@ -103,27 +137,38 @@ export class Keeping {
     const { lastWork } = await import('./autosave.js');
     const last = await lastWork();
     if (!last) return false;
-    await this.#openWork(last);
+    const { undoLost } = await this.#openWork(last);
     this.#keepOn();
     const fresh = () => {
       if (location.hash) history.replaceState(null, '', location.pathname + location.search);
       this.#told(this.startFresh());
     };
-    this.#alerts.notice(`${last.work.title} is back as you left it.`, {
+    const but = undoLost && `, but its steps of undo are gone: ${undoLost}`;
+    this.#alerts.notice(`${last.work.title} is back as you left it${but}.`, {
       label: 'Start fresh',
       action: fresh,
     });
     return true;
   }
 
-  /** @param {{ work: import("./works.js").Work, text: string }} taken */
-  async #openWork({ work, text }) {
+  /** @param {import("./autosave.js").Taken} taken */
+  async #openWork({ work, text, saved }) {
     const bytes = new TextEncoder().encode(text);
     const examples = work.example ? await this.#files.examples() : [];
     const example = examples.find(({ id }) => id === work.example);
-    const { id, title, iteration } = work;
-    const origin = { example, work: id, title, iteration };
-    await this.#files.open([{ name: `${work.name}.shapeup.json`, bytes }], origin);
+    const origin = { example, work: work.id, saved };
+    try {
+      const files = [{ name: `${work.name}.shapeup.json`, bytes }];
+      const loaded = await this.#files.open(files, origin);
+      const { lookAgain } = await import('./saved-view.js');
+      // What was damaged is looked at as if it were new.
+      await lookAgain(work.view, this.#seen).catch(() => {});
+      return loaded;
+    } catch (error) {
+      const { Unreadable, giveBack } = await import('./autosave.js');
+      await giveBack(work);
+      throw new Unreadable(work, text, messageOf(error));
+    }
   }
 
   /** Opens what the address links to. @returns {Promise<boolean>} whether it links to anything */

@@ -48,11 +48,13 @@ import { createStore } from './state.js';
 import { followTheme } from './theme.js';
 import { bindViewMenu } from './view-commands.js';
 import { bindViewKeys } from './view-keys.js';
+import { offerReport, tellUncaught } from './uncaught.js';
 import { Viewport } from './viewport.js';
 
 const store = createStore();
 followTheme(store);
 const alerts = new Alerts(byId('alert'));
+tellUncaught(alerts, store);
 const solver = new SolverClient();
 takeUp(solver);
 
@@ -148,8 +150,8 @@ viewport.addEventListener('none', (event) => {
 
 Object.assign(window, { shapeUp: scriptApi(store, solver, viewport, files) });
 
-const keeping = new Keeping(store, solver, files, alerts);
-recentMenu(byId('recent-button'), byId('recent'), keeping, alerts);
+const keeping = new Keeping(solver, files, alerts, { store, analysis });
+recentMenu(byId('recent-button'), byId('recent'), keeping);
 keeping.begin().catch((error) => alerts.error(messageOf(error)));
 files.offerExamples(byId('examples')).catch((error) => alerts.error(messageOf(error)));
 stayOffline(alerts, keeping, viewport);
@@ -174,7 +176,8 @@ function takeUp(client) {
   on('model', ({ loaded, positions }) =>
     store.set({
       model: loaded,
-      camera: null,
+      // The same model in another worker is looked at as before.
+      ...(!client.restoring && { camera: null }),
       size: sizeOf(positions),
       document: null,
       numbers: null,
@@ -210,6 +213,13 @@ function takeUp(client) {
     const { iteration = 0 } = before.numbers ?? {};
     store.set({ status: running ? 'Running' : ended(converged, iteration) });
   });
+  client.addEventListener('busy', (event) => {
+    const { busy } = /** @type {CustomEvent} */ (event).detail;
+    import('./long-work.js').then(
+      ({ offerCancel }) => offerCancel(busy, client),
+      () => {},
+    );
+  });
   on('trouble', ({ message }) => alerts.error(message));
   client.addEventListener('absent', (event) => {
     const { message } = /** @type {CustomEvent} */ (event).detail;
@@ -217,10 +227,6 @@ function takeUp(client) {
   });
   client.addEventListener('restarted', (event) => {
     const { message } = /** @type {CustomEvent} */ (event).detail;
-    const action = async () => {
-      const { crashReport, giveReport } = await import('./crash-report.js');
-      await giveReport(crashReport(message, store.get()), store, alerts);
-    };
-    alerts.notice(message, { label: 'Copy report', action });
+    alerts.notice(message, offerReport(message, store, alerts));
   });
 }

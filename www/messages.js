@@ -108,6 +108,7 @@
  *   mesh, where faces had their own and those within the tolerance were made one
  * @property {Problem[]} problems
  * @property {string[]} notes
+ * @property {string} undoLost why the steps of undo that were saved with it are gone; empty when they are not
  */
 
 /**
@@ -252,6 +253,15 @@
 /** @typedef {{ name: string, bytes: Uint8Array }} NamedBytes */
 
 /**
+ * What is saved beside a scene, so that it goes on where it stood; bytes that only the solver reads.
+ * @typedef {object} Saved
+ * @property {string} name of the model, instead of its file's
+ * @property {number} iteration of the scene
+ * @property {Uint8Array | null} history its steps of undo and redo
+ * @property {Uint8Array | null} progress of a run or a drag that began with it
+ */
+
+/**
  * Told and forgotten.
  *
  * - `run`, `pause`: iterate until converged, or stop. A run ends too when the shape collapses while nobody
@@ -262,13 +272,15 @@
  * - `show`: what to send with each frame besides positions.
  * - `recycle`: gives a buffer of positions back.
  * - `cancelExperiment`: ends it; what was measured stays.
+ * - `ping`: answered by `pong`.
  * @typedef {{ type: "run", goOn?: boolean }
  *   | { type: "pause" }
  *   | Drag
  *   | { type: "show", measure: Measure | null, shapes: boolean, projections: boolean,
  *       corners: boolean }
  *   | { type: "recycle", positions: Float64Array }
- *   | { type: "cancelExperiment" }} Command
+ *   | { type: "cancelExperiment" }
+ *   | { type: "ping" }} Command
  */
 
 /** @typedef {{ type: "drag", vertices: Uint32Array, targets: Float64Array, time?: number,
@@ -278,7 +290,7 @@
  * Answered by `reply` with the value named in {@link Replies}, or `refused`.
  *
  * - `open`: the first file that is a scene, else the first file; the others may be the mesh that it
- *   names. When it is refused the old model stays. `iteration` is where a restored scene stood;
+ *   names. When it is refused the old model stays. `saved` is what was saved beside a scene;
  *   `frame` what a mesh file is taken for that does not say its unit and axis: `# units: m`, `# up: y`;
  *   `weld: false` leaves a mesh file whose faces have their own vertices as it came; `solved` runs before anything is shown: only for what is known to converge soon.
  * - `edit`, `undo`, `redo`, `step`; `halfStep`: the local step, or the global step after it.
@@ -297,9 +309,11 @@
  *   that was welded, one with `uv` (`#V by 2`) has them as texture
  *   coordinates; a `table` has the errors of the faces, the energies of the iterations, or the angles of the
  *   corners, as CSV.
+ * - `trace`: the energies of the iterations that led to the current shape; of very many as many as a plot
+ *   can show, evenly spaced.
  * - `runExperiment`: starts the experiment of an example, on its files, the scene first; the model that
  *   is open is not touched. `experimentCsv`: what was measured.
- * @typedef {{ type: "open", files: NamedBytes[], iteration?: number, frame?: string,
+ * @typedef {{ type: "open", files: NamedBytes[], saved?: Saved, frame?: string,
  *       solved?: boolean, weld?: boolean }
  *   | { type: "edit", edit: Edit }
  *   | { type: "undo" }
@@ -324,6 +338,7 @@
  *   | { type: "parametrize", weights: MapWeights, norm: MapNorm }
  *   | { type: "obj", uv?: Float64Array, asItCame?: boolean }
  *   | { type: "table", table: "errors" | "convergence" | "angles" }
+ *   | { type: "trace" }
  *   | { type: "runExperiment", example: string, files: NamedBytes[], iterations?: number, seconds?: number }
  *   | { type: "experimentCsv" }} Request
  */
@@ -355,6 +370,7 @@
  * @property {string} scene
  * @property {string} obj
  * @property {string} table
+ * @property {Float64Array} trace `#iterations by 6`: iteration, shape, close, smooth, handles, total
  * @property {null} runExperiment
  * @property {string} experimentCsv
  */
@@ -391,10 +407,10 @@
  * - `loading`: before that, how much of its module is here, where it takes a while.
  * - `model`: another mesh is open. `positions` is one of the two buffers.
  * - `document`: after every edit and every load.
- * - `scene`: the scene file's text, whenever it changed and the solver rests, and now and then
- *   during a run: what a dead worker is replaced with.
- * - `frame`: a state of the iteration. `trace` has six numbers per iteration since the last frame:
- *   iteration, shape, close, smooth, handles, total. `values` are those of `measure`, `#F`;
+ * - `scene`: the scene file's text with its steps of undo, whenever it changed and the solver rests: what
+ *   is saved, and what a dead worker is replaced with. `progress`: now and then, how far a run or a drag
+ *   has come since then.
+ * - `frame`: a state of the iteration. `values` are those of `measure`, `#F`;
  *   `corners` those of the vertices, `#V`, whose largest the faces have, where they are of vertices;
  *   `shapes` the fitted shapes, eight numbers each;
  *   `projections` where the constraints would have their vertices; `answers` the time of the newest
@@ -406,6 +422,7 @@
  *   `message` says why it failed.
  * - `trouble`: an iteration failed; the last good state stays.
  * - `died`: the state is unusable, the worker must be replaced.
+ * - `working`: it begins with what may take a while, and says nothing until then. `pong`: it lives.
  * - `refused`: `path` is the place in the scene that is wrong, such as `constraints[0].length`; empty
  *   when it is not about a scene.
  * @typedef {{ type: "ready", kinds: KindInfo[], elements: ElementInfo[], measures: FaceMeasure[],
@@ -413,8 +430,9 @@
  *   | { type: "loading", bytes: number, all: number }
  *   | { type: "model", loaded: Loaded, connectivity: Connectivity, positions: Float64Array }
  *   | { type: "document", document: SceneDocument }
- *   | { type: "scene", text: string, iteration: number }
- *   | { type: "frame", numbers: Numbers, trace: Float64Array, positions: Float64Array,
+ *   | { type: "scene", text: string, history: Uint8Array, iteration: number }
+ *   | { type: "progress", bytes: Uint8Array, iteration: number }
+ *   | { type: "frame", numbers: Numbers, positions: Float64Array,
  *       measure: Measure | null, values: Float32Array | null, corners: Float32Array | null,
  *       shapes: Float32Array | null, projections: Projections | null,
  *       answers: [number, number] | null }
@@ -423,6 +441,8 @@
  *   | { type: "experiment", news: ExperimentNews[], ended: "done" | "cancelled" | "failed" | null, message: string }
  *   | { type: "trouble", message: string }
  *   | { type: "died", message: string }
+ *   | { type: "working" }
+ *   | { type: "pong" }
  *   | { type: "reply", id: number, value: unknown }
  *   | { type: "refused", id: number, message: string, path: string }} FromWorker
  */
@@ -430,7 +450,7 @@
 /** How long the worker iterates before it looks for messages, in milliseconds. */
 export const SLICE_MS = 8;
 
-/** Numbers per iteration in the trace of a frame. */
+/** Numbers per iteration in the answer to `trace`. */
 export const TRACE_WIDTH = 6;
 
 /**

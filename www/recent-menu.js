@@ -1,22 +1,20 @@
 /** The menu of Open recent: what was worked on in this browser. */
 
 import { element } from './dom.js';
-import { messageOf } from './messages.js';
 
 /**
  * Fills the menu each time, then shows it.
  * @param {HTMLButtonElement} button
  * @param {HTMLElement} menu
  * @param {import("./keeping.js").Keeping} keeping
- * @param {import("./alerts.js").Alerts} alerts
  */
-export function recentMenu(button, menu, keeping, alerts) {
+export function recentMenu(button, menu, keeping) {
   button.addEventListener('click', async () => {
     await keeping.saveNow().catch(() => {});
     const list = await keeping.recent().catch(() => []);
     const open = (/** @type {import("./works.js").Work} */ work) => {
       menu.hidePopover();
-      keeping.openWork(work).catch((error) => alerts.error(messageOf(error)));
+      keeping.openWork(work);
     };
     const rows = list.map((work) =>
       element(

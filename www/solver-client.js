@@ -1,8 +1,8 @@
 /**
  * The page's end of the solver's worker: its life, its answers, and the geometry it sends.
  *
- * What is said before the worker is ready is kept and said then. A worker that dies is replaced and
- * given the last scene that it sent.
+ * What is said before the worker is ready is kept and said then. A worker that dies, or falls silent, is
+ * replaced and given the last scene that it sent, with the steps of undo.
  */
 
 import { messageOf } from './messages.js';
@@ -23,6 +23,16 @@ import { messageOf } from './messages.js';
  * @property {import("./messages.js").Projections | null} projections
  */
 
+/**
+ * A worker that says nothing is asked to; it lives unless it leaves so many looks without an answer. An
+ * iteration may take a while, and so many times as long as the last one did.
+ */
+const LOOK_EVERY_MS = 1000;
+const MOST_MISSED = 4;
+const STEPS_MISSED = 10;
+/** Looks after which somebody may want to stop what the worker works on. */
+const LONG_WORK = 3;
+
 /** What a request was refused for; `path` is the place in the scene that is wrong, if there is one. */
 export class Refusal extends Error {
   /**
@@ -40,15 +50,21 @@ export class SolverClient extends EventTarget {
   geometry = null;
   /** The text of the scene as the worker last sent it. @type {string | null} */
   sceneText = null;
-  /** The iteration of that scene. */
-  sceneIteration = 0;
+  /** What belongs to that text. @type {import("./messages.js").Saved} */
+  saved = { name: '', iteration: 0, history: null, progress: null };
 
   /** @type {Worker | null} */
   #worker = null;
   #ready = false;
   /** The worker was started to replace one that died, and has not opened its scene yet. */
   #restoring = false;
-  #modelName = '';
+  /** It has begun with what may take a while. */
+  #working = false;
+  /** How often it was looked at since then. */
+  #busyLooks = 0;
+  /** How often it was looked at since it last said something. */
+  #missed = 0;
+  #stepMs = 0;
   /** @type {[import("./messages.js").ToWorker, Transferable[]][]} */
   #held = [];
   /** @type {Map<number, { resolve: (value: any) => void, reject: (error: Error) => void }>} */
@@ -62,6 +78,12 @@ export class SolverClient extends EventTarget {
   constructor() {
     super();
     this.#start();
+    this.#watch();
+  }
+
+  /** The model that is open is opened again, in another worker. */
+  get restoring() {
+    return this.#restoring;
   }
 
   /**
@@ -121,6 +143,32 @@ export class SolverClient extends EventTarget {
     };
   }
 
+  /** Replaces a worker that neither works on something nor answers. */
+  #watch() {
+    let last = performance.now();
+    setInterval(() => {
+      const now = performance.now();
+      // A page that slept, in the background or with its computer, may not have heard an answer.
+      const slept = now - last > 2 * LOOK_EVERY_MS;
+      last = now;
+      if (slept || !this.#ready) return;
+      if (this.#working) return this.#tellBusy(this.#busyLooks + 1);
+      this.#missed += 1;
+      const most = Math.max(MOST_MISSED, (STEPS_MISSED * this.#stepMs) / LOOK_EVERY_MS);
+      if (this.#missed > most) this.#died('it did not answer');
+      else this.#say({ type: 'ping' });
+    }, LOOK_EVERY_MS);
+  }
+
+  /** Tells `busy` when work gets long, and when it has ended. @param {number} looks */
+  #tellBusy(looks) {
+    const before = this.#busyLooks;
+    this.#busyLooks = looks;
+    const busy = looks >= LONG_WORK;
+    if (busy === before >= LONG_WORK) return;
+    this.dispatchEvent(new CustomEvent('busy', { detail: { busy } }));
+  }
+
   /**
    * @param {import("./messages.js").ToWorker} message
    * @param {Transferable[]} [transfer]
@@ -138,7 +186,13 @@ export class SolverClient extends EventTarget {
 
   /** @param {FromWorker} message */
   #receive(message) {
+    this.#missed = 0;
+    this.#working = message.type === 'working';
+    if (!this.#working) this.#tellBusy(0);
     switch (message.type) {
+      case 'working':
+      case 'pong':
+        return;
       case 'ready': {
         this.#ready = true;
         const held = this.#held;
@@ -147,9 +201,7 @@ export class SolverClient extends EventTarget {
         break;
       }
       case 'model':
-        // What is restored is still the model of its file.
-        if (this.#restoring) message.loaded.name = this.#modelName;
-        this.#modelName = message.loaded.name;
+        this.saved = { ...this.saved, name: message.loaded.name };
         this.#previous = null;
         this.geometry = {
           connectivity: message.connectivity,
@@ -163,7 +215,13 @@ export class SolverClient extends EventTarget {
         break;
       case 'scene':
         this.sceneText = message.text;
-        this.sceneIteration = message.iteration;
+        this.saved = {
+          ...{ name: this.saved.name, iteration: message.iteration },
+          ...{ history: message.history, progress: null },
+        };
+        break;
+      case 'progress':
+        this.saved = { ...this.saved, progress: message.bytes };
         break;
       case 'frame': {
         const { geometry } = this;
@@ -175,6 +233,7 @@ export class SolverClient extends EventTarget {
         geometry.measure = message.measure;
         geometry.shapes = message.shapes;
         geometry.projections = message.projections;
+        this.#stepMs = message.numbers.stepMs;
         break;
       }
       case 'reply':
@@ -209,6 +268,9 @@ export class SolverClient extends EventTarget {
     const atStart = !this.#ready;
     this.#worker?.terminate();
     this.#worker = null;
+    this.#ready = this.#working = false;
+    this.#missed = 0;
+    this.#tellBusy(0);
     this.#held = [];
     for (const id of [...this.#waiting.keys()])
       this.#answer(id, null, new Error(`the solver stopped (${reason})`));
@@ -233,14 +295,14 @@ export class SolverClient extends EventTarget {
     const notice = (/** @type {string} */ text) => wanted || this.#notice(text);
     if (!lastScene) return void notice(`The solver stopped (${reason}) and was restarted.`);
     this.#restoring = true;
-    const iteration = this.sceneIteration;
+    const { saved } = this;
     try {
       const bytes = new TextEncoder().encode(lastScene);
       const files = [{ name: 'restored.shapeup.json', bytes }];
-      await this.request({ type: 'open', files, iteration });
-      notice(
-        `The solver stopped (${reason}) and was restarted; your model is back as it was at iteration ${iteration}.`,
-      );
+      const { undoLost } = await this.request({ type: 'open', files, saved });
+      const back = `your model is back as it was at iteration ${this.saved.iteration}`;
+      const but = undoLost ? `, but the steps of undo are gone: ${undoLost}.` : '.';
+      notice(`The solver stopped (${reason}) and was restarted; ${back}${but}`);
     } catch (error) {
       if (this.#worker)
         this.#notice(

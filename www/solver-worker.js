@@ -18,8 +18,12 @@ import { fetchModule } from './worker-loading.js';
 
 /** What makes it useless to try what would help the shape as it is. @type {Set<ToWorker["type"]>} */
 const CHANGES = new Set(['run', 'drag', 'open', 'edit', 'undo', 'redo', 'step', 'halfStep']);
-/** A run sends its scene this often, so that little is lost when the worker dies, in milliseconds. */
-const SCENE_EVERY_MS = 2000;
+/**
+ * A run or a drag says at least so often how far it has come, so that little is lost when the page or the
+ * worker dies; telling takes at most so large a part of the time.
+ */
+const PROGRESS_EVERY_MS = 800;
+const PROGRESS_PART = 0.05;
 
 /** @type {InstanceType<typeof Solver> | null} */
 let solver = null;
@@ -43,12 +47,14 @@ let measure = null;
 let showShapes = false;
 let showProjections = false;
 let showCorners = false;
-let sceneSentAt = 0;
+/** Until the next word of a run or a drag; 0 while none is due. */
+let progressTimer = 0;
+let progressEvery = PROGRESS_EVERY_MS;
 let sliceQueued = false;
+/** The next slice has new work to do: it may have to factor the system first. */
+let sliceIsNew = false;
 /** Whether it runs has changed; told after the frame that belongs to it. */
 let activityDue = false;
-/** Iterations that no frame has told yet. @type {number[]} */
-let trace = [];
 
 const yielding = new MessageChannel();
 yielding.port1.onmessage = slice;
@@ -95,9 +101,12 @@ function live() {
 /** @param {ToWorker} message */
 function receive(message) {
   if (!solver) return;
+  // Between slices: whoever asks learns that the worker lives.
+  if (message.type === 'ping') return post({ type: 'pong' });
   disturb();
   if (CHANGES.has(message.type)) stopTrials();
   if (!('id' in message)) return guard(() => command(message));
+  post({ type: 'working' });
   const { id } = message;
   const refuse = (/** @type {unknown} */ thrown) => {
     if (isTrap(thrown)) die(thrown);
@@ -113,7 +122,7 @@ function receive(message) {
   }
 }
 
-/** @param {Exclude<ToWorker, { id: number }>} message */
+/** @param {Exclude<import("./messages.js").Command, { type: "ping" }>} message */
 function command(message) {
   switch (message.type) {
     case 'recycle':
@@ -130,10 +139,12 @@ function command(message) {
       return sendFrame();
     case 'run':
       if (!loaded || running) return;
+      post({ type: 'working' });
       live().beginRun();
       if (message.goOn) live().goOn();
       running = true;
       settled = false;
+      sliceIsNew = true;
       sendActivity();
       return queueSlice();
     case 'pause':
@@ -209,6 +220,8 @@ function answer(message) {
       return live().parametrize(message.weights, message.norm);
     case 'table':
       return live().table(message.table);
+    case 'trace':
+      return live().trace();
     case 'runExperiment':
       return runExperiment(message, post, die);
     case 'experimentCsv':
@@ -217,7 +230,7 @@ function answer(message) {
 }
 
 /** @param {Extract<ToWorker, { type: "open" }>} message */
-function open({ files, iteration, frame = '', solved, weld }) {
+function open({ files, saved, frame = '', solved, weld }) {
   const main = mainOf(files);
   const companion = companionOf(files, (scene) => live().sceneMeshFile(scene));
   if (running) endRun();
@@ -227,7 +240,8 @@ function open({ files, iteration, frame = '', solved, weld }) {
     ...live().load(main.name, main.bytes, companion?.bytes ?? null),
     files: companion ? [main.name, companion.name] : [main.name],
   };
-  if (iteration) live().restoreIteration(iteration);
+  about.undoLost = saved ? restore(saved) : '';
+  if (saved) about.name = saved.name;
   loaded = true;
   settled = false;
   dragging = false;
@@ -248,10 +262,25 @@ function open({ files, iteration, frame = '', solved, weld }) {
     positions.buffer,
     ...Object.values(connectivity).map((array) => array.buffer),
   ]);
-  trace = [];
   activityDue = true;
   changed();
   return about;
+}
+
+/**
+ * Goes on where the scene that was just opened stood when it was saved.
+ * @param {import("./messages.js").Saved} saved
+ * @returns {string} why its steps of undo are gone; empty when they are not
+ */
+function restore({ iteration, history, progress }) {
+  live().restoreIteration(iteration);
+  try {
+    live().restore(history ?? new Uint8Array(0), progress ?? new Uint8Array(0));
+    return '';
+  } catch (thrown) {
+    if (isTrap(thrown)) throw thrown;
+    return messageOf(thrown);
+  }
 }
 
 /**
@@ -271,6 +300,7 @@ function betweenRuns(edit, value) {
   settled = false;
   activityDue = true;
   changed();
+  sliceIsNew = true;
   if (running) queueSlice();
   return value === undefined ? result : value;
 }
@@ -308,6 +338,7 @@ function halfStep() {
 
 function pause() {
   if (!running) return;
+  post({ type: 'working' });
   endRun();
   changed();
 }
@@ -323,17 +354,21 @@ function endRun() {
 function drag(message) {
   const { vertices, targets, phase, time } = message;
   if (phase === 'start' || phase === 'make') {
+    const isNew = phase === 'make';
+    if (isNew) post({ type: 'working' });
     if (running) live().endRun();
     live().drag(vertices, targets, phase);
     dragging = true;
     activityDue = true;
-    if (phase === 'make') changed();
+    // What is saved is the scene before the drag, until that has ended.
+    if (isNew) sendDocument();
   } else if (!dragging) {
     return;
   } else if (phase === 'move') {
     move = message;
     if (time !== undefined) answering = { time, came: performance.now() };
   } else {
+    post({ type: 'working' });
     move = answering = null;
     dragging = false;
     live().drag(vertices, targets, phase);
@@ -341,12 +376,16 @@ function drag(message) {
     changed();
   }
   settled = false;
+  if (phase !== 'move') sliceIsNew = true;
   queueSlice();
 }
 
 /** Iterates for a slice, sends what there is to see, and comes back for more. */
 function slice() {
   sliceQueued = false;
+  const isNew = sliceIsNew;
+  sliceIsNew = false;
+  if (isNew) post({ type: 'working' });
   guard(() => {
     /** @type {import("./messages.js").Collapse | null} */
     let collapsed = null;
@@ -365,12 +404,13 @@ function slice() {
       endRun();
       changed();
       collapsed = live().collapse();
-    } else if (running && performance.now() - sceneSentAt > SCENE_EVERY_MS) {
-      sendScene();
+    } else if (unseen) {
+      progressTimer ||= setTimeout(sendProgress, progressEvery);
     }
     sendFrame();
     if (collapsed) post({ type: 'collapsed', ...collapsed });
   });
+  if (isNew) post({ type: 'pong' });
   if (iterating()) queueSlice();
 }
 
@@ -386,27 +426,40 @@ function queueSlice() {
 
 /** After an edit, a load, the end of a run or a drag: everything the page keeps is renewed. */
 function changed() {
-  post({ type: 'document', document: live().document() });
+  sendDocument();
   sendScene();
   unseen = true;
   sendFrame();
 }
 
+function sendDocument() {
+  post({ type: 'document', document: live().document() });
+}
+
 function sendScene() {
-  post({ type: 'scene', text: live().scene(), iteration: numbers().iteration });
-  sceneSentAt = performance.now();
+  clearTimeout(progressTimer);
+  progressTimer = 0;
+  const history = live().savedHistory();
+  const [text, iteration] = [live().scene(), live().iteration()];
+  post({ type: 'scene', text, history, iteration }, [history.buffer]);
+}
+
+/** How far a run or a drag has come since the scene that was sent last. */
+function sendProgress() {
+  progressTimer = 0;
+  if (!loaded || !(running || dragging)) return;
+  guard(() => {
+    const begun = performance.now();
+    const bytes = live().savedProgress();
+    const took = performance.now() - begun;
+    progressEvery = Math.max(PROGRESS_EVERY_MS, took / PROGRESS_PART);
+    post({ type: 'progress', bytes, iteration: live().iteration() }, [bytes.buffer]);
+  });
 }
 
 function sendActivity() {
   activityDue = false;
   post({ type: 'activity', running, converged: settled && !live().collapse() });
-}
-
-/** The state of the iteration; what it says of the trace is kept for the next frame. */
-function numbers() {
-  const { trace: since, ...rest } = live().frame();
-  trace.push(...since);
-  return rest;
 }
 
 /**
@@ -417,14 +470,12 @@ function sendFrame() {
   if (!unseen || free.length === 0) return;
   const positions = /** @type {Float64Array} */ (free.pop());
   live().writePositions(positions);
-  const now = numbers();
+  const numbers = live().frame();
   const values = measure ? live().faceValues(measure) : null;
   const corners = (measure && showCorners && live().cornerValues(measure)) || null;
   const shapes = showShapes ? live().fitted() : null;
-  const told = Float64Array.from(trace);
-  trace = [];
   /** @type {Transferable[]} */
-  const transfer = [positions.buffer, told.buffer];
+  const transfer = [positions.buffer];
   if (values) transfer.push(values.buffer);
   if (corners) transfer.push(corners.buffer);
   if (shapes) transfer.push(shapes.buffer);
@@ -436,7 +487,7 @@ function sendFrame() {
   if (answers) answering = null;
   post(
     {
-      ...{ type: 'frame', numbers: now, trace: told, positions },
+      ...{ type: 'frame', numbers, positions },
       ...{ measure, values, corners, shapes, projections, answers },
     },
     transfer,

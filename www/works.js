@@ -1,9 +1,9 @@
 /**
- * What is kept in this browser: the scenes that were worked on, newest first. The list is small and
- * is read at once; the texts are beside it, each under its own name.
+ * What is kept in this browser: the scenes that were worked on. Each has a few records of its own, and a
+ * list is made of what is there, so that no damage to one is a damage to others.
  */
 
-import { createStore, del, get, set, update } from 'idb-keyval';
+import { createStore, promisifyRequest } from 'idb-keyval';
 
 /**
  * @typedef {object} Work
@@ -14,66 +14,123 @@ import { createStore, del, get, set, update } from 'idb-keyval';
  * @property {number} iteration
  * @property {string | null} example id of the example whose mesh it has
  * @property {string} hash of the address that it was opened at
+ * @property {import("./saved-view.js").SavedView | null} view how it was looked at
+ * @property {boolean} [unreadable] it could not be opened
  */
 
-const LIST = 'list';
+/**
+ * What a work consists of: the text of its scene, the steps of undo that belong to it, and how far a run
+ * or a drag has come that began with it. Null where there is none.
+ * @typedef {object} Contents
+ * @property {string} text
+ * @property {Uint8Array | null} history
+ * @property {Uint8Array | null} progress
+ */
+
+/** Keys are a part and the id of a work. */
+const ABOUT = 'work ';
+const TEXT = 'text ';
+const PARTS = [ABOUT, TEXT, 'history ', 'progress '];
+/** Versions before this one had a list instead. */
+const OLD_LIST = 'list';
 /** So many are kept. */
 const MOST = 8;
 const database = createStore('shape-up', 'works');
 
 /** The newest first. @returns {Promise<Work[]>} */
 export async function works() {
-  return (await get(LIST, database)) ?? [];
+  const [keys, about, old] = await database('readonly', (store) =>
+    Promise.all([
+      promisifyRequest(store.getAllKeys()),
+      promisifyRequest(store.getAll(IDBKeyRange.bound(ABOUT, `${ABOUT}\uffff`))),
+      promisifyRequest(store.get(OLD_LIST)),
+    ]),
+  );
+  const known = [...(Array.isArray(old) ? old : []), ...about].filter(isWork);
+  const byId = new Map(known.map((work) => [work.id, work]));
+  return keys
+    .map(String)
+    .filter((key) => key.startsWith(TEXT))
+    .map((key) => key.slice(TEXT.length))
+    .map((id) => byId.get(id) ?? unknown(id))
+    .sort((a, b) => b.savedAt - a.savedAt);
 }
 
-/** The text of a scene. @param {string} id @returns {Promise<string | undefined>} */
-export function textOf(id) {
-  return get(`text ${id}`, database);
+/** @param {string} id @returns {Promise<{ [part in keyof Contents]: unknown }>} as it is there, be it damaged */
+export async function contentsOf(id) {
+  const parts = PARTS.slice(1).map((part) => part + id);
+  const [text, history, progress] = await database('readonly', (store) =>
+    Promise.all(parts.map((key) => promisifyRequest(store.get(key)))),
+  );
+  return { text, history, progress };
 }
 
 /**
- * Keeps a work, and forgets the oldest of too many. When there is no room, all others go.
+ * Keeps a work and those of its contents that are named, all at once or nothing. When there is no room,
+ * all others go.
  * @param {Work} work
- * @param {string} text of its scene
+ * @param {Partial<Contents>} contents
  */
-export async function keep(work, text) {
+export async function keep(work, contents) {
   try {
-    await write(work, text, MOST);
+    await write(work, contents);
   } catch (error) {
     if (!(error instanceof DOMException && error.name === 'QuotaExceededError')) throw error;
-    await shorten([work], 1);
-    await write(work, text, 1);
+    await forgetBut(({ id }) => id === work.id);
+    await write(work, contents);
   }
 }
 
 /**
- * @param {Work} work
- * @param {string} text
- * @param {number} most
+ * Forgets the oldest of too many.
+ * @param {(id: string) => boolean} isOpen in a tab
  */
-async function write(work, text, most) {
-  await set(`text ${work.id}`, text, database);
-  await shorten([work], most);
+export async function forgetOldest(isOpen) {
+  const newest = (await works()).slice(0, MOST).map(({ id }) => id);
+  await forgetBut(({ id }) => newest.includes(id) || isOpen(id));
+}
+
+/** @param {(work: Work) => boolean} stays */
+async function forgetBut(stays) {
+  const gone = (await works()).filter((work) => !stays(work));
+  if (gone.length === 0) return;
+  await database('readwrite', (store) => {
+    for (const { id } of gone) for (const part of PARTS) store.delete(part + id);
+    return promisifyRequest(store.transaction);
+  });
 }
 
 /**
- * Puts works at the head of the list, which then has at most so many.
- * @param {Work[]} first
- * @param {number} most
+ * @param {Work} work
+ * @param {Partial<Contents>} contents
  */
-async function shorten(first, most) {
-  /** @type {Work[]} */
-  let gone = [];
-  // One transaction: another tab may be doing the same.
-  await update(
-    LIST,
-    (/** @type {Work[] | undefined} */ list = []) => {
-      const ids = first.map(({ id }) => id);
-      const all = [...first, ...list.filter(({ id }) => !ids.includes(id))];
-      gone = all.slice(most);
-      return all.slice(0, most);
-    },
-    database,
-  );
-  await Promise.all(gone.map(({ id }) => del(`text ${id}`, database)));
+function write(work, contents) {
+  return database('readwrite', (store) => {
+    store.put(work, ABOUT + work.id);
+    for (const [part, value] of Object.entries(contents)) {
+      const key = `${part} ${work.id}`;
+      if (value === null) store.delete(key);
+      else store.put(value, key);
+    }
+    // From here on the browser needs no more of this page, which may be about to go.
+    store.transaction.commit?.();
+    return promisifyRequest(store.transaction);
+  });
+}
+
+/** @param {any} value @returns {value is Work} */
+function isWork(value) {
+  const words = [value?.id, value?.name, value?.title, value?.hash];
+  const numbers = [value?.savedAt, value?.iteration];
+  return words.every((word) => typeof word === 'string') && numbers.every(Number.isFinite);
+}
+
+/** A scene of which nothing else is known but when its work began. @param {string} id @returns {Work} */
+function unknown(id) {
+  const begun = Number.parseInt(id, 36);
+  const savedAt = begun < Date.now() ? begun : 0;
+  return {
+    ...{ id, name: 'recovered', title: 'Recovered model', savedAt, iteration: 0 },
+    ...{ example: null, hash: '', view: null },
+  };
 }
