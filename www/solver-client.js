@@ -28,7 +28,7 @@ import { messageOf } from './messages.js';
  * iteration may take a while, and so many times as long as the last one did.
  */
 const LOOK_EVERY_MS = 1000;
-const MOST_MISSED = 4;
+const MOST_MISSED = 3;
 const STEPS_MISSED = 10;
 /** Looks after which somebody may want to stop what the worker works on. */
 const LONG_WORK = 3;
