@@ -126,7 +126,7 @@ fn a_mesh_that_is_dragged_across_the_scene_has_not_collapsed() {
     session.edit(Edit::SetWeights(Weights::default())).unwrap();
     session.edit(Edit::AddHandles { vertices: vec![0], fixed: true }).unwrap();
     session.begin_drag();
-    session.drag([(0, [100.0, 0.0, 0.0])]);
+    session.drag([(0, [100.0, 0.0, 0.0])]).unwrap();
     session.step().unwrap();
     session.end_drag(true);
     run(&mut session, 500, false);

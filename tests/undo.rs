@@ -297,11 +297,11 @@ fn a_run_and_a_drag_that_were_cut_off_are_steps_of_undo() {
     let target = [482_114.0, -65_220.0, 433.0];
     let begin_new = |session: &mut Session| {
         session.begin_drag_of_new(vec![7]).expect("it is there");
-        session.drag([(7, target)]);
+        session.drag([(7, target)]).unwrap();
     };
     let begin_drag = |session: &mut Session| {
         session.begin_drag();
-        session.drag([(6, target)]);
+        session.drag([(6, target)]).unwrap();
     };
     let begin: [(&dyn Fn(&mut Session), &str); 3] = [
         (&Session::begin_run, "Run, 3 iterations"),
@@ -316,7 +316,9 @@ fn a_run_and_a_drag_that_were_cut_off_are_steps_of_undo() {
         let (text, history) = (written(&session), session.saved_history());
         let before = everything(&session);
         begin(&mut session);
-        (0..3).for_each(|_| drop(session.step().expect("positions stay finite")));
+        for _ in 0..3 {
+            session.step().expect("positions stay finite");
+        }
         assert_eq!(session.saved_history(), history, "it belongs to the scene before");
         let mut again = reopened(&text, before.2, &history, &session.saved_progress());
         assert_eq!(everything(&again), everything(&session));

@@ -150,7 +150,7 @@ impl Session {
             (OTHER, _) => bytes.positions(self.mesh.positions.len())?,
             _ => return Err(bytes.damaged("positions").into()),
         };
-        Ok(Snapshot { document, handles, positions, iteration })
+        Ok(Snapshot { document, handles, positions, iteration, start: None })
     }
 }
 
