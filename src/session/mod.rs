@@ -25,7 +25,7 @@
 //! | `measured` | what was measured of the current shape, kept as long as it stays |
 //! | `opening` | opening a scene in the place of another |
 //! | `pace` | how large a mesh can be that is still worked with at once |
-//! | `place` | where constraints may be |
+//! | `place`, `place_shape` | where constraints may be; what a place is like, for the usual kind |
 //! | `preview` | what adding constraints would make |
 //! | `projected` | the projections of the constraints, to be drawn |
 //! | `remedies` | changes that help where constraints are not met |
