@@ -297,11 +297,11 @@ fn a_run_and_a_drag_that_were_cut_off_are_steps_of_undo() {
     let target = [482_114.0, -65_220.0, 433.0];
     let begin_new = |session: &mut Session| {
         session.begin_drag_of_new(vec![7]).expect("it is there");
-        session.drag([(7, target)]).unwrap();
+        session.drag([(7, target)]).expect("it is near");
     };
     let begin_drag = |session: &mut Session| {
         session.begin_drag();
-        session.drag([(6, target)]).unwrap();
+        session.drag([(6, target)]).expect("it is near");
     };
     let begin: [(&dyn Fn(&mut Session), &str); 3] = [
         (&Session::begin_run, "Run, 3 iterations"),

@@ -146,7 +146,7 @@ export class Autosave {
     const work = {
       id: this.#id,
       name,
-      title: model.title || model.name,
+      title: origin.title ?? (model.title || model.name),
       savedAt: Date.now(),
       iteration: saved.iteration,
       example: origin.example?.id ?? null,
@@ -237,8 +237,8 @@ export async function take(work, how) {
     throw new Unreadable(work, text, 'what was kept of it is damaged');
   }
   const bytes = (/** @type {unknown} */ value) => (value instanceof Uint8Array ? value : null);
-  const { title: name, iteration } = work;
-  const saved = { name, iteration, history: bytes(history), progress: bytes(progress) };
+  const { iteration } = work;
+  const saved = { iteration, history: bytes(history), progress: bytes(progress) };
   return { work, text, saved };
 }
 

@@ -40,8 +40,8 @@ export function colourFaces(store, solver) {
     const before = rows;
     rows = state.document?.constraints.length;
     const opened = before === undefined && rows !== undefined;
-    const firstRow = before === 0 && rows && !state.measureChosen;
-    if (opened || firstRow) store.set({ measure: measureOfScene(state) });
+    const firstRow = before === 0 && rows;
+    if ((opened || firstRow) && !state.measureChosen) store.set({ measure: measureOfScene(state) });
   });
   solver.addEventListener('model', () => store.set(NONE));
   const takeInSoon = throttled(RENEW_MS, takeIn);

@@ -21,6 +21,7 @@ import { rememberedFrame } from './units.js';
  * @property {boolean} [first] it is what the page opens with, solved
  * @property {Example} [example] whose mesh it has
  * @property {string} [work] the name under which it is kept in this browser, see `works.js`
+ * @property {string} [title] of the work
  * @property {import("./messages.js").Saved} [saved] beside its scene
  * @property {boolean} [asItCame] its vertices are not welded
  */
@@ -98,7 +99,7 @@ export class Files extends EventTarget {
       if (!origin.first) removeFirstPicture();
       this.#store.set({
         firstExample: Boolean(origin.first),
-        fileName: origin.saved?.name ?? main.name,
+        fileName: origin.title ?? main.name,
         example: origin.example ?? null,
         status: `Opened ${main.name}: ${count(loaded.vertices, 'vertex', 'vertices')}, ${count(loaded.faces, 'face')}`,
       });

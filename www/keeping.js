@@ -156,19 +156,17 @@ export class Keeping {
     const bytes = new TextEncoder().encode(text);
     const examples = work.example ? await this.#files.examples() : [];
     const example = examples.find(({ id }) => id === work.example);
-    const origin = { example, work: work.id, saved };
-    try {
-      const files = [{ name: `${work.name}.shapeup.json`, bytes }];
-      const loaded = await this.#files.open(files, origin);
-      const { lookAgain } = await import('./saved-view.js');
-      // What was damaged is looked at as if it were new.
-      await lookAgain(work.view, this.#seen).catch(() => {});
-      return loaded;
-    } catch (error) {
+    const { id, title } = work;
+    const origin = { example, work: id, title, saved };
+    const files = [{ name: `${work.name}.shapeup.json`, bytes }];
+    const loaded = await this.#files.open(files, origin).catch(async (error) => {
       const { Unreadable, giveBack } = await import('./autosave.js');
       await giveBack(work);
       throw new Unreadable(work, text, messageOf(error));
-    }
+    });
+    const { lookAgain } = await import('./saved-view.js');
+    lookAgain(work.view, this.#seen);
+    return loaded;
   }
 
   /** Opens what the address links to. @returns {Promise<boolean>} whether it links to anything */

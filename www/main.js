@@ -175,15 +175,15 @@ function takeUp(client) {
   );
   on('model', ({ loaded, positions }) =>
     store.set({
+      // In another worker it is looked at as before.
+      ...(!client.restoring && {
+        ...{ camera: null, measureChosen: false },
+        ...{ tolerance: loaded.tolerance || null, tolerances: {} },
+      }),
       model: loaded,
-      // The same model in another worker is looked at as before.
-      ...(!client.restoring && { camera: null }),
       size: sizeOf(positions),
       document: null,
       numbers: null,
-      tolerance: loaded.tolerance || null,
-      tolerances: {},
-      measureChosen: false,
       halfway: false,
       flatMap: null,
       split: null,

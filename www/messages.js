@@ -255,7 +255,6 @@
 /**
  * What is saved beside a scene, so that it goes on where it stood; bytes that only the solver reads.
  * @typedef {object} Saved
- * @property {string} name of the model, instead of its file's
  * @property {number} iteration of the scene
  * @property {Uint8Array | null} history its steps of undo and redo
  * @property {Uint8Array | null} progress of a run or a drag that began with it

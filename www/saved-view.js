@@ -1,16 +1,8 @@
-/**
- * How a model is looked at, which is kept with it: where from, coloured by what, within which tolerance,
- * beside which plot or table.
- */
+/** How a model is looked at, which is kept with it. */
 
 /**
- * @typedef {object} SavedView
- * @property {number[] | null} camera
- * @property {boolean} parallel
- * @property {import("./messages.js").Measure | null} measure that somebody chose
- * @property {number | null} tolerance
- * @property {string} tab of the analysis
- * @property {import("./state.js").State["tab"]} panel that is shown where there is room for one
+ * Parts of the state by their names there, and `plot`, the tab of the analysis.
+ * @typedef {{ [part in typeof PARTS[number]]: import("./state.js").State[part] } & { plot: string }} SavedView
  */
 
 /**
@@ -19,33 +11,26 @@
  * @property {ReturnType<typeof import("./analysis.js").analysisRegion>} analysis
  */
 
+/** @type {["camera", "parallel", "tab", "measure", "measureChosen", "tolerance", "tolerances"]} */
+const PARTS = ['camera', 'parallel', 'tab', 'measure', 'measureChosen', 'tolerance', 'tolerances'];
+
 /** @param {Seen} parts @returns {SavedView} */
 export function viewOf({ store, analysis }) {
-  const { camera, parallel, measure, measureChosen, tolerance, tab: panel } = store.get();
-  return {
-    camera,
-    parallel,
-    measure: measureChosen ? measure : null,
-    tolerance,
-    tab: analysis.shown(),
-    panel,
-  };
+  const state = store.get();
+  const parts = Object.fromEntries(PARTS.map((part) => [part, state[part]]));
+  return /** @type {SavedView} */ ({ ...parts, plot: analysis.shown() });
 }
 
 /**
  * Looks at the model that was just opened as it was looked at when it was kept.
- * @param {SavedView | null} view
+ * @param {SavedView | null} view null where it was not kept
  * @param {Seen} parts
  */
-export async function lookAgain(view, { store, analysis }) {
+export function lookAgain(view, { store, analysis }) {
   if (!view) return;
-  const { camera, parallel, measure, tolerance, tab, panel } = view;
-  const { measures } = store.get();
-  store.set({ parallel, tab: panel });
-  if (measures.some(({ id }) => id === measure)) store.set({ measure, measureChosen: true });
-  analysis.show(tab);
-  if (camera) store.set({ camera });
-  // Another measure begins without one.
-  await Promise.resolve();
-  store.set({ tolerance });
+  const { plot, ...parts } = view;
+  const known = store.get().measures.some(({ id }) => id === parts.measure);
+  if (!known) parts.measure = store.get().measure;
+  store.set(parts);
+  analysis.show(plot);
 }

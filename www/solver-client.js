@@ -51,13 +51,14 @@ export class SolverClient extends EventTarget {
   /** The text of the scene as the worker last sent it. @type {string | null} */
   sceneText = null;
   /** What belongs to that text. @type {import("./messages.js").Saved} */
-  saved = { name: '', iteration: 0, history: null, progress: null };
+  saved = { iteration: 0, history: null, progress: null };
 
   /** @type {Worker | null} */
   #worker = null;
   #ready = false;
   /** The worker was started to replace one that died, and has not opened its scene yet. */
   #restoring = false;
+  #modelName = '';
   /** It has begun with what may take a while. */
   #working = false;
   /** How often it was looked at since then. */
@@ -201,7 +202,9 @@ export class SolverClient extends EventTarget {
         break;
       }
       case 'model':
-        this.saved = { ...this.saved, name: message.loaded.name };
+        // What is restored is still the model of its file.
+        if (this.#restoring) message.loaded.name = this.#modelName;
+        this.#modelName = message.loaded.name;
         this.#previous = null;
         this.geometry = {
           connectivity: message.connectivity,
@@ -215,10 +218,7 @@ export class SolverClient extends EventTarget {
         break;
       case 'scene':
         this.sceneText = message.text;
-        this.saved = {
-          ...{ name: this.saved.name, iteration: message.iteration },
-          ...{ history: message.history, progress: null },
-        };
+        this.saved = { iteration: message.iteration, history: message.history, progress: null };
         break;
       case 'progress':
         this.saved = { ...this.saved, progress: message.bytes };

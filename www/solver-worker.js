@@ -106,8 +106,8 @@ function receive(message) {
   disturb();
   if (CHANGES.has(message.type)) stopTrials();
   if (!('id' in message)) return guard(() => command(message));
-  post({ type: 'working' });
   const { id } = message;
+  post({ type: 'working' });
   const refuse = (/** @type {unknown} */ thrown) => {
     if (isTrap(thrown)) die(thrown);
     const path = thrown instanceof Error && 'path' in thrown ? String(thrown.path) : '';
@@ -115,8 +115,10 @@ function receive(message) {
   };
   try {
     const value = answer(message);
-    if (value instanceof Promise) value.then((value) => post({ type: 'reply', id, value }), refuse);
-    else post({ type: 'reply', id, value });
+    if (!(value instanceof Promise)) return post({ type: 'reply', id, value });
+    value.then((value) => post({ type: 'reply', id, value }), refuse);
+    // It goes on in slices.
+    post({ type: 'pong' });
   } catch (thrown) {
     refuse(thrown);
   }
@@ -241,7 +243,6 @@ function open({ files, saved, frame = '', solved, weld }) {
     files: companion ? [main.name, companion.name] : [main.name],
   };
   about.undoLost = saved ? restore(saved) : '';
-  if (saved) about.name = saved.name;
   loaded = true;
   settled = false;
   dragging = false;
