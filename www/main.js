@@ -30,7 +30,6 @@ import { handlesPanel } from './panels/handles.js';
 import { bindHalfStepButtons } from './half-step.js';
 import { HoldOriginal } from './hold-original.js';
 import { stayOffline } from './offline.js';
-import { legend } from './panels/legend.js';
 import { modelPanel } from './panels/model.js';
 import { statusBar } from './panels/status-bar.js';
 import { selectBar } from './panels/select-bar.js';
@@ -88,7 +87,7 @@ constraintsPanel(byId('constraints'), store, solver, actions);
 handlesPanel(byId('handles'), store, actions, solver);
 energiesPanel(byId('energies'), store, actions);
 displayPanel(byId('display'), store);
-legend(byId('legend'), store, viewport, fit);
+viewport.addEventListener('ready', showLegend, { once: true });
 const hold = new HoldOriginal(store, solver);
 const parts = { store, solver, viewport, files, actions, alerts, hold };
 const analysis = analysisRegion(byId('analysis'), parts);
@@ -156,6 +155,12 @@ keeping.begin().catch((error) => alerts.error(messageOf(error)));
 files.offerExamples(byId('examples')).catch((error) => alerts.error(messageOf(error)));
 stayOffline(alerts, keeping, viewport);
 import('./surroundings.js').then((module) => module.tellSurroundings(byId('numbers'), store));
+
+/** The legend comes when there is something to see. */
+function showLegend() {
+  const legend = import('./panels/legend.js');
+  actions.told(legend.then(({ legend }) => legend(byId('legend'), store, viewport, fit)));
+}
 
 /**
  * Takes the solver's news into the store.
