@@ -4,12 +4,26 @@ import { messageOf } from './messages.js';
 
 /** @param {import("./analysis.js").Parts} parts */
 export function attachLater(parts) {
-  const { store, files, alerts } = parts;
+  const { store, solver, files, alerts } = parts;
   const failed = (/** @type {unknown} */ error) => alerts.error(messageOf(error));
 
   const watch = () =>
     import('./lists/conditions.js').then(({ watchConditions }) => watchConditions(parts), failed);
   files.addEventListener('opened', watch, { once: true });
+  const offer = () =>
+    import('./make-panels/card.js').then(({ MakePanels }) => void new MakePanels(parts), failed);
+  files.addEventListener('opened', offer, { once: true });
+  solver.addEventListener('collapsed', (event) => {
+    const { detail } = /** @type {CustomEvent} */ (event);
+    import('./collapse.js').then(({ tellCollapse }) => tellCollapse(parts, detail), failed);
+  });
+
+  let watched = false;
+  store.subscribe(['document'], ({ document }) => {
+    if (watched || !document?.free || document.constraints.length === 0) return;
+    watched = true;
+    import('./free-vertices.js').then(({ watchFreeVertices }) => watchFreeVertices(parts), failed);
+  });
 
   if (matchMedia('(any-pointer: coarse)').matches)
     import('./tooltips.js').then(({ tooltipsForTouch }) => tooltipsForTouch(), failed);

@@ -146,6 +146,7 @@ function convergence(solver) {
 
 /** The reader and writer of Rhino's files is large, and comes only for this. @param {Parts} parts */
 async function saveForRhino({ solver, files }) {
+  if (!(await files.mayExport())) return;
   const { askRhino } = await import('./rhino-client.js');
   const scene = await solver.request({ type: 'scene' });
   const errors = await solver.request({ type: 'table', table: 'errors' });

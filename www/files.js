@@ -269,12 +269,20 @@ export class Files extends EventTarget {
 
   /** The current shape in the vertices of the file, before they were welded. */
   async exportAsItCame() {
+    if (!(await this.mayExport())) return;
     this.save('.obj', await this.#solver.request({ type: 'obj', asItCame: true }), 'model/obj');
+  }
+
+  /** Whether the shape is wanted as it is: asks where a run took the mesh apart. */
+  async mayExport() {
+    const reason = this.#store.get().numbers?.collapse;
+    return !reason || (await import('./collapse.js')).askToExport(reason);
   }
 
   /** The current shape, with the flat map that is shown, as OBJ. */
   async exportMesh() {
     try {
+      if (!(await this.mayExport())) return;
       const uv = this.#store.get().flatMap?.found.uv;
       this.save('.obj', await this.#solver.request({ type: 'obj', uv }), 'model/obj');
     } catch (error) {

@@ -18,6 +18,7 @@ const POINTER = [
   ['Middle drag', 'pan, as Shift + right drag'],
   ['Wheel, pinch', 'zoom to the cursor'],
   ['Two fingers', 'pan and zoom'],
+  ['Hold Reset', 'the original, as long as it is held'],
 ];
 /** Keys of the view itself; see `view-keys.js`, `handle-keys.js` and `pointer.js`. @type {[string, string][]} */
 const VIEW_KEYS = [

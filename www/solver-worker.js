@@ -30,6 +30,8 @@ let solver = null;
 let loaded = false;
 /** Run was pressed, and the iteration has not converged since. */
 let running = false;
+/** The run goes on whatever becomes of the shape. */
+let goesOn = false;
 let dragging = false;
 /** Nothing would change by iterating on; a moved handle or an edit ends it. */
 let settled = false;
@@ -143,7 +145,8 @@ function command(message) {
       if (!loaded || running) return;
       post({ type: 'working' });
       live().beginRun();
-      if (message.goOn) live().goOn();
+      goesOn = message.goOn ?? false;
+      if (goesOn) live().goOn();
       running = true;
       settled = false;
       sliceIsNew = true;
@@ -404,7 +407,7 @@ function slice() {
     if (settled && running && !dragging) {
       endRun();
       changed();
-      collapsed = live().collapse();
+      if (!goesOn) collapsed = live().collapse();
     } else if (unseen) {
       progressTimer ||= setTimeout(sendProgress, progressEvery);
     }

@@ -144,7 +144,8 @@ export function watchConditions(parts) {
     if (running) clear();
     const ended = wasRunning && !running;
     wasRunning = running;
-    if (!ended) return;
+    // What has collapsed has a message of its own.
+    if (!ended || store.get().numbers?.collapse) return;
     lookForFlatFaces();
     if (converged) tellVerdict();
   });
