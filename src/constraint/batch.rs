@@ -246,7 +246,8 @@ impl Batch {
         }
     }
 
-    /// Appends the shapes that fit the constraints at positions `x`, to be drawn.
+    /// Appends the shapes that fit the constraints at positions `x`, to be drawn: not those that are so
+    /// much larger than their points that they would lie over all else.
     pub fn fitted(&self, x: &[Row], shapes: &mut Vec<Fitted>) {
         let mut points = vec![Vec3::zero(); self.n];
         for i in 0..self.count {
@@ -255,7 +256,8 @@ impl Batch {
                 let row = x[nodes[i % LANES] as usize];
                 *point = Vec3::new(row[0], row[1], row[2]);
             }
-            shapes.extend(self.operator.fitted(&points));
+            let shape = self.operator.fitted(&points);
+            shapes.extend(shape.filter(|shape| shape.is_of_the_size_of(&points)));
         }
     }
 

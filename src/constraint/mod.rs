@@ -218,6 +218,18 @@ pub enum Fitted {
     },
 }
 
+/// A shape whose radius is so many times the extent of its points is all but a line or a plane there.
+const LARGEST_DRAWN: f64 = 4.0;
+
+impl Fitted {
+    /// Whether its radius is not many times the extent of its points.
+    fn is_of_the_size_of(&self, points: &[Vec3<f64>]) -> bool {
+        let (Fitted::Circle { radius, .. } | Fitted::Sphere { radius, .. }) = *self;
+        let extent = points.iter().map(|&p| (p - points[0]).length()).fold(0.0, f64::max);
+        radius <= LARGEST_DRAWN * extent
+    }
+}
+
 /// Makes the enum of kinds and everything that is the same for each of them. The only list of
 /// kinds in the project.
 macro_rules! kinds {
