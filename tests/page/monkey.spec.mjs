@@ -262,6 +262,8 @@ async function undoAll() {
   const { shapeUp } = window;
   document.querySelectorAll('dialog[open]').forEach((dialog) => dialog.close());
   document.activeElement?.blur();
+  // A run that was asked for last may not have been told of yet.
+  await shapeUp.settled();
   if (shapeUp.state().running) document.getElementById('run').click();
   await shapeUp.settled();
   const undo = document.querySelector('[data-command="undo"]');
