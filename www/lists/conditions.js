@@ -65,7 +65,8 @@ export function watchConditions(parts) {
     const far = length(worst.value, scene.units, allowed);
     const what = `Worst: ${row.label} on ${worst.element}, ${far}; the tolerance is ${most}.`;
     const group = tell(
-      `Solved as far as possible. ${what}${cost}`,
+      // The verdict on the panels has said the rest.
+      cardOfPanels() ? 'Solved as far as possible.' : `Solved as far as possible. ${what}${cost}`,
       button('Show it', () => showElements(parts, worst)),
     );
     const waiting = element('p', { class: 'quiet' }, 'Looking for what would help …');

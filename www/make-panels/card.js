@@ -46,6 +46,8 @@ export class MakePanels {
     const tellSoon = throttled(RENEW_MS, () => this.#tell(false));
     solver.addEventListener('frame', tellSoon);
     store.subscribe(['tolerance'], tellSoon);
+    // What would help comes into it later.
+    new ResizeObserver(() => this.#cover()).observe(this.#card);
   }
 
   #isUnderWay() {
@@ -164,7 +166,6 @@ export class MakePanels {
     const words = running || this.#isUnderWay() ? progressWords : verdictWords;
     const text = words(verdict, tolerance, document?.units ?? '');
     setText(this.#text, text);
-    this.#cover();
     if (atEnd && !running && !numbers?.collapse) store.set({ status: text });
   }
 
