@@ -5,7 +5,14 @@
  */
 
 import { RENEW_MS, byId, element, icon, leave, setText, throttled } from './dom.js';
-import { declared, measureOfScene, roundingOf, valueInWords, worstOf } from './measures.js';
+import {
+  declared,
+  measureOfScene,
+  roundingOf,
+  toleranceOf,
+  valueInWords,
+  worstOf,
+} from './measures.js';
 import { recall, remember } from './stored.js';
 
 const KEY = 'shape-up.hints';
@@ -47,7 +54,7 @@ export function firstHints(card, store) {
     if (done || !document || !numbers || !about || !firstExample) return;
     const worst = worstOf(state, about.id);
     const shown = worst < roundingOf(about, size) ? 0 : worst;
-    const within = `within ${valueInWords(about, shown, document.units)}`;
+    const within = `within ${valueInWords(about, shown, document.units, toleranceOf(state, about))}`;
     const met = `${about.met[0].toUpperCase()}${about.met.slice(1)}, ${within}.`;
     setText(text, numbers.iteration === 0 && at < 2 ? START : hints(met)[at]);
     delete window.document.documentElement.dataset.known;

@@ -91,6 +91,31 @@ test('settings come from the declared list, act, and are undone', async ({ page 
   await expect.poll(async () => (await sceneOf(page)).closeness).toBeUndefined();
 });
 
+test('a preset sets all that it needs, and says what it assumes before it is taken', async ({
+  page,
+}) => {
+  await showPanel(page, 'Energies and display');
+  const preset = page.getByRole('combobox', { name: 'Preset' });
+  const weights = async () => (await sceneOf(page)).weights;
+  await preset.selectOption('Fig. 5: 5, 10, 2');
+  await expect.poll(weights).toEqual({ shape: 5, close: 10, smooth: 2 });
+  expect((await sceneOf(page)).closeness.boundary).toBeDefined();
+  await expect(preset).toHaveValue('fig-5');
+
+  await preset.selectOption('Fig. 6, 8: 1, 0, 0');
+  const warning = page.getByRole('group', { name: /There are no handles/ });
+  await expect(warning).toBeVisible();
+  await expect(preset).toHaveValue('fig-5');
+  await warning.getByRole('button', { name: 'Cancel' }).click();
+  await expect(warning).toBeHidden();
+  await preset.selectOption('Fig. 6, 8: 1, 0, 0');
+  await warning.getByRole('button', { name: 'Use anyway' }).click();
+  await expect(preset).toHaveValue('fig-6');
+  expect((await sceneOf(page)).closeness.to).toBe('none');
+  await page.keyboard.press('Control+z');
+  await expect(preset).toHaveValue('fig-5');
+});
+
 test('the selection is held more than the rest, and all alike again', async ({ page }) => {
   await hidePanels(page);
   await page.mouse.click(...(await screenOf(page, MIDDLE)));
