@@ -18,7 +18,7 @@ export function weightPresets(actions) {
   let presets = [];
   /** The one whose settings the scene has. @type {string | null} */
   let current = null;
-  const choice = element('select', { 'aria-label': 'Settings of the paper', onchange: choose });
+  const choice = element('select', { 'aria-label': 'Preset', onchange: choose });
   const warning = element('div', {
     class: 'warning',
     role: 'group',
@@ -52,12 +52,7 @@ export function weightPresets(actions) {
   const showChosen = () => (choice.value = current ?? CUSTOM);
 
   return {
-    element: element(
-      'div',
-      {},
-      element('label', { class: 'presets' }, 'As in the paper', choice),
-      warning,
-    ),
+    element: element('div', {}, element('label', { class: 'presets' }, 'Preset', choice), warning),
     show(document) {
       const isNew = presets.length === 0;
       ({ presets, preset: current } = document);
