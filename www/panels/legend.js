@@ -5,7 +5,14 @@
 
 import { element, setAttribute, setText } from '../dom.js';
 import { groupDigits, number, round } from '../format.js';
-import { declared, movedInWords, toleranceOf, unitOf, valueInWords } from '../measures.js';
+import {
+  declared,
+  movedInWords,
+  roundingOf,
+  toleranceOf,
+  unitOf,
+  valueInWords,
+} from '../measures.js';
 import { bars, drawBars, drawOutline, outline } from '../outline.js';
 import { isDrawn } from '../state.js';
 import { placeOn } from '../value-axis.js';
@@ -161,7 +168,9 @@ export function legend(place, store, viewport, fit) {
     const [from, to] = range.map((value) => 100 * placeOn(axis, value));
     const neutral = allowed === null || display.full ? 0 : 100 * placeOn(axis, allowed);
     ramp.style.background = viewport.rampOf([from, to], { neutral });
-    const words = (/** @type {number} */ value) => valueInWords(about, value, units, allowed);
+    const rounding = roundingOf(about, state.size);
+    const words = (/** @type {number} */ value) =>
+      valueInWords(about, value < rounding ? 0 : value, units, allowed);
     ends.forEach((end, i) => end.show(axis, range, words(range[i])));
     drawBars(now, spread.counts);
     tick.hidden = allowed === null || allowed > axis.high;
