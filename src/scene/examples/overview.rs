@@ -19,7 +19,7 @@ pub(super) const TRIANGLES: Example = Example {
     id: "fig-01-triangles",
     title: "Vase of triangles, put right and poured",
     summary: "On triangles: the belly settles on a sphere and the rim becomes a circle, while the rim is pulled over and the foot stays rigid.",
-    statement: "The belly, up to 39 cm from a sphere, comes within 1 cm of one; the rim, up to 2.4 m from a circle when it is pulled, within 1 cm; the foot keeps its shape within 2 mm.",
+    statement: "The belly, up to 39 cm from a sphere, comes within 1 cm of one; the rim, up to 2.2 m from a circle when it is pulled, within 1 cm; the foot keeps its shape within 2 mm.",
     ending: "obj",
     make: triangles,
 };
