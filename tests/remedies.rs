@@ -114,3 +114,18 @@ fn where_nothing_helps_nothing_is_offered() {
     run(&mut session, 3000);
     assert_eq!(remedies(&session), []);
 }
+
+#[test]
+fn weighing_constraints_more_brings_all_panels_within_the_tolerance() {
+    // Ten times the weight, which was offered first, left the worst at twice the tolerance.
+    let Some(mesh) = shared::mesh("M2_eq_quad2.obj") else { return };
+    let mut session = session(mesh, r#""constraints": [{ "kind": "circle", "on": "faces" }]"#);
+    run(&mut session, 3000);
+    let remedies = remedies(&session);
+    let more = remedies.iter().find(|remedy| remedy.label == "Weigh constraints more");
+    let edit = more.expect("it helps").edit.to_string();
+    session.edit(Edit::from_json(&edit, session.document()).expect("it is an edit")).expect("fits");
+    run(&mut session, 3000);
+    let verdict = session.verdict(session.tolerance()).expect("all panels are asked to be circles");
+    assert_eq!(verdict.within, verdict.panels, "worst {:e}", verdict.worst);
+}

@@ -262,8 +262,11 @@ fn written(session: &Session) -> String {
     session.scene().to_json(session.mesh())
 }
 
-/// All states on the way back to the start, and on the way forward to the end.
-fn all_states(session: &mut Session) -> Vec<(String, (String, Vec<[u64; 3]>, u32))> {
+/// The scene as text, the bits of the positions, the iteration.
+type State = (String, Vec<[u64; 3]>, u32);
+
+/// All states on the way back to the start, and on the way forward to the end, each with its step.
+fn all_states(session: &mut Session) -> Vec<(String, State)> {
     let mut states = Vec::new();
     while let Some(name) = session.undo().expect("the state was solvable") {
         states.push((name, everything(session)));
@@ -303,7 +306,8 @@ fn a_run_and_a_drag_that_were_cut_off_are_steps_of_undo() {
         session.begin_drag();
         session.drag([(6, target)]).expect("it is near");
     };
-    let begin: [(&dyn Fn(&mut Session), &str); 3] = [
+    type Begin<'a> = (&'a dyn Fn(&mut Session), &'a str);
+    let begin: [Begin<'_>; 3] = [
         (&Session::begin_run, "Run, 3 iterations"),
         (&begin_drag, "Move handle"),
         (&begin_new, "Make and move handle"),

@@ -16,6 +16,8 @@ const HELPS: f64 = 0.9;
 const FAR: f64 = 0.25;
 /// By which weights are lowered and raised.
 const FACTOR: f64 = 10.0;
+/// By which the weight of the constraints is raised at most.
+const MOST_FACTOR: f64 = 1000.0;
 
 /// A change that lowers the worst distance.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -114,6 +116,16 @@ impl Session {
     }
 }
 
+/// By how much the weight of the constraints has to be raised for all to be within the tolerance of the mesh:
+/// a power of ten. Distances fall like one over the weight.
+fn enough(session: &Session) -> f64 {
+    let mut factor = FACTOR;
+    while factor < MOST_FACTOR && session.worst_distance() > factor * session.tolerance() {
+        factor *= FACTOR;
+    }
+    factor
+}
+
 /// What may help, in the order in which it is tried.
 fn candidates(session: &Session) -> Vec<(String, Value)> {
     let document = session.document();
@@ -129,7 +141,7 @@ fn candidates(session: &Session) -> Vec<(String, Value)> {
     }
     offer(
         "Weigh constraints more",
-        json!({ "type": "setWeights", "shape": weights.shape * FACTOR }),
+        json!({ "type": "setWeights", "shape": weights.shape * enough(session) }),
     );
     let handles: Vec<u32> = session.solver().handles().iter().map(|handle| handle.vertex).collect();
     if !handles.is_empty() {
