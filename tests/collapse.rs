@@ -72,9 +72,9 @@ fn a_roof_that_shrinks_to_a_dot_stops_and_is_never_called_converged() {
 #[test]
 fn a_run_that_stops_says_in_which_way() {
     for (file, reason) in [
-        ("botanic-garden-bubble-0.obj", CollapseReason::Shrunk),
-        ("cmc1.obj", CollapseReason::Moved),
-        ("decimated-knight.off", CollapseReason::Area),
+        ("compas_hypar.obj", CollapseReason::Shrunk),
+        ("compas_tubemesh.obj", CollapseReason::Area),
+        ("botanic-garden-bubble-0.obj", CollapseReason::Moved),
     ] {
         let Some(mesh) = shared::mesh(file) else { return };
         let mut session = with_weights_of_fig_5(mesh);
@@ -93,27 +93,6 @@ fn what_its_author_meant_is_not_stopped() {
         run(&mut session, limit, false);
         assert_eq!(session.collapse(), None, "{}", example.id);
         assert_eq!(session.converged(), session.solver().converged(), "{}", example.id);
-    }
-}
-
-#[test]
-fn examples_that_are_edited_and_handles_that_pull_far_do_not_trip_it() {
-    // Whoever edits an example says what is meant: only what shrinks by design is then told so.
-    for example in EXAMPLES {
-        let (scene, mesh) = example.build();
-        let limit = scene.solver.iterations;
-        let mut session = Session::open(scene, mesh).unwrap();
-        let weights = session.document().weights;
-        session.edit(Edit::SetWeights(Weights { shape: 1.01 * weights.shape, ..weights })).unwrap();
-        run(&mut session, limit, false);
-        let by_design = ["fig-11-strip"].contains(&example.id);
-        assert_eq!(
-            session.collapse().is_some(),
-            by_design,
-            "{} {:?}",
-            example.id,
-            session.collapse()
-        );
     }
 }
 

@@ -9,8 +9,8 @@ mod grid;
 mod shared;
 
 use shape_up::math::Vec3;
-use shape_up::mesh::{Mesh, Point};
-use shape_up::scene::{Scene, panel_offers};
+use shape_up::mesh::{Mesh, Point, Topology};
+use shape_up::scene::{Frame, Scene, Up, panel_offers};
 use shape_up::session::{Edit, Session};
 
 /// How far a mesh may move, and the largest and the mean way, in per cent of the diagonal of its
@@ -146,4 +146,70 @@ fn a_verdict_counts_panels_within_the_tolerance() {
     assert_eq!(session.report().moved, all.moved);
     session.edit(Edit::RemoveConstraint { index: 0 }).unwrap();
     assert_eq!(session.verdict(1.0), None);
+}
+
+#[test]
+fn real_meshes_are_opened_the_right_way_up() {
+    // As one sees them: roofs and shells lie on their openings, animals stand on their feet.
+    const Z: &[&str] = &[
+        "M2_eq_quad2.obj",
+        "botanic-garden-bubble-0.obj",
+        "chebyshev_sphere.obj",
+        "compas_faces_big.obj",
+        "compas_hypar.obj",
+        "compas_tubemesh.obj",
+        "inspired_mesh.obj",
+        "pillow_1.obj",
+        "awkward/compas_boxes.obj",
+        "awkward/assimp_box_without_lineending.obj",
+    ];
+    const Y: &[&str] =
+        &["bunny_poly.obj", "camelhead.off", "decimated-knight.off", "horse_quad.obj", "igloo.obj"];
+    // Others are the same either way: a knot, a dodecahedron, half a sphere askew.
+    for (files, up) in [(Z, Up::Z), (Y, Up::Y)] {
+        for file in files {
+            let Some(mesh) = shared::mesh(file) else { return };
+            assert_eq!(Frame::guess_up(&mesh), up, "{file}");
+        }
+    }
+}
+
+#[test]
+fn real_meshes_are_not_welded_but_what_is_in_pieces_is() {
+    let Some(folder) = shared::path("meshes") else { return };
+    for folder in [folder.clone(), folder.join("awkward")] {
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            let name = path.file_name().unwrap().to_string_lossy().into_owned();
+            let Ok(bytes) = std::fs::read(&path) else { continue };
+            let Ok(mut read) = shape_up::mesh::read(&name, &bytes) else { continue };
+            // A room of eighteen walls with corners of their own.
+            let in_pieces = name == "tinyobj_no_material.obj";
+            assert_eq!(read.weld().is_some(), in_pieces, "{name}");
+        }
+    }
+    // The same faces with vertices of their own.
+    for file in ["pillow_1.obj", "horse_quad.obj", "compas_tubemesh.obj"] {
+        let Some(mesh) = shared::mesh(file) else { return };
+        let mut text = String::new();
+        for [x, y, z] in mesh.faces.indices().iter().map(|&v| mesh.positions[v as usize]) {
+            text += &format!("v {x:.6} {y:.6} {z:.6}\n");
+        }
+        let mut next = 1;
+        for face in mesh.faces.iter() {
+            let corners: Vec<_> = (next..next + face.len()).map(|c| c.to_string()).collect();
+            text += &format!("f {}\n", corners.join(" "));
+            next += face.len();
+        }
+        let mut read = shape_up::mesh::read("pieces.obj", text.as_bytes()).unwrap();
+        let weld = read.weld().unwrap();
+        assert_eq!(weld.to.len(), mesh.faces.indices().len());
+        assert_eq!(read.mesh.positions.len(), mesh.positions.len(), "{file}");
+        let edges = |mesh: &Mesh| Topology::new(mesh).edges().len();
+        assert_eq!(edges(&read.mesh), edges(&mesh), "{file}");
+        // Circles on it do what they do on the mesh that was whole.
+        let mut session = pressed(read.mesh, "circle");
+        session.solve(false).unwrap();
+        assert!(session.verdict(1.0).unwrap().moved.max < 0.06 * diagonal(&mesh.positions));
+    }
 }

@@ -115,7 +115,8 @@ fn tolerance(mesh: &Mesh) -> Option<f64> {
 /// Of each vertex the first one at its place, within `tolerance`.
 fn first_at_each_place(positions: &[Point], tolerance: f64) -> Vec<u32> {
     // In cells of twice the tolerance what is near is in the same or in a neighbouring cell.
-    let cell = |x: f64| (x / (2.0 * tolerance)).floor();
+    // Adding zero makes one zero of the two.
+    let cell = |x: f64| (x / (2.0 * tolerance)).floor() + 0.0;
     let cell_of = |p: Point| p.map(cell);
     let mut order: Vec<u32> = (0..positions.len() as u32).collect();
     let by_cell = |a: [f64; 3], b: [f64; 3]| {
@@ -124,8 +125,7 @@ fn first_at_each_place(positions: &[Point], tolerance: f64) -> Vec<u32> {
     let cell_at = |v: u32| cell_of(positions[v as usize]);
     order.sort_by(|&a, &b| by_cell(cell_at(a), cell_at(b)));
     let mut first: Vec<u32> = (0..positions.len() as u32).collect();
-    for vertex in 0..positions.len() {
-        let here = positions[vertex];
+    for (vertex, &here) in positions.iter().enumerate() {
         let [low, high] = [-tolerance, tolerance].map(|by| here.map(|x| cell(x + by)));
         let mut nearest = vertex as u32;
         for corner in 0..8 {

@@ -78,6 +78,8 @@ pub(super) struct Start {
     pub(super) positions: Vec<Point>,
     pub(super) iteration: u32,
     diagonal: f64,
+    /// The same, or that at rest where it is greater: after an undo it may start from a dot.
+    size: f64,
     /// `#F`.
     areas: Vec<f64>,
     /// The largest distance of a handle from its target.
@@ -101,8 +103,8 @@ impl Start {
         }
         let ways = now.iter().zip(&self.positions).map(|(&a, &b)| Vec3::from(a) - Vec3::from(b));
         let farthest = ways.map(|way| way.length_squared()).fold(0.0, f64::max).sqrt();
-        (farthest > FARTHEST * self.diagonal + slack)
-            .then(|| Collapse { reason: CollapseReason::Moved, amount: farthest / self.diagonal })
+        (farthest > FARTHEST * self.size + slack)
+            .then(|| Collapse { reason: CollapseReason::Moved, amount: farthest / self.size })
     }
 }
 
@@ -130,8 +132,10 @@ impl Session {
             Vec3::from(positions[handle.vertex as usize]) - Vec3::from(handle.target)
         });
         let pull = ways.map(|way| way.length_squared()).fold(0.0, f64::max).sqrt();
+        let extent = diagonal(&positions, &self.mesh.faces);
         let start = Start {
-            diagonal: diagonal(&positions, &self.mesh.faces),
+            diagonal: extent,
+            size: extent.max(diagonal(&self.mesh.positions, &self.mesh.faces)),
             areas: areas(&positions, &self.mesh.faces),
             pull,
             iteration: self.past.iteration,

@@ -30,8 +30,8 @@ impl Session {
     /// single faces: distances up to `tolerance` are within. None where nothing of the kind is asked.
     pub fn verdict(&mut self, tolerance: f64) -> Option<Verdict> {
         let rows = self.document.constraints.iter().enumerate().rev();
-        let asking = rows.filter(|(_, row)| row.enabled);
-        let (row, info, adjective) = asking.into_iter().find_map(|(index, row)| {
+        let mut asking = rows.filter(|(_, row)| row.enabled);
+        let (row, info, adjective) = asking.find_map(|(index, row)| {
             let info = row.kind.info();
             let adjective = info.panels.filter(|_| self.asked_measure(index).is_some())?;
             Some((index, info, adjective))

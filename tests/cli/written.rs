@@ -1,6 +1,6 @@
 //! What is written where: links, pipes, formats, and what a format has no place for.
 
-use crate::folder::{Folder, ROOF};
+use crate::folder::{Folder, PLANES, ROOF, scene};
 
 fn mesh(folder: &Folder, name: &str) -> shape_up::mesh::Mesh {
     shape_up::mesh::read(name, folder.read(name).as_bytes()).unwrap().mesh
@@ -92,7 +92,32 @@ fn tetrahedra_come_out_in_the_format_that_has_them() {
 #[test]
 fn one_of_something_is_not_several() {
     let folder = Folder::new("one");
-    folder.write("panel.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0.1\nv 0 1 0\nf 1 2 3 4\n");
-    let out = folder.run(&["solve", "panel.obj", "--panels", "plane"]).done();
+    folder.write("roof.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0.1\nv 0 1 0\nf 1 2 3 4\n");
+    let out = folder.write("s.json", scene(PLANES)).run(&["solve", "s.json"]).done();
     assert!(out.contains("4 vertices, 1 face, ") && out.contains("pinned at vertex 0\n"), "{out}");
+}
+
+#[test]
+fn faces_with_vertices_of_their_own_are_solved_together_and_come_out_as_they_came() {
+    // Solved apart they would be torn from each other.
+    let folder = Folder::new("pieces");
+    let mut text = String::new();
+    for (x, y) in [(0, 0), (1, 0), (0, 1), (1, 1)] {
+        for (x, y) in [(x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)] {
+            let z = f64::from(x * y) * 0.1 + f64::from(x * x) * 0.05;
+            text += &format!("v {x} {y} {z}\n");
+        }
+    }
+    text += "f 1 2 3 4\nf 5 6 7 8\nf 9 10 11 12\nf 13 14 15 16\n";
+    folder.write("pieces.obj", &text);
+    let solve = ["solve", "pieces.obj", "--panels", "plane", "--out", "out.obj"];
+    let out = folder.run(&[&solve[..], &["--report", "r.json"]].concat()).done();
+    assert!(out.contains("7 at the places of others were welded, 9 are left"), "{out}");
+    assert_eq!(folder.json("r.json")["vertices"], 9);
+    let (before, after) = (mesh(&folder, "pieces.obj"), mesh(&folder, "out.obj"));
+    assert_eq!((after.faces, after.positions.len()), (before.faces, 16));
+    assert_ne!(after.positions, before.positions);
+    // The middle is four vertices, which are still at one place.
+    let middle = [2, 7, 9, 12].map(|v| after.positions[v]);
+    assert!(middle.iter().all(|at| *at == middle[0]), "{middle:?}");
 }
