@@ -4,7 +4,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { at } from '../project.mjs';
 import { Problem } from '../run.mjs';
 import { accelerators } from './problems.mjs';
-import { accelerated, machineText, megabytes, number, startTable, table } from './tables.mjs';
+import { accelerated, machineText, number, startTable, table } from './tables.mjs';
 
 /** Between these lines of the README. */
 export const marks = [
@@ -14,35 +14,29 @@ export const marks = [
 
 const inBrowser = (rows = []) => rows.filter(({ where }) => where === 'browser');
 
-/** What a row is of. */
-const keyOf = (row) => [row.problem, number(row.vertices), accelerated(row.accelerator)];
+/** The README shows the default accelerator, and peers at one size; `target/bench/` has the rest. */
+const shownAccelerator = 'quasi-newton';
+const shownSize = 10_000;
 
 function iterationsText(rows) {
-  if (!rows.length) return [];
+  const shown = rows.filter(({ accelerator }) => accelerator === shownAccelerator);
+  if (!shown.length) return [];
   const head = [
-    ...['problem', 'vertices', 'accelerator', 'iteration', '90 %', 'projections', 'closeness'],
-    ...['global step', 'limit', 'opened', 'constraints changed', 'handle added', 'MB'],
+    ...['problem', 'vertices', 'iteration', 'of it projections', 'closeness', 'global step'],
+    ...['file opened', 'constraints changed', 'handle added'],
   ];
-  const cells = rows.map((row) => {
-    const { step } = row;
-    const parts = [step.shape, step.close, step.global].map(({ median }) => median);
-    const times = [step.total.median, step.total.p90, ...parts, row.limit, row.setUp.first];
-    const edits = [row.change, row.handle].map(number);
-    return [...keyOf(row), ...times.map(number), ...edits, megabytes(row.bytes.opened)];
+  const cells = shown.map((row) => {
+    const { step, problem, vertices, setUp, change, handle } = row;
+    const times = ['total', 'shape', 'close', 'global'].map((key) => step[key].median);
+    return [problem, ...[vertices, ...times, setUp.first, change, handle].map(number)];
   });
-  return [
-    table(head, cells),
-    'The limit is the time to read the nonzeros of the factor twice, as every solve does. "Opened" is from the bytes of the files to the end of the first iteration.',
-  ];
+  return [table(head, cells)];
 }
 
 function mapsText(rows) {
   if (!rows.length) return [];
-  const first = rows.map(({ vertices, cold }) => `${number(cold)} at ${number(vertices)} vertices`);
-  const later = rows.map(({ total }) => number(total));
-  return [
-    `Conformal maps (problem D), milliseconds of the first one: ${first.join(', ')}; of a later one: ${later.join(', ')}.`,
-  ];
+  const times = rows.map(({ vertices, cold }) => `${number(cold)} at ${number(vertices)} vertices`);
+  return [`Conformal maps (problem D), milliseconds: ${times.join(', ')}.`];
 }
 
 /** A row for each problem and size of which the converged energy is certain. */
@@ -80,22 +74,21 @@ function startText(start) {
 }
 
 function peersText(peers = []) {
-  const compared = peers.filter(({ theirs }) => theirs.ms !== undefined);
-  if (!compared.length) return [];
-  const places = ['native', 'browser'].filter((place) =>
-    compared.some(({ ours }) => ours.some(({ where }) => where === place)),
-  );
-  const cells = compared.map(({ peer, version, what, size, equal, theirs, ours }) => {
-    const own = (place) =>
-      ours.find(({ where, accelerator }) => where === place && accelerator !== 'quasi-newton');
-    const ms = [theirs.ms, ...places.map((place) => own(place)?.ms)].map(number);
-    return [`${peer} ${version}`, what, equal, number(size), ...ms];
+  const largest = new Map();
+  for (const row of peers) {
+    const fits = row.theirs.ms !== undefined && row.size <= shownSize;
+    if (fits && row.size > (largest.get(row.what)?.size ?? 0)) largest.set(row.what, row);
+  }
+  if (!largest.size) return [];
+  const cells = [...largest.values()].map(({ peer, version, what, size, equal, theirs, ours }) => {
+    const own = ours.find(
+      ({ where, accelerator }) => where === 'browser' && accelerator !== shownAccelerator,
+    );
+    return [`${peer} ${version}`, what, equal, ...[size, theirs.ms, own?.ms].map(number)];
   });
-  const names = { native: 'ours natively', browser: 'ours in the browser' };
-  const head = ['library', 'what', 'equal', 'vertices', 'its ms'];
   return [
-    'Other libraries, natively, and what of their problem is equal to ours:',
-    table([...head, ...places.map((place) => names[place])], cells),
+    'Other libraries, natively, and what of their problem is equal to ours, in milliseconds:',
+    table(['library', 'what', 'equal', 'vertices', 'it', 'ours in the browser'], cells),
   ];
 }
 
