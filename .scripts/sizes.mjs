@@ -65,13 +65,13 @@ await main(() => {
     !isPlot(path) &&
     !isRhino(path);
   const rows = [
-    row('solver module', [at('www', 'pkg', 'solver', 'shape_up_bg.wasm')], 480 * kB),
+    row('solver module', [at('www', 'pkg', 'solver', 'shape_up_bg.wasm')], 510 * kB),
     row('view, WebGPU', [at('www', 'pkg', 'view-webgpu', 'shape_up_bg.wasm')], 165 * kB),
     row('view, WebGL2', [at('www', 'pkg', 'view-webgl2', 'shape_up_bg.wasm')], 900 * kB),
-    row('first visit', [...first], 78 * kB),
+    row('first visit', [...first], 81 * kB),
     row('first picture', [firstPicture], 14 * kB),
     row('plots', code.filter(isPlot), 30 * kB),
-    row('other dialogs', code.filter(isLater), 44 * kB),
+    row('other dialogs', code.filter(isLater), 57 * kB),
     row('gallery, projections', code.filter(isBeside), 16 * kB),
     row('licences', code.filter(isLicences), 24 * kB),
     row('files of Rhino', filesUnder(at('dist')).filter(isRhino), 1100 * kB),

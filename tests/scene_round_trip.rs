@@ -72,7 +72,7 @@ prop_compose! {
         held in prop::collection::vec((selector(), not_negative()), 0..3),
         corners in prop::option::of(0.0..=180.0f64),
         choices in (0..3usize, 0..2usize, 0..3usize, 0..3usize),
-        solver in (any::<u32>(), not_negative(), any::<u32>(), any::<bool>(), any::<bool>()),
+        solver in (any::<u32>(), not_negative(), 0..=50u32, any::<bool>(), any::<bool>()),
         lesson in prop::option::of((".{0,9}",
             prop::collection::vec((any::<bool>(), ".{0,5}", not_negative()), 1..3))),
     ) -> Scene {

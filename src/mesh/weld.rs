@@ -1,7 +1,7 @@
 //! Welding: a mesh whose faces have their own vertices has no edges in common, and what its faces are
 //! asked would tear it apart. Vertices at one place become one.
 
-use super::{Mesh, Point, Read, survey};
+use super::{GroupKeyword, Mesh, Point, ProblemKind, Read, flawed, survey};
 use crate::math::{Vec3, polygon_sides};
 
 /// Vertices are at one place within this part of the diagonal of the bounding box,
@@ -52,28 +52,13 @@ impl Weld {
             return None;
         }
         let tolerance = tolerance(mesh)?;
-        let first = first_at_each_place(&mesh.positions, tolerance);
-        let merged = (0..).zip(&first).filter(|(v, first)| *v != **first).count();
-        if (merged as f64) < SHARED * used as f64 {
-            return None;
-        }
-        let mut to = vec![0; first.len()];
-        let mut positions = Vec::with_capacity(first.len() - merged);
-        for (vertex, &first) in first.iter().enumerate() {
-            to[vertex] = if first as usize == vertex {
-                positions.push(mesh.positions[vertex]);
-                positions.len() as u32 - 1
-            } else {
-                to[first as usize]
-            };
-        }
-        let mut welded = Mesh { positions, ..mesh.clone() };
-        welded.faces.rename(&to);
-        welded.curves.rename(&to);
-        // A face that comes back to one of its corners is none: this was no mesh in pieces.
-        if welded.faces.iter().any(comes_back) {
-            return None;
-        }
+        // Solids that touch have two faces at one place: these stay apart, each in its group.
+        let whole = vec![0; mesh.positions.len()];
+        let parts = [whole, groups(mesh)];
+        let (welded, to) = parts.iter().find_map(|parts| {
+            let first = first_at_each_place(&mesh.positions, parts, tolerance);
+            merged(mesh, &first, SHARED * used as f64)
+        })?;
         Some(Weld { original: std::mem::replace(mesh, welded), to, tolerance })
     }
 
@@ -89,6 +74,44 @@ impl Weld {
         };
         self.original.positions.iter().zip(&self.to).map(moved).collect()
     }
+}
+
+/// `mesh` with one vertex for all that have the same `first`, and of each vertex the new one; none where
+/// fewer than `least` go, or faces come to lie on each other.
+fn merged(mesh: &Mesh, first: &[u32], least: f64) -> Option<(Mesh, Vec<u32>)> {
+    let merged = (0..).zip(first).filter(|(v, first)| *v != **first).count();
+    if (merged as f64) < least {
+        return None;
+    }
+    let mut to = vec![0; first.len()];
+    let mut positions = Vec::with_capacity(first.len() - merged);
+    for (vertex, &first) in first.iter().enumerate() {
+        to[vertex] = if first as usize == vertex {
+            positions.push(mesh.positions[vertex]);
+            positions.len() as u32 - 1
+        } else {
+            to[first as usize]
+        };
+    }
+    let mut welded = Mesh { positions, ..mesh.clone() };
+    welded.faces.rename(&to);
+    welded.curves.rename(&to);
+    let on_each_other = |mesh: &Mesh| flawed(mesh, ProblemKind::DuplicateFace).faces.len();
+    let is_sound =
+        !welded.faces.iter().any(comes_back) && on_each_other(&welded) == on_each_other(mesh);
+    is_sound.then_some((welded, to))
+}
+
+/// Of each vertex one more than the group of a face that has it, by objects and groups; 0 in none.
+fn groups(mesh: &Mesh) -> Vec<u32> {
+    let mut of_vertex = vec![0; mesh.positions.len()];
+    let named = mesh.groups.iter().filter(|group| group.keyword != GroupKeyword::Material);
+    for (number, group) in (1..).zip(named) {
+        for corner in group.faces.iter().flat_map(|&face| mesh.faces.row(face as usize)) {
+            of_vertex[*corner as usize] = number;
+        }
+    }
+    of_vertex
 }
 
 /// How many faces each vertex belongs to.
@@ -112,8 +135,8 @@ fn tolerance(mesh: &Mesh) -> Option<f64> {
     Some((TOLERANCE * diagonal).min(OF_SHORTEST_EDGE * shortest))
 }
 
-/// Of each vertex the first one at its place, within `tolerance`.
-fn first_at_each_place(positions: &[Point], tolerance: f64) -> Vec<u32> {
+/// Of each vertex the first one at its place and of its part, within `tolerance`.
+fn first_at_each_place(positions: &[Point], parts: &[u32], tolerance: f64) -> Vec<u32> {
     // In cells of twice the tolerance what is near is in the same or in a neighbouring cell.
     // Adding zero makes one zero of the two.
     let cell = |x: f64| (x / (2.0 * tolerance)).floor() + 0.0;
@@ -135,7 +158,9 @@ fn first_at_each_place(positions: &[Point], tolerance: f64) -> Vec<u32> {
             let inside = order[begin..].iter().take_while(|&&v| cell_at(v) == near);
             for &other in inside.take_while(|&&other| (other as usize) < vertex) {
                 let away = Vec3::from(positions[other as usize]) - Vec3::from(here);
-                if first[other as usize] == other && away.length() <= tolerance {
+                let is_first =
+                    first[other as usize] == other && parts[other as usize] == parts[vertex];
+                if is_first && away.length() <= tolerance {
                     nearest = nearest.min(other);
                 }
             }

@@ -10,29 +10,29 @@
 //!
 //! | key | holds |
 //! |---|---|
-//! | `mesh` | `{ "file": PATH }`, relative to the scene, or `{ "positions", "faces", "curves", "tets", "groups" }` |
-//! | `current` | `#V by 3`, where the iteration starts; without it, at rest |
-//! | `sets` | `{ NAME: { "vertices": LIST } }` or `{ NAME: { "faces": LIST } }` |
-//! | `constraints` | `kind`, `on`, `weight` (1), `enabled` (true), `name`, and the parameters of the kind |
-//! | `handles` | `vertices`, `targets` (the rest positions), and `weight` (100) or `"fixed": true` |
-//! | `weights` | `shape`, `close`, `smooth`: the weights of Eq. 13, by default 1, 0, 0 |
-//! | `closeness` | `"to"`: `"surface"`, `"rest"` or `"none"`; `"weights"` of single sets; `"boundary"` to its curves |
-//! | `smoothness` | `"of"`: `"surface"` or `"displacement"`; `"weighting"`: `"auto"`, `"uniform"`, `"cotangent"` (triangles) or `"polygon"` (any faces) |
-//! | `solver` | `iterations`, `tolerance`, `accelerator` (`"quasi-newton"`, `"anderson"`, `"none"`), `window`, `mean_centring`, `monotone` |
-//! | `lesson` | a text and goals |
+//! | "mesh" | `{ "file": PATH }`, relative to the scene, or `{ "positions", "faces", "curves", "tets", "groups" }` |
+//! | "current" | `#V by 3`, where the iteration starts; without it, at rest |
+//! | "sets" | `{ NAME: { "vertices": LIST } }` or `{ NAME: { "faces": LIST } }` |
+//! | "constraints" | `kind`, `on`, `weight` (1), `enabled` (true), `name`, and the parameters of the kind |
+//! | "handles" | `vertices`, `targets` (the rest positions), and `weight` (100) or `"fixed": true` |
+//! | "weights" | `shape`, `close`, `smooth`: the weights of Eq. 13, by default 1, 0, 0 |
+//! | "closeness" | `"to"`: `"surface"`, `"rest"` or `"none"`; `"weights"` of single sets; `"boundary"` to its curves |
+//! | "smoothness" | `"of"`: `"surface"` or `"displacement"`; `"weighting"`: `"auto"`, `"uniform"`, `"cotangent"` (triangles) or `"polygon"` (any faces) |
+//! | "solver" | `iterations`, `tolerance`, `accelerator` (`"quasi-newton"`, `"anderson"`, `"none"`), `window`, `mean_centring`, `monotone` |
+//! | "lesson" | a text and goals |
 //!
-//! | `on` | one constraint for |
+//! | on | one constraint for |
 //! |---|---|
-//! | `"faces"`, `"edges"`, `"tets"` | each face, edge, tetrahedron |
-//! | `"rings"`, `"stars"` | each vertex with its neighbours; with them in their order around it |
-//! | `"corners"`, `"hinges"` | each corner of a face, each edge with the corners opposite to it |
-//! | `"boundary"`, `"strips"` | each boundary loop, each strip of quads |
-//! | `"polylines"` | each polyline of the file |
-//! | `"edge-lines"` | on a mesh of quads each straight line of edges |
-//! | `"curves"` | both; of two of which one runs along the other, the longer |
-//! | `{ "each": "face", "in": NAME }` | each of them in a set or group; `"each": "group"` is each group |
-//! | `{ "each": "ring", "radius": 2 }` | each, with so many rings of neighbours |
-//! | `{ "set": NAME }`, `{ "vertices": LIST }` | all these vertices together |
+//! | "faces", "edges", "tets" | each face, edge, tetrahedron |
+//! | "rings", "stars" | each vertex with its neighbours; with them in their order around it |
+//! | "corners", "hinges" | each corner of a face, each edge with the corners opposite to it |
+//! | "boundary", "strips" | each boundary loop, each strip of quads |
+//! | "polylines" | each polyline of the file |
+//! | "edge-lines" | on a mesh of quads each straight line of edges |
+//! | "curves" | both; of two of which one runs along the other, the longer |
+//! | { "each": "face", "in": NAME } | each of them in a set or group; "each": "group" is each group |
+//! | { "each": "ring", "radius": 2 } | each, with so many rings of neighbours |
+//! | { "set": NAME }, { "vertices": LIST } | all these vertices together |
 //!
 //! # The code
 //!
