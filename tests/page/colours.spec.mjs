@@ -202,6 +202,11 @@ test('choosing a measure again gives the same picture, whatever came between', a
   await runToTheEnd(page);
   await showPanel(page, 'Energies and display');
   const colours = page.getByLabel('Colour by');
+  // So that there is something beyond it.
+  await page.getByLabel('Tolerance').fill('0.1');
+  await page.getByLabel('Tolerance').press('Enter');
+  await expect(page.getByLabel('Colours from')).toHaveValue('0.100');
+  await drawn(page);
   const before = [await rangeOf(page), await middleOfPicture(page)];
   await page.getByRole('button', { name: 'Fit range' }).click();
   await expect.poll(() => rangeOf(page)).not.toEqual(before[0]);

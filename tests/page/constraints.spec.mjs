@@ -71,9 +71,11 @@ test('settings come from the declared list, act, and are undone', async ({ page 
   await showPanel(page, 'Energies and display');
   await page.getByText('More settings').click();
   const near = page.getByRole('combobox', { name: 'Stay near: kind of value' });
-  await near.selectOption('rest');
-  await expect.poll(async () => (await sceneOf(page)).closeness?.to).toBe('rest');
+  // What opens is kept near to where each vertex was.
   await expect(page.getByText('stay where each vertex was')).toBeVisible();
+  await near.selectOption('surface');
+  await expect.poll(async () => (await sceneOf(page)).closeness).toBeUndefined();
+  await expect(page.getByText('stay near the original')).toBeVisible();
   const boundary = page.getByRole('combobox', { name: /Boundary stays on its curve/ });
   await boundary.selectOption('exactly');
   await expect.poll(async () => (await sceneOf(page)).closeness?.boundary?.corners).toBe(90);
@@ -83,12 +85,12 @@ test('settings come from the declared list, act, and are undone', async ({ page 
   const weighting = page.getByRole('combobox', { name: /^Neighbours count/ });
   await weighting.selectOption('cotangent');
   await expect(page.getByRole('alert')).toContainText('triangle');
-  await expect(weighting).toHaveValue('word auto');
+  await expect(weighting).toHaveValue('word uniform');
   await page.keyboard.press('Escape');
   for (let step = 0; step < 3; step++) await page.keyboard.press('Control+z');
-  await expect(near).toHaveValue('word surface');
+  await expect(near).toHaveValue('word rest');
   // The text of the scene comes after what the fields show.
-  await expect.poll(async () => (await sceneOf(page)).closeness).toBeUndefined();
+  await expect.poll(async () => (await sceneOf(page)).closeness).toEqual({ to: 'rest' });
 });
 
 test('a preset sets all that it needs, and says what it assumes before it is taken', async ({

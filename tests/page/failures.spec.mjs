@@ -114,34 +114,6 @@ test('a listener of the store that throws hurts no other', async () => {
   expect(reported).toEqual(['broken']);
 });
 
-test('only what passes through the machine of wasm has trapped it', async () => {
-  const { isTrap } = await import('../../www/traps.js');
-  const thrownBy = (action) => {
-    try {
-      action();
-    } catch (thrown) {
-      return thrown;
-    }
-    return undefined;
-  };
-  const { exports } = new WebAssembly.Instance(new WebAssembly.Module(recursive));
-  expect(isTrap(thrownBy(() => exports.f()))).toBe(true);
-  const many = new Array(1_000_000).fill(0);
-  expect(isTrap(thrownBy(() => [].push(...many)))).toBe(false);
-  expect(isTrap(new RangeError('Maximum call stack size exceeded'))).toBe(false);
-  expect(isTrap(new WebAssembly.RuntimeError('unreachable'))).toBe(true);
-});
-
-/** A module whose one function, f, does nothing but call itself. */
-const recursive = new Uint8Array([
-  ...[0, 97, 115, 109, 1, 0, 0, 0],
-  ...[1, 4, 1, 96, 0, 0],
-  ...[3, 2, 1, 0],
-  ...[7, 5, 1, 1, 102, 0, 0],
-  // Not the last thing that it does, or it were a loop.
-  ...[10, 8, 1, 6, 0, 16, 0, 16, 0, 11],
-]);
-
 test('without graphics everything but the picture works', async ({ page }) => {
   await page.addInitScript(() => {
     const { getContext } = HTMLCanvasElement.prototype;

@@ -166,7 +166,7 @@ export const walks = {
       name: 'solved, with the first hint',
       reach: async (page) => {
         await waitForState(page, (now) => now.converged);
-        await expect(page.getByText(/Drag a blue handle/)).toBeVisible();
+        await expect(page.getByText(/^The corners of each panel lie on a circle/)).toBeVisible();
       },
     },
     {
@@ -233,8 +233,10 @@ export const walks = {
       name: 'the question for its unit',
       reach: async (page) => {
         await openText(page, 'roof.obj', wavyGrid(6), 49);
-        await expect(page.getByRole('group', { name: 'Unit and up axis' })).toBeVisible();
+        await showPanel(page, 'Model');
+        await expect(page.getByRole('button', { name: 'Looks right' })).toBeVisible();
       },
+      leave: hidePanels,
     },
     {
       name: 'its report',

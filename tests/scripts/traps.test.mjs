@@ -1,0 +1,32 @@
+// Which errors leave the solver's module unusable.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { isTrap } from '../../www/traps.js';
+
+/** A module whose one function, f, does nothing but call itself. */
+const recursive = new Uint8Array([
+  ...[0, 97, 115, 109, 1, 0, 0, 0],
+  ...[1, 4, 1, 96, 0, 0],
+  ...[3, 2, 1, 0],
+  ...[7, 5, 1, 1, 102, 0, 0],
+  // Not the last thing that it does, or it were a loop.
+  ...[10, 8, 1, 6, 0, 16, 0, 16, 0, 11],
+]);
+
+test('only what passes through the machine of wasm has trapped it', () => {
+  const thrownBy = (action) => {
+    try {
+      action();
+    } catch (thrown) {
+      return thrown;
+    }
+    return undefined;
+  };
+  const { exports } = new WebAssembly.Instance(new WebAssembly.Module(recursive));
+  assert.equal(isTrap(thrownBy(() => exports.f())), true);
+  const many = new Array(1_000_000).fill(0);
+  assert.equal(isTrap(thrownBy(() => [].push(...many))), false);
+  assert.equal(isTrap(new RangeError('Maximum call stack size exceeded')), false);
+  assert.equal(isTrap(new WebAssembly.RuntimeError('unreachable')), true);
+});
