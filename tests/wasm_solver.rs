@@ -133,6 +133,16 @@ fn a_drag_that_makes_no_sense_is_refused_and_moves_nothing() {
 }
 
 #[wasm_bindgen_test]
+fn a_handle_is_made_where_its_vertex_is_before_it_is_moved() {
+    let mut solver = loaded();
+    solver.drag(&[4], &[], "make").expect("the vertex is there");
+    assert_eq!(number(&solver.document().expect("a model is open"), "handles.0.vertex"), 4.0);
+    solver.drag(&[4], &[], "cancel").expect("it is dragged");
+    let document = solver.document().expect("a model is open");
+    assert_eq!(number(&document, "handles.length"), 0.0);
+}
+
+#[wasm_bindgen_test]
 fn a_selection_becomes_a_set_of_the_scene() {
     let mut solver = loaded();
     let on = r#"{ "each": "face", "in": { "faces": [1] } }"#;

@@ -8,7 +8,8 @@ use wasm_bindgen::prelude::*;
 #[wasm_bindgen]
 impl Solver {
     /// Drags handles: `phase` is "make", which makes the vertices handles first, or "start", then
-    /// "move", "end" or "cancel"; `targets` is `#vertices by 3`.
+    /// "move", "end" or "cancel"; `targets` is `#vertices by 3`, or empty for handles that are made where
+    /// their vertices are.
     ///
     /// # Errors
     /// An unknown phase, or targets that are not one for each vertex, not finite or too far out: nothing
@@ -25,7 +26,9 @@ impl Solver {
         let moves = vertices.iter().copied().zip(targets.iter().copied());
         match phase {
             "make" => {
-                checked?;
+                if !targets.is_empty() {
+                    checked?;
+                }
                 session.begin_drag_of_new(vertices.to_vec()).map_err(thrown)?;
                 session.drag(moves).map_err(thrown)
             }
