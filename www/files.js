@@ -214,9 +214,11 @@ export class Files extends EventTarget {
               this.openExample(example).catch((error) => this.#alerts.error(messageOf(error)));
             },
           },
-          // It loads when the menu is opened.
+          // It loads when the menu is opened; without a network it is not to be had.
           element('img', {
-            src: new URL(`pictures/${example.id}-end.svg`, document.baseURI).href,
+            ...(navigator.onLine && {
+              src: new URL(`pictures/${example.id}-end.svg`, document.baseURI).href,
+            }),
             alt: '',
             width: 72,
             height: 52,

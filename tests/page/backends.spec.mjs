@@ -23,7 +23,11 @@ async function drawnWith(page, backend) {
 /** The view alone, as pixels. */
 async function pictureOf(page) {
   // What floats above it would be compared too, and moves.
-  await page.addStyleTag({ content: '#viewport ~ * { visibility: hidden !important }' });
+  await page.evaluate(() => {
+    const sheet = new CSSStyleSheet();
+    sheet.replaceSync('#viewport ~ * { visibility: hidden !important }');
+    document.adoptedStyleSheets.push(sheet);
+  });
   const view = page.getByRole('application', { name: '3D view' });
   return decodePng(await view.screenshot());
 }

@@ -37,7 +37,7 @@ async function write(page) {
   const dialog = page.getByRole('dialog', { name: 'Lesson' });
   await dialog.getByLabel('What is to be done').fill(WORDS);
   await worst(dialog, 1).selectOption({ label: 'Planarity' });
-  await most(dialog, 'Goal 1: planarity at most, m').fill('0.001');
+  await most(dialog, 'Goal 1: planarity at most, m').fill('0.005');
   await dialog.getByRole('button', { name: 'Add goal' }).click();
   await worst(dialog, 2).selectOption({ label: 'Constraint: Plane' });
   await most(dialog, 'Goal 2: constraint: plane at most, m').fill('0.01');
@@ -62,14 +62,14 @@ test('a lesson is written, met, handed in and checked', async ({ page }) => {
   expect(JSON.parse(saved.text).lesson).toEqual({
     text: WORDS,
     goals: [
-      { measure: 'planarity', at_most: 0.001 },
+      { measure: 'planarity', at_most: 0.005 },
       { constraint: 'Plane', at_most: 0.01 },
     ],
   });
   await showPanel(page, 'Model');
   await expect(lesson(page)).toContainText('Make every panel flat.');
   await expect(goals(page)).toHaveCount(2);
-  await expect(goals(page).first()).toContainText(/at most 1\.00 mm.*not met: /);
+  await expect(goals(page).first()).toContainText(/at most 5\.00 mm.*not met: /);
   await expect(lesson(page)).toContainText('0 of 2 goals met');
   await runToTheEnd(page);
   await showPanel(page, 'Model');
