@@ -28,7 +28,8 @@ export async function openText(page, name, text, vertices) {
 /** Opens the example whose title has that word in it. */
 export async function openExample(page, word) {
   const examples = page.getByRole('button', { name: 'Examples' });
-  if (!(await examples.isVisible())) await page.getByRole('button', { name: 'More' }).click();
+  if (!(await examples.isVisible()))
+    await page.getByRole('button', { name: 'More', exact: true }).click();
   await examples.click();
   await page.getByRole('menuitem', { name: word }).click();
   await expect(page.getByRole('status')).toHaveText(new RegExp(`Opened the example .*${word}`));
