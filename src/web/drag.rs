@@ -8,8 +8,7 @@ use wasm_bindgen::prelude::*;
 #[wasm_bindgen]
 impl Solver {
     /// Drags handles: `phase` is "make", which makes the vertices handles first, or "start", then
-    /// "move", "end" or "cancel"; `targets` is `#vertices by 3`, or empty for handles that are made where
-    /// their vertices are.
+    /// "move", "end" or "cancel"; `targets` is `#vertices by 3`, or empty where none moves.
     ///
     /// # Errors
     /// An unknown phase, or targets that are not one for each vertex, not finite or too far out: nothing
@@ -21,14 +20,13 @@ impl Solver {
             let numbers = 3 * targets.len() + rest.len();
             return Err(thrown(format!("found {numbers} coordinates, expected three per target")));
         }
-        // Before handles are made for it.
-        let checked = check_targets(vertices, targets).map_err(thrown);
+        // Before handles are made for it; without targets none moves.
+        let checked = if targets.is_empty() { Ok(()) } else { check_targets(vertices, targets) };
+        let checked = checked.map_err(thrown);
         let moves = vertices.iter().copied().zip(targets.iter().copied());
         match phase {
             "make" => {
-                if !targets.is_empty() {
-                    checked?;
-                }
+                checked?;
                 session.begin_drag_of_new(vertices.to_vec()).map_err(thrown)?;
                 session.drag(moves).map_err(thrown)
             }
@@ -39,9 +37,12 @@ impl Solver {
             }
             // What was edited or undone meanwhile has ended it.
             "move" | "end" | "cancel" if !session.is_dragging() => Ok(()),
-            "move" => session.drag(moves).map_err(thrown),
+            "move" => {
+                checked?;
+                session.drag(moves).map_err(thrown)
+            }
             "end" => {
-                let moved = session.drag(moves).map_err(thrown);
+                let moved = checked.and_then(|()| session.drag(moves).map_err(thrown));
                 session.end_drag(true);
                 moved
             }

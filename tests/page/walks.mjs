@@ -173,7 +173,7 @@ export const walks = {
       name: 'at its start',
       reach: async (page) => {
         await page.getByRole('button', { name: 'Reset' }).click();
-        await expect(page.getByText('It began like this')).toBeVisible();
+        await expect(page.getByText('This is the original.')).toBeVisible();
       },
     },
     {
@@ -214,7 +214,7 @@ export const walks = {
         await waitForState(page, (now) => now.renderer !== 'none');
         const soft = (await state(page)).handles.find((handle) => !handle.fixed);
         await dragVertex(page, soft.vertex, [10, -20]);
-        await expect(page.getByText('Press Reset to see how it began')).toBeVisible();
+        await expect(page.getByText('Press Reset to see the original')).toBeVisible();
       },
     },
     {
@@ -222,7 +222,7 @@ export const walks = {
       only: 'desktop',
       reach: async (page) => {
         await page.getByRole('button', { name: 'Reset' }).click();
-        await expect(page.getByText('It began like this')).toBeVisible();
+        await expect(page.getByText('This is the original.')).toBeVisible();
         await page.getByRole('button', { name: 'Run' }).click();
         await expect(page.getByText('open a mesh of your own')).toBeVisible();
       },
