@@ -118,7 +118,7 @@ export function createActions(store, solver, alerts) {
 
     async redo() {
       const what = await told(solver.request({ type: 'redo' }));
-      if (what) say(`Did again: ${what}`);
+      if (what) say(`Redid: ${what}`);
     },
 
     selectNextHandle() {

@@ -47,7 +47,7 @@ export function commandTable(parts) {
     /** @type {HTMLDialogElement} */
     const newConstraint = byId('add-constraint');
     if (newConstraint.open) return newConstraint.close();
-    if (store.get().tape) return store.set({ tape: null, status: 'The tape is rolled up' });
+    if (store.get().tape) return store.set({ tape: null, status: 'Measuring ended' });
     if (store.get().flatMap) return store.set({ flatMap: null });
     if (store.get().split) return store.set({ split: null });
     alerts.clear();
@@ -197,7 +197,7 @@ export function commandTable(parts) {
     {
       id: 'nothing',
       group: 'Tools',
-      label: 'Take back the drag, close, select nothing',
+      label: 'Undo the drag, close, select nothing',
       keys: ['Escape'],
       action: escape,
     },
@@ -235,7 +235,7 @@ export function commandTable(parts) {
     {
       id: 'parametrize',
       group: 'View',
-      label: 'Parametrize: a flat map beside the model',
+      label: 'Flatten: a flat map beside the model',
       keys: ['U'],
       action: parts.flatMap,
       needsModel: true,

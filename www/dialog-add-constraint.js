@@ -145,7 +145,7 @@ class AddConstraintDialog {
     /** @type {Place[]} */
     const places = [];
     if (vertices.length > 0) {
-      places.push({ id: 'selection', label: 'the selection as one set', on: { vertices } });
+      places.push({ id: 'selection', label: 'whole selection together', on: { vertices } });
       const within = faces.length > 0 ? { faces } : { vertices };
       for (const { id, label, faceBased } of elements) {
         const on = { each: id, in: within };

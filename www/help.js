@@ -102,6 +102,6 @@ function section(title, rows) {
 function singleKeysSwitch() {
   const onchange = () => singleKeys.set(box.checked);
   const box = element('input', { type: 'checkbox', checked: singleKeys.on, onchange });
-  const words = element('span', {}, 'Letters, digits and signs act without Ctrl');
+  const words = element('span', {}, 'Enable single-key shortcuts');
   return element('label', { class: 'single-keys' }, box, words);
 }

@@ -30,10 +30,7 @@ export class KindChoices {
       this.element.replaceChildren(
         ...(own.length > 0 ? [this.#palette(own)] : []),
         ...(others.length > 0
-          ? [
-              element('p', { class: 'quiet heading' }, 'More than the paper has'),
-              this.#palette(others),
-            ]
+          ? [element('p', { class: 'quiet heading' }, 'Other constraints'), this.#palette(others)]
           : []),
       );
       if (focused) document.getElementById(focused)?.focus();

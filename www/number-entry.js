@@ -18,7 +18,7 @@ export function readLength(text, units) {
   const factor = unit === '' ? 1 : METRES[unit.toLowerCase()] / METRES[units];
   const length = (valueOf(number) / valueOf(divisor)) * factor;
   if (number === '' || !Number.isFinite(length)) {
-    throw new Error(`“${text}” is no length here. Expected 1.5, 1/3 or +0.5.`);
+    throw new Error(`“${text}” is not a length. Expected 1.5, 1/3 or +0.5.`);
   }
   return { by: sign === '+', length };
 }

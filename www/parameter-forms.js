@@ -24,7 +24,7 @@ const FORM_LABELS = {
   number: 'exactly',
   range: 'between',
   vector: 'direction',
-  nothing: 'whatever fits best',
+  nothing: 'Best fit',
 };
 
 /** What the fields of a form are called after the parameter's name. @type {Record<string, string[]>} */

@@ -20,7 +20,7 @@ export function tellSurroundings(numbers, store) {
   const software = element(
     'div',
     { class: 'wide narrow-hidden', title: SLOW, hidden: true },
-    element('dd', {}, 'no graphics card'),
+    element('dd', {}, 'Software rendering'),
   );
   numbers.append(software, offline);
   tellNetwork(offline, store);

@@ -142,7 +142,7 @@ impl Element {
             Element::Strip => ["strip of faces", "strips of faces"],
             Element::Group => ["group", "groups"],
             Element::Corner => ["corner of a face", "corners of faces"],
-            Element::Star => ["inner vertex with its neighbours in turn", "inner vertices"],
+            Element::Star => ["interior vertex star", "inner vertices"],
             Element::Hinge => ["edge between two triangles", "edges between triangles"],
         }
     }

@@ -104,7 +104,7 @@ pub const SETTINGS: &[Setting] = &[
     Setting {
         param: Param {
             id: "tolerance",
-            label: "Stop below",
+            label: "Stopping threshold",
             unit: "",
             default: ParamValue::Number(1e-9),
             forms: &[Form::Number],
@@ -119,7 +119,7 @@ pub const SETTINGS: &[Setting] = &[
         group: SOLVER,
     },
     Setting {
-        param: words("monotone", "Never rise", "off", &[OFF, Form::Word("on")]),
+        param: words("monotone", "Never increase energy", "off", &[OFF, Form::Word("on")]),
         summary: "Keep an old projection where the new one is farther, so that the energy never rises with kinds that are not exact.",
         group: SOLVER,
     },

@@ -115,7 +115,7 @@ test('while colours say nothing else, faces have those of their constraints', as
   const [a, b] = [await screenOf(page, 0), await screenOf(page, n + 2)];
   await page.mouse.click((a[0] + b[0]) / 2, (a[1] + b[1]) / 2);
   await waitForState(page, (now) => now.selection.faces.length === 1);
-  await addConstraint(page, 'Sphere', 'the selection as one set');
+  await addConstraint(page, 'Sphere', 'whole selection together');
   await page.keyboard.press('Escape');
   await showPanel(page, 'Energies and display');
   await page.getByLabel('Colour by').selectOption('');

@@ -89,7 +89,7 @@ test('a mesh of one’s own, from its file to its export, by keys only', async (
   const dialog = page.getByRole('dialog', { name: 'New constraint' });
   await expect(dialog.getByRole('radio', { checked: true }).first()).toBeFocused();
   await chooseKind(page, 'Plane');
-  await tabTo(page, /^the selection as one set|^each/);
+  await tabTo(page, /^whole selection together|^each/);
   await dialog.getByRole('radio', { name: 'each selected face', exact: true }).isVisible();
   await chooseRadio(page, 'each selected face');
   await page.keyboard.press('Enter');
@@ -297,7 +297,7 @@ test('keys without Ctrl can be switched off, and stay so', async ({ page }) => {
   await openBars(page);
   await page.keyboard.press('?');
   const single = page.getByRole('checkbox', {
-    name: /^Letters, digits and signs act without Ctrl/,
+    name: /^Enable single-key shortcuts/,
   });
   await expect(single).toBeChecked();
   await single.uncheck();

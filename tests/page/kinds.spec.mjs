@@ -222,7 +222,7 @@ test('the usual kind is chosen beforehand, follows the selection, and runs', asy
   await page.mouse.click(...middle);
   await page.keyboard.press('+');
   await waitForState(page, (now) => now.selection.faces.length === 9);
-  await expect(chosen('Where')).toHaveAccessibleName('the selection as one set');
+  await expect(chosen('Where')).toHaveAccessibleName('whole selection together');
   await expect(chosen('Shape')).not.toHaveAccessibleName(whole);
   const other = await chosen('Shape').getAttribute('aria-label');
   await dialog.getByRole('button', { name: 'Add and run' }).click();

@@ -141,18 +141,18 @@ test('a lesson comes through a link, and is undone', async ({ page, context }) =
 test('a lesson without an end is not kept, and one can be taken away', async ({ page }) => {
   const dialog = await write(page);
   await most(dialog, 'Goal 1: planarity at most, m').fill('');
-  await dialog.getByRole('button', { name: 'Keep the lesson' }).click();
+  await dialog.getByRole('button', { name: 'Save lesson' }).click();
   await expect(dialog).toBeVisible();
   // What is left is the first one then.
   await dialog.getByRole('button', { name: 'Take away Goal 1: planarity' }).click();
   await worst(dialog, 1).selectOption({ label: 'Angle quality' });
   await expect(most(dialog, 'Goal 1: angle quality at most, °')).toHaveValue('0.01');
   await dialog.getByRole('button', { name: 'Take away Goal 1: angle quality' }).click();
-  await dialog.getByRole('button', { name: 'Keep the lesson' }).click();
+  await dialog.getByRole('button', { name: 'Save lesson' }).click();
   await expect(dialog).toContainText('expected at least one goal');
   await dialog.getByRole('button', { name: 'Add goal' }).click();
   await dialog.getByLabel(/^Goal 1: .* at most/).fill('2');
-  await dialog.getByRole('button', { name: 'Keep the lesson' }).click();
+  await dialog.getByRole('button', { name: 'Save lesson' }).click();
   await expect(dialog).toBeHidden();
   await showPanel(page, 'Model');
   await expect(goals(page)).toHaveCount(1);

@@ -15,7 +15,7 @@ const value = (page, name) => page.locator(`dt:text-is("${name}") + dd`);
 
 async function parametrize(page) {
   await showPanel(page, 'Energies and display');
-  await page.getByRole('button', { name: 'Parametrize' }).click();
+  await page.getByRole('button', { name: 'Flatten' }).click();
   await expect(page.getByRole('heading', { name: 'Flat map' })).toBeVisible();
 }
 
@@ -138,7 +138,7 @@ test('what has no faces is not offered, and what has no boundary is told', async
   const corners = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n';
   await openText(page, 'line.obj', `${corners}l 1 2 3 4\n`, 4);
   await showPanel(page, 'Energies and display');
-  const button = page.getByRole('button', { name: 'Parametrize' });
+  const button = page.getByRole('button', { name: 'Flatten' });
   await expect(button).toBeHidden();
   await page.keyboard.press('u');
   await openText(page, 'closed.obj', `${corners}f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n`, 4);

@@ -145,7 +145,7 @@ test.describe('behind tabs', () => {
 
     await openExample(page, 'Mask');
     await showPanel(page, SHEET);
-    await page.getByRole('button', { name: 'Parametrize' }).click();
+    await page.getByRole('button', { name: 'Flatten' }).click();
     const map = page.getByRole('application', { name: 'Flat map' });
     await expect(map).toBeVisible();
     const whole = await page.getByRole('application', { name: '3D view' }).boundingBox();

@@ -174,10 +174,10 @@ test('through takes what the surface hides', async ({ page }) => {
     [view.x + view.width - 4, view.y + view.height - 140],
     [view.x + 4, view.y + 120],
   ];
-  await bar(page).getByRole('button', { name: 'Through' }).click();
+  await bar(page).getByRole('button', { name: 'Select through' }).click();
   await drag(page, corners);
   await expect(status(page)).toHaveText('2 faces selected');
-  await expect(bar(page).getByRole('button', { name: 'Through' })).toHaveAttribute(
+  await expect(bar(page).getByRole('button', { name: 'Select through' })).toHaveAttribute(
     'aria-pressed',
     'true',
   );
@@ -231,7 +231,7 @@ test('strips, rings, boundary loops and connected parts from the menu', async ({
   await expect(status(page)).toHaveText(`${4 * N - 4} faces selected`);
   await selectBy(page, /^Connected/);
   await expect(status(page)).toHaveText(`${N * N} faces selected`);
-  await selectBy(page, 'Its vertices');
+  await selectBy(page, 'Convert to vertices');
   await expect(status(page)).toHaveText(`${VERTICES} vertices selected`);
 
   await page.keyboard.press('2');

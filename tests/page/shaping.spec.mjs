@@ -43,7 +43,7 @@ test('circles on all faces and a sphere on a box selection: the errors fall', as
   await selectBox(page, around);
   const { selection } = await state(page);
   for (const vertex of around) expect(selection.vertices).toContain(vertex);
-  await addConstraint(page, 'Sphere', 'the selection as one set');
+  await addConstraint(page, 'Sphere', 'whole selection together');
 
   const before = await state(page);
   expect(before.constraints).toEqual({ circle: N * N, sphere: 1 });

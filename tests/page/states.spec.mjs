@@ -236,7 +236,7 @@ test('no graphics card is told quietly; no network is said, once, and that there
 }) => {
   await openPage(page);
   await waitForState(page, (now) => now.renderer !== 'none');
-  const note = page.locator('#numbers').getByText('no graphics card');
+  const note = page.locator('#numbers').getByText('Software rendering');
   // The tests draw by software; a narrow window has no room for it.
   await expect(note).toBeAttached();
   await expect(note.locator('..')).toHaveAttribute('title', /acceleration/);

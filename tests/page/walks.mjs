@@ -342,7 +342,7 @@ export const walks = {
       reach: async (page) => {
         await openExample(page, 'Mask');
         await showPanel(page, 'Energies and display');
-        await page.getByRole('button', { name: 'Parametrize' }).click();
+        await page.getByRole('button', { name: 'Flatten' }).click();
         await expect(page.getByRole('heading', { name: 'Flat map' })).toBeVisible();
       },
       leave: (page) => page.getByRole('button', { name: 'Back to the model' }).click(),

@@ -158,7 +158,7 @@ export function write(parts) {
     element(
       'div',
       { class: 'dialog-buttons' },
-      button('Keep the lesson', () => keep(), 'primary'),
+      button('Save lesson', () => keep(), 'primary'),
       button('Keep and save the scene', () => keep(() => files.saveScene())),
       button('Keep and make a link', () =>
         keep(async () => {

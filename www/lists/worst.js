@@ -126,7 +126,7 @@ export function worstElements(panel, parts) {
     const moved = movedInWords(state);
     shown = found;
     const what = about?.words ?? 'largest distance of a vertex to where the constraint wants it';
-    const nothing = 'Nothing is asked of this mesh, or nothing has a value.';
+    const nothing = 'No constraints, or nothing has a value.';
     const said = `The ${what}.${moved && ` Moved ${moved}.`}`;
     setText(words, found.length === 0 ? nothing : said);
     table.hidden = found.length === 0;

@@ -281,11 +281,7 @@ export function constraintsPanel(place, store, solver, actions) {
     place.replaceChildren(
       document.constraints.length > 0
         ? element('ul', { 'aria-label': 'Constraints' }, ...document.constraints.map(keyedRow))
-        : element(
-            'p',
-            { class: 'quiet' },
-            'Nothing is asked of this mesh yet. Add a constraint, then press Run.',
-          ),
+        : element('p', { class: 'quiet' }, 'No constraints yet. Add one, then press Run.'),
       moved,
     );
     if (focused) {

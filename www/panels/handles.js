@@ -39,7 +39,7 @@ export function handlesPanel(place, store, actions, solver) {
     const pinned = document?.pinned.length ?? 0;
     // Without constraints nothing moves, and that something is pinned would only puzzle.
     if (pinned > 0 && document?.constraints.length) {
-      summary.textContent += ` ${count(pinned, 'vertex is', 'vertices are')} pinned, so that the mesh does not float away.`;
+      summary.textContent += ` ${count(pinned, 'vertex is', 'vertices are')} fixed automatically, because nothing else holds that part. Add a handle to hold it where you want.`;
     }
     add.disabled = fix.disabled = !chosen;
     remove.disabled = !handles.some((handle) => isChosen(handle.vertex));
@@ -65,5 +65,5 @@ export function handlesPanel(place, store, actions, solver) {
 function wordsFor(all, fixed) {
   if (all === 0) return 'None. Double-click a vertex to make one.';
   const share = fixed === all ? ', fixed' : fixed > 0 ? `, ${fixed} of them fixed` : '';
-  return `${count(all, 'handle')}${share}. Drag the blue marks in the view.`;
+  return `${count(all, 'handle')}${share}. Drag the blue handles in the view.`;
 }

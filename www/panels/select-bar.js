@@ -52,7 +52,7 @@ export function selectBar(bar, menu, store, actions, selecting, alerts) {
       onclick: () => store.set({ through: !store.get().through }),
     },
     icon('through'),
-    element('span', {}, 'Through'),
+    element('span', {}, 'Select through'),
   );
   const brush = element('input', {
     type: 'range',

@@ -12,8 +12,8 @@ import { sizeOfSelection } from '../selection.js';
 const HOLDS = [
   { label: 'More', weight: 10, title: 'Ten times as near to the original as the others' },
   { label: 'Less', weight: 0.1, title: 'A tenth as near to the original as the others' },
-  { label: 'Let go', weight: 0, title: 'Nothing keeps them near the original' },
-  { label: 'As the others', weight: 1, title: 'As near to the original as the others' },
+  { label: 'Release', weight: 0, title: 'Nothing keeps them near the original' },
+  { label: 'Default', weight: 1, title: 'As near to the original as the others' },
 ];
 
 /**

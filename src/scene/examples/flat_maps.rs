@@ -1,4 +1,4 @@
-//! Fig. 9: conformal parametrisation. Nothing is asked of the shape; the page's `Parametrize` and the
+//! Fig. 9: conformal parametrisation. Nothing is asked of the shape; the page's `Flatten` and the
 //! command line's `parametrize` flatten it.
 
 use super::Example;
@@ -9,7 +9,7 @@ use crate::scene::Scene;
 pub(super) const MASK: Example = Example {
     id: "fig-09-conformal",
     title: "Mask, flattened",
-    summary: "Press Parametrize: the squares of the flat map change their size over the nose and the eyes, but their corners stay right angles.",
+    summary: "Press Flatten: the squares of the flat map change their size over the nose and the eyes, but their corners stay right angles.",
     statement: "The map of the uneven triangles has a mean quasi-conformal error of less than 1.05 (1 keeps all angles), and turns none over.",
     ending: "obj",
     make: mask,
@@ -18,7 +18,7 @@ pub(super) const MASK: Example = Example {
 pub(super) const POLYGONS: Example = Example {
     id: "fig-09-polygons",
     title: "Mounds with an opening, flattened",
-    summary: "Press Parametrize: the mesh of hexagons and other polygons, with a hole in one mound, becomes flat; each polygon stays as similar to itself as it can.",
+    summary: "Press Flatten: the mesh of hexagons and other polygons, with a hole in one mound, becomes flat; each polygon stays as similar to itself as it can.",
     statement: "The map of the polygons has a mean quasi-conformal error of less than 1.1 (1 keeps all angles), and turns none over.",
     ending: "obj",
     make: polygons,

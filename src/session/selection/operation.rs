@@ -108,7 +108,7 @@ pub const OPERATIONS: &[Operation] = &[
     },
     Operation {
         id: "to-vertices",
-        label: "Its vertices",
+        label: "Convert to vertices",
         summary: "The vertices of what is selected.",
         needs_selection: true,
         modes: &[Mode::Edges, Mode::Faces],
