@@ -1,5 +1,6 @@
 /** The two halves of an iteration (Fig. 4 of the paper): the words for them, and their button. */
 
+import { setText } from './dom.js';
 import { groupDigits } from './format.js';
 
 /**
@@ -33,13 +34,15 @@ export function halfStepTitle({ halfway }) {
 }
 
 /**
- * Its buttons, in the toolbar and in the menu of a phone, show which half is next.
+ * Its buttons, in the toolbar and in the menu of a phone, say which half is next.
  * @param {import("./state.js").Store} store
  */
 export function bindHalfStepButtons(store) {
   const buttons = [...document.querySelectorAll('[data-command="half-step"]')];
   store.subscribe(['halfway'], ({ halfway }) => {
     for (const button of buttons) {
+      const label = button.querySelector('span');
+      if (label) setText(label, halfway ? 'Global' : 'Local');
       const use = button.querySelector('use');
       use?.setAttribute('href', halfway ? '#icon-global' : '#icon-local');
     }

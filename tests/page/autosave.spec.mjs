@@ -115,6 +115,7 @@ for (const way of ['reload', 'leave', 'close']) {
         await tab.close();
         tab = await context.newPage();
       }
+      if (way === 'leave') await tab.waitForURL('about:blank');
       if (way !== 'reload') await visit(tab);
       await expect(back(tab)).toContainText('roof.obj');
       await waitForState(tab, (now) => now.vertices === 441);

@@ -186,13 +186,13 @@ test('a local step fits and moves nothing; the global step moves as a step does'
   const bare = await picture(page);
 
   const status = page.getByRole('status');
-  await tool(page, 'Half step');
+  await tool(page, 'Local');
   await expect(status).toHaveText('Local step done: 384 shapes fitted (square); next: global step');
   expect(await positionOf(page, 100)).toEqual(before);
   // The squares are seen.
   expect(differing(bare, await picture(page), [0, 1])).toBeGreaterThan(1000);
 
-  await tool(page, 'Half step');
+  await tool(page, 'Global');
   await expect(status).toHaveText(/^Global step done: moved to the least-squares answer/);
   expect(await positionOf(page, 100)).toEqual(stepped);
   expect((await state(page)).iteration).toBe(1);
@@ -205,20 +205,20 @@ test('a local step fits and moves nothing; the global step moves as a step does'
 
 test('whatever else is done leaves the half step', async ({ page }) => {
   await openExample(page, 'fig-04-squares', 384);
-  const next = async (half) => {
-    const shown = page.locator('[data-command="half-step"] use').first();
-    await expect(shown).toHaveAttribute('href', `#icon-${half}`);
+  const next = async (name) => {
+    const shown = page.locator('[data-command="half-step"] span').first();
+    await expect(shown).toHaveText(name);
   };
   for (const other of ['Step', 'Reset', 'Undo']) {
-    await tool(page, 'Half step');
-    await next('global');
+    await tool(page, 'Local');
+    await next('Global');
     await tool(page, other);
-    await next('local');
+    await next('Local');
   }
-  await tool(page, 'Half step');
-  await next('global');
+  await tool(page, 'Local');
+  await next('Global');
   await tool(page, 'Run');
-  await next('local');
+  await next('Local');
   await tool(page, 'Pause');
 });
 
