@@ -83,7 +83,7 @@ test('a number with a sign moves on; fractions and units are understood', async 
   const now = await targets(page);
   await enter(target(page, 'z'), 'high');
   await expect(target(page, 'z')).toHaveAttribute('aria-invalid', 'true');
-  await expect(target(page, 'z')).toHaveAccessibleDescription(/“high” is no length/);
+  await expect(target(page, 'z')).toHaveAccessibleDescription(/“high” is not a length/);
   await target(page, 'z').press('Escape');
   await expect(target(page, 'z')).not.toHaveAttribute('aria-invalid');
   await expect(target(page, 'z')).not.toHaveValue('high');
