@@ -89,16 +89,15 @@ function convergence({ problem, goal, limit }) {
   const solver = new Solver();
   open(solver, problem);
   drag(solver, problem.move, 1);
-  const energies = [];
+  const energies = [solver.report().energy.final.total];
   const steps = [];
-  // The trace has six numbers per iteration, the last of them the total. Asking for it costs more
-  // than an iteration.
+  // Six numbers per iteration, the first of them its number, the last the total; of very many iterations
+  // every second, fourth, ... is there. Asking for it costs more than an iteration.
   const takeTrace = () => {
-    const { trace } = solver.frame();
-    for (let k = 5; k < trace.length; k += 6) energies.push(trace[k]);
+    const trace = solver.trace();
+    for (let k = 0; k < trace.length; k += 6)
+      while (energies.length <= trace[k]) energies.push(trace[k + 5]);
   };
-  takeTrace();
-  energies.splice(0, energies.length, solver.report().energy.final.total);
   let spent = 0;
   while (spent < limit && energies.at(-1) > goal) {
     for (let k = 0; k < 20 && spent < limit; k++) {
