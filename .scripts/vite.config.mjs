@@ -29,7 +29,7 @@ const picture = {
   transformIndexHtml(html, { path }) {
     if (path !== '/index.html') return html;
     if (!html.includes(PLACE)) throw new Error(`index.html has no place for ${firstPicture}`);
-    const script = `<script>${readFileSync(at('www', 'early-drag.js'), 'utf8')}</script>`;
+    const script = `<script>${readFileSync(at('www', 'viewport', 'placeholder', 'placeholder-drag.js'), 'utf8')}</script>`;
     return html.replace(PLACE, () => readFileSync(firstPicture, 'utf8') + script);
   },
 };
@@ -57,7 +57,7 @@ const readingHead = {
     order: 'pre',
     handler: (html) =>
       html.replace('<!-- reading head -->', () =>
-        readFileSync(at('www', 'reading-head.html'), 'utf8'),
+        readFileSync(at('www', 'pages', 'reading-head.html'), 'utf8'),
       ),
   },
 };

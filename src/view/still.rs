@@ -6,7 +6,7 @@
 //! is a picture for meshes of a few hundred faces that do not cut through each other.
 //!
 //! The picture says what a script needs to keep it alive until the view draws
-//! (`www/first-picture.js`): the eye, so that the faces can be drawn at other positions, and where a
+//! (`www/viewport/placeholder/placeholder-scene.js`): the eye, so that the faces can be drawn at other positions, and where a
 //! handle goes when it is dragged.
 
 use super::camera::Eye;

@@ -24,7 +24,7 @@ const url = `http://127.0.0.1:${port}${base}`;
 /** What a phone shows in another arrangement than other windows. The rest lies behind it. */
 const ARRANGED = [
   'axe',
-  'first-picture',
+  'placeholder',
   'first-visit',
   'layout',
   'messages',
@@ -39,7 +39,7 @@ const BOTH = 'backends';
 /** What measures time has the machine to itself, after all others. */
 const ALONE = 'drag-speed';
 
-const specs = (names) => names.map((name) => `${name}.spec.mjs`);
+const specs = (names) => names.map((name) => `**/${name}.spec.mjs`);
 const executablePath = (await findBrowser()) ?? undefined;
 const launched = (args) => ({ launchOptions: { executablePath, args } });
 

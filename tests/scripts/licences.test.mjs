@@ -44,7 +44,7 @@ test('a newcomer under another licence, or under none, is refused', () => {
   assert.throws(() => textsOf(component('Apache-2.0')), /its text is not in/);
   assert.throws(() => assertTold(at('node_modules', 'axe-core', 'axe.js')), /axe-core is bundled/);
   assertTold(at('node_modules', 'uplot', 'dist', 'uPlot.esm.js'));
-  assertTold(at('www', 'main.js'));
+  assertTold(at('www', 'app', 'main.js'));
 });
 
 test('of a choice the first that is allowed is taken', () => {

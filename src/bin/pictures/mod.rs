@@ -37,7 +37,7 @@ pub(crate) fn stage(session: &Session) -> Result<Stage, ViewError> {
     Ok(stage)
 }
 
-/// The colours of the page (`www/colouring.js`): up to the tolerance faces keep the material, and the
+/// The colours of the page (`www/viewport/colour-scale.js`): up to the tolerance faces keep the material, and the
 /// range ends at a round number from `greatest` on.
 pub(crate) fn scale(session: &Session, greatest: f32) -> ColourScale {
     let tolerance = session.tolerance() as f32;
@@ -45,7 +45,7 @@ pub(crate) fn scale(session: &Session, greatest: f32) -> ColourScale {
     ColourScale { tolerance: Some(tolerance), ..ColourScale::linear(tolerance, high) }
 }
 
-/// As `roundUp` of `www/value-axis.js`.
+/// As `roundUp` of `www/ui/plot/value-axis.js`.
 fn round_up(value: f32) -> f32 {
     let power = 10_f64.powi(f64::from(value).log10().floor() as i32);
     let round = [1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0].map(|round| round * power);

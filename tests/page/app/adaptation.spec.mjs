@@ -1,0 +1,95 @@
+// What somebody has set in the system or the browser: less motion, colours of one's own, larger text.
+
+import { openText, runToTheEnd } from '../actions.mjs';
+import { wavyGrid } from '../meshes.mjs';
+import { expect, openPage, test, visit, waitForState } from '../support.mjs';
+
+test('with less motion nothing moves by itself', async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  for (const address of ['./', './gallery.html', './projections.html']) {
+    await page.goto(address);
+    await expect(page.getByRole('heading', { level: 1 })).toBeVisible();
+    if (address.includes('projections')) await page.getByRole('button', { name: 'Step' }).click();
+    const moving = await page.evaluate(() =>
+      [...document.querySelectorAll('*')]
+        .filter((part) => {
+          const { transitionDuration, animationName } = getComputedStyle(part);
+          return parseFloat(transitionDuration) > 0 || animationName !== 'none';
+        })
+        .map((part) => part.outerHTML.slice(0, 80)),
+    );
+    expect(moving, address).toEqual([]);
+  }
+});
+
+test('with colours of the system, what is chosen still differs from what is not', async ({
+  page,
+}) => {
+  await page.emulateMedia({ forcedColors: 'active' });
+  await openPage(page);
+  await openText(page, 'grid.obj', wavyGrid(3), 16);
+  /** Whether two controls have different frames or colours. */
+  const differ = (a, b) =>
+    page.evaluate(
+      (names) => {
+        const [one, other] = names.map((name) => {
+          const style = getComputedStyle(document.querySelector(name));
+          return [style.borderTopColor, style.borderTopWidth, style.color].join();
+        });
+        return one !== other;
+      },
+      [a, b],
+    );
+  expect(await differ('[data-command=tool-drag]', '[data-command=tool-select]')).toBe(true);
+  expect(await differ('[data-command=undo]', '[data-command=step]')).toBe(true);
+  await page.keyboard.press('b');
+  expect(await differ('[data-command=tool-drag]', '[data-command=tool-select]')).toBe(true);
+  await page.keyboard.press('Tab');
+  const outline = await page.evaluate(() => {
+    const at = document.activeElement;
+    return getComputedStyle(at.matches('[type=file]') ? at.parentElement : at).outlineStyle;
+  });
+  expect(outline).not.toBe('none');
+});
+
+test.describe('at twice the size', () => {
+  // What a window of 1440 by 900 shows of a page that is zoomed by 200 %.
+  test.use({ viewport: { width: 720, height: 450 }, deviceScaleFactor: 2 });
+
+  test('every tool is there, and nothing is out of the window', async ({ page }) => {
+    await visit(page);
+    await waitForState(page, (now) => now.renderer !== 'none');
+    const names = ['Export', 'Share', 'Run', 'Step', 'Reset', 'Undo', 'Drag', 'Faces', 'Help'];
+    for (const name of names) {
+      const box = await page.getByRole('button', { name, exact: true }).boundingBox();
+      expect(box, name).not.toBeNull();
+      expect(box.x, name).toBeGreaterThanOrEqual(0);
+      expect(box.x + box.width, name).toBeLessThanOrEqual(720);
+      expect(box.y + box.height, name).toBeLessThanOrEqual(450);
+    }
+    const view = await page.getByRole('application', { name: '3D view' }).boundingBox();
+    expect(view.width * view.height).toBeGreaterThan(0.4 * 720 * 450);
+    // The hint leaves the bar of selecting free.
+    await page.keyboard.press('b');
+    await expect(page.getByRole('button', { name: 'Dismiss hint' })).toBeVisible();
+    await page.getByRole('button', { name: /select by/i }).click({ trial: true });
+    await page.keyboard.press('v');
+    await page.getByRole('button', { name: 'Reset' }).click();
+    await waitForState(page, (now) => now.iteration === 0);
+    await runToTheEnd(page);
+
+    // Dialogs scroll within the window.
+    await page.keyboard.press('?');
+    const help = page.getByRole('dialog', { name: 'Mouse and keys' });
+    const box = await help.boundingBox();
+    expect(box.y + box.height).toBeLessThanOrEqual(450);
+    await help.getByRole('checkbox').scrollIntoViewIfNeeded();
+    await expect(help.getByRole('checkbox')).toBeInViewport();
+    await page.keyboard.press('Escape');
+    await page.getByRole('button', { name: 'Add constraint' }).click();
+    const add = page.getByRole('dialog', { name: 'New constraint' });
+    await expect(add.getByRole('button', { name: 'Add', exact: true })).toBeInViewport();
+    await add.getByRole('radio').last().scrollIntoViewIfNeeded();
+    await expect(add.getByRole('radio').last()).toBeInViewport();
+  });
+});

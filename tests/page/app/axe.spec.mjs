@@ -1,0 +1,98 @@
+// What axe says of every state of the page, in both themes: nothing.
+
+import AxeBuilder from '@axe-core/playwright';
+import { openText } from '../actions.mjs';
+import { quadScene } from '../meshes.mjs';
+import { expect, openPage, state, test, visit, waitForState } from '../support.mjs';
+import { walks, withoutGraphics } from '../walks.mjs';
+
+test.use({ pixels: false });
+
+/**
+ * What axe complains about, in a line each. Nothing here is in frames: axe need not open a page of its
+ * own to gather what it finds in several.
+ * @param {string[]} [rules] all, when absent
+ */
+async function complaintsOf(page, rules) {
+  const axe = new AxeBuilder({ page }).setLegacyMode();
+  const { violations } = await (rules ? axe.withRules(rules) : axe).analyze();
+  return violations.flatMap(({ id, impact, nodes }) =>
+    nodes.map(({ target, failureSummary }) => {
+      const reason = failureSummary.split('\n').slice(1, 3).join(' ').trim();
+      return `${impact} ${id} at ${target.join(' ')}: ${reason}`;
+    }),
+  );
+}
+
+/** A scene that is never at rest. */
+function endlessScene() {
+  const scene = JSON.parse(quadScene(40));
+  scene.constraints = [{ kind: 'circle', on: 'faces' }];
+  scene.solver = { tolerance: 0, accelerator: 'none' };
+  return JSON.stringify(scene);
+}
+
+/** What axe asks of colours; nothing else depends on the theme. */
+const OF_COLOURS = ['color-contrast', 'link-in-text-block'];
+
+/** In both themes. */
+async function expectNothing(page, name = '') {
+  for (const [colorScheme, rules] of [
+    ['light', undefined],
+    ['dark', OF_COLOURS],
+  ]) {
+    await page.emulateMedia({ colorScheme, reducedMotion: 'reduce' });
+    expect.soft(await complaintsOf(page, rules), `${name}, ${colorScheme}`).toEqual([]);
+  }
+}
+
+for (const [title, states] of Object.entries(walks)) {
+  test(`axe: ${title}`, async ({ page }, { project }) => {
+    const seen = states.filter(({ only = project.name }) => only === project.name);
+    test.skip(seen.length === 0, 'asked of the desktop');
+    await visit(page);
+    for (const { name, reach, leave } of seen) {
+      await test.step(name, async () => {
+        await reach?.(page);
+        await expectNothing(page, name);
+        await leave?.(page);
+      });
+    }
+  });
+}
+
+test('axe: before anything but the HTML is there', async ({ page }) => {
+  await page.route('**/*.wasm', () => {});
+  await page.goto('./');
+  await expectNothing(page);
+});
+
+// With graphics, what draws without a card leaves axe no time while the solver runs.
+test('axe: without graphics, and running', async ({ page }) => {
+  await withoutGraphics(page);
+  await openPage(page);
+  await expect(page.getByText('No 3D picture')).toBeVisible();
+  await expectNothing(page, 'without graphics');
+  await openText(page, 'endless.shapeup.json', endlessScene(), 41 * 41);
+  await page.getByRole('button', { name: 'Run' }).click();
+  await waitForState(page, (now) => now.running && now.iteration > 0);
+  await expectNothing(page, 'running');
+  expect((await state(page)).running).toBe(true);
+});
+
+test('axe: the gallery, and with nothing found', async ({ page }) => {
+  await page.goto('./gallery.html');
+  const cards = page.getByRole('article');
+  await expect(cards.first()).toBeVisible();
+  await expectNothing(page, 'the gallery');
+  await page.getByRole('searchbox', { name: 'Search' }).fill('no such thing');
+  await expect(cards).toHaveCount(0);
+  await expectNothing(page, 'with nothing found');
+});
+
+test('axe: projections', async ({ page }) => {
+  await page.goto('./projections.html');
+  await page.getByRole('button', { name: 'Step' }).click();
+  await expect(page.getByRole('status')).toContainText('Step I, iteration 1');
+  await expectNothing(page);
+});

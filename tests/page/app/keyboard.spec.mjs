@@ -1,0 +1,326 @@
+// Everything without a pointer: a story from a file to its export, the rings, and the keys themselves.
+
+import { file, wavyGrid } from '../meshes.mjs';
+import { expect, openPage, positionOf, state, test, visit, waitForState } from '../support.mjs';
+
+test.use({ pixels: false });
+
+const status = (page) => page.getByRole('status');
+
+/** Opens the page and waits until its bars know the arrow keys. */
+async function openBars(page) {
+  await openPage(page);
+  await page.locator('[role=toolbar] [tabindex="0"]').first().waitFor({ state: 'attached' });
+}
+
+/** What has the focus, as somebody sees and hears it. */
+const focused = (page) =>
+  page.evaluate(() => {
+    const at = document.activeElement;
+    const shown = at.matches('input[type=file]') ? at.parentElement : at;
+    const { outlineStyle, outlineWidth } = getComputedStyle(shown);
+    const name =
+      at.getAttribute('aria-label') ?? at.labels?.[0]?.textContent ?? at.textContent ?? '';
+    return {
+      id: at.id,
+      tag: at.tagName,
+      name: name.trim(),
+      ring: outlineStyle !== 'none' && parseFloat(outlineWidth) >= 2,
+    };
+  });
+
+/** Presses Tab until what has that name has the focus; fails when it is not reached. */
+async function tabTo(page, name, key = 'Tab') {
+  const met = [];
+  for (let press = 0; press < 80; press++) {
+    await page.keyboard.press(key);
+    const at = await focused(page);
+    // The end of the page, and its beginning again.
+    if (at.tag === 'BODY') continue;
+    expect(at.ring, `a ring around ${at.name || at.id || at.tag}`).toBe(true);
+    if (name.test(at.name)) return at;
+    met.push(at.name || at.id || at.tag);
+  }
+  throw new Error(`${name} is not reached by ${key}, only: ${met.join(', ')}`);
+}
+
+/** Walks in a bar by the arrow keys. */
+async function walkTo(page, name) {
+  for (let press = 0; press < 40; press++) {
+    const at = await focused(page);
+    expect(at.ring, `a ring around ${at.name}`).toBe(true);
+    if (name.test(at.name)) return;
+    await page.keyboard.press('ArrowRight');
+  }
+  throw new Error(`${name} is not reached by the arrow keys`);
+}
+
+const press = (page, ...keys) =>
+  keys.reduce((before, key) => before.then(() => page.keyboard.press(key)), Promise.resolve());
+
+test('a mesh of one’s own, from its file to its export, by keys only', async ({ page }) => {
+  await openBars(page);
+  await waitForState(page, (now) => now.renderer !== 'none');
+
+  // Open: the chooser comes by a key, and the focus is where it was.
+  const chooser = page.waitForEvent('filechooser');
+  await tabTo(page, /^Open file/);
+  await page.keyboard.press('Control+o');
+  await (await chooser).setFiles(file('roof.obj', wavyGrid(4)));
+  await waitForState(page, (now) => now.vertices === 25);
+  await expect(status(page)).toHaveText(/^Opened roof\.obj/);
+  expect((await focused(page)).name).toMatch(/^Open file/);
+
+  // Select faces: with the tool's bar and its menu.
+  await press(page, '3', 'Control+a');
+  await expect(status(page)).toHaveText('16 faces selected');
+  await tabTo(page, /^Box$|select by/i);
+  await walkTo(page, /select by/i);
+  await page.keyboard.press('Enter');
+  await expect(page.getByRole('dialog', { name: 'Select' })).toBeVisible();
+  await walkDown(page, /^Faces along the boundary/);
+  await page.keyboard.press('Enter');
+  await expect(status(page)).toHaveText('12 faces selected');
+  await press(page, 'Control+a');
+
+  // Add a constraint.
+  const tools = await tabTo(page, /^Add constraint$/, 'Shift+Tab');
+  await page.keyboard.press('Enter');
+  const dialog = page.getByRole('dialog', { name: 'New constraint' });
+  await expect(dialog.getByRole('radio', { checked: true }).first()).toBeFocused();
+  await chooseKind(page, 'Plane');
+  await tabTo(page, /^whole selection together|^each/);
+  await dialog.getByRole('radio', { name: 'each selected face', exact: true }).isVisible();
+  await chooseRadio(page, 'each selected face');
+  await page.keyboard.press('Enter');
+  await expect(dialog).toBeHidden();
+  await expect.poll(async () => (await state(page)).constraints).toEqual({ plane: 16 });
+  // The focus is back where the dialog was opened from.
+  expect((await focused(page)).name).toBe(tools.name);
+
+  // Make a handle of a corner, found by its number of edges, and move it.
+  await press(page, '1', 'b', 'Escape');
+  await tabTo(page, /^Box$|select by/i);
+  await walkTo(page, /select by/i);
+  await page.keyboard.press('Enter');
+  await walkDown(page, /^By number of edges/);
+  await page.keyboard.press('Enter');
+  await expect(page.getByRole('spinbutton', { name: 'Edges' })).toBeFocused();
+  await press(page, 'Control+a');
+  await page.keyboard.type('2');
+  await page.keyboard.press('Enter');
+  await expect(status(page)).toHaveText('4 vertices selected');
+  await page.keyboard.press('h');
+  await expect(status(page)).toHaveText('4 handles added');
+  await press(page, 'Escape', 'g');
+  const { selection } = await waitForState(page, (now) => now.selection.vertices.length === 1);
+  const [corner] = selection.vertices;
+  const before = await positionOf(page, corner);
+  await tabTo(page, /^3D view$/);
+  await press(page, 'Enter', 'z', 'ArrowUp', 'ArrowUp', 'ArrowUp', 'Enter');
+  await expect(status(page)).toHaveText('Handle moved');
+  const raised = await page.evaluate(
+    (v) => window.shapeUp.state().handles.find(({ vertex }) => vertex === v).target[2],
+    corner,
+  );
+  expect(raised).toBeGreaterThan(before[2]);
+
+  // Run, and read the worst error.
+  await page.keyboard.press(' ');
+  await expect(status(page)).toHaveText(/^Converged after \d+ iterations/);
+  const worst = page.getByText('worst panel').locator('xpath=following-sibling::dd');
+  await expect(worst).toHaveText(/\d/);
+
+  // Undo the run, then the move.
+  await page.keyboard.press('Control+z');
+  await expect(status(page)).toHaveText(/^Undid: Run/);
+  await page.keyboard.press('Control+z');
+  await expect(status(page)).toHaveText(/^Undid: /);
+  await expect.poll(() => positionOf(page, corner)).toEqual(before);
+
+  // Export.
+  const download = page.waitForEvent('download');
+  await page.keyboard.press('Control+e');
+  expect((await download).suggestedFilename()).toBe('roof.obj');
+  await expect(status(page)).toHaveText('Saved roof.obj');
+});
+
+/** Walks down a menu. */
+async function walkDown(page, name) {
+  for (let press = 0; press < 40; press++) {
+    if (name.test((await focused(page)).name)) return;
+    await page.keyboard.press('ArrowDown');
+  }
+  throw new Error(`${name} is not in the menu`);
+}
+
+/** Walks through the radio buttons that have the focus. */
+async function chooseRadio(page, name) {
+  for (let press = 0; press < 40; press++) {
+    if ((await focused(page)).name === name) return;
+    await page.keyboard.press('ArrowDown');
+  }
+  throw new Error(`${name} cannot be chosen`);
+}
+const chooseKind = chooseRadio;
+
+test('every stop has a ring, each bar is one of them, and Tab leads around', async ({ page }) => {
+  await openBars(page);
+  await page.evaluate(() => document.activeElement.blur());
+  const stops = [];
+  for (let press = 0; press < 90; press++) {
+    await page.keyboard.press('Tab');
+    const at = await focused(page);
+    // Behind the last one is the browser.
+    if (at.tag === 'BODY') break;
+    expect(at.ring, `a ring around ${at.name || at.id || at.tag}`).toBe(true);
+    stops.push(at.name || at.id);
+  }
+  expect(stops.length).toBeLessThan(90);
+  expect(
+    stops.filter((name) => /^(Open file|Run|Step|Undo|Drag|Help|Share)/.test(name)),
+  ).toHaveLength(1);
+  // And back: nothing holds the focus.
+  const back = [];
+  for (let press = 0; press < stops.length; press++) {
+    await page.keyboard.press('Shift+Tab');
+    const at = await focused(page);
+    if (at.tag === 'BODY') break;
+    back.push(at.name || at.id);
+  }
+  expect(back.length).toBeGreaterThanOrEqual(stops.length - 1);
+});
+
+test('arrow keys walk in the bar of tools, and it remembers where', async ({ page }) => {
+  await openBars(page);
+  await tabTo(page, /^Open file/);
+  await walkTo(page, /^Share/);
+  await page.keyboard.press('End');
+  expect((await focused(page)).name).toBe('Help');
+  // Around the end.
+  await page.keyboard.press('ArrowRight');
+  expect((await focused(page)).name).toMatch(/^Open file/);
+  await page.keyboard.press('ArrowLeft');
+  expect((await focused(page)).name).toBe('Help');
+  await page.keyboard.press('Tab');
+  await page.keyboard.press('Shift+Tab');
+  expect((await focused(page)).name).toBe('Help');
+  // What has the stop may be switched off: there is another one.
+  await walkTo(page, /^Run$/);
+  await page.keyboard.press('.');
+  await waitForState(page, (now) => now.iteration === 1);
+  await walkTo(page, /^Undo$/);
+  await page.keyboard.press('Enter');
+  await waitForState(page, (now) => now.iteration === 0);
+  await expect(page.getByRole('button', { name: 'Undo' })).toBeDisabled();
+  await expect(page.locator('#tools :is(button, input)[tabindex="0"]:enabled')).toHaveCount(1);
+});
+
+/** Each thing that opens, by the name of what opens it and of what opens. */
+const OPENING = [
+  ['Help', 'dialog', 'Mouse and keys'],
+  ['More formats', 'dialog', 'Export'],
+  ['Share', 'dialog', 'Share'],
+  ['Examples', 'menu', 'Examples'],
+  ['Open recent', 'menu', 'Open recent'],
+];
+test('Escape closes what was opened, and the focus is back at what opened it', async ({ page }) => {
+  await openBars(page);
+  for (const [name, role, opens] of OPENING) {
+    const opener = page.getByRole('button', { name, exact: true }).filter({ visible: true });
+    await opener.focus();
+    await page.keyboard.press('Enter');
+    const opened = page.getByRole(role, { name: opens });
+    await expect(opened).toBeVisible();
+    // The focus goes into it.
+    await expect
+      .poll(() => opened.evaluate((part) => part.contains(document.activeElement)))
+      .toBe(true);
+    await page.keyboard.press('Escape');
+    await expect(opened).toBeHidden();
+    await expect(opener).toBeFocused();
+  }
+});
+
+test('what is dismissed gives the focus to the view', async ({ page }) => {
+  await visit(page);
+  const view = page.getByRole('application', { name: '3D view' });
+  await page.getByRole('button', { name: 'Dismiss hint' }).focus();
+  await page.keyboard.press('Enter');
+  await expect(view).toBeFocused();
+  await page.getByLabel('Open file').setInputFiles(file('house.ifc', 'ISO-10303-21;'));
+  await expect(page.getByRole('alert')).toContainText('house.ifc');
+  await page.getByRole('button', { name: 'Dismiss', exact: true }).focus();
+  await page.keyboard.press('Enter');
+  await expect(page.getByRole('alert')).toBeEmpty();
+  await expect(view).toBeFocused();
+});
+
+/** A key of another keyboard: what it prints, and where it is. */
+const foreign = (page, key, code, modifiers = {}) =>
+  page.evaluate(
+    ([key, code, modifiers]) =>
+      document.body.dispatchEvent(
+        new KeyboardEvent('keydown', { key, code, bubbles: true, cancelable: true, ...modifiers }),
+      ),
+    [key, code, modifiers],
+  );
+
+test('on a French keyboard letters are where they print, digits where they are', async ({
+  page,
+}) => {
+  await openBars(page);
+  const pressed = (name) =>
+    page.locator(`button[data-command="${name}"]`).getAttribute('aria-pressed');
+  for (const [key, code, mode] of [
+    ['"', 'Digit3', 'mode-faces'],
+    ['é', 'Digit2', 'mode-edges'],
+    ['&', 'Digit1', 'mode-vertices'],
+  ]) {
+    await foreign(page, key, code);
+    await expect.poll(() => pressed(mode)).toBe('true');
+  }
+  await page.keyboard.press('.');
+  await waitForState(page, (now) => now.iteration === 1);
+  // W is where other keyboards have Z.
+  await foreign(page, 'w', 'KeyZ', { ctrlKey: true });
+  await foreign(page, 'z', 'KeyW', { ctrlKey: true });
+  await waitForState(page, (now) => now.iteration === 0);
+  // The full stop needs Shift there, and the question mark is elsewhere.
+  await foreign(page, '.', 'Comma', { shiftKey: true });
+  await waitForState(page, (now) => now.iteration === 1);
+  await foreign(page, '?', 'KeyM', { shiftKey: true });
+  await expect(page.getByRole('dialog', { name: 'Mouse and keys' })).toBeVisible();
+});
+
+test('keys without Ctrl can be switched off, and stay so', async ({ page }) => {
+  await openBars(page);
+  await page.keyboard.press('?');
+  const single = page.getByRole('checkbox', {
+    name: /^Enable single-key shortcuts/,
+  });
+  await expect(single).toBeChecked();
+  await single.uncheck();
+  await page.keyboard.press('Escape');
+  const selectTool = page.locator('button[data-command="tool-select"]');
+  const isOff = async () => {
+    await press(page, '.', 'b', '3', '?');
+    expect((await state(page)).iteration).toBe(0);
+    await expect(page.locator('button[data-command="mode-faces"]')).toHaveAttribute(
+      'aria-pressed',
+      'false',
+    );
+    await expect(selectTool).toHaveAttribute('aria-pressed', 'false');
+    await expect(page.getByRole('dialog')).toBeHidden();
+  };
+  await isOff();
+  await openBars(page);
+  await isOff();
+  // Those that print nothing are left, and those with Ctrl.
+  await page.keyboard.press('F1');
+  await expect(single).not.toBeChecked();
+  await page.keyboard.press('Escape');
+  const download = page.waitForEvent('download');
+  await page.keyboard.press('Control+s');
+  await download;
+});

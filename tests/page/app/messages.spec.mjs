@@ -1,0 +1,61 @@
+// What is said lies beside what is worked with, not over it.
+
+import { file } from '../meshes.mjs';
+import { showPanel } from '../actions.mjs';
+import { expect, openPage, test } from '../support.mjs';
+
+test.use({ pixels: false });
+
+/** Whether two things on the page lie apart. */
+async function apart(one, other) {
+  const [a, b] = await Promise.all([one.boundingBox(), other.boundingBox()]);
+  return (
+    a.x + a.width <= b.x || b.x + b.width <= a.x || a.y + a.height <= b.y || b.y + b.height <= a.y
+  );
+}
+
+test('a message does not cover the dialog of constraints', async ({ page }, { project }) => {
+  await openPage(page);
+  await page.getByLabel('Open file').setInputFiles(file('notes.txt', 'not a mesh'));
+  const message = page.getByRole('alert').getByText('cannot be read');
+  await expect(message).toBeVisible();
+  await showPanel(page, 'Model');
+  await page.getByRole('button', { name: 'Add constraint' }).click();
+  const dialog = page.getByRole('dialog', { name: 'New constraint' });
+  await expect(dialog).toBeVisible();
+  const desktop = [1440, 1280, 1120, 1000, 760].map((width) => ({ width, height: 900 }));
+  const sizes = project.name === 'phone' ? [{ width: 390, height: 844 }] : desktop;
+  for (const size of sizes) {
+    await page.setViewportSize(size);
+    const place = page.getByRole('alert').locator('.message');
+    await expect.poll(() => apart(place, dialog), `at ${size.width}`).toBe(true);
+    await expect(message).toBeInViewport({ ratio: 1 });
+    // The dialog is in its place.
+    const panel = page.getByRole('complementary', { name: 'Model', includeHidden: true });
+    if (project.name !== 'phone') expect(await apart(place, panel), `at ${size.width}`).toBe(true);
+    // Nothing else is under the pointer either.
+    await dialog.getByRole('button', { name: 'Close' }).click({ trial: true });
+  }
+  await dialog.getByRole('button', { name: 'Close' }).click();
+  await expect(dialog).toBeHidden();
+  await expect(message).toBeVisible();
+  const buttons = page.getByRole('group', { name: 'Camera' });
+  for (const size of sizes) {
+    await page.setViewportSize(size);
+    const place = page.getByRole('alert').locator('.message');
+    await expect.poll(() => apart(place, buttons), `at ${size.width}`).toBe(true);
+  }
+});
+
+test('on a phone nothing is chosen among the tabs while their sheet is closed', async ({ page }, {
+  project,
+}) => {
+  test.skip(project.name !== 'phone', 'there is no sheet on a screen');
+  await openPage(page);
+  const chosen = page.getByRole('tablist', { name: 'Panels' }).getByRole('tab', { selected: true });
+  await expect(chosen).toHaveCount(0);
+  await page.getByRole('tab', { name: 'Model' }).click();
+  await expect(chosen).toHaveText('Model');
+  await page.getByRole('tab', { name: 'Model' }).click();
+  await expect(chosen).toHaveCount(0);
+});

@@ -1,0 +1,330 @@
+// Somebody who presses anything: clicks, keys, drags, numbers and undo, at random. Whatever happens, the
+// solver's worker lives, nothing is thrown, and undo leads back to the very shape that was opened.
+//
+// SHAPE_UP_MONKEY_MINUTES is how long (1), SHAPE_UP_MONKEY_SEED the seed of the first round (1). A round
+// that fails names its own seed: given as the first, it is done again.
+
+import { box, quadScene, tetScene, triangleScene, wavyGrid } from '../meshes.mjs';
+import { expect, openPage, test } from '../support.mjs';
+
+test.use({ pixels: false });
+
+const MINUTES = Number(process.env.SHAPE_UP_MONKEY_MINUTES ?? 1);
+const SEED = Number(process.env.SHAPE_UP_MONKEY_SEED ?? 1);
+const DEEDS = 40;
+const MESHES = [quadScene(3), triangleScene(4), tetScene(), box(), wavyGrid(6)];
+const EXAMPLES = ['canopy', 'fig-04-squares', 'hypar', 'fig-08-similar-1', 'lesson-glass-roof'];
+const SIZES = [
+  [1440, 900],
+  [1000, 700],
+  [390, 844],
+];
+const KEYS = [
+  ...[
+    'v',
+    'b',
+    'l',
+    'p',
+    '1',
+    '2',
+    '3',
+    '5',
+    'f',
+    'h',
+    'm',
+    'w',
+    'o',
+    'n',
+    'i',
+    'j',
+    'c',
+    'r',
+    'x',
+  ],
+  ...[
+    'Space',
+    '.',
+    '+',
+    '-',
+    '?',
+    'Home',
+    'Delete',
+    'Escape',
+    'Enter',
+    'Tab',
+    'PageUp',
+    'PageDown',
+  ],
+  ...['ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown', 'Shift+R', 'Shift+H', 'Shift+Tab'],
+  ...['Control+a', 'Control+i', 'Control+z', 'Control+y', 'Control+k', 'Control+s', 'Control+e'],
+];
+const NUMBERS = [
+  '0',
+  '1',
+  '2.5',
+  '-3',
+  '1e9',
+  '1e-12',
+  '1e308',
+  'NaN',
+  'Infinity',
+  '',
+  'roof',
+  '50%',
+];
+
+/** Numbers from 0 to below a limit, the same on every machine for a seed. */
+function seeded(seed) {
+  let now = Math.imul(seed + 1, 2654435761) >>> 0;
+  return (limit) => {
+    now = (Math.imul(now, 1664525) + 1013904223) >>> 0;
+    return Math.floor((now / 2 ** 32) * limit);
+  };
+}
+
+/** Runs in the page, before it: what would lead out of the model is not pressed, what is thrown is kept. */
+function watch() {
+  window.thrown = [];
+  addEventListener('error', ({ message }) => message && window.thrown.push(message), true);
+  addEventListener('unhandledrejection', ({ reason }) =>
+    window.thrown.push(String(reason?.stack ?? reason)),
+  );
+  window.leadsOut = (target) =>
+    target?.closest?.(
+      'a, label:has([type=file]), [type=file], #examples, #recent, #alert, #hint-card',
+    );
+  addEventListener(
+    'click',
+    (event) => {
+      if (!event.isTrusted || !window.leadsOut(event.target)) return;
+      event.preventDefault();
+      event.stopImmediatePropagation();
+    },
+    true,
+  );
+}
+
+/** Runs in the page: the middle of a control that can be pressed, by a number. */
+function controlAt(number) {
+  const controls = 'button, input, select, summary, [role=tab], [role=separator], [role=menuitem]';
+  const all = [...document.querySelectorAll(controls)].flatMap((control) => {
+    const { left, top, width, height } = control.getBoundingClientRect();
+    const [x, y] = [left + width / 2, top + height / 2];
+    const isThere = width > 0 && control.contains(document.elementFromPoint(x, y));
+    return isThere && !control.disabled && !window.leadsOut(control) ? [{ control, x, y }] : [];
+  });
+  if (all.length === 0) return null;
+  const { control, x, y } = all[number % all.length];
+  if (control.localName === 'select') {
+    const options = [...control.options].filter((option) => !option.disabled && !option.hidden);
+    const chosen = options[number % options.length];
+    if (!chosen || chosen.selected) return null;
+    chosen.selected = true;
+    control.dispatchEvent(new Event('input', { bubbles: true }));
+    control.dispatchEvent(new Event('change', { bubbles: true }));
+    return { name: control.ariaLabel ?? control.id, x: 0, y: 0, isDone: true };
+  }
+  const name =
+    control.ariaLabel || control.innerText || control.labels?.[0]?.innerText || control.id;
+  return { name, x, y, isNumber: control.matches('[type=number], [type=text], [role=spinbutton]') };
+}
+
+/** A place in the window; often that of a vertex or a handle. */
+async function place(page, draw) {
+  const { width, height } = page.viewportSize();
+  const anywhere = [draw(width), draw(height)];
+  if (draw(3) === 0) return anywhere;
+  const found = await page.evaluate((number) => {
+    const { vertices, handles } = window.shapeUp.state();
+    const isHandle = handles.length > 0 && number % 2;
+    const vertex = isHandle ? handles[number % handles.length].vertex : number % (vertices || 1);
+    return window.shapeUp.screen(vertex);
+  }, draw(100_000));
+  return found ?? anywhere;
+}
+
+/** What it does; each tells what it was. */
+const DOINGS = [
+  async function click(page, draw) {
+    const at = await place(page, draw);
+    const options = { button: draw(6) ? 'left' : 'right', clickCount: draw(5) ? 1 : 2 };
+    await page.mouse.click(...at, options);
+    return `${options.button} ${options.clickCount} ${at.map(Math.round)}`;
+  },
+  async function press(page, draw) {
+    const control = await page.evaluate(controlAt, draw(100_000));
+    if (!control) return 'nothing';
+    if (!control.isDone) await page.mouse.click(control.x, control.y);
+    if (control.isNumber) {
+      const text = NUMBERS[draw(NUMBERS.length)];
+      await page.keyboard.press('Control+a');
+      await page.keyboard.type(text);
+      await page.keyboard.press(draw(4) ? 'Enter' : 'Escape');
+      return `${control.name}: ${text}`;
+    }
+    return control.name;
+  },
+  async function key(page, draw) {
+    const name = KEYS[draw(KEYS.length)];
+    if (draw(2)) await page.getByRole('application', { name: '3D view' }).focus();
+    await page.keyboard.press(name);
+    return name;
+  },
+  async function drag(page, draw) {
+    const from = await place(page, draw);
+    const to = from.map((value) => value + draw(300) - 150);
+    const held = [null, null, 'Shift', 'Control', 'Alt'][draw(5)];
+    if (held) await page.keyboard.down(held);
+    await page.mouse.move(...from);
+    const button = draw(5) ? 'left' : 'right';
+    await page.mouse.down({ button });
+    await page.mouse.move(...to, { steps: 1 + draw(6) });
+    const during = draw(5) ? null : ['Escape', 'Control+z', 'Space', 'h', 'x'][draw(5)];
+    if (during) await page.keyboard.press(during);
+    await page.mouse.up({ button });
+    if (held) await page.keyboard.up(held);
+    return `${button} ${from.map(Math.round)} to ${to.map(Math.round)} ${held ?? ''} ${during ?? ''}`;
+  },
+  async function pull(page, draw) {
+    await page.getByRole('application', { name: '3D view' }).focus();
+    await page.keyboard.press('v');
+    const from = await place(page, draw);
+    await page.mouse.move(...from);
+    await page.keyboard.down('Alt');
+    await page.mouse.down();
+    await page.mouse.move(from[0] + draw(80) - 40, from[1] + draw(80) - 40, { steps: 3 });
+    await page.mouse.up();
+    await page.keyboard.up('Alt');
+    return String(from.map(Math.round));
+  },
+  async function wheel(page, draw) {
+    await page.mouse.wheel(0, draw(400) - 200);
+    return '';
+  },
+  async function undo(page, draw) {
+    const times = 1 + draw(4);
+    for (let i = 0; i < times; i++) await page.keyboard.press(draw(3) ? 'Control+z' : 'Control+y');
+    return String(times);
+  },
+  async function run(page) {
+    await page.evaluate(() => document.getElementById('run').click());
+    return '';
+  },
+  async function resize(page, draw) {
+    const [width, height] = SIZES[draw(SIZES.length)];
+    await page.setViewportSize({ width, height });
+    return `${width} by ${height}`;
+  },
+];
+/** How often, of all together. */
+const OFTEN = {
+  ...{ click: 2, press: 5, key: 3, drag: 3, pull: 2 },
+  ...{ wheel: 1, undo: 1, run: 1, resize: 1 },
+};
+const ALL = DOINGS.flatMap((doing) => new Array(OFTEN[doing.name]).fill(doing));
+
+/** Opens a model, and keeps what it is: there undo has to lead. */
+async function open(page, draw) {
+  const which = draw(MESHES.length + EXAMPLES.length);
+  const example = EXAMPLES[which - MESHES.length];
+  await page.evaluate(
+    async ([text, id]) => {
+      const { shapeUp } = window;
+      if (text) await shapeUp.open(text, text.startsWith('{') ? 'a.shapeup.json' : 'a.obj');
+      else {
+        const status = document.getElementById('status');
+        const opened = new Promise((done) => {
+          const look = () => status.textContent.startsWith('Opened the example') && done();
+          new MutationObserver(look).observe(status, { childList: true, subtree: true });
+          new MutationObserver(look).observe(status, { characterData: true, subtree: true });
+          // The same words may not be said twice.
+          setTimeout(done, 3000);
+        });
+        history.replaceState(null, '', location.pathname);
+        location.hash = `example=${id}`;
+        await opened;
+      }
+      await shapeUp.drawn();
+      window.everything = () => ({
+        scene: JSON.stringify(shapeUp.scene()),
+        positions: [...shapeUp.positions()],
+        iteration: shapeUp.state().iteration,
+      });
+      window.start = window.everything();
+    },
+    [MESHES[which], example],
+  );
+  return example ?? `mesh ${which}`;
+}
+
+/** Runs in the page: lets go of everything, then undoes whatever can be undone. Returns how much. */
+async function undoAll() {
+  const { shapeUp } = window;
+  document.querySelectorAll('dialog[open]').forEach((dialog) => dialog.close());
+  document.activeElement?.blur();
+  // A run that was asked for last may not have been told of yet.
+  await shapeUp.settled();
+  if (shapeUp.state().running) document.getElementById('run').click();
+  await shapeUp.settled();
+  const undo = document.querySelector('[data-command="undo"]');
+  let done = 0;
+  while (!undo.disabled && done < 2000) {
+    undo.click();
+    await shapeUp.drawn();
+    done += 1;
+  }
+  return done;
+}
+
+/** Runs in the page: in what it differs from what was opened; empty where it does not. */
+function difference() {
+  const { start } = window;
+  if (!start) return 'the page is another one';
+  const now = window.everything();
+  const at = start.positions.findIndex((x, i) => !Object.is(x, now.positions[i]));
+  if (now.positions.length !== start.positions.length) return 'there is another model';
+  if (at >= 0) return `position ${at}: ${start.positions[at]} became ${now.positions[at]}`;
+  if (now.iteration !== start.iteration) return `iteration ${now.iteration}`;
+  if (now.scene === start.scene) return '';
+  const [a, b] = [start, now].map(({ scene }) => JSON.parse(scene));
+  const keys = [...new Set([...Object.keys(a), ...Object.keys(b)])];
+  const changed = keys.filter((key) => JSON.stringify(a[key]) !== JSON.stringify(b[key]));
+  return changed.map((key) => `${key}: ${JSON.stringify(a[key])} became ${JSON.stringify(b[key])}`);
+}
+
+test('whatever is pressed, the solver lives and undo leads to the start', async ({ page }) => {
+  test.setTimeout(MINUTES * 60_000 + 120_000);
+  const workers = [];
+  page.on('worker', (worker) => {
+    if (worker.url().includes('solver-worker')) workers.push(worker);
+  });
+  page.on('filechooser', () => {});
+  page.on('download', (download) => download.cancel().catch(() => {}));
+  page.on('dialog', (dialog) => dialog.dismiss());
+  page.context().on('page', (other) => other.close());
+  await page.addInitScript(watch);
+  await openPage(page);
+
+  const until = Date.now() + MINUTES * 60_000;
+  let [rounds, deeds, undone] = [0, 0, 0];
+  for (let seed = SEED; Date.now() < until; seed++) {
+    const draw = seeded(seed);
+    const log = [`opened ${await open(page, draw)}`];
+    const told = () => `seed ${seed}: ${log.join('; ')}`;
+    for (let i = 0; i < DEEDS; i++) {
+      const doing = ALL[draw(ALL.length)];
+      log.push(`${doing.name} ${await doing(page, draw)}`);
+      expect(await page.evaluate(() => window.thrown), told()).toEqual([]);
+      expect(workers.length, `the worker was restarted; ${told()}`).toBe(1);
+    }
+    for (let i = 0; i < 3; i++) await page.keyboard.press('Escape');
+    undone += await page.evaluate(undoAll);
+    await expect
+      .poll(() => page.evaluate(difference), { message: told(), timeout: 10_000 })
+      .toBe('');
+    rounds += 1;
+    deeds += DEEDS;
+  }
+  expect(undone).toBeGreaterThan(0);
+  process.stdout.write(`    ${rounds} rounds, ${deeds} deeds, ${undone} steps undone\n`);
+});

@@ -1,0 +1,127 @@
+// Without a network, and when there is a new version.
+
+import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { at } from '../../../.scripts/project.mjs';
+import { serve } from '../../../.scripts/serve.mjs';
+import { exported, openExample, runToTheEnd } from '../actions.mjs';
+import { expect, keptOffline, state, test, visit, waitForState } from '../support.mjs';
+
+test.use({ serviceWorkers: 'allow', pixels: false });
+
+test('after one visit the page works without a network', async ({ page, context }) => {
+  await visit(page);
+  await keptOffline(page);
+  await context.setOffline(true);
+  await visit(page);
+  await waitForState(page, (now) => now.converged);
+  await page.getByRole('button', { name: 'Reset' }).click();
+  await waitForState(page, (now) => now.iteration === 0);
+  const after = await runToTheEnd(page);
+  expect(after.iteration).toBeGreaterThan(0);
+  await openExample(page, 'Hypar');
+  // A parameter of the address does not lead out.
+  await visit(page, `backend=${(await state(page)).renderer}`);
+  expect((await state(page)).vertices).toBeGreaterThan(0);
+});
+
+test('the gallery has all its pictures without a network, once it was opened', async ({
+  page,
+  context,
+}) => {
+  await visit(page);
+  await keptOffline(page);
+  const openGallery = async () => {
+    await page.goto('./gallery.html');
+    await expect(page.getByRole('article').first()).toBeVisible();
+  };
+  await openGallery();
+  const addresses = await page
+    .getByRole('article')
+    .getByRole('img')
+    .evaluateAll((all) => all.filter(({ src }) => src).map(({ src }) => src));
+  expect(addresses.length).toBeGreaterThan(50);
+  const missing = () =>
+    page.evaluate(async (wanted) => {
+      const kept = await Promise.all(wanted.map((address) => caches.match(address)));
+      return kept.filter((one) => !one).length;
+    }, addresses);
+  await expect.poll(missing).toBe(0);
+  await context.setOffline(true);
+  await openGallery();
+  // The last one, which is far below.
+  const last = page.locator(`img[src="${addresses.at(-1)}"]`);
+  await last.scrollIntoViewIfNeeded();
+  await expect.poll(() => last.evaluate((image) => image.naturalWidth)).toBeGreaterThan(100);
+});
+
+test('what comes later loads with full storage too, as long as there is a network', async ({
+  page,
+  context,
+}) => {
+  await visit(page);
+  await keptOffline(page);
+  const session = await context.newCDPSession(page);
+  const { origin } = new URL(page.url());
+  await session.send('Storage.overrideQuotaForOrigin', { origin, quotaSize: 1 });
+  const rhino = await exported(page, '3DM');
+  expect(rhino.bytes.subarray(0, 22).toString()).toBe('3D Geometry File Forma');
+  // It is that storage which is full: nothing of Rhino is kept.
+  const kept = await page.evaluate(async () => {
+    const caught = await Promise.all((await caches.keys()).map((name) => caches.open(name)));
+    const requests = await Promise.all(caught.map((cache) => cache.keys()));
+    return requests.flat().filter(({ url }) => url.includes('rhino')).length;
+  });
+  expect(kept).toBe(0);
+});
+
+/** A host of the site, at which a new version can be put. */
+const hosted = test.extend({
+  // eslint-disable-next-line no-empty-pattern
+  host: async ({}, use) => {
+    const folder = mkdtempSync(join(tmpdir(), 'shape-up-'));
+    cpSync(at('dist'), folder, { recursive: true });
+    const { address, close } = await serve(folder, { port: 5100, base: '/deep/below/' });
+    await use({ address, folder });
+    close();
+    rmSync(folder, { recursive: true });
+  },
+});
+
+hosted('a new version is announced and waits until it is wanted', async ({ page, host }) => {
+  const open = async () => {
+    await page.goto(host.address);
+    await page.waitForFunction(() => window.shapeUp?.state().vertices > 0);
+  };
+  await open();
+  await keptOffline(page);
+  const worker = join(host.folder, 'service-worker.js');
+  const next = readFileSync(worker, 'utf8').replace(/"version":"\w+"/, '"version":"next"');
+  writeFileSync(worker, next);
+  await open();
+  const news = page.getByRole('alert').getByText('A new version of Shape-Up is here');
+  await expect(news).toBeVisible();
+  const versions = () =>
+    page.evaluate(async () => (await caches.keys()).filter((name) => name.startsWith('shape-up')));
+  expect(await versions()).toHaveLength(2);
+  const waiting = () =>
+    page.evaluate(async () => Boolean((await navigator.serviceWorker.ready).waiting));
+  expect(await waiting()).toBe(true);
+  await page.evaluate(() => (window.isOld = true));
+  await page.getByRole('button', { name: 'Reload' }).click();
+  await page.waitForFunction(() => !window.isOld && window.shapeUp?.state().vertices > 0);
+  expect(await waiting()).toBe(false);
+  await expect(news).toBeHidden();
+});
+
+test('it can be installed', async ({ page, context }) => {
+  await visit(page);
+  const session = await context.newCDPSession(page);
+  const { installabilityErrors } = await session.send('Page.getInstallabilityErrors');
+  // A test runs in a window without a history.
+  const serious = installabilityErrors.filter(({ errorId }) => errorId !== 'in-incognito');
+  expect(serious).toEqual([]);
+  const { errors } = await session.send('Page.getAppManifest');
+  expect(errors).toEqual([]);
+});

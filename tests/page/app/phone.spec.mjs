@@ -1,0 +1,171 @@
+// Longer stories in a phone's window, where panels are a sheet and tools are behind "More". What lies
+// behind the arrangement is asked of the desktop.
+
+import {
+  addConstraint,
+  constraintCount,
+  hidePanels,
+  openExample,
+  openText,
+  runToTheEnd,
+  showPanel,
+  tool,
+} from '../actions.mjs';
+import { wavyGrid } from '../meshes.mjs';
+import {
+  coloursOfView,
+  drawn,
+  expect,
+  openPage,
+  positionOf,
+  screenOf,
+  test,
+  waitForState,
+} from '../support.mjs';
+
+const SHEET = 'Energies and display';
+
+test('colours, their legend in bands, and how many faces are within a tolerance', async ({
+  page,
+}) => {
+  await openPage(page);
+  await openText(page, 'roof.obj', wavyGrid(6), 49);
+  await addConstraint(page, 'Plane', 'each face');
+  await runToTheEnd(page);
+  // It lies over the legend as well.
+  await page.getByRole('button', { name: 'Dismiss the verdict' }).click();
+  await showPanel(page, SHEET);
+  await page.getByLabel('Colour by').selectOption({ label: 'Edge length change' });
+  await hidePanels(page);
+  const legend = page.locator('#legend');
+  await expect(legend).toContainText('Edge length change');
+  await page.getByRole('button', { name: 'Fit range' }).click();
+  await drawn(page);
+  const smooth = await coloursOfView(page);
+  await showPanel(page, SHEET);
+  await page.getByLabel('Colours in bands').check();
+  await hidePanels(page);
+  await expect(legend).toContainText('steps of');
+  await drawn(page);
+  expect(await coloursOfView(page)).not.toBe(smooth);
+
+  const tolerance = page.getByLabel('Tolerance');
+  await tolerance.fill('1000');
+  await tolerance.press('Enter');
+  await expect(page.getByTitle('Faces within the tolerance')).toHaveText('36 of 36');
+});
+
+test.describe('behind tabs', () => {
+  test.use({ pixels: false });
+
+  test('a constraint is weighed and opened, a handle is moved by numbers, and undone', async ({
+    page,
+  }) => {
+    await openPage(page);
+    await openText(page, 'grid.obj', wavyGrid(6), 49);
+    await addConstraint(page, 'Plane', 'each face');
+    const row = page.getByRole('list', { name: 'Constraints' }).getByRole('listitem');
+    await row.getByRole('button', { name: /parameters/ }).click();
+    await row.getByRole('button', { name: /duplicate/ }).click();
+    await expect(row).toHaveCount(2);
+    await hidePanels(page);
+    await waitForState(page, (now) => now.renderer !== 'none');
+    await page.mouse.click(...(await screenOf(page, 24)));
+    await page.keyboard.press('h');
+    await waitForState(page, (now) => now.handles.length === 1);
+    const [, , before] = await positionOf(page, 24);
+    await showPanel(page, 'Model');
+    const height = page.getByRole('textbox', { name: 'Target z' });
+    await height.fill(String(before + 1));
+    await height.press('Enter');
+    await expect.poll(async () => (await positionOf(page, 24))[2]).toBeGreaterThan(before + 0.5);
+    await expect(page.getByRole('button', { name: 'Undo' })).toHaveAttribute(
+      'title',
+      /Move handle/,
+    );
+    for (let step = 0; step < 3; step++) await tool(page, 'Undo');
+    await expect.poll(() => constraintCount(page)).toBe(1);
+  });
+
+  test('the gallery leads to an example, and Next to the one after it', async ({ page }) => {
+    const examples = await (await page.request.get('examples/index.json')).json();
+    const at = examples.findIndex(({ id }) => id === 'fig-05-circular');
+    await page.goto('./gallery.html');
+    const found = page.getByRole('article');
+    const search = page.getByRole('searchbox', { name: 'Search' });
+    await search.fill('tetrahedra BAR');
+    await expect(found).toHaveCount(1);
+    const { width } = page.viewportSize();
+    const card = await found.boundingBox();
+    expect(card.x).toBeGreaterThanOrEqual(0);
+    expect(card.x + card.width).toBeLessThanOrEqual(width);
+    await search.fill('');
+    await page.getByRole('link', { name: examples[at].title, exact: true }).click();
+    await waitForState(page, (now, count) => now.vertices === count, examples[at].vertices);
+    await showPanel(page, 'Model');
+    const beside = page.getByRole('navigation', { name: 'Examples one by one' });
+    await beside.getByRole('link', { name: 'Next' }).click();
+    await waitForState(page, (now, count) => now.vertices === count, examples[at + 1].vertices);
+  });
+
+  test('a lesson says over the view that it is one, and leads to its goals', async ({ page }) => {
+    await page.goto('./#example=lesson-glass-roof');
+    const line = page.getByRole('button', { name: /Lesson: / });
+    await expect(line).toHaveText('✗ Lesson: 1 of 2 goals met');
+    await runToTheEnd(page);
+    await expect(line).toHaveText('✗ Lesson: 0 of 2 goals met');
+    await line.click();
+    const lesson = page.getByRole('region', { name: 'Lesson' });
+    await expect(lesson).toBeInViewport();
+    await expect(lesson).toContainText('Make every pane flat to a millimetre');
+    // Where the goals are in sight, it would say the same again.
+    await expect(line).toBeHidden();
+    await showPanel(page, SHEET);
+    await expect(line).toBeVisible();
+    await hidePanels(page);
+    await openExample(page, 'Hypar');
+    await expect(line).toBeHidden();
+  });
+
+  test('two pictures beside each other, and a flat map below the model', async ({ page }) => {
+    await page.goto('./#example=fig-04-squares');
+    await waitForState(page, (now) => now.faces === 384 && now.renderer !== 'none');
+    await tool(page, 'Step');
+    await waitForState(page, (now) => now.iteration === 1);
+    await page.getByRole('application', { name: '3D view' }).focus();
+    await page.keyboard.press('c');
+    const divider = page.getByRole('slider', { name: 'Divider' });
+    await expect(divider).toHaveAttribute('aria-valuenow', '50');
+    await divider.focus();
+    await page.keyboard.press('PageUp');
+    await expect(divider).toHaveAttribute('aria-valuenow', '60');
+    await page.getByRole('application', { name: '3D view' }).focus();
+    await page.keyboard.press('Escape');
+    await expect(divider).toBeHidden();
+
+    await openExample(page, 'Mask');
+    await showPanel(page, SHEET);
+    await page.getByRole('button', { name: 'Flatten' }).click();
+    const map = page.getByRole('application', { name: 'Flat map' });
+    await expect(map).toBeVisible();
+    const whole = await page.getByRole('application', { name: '3D view' }).boundingBox();
+    const part = await map.boundingBox();
+    expect(part.width / whole.width).toBeCloseTo(1, 1);
+    expect(part.height / whole.height).toBeCloseTo(0.5, 1);
+    await page.getByRole('button', { name: 'Back to the model' }).click();
+    await expect(map).toBeHidden();
+  });
+});
+
+test('the page about projections: the point, its steps and the sums', async ({ page }) => {
+  await page.goto('./projections.html');
+  const point = page.getByRole('button', { name: /^Point at/ });
+  const drawing = page.getByRole('group', { name: 'The point and its constraint sets' });
+  const { x, y, width, height } = await drawing.boundingBox();
+  expect(x + width).toBeLessThanOrEqual(page.viewportSize().width);
+  await page.mouse.click(x + 0.5 * width, y + 0.5 * height);
+  await expect(point).toHaveAccessibleName(/^Point at (49|50)\.\d, (29|30)\.\d/);
+  for (let half = 0; half < 4; half++) await page.getByRole('button', { name: 'Step' }).click();
+  await expect(page.getByRole('status')).toContainText('Step II, iteration 2');
+  await expect(page.getByRole('img', { name: /^φ falls from/ })).toBeVisible();
+});

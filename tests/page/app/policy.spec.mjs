@@ -1,0 +1,127 @@
+// Nothing leaves the page, and no text becomes a script: its content security policy, and a whole
+// story in which it is never broken. A proxy stands for the rest of the net: whatever asks for
+// anything but the site, be it the page, a worker or the browser on its behalf, is heard there.
+
+import { createServer } from 'node:http';
+import { addConstraint, exported, openText, runToTheEnd, tool } from '../actions.mjs';
+import { wavyGrid } from '../meshes.mjs';
+import { dragVertex, expect, openPage, test as base, waitForState } from '../support.mjs';
+
+const test = base.extend({
+  /** The proxy, and what it is asked for. */
+  // eslint-disable-next-line no-empty-pattern
+  net: async ({}, use) => {
+    const asked = [];
+    const server = createServer((request, response) => {
+      asked.push(request.url);
+      response.writeHead(502).end();
+    });
+    server.on('connect', ({ url }, socket) => {
+      asked.push(url);
+      socket.destroy();
+    });
+    await new Promise((done) => server.listen(0, '127.0.0.1', done));
+    await use({ asked, address: `http://127.0.0.1:${server.address().port}` });
+    server.closeAllConnections();
+    server.close();
+  },
+  proxy: async ({ net }, use) => use({ server: net.address, bypass: '127.0.0.1' }),
+  elsewhere: async ({ net }, use) => use(net.asked),
+  /** What the policies of the page and of its workers refused. */
+  violations: async ({ page }, use) => {
+    const found = [];
+    await page.exposeFunction('tellViolation', (text) => found.push(text));
+    await page.addInitScript(() =>
+      addEventListener('securitypolicyviolation', ({ violatedDirective, blockedURI }) =>
+        window.tellViolation(`${violatedDirective}: ${blockedURI}`),
+      ),
+    );
+    page.on('worker', (worker) => {
+      worker.on('console', (message) => {
+        if (/Content Security Policy/.test(message.text())) found.push(message.text());
+      });
+    });
+    await use(found);
+  },
+});
+
+test.use({ pixels: false, serviceWorkers: 'allow' });
+
+test('from opening to sharing nothing is asked for elsewhere, and the policy holds', async ({
+  page,
+  elsewhere,
+  violations,
+}) => {
+  await openPage(page);
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  await addConstraint(page, 'Circle', 'each face');
+  await runToTheEnd(page);
+  await page.getByRole('application', { name: '3D view' }).focus();
+  await page.keyboard.press('Tab');
+  await dragVertex(page, 12, [30, -20]);
+  await waitForState(page, (now) => !now.running);
+  expect((await exported(page, 'OBJ')).text).toContain('\nf ');
+  // What writes files of Rhino makes functions from text, and does so in a worker of its own.
+  const rhino = await exported(page, '3DM');
+  const given = { name: 'back.3dm', mimeType: 'application/octet-stream', buffer: rhino.bytes };
+  await page.getByLabel('Open file').setInputFiles(given);
+  await expect(page.getByRole('status')).toHaveText(/Opened back.*: 25 vertices/);
+  await tool(page, 'Share');
+  const link = page.getByRole('dialog', { name: 'Share' }).getByRole('textbox', { name: 'Link' });
+  const address = await link.inputValue();
+  await page.goto('about:blank');
+  await page.goto(address);
+  await waitForState(page, (now) => now.vertices === 25);
+  await page.reload();
+  await waitForState(page, (now) => now.vertices === 25);
+  for (const other of ['./gallery.html', './projections.html', './licences.html']) {
+    await page.goto(other);
+    await expect(page.getByRole('heading', { level: 1 })).toBeVisible();
+  }
+  expect(violations).toEqual([]);
+  expect(elsewhere).toEqual([]);
+});
+
+test('the policy is there: what a page must not do is refused, and would be heard', async ({
+  page,
+  elsewhere,
+  violations,
+  complaints,
+}) => {
+  await openPage(page);
+  const done = await page.evaluate(async () => {
+    // A later task: in its own one, a debugger may do more.
+    await new Promise((next) => setTimeout(next));
+    const script = document.createElement('script');
+    script.textContent = 'window.wasRun = true';
+    document.body.append(script);
+    const attempts = {
+      sent: () => fetch('http://elsewhere.invalid/', { method: 'POST', body: 'a roof' }),
+      evaluated: () => new Function('return 1')(),
+    };
+    const succeeded = [];
+    for (const [name, attempt] of Object.entries(attempts))
+      await Promise.resolve()
+        .then(attempt)
+        .then(
+          () => succeeded.push(name),
+          () => {},
+        );
+    document.getElementById('status').setAttribute('style', 'opacity: 0');
+    if (window.wasRun) succeeded.push('run');
+    return { succeeded, opacity: getComputedStyle(document.getElementById('status')).opacity };
+  });
+  expect(done).toEqual({ succeeded: [], opacity: '1' });
+  await expect
+    .poll(() => violations.map((text) => text.split(':')[0]).sort())
+    .toEqual(['connect-src', 'script-src', 'script-src-elem', 'style-src-attr']);
+  expect(elsewhere).toEqual([]);
+  expect(complaints.filter((text) => !text.includes('Content Security Policy'))).toEqual([]);
+  complaints.length = 0;
+
+  // A worker has no policy; but what it asks for is heard.
+  const worker = page.workers().find((one) => one.url().includes('solver-worker'));
+  await worker.evaluate(() => fetch('http://elsewhere.invalid/').catch(() => {}));
+  expect(elsewhere).toEqual(['http://elsewhere.invalid/']);
+  complaints.length = 0;
+});

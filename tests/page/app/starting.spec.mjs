@@ -1,0 +1,66 @@
+// When a part of the page does not come: one plain message that says why and what to do, and nothing
+// that fails because of it covers it.
+
+import { expect, test } from '../support.mjs';
+
+test.use({ pixels: false });
+
+const REMEDY = 'Check the network, then reload the page.';
+
+/** What is missing, how it fails, and what is said then. */
+const FAILURES = {
+  'the script of the page is not there': {
+    missing: '**/assets/index-*.js',
+    status: 404,
+    words: `Shape-Up could not be started (a part of the page could not be fetched). ${REMEDY}`,
+  },
+  "the solver's module is not there": {
+    missing: '**/assets/shape_up_bg-*.wasm',
+    status: 404,
+    words: `The solver could not be started (its module could not be fetched: 404). ${REMEDY}`,
+  },
+  "the network fails at the solver's module": {
+    missing: '**/assets/shape_up_bg-*.wasm',
+    words: `The solver could not be started (its module could not be fetched). ${REMEDY}`,
+  },
+  "the solver's worker is not there": {
+    missing: '**/assets/solver-worker-*.js',
+    status: 404,
+    words: `The solver could not be started (its worker could not be fetched). ${REMEDY}`,
+  },
+};
+
+for (const [title, { missing, status, words }] of Object.entries(FAILURES)) {
+  test(`${title}: it is said, and stays said`, async ({ page, complaints }) => {
+    await page.route(missing, (route) => (status ? route.fulfill({ status }) : route.abort()));
+    await page.goto('./');
+    const message = page.getByRole('alert').getByRole('paragraph');
+    await expect(message).toHaveText(words);
+    // Without the page's script nobody presses its buttons.
+    if (await page.evaluate(() => Boolean(window.shapeUp))) {
+      // What is asked for meanwhile fails, and covers nothing.
+      const refused = await page.evaluate(() =>
+        window.shapeUp.open('v 0 0 0', 'a.obj').catch(({ message }) => message),
+      );
+      expect(refused).toContain('the solver');
+      await expect(message).toHaveText(words);
+      await page.unroute(missing);
+      await page.getByRole('alert').getByRole('button', { name: 'Reload' }).click();
+      await page.waitForFunction(() => window.shapeUp?.state().vertices > 0);
+    }
+    expect(complaints.filter((text) => !/net::ERR_FAILED|404/.test(text))).toEqual([]);
+    complaints.length = 0;
+  });
+}
+
+test('a view that could not be fetched is not taken for a browser that cannot draw', async ({
+  page,
+  complaints,
+}) => {
+  await page.route('**/assets/view-web*.wasm', (route) => route.fulfill({ status: 404 }));
+  await page.goto('./');
+  await expect(page.getByText('the part that draws could not be fetched')).toBeVisible();
+  await expect(page.getByText(REMEDY)).toBeVisible();
+  expect(complaints.filter((text) => !/404/.test(text))).toEqual([]);
+  complaints.length = 0;
+});

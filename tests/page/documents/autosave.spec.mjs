@@ -1,0 +1,312 @@
+// What is done stays in this browser, each tab's own.
+
+import { addConstraint, downloaded, openText, runToTheEnd, tool } from '../actions.mjs';
+import { quadScene, wavyGrid } from '../meshes.mjs';
+import {
+  expect,
+  positionOf,
+  sceneOf,
+  screenOf,
+  state,
+  test,
+  visit,
+  waitForState,
+} from '../support.mjs';
+
+test.use({ pixels: false });
+
+/** A scene that needs many more iterations than there is time for. */
+function endlessScene() {
+  const scene = JSON.parse(quadScene(40));
+  scene.constraints = [{ kind: 'circle', on: 'faces' }];
+  scene.solver = { tolerance: 0, accelerator: 'none' };
+  return JSON.stringify(scene);
+}
+
+/** Everything is saved. */
+const kept = (page) =>
+  expect
+    .poll(() => page.evaluate(() => document.querySelector('#numbers')?.textContent))
+    .toContain('Saved in this browser');
+
+const back = (page) => page.getByRole('alert').getByText('is back as you left it');
+
+test('work is back after the tab was killed', async ({ page, context }) => {
+  await visit(page);
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  await addConstraint(page, 'Plane', 'each face');
+  const before = await runToTheEnd(page);
+  const corner = await positionOf(page, 24);
+  await kept(page);
+
+  // No event tells a page that its process is killed.
+  const session = await context.newCDPSession(page);
+  session.send('Page.crash').catch(() => {});
+  await page.waitForEvent('crash');
+  await page.close();
+  const again = await context.newPage();
+  await visit(again);
+  // The numbers come with the first frame.
+  const after = await waitForState(again, (now, at) => now.iteration === at, before.iteration);
+  expect(after.constraints).toEqual({ plane: 16 });
+  expect(await positionOf(again, 24)).toEqual(corner);
+  await expect(back(again)).toContainText('roof.obj');
+  // Under its own name, not under that of the scene that it was kept as.
+  const panel = again.getByRole('complementary', { name: 'Model' });
+  await expect(panel.getByText('roof.obj', { exact: true })).toBeVisible();
+
+  await again.getByRole('button', { name: 'Start fresh' }).click();
+  await waitForState(again, (now) => now.vertices > 25);
+  await visit(again);
+  expect((await state(again)).vertices).toBeGreaterThan(25);
+  // It is not lost.
+  await tool(again, 'Open recent');
+  await again.getByRole('menuitem', { name: 'roof.obj' }).click();
+  await waitForState(again, (now) => now.vertices === 25 && now.iteration > 0);
+});
+
+test('two tabs do not overwrite each other', async ({ page, context }) => {
+  await visit(page);
+  await openText(page, 'one.obj', wavyGrid(2), 9);
+  await kept(page);
+  const second = await context.newPage();
+  await visit(second);
+  // The work of a tab that is open is not taken from it.
+  expect((await state(second)).vertices).toBeGreaterThan(9);
+  await openText(second, 'two.obj', wavyGrid(3), 16);
+  await kept(second);
+  for (const [tab, vertices] of [
+    [page, 9],
+    [second, 16],
+  ]) {
+    await visit(tab);
+    await expect(back(tab)).toBeVisible();
+    expect((await state(tab)).vertices).toBe(vertices);
+  }
+});
+
+/** Runs in the page: changes a weight, and does something as soon as the solver has answered. */
+async function editAndThen([weight, then]) {
+  const field = document.querySelector('[aria-label="Shape weight"]');
+  field.value = String(weight);
+  field.dispatchEvent(new Event('change', { bubbles: true }));
+  while (window.shapeUp.scene().weights?.shape !== weight) {
+    await new Promise((done) => setTimeout(done));
+  }
+  if (then === 'reload') location.reload();
+  if (then === 'leave') location.href = 'about:blank';
+}
+
+for (const way of ['reload', 'leave', 'close']) {
+  test(`the last edit is kept when it is followed at once by: ${way}`, async ({
+    page,
+    context,
+  }) => {
+    let tab = page;
+    await visit(tab);
+    await openText(tab, 'roof.obj', wavyGrid(20), 441);
+    for (const weight of [3, 7]) {
+      // Two in a row: the second one while the first is still being written.
+      await tab.evaluate(editAndThen, [weight - 1, '']);
+      const loaded = way === 'reload' ? tab.waitForEvent('load') : null;
+      await tab.evaluate(editAndThen, [weight, way]).catch(() => {});
+      await loaded;
+      if (way === 'close') {
+        await tab.close();
+        tab = await context.newPage();
+      }
+      if (way === 'leave') await tab.waitForURL('about:blank');
+      if (way !== 'reload') await visit(tab);
+      await expect(back(tab)).toContainText('roof.obj');
+      await waitForState(tab, (now) => now.vertices === 441);
+      expect((await sceneOf(tab)).weights.shape).toBe(weight);
+    }
+  });
+}
+
+test('a run that was cut off is back, as a step of undo', async ({ page, context }) => {
+  await visit(page);
+  await openText(page, 'endless.shapeup.json', endlessScene(), 41 * 41);
+  await page.getByRole('button', { name: 'Run' }).click();
+  const progress = () =>
+    page.evaluate(
+      () =>
+        new Promise((done) => {
+          const open = indexedDB.open('shape-up');
+          open.onsuccess = () => {
+            const { result } = open;
+            const keys = result.transaction('works').objectStore('works').getAllKeys();
+            keys.onsuccess = () => {
+              result.close();
+              done(keys.result.filter((key) => key.startsWith('progress ')).length);
+            };
+          };
+        }),
+    );
+  await expect.poll(progress).toBe(1);
+  const session = await context.newCDPSession(page);
+  session.send('Page.crash').catch(() => {});
+  await page.waitForEvent('crash');
+  await page.close();
+  const again = await context.newPage();
+  await visit(again);
+  const { iteration } = await waitForState(again, (now) => now.iteration > 0);
+  await again.getByRole('button', { name: 'Undo' }).click();
+  await expect(again.getByRole('status')).toContainText(`Run, ${iteration} iteration`);
+  await waitForState(again, (now) => now.iteration === 0);
+});
+
+test('what was undone, the camera, the tolerance and the plot are back after a reload', async ({
+  page,
+}) => {
+  await visit(page);
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  await addConstraint(page, 'Plane', 'each face');
+  await runToTheEnd(page);
+  await tool(page, 'Undo');
+  await waitForState(page, (now) => now.iteration === 0);
+  const view = page.getByRole('application', { name: '3D view' });
+  const { x, y, width, height } = await view.boundingBox();
+  await page.mouse.move(x + width / 2, y + height - 30);
+  await page.mouse.down({ button: 'right' });
+  await page.mouse.move(x + width / 2 + 120, y + height - 70, { steps: 3 });
+  await page.mouse.up({ button: 'right' });
+  const tolerance = page.getByRole('textbox', { name: 'Tolerance' });
+  await tolerance.fill('0.3');
+  await tolerance.press('Enter');
+  await page.getByRole('tab', { name: 'Worst' }).click();
+  const corner = await page.evaluate(() => window.shapeUp.screen(0));
+  const shown = await tolerance.inputValue();
+
+  await page.reload();
+  await expect(back(page)).toContainText('roof.obj');
+  await expect(page.getByRole('tab', { name: 'Worst' })).toHaveAttribute('aria-selected', 'true');
+  await expect(tolerance).toHaveValue(shown);
+  const now = await screenOf(page, 0);
+  for (const axis of [0, 1]) expect(now[axis]).toBeCloseTo(corner[axis], 0);
+  await tool(page, 'Redo');
+  await waitForState(page, (state) => state.iteration > 0);
+  await tool(page, 'Undo');
+  await tool(page, 'Undo');
+  await waitForState(page, (state) => Object.keys(state.constraints).length === 0);
+});
+
+/** Changes records of what is kept, as damage to a disk would. */
+const damage = (page, part, value) =>
+  page.evaluate(
+    ([part, value]) =>
+      new Promise((done) => {
+        const open = indexedDB.open('shape-up');
+        open.onsuccess = () => {
+          const transaction = open.result.transaction('works', 'readwrite');
+          const store = transaction.objectStore('works');
+          store.getAllKeys().onsuccess = ({ target }) => {
+            for (const key of target.result) if (key.startsWith(part)) store.put(value, key);
+          };
+          transaction.oncomplete = () => {
+            open.result.close();
+            done();
+          };
+        };
+      }),
+    [part, value],
+  );
+
+test('a work that cannot be read is told of and given out, and saving goes on', async ({
+  page,
+  context,
+}) => {
+  await visit(page);
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  await kept(page);
+  // The page is gone before the damage is done: it saves when it goes.
+  const url = page.url();
+  await page.goto('about:blank');
+  const other = await context.newPage();
+  await other.goto(new URL('gallery.html', url).href);
+  await damage(other, 'text ', '{ "format": "shape-up-scene", "version": 1, "mesh": ');
+  await other.close();
+
+  await visit(page);
+  const alert = page.getByRole('alert');
+  await expect(alert).toContainText('roof.obj is kept in this browser, but cannot be opened');
+  const file = await downloaded(page, () =>
+    alert.getByRole('button', { name: 'Save its file' }).click(),
+  );
+  expect(file.name).toBe('roof.shapeup.json');
+  expect(file.text).toContain('"mesh": ');
+  // It is in no other tab.
+  await tool(page, 'Open recent');
+  await page.getByRole('menuitem', { name: 'roof.obj' }).click();
+  await expect(alert).toContainText('cannot be opened');
+  // Nothing else suffers.
+  await openText(page, 'next.obj', wavyGrid(3), 16);
+  await kept(page);
+  await visit(page);
+  await expect(back(page)).toContainText('next.obj');
+});
+
+test('what is damaged beside a work costs no more than that', async ({ page, context }) => {
+  await visit(page);
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  await addConstraint(page, 'Plane', 'each face');
+  await kept(page);
+  const url = page.url();
+  await page.goto('about:blank');
+  const other = await context.newPage();
+  await other.goto(new URL('gallery.html', url).href);
+  await damage(other, 'work ', 'no work');
+  await damage(other, 'history ', new Uint8Array([1, 2, 3]));
+  await other.close();
+  const again = await context.newPage();
+  await visit(again);
+  await expect(again.getByRole('alert')).toContainText('steps of undo are gone');
+  expect((await state(again)).constraints).toEqual({ plane: 16 });
+  await openText(again, 'next.obj', wavyGrid(3), 16);
+  await kept(again);
+  await tool(again, 'Open recent');
+  await expect(again.getByRole('menuitem', { name: 'Recovered model' })).toBeVisible();
+});
+
+test('an example that nobody touched is not kept', async ({ page }) => {
+  await visit(page);
+  await page.waitForTimeout(2500);
+  await visit(page);
+  await expect(back(page)).toBeHidden();
+  await tool(page, 'Open recent');
+  await expect(page.getByRole('menu', { name: 'Open recent' })).toContainText('Nothing else yet');
+});
+
+for (const [what, block] of [
+  [
+    'blocked',
+    () => {
+      IDBFactory.prototype.open = () => {
+        throw new DOMException('The operation is insecure.', 'SecurityError');
+      };
+    },
+  ],
+  [
+    'full',
+    () => {
+      IDBObjectStore.prototype.put = () => {
+        throw new DOMException('There is no room.', 'QuotaExceededError');
+      };
+    },
+  ],
+]) {
+  test(`where storage is ${what} the page works, and says so quietly`, async ({ page }) => {
+    await page.addInitScript(block);
+    await visit(page);
+    await openText(page, 'roof.obj', wavyGrid(4), 25);
+    await expect
+      .poll(() => page.evaluate(() => document.querySelector('#numbers')?.textContent))
+      .toContain('Autosave is off: use Save scene');
+    // In every window, unlike that it is saved.
+    await page.setViewportSize({ width: 390, height: 844 });
+    await expect(page.getByText('Autosave is off: use Save scene')).toBeInViewport();
+    await expect(page.getByRole('alert')).toBeEmpty();
+    await visit(page);
+    expect((await state(page)).vertices).toBeGreaterThan(25);
+  });
+}

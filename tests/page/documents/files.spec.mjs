@@ -1,0 +1,216 @@
+// Files in and out.
+
+import { execFileSync } from 'node:child_process';
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { program } from '../../../.scripts/programs.mjs';
+import { addConstraint, exported, openText, runToTheEnd, saved, showPanel } from '../actions.mjs';
+import { file, wavyGrid } from '../meshes.mjs';
+import {
+  coloursOfView,
+  expect,
+  openPage,
+  screenOf,
+  state,
+  test,
+  waitForState,
+} from '../support.mjs';
+
+test('a mesh opens, with a report of what was wrong in it', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'odd.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 x\n', 3);
+  await showPanel(page, 'Model');
+  await expect(page.getByText(/line 4: `f 1 2 x`/)).toBeVisible();
+  await openText(page, 'roof.obj', `${wavyGrid(4)}f 1 2\n`, 25);
+  const { faces, problems } = await state(page);
+  expect(faces).toBe(16);
+  expect(problems).toHaveLength(1);
+  await expect(page.getByRole('status')).toHaveText(/roof\.obj: 25 vertices, 16 faces/);
+  await showPanel(page, 'Model');
+  await expect(page.getByText('1 problem in the file')).toBeVisible();
+});
+
+test('a mesh without faces opens too', async ({ page }) => {
+  await openPage(page);
+  await waitForState(page, (now) => now.renderer !== 'none');
+  const corners = 'v 0 0 0\nv 2 0 0\nv 2 1 1\nv 0 1 0\n';
+  for (const [name, elements] of [
+    ['points.obj', ''],
+    ['curve.obj', 'l 1 2 3 4 1\n'],
+  ]) {
+    await openText(page, name, corners + elements, 4);
+    await waitForState(page, (now) => now.faces === 0);
+    await expect(page.getByRole('status')).toHaveText(`Opened ${name}: 4 vertices, 0 faces`);
+    expect(await screenOf(page, 2)).toHaveLength(2);
+    await expect.poll(() => coloursOfView(page)).toBeGreaterThan(5);
+  }
+});
+
+test('a broken file is refused with the reason, and the old mesh stays', async ({ page }) => {
+  await openPage(page);
+  const before = await state(page);
+  await page.getByLabel('Open file').setInputFiles(file('broken.obj', 'this is not a mesh\n'));
+  await expect(page.getByRole('alert')).toContainText('broken.obj');
+  await expect(page.getByRole('alert')).toContainText('no vertices');
+  const after = await state(page);
+  expect([after.vertices, after.faces]).toEqual([before.vertices, before.faces]);
+
+  // Nor can what is no mesh at all.
+  await page.getByLabel('Open file').setInputFiles(file('house.ifc', 'ISO-10303-21;'));
+  await expect(page.getByRole('alert')).toContainText('house.ifc');
+  expect((await state(page)).vertices).toBe(before.vertices);
+});
+
+test('a file dropped on the window opens, and a scene with its mesh beside it', async ({
+  page,
+}) => {
+  await openPage(page);
+  const data = await page.evaluateHandle((text) => {
+    const transfer = new DataTransfer();
+    transfer.items.add(new File([text], 'dropped.obj'));
+    return transfer;
+  }, wavyGrid(3));
+  await page.dispatchEvent('footer', 'dragover', { dataTransfer: data });
+  await expect(page.getByText('Drop to open')).toBeVisible();
+  await page.dispatchEvent('footer', 'drop', { dataTransfer: data });
+  await waitForState(page, (now) => now.vertices === 16);
+  await expect(page.getByText('Drop to open')).toBeHidden();
+
+  // A scene needs its mesh beside it.
+  const scene = JSON.stringify({
+    format: 'shape-up-scene',
+    version: 1,
+    mesh: { file: 'grid.obj' },
+    constraints: [{ kind: 'circle', on: 'faces' }],
+  });
+  const input = page.getByLabel('Open file');
+  await input.setInputFiles(file('grid.shapeup.json', scene));
+  await expect(page.getByRole('alert')).toContainText('grid.obj');
+  await input.setInputFiles([file('grid.shapeup.json', scene), file('grid.obj', wavyGrid(3))]);
+  await waitForState(page, (now) => now.vertices === 16 && now.constraints.circle === 9);
+  await expect(page.getByRole('alert')).toBeEmpty();
+});
+
+test('of what is dropped together one model is taken, and it is said what is not', async ({
+  page,
+}) => {
+  const folder = mkdtempSync(join(tmpdir(), 'shape-up-'));
+  try {
+    const [roof, tower, finish, sheets] = ['roof.obj', 'tower.obj', 'roof.mtl', 'sheets'].map(
+      (name) => join(folder, name),
+    );
+    writeFileSync(roof, wavyGrid(3));
+    writeFileSync(tower, wavyGrid(5));
+    writeFileSync(finish, 'newmtl finish');
+    mkdirSync(sheets);
+    await openPage(page);
+    const session = await page.context().newCDPSession(page);
+    const drop = async (files) => {
+      const at = { x: 700, y: 450, data: { items: [], files, dragOperationsMask: 1 } };
+      for (const type of ['dragEnter', 'dragOver', 'drop'])
+        await session.send('Input.dispatchDragEvent', { type, ...at });
+    };
+    const message = page.getByRole('alert').getByRole('paragraph');
+
+    await drop([sheets]);
+    await expect(message).toHaveText('sheets is a folder. Open the files in it instead.');
+    await drop([roof, tower, finish, sheets]);
+    await waitForState(page, (now) => now.vertices === 16);
+    await expect(message).toHaveText(
+      'Opened roof.obj. Left out: tower.obj (one model at a time), roof.mtl (neither a mesh nor a scene), sheets (a folder: open the files in it).',
+    );
+    await drop([tower]);
+    await waitForState(page, (now) => now.vertices === 36);
+    await expect(message).toBeHidden();
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+});
+
+test('a saved scene opens as it was', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  await addConstraint(page, 'Circle', 'each face');
+  const { name, text } = await saved(page, 'Save scene');
+  expect(name).toBe('roof.shapeup.json');
+  await openText(page, 'other.obj', wavyGrid(2), 9);
+  await openText(page, name, text, 25);
+  expect((await state(page)).constraints).toEqual({ circle: 16 });
+});
+
+test('the export is what the command line makes of the same scene', async ({ page }) => {
+  const iterations = 5;
+  await openPage(page);
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  await addConstraint(page, 'Circle', 'each face');
+  const scene = await saved(page, 'Save scene');
+  for (let i = 1; i <= iterations; i++) {
+    await page.getByRole('button', { name: 'Step' }).click();
+    await waitForState(page, (now, count) => now.iteration === count, i);
+  }
+  const mesh = await exported(page, 'OBJ');
+  expect(mesh.name).toBe('roof.obj');
+
+  const folder = mkdtempSync(join(tmpdir(), 'shape-up-'));
+  try {
+    const input = join(folder, 'roof.shapeup.json');
+    const output = join(folder, 'roof.obj');
+    writeFileSync(input, scene.text);
+    const options = ['solve', input, '--iterations', String(iterations), '--out', output];
+    // The build of the site has made it.
+    execFileSync(program('shape-up'), options);
+    expect(mesh.text).toBe(readFileSync(output, 'utf8'));
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+});
+
+test('scripts open scenes and meshes, and hear why not', async ({ page }) => {
+  await openPage(page);
+  const loaded = await page.evaluate((text) => window.shapeUp.open(text, 'a.obj'), wavyGrid(2));
+  expect(loaded.vertices).toBe(9);
+  expect((await state(page)).vertices).toBe(9);
+  const refused = await page.evaluate(() =>
+    window.shapeUp.open({ format: 'shape-up-scene', version: 99 }).then(
+      () => null,
+      (error) => error.message,
+    ),
+  );
+  expect(refused).toContain('99');
+  expect((await state(page)).vertices).toBe(9);
+});
+
+test('faces with vertices of their own are welded at once, can be opened as they came, and go out so', async ({
+  page,
+}) => {
+  await openPage(page);
+  const vertices = [];
+  const faces = [];
+  const corner = (x, y) => vertices.push(`v ${x} ${y} ${x * y * 0.1}`);
+  for (let x = 0; x < 3; x++) {
+    for (let y = 0; y < 3; y++) {
+      const [a] = [corner(x, y), corner(x + 1, y), corner(x + 1, y + 1), corner(x, y + 1)];
+      faces.push(`f ${a} ${a + 1} ${a + 2} ${a + 3}`);
+    }
+  }
+  const text = [...vertices, ...faces, ''].join('\n');
+  await openText(page, 'loose.obj', text, 16);
+  const message = page.getByRole('alert').getByText(/^36 vertices welded into 16: those within /);
+  await expect(message).toBeVisible();
+  await addConstraint(page, 'Plane', 'each face');
+  await runToTheEnd(page);
+  const { text: out } = await exported(page, 'OBJ as it came');
+  expect(out.match(/^v /gm)).toHaveLength(36);
+  expect(out.match(/^f .*$/gm)).toEqual(faces);
+  // Where two faces met they still do.
+  const at = out.match(/^v .*$/gm);
+  expect(at[3]).toBe(at[4]);
+  expect(at[3]).not.toBe(vertices[3]);
+  expect((await exported(page, 'OBJ\\s*The')).text.match(/^v /gm)).toHaveLength(16);
+
+  await openText(page, 'loose.obj', text, 16);
+  await page.getByRole('alert').getByRole('button', { name: 'Undo' }).click();
+  await waitForState(page, (now) => now.vertices === 36);
+  await expect(message).toBeHidden();
+});

@@ -1,0 +1,86 @@
+// The unit and the axis of a mesh file, which does not say them.
+
+import { exported, hidePanels, openText, saved, showPanel } from '../actions.mjs';
+import { wavyGrid } from '../meshes.mjs';
+import { expect, openPage, positionOf, screenOf, state, test, waitForState } from '../support.mjs';
+
+test.use({ pixels: false });
+
+const guess = (page) => page.getByText(/ has no units or up axis\. Our guess:$/);
+const looksRight = (page) => page.getByRole('button', { name: 'Looks right' });
+const upOf = (page) => page.evaluate(() => window.shapeUp.scene().up ?? 'z');
+
+test('they are guessed in the panel, over nothing, and written into what is saved', async ({
+  page,
+}) => {
+  await openPage(page);
+  // The example says its own.
+  await showPanel(page, 'Model');
+  await expect(guess(page)).toBeHidden();
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  const corner = await positionOf(page, 24);
+  const units = page.getByRole('combobox', { name: 'Unit' });
+  const up = page.getByRole('combobox', { name: 'Up axis' });
+  await expect(guess(page)).toBeVisible();
+  // It is a line of the panel: nothing lies over the model, and nothing has to be answered.
+  await expect(
+    page.getByRole('complementary', { name: 'Model' }).locator(guess(page)),
+  ).toBeVisible();
+  await expect(units).toHaveValue('m');
+  await expect(up).toHaveValue('z');
+  await units.selectOption('ft');
+  await expect(guess(page)).toBeHidden();
+  await up.selectOption('y');
+  await expect.poll(() => upOf(page)).toBe('y');
+  expect(await positionOf(page, 24), 'nothing is rescaled').toEqual(corner);
+
+  const scene = JSON.parse((await saved(page, 'Save scene')).text);
+  expect([scene.units, scene.up]).toEqual(['ft', 'y']);
+  const mesh = await exported(page, 'OBJ');
+  expect(mesh.text).toMatch(/^# units: ft\n# up: y\nv /);
+
+  // The same file again is taken for the same, and so is what was exported.
+  for (const [name, text] of [
+    ['roof.obj', wavyGrid(4)],
+    ['copy.obj', mesh.text],
+  ]) {
+    await openText(page, 'other.obj', wavyGrid(2), 9);
+    await expect(guess(page)).toBeVisible();
+    await openText(page, name, text, 25);
+    await expect(guess(page)).toBeHidden();
+    await expect.poll(() => upOf(page)).toBe('y');
+  }
+  // What looks right is not asked again either.
+  await openText(page, 'other.obj', wavyGrid(2), 9);
+  await looksRight(page).click();
+  await expect(guess(page)).toBeHidden();
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  await openText(page, 'other.obj', wavyGrid(2), 9);
+  await expect(guess(page)).toBeHidden();
+});
+
+test('another axis turns the view, and undo turns it back', async ({ page }) => {
+  await openPage(page);
+  await waitForState(page, (now) => now.renderer !== 'none');
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  const before = await screenOf(page, 0);
+  await showPanel(page, 'Model');
+  await page.getByRole('combobox', { name: 'Up axis' }).selectOption('y');
+  await hidePanels(page);
+  await expect.poll(() => page.evaluate(() => window.shapeUp.screen(0))).not.toEqual(before);
+  await page.keyboard.press('Control+z');
+  await expect.poll(() => upOf(page)).toBe('z');
+  await expect.poll(() => page.evaluate(() => window.shapeUp.screen(0))).toEqual(before);
+});
+
+test('lengths have the unit that was chosen', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  await showPanel(page, 'Model');
+  await page.getByRole('combobox', { name: 'Unit' }).selectOption('ft');
+  await showPanel(page, 'Energies and display');
+  await page.getByLabel('Colour by').selectOption('planarity');
+  const worst = page.locator('#numbers').getByText(/^[\d.]+ ft$/);
+  await expect(worst.first()).toBeAttached();
+  expect((await state(page)).planarity.max_distance).toBeGreaterThan(0);
+});

@@ -1,0 +1,249 @@
+// Two pictures side by side, an iteration in its halves, and the original's histograms.
+
+import { downloaded, exported, hidePanels, showPanel, tool } from '../actions.mjs';
+import { decodePng } from '../picture.mjs';
+import { drawn, expect, positionOf, state, test, waitForState } from '../support.mjs';
+
+const view = (page) => page.getByRole('application', { name: '3D view' });
+const divider = (page) => page.getByRole('slider', { name: 'Divider' });
+
+async function openExample(page, id, faces) {
+  await page.goto(`./#example=${id}`);
+  await waitForState(page, (state, faces) => state.faces === faces, faces);
+}
+
+/** The picture, once it shows all that was asked for. */
+async function picture(page) {
+  await drawn(page);
+  return decodePng(await view(page).screenshot());
+}
+
+/** Of the pixels between two parts of the width, how many differ. Above what lies over the view. */
+function differing(a, b, [from, to]) {
+  let count = 0;
+  for (let y = Math.round(0.1 * a.height); y < 0.7 * a.height; y++) {
+    for (let x = Math.round(from * a.width); x < to * a.width; x++) {
+      const at = (y * a.width + x) * a.channels;
+      if (a.pixels.compare(b.pixels, at, at + 3, at, at + 3) !== 0) count++;
+    }
+  }
+  return count;
+}
+
+test('left and right of the divider are two pictures of the same mesh', async ({ page }) => {
+  await openExample(page, 'fig-05-planar', 2040);
+  for (let k = 0; k < 3; k++) await page.getByRole('button', { name: 'Step' }).click();
+  await waitForState(page, (state) => state.iteration === 3);
+  await showPanel(page, 'Model');
+  await page.getByRole('button', { name: 'Before and after' }).click();
+  await expect(divider(page)).toHaveAttribute('aria-valuenow', '50');
+  await expect(divider(page)).toHaveAttribute('aria-valuetext', /left .*original; right .*now/);
+  await hidePanels(page);
+  await divider(page).focus();
+  const both = await picture(page);
+  await page.keyboard.press('End');
+  await expect(divider(page)).toHaveAttribute('aria-valuenow', '100');
+  const original = await picture(page);
+  await page.keyboard.press('Home');
+  await expect(divider(page)).toHaveAttribute('aria-valuenow', '0');
+  const now = await picture(page);
+
+  expect(differing(original, now, [0.1, 0.4])).toBeGreaterThan(1000);
+  expect(differing(original, now, [0.6, 0.9])).toBeGreaterThan(1000);
+  // Each half is that of the picture that it is a part of.
+  expect(differing(both, original, [0.05, 0.45])).toBe(0);
+  expect(differing(both, now, [0.55, 0.95])).toBe(0);
+
+  // By arrow keys, and by hand.
+  await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('PageUp');
+  await expect(divider(page)).toHaveAttribute('aria-valuenow', '11');
+  const area = await view(page).boundingBox();
+  const from = await divider(page).boundingBox();
+  await page.mouse.move(from.x + from.width / 2, area.y + 0.3 * area.height);
+  await page.mouse.down();
+  await page.mouse.move(area.x + 0.75 * area.width, area.y + 0.3 * area.height, { steps: 4 });
+  await page.mouse.up();
+  await expect(divider(page)).toHaveAttribute('aria-valuenow', '75');
+});
+
+test('each side shows the measure and the shape that are chosen for it', async ({ page }) => {
+  await openExample(page, 'fig-05-circular', 2040);
+  await showPanel(page, 'Model');
+  await page.getByRole('button', { name: 'beside' }).click();
+  const sides = ['Left', 'Right'].map((name) =>
+    page.getByRole('group', { name: `${name} picture` }),
+  );
+  await expect(sides[0]).toBeVisible();
+  await expect(sides[0].getByLabel('coloured by')).toHaveValue('e-p');
+  await expect(sides[1].getByLabel('coloured by')).toHaveValue('e-c');
+  await hidePanels(page);
+  const before = await picture(page);
+  // The same measure on both sides is the same picture.
+  await sides[1].getByLabel('coloured by').selectOption('e-p');
+  await expect(divider(page)).toHaveAttribute('aria-valuetext', /left (.*), now; right \1, now/);
+  const after = await picture(page);
+  expect(differing(before, after, [0.05, 0.45])).toBe(0);
+  expect(differing(before, after, [0.55, 0.95])).toBeGreaterThan(1000);
+
+  // It follows what the mesh does.
+  await sides[0].getByLabel('shape').selectOption('original');
+  const bars = (side) => side.getByRole('img');
+  await expect(bars(sides[0])).toHaveAccessibleName(/^2040 faces between 0 and 9.*$/);
+  const worst = await bars(sides[0]).getAttribute('aria-label');
+  await page.getByRole('button', { name: 'Step' }).click();
+  await expect(bars(sides[1])).toHaveAccessibleName(/; originally up to 9/);
+  await expect(bars(sides[1])).not.toHaveAccessibleName(new RegExp(`^${worst};`));
+  await expect(bars(sides[0])).toHaveAccessibleName(worst);
+
+  // One picture again, with its own legend.
+  await expect(page.getByLabel('Colours to')).toBeHidden();
+  await view(page).focus();
+  await page.keyboard.press('Escape');
+  await expect(divider(page)).toBeHidden();
+  await expect(page.getByLabel('Colours to')).toBeVisible();
+});
+
+test('both sides have bands, ghost and ground as the one picture has, and so has a saved one', async ({
+  page,
+}, { project }) => {
+  await openExample(page, 'fig-05-planar', 2040);
+  await page.getByRole('button', { name: 'Step' }).click();
+  await waitForState(page, (state) => state.iteration === 1);
+  await view(page).focus();
+  await page.keyboard.press('c');
+  await expect(divider(page)).toBeVisible();
+  const sides = ['Left', 'Right'].map((name) =>
+    page.getByRole('group', { name: `${name} picture` }),
+  );
+  let before = await picture(page);
+  const bothChange = async (name) => {
+    await showPanel(page, 'Energies and display');
+    await page.getByRole('checkbox', { name }).check();
+    await hidePanels(page);
+    const after = await picture(page);
+    expect(differing(before, after, [0.02, 0.45]), `${name}, left`).toBeGreaterThan(300);
+    expect(differing(before, after, [0.55, 0.98]), `${name}, right`).toBeGreaterThan(300);
+    before = after;
+  };
+  for (const side of sides) await expect(side).not.toContainText('steps of');
+  await bothChange('Colours in bands');
+  for (const side of sides) await expect(side).toContainText(/steps of \d/);
+  await bothChange('Original ghost');
+  await bothChange('Ground grid');
+  // Its squares are told where no legend hides them.
+  const scale = page.locator('#scale');
+  await expect(scale).toHaveText(/^Grid \d+ m$/);
+  const told = await scale.boundingBox();
+  const onTop = await page.evaluate(
+    ([x, y]) => document.elementsFromPoint(x, y).some((over) => over.closest('.split-legend')),
+    [told.x + told.width / 2, told.y + told.height / 2],
+  );
+  expect(onTop).toBe(false);
+
+  // Isolines, through the faces, are on the side that has moved.
+  await sides[1].getByLabel('coloured by').selectOption({ label: 'Moved' });
+  const isolines = await picture(page);
+  expect(differing(before, isolines, [0.02, 0.45])).toBe(0);
+  expect(differing(before, isolines, [0.55, 0.98])).toBeGreaterThan(1000);
+
+  // What is saved has the hard limits of the bands in both its legends.
+  if (project.name === 'phone') return;
+  const { bytes } = await exported(page, 'PNG');
+  const saved = decodePng(bytes);
+  for (const left of [0, 0.5]) expect(coloursAcross(saved, left)).toBeLessThan(24);
+});
+
+/** How many colours the ramp of a legend has that begins at that part of the width, at two to one. */
+function coloursAcross({ width, height, channels, pixels }, part) {
+  const found = new Set();
+  for (let x = 18; x < 226; x++) {
+    const at = ((height - 2 * 37) * width + part * width + 2 * x) * channels;
+    found.add(pixels.readUIntBE(at, 3));
+  }
+  return found.size;
+}
+
+test('the original is outlined in the legend', async ({ page }) => {
+  await openExample(page, 'fig-04-squares', 384);
+  const bars = page.getByRole('img', { name: /^384 faces between/ });
+  await expect(bars).toHaveAccessibleName(/^384 faces between 0 and [\d.]+ mm$/);
+  await page.getByRole('button', { name: 'Step' }).click();
+  await expect(bars).toHaveAccessibleName(/; originally up to 387 mm$/);
+  await expect(bars.locator('.outline')).toBeVisible();
+});
+
+test('a local step fits and moves nothing; the global step moves as a step does', async ({
+  page,
+}) => {
+  await openExample(page, 'fig-04-squares', 384);
+  await tool(page, 'Step');
+  await waitForState(page, (state) => state.iteration === 1);
+  const stepped = await positionOf(page, 100);
+  await tool(page, 'Reset');
+  await waitForState(page, (state) => state.iteration === 0);
+  const before = await positionOf(page, 100);
+  const bare = await picture(page);
+
+  const status = page.getByRole('status');
+  await tool(page, 'Local');
+  await expect(status).toHaveText('Local step done: 384 shapes fitted (square); next: global step');
+  expect(await positionOf(page, 100)).toEqual(before);
+  // The squares are seen.
+  expect(differing(bare, await picture(page), [0, 1])).toBeGreaterThan(1000);
+
+  await tool(page, 'Global');
+  await expect(status).toHaveText(/^Global step done: moved to the least-squares answer/);
+  expect(await positionOf(page, 100)).toEqual(stepped);
+  expect((await state(page)).iteration).toBe(1);
+  await tool(page, 'Undo');
+  await waitForState(page, (state) => state.iteration === 0);
+  expect(await positionOf(page, 100)).toEqual(before);
+  // The squares are gone.
+  expect(differing(bare, await picture(page), [0, 1])).toBe(0);
+});
+
+test('whatever else is done leaves the half step', async ({ page }) => {
+  await openExample(page, 'fig-04-squares', 384);
+  const next = async (name) => {
+    const shown = page.locator('[data-command="half-step"] span').first();
+    await expect(shown).toHaveText(name);
+  };
+  for (const other of ['Step', 'Reset', 'Undo']) {
+    await tool(page, 'Local');
+    await next('Global');
+    await tool(page, other);
+    await next('Local');
+  }
+  await tool(page, 'Local');
+  await next('Global');
+  await tool(page, 'Run');
+  await next('Local');
+  await tool(page, 'Pause');
+});
+
+test('angles before and after are plotted and saved', async ({ page }) => {
+  await openExample(page, 'fig-07-quality', 1672);
+  await page.getByRole('button', { name: 'Step' }).click();
+  await waitForState(page, (state) => state.iteration === 1);
+  await showPanel(page, 'Model');
+  await page.getByRole('button', { name: 'Angles before and after' }).click();
+  await expect(page.getByRole('tab', { name: 'Angles' })).toHaveAttribute('aria-selected', 'true');
+  const plot = page.getByRole('img', { name: /corners by angle/ });
+  await expect(plot).toHaveAccessibleName(
+    /^6688 corners by angle. The middle half: originally 70° to 110°, now \d+° to \d+°$/,
+  );
+  const save = page.getByRole('button', { name: 'Save angles as CSV' });
+  const file = await downloaded(page, () => save.click());
+  expect(file.name).toBe('fig-07-quality-angles.csv');
+  const rows = file.text.trim().split('\n').slice(1);
+  const columns = rows.map((row) => row.split(',').map(Number));
+  for (const column of [2, 3])
+    expect(columns.reduce((sum, row) => sum + row[column], 0)).toBe(6688);
+
+  // The tabs by keys.
+  await page.getByRole('tab', { name: 'Angles' }).focus();
+  await page.keyboard.press('ArrowLeft');
+  await expect(page.getByRole('tab', { name: 'Convergence' })).toBeFocused();
+  await expect(plot).toBeHidden();
+});

@@ -1,0 +1,109 @@
+// The paper's comparisons, run in the worker: their plots, their table, and that they can be stopped.
+
+import { openExample, showPanel } from '../actions.mjs';
+import { decodePng, distinctColours } from '../picture.mjs';
+import { expect, openPage, state, test } from '../support.mjs';
+
+test.use({ pixels: false });
+
+/** Opens the dialog of an example's experiment. */
+async function openExperiment(page, word) {
+  await openExample(page, word);
+  await showPanel(page, 'Model');
+  await page.getByRole('button', { name: 'Compare methods' }).click();
+  const dialog = page.getByRole('dialog');
+  await expect(dialog.getByRole('button', { name: 'Run all' })).toBeVisible();
+  return dialog;
+}
+
+/** The cells of a row of the table: iterations, seconds, the quantities, how it ended. */
+const cells = (dialog, method) =>
+  dialog.getByRole('row').filter({ hasText: method }).getByRole('cell').allTextContents();
+
+/** How many different colours a plot shows; lines bring some of their own. */
+const coloursOf = async (plot) => distinctColours(decodePng(await plot.screenshot()));
+
+test('only an example of a comparison offers one', async ({ page }) => {
+  await openPage(page);
+  await showPanel(page, 'Model');
+  const offer = page.getByRole('button', { name: 'Compare methods' });
+  await expect(offer).toBeHidden();
+  await openExample(page, 'Strip with collapsing edges');
+  await showPanel(page, 'Model');
+  await expect(offer).toBeVisible();
+  await openExample(page, 'Hypar');
+  await expect(offer).toBeHidden();
+});
+
+test('five methods are run, drawn, tabled and saved', async ({ page }) => {
+  await openPage(page);
+  const dialog = await openExperiment(page, 'Animal, pressed flat');
+  const iteration = (await state(page)).iteration;
+  const plots = dialog.getByRole('img');
+  await expect(plots).toHaveCount(2);
+  const blank = await coloursOf(plots.first());
+  await dialog.getByLabel('At most').fill('25');
+  await dialog.getByRole('button', { name: 'Run all' }).click();
+  await expect(dialog.getByRole('status')).toHaveText('All methods have ended.');
+
+  const energies = [];
+  for (const method of [
+    'Mean-centred',
+    'Not centred',
+    'Gradient descent',
+    'L-BFGS',
+    'accelerated',
+  ]) {
+    const [iterations, seconds, energy, ended] = await cells(dialog, method);
+    expect(iterations, method).toBe('25');
+    expect(parseFloat(seconds), method).toBeGreaterThan(0);
+    expect(ended, method).toBe('limit of iterations');
+    energies.push(parseFloat(energy));
+  }
+  const [centred, ...others] = energies;
+  const accelerated = others.pop();
+  expect(Math.min(...others)).toBeGreaterThan(10 * centred);
+  expect(accelerated).toBeLessThan(centred);
+  expect(await coloursOf(plots.first())).toBeGreaterThan(blank + 20);
+
+  const saving = page.waitForEvent('download');
+  await dialog.getByRole('button', { name: 'Save CSV' }).click();
+  expect((await saving).suggestedFilename()).toBe('fig-10-collapse.csv');
+  await dialog.getByRole('button', { name: 'Close experiment' }).click();
+  await expect(dialog).toBeHidden();
+  // The model that is open was not touched.
+  expect((await state(page)).iteration).toBe(iteration);
+});
+
+test('both methods of the strip meet the same error', async ({ page }) => {
+  await openPage(page);
+  const dialog = await openExperiment(page, 'Strip with collapsing edges');
+  await dialog.getByRole('button', { name: 'Run all' }).click();
+  await expect(dialog.getByRole('status')).toHaveText('All methods have ended.', {
+    timeout: 90_000,
+  });
+  const fitted = await cells(dialog, 'Shape-Up');
+  const penalised = await cells(dialog, 'Penalty');
+  expect([fitted.at(-1), penalised.at(-1)]).toEqual(['reached', 'reached']);
+  expect(parseFloat(fitted[2])).toBeLessThan(0.93 * parseFloat(penalised[2]));
+});
+
+test('an experiment can be cancelled and run again', async ({ page }) => {
+  await openPage(page);
+  const dialog = await openExperiment(page, 'Animal, pressed flat');
+  await dialog.getByLabel('At most').fill('100000');
+  await dialog.getByRole('button', { name: 'Run all' }).click();
+  await expect(dialog.getByRole('progressbar')).toBeVisible();
+  await expect
+    .poll(async () => parseFloat((await cells(dialog, 'Mean-centred'))[0]))
+    .toBeGreaterThan(3);
+  await dialog.getByRole('button', { name: 'Cancel' }).click();
+  await expect(dialog.getByRole('status')).toHaveText('Cancelled.');
+  const stopped = await cells(dialog, 'Mean-centred');
+  await page.waitForTimeout(500);
+  expect(await cells(dialog, 'Mean-centred')).toEqual(stopped);
+  await dialog.getByLabel('At most').fill('2');
+  await dialog.getByRole('button', { name: 'Run all' }).click();
+  await expect(dialog.getByRole('status')).toHaveText('All methods have ended.');
+  expect((await cells(dialog, 'Mean-centred'))[0]).toBe('2');
+});

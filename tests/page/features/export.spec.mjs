@@ -1,0 +1,199 @@
+// What can be taken away, and that it is what the command line makes of the same scene.
+
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { program } from '../../../.scripts/programs.mjs';
+import { addConstraint, exported, openText, runToTheEnd, saved, tool } from '../actions.mjs';
+import { file, wavyGrid } from '../meshes.mjs';
+import { decodePng, distinctColours } from '../picture.mjs';
+import { expect, openPage, positionOf, state, test, waitForState } from '../support.mjs';
+
+const STEPS = 5;
+
+/** The rows of a table, each an object by the beginnings of the heads. */
+function rowsOf(csv) {
+  const [head, ...rows] = csv.trim().split('\n');
+  const names = head.split(',').map((name) => name.replace(/ \(.*/, ''));
+  return rows.map((row) =>
+    Object.fromEntries(row.split(',').map((value, i) => [names[i], Number(value)])),
+  );
+}
+
+/** A hexagon beside two quads, in groups, with a curve. */
+const PANELS = `# units: mm
+v 0 0 0\nv 1000 0 10\nv 2000 0 0\nv 0 1000 0\nv 1000 1000.123456789012 0\nv 2000 1000 30
+v 3000 -500 0\nv 4000 0 20\nv 4000 1000 0\nv 3000 1500 0
+g west\nf 1 2 5 4\ng middle\nf 2 3 6 5\ng east\nf 3 7 8 9 10 6\nl 1 2 3\n`;
+
+test('the tables are the report of the command line', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  await addConstraint(page, 'Circle', 'each face');
+  const scene = await saved(page, 'Save scene');
+  for (let i = 1; i <= STEPS; i++) {
+    await page.getByRole('button', { name: 'Step' }).click();
+    await waitForState(page, (now, count) => now.iteration === count, i);
+  }
+  const errors = await exported(page, 'Errors');
+  expect(errors.name).toBe('roof-errors.csv');
+  const convergence = await exported(page, 'Convergence');
+  expect(convergence.name).toBe('roof-convergence.csv');
+
+  const folder = mkdtempSync(join(tmpdir(), 'shape-up-'));
+  try {
+    const [input, output] = ['roof.shapeup.json', 'report.json'].map((name) => join(folder, name));
+    writeFileSync(input, scene.text);
+    const options = ['solve', input, '--iterations', String(STEPS), '--trace', '--report', output];
+    execFileSync(program('shape-up'), options);
+    const report = JSON.parse(readFileSync(output, 'utf8'));
+    expect(rowsOf(convergence.text)).toEqual(report.trace);
+    const rows = rowsOf(errors.text);
+    expect(rows).toHaveLength(report.faces);
+    const most = (name) => Math.max(...rows.map((row) => row[name]));
+    expect(most('Planarity')).toBe(report.planarity.max_distance);
+    expect(most('Circularity')).toBe(report.circularity.max_distance);
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+});
+
+test('the scene of the export is that of Save scene', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'roof.obj', wavyGrid(3), 16);
+  expect((await exported(page, 'Scene')).text).toBe((await saved(page, 'Save scene')).text);
+});
+
+test('the plot is a figure with its lines named', async ({ page }) => {
+  await openPage(page);
+  await runToTheEnd(page);
+  const { name, text } = await exported(page, 'SVG');
+  expect(name).toMatch(/convergence\.svg$/);
+  const drawn = await page.evaluate((source) => {
+    const { documentElement } = new DOMParser().parseFromString(source, 'image/svg+xml');
+    const all = (query) => [...documentElement.querySelectorAll(query)];
+    return {
+      lines: all('polyline').length,
+      words: all('text').map((node) => node.textContent),
+      numbers: all('polyline').every((line) => !/NaN|Infinity/.test(line.getAttribute('points'))),
+    };
+  }, text);
+  expect(drawn.lines).toBeGreaterThan(2);
+  expect(drawn.numbers).toBe(true);
+  expect(drawn.words).toContain('total');
+  expect(drawn.words).toContain('energy in m²');
+});
+
+test('a picture is as large as wanted, with its legend, on white', async ({ page }) => {
+  await openPage(page);
+  await waitForState(page, (now) => now.renderer !== 'none');
+  const view = await page.getByRole('application', { name: '3D view' }).boundingBox();
+  /** @type {Record<string, ReturnType<typeof decodePng>>} */
+  const pictures = {};
+  for (const [scale, legend, white] of [
+    [1, true, true],
+    [1, false, true],
+    [2, false, false],
+    [4, true, true],
+  ]) {
+    await tool(page, 'More formats');
+    const dialog = page.getByRole('dialog', { name: 'Export' });
+    await dialog.getByRole('radio', { name: `${scale}×` }).check();
+    await dialog.getByLabel('Legend').setChecked(legend);
+    await dialog.getByLabel('White background').setChecked(white);
+    await page.keyboard.press('Escape');
+    const { bytes, name } = await exported(page, 'PNG');
+    expect(name).toMatch(/\.png$/);
+    // Its header says how large it is.
+    expect([bytes.readUInt32BE(16), bytes.readUInt32BE(20)]).toEqual(
+      [view.width, view.height].map((side) => Math.round(side * scale)),
+    );
+    // To decode the largest takes a while, and it has the others' pixels.
+    if (scale > 2) continue;
+    const picture = decodePng(bytes);
+    expect(distinctColours(picture)).toBeGreaterThan(50);
+    pictures[`${scale} ${legend} ${white}`] = picture;
+  }
+  const corner = (picture) => [...picture.pixels.slice(0, 3)];
+  expect(corner(pictures['1 true true'])).toEqual([255, 255, 255]);
+  expect(corner(pictures['2 false false'])).not.toEqual([255, 255, 255]);
+  // The legend is in the lower left corner, where there is nothing without it.
+  const inCorner = ({ pixels, width, height, channels }) => {
+    const found = new Set();
+    for (let y = height - 44; y < height; y++) {
+      for (let x = 16; x < 200; x++) {
+        const at = (y * width + x) * channels;
+        found.add(pixels.subarray(at, at + 3).join());
+      }
+    }
+    return found.size;
+  };
+  expect(inCorner(pictures['1 true true'])).toBeGreaterThan(20);
+  expect(inCorner(pictures['1 false true'])).toBeLessThan(inCorner(pictures['1 true true']) / 2);
+  // The view itself is as it was.
+  await expect.poll(async () => (await state(page)).renderer).not.toBe('none');
+});
+
+test('a file of Rhino goes out and comes back', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'panels.obj', PANELS, 10);
+  const { name, bytes } = await exported(page, '3DM');
+  expect(name).toBe('panels.3dm');
+
+  const { default: openRhino } = await import('rhino3dm');
+  const rhino = await openRhino();
+  const written = rhino.File3dm.fromByteArray(new Uint8Array(bytes));
+  expect(written.settings().modelUnitSystem).toBe(rhino.UnitSystem.Millimeters);
+  const objects = Array.from({ length: written.objects().count }, (_, i) => {
+    const object = written.objects().get(i);
+    const attributes = object.attributes();
+    return {
+      kind: object.geometry().constructor.name,
+      layer: written.layers().get(attributes.layerIndex).name,
+      planarity: attributes.getUserString('shape-up:planarity'),
+      points: object.geometry().pointCount,
+    };
+  });
+  expect(objects.map(({ kind, layer }) => `${kind} on ${layer}`)).toEqual([
+    'Mesh on west',
+    'Mesh on middle',
+    'PolylineCurve on east',
+    'PolylineCurve on Curves',
+  ]);
+  expect(objects[2].points).toBe(7);
+  const { planarity } = await state(page);
+  const distances = objects.slice(0, 3).map((object) => Number.parseFloat(object.planarity));
+  expect(Math.max(...distances)).toBe(planarity.max_distance);
+  expect(objects[2].planarity).toMatch(/ mm$/);
+
+  const corners = await Promise.all([...Array(10).keys()].map((v) => positionOf(page, v)));
+  await openText(page, 'other.obj', wavyGrid(2), 9);
+  await page
+    .getByLabel('Open file')
+    .setInputFiles({ name, mimeType: 'application/octet-stream', buffer: bytes });
+  const after = await waitForState(page, (now) => now.vertices === 10);
+  expect(after.faces).toBe(3);
+  const scene = await page.evaluate(() => window.shapeUp.scene());
+  expect(scene.units).toBe('mm');
+  expect(Object.keys(scene.mesh.groups)).toEqual(['west', 'middle', 'east']);
+  expect(scene.mesh.faces.map((face) => face.length)).toEqual([4, 4, 6]);
+  expect(scene.mesh.curves).toHaveLength(1);
+  const sorted = (points) => points.map((point) => point.join()).sort();
+  expect(sorted(scene.mesh.positions)).toEqual(sorted(corners));
+});
+
+test('a file of Rhino with nothing that can be read says so', async ({ page }) => {
+  await openPage(page);
+  const { default: openRhino } = await import('rhino3dm');
+  const rhino = await openRhino();
+  const input = page.getByLabel('Open file');
+  await input.setInputFiles(file('broken.3dm', 'not a file of Rhino'));
+  await expect(page.getByRole('alert')).toContainText('broken.3dm');
+  const written = new rhino.File3dm();
+  written.objects().addPoint([0, 0, 0]);
+  const buffer = Buffer.from(written.toByteArray());
+  const given = { name: 'points.3dm', mimeType: 'application/octet-stream', buffer };
+  await input.setInputFiles(given);
+  await expect(page.getByRole('alert')).toContainText('no mesh and no polyline');
+});

@@ -1,0 +1,188 @@
+// Parametrisation: a flat map of the model beside it.
+
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { program } from '../../../.scripts/programs.mjs';
+import { openExample, openText, runToTheEnd, saved, showPanel } from '../actions.mjs';
+import { box, wavyGrid } from '../meshes.mjs';
+import { decodePng, differingBytes } from '../picture.mjs';
+import { drawn, expect, openPage, screenOf, test, waitForState } from '../support.mjs';
+
+const map = (page) => page.getByRole('application', { name: 'Flat map' });
+const value = (page, name) => page.locator(`dt:text-is("${name}") + dd`);
+
+async function parametrize(page) {
+  await showPanel(page, 'Energies and display');
+  await page.getByRole('button', { name: 'Flatten' }).click();
+  await expect(page.getByRole('heading', { name: 'Flat map' })).toBeVisible();
+}
+
+/** What the command line says of a mesh: the report, and the file that it writes. */
+function commandLine(obj, ...options) {
+  const folder = mkdtempSync(join(tmpdir(), 'shape-up-'));
+  const [mesh, out, report] = ['mesh.obj', 'uv.obj', 'report.json'].map((n) => join(folder, n));
+  try {
+    writeFileSync(mesh, obj);
+    const asked = ['--out', out, '--report', report, ...options];
+    execFileSync(program('shape-up'), ['parametrize', mesh, ...asked]);
+    return { report: JSON.parse(readFileSync(report, 'utf8')), text: readFileSync(out, 'utf8') };
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+}
+
+/** A part of the page, once the picture shows all that was asked for. */
+async function pictureOf(page, part) {
+  await drawn(page);
+  return decodePng(await part.screenshot());
+}
+
+test('an example is flattened, and Escape goes back to the model', async ({ page }) => {
+  await openPage(page);
+  await waitForState(page, (now) => now.renderer !== 'none');
+  await openExample(page, 'Mask');
+  await expect(map(page)).toBeHidden();
+  await parametrize(page);
+  await expect(map(page)).toBeVisible();
+  await expect(page.getByRole('status')).toHaveText(/^Flattened in /);
+  await expect(value(page, 'Flipped triangles')).toHaveText('0');
+  await expect(page.getByRole('img', { name: /^Histogram of the error/ })).toBeVisible();
+
+  // Side by side; in a narrow window, one above the other.
+  const view = page.getByRole('application', { name: '3D view' });
+  const [whole, part] = [await view.boundingBox(), await map(page).boundingBox()];
+  expect(part.width / whole.width).toBeCloseTo(0.5, 1);
+  expect(part.height / whole.height).toBeCloseTo(1, 1);
+
+  // The squares of the checkerboard are there, on the model and on the map, as long as they are wanted.
+  const onModel = page.getByLabel('On the model');
+  const onMap = page.getByLabel('On the map');
+  await expect(onModel).toHaveValue('checks');
+  const withChecks = await pictureOf(page, view);
+  await onModel.selectOption('errors');
+  expect(differingBytes(await pictureOf(page, view), withChecks)).toBeGreaterThan(
+    0.02 * withChecks.pixels.length,
+  );
+  await expect(page.getByLabel('Squares')).toBeHidden();
+  const withErrors = await pictureOf(page, map(page));
+  await onMap.selectOption('checks');
+  expect(differingBytes(await pictureOf(page, map(page)), withErrors)).toBeGreaterThan(
+    0.05 * withErrors.pixels.length,
+  );
+  await expect(page.getByLabel('Squares')).toBeVisible();
+
+  // A drag slides the map and leaves the model where it is.
+  const before = await pictureOf(page, map(page));
+  const corner = await screenOf(page, 0);
+  await page.mouse.move(part.x + part.width / 2, part.y + part.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(part.x + part.width / 2 + 40, part.y + part.height / 2, { steps: 3 });
+  await page.mouse.up();
+  expect(differingBytes(await pictureOf(page, map(page)), before)).toBeGreaterThan(1000);
+  expect(await screenOf(page, 0)).toEqual(corner);
+
+  await page.keyboard.press('Escape');
+  await expect(map(page)).toBeHidden();
+  await expect(page.getByRole('heading', { name: 'Flat map' })).toBeHidden();
+});
+
+test('the numbers and the file are those of the command line', async ({ page }) => {
+  await openPage(page);
+  const obj = wavyGrid(6);
+  await openText(page, 'grid.obj', obj, 49);
+  await parametrize(page);
+  for (const [weights, norm] of [
+    ['inverse-area', 'boundary'],
+    ['one', 'boundary'],
+    ['lscm', 'vertices'],
+  ]) {
+    const { report, text } = commandLine(obj, '--weights', weights, '--norm', norm);
+    await page.getByLabel('Weight of a polygon').selectOption(weights);
+    await page.getByLabel('Norm over').selectOption(norm);
+    const { mean, max } = report.quasi_conformal;
+    await expect(value(page, 'Mean error')).toHaveText(mean.toFixed(4));
+    await expect(value(page, 'Worst error')).toHaveText(max.toFixed(4));
+    await expect(value(page, 'Flipped triangles')).toHaveText(String(report.flipped));
+    const file = await saved(page, 'Export');
+    const places = (obj) => obj.match(/^vt .*$/gm).map((line) => line.split(' ').map(Number));
+    const [ours, theirs] = [places(file.text), places(text)];
+    expect(ours).toHaveLength(49);
+    const apart = ours.map(([, x, y], v) => Math.hypot(x - theirs[v][1], y - theirs[v][2]));
+    expect(Math.max(...apart)).toBeLessThan(1e-6);
+  }
+  // Without a map there are no texture coordinates.
+  await page.getByRole('button', { name: 'Back to the model' }).click();
+  expect((await saved(page, 'Export')).text).not.toContain('vt ');
+});
+
+test('a map is of the shape that was flattened, and says so', async ({ page }) => {
+  await openPage(page);
+  await parametrize(page);
+  const mean = await value(page, 'Mean error').textContent();
+  const again = page.getByRole('button', { name: 'Flatten again' });
+  await expect(again).toBeHidden();
+  await runToTheEnd(page);
+  await showPanel(page, 'Energies and display');
+  await again.click();
+  await expect(again).toBeHidden();
+  await expect(value(page, 'Mean error')).not.toHaveText(mean);
+  // Another model has no map yet.
+  await openText(page, 'grid.obj', wavyGrid(4), 25);
+  await expect(map(page)).toBeHidden();
+});
+
+test('what has no faces is not offered, and what has no boundary is told', async ({ page }) => {
+  await openPage(page);
+  const corners = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n';
+  await openText(page, 'line.obj', `${corners}l 1 2 3 4\n`, 4);
+  await showPanel(page, 'Energies and display');
+  const button = page.getByRole('button', { name: 'Flatten' });
+  await expect(button).toBeHidden();
+  await page.keyboard.press('u');
+  await openText(page, 'closed.obj', `${corners}f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n`, 4);
+  await expect(button).toBeVisible();
+  await parametrize(page);
+  await expect(page.getByText('has no boundary: the map folds over itself')).toBeVisible();
+  await expect(page.getByLabel('Norm over')).toBeHidden();
+});
+
+test('faces that the map turns over are outlined, counted, and found on the model', async ({
+  page,
+}) => {
+  await openPage(page);
+  await waitForState(page, (now) => now.renderer !== 'none');
+  // A sheet folds nowhere, a box must.
+  await openText(page, 'grid.obj', wavyGrid(4), 25);
+  await parametrize(page);
+  const show = page.getByRole('button', { name: 'Show flipped faces' });
+  await expect(value(page, 'Flipped triangles')).toHaveText('0');
+  await expect(show).toBeHidden();
+  await expect(map(page).getByText('flipped')).toBeHidden();
+  const red = async () => {
+    const { pixels: drawn, channels } = decodePng(await map(page).screenshot());
+    let count = 0;
+    for (let at = 0; at < drawn.length; at += channels)
+      count += Number(drawn[at] > 180 && drawn[at + 1] < 80 && drawn[at + 2] < 90);
+    return count;
+  };
+  expect(await red()).toBe(0);
+
+  await page.keyboard.press('Escape');
+  await openText(page, 'box.obj', box(), 8);
+  await parametrize(page);
+  await expect(show).toBeVisible();
+  const flipped = Number(await value(page, 'Flipped triangles').textContent());
+  expect(flipped).toBeGreaterThan(0);
+  expect(flipped).toBeLessThanOrEqual(12);
+  await expect(map(page).getByText(/^\d+ triangles? flipped$/)).toBeVisible();
+  await expect.poll(red).toBeGreaterThan(80);
+  await show.click();
+  const { selection } = await page.evaluate(() => window.shapeUp.state());
+  expect(selection.faces.length).toBeGreaterThan(0);
+  expect(selection.faces.length).toBeLessThanOrEqual(flipped);
+  await expect(page.getByRole('status')).toHaveText(/^\d faces? selected$/);
+  // Both stay marked: the outlines are the map's own, and longer now that they are nearer.
+  await expect.poll(red).toBeGreaterThan(150);
+});

@@ -1,0 +1,163 @@
+// Lessons: a teacher writes one, a student meets its goals and hands in, the command line agrees.
+
+import { execFile } from 'node:child_process';
+import { mkdtempSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { promisify } from 'node:util';
+import { program } from '../../../.scripts/programs.mjs';
+import { addConstraint, openText, runToTheEnd, showPanel } from '../actions.mjs';
+import { wavyGrid } from '../meshes.mjs';
+import { expect, openPage, sceneOf, test, waitForState } from '../support.mjs';
+
+test.use({ pixels: false });
+
+const N = 6;
+const VERTICES = (N + 1) ** 2;
+const WORDS = 'Make every panel flat.\nStay near.';
+
+const lesson = (page) => page.getByRole('region', { name: 'Lesson' });
+const goals = (page) => lesson(page).getByRole('list', { name: 'Goals' }).getByRole('listitem');
+
+test.beforeEach(async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
+  await addConstraint(page, 'Plane', 'each face');
+});
+
+/** What a goal is about, and how large it may be. */
+const worst = (dialog, goal) =>
+  dialog.getByRole('combobox', { name: `Goal ${goal}: worst`, exact: true });
+const most = (dialog, name) => dialog.getByRole('spinbutton', { name, exact: true });
+
+/** Writes a lesson with two goals, up to the last button. */
+async function write(page) {
+  await showPanel(page, 'Model');
+  await page.getByRole('button', { name: 'Write a lesson' }).click();
+  const dialog = page.getByRole('dialog', { name: 'Lesson' });
+  await dialog.getByLabel('What is to be done').fill(WORDS);
+  await worst(dialog, 1).selectOption({ label: 'Planarity' });
+  await most(dialog, 'Goal 1: planarity at most, m').fill('0.005');
+  await dialog.getByRole('button', { name: 'Add goal' }).click();
+  await worst(dialog, 2).selectOption({ label: 'Constraint: Plane' });
+  await most(dialog, 'Goal 2: constraint: plane at most, m').fill('0.01');
+  return dialog;
+}
+
+/** The text of what is saved by what is done, and its name. */
+async function download(page, action) {
+  const waiting = page.waitForEvent('download');
+  await action();
+  const got = await waiting;
+  const chunks = [];
+  for await (const chunk of await got.createReadStream()) chunks.push(chunk);
+  return { name: got.suggestedFilename(), text: Buffer.concat(chunks).toString('utf8') };
+}
+
+test('a lesson is written, met, handed in and checked', async ({ page }) => {
+  const dialog = await write(page);
+  const saved = await download(page, () =>
+    dialog.getByRole('button', { name: 'Keep and save the scene' }).click(),
+  );
+  expect(JSON.parse(saved.text).lesson).toEqual({
+    text: WORDS,
+    goals: [
+      { measure: 'planarity', at_most: 0.005 },
+      { constraint: 'Plane', at_most: 0.01 },
+    ],
+  });
+  await showPanel(page, 'Model');
+  await expect(lesson(page)).toContainText('Make every panel flat.');
+  await expect(goals(page)).toHaveCount(2);
+  await expect(goals(page).first()).toContainText(/at most 5\.00 mm.*not met: /);
+  await expect(lesson(page)).toContainText('0 of 2 goals met');
+  await runToTheEnd(page);
+  await showPanel(page, 'Model');
+  await expect(goals(page).first()).toContainText('✓');
+  await expect(lesson(page)).toContainText('Passed: 2 goals met');
+
+  const handedIn = async () => {
+    await showPanel(page, 'Model');
+    await lesson(page).getByRole('button', { name: 'Results for hand-in' }).click();
+    const form = page.getByRole('dialog', { name: 'Results for hand-in' });
+    await form.getByLabel('Your name').fill('Ada Lovelace');
+    return download(page, () => form.getByRole('button', { name: 'Save the file' }).click());
+  };
+  const passed = await handedIn();
+  expect(passed.name).toBe('grid.results.json');
+  const results = JSON.parse(passed.text);
+  expect(results).toMatchObject({ student: 'Ada Lovelace', passed: true });
+  expect(results.goals.map(({ met }) => met)).toEqual([true, true]);
+  expect(results.positions).toHaveLength(VERTICES);
+
+  await page.getByRole('button', { name: 'Reset' }).click();
+  await showPanel(page, 'Model');
+  await expect(lesson(page)).toContainText('0 of 2 goals met');
+  const failed = await handedIn();
+  expect(JSON.parse(failed.text).passed).toBe(false);
+
+  // What the command line says of both.
+  const folder = mkdtempSync(join(tmpdir(), 'shape-up-lesson-'));
+  const check = async (text) => {
+    const [file, exercise] = ['results.json', 'scene.json'].map((name) => join(folder, name));
+    writeFileSync(file, text);
+    writeFileSync(exercise, saved.text);
+    const words = ['check', file, '--scene', exercise];
+    return promisify(execFile)(program('shape-up'), words).then(
+      ({ stdout }) => ({ stdout, code: 0 }),
+      ({ stdout, code }) => ({ stdout, code }),
+    );
+  };
+  const good = await check(passed.text);
+  expect(good.code, good.stdout).toBe(0);
+  expect(good.stdout).toContain('Ada Lovelace');
+  const bad = await check(failed.text.replace('"passed": false', '"passed": true'));
+  expect(bad.code).toBe(1);
+  expect(bad.stdout).toContain('not met');
+});
+
+test('a lesson comes through a link, and is undone', async ({ page, context }) => {
+  await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+  const dialog = await write(page);
+  await dialog.getByRole('button', { name: 'Keep and make a link' }).click();
+  const share = page.getByRole('dialog', { name: 'Share' });
+  const link = await share.getByRole('textbox', { name: 'Link' }).inputValue();
+  await share.getByRole('button', { name: 'Close' }).click();
+
+  const student = await context.newPage();
+  await student.goto(link);
+  await waitForState(student, (now, count) => now.vertices === count, VERTICES);
+  await showPanel(student, 'Model');
+  await expect(lesson(student)).toContainText('Stay near.');
+  await expect(goals(student)).toHaveCount(2);
+  await student.close();
+
+  await page.keyboard.press('Control+z');
+  await expect(page.getByRole('status')).toHaveText('Undid: Change lesson');
+  await expect(lesson(page)).toBeHidden();
+  expect((await sceneOf(page)).lesson).toBeUndefined();
+});
+
+test('a lesson without an end is not kept, and one can be taken away', async ({ page }) => {
+  const dialog = await write(page);
+  await most(dialog, 'Goal 1: planarity at most, m').fill('');
+  await dialog.getByRole('button', { name: 'Save lesson' }).click();
+  await expect(dialog).toBeVisible();
+  // What is left is the first one then.
+  await dialog.getByRole('button', { name: 'Take away Goal 1: planarity' }).click();
+  await worst(dialog, 1).selectOption({ label: 'Angle quality' });
+  await expect(most(dialog, 'Goal 1: angle quality at most, °')).toHaveValue('0.01');
+  await dialog.getByRole('button', { name: 'Take away Goal 1: angle quality' }).click();
+  await dialog.getByRole('button', { name: 'Save lesson' }).click();
+  await expect(dialog).toContainText('expected at least one goal');
+  await dialog.getByRole('button', { name: 'Add goal' }).click();
+  await dialog.getByLabel(/^Goal 1: .* at most/).fill('2');
+  await dialog.getByRole('button', { name: 'Save lesson' }).click();
+  await expect(dialog).toBeHidden();
+  await showPanel(page, 'Model');
+  await expect(goals(page)).toHaveCount(1);
+  await page.getByRole('button', { name: 'Write a lesson' }).click();
+  await expect(dialog.getByLabel('What is to be done')).toHaveValue(WORDS);
+  await dialog.getByRole('button', { name: 'No lesson any more' }).click();
+  await expect(lesson(page)).toBeHidden();
+});

@@ -1,0 +1,203 @@
+// One press for all panels: from a file to the verdict, and what happens where a run takes a mesh apart.
+
+import { downloaded, openText, showPanel, tool } from '../actions.mjs';
+import { quadScene, triangleScene, wavyGrid } from '../meshes.mjs';
+import { expect, openPage, screenOf, test, waitForState } from '../support.mjs';
+
+test.use({ pixels: false });
+
+const N = 6;
+const VERTICES = (N + 1) ** 2;
+const VERDICT = (adjective) =>
+  new RegExp(
+    `^(All|\\d+ of) ${N * N} panels are ${adjective} within 1 mm\\. Worst .+\\. ` +
+      'Your mesh moved by at most .+, .+ on average\\.$',
+  );
+
+const offer = (page) => page.getByRole('group', { name: 'Panels', exact: true });
+const press = (page, adjective) =>
+  page.getByRole('button', { name: `Make panels ${adjective}`, exact: true });
+
+test('a mesh that was opened is made circular by one press; a verdict says how far', async ({
+  page,
+}) => {
+  await openPage(page);
+  await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
+  // Each is on the page once.
+  await press(page, 'circular').click();
+  const status = page.getByRole('status');
+  await expect(status).toHaveText(VERDICT('circular'));
+  const solved = await waitForState(page, (now) => !now.running && now.iteration > 0);
+  expect(solved.constraints).toEqual({ circle: N * N });
+  await expect(offer(page).getByText(VERDICT('circular'))).toBeVisible();
+
+  // The circles are drawn, once the mesh is there.
+  await showPanel(page, 'Energies and display');
+  await expect(page.getByRole('checkbox', { name: 'Fitted shapes' })).toBeChecked();
+
+  // The other press is in the panel by now; it takes the place of the first.
+  await showPanel(page, 'Model');
+  await press(page, 'flat').click();
+  await expect(status).toHaveText(VERDICT('flat'));
+  const flat = await waitForState(page, (now) => !now.running);
+  expect(flat.constraints).toEqual({ plane: N * N });
+  expect(flat.planarity.max_distance).toBeLessThan(0.01);
+
+  await offer(page).getByRole('button', { name: 'Close', exact: true }).click();
+  await expect(offer(page)).toBeHidden();
+});
+
+for (const [window, width, height] of [
+  ['a desktop', 1440, 900],
+  ['a phone', 390, 844],
+]) {
+  test(`the offer covers nothing of the mesh on ${window}`, async ({ page }) => {
+    await page.setViewportSize({ width, height });
+    await openPage(page);
+    // As high as the view.
+    await openText(
+      page,
+      'tower.obj',
+      wavyGrid(N).replace(/^v (\S+) (\S+) .*/gm, 'v $1 0 $2'),
+      VERTICES,
+    );
+    const card = await offer(page).boundingBox();
+    await expect
+      .poll(() =>
+        page.evaluate((count) => {
+          const places = Array.from({ length: count }, (_, vertex) =>
+            window.shapeUp.screen(vertex),
+          );
+          return Math.max(...places.map((place) => place?.[1] ?? 0));
+        }, VERTICES),
+      )
+      .toBeLessThan(card.y);
+  });
+}
+
+test('the way is shown: the picture goes there gradually, and is not held up', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
+  const corner = await screenOf(page, 0);
+  await press(page, 'circular').click();
+  const places = await page.evaluate(
+    () =>
+      new Promise((done) => {
+        const seen = [];
+        const began = performance.now();
+        const look = () => {
+          seen.push(window.shapeUp.screen(0));
+          if (performance.now() - began < 1500) requestAnimationFrame(look);
+          else done(seen);
+        };
+        look();
+      }),
+  );
+  const far = places.map(([x, y]) => Math.hypot(x - corner[0], y - corner[1]));
+  const end = far.at(-1);
+  expect(end).toBeGreaterThan(1);
+  const between = far.filter((way) => way > 0.1 * end && way < 0.9 * end);
+  expect(between.length).toBeGreaterThan(3);
+});
+
+test('something else is Add constraint; the offer is gone once something is asked', async ({
+  page,
+}) => {
+  await openPage(page);
+  await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
+  await offer(page).getByRole('button', { name: 'Something else' }).click();
+  const dialog = page.getByRole('dialog', { name: 'New constraint' });
+  await dialog.getByRole('button', { name: /^Add/ }).first().click();
+  await waitForState(page, (now) => Object.keys(now.constraints).length === 1);
+  await expect(offer(page)).toBeHidden();
+});
+
+test('on triangles the buttons say why circles mean nothing there', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'triangles.shapeup.json', triangleScene(3), 16);
+  for (const adjective of ['circular', 'flat']) {
+    const button = press(page, adjective);
+    await expect(button).toBeDisabled();
+    await expect(button).toHaveAccessibleDescription(/triangle/i);
+  }
+});
+
+test('a run that takes the mesh apart is stopped, and can be undone, held closer or gone on with', async ({
+  page,
+}) => {
+  await openPage(page);
+  const scene = JSON.parse(quadScene(N));
+  delete scene.current;
+  scene.constraints = [{ kind: 'circle', on: 'faces' }];
+  await openText(page, 'roof.shapeup.json', JSON.stringify(scene), VERTICES);
+  // Nothing holds it but that its surface is smooth: it becomes a dot, which is smooth.
+  await showPanel(page, 'Energies and display');
+  const weight = page.getByRole('spinbutton', { name: 'Smooth weight' });
+  await weight.fill('10');
+  await weight.press('Enter');
+  const positions = () => page.evaluate(() => [...window.shapeUp.positions()]);
+  const original = await positions();
+  const alert = page.getByRole('alert');
+  const run = async () => {
+    await tool(page, 'Run');
+    await expect(alert).toContainText(/^Stopped: the mesh shrank to a dot\./);
+  };
+
+  await run();
+  const stopped = await waitForState(page, (now) => !now.running);
+  expect(stopped.converged).toBe(false);
+  await expect(page.getByRole('status')).not.toContainText('Converged');
+
+  // An export of it asks first.
+  await tool(page, 'Export');
+  const question = page.getByRole('dialog', { name: 'Export this shape?' });
+  await question.getByRole('button', { name: 'Cancel' }).click();
+  await expect(question).toBeHidden();
+  const { text } = await downloaded(page, async () => {
+    await tool(page, 'Export');
+    await question.getByRole('button', { name: 'Export anyway' }).click();
+  });
+  expect(text).toContain('v ');
+
+  await alert.getByRole('button', { name: 'Undo' }).click();
+  await expect.poll(positions).toEqual(original);
+
+  await run();
+  await alert.getByRole('button', { name: 'Hold closer' }).click();
+  await waitForState(page, (now) => now.converged && now.iteration > 0);
+  await expect(alert).toBeEmpty();
+
+  await tool(page, 'Undo');
+  await tool(page, 'Undo');
+  await run();
+  await alert.getByRole('button', { name: 'Go on' }).click();
+  await waitForState(page, (now) => !now.running && now.iteration > 0);
+  await expect(alert).toBeEmpty();
+});
+
+test('vertices that nothing acts on are told, and follow or are fixed by one click', async ({
+  page,
+}) => {
+  await openPage(page);
+  const scene = JSON.parse(quadScene(N));
+  delete scene.current;
+  scene.constraints = [{ kind: 'sphere', on: { vertices: [0, 1, 2, N + 1, N + 2, N + 3] } }];
+  await openText(page, 'roof.shapeup.json', JSON.stringify(scene), VERTICES);
+  const notice = page.getByRole('group', { name: 'Vertices that stand still' });
+  await expect(notice).toContainText(`${VERTICES - 6} vertices stand still`);
+  await notice.getByRole('button', { name: 'Let them follow' }).click();
+  await expect(notice).toBeHidden();
+  const positions = () => page.evaluate(() => [...window.shapeUp.positions()]);
+  const before = await positions();
+  await tool(page, 'Run');
+  await waitForState(page, (now) => !now.running && now.iteration > 0);
+  const after = await positions();
+  const still = before.filter((x, i) => i % 3 === 2 && x === after[i]);
+  expect(still.length).toBeLessThan(VERTICES / 2);
+
+  await tool(page, 'Undo');
+  await tool(page, 'Undo');
+  await notice.getByRole('button', { name: 'Fix them' }).click();
+  await expect(notice).toBeHidden();
+  await waitForState(page, (now, count) => now.handles.length === count, VERTICES - 6);
+});

@@ -1,0 +1,134 @@
+// A link holds the scene, and whoever opens it gets it solved.
+
+import { addConstraint, openExample, openText, runToTheEnd, tool } from '../actions.mjs';
+import { wavyGrid } from '../meshes.mjs';
+import {
+  dragVertex,
+  expect,
+  openPage,
+  positionOf,
+  sceneOf,
+  state,
+  test,
+  waitForState,
+} from '../support.mjs';
+
+test.use({ pixels: false });
+
+/** Presses Share and returns the link of the dialog, which stays open. */
+async function linkOf(page) {
+  await tool(page, 'Share');
+  const field = page.getByRole('dialog', { name: 'Share' }).getByRole('textbox', { name: 'Link' });
+  await expect(field).toBeVisible();
+  return field.inputValue();
+}
+
+const dialogOf = (page) => page.getByRole('dialog', { name: 'Share' });
+
+/** Opens a link as another person does: in a browser that knows nothing. */
+async function openElsewhere(browser, link) {
+  const context = await browser.newContext({ serviceWorkers: 'block' });
+  const page = await context.newPage();
+  await page.goto(link);
+  await page.waitForFunction(() => window.shapeUp?.state().vertices > 0);
+  return page;
+}
+
+test('a mesh of your own travels in the link and is solved again', async ({ page, browser }) => {
+  await openPage(page);
+  await openText(page, 'roof.obj', `g east\n${wavyGrid(4)}`, 25);
+  await addConstraint(page, 'Plane', 'each face');
+  const before = await runToTheEnd(page);
+  const link = await linkOf(page);
+  expect(new URL(link).hash).toMatch(/^#scene=[\w-]+&run$/);
+  await expect(dialogOf(page).getByText('Short enough')).toBeVisible();
+
+  const other = await openElsewhere(browser, link);
+  const after = await waitForState(other, (now) => now.converged && !now.running);
+  expect(after.constraints).toEqual(before.constraints);
+  expect(after.iteration).toBe(before.iteration);
+  expect(after.energy.total).toBe(before.energy.total);
+  for (const vertex of [0, 7, 24]) {
+    expect(await positionOf(other, vertex)).toEqual(await positionOf(page, vertex));
+  }
+  expect(await sceneOf(other)).toEqual(await sceneOf(page));
+});
+
+test('an example is its name, and its name with what was edited', async ({ page, browser }) => {
+  await openPage(page);
+  await openExample(page, 'Hypar');
+  const asItCame = (await sceneOf(page)).constraints;
+  const plain = await linkOf(page);
+  expect(new URL(plain).hash).toBe('#example=hypar');
+  await dialogOf(page).getByRole('button', { name: 'Close' }).click();
+
+  await addConstraint(page, 'Plane', 'each face');
+  const edited = await linkOf(page);
+  expect(new URL(edited).hash).toMatch(/^#example=hypar&edits=[\w-]+$/);
+  expect(edited.length).toBeLessThan(1000);
+  expect((await sceneOf(page)).constraints).not.toEqual(asItCame);
+
+  const other = await openElsewhere(browser, edited);
+  expect(await sceneOf(other)).toEqual(await sceneOf(page));
+  // The same tab follows another link.
+  await other.goto(plain);
+  await expect.poll(async () => (await sceneOf(other)).constraints).toEqual(asItCame);
+});
+
+test('a handle that was dragged is where it was', async ({ page, browser }) => {
+  await openPage(page);
+  const soft = (await state(page)).handles.find((handle) => !handle.fixed);
+  await dragVertex(page, soft.vertex, [10, -20]);
+  await waitForState(page, (now) => now.iteration > 0);
+  const link = await linkOf(page);
+  const other = await openElsewhere(browser, link);
+  expect((await state(other)).handles).toEqual((await state(page)).handles);
+});
+
+test('the link is selected and copied', async ({ page, context }) => {
+  await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+  await openPage(page);
+  const link = await linkOf(page);
+  await expect(dialogOf(page).getByText('Copied to the clipboard')).toBeVisible();
+  expect(await page.evaluate(() => navigator.clipboard.readText())).toBe(link);
+  const chosen = await page.evaluate(() => {
+    const { value, selectionStart, selectionEnd } = document.activeElement;
+    return value.slice(selectionStart, selectionEnd);
+  });
+  expect(chosen).toBe(link);
+  await page.keyboard.press('Escape');
+  await expect(dialogOf(page)).toBeHidden();
+});
+
+test('what may not be copied unasked is copied by the button, or it is said', async ({ page }) => {
+  await page.addInitScript(() => {
+    navigator.clipboard.writeText = async () => {
+      throw new DOMException('Nobody has asked for it.', 'NotAllowedError');
+    };
+  });
+  await openPage(page);
+  await linkOf(page);
+  await expect(dialogOf(page).getByText('does not let the page copy')).toBeHidden();
+  await dialogOf(page).getByRole('button', { name: 'Copy link' }).click();
+  await expect(dialogOf(page).getByText('does not let the page copy')).toBeVisible();
+});
+
+test('a link that is long says what becomes of it', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'large.obj', wavyGrid(40), 41 * 41);
+  const link = await linkOf(page);
+  expect(link.length).toBeGreaterThan(8000);
+  await expect(dialogOf(page).getByText('chat programs')).toBeVisible();
+  const download = page.waitForEvent('download');
+  await dialogOf(page).getByRole('button', { name: 'Save scene instead' }).click();
+  expect((await download).suggestedFilename()).toBe('large.shapeup.json');
+});
+
+test('a link that was cut says so, and the page works', async ({ page }) => {
+  for (const hash of ['#scene=bVLLbt', '#example=no-such-example']) {
+    await page.goto(`./${hash}`);
+    await page.waitForFunction(() => window.shapeUp?.state().vertices > 0);
+    await expect(page.getByRole('alert')).toContainText('link');
+    await page.goto('about:blank');
+  }
+});

@@ -1,0 +1,86 @@
+// The page about projections: by mouse and by keyboard, and in words.
+
+import { expect, test } from '../support.mjs';
+
+/** φ of every half step, from the table that goes with the bars. */
+async function proximities(page) {
+  const cells = await page.locator('#rows tr td:last-child').allTextContents();
+  return cells.map((text) => Number(text.replace('−', '-')));
+}
+
+const point = (page) => page.getByRole('button', { name: /^Point at/ });
+
+test('steps never raise the sum, and say what they do', async ({ page }) => {
+  await page.goto('./projections.html');
+  const step = page.getByRole('button', { name: 'Step' });
+  const said = page.getByRole('status');
+  await expect(said).toContainText('The point is at proximity');
+  await step.click();
+  await expect(said).toContainText('Step I, iteration 1: the nearest places.');
+  await step.click();
+  await expect(said).toContainText('Step II, iteration 1: to their weighted mean.');
+  for (let k = 0; k < 8; k++) await step.click();
+  const sums = await proximities(page);
+  expect(sums).toHaveLength(10);
+  for (let k = 1; k < sums.length; k++) expect(sums[k]).toBeLessThanOrEqual(sums[k - 1]);
+  expect(sums.at(-1)).toBeLessThan(0.5 * sums[0]);
+  await expect(page.getByRole('img', { name: /^φ falls from/ })).toBeVisible();
+});
+
+test('one part grows while the sum falls', async ({ page }) => {
+  await page.goto('./projections.html');
+  const step = page.getByRole('button', { name: 'Step' });
+  const heard = [];
+  for (let k = 0; k < 12; k++) {
+    await step.click();
+    heard.push(await page.getByRole('status').textContent());
+  }
+  expect(heard.some((text) => text.includes('grew, φ did not'))).toBe(true);
+});
+
+test('the point moves by mouse and by keys, and begins anew', async ({ page }) => {
+  await page.goto('./projections.html');
+  const before = await point(page).getAttribute('aria-label');
+  await page.getByRole('button', { name: 'Step' }).click();
+  await point(page).focus();
+  await page.keyboard.press('ArrowLeft');
+  const moved = await point(page).getAttribute('aria-label');
+  expect(moved).not.toBe(before);
+  expect(await proximities(page)).toEqual([]);
+
+  const box = await page
+    .getByRole('group', { name: 'The point and its constraint sets' })
+    .boundingBox();
+  await page.mouse.move(box.x + 0.3 * box.width, box.y + 0.4 * box.height);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 0.5 * box.width, box.y + 0.5 * box.height);
+  await page.mouse.up();
+  await expect(point(page)).toHaveAccessibleName(/^Point at (49|50)\.\d, (29|30)\.\d/);
+  await page.getByRole('button', { name: 'Reset' }).click();
+  await expect(point(page)).toHaveAccessibleName(before);
+});
+
+test('sets that do not meet leave a rest, and weights decide where', async ({ page }) => {
+  await page.goto('./projections.html');
+  await page.getByRole('radio', { name: 'do not meet' }).check();
+  const step = page.getByRole('button', { name: 'Step' });
+  for (let k = 0; k < 40; k++) await step.click();
+  const rest = (await proximities(page)).at(-1);
+  expect(rest).toBeGreaterThan(10);
+  const before = await point(page).getAttribute('aria-label');
+  const weight = page.getByRole('slider', { name: 'Weight of the circle' });
+  await weight.focus();
+  await page.keyboard.press('End');
+  for (let k = 0; k < 40; k++) await step.click();
+  expect(await point(page).getAttribute('aria-label')).not.toBe(before);
+});
+
+test('Play goes on by itself until it is paused or has arrived', async ({ page }) => {
+  await page.goto('./projections.html');
+  await page.getByRole('button', { name: 'Play' }).click();
+  await expect(page.getByRole('status')).toContainText('iteration 2');
+  await page.getByRole('button', { name: 'Pause' }).click();
+  const sums = await proximities(page);
+  await page.waitForTimeout(1000);
+  expect(await proximities(page)).toEqual(sums);
+});

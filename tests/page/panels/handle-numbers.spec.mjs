@@ -1,0 +1,181 @@
+// Handles in numbers: several at once, by how much, and with room for the digits.
+
+import { addConstraint, hidePanels, openText, showPanel } from '../actions.mjs';
+import { wavyGrid } from '../meshes.mjs';
+import { expect, openPage, screenOf, state, test, waitForState } from '../support.mjs';
+
+test.use({ pixels: false });
+
+const N = 6;
+const VERTICES = (N + 1) ** 2;
+const MIDDLE = (VERTICES - 1) / 2;
+
+const details = (page) => page.getByRole('group', { name: 'Selected handles' });
+const target = (page, axis) => details(page).getByRole('textbox', { name: `Target ${axis}` });
+const undoButton = (page) => page.getByRole('button', { name: 'Undo' });
+const targets = async (page) => (await state(page)).handles.map((handle) => handle.target);
+
+async function enter(field, text) {
+  await field.fill(text);
+  await field.press('Enter');
+}
+
+/** Makes these vertices handles, which are selected then. */
+async function makeHandles(page, vertices) {
+  await hidePanels(page);
+  for (const vertex of vertices) {
+    if (vertex !== vertices[0]) await page.keyboard.down('Shift');
+    await page.mouse.click(...(await screenOf(page, vertex)));
+    await page.keyboard.up('Shift');
+  }
+  await page.keyboard.press('h');
+  await waitForState(page, (now, count) => now.handles.length === count, vertices.length);
+  await showPanel(page, 'Model');
+  await expect(details(page)).toBeVisible();
+}
+
+async function open(page, text = wavyGrid(N)) {
+  await openPage(page);
+  await openText(page, 'grid.obj', text, VERTICES);
+  await waitForState(page, (now) => now.renderer !== 'none');
+}
+
+test('a coordinate is set for all selected handles, as one step', async ({ page }) => {
+  await open(page);
+  await addConstraint(page, 'Plane', 'each face');
+  await makeHandles(page, [MIDDLE, MIDDLE + 1]);
+  const before = await targets(page);
+  expect(before[0][0]).not.toBe(before[1][0]);
+  // What they have in common is there, what not is said to be mixed.
+  await expect(target(page, 'x')).toHaveValue('');
+  await expect(target(page, 'x')).toHaveAttribute('placeholder', 'mixed');
+  expect(Number(await target(page, 'y').inputValue())).toBeCloseTo(before[0][1], 3);
+
+  await enter(target(page, 'z'), '7.5');
+  await expect.poll(() => targets(page)).toEqual(before.map(([x, y]) => [x, y, 7.5]));
+  await expect(page.getByRole('status')).toHaveText('2 handles moved');
+  await expect(target(page, 'z')).toHaveValue(/^7\.50*$/);
+  await expect(undoButton(page)).toHaveAttribute('title', /Move 2 handles/);
+  await undoButton(page).click();
+  await expect.poll(() => targets(page)).toEqual(before);
+  await expect(undoButton(page)).toHaveAttribute('title', /Hold 2 vertices/);
+  await expect(target(page, 'z')).not.toHaveValue(/7\.5/);
+});
+
+test('a number with a sign moves on; fractions and units are understood', async ({ page }) => {
+  await open(page);
+  await makeHandles(page, [MIDDLE, MIDDLE + 1]);
+  const before = await targets(page);
+  const shifted = (by) => before.map(([x, y, z]) => [x + by, y, z]);
+  const near = async (expected) => {
+    const flat = (await targets(page)).flat();
+    return expected.flat().every((value, i) => Math.abs(value - flat[i]) < 1e-12);
+  };
+  await enter(target(page, 'x'), '+0.5');
+  await expect.poll(() => near(shifted(0.5))).toBe(true);
+  await enter(target(page, 'x'), '+20cm');
+  await expect.poll(() => near(shifted(0.7))).toBe(true);
+  await enter(target(page, 'x'), '+-1/5');
+  await expect.poll(() => near(shifted(0.5))).toBe(true);
+  await enter(target(page, 'y'), '-1/4');
+  await expect.poll(() => near(before.map(([x, , z]) => [x + 0.5, -0.25, z]))).toBe(true);
+
+  const now = await targets(page);
+  await enter(target(page, 'z'), 'high');
+  await expect(target(page, 'z')).toHaveAttribute('aria-invalid', 'true');
+  await expect(target(page, 'z')).toHaveAccessibleDescription(/“high” is not a length/);
+  await target(page, 'z').press('Escape');
+  await expect(target(page, 'z')).not.toHaveAttribute('aria-invalid');
+  await expect(target(page, 'z')).not.toHaveValue('high');
+  await expect(details(page), 'they are still selected').toBeVisible();
+  expect(await targets(page)).toEqual(now);
+});
+
+test('two coordinates one right after the other are both taken', async ({ page }) => {
+  await open(page);
+  await makeHandles(page, [MIDDLE]);
+  const [[, , z]] = await targets(page);
+  await target(page, 'x').fill('1.25');
+  await target(page, 'x').press('Tab');
+  await page.keyboard.type('2.75');
+  await page.keyboard.press('Enter');
+  await expect.poll(() => targets(page)).toEqual([[1.25, 2.75, z]]);
+  await expect(undoButton(page)).toHaveAttribute('title', /Move handle/);
+});
+
+test('undo takes a number back for good, while the mesh still follows it', async ({ page }) => {
+  // The end of the move comes when it is told to.
+  await page.addInitScript(() => {
+    const { postMessage } = Worker.prototype;
+    Worker.prototype.postMessage = function (...message) {
+      if (message[0].phase !== 'end') return postMessage.apply(this, message);
+      window.end = () => postMessage.apply(this, message);
+    };
+  });
+  await open(page);
+  await makeHandles(page, [MIDDLE]);
+  const before = await targets(page);
+  await enter(target(page, 'z'), '7.5');
+  await page.waitForFunction(() => window.end);
+  await undoButton(page).click();
+  await expect(page.getByRole('status')).toHaveText('Undid: Move handle');
+  await page.evaluate(() => window.end());
+  await page.getByRole('button', { name: 'Step' }).click();
+  await waitForState(page, (now) => now.iteration === 1);
+  expect(await targets(page)).toEqual(before);
+});
+
+test('weight, soft and fixed are those of all selected handles', async ({ page }) => {
+  await open(page);
+  await makeHandles(page, [MIDDLE, MIDDLE + 1]);
+  await hidePanels(page);
+  await page.mouse.click(...(await screenOf(page, MIDDLE)));
+  await waitForState(page, (now) => now.selection.vertices.length === 1);
+  await showPanel(page, 'Model');
+  const weight = details(page).getByRole('spinbutton', { name: 'Weight of the handle' });
+  await enter(weight, '7');
+  await waitForState(page, (now) => now.handles.some((handle) => handle.weight === 7));
+
+  await hidePanels(page);
+  await page.keyboard.down('Shift');
+  await page.mouse.click(...(await screenOf(page, MIDDLE + 1)));
+  await page.keyboard.up('Shift');
+  await waitForState(page, (now) => now.selection.vertices.length === 2);
+  await showPanel(page, 'Model');
+  await expect(weight).toHaveValue('');
+  await expect(weight).toHaveAttribute('placeholder', 'mixed');
+  await enter(weight, '12');
+  await waitForState(page, (now) => now.handles.every((handle) => handle.weight === 12));
+  await expect(undoButton(page)).toHaveAttribute('title', /Weigh 2 vertices/);
+
+  const soft = details(page).getByRole('button', { name: 'Soft' });
+  await expect(soft).toHaveAttribute('aria-pressed', 'true');
+  // Those that are soft already keep their weight.
+  await soft.click();
+  expect((await state(page)).handles.map((handle) => handle.weight)).toEqual([12, 12]);
+  await details(page).getByRole('button', { name: 'Fixed' }).click();
+  await waitForState(page, (now) => now.handles.every((handle) => handle.fixed));
+  await expect(undoButton(page)).toHaveAttribute('title', /Fix 2 vertices/);
+  await expect(weight).toBeHidden();
+});
+
+test('there is room for the digits', async ({ page }) => {
+  const fits = () =>
+    details(page)
+      .getByRole('textbox')
+      .evaluateAll((fields) => fields.map((field) => field.scrollWidth <= field.clientWidth));
+  for (const far of [-321, -4321]) {
+    // A building of some hundred metres, where the surveyor has it.
+    const place = (_, x, y, z) => `v ${far + 20.123456 * x} ${20 * y + 0.000123} ${20 * z}`;
+    await open(page, wavyGrid(N).replace(/^v (\S+) (\S+) (\S+)$/gm, place));
+    await makeHandles(page, [MIDDLE]);
+    await expect(target(page, 'x')).toHaveValue(/^-\d{3,4}\.\d{3}$/);
+    expect(await fits(), `at ${far}`).toEqual([true, true, true]);
+  }
+  await enter(target(page, 'y'), '-123456.789');
+  await expect(target(page, 'y')).toHaveValue('-123456.789');
+  expect(await fits()).toEqual([true, true, true]);
+  await page.setViewportSize({ width: 390, height: 844 });
+  await showPanel(page, 'Model');
+  await expect.poll(fits, 'on a phone').toEqual([true, true, true]);
+});

@@ -1,0 +1,232 @@
+// The list of kinds: every one can be added to a suitable mesh, and does something there.
+
+import { constraintCount, openText, showPanel } from '../actions.mjs';
+import { quadScene, tetScene, triangleScene, wavyGrid } from '../meshes.mjs';
+import {
+  dragVertex,
+  drawn,
+  expect,
+  openPage,
+  screenOf,
+  state,
+  test,
+  waitForState,
+} from '../support.mjs';
+
+test.use({ pixels: false });
+
+const MESHES = [
+  { name: 'quads', text: quadScene(4), vertices: 25 },
+  { name: 'triangles', text: triangleScene(3), vertices: 16 },
+  { name: 'tets', text: tetScene(), vertices: 8 },
+];
+
+/** Below this an energy is nothing but rounding: the meshes have unit edges. */
+const NOTHING = 1e-20;
+
+const dialogOf = (page) => page.getByRole('dialog', { name: 'New constraint' });
+
+/** Opens the dialog and waits for what it offers. */
+async function openDialog(page) {
+  await showPanel(page, 'Model');
+  await page.getByRole('button', { name: 'Add constraint' }).click();
+  const dialog = dialogOf(page);
+  await expect(dialog.getByRole('button', { name: 'Add', exact: true })).toBeEnabled();
+  return dialog;
+}
+
+/** The names of the radio buttons of a group. */
+const namesIn = (dialog, group) =>
+  dialog
+    .getByRole('group', { name: group, exact: true })
+    .getByRole('radio')
+    .evaluateAll((radios) => radios.map((radio) => radio.getAttribute('aria-label')));
+
+const kindsOf = (page) => page.evaluate(() => window.shapeUp.kinds());
+
+/** Adds a kind with its parameters as they are, at the place with that number; how many there are. */
+async function add(page, name, place) {
+  const dialog = await openDialog(page);
+  await dialog.getByRole('radio', { name, exact: true }).check();
+  const places = dialog.getByRole('group', { name: 'Where' }).getByRole('radio');
+  const count = await places.count();
+  await places.nth(place).check();
+  await dialog.getByRole('button', { name: 'Add', exact: true }).click();
+  await expect(dialog).toBeHidden();
+  await expect.poll(() => constraintCount(page)).toBe(1);
+  return count;
+}
+
+/** Takes back everything, step by step. */
+async function undoAll(page) {
+  const undo = page.getByRole('button', { name: 'Undo' });
+  await expect(undo).toBeEnabled();
+  while (await undo.isEnabled()) {
+    await page.keyboard.press('Control+z');
+    await page.evaluate(() => window.shapeUp.settled());
+  }
+  await expect.poll(() => constraintCount(page)).toBe(0);
+}
+
+/** The shape energy, once the page knows it. */
+async function shapeEnergy(page) {
+  await drawn(page);
+  return (await state(page)).energy.shape;
+}
+
+/** Pulls the first vertex that is in sight away. */
+async function pull(page, count) {
+  const inSight = (v) => page.evaluate((one) => window.shapeUp.screen(one) !== null, v);
+  for (let v = 0; v < count; v++) {
+    if (!(await inSight(v))) continue;
+    await page.mouse.dblclick(...(await page.evaluate((one) => window.shapeUp.screen(one), v)));
+    await waitForState(page, (now) => now.handles.length === 1);
+    await dragVertex(page, v, [30, -60]);
+    return;
+  }
+}
+
+/**
+ * Adds a kind at the first place where it is not met already (any four points are on a sphere),
+ * iterates once, and says the shape energy before and after.
+ */
+async function tryKind(page, name, mesh) {
+  let places = 1;
+  let before = 0;
+  for (let place = 0; place < places && before <= NOTHING; place++) {
+    if (place > 0) await undoAll(page);
+    places = await add(page, name, place);
+    before = await shapeEnergy(page);
+  }
+  if (before <= NOTHING) {
+    await pull(page, mesh.vertices);
+    before = await shapeEnergy(page);
+  }
+  const { iteration } = await state(page);
+  await page.getByRole('button', { name: 'Step' }).click();
+  await waitForState(page, (now, from) => now.iteration > from, iteration);
+  const after = (await state(page)).energy.shape;
+  await undoAll(page);
+  return { before, after };
+}
+
+test('every kind can be added to a suitable mesh, and its energy falls', async ({ page }) => {
+  test.setTimeout(240_000);
+  await openPage(page);
+  const labels = (await kindsOf(page)).map((kind) => kind.label);
+  const walked = new Set();
+  for (const mesh of MESHES) {
+    await openText(page, `${mesh.name}.shapeup.json`, mesh.text, mesh.vertices);
+    await expect.poll(() => constraintCount(page)).toBe(0);
+    const dialog = await openDialog(page);
+    const offered = await namesIn(dialog, 'Shape');
+    await dialog.getByRole('button', { name: 'Close' }).click();
+    for (const name of offered.filter((one) => !walked.has(one))) {
+      const { before, after } = await tryKind(page, name, mesh);
+      expect(before, `${name} on ${mesh.name} has something to do`).toBeGreaterThan(NOTHING);
+      expect(after, `${name} on ${mesh.name}`).toBeLessThan(before);
+      walked.add(name);
+    }
+  }
+  expect([...walked].sort()).toEqual([...labels].sort());
+});
+
+test('each kind is shown with its drawing and says what it asks, by keys too, and Escape closes', async ({
+  page,
+}) => {
+  await openPage(page);
+  const kinds = await kindsOf(page);
+  const dialog = await openDialog(page);
+  for (const name of await namesIn(dialog, 'Shape')) {
+    const radio = dialog.getByRole('radio', { name, exact: true });
+    const kind = kinds.find((one) => one.label === name);
+    await expect(radio).toHaveAccessibleDescription(kind.summary);
+    await radio.check();
+    await expect(dialog.locator('.about')).toHaveText(kind.summary);
+    const drawing = dialog
+      .locator('.tile', { has: page.getByRole('radio', { name, exact: true }) })
+      .locator('svg');
+    const box = await drawing.boundingBox();
+    expect(Math.min(box.width, box.height)).toBeGreaterThanOrEqual(40);
+    expect(await drawing.locator('.found circle').count()).toBe(kind.sketch.points.length);
+  }
+
+  // Arrow keys walk the palette.
+  const names = await namesIn(dialog, 'Shape');
+  await dialog.getByRole('radio', { name: names[0], exact: true }).focus();
+  await page.keyboard.press('ArrowRight');
+  await expect(dialog.getByRole('radio', { name: names[1], exact: true })).toBeChecked();
+  // The last one too, which is out of sight at first.
+  await page.keyboard.press('ArrowLeft');
+  await page.keyboard.press('ArrowLeft');
+  const last = dialog.getByRole('radio', { name: names.at(-1), exact: true });
+  await expect(last).toBeChecked();
+  await expect(last).toBeInViewport();
+  await page.keyboard.press('Escape');
+  await expect(dialog).toBeHidden();
+});
+
+test('a kind that is meant for some elements is offered on these only', async ({ page }) => {
+  await openPage(page);
+  const kinds = await kindsOf(page);
+  for (const mesh of MESHES.slice(0, 2)) {
+    await openText(page, `${mesh.name}.shapeup.json`, mesh.text, mesh.vertices);
+    const dialog = await openDialog(page);
+    const offered = await namesIn(dialog, 'Shape');
+    for (const name of offered) {
+      await dialog.getByRole('radio', { name, exact: true }).check();
+      const { elements } = kinds.find((one) => one.label === name);
+      const ids = await dialog
+        .getByRole('group', { name: 'Where' })
+        .getByRole('radio')
+        .evaluateAll((radios) => radios.map((radio) => radio.id.replace('new-place-each-', '')));
+      expect(ids.length).toBeGreaterThan(0);
+      if (elements.length > 0) for (const id of ids) expect(elements).toContain(id);
+    }
+    await dialog.getByRole('button', { name: 'Close' }).click();
+  }
+});
+
+test('the dialog asks once, however many kinds and places there are', async ({ page }) => {
+  await page.addInitScript(() => {
+    const asked = (window.asked = []);
+    const post = Worker.prototype.postMessage;
+    Worker.prototype.postMessage = function (message, ...rest) {
+      asked.push(message.type);
+      return post.call(this, message, ...rest);
+    };
+  });
+  await openPage(page);
+  const dialog = await openDialog(page);
+  await dialog.getByRole('radio', { name: 'Circle', exact: true }).check();
+  const asked = await page.evaluate(() => window.asked.filter((type) => type === 'previews'));
+  expect(asked).toHaveLength(1);
+});
+
+test('the usual kind is chosen beforehand, follows the selection, and runs', async ({ page }) => {
+  await openPage(page);
+  const n = 6;
+  await openText(page, 'grid.obj', wavyGrid(n), (n + 1) ** 2);
+  await waitForState(page, (now) => now.renderer !== 'none');
+  const dialog = await openDialog(page);
+  const chosen = (group) =>
+    dialog.getByRole('group', { name: group, exact: true }).getByRole('radio', { checked: true });
+  await expect(chosen('Where')).toHaveAccessibleName('each face');
+  const whole = await chosen('Shape').getAttribute('aria-label');
+  // A patch of faces, while the dialog is open: the view is beside it.
+  await page.keyboard.press('3');
+  const at = 3 * (n + 1) + 3;
+  const corners = [at, at + 1, at + n + 1, at + n + 2];
+  const places = await Promise.all(corners.map((corner) => screenOf(page, corner)));
+  const middle = [0, 1].map((axis) => places.reduce((sum, place) => sum + place[axis] / 4, 0));
+  await page.mouse.click(...middle);
+  await page.keyboard.press('+');
+  await waitForState(page, (now) => now.selection.faces.length === 9);
+  await expect(chosen('Where')).toHaveAccessibleName('whole selection together');
+  await expect(chosen('Shape')).not.toHaveAccessibleName(whole);
+  const other = await chosen('Shape').getAttribute('aria-label');
+  await dialog.getByRole('button', { name: 'Add and run' }).click();
+  await expect(dialog).toBeHidden();
+  await waitForState(page, (now) => now.iteration > 0);
+  await expect(page.getByRole('list', { name: 'Constraints' })).toContainText(other);
+});

@@ -1,0 +1,130 @@
+// Undo over a random sequence of what a person does: exactly back to the start, and forward again.
+
+import { addConstraint, hidePanels, openText, showPanel } from '../actions.mjs';
+import { wavyGrid } from '../meshes.mjs';
+import {
+  dragVertex,
+  everything,
+  expect,
+  openPage,
+  screenOf,
+  state,
+  test,
+  waitForState,
+} from '../support.mjs';
+
+test.use({ pixels: false });
+
+const N = 4;
+const VERTICES = (N + 1) ** 2;
+const DEEDS = 16;
+
+/** Numbers from 0 to below `limit`, the same on every machine for a seed. */
+function seeded(seed) {
+  let now = seed;
+  return (limit) => {
+    now = (Math.imul(now, 1664525) + 1013904223) >>> 0;
+    return Math.floor((now / 2 ** 32) * limit);
+  };
+}
+
+/** A vertex that can be seen, from a drawn one on. */
+async function seen(page, first) {
+  for (let i = 0; i < VERTICES; i++) {
+    const vertex = (first + i) % VERTICES;
+    if (await page.evaluate((v) => window.shapeUp.screen(v), vertex)) return vertex;
+  }
+  throw new Error('no vertex can be seen');
+}
+
+/** What a person does, each one step of undo or none. */
+const DOINGS = {
+  async constrain(page, draw) {
+    await addConstraint(page, ['Plane', 'Circle', 'Rectangle'][draw(3)], 'each face');
+    await hidePanels(page);
+  },
+  async weigh(page, draw) {
+    const weight = page.getByRole('spinbutton', { name: /: weight$/ });
+    if ((await weight.count()) === 0) return;
+    await weight.first().fill(String(1 + draw(9)));
+    await weight.first().press('Enter');
+  },
+  async hold(page, draw) {
+    await page.mouse.click(...(await screenOf(page, await seen(page, draw(VERTICES)))));
+    await page.getByRole('application', { name: '3D view' }).focus();
+    await page.keyboard.press('h');
+  },
+  async pull(page, draw) {
+    const { handles } = await state(page);
+    if (handles.length === 0) return;
+    const { vertex } = handles[draw(handles.length)];
+    if (!(await page.evaluate((v) => window.shapeUp.screen(v), vertex))) return;
+    await dragVertex(page, vertex, [draw(30) - 15, -5 - draw(20)]);
+  },
+  async release(page) {
+    await page.getByRole('application', { name: '3D view' }).focus();
+    await page.keyboard.press('Shift+H');
+  },
+  async step(page) {
+    await page.getByRole('application', { name: '3D view' }).focus();
+    await page.keyboard.press('.');
+  },
+  async reset(page) {
+    await page.getByRole('application', { name: '3D view' }).focus();
+    await page.keyboard.press('Shift+R');
+  },
+  async unit(page, draw) {
+    await showPanel(page, 'Model');
+    await page.getByRole('combobox', { name: 'Unit' }).selectOption(['cm', 'm', 'ft'][draw(3)]);
+  },
+  async back(page) {
+    await page.keyboard.press('Control+z');
+  },
+  async forward(page) {
+    await page.keyboard.press('Control+y');
+  },
+};
+
+test('a random sequence is undone to the start, each step by its name, and done again', async ({
+  page,
+}) => {
+  await openPage(page);
+  await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
+  await waitForState(page, (now) => now.renderer !== 'none');
+  const start = await everything(page);
+  const draw = seeded(20261120);
+  const names = Object.keys(DOINGS);
+  const undo = page.getByRole('button', { name: 'Undo' });
+  const redo = page.getByRole('button', { name: 'Redo' });
+  /** All that was said has been answered. */
+  const settled = () => page.evaluate(() => window.shapeUp.settled());
+
+  await DOINGS.constrain(page, draw);
+  for (let i = 0; i < DEEDS; i++) {
+    await DOINGS[names[draw(names.length)]](page, draw);
+    await settled();
+  }
+  // A run is one step, with its iterations in its name.
+  await page.getByRole('button', { name: 'Run' }).click();
+  await expect(undo).toHaveAttribute('title', /Undo: Run, \d+ iterations? /);
+  await waitForState(page, (now) => now.converged && !now.running);
+  await settled();
+  const end = await everything(page);
+
+  const through = async (button, key) => {
+    const titles = [];
+    while (await button.isEnabled()) {
+      titles.push((await button.getAttribute('title')).replace(/^\w+: | \(.*/g, ''));
+      await page.keyboard.press(key);
+      await settled();
+    }
+    return titles;
+  };
+  const undone = await through(undo, 'Control+z');
+  expect(undone.length).toBeGreaterThan(3);
+  expect(undone.every((name) => name.length > 0)).toBe(true);
+  await expect.poll(() => everything(page)).toEqual(start);
+  const redone = await through(redo, 'Control+y');
+  expect(redone).toEqual(undone.toReversed());
+  await expect.poll(() => everything(page)).toEqual(end);
+});

@@ -1,0 +1,86 @@
+// Everything that is done can be taken back, one step for each thing that was done.
+
+import { addConstraint, openText, runToTheEnd, showPanel, tool } from '../actions.mjs';
+import { wavyGrid } from '../meshes.mjs';
+import {
+  dragVertex,
+  everything,
+  expect,
+  openPage,
+  state,
+  test,
+  waitForState,
+} from '../support.mjs';
+
+test.use({ pixels: false });
+
+test('all that was done is undone step by step, to the start, and done again', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  const start = await everything(page);
+
+  await addConstraint(page, 'Plane', 'each face');
+  await showPanel(page, 'Model');
+  await page.getByRole('combobox', { name: 'Unit' }).selectOption('cm');
+  await page.getByRole('combobox', { name: 'Up axis' }).selectOption('y');
+  await page.getByRole('switch').click();
+  await expect(page.getByRole('switch')).not.toBeChecked();
+  await page.getByRole('switch').click();
+  await expect(page.getByRole('switch')).toBeChecked();
+  const run = await runToTheEnd(page);
+  await tool(page, 'Step');
+  await tool(page, 'Reset');
+  await waitForState(page, (now) => now.iteration === 0);
+  const end = await everything(page);
+
+  const undo = page.getByRole('button', { name: 'Undo' });
+  const names = [];
+  while (await undo.isEnabled()) {
+    const title = await undo.getAttribute('title');
+    names.unshift(title.replace(/ \(.*/, ''));
+    await page.keyboard.press('Control+z');
+    await expect(undo).not.toHaveAttribute('title', title);
+  }
+  expect(names).toEqual([
+    'Undo: Add plane',
+    'Undo: Change unit',
+    'Undo: Change up axis',
+    'Undo: Switch off plane',
+    'Undo: Switch on plane',
+    `Undo: Run, ${run.iteration} iterations`,
+    'Undo: Run, 1 iteration',
+    'Undo: Reset',
+  ]);
+  await expect.poll(() => everything(page)).toEqual(start);
+  const redo = page.getByRole('button', { name: 'Redo' });
+  while (await redo.isEnabled()) {
+    const title = await redo.getAttribute('title');
+    await page.keyboard.press('Control+y');
+    await expect(redo).not.toHaveAttribute('title', title);
+  }
+  await expect.poll(() => everything(page)).toEqual(end);
+});
+
+test('a drag is one step, and one that is taken back is none', async ({ page }) => {
+  await openPage(page);
+  await waitForState(page, (now) => now.renderer !== 'none');
+  const before = await everything(page);
+  const soft = (await state(page)).handles.find((handle) => !handle.fixed);
+  await dragVertex(page, soft.vertex, [10, -20]);
+  const undo = page.getByRole('button', { name: 'Undo' });
+  await expect(undo).toHaveAttribute('title', /Move handle/);
+  await waitForState(page, (now) => now.iteration > 0);
+  await page.keyboard.press('Control+z');
+  await expect(undo).toBeDisabled();
+  await expect.poll(() => everything(page)).toEqual(before);
+
+  const [x, y] = await page.evaluate((vertex) => window.shapeUp.screen(vertex), soft.vertex);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 10, y - 20, { steps: 4 });
+  await waitForState(page, (now) => now.iteration > 0);
+  await page.keyboard.press('Escape');
+  await page.mouse.up();
+  await expect(undo).toBeDisabled();
+  await expect.poll(() => everything(page)).toEqual(before);
+});

@@ -1,0 +1,150 @@
+// WebGPU where it draws, WebGL2 elsewhere: which module is loaded, and that the pictures are the same.
+
+import { decodePng } from '../picture.mjs';
+import { coloursOfView, expect, keptOffline, openPage, test, waitForState } from '../support.mjs';
+
+/** Which variants of the view's module a page loads. */
+function watchModules(page) {
+  const loaded = new Set();
+  page.on('request', (request) => {
+    const [, backend] = /view-(\w+)-[^/]*\.wasm$/.exec(request.url()) ?? [];
+    if (backend) loaded.add(backend);
+  });
+  return loaded;
+}
+
+/** Waits until the view has drawn with a backend. */
+async function drawnWith(page, backend) {
+  await waitForState(page, (now, wanted) => now.renderer === wanted, backend);
+  await expect(page.locator('#first-picture')).toHaveCount(0);
+  await expect.poll(() => coloursOfView(page)).toBeGreaterThan(50);
+}
+
+/** The view alone, as pixels. */
+async function pictureOf(page) {
+  // What floats above it would be compared too, and moves.
+  await page.evaluate(() => {
+    const sheet = new CSSStyleSheet();
+    sheet.replaceSync('#viewport ~ * { visibility: hidden !important }');
+    document.adoptedStyleSheets.push(sheet);
+  });
+  const view = page.getByRole('application', { name: '3D view' });
+  return decodePng(await view.screenshot());
+}
+
+/** The part of the pixels whose colours differ more than rounding explains. */
+function differing(a, b) {
+  expect([b.width, b.height]).toEqual([a.width, a.height]);
+  let count = 0;
+  for (let at = 0; at < a.pixels.length; at += a.channels) {
+    const change = [0, 1, 2].map((i) => Math.abs(a.pixels[at + i] - b.pixels[at + i]));
+    if (Math.max(...change) > 3) count += 1;
+  }
+  return (count * a.channels) / a.pixels.length;
+}
+
+test('each backend draws the same picture with a module of its own', async ({ page }) => {
+  const pictures = [];
+  for (const [demand, backend] of [
+    ['webgl', 'webgl2'],
+    ['webgpu', 'webgpu'],
+  ]) {
+    const loaded = watchModules(page);
+    await openPage(page, `backend=${demand}`);
+    await drawnWith(page, backend);
+    expect([...loaded]).toEqual([backend]);
+    pictures.push(await pictureOf(page));
+    page.removeAllListeners('request');
+  }
+  expect(differing(...pictures)).toBeLessThan(0.0005);
+});
+
+/** What may be wrong with WebGPU, and whether that shows only when its module is there. */
+const faults = {
+  'no adapter': [
+    () => {
+      GPU.prototype.requestAdapter = async () => null;
+    },
+    ['webgl2'],
+  ],
+  'an adapter that never answers': [
+    () => {
+      GPU.prototype.requestAdapter = () => new Promise(() => {});
+    },
+    ['webgl2'],
+  ],
+  'no device': [
+    () => {
+      GPUAdapter.prototype.requestDevice = () => Promise.reject(new DOMException('out of order'));
+    },
+    ['webgpu', 'webgl2'],
+  ],
+  'a device that is lost at once': [
+    () => {
+      const { requestDevice } = GPUAdapter.prototype;
+      GPUAdapter.prototype.requestDevice = async function (...args) {
+        const device = await requestDevice.apply(this, args);
+        setTimeout(() => device.destroy());
+        return device;
+      };
+    },
+    ['webgpu', 'webgl2'],
+  ],
+  'pictures that stay empty': [
+    () => {
+      GPUQueue.prototype.submit = () => {};
+    },
+    ['webgpu', 'webgl2'],
+  ],
+};
+for (const [fault, [cause, modules]] of Object.entries(faults)) {
+  test(`WebGL2 draws where WebGPU has ${fault}`, async ({ page }) => {
+    const loaded = watchModules(page);
+    await page.addInitScript(cause);
+    await openPage(page);
+    await drawnWith(page, 'webgl2');
+    expect([...loaded]).toEqual(modules);
+    await expect(page.getByText('No 3D picture')).toBeHidden();
+  });
+}
+
+test('WebGPU draws unasked where it can', async ({ page }) => {
+  const loaded = watchModules(page);
+  await openPage(page);
+  await drawnWith(page, 'webgpu');
+  expect([...loaded]).toEqual(['webgpu']);
+});
+
+/** The variants of the view's module that are kept. */
+const keptViews = (page) =>
+  page.evaluate(async () => {
+    const names = (await caches.keys()).filter((name) => name.startsWith('shape-up'));
+    const opened = await Promise.all(names.map((name) => caches.open(name)));
+    const requests = (await Promise.all(opened.map((cache) => cache.keys()))).flat();
+    const backends = requests.map(({ url }) => /view-(\w+)-[^/]*\.wasm$/.exec(url)?.[1]);
+    return backends.filter(Boolean).sort();
+  });
+
+test.describe('without a network', () => {
+  test.use({ serviceWorkers: 'allow' });
+
+  test('the view that draws is kept, and another one when it is wanted', async ({
+    page,
+    context,
+  }) => {
+    for (const [backend, kept] of [
+      ['webgpu', ['webgpu']],
+      ['webgl2', ['webgl2', 'webgpu']],
+    ]) {
+      await context.setOffline(false);
+      await openPage(page, `backend=${backend}`);
+      await waitForState(page, (now, wanted) => now.renderer === wanted, backend);
+      await keptOffline(page);
+      await expect.poll(() => keptViews(page)).toEqual(kept);
+      await context.setOffline(true);
+      await openPage(page, `backend=${backend}`);
+      await waitForState(page, (now, wanted) => now.renderer === wanted, backend);
+      await expect.poll(() => coloursOfView(page)).toBeGreaterThan(50);
+    }
+  });
+});

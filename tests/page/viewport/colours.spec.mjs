@@ -1,0 +1,295 @@
+// What the faces are coloured by.
+
+import {
+  addConstraint,
+  hidePanels,
+  openExample,
+  openText,
+  runToTheEnd,
+  showPanel,
+  tool,
+} from '../actions.mjs';
+import { wavyGrid } from '../meshes.mjs';
+import { colourAt, decodePng, differingBytes } from '../picture.mjs';
+import {
+  drawn,
+  expect,
+  middleOfPicture,
+  openPage,
+  screenOf,
+  test,
+  waitForState,
+} from '../support.mjs';
+
+test('faces are coloured by what is asked of them, until somebody chooses', async ({ page }) => {
+  await openPage(page);
+  await showPanel(page, 'Energies and display');
+  const colours = page.getByLabel('Colour by');
+  const legend = page.getByText('Fit range');
+  await expect(colours).toHaveValue('circularity');
+  await expect(legend).toBeVisible();
+  await openExample(page, 'Hypar');
+  await expect(colours).toHaveValue('planarity');
+
+  // Nothing is asked of a mesh from a file.
+  await openText(page, 'grid.obj', wavyGrid(4), 25);
+  await expect(colours).toHaveValue('');
+  await expect(legend).toBeHidden();
+  await addConstraint(page, 'Circle', 'each face');
+  await expect(legend).toBeVisible();
+  await showPanel(page, 'Energies and display');
+  await expect(colours).toHaveValue('circularity');
+
+  await colours.selectOption('planarity');
+  await tool(page, 'Undo');
+  await waitForState(page, (now) => now.constraints.circle === undefined);
+  await addConstraint(page, 'Circle', 'each face');
+  await showPanel(page, 'Energies and display');
+  await expect(colours).toHaveValue('planarity');
+});
+
+test('faces are coloured by how far they are from any constraint', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'grid.obj', wavyGrid(4), 25);
+  await addConstraint(page, 'Square', 'each face');
+  await showPanel(page, 'Energies and display');
+  await expect(page.getByLabel('Colour by')).toHaveValue('residual');
+  await expect(page.getByText('Fit range')).toBeVisible();
+  await expect.poll(() => worst(page)).toBeGreaterThan(0);
+  const before = await worst(page);
+  await runToTheEnd(page);
+  await expect.poll(() => worst(page)).toBeLessThan(0.2 * before);
+});
+
+/** The number behind "worst panel" in the status line. */
+async function worst(page) {
+  const text = await page.getByTitle('Constraints: ').first().textContent();
+  return Number.parseFloat(text.match(/\d[\d.e-]*/)[0]);
+}
+
+test('flat faces are not coloured by rounding', async ({ page }) => {
+  await openPage(page);
+  // Exactly flat, but for the last digits of these decimals.
+  const corners = [0, 0.1, 0.2, 0.3].flatMap((x) => [0, 0.7].map((y) => [x, y, x / 3 + y / 7]));
+  const rows = corners.map((corner) => `v ${corner.join(' ')}`);
+  await openText(page, 'flat.obj', `${rows.join('\n')}\nf 1 2 4 3\nf 3 4 6 5\nf 5 6 8 7\n`, 8);
+  await addConstraint(page, 'Plane', 'each face');
+  await expect(page.getByText('worst 0', { exact: true })).toBeVisible();
+  await showPanel(page, 'Energies and display');
+  await expect(page.getByTitle('Shape energy, without its weight')).toHaveText('0');
+});
+
+/** How much bluer than red the middle of a face of a grid of n by n quads is, in a picture. */
+async function bluerThanRed(page, picture, n, face) {
+  const first = Math.floor(face / n) * (n + 1) + (face % n);
+  const [a, b] = [await screenOf(page, first), await screenOf(page, first + n + 2)];
+  const [red, , blue] = colourAt(picture, (a[0] + b[0]) / 2, (a[1] + b[1]) / 2);
+  return blue - red;
+}
+
+test('while colours say nothing else, faces have those of their constraints', async ({ page }) => {
+  const n = 4;
+  await openPage(page);
+  await waitForState(page, (now) => now.renderer !== 'none');
+  await openText(page, 'grid.obj', wavyGrid(n), 25);
+  const tints = async () => {
+    await hidePanels(page);
+    // Neither pointing at a row nor in its fields.
+    const view = page.getByRole('application', { name: '3D view' });
+    await view.focus();
+    await view.hover({ position: { x: 5, y: 5 } });
+    await drawn(page);
+    const picture = decodePng(await page.screenshot());
+    const [first, second] = [0, n * n - 1];
+    return [
+      await bluerThanRed(page, picture, n, first),
+      await bluerThanRed(page, picture, n, second),
+    ];
+  };
+  const [plain] = await tints();
+
+  // Blue circles everywhere, and a red sphere through the corners of the first face.
+  await addConstraint(page, 'Circle', 'each face');
+  await page.keyboard.press('3');
+  await hidePanels(page);
+  const [a, b] = [await screenOf(page, 0), await screenOf(page, n + 2)];
+  await page.mouse.click((a[0] + b[0]) / 2, (a[1] + b[1]) / 2);
+  await waitForState(page, (now) => now.selection.faces.length === 1);
+  await addConstraint(page, 'Sphere', 'whole selection together');
+  await page.keyboard.press('Escape');
+  await showPanel(page, 'Energies and display');
+  await page.getByLabel('Colour by').selectOption('');
+  const [round, others] = await tints();
+  expect(round).toBeLessThan(plain - 20);
+  expect(others).toBeGreaterThan(plain + 20);
+
+  // A row that is off has no colour; the one behind it has.
+  await showPanel(page, 'Model');
+  await page.getByRole('switch', { name: /^Sphere/ }).uncheck();
+  await waitForState(page, (now) => now.constraints.sphere === undefined);
+  expect((await tints())[0]).toBeGreaterThan(plain + 20);
+  await tool(page, 'Undo');
+  await waitForState(page, (now) => now.constraints.sphere === 1);
+  expect((await tints())[0]).toBeLessThan(plain - 20);
+});
+
+test('residuals are arrows to the projected shapes, until there are none', async ({ page }) => {
+  await openPage(page);
+  await waitForState(page, (now) => now.renderer !== 'none');
+  await openText(page, 'grid.obj', wavyGrid(4), 25);
+  await addConstraint(page, 'Plane', 'each face');
+  /** How many bytes of the picture the arrows change, beside outlines. */
+  const changes = async () => {
+    await showPanel(page, 'Energies and display');
+    const [outlines, arrows] = ['Projected shapes', 'Residual arrows'].map((name) =>
+      page.getByRole('checkbox', { name }),
+    );
+    const before = await middleOfPicture(page);
+    await outlines.check();
+    const outlined = await middleOfPicture(page);
+    expect(differingBytes(outlined, before)).toBeGreaterThan(2000);
+    await arrows.check();
+    const changed = differingBytes(await middleOfPicture(page), outlined);
+    await arrows.uncheck();
+    await outlines.uncheck();
+    expect(differingBytes(await middleOfPicture(page), before)).toBe(0);
+    return changed;
+  };
+  const rough = await changes();
+  expect(rough).toBeGreaterThan(500);
+  await runToTheEnd(page);
+  expect(await changes()).toBeLessThan(0.2 * rough);
+});
+
+test('the legend counts the faces within a tolerance', async ({ page }) => {
+  await openPage(page);
+  await showPanel(page, 'Energies and display');
+  const colours = page.getByLabel('Colour by');
+  const names = await colours.getByRole('option').allTextContents();
+  expect(names.length).toBeGreaterThan(10);
+  await colours.selectOption('Planarity: diagonals');
+  await hidePanels(page);
+  const tolerance = page.getByLabel('Tolerance');
+  const within = page.getByTitle('Faces within the tolerance');
+  const histogram = page.getByRole('img', { name: /^432 faces between 0 and .* %$/ });
+  await expect(histogram).toBeVisible();
+  const set = async (value) => {
+    await tolerance.fill(value);
+    await tolerance.press('Enter');
+  };
+  await set('1000');
+  await expect(within).toHaveText('432 of 432');
+  await set('1');
+  await expect(within).toHaveText(/^(?!432)\d+ of 432$/);
+  const before = Number.parseInt(await within.textContent(), 10);
+  await runToTheEnd(page);
+  const after = () => within.textContent().then((text) => Number.parseInt(text, 10));
+  await expect.poll(after).toBeGreaterThan(before + 100);
+
+  await page.getByLabel('Colours to').fill('2,5');
+  await page.getByLabel('Colours to').press('Enter');
+  await tolerance.focus();
+  await expect(page.getByLabel('Colours to')).toHaveValue('2.50');
+});
+
+/** The ends of the range as the legend has them. */
+const rangeOf = async (page) =>
+  Promise.all(['Colours from', 'Colours to'].map((name) => page.getByLabel(name).inputValue()));
+
+test('choosing a measure again gives the same picture, whatever came between', async ({ page }) => {
+  await openPage(page);
+  await waitForState(page, (now) => now.renderer !== 'none');
+  await runToTheEnd(page);
+  await showPanel(page, 'Energies and display');
+  const colours = page.getByLabel('Colour by');
+  // So that there is something beyond it.
+  await page.getByLabel('Tolerance').fill('0.1');
+  await page.getByLabel('Tolerance').press('Enter');
+  await expect(page.getByLabel('Colours from')).toHaveValue('0.100');
+  await drawn(page);
+  const before = [await rangeOf(page), await middleOfPicture(page)];
+  await page.getByRole('button', { name: 'Fit range' }).click();
+  await expect.poll(() => rangeOf(page)).not.toEqual(before[0]);
+  await colours.selectOption('planarity');
+  await expect(page.locator('#legend')).toContainText('Planarity');
+  await drawn(page);
+  await colours.selectOption('circularity');
+  await expect.poll(() => rangeOf(page)).toEqual(before[0]);
+  expect(differingBytes(await middleOfPicture(page), before[1])).toBe(0);
+  // Full map and back.
+  const full = page.getByLabel('Full map');
+  await full.check();
+  await expect(page.getByLabel('Colours from')).toHaveValue('0');
+  expect(differingBytes(await middleOfPicture(page), before[1])).toBeGreaterThan(2000);
+  await full.uncheck();
+  expect(differingBytes(await middleOfPicture(page), before[1])).toBe(0);
+});
+
+test('the ends of the range are dragged and moved by keys; the scale can be logarithmic', async ({
+  page,
+}) => {
+  await openPage(page);
+  await waitForState(page, (now) => now.renderer !== 'none');
+  const high = page.getByRole('slider', { name: 'High end of the range' });
+  const low = page.getByRole('slider', { name: 'Low end of the range' });
+  await expect(high).toHaveAttribute('aria-valuenow', '100');
+  const automatic = await rangeOf(page);
+  const before = await middleOfPicture(page);
+  await high.focus();
+  await page.keyboard.press('Shift+ArrowLeft');
+  await expect(high).toHaveAttribute('aria-valuenow', '90');
+  expect(differingBytes(await middleOfPicture(page), before)).toBeGreaterThan(500);
+  const { x, y, width, height } = await high.boundingBox();
+  await page.mouse.move(x + width / 2, y + height / 2);
+  await page.mouse.down();
+  await page.mouse.move(x + width / 2 - 80, y + height / 2, { steps: 4 });
+  await page.mouse.up();
+  await expect
+    .poll(async () => Number((await rangeOf(page))[1]))
+    .toBeLessThan(0.8 * Number(automatic[1]));
+  await high.dblclick();
+  await expect.poll(() => rangeOf(page)).toEqual(automatic);
+  await low.focus();
+  await page.keyboard.press('ArrowRight');
+  await expect.poll(() => rangeOf(page)).not.toEqual(automatic);
+  await page.keyboard.press('Delete');
+  await expect.poll(() => rangeOf(page)).toEqual(automatic);
+
+  await page.getByLabel('Log scale').check();
+  expect(differingBytes(await middleOfPicture(page), before)).toBeGreaterThan(500);
+  expect(await rangeOf(page)).toEqual(automatic);
+});
+
+test('errors have one unit, that of the tolerance, beside how far the mesh moved', async ({
+  page,
+}) => {
+  await openPage(page);
+  const scene = {
+    ...{ format: 'shape-up-scene', version: 1, units: 'm', up: 'z' },
+    mesh: { positions: [], faces: [] },
+    constraints: [{ kind: 'plane', on: 'faces' }],
+  };
+  // One face of four is off by much more than a decimetre.
+  for (let i = 0; i < 9; i++)
+    scene.mesh.positions.push([i % 3, Math.floor(i / 3), i === 8 ? 2 : 0]);
+  scene.mesh.faces = [0, 1, 3, 4].map((at) => [at, at + 1, at + 4, at + 3]);
+  await openText(page, 'm.shapeup.json', JSON.stringify(scene), 9);
+  const legend = page.locator('#legend');
+  await expect(page.getByLabel('Tolerance')).toHaveValue('1');
+  await expect(page.getByTitle('Faces within the tolerance')).toHaveText('3 of 4');
+  await expect(legend).toContainText(/Worst 398 mm/);
+  await expect(page.getByTitle('Planarity: ').first()).toHaveText(/398 mm$/);
+  await showPanel(page, 'Model');
+  const row = page.getByRole('list', { name: 'Constraints' }).getByRole('listitem');
+  await expect(row).toContainText(/worst \d+ mm/);
+  await expect(row).toContainText('beyond 1 mm');
+  await expect(legend).not.toContainText('Moved');
+  await runToTheEnd(page);
+  await expect(legend).toContainText(/Moved \d.* m, mean \d/);
+  await expect(page.locator('#numbers')).toContainText(/moved\d.* m, mean/);
+  // Another measure keeps the tolerance.
+  await page.getByLabel('Tolerance').fill('200');
+  await page.getByLabel('Tolerance').press('Enter');
+  // What is left is rounding.
+  await expect(legend).toContainText(/Worst 0 m\s+Moved/);
+});

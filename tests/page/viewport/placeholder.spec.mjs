@@ -1,0 +1,167 @@
+// What is on the screen before the page can draw, and what becomes of presses on it.
+
+import { hidePanels, showPanel } from '../actions.mjs';
+import { file, wavyGrid } from '../meshes.mjs';
+import { decodePng } from '../picture.mjs';
+import { coloursOfView, expect, screenOf, state, test, waitForState } from '../support.mjs';
+
+const viewOf = (page) => page.getByRole('application', { name: '3D view' });
+
+/** Holds requests until the function that it gives is called. */
+async function hold(page, address) {
+  let release;
+  const released = new Promise((done) => (release = done));
+  await page.route(address, async (route) => {
+    const response = await route.fetch();
+    await released;
+    await route.fulfill({ response });
+  });
+  return release;
+}
+
+// What is loaded late may still be held when a test is over.
+test.afterEach(({ page }) => page.unrouteAll({ behavior: 'ignoreErrors' }));
+
+/** Holds the view's module, and no other. */
+const holdView = (page) => hold(page, '**/view-*.wasm');
+
+/** The part of the pixels between two heights, parts of the whole, whose colours differ plainly. */
+function differing(a, b, [top, bottom]) {
+  const rows = [top, bottom].map((part) => Math.round(part * a.height) * a.width * a.channels);
+  let count = 0;
+  for (let at = rows[0]; at < rows[1]; at += a.channels) {
+    const change = [0, 1, 2].map((i) => Math.abs(a.pixels[at + i] - b.pixels[at + i]));
+    if (Math.max(...change) > 48) count += 1;
+  }
+  return count / ((rows[1] - rows[0]) / a.channels);
+}
+
+for (const colorScheme of ['light', 'dark']) {
+  test(`the example is on the screen before it can be drawn, ${colorScheme}`, async ({ page }) => {
+    await page.emulateMedia({ colorScheme });
+    const release = await holdView(page);
+    await page.goto('./');
+    expect(await coloursOfView(page)).toBeGreaterThan(50);
+    await waitForState(page, (now) => now.converged);
+    // Circles are the view's: several hundred would double the bytes of the picture.
+    await showPanel(page, 'Energies and display');
+    await page.getByLabel('Fitted shapes').uncheck();
+    await hidePanels(page);
+    const still = decodePng(await viewOf(page).screenshot());
+
+    release();
+    await expect(page.locator('#first-picture')).toHaveCount(0);
+    expect((await state(page)).renderer).not.toBe('none');
+    const drawn = decodePng(await viewOf(page).screenshot());
+    // Between the card above and the legend below. Two pixels aside, a twentieth would differ.
+    expect(differing(still, drawn, [0.16, 0.7])).toBeLessThan(0.02);
+  });
+}
+
+test('the picture is that of the solved shape, and nothing moves when that comes', async ({
+  page,
+}) => {
+  const releaseScript = await hold(page, '**/*.js');
+  const release = await holdView(page);
+  await page.goto('./', { waitUntil: 'commit' });
+  const panels = page.locator('#first-picture svg:visible > path:not([data-sides])');
+  const corners = () =>
+    panels.evaluateAll((all) =>
+      all.flatMap((panel) => {
+        const text = panel.getAttribute('d');
+        const places = text.match(/-?[\d.]+/g).map(Number);
+        // The build writes each corner as seen from the one before.
+        if (text.includes('l')) for (let i = 2; i < places.length; i++) places[i] += places[i - 2];
+        return places;
+      }),
+    );
+  await expect(panels).not.toHaveCount(0);
+  const built = await corners();
+  releaseScript();
+  const { iteration } = await waitForState(page, (now) => now.converged);
+  expect(iteration).toBeGreaterThan(0);
+  // Now at tenths of a pixel, and at whole ones before.
+  await expect.poll(async () => (await corners()).some((at) => !Number.isInteger(at))).toBe(true);
+  const live = await corners();
+  expect(live).toHaveLength(built.length);
+  expect(Math.max(...live.map((at, i) => Math.abs(at - built[i])))).toBeLessThan(0.56);
+  release();
+});
+
+test('presses count before anything is there to act on', async ({ page }) => {
+  const releaseScript = await hold(page, '**/*.js');
+  const releaseModules = await hold(page, '**/*.wasm');
+  const mesh = page.waitForResponse(/\/examples\/[^/]+\.obj$/);
+  await page.goto('./', { waitUntil: 'commit' });
+  expect(await coloursOfView(page)).toBeGreaterThan(50);
+  // A phone's tools are in their place when the script is there.
+  const run = page.getByRole('button', { name: 'Run' });
+  const early = await run.isVisible();
+  if (early) await run.click();
+  releaseScript();
+  if (!early) await run.click();
+  const said = page.getByRole('status');
+  await expect(said).toHaveText('Starts when the model is here');
+  // Also when the example is here, and only the solver is not.
+  await (await mesh).finished();
+  await expect(said).toHaveText('Starts when the model is here');
+  releaseModules();
+  // Of what is solved already there is little to do.
+  const undo = page.getByRole('button', { name: 'Undo' });
+  await expect(undo).toHaveAttribute('title', /^Undo: Run, \d iterations?/);
+  await expect(said).toHaveText(/^Converged after \d+ iterations$/);
+});
+
+test('the picture goes when something else is opened', async ({ page }) => {
+  const release = await holdView(page);
+  await page.goto('./');
+  await waitForState(page, (now) => now.vertices > 0);
+  await expect(page.locator('#first-picture')).toHaveCount(1);
+  await hidePanels(page);
+  await page.getByLabel('Open file').setInputFiles(file('grid.obj', wavyGrid(4)));
+  await waitForState(page, (now) => now.vertices === 25);
+  await expect(page.locator('#first-picture')).toHaveCount(0);
+  release();
+  await waitForState(page, (now) => now.renderer !== 'none');
+});
+
+test('a handle can be dragged before anything can draw, and the mesh follows', async ({ page }) => {
+  const releaseScript = await hold(page, '**/*.js');
+  const release = await holdView(page);
+  await page.goto('./', { waitUntil: 'commit' });
+  const picture = page.locator('#first-picture svg:visible');
+  const grip = picture.locator('g:has(circle.handle)');
+  const handle = grip.locator('.handle');
+  const target = grip.locator('.target');
+  const placeOf = async (dot) => {
+    const { x, y, width, height } = await dot.boundingBox();
+    return [x + width / 2, y + height / 2];
+  };
+  // The style sheet says which of the two pictures it is.
+  await expect(picture).toHaveCount(1);
+  const vertex = Number(await grip.getAttribute('data-vertex'));
+  const [x, y] = await placeOf(handle);
+  const before = await placeOf(target);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 20, y - 60, { steps: 4 });
+  // There is only HTML yet: the target moves, and nothing can follow.
+  const dragged = await placeOf(target);
+  expect(dragged[0] - before[0]).toBeCloseTo(20, 0);
+  expect(dragged[1] - before[1]).toBeCloseTo(-60, 0);
+  expect(await placeOf(handle)).toEqual([x, y]);
+
+  // The solver comes: the mesh follows within the picture, also when it has been let go.
+  const panel = picture.locator(':scope > path').last();
+  const still = await panel.getAttribute('d');
+  releaseScript();
+  await expect.poll(async () => (await placeOf(handle))[1]).toBeLessThan(y - 5);
+  await expect(panel).not.toHaveAttribute('d', still);
+  await page.mouse.move(x + 20, y - 80);
+  await page.mouse.up();
+  await expect(page.getByRole('button', { name: 'Undo' })).toBeEnabled();
+
+  release();
+  await expect(page.locator('#first-picture')).toHaveCount(0);
+  expect((await screenOf(page, vertex))[1]).toBeLessThan(y - 5);
+});

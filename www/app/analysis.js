@@ -1,0 +1,133 @@
+/**
+ * The region of plots and tables: a tab for each. What a tab needs comes when it is first shown.
+ */
+
+import { byId, element } from '../ui/dom.js';
+import { messageOf } from '../solver/messages.js';
+import { Convergence } from '../panels/convergence/convergence.js';
+
+/**
+ * @typedef {object} Parts what a tab may use
+ * @property {import("../store/state.js").Store} store
+ * @property {import("../solver/solver-client.js").SolverClient} solver
+ * @property {import("../viewport/viewport.js").Viewport} viewport
+ * @property {import("../documents/files.js").Files} files
+ * @property {import("../store/actions.js").Actions} actions
+ * @property {import("../ui/alerts.js").Alerts} alerts
+ * @property {import("../features/hold-original.js").HoldOriginal} hold
+ */
+
+/**
+ * @typedef {object} Tab
+ * @property {string} id
+ * @property {string} label
+ * @property {boolean} [atOnce] made with the page, because it has to see everything from the start
+ * @property {(panel: HTMLElement, parts: Parts) => unknown} make fills its panel; called once
+ */
+
+/** In the order in which they are offered. @type {Tab[]} */
+const TABS = [
+  {
+    id: 'convergence',
+    label: 'Convergence',
+    atOnce: true,
+    make: (panel, { store, solver }) => new Convergence(panel, store, solver),
+  },
+  {
+    id: 'angles',
+    label: 'Angles',
+    make: async (panel, parts) =>
+      (await import('../panels/angles/angles.js')).anglesPanel(panel, parts),
+  },
+  {
+    id: 'worst',
+    label: 'Worst',
+    make: async (panel, parts) =>
+      (await import('../panels/worst/worst.js')).worstElements(panel, parts),
+  },
+  {
+    id: 'log',
+    label: 'Log',
+    make: async (panel, parts) => (await import('../panels/log/log.js')).logOf(panel, parts),
+  },
+];
+
+/**
+ * @param {HTMLElement} place
+ * @param {Parts} parts
+ * @returns {{ bring: (id: string) => void, show: (id: string) => void, shown: () => string }} `bring`
+ *   shows a tab and brings the region into sight; `shown` is the tab that is shown
+ */
+export function analysisRegion(place, parts) {
+  const list = element('div', { role: 'tablist', 'aria-label': 'Analysis' });
+  const entries = TABS.map((tab) => {
+    const button = element(
+      'button',
+      {
+        type: 'button',
+        role: 'tab',
+        id: `tab-${tab.id}`,
+        'aria-controls': tab.id,
+        onclick: () => show(tab.id),
+      },
+      tab.label,
+    );
+    const panel = element('div', {
+      id: tab.id,
+      role: 'tabpanel',
+      'aria-labelledby': `tab-${tab.id}`,
+    });
+    return { ...tab, button, panel, isMade: false };
+  });
+  list.append(...entries.map(({ button }) => button));
+  place.append(list, ...entries.map(({ panel }) => panel));
+
+  list.addEventListener('keydown', (event) => {
+    const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+    if (!step) return;
+    event.preventDefault();
+    const at = entries.findIndex(({ button }) => button === document.activeElement);
+    const next = entries[(at + step + entries.length) % entries.length];
+    next.button.focus();
+    show(next.id);
+  });
+
+  /** @param {typeof entries[number]} entry */
+  async function fill(entry) {
+    if (entry.isMade) return;
+    entry.isMade = true;
+    try {
+      await entry.make(entry.panel, parts);
+    } catch (error) {
+      entry.isMade = false;
+      parts.alerts.error(messageOf(error));
+    }
+  }
+
+  let shown = '';
+
+  /** @param {string} id */
+  function show(id) {
+    if (!entries.some((entry) => entry.id === id)) return undefined;
+    shown = id;
+    for (const { id: other, panel, button } of entries) {
+      const isShown = other === id;
+      panel.hidden = !isShown;
+      button.setAttribute('aria-selected', String(isShown));
+      button.tabIndex = isShown ? 0 : -1;
+    }
+    return Promise.all(entries.filter((entry) => entry.id === id || entry.atOnce).map(fill));
+  }
+  show(TABS[0].id);
+  return {
+    show,
+    shown: () => shown,
+    async bring(id) {
+      const filled = show(id);
+      // In a narrow window the panel may be behind another, or closed.
+      if (place.offsetParent === null) byId('tab-inspector').click();
+      await filled;
+      place.scrollIntoView({ block: 'nearest' });
+    },
+  };
+}

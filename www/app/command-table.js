@@ -1,0 +1,331 @@
+/** The commands of the page: what each is called, its keys, and when there is something to do. */
+
+import { byId } from '../ui/dom.js';
+import { halfStepTitle } from '../store/half-step.js';
+import { selectCommands } from '../features/selection/select-commands.js';
+import { isDrawn } from '../store/state.js';
+import { toggleTheme } from './theme.js';
+import { viewCommands } from '../features/view-tools/view-commands.js';
+
+/** @typedef {import("./commands.js").Command} Command */
+/** @typedef {import("../store/state.js").State} State */
+
+/**
+ * @typedef {object} Parts
+ * @property {import("../store/state.js").Store} store
+ * @property {import("../viewport/viewport.js").Viewport} viewport
+ * @property {import("../viewport/input/pointer.js").PointerInput} pointer
+ * @property {import("../documents/files.js").Files} files
+ * @property {import("../store/actions.js").Actions} actions
+ * @property {import("../ui/alerts.js").Alerts} alerts
+ * @property {import("../solver/solver-client.js").SolverClient} solver
+ * @property {import("../features/hold-original.js").HoldOriginal} hold
+ * @property {() => void} lesson opens the dialog that writes one
+ * @property {() => void} flatMap shows the flat map, or takes it away
+ * @property {() => void} split shows two pictures, or one again
+ * @property {HTMLInputElement} fileInput
+ * @property {() => Promise<void>} help
+ */
+
+/**
+ * @param {Parts} parts
+ * @returns {Command[]}
+ */
+export function commandTable(parts) {
+  const { store, solver, viewport, pointer, files, actions, alerts, fileInput, help } = parts;
+  const hasFaces = (/** @type {State} */ { model }) => (model?.faces ?? 0) > 0;
+
+  function fitSelection() {
+    const vertices = actions.chosenVertices();
+    viewport.with((view) =>
+      vertices.length > 0 ? view.fitVertices(Uint32Array.from(vertices)) : view.fit(),
+    );
+  }
+
+  function escape() {
+    if (pointer.cancel()) return;
+    /** @type {HTMLDialogElement} */
+    const newConstraint = byId('add-constraint');
+    if (newConstraint.open) return newConstraint.close();
+    if (store.get().tape) return store.set({ tape: null, status: 'Measuring ended' });
+    if (store.get().flatMap) return store.set({ flatMap: null });
+    if (store.get().split) return store.set({ split: null });
+    alerts.clear();
+    actions.selectNothing();
+  }
+
+  return [
+    {
+      id: 'run',
+      group: 'Solver',
+      label: 'Run or pause',
+      keys: [' '],
+      action: actions.runOrPause,
+      needsModel: true,
+      title: ({ running }) => (running ? 'Pause the iteration' : 'Iterate until nothing changes'),
+    },
+    {
+      id: 'step',
+      group: 'Solver',
+      label: 'One iteration',
+      keys: ['.'],
+      action: actions.step,
+      needsModel: true,
+    },
+    {
+      id: 'half-step',
+      group: 'Solver',
+      label: 'Half an iteration: the local step, then the global step',
+      keys: [','],
+      action: actions.halfStep,
+      needsModel: true,
+      title: halfStepTitle,
+    },
+    {
+      id: 'reset',
+      group: 'Solver',
+      label: 'Back to the original',
+      keys: ['Shift+R'],
+      action: actions.reset,
+      needsModel: true,
+      title: () => 'Back to the original; hold to see it',
+    },
+    {
+      id: 'hold-original',
+      group: 'View',
+      label: 'Hold: show the original',
+      keys: ['R'],
+      action: () => parts.hold.begin(),
+      enabled: (state) => state.document !== null && isDrawn(state),
+    },
+    {
+      id: 'undo',
+      group: 'Edit',
+      label: 'Undo',
+      keys: ['Ctrl+Z'],
+      action: actions.undo,
+      enabled: ({ document, dragged }) => Boolean(document?.undo) && dragged.length === 0,
+      title: ({ document }) => (document?.undo ? `Undo: ${document.undo}` : 'Nothing to undo'),
+    },
+    {
+      id: 'redo',
+      group: 'Edit',
+      label: 'Redo',
+      keys: ['Ctrl+Shift+Z', 'Ctrl+Y'],
+      action: actions.redo,
+      enabled: ({ document, dragged }) => Boolean(document?.redo) && dragged.length === 0,
+      title: ({ document }) => (document?.redo ? `Redo: ${document.redo}` : 'Nothing to redo'),
+    },
+    {
+      id: 'add-constraint',
+      group: 'Edit',
+      label: 'Add constraint',
+      keys: [],
+      action: () =>
+        actions.told(
+          import('../features/add-constraint/dialog-add-constraint.js').then(
+            ({ toggleAddConstraint }) => toggleAddConstraint(store, solver, actions),
+          ),
+        ),
+      needsModel: true,
+    },
+    {
+      id: 'add-handles',
+      group: 'Edit',
+      label: 'Make the selected vertices handles',
+      keys: ['H'],
+      action: () => actions.addHandles(actions.chosenVertices(), false),
+      needsModel: true,
+    },
+    {
+      id: 'remove-handles',
+      group: 'Edit',
+      label: 'Remove the selected handles',
+      keys: ['Shift+H', 'Delete'],
+      action: () => actions.removeHandles(actions.chosenVertices()),
+      needsModel: true,
+    },
+    {
+      id: 'next-handle',
+      group: 'Edit',
+      label: 'Select the next handle',
+      keys: ['G'],
+      action: () => actions.selectNextHandle(),
+      needsModel: true,
+    },
+    {
+      id: 'tool-drag',
+      group: 'Tools',
+      label: 'Drag handles and orbit',
+      keys: ['V'],
+      action: () => store.set({ tool: 'drag' }),
+      pressed: ({ tool }) => tool === 'drag',
+    },
+    {
+      id: 'tool-select',
+      group: 'Tools',
+      label: 'Select with a box, a lasso or a brush',
+      keys: [],
+      action: () => store.set({ tool: 'select' }),
+      pressed: ({ tool }) => tool === 'select',
+    },
+    ...selectCommands(store),
+    {
+      id: 'mode-vertices',
+      group: 'Tools',
+      label: 'Select vertices',
+      keys: ['1'],
+      action: () => store.set({ mode: 'vertices' }),
+      pressed: ({ mode }) => mode === 'vertices',
+    },
+    {
+      id: 'mode-edges',
+      group: 'Tools',
+      label: 'Select edges',
+      keys: ['2'],
+      action: () => store.set({ mode: 'edges' }),
+      pressed: ({ mode }) => mode === 'edges',
+    },
+    {
+      id: 'mode-faces',
+      group: 'Tools',
+      label: 'Select faces',
+      keys: ['3'],
+      action: () => store.set({ mode: 'faces' }),
+      pressed: ({ mode }) => mode === 'faces',
+    },
+    {
+      id: 'nothing',
+      group: 'Tools',
+      label: 'Undo the drag, close, select nothing',
+      keys: ['Escape'],
+      action: escape,
+    },
+    {
+      id: 'fit-selection',
+      group: 'View',
+      label: 'Fit the selection',
+      keys: ['F'],
+      action: fitSelection,
+      enabled: isDrawn,
+    },
+    {
+      id: 'fit-all',
+      group: 'View',
+      label: 'Fit all',
+      keys: ['Home'],
+      action: () =>
+        viewport.with((view) => {
+          view.fit();
+          view.fitMap();
+        }),
+      enabled: isDrawn,
+    },
+    {
+      id: 'edges',
+      group: 'View',
+      label: 'Show or hide edges',
+      keys: ['W'],
+      action: () => {
+        const { display } = store.get();
+        store.set({ display: { ...display, edges: !display.edges } });
+      },
+    },
+    ...viewCommands(parts),
+    {
+      id: 'parametrize',
+      group: 'View',
+      label: 'Flatten: a flat map beside the model',
+      keys: ['U'],
+      action: parts.flatMap,
+      needsModel: true,
+      enabled: hasFaces,
+      pressed: ({ flatMap }) => flatMap !== null,
+    },
+    {
+      id: 'split',
+      group: 'View',
+      label: 'Split view: original and now, or two measures',
+      keys: ['C'],
+      action: parts.split,
+      needsModel: true,
+      enabled: (state) => hasFaces(state) && isDrawn(state),
+      pressed: ({ split }) => split !== null,
+    },
+    {
+      id: 'open',
+      group: 'File',
+      label: 'Open file',
+      keys: ['Ctrl+O'],
+      action: () => fileInput.click(),
+    },
+    {
+      id: 'save',
+      group: 'File',
+      label: 'Save scene',
+      keys: ['Ctrl+S'],
+      action: () => files.saveScene(),
+      needsModel: true,
+      title: () => 'Save the mesh with its constraints, handles and weights',
+    },
+    {
+      id: 'export',
+      group: 'File',
+      label: 'Export the shape as OBJ',
+      keys: ['Ctrl+E'],
+      action: () => files.exportMesh(),
+      needsModel: true,
+      title: ({ flatMap }) =>
+        `Save the shape as it is now${flatMap ? ', with its flat map,' : ''} as OBJ`,
+    },
+    {
+      id: 'export-as',
+      group: 'File',
+      label: 'More formats: Rhino, tables, pictures',
+      keys: ['Ctrl+Shift+E'],
+      action: () =>
+        actions.told(
+          import('../features/export/dialog-export.js').then(({ showExport }) =>
+            showExport({ store, solver, files, viewport }),
+          ),
+        ),
+      needsModel: true,
+    },
+    {
+      id: 'share',
+      group: 'File',
+      label: 'Share a link to the scene',
+      keys: [],
+      action: () =>
+        actions.told(
+          import('../features/share/dialog-share.js').then(({ share }) =>
+            share({ store, solver, files }),
+          ),
+        ),
+      needsModel: true,
+    },
+    {
+      id: 'lesson',
+      group: 'File',
+      label: 'Write a lesson: a text, and goals that are checked',
+      keys: [],
+      action: parts.lesson,
+      needsModel: true,
+    },
+    {
+      id: 'theme',
+      group: 'Page',
+      label: 'Light or dark',
+      keys: [],
+      action: () => toggleTheme(store),
+    },
+    {
+      id: 'help',
+      group: 'Page',
+      label: 'This list',
+      keys: ['?', 'F1'],
+      action: () => actions.told(help()),
+      title: () => 'Mouse and keys',
+    },
+  ];
+}

@@ -1,0 +1,171 @@
+/**
+ * Everything that a button or a key does: one table. It binds the buttons (`data-command`), binds
+ * the keys, and writes the help.
+ */
+
+import { setText } from '../ui/dom.js';
+import { isSwitchedOff } from '../ui/single-keys.js';
+
+/**
+ * @typedef {object} Command
+ * @property {string} id what `data-command` names
+ * @property {string} group heading in the help
+ * @property {string} label in the help
+ * @property {string[]} keys such as "Ctrl+Shift+Z"; letters are what is written on the key
+ * @property {() => void} action
+ * @property {boolean} [needsModel] while the first model is on its way, a press waits for it
+ * @property {(state: import("../store/state.js").State) => boolean} [enabled] always, when absent
+ * @property {(state: import("../store/state.js").State) => boolean} [pressed] for buttons that are toggles
+ * @property {(state: import("../store/state.js").State) => string} [title] instead of the label
+ */
+
+/** The keys that press a button or open a list themselves. */
+const ACTIVATING = new Set([' ', 'Enter']);
+const NOT_TYPED_INTO = '[type="checkbox"], [type="radio"], [type="file"], [type="range"]';
+
+/** Pressed before there was a model. @type {Set<Command>} */
+const waiting = new Set();
+
+/**
+ * Does a command, now or as soon as there is a model.
+ * @param {Command} command
+ * @param {import("../store/state.js").Store} store
+ */
+function press(command, store) {
+  const state = store.get();
+  if (command.needsModel && !state.document) {
+    if (waiting.size === 0) store.set({ status: 'Starts when the model is here' });
+    waiting.add(command);
+  } else if (!command.enabled || command.enabled(state)) {
+    command.action();
+  }
+}
+
+/**
+ * Does what was pressed before this script was there, and what waits for the model once it is.
+ * @param {Command[]} commands
+ * @param {import("../store/state.js").Store} store
+ * @param {string[]} early names of commands
+ */
+export function takeEarlyPresses(commands, store, early) {
+  for (const name of early) {
+    const command = commands.find(({ id }) => id === name);
+    if (command) press(command, store);
+  }
+  store.subscribe(['document'], ({ document }) => {
+    if (!document) return;
+    const pressed = [...waiting];
+    waiting.clear();
+    pressed.forEach((command) => press(command, store));
+  });
+}
+
+/**
+ * @param {Command[]} commands
+ * @param {import("../store/state.js").Store} store
+ */
+export function bindButtons(commands, store) {
+  const byName = new Map(commands.map((command) => [command.id, command]));
+  for (const button of document.querySelectorAll('button[data-command]')) {
+    if (!(button instanceof HTMLButtonElement)) continue;
+    const command = byName.get(button.dataset.command ?? '');
+    if (!command) throw new Error(`no command is called ${button.dataset.command}`);
+    button.addEventListener('click', () => press(command, store));
+    const shortcut = command.keys.length > 0 ? ` (${keyName(command.keys[0])})` : '';
+    store.subscribe(store.steady, (state) => {
+      const title = (command.title ? command.title(state) : command.label) + shortcut;
+      // Also what is set to what it was invalidates styles, and is news for who watches the bar.
+      if (button.title !== title) button.title = title;
+      const disabled = command.enabled ? !command.enabled(state) : false;
+      if (button.disabled !== disabled) button.disabled = disabled;
+      const pressed = command.pressed ? String(command.pressed(state)) : null;
+      if (pressed !== button.getAttribute('aria-pressed') && pressed !== null) {
+        button.setAttribute('aria-pressed', pressed);
+      }
+    });
+  }
+}
+
+/**
+ * @param {Command[]} commands
+ * @param {import("../store/state.js").Store} store
+ */
+export function bindKeys(commands, store) {
+  window.addEventListener('keydown', (event) => {
+    if (event.defaultPrevented || event.altKey) return;
+    const chord = chordOf(event);
+    if (!chord.startsWith('Ctrl+') && chord !== 'Escape' && isTyping(event)) return;
+    const digit = digitOf(event);
+    // With Shift, what is written on the key goes first: on some keyboards + is there.
+    const names = digit.startsWith('Shift') ? [chord, digit] : [digit, chord];
+    const [command] = names.flatMap((name) => commands.filter(({ keys }) => keys.includes(name)));
+    if (!command || isSwitchedOff(chord)) return;
+    // They have the keys to themselves, and Escape closes them.
+    if (document.querySelector('dialog:modal, :popover-open')) return;
+    // The browser's own meaning (open, save, print) never applies here, even when there is nothing to do.
+    if (chord !== 'Escape') event.preventDefault();
+    press(command, store);
+  });
+}
+
+/**
+ * The keys of an event as the table writes them. Letters by what they print, not by where they
+ * are: keyboards differ.
+ * @param {KeyboardEvent} event
+ */
+function chordOf(event) {
+  const letter = event.key.length === 1;
+  const key = letter ? event.key.toUpperCase() : event.key;
+  const isLetter = letter && key !== event.key.toLowerCase();
+  const shift = event.shiftKey && (isLetter || !letter);
+  return `${event.ctrlKey || event.metaKey ? 'Ctrl+' : ''}${shift ? 'Shift+' : ''}${key}`;
+}
+
+/**
+ * A digit by where its key is: some keyboards have other signs there. With its name before it on the
+ * number pad, where other keys are the same ones without the lock. Empty for other keys.
+ * @param {KeyboardEvent} event
+ */
+function digitOf({ code, key, shiftKey, ctrlKey, metaKey }) {
+  const [, pad, digit] = /^(Digit|Numpad)(\d)$/.exec(code) ?? [];
+  if (!digit || ctrlKey || metaKey) return '';
+  if (pad === 'Numpad') return key === digit ? code : '';
+  return `${shiftKey ? 'Shift+' : ''}${digit}`;
+}
+
+/** @param {KeyboardEvent} event */
+function isTyping({ target, key }) {
+  if (!(target instanceof HTMLElement)) return false;
+  if (target.matches('select, textarea') || target.matches(`input:not(${NOT_TYPED_INTO})`))
+    return true;
+  return ACTIVATING.has(key) && target.matches('button, summary, a, input:not([type="range"])');
+}
+
+const IS_MAC = /Mac|iPhone|iPad/.test(navigator.platform);
+
+/**
+ * A key as people read it.
+ * @param {string} chord
+ */
+export function keyName(chord) {
+  return chord
+    .replace('Ctrl+', IS_MAC ? '⌘' : 'Ctrl+')
+    .replace('Shift+', IS_MAC ? '⇧' : 'Shift+')
+    .replace('Numpad', 'Num ')
+    .replace(/ $/, 'Space')
+    .replace('Escape', 'Esc');
+}
+
+/**
+ * The one button that is Run and Pause.
+ * @param {HTMLButtonElement} button
+ * @param {import("../store/state.js").Store} store
+ */
+export function bindRunButton(button, store) {
+  const label = button.querySelector('span');
+  const use = button.querySelector('use');
+  store.subscribe(['running'], ({ running }) => {
+    if (label) setText(label, running ? 'Pause' : 'Run');
+    use?.setAttribute('href', running ? '#icon-pause' : '#icon-run');
+  });
+}

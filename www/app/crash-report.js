@@ -1,0 +1,40 @@
+/** What somebody who mends the solver wants to know when it has stopped. */
+
+/**
+ * @param {string} what happened
+ * @param {import("../store/state.js").State} state
+ */
+export function crashReport(what, { model, document, numbers, renderer }) {
+  const rows = (document?.constraints ?? []).map(
+    ({ kind, count, weight, enabled }) =>
+      `  ${kind}: ${count}, weight ${weight}${enabled ? '' : ', off'}`,
+  );
+  return [
+    'Shape-Up',
+    what,
+    `Model: ${model?.vertices ?? 0} vertices, ${model?.faces ?? 0} faces, ${model?.curves ?? 0} curves, ${model?.tets ?? 0} tetrahedra`,
+    `Constraints:${rows.length > 0 ? '' : ' none'}`,
+    ...rows,
+    `Handles: ${document?.handles.length ?? 0}`,
+    `Iteration: ${numbers?.iteration ?? 0}`,
+    `Renderer: ${renderer}`,
+    `Page: ${location.href.split('#')[0]}`,
+    `Browser: ${navigator.userAgent}`,
+    `Time: ${new Date().toISOString()}`,
+  ].join('\n');
+}
+
+/**
+ * Copies it, or shows it where copying is not allowed.
+ * @param {string} text
+ * @param {import("../store/state.js").Store} store
+ * @param {import("../ui/alerts.js").Alerts} alerts
+ */
+export async function giveReport(text, store, alerts) {
+  try {
+    await navigator.clipboard.writeText(text);
+    store.set({ status: 'Report copied to the clipboard' });
+  } catch {
+    alerts.notice(text);
+  }
+}

@@ -1,0 +1,136 @@
+/**
+ * What style sheets cannot do for narrow windows: the tabs of the panels, the sheet at the bottom,
+ * and where the groups of the toolbar are.
+ */
+
+import { byId, element, icon } from '../ui/dom.js';
+
+const PHONE = matchMedia('(max-width: 699px)');
+const MOUSE = matchMedia('(pointer: fine)');
+/** Where each group of the toolbar is on a phone; the others stay in the header. */
+const IN_BAR = ['group-run', 'group-file'];
+const IN_MORE = ['group-mode', 'group-scene', 'group-page'];
+
+/** @param {import("../store/state.js").Store} store */
+export function arrangeForWidth(store) {
+  const header = byId('header');
+  const groups = [...header.querySelectorAll('.group')];
+  const tools = element('div', { id: 'tools', role: 'toolbar', 'aria-label': 'Tools' });
+  const bar = byId('phone-bar');
+  const more = byId('more');
+  const moreButton = element(
+    'button',
+    { type: 'button', popovertarget: 'more' },
+    icon('more'),
+    element('span', {}, 'More'),
+  );
+  bar.append(moreButton);
+  header.append(tools);
+
+  function arrange() {
+    tools.append(...groups);
+    if (PHONE.matches) {
+      moreButton.before(...IN_BAR.map(byId));
+      more.append(...IN_MORE.map(byId));
+      // In a menu each is a stop of its own.
+      for (const control of more.querySelectorAll('[tabindex]'))
+        control.removeAttribute('tabindex');
+    }
+  }
+  PHONE.addEventListener('change', arrange);
+  arrange();
+  import('../ui/toolbar.js').then(({ oneTabStop }) => {
+    [tools, bar, byId('select-bar')].forEach(oneTabStop);
+  });
+  more.addEventListener('click', (event) => {
+    const inside = event.target instanceof Element && event.target.closest('button');
+    if (inside && !inside.hasAttribute('popovertarget')) more.hidePopover();
+  });
+  byId('examples').addEventListener('click', () => more.hidePopover());
+  tabs(store);
+  placeMenu(byId('examples'), () => (PHONE.matches ? moreButton : byId('examples-button')));
+  placeMenu(byId('recent'), () => (PHONE.matches ? moreButton : byId('recent-button')));
+  byId('recent').addEventListener('click', () => more.hidePopover());
+  placeMenu(more, () => moreButton);
+}
+
+/**
+ * Two panels in one place: the model and the inspector. On a phone a tab also closes the sheet.
+ * @param {import("../store/state.js").Store} store
+ */
+function tabs(store) {
+  const { dataset } = document.body;
+  const names = /** @type {const} */ (['model', 'inspector']);
+  const buttons = names.map((name) => byId(`tab-${name}`));
+  const show = (/** @type {typeof names[number]} */ tab) => {
+    const same = store.get().tab === tab;
+    dataset.sheet = same && dataset.sheet === 'open' ? 'closed' : 'open';
+    store.set({ tab });
+    tell();
+  };
+  function tell() {
+    const { tab } = store.get();
+    dataset.tab = tab;
+    const open = !PHONE.matches || dataset.sheet === 'open';
+    buttons.forEach((button, i) => {
+      const isShown = names[i] === tab;
+      button.setAttribute('aria-selected', String(isShown && open));
+      button.tabIndex = isShown ? 0 : -1;
+    });
+  }
+  PHONE.addEventListener('change', tell);
+  store.subscribe(['tab'], tell);
+  buttons.forEach((button, i) => {
+    button.addEventListener('click', () => show(names[i]));
+    button.addEventListener('keydown', (event) => {
+      if (event.key !== 'ArrowLeft' && event.key !== 'ArrowRight') return;
+      buttons[1 - i].focus();
+      buttons[1 - i].click();
+    });
+  });
+}
+
+/**
+ * Puts a popover at its button, inside the window.
+ * @param {HTMLElement} menu
+ * @param {() => HTMLElement} anchor
+ */
+export function placeMenu(menu, anchor) {
+  menu.addEventListener('toggle', (event) => {
+    if (/** @type {ToggleEvent} */ (event).newState !== 'open') return;
+    const at = anchor().getBoundingClientRect();
+    // A menu at a point may lie beside it, but under a finger it would be pressed.
+    const isPoint = at.width === 0 && at.height === 0 && MOUSE.matches;
+    // As wide as it wants to be, wherever it was last.
+    menu.style.left = '0';
+    const gap = 4;
+    const left = Math.min(at.left + (isPoint ? gap : 0), innerWidth - menu.offsetWidth - 2 * gap);
+    const [above, below] = [at.top - 2 * gap, innerHeight - at.bottom - 2 * gap];
+    const room = isPoint ? innerHeight - 2 * gap : Math.max(above, below);
+    // What is too long for the roomier side scrolls there; at a point it moves up instead.
+    menu.style.maxHeight = `${room}px`;
+    const height = Math.min(menu.offsetHeight, room);
+    const higher = isPoint ? innerHeight - gap - height : at.top - gap - height;
+    menu.style.left = `${Math.max(2 * gap, left)}px`;
+    menu.style.top = `${height <= below ? at.bottom + gap : higher}px`;
+    itemsOf(menu)[0]?.focus();
+  });
+  menu.addEventListener('keydown', (event) => {
+    const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
+    // A field has them for itself.
+    const isField = event.target instanceof Element && event.target.matches('input, select');
+    if (!step || isField) return;
+    event.preventDefault();
+    const items = itemsOf(menu);
+    const at = items.findIndex((item) => item === document.activeElement);
+    items[(at + step + items.length) % items.length]?.focus();
+  });
+}
+
+/** What the arrow keys walk through. @param {HTMLElement} menu */
+function itemsOf(menu) {
+  const items = /** @type {NodeListOf<HTMLElement>} */ (
+    menu.querySelectorAll('a, button, [role="menuitem"]')
+  );
+  return [...items].filter((item) => item.checkVisibility() && !item.matches(':disabled'));
+}

@@ -1,0 +1,30 @@
+/** What the solver has worked on for a while can be stopped. Comes when that is so. */
+
+import '../ui/styles/waiting.css';
+import { byId, element, leave } from '../ui/dom.js';
+
+/** @type {HTMLElement | null} */
+let card = null;
+
+/**
+ * @param {boolean} busy
+ * @param {import("../solver/solver-client.js").SolverClient} solver
+ */
+export function offerCancel(busy, solver) {
+  const before = card;
+  card = null;
+  if (before) leave(before, () => before.remove());
+  const messages = byId('messages');
+  // A large file that is opened says so itself.
+  if (!busy || messages.querySelector('.import')) return;
+  const bar = element('progress', { 'aria-label': 'The solver is working' });
+  const words = element('div', { class: 'import' }, element('p', {}, 'Working …'), bar);
+  const cancel = element(
+    'button',
+    { type: 'button', class: 'small bordered', onclick: () => solver.abandon() },
+    'Cancel',
+  );
+  const attributes = { class: 'message notice', role: 'group', 'aria-label': 'Long work' };
+  card = element('div', attributes, words, cancel);
+  messages.append(card);
+}

@@ -1,0 +1,241 @@
+/**
+ * The page: makes its parts and connects them. The solver's worker and the view's module start at
+ * the same time and neither waits for the other.
+ */
+
+import { createActions } from '../store/actions.js';
+import { Alerts } from '../ui/alerts.js';
+import { analysisRegion } from './analysis.js';
+import { colourFaces } from '../viewport/colour-scale.js';
+import { commandTable } from './command-table.js';
+import { bindButtons, bindKeys, bindRunButton, takeEarlyPresses } from './commands.js';
+import { byId } from '../ui/dom.js';
+import { offerExperiment } from '../features/experiment/offer.js';
+import { Files } from '../documents/files.js';
+import { animateFirstPicture } from '../viewport/placeholder/placeholder-scene.js';
+import { toggleFlatMap } from '../features/flat-map/flat-map.js';
+import { ended } from '../ui/format.js';
+import { attachLater } from './lazy-features.js';
+import { bindHandleKeys } from '../viewport/input/handle-keys.js';
+import { firstHints } from '../features/hints.js';
+import { arrangeForWidth } from './layout.js';
+import { messageOf } from '../solver/messages.js';
+import { constraintsPanel } from '../panels/constraints/constraints.js';
+import { displayPanel } from '../panels/display/display.js';
+import { energiesPanel } from '../panels/energies/energies.js';
+import { exampleNote } from '../panels/example/example.js';
+import { Keeping } from './startup.js';
+import { showMoved } from '../viewport/input/drag-label.js';
+import { handlesPanel } from '../panels/handles/handles.js';
+import { bindHalfStepButtons } from '../store/half-step.js';
+import { HoldOriginal } from '../features/hold-original.js';
+import { stayOffline } from './offline.js';
+import { modelPanel } from '../panels/model/model.js';
+import { statusBar } from '../panels/status-bar/status-bar.js';
+import { selectBar } from '../panels/select-bar/select-bar.js';
+import { PointerInput } from '../viewport/input/pointer.js';
+import { RegionSelection } from '../features/selection/region-selection.js';
+import { colourRows } from '../viewport/constraint-colours.js';
+import { sizeOf } from '../ui/rounding.js';
+import { scriptApi } from './script-api.js';
+import { Selecting } from '../features/selection/mesh-queries.js';
+import { NOTHING } from '../store/selection.js';
+import { SolverClient } from '../solver/solver-client.js';
+import { splitInto, toggleSplit } from '../features/split/split.js';
+import { recentMenu } from '../documents/recent-menu.js';
+import { createStore } from '../store/state.js';
+import { followTheme } from './theme.js';
+import { bindViewMenu } from '../features/view-tools/view-commands.js';
+import { bindViewKeys } from '../viewport/input/view-keys.js';
+import { offerReport, tellUncaught } from './uncaught-errors.js';
+import { Viewport } from '../viewport/viewport.js';
+
+const store = createStore();
+followTheme(store);
+const alerts = new Alerts(byId('alert'));
+tellUncaught(alerts, store);
+const solver = new SolverClient();
+takeUp(solver);
+
+animateFirstPicture(store, solver);
+const viewport = new Viewport(byId('viewport'), store, solver);
+const files = new Files(store, solver, alerts);
+const actions = createActions(store, solver, alerts);
+const region = new RegionSelection(store, viewport);
+const selecting = new Selecting(store, solver, actions);
+const pointer = new PointerInput(store, solver, viewport, region, {
+  addHandles: (vertices) => actions.addHandles(vertices, false),
+  chosenHandles: actions.chosenHandles,
+  showMenu: (at) =>
+    actions.told(
+      import('../features/context-menu.js').then(({ showContextMenu }) =>
+        showContextMenu(at, { store, viewport, actions, selecting, commands }),
+      ),
+    ),
+  fitAll: () => viewport.with((view) => view.fit()),
+  doubleClick: (...what) => selecting.doubleClick(...what),
+});
+bindHandleKeys(viewport, store, solver, actions);
+bindViewKeys(viewport);
+showMoved(viewport, store);
+const { fit } = colourFaces(store, solver);
+colourRows(store, solver, actions);
+
+modelPanel(byId('model'), store, actions, () => analysis.bring('log'));
+offerExperiment(byId('experiment'), store, solver, alerts);
+constraintsPanel(byId('constraints'), store, solver, actions);
+handlesPanel(byId('handles'), store, actions, solver);
+energiesPanel(byId('energies'), store, actions);
+displayPanel(byId('display'), store);
+viewport.addEventListener('ready', showLegend, { once: true });
+const hold = new HoldOriginal(store, solver);
+const parts = { store, solver, viewport, files, actions, alerts, hold };
+const analysis = analysisRegion(byId('analysis'), parts);
+exampleNote(byId('example-note'), files, alerts, ({ split, plot }) => {
+  if (split) splitInto(parts, split);
+  if (plot) analysis.bring(plot);
+});
+store.subscribe(['status'], ({ status }) => status && alerts.note(status));
+attachLater(parts);
+statusBar({ status: byId('status'), hint: byId('hint'), numbers: byId('numbers') }, store);
+selectBar(byId('select-bar'), byId('select-menu'), store, actions, selecting, alerts);
+firstHints(byId('hint-card'), store);
+arrangeForWidth(store);
+
+/** @type {HTMLInputElement} */
+const fileInput = byId('file');
+fileInput.addEventListener('change', async () => {
+  const chosen = [...(fileInput.files ?? [])];
+  // So that the same file can be opened again after it changed on disk.
+  fileInput.value = '';
+  await files.openFiles(chosen);
+});
+files.acceptDrops(byId('drop-overlay'));
+
+/** @type {import("./commands.js").Command[]} */
+const commands = commandTable({
+  store,
+  viewport,
+  pointer,
+  files,
+  actions,
+  alerts,
+  solver,
+  hold,
+  fileInput,
+  lesson: () =>
+    actions.told(import('../features/lesson/dialog.js').then(({ write }) => write(parts))),
+  // What it lists is complete by the time that somebody looks.
+  help: () =>
+    import('../features/help/help.js').then(({ showHelp }) => showHelp(byId('help'), commands)),
+  flatMap: () => toggleFlatMap({ store, solver, viewport, alerts }),
+  split: () => toggleSplit(parts),
+});
+for (const button of document.querySelectorAll('[data-command="reset"]'))
+  if (button instanceof HTMLElement) hold.bind(button, { clicks: true });
+bindButtons(commands, store);
+bindKeys(commands, store);
+bindRunButton(byId('run'), store);
+bindHalfStepButtons(store);
+/** @type {Window & { earlyPresses?: string[] }} index.html gathers them */
+const early = window;
+takeEarlyPresses(commands, store, early.earlyPresses ?? []);
+delete early.earlyPresses;
+bindViewMenu(byId('view-menu'), byId('view-menu-button'), commands, store);
+selecting.bindKeys(commands);
+
+viewport.addEventListener('none', (event) => {
+  const { detail } = /** @type {CustomEvent} */ (event);
+  import('../viewport/no-picture.js').then((module) => module.tellWhy(detail));
+});
+
+Object.assign(window, { shapeUp: scriptApi(store, solver, viewport, files) });
+
+const keeping = new Keeping(solver, files, alerts, { store, analysis });
+recentMenu(byId('recent-button'), byId('recent'), keeping);
+keeping.begin().catch((error) => alerts.error(messageOf(error)));
+files.offerExamples(byId('examples')).catch((error) => alerts.error(messageOf(error)));
+stayOffline(alerts, keeping, viewport);
+import('../panels/status-bar/environment-status.js').then((module) =>
+  module.tellSurroundings(byId('numbers'), store),
+);
+
+/** The legend comes when there is something to see. */
+function showLegend() {
+  const legend = import('../panels/legend/legend.js');
+  actions.told(legend.then(({ legend }) => legend(byId('legend'), store, viewport, fit)));
+}
+
+/**
+ * Takes the solver's news into the store.
+ * @param {SolverClient} client
+ */
+function takeUp(client) {
+  /**
+   * @template {import("../solver/messages.js").FromWorker["type"]} Type
+   * @param {Type} type
+   * @param {(message: Extract<import("../solver/messages.js").FromWorker, { type: Type }>) => void} take
+   */
+  const on = (type, take) =>
+    client.addEventListener(type, (event) => take(/** @type {CustomEvent} */ (event).detail));
+
+  on('ready', ({ kinds, elements, measures, operations, settings }) =>
+    store.set({ kinds, elements, measures, operations, settings }),
+  );
+  on('model', ({ loaded, positions }) =>
+    store.set({
+      // In another worker it is looked at as before.
+      ...(!client.restoring && {
+        ...{ camera: null, measureChosen: false },
+        ...{ tolerance: loaded.tolerance || null, tolerances: {} },
+      }),
+      model: loaded,
+      size: sizeOf(positions),
+      document: null,
+      numbers: null,
+      halfway: false,
+      flatMap: null,
+      split: null,
+      heldOriginal: null,
+      selection: NOTHING,
+      dragged: [],
+      dragMs: 0,
+      tint: null,
+      tape: null,
+    }),
+  );
+  on('loading', ({ bytes, all }) =>
+    import('./solver-loading.js').then(({ showLoading }) => showLoading(store, bytes, all)),
+  );
+  on('document', ({ document }) => store.set({ document }));
+  on('frame', ({ numbers, answers }) =>
+    store.set({
+      ...{ numbers, halfway: numbers.halfway },
+      ...(answers && { dragMs: performance.now() - answers[0] }),
+    }),
+  );
+  on('activity', ({ running, converged }) => {
+    const before = store.get();
+    store.set({ running, converged });
+    // A drag comes to rest as well, but whoever drags is told of the handle.
+    if (running === before.running) return;
+    const { iteration = 0 } = before.numbers ?? {};
+    store.set({ status: running ? 'Running' : ended(converged, iteration) });
+  });
+  client.addEventListener('busy', (event) => {
+    const { busy } = /** @type {CustomEvent} */ (event).detail;
+    import('./long-work.js').then(
+      ({ offerCancel }) => offerCancel(busy, client),
+      () => {},
+    );
+  });
+  on('trouble', ({ message }) => alerts.error(message));
+  client.addEventListener('absent', (event) => {
+    const { message } = /** @type {CustomEvent} */ (event).detail;
+    alerts.stop(message, { label: 'Reload', action: () => location.reload() });
+  });
+  client.addEventListener('restarted', (event) => {
+    const { message } = /** @type {CustomEvent} */ (event).detail;
+    alerts.notice(message, offerReport(message, store, alerts));
+  });
+}

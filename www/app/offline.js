@@ -1,0 +1,65 @@
+/**
+ * The page without a network: the service worker keeps the built files (`service-worker.js`). A new
+ * version is fetched beside the old one and announced; it takes over when somebody says so. Of the
+ * view's module it keeps the variant that this browser draws with. While the page is developed there
+ * is no service worker.
+ */
+
+/**
+ * @param {import("../ui/alerts.js").Alerts} alerts
+ * @param {import("./startup.js").Keeping} keeping
+ * @param {import("../viewport/viewport.js").Viewport} viewport
+ */
+export function stayOffline(alerts, keeping, viewport) {
+  if (!import.meta.env.PROD || !('serviceWorker' in navigator)) return;
+  // Whoever looks for a fault can do without.
+  if (new URLSearchParams(location.search).has('nosw')) {
+    navigator.serviceWorker.getRegistration().then((registration) => registration?.unregister());
+    return;
+  }
+  const start = () => register(alerts, keeping, viewport).catch(() => {});
+  // After what the first picture needs; again when another backend had to take over.
+  viewport.addEventListener('ready', start);
+  viewport.addEventListener('none', start);
+}
+
+/** @type {Promise<ServiceWorkerRegistration> | null} */
+let registered = null;
+
+/**
+ * @param {import("../ui/alerts.js").Alerts} alerts
+ * @param {import("./startup.js").Keeping} keeping
+ * @param {import("../viewport/viewport.js").Viewport} viewport
+ */
+async function register(alerts, keeping, viewport) {
+  const { serviceWorker } = navigator;
+  const isFirst = !registered;
+  // The first one of all is not a new version.
+  const announce = (/** @type {ServiceWorker | null} */ worker) => {
+    if (!worker || !serviceWorker.controller) return;
+    alerts.notice('A new version of Shape-Up is here. Your work is kept.', {
+      label: 'Reload',
+      action: async () => {
+        await keeping.saveNow().catch(() => {});
+        serviceWorker.addEventListener('controllerchange', () => location.reload());
+        worker.postMessage('take over');
+      },
+    });
+  };
+  const address = new URL(/* @vite-ignore */ 'service-worker.js', document.baseURI);
+  registered ??= serviceWorker.register(address, { updateViaCache: 'none' });
+  const registration = await registered;
+  const tell = (/** @type {ServiceWorker | null} */ worker) =>
+    worker?.postMessage({ drawsWith: viewport.view?.backend() });
+  for (const stage of [registration.installing, registration.waiting, registration.active])
+    tell(stage);
+  if (!isFirst) return;
+  announce(registration.waiting);
+  registration.addEventListener('updatefound', () => {
+    const worker = registration.installing;
+    tell(worker);
+    worker?.addEventListener('statechange', () => {
+      if (worker.state === 'installed') announce(worker);
+    });
+  });
+}

@@ -1,0 +1,33 @@
+/** How much of the solver is here, over the view, where it takes a while. */
+
+import '../ui/styles/waiting.css';
+import { byId, element } from '../ui/dom.js';
+
+const MB = 1_000_000;
+/** @type {{ text: HTMLElement, bar: HTMLProgressElement, card: HTMLElement } | null} */
+let shown = null;
+
+/**
+ * @param {import("../store/state.js").Store} store
+ * @param {number} bytes that are here
+ * @param {number} all bytes
+ */
+export function showLoading(store, bytes, all) {
+  shown ??= show(store);
+  const [here, whole] = [bytes, all].map((size) => (size / MB).toFixed(1));
+  shown.text.textContent = `Loading the solver · ${here} of ${whole} MB`;
+  shown.bar.value = bytes / all;
+}
+
+/** @param {import("../store/state.js").Store} store */
+function show(store) {
+  const text = element('p');
+  const bar = element('progress', { max: 1, 'aria-label': 'How much of the solver is here' });
+  const card = element('div', { id: 'loading', class: 'card' }, text, bar);
+  byId('main').append(card);
+  // What the solver declares comes with it, perhaps before this.
+  store.subscribe(['kinds'], ({ kinds }) => {
+    if (kinds.length > 0) card.remove();
+  });
+  return { text, bar, card };
+}

@@ -1,0 +1,227 @@
+/**
+ * What the page opens with, and what it keeps: a link, the work of last time, or the first example;
+ * then the autosave. All but the choice itself comes when it is needed.
+ */
+
+import { messageOf } from '../solver/messages.js';
+import { saveFile } from '../ui/save-file.js';
+import { recall } from '../ui/safe-storage.js';
+
+/** @typedef {import("../documents/files.js").Files} Files */
+
+export class Keeping {
+  #store;
+  #seen;
+  #solver;
+  #files;
+  #alerts;
+  /** @type {Promise<import("../documents/autosave.js").Autosave> | null} */
+  #autosave = null;
+
+  /**
+   * @param {import("../solver/solver-client.js").SolverClient} solver
+   * @param {Files} files
+   * @param {import("../ui/alerts.js").Alerts} alerts
+   * @param {import("../viewport/saved-view.js").Seen} seen
+   */
+  constructor(solver, files, alerts, seen) {
+    this.#store = seen.store;
+    this.#seen = seen;
+    this.#solver = solver;
+    this.#files = files;
+    this.#alerts = alerts;
+  }
+
+  /** Opens what the page is to begin with. */
+  async begin() {
+    window.addEventListener('hashchange', () => this.#told(this.#openLink()));
+    /** @type {unknown} */
+    let lost = null;
+    try {
+      if (await this.#restored()) return;
+    } catch (error) {
+      // No reason to stay without a model.
+      lost = error;
+    }
+    let problem = '';
+    const linked = await this.#openLink().catch((error) => {
+      problem = messageOf(error);
+      return false;
+    });
+    if (!linked) await this.#openFirst();
+    if (problem) this.#alerts.error(problem);
+    if (lost) this.#tellUnreadable(lost);
+    this.#keepOn();
+  }
+
+  /** The first example, or what to do without it. */
+  async #openFirst() {
+    try {
+      await this.startFresh();
+    } catch (error) {
+      this.#alerts.error(messageOf(error));
+      if (this.#solver.isAbsent) return;
+      const { showNothingOpen } = await import('../documents/nothing-open.js');
+      showNothingOpen(this.#files, async () => {
+        await this.#told(this.startFresh());
+      });
+    }
+  }
+
+  /** The model of somebody who comes for the first time. */
+  async startFresh() {
+    const [example] = await this.#files.examples();
+    await this.#files.openExample(example, true);
+  }
+
+  /** Everything that has not been saved yet is. */
+  async saveNow() {
+    await (await this.#autosave)?.save();
+  }
+
+  /** The works of this browser that can be opened again. */
+  async recent() {
+    const { works } = await import('../documents/recent-documents.js');
+    const current = (await this.#autosave)?.id;
+    return (await works()).filter(({ id }) => id !== current);
+  }
+
+  /**
+   * Opens a work that somebody chose, or says why that cannot be done.
+   * @param {import("../documents/recent-documents.js").Work} work
+   */
+  async openWork(work) {
+    const { title } = work;
+    try {
+      await this.saveNow();
+      const { take } = await import('../documents/autosave.js');
+      const taken = await take(work);
+      if (!taken) throw new Error(`${title} is open in another tab of this browser.`);
+      const { undoLost } = await this.#openWork(taken);
+      this.#store.set({ status: `Opened ${title}` });
+      if (undoLost) this.#alerts.notice(`The steps of undo of ${title} are gone: ${undoLost}.`);
+    } catch (error) {
+      this.#tellUnreadable(error);
+    }
+  }
+
+  /**
+   * Says that a work cannot be opened, and offers what is there of it.
+   * @param {unknown} error
+   */
+  #tellUnreadable(error) {
+    if (!(error instanceof Error && 'work' in error && 'raw' in error)) {
+      return this.#alerts.error(messageOf(error));
+    }
+    const { raw } = error;
+    const { title, name } = /** @type {import("../documents/recent-documents.js").Work} */ (
+      error.work
+    );
+    const text = typeof raw === 'string' ? raw : (JSON.stringify(raw) ?? '');
+    const words = `${title} is kept in this browser, but cannot be opened: ${messageOf(error)}.`;
+    this.#alerts.error(words.replace(/\.\.$/, '.'), {
+      label: 'Save its file',
+      action: () => saveFile(`${name}.shapeup.json`, text, 'application/json'),
+    });
+  }
+
+  #keepOn() {
+    const [solver, files, seen] = [this.#solver, this.#files, this.#seen];
+    this.#autosave ??= import('../documents/autosave.js').then(
+      ({ Autosave }) => new Autosave(solver, files, seen),
+    );
+    this.#autosave.catch(() => this.#store.set({ saved: 'Autosave is off: use Save scene' }));
+  }
+
+  /** Goes on where this tab was, if it was anywhere. @returns {Promise<boolean>} */
+  async #restored() {
+    if (!wasHere()) return false;
+    const { lastWork } = await import('../documents/autosave.js');
+    const last = await lastWork();
+    if (!last) return false;
+    const { undoLost } = await this.#openWork(last);
+    this.#keepOn();
+    const fresh = () => {
+      if (location.hash) history.replaceState(null, '', location.pathname + location.search);
+      this.#told(this.startFresh());
+    };
+    const but = undoLost && `, but its steps of undo are gone: ${undoLost}`;
+    this.#alerts.notice(`${last.work.title} is back as you left it${but}.`, {
+      label: 'Start fresh',
+      action: fresh,
+    });
+    return true;
+  }
+
+  /** @param {import("../documents/autosave.js").Taken} taken */
+  async #openWork({ work, text, saved }) {
+    const bytes = new TextEncoder().encode(text);
+    const examples = work.example ? await this.#files.examples() : [];
+    const example = examples.find(({ id }) => id === work.example);
+    const { id, title } = work;
+    const origin = { example, work: id, title, saved };
+    const files = [{ name: `${work.name}.shapeup.json`, bytes }];
+    const loaded = await this.#files.open(files, origin).catch(async (error) => {
+      const { Unreadable, giveBack } = await import('../documents/autosave.js');
+      await giveBack(work);
+      throw new Unreadable(work, text, messageOf(error));
+    });
+    const { lookAgain } = await import('../viewport/saved-view.js');
+    lookAgain(work.view, this.#seen);
+    return loaded;
+  }
+
+  /** Opens what the address links to. @returns {Promise<boolean>} whether it links to anything */
+  async #openLink() {
+    if (location.hash.length < 2) return false;
+    const { readLink, unpack } = await import('../documents/share-link.js');
+    const link = readLink(location.hash);
+    if (!link) return false;
+    const text = link.code && (await unpack(link.code));
+    if (link.example) await this.#openExample(link.example, text);
+    else if (text) await this.#files.open([sceneFile('shared', text)]);
+    if (link.run) this.#solver.tell({ type: 'run' });
+    return true;
+  }
+
+  /**
+   * @param {string} id
+   * @param {string | null} edits the text of the scene instead of the example's own
+   */
+  async #openExample(id, edits) {
+    const examples = await this.#files.examples();
+    const example = examples.find((one) => one.id === id);
+    if (!example)
+      throw new Error(`There is no example called ${id}: the link is an old one or wrong.`);
+    if (!edits) return this.#files.openExample(example);
+    const mesh = { name: example.mesh, bytes: await this.#files.exampleFile(example.mesh) };
+    await this.#files.open([sceneFile(example.id, edits), mesh], { example });
+    // What differs from the example is in the link only.
+    this.#files.original = null;
+  }
+
+  /**
+   * @template T
+   * @param {Promise<T>} promise
+   * @returns {Promise<T | undefined>}
+   */
+  async #told(promise) {
+    try {
+      return await promise;
+    } catch (error) {
+      this.#alerts.error(messageOf(error));
+      return undefined;
+    }
+  }
+}
+
+/**
+ * @param {string} name
+ * @param {string} text
+ */
+function sceneFile(name, text) {
+  return { name: `${name}.shapeup.json`, bytes: new TextEncoder().encode(text) };
+}
+
+/** Whether anything was ever kept in this browser. */
+const wasHere = () => recall('shape-up.works') !== null;

@@ -1,0 +1,27 @@
+/** Light and dark: the system's choice until somebody makes one here. */
+
+import { remember } from '../ui/safe-storage.js';
+
+/** Every page looks there before its first paint. */
+const KEY = 'shape-up.theme';
+const system = matchMedia('(prefers-color-scheme: dark)');
+
+/** @param {import("../store/state.js").Store} store */
+export function followTheme(store) {
+  const show = () => store.set({ dark: isDark() });
+  system.addEventListener('change', show);
+  show();
+}
+
+/** @param {import("../store/state.js").Store} store */
+export function toggleTheme(store) {
+  const theme = isDark() ? 'light' : 'dark';
+  document.documentElement.dataset.theme = theme;
+  remember(KEY, theme);
+  store.set({ dark: theme === 'dark' });
+}
+
+function isDark() {
+  const { theme } = document.documentElement.dataset;
+  return theme ? theme === 'dark' : system.matches;
+}

@@ -1,0 +1,35 @@
+/** What nobody expected to go wrong is said, and can be reported. */
+
+import { messageOf } from '../solver/messages.js';
+
+/** Browsers say so when a size changes twice before a picture; nothing is wrong. */
+const HARMLESS = /^ResizeObserver loop/;
+
+/**
+ * @param {import("../ui/alerts.js").Alerts} alerts
+ * @param {import("../store/state.js").Store} store
+ */
+export function tellUncaught(alerts, store) {
+  const tell = (/** @type {unknown} */ thrown) => {
+    const message = `Something went wrong on this page: ${messageOf(thrown)}`;
+    alerts.error(message, offerReport(message, store, alerts));
+  };
+  window.addEventListener('error', ({ error, message }) => {
+    if (!HARMLESS.test(message)) tell(error ?? message);
+  });
+  window.addEventListener('unhandledrejection', ({ reason }) => tell(reason));
+}
+
+/**
+ * What can be done when something has stopped: copy what somebody who mends it wants to know.
+ * @param {string} message
+ * @param {import("../store/state.js").Store} store
+ * @param {import("../ui/alerts.js").Alerts} alerts
+ */
+export function offerReport(message, store, alerts) {
+  const action = async () => {
+    const { crashReport, giveReport } = await import('./crash-report.js');
+    await giveReport(crashReport(message, store.get()), store, alerts);
+  };
+  return { label: 'Copy report', action };
+}

@@ -1,0 +1,263 @@
+/**
+ * Keeps what is worked on in this browser, one work per model that was opened in a tab: at once after
+ * every edit, about every second of a run or a drag, and how it is looked at when the page is left. What
+ * could be opened again anyway, an example as it comes, is not kept.
+ *
+ * A tab holds a lock on its work as long as it lives, so that no other tab takes it up.
+ */
+
+import { viewOf } from '../viewport/saved-view.js';
+import { recall, remember } from '../ui/safe-storage.js';
+import { contentsOf, forgetOldest, keep, works } from './recent-documents.js';
+
+/** @typedef {import("./recent-documents.js").Work} Work */
+/** @typedef {import("./recent-documents.js").Contents} Contents */
+
+const LOCK = 'shape-up.work.';
+/** Per tab: its work. */
+const MINE = 'shape-up.work';
+/** In this browser: there is some. */
+const ANY = 'shape-up.works';
+const OFF = 'Autosave is off: use Save scene';
+/** So long the lock of this tab's own work may still be with the page that was there before. */
+const RELOAD_MS = 2000;
+
+/** @type {{ text: string | null, progress: Uint8Array | null, view: string }} */
+const NOTHING = { text: null, progress: null, view: '' };
+
+export class Autosave {
+  #store;
+  #solver;
+  #files;
+  #seen;
+  /** Empty while another model is being opened. */
+  #id = '';
+  /** Lets go of the lock. @type {() => void} */
+  #release = () => {};
+  /** What was saved last. */
+  #kept = NOTHING;
+  /** @type {Promise<void> | null} */
+  #writing = null;
+  /** The address that the model was opened at. */
+  #hash = '';
+
+  /**
+   * @param {import("../solver/solver-client.js").SolverClient} solver
+   * @param {import("./files.js").Files} files
+   * @param {import("../viewport/saved-view.js").Seen} seen
+   */
+  constructor(solver, files, seen) {
+    const { store } = seen;
+    this.#store = store;
+    this.#solver = solver;
+    this.#files = files;
+    this.#seen = seen;
+    solver.addEventListener('model', () => {
+      // What comes until it has opened belongs to no work.
+      if (!solver.restoring) this.#id = '';
+    });
+    files.addEventListener('opened', () => this.#begin());
+    solver.addEventListener('scene', () => {
+      if (this.#id && solver.sceneText !== this.#kept.text) store.set({ saved: '' });
+      this.save();
+    });
+    solver.addEventListener('progress', () => this.save());
+    document.addEventListener('visibilitychange', () => {
+      if (document.visibilityState === 'hidden') this.#saveAtOnce();
+    });
+    window.addEventListener('pagehide', () => this.#saveAtOnce());
+    if (store.get().model) this.#begin();
+  }
+
+  /** The name of the work that is open. */
+  get id() {
+    return this.#id;
+  }
+
+  /** Another model is open: a work of its own, or one that goes on. */
+  async #begin() {
+    const { work, saved } = this.#files.origin;
+    const id = work ?? newId();
+    this.#hash = location.hash;
+    this.#kept = work && !saved?.progress ? { ...NOTHING, text: this.#solver.sceneText } : NOTHING;
+    this.#id = id;
+    this.#store.set({ saved: '' });
+    remember(MINE, id, 'sessionStorage');
+    this.#release();
+    // One that goes on was claimed before it was opened.
+    this.#release = claims.get(id) ?? (await claim(id)) ?? (() => {});
+    await this.save();
+    await forgetOldest((other) => claims.has(other)).catch(() => {});
+  }
+
+  /** Saves what is not saved yet, and what comes meanwhile. */
+  save() {
+    this.#writing ??= this.#saveAll().finally(() => {
+      this.#writing = null;
+    });
+    return this.#writing;
+  }
+
+  async #saveAll() {
+    for (let next = this.#unsaved(); next; next = this.#unsaved()) {
+      try {
+        await keep(...next);
+        remember(ANY, 'yes');
+        this.#store.set({ saved: `Saved in this browser ${timeOf(next[0].savedAt)}` });
+      } catch {
+        // Blocked, as in some private windows, or full.
+        this.#kept = NOTHING;
+        this.#store.set({ saved: OFF });
+        return;
+      }
+    }
+  }
+
+  /** Begins to save, before the page may be gone: also how the model is looked at. */
+  #saveAtOnce() {
+    const next = this.#unsaved(true);
+    if (!next) return;
+    remember(ANY, 'yes');
+    keep(...next).catch(() => {
+      this.#kept = NOTHING;
+    });
+  }
+
+  /**
+   * What differs from what was saved last; it counts as saved from now on.
+   * @param {boolean} [withView] also when it is only looked at in another way
+   * @returns {[Work, Partial<Contents>] | null}
+   */
+  #unsaved(withView = false) {
+    const { sceneText: text, saved } = this.#solver;
+    const { origin, original, name } = this.#files;
+    const { model } = this.#store.get();
+    const { history, progress } = saved;
+    if (!model || !text || !this.#id) return null;
+    const kept = this.#kept;
+    const asItCame = origin.example && text === original && !progress;
+    if (kept.text === null && asItCame) return null;
+    const view = viewOf(this.#seen);
+    const viewWords = JSON.stringify(view);
+    const isOther = text !== kept.text || progress !== kept.progress;
+    if (!isOther && !(withView && viewWords !== kept.view)) return null;
+    this.#kept = { text, progress, view: viewWords };
+    /** @type {Work} */
+    const work = {
+      id: this.#id,
+      name,
+      title: origin.title ?? (model.title || model.name),
+      savedAt: Date.now(),
+      iteration: saved.iteration,
+      example: origin.example?.id ?? null,
+      hash: this.#hash,
+      view,
+    };
+    return [work, text === kept.text ? { progress } : { text, history, progress }];
+  }
+}
+
+/** Works that this tab holds. @type {Map<string, () => void>} */
+const claims = new Map();
+
+/**
+ * Takes a work for this tab.
+ * @param {string} id
+ * @param {LockOptions} [how]
+ * @returns {Promise<(() => void) | null>} lets go of it; null when another tab has it
+ */
+function claim(id, how = { ifAvailable: true }) {
+  return new Promise((done) => {
+    if (!navigator.locks) return done(() => {});
+    const hold = (/** @type {Lock | null} */ lock) => {
+      if (!lock) return done(null);
+      return new Promise((/** @type {(value?: unknown) => void} */ end) => {
+        const release = () => {
+          claims.delete(id);
+          end();
+        };
+        claims.set(id, release);
+        done(release);
+      });
+    };
+    navigator.locks.request(LOCK + id, how, hold).catch((error) => {
+      done(error.name === 'TimeoutError' ? null : () => {});
+    });
+  });
+}
+
+/** A work that is kept, but cannot be opened. */
+export class Unreadable extends Error {
+  /**
+   * @param {Work} work
+   * @param {unknown} raw what there is instead of the text of a scene
+   * @param {string} reason
+   */
+  constructor(work, raw, reason) {
+    super(reason);
+    this.work = work;
+    this.raw = raw;
+  }
+}
+
+/** @typedef {{ work: Work, text: string, saved: import("../solver/messages.js").Saved }} Taken */
+
+/**
+ * The work to go on with when the page opens: this tab's own, or the last one when no other tab is
+ * open. It is claimed.
+ * @returns {Promise<Taken | null>} rejects when it is {@link Unreadable}
+ */
+export async function lastWork() {
+  if (!recall(ANY)) return null;
+  const mine = recall(MINE, 'sessionStorage');
+  const list = await works();
+  const own = list.find(({ id, hash }) => id === mine && hash === location.hash);
+  if (own) {
+    const taken = await take(own, { signal: AbortSignal.timeout(RELOAD_MS) });
+    if (!taken) throw new Error(`${own.title} is open in another tab of this browser.`);
+    return taken;
+  }
+  // Somebody who opens a link wants what it links to.
+  if (mine || location.hash || (await othersAreOpen())) return null;
+  const last = list.find(({ unreadable }) => !unreadable);
+  return last ? take(last) : null;
+}
+
+/**
+ * A work with its contents, if it is free.
+ * @param {Work} work
+ * @param {LockOptions} [how]
+ * @returns {Promise<Taken | null>} rejects when it is {@link Unreadable}
+ */
+export async function take(work, how) {
+  if (!(await claim(work.id, how))) return null;
+  const { text, history, progress } = await contentsOf(work.id);
+  if (typeof text !== 'string') {
+    await giveBack(work);
+    throw new Unreadable(work, text, 'what was kept of it is damaged');
+  }
+  const bytes = (/** @type {unknown} */ value) => (value instanceof Uint8Array ? value : null);
+  const { iteration } = work;
+  const saved = { iteration, history: bytes(history), progress: bytes(progress) };
+  return { work, text, saved };
+}
+
+/** Lets go of a work that could not be opened, so that it does not come back by itself. @param {Work} work */
+export async function giveBack(work) {
+  claims.get(work.id)?.();
+  await keep({ ...work, unreadable: true }, {}).catch(() => {});
+}
+
+async function othersAreOpen() {
+  const { held = [] } = (await navigator.locks?.query()) ?? {};
+  return held.some(({ name }) => name?.startsWith(LOCK));
+}
+
+function newId() {
+  return `${Date.now().toString(36)}-${Math.random().toString(36).slice(2)}`;
+}
+
+/** @param {number} time */
+export function timeOf(time) {
+  return new Date(time).toLocaleTimeString([], { hour: '2-digit', minute: '2-digit' });
+}

@@ -1,0 +1,47 @@
+/** The list of the examples. */
+
+/**
+ * An entry of `examples/index.json`, as the command line writes it.
+ * @typedef {object} Example
+ * @property {string} id
+ * @property {number | null} figure of the paper
+ * @property {string} title
+ * @property {string} summary what to look for
+ * @property {string} statement what is measured when it is solved
+ * @property {string} scene name of its file
+ * @property {string} mesh name of its file
+ * @property {number} vertices
+ * @property {number} faces
+ * @property {number} tets
+ * @property {{ id: string, label: string }[]} kinds
+ * @property {[number, number, number]} weights shape, close, smooth
+ * @property {import("../features/experiment/offer.js").Experiment | null} experiment that compares ways to solve it
+ * @property {Suggestion[]} suggestions what there is to look at
+ * @property {import("../solver/messages.js").LessonWords["goals"]} [goals] what a student is to reach, where it is a lesson
+ * @property {string} units of the mesh
+ */
+
+/**
+ * Something to look at: two pictures side by side, or a plot, by its name.
+ * @typedef {{ label: string, shows: { split?: [import("../features/split/split.js").Choice, import("../features/split/split.js").Choice], plot?: string } }} Suggestion
+ */
+
+const FOLDER = new URL(/* @vite-ignore */ 'examples/', document.baseURI);
+
+/** @returns {Promise<Example[]>} in the order of the figures */
+export async function listOfExamples() {
+  return JSON.parse(new TextDecoder().decode(await exampleFile('index.json')));
+}
+
+/**
+ * @param {string} name of a file among the examples
+ * @returns {Promise<Uint8Array>}
+ */
+export async function exampleFile(name) {
+  const response = await fetch(new URL(name, FOLDER)).catch(() => {
+    throw new Error('The examples could not be fetched. Is there a network?');
+  });
+  if (!response.ok)
+    throw new Error(`The example file ${name} could not be fetched (${response.status}).`);
+  return new Uint8Array(await response.arrayBuffer());
+}

@@ -1,0 +1,338 @@
+/**
+ * Files in and out: open, drop, the examples, save and export. Tells `opened` after each model that
+ * it has opened.
+ */
+
+import { count, ended, groupDigits, length } from '../ui/format.js';
+import { element } from '../ui/dom.js';
+import { exampleFile, listOfExamples } from './examples.js';
+import { removeFirstPicture } from '../viewport/placeholder/placeholder-scene.js';
+import { messageOf } from '../solver/messages.js';
+import { isReadable, mainOf, worthReading } from '../solver/opened-files.js';
+import { saveFile } from '../ui/save-file.js';
+import { rememberedFrame } from './units-prompt.js';
+
+/** @typedef {import("../solver/messages.js").NamedBytes} NamedBytes */
+/** @typedef {import("./examples.js").Example} Example */
+
+/**
+ * Where a model comes from.
+ * @typedef {object} Origin
+ * @property {boolean} [first] it is what the page opens with, solved
+ * @property {Example} [example] whose mesh it has
+ * @property {string} [work] the name under which it is kept in this browser, see `recent-documents.js`
+ * @property {string} [title] of the work
+ * @property {import("../solver/messages.js").Saved} [saved] beside its scene
+ * @property {boolean} [asItCame] its vertices are not welded
+ */
+
+const IS_RHINO = /\.3dm$/i;
+
+/** Bytes from which on it takes a while to read a file. */
+const LARGE = 2_000_000;
+
+export class Files extends EventTarget {
+  /** Where the model that is open comes from. @type {Origin} */
+  origin = {};
+  /** The text of its scene when it was opened; null when it is work that goes on. @type {string | null} */
+  original = null;
+  /** @type {Promise<Example[]> | null} */
+  #examples = null;
+  #store;
+  #solver;
+  #alerts;
+  /** What was opened last. @type {NamedBytes[]} */
+  #given = [];
+  /** Base name for what is saved. */
+  #name = 'model';
+
+  /**
+   * @param {import("../store/state.js").Store} store
+   * @param {import("../solver/solver-client.js").SolverClient} solver
+   * @param {import("../ui/alerts.js").Alerts} alerts
+   */
+  constructor(store, solver, alerts) {
+    super();
+    this.#store = store;
+    this.#solver = solver;
+    this.#alerts = alerts;
+  }
+
+  /** Base name for what is saved. */
+  get name() {
+    return this.#name;
+  }
+
+  /**
+   * Opens a mesh or a scene, with the mesh that the scene names beside it. When it is refused the
+   * old model stays and the alert says why.
+   * @param {NamedBytes[]} given
+   * @param {Origin} [origin]
+   * @param {AbortSignal} [cancelled]
+   * @returns {Promise<import("../solver/messages.js").Loaded>} rejects with what the alert says
+   */
+  async open(given, origin = {}, cancelled) {
+    try {
+      const files = await Promise.all(given.map((file) => asMesh(file, cancelled)));
+      const unreadable = files.find((file) => !isReadable(file));
+      if (unreadable) {
+        throw new Error(
+          `${unreadable.name}: this kind of file cannot be read. Open .obj, .off, .mesh or .3dm for a mesh, .json for a scene.`,
+        );
+      }
+      // A press that waits for the first model has said so.
+      const { document, status } = this.#store.get();
+      if (document || !status)
+        this.#store.set({ status: `Reading ${files.map((file) => file.name).join(' and ')} …` });
+      const main = mainOf(files);
+      const { saved, first: solved, asItCame } = origin;
+      const frame = rememberedFrame(main.name);
+      const loaded = await this.#solver.request({
+        ...{ type: 'open', files, saved, frame, solved },
+        weld: !asItCame,
+      });
+      this.#name = main.name.replace(/(\.shapeup)?\.[^.]+$/, '');
+      this.#given = files;
+      this.origin = origin;
+      this.original = origin.work ? null : this.#solver.sceneText;
+      this.#alerts.clear();
+      if (!origin.first) removeFirstPicture();
+      this.#store.set({
+        firstExample: Boolean(origin.first),
+        fileName: origin.title ?? main.name,
+        example: origin.example ?? null,
+        status: `Opened ${main.name}: ${count(loaded.vertices, 'vertex', 'vertices')}, ${count(loaded.faces, 'face')}`,
+      });
+      if (loaded.welded) this.#tellWelded(loaded.welded, loaded.units);
+      this.dispatchEvent(new Event('opened'));
+      return loaded;
+    } catch (error) {
+      this.#store.set({ status: '' });
+      this.#alerts.error(messageOf(error));
+      throw error;
+    }
+  }
+
+  /**
+   * What a file input or a drop gives: one model of it, and words on what is left out.
+   * @param {File[]} chosen
+   * @param {string[]} [folders] names of those that were dropped with them
+   */
+  async openFiles(chosen, folders = []) {
+    const wanted = worthReading(chosen);
+    if (wanted.length === 0) {
+      const [name] = folders;
+      if (name) this.#alerts.error(`${name} is a folder. Open the files in it instead.`);
+      return;
+    }
+    const loaded = await this.#read(wanted);
+    if (!loaded) return;
+    const isTaken = (/** @type {File} */ file) =>
+      wanted.includes(file) && loaded.files.includes(meshName(file.name));
+    const others = chosen.filter((file) => !isTaken(file)).map(({ name }) => name);
+    if (others.length + folders.length === 0) return;
+    const { leftOut } = await import('./left-out.js');
+    const taken = wanted.filter(isTaken).map(({ name }) => name);
+    this.#alerts.notice(leftOut(taken, others, folders));
+  }
+
+  /** Opens them together, or says what is wrong. @param {File[]} chosen */
+  async #read(chosen) {
+    if (chosen.some(({ size }) => size > LARGE)) {
+      const { openLarge } = await import('./large-file-import.js');
+      const [store, solver, alerts] = [this.#store, this.#solver, this.#alerts];
+      return openLarge(chosen, {
+        store,
+        solver,
+        alerts,
+        open: (files, cancelled) => this.open(files, {}, cancelled).catch(() => undefined),
+      });
+    }
+    try {
+      const files = await Promise.all(
+        chosen.map(async (file) => ({
+          name: file.name,
+          bytes: new Uint8Array(await file.arrayBuffer()),
+        })),
+      );
+      return await this.open(files).catch(() => undefined);
+    } catch (error) {
+      const names = chosen.map(({ name }) => name).join(' and ');
+      this.#alerts.error(`${names} could not be read from the disk (${messageOf(error)}).`);
+    }
+  }
+
+  /**
+   * @param {Example} example
+   * @param {boolean} [first] it is what the page opens with, solved
+   */
+  async openExample(example, first = false) {
+    const names = [example.scene, example.mesh];
+    const files = await Promise.all(
+      names.map(async (name) => ({ name, bytes: await exampleFile(name) })),
+    );
+    // The first thing that somebody sees of it is what it does.
+    if (first) this.#store.set({ display: { ...this.#store.get().display, shapes: true } });
+    await this.open(files, { first, example });
+    const { numbers } = this.#store.get();
+    const status = first && numbers && ended(true, numbers.iteration);
+    this.#store.set({ status: status || `Opened the example ${example.title}` });
+  }
+
+  /** A mesh or a scene of the examples. @param {string} name */
+  exampleFile(name) {
+    return exampleFile(name);
+  }
+
+  /** The list of examples. @returns {Promise<Example[]>} */
+  examples() {
+    // It can be tried again, with a network.
+    this.#examples ??= listOfExamples().catch((error) => {
+      this.#examples = null;
+      throw error;
+    });
+    return this.#examples;
+  }
+
+  /** Fills the menu with all examples. @param {HTMLElement} menu */
+  async offerExamples(menu) {
+    const examples = await this.examples();
+    menu.replaceChildren(
+      element(
+        'a',
+        { role: 'menuitem', href: './gallery.html' },
+        entry('Gallery', 'All examples with pictures of their start and end, figure by figure.'),
+      ),
+      ...examples.map((example) =>
+        element(
+          'button',
+          {
+            type: 'button',
+            role: 'menuitem',
+            onclick: () => {
+              menu.hidePopover();
+              this.openExample(example).catch((error) => this.#alerts.error(messageOf(error)));
+            },
+          },
+          // It loads when the menu is opened; without a network it is not to be had.
+          element('img', {
+            ...(navigator.onLine && {
+              src: new URL(`pictures/${example.id}-end.svg`, document.baseURI).href,
+            }),
+            alt: '',
+            width: 72,
+            height: 52,
+            loading: 'lazy',
+          }),
+          entry(example.title, example.summary),
+        ),
+      ),
+    );
+  }
+
+  /** Drops anywhere on the window open; the overlay says what will happen. @param {HTMLElement} overlay */
+  acceptDrops(overlay) {
+    const carriesFiles = (/** @type {DragEvent} */ event) =>
+      event.dataTransfer?.types.includes('Files') ?? false;
+    window.addEventListener('dragover', (event) => {
+      if (!carriesFiles(event)) return;
+      event.preventDefault();
+      overlay.hidden = false;
+    });
+    window.addEventListener('dragleave', (event) => {
+      if (!event.relatedTarget) overlay.hidden = true;
+    });
+    window.addEventListener('drop', (event) => {
+      overlay.hidden = true;
+      if (!carriesFiles(event)) return;
+      event.preventDefault();
+      const { files, items } = /** @type {DataTransfer} */ (event.dataTransfer);
+      // A folder looks like a file that cannot be read.
+      const folders = [...items]
+        .map((item) => item.webkitGetAsEntry())
+        .flatMap((entry) => (entry?.isDirectory ? [entry.name] : []));
+      this.openFiles(
+        [...files].filter(({ name }) => !folders.includes(name)),
+        folders,
+      );
+    });
+  }
+
+  /**
+   * @param {NonNullable<import("../solver/messages.js").Loaded["welded"]>} welded
+   * @param {string} units
+   */
+  #tellWelded({ before, after, tolerance }, units) {
+    const words = `${groupDigits(before)} vertices welded into ${groupDigits(after)}: those within ${length(tolerance, units)} of each other.`;
+    const asItCame = () =>
+      this.open(this.#given, { ...this.origin, asItCame: true }).catch(() => {});
+    this.#alerts.notice(words, { label: 'Undo', action: asItCame });
+  }
+
+  /** The current shape in the vertices of the file, before they were welded. */
+  async exportAsItCame() {
+    if (!(await this.mayExport())) return;
+    this.save('.obj', await this.#solver.request({ type: 'obj', asItCame: true }), 'model/obj');
+  }
+
+  /** Whether the shape is wanted as it is: asks where a run took the mesh apart. */
+  async mayExport() {
+    const reason = this.#store.get().numbers?.collapse;
+    return !reason || (await import('./collapse.js')).askToExport(reason);
+  }
+
+  /** The current shape, with the flat map that is shown, as OBJ. */
+  async exportMesh() {
+    try {
+      if (!(await this.mayExport())) return;
+      const uv = this.#store.get().flatMap?.found.uv;
+      this.save('.obj', await this.#solver.request({ type: 'obj', uv }), 'model/obj');
+    } catch (error) {
+      this.#alerts.error(messageOf(error));
+    }
+  }
+
+  async saveScene() {
+    // Without a worker, what it sent last is what there is to save.
+    const text = await this.#solver.request({ type: 'scene' }).catch(() => this.#solver.sceneText);
+    if (text === null) this.#alerts.error('There is no scene to save.');
+    else this.save('.shapeup.json', text, 'application/json');
+  }
+
+  /**
+   * Saves something under the name of the model.
+   * @param {string} ending of the file's name
+   * @param {BlobPart} content
+   * @param {string} type
+   */
+  save(ending, content, type) {
+    const name = `${this.#name}${ending}`;
+    saveFile(name, content, type);
+    this.#store.set({ status: `Saved ${name}` });
+  }
+}
+
+/** What the mesh in a file is called. @param {string} name */
+const meshName = (name) => name.replace(IS_RHINO, '.obj');
+
+/**
+ * A file of Rhino as the mesh that is in it; any other as it is. What reads it comes when it is needed.
+ * @param {NamedBytes} file
+ * @param {AbortSignal} [cancelled]
+ * @returns {Promise<NamedBytes>}
+ */
+async function asMesh(file, cancelled) {
+  if (!IS_RHINO.test(file.name)) return file;
+  const { askRhino } = await import('./rhino/rhino-client.js');
+  return askRhino({ type: 'read', file }, cancelled);
+}
+
+/**
+ * An entry of the menu of examples.
+ * @param {string} title
+ * @param {string} text
+ */
+function entry(title, text) {
+  const parts = [element('strong', {}, title), element('span', {}, text)];
+  return element('span', { class: 'entry' }, ...parts);
+}

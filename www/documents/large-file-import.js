@@ -1,0 +1,197 @@
+/**
+ * Files that take a while to open: how far it is, a way to stop it, and a question before a mesh that
+ * is too large to be worked with. Comes when such a file is opened.
+ */
+
+import '../ui/styles/waiting.css';
+import { byId, element, leave, setText } from '../ui/dom.js';
+import { groupDigits } from '../ui/format.js';
+import { messageOf } from '../solver/messages.js';
+
+const MB = 1_000_000;
+const [LF, CR, SPACE, TAB, F] = [10, 13, 32, 9, 102];
+
+/** Somebody does not want the file any more. */
+class Cancelled extends Error {}
+
+/**
+ * Opens files as `Files.open` does, and says how far it is.
+ * @param {File[]} chosen
+ * @param {object} parts
+ * @param {import("../store/state.js").Store} parts.store
+ * @param {import("../solver/solver-client.js").SolverClient} parts.solver
+ * @param {import("../ui/alerts.js").Alerts} parts.alerts
+ * @param {(files: import("../solver/messages.js").NamedBytes[], cancelled: AbortSignal) => Promise<import("../solver/messages.js").Loaded | undefined>} parts.open says itself what is wrong with them
+ */
+export async function openLarge(chosen, { store, solver, alerts, open }) {
+  const names = chosen.map(({ name }) => name).join(' and ');
+  const all = chosen.reduce((sum, { size }) => sum + size, 0);
+  const card = new Card(names);
+  const count = new FaceCount();
+  // The solver measures it, where it has not yet, while the file is read.
+  const limit = solver.request({ type: 'mostFaces' });
+  limit.catch(() => {});
+  store.set({ status: `Reading ${names} …` });
+  try {
+    /** @type {import("../solver/messages.js").NamedBytes[]} */
+    const files = [];
+    let read = 0;
+    for (const file of chosen) {
+      const bytes = await bytesOf(file, card.cancelled, (chunk) => {
+        read += chunk.length;
+        if (/\.obj$/i.test(file.name)) count.take(chunk);
+        card.show(`Reading ${names} · ${progress(read, all)}${facesIn(count)}`, read / all);
+      });
+      files.push({ name: file.name, bytes });
+    }
+    const most = await card.unlessCancelled(limit);
+    if (count.faces > most) {
+      const size = groupDigits(count.faces);
+      const question = `${names} has ${size} faces. Shape-Up stays interactive up to about ${groupDigits(most)} on this computer.`;
+      store.set({ status: `${names}: ${size} faces` });
+      await card.ask(question, 'Load anyway');
+    }
+    card.show(`Opening ${names}${facesIn(count)}`, null);
+    card.cancelled.addEventListener('abort', () => solver.abandon());
+    const loaded = await open(files, card.cancelled);
+    if (card.cancelled.aborted) throw new Cancelled();
+    return loaded;
+  } catch (error) {
+    if (!card.cancelled.aborted) return void alerts.error(messageOf(error));
+    alerts.clear();
+    store.set({ status: 'Cancelled' });
+  } finally {
+    card.remove();
+  }
+}
+
+/**
+ * @param {File} file
+ * @param {AbortSignal} cancelled
+ * @param {(chunk: Uint8Array) => void} tell of each piece
+ */
+async function bytesOf(file, cancelled, tell) {
+  const bytes = new Uint8Array(file.size);
+  const reader = file.stream().getReader();
+  cancelled.addEventListener('abort', () => reader.cancel());
+  for (let at = 0; ;) {
+    const { done, value } = await reader.read();
+    if (cancelled.aborted) throw new Cancelled();
+    if (done) return bytes;
+    bytes.set(value, at);
+    at += value.length;
+    tell(value);
+  }
+}
+
+/** Counts the faces of an OBJ file while it is read: the lines that begin with "f ". */
+class FaceCount {
+  faces = 0;
+  /** The last two bytes before. */
+  #before = [LF, LF];
+
+  /** @param {Uint8Array} chunk */
+  take(chunk) {
+    let [last, previous] = this.#before;
+    for (const byte of chunk) {
+      const isGap = byte === SPACE || byte === TAB;
+      if (isGap && previous === F && (last === LF || last === CR)) this.faces += 1;
+      last = previous;
+      previous = byte;
+    }
+    this.#before = [last, previous];
+  }
+}
+
+/** @param {FaceCount} count */
+const facesIn = ({ faces }) => (faces > 0 ? ` · ${groupDigits(faces)} faces` : '');
+
+/**
+ * @param {number} read
+ * @param {number} all
+ */
+const progress = (read, all) => `${(read / MB).toFixed(1)} of ${(all / MB).toFixed(1)} MB`;
+
+/** What is shown over the view meanwhile. */
+class Card {
+  #abort = new AbortController();
+  #text = element('p', { id: 'import-text' });
+  #bar = element('progress', { 'aria-label': 'How far it is read', max: 1 });
+  #buttons = element('div', { class: 'row-buttons' });
+  #element;
+
+  /** @param {string} names */
+  constructor(names) {
+    const attributes = { class: 'message notice', role: 'group', 'aria-label': `Opening ${names}` };
+    const words = element('div', { class: 'import' }, this.#text, this.#bar);
+    this.#element = element('div', attributes, words, this.#buttons);
+    this.#buttons.append(this.#button('Cancel', () => this.#abort.abort()));
+    this.#element.addEventListener('keydown', (event) => {
+      if (event.key !== 'Escape') return;
+      event.stopPropagation();
+      this.#abort.abort();
+    });
+    byId('messages').append(this.#element);
+  }
+
+  get cancelled() {
+    return this.#abort.signal;
+  }
+
+  /**
+   * @param {string} text
+   * @param {number | null} part from 0 to 1; null where nobody knows
+   */
+  show(text, part) {
+    setText(this.#text, text);
+    if (part === null) this.#bar.removeAttribute('value');
+    else this.#bar.value = part;
+  }
+
+  /**
+   * Asks, and goes on when the answer is yes.
+   * @param {string} question
+   * @param {string} yes
+   * @returns {Promise<void>} rejects when it was cancelled
+   */
+  async ask(question, yes) {
+    setText(this.#text, question);
+    this.#bar.hidden = true;
+    const answer = new Promise((done) => {
+      const button = this.#button(yes, () => done(undefined));
+      // Whoever hears the button hears the question.
+      button.setAttribute('aria-describedby', this.#text.id);
+      this.#buttons.prepend(button);
+      button.focus();
+    });
+    await this.unlessCancelled(answer);
+    this.#buttons.firstElementChild?.remove();
+    this.#bar.hidden = false;
+  }
+
+  /**
+   * What is waited for, unless it is cancelled first.
+   * @template T
+   * @param {Promise<T>} promise
+   * @returns {Promise<T>}
+   */
+  unlessCancelled(promise) {
+    const stopped = new Promise((_, stop) => {
+      if (this.cancelled.aborted) stop(new Cancelled());
+      this.cancelled.addEventListener('abort', () => stop(new Cancelled()));
+    });
+    return Promise.race([promise, stopped]);
+  }
+
+  remove() {
+    leave(this.#element, () => this.#element.remove());
+  }
+
+  /**
+   * @param {string} label
+   * @param {() => void} onclick
+   */
+  #button(label, onclick) {
+    return element('button', { type: 'button', class: 'small bordered', onclick }, label);
+  }
+}

@@ -1,0 +1,27 @@
+/** The view while no model is open, because not even the first example could be fetched. */
+
+import '../ui/styles/waiting.css';
+import { byId, element } from '../ui/dom.js';
+import { removeFirstPicture } from '../viewport/placeholder/placeholder-scene.js';
+
+const FILES = 'a mesh (.obj, .off, .mesh, .3dm) or a scene (.json)';
+
+/**
+ * Says what can be opened, until something is.
+ * @param {import("./files.js").Files} files
+ * @param {() => Promise<void>} again opens the first example
+ */
+export function showNothingOpen(files, again) {
+  removeFirstPicture();
+  byId('hint-card').hidden = true;
+  byId('model').replaceChildren(element('p', { class: 'quiet' }, 'Nothing is open.'));
+  const card = element(
+    'div',
+    { id: 'nothing-open' },
+    element('p', { class: 'with-drop' }, `Drop ${FILES} here.`),
+    element('p', { class: 'without-drop' }, `Open ${FILES}.`),
+    element('button', { type: 'button', class: 'bordered', onclick: again }, 'Open a sample'),
+  );
+  byId('main').append(card);
+  files.addEventListener('opened', () => card.remove(), { once: true });
+}

@@ -1,0 +1,48 @@
+/** The menu of Open recent: what was worked on in this browser. */
+
+import { element } from '../ui/dom.js';
+
+/**
+ * Fills the menu each time, then shows it.
+ * @param {HTMLButtonElement} button
+ * @param {HTMLElement} menu
+ * @param {import("../app/startup.js").Keeping} keeping
+ */
+export function recentMenu(button, menu, keeping) {
+  button.addEventListener('click', async () => {
+    await keeping.saveNow().catch(() => {});
+    const list = await keeping.recent().catch(() => []);
+    const open = (/** @type {import("./recent-documents.js").Work} */ work) => {
+      menu.hidePopover();
+      keeping.openWork(work);
+    };
+    const rows = list.map((work) =>
+      element(
+        'button',
+        { type: 'button', role: 'menuitem', onclick: () => open(work) },
+        element(
+          'span',
+          { class: 'entry' },
+          element('strong', {}, work.title),
+          element('span', {}, `${dateOf(work.savedAt)}, iteration ${work.iteration}`),
+        ),
+      ),
+    );
+    menu.replaceChildren(...(rows.length > 0 ? rows : [noEntry()]));
+    menu.showPopover();
+  });
+}
+
+/** A menu has to have an entry, or nobody hears what it says. */
+function noEntry() {
+  return element(
+    'p',
+    { class: 'quiet', role: 'menuitem', 'aria-disabled': 'true', tabindex: '-1' },
+    'Nothing else yet. What you open or change is kept in this browser, and listed here.',
+  );
+}
+
+/** @param {number} time */
+function dateOf(time) {
+  return new Date(time).toLocaleString([], { dateStyle: 'medium', timeStyle: 'short' });
+}

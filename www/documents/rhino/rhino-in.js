@@ -1,0 +1,168 @@
+/**
+ * The mesh in a file of Rhino, as the text of an OBJ file. Meshes give faces, in a group for each
+ * layer. Polylines are curves; those that were written here as panels are faces, and where there is no
+ * mesh all closed ones are. Corners that coincide are one vertex: Rhino keeps objects apart.
+ */
+
+import { ROLE, UNITS, rhino } from './rhino.js';
+
+/** @typedef {import("../../solver/messages.js").NamedBytes} NamedBytes */
+/** @typedef {[number, number, number]} Point */
+/** @typedef {{ layer: string, corners: Point[] }} Face */
+
+/** Corners this near, as a part of the size, coincide: many of Rhino's meshes have seven digits. */
+const SAME = 1e-6;
+
+/**
+ * @param {NamedBytes} file
+ * @returns {Promise<NamedBytes>}
+ */
+export async function meshFromRhino({ name, bytes }) {
+  const api = await rhino();
+  const file = api.File3dm.fromByteArray(bytes);
+  if (!file) throw new Error(`${name}: this is not a file of Rhino, or it is damaged.`);
+  try {
+    const { faces, curves, others } = objectsOf(file);
+    if (faces.length + curves.length === 0) {
+      throw new Error(
+        others > 0
+          ? `${name} holds ${others} objects, but no mesh and no polyline. Surfaces become one in Rhino with the command Mesh.`
+          : `${name} holds no mesh and no polyline.`,
+      );
+    }
+    const system = file.settings().modelUnitSystem;
+    const units = Object.keys(UNITS).find((unit) => api.UnitSystem[UNITS[unit]] === system);
+    const text = objText(faces, curves, units);
+    return { name: name.replace(/\.3dm$/i, '.obj'), bytes: new TextEncoder().encode(text) };
+  } finally {
+    file.delete();
+  }
+}
+
+/** What is in the file. @param {any} file */
+function objectsOf(file) {
+  /** @type {Face[]} */
+  const faces = [];
+  /** @type {(Face & { role: string | undefined })[]} */
+  const lines = [];
+  let others = 0;
+  const objects = file.objects();
+  for (let i = 0; i < objects.count; i++) {
+    const object = objects.get(i);
+    const geometry = object.geometry();
+    const attributes = object.attributes();
+    const layer = layerName(file, attributes.layerIndex);
+    if (geometry?.faces && geometry.vertices && !geometry.edges) {
+      faces.push(...facesOf(geometry, layer));
+    } else if (geometry?.isPolyline?.()) {
+      const corners = cornersOf(geometry);
+      lines.push({ layer, corners, role: attributes.getUserString(ROLE) || undefined });
+    } else {
+      others += 1;
+    }
+  }
+  const hasMesh = faces.length > 0;
+  const isPanel = (/** @type {Face & { role: string | undefined }} */ { corners, role }) =>
+    isClosed(corners) && corners.length > 3 && (role ? role === 'panel' : !hasMesh);
+  for (const line of lines.filter(isPanel)) {
+    faces.push({ layer: line.layer, corners: line.corners.slice(0, -1) });
+  }
+  return { faces, curves: lines.filter((line) => !isPanel(line)), others };
+}
+
+/**
+ * @param {any} file
+ * @param {number} index
+ * @returns {string}
+ */
+function layerName(file, index) {
+  const layers = file.layers();
+  return index >= 0 && index < layers.count ? layers.get(index).name : '';
+}
+
+/**
+ * @param {any} mesh
+ * @param {string} layer
+ * @returns {Face[]}
+ */
+function facesOf(mesh, layer) {
+  const [vertices, faces] = [mesh.vertices(), mesh.faces()];
+  return Array.from({ length: faces.count }, (_, i) => {
+    const [a, b, c, d] = faces.get(i);
+    // A triangle has its last corner twice.
+    const corners = c === d ? [a, b, c] : [a, b, c, d];
+    return { layer, corners: corners.map((vertex) => vertices.point3dAt(vertex)) };
+  });
+}
+
+/** @param {any} polyline @returns {Point[]} */
+function cornersOf(polyline) {
+  return Array.from({ length: polyline.pointCount }, (_, i) => polyline.point(i));
+}
+
+/** @param {Point[]} corners */
+function isClosed(corners) {
+  const last = corners[corners.length - 1];
+  return corners[0].every((x, axis) => x === last[axis]);
+}
+
+/**
+ * @param {Face[]} faces
+ * @param {Face[]} curves
+ * @param {string | undefined} units
+ */
+function objText(faces, curves, units) {
+  const all = [...faces, ...curves].flatMap(({ corners }) => corners);
+  const sides = [0, 1, 2].map((axis) => {
+    const values = all.map((point) => point[axis]);
+    const least = values.reduce((a, b) => Math.min(a, b), Infinity);
+    return values.reduce((a, b) => Math.max(a, b), -Infinity) - least;
+  });
+  const numberOf = welded(SAME * Math.hypot(...sides));
+  const lines = [];
+  let layer = '';
+  for (const face of faces) {
+    if (face.layer !== layer) lines.push(`g ${face.layer.replace(/\s+/g, '_')}`);
+    layer = face.layer;
+    const numbers = face.corners.map(numberOf.of);
+    // Corners that coincide are one corner.
+    const distinct = numbers.filter((number, i) => number !== numbers.at(i - 1));
+    lines.push(`f ${distinct.join(' ')}`);
+  }
+  if (curves.length > 0 && layer) lines.push('g');
+  for (const curve of curves) lines.push(`l ${curve.corners.map(numberOf.of).join(' ')}`);
+  const head = ['# up: z', ...(units ? [`# units: ${units}`] : [])];
+  const vertices = numberOf.points.map((point) => `v ${point.join(' ')}`);
+  return `${[...head, ...vertices, ...lines].join('\n')}\n`;
+}
+
+/**
+ * Numbers for points, from 1, the same for those that are nearer than `tolerance`.
+ * @param {number} tolerance
+ */
+function welded(tolerance) {
+  /** @type {Point[]} */
+  const points = [];
+  /** @type {Map<string, number[]>} */
+  const cells = new Map();
+  const cell = tolerance || 1;
+  /** @param {Point} point */
+  function of(point) {
+    const home = point.map((x) => Math.floor(x / cell));
+    for (const [dx, dy, dz] of NEIGHBOURS) {
+      const key = `${home[0] + dx} ${home[1] + dy} ${home[2] + dz}`;
+      for (const number of cells.get(key) ?? []) {
+        const other = points[number - 1];
+        if (Math.hypot(...point.map((x, axis) => x - other[axis])) <= tolerance) return number;
+      }
+    }
+    points.push(point);
+    const key = home.join(' ');
+    cells.set(key, [...(cells.get(key) ?? []), points.length]);
+    return points.length;
+  }
+  return { of, points };
+}
+
+const NEAR = [0, -1, 1];
+const NEIGHBOURS = NEAR.flatMap((x) => NEAR.flatMap((y) => NEAR.map((z) => [x, y, z])));

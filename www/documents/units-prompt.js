@@ -1,0 +1,138 @@
+/**
+ * The unit and the vertical axis of the model, chosen in its panel, which says when they are guessed,
+ * and remembered by the name of the file. Coordinates never change by it.
+ */
+
+import { element, leave, setText } from '../ui/dom.js';
+import { recall, remember } from '../ui/safe-storage.js';
+
+/** @typedef {import("../store/state.js").Store} Store */
+/** @typedef {import("../store/actions.js").Actions} Actions */
+/** @typedef {{ units: string, up: "y" | "z" }} Frame */
+/** @typedef {import("../solver/messages.js").Loaded} Loaded */
+
+/** With the empty one for a mesh without a unit. */
+const UNITS = ['m', 'cm', 'mm', 'ft', 'in', ''];
+const NO_UNIT = 'no unit';
+const KEY = 'shape-up.frames';
+/** So many files are remembered. */
+const MOST_FILES = 40;
+
+/** @returns {[string, Frame][]} the newest last */
+function remembered() {
+  try {
+    return JSON.parse(recall(KEY) ?? '[]');
+  } catch {
+    // Somebody else wrote there.
+    return [];
+  }
+}
+
+/**
+ * What the file of that name was taken for the last time, in the words of a mesh file.
+ * @param {string} name
+ */
+export function rememberedFrame(name) {
+  const frame = remembered().find(([known]) => known === name)?.[1];
+  return frame ? `# units: ${frame.units}\n# up: ${frame.up}\n` : '';
+}
+
+/**
+ * @param {string} name of a file
+ * @param {Frame} frame
+ */
+function rememberFrame(name, frame) {
+  const others = remembered().filter(([known]) => known !== name);
+  const all = [...others, [name, frame]].slice(-MOST_FILES);
+  remember(KEY, JSON.stringify(all));
+}
+
+/**
+ * Changes them, as one step of undo each.
+ * @param {Store} store
+ * @param {Actions} actions
+ * @returns {(part: Partial<Frame>) => Promise<void>}
+ */
+function changes(store, actions) {
+  return async (part) => {
+    const { model, document } = store.get();
+    if (!model || !document) return;
+    const { units = document.units, up = document.up } = part;
+    if (units !== document.units) await actions.edit({ type: 'setUnits', units });
+    if (up !== document.up) await actions.edit({ type: 'setUp', up });
+    rememberFrame(model.name, { units, up });
+  };
+}
+
+/**
+ * Rows of the panel of the model: what is guessed, and the two choices.
+ * @param {Store} store
+ * @param {Actions} actions
+ * @returns {HTMLElement} always up to date
+ */
+export function frameFields(store, actions) {
+  const apply = changes(store, actions);
+  /** @type {Loaded | null} */
+  let confirmed = null;
+  const change = async (/** @type {Partial<Frame>} */ part) => {
+    await apply(part);
+    confirmed = store.get().model;
+    showGuess();
+  };
+  const units = element('select', {
+    id: 'units',
+    onchange: () => change({ units: units.value }),
+  });
+  const up = element(
+    'select',
+    { id: 'up', onchange: () => change({ up: up.value === 'y' ? 'y' : 'z' }) },
+    element('option', { value: 'z' }, 'z'),
+    element('option', { value: 'y' }, 'y'),
+  );
+  const guess = element('span');
+  const note = element(
+    'p',
+    { class: 'guess', hidden: true },
+    guess,
+    element(
+      'button',
+      // Nothing changes, but the file is known from now on.
+      { type: 'button', class: 'small bordered', onclick: () => leave(note, () => change({})) },
+      'Looks right',
+    ),
+  );
+  function showGuess() {
+    const { model } = store.get();
+    const words = model && guessInWords(model);
+    note.hidden = !words || model === confirmed;
+    if (words) setText(guess, words);
+  }
+  store.subscribe(['model'], showGuess);
+  store.subscribe(['document'], ({ document }) => {
+    if (!document) return;
+    const known = UNITS.includes(document.units) ? UNITS : [document.units, ...UNITS];
+    const options = known.map((unit) => element('option', { value: unit }, unit || NO_UNIT));
+    units.replaceChildren(...options);
+    units.value = document.units;
+    up.value = document.up;
+  });
+  const title = 'What the numbers of the file mean. They stay as they are.';
+  return element(
+    'div',
+    { class: 'frame-fields', title },
+    note,
+    element('label', { for: 'units' }, 'Unit'),
+    units,
+    element('label', { for: 'up' }, 'Up axis'),
+    up,
+  );
+}
+
+/**
+ * What a file does not say and was guessed, empty where it says both.
+ * @param {Loaded} model
+ */
+function guessInWords({ name, guessed }) {
+  const missing = [guessed.units && 'units', guessed.up && 'up axis'].filter(Boolean).join(' or ');
+  return missing && `${name} has no ${missing}. Our guess:`;
+}

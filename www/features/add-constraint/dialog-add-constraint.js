@@ -1,0 +1,319 @@
+/**
+ * Add constraint: a shape, where, its parameters, and how much. It is docked in the place of the
+ * model's panel, never over the view, so that the selection can change while it is open. Only what
+ * fits the mesh is offered, the usual shape for the place is chosen beforehand, and what a choice
+ * would make is said before it is made.
+ */
+
+import './add-constraint.css';
+import { byId, dialogHead, element, setText } from '../../ui/dom.js';
+import { count, groupDigits } from '../../ui/format.js';
+import { KindChoices } from '../../ui/kinds/kind-choices.js';
+import { Parameters } from '../../ui/kinds/parameters.js';
+
+/** @typedef {import("../../solver/messages.js").KindInfo} KindInfo */
+/** @typedef {import("../../solver/messages.js").Selector} Selector */
+/** @typedef {import("../../solver/messages.js").Preview} Preview */
+
+/**
+ * Where a constraint could be. `element` is the one that it goes through; one within the selection
+ * is only for kinds that are meant for that element.
+ * @typedef {{ id: string, label: string, on: Selector, element?: string, within?: boolean }} Place
+ */
+/** @typedef {{ place: Place, preview: Preview }} Offer */
+
+/** @type {AddConstraintDialog | undefined} */
+let dialog;
+
+/**
+ * Opens the dialog, or closes it when it is open.
+ * @param {import("../../store/state.js").Store} store
+ * @param {import("../../solver/solver-client.js").SolverClient} solver
+ * @param {import("../../store/actions.js").Actions} actions
+ */
+export function toggleAddConstraint(store, solver, actions) {
+  dialog ??= new AddConstraintDialog(byId('add-constraint'), store, solver, actions);
+  return dialog.toggle();
+}
+
+class AddConstraintDialog {
+  #dialog;
+  #store;
+  #solver;
+  #actions;
+  #kinds = new KindChoices((kind) => {
+    this.#kindId = kind.id;
+    this.#isChosen = true;
+    this.#show();
+  });
+  /** The shapes that fit nowhere, and why. */
+  #misfits = element('details', { class: 'misfits quiet', hidden: true });
+  /** What the chosen shape asks. */
+  #about = element('p', { class: 'about quiet' });
+  #places = element('div', { class: 'choices' });
+  #parameters = new Parameters([], {}, { units: '', meanEdge: 0, up: 'z' });
+  #parametersPlace = element('div');
+  /** The kind whose parameters these are. */
+  #parametersOf = '';
+  #preview = element('p', { class: 'preview quiet', 'aria-live': 'polite' });
+  #weight = element('input', {
+    type: 'number',
+    min: '0',
+    step: 'any',
+    value: '1',
+    id: 'new-weight',
+  });
+  #addAndRun = element('button', { type: 'submit', class: 'primary' }, 'Add and run');
+  #add = element('button', { type: 'submit', class: 'bordered' }, 'Add');
+  /** The shape and the place that are chosen, while they are offered. */
+  #kindId = '';
+  #placeId = '';
+  /** Whether somebody chose one of them: then a new selection changes neither. */
+  #isChosen = false;
+  /** What each kind would make, by kind; those that fit nowhere are not in it. @type {Map<string, Offer[]>} */
+  #offers = new Map();
+  /** Answers to an older question are not wanted. */
+  #question = 0;
+
+  /**
+   * @param {HTMLDialogElement} dialog
+   * @param {import("../../store/state.js").Store} store
+   * @param {import("../../solver/solver-client.js").SolverClient} solver
+   * @param {import("../../store/actions.js").Actions} actions
+   */
+  constructor(dialog, store, solver, actions) {
+    this.#dialog = dialog;
+    this.#store = store;
+    this.#solver = solver;
+    this.#actions = actions;
+    dialog.replaceChildren(
+      dialogHead(dialog, 'add-constraint-title', 'New constraint'),
+      element(
+        'form',
+        // What is not valid is said at its field.
+        { novalidate: true, onsubmit: (/** @type {SubmitEvent} */ event) => this.#submit(event) },
+        element(
+          'div',
+          { class: 'shape' },
+          element(
+            'fieldset',
+            {},
+            element('legend', {}, 'Shape'),
+            this.#kinds.element,
+            this.#misfits,
+          ),
+          this.#about,
+          this.#parametersPlace,
+        ),
+        element('fieldset', {}, element('legend', {}, 'Where'), this.#places),
+        element(
+          'div',
+          { class: 'weight-row' },
+          element('label', { for: 'new-weight' }, 'Weight'),
+          this.#weight,
+          element('span', { class: 'quiet' }, 'against the other constraints'),
+        ),
+        element('div', { class: 'dialog-foot' }, this.#preview, this.#add, this.#addAndRun),
+      ),
+    );
+    dialog.addEventListener('keydown', (event) => {
+      if (event.key !== 'Escape') return;
+      event.preventDefault();
+      dialog.close();
+    });
+    store.subscribe(['selection', 'model'], () => {
+      if (dialog.open) this.#ask();
+    });
+  }
+
+  async toggle() {
+    if (this.#dialog.open) return this.#dialog.close();
+    this.#isChosen = false;
+    this.#weight.value = '1';
+    this.#parametersOf = '';
+    this.#allow(false);
+    this.#dialog.show();
+    await this.#ask();
+    this.#kinds.focus(this.#kindId);
+  }
+
+  /** Where a constraint could be, before asking which of it fits. @returns {Place[]} */
+  #allPlaces() {
+    const { elements, selection } = this.#store.get();
+    const vertices = this.#actions.chosenVertices();
+    const faces = [...selection.faces];
+    /** @type {Place[]} */
+    const places = [];
+    if (vertices.length > 0) {
+      places.push({ id: 'selection', label: 'whole selection together', on: { vertices } });
+      const within = faces.length > 0 ? { faces } : { vertices };
+      for (const { id, label, faceBased } of elements) {
+        const on = { each: id, in: within };
+        if (faceBased && faces.length > 0)
+          places.push({ id: `each-${id}-selected`, label: `each selected ${label}`, on });
+        else
+          places.push({
+            id: `each-${id}-selected`,
+            label: `each ${label}, within the selection`,
+            on,
+            element: id,
+            within: true,
+          });
+      }
+    }
+    for (const { id, label } of elements)
+      places.push({ id: `each-${id}`, label: `each ${label}`, on: { each: id }, element: id });
+    return places;
+  }
+
+  /** Asks the solver what fits, and offers that. */
+  async #ask() {
+    const question = ++this.#question;
+    const places = this.#allPlaces();
+    const request = { type: /** @type {const} */ ('previews'), places: places.map(({ on }) => on) };
+    const previews = await this.#actions.told(this.#solver.request(request));
+    if (question !== this.#question || !previews) return;
+    this.#offers = new Map();
+    this.#store.get().kinds.forEach((kind, k) => {
+      const offers = places.flatMap((place, p) => {
+        const preview = previews[k][p];
+        if (!preview || (place.within && !kind.elements.includes(place.element ?? ''))) return [];
+        return [{ place, preview }];
+      });
+      if (offers.length > 0) this.#offers.set(kind.id, offers);
+    });
+    if (!this.#isChosen) this.#suggest(places);
+    this.#show();
+  }
+
+  /** Chooses the usual shape at the first place that has one. @param {Place[]} places */
+  #suggest(places) {
+    for (const place of places) {
+      for (const [kind, offers] of this.#offers) {
+        if (!offers.some((one) => one.place === place && one.preview.usual)) continue;
+        [this.#kindId, this.#placeId] = [kind, place.id];
+        return;
+      }
+    }
+    this.#kindId = '';
+    this.#placeId = places[0]?.id ?? '';
+  }
+
+  /** Shows what is offered and chosen. */
+  #show() {
+    const offered = this.#store.get().kinds.filter((kind) => this.#offers.has(kind.id));
+    const kind = offered.find((one) => one.id === this.#kindId) ?? offered[0];
+    this.#kindId = kind?.id ?? '';
+    this.#kinds.show(offered, this.#kindId);
+    this.#showMisfits();
+    setText(this.#about, kind?.summary ?? '');
+    this.#showParameters(kind);
+
+    const offers = this.#offers.get(this.#kindId) ?? [];
+    if (!offers.some(({ place }) => place.id === this.#placeId)) {
+      this.#placeId = offers[0]?.place.id ?? '';
+    }
+    const focused = document.activeElement?.id;
+    this.#places.replaceChildren(...offers.map((one) => this.#placeChoice(one)));
+    if (focused) document.getElementById(focused)?.focus();
+    // The choices that are made are in sight, wherever they are in their lists.
+    for (const choice of this.#dialog.querySelectorAll('label:has(:checked)'))
+      choice.scrollIntoView({ block: 'nearest', inline: 'nearest' });
+    this.#showPreview();
+  }
+
+  #showMisfits() {
+    const { kinds, elements } = this.#store.get();
+    const left = kinds.filter((kind) => !this.#offers.has(kind.id));
+    const wants = (/** @type {KindInfo} */ kind) => {
+      const places = elements.filter(({ id }) => kind.elements.includes(id));
+      const where = places.map(({ label }) => label).join(' or ');
+      return where ? `it is for each ${where}` : `it takes ${kind.takes}`;
+    };
+    this.#misfits.hidden = left.length === 0;
+    this.#misfits.replaceChildren(
+      element('summary', {}, `${count(left.length, 'shape does', 'shapes do')} not fit here`),
+      element('ul', {}, ...left.map((kind) => element('li', {}, `${kind.label}: ${wants(kind)}`))),
+    );
+  }
+
+  /** @param {KindInfo | undefined} kind */
+  #showParameters(kind) {
+    const { model } = this.#store.get();
+    if (!model || this.#parametersOf === (kind?.id ?? '')) return;
+    this.#parametersOf = kind?.id ?? '';
+    this.#parameters = new Parameters(kind?.params ?? [], {}, model);
+    this.#parametersPlace.replaceChildren(this.#parameters.element);
+    this.#parametersPlace.hidden = !kind?.params.length;
+  }
+
+  /** @param {Offer} offer */
+  #placeChoice({ place, preview }) {
+    const amount = `new-place-${place.id}-amount`;
+    const radio = element('input', {
+      type: 'radio',
+      name: 'new-place',
+      id: `new-place-${place.id}`,
+      'aria-label': place.label,
+      'aria-describedby': amount,
+      onchange: () => {
+        this.#placeId = place.id;
+        this.#isChosen = true;
+        this.#showPreview();
+      },
+    });
+    radio.checked = place.id === this.#placeId;
+    return element(
+      'label',
+      { class: 'choice' },
+      radio,
+      element('span', {}, place.label),
+      element('span', { class: 'amount figure', id: amount }, groupDigits(preview.constraints)),
+    );
+  }
+
+  /** The offer that is chosen. */
+  #chosen() {
+    return this.#offers.get(this.#kindId)?.find(({ place }) => place.id === this.#placeId);
+  }
+
+  #showPreview() {
+    const offer = this.#chosen();
+    this.#allow(offer !== undefined);
+    if (!offer) return setText(this.#preview, 'No shape fits here.');
+    const { constraints, skipped, vertices } = offer.preview;
+    const each = vertices / constraints;
+    const size = Number.isInteger(each)
+      ? count(each, 'vertex', 'vertices')
+      : `${each.toFixed(1)} vertices on average`;
+    const made = `${count(constraints, 'constraint')} of ${size}.`;
+    const left =
+      skipped > 0 ? ` ${groupDigits(skipped)} skipped: their number of vertices does not fit.` : '';
+    setText(this.#preview, made + left);
+  }
+
+  /** @param {boolean} isPossible to add what is chosen */
+  #allow(isPossible) {
+    this.#add.disabled = !isPossible;
+    this.#addAndRun.disabled = !isPossible;
+  }
+
+  /** @param {SubmitEvent} event */
+  async #submit(event) {
+    event.preventDefault();
+    const offer = this.#chosen();
+    const params = this.#parameters.values();
+    if (!offer || !params || !this.#weight.reportValidity()) return;
+    const kind = this.#kindId;
+    const weight = this.#weight.value === '' ? 1 : this.#weight.valueAsNumber;
+    const added = await this.#actions.edit(
+      { type: 'addConstraint', kind, params, on: offer.place.on, weight },
+      (error) => this.#parameters.refuse(error),
+    );
+    if (added === undefined) return;
+    this.#dialog.close();
+    if (event.submitter === this.#addAndRun) this.#solver.tell({ type: 'run' });
+    const { label } = this.#store.get().kinds.find(({ id }) => id === kind) ?? {};
+    this.#actions.say(`Added ${count(offer.preview.constraints, 'constraint')}: ${label}`);
+  }
+}

@@ -1,0 +1,139 @@
+/**
+ * The menu of what is under the pointer: a right click, a long press, or the menu key. It acts on the
+ * selection, to which what was pointed at belongs by then. Loaded when it is first asked for.
+ */
+
+import { byId, element } from '../ui/dom.js';
+import { placeMenu } from '../app/layout.js';
+
+/**
+ * @typedef {object} Parts
+ * @property {import("../store/state.js").Store} store
+ * @property {import("../viewport/viewport.js").Viewport} viewport
+ * @property {import("../store/actions.js").Actions} actions
+ * @property {import("./selection/mesh-queries.js").Selecting} selecting
+ * @property {import("../app/commands.js").Command[]} commands
+ */
+
+/** Where the menu is asked for, in CSS pixels of the page. */
+let place = new DOMRect();
+
+const menu = element('div', {
+  id: 'context-menu',
+  popover: 'manual',
+  role: 'menu',
+  'aria-label': 'What is here',
+  class: 'menu',
+});
+byId('menus').append(menu);
+placeMenu(menu, () => /** @type {HTMLElement} */ ({ getBoundingClientRect: () => place }));
+// By itself a popover would close when the finger that asked for it is lifted.
+const leave = (/** @type {Event} */ event) => {
+  if (!(event.target instanceof Node && menu.contains(event.target))) menu.hidePopover();
+};
+menu.addEventListener('toggle', (event) => {
+  const isOpen = /** @type {ToggleEvent} */ (event).newState === 'open';
+  const change = isOpen ? window.addEventListener : window.removeEventListener;
+  for (const name of ['pointerdown', 'wheel', 'resize']) change(name, leave, true);
+});
+
+/**
+ * @param {[number, number]} at in CSS pixels of the page
+ * @param {Parts} parts
+ */
+export function showContextMenu(at, parts) {
+  const { store, viewport, actions } = parts;
+  place = new DOMRect(...at, 0, 0);
+  menu.replaceChildren(
+    ...sectionsOf(parts).map(([heading, items]) =>
+      element(
+        'div',
+        { class: 'section', role: 'group', 'aria-label': heading },
+        element('p', { class: 'heading quiet', 'aria-hidden': 'true' }, heading),
+        ...items.map(([label, action]) => item(label, action)),
+      ),
+    ),
+  );
+  /** @type {(label: string, action: () => void) => HTMLElement} */
+  function item(label, action) {
+    const onclick = () => {
+      close();
+      action();
+    };
+    return element('button', { type: 'button', role: 'menuitem', onclick }, label);
+  }
+  const close = () => {
+    menu.hidePopover();
+    viewport.element.focus({ preventScroll: true });
+  };
+  menu.onkeydown = (event) => {
+    if (event.key !== 'Escape' && event.key !== 'Tab') return;
+    event.preventDefault();
+    event.stopPropagation();
+    close();
+  };
+  if (store.get().model) menu.showPopover();
+  else actions.say('Nothing is open yet');
+}
+
+/** @typedef {[label: string, action: () => void]} Item */
+
+/**
+ * What there is to do, and how, under its headings.
+ * @param {Parts} parts
+ * @returns {[heading: string, items: Item[]][]}
+ */
+function sectionsOf({ store, actions, selecting, commands }) {
+  const state = store.get();
+  const { document, operations } = state;
+  const vertices = actions.chosenVertices();
+  const held = new Map(document?.handles.map((handle) => [handle.vertex, handle.fixed]));
+  const some = (/** @type {boolean | undefined} */ as) =>
+    vertices.some((vertex) => held.get(vertex) === as);
+  const press = (/** @type {string} */ id) => () =>
+    commands.find((command) => command.id === id)?.action();
+  const selections = operations
+    .filter((operation) => operation.needsSelection && operation.params.length === 0)
+    .filter((operation) => selecting.canApply(operation))
+    .map(
+      (operation) =>
+        /** @type {Item} */ ([operation.label, () => void selecting.applyOrTell(operation)]),
+    );
+  /** @type {[string, [boolean, ...Item][]][]} */
+  const sections = [
+    [
+      'Handles',
+      [
+        [some(undefined), 'Make handle', () => actions.addHandles(vertices, false)],
+        [some(undefined) || some(false), 'Fix here', () => actions.addHandles(vertices, true)],
+        [some(true), 'Make movable', () => actions.addHandles(vertices, false)],
+        [some(true) || some(false), 'Release handle', press('remove-handles')],
+      ],
+    ],
+    ['Constraints', [[true, 'Add constraint', press('add-constraint')]]],
+    [
+      'Selection',
+      [
+        ...selections.map((item) => /** @type {[boolean, ...Item]} */ ([true, ...item])),
+        [vertices.length > 0, 'Select nothing', actions.selectNothing],
+      ],
+    ],
+    [
+      'View',
+      [
+        [vertices.length > 0, 'Zoom to selection', press('fit-selection')],
+        [vertices.length === 0, 'Zoom to everything', press('fit-all')],
+      ],
+    ],
+    ['Edit', [[Boolean(document?.undo), `Undo: ${document?.undo}`, press('undo')]]],
+  ];
+  return sections
+    .map(
+      ([heading, items]) =>
+        /** @type {[string, Item[]]} */ ([
+          heading,
+          items.filter(([fits]) => fits).map(([, label, action]) => [label, action]),
+        ]),
+    )
+    .filter(([, items]) => items.length > 0);
+}

@@ -1,0 +1,153 @@
+/** A plot of an experiment: one line for each method, the values on a logarithmic scale, with uPlot. */
+
+import uPlot from 'uplot';
+import { COUNTS, decades, powerOfTen } from '../../ui/plot/plot.js';
+
+const HEIGHT = 240;
+/** While a dialog is open nothing else changes the theme. */
+const SYSTEM = matchMedia('(prefers-color-scheme: dark)');
+
+/**
+ * @typedef {object} Axes
+ * @property {string} label of the whole plot, for those who cannot see it
+ * @property {string[]} names of the methods
+ * @property {number | null} x the column that is drawn over; null for the iterations
+ * @property {number} y the column that is drawn
+ */
+
+export class Chart {
+  #place;
+  #axes;
+  #plot;
+  #observer;
+  /** @type {uPlot.AlignedData | null} */
+  #data = null;
+
+  /**
+   * @param {HTMLElement} place
+   * @param {Axes} axes
+   */
+  constructor(place, axes) {
+    this.#place = place;
+    this.#axes = axes;
+    this.#plot = this.#make();
+    this.#observer = new ResizeObserver(() => {
+      const width = place.clientWidth;
+      if (width > 0 && width !== this.#plot.width) this.#plot.setSize({ width, height: HEIGHT });
+    });
+    this.#observer.observe(place);
+    SYSTEM.addEventListener('change', this.#restyle);
+  }
+
+  /** @param {number[][][]} methods the columns of those that have started */
+  show(methods) {
+    const { x, y, names } = this.#axes;
+    const tables = names.map((_, k) => {
+      const columns = methods[k];
+      if (!columns) return /** @type {uPlot.AlignedData} */ ([[], []]);
+      const over = x === null ? columns[y].map((_, iteration) => iteration) : columns[x];
+      // A logarithm has no zero.
+      const values = columns[y].map((value) => (value > 0 ? value : null));
+      return /** @type {uPlot.AlignedData} */ ([over, values]);
+    });
+    this.#data = uPlot.join(tables);
+    this.#plot.setData(this.#data);
+  }
+
+  /** uPlot paints on a canvas and does not see style sheets. */
+  #restyle = () => {
+    this.#plot.destroy();
+    this.#plot = this.#make();
+    if (this.#data) this.#plot.setData(this.#data);
+  };
+
+  destroy() {
+    SYSTEM.removeEventListener('change', this.#restyle);
+    this.#observer.disconnect();
+    this.#plot.destroy();
+  }
+
+  #make() {
+    const style = getComputedStyle(this.#place);
+    const colour = (/** @type {string} */ name) => style.getPropertyValue(name).trim();
+    const axis = {
+      stroke: colour('--quiet'),
+      font: `11px ${style.fontFamily}`,
+      grid: { stroke: colour('--line'), width: 1 },
+      ticks: { show: false },
+    };
+    const plot = new uPlot(
+      {
+        width: Math.max(this.#place.clientWidth, 200),
+        height: HEIGHT,
+        padding: [8, 16, 0, 0],
+        legend: { show: false },
+        cursor: { y: false, points: { size: 5 }, drag: { x: false, y: false } },
+        scales: { x: { time: false }, y: { distr: 3, range } },
+        axes: [
+          {
+            ...axis,
+            size: 22,
+            gap: 4,
+            space: 56,
+            ...(this.#axes.x === null && { incrs: COUNTS }),
+            values: (_, ticks) => ticks.map((tick) => String(Number(tick.toPrecision(6)))),
+          },
+          {
+            ...axis,
+            size: 46,
+            gap: 4,
+            filter: (_, ticks) => ticks,
+            splits: (_, _axis, least, most) => marks(least, most),
+            values: (_, ticks) => ticks.map(written),
+          },
+        ],
+        series: [
+          {},
+          ...this.#axes.names.map((label, k) => ({
+            label,
+            stroke: colour(`--line-of-method-${k}`),
+            width: 1.75,
+            points: { show: false },
+            // Lines have points at different times.
+            spanGaps: true,
+          })),
+        ],
+      },
+      [[], ...this.#axes.names.map(() => [])],
+      this.#place,
+    );
+    plot.root.setAttribute('role', 'img');
+    plot.root.setAttribute('aria-label', this.#axes.label);
+    return plot;
+  }
+}
+
+/**
+ * No wider than the values need.
+ * @param {uPlot} _
+ * @param {number | null} least
+ * @param {number | null} most
+ * @returns {uPlot.Range.MinMax}
+ */
+function range(_, least, most) {
+  if (least === null || most === null) return [null, null];
+  return uPlot.rangeLog(least, most, 10, false);
+}
+
+/**
+ * Powers of ten; where there are hardly any, twice and five times these too.
+ * @param {number} least
+ * @param {number} most
+ */
+function marks(least, most) {
+  const powers = decades(least, most);
+  if (powers.length > 2) return powers;
+  const first = 10 ** Math.floor(Math.log10(least) + 1e-9);
+  return COUNTS.map((count) => first * count).filter((mark) => mark >= least && mark <= most);
+}
+
+/** @param {number} mark */
+function written(mark) {
+  return mark >= 1e-3 && mark < 1e4 ? String(Number(mark.toPrecision(1))) : powerOfTen(mark);
+}

@@ -1,0 +1,52 @@
+/**
+ * Offers the experiment of the example that is open. The dialog that runs it, with its plots, is
+ * loaded when it is asked for.
+ */
+
+import { element } from '../../ui/dom.js';
+import { messageOf } from '../../solver/messages.js';
+
+/**
+ * A comparison of methods, as the list of examples declares it.
+ * @typedef {object} Experiment
+ * @property {string} id
+ * @property {string} label
+ * @property {string} summary
+ * @property {{ id: string, label: string, unit: "energy" | "length" | "none" }[]} quantities
+ * @property {{ quantity: number, over: "iterations" | "seconds" }[]} plots
+ * @property {{ id: string, label: string, summary: string }[]} methods
+ * @property {{ iterations: number, seconds: number }} limits of each method
+ */
+
+/**
+ * @param {HTMLElement} place
+ * @param {import("../../store/state.js").Store} store
+ * @param {import("../../solver/solver-client.js").SolverClient} solver
+ * @param {import("../../ui/alerts.js").Alerts} alerts
+ */
+export function offerExperiment(place, store, solver, alerts) {
+  async function open() {
+    const { example } = store.get();
+    if (!example?.experiment) return;
+    try {
+      const { ExperimentDialog } = await import('./plots-dialog.js');
+      new ExperimentDialog(example, example.experiment, store, solver).open();
+    } catch (error) {
+      alerts.error(`The experiment could not be loaded: ${messageOf(error)}`);
+    }
+  }
+
+  store.subscribe(['example'], ({ example }) => {
+    const experiment = example?.experiment;
+    place.hidden = !experiment;
+    if (!experiment) return place.replaceChildren();
+    place.replaceChildren(
+      element('p', {}, element('strong', {}, 'Experiment: '), experiment.label),
+      element(
+        'button',
+        { type: 'button', class: 'bordered', 'aria-haspopup': 'dialog', onclick: open },
+        'Compare methods',
+      ),
+    );
+  });
+}

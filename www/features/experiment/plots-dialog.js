@@ -1,0 +1,323 @@
+/** The dialog of an experiment: runs its methods one after another and shows how far each one comes. */
+
+import { element, setText, throttled } from '../../ui/dom.js';
+import { exampleFile } from '../../documents/examples.js';
+import { saveFile } from '../../ui/save-file.js';
+import { groupDigits, length, number } from '../../ui/format.js';
+import { messageOf } from '../../solver/messages.js';
+import { Chart } from './chart.js';
+import './plots-dialog.css';
+
+/** @typedef {import("./offer.js").Experiment} Experiment */
+/** @typedef {import("../../documents/files.js").Example} Example */
+
+/**
+ * What a method has done so far: per iteration the seconds, then the quantities.
+ * @typedef {{ columns: number[][], endedBy: string | null }} Series
+ */
+
+const DRAW_EVERY_MS = 150;
+
+export class ExperimentDialog {
+  #example;
+  #experiment;
+  #store;
+  #solver;
+  #dialog;
+  /** @type {Series[]} */
+  #series = [];
+  #running = false;
+  #listener = (/** @type {Event} */ event) => this.#take(/** @type {CustomEvent} */ (event).detail);
+  /** The worker has died, and with it what it measured. */
+  #lost = () => this.#running && this.#fail('the solver was restarted');
+  #draw;
+
+  #status = element('p', { role: 'status', class: 'experiment-status quiet' });
+  #progress = element('progress', { 'aria-label': 'Progress' });
+  #run = element(
+    'button',
+    { type: 'button', class: 'primary', onclick: () => this.#runOrCancel() },
+    'Run all',
+  );
+  #csv = element(
+    'button',
+    { type: 'button', class: 'bordered', onclick: () => this.#saveCsv(), disabled: true },
+    'Save CSV',
+  );
+  #rows = element('tbody');
+  /** @type {Chart[]} */
+  #charts = [];
+  #limits;
+  #most;
+
+  /**
+   * @param {Example} example
+   * @param {Experiment} experiment
+   * @param {import("../../store/state.js").Store} store
+   * @param {import("../../solver/solver-client.js").SolverClient} solver
+   */
+  constructor(example, experiment, store, solver) {
+    this.#example = example;
+    this.#experiment = experiment;
+    this.#store = store;
+    this.#solver = solver;
+    this.#limits = { ...experiment.limits };
+    this.#most = element('input', {
+      type: 'number',
+      id: 'experiment-iterations',
+      min: 1,
+      max: 100_000,
+      step: 1,
+      required: true,
+      value: experiment.limits.iterations,
+    });
+    this.#draw = throttled(DRAW_EVERY_MS, () => this.#drawNow());
+    this.#dialog = element(
+      'dialog',
+      { class: 'experiment', 'aria-labelledby': 'experiment-title', onclose: () => this.#closed() },
+      element(
+        'header',
+        {},
+        element('h2', { id: 'experiment-title' }, experiment.label),
+        element(
+          'button',
+          {
+            type: 'button',
+            class: 'square',
+            'aria-label': 'Close experiment',
+            onclick: () => this.#dialog.close(),
+          },
+          '×',
+        ),
+      ),
+      element('p', { class: 'summary' }, experiment.summary),
+      element(
+        'div',
+        { class: 'experiment-tools' },
+        this.#run,
+        this.#csv,
+        element(
+          'label',
+          { class: 'most' },
+          'At most ',
+          this.#most,
+          ` iterations and ${experiment.limits.seconds} s each`,
+        ),
+        this.#progress,
+        this.#status,
+      ),
+      this.#figures(),
+      this.#table(),
+    );
+  }
+
+  open() {
+    document.body.append(this.#dialog);
+    this.#dialog.showModal();
+    this.#solver.addEventListener('experiment', this.#listener);
+    this.#solver.addEventListener('restarted', this.#lost);
+    const figures = this.#dialog.querySelectorAll('figure');
+    this.#charts = this.#experiment.plots.map(
+      (plot, k) =>
+        new Chart(figures[k], {
+          label: this.#title(plot),
+          names: this.#experiment.methods.map((method) => method.label),
+          x: plot.over === 'seconds' ? 0 : null,
+          y: 1 + plot.quantity,
+        }),
+    );
+    this.#progress.hidden = true;
+    this.#fillTable();
+    setText(this.#status, 'Runs here, on the example as it came. Nothing is stored.');
+  }
+
+  #closed() {
+    if (this.#running) this.#solver.tell({ type: 'cancelExperiment' });
+    this.#solver.removeEventListener('experiment', this.#listener);
+    this.#solver.removeEventListener('restarted', this.#lost);
+    this.#charts.forEach((chart) => chart.destroy());
+    this.#dialog.remove();
+  }
+
+  async #runOrCancel() {
+    if (this.#running) return this.#solver.tell({ type: 'cancelExperiment' });
+    if (!this.#most.reportValidity()) return;
+    this.#limits.iterations = this.#most.valueAsNumber;
+    this.#series = [];
+    this.#setRunning(true);
+    try {
+      const files = await Promise.all(
+        [this.#example.scene, this.#example.mesh].map(async (name) => ({
+          name,
+          bytes: await exampleFile(name),
+        })),
+      );
+      const iterations = this.#limits.iterations;
+      const { id: example } = this.#example;
+      await this.#solver.request({ type: 'runExperiment', example, files, iterations });
+    } catch (error) {
+      this.#fail(messageOf(error));
+    }
+  }
+
+  /** @param {Extract<import("../../solver/messages.js").FromWorker, { type: "experiment" }>} told */
+  #take({ news, ended, message }) {
+    const width = 2 + this.#experiment.quantities.length;
+    for (const { method, endedBy, samples } of news) {
+      const series = (this.#series[method] ??= {
+        columns: Array.from({ length: width - 1 }, () => []),
+        endedBy: null,
+      });
+      series.endedBy = endedBy;
+      for (let at = 0; at < samples.length; at += width) {
+        series.columns.forEach((column, k) => column.push(samples[at + 1 + k]));
+      }
+    }
+    if (ended === 'failed') this.#fail(message);
+    else if (ended) {
+      this.#setRunning(false);
+      // Who is told that it has ended sees where.
+      this.#drawNow();
+      setText(this.#status, ended === 'done' ? 'All methods have ended.' : 'Cancelled.');
+    }
+    this.#draw();
+  }
+
+  /** @param {string} message */
+  #fail(message) {
+    this.#setRunning(false);
+    setText(this.#status, `The experiment failed: ${message}`);
+  }
+
+  /** @param {boolean} running */
+  #setRunning(running) {
+    this.#running = running;
+    setText(this.#run, running ? 'Cancel' : 'Run all');
+    this.#run.classList.toggle('primary', !running);
+    this.#run.classList.toggle('bordered', running);
+    this.#progress.hidden = !running;
+    this.#csv.disabled = running || this.#series.length === 0;
+    this.#draw();
+  }
+
+  async #saveCsv() {
+    try {
+      const text = await this.#solver.request({ type: 'experimentCsv' });
+      saveFile(`${this.#example.id}.csv`, text, 'text/csv');
+    } catch (error) {
+      setText(this.#status, `The table could not be saved: ${messageOf(error)}`);
+    }
+  }
+
+  #drawNow() {
+    const { methods } = this.#experiment;
+    if (this.#running) {
+      const done = this.#series.filter((series) => series.endedBy).length;
+      const now = this.#series.at(-1);
+      const part = now && !now.endedBy ? partOf(now, this.#limits) : 0;
+      this.#progress.max = methods.length;
+      this.#progress.value = Math.min(done + part, methods.length);
+      const method = methods[Math.min(done, methods.length - 1)];
+      setText(this.#status, `${method.label}, ${done + 1} of ${methods.length}`);
+    }
+    for (const chart of this.#charts) chart.show(this.#series.map((series) => series.columns));
+    this.#fillTable();
+  }
+
+  #figures() {
+    const titles = this.#experiment.plots.map((plot) =>
+      element('figure', {}, element('figcaption', {}, this.#title(plot))),
+    );
+    const key = this.#experiment.methods.map((method, k) =>
+      element(
+        'li',
+        { title: method.summary },
+        element('span', { class: 'swatch', style: `--chip: var(--line-of-method-${k})` }),
+        method.label,
+      ),
+    );
+    return element(
+      'div',
+      { class: 'experiment-plots' },
+      element('ul', { class: 'experiment-key', 'aria-label': 'Methods' }, ...key),
+      ...titles,
+    );
+  }
+
+  #table() {
+    const heads = [
+      'Method',
+      'Iterations',
+      'Seconds',
+      ...this.#experiment.quantities.map(({ label }) => label),
+      'Ended by',
+    ];
+    return element(
+      'div',
+      { class: 'experiment-table' },
+      element(
+        'table',
+        {},
+        element(
+          'thead',
+          {},
+          element('tr', {}, ...heads.map((head) => element('th', { scope: 'col' }, head))),
+        ),
+        this.#rows,
+      ),
+    );
+  }
+
+  #fillTable() {
+    const { units } = this.#store.get().document ?? { units: '' };
+    const rows = this.#experiment.methods.map((method, k) => {
+      const series = this.#series[k];
+      const last = series?.columns.map((column) => column.at(-1) ?? 0);
+      const values = this.#experiment.quantities.map(({ unit }, q) =>
+        last ? written(last[1 + q], unit, units) : '',
+      );
+      const cells = [
+        last ? groupDigits(series.columns[0].length - 1) : '',
+        last ? number(last[0]) : '',
+        ...values,
+        series?.endedBy ?? '',
+      ];
+      return element(
+        'tr',
+        {},
+        element('th', { scope: 'row', title: method.summary }, method.label),
+        ...cells.map((cell) => element('td', {}, cell)),
+      );
+    });
+    this.#rows.replaceChildren(...rows);
+  }
+
+  /** What a plot shows, with the unit. @param {Experiment["plots"][number]} plot */
+  #title({ quantity, over }) {
+    const { label, unit } = this.#experiment.quantities[quantity];
+    const units = this.#store.get().document?.units;
+    const written = { energy: ` in ${units}²`, length: ` in ${units}`, none: '' }[unit];
+    return `${label}${units ? written : ''} over ${over}`;
+  }
+}
+
+/**
+ * How much of its limits a method has used.
+ * @param {Series} series
+ * @param {{ iterations: number, seconds: number }} limits
+ */
+function partOf({ columns }, limits) {
+  const [seconds] = columns;
+  return Math.max(seconds.length / limits.iterations, (seconds.at(-1) ?? 0) / limits.seconds);
+}
+
+/**
+ * @param {number} value
+ * @param {"energy" | "length" | "none"} unit
+ * @param {string} units of the mesh
+ */
+function written(value, unit, units) {
+  if (unit === 'length') return length(value, units);
+  if (unit === 'energy' && units) return `${number(value)} ${units}²`;
+  return number(value);
+}

@@ -1,0 +1,204 @@
+/** The dialog of Export: what can be taken away, grouped by what it is for. */
+
+import '../../ui/styles/dialog.css';
+import { dialogHead, element, setText } from '../../ui/dom.js';
+import { messageOf } from '../../solver/messages.js';
+import { pictureOf, pictureSize } from './picture.js';
+import { convergenceSvg } from './plot-svg.js';
+import { isDrawn } from '../../store/state.js';
+
+const SCALES = [1, 2, 4];
+
+/** What was chosen last stays chosen. */
+const picture = { scale: 2, legend: true, white: false };
+
+/**
+ * @typedef {object} Parts
+ * @property {import("../../store/state.js").Store} store
+ * @property {import("../../solver/solver-client.js").SolverClient} solver
+ * @property {import("../../documents/files.js").Files} files
+ * @property {import("../../viewport/viewport.js").Viewport} viewport
+ */
+
+/** @param {Parts} parts */
+export function showExport(parts) {
+  const { store, solver, files, viewport } = parts;
+  const { model, document: scene, flatMap } = store.get();
+  const dialog = element('dialog', { id: 'export', 'aria-labelledby': 'export-title' });
+  const working = element('p', { class: 'working quiet', 'aria-live': 'polite' });
+
+  /**
+   * @param {string} name
+   * @param {string} words
+   * @param {() => Promise<void>} make
+   * @param {boolean} [able]
+   */
+  const format = (name, words, make, able = true) =>
+    element(
+      'button',
+      { type: 'button', class: 'format', disabled: !able, onclick: () => run(make) },
+      element('strong', {}, name),
+      element('span', {}, words),
+    );
+
+  /** @param {() => Promise<void>} make */
+  async function run(make) {
+    setText(working, 'Working …');
+    try {
+      await make();
+      dialog.close();
+    } catch (error) {
+      setText(working, messageOf(error));
+    }
+  }
+
+  const canDraw = isDrawn(store.get());
+  const curvesOnly = (model?.faces ?? 0) === 0;
+  const squared = scene?.units ? `${scene.units}²` : '';
+  dialog.append(
+    dialogHead(dialog, 'export-title', 'Export'),
+    element(
+      'div',
+      { class: 'dialog-body' },
+      section(
+        'Shape',
+        format(
+          'OBJ',
+          `The mesh as it is now, in the order of the file${flatMap ? ', with its flat map' : ''}`,
+          () => files.exportMesh(),
+        ),
+        ...(model?.welded
+          ? [
+              format(
+                'OBJ as it came',
+                'With the vertices of the file, before they were welded',
+                () => files.exportAsItCame(),
+              ),
+            ]
+          : []),
+        format('3DM', 'For Rhino, with a layer for each group', () => saveForRhino(parts)),
+        format('Scene', 'The mesh with its constraints, handles and weights', () =>
+          files.saveScene(),
+        ),
+      ),
+      section(
+        'Numbers',
+        format(
+          'Errors',
+          'CSV: how flat and how round each face is',
+          async () =>
+            files.save(
+              '-errors.csv',
+              await solver.request({ type: 'table', table: 'errors' }),
+              'text/csv',
+            ),
+          !curvesOnly,
+        ),
+        format('Convergence', 'CSV: the energies of each iteration', async () =>
+          files.save('-convergence.csv', await convergence(solver), 'text/csv'),
+        ),
+        format(
+          'Angles',
+          'CSV: corners of faces by their angles, originally and now',
+          async () =>
+            files.save(
+              '-angles.csv',
+              await solver.request({ type: 'table', table: 'angles' }),
+              'text/csv',
+            ),
+          !curvesOnly,
+        ),
+      ),
+      section(
+        'Pictures',
+        pictureOptions(viewport),
+        format(
+          'PNG',
+          canDraw ? 'The view as it is now' : 'There is no picture in this browser',
+          async () => {
+            const blob = await pictureOf(viewport, store.get(), picture);
+            files.save('.png', blob, 'image/png');
+          },
+          canDraw,
+        ),
+        format('SVG', 'The plot of the convergence, on white', async () => {
+          const title = `${model?.title || files.name}: convergence`;
+          const svg = convergenceSvg(await convergence(solver), title, squared);
+          files.save('-convergence.svg', svg, 'image/svg+xml');
+        }),
+      ),
+      working,
+    ),
+  );
+  dialog.addEventListener('close', () => dialog.remove());
+  dialog.addEventListener('click', (event) => {
+    if (event.target === dialog) dialog.close();
+  });
+  document.body.append(dialog);
+  dialog.showModal();
+  /** @type {HTMLElement | null} */ (dialog.querySelector('.format'))?.focus();
+}
+
+/** @param {import("../../solver/solver-client.js").SolverClient} solver */
+function convergence(solver) {
+  return solver.request({ type: 'table', table: 'convergence' });
+}
+
+/** The reader and writer of Rhino's files is large, and comes only for this. @param {Parts} parts */
+async function saveForRhino({ solver, files }) {
+  if (!(await files.mayExport())) return;
+  const { askRhino } = await import('../../documents/rhino/rhino-client.js');
+  const scene = await solver.request({ type: 'scene' });
+  const errors = await solver.request({ type: 'table', table: 'errors' });
+  files.save('.3dm', await askRhino({ type: 'write', scene, errors }), 'model/vnd.3dm');
+}
+
+/**
+ * @param {string} title
+ * @param {...(Node)} rows
+ */
+function section(title, ...rows) {
+  return element('section', {}, element('h3', {}, title), ...rows);
+}
+
+/** How large the picture is and what is in it. @param {import("../../viewport/viewport.js").Viewport} viewport */
+function pictureOptions(viewport) {
+  const size = element('span', { class: 'quiet' });
+  const tell = () => {
+    const { width, height } = pictureSize(viewport, picture.scale);
+    setText(size, `${width} × ${height} pixels`);
+  };
+  const box = (/** @type {"legend" | "white"} */ key, /** @type {string} */ label) => {
+    const input = element('input', {
+      type: 'checkbox',
+      checked: picture[key],
+      onchange: () => (picture[key] = input.checked),
+    });
+    return element('label', {}, input, label);
+  };
+  tell();
+  return element(
+    'div',
+    { class: 'picture' },
+    element(
+      'fieldset',
+      { 'aria-label': 'Size of the picture' },
+      ...SCALES.map((scale) => {
+        const choose = () => {
+          picture.scale = scale;
+          tell();
+        };
+        const checked = scale === picture.scale;
+        return element(
+          'label',
+          {},
+          element('input', { type: 'radio', name: 'scale', checked, onchange: choose }),
+          `${scale}×`,
+        );
+      }),
+    ),
+    box('legend', 'Legend'),
+    box('white', 'White background'),
+    size,
+  );
+}

@@ -1,0 +1,146 @@
+/** A picture of the view as PNG, larger than the screen if wanted, with the legend drawn into it. */
+
+import { groupDigits } from '../../ui/format.js';
+import { declared, toleranceOf, valueInWords } from '../../store/measures.js';
+import { spreadOf } from '../../ui/plot/histogram.js';
+import { axisOf, placeOn } from '../../ui/plot/value-axis.js';
+
+/** More pixels than this are too many for common graphics cards, with their samples and depths. */
+const MOST_PIXELS = 36e6;
+
+/**
+ * The size of the picture, in pixels.
+ * @param {import("../../viewport/viewport.js").Viewport} viewport
+ * @param {number} scale pixels per CSS pixel
+ */
+export function pictureSize(viewport, scale) {
+  const { width, height } = viewport.element.getBoundingClientRect();
+  const most = Math.sqrt(MOST_PIXELS / Math.max(width * height, 1));
+  const used = Math.min(scale, most);
+  return { width: Math.round(width * used), height: Math.round(height * used), scale: used };
+}
+
+/**
+ * @param {import("../../viewport/viewport.js").Viewport} viewport
+ * @param {import("../../store/state.js").State} state
+ * @param {{ scale: number, legend: boolean, white: boolean }} options
+ * @returns {Promise<Blob>}
+ */
+export async function pictureOf(viewport, state, { scale, legend, white }) {
+  const size = pictureSize(viewport, scale);
+  const canvas = document.createElement('canvas');
+  [canvas.width, canvas.height] = [size.width, size.height];
+  const context = canvas.getContext('2d');
+  if (!context) throw new Error('This browser gives the page no canvas to draw the picture on.');
+  const drawn = viewport.still(size, white, (view) => {
+    context.drawImage(view, 0, 0, size.width, size.height);
+  });
+  if (!drawn) throw new Error('The picture could not be drawn: try a smaller one.');
+  if (legend && state.model?.faces) {
+    legendsOf(state).forEach(([from, shown], i) => {
+      context.setTransform(size.scale, 0, 0, size.scale, from * size.width, 0);
+      drawLegend(context, shown, viewport.rampStops(state.split ? i : undefined), size, white);
+    });
+  }
+  drawLabels(context, viewport.labels(), size.scale, state.dark && !white);
+  const blob = await new Promise((done) => canvas.toBlob(done, 'image/png'));
+  if (!blob) throw new Error('The picture is too large for this browser: try a smaller one.');
+  return blob;
+}
+
+/**
+ * The words over the picture, on a ground that parts them from what is below.
+ * @param {CanvasRenderingContext2D} context
+ * @param {import("../../viewport/viewport.js").Label[]} labels
+ * @param {number} scale
+ * @param {boolean} dark
+ */
+function drawLabels(context, labels, scale, dark) {
+  const [ink, ground] = dark ? ['#e6e8e8', '#25292c'] : ['#1d2123', '#ffffff'];
+  context.setTransform(scale, 0, 0, scale, 0, 0);
+  context.font = `12px ${getComputedStyle(document.body).fontFamily}`;
+  for (const { text, x, y, align, bar } of labels) {
+    const { width } = context.measureText(text);
+    const left = align === 'center' ? x - width / 2 : x - width;
+    context.fillStyle = ground;
+    if (align === 'center') context.fillRect(left - 5, y - 13, width + 10, 18);
+    context.fillStyle = ink;
+    context.textAlign = 'left';
+    context.fillText(text, left, bar > 0 ? y - 8 : y);
+    if (bar === 0) continue;
+    context.fillRect(x - bar, y - 1.5, bar, 1.5);
+    for (const end of [x - bar, x - 1.5]) context.fillRect(end, y - 5, 1.5, 5);
+  }
+}
+
+/**
+ * Where each legend begins, as a part of the width, and the state that it shows: of two pictures side
+ * by side each has its own, half the width apart.
+ * @param {import("../../store/state.js").State} state
+ * @returns {[number, import("../../store/state.js").State][]}
+ */
+function legendsOf(state) {
+  if (!state.split) return [[0, state]];
+  return state.split.sides.map(({ measure, values, top }, i) => {
+    const spread = values ? spreadOf(measure, values, axisOf(0, top, false), null) : null;
+    const display = { ...state.display, full: true, log: false };
+    return [
+      i / 2,
+      { ...state, measure, spread, display, range: [0, top], tolerance: null, tolerances: {} },
+    ];
+  });
+}
+
+/**
+ * The legend at the lower left: the histogram over the colours, in the sizes of the page.
+ * @param {CanvasRenderingContext2D} context
+ * @param {import("../../store/state.js").State} state
+ * @param {[number, string][]} stops
+ * @param {{ height: number, scale: number }} size
+ * @param {boolean} white
+ */
+function drawLegend(context, state, stops, size, white) {
+  const { spread, range, document: scene, dark, display } = state;
+  const about = declared(state, state.measure);
+  if (!about || !spread || spread.measure !== about.id) return;
+  const tolerance = toleranceOf(state, about);
+  const { axis } = spread;
+  const units = scene?.units ?? '';
+  const words = (/** @type {number} */ value) => valueInWords(about, value, units, tolerance);
+  const bottom = size.height / size.scale - (tolerance === null ? 16 : 28);
+  const [left, width] = [16, 212];
+  const ink = dark && !white ? '#e6e8e8' : '#1d2123';
+  const [foot, tallest] = [bottom - 26, 28];
+  context.textAlign = 'left';
+  context.font = `12px ${getComputedStyle(document.body).fontFamily}`;
+  context.fillStyle = ink;
+  context.fillText(about.label, left, foot - tallest - 8);
+  context.fillText(axis.log ? words(axis.low) : '0', left, bottom);
+  context.textAlign = 'right';
+  context.fillText(words(axis.high), left + width, bottom);
+
+  const most = Math.max(...spread.counts, 1);
+  const bar = width / spread.counts.length;
+  spread.counts.forEach((count, i) => {
+    const height = count > 0 ? Math.max(2, (tallest * count) / most) : 0;
+    context.fillRect(left + i * bar, foot - height, bar - 1, height);
+  });
+  const ramp = context.createLinearGradient(left, 0, left + width, 0);
+  const [from, to] = range.map((value) => placeOn(axis, value));
+  for (const [at, colour] of stops) ramp.addColorStop(from + (to - from) * at, colour);
+  context.fillStyle = ramp;
+  context.fillRect(left, foot, width, 10);
+  if (tolerance === null) return;
+  const limit = left + placeOn(axis, tolerance) * width;
+  if (!display.full) {
+    context.fillStyle = white
+      ? '#f1efea'
+      : getComputedStyle(document.body).getPropertyValue('--material');
+    context.fillRect(left, foot, limit - left, 10);
+  }
+  context.fillStyle = ink;
+  const within = `${groupDigits(spread.within)} of ${groupDigits(spread.faces)} within ${words(tolerance)}`;
+  context.textAlign = 'center';
+  context.fillText(within, left + width / 2, bottom + 14);
+  if (tolerance <= axis.high) context.fillRect(limit - 1, foot - tallest, 2, tallest + 10);
+}

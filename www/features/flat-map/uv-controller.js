@@ -1,0 +1,111 @@
+/**
+ * Parametrisation: asks the worker for a flat map of the model, with the options chosen last, and
+ * holds the panel and the part of the canvas that belong to it. Loaded when it is first asked for.
+ */
+
+import { byId } from '../../ui/dom.js';
+import { duration } from '../../ui/format.js';
+import { MapRegion } from './uv-view.js';
+import { messageOf } from '../../solver/messages.js';
+import { flatMapPanel } from './uv-panel.js';
+import { NOTHING, select } from '../../store/selection.js';
+
+/** @typedef {import("./flat-map.js").FlatMap} FlatMap */
+
+/**
+ * @typedef {object} Parts
+ * @property {import("../../store/state.js").Store} store
+ * @property {import("../../solver/solver-client.js").SolverClient} solver
+ * @property {import("../../viewport/viewport.js").Viewport} viewport
+ * @property {import("../../ui/alerts.js").Alerts} alerts
+ */
+
+/** What can be chosen. @typedef {Pick<FlatMap, "weights" | "norm" | "onModel" | "onMap" | "squares">} Choices */
+
+/** @type {Parametrize | null} */
+let only = null;
+
+export class Parametrize {
+  #store;
+  #solver;
+  #viewport;
+  #alerts;
+  /** @type {Choices} */
+  #choices = {
+    weights: 'inverse-area',
+    norm: 'boundary',
+    onModel: 'checks',
+    onMap: 'errors',
+    squares: 32,
+  };
+
+  /**
+   * The one of the page.
+   * @param {Parts} parts
+   */
+  static of(parts) {
+    only ??= new Parametrize(parts);
+    return only;
+  }
+
+  /** @param {Parts} parts */
+  constructor({ store, solver, viewport, alerts }) {
+    this.#store = store;
+    this.#solver = solver;
+    this.#viewport = viewport;
+    this.#alerts = alerts;
+    flatMapPanel(byId('flat-map-section'), store, this);
+    new MapRegion(byId('flat-map'), store, viewport);
+  }
+
+  async toggle() {
+    if (this.#store.get().flatMap) this.close();
+    else await this.flatten();
+  }
+
+  /** Back to the model alone. */
+  close() {
+    this.#store.set({ flatMap: null, status: 'Back to the model' });
+  }
+
+  /**
+   * Changes what is chosen: what only looks different at once, else with another map.
+   * @param {Partial<Choices>} choices
+   */
+  choose(choices) {
+    Object.assign(this.#choices, choices);
+    const { flatMap } = this.#store.get();
+    if ('weights' in choices || 'norm' in choices) this.flatten();
+    else if (flatMap) this.#store.set({ flatMap: { ...flatMap, ...choices } });
+  }
+
+  /** Selects the faces that the map turns over, and comes near them on the model and on the map. */
+  showFlipped() {
+    const { flatMap } = this.#store.get();
+    if (!flatMap) return;
+    const selection = select(NOTHING, 'faces', flatMap.found.flippedFaces, 'replace');
+    this.#store.set({ mode: 'faces', selection });
+    this.#viewport.with((view) => view.showFlipped());
+  }
+
+  /** Makes the map of the shape as it is now. */
+  async flatten() {
+    const { model } = this.#store.get();
+    const { weights, norm } = this.#choices;
+    this.#store.set({ status: 'Flattening …' });
+    try {
+      const found = await this.#solver.request({ type: 'parametrize', weights, norm });
+      const { model: now, numbers } = this.#store.get();
+      const isNewest = weights === this.#choices.weights && norm === this.#choices.norm;
+      if (now !== model || !isNewest) return;
+      const iteration = numbers?.iteration ?? 0;
+      this.#store.set({
+        flatMap: { found, iteration, ...this.#choices },
+        status: `Flattened in ${duration(1000 * found.seconds)}`,
+      });
+    } catch (error) {
+      this.#store.set({ status: '' });
+      this.#alerts.error(messageOf(error));
+    }
+  }
+}

@@ -1,0 +1,174 @@
+/** The panel of the flat map: its numbers, how it is made, and what the two surfaces show. */
+
+import { element, setText } from '../../ui/dom.js';
+import { duration, groupDigits, ratio } from '../../ui/format.js';
+
+/** @typedef {import("./flat-map.js").FlatMap} FlatMap */
+
+/** What a polygon counts: label and explanation. */
+const WEIGHTS = {
+  'inverse-area': ['1 / area', 'A small polygon counts as much as a large one.'],
+  one: ['1', 'Large polygons count more than small ones.'],
+  lscm: ['|z|² / area', 'On triangles, the map of least-squares conformal maps.'],
+};
+/** What is kept from shrinking to a point. */
+const NORMS = {
+  boundary: ['the boundary', 'The boundary is kept from shrinking; the inside follows.'],
+  vertices: ['all vertices', 'All vertices are kept from shrinking, each as much as another.'],
+};
+const LOOKS = { checks: ['Checkerboard', ''], errors: ['Error', ''] };
+const SQUARES = { least: 8, most: 96, step: 4 };
+
+/**
+ * @param {HTMLElement} place
+ * @param {import("../../store/state.js").Store} store
+ * @param {import("./uv-controller.js").Parametrize} control
+ */
+export function flatMapPanel(place, store, control) {
+  const facts = element('dl', { class: 'facts' });
+  const flipped = element('div', { class: 'flipped-row' });
+  const showFlipped = element(
+    'button',
+    { type: 'button', class: 'bordered', onclick: () => control.showFlipped() },
+    'Show flipped faces',
+  );
+  showFlipped.title = 'Select them on the model, and come nearer on both';
+  flipped.append(
+    element('p', { class: 'quiet' }, 'Outlined in red on the map: there it folds over itself.'),
+    showFlipped,
+  );
+  const notice = element('p', { class: 'notice' });
+  const again = element(
+    'button',
+    { type: 'button', class: 'small', onclick: () => control.flatten() },
+    'Flatten again',
+  );
+  const weights = choice('Weight of a polygon', WEIGHTS, (weights) => control.choose({ weights }));
+  const norm = choice('Norm over', NORMS, (norm) => control.choose({ norm }));
+  const onModel = choice('On the model', LOOKS, (onModel) => control.choose({ onModel }));
+  const onMap = choice('On the map', LOOKS, (onMap) => control.choose({ onMap }));
+  const squares = element('input', {
+    type: 'range',
+    id: 'map-squares',
+    min: SQUARES.least,
+    max: SQUARES.most,
+    step: SQUARES.step,
+    oninput: () => control.choose({ squares: squares.valueAsNumber }),
+  });
+  const squaresRow = element(
+    'div',
+    { class: 'field-row' },
+    element('label', { for: 'map-squares' }, 'Squares'),
+    squares,
+  );
+  const looks = element('div', {}, onModel.row, onMap.row, squaresRow);
+  place.replaceChildren(
+    element(
+      'div',
+      { class: 'heading-row' },
+      element('h2', { id: 'heading-flat-map' }, 'Flat map'),
+      element(
+        'button',
+        { type: 'button', class: 'small', title: 'Esc', onclick: () => control.close() },
+        'Back to the model',
+      ),
+    ),
+    facts,
+    flipped,
+    notice,
+    again,
+    weights.row,
+    norm.row,
+    looks,
+  );
+
+  store.subscribe(['flatMap', 'numbers', 'renderer'], (state) => {
+    const { flatMap } = state;
+    const isNew = place.hidden && flatMap !== null;
+    place.hidden = !flatMap;
+    if (!flatMap) return;
+    // It comes above what was looked at.
+    if (isNew) place.scrollIntoView({ block: 'nearest' });
+    const { found } = flatMap;
+    const isStale = state.numbers?.iteration !== flatMap.iteration;
+    showFacts(facts, found);
+    flipped.hidden = found.flipped === 0;
+    setText(notice, [isStale ? STALE : '', closedWords(found)].filter(Boolean).join(' '));
+    notice.hidden = !notice.textContent;
+    again.hidden = !isStale;
+    weights.show(flatMap.weights);
+    norm.show(flatMap.norm);
+    // A surface without a boundary has one norm only.
+    norm.row.hidden = found.closedParts === found.parts;
+    onModel.show(flatMap.onModel);
+    onMap.show(flatMap.onMap);
+    squares.value = String(flatMap.squares);
+    squaresRow.hidden = flatMap.onModel !== 'checks' && flatMap.onMap !== 'checks';
+    looks.hidden = state.renderer === 'none';
+  });
+}
+
+const LEFT_OUT = 'Faces without area, or on the same vertices as another';
+const STALE = 'The model has moved since it was flattened.';
+
+/** @param {import("../../solver/messages.js").Parametrization} found */
+function closedWords({ parts, closedParts }) {
+  if (closedParts === 0) return '';
+  const which = parts === 1 ? 'The surface has' : `${closedParts} of ${parts} parts have`;
+  return `${which} no boundary: the map folds over itself. Cut it open to flatten it.`;
+}
+
+/**
+ * @param {HTMLElement} list
+ * @param {import("../../solver/messages.js").Parametrization} found
+ */
+function showFacts(list, found) {
+  /** @type {[string, string, string][]} */
+  const rows = [
+    ['Mean error', ratio(found.mean), 'Quasi-conformal error, weighted by area: 1 keeps angles'],
+    ['Worst error', ratio(found.max), 'The greatest quasi-conformal error of a triangle'],
+    ['Flipped triangles', groupDigits(found.flipped), 'Triangles that the map turns over'],
+    ['Time', duration(1000 * found.seconds), 'In the solver’s worker'],
+  ];
+  if (found.parts > 1) rows.push(['Parts', groupDigits(found.parts), 'Each has its own map']);
+  if (found.leftOut > 0) rows.push(['Left out', groupDigits(found.leftOut), LEFT_OUT]);
+  list.replaceChildren(
+    ...rows.flatMap(([name, value, title]) => [
+      element('dt', { title }, name),
+      element('dd', { class: 'figure' }, value),
+    ]),
+  );
+}
+
+/**
+ * A choice with a line that explains what is chosen.
+ * @template {string} Id
+ * @param {string} label
+ * @param {Record<Id, string[]>} options label and explanation of each
+ * @param {(id: Id) => void} choose
+ */
+function choice(label, options, choose) {
+  const words = element('p', { class: 'quiet' });
+  const id = `map-${label.toLowerCase().replaceAll(' ', '-')}`;
+  const entries = /** @type {[Id, string[]][]} */ (Object.entries(options));
+  const select = element(
+    'select',
+    { id, onchange: () => choose(/** @type {Id} */ (select.value)) },
+    ...entries.map(([value, [name]]) => element('option', { value }, name)),
+  );
+  const field = element(
+    'div',
+    { class: 'field-row' },
+    element('label', { for: id }, label),
+    select,
+  );
+  return {
+    row: element('div', { class: 'choice-row' }, field, words),
+    /** @param {Id} value */
+    show(value) {
+      select.value = value;
+      setText(words, options[value][1]);
+      words.hidden = !words.textContent;
+    },
+  };
+}

@@ -1,0 +1,172 @@
+/**
+ * The flat map's part of the canvas: its caption, the legend of its colours, which is the histogram of
+ * the errors, and the gestures that slide and enlarge it.
+ */
+
+import { element, setText } from '../../ui/dom.js';
+import { count, ratio } from '../../ui/format.js';
+import { pair, wheelFactor } from '../../viewport/input/zooming.js';
+
+/** An arrow key slides by so many CSS pixels, a page key enlarges by this factor. */
+const KEY_STEP = 32;
+const KEY_ZOOM = 1.25;
+
+/** @type {Record<string, [number, number]>} */
+const SLIDES = {
+  ArrowLeft: [KEY_STEP, 0],
+  ArrowRight: [-KEY_STEP, 0],
+  ArrowUp: [0, KEY_STEP],
+  ArrowDown: [0, -KEY_STEP],
+};
+/** @type {Record<string, number>} */
+const ZOOMS = { PageUp: KEY_ZOOM, PageDown: 1 / KEY_ZOOM };
+
+export class MapRegion {
+  #place;
+  #store;
+  #viewport;
+  #legend = element('div', { class: 'map-legend' });
+  #flipped = element('span', { class: 'flipped' });
+  /** Where each pointer that is down was last. @type {Map<number, [number, number]>} */
+  #down = new Map();
+
+  /**
+   * @param {HTMLElement} place over the canvas
+   * @param {import("../../store/state.js").Store} store
+   * @param {import("../../viewport/viewport.js").Viewport} viewport
+   */
+  constructor(place, store, viewport) {
+    this.#place = place;
+    this.#store = store;
+    this.#viewport = viewport;
+    place.replaceChildren(
+      element('span', { class: 'caption' }, 'Flat map', this.#flipped),
+      this.#legend,
+    );
+    store.subscribe(['flatMap', 'renderer', 'dark'], () => this.#show());
+    new ResizeObserver(() => this.#arrange()).observe(viewport.element);
+    this.#listen();
+  }
+
+  #show() {
+    const { flatMap } = this.#store.get();
+    this.#place.hidden = !flatMap || !this.#viewport.view;
+    if (!flatMap) return;
+    this.#arrange();
+    const { flipped } = flatMap.found;
+    this.#flipped.hidden = flipped === 0;
+    setText(this.#flipped, `${count(flipped, 'triangle')} flipped`);
+    const isColoured = flatMap.onModel === 'errors' || flatMap.onMap === 'errors';
+    this.#legend.hidden = !isColoured;
+    const stops = this.#viewport.with((view) => view.colourStops(flatMap.found.histogram.length));
+    if (isColoured && stops) this.#legend.replaceChildren(...histogram(flatMap.found, stops));
+  }
+
+  /** Lies over the map's part of the canvas, which the view knows. */
+  #arrange() {
+    const region = this.#store.get().flatMap && this.#viewport.with((view) => view.mapRegion());
+    if (!region) return;
+    const [left, top, width, height] = region;
+    Object.assign(this.#place.style, {
+      left: `${left}px`,
+      top: `${top}px`,
+      width: `${width}px`,
+      height: `${height}px`,
+    });
+    this.#place.dataset.side = left > 0 ? 'right' : 'below';
+  }
+
+  #listen() {
+    const listen = /** @type {HTMLElement["addEventListener"]} */ (
+      this.#place.addEventListener.bind(this.#place)
+    );
+    listen('pointerdown', (event) => {
+      this.#place.focus({ preventScroll: true });
+      this.#place.setPointerCapture(event.pointerId);
+      this.#down.set(event.pointerId, this.#at(event));
+      // The middle button would scroll.
+      event.preventDefault();
+    });
+    listen('pointermove', (event) => this.#move(event));
+    for (const type of /** @type {const} */ (['pointerup', 'pointercancel']))
+      listen(type, (event) => this.#down.delete(event.pointerId));
+    listen('dblclick', () => this.#viewport.with((view) => view.fitMap()));
+    listen('contextmenu', (event) => event.preventDefault());
+    const onWheel = (/** @type {WheelEvent} */ event) => {
+      event.preventDefault();
+      const factor = wheelFactor(event, this.#place.clientHeight);
+      this.#viewport.with((view) => view.zoomMap(factor, ...this.#at(event)));
+    };
+    listen('wheel', onWheel, { passive: false });
+    listen('keydown', (event) => {
+      if (event.ctrlKey || event.metaKey || event.altKey) return;
+      const { clientWidth, clientHeight } = this.#place;
+      const slide = SLIDES[event.key];
+      const zoom = ZOOMS[event.key];
+      if (!slide && !zoom) return;
+      event.preventDefault();
+      this.#viewport.with((view) => {
+        if (slide) view.panMap(...slide);
+        else view.zoomMap(zoom, clientWidth / 2, clientHeight / 2);
+      });
+    });
+  }
+
+  /**
+   * One pointer slides the map; of two, their middle slides it and their distance enlarges it.
+   * @param {PointerEvent} event
+   */
+  #move(event) {
+    const last = this.#down.get(event.pointerId);
+    if (!last) return;
+    const at = this.#at(event);
+    const other = [...this.#down].find(([id]) => id !== event.pointerId)?.[1];
+    this.#down.set(event.pointerId, at);
+    const share = other ? 0.5 : 1;
+    this.#viewport.with((view) => {
+      view.panMap(share * (at[0] - last[0]), share * (at[1] - last[1]));
+      if (!other) return;
+      const [before, now] = [pair(last, other), pair(at, other)];
+      if (before.apart > 0 && now.apart > 0) view.zoomMap(now.apart / before.apart, now.x, now.y);
+    });
+  }
+
+  /**
+   * @param {MouseEvent} event
+   * @returns {[number, number]}
+   */
+  #at(event) {
+    const box = this.#place.getBoundingClientRect();
+    return [event.clientX - box.left, event.clientY - box.top];
+  }
+}
+
+/**
+ * The faces by their error, each bar in the colour of its error.
+ * @param {import("../../solver/messages.js").Parametrization} found
+ * @param {string[]} stops a colour for each bar
+ */
+function histogram({ histogram: counts, high, max }, stops) {
+  const most = Math.max(...counts, 1);
+  const total = counts.reduce((sum, count) => sum + count, 0);
+  const bars = [...counts].map((count, k) => {
+    // A bar of a few faces among thousands is still seen.
+    const height = count > 0 ? Math.max((100 * count) / most, 4) : 0;
+    return element('i', { style: `height:${height}%;background:${stops[k]}` });
+  });
+  const title = element('span', { class: 'title' });
+  setText(title, 'Quasi-conformal error');
+  title.title = 'The greater over the smaller stretch of each face: 1 where angles are kept';
+  const label = `Histogram of the error of ${total} faces, from 1 to ${ratio(high)}`;
+  return [
+    title,
+    element('div', { class: 'bars', role: 'img', 'aria-label': label }, ...bars),
+    element('div', { class: 'ramp', style: `background:linear-gradient(to right,${stops})` }),
+    element(
+      'div',
+      { class: 'ends figure' },
+      element('span', {}, '1'),
+      element('span', {}, `${max > high ? '≥ ' : ''}${ratio(high)}`),
+    ),
+  ];
+}

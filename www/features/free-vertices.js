@@ -1,0 +1,78 @@
+/**
+ * Vertices that nothing acts on stand still while the rest moves. They are shown, and one click lets
+ * them follow or fixes them.
+ */
+
+import { element, icon } from '../ui/dom.js';
+import { count } from '../ui/format.js';
+import { NOTHING } from '../store/selection.js';
+
+/** Of their dots, sRGB bytes. @type {[number, number, number]} */
+const COLOUR = [214, 132, 24];
+
+/** @param {import("../app/analysis.js").Parts} parts */
+export function watchFreeVertices({ store, solver, actions }) {
+  const place = element('div', { 'aria-live': 'polite' });
+  document.getElementById('messages')?.append(place);
+  /** What is shown of them. @type {import("../store/state.js").Tint | null} */
+  let tint = null;
+  /** How many there were when it was last said, or closed. */
+  let told = 0;
+
+  function clear() {
+    place.replaceChildren();
+    if (store.get().tint === tint) store.set({ tint: null });
+    tint = null;
+  }
+
+  store.subscribe(['document'], async ({ document, model }) => {
+    const free = document?.constraints.some(({ enabled }) => enabled) ? document.free : 0;
+    if (free === told) return;
+    told = free;
+    clear();
+    if (free === 0) return;
+    const request = {
+      operation: 'free',
+      mode: /** @type {const} */ ('vertices'),
+      from: {},
+      params: {},
+    };
+    const found = await actions.told(solver.request({ type: 'select', request }));
+    if (!found || store.get().model !== model || told !== free) return;
+    tint = { vertices: found.vertices, faces: new Uint32Array(0), colour: COLOUR };
+    store.set({ tint });
+    place.replaceChildren(message(free, [...found.vertices]));
+  });
+  // Pointing at a constraint tints what it acts on.
+  store.subscribe(['tint'], (now) => {
+    if (tint && !now.tint) store.set({ tint });
+  });
+
+  /**
+   * @param {number} free
+   * @param {number[]} vertices
+   */
+  function message(free, vertices) {
+    const button = (/** @type {string} */ label, /** @type {() => unknown} */ onclick) =>
+      element('button', { type: 'button', class: 'small bordered', onclick }, label);
+    const stand =
+      free === 1
+        ? 'vertex stands still: nothing acts on it.'
+        : 'vertices stand still: nothing acts on them.';
+    return element(
+      'div',
+      { class: 'message notice', role: 'group', 'aria-label': 'Vertices that stand still' },
+      element('p', {}, `${count(free, stand, stand)}`),
+      button('Let them follow', () => actions.edit({ type: 'preset', id: 'opened' })),
+      button('Fix them', () => actions.addHandles(vertices, true)),
+      button('Select', () => {
+        store.set({ mode: 'vertices', selection: { ...NOTHING, vertices: new Set(vertices) } });
+      }),
+      element(
+        'button',
+        { type: 'button', class: 'tiny', 'aria-label': 'Close', onclick: clear },
+        icon('close'),
+      ),
+    );
+  }
+}

@@ -1,0 +1,107 @@
+/** The help: everything that keys and the mouse do, from the table that binds them. */
+
+import './help.css';
+import { keyName } from '../../app/commands.js';
+import { dialogHead, element } from '../../ui/dom.js';
+import { singleKeys } from '../../ui/single-keys.js';
+
+/** What the pointer does; see `pointer.js`. @type {[string, string][]} */
+const POINTER = [
+  ['Drag a handle', 'move it, parallel to the screen'],
+  ['Drag an arrow', 'of the selected handles: move them along it; a square: in its plane'],
+  ['Drag elsewhere', 'orbit; with Select, a box, a lasso or a brush'],
+  ['Box to the right', 'what is inside'],
+  ['Box to the left', 'what it touches'],
+  ['Click', 'select; Shift adds, Ctrl removes'],
+  ['Double-click', 'a vertex: a handle; an edge: its loop; a face: its flat patch'],
+  ['Right drag', 'orbit; a click, or a long press: the menu'],
+  ['Middle drag', 'pan, as Shift + right drag'],
+  ['Wheel, pinch', 'zoom to the cursor'],
+  ['Two fingers', 'pan and zoom'],
+  ['Hold Reset', 'the original, as long as it is held'],
+];
+/** Keys of the view itself; see `view-keys.js`, `handle-keys.js` and `pointer.js`. @type {[string, string][]} */
+const VIEW_KEYS = [
+  ['Arrows', 'orbit, when the view has the focus'],
+  ['PgUp PgDn', 'zoom'],
+  ['Enter', 'take the selected handles up: arrows move them, Enter leaves, Esc puts back'],
+  ['X Y Z', 'while a handle is dragged: along that axis'],
+  ['Shift Ctrl', 'while a handle is dragged: at its height, above its place'],
+  ['Alt + drag', 'a vertex: make it a handle and move it'],
+];
+
+/**
+ * @param {HTMLDialogElement} dialog
+ * @param {import("../../app/commands.js").Command[]} commands
+ */
+export function showHelp(dialog, commands) {
+  const bound = commands.filter((command) => command.keys.length > 0);
+  const groups = [...new Set(bound.map((command) => command.group))];
+  dialog.replaceChildren(
+    dialogHead(dialog, 'help-title', 'Mouse and keys'),
+    singleKeysSwitch(),
+    element(
+      'div',
+      { class: 'columns' },
+      section(
+        'Mouse and touch',
+        POINTER.map(([what, effect]) => [[what], effect]),
+      ),
+      ...groups.map((group) =>
+        section(group, [
+          ...bound.filter((command) => command.group === group).map((command) => keysOf(command)),
+          ...(group === 'View' ? VIEW_KEYS.map(([key, effect]) => keyRow([key], effect)) : []),
+        ]),
+      ),
+    ),
+    element(
+      'p',
+      { class: 'about' },
+      'Everything is computed in this browser; nothing is uploaded. After “Shape-Up: Shaping Discrete Geometry with Projections”, Bouaziz, Deuss, Schwartzburg, Weise, Pauly, 2012. ',
+      element('a', { href: './licences.html', target: '_blank' }, 'Licences'),
+    ),
+  );
+  dialog.onclick = (event) => {
+    if (event.target === dialog) dialog.close();
+  };
+  dialog.showModal();
+}
+
+/** @param {import("../../app/commands.js").Command} command @returns {[(Node | string)[], string]} */
+function keysOf({ keys, label }) {
+  return keyRow(keys.map(keyName), label);
+}
+
+/**
+ * @param {string[]} keys
+ * @param {string} effect
+ * @returns {[(Node | string)[], string]}
+ */
+function keyRow(keys, effect) {
+  return [keys.flatMap((key) => [element('kbd', {}, key), ' ']), effect];
+}
+
+/**
+ * @param {string} title
+ * @param {[(Node | string)[], string][]} rows
+ */
+function section(title, rows) {
+  return element(
+    'section',
+    {},
+    element('h3', {}, title),
+    element(
+      'dl',
+      {},
+      ...rows.flatMap(([term, effect]) => [element('dt', {}, ...term), element('dd', {}, effect)]),
+    ),
+  );
+}
+
+/** The switch of the keys without Ctrl. */
+function singleKeysSwitch() {
+  const onchange = () => singleKeys.set(box.checked);
+  const box = element('input', { type: 'checkbox', checked: singleKeys.on, onchange });
+  const words = element('span', {}, 'Enable single-key shortcuts');
+  return element('label', { class: 'single-keys' }, box, words);
+}

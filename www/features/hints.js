@@ -1,0 +1,89 @@
+/**
+ * The card of the first visit: below what the page is for, which index.html has, three hints, each
+ * leading to the next by doing what it says. Shown once, and only over the example, which is solved
+ * when it opens. How well it is solved is said as it is now, also while somebody drags.
+ */
+
+import { RENEW_MS, byId, element, icon, leave, setText, throttled } from '../ui/dom.js';
+import {
+  declared,
+  measureOfScene,
+  roundingOf,
+  toleranceOf,
+  valueInWords,
+  worstOf,
+} from '../store/measures.js';
+import { recall, remember } from '../ui/safe-storage.js';
+
+const KEY = 'shape-up.hints';
+const START = 'This is the original. Press Run.';
+
+/** @param {string} now what is true of every panel */
+const hints = (now) => [
+  `${now} Drag a blue handle: it is solved again as you drag.`,
+  'Press Reset to see the original.',
+  'Your turn: open a mesh of your own, or try another example.',
+];
+
+/**
+ * @param {HTMLElement} card
+ * @param {import("../store/state.js").Store} store
+ */
+export function firstHints(card, store) {
+  // index.html hides it then.
+  if (recall(KEY) === 'done') return;
+  const text = element('p', { class: 'step' });
+  const close = element(
+    'button',
+    { type: 'button', class: 'tiny', 'aria-label': 'Dismiss hint', onclick: () => finish() },
+    icon('close'),
+  );
+  byId('claim').after(text, close);
+  /** Hints that have been followed. */
+  let at = 0;
+  let drags = false;
+  let runs = false;
+  /** From the start, where nothing is solved. */
+  let hasRun = false;
+  let done = false;
+
+  const say = throttled(RENEW_MS, () => {
+    const state = store.get();
+    const { document, numbers, size, firstExample } = state;
+    const about = declared(state, measureOfScene(state));
+    if (done || !document || !numbers || !about || !firstExample) return;
+    const worst = worstOf(state, about.id);
+    const shown = worst < roundingOf(about, size) ? 0 : worst;
+    const within = `within ${valueInWords(about, shown, document.units, toleranceOf(state, about))}`;
+    const met = `${about.met[0].toUpperCase()}${about.met.slice(1)}, ${within}.`;
+    setText(text, numbers.iteration === 0 && at < 2 ? START : hints(met)[at]);
+    delete window.document.documentElement.dataset.known;
+    card.hidden = false;
+  });
+
+  store.subscribe(['firstExample', 'document', 'numbers', 'running', 'dragged'], (state) => {
+    if (done) return;
+    const { firstExample, document, numbers, running, dragged } = state;
+    if (!firstExample) {
+      if (at > 0) finish();
+      else if (document) card.hidden = true;
+      return;
+    }
+    if (!document || !numbers) return;
+    const isStart = numbers.iteration === 0;
+    if (drags && dragged.length === 0) at = Math.max(at, 1);
+    if (runs && !running) hasRun = true;
+    drags = dragged.length > 0;
+    runs = running && (runs || isStart);
+    if (at === 1 && hasRun) at = 2;
+    // Whoever has seen the last one has seen them all.
+    if (at === 2) remember(KEY, 'done');
+    say();
+  });
+
+  function finish() {
+    done = true;
+    leave(card, () => (card.hidden = true));
+    remember(KEY, 'done');
+  }
+}

@@ -1,0 +1,97 @@
+/**
+ * The original in place of the current shape for as long as somebody holds a key or a button. Nothing
+ * of the document changes, and a run goes on behind it.
+ */
+
+import { messageOf } from '../solver/messages.js';
+
+const STATUS = 'The original, while held';
+/** A button that also does something when it is clicked shows the original from then on, in milliseconds. */
+const LONG_PRESS_MS = 300;
+
+export class HoldOriginal {
+  #store;
+  #solver;
+  #isHeld = false;
+  /** Where the vertices of a model were, `#V by 3`. @type {{ model: unknown, positions: Float64Array } | null} */
+  #original = null;
+  /** What the status was before. */
+  #status = '';
+
+  /**
+   * @param {import("../store/state.js").Store} store
+   * @param {import("../solver/solver-client.js").SolverClient} solver
+   */
+  constructor(store, solver) {
+    this.#store = store;
+    this.#solver = solver;
+    for (const type of ['keyup', 'blur', 'pointerup', 'pointercancel'])
+      window.addEventListener(type, () => this.end());
+  }
+
+  /** Shows it until a key or the pointer is released. */
+  async begin() {
+    if (this.#isHeld) return;
+    this.#isHeld = true;
+    const { model, measure, status } = this.#store.get();
+    this.#status = status;
+    try {
+      const [positions, values] = await Promise.all([
+        this.#positionsOf(model),
+        measure && this.#solver.request({ type: 'faceValues', measure, original: true }),
+      ]);
+      if (!this.#isHeld || this.#store.get().model !== model) return;
+      this.#store.set({ heldOriginal: { positions, values }, status: STATUS });
+    } catch (error) {
+      this.#store.set({ status: messageOf(error) });
+    }
+  }
+
+  end() {
+    if (!this.#isHeld) return;
+    this.#isHeld = false;
+    const { heldOriginal, status } = this.#store.get();
+    if (!heldOriginal) return;
+    this.#store.set({ heldOriginal: null, status: status === STATUS ? this.#status : status });
+  }
+
+  /**
+   * A button that shows it while it is pressed, by the pointer or by a key. One that does something else
+   * when it is clicked does so only after a short press.
+   * @param {HTMLElement} button
+   * @param {{ clicks?: boolean }} [options]
+   */
+  bind(button, { clicks = false } = {}) {
+    let timer = 0;
+    let isLong = false;
+    button.addEventListener('pointerdown', ({ button: which }) => {
+      if (which !== 0) return;
+      isLong = false;
+      const begin = () => {
+        isLong = true;
+        this.begin();
+      };
+      if (clicks) timer = window.setTimeout(begin, LONG_PRESS_MS);
+      else begin();
+    });
+    for (const type of ['pointerup', 'pointerleave', 'pointercancel'])
+      button.addEventListener(type, () => clearTimeout(timer));
+    button.addEventListener('pointerleave', () => this.end());
+    // A finger that stays would open the browser's menu.
+    button.addEventListener('contextmenu', (event) => event.preventDefault());
+    button.addEventListener('click', (event) => isLong && event.stopImmediatePropagation(), true);
+    if (clicks) return;
+    button.addEventListener('keydown', ({ key }) => {
+      if (key === ' ' || key === 'Enter') this.begin();
+    });
+  }
+
+  /** @param {unknown} model the one that is open */
+  async #positionsOf(model) {
+    if (this.#original?.model !== model) {
+      const positions = await this.#solver.request({ type: 'originalPositions' });
+      this.#original = { model, positions };
+    }
+    return this.#original?.positions;
+  }
+}

@@ -1,0 +1,191 @@
+/** The dialog in which a teacher writes a lesson: a text, goals, and how the class gets it. */
+
+import '../../ui/styles/dialog.css';
+import './lesson.css';
+import { element, icon, setText } from '../../ui/dom.js';
+import { declared, measureOfScene, toleranceOf } from '../../store/measures.js';
+import { messageOf } from '../../solver/messages.js';
+
+const UNITS = { percent: '%', degrees: '°', number: '' };
+const ERROR_AT = /^goals\[(\d+)\]/;
+
+/** @param {import("../../app/analysis.js").Parts} parts */
+export function write(parts) {
+  const { store, solver, files, actions } = parts;
+  const state = store.get();
+  const scene = state.document;
+  if (!scene) return;
+  const units = scene.units || 'unit of the mesh';
+  const about = [
+    ...(state.model?.faces ? state.measures : []).map((measure) => ({
+      value: `measure ${measure.id}`,
+      label: measure.label,
+      unit: measure.unit === 'length' ? units : UNITS[measure.unit],
+    })),
+    ...[...new Set(scene.constraints.map(({ label }) => label))].map((label) => ({
+      value: `constraint ${label}`,
+      label: `Constraint: ${label}`,
+      unit: units,
+    })),
+  ];
+
+  const text = element('textarea', { rows: 5, id: 'lesson-words', required: true });
+  text.value = scene.lesson?.text ?? '';
+  const list = element('ul', { 'aria-label': 'Goals of the lesson' });
+  const error = element('p', { class: 'refused', 'aria-live': 'assertive' });
+  /** @type {{ row: HTMLElement, of: HTMLSelectElement, most: HTMLInputElement, unit: HTMLElement, remove: HTMLElement }[]} */
+  let goals = [];
+
+  /**
+   * @param {string} value what it is about
+   * @param {number | null} atMost
+   */
+  function addGoal(value, atMost) {
+    const of = element(
+      'select',
+      { onchange: showUnit },
+      ...about.map((choice) => element('option', { value: choice.value }, choice.label)),
+    );
+    if (about.some((choice) => choice.value === value)) of.value = value;
+    const most = element('input', { type: 'number', min: '0', step: 'any', required: true });
+    if (atMost !== null) most.value = String(atMost);
+    const unit = element('span', { class: 'unit' });
+    const remove = element(
+      'button',
+      {
+        type: 'button',
+        class: 'tiny',
+        onclick: () => {
+          goals = goals.filter((goal) => goal.of !== of);
+          row.remove();
+          nameGoals();
+          add.focus();
+        },
+      },
+      icon('close'),
+    );
+    const row = element('li', {}, 'worst', of, 'at most', most, unit, remove);
+    function showUnit() {
+      setText(unit, about.find((choice) => choice.value === of.value)?.unit ?? '');
+      nameGoals();
+    }
+    goals.push({ row, of, most, unit, remove });
+    list.append(row);
+    showUnit();
+  }
+
+  /** Whoever does not see the rows hears which goal a control is of, and what it is about. */
+  function nameGoals() {
+    goals.forEach(({ of, most, unit, remove }, at) => {
+      const goal = `Goal ${at + 1}`;
+      const what = `${goal}: ${of.selectedOptions[0]?.label.toLowerCase() ?? ''}`;
+      of.setAttribute('aria-label', `${goal}: worst`);
+      most.setAttribute('aria-label', `${what} at most, ${unit.textContent}`.replace(/, $/, ''));
+      remove.setAttribute('aria-label', `Take away ${what}`);
+    });
+  }
+
+  const add = element(
+    'button',
+    {
+      type: 'button',
+      class: 'bordered',
+      disabled: about.length === 0,
+      onclick: () => {
+        addGoal(first, null);
+        goals.at(-1)?.of.focus();
+      },
+    },
+    'Add goal',
+  );
+  const asked = declared(state, state.measure ?? measureOfScene(state));
+  const first = `measure ${asked?.id ?? ''}`;
+  for (const { measure, label, atMost } of scene.lesson?.goals ?? []) {
+    addGoal(measure ? `measure ${measure}` : `constraint ${label}`, atMost);
+  }
+  if (goals.length === 0 && about.length > 0)
+    addGoal(first, asked ? toleranceOf(state, asked) : null);
+
+  /** Makes the scene this lesson, as one step of undo; then gives it on. @param {(() => unknown)} [then] */
+  async function keep(then) {
+    if (!form.reportValidity()) return;
+    const lesson = {
+      text: text.value.trim(),
+      goals: goals.map(({ of, most }) => {
+        const [what, ...name] = of.value.split(' ');
+        return { [what]: name.join(' '), at_most: most.valueAsNumber };
+      }),
+    };
+    try {
+      await solver.request({ type: 'edit', edit: { type: 'setLesson', lesson } });
+    } catch (refused) {
+      const path = refused instanceof Error && 'path' in refused ? String(refused.path) : '';
+      setText(error, messageOf(refused));
+      goals[Number(ERROR_AT.exec(path)?.[1])]?.most.focus();
+      return;
+    }
+    dialog.close();
+    actions.say('The scene is a lesson');
+    then?.();
+  }
+
+  async function forget() {
+    dialog.close();
+    if ((await actions.edit({ type: 'setLesson', lesson: null })) !== undefined)
+      actions.say('The scene is no lesson any more');
+  }
+
+  const button = (
+    /** @type {string} */ label,
+    /** @type {() => unknown} */ onclick,
+    style = 'bordered',
+  ) => element('button', { type: 'button', class: style, onclick }, label);
+  const dialog = element('dialog', { id: 'lesson-dialog', 'aria-labelledby': 'lesson-title' });
+  const form = element(
+    'form',
+    { class: 'dialog-body', method: 'dialog' },
+    element('label', { for: 'lesson-words' }, 'What is to be done'),
+    text,
+    element('h3', {}, 'Goals'),
+    list,
+    element('div', {}, add),
+    element(
+      'p',
+      { class: 'quiet' },
+      'Students see the text and whether each goal is met while they work. They start from the scene as it is now.',
+    ),
+    error,
+    element(
+      'div',
+      { class: 'dialog-buttons' },
+      button('Save lesson', () => keep(), 'primary'),
+      button('Keep and save the scene', () => keep(() => files.saveScene())),
+      button('Keep and make a link', () =>
+        keep(async () => {
+          const { share } = await import('../share/dialog-share.js');
+          await actions.told(share({ store, solver, files }));
+        }),
+      ),
+      ...(scene.lesson ? [button('No lesson any more', forget)] : []),
+    ),
+  );
+  dialog.append(
+    element(
+      'div',
+      { class: 'dialog-head' },
+      element('h2', { id: 'lesson-title' }, 'Lesson'),
+      element(
+        'button',
+        { type: 'button', class: 'square', 'aria-label': 'Close', onclick: () => dialog.close() },
+        icon('close'),
+      ),
+    ),
+    form,
+  );
+  // Enter in a field of a goal is not the end of the dialog.
+  form.addEventListener('submit', (event) => event.preventDefault());
+  document.body.append(dialog);
+  dialog.addEventListener('close', () => dialog.remove());
+  dialog.showModal();
+  text.focus();
+}

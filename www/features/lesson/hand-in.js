@@ -1,0 +1,68 @@
+/** The dialog that saves what a student hands in. */
+
+import '../../ui/styles/dialog.css';
+import './lesson.css';
+import { element, icon } from '../../ui/dom.js';
+
+/** @param {import("../../app/analysis.js").Parts} parts */
+export function handIn({ store, solver, files, actions }) {
+  const name = element('input', {
+    type: 'text',
+    id: 'student',
+    autocomplete: 'name',
+    maxlength: '120',
+    required: true,
+  });
+  const goals = store.get().numbers?.goals ?? [];
+  const met = goals.filter((goal) => goal.met).length;
+  const dialog = element('dialog', { id: 'hand-in', 'aria-labelledby': 'hand-in-title' });
+  const form = element(
+    'form',
+    { class: 'dialog-body', method: 'dialog', onsubmit: save },
+    element('label', { class: 'line' }, 'Your name', name),
+    element(
+      'p',
+      {},
+      `${met} of ${goals.length} goals are met now. The file holds the shape, the goals with their values, your constraints and handles, and the time.`,
+    ),
+    element(
+      'p',
+      { class: 'quiet' },
+      'It is only saved on this computer: send it as you send other work. Whoever gets it can measure the shape again.',
+    ),
+    element(
+      'div',
+      { class: 'dialog-buttons' },
+      element('button', { type: 'submit', class: 'primary' }, 'Save the file'),
+    ),
+  );
+  dialog.append(
+    element(
+      'div',
+      { class: 'dialog-head' },
+      element('h2', { id: 'hand-in-title' }, 'Results for hand-in'),
+      element(
+        'button',
+        {
+          type: 'button',
+          class: 'square',
+          'aria-label': 'Close',
+          onclick: () => dialog.close(),
+        },
+        icon('close'),
+      ),
+    ),
+    form,
+  );
+  document.body.append(dialog);
+  dialog.addEventListener('close', () => dialog.remove());
+  dialog.showModal();
+  name.focus();
+
+  async function save() {
+    const student = name.value.trim();
+    const time = new Date().toISOString();
+    const text = await actions.told(solver.request({ type: 'results', student, time }));
+    if (text) files.save('.results.json', text, 'application/json');
+  }
+}

@@ -1,0 +1,112 @@
+/**
+ * The lesson of the scene: its text, its goals with what they are now, and what is handed in. In
+ * windows where its panel is behind a tab, a line over the view says how many goals are met.
+ */
+
+import './lesson.css';
+import { RENEW_MS, byId, element, icon, setText, throttled } from '../../ui/dom.js';
+import { count } from '../../ui/format.js';
+import { roundingOf, valueInWords } from '../../store/measures.js';
+import { goalInWords, measureOf } from './goal.js';
+
+const MARKS = { met: '✓', missed: '✗' };
+
+/** @param {import("../../app/analysis.js").Parts} parts */
+export function lessonPanel(parts) {
+  const { store } = parts;
+  const text = element('p', { class: 'lesson-text' });
+  const list = element('ul', { 'aria-label': 'Goals' });
+  const sum = element('p', { 'aria-live': 'polite', class: 'lesson-sum' });
+  const place = element(
+    'section',
+    { id: 'lesson', 'aria-labelledby': 'heading-lesson', hidden: true },
+    element('h2', { id: 'heading-lesson' }, 'Lesson'),
+    text,
+    list,
+    sum,
+    element(
+      'button',
+      { type: 'button', class: 'bordered', 'aria-haspopup': 'dialog', onclick: handIn },
+      'Results for hand-in',
+    ),
+  );
+  byId('model-panel').prepend(place);
+  const line = element('span');
+  const card = element(
+    'div',
+    { id: 'lesson-card', 'aria-live': 'polite', hidden: true },
+    element(
+      'button',
+      { type: 'button', class: 'card', title: 'Show the goals', onclick: showGoals },
+      line,
+      icon('chevron'),
+    ),
+  );
+  byId('messages').before(card);
+  /** @type {{ mark: HTMLElement, value: HTMLElement, row: HTMLElement }[]} */
+  let rows = [];
+  let shown = '';
+
+  /** Where the card is shown, the panel is not. */
+  function showGoals() {
+    byId('tab-model').click();
+    byId('model-panel').scrollTo(0, 0);
+  }
+
+  async function handIn() {
+    await parts.actions.told(import('./hand-in.js').then(({ handIn }) => handIn(parts)));
+  }
+
+  const showNumbers = throttled(RENEW_MS, () => {
+    const { document, numbers, size } = store.get();
+    const goals = document?.lesson?.goals;
+    if (!goals || numbers?.goals.length !== goals.length) return;
+    numbers.goals.forEach(({ value, met }, index) => {
+      const { mark, value: place, row } = rows[index];
+      const measure = measureOf(goals[index]);
+      const words =
+        value === null
+          ? 'nothing has it'
+          : valueInWords(measure, value < roundingOf(measure, size) ? 0 : value, document.units);
+      row.className = met ? 'met' : 'missed';
+      setText(mark, met ? MARKS.met : MARKS.missed);
+      setText(place, `${met ? 'met' : 'not met'}: ${words}`);
+    });
+    const met = numbers.goals.filter((goal) => goal.met).length;
+    const passed = met === goals.length;
+    const words = passed
+      ? `Passed: ${count(met, 'goal')} met`
+      : `${met} of ${count(goals.length, 'goal')} met`;
+    sum.classList.toggle('met', passed);
+    card.classList.toggle('met', passed);
+    setText(sum, passed ? `${MARKS.met} ${words}` : words);
+    setText(line, `${passed ? MARKS.met : MARKS.missed} Lesson: ${words}`);
+  });
+
+  store.subscribe(['document'], ({ document }) => {
+    const lesson = document?.lesson ?? null;
+    const isNew = lesson && place.hidden;
+    if (document) place.hidden = card.hidden = !lesson;
+    // Where it was written from is farther down.
+    if (isNew) place.parentElement?.scrollTo(0, 0);
+    const now = JSON.stringify([lesson, document?.units]);
+    if (!lesson || now === shown) return;
+    shown = now;
+    setText(text, lesson.text);
+    rows = lesson.goals.map((goal) => {
+      const mark = element('span', { class: 'mark', 'aria-hidden': 'true' });
+      const value = element('span', { class: 'now' });
+      const row = element(
+        'li',
+        { title: `The ${goal.words}` },
+        mark,
+        element('span', {}, goalInWords(goal, document?.units ?? '')),
+        value,
+      );
+      return { mark, value, row };
+    });
+    list.replaceChildren(...rows.map(({ row }) => row));
+    showNumbers();
+  });
+  store.subscribe(['numbers'], showNumbers);
+}

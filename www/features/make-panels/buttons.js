@@ -1,0 +1,42 @@
+/** A button for each shape that all panels can be made at once, and why not where they cannot. */
+
+import { element } from '../../ui/dom.js';
+import { sketch } from '../../ui/kinds/sketch.js';
+
+/** @typedef {import("../../solver/messages.js").KindInfo} KindInfo */
+
+/**
+ * @param {Readonly<import("../../store/state.js").State>} state
+ * @param {string} id that of the reasons, which the buttons are described by
+ * @param {(kind: KindInfo) => void} press
+ * @returns {{ buttons: HTMLButtonElement[], reasons: HTMLElement[] }}
+ */
+export function panelButtons({ kinds, model }, id, press) {
+  /** @type {Map<string, string | null>} */
+  const reasonOf = new Map(model?.panels.map(({ kind, reason }) => [kind, reason]));
+  // The list goes from what asks less to what asks more, of which one is offered first.
+  const offered = kinds.filter((kind) => kind.panels !== null && reasonOf.has(kind.id)).reverse();
+  const buttons = offered.map((kind) => {
+    const reason = reasonOf.get(kind.id);
+    return element(
+      'button',
+      {
+        type: 'button',
+        class: 'bordered',
+        disabled: Boolean(reason),
+        title: reason || kind.summary,
+        style: `--chip: rgb(${kind.colour.join(' ')})`,
+        ...(reason && { 'aria-describedby': id }),
+        onclick: () => press(kind),
+      },
+      sketch(kind.sketch),
+      element('span', {}, `Make panels ${kind.panels}`),
+    );
+  });
+  const reasons = new Set(offered.map((kind) => reasonOf.get(kind.id)).filter(Boolean));
+  const words = [...reasons].join(' ');
+  return {
+    buttons,
+    reasons: words ? [element('p', { class: 'quiet', id }, words)] : [],
+  };
+}

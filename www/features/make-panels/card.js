@@ -1,0 +1,193 @@
+/**
+ * One press for all panels: what a mesh that was just opened is offered over the view, the way there,
+ * and the verdict. The same buttons are in the panel of the model once the offer is gone, so that each
+ * is on the page once.
+ */
+
+import './make-panels.css';
+import { RENEW_MS, byId, element, icon, leave, setText, throttled } from '../../ui/dom.js';
+import { panelButtons } from './buttons.js';
+import { progressWords, verdictWords } from './verdict.js';
+
+/** @typedef {import("../../solver/messages.js").KindInfo} KindInfo */
+
+/** So long the mesh is on its way at least: a jump would not show what becomes of it. */
+const TRANSITION_MS = 800;
+/** Between the card and what is framed above it, in CSS pixels. */
+const GAP = 8;
+const still = matchMedia('(prefers-reduced-motion: reduce)');
+
+export class MakePanels {
+  #parts;
+  #card = byId('make-panels-card');
+  #panel = byId('make-panels');
+  /** What the card is about. @type {"nothing" | "offer" | "verdict"} */
+  #shows = 'nothing';
+  /** The model whose offer or verdict was closed. @type {unknown} */
+  #closed = null;
+  /** The model whose panels were made something. @type {unknown} */
+  #pressed = null;
+  /** The model that is on its way there. @type {unknown} */
+  #underWay = null;
+  #text = element('p');
+  /** A verdict is asked for. */
+  #isBusy = false;
+
+  /** @param {import("../../app/analysis.js").Parts} parts */
+  constructor(parts) {
+    this.#parts = parts;
+    const { store, solver } = parts;
+    store.subscribe(['model', 'kinds', 'document', 'example'], () => this.#show());
+    let wasRunning = false;
+    store.subscribe(['running'], ({ running }) => {
+      if (wasRunning && !running && !this.#isUnderWay()) this.#tell(true);
+      wasRunning = running;
+    });
+    const tellSoon = throttled(RENEW_MS, () => this.#tell(false));
+    solver.addEventListener('frame', tellSoon);
+    store.subscribe(['tolerance'], tellSoon);
+    // What would help comes into it later.
+    new ResizeObserver(() => this.#cover()).observe(this.#card);
+  }
+
+  #isUnderWay() {
+    return this.#underWay !== null && this.#underWay === this.#parts.store.get().model;
+  }
+
+  /** Makes all panels of this kind, visibly. @param {KindInfo} kind */
+  async #make(kind) {
+    const { store, solver, viewport, actions } = this.#parts;
+    const { model } = store.get();
+    this.#pressed = this.#underWay = model;
+    this.#closed = null;
+    const edit = /** @type {const} */ ({ type: 'makePanels', kind: kind.id });
+    if ((await actions.edit(edit)) === undefined) return void (this.#underWay = null);
+    const arrived = still.matches ? null : viewport.transition(TRANSITION_MS);
+    const show = (/** @type {boolean} */ shapes) =>
+      store.set({ display: { ...store.get().display, shapes } });
+    // They are those of the shape at the end of the way.
+    if (arrived) show(false);
+    solver.tell({ type: 'run' });
+    const ended = this.#endOfRun();
+    await arrived;
+    show(true);
+    await ended;
+    if (store.get().model !== model) return;
+    this.#underWay = null;
+    this.#tell(true);
+  }
+
+  /** Settles when the run that was asked for has ended. */
+  #endOfRun() {
+    const { store, solver } = this.#parts;
+    return new Promise((ended) => {
+      let began = store.get().running;
+      const listen = (/** @type {Event} */ event) => {
+        const { running } = /** @type {CustomEvent} */ (event).detail;
+        began ||= running;
+        if (running || !began) return;
+        solver.removeEventListener('activity', listen);
+        ended(undefined);
+      };
+      solver.addEventListener('activity', listen);
+    });
+  }
+
+  #show() {
+    const state = this.#parts.store.get();
+    const { model, document, example } = state;
+    const rows = document?.constraints.length ?? 0;
+    const offers = (model?.panels.length ?? 0) > 0;
+    if (!offers || !document || this.#closed === model) this.#turnTo('nothing');
+    else if (this.#pressed === model && rows > 0) this.#turnTo('verdict');
+    else this.#turnTo(rows === 0 && !example ? 'offer' : 'nothing');
+
+    const here = this.#shows === 'offer' ? this.#card : this.#panel;
+    const press = (/** @type {KindInfo} */ kind) => this.#make(kind);
+    const { buttons, reasons } = panelButtons(state, 'make-panels-reason', press);
+    this.#panel.hidden = !offers || here !== this.#panel;
+    if (here === this.#panel) renew(here, element('div', {}, ...buttons), ...reasons);
+    else
+      renew(here, ...reasons, element('div', {}, ...buttons, this.#somethingElse()), this.#cross());
+    this.#cover();
+  }
+
+  /** @param {"nothing" | "offer" | "verdict"} what */
+  #turnTo(what) {
+    if (this.#shows === what) return;
+    this.#shows = what;
+    const show = () => {
+      this.#card.hidden = what === 'nothing';
+      this.#card.dataset.shows = what;
+      this.#card.replaceChildren();
+    };
+    leave(this.#card, show);
+    if (what !== 'verdict') return;
+    setText(this.#text, '');
+    const hold = element(
+      'button',
+      { type: 'button', class: 'bordered' },
+      'Hold to see the original',
+    );
+    this.#parts.hold.bind(hold);
+    this.#card.append(this.#text, hold, this.#cross());
+    this.#tell(false);
+  }
+
+  #somethingElse() {
+    const onclick = () => byId('add-constraint-button').click();
+    return element(
+      'button',
+      { type: 'button', 'aria-haspopup': 'dialog', onclick },
+      'Something else',
+    );
+  }
+
+  #cross() {
+    const close = () => {
+      this.#closed = this.#parts.store.get().model;
+      this.#show();
+    };
+    const attributes = { type: 'button', class: 'tiny', 'aria-label': 'Close', onclick: close };
+    return element('button', attributes, icon('close'));
+  }
+
+  /** Says how it stands; and that it has ended. @param {boolean} atEnd */
+  async #tell(atEnd) {
+    if (this.#shows !== 'verdict' || (this.#isBusy && !atEnd)) return;
+    const { store, solver } = this.#parts;
+    const { model, document } = store.get();
+    const tolerance = store.get().tolerance ?? model?.tolerance ?? 0;
+    this.#isBusy = true;
+    const verdict = await solver.request({ type: 'verdict', tolerance }).catch(() => null);
+    this.#isBusy = false;
+    const { running, numbers } = store.get();
+    if (!verdict || store.get().model !== model || this.#shows !== 'verdict') return;
+    const words = running || this.#isUnderWay() ? progressWords : verdictWords;
+    const text = words(verdict, tolerance, document?.units ?? '');
+    setText(this.#text, text);
+    if (atEnd && !running && !numbers?.collapse) store.set({ status: text });
+  }
+
+  /** What is framed is seen whole above the card. */
+  #cover() {
+    const { hidden, offsetTop, offsetParent } = this.#card;
+    const height = offsetParent?.clientHeight ?? 0;
+    const covered = hidden || !height ? 0 : height - offsetTop + GAP;
+    byId('main').style.setProperty('--covered', `${covered}px`);
+    this.#parts.viewport.with((view) => view.cover(covered));
+  }
+}
+
+/**
+ * Gives a place its content, and the focus that was in it to the same button.
+ * @param {HTMLElement} place
+ * @param {...HTMLElement} content
+ */
+function renew(place, ...content) {
+  const at = [...place.querySelectorAll('button')].findIndex(
+    (one) => one === document.activeElement,
+  );
+  place.replaceChildren(...content);
+  place.querySelectorAll('button')[at]?.focus();
+}

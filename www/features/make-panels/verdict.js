@@ -1,0 +1,42 @@
+/** What came of making all panels of one shape, in words. */
+
+import { groupDigits, length } from '../../ui/format.js';
+
+/** @typedef {import("../../solver/messages.js").Verdict} Verdict */
+
+/**
+ * A length to two digits: nobody builds by the third.
+ * @param {number} value in the unit of the mesh
+ * @param {string} units of the mesh
+ */
+function about(value, units) {
+  const text = length(Number(value.toPrecision(2)), units);
+  return text.replace(/(\.\d*?)0+(?=[ e]|$)/, '$1').replace(/\.(?=[ e]|$)/, '');
+}
+
+/**
+ * How many panels are within the tolerance.
+ * @param {Verdict} verdict
+ * @param {number} tolerance in the unit of the mesh
+ * @param {string} units of the mesh
+ */
+export function progressWords({ adjective, panels, within }, tolerance, units) {
+  const limit = `${adjective} within ${about(tolerance, units)}`;
+  if (within < panels)
+    return `${groupDigits(within)} of ${groupDigits(panels)} panels are ${limit}.`;
+  return panels === 1
+    ? `The panel is ${limit}.`
+    : `All ${groupDigits(panels)} panels are ${limit}.`;
+}
+
+/**
+ * The same, with the worst of them and how far the mesh moved.
+ * @param {Verdict} verdict
+ * @param {number} tolerance in the unit of the mesh
+ * @param {string} units of the mesh
+ */
+export function verdictWords(verdict, tolerance, units) {
+  const { worst, moved } = verdict;
+  const far = `at most ${about(moved.max, units)}, ${about(moved.mean, units)} on average`;
+  return `${progressWords(verdict, tolerance, units)} Worst ${about(worst, units)}. Your mesh moved by ${far}.`;
+}

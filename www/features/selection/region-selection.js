@@ -1,0 +1,184 @@
+/**
+ * Selecting with a region of the screen.
+ *
+ * | shape | from left to right | from right to left |
+ * |---|---|---|
+ * | box | what is inside (solid line) | also what it touches (dashed line), as in Rhino |
+ * | lasso | what is inside | what is inside |
+ * | paint | what the brush touches | the same |
+ */
+
+import { NOTHING, select } from '../../store/selection.js';
+
+/** @typedef {[number, number]} Point CSS pixels within the viewport */
+/** @typedef {import("../../store/selection.js").Combine} Combine */
+
+/** Corners of the circle that the brush is. */
+const BRUSH_CORNERS = 20;
+/** A lasso gets a corner only where the pointer moved this far, in CSS pixels. */
+const LASSO_STEP = 3;
+const SPACE = 'http://www.w3.org/2000/svg';
+
+export class RegionSelection {
+  #store;
+  #viewport;
+  #overlay = document.createElementNS(SPACE, 'svg');
+  #outline = document.createElementNS(SPACE, 'polygon');
+  #brush = document.createElementNS(SPACE, 'circle');
+  /** Where the pointer was, from the press on. @type {Point[]} */
+  #path = [];
+  /** @type {Combine} */
+  #combine = 'replace';
+  /** What Escape puts back. */
+  #before = NOTHING;
+
+  /**
+   * @param {import("../../store/state.js").Store} store
+   * @param {import("../../viewport/viewport.js").Viewport} viewport
+   */
+  constructor(store, viewport) {
+    this.#store = store;
+    this.#viewport = viewport;
+    this.#overlay.id = 'region';
+    this.#overlay.setAttribute('aria-hidden', 'true');
+    this.#overlay.append(this.#outline, this.#brush);
+    viewport.element.after(this.#overlay);
+    viewport.element.addEventListener('pointerleave', () => this.hide());
+    store.subscribe(['tool', 'shape'], () => this.hide());
+  }
+
+  /** Whether the press itself selects already. */
+  get paints() {
+    const { tool, shape } = this.#store.get();
+    return tool === 'select' && shape === 'paint';
+  }
+
+  /**
+   * @param {Point} at
+   * @param {Combine} combine
+   */
+  begin(at, combine) {
+    this.#path = [at];
+    this.#combine = combine;
+    this.#before = this.#store.get().selection;
+    if (!this.paints) return;
+    if (combine === 'replace') {
+      this.#store.set({ selection: NOTHING });
+      this.#combine = 'add';
+    }
+    this.move(at);
+  }
+
+  /** @param {Point} at */
+  move(at) {
+    const { shape } = this.#store.get();
+    const last = this.#path[this.#path.length - 1];
+    if (shape === 'paint') {
+      this.hover(at);
+      this.#take(stroke(last, at, this.#store.get().brush), true);
+      this.#path = [at];
+    } else if (shape === 'lasso') {
+      if (Math.hypot(at[0] - last[0], at[1] - last[1]) >= LASSO_STEP) this.#path.push(at);
+      this.#draw([...this.#path, at], false);
+    } else {
+      this.#path = [this.#path[0], at];
+      this.#draw(corners(this.#path[0], at), isCrossing(this.#path[0], at));
+    }
+  }
+
+  /**
+   * @param {Point} at
+   * @param {Combine} combine
+   */
+  end(at, combine) {
+    this.move(at);
+    const { shape } = this.#store.get();
+    if (shape !== 'paint') {
+      this.#combine = combine;
+      const from = this.#path[0];
+      if (shape === 'lasso') this.#take([...this.#path, at], false);
+      else this.#take(corners(from, at), isCrossing(from, at));
+    }
+    this.hide();
+  }
+
+  /** Puts back what was selected. */
+  cancel() {
+    this.#store.set({ selection: this.#before });
+    this.hide();
+  }
+
+  /** Shows how large the brush is. @param {Point} at */
+  hover([x, y]) {
+    if (!this.paints) return;
+    this.#overlay.classList.add('painting');
+    this.#brush.setAttribute('cx', String(x));
+    this.#brush.setAttribute('cy', String(y));
+    this.#brush.setAttribute('r', String(this.#store.get().brush));
+  }
+
+  hide() {
+    this.#overlay.classList.remove('drawing', 'painting');
+  }
+
+  /**
+   * @param {Point[]} points
+   * @param {boolean} crossing
+   */
+  #draw(points, crossing) {
+    this.#overlay.classList.add('drawing');
+    this.#outline.classList.toggle('crossing', crossing);
+    this.#outline.setAttribute('points', points.map((point) => point.join(',')).join(' '));
+  }
+
+  /**
+   * Selects what is in a polygon, in the way that the gesture began.
+   * @param {Point[]} points
+   * @param {boolean} touching also what is partly in it
+   */
+  #take(points, touching) {
+    const { mode, selection, through } = this.#store.get();
+    const outline = Float32Array.from(points.flat());
+    const found = this.#viewport.with((view) => {
+      if (mode === 'vertices') return view.verticesIn(outline, through);
+      if (mode === 'edges') return view.edgesIn(outline, touching, through);
+      return view.facesIn(outline, touching, through);
+    });
+    if (!found || (found.length === 0 && this.#combine !== 'replace')) return;
+    this.#store.set({ selection: select(selection, mode, found, this.#combine) });
+  }
+}
+
+/**
+ * @param {Point} from
+ * @param {Point} to
+ * @returns {Point[]}
+ */
+function corners(from, to) {
+  return [from, [to[0], from[1]], to, [from[0], to[1]]];
+}
+
+/**
+ * @param {Point} from
+ * @param {Point} to
+ */
+function isCrossing(from, to) {
+  return to[0] < from[0];
+}
+
+/**
+ * What a round brush covers on its way: two half circles and what is between them.
+ * @param {Point} from
+ * @param {Point} to
+ * @param {number} radius
+ * @returns {Point[]}
+ */
+function stroke(from, to, radius) {
+  const along = Math.atan2(to[1] - from[1], to[0] - from[0]);
+  return Array.from({ length: BRUSH_CORNERS }, (_, i) => {
+    // The first half of the circle is before `to`, the second behind `from`.
+    const [x, y] = 2 * i < BRUSH_CORNERS ? to : from;
+    const angle = along - Math.PI / 2 + ((i + 0.5) * 2 * Math.PI) / BRUSH_CORNERS;
+    return [x + radius * Math.cos(angle), y + radius * Math.sin(angle)];
+  });
+}

@@ -1,0 +1,52 @@
+/** The commands of the Select tool: the shapes of a drag, the brush, and looking through. */
+
+/** How much a key makes the brush larger, and its least and greatest radius, in CSS pixels. */
+const BRUSH_FACTOR = 1.25;
+const BRUSH = [4, 120];
+
+/**
+ * @param {import("../../store/state.js").Store} store
+ * @returns {import("../../app/commands.js").Command[]}
+ */
+export function selectCommands(store) {
+  const shape = (
+    /** @type {import("../../store/state.js").State["shape"]} */ id,
+    /** @type {string} */ label,
+    /** @type {string} */ key,
+  ) => ({
+    id: `shape-${id}`,
+    group: 'Select',
+    label,
+    keys: [key],
+    action: () => store.set({ tool: 'select', shape: id }),
+  });
+  const brush = (
+    /** @type {string} */ id,
+    /** @type {string} */ label,
+    /** @type {string} */ key,
+    /** @type {number} */ factor,
+  ) => ({
+    id,
+    group: 'Select',
+    label,
+    keys: [key],
+    action: () => {
+      const radius = Math.round(store.get().brush * factor);
+      store.set({ brush: Math.min(Math.max(radius, BRUSH[0]), BRUSH[1]) });
+    },
+  });
+  return [
+    shape('box', 'Select with a box', 'B'),
+    shape('lasso', 'Select with a lasso', 'L'),
+    shape('paint', 'Select with a brush', 'P'),
+    brush('brush-smaller', 'Smaller brush', '[', 1 / BRUSH_FACTOR),
+    brush('brush-larger', 'Larger brush', ']', BRUSH_FACTOR),
+    {
+      id: 'through',
+      group: 'Select',
+      label: 'Also what the surface hides',
+      keys: ['T'],
+      action: () => store.set({ through: !store.get().through }),
+    },
+  ];
+}

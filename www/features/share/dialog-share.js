@@ -1,0 +1,136 @@
+/** The dialog of Share: the link, how long it is, and where a link of that length gets through. */
+
+import '../../ui/styles/dialog.css';
+import { dialogHead, element, setText } from '../../ui/dom.js';
+import { groupDigits } from '../../ui/format.js';
+import { writeLink } from '../../documents/share-link.js';
+
+/** Lengths in characters up to which a link gets through, and what is true above the one before. */
+const LEVELS = [
+  { most: 2_000, level: 'good', words: 'Short enough for browsers, e-mail and chat programs.' },
+  {
+    most: 8_000,
+    level: 'fair',
+    words: 'Fine in browsers and most e-mail; some chat programs cut links of this length.',
+  },
+  {
+    most: 80_000,
+    level: 'poor',
+    words:
+      'Browsers open it, but chat programs and many e-mail programs will cut it. A scene file is safer.',
+  },
+  {
+    most: 1_000_000,
+    level: 'poor',
+    words: 'Too long for some browsers and for all chat programs. Send the scene file instead.',
+  },
+];
+
+const NOT_COPIED = 'This browser does not let the page copy: select the link and copy it yourself.';
+
+/**
+ * @param {object} parts
+ * @param {import("../../store/state.js").Store} parts.store
+ * @param {import("../../solver/solver-client.js").SolverClient} parts.solver
+ * @param {import("../../documents/files.js").Files} parts.files
+ */
+export async function share({ store, solver, files }) {
+  const text = await solver.request({ type: 'scene' });
+  const { numbers } = store.get();
+  const { example } = files.origin;
+  const run = (numbers?.iteration ?? 0) > 0;
+  const fragment = await writeLink(text, example, files.original, run);
+  const link = new URL(fragment, location.href.split('#')[0]).href;
+  const found = LEVELS.find(({ most }) => link.length <= most);
+  const dialog = build(link, found, () => {
+    dialog.close();
+    files.saveScene();
+  });
+  document.body.append(dialog);
+  dialog.addEventListener('close', () => dialog.remove());
+  dialog.showModal();
+  const field = dialog.querySelector('textarea');
+  field?.focus();
+  field?.select();
+  // Its beginning tells what it is.
+  if (field) field.scrollTop = 0;
+  // Some browsers copy only what a press asks for, and may do so at the button then.
+  if (found) await copy(link, dialog, '');
+}
+
+/**
+ * @param {string} link
+ * @param {{ level: string, words: string } | undefined} found
+ * @param {() => void} save
+ */
+function build(link, found, save) {
+  const length = groupDigits(link.length);
+  const words = found
+    ? `${length} characters. ${found.words}`
+    : `${length} characters are more than a link can have. Save the scene and send the file.`;
+  const dialog = element('dialog', { id: 'share', 'aria-labelledby': 'share-title' });
+  dialog.append(
+    dialogHead(dialog, 'share-title', 'Share'),
+    element(
+      'div',
+      { class: 'dialog-body' },
+      element(
+        'p',
+        {},
+        'Whoever opens this link gets the mesh with its constraints and handles, and their browser solves it again. The link holds all of it: nothing is uploaded.',
+      ),
+      found
+        ? element('textarea', {
+            readonly: true,
+            rows: 4,
+            'aria-label': 'Link',
+            spellcheck: 'false',
+          })
+        : '',
+      element('meter', {
+        'aria-label': 'Length of the link',
+        min: 0,
+        max: 9_000,
+        low: 2_000,
+        high: 8_000,
+        optimum: 0,
+        value: Math.min(link.length, 9_000),
+      }),
+      element('p', { class: `length ${found?.level ?? 'poor'}` }, words),
+      element('p', { class: 'quiet', 'aria-live': 'polite', id: 'share-copied' }),
+      element(
+        'div',
+        { class: 'dialog-buttons' },
+        found
+          ? element(
+              'button',
+              { type: 'button', class: 'primary', onclick: () => copy(link, dialog) },
+              'Copy link',
+            )
+          : '',
+        element(
+          'button',
+          { type: 'button', class: 'bordered', onclick: save },
+          'Save scene instead',
+        ),
+      ),
+    ),
+  );
+  const field = dialog.querySelector('textarea');
+  if (field) field.value = link;
+  return dialog;
+}
+
+/**
+ * @param {string} link
+ * @param {HTMLDialogElement} dialog
+ * @param {string} [refused] what is said where it cannot be copied
+ */
+async function copy(link, dialog, refused = NOT_COPIED) {
+  const place = dialog.querySelector('#share-copied');
+  const said = await navigator.clipboard.writeText(link).then(
+    () => 'Copied to the clipboard.',
+    () => refused,
+  );
+  if (place) setText(place, said);
+}

@@ -1,0 +1,115 @@
+/**
+ * The legend of one of two pictures: what the side shows, which can be chosen, and how the values of
+ * its faces are spread, over the outline of those of the original.
+ */
+
+import { element, setText } from '../../ui/dom.js';
+import { groupDigits } from '../../ui/format.js';
+import { declared, movedInWords, toleranceOf, unitOf, valueInWords } from '../../store/measures.js';
+import { bars, drawBars, drawOutline, outline } from '../../ui/plot/histogram-svg.js';
+import { countsOf, greatestOf } from '../../ui/plot/histogram.js';
+import { axisOf } from '../../ui/plot/value-axis.js';
+
+/** @typedef {import("./split.js").Choice} Choice */
+
+export class SplitLegend {
+  #side;
+  #store;
+  #viewport;
+  #measure;
+  #shape;
+  #bars = bars();
+  #before = outline();
+  #histogram = element('div', { class: 'histogram', role: 'img' }, this.#bars, this.#before);
+  #ramp = element('div', { class: 'ramp' });
+  #steps = element('span', { class: 'quiet' });
+  #top = element('span');
+  #facts = element('p', { class: 'facts-line' });
+  element;
+
+  /**
+   * @param {string} name of the side
+   * @param {number} side 0 left, 1 right
+   * @param {import("../../store/state.js").Store} store
+   * @param {import("../../viewport/viewport.js").Viewport} viewport
+   * @param {(choice: Partial<Choice>) => void} choose
+   */
+  constructor(name, side, store, viewport, choose) {
+    this.#side = side;
+    this.#store = store;
+    this.#viewport = viewport;
+    this.#measure = element('select', {
+      'aria-label': `${name}: coloured by`,
+      onchange: () => choose({ measure: this.#measure.value }),
+    });
+    this.#shape = element(
+      'select',
+      {
+        'aria-label': `${name}: shape`,
+        onchange: () => choose({ original: this.#shape.value === 'original' }),
+      },
+      element('option', { value: 'original' }, 'Original'),
+      element('option', { value: 'now' }, 'Now'),
+    );
+    this.element = element(
+      'div',
+      {
+        class: `split-legend ${name.toLowerCase()}`,
+        role: 'group',
+        'aria-label': `${name} picture`,
+      },
+      element('div', { class: 'choices' }, this.#shape, this.#measure),
+      this.#histogram,
+      this.#ramp,
+      element('div', { class: 'ends figure' }, element('span', {}, '0'), this.#steps, this.#top),
+      this.#facts,
+    );
+  }
+
+  /**
+   * @param {(Choice & import("./split.js").Shown) | undefined} side
+   * @param {Float32Array | undefined} original values of the original in the same measure
+   */
+  show(side, original) {
+    this.element.hidden = !side;
+    const state = this.#store.get();
+    const about = side && declared(state, side.measure);
+    if (!side?.values || !about) return;
+    if (this.#measure.options.length !== state.measures.length) {
+      this.#measure.replaceChildren(
+        ...state.measures.map(({ id, label }) => element('option', { value: id }, label)),
+      );
+    }
+    this.#measure.value = about.id;
+    this.#measure.title = about.words;
+    this.#shape.value = side.original ? 'original' : 'now';
+
+    const axis = axisOf(0, side.top, false);
+    drawBars(this.#bars, countsOf(side.values, axis));
+    const before = side.original || !original ? null : countsOf(original, axis);
+    drawOutline(this.#before, before, Math.max(...(before ?? [])));
+    this.#ramp.style.background = this.#viewport.rampOf([0, 100], { side: this.#side });
+
+    const units = state.document?.units ?? '';
+    const step = this.#viewport.with((view) => view.bandStep(this.#side));
+    const like = toleranceOf(state, about);
+    const written = unitOf(about, like ?? side.top, units);
+    setText(this.#steps, step ? `steps of ${Number((step * written.factor).toPrecision(3))}` : '');
+    const words = (/** @type {number} */ value) => valueInWords(about, value, units, like);
+    const { mean, faces } = meanOf(side.values);
+    const worst = words(greatestOf(side.values));
+    setText(this.#top, words(side.top));
+    const moved = side.original ? '' : movedInWords(state);
+    setText(this.#facts, `mean ${words(mean)}, worst ${worst}${moved && ` · moved ${moved}`}`);
+    const outlined = before && original ? `; originally up to ${words(greatestOf(original))}` : '';
+    this.#histogram.ariaLabel = `${groupDigits(faces)} faces between 0 and ${worst}${outlined}`;
+    this.#histogram.title = before ? 'Outline: the original' : '';
+  }
+}
+
+/** @param {Float32Array} values some of which may be no numbers */
+function meanOf(values) {
+  const known = values.filter((value) => !Number.isNaN(value));
+  const sum = known.reduce((total, value) => total + value, 0);
+  return { mean: known.length > 0 ? sum / known.length : 0, faces: known.length };
+}

@@ -1,0 +1,210 @@
+/**
+ * Two pictures in place of one: asks for the values of both sides, and holds the divider and the two
+ * legends, in which it is chosen what each side shows. Loaded when it is first asked for.
+ */
+
+import { byId, element, icon } from '../../ui/dom.js';
+import { messageOf } from '../../solver/messages.js';
+import { declared, measureOfScene, roundingOf } from '../../store/measures.js';
+import { splitDivider } from './split-divider.js';
+import { SplitLegend } from './split-legend.js';
+import { greatestOf } from '../../ui/plot/histogram.js';
+import './split.css';
+
+/** @typedef {import("./split.js").Choice} Choice */
+/** @typedef {import("./split.js").Split} Split */
+
+/** A range finer than so many times the rounding would colour what nobody could build or see. */
+const LEAST_RANGE = 1000;
+
+/** @type {SplitView | null} */
+let only = null;
+
+export class SplitView {
+  #store;
+  #solver;
+  #alerts;
+  #legends;
+  /** Left and right. @type {[Choice, Choice] | null} */
+  #choices = null;
+  /** Of the model that is open. @type {Float64Array | null} */
+  #original = null;
+  /** Of the original, by measure. @type {Map<string, Float32Array>} */
+  #originalValues = new Map();
+  /** Upper ends of the ranges, by measure: the same on both sides. @type {Map<string, number>} */
+  #tops = new Map();
+  #isBusy = false;
+  #isDue = false;
+
+  /**
+   * The one of the page.
+   * @param {import("../../app/analysis.js").Parts} parts
+   */
+  static of(parts) {
+    only ??= new SplitView(parts);
+    return only;
+  }
+
+  /** @param {import("../../app/analysis.js").Parts} parts */
+  constructor({ store, solver, viewport, alerts }) {
+    this.#store = store;
+    this.#solver = solver;
+    this.#alerts = alerts;
+    this.#legends = ['Left', 'Right'].map(
+      (name, i) => new SplitLegend(name, i, store, viewport, (choice) => this.#choose(i, choice)),
+    );
+    const divider = splitDivider(store, () => this.#choices?.map((choice) => this.#words(choice)));
+    this.#legends[1].element.firstElementChild?.append(
+      element(
+        'button',
+        {
+          type: 'button',
+          class: 'tiny',
+          'aria-label': 'Back to one picture',
+          title: 'Back to one picture (Esc)',
+          onclick: () => store.set({ split: null, status: 'One picture' }),
+        },
+        icon('close'),
+      ),
+    );
+    byId('legend').after(divider, ...this.#legends.map((legend) => legend.element));
+    store.subscribe(['split', 'measures', 'document', 'dark', 'display'], (state) => {
+      this.#legends.forEach((legend, i) => {
+        const side = state.split?.sides[i];
+        legend.show(side, this.#originalValues.get(side?.measure ?? ''));
+      });
+    });
+    store.subscribe(['flatMap'], ({ flatMap }) => {
+      if (flatMap) store.set({ split: null });
+    });
+    store.subscribe(['display'], () => this.#update());
+    solver.addEventListener('frame', () => this.#update());
+    solver.addEventListener('model', () => {
+      this.#choices = null;
+      this.#original = null;
+      this.#originalValues.clear();
+      this.#tops.clear();
+    });
+    // An edit may ask for something else of the faces.
+    solver.addEventListener('document', () => this.#originalValues.clear());
+  }
+
+  /** @param {[Choice, Choice]} [choices] left and right; else those before, or the original and now */
+  async open(choices) {
+    const state = this.#store.get();
+    const measure = state.measure ?? measureOfScene(state) ?? state.measures[0].id;
+    this.#choices = choices ??
+      this.#choices ?? [
+        { measure, original: true },
+        { measure, original: false },
+      ];
+    this.#tops.clear();
+    this.#store.set({ flatMap: null });
+    await this.#fetch();
+    this.#store.set({
+      status: `Left: ${this.#words(this.#choices[0])}; right: ${this.#words(this.#choices[1])}`,
+    });
+  }
+
+  /** @param {Choice} choice */
+  #words({ measure, original }) {
+    const label = declared(this.#store.get(), measure)?.label ?? measure;
+    return `${label}, ${original ? 'original' : 'now'}`;
+  }
+
+  /**
+   * @param {number} which side
+   * @param {Partial<Choice>} choice
+   */
+  #choose(which, choice) {
+    if (!this.#choices) return;
+    const changed = this.#choices.map((old, i) => (i === which ? { ...old, ...choice } : old));
+    this.#choices = /** @type {[Choice, Choice]} */ (changed);
+    this.#update();
+  }
+
+  /** Brings both sides up to date; while that is under way, once more after it. */
+  async #update() {
+    if (!this.#store.get().split) return;
+    this.#isDue = true;
+    if (this.#isBusy) return;
+    this.#isBusy = true;
+    try {
+      while (this.#isDue && this.#store.get().split) {
+        this.#isDue = false;
+        await this.#fetch();
+      }
+    } catch (error) {
+      this.#alerts.error(messageOf(error));
+    } finally {
+      this.#isBusy = false;
+    }
+  }
+
+  async #fetch() {
+    const { model } = this.#store.get();
+    const choices = this.#choices;
+    if (!choices) return;
+    const wasOpen = this.#store.get().split !== null;
+    this.#original ??= await this.#solver.request({ type: 'originalPositions' });
+    const [values, corners] = await Promise.all([
+      Promise.all(choices.map((choice) => this.#valuesOf(choice))),
+      Promise.all(choices.map((choice) => this.#cornersOf(choice))),
+    ]);
+    const { split, model: now } = this.#store.get();
+    // Something else has been opened, or this was closed.
+    if (now !== model || choices !== this.#choices || (wasOpen && !split)) return;
+    choices.forEach(({ measure }, i) => this.#reach(measure, values[i]));
+    const sides = choices.map((choice, i) => {
+      const side = {
+        ...choice,
+        positions: choice.original ? (this.#original ?? undefined) : undefined,
+        values: values[i],
+        corners: corners[i],
+        top: this.#tops.get(choice.measure) ?? 1,
+      };
+      const before = split?.sides[i];
+      const keys = /** @type {(keyof typeof side)[]} */ (Object.keys(side));
+      return before && keys.every((key) => before[key] === side[key]) ? before : side;
+    });
+    this.#store.set({
+      split: { at: split?.at ?? 0.5, sides: /** @type {Split["sides"]} */ (sides) },
+    });
+  }
+
+  /** @param {Choice} choice */
+  async #valuesOf({ measure, original }) {
+    const known = this.#originalValues.get(measure);
+    const before =
+      known ?? (await this.#solver.request({ type: 'faceValues', measure, original: true }));
+    this.#originalValues.set(measure, before);
+    this.#reach(measure, before);
+    if (original) return before;
+    const { geometry } = this.#solver;
+    if (geometry?.measure === measure && geometry.values) return geometry.values;
+    return this.#solver.request({ type: 'faceValues', measure, original: false });
+  }
+
+  /**
+   * What bands go through faces by. The original has not moved: there they are in one band.
+   * @param {Choice} choice
+   */
+  async #cornersOf({ measure, original }) {
+    if (original || !this.#store.get().display.bands) return undefined;
+    const { geometry } = this.#solver;
+    if (geometry?.measure === measure && geometry.corners) return geometry.corners;
+    return (await this.#solver.request({ type: 'cornerValues', measure })) ?? undefined;
+  }
+
+  /**
+   * Makes the range of a measure so large that it holds these values.
+   * @param {string} measure
+   * @param {Float32Array} values
+   */
+  #reach(measure, values) {
+    const state = this.#store.get();
+    const about = declared(state, measure);
+    const least = about ? LEAST_RANGE * roundingOf(about, state.size) : 0;
+    this.#tops.set(measure, Math.max(this.#tops.get(measure) ?? least, greatestOf(values)));
+  }
+}

@@ -1,0 +1,136 @@
+/**
+ * The measuring tape between two vertices: how far apart they are, now and in the model that was
+ * opened. The length is written at the tape, the rest in a small table; both follow the mesh.
+ */
+
+import { element, icon, setText } from '../../ui/dom.js';
+import { lengthUnit } from '../../ui/format.js';
+
+/** Digits of the distance; its parts have as many decimals. */
+const DIGITS = 5;
+const NAMES = ['Distance', 'dx', 'dy', 'dz'];
+
+export class Tape {
+  #store;
+  #viewport;
+  #label = element('div', { id: 'tape-label', 'aria-hidden': 'true', hidden: true });
+  #title = element('span');
+  /** By row and column. */
+  #cells = [0, 1].map(() => NAMES.map(() => element('td', { class: 'figure' })));
+  #table = element(
+    'table',
+    {},
+    element('tr', {}, element('td'), ...NAMES.map((name) => element('th', { scope: 'col' }, name))),
+    ...['now', 'at rest'].map((name, i) =>
+      element('tr', {}, element('th', { scope: 'row' }, name), ...this.#cells[i]),
+    ),
+  );
+  #card;
+  /** What was announced: it is said once, not with every iteration. */
+  #said = '';
+
+  /**
+   * @param {import("../../store/state.js").Store} store
+   * @param {import("../../viewport/viewport.js").Viewport} viewport
+   */
+  constructor(store, viewport) {
+    this.#store = store;
+    this.#viewport = viewport;
+    const close = element(
+      'button',
+      {
+        type: 'button',
+        class: 'tiny',
+        'aria-label': 'End measuring',
+        title: 'Esc',
+        onclick: () => store.set({ tape: null }),
+      },
+      icon('close'),
+    );
+    this.#card = element(
+      'div',
+      { id: 'tape', class: 'card', role: 'group', 'aria-label': 'Measuring tape', hidden: true },
+      element('div', { class: 'title' }, this.#title, close),
+      this.#table,
+    );
+    viewport.element.after(this.#label, this.#card);
+  }
+
+  /** Shows what the tape of the newest picture says. */
+  show() {
+    const { tape, document } = this.#store.get();
+    this.#card.hidden = !tape;
+    const measured = tape && this.#measured();
+    this.#label.hidden = !measured;
+    this.#table.hidden = !measured;
+    if (!tape) {
+      this.#said = '';
+      return;
+    }
+    if (!measured) return this.#ask(tape);
+    const { now, rest, unit, write } = measured;
+    setText(this.#title, `Vertices ${tape.join(' and ')}${unit && `, in ${unit}`}`);
+    now.forEach((value, i) => setText(this.#cells[0][i], write(value)));
+    rest.forEach((value, i) => setText(this.#cells[1][i], write(value)));
+    setText(this.#label, `${write(now[0])} ${unit}`);
+    this.#place();
+    const about = tape.join(' ');
+    // With the shape that was opened, which comes a moment later.
+    if (about === this.#said || rest.length === 0) return;
+    this.#said = about;
+    const unitOf = document?.units ? ` ${unit}` : '';
+    this.#store.set({
+      status: `Distance ${write(now[0])}${unitOf}, at rest ${write(rest[0])}${unitOf}`,
+    });
+  }
+
+  /** @param {number[]} tape */
+  #ask(tape) {
+    this.#said = '';
+    setText(this.#title, tape.length === 0 ? 'Click two vertices' : 'Click the other vertex');
+  }
+
+  /** Lengths in the unit in which they are written, and how: distance, dx, dy, dz. */
+  #measured() {
+    const numbers = this.#viewport.view?.measured();
+    if (!numbers) return null;
+    const units = this.#store.get().document?.units ?? '';
+    const lengths = [...numbers];
+    const [now, rest] = [lengths.slice(0, 3), lengths.slice(3)].map((way) =>
+      way.length > 0 ? [Math.hypot(...way), ...way] : [],
+    );
+    const longest = Math.max(now[0], rest[0] ?? 0);
+    const { unit, factor } = lengthUnit(longest, units);
+    const power = longest > 0 ? Math.floor(Math.log10(longest * factor)) : 0;
+    const decimals = Math.min(Math.max(DIGITS - 1 - power, 0), 12);
+    const write = (/** @type {number} */ value) => {
+      const text = (value * factor).toFixed(decimals);
+      return /[1-9]/.test(text) ? text.replace('-', '−') : (0).toFixed(decimals);
+    };
+    return { now, rest, unit, write };
+  }
+
+  /** @returns {number[] | undefined} */
+  #middle() {
+    const at = this.#viewport.view?.tapeMiddle();
+    return at && [...at];
+  }
+
+  /** The label is at the middle of the tape, as long as that is in the view. */
+  #place() {
+    const at = this.#middle();
+    const { clientWidth, clientHeight } = this.#viewport.element;
+    const isSeen = at && at[0] > 0 && at[1] > 0 && at[0] < clientWidth && at[1] < clientHeight;
+    this.#label.hidden = !isSeen;
+    if (isSeen) this.#label.style.translate = `calc(${at[0]}px - 50%) calc(${at[1]}px - 50%)`;
+  }
+
+  /** What a picture shows of it. @returns {import("../../viewport/viewport.js").Label[]} */
+  labels() {
+    const measured = this.#store.get().tape && this.#measured();
+    const at = this.#middle();
+    if (!measured || !at) return [];
+    const text = `${measured.write(measured.now[0])} ${measured.unit}`;
+    return [{ text, x: at[0], y: at[1] + 4, align: 'center', bar: 0 }];
+  }
+}

@@ -1,0 +1,101 @@
+/**
+ * The commands of seeing: views, projection, ghost, ground, and the measuring tape. What does the
+ * work comes with `view-tools.js` when one of them is first used.
+ */
+
+import { placeMenu } from '../../app/layout.js';
+import { messageOf } from '../../solver/messages.js';
+
+/** Name, as the view knows it, and a key of the number pad for some; the others are Shift + digit. */
+const VIEWS = [
+  ['top', 'Numpad7'],
+  ['front', 'Numpad1'],
+  ['right', 'Numpad3'],
+  ['back'],
+  ['left'],
+  ['bottom'],
+  ['isometric', 'Numpad0'],
+];
+
+const load = () => import('./view-tools.js');
+
+/**
+ * @param {Pick<import("../../app/command-table.js").Parts, "store" | "solver" | "viewport" | "alerts">} parts
+ * @returns {import("../../app/commands.js").Command[]}
+ */
+export function viewCommands(parts) {
+  const { store, alerts } = parts;
+  const see = async () => (await load()).Seeing.of(parts);
+  const told = (/** @type {Promise<unknown>} */ promise) =>
+    promise.catch((error) => alerts.error(messageOf(error)));
+  const enabled = (/** @type {import("../../store/state.js").State} */ { renderer }) =>
+    renderer !== 'none';
+  store.subscribe(['display', 'parallel', 'tape'], ({ display, parallel, tape }) => {
+    if (display.ghost || display.ground || parallel || tape) told(see());
+  });
+  return [
+    ...VIEWS.map(([name, ...keys], i) => ({
+      id: `view-${name}`,
+      group: 'View',
+      label: `View: ${name}`,
+      keys: [`Shift+${i + 1}`, ...keys],
+      action: () => void told(see().then((seeing) => seeing.flyTo(name))),
+      enabled,
+    })),
+    {
+      id: 'parallel',
+      group: 'View',
+      label: 'Parallel or perspective',
+      keys: ['5', 'Numpad5'],
+      action: () => store.set({ parallel: !store.get().parallel }),
+      enabled,
+      pressed: ({ parallel }) => parallel,
+    },
+    ...['ghost', 'ground'].map((name) => ({
+      id: name,
+      group: 'View',
+      label: name === 'ghost' ? 'Ghost of the original' : 'Ground grid',
+      keys: name === 'ghost' ? ['O'] : [],
+      action: () => {
+        const { display } = store.get();
+        const isShown = display[/** @type {"ghost" | "ground"} */ (name)];
+        store.set({ display: { ...display, [name]: !isShown } });
+      },
+      enabled,
+      pressed: (/** @type {import("../../store/state.js").State} */ { display }) =>
+        display[/** @type {"ghost" | "ground"} */ (name)],
+    })),
+    {
+      id: 'tape',
+      group: 'View',
+      label: 'Measure the distance of two vertices',
+      keys: ['D'],
+      action: () => {
+        const { tape, selection } = store.get();
+        const chosen = [...selection.vertices];
+        store.set({ tape: tape ? null : chosen.length === 2 ? chosen : [], tool: 'drag' });
+      },
+      needsModel: true,
+      enabled,
+      pressed: ({ tape }) => tape !== null,
+    },
+  ];
+}
+
+/**
+ * The menu of the views, which is made when it is first opened.
+ * @param {HTMLElement} menu
+ * @param {HTMLElement} button
+ * @param {import("../../app/commands.js").Command[]} commands
+ * @param {import("../../store/state.js").Store} store
+ */
+export function bindViewMenu(menu, button, commands, store) {
+  placeMenu(menu, () => button);
+  const build = async () => {
+    (await load()).buildViewMenu(menu, commands, store);
+    // It has its size only now.
+    menu.hidePopover();
+    menu.showPopover();
+  };
+  menu.addEventListener('beforetoggle', build, { once: true });
+}

@@ -1,0 +1,46 @@
+/** The menu of the views, projection and what is drawn about the model. */
+
+import { element } from '../../ui/dom.js';
+import { keyName } from '../../app/commands.js';
+
+/**
+ * @param {HTMLElement} menu
+ * @param {import("../../app/commands.js").Command[]} commands
+ * @param {import("../../store/state.js").Store} store
+ */
+export function buildViewMenu(menu, commands, store) {
+  const button = (/** @type {string} */ id, /** @type {string} */ label, closes = false) => {
+    const command = commands.find((known) => known.id === id);
+    if (!command) throw new Error(`no command is called ${id}`);
+    const made = element(
+      'button',
+      {
+        type: 'button',
+        class: id,
+        title: command.keys.map(keyName).join(', '),
+        onclick: () => {
+          command.action();
+          if (closes) menu.hidePopover();
+        },
+      },
+      label,
+    );
+    const [key] = command.keys;
+    if (command.pressed && key) made.append(element('kbd', {}, keyName(key)));
+    const { pressed } = command;
+    if (pressed)
+      store.subscribe(['parallel', 'display', 'tape'], (state) =>
+        made.setAttribute('aria-pressed', `${pressed(state)}`),
+      );
+    return made;
+  };
+  const sides = commands.flatMap(({ id }) => /^view-(.*)/.exec(id)?.slice(1) ?? []);
+  const views = sides.map((name) => button(`view-${name}`, name[0].toUpperCase() + name.slice(1)));
+  menu.replaceChildren(
+    element('div', { class: 'view-cross', role: 'group', 'aria-label': 'Look from' }, ...views),
+    button('parallel', 'Parallel projection'),
+    button('ghost', 'Original ghost'),
+    button('ground', 'Ground grid'),
+    button('tape', 'Measure a distance', true),
+  );
+}

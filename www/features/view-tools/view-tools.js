@@ -1,0 +1,140 @@
+/**
+ * Ways of seeing beside the plain picture: flights to views, the shape that was opened for its ghost
+ * and the ground, the scale, the measuring tape, and the menu of all that. Loaded when one of them is first used.
+ */
+
+import './view-tools.css';
+import { element, setText } from '../../ui/dom.js';
+import { lengthUnit } from '../../ui/format.js';
+import { Tape } from './tape.js';
+
+export { buildViewMenu } from './view-menu.js';
+
+const FLIGHT_MS = 320;
+/** The scale bar is at most so many CSS pixels long. */
+const BAR = 120;
+const still = matchMedia('(prefers-reduced-motion: reduce)');
+
+/** @typedef {Pick<import("../../app/command-table.js").Parts, "store" | "solver" | "viewport">} Parts */
+
+/** @type {Seeing | null} */
+let only = null;
+
+export class Seeing {
+  #store;
+  #solver;
+  #viewport;
+  #tape;
+  #bar = element('i');
+  #scaleText = element('span');
+  #scale = element('div', { id: 'scale' }, this.#bar, this.#scaleText);
+  /** The model whose positions at rest are there, or on their way. @type {unknown} */
+  #model = null;
+  /** #V by 3 of the model that is open. @type {Float64Array | null} */
+  #rest = null;
+
+  /**
+   * The one of the page.
+   * @param {Parts} parts
+   */
+  static of(parts) {
+    only ??= new Seeing(parts);
+    return only;
+  }
+
+  /** @param {Parts} parts */
+  constructor({ store, solver, viewport }) {
+    this.#store = store;
+    this.#solver = solver;
+    this.#viewport = viewport;
+    this.#tape = new Tape(store, viewport);
+    viewport.element.after(this.#scale);
+    viewport.addEventListener('ready', () => this.#handOver());
+    viewport.addEventListener('drawn', () => this.#show());
+    store.subscribe(
+      ['model', 'display', 'tape', 'parallel', 'flatMap', 'split', 'document'],
+      () => {
+        this.#takeRest();
+        this.#show();
+      },
+    );
+    viewport.labels = () => [...this.#scaleLabels(), ...this.#tape.labels()];
+  }
+
+  /**
+   * Looks from a side: on a short flight, or at once for those who want no motion.
+   * @param {string} name
+   */
+  flyTo(name) {
+    const { parallel } = this.#store.get();
+    this.#store.set({ status: `View: ${name}${parallel ? ', parallel' : ''}` });
+    if (still.matches) return void this.#viewport.with((view) => view.preset(name));
+    this.#viewport.with((view) => view.flyTo(name));
+    const started = performance.now();
+    const fly = () => {
+      const part = Math.min(1, (performance.now() - started) / FLIGHT_MS);
+      if (this.#viewport.with((view) => view.fly(part))) requestAnimationFrame(fly);
+    };
+    requestAnimationFrame(fly);
+  }
+
+  /** Asks for the shape that was opened, once for each model that needs it. */
+  async #takeRest() {
+    const { model, display, tape } = this.#store.get();
+    if (!model || model === this.#model) return;
+    if (!display.ghost && !display.ground && !tape) return;
+    this.#model = model;
+    this.#rest = null;
+    const rest = await this.#solver.request({ type: 'originalPositions' });
+    if (this.#store.get().model !== model) return;
+    this.#rest = rest;
+    this.#handOver();
+  }
+
+  #handOver() {
+    const rest = this.#rest;
+    if (rest && this.#store.get().model === this.#model)
+      this.#viewport.with((view) => view.setRest(rest));
+  }
+
+  /** What tells of the scale: the squares of the ground, in parallel projection a bar. */
+  #scaleNow() {
+    const { document, flatMap, parallel } = this.#store.get();
+    const { view } = this.#viewport;
+    if (!view || !document || flatMap) return { text: '', pixels: 0 };
+    const step = view.gridStep();
+    if (!parallel) {
+      const text = step === undefined ? '' : `Grid ${roundLength(step, document.units)}`;
+      return { text, pixels: 0 };
+    }
+    const [long, pixels] = view.scaleBar(BAR);
+    return { text: roundLength(long, document.units), pixels };
+  }
+
+  #show() {
+    const { text, pixels } = this.#scaleNow();
+    this.#scale.hidden = text === '';
+    setText(this.#scaleText, text);
+    this.#bar.style.width = `${pixels}px`;
+    this.#bar.hidden = pixels === 0;
+    this.#tape.show();
+  }
+
+  /** @returns {import("../../viewport/viewport.js").Label[]} */
+  #scaleLabels() {
+    const { text, pixels } = this.#scaleNow();
+    if (text === '') return [];
+    const box = this.#viewport.element.getBoundingClientRect();
+    return [{ text, x: box.width - 14, y: box.height - 14, align: 'right', bar: pixels }];
+  }
+}
+
+/**
+ * A round length with its unit: 5 m, not 5.00 m.
+ * @param {number} value
+ * @param {string} units of the mesh
+ */
+function roundLength(value, units) {
+  const { unit, factor } = lengthUnit(value, units);
+  return `${Number((value * factor).toPrecision(3))} ${unit}`.trim();
+}

@@ -1,0 +1,162 @@
+/**
+ * What is worth saying of a shape beyond its numbers: faces without an area, and how a run ended: within
+ * the tolerance, or solved as far as possible, with changes that help. Said in the place of the
+ * messages, or with the verdict on panels, once each time.
+ */
+
+import '../ui/styles/lists.css';
+import { element, icon, setText } from '../ui/dom.js';
+import { count, length, limit } from '../ui/format.js';
+import { movedInWords } from '../store/measures.js';
+import { showElements } from '../viewport/reveal-elements.js';
+
+const ZERO_SIZE = 'zero-size-faces';
+/** So many changes that help are offered. */
+const MOST_REMEDIES = 3;
+
+/** @param {import("../app/analysis.js").Parts} parts */
+export function watchConditions(parts) {
+  const { store, solver, files, alerts, actions } = parts;
+  const place = element('div', { 'aria-live': 'polite', id: 'conditions' });
+  document.getElementById('messages')?.append(place);
+  /** Faces without an area when they were last counted. */
+  let flat = 0;
+  /** What is told now. @type {HTMLElement | null} */
+  let shown = null;
+
+  async function lookForFlatFaces() {
+    if (!store.get().model?.faces) return;
+    const found = await solver.request({ type: 'flawed', flaw: ZERO_SIZE }).catch(() => null);
+    const before = flat;
+    flat = found?.faces.length ?? 0;
+    if (!found || flat === 0 || flat === before) return;
+    const [have, they] = flat === 1 ? ['has', 'it is'] : ['have', 'they are'];
+    alerts.notice(`${count(flat, 'face')} ${have} zero size; ${they} kept but not coloured.`, {
+      label: 'Select',
+      action: () => showElements(parts, found),
+    });
+  }
+
+  /** Says how a run ended: that all is within the tolerance, or what is worst and what helps. */
+  async function tellVerdict() {
+    const { document: scene, numbers, model, tolerance } = store.get();
+    if (!scene || !numbers || !model) return;
+    const allowed = tolerance ?? model.tolerance;
+    const isAsked = (
+      /** @type {import("../solver/messages.js").ConstraintRow} */ { enabled, weight },
+    ) => enabled && weight > 0;
+    const errors = scene.constraints.map((row) =>
+      isAsked(row) ? (numbers.worst[row.index] ?? 0) : 0,
+    );
+    const greatest = Math.max(0, ...errors);
+    const hints = document.getElementById('hint-card');
+    // Whoever is here for the first time reads one thing at a time.
+    if (hints?.hidden === false || !scene.constraints.some(isAsked)) return;
+    const most = limit(allowed, scene.units);
+    const moved = movedInWords(store.get());
+    const cost = moved && ` Moved ${moved}.`;
+    if (greatest <= allowed) {
+      if (!cardOfPanels()) tell(`All constraints are met within ${most}.${cost}`);
+      return;
+    }
+    const row = scene.constraints[errors.indexOf(greatest)];
+    const request = { measure: null, row: row.index, count: 1 };
+    const [worst] = await solver.request({ type: 'worst', ...request }).catch(() => []);
+    if (!worst || store.get().document !== scene || store.get().running) return;
+    const far = length(worst.value, scene.units, allowed);
+    const what = `Worst: ${row.label} on ${worst.element}, ${far}; the tolerance is ${most}.`;
+    const group = tell(
+      // The verdict on the panels has said the rest.
+      cardOfPanels() ? 'Solved as far as possible.' : `Solved as far as possible. ${what}${cost}`,
+      button('Show it', () => showElements(parts, worst)),
+    );
+    const waiting = element('p', { class: 'quiet' }, 'Looking for what would help …');
+    group.append(waiting);
+    const remedies = await solver.request({ type: 'remedies' }).catch(() => []);
+    const helping = remedies
+      .slice(0, MOST_REMEDIES)
+      .map(({ label, edit, worst }) =>
+        button(
+          `${label}: ${length(worst, scene.units, allowed)}`,
+          () => take(edit),
+          'To so much the worst distance went when it was tried',
+        ),
+      );
+    if (helping.length === 0) setText(waiting, 'Nothing that was tried brings it nearer.');
+    else waiting.replaceWith(...helping);
+  }
+
+  /** Where the verdict on panels is told, if it is. @returns {HTMLElement | null} */
+  const cardOfPanels = () =>
+    document.querySelector('#make-panels-card[data-shows="verdict"]:not([hidden])');
+
+  /**
+   * @param {string} label
+   * @param {() => unknown} action
+   * @param {string} [title]
+   */
+  function button(label, action, title = '') {
+    const onclick = () => {
+      clear();
+      action();
+    };
+    const attributes = { type: 'button', class: 'small bordered', title, onclick };
+    return element('button', attributes, label);
+  }
+
+  /**
+   * @param {string} text
+   * @param {...HTMLElement} buttons
+   * @returns {HTMLElement} where more can be added
+   */
+  function tell(text, ...buttons) {
+    const group = element(
+      'div',
+      { class: 'remedies', role: 'group', 'aria-label': 'Verdict' },
+      element('p', {}, text),
+      ...buttons,
+    );
+    clear();
+    const card = cardOfPanels();
+    if (card) {
+      card.append(group);
+    } else {
+      group.classList.add('message', 'notice');
+      const cross = { type: 'button', class: 'tiny', 'aria-label': 'Dismiss the verdict' };
+      group.append(element('button', { ...cross, onclick: clear }, icon('close')));
+      place.append(group);
+    }
+    shown = group;
+    return group;
+  }
+
+  function clear() {
+    shown?.remove();
+    shown = null;
+  }
+
+  /** Makes a change that helps, and goes on. @param {import("../solver/messages.js").Edit} edit */
+  async function take(edit) {
+    if ((await actions.edit(edit)) !== undefined) solver.tell({ type: 'run' });
+  }
+
+  let wasRunning = false;
+  solver.addEventListener('activity', (event) => {
+    const { running, converged } = /** @type {CustomEvent} */ (event).detail;
+    if (running) clear();
+    const ended = wasRunning && !running;
+    wasRunning = running;
+    // What has collapsed has a message of its own.
+    if (!ended || store.get().numbers?.collapse) return;
+    lookForFlatFaces();
+    if (converged) tellVerdict();
+  });
+  solver.addEventListener('model', () => {
+    clear();
+    flat = 0;
+    wasRunning = false;
+  });
+  store.subscribe(['document', 'tolerance'], clear);
+  files.addEventListener('opened', lookForFlatFaces);
+  lookForFlatFaces();
+}

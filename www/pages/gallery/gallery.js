@@ -1,0 +1,138 @@
+/** The gallery: all examples figure by figure, searched by words, figure and constraint. */
+
+import { byId, element } from '../../ui/dom.js';
+import { listOfExamples } from '../../documents/examples.js';
+import { count } from '../../ui/format.js';
+import { messageOf } from '../../solver/messages.js';
+import { card } from './card.js';
+import { LESSONS, headingOf } from './figures.js';
+
+/** @typedef {import("../../documents/examples.js").Example} Example */
+/** @typedef {{ example: Example, words: string, card: HTMLElement, section: HTMLElement }} Entry */
+
+const RESULTS = new URL(/* @vite-ignore */ 'pictures/results.json', document.baseURI);
+
+/** @type {HTMLInputElement} */
+const query = byId('query');
+/** @type {HTMLSelectElement} */
+const figure = byId('figure');
+/** @type {HTMLSelectElement} */
+const kind = byId('kind');
+
+try {
+  const [examples, results] = await Promise.all([listOfExamples(), measured()]);
+  const entries = build(examples, results);
+  offer(figure, 'All', figuresOf(examples));
+  offer(kind, 'All', kindsOf(examples));
+  const filter = () => show(entries);
+  for (const control of [query, figure, kind]) control.addEventListener('input', filter);
+  byId('filters').addEventListener('submit', (event) => event.preventDefault());
+  filter();
+  // The cards were not there when the browser looked for the place that the address names.
+  document.getElementById(location.hash.slice(1))?.scrollIntoView();
+} catch (error) {
+  byId('cards').replaceChildren();
+  byId('trouble').textContent = messageOf(error);
+}
+
+/** @returns {Promise<import("./card.js").Result[]>} */
+async function measured() {
+  const response = await fetch(RESULTS);
+  if (!response.ok) throw new Error(`The measurements could not be fetched (${response.status}).`);
+  return response.json();
+}
+
+/**
+ * Makes a section for each figure, in the order of the examples.
+ * @param {Example[]} examples
+ * @param {import("./card.js").Result[]} results
+ * @returns {Entry[]}
+ */
+function build(examples, results) {
+  /** @type {Entry[]} */
+  const entries = [];
+  /** @type {HTMLElement[]} */
+  const sections = [];
+  examples.forEach((example, at) => {
+    const before = examples[at - 1];
+    if (!before || example.figure !== before.figure || !example.goals !== !before.goals) {
+      const heading = example.goals ? LESSONS : headingOf(example.figure, at === 0);
+      sections.push(section(heading, `heading-${at}`));
+    }
+    const made = card(
+      example,
+      results.find(({ id }) => id === example.id),
+    );
+    const place = sections[sections.length - 1];
+    place.lastElementChild?.append(made);
+    const { title, summary, statement, kinds, id } = example;
+    const labels = kinds.flatMap((one) => [one.id, one.label]);
+    const heading = place.firstElementChild?.textContent ?? '';
+    const words = [id, title, summary, statement, heading, ...labels].join(' ').toLowerCase();
+    entries.push({ example, words, card: made, section: place });
+  });
+  byId('cards').replaceChildren(...sections);
+  return entries;
+}
+
+/**
+ * @param {string} heading
+ * @param {string} id
+ */
+function section(heading, id) {
+  return element(
+    'section',
+    { 'aria-labelledby': id },
+    element('h2', { id }, heading),
+    element('div', { class: 'grid' }),
+  );
+}
+
+/**
+ * Shows the entries that fit what is asked for: all words, the figure, the constraint.
+ * @param {Entry[]} entries
+ */
+function show(entries) {
+  const words = query.value.toLowerCase().split(/\s+/).filter(Boolean);
+  const fits = ({ example, words: text }) =>
+    words.every((word) => text.includes(word)) &&
+    (figure.value === '' || String(example.figure) === figure.value) &&
+    (kind.value === '' || example.kinds.some(({ id }) => id === kind.value));
+  for (const entry of entries) entry.card.hidden = !fits(entry);
+  for (const { section } of entries) {
+    section.hidden = !entries.some((other) => other.section === section && !other.card.hidden);
+  }
+  const found = entries.filter((entry) => !entry.card.hidden).length;
+  byId('found').textContent =
+    found > 0 ? count(found, 'example') : 'No example fits. Take out a word or choose All.';
+}
+
+/**
+ * @param {HTMLSelectElement} place
+ * @param {string} all
+ * @param {[string, string][]} choices value and text of each
+ */
+function offer(place, all, choices) {
+  const options = [['', all], ...choices];
+  place.replaceChildren(...options.map(([value, text]) => element('option', { value }, text)));
+}
+
+/**
+ * @param {Example[]} examples
+ * @returns {[string, string][]}
+ */
+function figuresOf(examples) {
+  const numbers = [
+    ...new Set(examples.flatMap((one) => (one.figure === null ? [] : [one.figure]))),
+  ];
+  return numbers.map((number) => [String(number), headingOf(number, false)]);
+}
+
+/**
+ * @param {Example[]} examples
+ * @returns {[string, string][]}
+ */
+function kindsOf(examples) {
+  const labels = new Map(examples.flatMap((one) => one.kinds).map(({ id, label }) => [id, label]));
+  return [...labels].sort(([, a], [, b]) => a.localeCompare(b));
+}

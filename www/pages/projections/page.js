@@ -1,0 +1,209 @@
+/** The page about projections: what its controls do to the point, and what is shown of it. */
+
+import { byId, element } from '../../ui/dom.js';
+import { number } from '../../ui/format.js';
+import { drawBars, drawPlane } from './drawing.js';
+import { errors, project, reconcile, sum } from './sets.js';
+
+/** @typedef {import("./sets.js").Point} Point */
+/** @typedef {{ label: string, errors: number[] }} Bar */
+
+/** The view is 100 by 60, from its upper left corner. */
+const SIZE = [100, 60];
+const START = /** @type {Point} */ ([84, 52]);
+/** What an arrow key moves the point by; with Shift less. */
+const KEY_STEP = 2;
+const PAUSE_MS = 700;
+const MOST_BARS = 12;
+/** So near to where it stood, the point has arrived. */
+const ARRIVED = 1e-4;
+
+const NAMES = ['Line', 'Circle', 'Parabola'];
+
+/** All three go through (46, 34) where they meet. @type {Record<string, import("./sets.js").ConstraintSet[]>} */
+const CASES = {
+  meet: [
+    { kind: 'line', at: [46, 34], turn: -0.45 },
+    { kind: 'circle', at: [61, 34], radius: 15 },
+    { kind: 'parabola', at: [26, 49], turn: Math.PI, bend: 0.0375 },
+  ],
+  apart: [
+    { kind: 'line', at: [50, 53], turn: -0.1 },
+    { kind: 'circle', at: [70, 22], radius: 12 },
+    { kind: 'parabola', at: [24, 32], turn: Math.PI + 0.25, bend: 0.05 },
+  ],
+};
+
+const state = {
+  sets: CASES.meet,
+  weights: [1, 1, 1],
+  x: START,
+  /** The projections that step I has found; none before it. @type {Point[] | null} */
+  targets: null,
+  /** Where the point has been. @type {Point[]} */
+  trail: [],
+  /** @type {Bar[]} */
+  bars: [],
+  iteration: 0,
+  timer: 0,
+  said: '',
+};
+
+const still = matchMedia('(prefers-reduced-motion: reduce)');
+/** @type {SVGSVGElement} */
+const drawing = /** @type {any} */ (byId('drawing'));
+const plane = drawPlane(drawing, NAMES, {
+  move: (to) => place(to),
+  key: (event) => keyed(event),
+});
+
+byId('step').addEventListener('click', () => {
+  pause();
+  step();
+});
+byId('play').addEventListener('click', () => (state.timer ? pause() : play()));
+byId('back').addEventListener('click', () => place(START));
+for (const input of document.querySelectorAll('input[name="case"]')) {
+  input.addEventListener('change', () => {
+    state.sets = CASES[/** @type {HTMLInputElement} */ (input).value];
+    plane.showSets(state.sets);
+    place(state.x);
+  });
+}
+byId('weights').append(...NAMES.map(weightOf));
+byId('rows')
+  .parentElement?.querySelector('thead')
+  ?.append(
+    element('tr', {}, ...['Half step', ...NAMES, 'φ'].map((name) => element('th', {}, name))),
+  );
+plane.showSets(state.sets);
+place(START);
+
+/** @param {string} name @param {number} i */
+function weightOf(name, i) {
+  // The slider says its value itself.
+  const value = element('span', { class: 'weight', 'aria-hidden': 'true' }, '1');
+  const slider = element('input', {
+    type: 'range',
+    min: '0',
+    max: '4',
+    step: '0.1',
+    value: '1',
+    'aria-label': `Weight of the ${name.toLowerCase()}`,
+    oninput: () => {
+      state.weights[i] = slider.valueAsNumber;
+      value.textContent = slider.value;
+      place(state.x);
+    },
+  });
+  return element(
+    'label',
+    {},
+    element('span', { class: `chip set-${i}` }),
+    element('span', { class: 'name' }, name),
+    slider,
+    value,
+  );
+}
+
+/** Puts the point somewhere and begins anew. @param {Point} to */
+function place(to) {
+  pause();
+  state.x = /** @type {Point} */ (
+    to.map((part, axis) => Math.min(Math.max(part, 1), SIZE[axis] - 1))
+  );
+  state.targets = null;
+  state.trail = [];
+  state.bars = [];
+  state.iteration = 0;
+  const now = errors(state.x, project(state.sets, state.x), state.weights);
+  say(
+    `The point is at proximity φ = ${number(sum(now))}. Step I finds the nearest place on each set.`,
+  );
+  show(false);
+}
+
+/** One half step: I where the projections are not those of the point, else II. */
+function step() {
+  const { sets, weights } = state;
+  if (state.targets === null) {
+    state.targets = project(sets, state.x);
+    state.iteration += 1;
+    log(`I, ${state.iteration}`);
+    say(`Step I, iteration ${state.iteration}: the nearest places. ${summary()}`);
+  } else {
+    const before = state.x;
+    const old = errors(before, state.targets, weights);
+    state.x = reconcile(before, state.targets, weights);
+    state.trail.push(before);
+    log(`II, ${state.iteration}`);
+    const now = errors(state.x, state.targets, weights);
+    const risen = NAMES.filter((_, i) => now[i] > old[i] + 1e-6 * sum(old));
+    const but = risen.length
+      ? ` The part of the ${risen.join(' and the ').toLowerCase()} grew, φ did not.`
+      : '';
+    const arrived = Math.hypot(state.x[0] - before[0], state.x[1] - before[1]) < ARRIVED;
+    const end = arrived ? ' The point has arrived.' : '';
+    say(`Step II, iteration ${state.iteration}: to their weighted mean. ${summary()}${but}${end}`);
+    if (arrived) pause();
+    show(true);
+    state.targets = null;
+    return;
+  }
+  show(true);
+}
+
+function summary() {
+  const parts = errors(state.x, state.targets ?? [], state.weights);
+  return `φ = ${number(sum(parts))}.`;
+}
+
+/** @param {string} label */
+function log(label) {
+  const parts = errors(state.x, state.targets ?? [], state.weights);
+  state.bars = [...state.bars, { label, errors: parts }].slice(-MOST_BARS);
+}
+
+function play() {
+  state.timer = window.setInterval(step, PAUSE_MS);
+  byId('play').textContent = 'Pause';
+  step();
+}
+
+function pause() {
+  window.clearInterval(state.timer);
+  state.timer = 0;
+  byId('play').textContent = 'Play';
+}
+
+/** @param {string} text */
+function say(text) {
+  state.said = text;
+}
+
+/** @param {boolean} moves whether the point may glide to its place */
+function show(moves) {
+  byId('explanation').textContent = state.said;
+  plane.show(state.x, state.targets, state.trail, moves && !still.matches);
+  drawBars(/** @type {any} */ (byId('bars')), state.bars);
+  byId('rows').replaceChildren(
+    ...state.bars.map(({ label, errors: parts }) =>
+      element(
+        'tr',
+        {},
+        ...[label, ...parts.map(number), number(sum(parts))].map((text) => element('td', {}, text)),
+      ),
+    ),
+  );
+}
+
+/** @param {KeyboardEvent} event */
+function keyed(event) {
+  /** @type {Record<string, Point>} */
+  const ways = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+  const way = ways[event.key];
+  if (!way) return;
+  event.preventDefault();
+  const far = event.shiftKey ? KEY_STEP / 10 : KEY_STEP;
+  place([state.x[0] + far * way[0], state.x[1] + far * way[1]]);
+}

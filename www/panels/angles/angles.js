@@ -1,0 +1,133 @@
+/**
+ * The angles at the corners of the faces (Fig. 7 of the paper): bars for the shape as it is, over the
+ * outline of the original. Loaded when it is first shown.
+ */
+
+import { element, setText, throttled } from '../../ui/dom.js';
+import { groupDigits } from '../../ui/format.js';
+import { messageOf } from '../../solver/messages.js';
+import { drawOutline, outline } from '../../ui/plot/histogram-svg.js';
+import './angles.css';
+
+const EVERY_MS = 150;
+const HALF_TURN = 180;
+const TICKS = [0, 45, 90, 135, 180];
+
+/**
+ * @param {HTMLElement} panel
+ * @param {import("../../app/analysis.js").Parts} parts
+ */
+export function anglesPanel(panel, { store, solver, files, alerts }) {
+  const before = outline();
+  const bars = element('div', { class: 'bars', role: 'img' });
+  const readout = element('p', { class: 'quiet' });
+  const key = element(
+    'p',
+    { class: 'angle-key' },
+    element('span', { class: 'now' }),
+    'now',
+    element('span', { class: 'original' }),
+    'original',
+    element('span', { class: 'most figure' }),
+  );
+  const save = element(
+    'button',
+    {
+      type: 'button',
+      class: 'bordered small',
+      onclick: async () => {
+        try {
+          const csv = await solver.request({ type: 'table', table: 'angles' });
+          files.save('-angles.csv', csv, 'text/csv');
+        } catch (error) {
+          alerts.error(messageOf(error));
+        }
+      },
+    },
+    'Save angles as CSV',
+  );
+  const plot = element(
+    'div',
+    { class: 'angles' },
+    key,
+    bars,
+    element(
+      'div',
+      { class: 'ticks quiet', 'aria-hidden': 'true' },
+      ...TICKS.map((tick) => element('span', {}, `${tick}°`)),
+    ),
+    readout,
+    save,
+  );
+  const nothing = element('p', { class: 'quiet' }, 'There are no faces, and so no angles.');
+  panel.replaceChildren(plot, nothing);
+
+  /** @type {{ original: number[], now: number[] } | null} */
+  let shown = null;
+
+  const update = throttled(EVERY_MS, async () => {
+    const { model } = store.get();
+    plot.hidden = !model?.faces;
+    nothing.hidden = !plot.hidden;
+    if (panel.offsetParent === null || plot.hidden) return;
+    try {
+      const found = await solver.request({ type: 'angles' });
+      if (store.get().model === model) draw(found);
+    } catch (error) {
+      alerts.error(messageOf(error));
+    }
+  });
+
+  /** @param {{ original: number[], now: number[] }} found */
+  function draw(found) {
+    shown = found;
+    const { original, now } = found;
+    const most = Math.max(...original, ...now, 1);
+    if (bars.childElementCount !== now.length + 1)
+      bars.replaceChildren(...now.map(() => element('i')), before);
+    now.forEach((count, k) => {
+      const bar = /** @type {HTMLElement} */ (bars.children[k]);
+      bar.style.height = count > 0 ? `max(1px, ${(100 * count) / most}%)` : '0';
+    });
+    drawOutline(before, original, most);
+    setText(/** @type {HTMLElement} */ (key.lastElementChild), `${groupDigits(most)} corners`);
+    const all = now.reduce((sum, count) => sum + count, 0);
+    const words = (/** @type {number[]} */ counts) => {
+      const [from, to] = middleHalf(counts).map((bin) => (bin * HALF_TURN) / counts.length);
+      return `${from}° to ${to}°`;
+    };
+    bars.ariaLabel = `${groupDigits(all)} corners by angle. The middle half: originally ${words(original)}, now ${words(now)}`;
+    setText(readout, `The middle half: ${words(original)}, now ${words(now)}`);
+  }
+
+  bars.addEventListener('pointermove', ({ clientX }) => {
+    if (!shown) return;
+    const { left, width } = bars.getBoundingClientRect();
+    const { length } = shown.now;
+    const bin = Math.min(Math.max(Math.floor(((clientX - left) / width) * length), 0), length - 1);
+    const bound = (/** @type {number} */ k) => (k * HALF_TURN) / length;
+    setText(
+      readout,
+      `${bound(bin)}° to ${bound(bin + 1)}°: ${groupDigits(shown.original[bin])}, now ${groupDigits(shown.now[bin])}`,
+    );
+  });
+  bars.addEventListener('pointerleave', () => shown && draw(shown));
+  solver.addEventListener('frame', update);
+  // A panel that comes into sight shows what is so now.
+  new ResizeObserver(update).observe(panel);
+  update();
+}
+
+/**
+ * The bins between which the middle half of what is counted lies.
+ * @param {number[]} counts
+ * @returns {[number, number]} where the first begins and the last ends
+ */
+function middleHalf(counts) {
+  const all = counts.reduce((sum, count) => sum + count, 0);
+  const binOf = (/** @type {number} */ part) => {
+    let sum = 0;
+    return counts.findIndex((count) => (sum += count) >= part * all && count > 0);
+  };
+  return [binOf(0.25), binOf(0.75) + 1];
+}

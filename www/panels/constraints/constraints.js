@@ -1,0 +1,319 @@
+/**
+ * The list of constraints. Rows are kept while the list has the same rows, so that a field that is
+ * being typed into is not taken away by a frame.
+ */
+
+import { RENEW_MS, element, icon, setAttribute, setText, throttled } from '../../ui/dom.js';
+import { groupDigits, length, limit, part } from '../../ui/format.js';
+import { movedInWords } from '../../store/measures.js';
+import { valueInWords } from '../../ui/kinds/parameter-forms.js';
+import { Parameters } from '../../ui/kinds/parameters.js';
+import { energyOrNothing, lengthOrNothing } from '../../ui/rounding.js';
+import { NOTHING } from '../../store/selection.js';
+import { sketch } from '../../ui/kinds/sketch.js';
+
+/** @typedef {import("../../solver/messages.js").ConstraintRow} ConstraintRow */
+
+const NONE = new Uint32Array(0);
+const renaming = () => import('./rename.js');
+
+/**
+ * @param {HTMLElement} place
+ * @param {import("../../store/state.js").Store} store
+ * @param {import("../../solver/solver-client.js").SolverClient} solver
+ * @param {import("../../store/actions.js").Actions} actions
+ */
+export function constraintsPanel(place, store, solver, actions) {
+  /** @type {HTMLElement[]} */
+  let worstCells = [];
+  /** @type {HTMLElement[]} */
+  let withinCells = [];
+  /** @type {HTMLElement[]} */
+  let shareCells = [];
+  const moved = element('p', {
+    class: 'quiet',
+    title: 'How far the vertices are from where they were',
+  });
+  /** The row that just got a name: it has the focus again. @type {number | null} */
+  let renamed = null;
+  /** The rows that are on the page. */
+  let shown = '';
+  /** The rows that are open, by what they are: an index would change with what is before it. @type {Set<string>} */
+  const open = new Set();
+
+  /** Tints what a constraint acts on. @param {ConstraintRow} row */
+  async function tint(row) {
+    const members = await actions.told(solver.request({ type: 'members', constraint: row.index }));
+    const hovered = place.querySelector('.constraint:is(:hover, :focus-within)');
+    if (members && hovered?.getAttribute('data-index') === String(row.index)) {
+      // Dots on the corners of tinted faces would say nothing more.
+      const vertices = members.faces.length > 0 ? NONE : members.vertices;
+      store.set({ tint: { faces: members.faces, vertices, colour: row.colour } });
+    }
+  }
+
+  /** Selects what a constraint acts on. @param {ConstraintRow} row */
+  async function selectMembers(row) {
+    const members = await actions.told(solver.request({ type: 'members', constraint: row.index }));
+    if (!members) return;
+    const mode = members.faces.length > 0 ? 'faces' : 'vertices';
+    store.set({ mode, selection: { ...NOTHING, [mode]: new Set(members[mode]) } });
+  }
+
+  function untint() {
+    store.set({ tint: null });
+  }
+
+  /**
+   * What opens below a row: what it asks, and its parameters, which act at once.
+   * @param {ConstraintRow} row
+   * @param {string} name
+   * @param {() => void} rename
+   */
+  function detailsOf(row, name, rename) {
+    const { kinds, model } = store.get();
+    const kind = kinds.find(({ id }) => id === row.kind);
+    if (!kind || !model) return element('div', { hidden: true });
+    const parameters = new Parameters(kind.params, row.params, model, {
+      name,
+      changed: (id, value) =>
+        actions.edit(
+          { type: 'setConstraint', index: row.index, params: { [id]: value } },
+          (error) => {
+            parameters.restore(row.params);
+            return parameters.refuse(error);
+          },
+        ),
+    });
+    return element(
+      'div',
+      { class: 'details' },
+      sketch(kind.sketch),
+      element('p', { class: 'quiet' }, kind.summary),
+      parameters.element,
+      element(
+        'div',
+        { class: 'row-buttons' },
+        textButton('Select', `${name}: select what it acts on`, () => selectMembers(row)),
+        textButton('Duplicate', `${name}: duplicate`, () =>
+          actions.edit({ type: 'duplicateConstraint', index: row.index }),
+        ),
+        textButton('Rename', `${name}: rename`, rename),
+      ),
+    );
+  }
+
+  /** Parameters that are not at their default, in words. @param {ConstraintRow} row */
+  function paramsInWords(row) {
+    const { kinds, document } = store.get();
+    const params = kinds.find(({ id }) => id === row.kind)?.params ?? [];
+    return params
+      .filter(({ id, default: usual }) => JSON.stringify(row.params[id]) !== JSON.stringify(usual))
+      .map(
+        (param) =>
+          ` · ${param.label.toLowerCase()} ${valueInWords(param, row.params[param.id], document?.units ?? '')}`,
+      )
+      .join('');
+  }
+
+  /**
+   * @param {ConstraintRow} row
+   * @param {string} key
+   */
+  function rowOf(row, key) {
+    const set = (/** @type {{ weight?: number, enabled?: boolean }} */ change) =>
+      actions.edit({ type: 'setConstraint', index: row.index, ...change });
+    const name = `${row.label} on ${row.on}`;
+    const kind = store.get().kinds.find(({ id }) => id === row.kind)?.label ?? '';
+    const toggle = element('input', {
+      type: 'checkbox',
+      role: 'switch',
+      'aria-label': `${name}: on`,
+      title: row.enabled ? 'On' : 'Off',
+      onchange: () => set({ enabled: toggle.checked }),
+    });
+    toggle.checked = row.enabled;
+    const weight = element('input', {
+      type: 'number',
+      min: '0',
+      step: 'any',
+      value: String(row.weight),
+      'aria-label': `${name}: weight`,
+      onchange: () => {
+        if (weight.validity.valid && weight.value !== '') set({ weight: weight.valueAsNumber });
+        else weight.value = String(row.weight);
+      },
+    });
+    const remove = element(
+      'button',
+      {
+        type: 'button',
+        class: 'tiny',
+        'aria-label': `${name}: remove`,
+        title: 'Remove',
+        onclick: () => {
+          untint();
+          actions.edit({ type: 'removeConstraint', index: row.index });
+        },
+      },
+      icon('close'),
+    );
+    const worst = element('span', {
+      class: 'worst figure',
+      title: 'The largest distance of a vertex from where this wants it',
+    });
+    const share = element('span', { class: 'share figure', title: 'Its part of the total energy' });
+    shareCells.push(share);
+    worstCells.push(worst);
+    const within = element('span');
+    withinCells.push(within);
+    const skipped = row.skipped > 0 ? `, ${groupDigits(row.skipped)} skipped` : '';
+    const details = detailsOf(row, name, () => rename());
+    details.hidden = !open.has(key);
+    details.id = `constraint-${row.index}-details`;
+    const opener = element(
+      'button',
+      {
+        type: 'button',
+        class: 'name',
+        'aria-label': `${name}: parameters`,
+        'aria-expanded': String(open.has(key)),
+        'aria-controls': details.id,
+        onclick: () => {
+          if (!open.delete(key)) open.add(key);
+          details.hidden = !open.has(key);
+          opener.setAttribute('aria-expanded', String(open.has(key)));
+          details.scrollIntoView({ block: 'nearest' });
+        },
+      },
+      element('span', {}, row.label),
+      icon('chevron'),
+    );
+    const rename = async () => {
+      const { editName } = await renaming();
+      editName(opener, row.name, kind, (name) => {
+        renamed = row.index;
+        actions.edit({ type: 'renameConstraint', index: row.index, name });
+      });
+    };
+    opener.addEventListener('dblclick', rename);
+    opener.addEventListener('keydown', (event) => {
+      if (event.key === 'F2') rename();
+    });
+    return element(
+      'li',
+      {
+        class: `constraint${row.enabled ? '' : ' off'}`,
+        'data-index': row.index,
+        style: `--chip: rgb(${row.colour.join(' ')})`,
+        onpointerenter: (/** @type {PointerEvent} */ event) => {
+          if (event.pointerType !== 'touch') tint(row);
+        },
+        onpointerleave: untint,
+        onfocusin: () => {
+          tint(row);
+          // It has to be there before somebody types on.
+          renaming();
+        },
+        onfocusout: untint,
+      },
+      element('span', { class: 'chip' }),
+      opener,
+      element('span', { class: 'buttons' }, element('label', { class: 'switch' }, toggle), remove),
+      element(
+        'span',
+        { class: 'on' },
+        element(
+          'span',
+          {},
+          `${row.name && `${kind}, `}${row.on} · ${groupDigits(row.count)}${skipped}${paramsInWords(row)}`,
+        ),
+        share,
+      ),
+      element('span', { class: 'measures' }, element('label', {}, 'weight', weight), worst, within),
+      details,
+    );
+  }
+
+  /**
+   * A row under the key that stays its own while others come and go.
+   * @param {ConstraintRow} row
+   * @param {number} index
+   * @param {ConstraintRow[]} rows
+   */
+  function keyedRow(row, index, rows) {
+    const alike = rows.slice(0, index).filter(({ kind, on }) => kind === row.kind && on === row.on);
+    return rowOf(row, `${row.kind} ${row.on} ${alike.length}`);
+  }
+
+  const showNumbers = throttled(RENEW_MS, () => {
+    const { numbers, document, size, tolerance } = store.get();
+    const way = movedInWords(store.get());
+    setText(moved, way && `Moved ${way}`);
+    moved.hidden = !way;
+    document?.constraints.forEach((row, i) => {
+      const value = numbers?.worst[i];
+      if (!worstCells[i]) return;
+      const known = row.enabled && value !== undefined;
+      const words = (/** @type {number} */ far) => length(far, document.units, tolerance ?? far);
+      setText(worstCells[i], known ? `worst ${words(lengthOrNothing(value, size))}` : '');
+      const isWithin = known && tolerance !== null && value <= tolerance;
+      const isBeyond = known && tolerance !== null && !isWithin;
+      const allowed = limit(tolerance ?? 0, document.units);
+      const side = isWithin ? 'within' : 'beyond';
+      setText(withinCells[i], isWithin || isBeyond ? `${side} ${allowed}` : '');
+      setAttribute(withinCells[i], 'class', isWithin ? 'within met' : 'within');
+      const some = known && numbers && energyOrNothing(numbers.energy.total, size) > 0;
+      setText(shareCells[i], some ? `${part(numbers.shares[i])} of energy` : '');
+    });
+  });
+
+  store.subscribe(['document'], ({ document }) => {
+    if (!document) return;
+    const rows = JSON.stringify([document.units, document.constraints]);
+    if (rows === shown) return;
+    shown = rows;
+    worstCells = [];
+    withinCells = [];
+    shareCells = [];
+    untint();
+    const focused = focusedField(place);
+    place.replaceChildren(
+      document.constraints.length > 0
+        ? element('ul', { 'aria-label': 'Constraints' }, ...document.constraints.map(keyedRow))
+        : element('p', { class: 'quiet' }, 'No constraints yet. Add one, then press Run.'),
+      moved,
+    );
+    if (focused) {
+      /** @type {HTMLElement | null} */
+      const again = place.querySelector(
+        renamed === null
+          ? `:is(button, input, select)[aria-label="${CSS.escape(focused)}"]`
+          : `[data-index="${renamed}"] .name`,
+      );
+      again?.focus();
+    }
+    renamed = null;
+    showNumbers();
+  });
+  store.subscribe(['numbers', 'tolerance'], showNumbers);
+}
+
+/**
+ * @param {string} label
+ * @param {string} name for those who do not see where it is
+ * @param {() => void} onclick
+ */
+function textButton(label, name, onclick) {
+  return element(
+    'button',
+    { type: 'button', class: 'bordered', 'aria-label': name, onclick },
+    label,
+  );
+}
+
+/** The accessible name of the field that has the focus, to give it back. @param {HTMLElement} place */
+function focusedField(place) {
+  const { activeElement } = document;
+  return place.contains(activeElement) ? activeElement?.getAttribute('aria-label') : null;
+}

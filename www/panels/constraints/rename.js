@@ -1,0 +1,44 @@
+/** The name of a row of constraints, written in its place. */
+
+import '../../ui/styles/lists.css';
+import { element } from '../../ui/dom.js';
+
+/**
+ * Puts a field in the place of the button that shows the name. Enter and leaving it take the name,
+ * Escape puts back what was; nothing is the label of the kind.
+ * @param {HTMLElement} opener shows the name
+ * @param {string} name of the row, empty when it has none
+ * @param {string} label of its kind
+ * @param {(name: string) => void} rename
+ */
+export function editName(opener, name, label, rename) {
+  const field = element('input', {
+    type: 'text',
+    class: 'rename',
+    'aria-label': 'Name of the constraint',
+    placeholder: label,
+    value: name,
+    maxlength: '80',
+    autocomplete: 'off',
+  });
+  let done = false;
+  const finish = (/** @type {boolean} */ keep) => {
+    if (done) return;
+    done = true;
+    const focused = document.activeElement === field;
+    const now = field.value.trim();
+    field.replaceWith(opener);
+    if (focused) opener.focus();
+    if (keep && now !== name) rename(now === label ? '' : now);
+  };
+  field.addEventListener('keydown', (event) => {
+    if (event.key !== 'Enter' && event.key !== 'Escape') return;
+    event.preventDefault();
+    event.stopPropagation();
+    finish(event.key === 'Enter');
+  });
+  field.addEventListener('blur', () => finish(true));
+  opener.replaceWith(field);
+  field.focus();
+  field.select();
+}

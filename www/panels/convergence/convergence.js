@@ -1,0 +1,94 @@
+/**
+ * The energies of the iterations since the model was opened or reset, drawn while they are in sight.
+ * The plotting library comes with the first iteration, not with the page.
+ */
+
+import { element, throttled } from '../../ui/dom.js';
+import { TRACE_WIDTH, messageOf } from '../../solver/messages.js';
+import { energyOrNothing } from '../../ui/rounding.js';
+
+/** @typedef {import("../../ui/plot/plot.js").EnergyPlot} EnergyPlot */
+
+/** A plot of thousands of iterations takes some milliseconds. */
+const PLOT_EVERY_MS = 250;
+
+export class Convergence {
+  /** @type {Promise<EnergyPlot> | null} */
+  #plot = null;
+  #place;
+  #store;
+  #solver;
+  #draw;
+  #inSight = false;
+
+  /**
+   * @param {HTMLElement} place
+   * @param {import("../../store/state.js").Store} store
+   * @param {import("../../solver/solver-client.js").SolverClient} solver
+   */
+  constructor(place, store, solver) {
+    this.#place = place;
+    this.#store = store;
+    this.#solver = solver;
+    this.#draw = throttled(PLOT_EVERY_MS, () => this.#drawNow());
+    this.#showNone();
+    new IntersectionObserver(([entry]) => {
+      this.#inSight = entry.isIntersecting;
+      if (this.#inSight) this.#draw();
+    }).observe(place);
+    solver.addEventListener('model', () => this.#showNone());
+    solver.addEventListener('frame', () => this.#draw());
+    store.subscribe(['dark'], () => this.#plot?.then((plot) => plot.restyle()));
+  }
+
+  /** No plot: there is no iteration, or none any more. */
+  #showNone() {
+    this.#plot?.then((plot) => plot.destroy());
+    this.#plot = null;
+    this.#place.replaceChildren(
+      element('p', { class: 'quiet' }, 'The energies of each iteration appear here.'),
+    );
+  }
+
+  async #drawNow() {
+    if (!this.#inSight || !this.#store.get().model) return;
+    // A solver that has stopped says so itself.
+    const trace = await this.#solver.request({ type: 'trace' }).catch(() => null);
+    if (!trace) return;
+    if (trace.length < 2 * TRACE_WIDTH) return this.#showNone();
+    const loading = (this.#plot ??= this.#load());
+    const { document } = this.#store.get();
+    const units = document?.units ? `${document.units}²` : '';
+    const plot = await loading.catch(() => null);
+    // Another model may be open by now.
+    if (loading === this.#plot) plot?.show(this.#columnsOf(trace), units);
+  }
+
+  /**
+   * Columns: iteration, shape, close, smooth, handles, total; energies as they are shown.
+   * @param {Float64Array} trace
+   */
+  #columnsOf(trace) {
+    const { size } = this.#store.get();
+    const rows = trace.length / TRACE_WIDTH;
+    return Array.from({ length: TRACE_WIDTH }, (_, column) =>
+      Array.from({ length: rows }, (_, row) => {
+        const value = trace[row * TRACE_WIDTH + column];
+        return column === 0 ? value : energyOrNothing(value, size);
+      }),
+    );
+  }
+
+  async #load() {
+    try {
+      const { EnergyPlot } = await import('../../ui/plot/plot.js');
+      this.#place.replaceChildren();
+      return new EnergyPlot(this.#place);
+    } catch (error) {
+      this.#place.replaceChildren(
+        element('p', {}, `The plot could not be loaded: ${messageOf(error)}`),
+      );
+      throw error;
+    }
+  }
+}

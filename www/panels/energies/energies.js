@@ -1,0 +1,177 @@
+/** The three weights of Eq. 13 in plain words, and the energies as they stand. */
+
+import { RENEW_MS, element, setText, throttled } from '../../ui/dom.js';
+import { number } from '../../ui/format.js';
+import { energyOrNothing } from '../../ui/rounding.js';
+import { weightPresets } from './weight-presets.js';
+
+/** @typedef {import("../../solver/messages.js").SceneDocument} SceneDocument */
+
+/** The slider's ends as powers of ten; its left end is off. */
+const LEAST = -3;
+const MOST = 4;
+const STEPS_PER_DECADE = 20;
+
+/**
+ * What each term asks for depends on what the scene says of it.
+ * @type {{ id: "shape" | "close" | "smooth", label: string, words: (document: SceneDocument) => string }[]}
+ */
+const TERMS = [
+  { id: 'shape', label: 'Shape', words: () => 'meet the constraints' },
+  { id: 'close', label: 'Close', words: ({ closeness }) => CLOSENESS[closeness] },
+  { id: 'smooth', label: 'Smooth', words: ({ smoothness }) => SMOOTHNESS[smoothness.of] },
+];
+const CLOSENESS = {
+  surface: 'stay near the original',
+  rest: 'stay where each vertex was',
+  none: 'not used in this scene',
+};
+const SMOOTHNESS = { surface: 'keep it smooth', displacement: 'keep the change smooth' };
+
+/**
+ * @param {HTMLElement} place
+ * @param {import("../../store/state.js").Store} store
+ * @param {import("../../store/actions.js").Actions} actions
+ */
+export function energiesPanel(place, store, actions) {
+  const rows = TERMS.map((term) => termRow(term, actions));
+  const presets = weightPresets(actions);
+  const handles = element('dd');
+  const total = element('dd');
+  place.replaceChildren(
+    presets.element,
+    ...rows.map((row) => row.element),
+    element(
+      'dl',
+      { class: 'totals' },
+      element('dt', {}, swatch('handles'), 'Handles'),
+      handles,
+      element('dt', {}, swatch('total'), 'Total'),
+      total,
+    ),
+    moreSettings(store, actions),
+  );
+
+  store.subscribe(['document'], ({ document }) => {
+    if (!document) return;
+    presets.show(document);
+    rows.forEach((row) => row.show(document));
+  });
+  store.subscribe(
+    ['numbers'],
+    throttled(RENEW_MS, () => {
+      const { numbers, size } = store.get();
+      if (!numbers) return;
+      const words = (/** @type {keyof import("../../solver/messages.js").Energy} */ id) =>
+        number(energyOrNothing(numbers.energy[id], size));
+      rows.forEach((row) => row.setEnergy(words(row.id)));
+      setText(handles, words('handles'));
+      setText(total, words('total'));
+    }),
+  );
+}
+
+/**
+ * What most people never need: it comes when it is first opened.
+ * @param {import("../../store/state.js").Store} store
+ * @param {import("../../store/actions.js").Actions} actions
+ */
+function moreSettings(store, actions) {
+  const inside = element('div', { class: 'settings' });
+  const details = element(
+    'details',
+    {
+      class: 'more-settings',
+      ontoggle: async () => {
+        if (!details.open || inside.hasChildNodes()) return;
+        const { settingsPanel } = await import('./settings.js');
+        if (!inside.hasChildNodes()) settingsPanel(inside, store, actions);
+      },
+    },
+    element('summary', {}, 'More settings'),
+    inside,
+  );
+  return details;
+}
+
+/**
+ * @param {typeof TERMS[number]} term
+ * @param {import("../../store/actions.js").Actions} actions
+ */
+function termRow({ id, label, words }, actions) {
+  const send = (/** @type {number} */ weight) => actions.edit({ type: 'setWeights', [id]: weight });
+  let weight = 0;
+  const field = element('input', {
+    type: 'number',
+    min: '0',
+    step: 'any',
+    'aria-label': `${label} weight`,
+    onchange: () => {
+      if (field.validity.valid && field.value !== '') send(field.valueAsNumber);
+      else field.value = String(weight);
+    },
+  });
+  const slider = element('input', {
+    type: 'range',
+    min: '0',
+    max: String((MOST - LEAST) * STEPS_PER_DECADE),
+    step: '1',
+    'aria-label': `${label} weight, slider`,
+    oninput: () => {
+      field.value = String(weightAt(slider.valueAsNumber));
+      slider.setAttribute('aria-valuetext', field.value);
+    },
+    // One gesture is one edit: the weight is set when the slider is let go.
+    onchange: () => send(weightAt(slider.valueAsNumber)),
+  });
+  const explanation = element('span', { class: 'words' });
+  const energy = element('span', {
+    class: 'value figure',
+    title: `${label} energy, without its weight`,
+  });
+  return {
+    id,
+    element: element(
+      'div',
+      { class: 'energy' },
+      element('span', { class: 'name' }, swatch(id), label, energy),
+      element('span', { class: 'weight' }, field),
+      explanation,
+      element('span', { class: 'slider' }, slider),
+    ),
+    /** @param {SceneDocument} scene */
+    show(scene) {
+      const value = scene.weights[id];
+      weight = value;
+      setText(explanation, words(scene));
+      if (document.activeElement !== field || Number(field.value) !== value)
+        field.value = String(value);
+      slider.value = String(placeOf(value));
+      slider.setAttribute('aria-valuetext', String(value));
+    },
+    /** @param {string} text */
+    setEnergy(text) {
+      setText(energy, text);
+    },
+  };
+}
+
+/**
+ * The weight at a place of the slider: 0 at its left end, else to two digits.
+ * @param {number} place
+ */
+function weightAt(place) {
+  return place === 0 ? 0 : Number((10 ** (LEAST + place / STEPS_PER_DECADE)).toPrecision(2));
+}
+
+/** @param {number} weight */
+function placeOf(weight) {
+  if (weight <= 0) return 0;
+  const place = Math.round((Math.log10(weight) - LEAST) * STEPS_PER_DECADE);
+  return Math.min(Math.max(place, 1), (MOST - LEAST) * STEPS_PER_DECADE);
+}
+
+/** The term's colour in the plot. @param {string} id */
+function swatch(id) {
+  return element('span', { class: 'swatch', style: `--chip: var(--series-${id})` });
+}

@@ -1,0 +1,126 @@
+/**
+ * The settings of a scene that most people never need: what is kept close to what, what is smoothed,
+ * how it is solved. Made from the declared list when it is first opened.
+ */
+
+import { element, setText } from '../../ui/dom.js';
+import { count } from '../../ui/format.js';
+import { Parameters } from '../../ui/kinds/parameters.js';
+import { sizeOfSelection } from '../../store/selection.js';
+
+/** What the buttons give the selected vertices, as factors of the weight of closeness. */
+const HOLDS = [
+  { label: 'More', weight: 10, title: 'Ten times as near to the original as the others' },
+  { label: 'Less', weight: 0.1, title: 'A tenth as near to the original as the others' },
+  { label: 'Release', weight: 0, title: 'Nothing keeps them near the original' },
+  { label: 'Default', weight: 1, title: 'As near to the original as the others' },
+];
+
+/**
+ * @param {HTMLElement} place
+ * @param {import("../../store/state.js").Store} store
+ * @param {import("../../store/actions.js").Actions} actions
+ */
+export function settingsPanel(place, store, actions) {
+  const { settings } = store.get();
+  const rows = settings.map((setting) => settingRow(setting, store, actions));
+  const groups = [...new Set(settings.map(({ group }) => group))];
+  const inGroup = (/** @type {string} */ group) =>
+    rows.filter((_, i) => settings[i].group === group).map(({ row }) => row);
+  const [first, ...others] = groups;
+  place.replaceChildren(
+    element('h3', {}, first ?? ''),
+    ...inGroup(first),
+    holdRow(store, actions),
+    ...others.flatMap((group) => [element('h3', {}, group), ...inGroup(group)]),
+  );
+  let shown = '';
+  store.subscribe(['document'], ({ document }) => {
+    const values = document?.settings;
+    if (!values || JSON.stringify(values) === shown) return;
+    shown = JSON.stringify(values);
+    rows.forEach(({ show }) => show(values));
+  });
+}
+
+/**
+ * @param {import("../../solver/messages.js").SettingInfo} setting
+ * @param {import("../../store/state.js").Store} store
+ * @param {import("../../store/actions.js").Actions} actions
+ */
+function settingRow(setting, store, actions) {
+  const { document, model } = store.get();
+  const parameters = new Parameters([setting], document?.settings ?? {}, model, {
+    changed: (id, value) =>
+      actions.edit({ type: 'set', id, value }, (error) => {
+        const now = store.get().document?.settings;
+        if (now) parameters.restore(now);
+        return parameters.refuse(error);
+      }),
+  });
+  const row = element(
+    'div',
+    { class: 'setting' },
+    parameters.element,
+    element('p', { class: 'quiet' }, setting.summary),
+  );
+  return {
+    row,
+    show: (/** @type {Record<string, import("../../solver/messages.js").ParamValue>} */ values) =>
+      parameters.restore(values),
+  };
+}
+
+/**
+ * Holding the selected vertices more or less than the others.
+ * @param {import("../../store/state.js").Store} store
+ * @param {import("../../store/actions.js").Actions} actions
+ */
+function holdRow(store, actions) {
+  const said = element('p', { class: 'quiet' });
+  const buttons = HOLDS.map(({ label, weight, title }) =>
+    element(
+      'button',
+      {
+        type: 'button',
+        class: 'bordered',
+        title,
+        'aria-label': `Hold the selection: ${label.toLowerCase()}`,
+        onclick: async () => {
+          const vertices = actions.chosenVertices();
+          const done = await actions.edit({ type: 'holdClose', vertices, weight });
+          if (done !== undefined)
+            actions.say(
+              `${count(vertices.length, 'vertex', 'vertices')} held: ${label.toLowerCase()}`,
+            );
+        },
+      },
+      label,
+    ),
+  );
+  const all = element(
+    'button',
+    {
+      type: 'button',
+      class: 'bordered',
+      onclick: () => actions.edit({ type: 'holdClose', vertices: null, weight: 1 }),
+    },
+    'Hold all alike',
+  );
+  store.subscribe(['selection', 'document'], ({ selection, document }) => {
+    const none = sizeOfSelection(selection) === 0;
+    buttons.forEach((button) => (button.disabled = none));
+    const held = document?.heldOtherwise ?? 0;
+    all.hidden = held === 0;
+    const words = none ? 'Select vertices to hold them more or less than the others.' : '';
+    const others = held > 0 ? `${count(held, 'vertex is', 'vertices are')} held otherwise.` : '';
+    setText(said, [words, others].filter(Boolean).join(' '));
+  });
+  return element(
+    'div',
+    { class: 'setting', role: 'group', 'aria-label': 'Hold the selection' },
+    element('p', {}, 'Hold the selection'),
+    element('div', { class: 'row-buttons' }, ...buttons, all),
+    said,
+  );
+}

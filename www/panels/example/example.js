@@ -1,0 +1,58 @@
+/** What to look for in the example that is open, and the ways to the ones beside it. */
+
+import { element } from '../../ui/dom.js';
+import { linkTo } from '../../documents/example-links.js';
+import { messageOf } from '../../solver/messages.js';
+import { withSymbols } from '../../ui/symbols.js';
+
+/** @typedef {import("../../documents/examples.js").Example} Example */
+
+/**
+ * @param {HTMLElement} place a section, which is hidden while no example is open
+ * @param {import("../../documents/files.js").Files} files
+ * @param {import("../../ui/alerts.js").Alerts} alerts
+ * @param {(shows: import("../../documents/examples.js").Suggestion["shows"]) => void} show
+ */
+export function exampleNote(place, files, alerts, show) {
+  /** @param {string} text @param {Example | undefined} to */
+  const link = (text, to) => {
+    if (!to) return [];
+    /** @param {Event} event */
+    const onclick = (event) => {
+      // The address that is there already leads nowhere.
+      if (location.hash !== linkTo(to.id)) return;
+      event.preventDefault();
+      files.openExample(to).catch((error) => alerts.error(messageOf(error)));
+    };
+    return [element('a', { href: linkTo(to.id), title: to.title, onclick }, text)];
+  };
+
+  files.addEventListener('opened', async () => {
+    const { example } = files.origin;
+    place.hidden = !example;
+    if (!example) return;
+    const { figure, summary, statement, suggestions } = example;
+    const all = await files.examples();
+    const at = all.findIndex(({ id }) => id === example.id);
+    const title = figure === null ? 'Example' : `Figure ${figure} of the paper`;
+    place.replaceChildren(
+      element('h2', { id: 'heading-example' }, title),
+      element('p', {}, summary),
+      element('p', { class: 'quiet' }, 'Once solved: ', ...withSymbols(statement)),
+      ...suggestions.map(({ label, shows }) =>
+        element(
+          'button',
+          { type: 'button', class: 'bordered small', onclick: () => show(shows) },
+          ...withSymbols(label),
+        ),
+      ),
+      element(
+        'nav',
+        { 'aria-label': 'Examples one by one', class: 'beside' },
+        ...link('Previous', all[at - 1]),
+        element('a', { href: './gallery.html' }, 'Gallery'),
+        ...link('Next', all[at + 1]),
+      ),
+    );
+  });
+}

@@ -1,0 +1,224 @@
+/**
+ * The legend of the faces' colours: a histogram of their values over the ramp, the ends of the range,
+ * which can be dragged or entered, how many faces are within the tolerance, and how far the mesh moved.
+ */
+
+import { element, setAttribute, setText } from '../../ui/dom.js';
+import { groupDigits, number, round } from '../../ui/format.js';
+import {
+  declared,
+  movedInWords,
+  roundingOf,
+  toleranceOf,
+  unitOf,
+  valueInWords,
+} from '../../store/measures.js';
+import { bars, drawBars, drawOutline, outline } from '../../ui/plot/histogram-svg.js';
+import { isDrawn } from '../../store/state.js';
+import { placeOn } from '../../ui/plot/value-axis.js';
+import { rangeEnd } from './range-end.js';
+
+/**
+ * @param {HTMLElement} place
+ * @param {import("../../store/state.js").Store} store
+ * @param {import("../../viewport/viewport.js").Viewport} viewport
+ * @param {() => void} fit
+ */
+export function legend(place, store, viewport, fit) {
+  const title = element('span');
+  const now = bars();
+  const before = outline();
+  const histogram = element(
+    'div',
+    { class: 'histogram', role: 'img', 'aria-label': 'No values yet' },
+    now,
+    before,
+  );
+  const tick = element('div', { class: 'tick' });
+  const ramp = element('div', { class: 'ramp' }, tick);
+  const ends = [rangeEnd('low', ramp, store), rangeEnd('high', ramp, store)];
+  const unit = element('span', { class: 'unit' });
+  const toleranceUnit = element('span');
+  const within = element('span', { class: 'within', title: 'Faces within the tolerance' });
+  const facts = element('p', { class: 'quiet facts' });
+  const low = field('Colours from', 'low');
+  const high = field('Colours to', 'high');
+  const tolerance = element('input', {
+    type: 'text',
+    inputMode: 'decimal',
+    'aria-label': 'Tolerance',
+    placeholder: 'none',
+    onchange: () => {
+      const value = numberIn(tolerance);
+      setTolerance(value === null ? null : value / unitNow().factor);
+    },
+    onblur: () => show(),
+  });
+  const full = toggle('full', 'Full map', 'Colours for values within the tolerance, too');
+  const log = toggle('log', 'Log scale', 'Equal factors are equal steps');
+  place.replaceChildren(
+    element(
+      'div',
+      { class: 'title' },
+      title,
+      element(
+        'button',
+        {
+          type: 'button',
+          title: 'End the range at the worst face of the shape as it is',
+          onclick: fit,
+        },
+        'Fit range',
+      ),
+    ),
+    histogram,
+    ramp,
+    element('div', { class: 'ends' }, low, unit, high),
+    element(
+      'div',
+      { class: 'ends' },
+      element('label', {}, 'Tolerance', tolerance, toleranceUnit),
+      within,
+    ),
+    facts,
+    element('div', { class: 'ends switches' }, full.label, log.label),
+  );
+
+  /** The unit of all values of the measure: that of its tolerance, or of its greatest value. */
+  function unitNow() {
+    const state = store.get();
+    const about = declared(state, state.measure);
+    const size = (about && toleranceOf(state, about)) ?? state.spread?.axis.high ?? 0;
+    return about ? unitOf(about, size, state.document?.units ?? '') : { unit: '', factor: 1 };
+  }
+
+  /** @param {number | null} value */
+  function setTolerance(value) {
+    const state = store.get();
+    const about = declared(state, state.measure);
+    if (about?.toleranced) store.set({ tolerance: value });
+    else if (about) store.set({ tolerances: { ...state.tolerances, [about.id]: value } });
+  }
+
+  /**
+   * An end of the range: empty, it follows from the values again.
+   * @param {string} name
+   * @param {"low" | "high"} end
+   */
+  function field(name, end) {
+    const input = element('input', {
+      type: 'text',
+      inputMode: 'decimal',
+      'aria-label': name,
+      onchange: () => {
+        const value = numberIn(input);
+        const { ownRange } = store.get();
+        const entered = value === null ? null : value / unitNow().factor;
+        store.set({ ownRange: { ...ownRange, [end]: entered, top: null } });
+      },
+      onblur: () => show(),
+    });
+    return input;
+  }
+
+  /**
+   * @param {"full" | "log"} key
+   * @param {string} label
+   * @param {string} words
+   */
+  function toggle(key, label, words) {
+    const box = element('input', {
+      type: 'checkbox',
+      onchange: () => store.set({ display: { ...store.get().display, [key]: box.checked } }),
+    });
+    return { box, label: element('label', { title: words }, box, label) };
+  }
+
+  function show() {
+    const state = store.get();
+    const { measure, range, spread, document, model, flatMap, split, display } = state;
+    const about = declared(state, measure);
+    // A flat map has colours and a legend of its own, and so have two pictures.
+    const isShown = about && !flatMap && !split && model?.faces;
+    place.hidden = !isShown || !isDrawn(state);
+    if (!about || place.hidden) return;
+    setText(title, about.label);
+    setAttribute(title, 'title', about.words);
+    full.box.checked = display.full;
+    log.box.checked = display.log;
+    if (!spread) return;
+    const allowed = toleranceOf(state, about);
+    full.label.hidden = allowed === null;
+    const units = document?.units ?? '';
+    const { unit: sign, factor } = unitNow();
+    const step = display.log ? null : viewport.unmeasured((view) => view.bandStep());
+    const steps = step && `steps of ${Number((step * factor).toPrecision(3))} `;
+    setText(unit, `${steps ?? ''}${sign}`);
+    setText(toleranceUnit, sign);
+    for (const [input, text] of /** @type {const} */ ([
+      [low, number(range[0] * factor)],
+      [high, number(range[1] * factor)],
+      [tolerance, allowed === null ? '' : round(allowed * factor)],
+    ])) {
+      if (input === globalThis.document.activeElement) continue;
+      if (input.value !== text) input.value = text;
+    }
+
+    const { axis } = spread;
+    const [from, to] = range.map((value) => 100 * placeOn(axis, value));
+    const neutral = allowed === null || display.full ? 0 : 100 * placeOn(axis, allowed);
+    ramp.style.background = viewport.rampOf([from, to], { neutral });
+    const rounding = roundingOf(about, state.size);
+    const words = (/** @type {number} */ value) =>
+      valueInWords(about, value < rounding ? 0 : value, units, allowed);
+    ends.forEach((end, i) => end.show(axis, range, words(range[i])));
+    drawBars(now, spread.counts);
+    tick.hidden = allowed === null || allowed > axis.high;
+    if (allowed !== null) tick.style.left = `${100 * placeOn(axis, allowed)}%`;
+
+    const worst = words(spread.greatest);
+    const was = spread.original && words(spread.original.greatest);
+    const compared = was === null ? '' : `; originally up to ${was}`;
+    const named = `${groupDigits(spread.faces)} faces between 0 and ${worst}${compared}`;
+    setAttribute(histogram, 'aria-label', named);
+    // Each is drawn to its own highest bar: it is how they are spread that is compared.
+    drawOutline(
+      before,
+      spread.original?.counts ?? null,
+      Math.max(...(spread.original?.counts ?? [])),
+    );
+    setAttribute(histogram, 'title', was === null ? '' : `Outline: the original, up to ${was}`);
+    const [met, all] = [spread.within, spread.faces].map(groupDigits);
+    setText(within, allowed === null ? '' : `${met} of ${all}`);
+    setAttribute(within, 'class', allowed !== null && met === all ? 'within met' : 'within');
+    const moved = movedInWords(state);
+    setText(facts, `Worst ${worst}${moved && `\nMoved ${moved}`}`);
+  }
+  store.subscribe(
+    [
+      'measure',
+      'measures',
+      'range',
+      'spread',
+      'tolerance',
+      'tolerances',
+      'document',
+      'renderer',
+      'model',
+      'dark',
+      'flatMap',
+      'split',
+      'display',
+    ],
+    show,
+  );
+}
+
+/**
+ * What is entered: a number that is not negative, else none.
+ * @param {HTMLInputElement} input
+ */
+function numberIn(input) {
+  const value = Number.parseFloat(input.value.replace(',', '.'));
+  return value >= 0 ? value : null;
+}

@@ -1,0 +1,142 @@
+/** The log: what was read from the file, and the messages since the page was opened. */
+
+import '../../ui/styles/lists.css';
+import { element, setText } from '../../ui/dom.js';
+import { count } from '../../ui/format.js';
+import { showElements } from '../../viewport/reveal-elements.js';
+
+const FORMATS = { z: 'z-up', y: 'y-up' };
+const NAMES = { error: 'Error', notice: 'Notice', status: '' };
+
+/**
+ * @param {HTMLElement} panel
+ * @param {import("../../app/analysis.js").Parts} parts
+ */
+export function logOf(panel, parts) {
+  const { store, solver, alerts, actions } = parts;
+  const file = element('div', { class: 'import-report' });
+  // It scrolls, also by keyboard.
+  const list = element('ol', { 'aria-label': 'Messages', class: 'log', tabindex: 0 });
+  const said = element('span', { class: 'quiet', 'aria-live': 'polite' });
+  panel.append(
+    element('h3', {}, 'File'),
+    file,
+    element('h3', {}, 'Messages'),
+    list,
+    element(
+      'p',
+      { class: 'log-end' },
+      element('button', { type: 'button', class: 'bordered', onclick: copy }, 'Copy as text'),
+      said,
+    ),
+  );
+
+  /** Selects the elements that a problem is about. @param {string} flaw */
+  async function select(flaw) {
+    const found = await actions.told(solver.request({ type: 'flawed', flaw }));
+    if (!found) return;
+    const some = found.vertices.length + found.edges.length + found.faces.length;
+    if (some > 0) showElements(parts, found);
+    else actions.say('None is left');
+  }
+
+  store.subscribe(['model', 'document'], ({ model, document }) => {
+    if (!model) return;
+    const lines = factsOf(model, document?.units ?? model.units, document?.up ?? model.up);
+    const problems = model.problems.map(({ message, flaw }) =>
+      element(
+        'li',
+        { class: 'problem' },
+        element('span', { class: 'mark', 'aria-hidden': 'true' }, '!'),
+        element('span', {}, message),
+        ...(flaw
+          ? [
+              element(
+                'button',
+                {
+                  type: 'button',
+                  class: 'small bordered',
+                  'aria-label': `Select: ${message}`,
+                  onclick: () => select(flaw),
+                },
+                'Select',
+              ),
+            ]
+          : []),
+      ),
+    );
+    const notes = model.notes.map((note) => element('li', { class: 'quiet' }, note));
+    file.replaceChildren(
+      ...lines.map((line) => element('p', {}, line)),
+      ...(problems.length + notes.length > 0
+        ? [element('ul', { 'aria-label': 'Problems and notes' }, ...problems, ...notes)]
+        : []),
+    );
+  });
+
+  function showMessages() {
+    list.replaceChildren(
+      ...alerts.journal
+        .toReversed()
+        .map(({ time, kind, text }) =>
+          element(
+            'li',
+            { class: kind },
+            element('time', { datetime: time.toISOString() }, clock(time)),
+            element('span', {}, NAMES[kind] && element('strong', {}, `${NAMES[kind]}: `), text),
+          ),
+        ),
+    );
+  }
+  alerts.listen(showMessages);
+  showMessages();
+
+  async function copy() {
+    const { model, document } = store.get();
+    const lines = [
+      ...(model
+        ? [
+            ...factsOf(model, document?.units ?? model.units, document?.up ?? model.up),
+            ...model.problems.map(({ message }) => `Problem: ${message}`),
+            ...model.notes.map((note) => `Note: ${note}`),
+            '',
+          ]
+        : []),
+      ...alerts.journal.map(
+        ({ time, kind, text }) =>
+          `${time.toISOString()} ${NAMES[kind] && `${NAMES[kind]}: `}${text}`,
+      ),
+    ];
+    const done = await navigator.clipboard.writeText(`${lines.join('\n')}\n`).then(
+      () => 'Copied',
+      () => 'This browser does not let the page copy',
+    );
+    setText(said, done);
+  }
+}
+
+/** @param {Date} time */
+const clock = (time) => time.toTimeString().slice(0, 8);
+
+/**
+ * What the file holds, a sentence each.
+ * @param {import("../../solver/messages.js").Loaded} model
+ * @param {string} units
+ * @param {"y" | "z"} up
+ */
+function factsOf(model, units, up) {
+  const guessed = (/** @type {boolean} */ is) => (is ? ' (guessed)' : '');
+  const parts = [
+    count(model.vertices, 'vertex', 'vertices'),
+    count(model.faces, 'face'),
+    ...(model.curves > 0 ? [count(model.curves, 'curve')] : []),
+    ...(model.tets > 0 ? [count(model.tets, 'tetrahedron', 'tetrahedra')] : []),
+    ...(model.groups.length > 0 ? [count(model.groups.length, 'group')] : []),
+  ];
+  const problems = model.problems.length;
+  return [
+    `${model.name}: ${parts.join(', ')}`,
+    `Unit: ${units || 'not known'}${guessed(model.guessed.units)} · ${FORMATS[up]}${guessed(model.guessed.up)}`,
+    problems > 0 ? count(problems, 'kind of problem', 'kinds of problems') : 'No problems',
+  ];
+}

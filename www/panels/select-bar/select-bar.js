@@ -1,0 +1,134 @@
+/**
+ * The bar of selecting, over the view: with what a drag selects, whether also behind the surface,
+ * and the menu of everything else. It is there while the Select tool is, or something is selected.
+ */
+
+import { element, icon, setText } from '../../ui/dom.js';
+import { placeMenu } from '../../app/layout.js';
+import { messageOf } from '../../solver/messages.js';
+import { describe, sizeOfSelection } from '../../store/selection.js';
+
+/** @typedef {import("../../store/state.js").State["shape"]} Shape */
+
+/** @type {{ id: Shape, label: string, key: string, title: string }[]} */
+const SHAPES = [
+  {
+    id: 'box',
+    label: 'Box',
+    key: 'B',
+    title: 'To the right: what is inside. To the left: also what it touches',
+  },
+  { id: 'lasso', label: 'Lasso', key: 'L', title: 'Draw around what you want' },
+  { id: 'paint', label: 'Paint', key: 'P', title: 'Brush over what you want' },
+];
+
+/**
+ * @param {HTMLElement} bar
+ * @param {HTMLElement} menu
+ * @param {import("../../store/state.js").Store} store
+ * @param {import("../../store/actions.js").Actions} actions
+ * @param {import("../../features/selection/mesh-queries.js").Selecting} selecting
+ * @param {import("../../ui/alerts.js").Alerts} alerts
+ */
+export function selectBar(bar, menu, store, actions, selecting, alerts) {
+  const shapes = SHAPES.map(({ id, label, key, title }) =>
+    element(
+      'button',
+      {
+        type: 'button',
+        title: `${title} (${key})`,
+        onclick: () => store.set({ tool: 'select', shape: id }),
+      },
+      icon(id),
+      element('span', {}, label),
+    ),
+  );
+  const through = element(
+    'button',
+    {
+      type: 'button',
+      class: 'toggle',
+      title: 'Also select what the surface hides (T)',
+      onclick: () => store.set({ through: !store.get().through }),
+    },
+    icon('through'),
+    element('span', {}, 'Select through'),
+  );
+  const brush = element('input', {
+    type: 'range',
+    min: '4',
+    max: '120',
+    step: '2',
+    'aria-label': 'Brush radius',
+    title: 'Brush radius ([ and ])',
+    oninput: () => store.set({ brush: brush.valueAsNumber }),
+  });
+  const said = element('span', { class: 'said' });
+  const opener = element(
+    'button',
+    {
+      type: 'button',
+      class: 'bordered',
+      popovertarget: menu.id,
+      'aria-haspopup': 'dialog',
+    },
+    said,
+    icon('chevron'),
+  );
+  const none = element(
+    'button',
+    {
+      type: 'button',
+      class: 'square',
+      'aria-label': 'Clear',
+      title: 'Nothing selected (Esc)',
+      onclick: () => actions.selectNothing(),
+    },
+    icon('close'),
+  );
+  bar.append(
+    element(
+      'div',
+      { class: 'segmented', role: 'group', 'aria-label': 'Shape of a drag' },
+      ...shapes,
+    ),
+    through,
+    brush,
+    opener,
+    none,
+  );
+
+  store.subscribe(['tool', 'shape', 'through', 'brush', 'selection', 'model'], (state) => {
+    const { tool, shape, selection, model } = state;
+    const some = sizeOfSelection(selection) > 0;
+    bar.hidden = !model || (tool !== 'select' && !some);
+    shapes.forEach((button, i) => {
+      const pressed = tool === 'select' && SHAPES[i].id === shape;
+      button.setAttribute('aria-pressed', String(pressed));
+    });
+    through.setAttribute('aria-pressed', String(state.through));
+    through.hidden = tool !== 'select';
+    brush.hidden = tool !== 'select' || shape !== 'paint';
+    brush.value = String(state.brush);
+    brush.setAttribute('aria-valuetext', `${state.brush} pixels`);
+    const words = describe(selection);
+    setText(said, words || 'Select by…');
+    opener.setAttribute('aria-label', words ? `${words}: select by…` : 'Select by…');
+    none.hidden = !some;
+  });
+
+  placeMenu(menu, () => opener);
+  /** Used seldom: it comes when it is first asked for. @type {typeof import("./select-menu.js") | null} */
+  let contents = null;
+  menu.addEventListener('beforetoggle', async (event) => {
+    if (/** @type {ToggleEvent} */ (event).newState !== 'open') return;
+    if (contents) return contents.fillSelectMenu(menu, store, actions, selecting);
+    event.preventDefault();
+    try {
+      contents = await import('./select-menu.js');
+      menu.showPopover();
+    } catch (error) {
+      alerts.error(messageOf(error));
+    }
+  });
+}

@@ -1,0 +1,216 @@
+/**
+ * The menu of everything that selects: the declared operations under their headings, and the sets
+ * and groups by name. What asks something shows its fields in the menu's place.
+ */
+
+import { element, icon } from '../../ui/dom.js';
+import { count } from '../../ui/format.js';
+import { keyName } from '../../app/commands.js';
+import { Parameters } from '../../ui/kinds/parameters.js';
+import { combineOf, selectedVertices, sizeOfSelection } from '../../store/selection.js';
+
+/** @typedef {import("../../solver/messages.js").Operation} Operation */
+
+/**
+ * @param {HTMLElement} menu
+ * @param {import("../../store/state.js").Store} store
+ * @param {import("../../store/actions.js").Actions} actions
+ * @param {import("../../features/selection/mesh-queries.js").Selecting} selecting
+ */
+export function fillSelectMenu(menu, store, actions, selecting) {
+  const state = store.get();
+  const { operations, selection, mode } = state;
+  const close = () => menu.hidePopover();
+
+  /** @param {Operation} operation */
+  function item(operation) {
+    const asks = operation.params.length > 0;
+    const button = element(
+      'button',
+      {
+        type: 'button',
+        title: operation.summary,
+        onclick: async (/** @type {MouseEvent} */ event) => {
+          if (asks) return show(form(operation));
+          close();
+          await selecting.applyOrTell(operation, { combine: combineWith(operation, event) });
+        },
+      },
+      element('span', {}, asks ? `${operation.label}…` : operation.label),
+      ...operation.keys.slice(0, 1).map((key) => element('kbd', {}, keyName(key))),
+    );
+    button.disabled = !selecting.canApply(operation);
+    return button;
+  }
+
+  /** The fields of an operation. @param {Operation} operation */
+  function form(operation) {
+    const parameters = new Parameters(operation.params, {}, store.get().model);
+    const find = async (/** @type {import("../../store/selection.js").Combine} */ combine) => {
+      const params = parameters.values();
+      if (!params) return;
+      try {
+        const found = await selecting.apply(operation, { params, combine });
+        if (found) close();
+      } catch (error) {
+        if (!parameters.refuse(error)) await actions.told(Promise.reject(error));
+      }
+    };
+    // Enter in a field is to press Find, so that no other may submit.
+    const verb = (/** @type {"add" | "remove"} */ combine, /** @type {string} */ label) =>
+      element('button', { type: 'button', class: 'bordered', onclick: () => find(combine) }, label);
+    const submit = (/** @type {SubmitEvent} */ event) => {
+      event.preventDefault();
+      find('replace');
+    };
+    return element(
+      'form',
+      { novalidate: true, onsubmit: submit, 'aria-label': operation.label },
+      heading(operation.label),
+      element('p', { class: 'quiet' }, operation.summary),
+      parameters.element,
+      element(
+        'div',
+        { class: 'verbs' },
+        ...(operation.needsSelection ? [] : [verb('remove', 'Take away'), verb('add', 'Add')]),
+        element('button', { type: 'submit', class: 'primary' }, 'Find'),
+      ),
+    );
+  }
+
+  /** Sets of the scene and groups of the file. */
+  function named() {
+    const operation = operations.find(({ takesName }) => takesName);
+    if (!operation) return [];
+    const pick = (/** @type {string} */ name) => async (/** @type {MouseEvent} */ event) => {
+      close();
+      await selecting.applyOrTell(operation, {
+        params: { name },
+        combine: combineWith(operation, event),
+      });
+    };
+    const sets = (state.document?.sets ?? []).map(({ name, vertices, faces }) => {
+      const size = faces > 0 ? count(faces, 'face') : count(vertices, 'vertex', 'vertices');
+      return element(
+        'div',
+        { class: 'set' },
+        element(
+          'button',
+          { type: 'button', onclick: pick(name) },
+          element('span', {}, name),
+          element('span', { class: 'quiet' }, size),
+        ),
+        element(
+          'button',
+          {
+            type: 'button',
+            class: 'tiny',
+            'aria-label': `Remove set ${name}`,
+            title: 'Remove',
+            onclick: async () => {
+              close();
+              await actions.edit({ type: 'removeSet', name });
+            },
+          },
+          icon('close'),
+        ),
+      );
+    });
+    const groups = (state.model?.groups ?? []).map(({ name, faces }) =>
+      element(
+        'button',
+        { type: 'button', onclick: pick(name) },
+        element('span', {}, name),
+        element('span', { class: 'quiet' }, count(faces, 'face')),
+      ),
+    );
+    const save = element(
+      'button',
+      { type: 'button', onclick: () => show(saveForm()) },
+      element('span', {}, 'Save as a set…'),
+    );
+    save.disabled = sizeOfSelection(selection) === 0;
+    return [heading('Sets and groups'), save, ...sets, ...groups];
+  }
+
+  function saveForm() {
+    const name = element('input', {
+      type: 'text',
+      required: true,
+      'aria-label': 'Name of the set',
+    });
+    const submit = async (/** @type {SubmitEvent} */ event) => {
+      event.preventDefault();
+      const words = name.value.trim();
+      if (!words) return name.focus();
+      close();
+      const { vertices, faces, edges } = store.get().selection;
+      // A set of the scene has vertices and faces: edges are kept by their ends.
+      const ends = edgeEnds(edges);
+      const edit = {
+        type: /** @type {const} */ ('nameSet'),
+        name: words,
+        vertices: [...new Set([...vertices, ...ends])].sort((a, b) => a - b),
+        faces: [...faces].sort((a, b) => a - b),
+      };
+      if ((await actions.edit(edit)) !== undefined) actions.say(`Saved as the set ${words}`);
+    };
+    return element(
+      'form',
+      { onsubmit: submit, 'aria-label': 'Save as a set' },
+      heading('Save as a set'),
+      element(
+        'p',
+        { class: 'quiet' },
+        'The selection gets a name, and can be selected or constrained again by it.',
+      ),
+      name,
+      element(
+        'div',
+        { class: 'verbs' },
+        element('button', { type: 'submit', class: 'primary' }, 'Save set'),
+      ),
+    );
+  }
+
+  /** @param {ReadonlySet<number>} edges */
+  function edgeEnds(edges) {
+    const connectivity = actions.connectivity();
+    if (edges.size === 0 || !connectivity) return [];
+    const only = { vertices: new Set(), edges, faces: new Set() };
+    return selectedVertices(/** @type {typeof selection} */ (only), connectivity);
+  }
+
+  /** @param {HTMLElement} content */
+  function show(content) {
+    menu.replaceChildren(content);
+    /** @type {HTMLElement | null} */
+    const first = menu.querySelector('input, select, button');
+    first?.focus();
+  }
+
+  const fitting = operations.filter(({ modes, takesName }) => modes.includes(mode) && !takesName);
+  const groups = [...new Set(fitting.map(({ group }) => group))];
+  menu.replaceChildren(
+    ...groups.flatMap((group) => [
+      heading(group),
+      ...fitting.filter((operation) => operation.group === group).map(item),
+    ]),
+    ...named(),
+  );
+  menu.querySelector('button')?.focus();
+}
+
+/** @param {string} text */
+function heading(text) {
+  return element('p', { class: 'heading quiet' }, text);
+}
+
+/**
+ * What starts from the selection replaces it.
+ * @param {Operation} operation
+ * @param {MouseEvent} event
+ */
+function combineWith(operation, event) {
+  return operation.needsSelection ? 'replace' : combineOf(event);
+}

@@ -1,0 +1,59 @@
+/**
+ * What the page finds around it, told in the status bar: whether there is a network, and whether a
+ * graphics card draws. Comes when the page works.
+ */
+
+import { element } from '../../ui/dom.js';
+import { isDrawn } from '../../store/state.js';
+
+/** Names of renderers that compute pictures on the processor. */
+const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
+const SLOW =
+  'No graphics card draws, which is slow. Look for graphics acceleration in the settings of the browser.';
+
+/**
+ * @param {HTMLElement} numbers the list of the status bar
+ * @param {import("../../store/state.js").Store} store
+ */
+export function tellSurroundings(numbers, store) {
+  const offline = element('div', { hidden: true }, element('dd', {}, 'Offline'));
+  const software = element(
+    'div',
+    { class: 'wide narrow-hidden', title: SLOW, hidden: true },
+    element('dd', {}, 'Software rendering'),
+  );
+  numbers.append(software, offline);
+  tellNetwork(offline, store);
+  store.subscribe(['renderer'], (state) => {
+    software.hidden = !(isDrawn(state) && drawsInSoftware());
+  });
+}
+
+/**
+ * Says that there is no network, as long as there is none.
+ * @param {HTMLElement} place
+ * @param {import("../../store/state.js").Store} store
+ */
+function tellNetwork(place, store) {
+  const tell = () => {
+    const offline = !navigator.onLine;
+    if (offline === !place.hidden) return;
+    const kept = Boolean(navigator.serviceWorker?.controller);
+    const words = `Offline: ${kept ? 'everything still works' : 'what is loaded still works'}`;
+    place.hidden = !offline;
+    place.title = words;
+    store.set({ status: offline ? words : 'Online again' });
+  };
+  window.addEventListener('online', tell);
+  window.addEventListener('offline', tell);
+  tell();
+}
+
+/** Whether pictures are drawn without a graphics card. */
+function drawsInSoftware() {
+  const context = document.createElement('canvas').getContext('webgl2');
+  const names = context?.getExtension('WEBGL_debug_renderer_info');
+  const name = names && context?.getParameter(names.UNMASKED_RENDERER_WEBGL);
+  context?.getExtension('WEBGL_lose_context')?.loseContext();
+  return SOFTWARE.test(String(name));
+}

@@ -1,0 +1,135 @@
+/** The status bar: what happened, what to do next, and the numbers of the iteration. */
+
+import { RENEW_MS, element, setAttribute, setText, throttled } from '../../ui/dom.js';
+import { duration, groupDigits, number } from '../../ui/format.js';
+import {
+  declared,
+  measureOfScene,
+  movedInWords,
+  roundingOf,
+  toleranceOf,
+  valueInWords,
+  worstOf,
+} from '../../store/measures.js';
+import { energyOrNothing } from '../../ui/rounding.js';
+import { sizeOfSelection } from '../../store/selection.js';
+
+const RENDERERS = { webgpu: 'WebGPU', webgl2: 'WebGL2', none: 'no 3D', starting: '' };
+
+/**
+ * @param {{ status: HTMLElement, hint: HTMLElement, numbers: HTMLElement }} places
+ * @param {import("../../store/state.js").Store} store
+ */
+export function statusBar(places, store) {
+  const cells = new Map();
+  for (const [key, name, style] of [
+    ['iteration', 'iteration', 'narrow-hidden'],
+    ['energy', 'energy', 'wide narrow-hidden'],
+    ['worst', 'worst panel', ''],
+    ['moved', 'moved', 'narrow-hidden'],
+    ['step', '', 'narrow-hidden'],
+    ['drag', 'drag', 'narrow-hidden'],
+    ['units', '', 'wide narrow-hidden'],
+    ['saved', '', ''],
+    ['renderer', '', 'wide narrow-hidden'],
+  ]) {
+    const value = element('dd');
+    const row = element(
+      'div',
+      { class: style, hidden: true },
+      ...(name ? [element('dt', {}, name)] : []),
+      value,
+    );
+    places.numbers.append(row);
+    cells.set(key, { row, value });
+  }
+  const set = (/** @type {string} */ key, /** @type {string} */ text) => {
+    const { row, value } = cells.get(key);
+    setText(value, text);
+    const isEmpty = text === '';
+    if (row.hidden !== isEmpty) row.hidden = isEmpty;
+  };
+  cells.get('drag').row.title = 'From the pointer to new positions';
+
+  const showNumbers = throttled(RENEW_MS, () => {
+    const state = store.get();
+    const { numbers, document, model, size } = state;
+    const measure = state.measure ?? measureOfScene(state);
+    if (!numbers) return;
+    const units = document?.units ?? '';
+    set('iteration', groupDigits(numbers.iteration));
+    set('energy', number(energyOrNothing(numbers.energy.total, size)));
+    const about = declared(state, measure);
+    if (about && model?.faces) {
+      const worst = worstOf(state, about.id);
+      const shown = worst < roundingOf(about, size) ? 0 : worst;
+      set('worst', valueInWords(about, shown, units, toleranceOf(state, about)));
+      setAttribute(cells.get('worst').row, 'title', `${about.label}: ${about.words}`);
+    } else {
+      set('worst', '');
+    }
+    set('moved', movedInWords(state));
+    const isTimed = state.display.timings && numbers.stepMs > 0;
+    set('step', isTimed ? `${duration(numbers.stepMs)} per iteration` : '');
+  });
+
+  store.subscribe(['status'], ({ status }) => setText(places.status, status));
+  store.subscribe(
+    ['numbers', 'measure', 'spread', 'model', 'document', 'tolerance', 'tolerances', 'display'],
+    showNumbers,
+  );
+  store.subscribe(['document', 'model'], ({ document, model }) => {
+    if (document && model) set('units', `${document.units || 'no unit'} · ${document.up}-up`);
+  });
+  const showDrag = throttled(RENEW_MS, () => {
+    const { dragMs, display } = store.get();
+    set('drag', display.timings && dragMs > 0 ? duration(dragMs) : '');
+  });
+  store.subscribe(['dragMs', 'display'], showDrag);
+  store.subscribe(['saved'], ({ saved }) => {
+    set('saved', saved);
+    // That something is not saved is said everywhere.
+    cells.get('saved').row.className = /^Saved/.test(saved) ? 'wide narrow-hidden' : '';
+  });
+  store.subscribe(['renderer'], ({ renderer }) => set('renderer', RENDERERS[renderer]));
+  store.subscribe(
+    [
+      'model',
+      'document',
+      'tool',
+      'shape',
+      'mode',
+      'running',
+      'converged',
+      'selection',
+      'dragged',
+      'renderer',
+    ],
+    (state) => setText(places.hint, hintOf(state)),
+  );
+}
+
+/** What to do with the Select tool. */
+const SHAPES = { box: 'Drag a box', lasso: 'Draw a lasso', paint: 'Brush' };
+
+/** What to do next. @param {import("../../store/state.js").State} state */
+function hintOf(state) {
+  const { model, document, tool, shape, mode, running, converged, selection, dragged, renderer } =
+    state;
+  if (!model || !document) return '';
+  if (dragged.length > 0) return 'Release to leave it there · Esc puts it back';
+  if (document.constraints.length === 0)
+    return 'Add a constraint to say what shape its parts should take';
+  if (document.handles.some(({ vertex }) => selection.vertices.has(vertex)))
+    return 'Drag the handle, an arrow or a square · Enter moves it by arrow keys';
+  if (sizeOfSelection(selection) > 0) {
+    return 'H makes handles of the selection · Add constraint can use it · Esc selects nothing';
+  }
+  if (renderer === 'none') return 'Run, Export and the panels work without the picture';
+  if (tool === 'select')
+    return `${SHAPES[shape]} over ${mode} · Shift adds, Ctrl removes · V goes back to Drag`;
+  if (document.handles.length === 0)
+    return 'Double-click a vertex to make it a handle · drag to orbit';
+  if (!running && !converged) return 'Space runs · drag a blue handle · drag elsewhere to orbit';
+  return 'Drag a blue handle · drag elsewhere to orbit, wheel to zoom';
+}

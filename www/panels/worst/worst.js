@@ -1,0 +1,158 @@
+/**
+ * The worst elements as a table: what the colours show, in words and numbers. Which they are is
+ * found in the worker; it is asked while the table is in sight, a few times a second during a run.
+ */
+
+import '../../ui/styles/lists.css';
+import { element, setText, throttled } from '../../ui/dom.js';
+import { length } from '../../ui/format.js';
+import {
+  declared,
+  measureOfScene,
+  movedInWords,
+  roundingOf,
+  toleranceOf,
+  valueInWords,
+} from '../../store/measures.js';
+import { lengthOrNothing } from '../../ui/rounding.js';
+import { showElements } from '../../viewport/reveal-elements.js';
+
+/** @typedef {import("../../solver/messages.js").WorstElement} WorstElement */
+
+const ROWS = 20;
+const ASK_EVERY_MS = 300;
+/** The choice of the measure that the faces are coloured by, or would be. */
+const COLOURS = 'colours';
+
+/**
+ * @param {HTMLElement} panel
+ * @param {import("../../app/analysis.js").Parts} parts
+ */
+export function worstElements(panel, parts) {
+  const { store, solver } = parts;
+  /** What the rows of the table show. @type {WorstElement[]} */
+  let shown = [];
+  let inSight = false;
+  let asked = 0;
+
+  const by = element('select', { 'aria-label': 'Worst by', onchange: () => ask() });
+  const words = element('p', { class: 'quiet' });
+  const body = element('tbody');
+  const heading = element('th', { scope: 'col', class: 'figure' }, 'Error');
+  const table = element(
+    'table',
+    { 'aria-label': 'Worst elements', class: 'worst-elements' },
+    element(
+      'thead',
+      {},
+      element(
+        'tr',
+        {},
+        element('th', { scope: 'col' }, 'Element'),
+        element('th', { scope: 'col' }, 'Asked by'),
+        heading,
+      ),
+    ),
+    body,
+  );
+  panel.append(element('label', { class: 'worst-by' }, 'By', by), words, table);
+
+  const rows = Array.from({ length: ROWS }, (_, index) => {
+    const button = element('button', { type: 'button', onclick: () => show(index) });
+    const row = element('th', { scope: 'row' }, button);
+    const constraint = element('td');
+    const value = element('td', { class: 'figure' });
+    const line = element('tr', { hidden: true }, row, constraint, value);
+    body.append(line);
+    return { line, button, constraint, value };
+  });
+  body.addEventListener('keydown', (event) => {
+    const step = { ArrowDown: 1, ArrowUp: -1, Home: -ROWS, End: ROWS }[event.key];
+    if (!step) return;
+    event.preventDefault();
+    const at = rows.findIndex(({ button }) => button === document.activeElement);
+    rows[Math.max(0, Math.min(at + step, shown.length - 1))]?.button.focus();
+  });
+
+  /** @param {number} index */
+  function show(index) {
+    const worst = shown[index];
+    if (worst) showElements(parts, worst);
+  }
+
+  function offer() {
+    const state = store.get();
+    const about = declared(state, state.measure ?? measureOfScene(state));
+    const choices = [
+      ...(about && state.model?.faces ? [[COLOURS, about.label]] : []),
+      ...(state.document?.constraints ?? []).map((row) => [
+        String(row.index),
+        `Constraint: ${row.label} on ${row.on}`,
+      ]),
+    ];
+    const before = by.value;
+    by.replaceChildren(...choices.map(([value, text]) => element('option', { value }, text)));
+    if (choices.some(([value]) => value === before)) by.value = before;
+    by.disabled = choices.length === 0;
+    ask();
+  }
+
+  const ask = throttled(ASK_EVERY_MS, async () => {
+    const state = store.get();
+    if (!inSight || !state.model) return;
+    const about =
+      by.value === COLOURS ? declared(state, state.measure ?? measureOfScene(state)) : undefined;
+    const turn = ++asked;
+    const request = about
+      ? { measure: about.id, row: null }
+      : { measure: null, row: by.value === '' ? null : Number(by.value) };
+    const found =
+      by.value === ''
+        ? []
+        : await parts.actions.told(solver.request({ type: 'worst', ...request, count: ROWS }));
+    // A later answer may be there already.
+    if (found && turn === asked) fill(found, about);
+  });
+
+  /**
+   * @param {WorstElement[]} found
+   * @param {import("../../solver/messages.js").FaceMeasure | undefined} about none for a constraint
+   */
+  function fill(found, about) {
+    const state = store.get();
+    const { document, size } = state;
+    const units = document?.units ?? '';
+    const tolerance = about ? toleranceOf(state, about) : state.tolerance;
+    const moved = movedInWords(state);
+    shown = found;
+    const what = about?.words ?? 'largest distance of a vertex to where the constraint wants it';
+    const nothing = 'No constraints, or nothing has a value.';
+    const said = `The ${what}.${moved && ` Moved ${moved}.`}`;
+    setText(words, found.length === 0 ? nothing : said);
+    table.hidden = found.length === 0;
+    rows.forEach(({ line, button, constraint, value }, index) => {
+      const worst = found[index];
+      line.hidden = !worst;
+      if (!worst) return;
+      const text = about
+        ? valueInWords(
+            about,
+            worst.value < roundingOf(about, size) ? 0 : worst.value,
+            units,
+            tolerance,
+          )
+        : length(lengthOrNothing(worst.value, size), units, tolerance ?? worst.value);
+      setText(button, worst.element);
+      setText(value, text);
+      setText(constraint, [worst.constraint, ...worst.groups].filter(Boolean).join(' · ') || '–');
+      button.title = 'Select it and move the camera to it';
+    });
+  }
+
+  new IntersectionObserver(([entry]) => {
+    inSight = entry.isIntersecting;
+    if (inSight) ask();
+  }).observe(panel);
+  store.subscribe(['document', 'measure', 'model'], offer);
+  store.subscribe(['numbers', 'running', 'tolerance', 'tolerances'], () => ask());
+}

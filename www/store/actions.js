@@ -1,0 +1,139 @@
+/**
+ * What the page can do with the solver, each with its words for the status line and its errors.
+ * Buttons, keys, panels and scripts all come through here.
+ */
+
+import { count, ended } from '../ui/format.js';
+import { halfStepWords } from './half-step.js';
+import { messageOf } from '../solver/messages.js';
+import { NOTHING, selectedVertices } from './selection.js';
+
+/**
+ * @param {import("./state.js").Store} store
+ * @param {import("../solver/solver-client.js").SolverClient} solver
+ * @param {import("../ui/alerts.js").Alerts} alerts
+ */
+export function createActions(store, solver, alerts) {
+  const say = (/** @type {string} */ status) => store.set({ status });
+
+  /**
+   * Tells what went wrong and goes on.
+   * @template T
+   * @param {Promise<T>} promise
+   * @returns {Promise<T | undefined>}
+   */
+  async function told(promise) {
+    try {
+      return await promise;
+    } catch (error) {
+      alerts.error(messageOf(error));
+      return undefined;
+    }
+  }
+
+  /**
+   * @param {import("../solver/messages.js").Edit} edit
+   * @param {(error: unknown) => boolean} [tells] tells an error where it belongs; false if it has no place for it
+   * @returns {Promise<null | undefined>}
+   */
+  async function edit(edit, tells = () => false) {
+    try {
+      return await solver.request({ type: 'edit', edit });
+    } catch (error) {
+      if (!tells(error)) alerts.error(messageOf(error));
+      return undefined;
+    }
+  }
+
+  /** Vertices of the selection, corners of selected faces included. */
+  function chosenVertices() {
+    const { geometry } = solver;
+    return geometry ? selectedVertices(store.get().selection, geometry.connectivity) : [];
+  }
+
+  /** The connectivity of the mesh, if one is open. */
+  const connectivity = () => solver.geometry?.connectivity;
+
+  /** Selected vertices that are handles. */
+  function chosenHandles() {
+    const { selection, document } = store.get();
+    return (document?.handles ?? [])
+      .map((handle) => handle.vertex)
+      .filter((vertex) => selection.vertices.has(vertex));
+  }
+
+  /**
+   * @param {number[]} vertices
+   * @param {boolean} fixed
+   */
+  async function addHandles(vertices, fixed) {
+    if (vertices.length === 0) return say('Select a vertex first, then press H.');
+    if ((await edit({ type: 'addHandles', vertices, fixed })) === undefined) return;
+    say(`${count(vertices.length, 'handle')} ${fixed ? 'fixed' : 'added'}`);
+  }
+
+  /** @param {number[]} vertices */
+  async function removeHandles(vertices) {
+    const handles = new Set(store.get().document?.handles.map((handle) => handle.vertex));
+    const held = vertices.filter((vertex) => handles.has(vertex));
+    if (held.length === 0) return say('No handle is selected.');
+    if ((await edit({ type: 'removeHandles', vertices: held })) === undefined) return;
+    say(`${count(held.length, 'handle')} removed`);
+  }
+
+  return {
+    edit,
+    told,
+    say,
+    connectivity,
+    chosenVertices,
+    chosenHandles,
+    addHandles,
+    removeHandles,
+
+    runOrPause() {
+      solver.tell({ type: store.get().running ? 'pause' : 'run' });
+    },
+
+    async step() {
+      const converged = await told(solver.request({ type: 'step' }));
+      if (converged === undefined) return;
+      say(converged ? ended(true, store.get().numbers?.iteration ?? 0) : 'One iteration');
+    },
+
+    /** The local step, or the global step after it. */
+    async halfStep() {
+      const done = await told(solver.request({ type: 'halfStep' }));
+      if (done) say(halfStepWords(done));
+    },
+
+    async reset() {
+      if ((await edit({ type: 'reset' })) !== undefined) say('Back to the shape of the file');
+    },
+
+    async undo() {
+      const what = await told(solver.request({ type: 'undo' }));
+      if (what) say(`Undid: ${what}`);
+    },
+
+    async redo() {
+      const what = await told(solver.request({ type: 'redo' }));
+      if (what) say(`Redid: ${what}`);
+    },
+
+    selectNextHandle() {
+      const { document, selection } = store.get();
+      const handles = (document?.handles ?? []).map(({ vertex }) => vertex);
+      if (handles.length === 0) return say('There is no handle yet.');
+      const at = handles.findIndex((vertex) => selection.vertices.has(vertex));
+      const next = handles[(at + 1) % handles.length];
+      store.set({ selection: { ...NOTHING, vertices: new Set([next]) } });
+    },
+
+    selectNothing() {
+      store.set({ selection: NOTHING });
+    },
+  };
+}
+
+/** @typedef {ReturnType<typeof createActions>} Actions */

@@ -1,0 +1,50 @@
+/** The two halves of an iteration (Fig. 4 of the paper): the words for them, and their button. */
+
+import { setText } from '../ui/dom.js';
+import { groupDigits } from '../ui/format.js';
+
+/**
+ * What a half has done, and what comes next.
+ * @param {import("../solver/messages.js").Half} done
+ */
+export function halfStepWords(done) {
+  if (done.half === 'local') {
+    const all = done.fitted.reduce((sum, { count }) => sum + count, 0);
+    const one = done.fitted.length === 1;
+    const kinds = done.fitted.map(
+      ({ label, count }) => `${one ? '' : `${groupDigits(count)} `}${label.toLowerCase()}`,
+    );
+    const fitted =
+      all > 0
+        ? `${groupDigits(all)} ${all === 1 ? 'shape' : 'shapes'} fitted (${kinds.join(', ')})`
+        : 'nothing to fit';
+    return `Local step done: ${fitted}; next: global step`;
+  }
+  const where = done.accelerated ? 'beyond the' : 'to the';
+  const why = done.accelerated ? ', because steps are accelerated' : '';
+  const next = done.converged ? 'converged' : 'next: local step';
+  return `Global step done: moved ${where} least-squares answer${why}; ${next}`;
+}
+
+/** @param {{ halfway: boolean }} state */
+export function halfStepTitle({ halfway }) {
+  return halfway
+    ? 'Global step: move all vertices to the least-squares answer'
+    : 'Local step: fit a shape to each constraint; nothing moves yet';
+}
+
+/**
+ * Its buttons, in the toolbar and in the menu of a phone, say which half is next.
+ * @param {import("./state.js").Store} store
+ */
+export function bindHalfStepButtons(store) {
+  const buttons = [...document.querySelectorAll('[data-command="half-step"]')];
+  store.subscribe(['halfway'], ({ halfway }) => {
+    for (const button of buttons) {
+      const label = button.querySelector('span');
+      if (label) setText(label, halfway ? 'Global' : 'Local');
+      const use = button.querySelector('use');
+      use?.setAttribute('href', halfway ? '#icon-global' : '#icon-local');
+    }
+  });
+}

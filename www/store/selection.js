@@ -1,0 +1,70 @@
+/** The selection: sets of vertices, edges and faces, and what clicks and regions do to them. */
+
+import { count } from '../ui/format.js';
+
+/** @typedef {import("./state.js").Selection} Selection */
+/** @typedef {import("./state.js").Mode} Mode */
+/** @typedef {"replace" | "add" | "remove"} Combine */
+
+/** @type {Selection} */
+export const NOTHING = { vertices: new Set(), edges: new Set(), faces: new Set() };
+
+/**
+ * Rhino's rule: Shift adds, Ctrl or Cmd removes.
+ * @param {{ shiftKey: boolean, ctrlKey: boolean, metaKey: boolean }} event
+ * @returns {Combine}
+ */
+export function combineOf(event) {
+  if (event.ctrlKey || event.metaKey) return 'remove';
+  return event.shiftKey ? 'add' : 'replace';
+}
+
+/**
+ * @param {Selection} selection
+ * @param {Mode} mode which of the three `items` are
+ * @param {Iterable<number>} items
+ * @param {Combine} combine
+ * @returns {Selection}
+ */
+export function select(selection, mode, items, combine) {
+  if (combine === 'replace') return { ...NOTHING, [mode]: new Set(items) };
+  const next = new Set(selection[mode]);
+  for (const item of items) {
+    if (combine === 'add') next.add(item);
+    else next.delete(item);
+  }
+  return { ...selection, [mode]: next };
+}
+
+/** How many things are selected. @param {Selection} selection */
+export function sizeOfSelection({ vertices, edges, faces }) {
+  return vertices.size + edges.size + faces.size;
+}
+
+/**
+ * The selected vertices, the ends of the selected edges and the corners of the selected faces,
+ * ascending.
+ * @param {Selection} selection
+ * @param {import("../solver/messages.js").Connectivity} connectivity
+ * @returns {number[]}
+ */
+export function selectedVertices(selection, { faceOffsets, faceIndices, edges }) {
+  const vertices = new Set(selection.vertices);
+  for (const edge of selection.edges) vertices.add(edges[2 * edge]).add(edges[2 * edge + 1]);
+  for (const face of selection.faces) {
+    for (let i = faceOffsets[face]; i < faceOffsets[face + 1]; i++) vertices.add(faceIndices[i]);
+  }
+  return [...vertices].sort((a, b) => a - b);
+}
+
+/**
+ * The selection in words, empty when nothing is selected.
+ * @param {Selection} selection
+ */
+export function describe(selection) {
+  const parts = [];
+  if (selection.vertices.size > 0) parts.push(count(selection.vertices.size, 'vertex', 'vertices'));
+  if (selection.edges.size > 0) parts.push(count(selection.edges.size, 'edge'));
+  if (selection.faces.size > 0) parts.push(count(selection.faces.size, 'face'));
+  return parts.join(', ');
+}

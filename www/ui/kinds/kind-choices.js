@@ -1,0 +1,78 @@
+/** The kinds as a palette of drawings: radio buttons, the paper's kinds first. */
+
+import { element } from '../dom.js';
+import { sketch } from './sketch.js';
+
+/** @typedef {import("../../solver/messages.js").KindInfo} KindInfo */
+
+export class KindChoices {
+  element = element('div', { class: 'kinds' });
+  #chosen;
+  /** Those that are on the page. */
+  #shown = '';
+
+  /** @param {(kind: KindInfo) => void} chosen */
+  constructor(chosen) {
+    this.#chosen = chosen;
+  }
+
+  /**
+   * @param {KindInfo[]} kinds
+   * @param {string} chosenId
+   */
+  show(kinds, chosenId) {
+    const shown = kinds.map((kind) => kind.id).join(' ');
+    if (shown !== this.#shown) {
+      this.#shown = shown;
+      const focused = document.activeElement?.id;
+      const own = kinds.filter((kind) => kind.paper);
+      const others = kinds.filter((kind) => !kind.paper);
+      this.element.replaceChildren(
+        ...(own.length > 0 ? [this.#palette(own)] : []),
+        ...(others.length > 0
+          ? [element('p', { class: 'quiet heading' }, 'Other constraints'), this.#palette(others)]
+          : []),
+      );
+      if (focused) document.getElementById(focused)?.focus();
+    }
+    const radio = this.#radio(chosenId);
+    if (radio && !radio.checked) radio.checked = true;
+  }
+
+  /** Brings the chosen one into sight, and gives it the focus. @param {string} id */
+  focus(id) {
+    this.#radio(id)?.focus();
+  }
+
+  /** @param {string} id @returns {HTMLInputElement | null} */
+  #radio(id) {
+    return this.element.querySelector(`#new-kind-${CSS.escape(id)}`);
+  }
+
+  /** @param {KindInfo[]} kinds */
+  #palette(kinds) {
+    return element('div', { class: 'palette' }, ...kinds.map((kind) => this.#tile(kind)));
+  }
+
+  /** @param {KindInfo} kind */
+  #tile(kind) {
+    const summary = `new-kind-${kind.id}-summary`;
+    const radio = element('input', {
+      type: 'radio',
+      name: 'new-kind',
+      id: `new-kind-${kind.id}`,
+      'aria-label': kind.label,
+      'aria-describedby': summary,
+      onchange: () => this.#chosen(kind),
+    });
+    return element(
+      'label',
+      { class: 'tile', title: kind.summary, style: `--chip: rgb(${kind.colour.join(' ')})` },
+      radio,
+      sketch(kind.sketch),
+      element('span', {}, kind.label),
+      // The one that is chosen is said below the palette; a screen reader hears each.
+      element('span', { class: 'visually-hidden', id: summary }, kind.summary),
+    );
+  }
+}

@@ -1,0 +1,244 @@
+/**
+ * Controls for the parameters of a kind, made from their declaration: which forms a value may have,
+ * and for each form its fields.
+ */
+
+import { element } from '../dom.js';
+import {
+  AXES,
+  FIELD_NAMES,
+  axis,
+  converted,
+  keyOf,
+  keyOfValue,
+  labelOf,
+  unitOf,
+} from './parameter-forms.js';
+import { Refusal } from '../../solver/solver-client.js';
+
+/** @typedef {import("../../solver/messages.js").ParamInfo} ParamInfo */
+/** @typedef {import("../../solver/messages.js").ParamValue} ParamValue */
+/** @typedef {import("./parameter-forms.js").Model} Model */
+
+/** Where none is open. @type {Model} */
+const NO_MODEL = { units: '', meanEdge: 0, up: 'z' };
+
+/** The parameters of one kind as rows of controls. */
+export class Parameters {
+  element = element('div', { class: 'parameters' });
+  /** @type {Parameter[]} */
+  #all;
+  #error = element('p', { class: 'error', hidden: true, 'aria-live': 'polite' });
+
+  /**
+   * @param {ParamInfo[]} params
+   * @param {Record<string, ParamValue>} values those that are missing are at their default
+   * @param {Model | null} model
+   * @param {{ name?: string, changed?: (id: string, value: ParamValue) => void }} [options] `name` goes
+   *   before the names of the controls, for those who do not see where they are
+   */
+  constructor(params, values, model, { name = '', changed = () => {} } = {}) {
+    this.#all = params.map((param) => {
+      const value = param.id in values ? values[param.id] : param.default;
+      const prefix = name ? `${name}: ` : '';
+      return new Parameter(param, value, model ?? NO_MODEL, prefix, (next) => {
+        this.#tell('');
+        changed(param.id, next);
+      });
+    });
+    this.element.replaceChildren(...this.#all.map((one) => one.element), this.#error);
+    this.element.hidden = params.length === 0;
+  }
+
+  /** The values, or null when a field says that its number is out of range. */
+  values() {
+    /** @type {Record<string, ParamValue>} */
+    const values = {};
+    for (const one of this.#all) {
+      const value = one.read();
+      if (value === undefined) return null;
+      values[one.id] = value;
+    }
+    return values;
+  }
+
+  /**
+   * Shows an error at the parameter that it is about, or below all when it is about several. False
+   * when it is about something else.
+   * @param {unknown} error
+   */
+  refuse(error) {
+    if (!(error instanceof Refusal)) return false;
+    const path = error.path.replace(/^constraints\[\d+\]\.?/, '');
+    const message = error.message.replace(`${error.path}: `, '');
+    const [, id = '', place = '0'] = /^([^.[]*)(?:\[(\d+)\])?/.exec(path) ?? [];
+    const about = this.#all.find((one) => one.id === id);
+    about?.refuse(message, Number(place));
+    if (path === '') this.#tell(message);
+    return about !== undefined || path === '';
+  }
+
+  /** @param {string} message about all parameters */
+  #tell(message) {
+    this.#error.textContent = message;
+    this.#error.hidden = message === '';
+  }
+
+  /** Back to these values, where something was refused. @param {Record<string, ParamValue>} values */
+  restore(values) {
+    for (const one of this.#all) one.show(values[one.id]);
+  }
+}
+
+/** The row of one parameter. */
+class Parameter {
+  #param;
+  #value;
+  #model;
+  #name;
+  #changed;
+  /** @type {HTMLInputElement[]} */
+  #fields = [];
+  #place = element('span', { class: 'fields' });
+  #forms = element('select');
+  #error = element('p', { class: 'error', hidden: true, 'aria-live': 'polite' });
+
+  /**
+   * @param {ParamInfo} param
+   * @param {ParamValue} value
+   * @param {Model} model
+   * @param {string} prefix
+   * @param {(value: ParamValue) => void} changed
+   */
+  constructor(param, value, model, prefix, changed) {
+    this.#param = param;
+    this.#value = value;
+    this.#model = model;
+    this.#name = `${prefix}${param.label}`;
+    this.#changed = changed;
+    this.#error.id = `error-${this.#name.replace(/\W+/g, '-')}`;
+    this.#forms.setAttribute('aria-label', `${this.#name}: kind of value`);
+    this.#forms.append(
+      ...param.forms.map((form) => element('option', { value: keyOf(form) }, labelOf(form))),
+    );
+    this.#forms.addEventListener('change', () => {
+      const form = param.forms[this.#forms.selectedIndex];
+      this.show(converted(param, form, this.#value, model));
+      changed(this.#value);
+    });
+    this.element = element(
+      'div',
+      { class: 'parameter', role: 'group', 'aria-label': this.#name },
+      element('span', { class: 'label' }, param.label),
+      ...(param.forms.length > 1 ? [this.#forms] : []),
+      this.#place,
+      this.#error,
+    );
+    this.show(value);
+  }
+
+  get id() {
+    return this.#param.id;
+  }
+
+  /** Shows a value, and no error. @param {ParamValue} value */
+  show(value) {
+    this.#value = value;
+    const key = keyOfValue(value);
+    const numbers = Array.isArray(value) ? value : typeof value === 'number' ? [value] : [];
+    const names = numbers.length > 0 ? FIELD_NAMES[key] : [];
+    this.#forms.value = key;
+    this.#fields = numbers.map((one, i) => this.#field(one, names[i], key));
+    const unit = key === 'vector' ? '' : unitOf(this.#param, this.#model.units);
+    this.#place.replaceChildren(
+      ...(key === 'vector' ? [this.#axes()] : []),
+      ...this.#fields.flatMap((field, i) => (key === 'range' && i === 1 ? ['–', field] : [field])),
+      ...(unit && names.length > 0 ? [element('span', { class: 'quiet' }, unit)] : []),
+    );
+    this.#place.className = `fields ${key.split(' ')[0]}`;
+    this.#tell('');
+  }
+
+  /**
+   * @param {number | null} value
+   * @param {string} name
+   * @param {string} key of the form
+   */
+  #field(value, name, key) {
+    const [least, greatest] = this.#param.range;
+    const isLength = key !== 'vector';
+    const field = element('input', {
+      type: 'number',
+      step: 'any',
+      ...(isLength ? { min: least } : {}),
+      ...(isLength && Number.isFinite(greatest) ? { max: greatest } : {}),
+      ...(key === 'range' ? { placeholder: 'no limit' } : { required: true }),
+      value: value === null ? '' : String(value),
+      'aria-label': this.#name + name,
+      'aria-describedby': this.#error.id,
+      // Told while it is typed: were it told when the field is left, the page would move under the
+      // pointer that leaves it for a button.
+      oninput: () => this.read(),
+      onchange: () => {
+        const next = this.read();
+        if (next === undefined) return;
+        this.#value = next;
+        this.#changed(next);
+      },
+    });
+    return field;
+  }
+
+  /** The quick choices of a direction. */
+  #axes() {
+    const buttons = AXES.map((name) =>
+      element(
+        'button',
+        {
+          type: 'button',
+          'aria-label': `${this.#name} along ${name.toUpperCase()}`,
+          'aria-pressed': String(axis(name).every((part, i) => part === this.#vector()[i])),
+          onclick: () => {
+            this.show(axis(name));
+            this.#changed(this.#value);
+          },
+        },
+        name.toUpperCase(),
+      ),
+    );
+    return element('span', { class: 'segmented' }, ...buttons);
+  }
+
+  #vector() {
+    return Array.isArray(this.#value) ? this.#value : [];
+  }
+
+  /** The value of the fields; undefined, and told, when one of them is not valid. @returns {ParamValue | undefined} */
+  read() {
+    const wrong = this.#fields.find((field) => !field.validity.valid);
+    if (wrong) {
+      this.#tell(wrong.validationMessage, wrong);
+      return undefined;
+    }
+    this.#tell('');
+    if (this.#fields.length === 0) return this.#value;
+    const numbers = this.#fields.map((field) => (field.value === '' ? null : field.valueAsNumber));
+    return /** @type {ParamValue} */ (numbers.length === 1 ? numbers[0] : numbers);
+  }
+
+  /**
+   * @param {string} message
+   * @param {number} place of the field that is wrong
+   */
+  refuse(message, place) {
+    this.#tell(message, this.#fields[place] ?? this.#fields[0]);
+  }
+
+  /** @param {string} message @param {HTMLInputElement} [field] */
+  #tell(message, field) {
+    for (const one of this.#fields) one.toggleAttribute('aria-invalid', false);
+    field?.setAttribute('aria-invalid', 'true');
+    this.#error.textContent = message;
+    this.#error.hidden = message === '';
+  }
+}

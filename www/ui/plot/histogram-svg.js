@@ -1,0 +1,53 @@
+/** A histogram as one drawing: its bars, or the outline of another one over them. */
+
+import { setAttribute } from '../dom.js';
+
+const SPACE = 'http://www.w3.org/2000/svg';
+/** A single face among thousands is the one that is looked for: it has to be seen. Of the height. */
+const LEAST = 1 / 15;
+
+/** @param {"outline" | "bars"} look */
+function drawing(look) {
+  const svg = document.createElementNS(SPACE, 'svg');
+  svg.setAttribute('class', look);
+  svg.setAttribute('aria-hidden', 'true');
+  svg.setAttribute('preserveAspectRatio', 'none');
+  svg.append(document.createElementNS(SPACE, 'path'));
+  return svg;
+}
+
+/** Nothing yet; `drawOutline` gives it an outline. */
+export const outline = () => drawing('outline');
+/** Nothing yet; `drawBars` gives it bars. */
+export const bars = () => drawing('bars');
+
+/**
+ * @param {SVGSVGElement} svg
+ * @param {number[] | null} counts per bar; without them there is no outline
+ * @param {number} most the count that is as high as the drawing
+ */
+export function drawOutline(svg, counts, most) {
+  svg.toggleAttribute('hidden', !counts);
+  if (!counts) return;
+  setAttribute(svg, 'viewBox', `0 0 ${counts.length} 1`);
+  const steps = counts.map((count, k) => {
+    const y = Math.round(1e4 * (1 - count / Math.max(most, 1))) / 1e4;
+    return `L${k} ${y}L${k + 1} ${y}`;
+  });
+  const path = `M0 1${steps.join('')}L${counts.length} 1`;
+  if (svg.firstElementChild) setAttribute(svg.firstElementChild, 'd', path);
+}
+
+/**
+ * @param {SVGSVGElement} svg
+ * @param {number[]} counts per bar; the greatest is as high as the drawing
+ */
+export function drawBars(svg, counts) {
+  const most = Math.max(...counts, 1);
+  const least = LEAST * most;
+  drawOutline(
+    svg,
+    counts.map((count) => (count > 0 ? Math.max(count, least) : 0)),
+    most,
+  );
+}

@@ -1,0 +1,195 @@
+/** The convergence plot: energies over iterations, on a logarithmic scale, with uPlot. */
+
+import uPlot from 'uplot';
+import { element, setText } from '../dom.js';
+import { groupDigits, number } from '../format.js';
+
+/** In the order of the columns. */
+const SERIES = [
+  { id: 'shape', label: 'Shape', width: 1.25 },
+  { id: 'close', label: 'Close', width: 1.25 },
+  { id: 'smooth', label: 'Smooth', width: 1.25 },
+  { id: 'handles', label: 'Handles', width: 1.25 },
+  { id: 'total', label: 'Total', width: 2 },
+];
+const HEIGHT = 180;
+/** Round numbers, to count with. */
+export const COUNTS = [1, 10, 100, 1000, 1e4, 1e5].flatMap((power) => [
+  power,
+  2 * power,
+  5 * power,
+]);
+/** Energies this far below the greatest are drawn as this: a logarithm has no zero. */
+const DECADES = 12;
+
+export class EnergyPlot {
+  #place;
+  #key;
+  /** @type {uPlot | null} */
+  #plot = null;
+  /** @type {number[][]} */
+  #columns = [];
+  #units = '';
+  #observer;
+
+  /** @param {HTMLElement} place */
+  constructor(place) {
+    this.#place = place;
+    this.#key = element('div', { class: 'plot-key' });
+    this.#observer = new ResizeObserver(() => {
+      const width = this.#place.clientWidth;
+      if (this.#plot && width > 0 && width !== this.#plot.width) {
+        this.#plot.setSize({ width, height: HEIGHT });
+      }
+    });
+    this.#observer.observe(place);
+  }
+
+  /**
+   * @param {number[][]} columns iteration, then one per series
+   * @param {string} units of the energies
+   */
+  show(columns, units) {
+    this.#columns = columns;
+    this.#units = units;
+    if (this.#plot) this.#plot.setData(this.#drawable());
+    else this.#make();
+    this.#writeKey(columns[0].length - 1);
+  }
+
+  /** After the theme changed: uPlot paints on a canvas and does not see style sheets. */
+  restyle() {
+    if (!this.#plot) return;
+    this.#make();
+  }
+
+  destroy() {
+    this.#observer.disconnect();
+    this.#plot?.destroy();
+    this.#plot = null;
+  }
+
+  /** The columns with what a logarithm cannot show at the lower end of the scale. */
+  #drawable() {
+    let [greatest, smallest] = [0, Infinity];
+    for (const column of this.#columns.slice(1)) {
+      for (let i = 0; i < column.length; i++) {
+        greatest = Math.max(greatest, column[i]);
+        // A term that is nothing but rounding at the start would take most of the scale.
+        if (i > 0 && column[i] > 0) smallest = Math.min(smallest, column[i]);
+      }
+    }
+    smallest = Math.min(smallest, greatest);
+    const least = Math.max(smallest, greatest * 10 ** -DECADES) || Number.MIN_VALUE;
+    const [iterations, ...energies] = this.#columns;
+    return /** @type {uPlot.AlignedData} */ ([
+      iterations,
+      // A term that is nothing throughout has no line.
+      ...energies.map((column) =>
+        column.some((value) => value > 0)
+          ? column.map((value) => Math.max(value, least))
+          : column.map(() => null),
+      ),
+    ]);
+  }
+
+  #make() {
+    this.#plot?.destroy();
+    const style = getComputedStyle(this.#place);
+    const colour = (/** @type {string} */ name) => style.getPropertyValue(name).trim();
+    const axis = {
+      stroke: colour('--quiet'),
+      font: `11px ${style.fontFamily}`,
+      grid: { stroke: colour('--line'), width: 1 },
+      ticks: { show: false },
+    };
+    this.#plot = new uPlot(
+      {
+        width: Math.max(this.#place.clientWidth, 120),
+        height: HEIGHT,
+        padding: [8, 20, 0, 0],
+        legend: { show: false },
+        cursor: { y: false, points: { size: 5 }, drag: { x: false, y: false } },
+        scales: { x: { time: false }, y: { distr: 3 } },
+        axes: [
+          {
+            ...axis,
+            size: 22,
+            gap: 4,
+            space: 48,
+            incrs: COUNTS,
+            values: (_, ticks) => ticks.map(groupDigits),
+          },
+          {
+            ...axis,
+            size: 46,
+            gap: 4,
+            filter: (_, ticks) => ticks,
+            splits: (_, _axis, least, most) => decades(least, most),
+            values: (_, ticks) => ticks.map(powerOfTen),
+          },
+        ],
+        series: [
+          {},
+          ...SERIES.map(({ id, label, width }) => ({
+            label,
+            stroke: colour(`--series-${id}`),
+            width,
+            points: { show: false },
+          })),
+        ],
+        hooks: {
+          setCursor: [
+            (plot) => this.#writeKey(plot.cursor.idx ?? (this.#columns[0]?.length ?? 1) - 1),
+          ],
+        },
+      },
+      this.#drawable(),
+      this.#place,
+    );
+    this.#place.append(this.#key);
+  }
+
+  /** What the lines are, and their values at the cursor. @param {number} index of an iteration */
+  #writeKey(index) {
+    if (this.#key.childElementCount === 0) {
+      this.#key.append(
+        element('span', { class: 'quiet' }),
+        ...SERIES.map(({ id, label }) =>
+          element(
+            'span',
+            { title: label },
+            element('span', { class: 'swatch', style: `--chip: var(--series-${id})` }),
+            element('span', { class: 'figure' }),
+          ),
+        ),
+      );
+    }
+    const [iterations, ...energies] = this.#columns;
+    const unit = this.#units ? `, in ${this.#units}` : '';
+    setText(this.#key.children[0], `Iteration ${iterations[index] ?? 0}${unit}`);
+    SERIES.forEach(({ label }, i) => {
+      const cell = this.#key.children[i + 1].lastElementChild;
+      if (cell) setText(cell, `${label} ${number(energies[i][index] ?? 0)}`);
+    });
+  }
+}
+
+/**
+ * Whole powers of ten, at most half a dozen of them.
+ * @param {number} least
+ * @param {number} most
+ */
+export function decades(least, most) {
+  const first = Math.ceil(Math.log10(least) - 1e-9);
+  const last = Math.floor(Math.log10(most) + 1e-9);
+  const stride = Math.max(1, Math.ceil((last - first) / 6));
+  const ticks = [];
+  for (let exponent = first; exponent <= last; exponent += stride) ticks.push(10 ** exponent);
+  return ticks;
+}
+
+/** @param {number} value */
+export function powerOfTen(value) {
+  return value.toExponential(0).replace('-', '−').replace('e+', 'e');
+}

@@ -1,0 +1,47 @@
+/** Beside what is dragged: how far it has moved, in the unit of the mesh. */
+
+import { RENEW_MS, element, setText, throttled } from '../../ui/dom.js';
+import { lengthUnit, number } from '../../ui/format.js';
+import { ROUNDING } from '../../ui/rounding.js';
+
+/**
+ * @param {import("../viewport.js").Viewport} viewport
+ * @param {import("../../store/state.js").Store} store
+ */
+export function showMoved(viewport, store) {
+  const label = element('p', { id: 'moved', hidden: true });
+  viewport.element.after(label);
+  const write = () => {
+    const { moved } = store.get();
+    if (moved) setText(label, movedInWords(moved.by, store.get()));
+  };
+  const writeSoon = throttled(RENEW_MS, write);
+  store.subscribe(['moved'], ({ moved }) => {
+    const place = moved && viewport.heldPlace(moved.by);
+    const wasHidden = label.hidden;
+    label.hidden = !place;
+    if (!place) return;
+    if (wasHidden) write();
+    else writeSoon();
+    // On the side where there is room, told without measuring: that would lay the page out anew.
+    const [x, y] = place;
+    label.style.translate =
+      x > viewport.width / 2 ? `calc(${x - 22}px - 100%) ${y + 18}px` : `${x + 22}px ${y + 18}px`;
+  });
+}
+
+/**
+ * The parts of a displacement that are not nothing.
+ * @param {number[]} by
+ * @param {Readonly<import("../../store/state.js").State>} state
+ */
+export function movedInWords(by, { document, size }) {
+  const far = Math.hypot(...by);
+  const { unit, factor } = lengthUnit(far, document?.units ?? '');
+  const parts = by.flatMap((part, axis) => {
+    if (Math.abs(part) <= Math.max(ROUNDING * size, 1e-3 * far)) return [];
+    const sign = part > 0 ? '+' : '';
+    return [`${'xyz'[axis]} ${sign}${number(part * factor)}`];
+  });
+  return parts.length > 0 ? `${parts.join('  ')} ${unit}`.trim() : `0 ${unit}`.trim();
+}

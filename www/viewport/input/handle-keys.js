@@ -1,0 +1,75 @@
+/**
+ * Moving handles by keys, while the view has the focus: Enter takes the selected handles up, arrows
+ * move them on the screen (with Shift at their height), X, Y and Z keep them on an axis, Enter
+ * leaves them, Escape puts them back.
+ */
+
+import { HandleDrag } from './handle-drag.js';
+
+/** Pixels that an arrow key moves a handle by. */
+const STEP = 8;
+/** @type {Record<string, [number, number]>} */
+const WAYS = {
+  ArrowLeft: [-STEP, 0],
+  ArrowRight: [STEP, 0],
+  ArrowUp: [0, -STEP],
+  ArrowDown: [0, STEP],
+};
+const AXES = ['x', 'y', 'z'];
+
+/**
+ * Comes before the keys of the view, which have the arrows otherwise.
+ * @param {import("../viewport.js").Viewport} viewport
+ * @param {import("../../store/state.js").Store} store
+ * @param {import("../../solver/solver-client.js").SolverClient} solver
+ * @param {import("../../store/actions.js").Actions} actions
+ */
+export function bindHandleKeys(viewport, store, solver, actions) {
+  const { element } = viewport;
+  /** @type {HandleDrag | null} */
+  let drag = null;
+  let at = [0, 0];
+
+  function takeUp() {
+    const [vertex] = actions.chosenHandles();
+    if (vertex === undefined || !viewport.view || store.get().dragged.length > 0) return false;
+    viewport.view.holdVertex(vertex);
+    drag = new HandleDrag(store, solver, viewport.heldWay, vertex);
+    at = [0, 0];
+    actions.say('Handle taken up: arrows move it, Enter leaves it, Esc puts it back');
+    return true;
+  }
+
+  /** @param {boolean} keep */
+  function letGo(keep) {
+    if (keep) drag?.end();
+    else drag?.cancel();
+    drag = null;
+    actions.say(keep ? 'Handle moved' : 'Handle put back');
+    return true;
+  }
+
+  /** Whether the key was for a handle. @param {KeyboardEvent} event */
+  function press({ key, shiftKey }) {
+    if (!drag) return key === 'Enter' && takeUp();
+    if (key === 'Enter' || key === 'Escape') return letGo(key === 'Enter');
+    const axis = AXES.indexOf(key.toLowerCase());
+    if (axis >= 0) drag.toggleAxis(axis);
+    const way = WAYS[key];
+    if (way) {
+      at = [at[0] + way[0], at[1] + way[1]];
+      drag.hold(shiftKey ? 'horizontal' : 'screen');
+      drag.move(at[0], at[1]);
+    }
+    return axis >= 0 || way !== undefined;
+  }
+
+  element.addEventListener('keydown', (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey || !press(event)) return;
+    event.preventDefault();
+    event.stopImmediatePropagation();
+  });
+  element.addEventListener('blur', () => {
+    if (drag) letGo(true);
+  });
+}

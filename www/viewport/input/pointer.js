@@ -1,0 +1,453 @@
+/**
+ * Mouse, pen and touch on the viewport.
+ *
+ * | | Drag tool | Select tool |
+ * |---|---|---|
+ * | left on a handle | moves it | moves it |
+ * | left on the gizmo | moves the selected handles along an axis or in a plane | same |
+ * | left elsewhere, drag | orbits | box, lasso or brush: see `region-selection.js` |
+ * | Alt + left on a vertex | makes it a handle and moves it | same |
+ * | left click | selects; Shift adds, Ctrl or Cmd removes | same |
+ * | double-click | vertex: handle; edge: loop; face: flat patch; nothing: fit all | same |
+ * | right, middle or Shift+right | orbits, pans | same |
+ * | wheel, pinch | zooms to the cursor | same |
+ * | right click, long press | the menu of what is there | same |
+ * | touch | one finger as left, two pan and zoom | same |
+ */
+
+import { isFirstPictureThere } from '../placeholder/placeholder-scene.js';
+import { HandleDrag } from './handle-drag.js';
+import { near, slop } from './hit-tolerance.js';
+import { NOTHING, combineOf, select } from '../../store/selection.js';
+import { pair, wheelFactor } from './zooming.js';
+
+/** So near, a handle goes before the part of the gizmo that lies over it. */
+const ON_HANDLE = 9;
+/** So near, a double-click is on a vertex, else on an edge, and not on the face. */
+const ON_VERTEX = 8;
+const ON_EDGE = 5;
+/** A finger that rests so long asks for the menu, in milliseconds. */
+const LONG_PRESS_MS = 500;
+
+/**
+ * What a press has become: nothing yet, or one of these until it is released.
+ * @typedef {{ kind: "press" | "orbit" | "pan" | "region" | "pinch" | "making" | "spent" } | { kind: "handle", drag: HandleDrag }} Gesture
+ */
+
+export class PointerInput {
+  #store;
+  #solver;
+  #viewport;
+  #element;
+  #region;
+  #commands;
+  /** Where each pointer that is down was last. @type {Map<number, [number, number]>} */
+  #down = new Map();
+  /** Where the element begins on the page. */
+  #corner = [0, 0];
+  /** @type {[number, number]} */
+  #start = [0, 0];
+  /** The handle that was pressed. @type {number | undefined} */
+  #handle;
+  /** The part of the gizmo that was pressed. @type {string | undefined} */
+  #part;
+  /** The timer of a long press. */
+  #resting = 0;
+  /** @type {Gesture | null} */
+  #gesture = null;
+
+  /**
+   * @param {import("../../store/state.js").Store} store
+   * @param {import("../../solver/solver-client.js").SolverClient} solver
+   * @param {import("../viewport.js").Viewport} viewport
+   * @param {import("../../features/selection/region-selection.js").RegionSelection} region
+   * @param {{ addHandles: (vertices: number[]) => Promise<void>, fitAll: () => void, chosenHandles: () => number[],
+   *   showMenu: (at: [number, number]) => void,
+   *   doubleClick: (mode: import("../../store/state.js").Mode, item: number, event: MouseEvent) => void }} commands
+   */
+  constructor(store, solver, viewport, region, commands) {
+    this.#store = store;
+    this.#solver = solver;
+    this.#viewport = viewport;
+    this.#element = viewport.element;
+    this.#region = region;
+    this.#commands = commands;
+    const listen = /** @type {HTMLElement["addEventListener"]} */ (
+      this.#element.addEventListener.bind(this.#element)
+    );
+    listen('pointerdown', (event) => this.#press(event));
+    listen('pointermove', (event) => this.#move(event));
+    listen('pointerup', (event) => this.#release(event));
+    listen('pointercancel', () => this.cancel());
+    listen('pointerleave', () => store.set({ gizmoPart: undefined, pointedAt: undefined }));
+    listen('dblclick', (event) => this.#doubleClick(event));
+    listen('wheel', (event) => this.#wheel(event), { passive: false });
+    listen('contextmenu', (event) => event.preventDefault());
+    listen('keydown', (event) => this.#menuKey(event));
+    window.addEventListener('keydown', (event) => this.#keyWhileDown(event), { capture: true });
+    store.subscribe(['tool'], ({ tool }) => (this.#element.dataset.tool = tool));
+    store.subscribe(['tape'], ({ tape }) =>
+      this.#element.toggleAttribute('data-measures', tape !== null),
+    );
+  }
+
+  /** Ends the gesture and takes back what it did. Whether there was one. */
+  cancel() {
+    const gesture = this.#gesture;
+    if (!gesture) return false;
+    if (gesture.kind === 'handle') gesture.drag.cancel();
+    if (gesture.kind === 'making') this.#tellMade([], 'cancel');
+    if (gesture.kind === 'region') this.#region.cancel();
+    this.#become(this.#down.size > 0 ? { kind: 'spent' } : null);
+    return true;
+  }
+
+  /**
+   * @param {MouseEvent} event
+   * @returns {[number, number]}
+   */
+  #at(event) {
+    // While something is down it stays: to measure it would lay out what a drag changes, twice a frame.
+    if (this.#down.size === 0) {
+      const { left, top } = this.#element.getBoundingClientRect();
+      this.#corner = [left, top];
+    }
+    return [event.clientX - this.#corner[0], event.clientY - this.#corner[1]];
+  }
+
+  /** @param {PointerEvent} event */
+  #press(event) {
+    if (!this.#viewport.view || isFirstPictureThere()) return;
+    const at = this.#at(event);
+    this.#element.focus({ preventScroll: true });
+    this.#element.setPointerCapture(event.pointerId);
+    this.#down.set(event.pointerId, at);
+    if (this.#down.size > 1) return this.#secondFinger();
+    this.#start = at;
+    this.#handle = undefined;
+    if (event.button === 1) {
+      event.preventDefault();
+      this.#become({ kind: 'pan' });
+    } else if (event.button === 2) {
+      this.#aim(event, at);
+      this.#become({ kind: 'press' });
+    } else if (event.button === 0) {
+      this.#aim(event, at);
+      if (event.altKey && this.#handle === undefined) return void this.#makeHandle(event, at);
+      const paints = this.#handle === undefined && this.#region.paints;
+      this.#become({ kind: paints ? 'region' : 'press' });
+      if (paints) this.#region.begin(at, combineOf(event));
+      else if (event.pointerType === 'touch')
+        this.#resting = window.setTimeout(() => this.#rest(event, at), LONG_PRESS_MS);
+    }
+  }
+
+  /**
+   * A finger has not moved, unless that is about to be told.
+   * @param {PointerEvent} event
+   * @param {[number, number]} at
+   */
+  #rest(event, at) {
+    const gesture = this.#gesture;
+    requestAnimationFrame(() => {
+      if (gesture?.kind === 'press' && gesture === this.#gesture) this.#askForMenu(event, at);
+    });
+  }
+
+  /**
+   * Shows the menu of what is there; that belongs to the selection then.
+   * @param {PointerEvent} event
+   * @param {[number, number]} at
+   */
+  #askForMenu(event, at) {
+    const { mode, selection } = this.#store.get();
+    const what = this.#handle === undefined ? mode : 'vertices';
+    const item = this.#handle ?? this.#pick(mode, event, at);
+    if (item !== undefined && !selection[what].has(item))
+      this.#store.set({ selection: select(selection, what, [item], 'replace') });
+    this.#become({ kind: 'spent' });
+    this.#commands.showMenu([event.clientX, event.clientY]);
+  }
+
+  /** @param {KeyboardEvent} event */
+  #menuKey(event) {
+    if (event.key !== 'ContextMenu' && !(event.key === 'F10' && event.shiftKey)) return;
+    event.preventDefault();
+    const { left, top, width, height } = this.#element.getBoundingClientRect();
+    this.#commands.showMenu([left + width / 2, top + height / 2]);
+  }
+
+  /**
+   * The handle, or the part of the gizmo and a handle that it moves, under the pointer.
+   * @param {PointerEvent} event
+   * @param {[number, number]} at
+   */
+  #aim(event, at) {
+    this.#part = this.#viewport.with((view) => view.pickGizmo(...at));
+    this.#handle = this.#handleAt(at, this.#part ? ON_HANDLE : near(event));
+    if (this.#handle !== undefined) this.#part = undefined;
+    else if (this.#part) [this.#handle] = this.#commands.chosenHandles();
+  }
+
+  /**
+   * Makes the vertex under the pointer a handle and drags it: one step of undo.
+   * @param {PointerEvent} event
+   * @param {[number, number]} at
+   */
+  #makeHandle(event, at) {
+    const vertex = this.#vertexAt(event, at);
+    /** @type {Gesture} */
+    const making = { kind: vertex === undefined ? 'press' : 'making' };
+    this.#become(making);
+    if (vertex === undefined) return;
+    this.#tellMade([vertex], 'make');
+    const made = () => {
+      // Released or taken back meanwhile.
+      if (this.#gesture !== making) return;
+      this.#handle = vertex;
+      this.#begin(true);
+      const last = this.#down.get(event.pointerId);
+      if (last) this.#drag(event, last);
+    };
+    this.#store.set({ dragged: [vertex] });
+    this.#solver.addEventListener('document', made, { once: true });
+  }
+
+  /**
+   * What becomes of a handle that is made and has not been dragged.
+   * @param {number[]} vertices
+   * @param {"make" | "end" | "cancel"} phase
+   */
+  #tellMade(vertices, phase) {
+    const targets = new Float64Array(0);
+    this.#solver.tell({ type: 'drag', vertices: Uint32Array.from(vertices), targets, phase });
+    if (phase !== 'make') this.#store.set({ dragged: [] });
+  }
+
+  /**
+   * @param {PointerEvent} event
+   * @param {[number, number]} at
+   */
+  #drag(event, at) {
+    if (this.#gesture?.kind !== 'handle') return;
+    const [dx, dy] = [at[0] - this.#start[0], at[1] - this.#start[1]];
+    this.#gesture.drag.move(dx, dy, event.timeStamp);
+  }
+
+  /**
+   * X, Y and Z keep a dragged handle on a line along that axis, and let it go again. Escape takes the
+   * gesture back, whatever else is held down.
+   * @param {KeyboardEvent} event
+   */
+  #keyWhileDown(event) {
+    const axis = ['x', 'y', 'z'].indexOf(event.key.toLowerCase());
+    if (axis >= 0 && this.#gesture?.kind === 'handle') this.#gesture.drag.toggleAxis(axis);
+    else if (event.key !== 'Escape' || !this.cancel()) return;
+    event.preventDefault();
+    event.stopPropagation();
+  }
+
+  /** A second finger turns what the first one began into pan and zoom; a dragged handle goes on. */
+  #secondFinger() {
+    if (this.#gesture?.kind !== 'handle') this.#become({ kind: 'pinch' });
+  }
+
+  /** @param {PointerEvent} event */
+  #move(event) {
+    const at = this.#at(event);
+    const last = this.#down.get(event.pointerId);
+    if (!last) return this.#hover(event, at);
+    if (this.#gesture?.kind === 'pinch') return this.#pinch(event.pointerId, at);
+    this.#down.set(event.pointerId, at);
+    if (this.#gesture?.kind === 'press') {
+      const moved = Math.hypot(at[0] - this.#start[0], at[1] - this.#start[1]);
+      if (moved < slop(event)) return;
+      if (event.buttons !== 2) this.#begin();
+      else if (event.shiftKey) this.#become({ kind: 'pan' });
+      else this.#beginTurn();
+    }
+    const [dx, dy] = [at[0] - last[0], at[1] - last[1]];
+    switch (this.#gesture?.kind) {
+      case 'handle':
+        this.#gesture.drag.hold(planeOf(event));
+        return this.#drag(event, at);
+      case 'orbit':
+        return void this.#viewport.with((view) => view.turn(dx, dy));
+      case 'pan':
+        return void this.#viewport.with((view) => view.pan(dx, dy));
+      case 'region':
+        return this.#region.move(at);
+    }
+  }
+
+  /**
+   * The press has become a drag: of a handle, of the camera, or of a region.
+   * @param {boolean} [begun] the solver knows of the drag
+   */
+  #begin(begun = false) {
+    const { heldWay, view } = this.#viewport;
+    const [handle, part] = [this.#handle, this.#part];
+    if (handle !== undefined && view) {
+      if (part) view.holdGizmo(...this.#start);
+      else view.holdVertex(handle, ...this.#start);
+      const drag = new HandleDrag(this.#store, this.#solver, heldWay, handle, part, begun);
+      this.#become({ kind: 'handle', drag });
+    } else {
+      if (this.#store.get().tool !== 'select') return this.#beginTurn();
+      this.#become({ kind: 'region' });
+      this.#region.begin(this.#start, 'replace');
+    }
+  }
+
+  /** The camera turns about what was pressed. */
+  #beginTurn() {
+    this.#viewport.with((view) => view.beginTurn(...this.#start));
+    this.#become({ kind: 'orbit' });
+  }
+
+  /** @param {PointerEvent} event */
+  #release(event) {
+    const at = this.#at(event);
+    if (!this.#down.delete(event.pointerId)) return;
+    const gesture = this.#gesture;
+    switch (gesture?.kind) {
+      case 'handle':
+        this.#drag(event, at);
+        gesture.drag.end();
+        break;
+      case 'making':
+        this.#tellMade([], 'end');
+        break;
+      case 'press':
+        if (event.button === 2) this.#askForMenu(event, at);
+        else this.#click(event, at);
+        break;
+      case 'region':
+        this.#region.end(at, combineOf(event));
+        break;
+    }
+    this.#become(this.#down.size > 0 ? { kind: 'spent' } : null);
+  }
+
+  /**
+   * @param {PointerEvent} event
+   * @param {[number, number]} at
+   */
+  #click(event, at) {
+    if (this.#part) return;
+    const { mode, selection, tape } = this.#store.get();
+    if (tape) {
+      const end = this.#handle ?? this.#vertexAt(event, at);
+      const isOther = tape.length === 1 && tape[0] !== end;
+      if (end !== undefined) this.#store.set({ tape: isOther ? [...tape, end] : [end] });
+      return;
+    }
+    const combine = combineOf(event);
+    const item = this.#handle ?? this.#pick(mode, event, at);
+    if (item !== undefined) {
+      const what = this.#handle === undefined ? mode : 'vertices';
+      this.#store.set({ selection: select(selection, what, [item], combine) });
+    } else if (combine === 'replace') {
+      this.#store.set({ selection: NOTHING });
+    }
+  }
+
+  /**
+   * What is under the pointer.
+   * @param {import("../../store/state.js").Mode} mode
+   * @param {MouseEvent} event
+   * @param {[number, number]} at
+   */
+  #pick(mode, event, at) {
+    if (mode === 'vertices') return this.#vertexAt(event, at);
+    return this.#viewport.with((view) =>
+      mode === 'edges' ? view.pickEdge(...at, near(event)) : view.pickFace(...at),
+    );
+  }
+
+  /** Acts on what is hit, whatever a click selects. @param {MouseEvent} event */
+  #doubleClick(event) {
+    const at = this.#at(event);
+    if (this.#store.get().tape || this.#part) return;
+    this.#viewport.with((view) => {
+      const vertex = view.pickVertex(...at, ON_VERTEX);
+      if (vertex !== undefined) return void this.#commands.addHandles([vertex]);
+      const edge = view.pickEdge(...at, ON_EDGE);
+      const face = view.pickFace(...at);
+      if (edge !== undefined) this.#commands.doubleClick('edges', edge, event);
+      else if (face !== undefined) this.#commands.doubleClick('faces', face, event);
+      else this.#commands.fitAll();
+    });
+  }
+
+  /**
+   * Two fingers: their middle pans, their distance zooms.
+   * @param {number} id
+   * @param {[number, number]} at
+   */
+  #pinch(id, at) {
+    const [a, b] = [...this.#down.values()];
+    const before = pair(a, b);
+    this.#down.set(id, at);
+    const [c, d] = [...this.#down.values()];
+    const now = pair(c, d);
+    this.#viewport.with((view) => {
+      view.pan(now.x - before.x, now.y - before.y);
+      if (before.apart > 0 && now.apart > 0) view.zoom(now.apart / before.apart, now.x, now.y);
+    });
+  }
+
+  /** @param {WheelEvent} event */
+  #wheel(event) {
+    event.preventDefault();
+    if (this.#gesture?.kind === 'handle') return;
+    const factor = wheelFactor(event, this.#element.clientHeight);
+    this.#viewport.with((view) => view.zoom(factor, ...this.#at(event)));
+  }
+
+  /**
+   * @param {PointerEvent} event
+   * @param {[number, number]} at
+   */
+  #hover(event, at) {
+    if (event.pointerType === 'touch') return;
+    this.#aim(event, at);
+    this.#element.dataset.over = this.#handle === undefined ? '' : 'handle';
+    const pointedAt = this.#part ? undefined : this.#handle;
+    this.#store.set({ gizmoPart: this.#part, pointedAt });
+    this.#region.hover(at);
+  }
+
+  /**
+   * @param {[number, number]} at
+   * @param {number} radius
+   */
+  #handleAt(at, radius) {
+    return this.#viewport.with((view) => view.pickHandle(...at, radius));
+  }
+
+  /**
+   * @param {MouseEvent} event
+   * @param {[number, number]} at
+   */
+  #vertexAt(event, at) {
+    return this.#viewport.with((view) => view.pickVertex(...at, near(event)));
+  }
+
+  /** @param {Gesture | null} gesture */
+  #become(gesture) {
+    if (gesture?.kind !== 'press') clearTimeout(this.#resting);
+    this.#gesture = gesture;
+    this.#element.dataset.gesture = gesture?.kind ?? '';
+    if (gesture && gesture.kind !== 'region') this.#region.hide();
+  }
+}
+
+/**
+ * Shift keeps a dragged handle at its height, Ctrl or Cmd above its place.
+ * @param {MouseEvent} event
+ */
+function planeOf(event) {
+  if (event.ctrlKey || event.metaKey) return 'vertical';
+  return event.shiftKey ? 'horizontal' : 'screen';
+}

@@ -1,0 +1,152 @@
+/**
+ * The picture of the first example that the build put into the page: it is there before anything
+ * can draw, and goes when the view has drawn, or when something else is opened. Until then its mesh
+ * follows the solver, and the drags of its handles (placeholder-drag.js) go to the solver.
+ */
+
+import { HandleDrag } from '../input/handle-drag.js';
+
+/**
+ * A drag of a handle of the first picture: from where to where in pixels of the picture, and the
+ * displacements per pixel to the right and per pixel down.
+ * @typedef {object} EarlyDrag
+ * @property {number} vertex
+ * @property {[number, number]} from
+ * @property {[number, number]} to
+ * @property {number[]} right
+ * @property {number[]} down
+ * @property {boolean} ended
+ */
+
+/**
+ * What placeholder-drag.js leaves in `window.earlyDrags`; it calls `changed` after each of its changes.
+ * @typedef {{ drags: EarlyDrag[], changed: () => void }} EarlyDrags
+ */
+
+const find = () => document.getElementById('first-picture');
+
+/** While it is there, presses on its handles are not the view's. */
+export const isFirstPictureThere = () => find() !== null;
+
+export function removeFirstPicture() {
+  find()?.remove();
+}
+
+/** @param {string | undefined} text */
+const numbersOf = (text) => (text ?? '').split(' ').map(Number);
+
+/**
+ * @param {import("../../store/state.js").Store} store
+ * @param {import("../../solver/solver-client.js").SolverClient} solver
+ */
+export function animateFirstPicture(store, solver) {
+  solver.addEventListener('frame', () => {
+    const picture = find();
+    if (picture && solver.geometry) draw(picture, solver.geometry);
+  });
+  takeOverDrags(store, solver);
+}
+
+/**
+ * @param {HTMLElement} picture
+ * @param {import("../../solver/solver-client.js").Geometry} geometry
+ */
+function draw(picture, { connectivity: { faceOffsets, faceIndices }, positions }) {
+  const order = numbersOf(picture.dataset.faces);
+  const isOther = faceOffsets.length !== order.length + 1;
+  if (isOther) return;
+  for (const svg of picture.querySelectorAll('svg')) {
+    if (svg.getClientRects().length === 0) continue;
+    const place = placing(numbersOf(svg.dataset.eye), positions);
+    /** @type {string[]} */
+    let corners = [];
+    let drawn = 0;
+    for (const path of svg.querySelectorAll(':scope > path')) {
+      if (!(path instanceof SVGPathElement)) continue;
+      const { sides } = path.dataset;
+      if (sides === undefined) {
+        const face = order[drawn++];
+        const vertices = faceIndices.subarray(faceOffsets[face], faceOffsets[face + 1]);
+        corners = Array.from(vertices, (vertex) => place(vertex).join(' '));
+        path.setAttribute('d', `M${corners.join('L')}z`);
+      } else {
+        const ends = (/** @type {number} */ side) =>
+          `M${corners[side]}L${corners[(side + 1) % corners.length]}`;
+        path.setAttribute('d', numbersOf(sides).map(ends).join(''));
+      }
+    }
+    for (const group of svg.querySelectorAll('g')) moveHandle(group, place);
+  }
+}
+
+/**
+ * The places of vertices in the picture.
+ * @param {number[]} eye three rows of four: to the right and downwards, both over the depth
+ * @param {Float64Array} positions
+ */
+function placing(eye, positions) {
+  return (/** @type {number} */ vertex) => {
+    const [x, y, z] = positions.subarray(3 * vertex, 3 * vertex + 3);
+    const row = (/** @type {number} */ at) =>
+      eye[at] * x + eye[at + 1] * y + eye[at + 2] * z + eye[at + 3];
+    const depth = row(8);
+    return [row(0) / depth, row(4) / depth].map((value) => Math.round(10 * value) / 10);
+  };
+}
+
+/**
+ * A handle is on its vertex, and its line goes from there to the target.
+ * @param {SVGGElement} group
+ * @param {(vertex: number) => number[]} place
+ */
+function moveHandle(group, place) {
+  const dot = group.querySelector('circle.handle');
+  const pull = group.querySelector('path');
+  if (!dot || !pull) return;
+  const [x, y] = place(Number(group.dataset.vertex));
+  dot.setAttribute('cx', `${x}`);
+  dot.setAttribute('cy', `${y}`);
+  const tip = (pull.getAttribute('d') ?? '').split('L')[1];
+  if (tip) pull.setAttribute('d', `M${x} ${y}L${tip}`);
+}
+
+/**
+ * @param {import("../../store/state.js").Store} store
+ * @param {import("../../solver/solver-client.js").SolverClient} solver
+ */
+function takeOverDrags(store, solver) {
+  /** @type {Window & { earlyDrags?: EarlyDrags }} */
+  const { earlyDrags } = window;
+  if (!earlyDrags) return;
+  let isHere = false;
+  /** @type {HandleDrag | null} */
+  let current = null;
+  const takeOver = () => {
+    // Later, something else may have been opened.
+    if (!isHere || !store.get().firstExample) return;
+    while (earlyDrags.drags.length > 0) {
+      const [{ vertex, from, to, right, down, ended }] = earlyDrags.drags;
+      current ??= new HandleDrag(store, solver, planeOf(right, down), vertex);
+      current.move(to[0] - from[0], to[1] - from[1]);
+      if (!ended) return;
+      current.end();
+      current = null;
+      earlyDrags.drags.shift();
+    }
+  };
+  earlyDrags.changed = takeOver;
+  store.subscribe(['document', 'firstExample'], ({ document, firstExample }) => {
+    if (!document || !firstExample || isHere) return;
+    isHere = true;
+    takeOver();
+  });
+}
+
+/**
+ * How far a handle goes on the screen, as the view tells it.
+ * @param {number[]} right displacement per pixel
+ * @param {number[]} down
+ * @returns {import("../input/handle-drag.js").Hold}
+ */
+const planeOf = (right, down) => (_, dx, dy) =>
+  Float64Array.from(right, (value, axis) => value * dx + down[axis] * dy);

@@ -1,0 +1,46 @@
+/** Shows elements that a list is about: selects them, and moves the camera to where they are. */
+
+import { NOTHING } from '../store/selection.js';
+
+/** @typedef {{ vertices: ArrayLike<number>, edges?: ArrayLike<number>, faces: ArrayLike<number> }} Elements */
+
+/** Rings of faces around that are in the picture too: a face alone says nothing of where it is. */
+const RINGS = 2;
+
+/**
+ * @param {import("../app/analysis.js").Parts} parts
+ * @param {Elements} elements faces where there are any, else edges, else vertices
+ */
+export function showElements({ store, solver, viewport }, { vertices, edges = [], faces }) {
+  const { geometry } = solver;
+  if (!geometry) return;
+  const { connectivity } = geometry;
+  const mode = faces.length > 0 ? 'faces' : edges.length > 0 ? 'edges' : 'vertices';
+  const chosen = new Set(Array.from({ faces, edges, vertices }[mode]));
+  store.set({ mode, selection: { ...NOTHING, [mode]: chosen } });
+  let around = new Set(Array.from(vertices));
+  for (const edge of Array.from(edges)) {
+    around.add(connectivity.edges[2 * edge]).add(connectivity.edges[2 * edge + 1]);
+  }
+  for (const face of Array.from(faces)) corners(connectivity, face).forEach((v) => around.add(v));
+  for (let ring = 0; ring < RINGS; ring++) around = withNeighbours(connectivity, around);
+  if (around.size > 0) viewport.with((view) => view.fitVertices(Uint32Array.from(around)));
+}
+
+/** @param {import("../solver/messages.js").Connectivity} connectivity @param {number} face */
+const corners = ({ faceOffsets, faceIndices }, face) =>
+  faceIndices.subarray(faceOffsets[face], faceOffsets[face + 1]);
+
+/**
+ * These vertices, and all of every face that has one of them.
+ * @param {import("../solver/messages.js").Connectivity} connectivity
+ * @param {Set<number>} vertices
+ */
+function withNeighbours(connectivity, vertices) {
+  const all = new Set(vertices);
+  for (let face = 0; face + 1 < connectivity.faceOffsets.length; face++) {
+    const own = corners(connectivity, face);
+    if (own.some((vertex) => vertices.has(vertex))) own.forEach((vertex) => all.add(vertex));
+  }
+  return all;
+}

@@ -1,0 +1,36 @@
+/** How a model is looked at, which is kept with it. */
+
+/**
+ * Parts of the state by their names there, and `plot`, the tab of the analysis.
+ * @typedef {{ [part in typeof PARTS[number]]: import("../store/state.js").State[part] } & { plot: string }} SavedView
+ */
+
+/**
+ * @typedef {object} Seen
+ * @property {import("../store/state.js").Store} store
+ * @property {ReturnType<typeof import("../app/analysis.js").analysisRegion>} analysis
+ */
+
+/** @type {["camera", "parallel", "tab", "measure", "measureChosen", "tolerance", "tolerances"]} */
+const PARTS = ['camera', 'parallel', 'tab', 'measure', 'measureChosen', 'tolerance', 'tolerances'];
+
+/** @param {Seen} parts @returns {SavedView} */
+export function viewOf({ store, analysis }) {
+  const state = store.get();
+  const parts = Object.fromEntries(PARTS.map((part) => [part, state[part]]));
+  return /** @type {SavedView} */ ({ ...parts, plot: analysis.shown() });
+}
+
+/**
+ * Looks at the model that was just opened as it was looked at when it was kept.
+ * @param {SavedView | null} view null where it was not kept
+ * @param {Seen} parts
+ */
+export function lookAgain(view, { store, analysis }) {
+  if (!view) return;
+  const { plot, ...parts } = view;
+  const known = store.get().measures.some(({ id }) => id === parts.measure);
+  if (!known) parts.measure = store.get().measure;
+  store.set(parts);
+  analysis.show(plot);
+}

@@ -1,0 +1,508 @@
+/**
+ * The 3D view's life: its wasm module, its canvas, its size, its pictures, and what to do without
+ * it. Everything that is drawn is a function of the store and of the solver's geometry; this module
+ * hands over what changed and asks for one picture.
+ */
+
+import { Backend, isBlank, openView } from './backend.js';
+import { removeFirstPicture } from './placeholder/placeholder-scene.js';
+import { ShapeTransition } from './shape-transition.js';
+import { handlesNow } from '../store/state.js';
+import { declared, toleranceOf } from '../store/measures.js';
+import { messageOf } from '../solver/messages.js';
+import { modelErrors, showFlatMap } from '../features/flat-map/flat-map.js';
+import { showSplit } from '../features/split/split.js';
+
+/** @typedef {import("../pkg/view-webgl2/shape_up.js").View} View */
+/** @typedef {import("../store/state.js").State} State */
+/**
+ * Words over the picture, in CSS pixels, with a bar below them that is so long.
+ * @typedef {{ text: string, x: number, y: number, align: "center" | "right", bar: number }} Label
+ */
+
+/** A view that is lost this often in a row is given up. */
+const ATTEMPTS = 3;
+const NONE = new Uint32Array(0);
+const FINGERS = matchMedia('(pointer: coarse)');
+const NO_COLOURS = {
+  faces: new Uint8Array(0),
+  vertices: new Uint8Array(0),
+  palette: new Float32Array(0),
+};
+
+export class Viewport extends EventTarget {
+  /** The element that gestures and sizes refer to; canvases come and go in it. @type {HTMLElement} */
+  element;
+  /** None while it starts, and where nothing can draw. @type {View | null} */
+  view = null;
+  /** What the page writes over the picture, for those that are saved. @type {() => Label[]} */
+  labels = () => [];
+
+  #store;
+  #solver;
+  #backend = new Backend();
+  /** WebGPU is asked once whether its picture is there. */
+  #isProven = false;
+  /** @type {HTMLCanvasElement | null} */
+  #canvas = null;
+  #attempts = 0;
+  /** Width and height that the view has, in CSS pixels. */
+  #size = [0, 0];
+  /** A picture is asked for. */
+  #asked = false;
+  /** Where the camera is, as the store was told. @type {import("../store/state.js").State["camera"]} */
+  #camera = null;
+  /** The mesh itself is another one. */
+  #newMesh = false;
+  /** The positions, values or fitted shapes are newer than the picture. */
+  #newFrame = false;
+  /** @type {{ shapes: ShapeTransition, arrived: () => void } | null} */
+  #transition = null;
+
+  /**
+   * @param {HTMLElement} element
+   * @param {import("../store/state.js").Store} store
+   * @param {import("../solver/solver-client.js").SolverClient} solver
+   */
+  constructor(element, store, solver) {
+    super();
+    this.element = element;
+    this.#store = store;
+    this.#solver = solver;
+    this.#watchSize();
+    this.#watchSolver();
+    this.#watchStore();
+    this.#create();
+  }
+
+  /** Asks for a picture before the next one of the page. */
+  ask() {
+    if (this.#asked) return;
+    this.#asked = true;
+    requestAnimationFrame(() => {
+      this.#asked = false;
+      this.#draw();
+    });
+  }
+
+  /**
+   * Does something with the view, if there is one, and draws what changed. The view has the newest
+   * size, mesh and positions then, also when no picture shows them yet.
+   * @template T
+   * @param {(view: View) => T} action
+   * @returns {T | undefined}
+   */
+  with(action) {
+    if (this.view) this.#resize();
+    return this.unmeasured(action);
+  }
+
+  /**
+   * The same for what does not depend on the size of the view. To measure lays the page out anew
+   * when something has changed on it, as in every frame of a drag.
+   * @template T
+   * @param {(view: View) => T} action
+   * @returns {T | undefined}
+   */
+  unmeasured(action) {
+    if (!this.view) return undefined;
+    this.#handOver();
+    this.ask();
+    return action(this.view);
+  }
+
+  /**
+   * Goes from the shape as it is to the next ones of the solver gradually.
+   * @param {number} milliseconds
+   * @returns {Promise<void>} when it is there
+   */
+  transition(milliseconds) {
+    this.#endTransition();
+    const { geometry } = this.#solver;
+    if (!this.view || !geometry) return Promise.resolve();
+    const shapes = new ShapeTransition(geometry.positions, milliseconds);
+    return new Promise((arrived) => (this.#transition = { shapes, arrived }));
+  }
+
+  #endTransition() {
+    this.#transition?.arrived();
+    this.#transition = null;
+  }
+
+  /** How far what the view holds goes with the pointer. @type {import("./input/handle-drag.js").Hold} */
+  heldWay = (way, dx, dy) => this.view?.heldWay(way, dx, dy);
+  /** Where what the view holds is seen once it has gone so far. @param {number[]} by */
+  heldPlace = (by) => this.view?.heldPlace(by[0], by[1], by[2]);
+
+  /** In CSS pixels, as the view has it: without measuring the page again. */
+  get width() {
+    return this.#size[0];
+  }
+
+  /**
+   * The colours of the range as a legend paints them, with their places in it from 0 to 1: gradual, or
+   * in bands with hard limits.
+   * @param {number} [side] of two pictures, 0 left or 1 right
+   * @returns {[number, string][]}
+   */
+  rampStops(side) {
+    const stops = this.unmeasured((view) => {
+      const colours = view.rampColours(side);
+      const limits = view.bandLimits(side);
+      const ends = [0, ...limits, 1];
+      return colours.flatMap((colour, i) =>
+        (limits.length > 0 ? [ends[i], ends[i + 1]] : [i / (colours.length - 1)]).map(
+          (at) => /** @type {[number, string]} */ ([at, colour]),
+        ),
+      );
+    });
+    return stops ?? [];
+  }
+
+  /**
+   * The same as a CSS background.
+   * @param {[number, number]} ends of the range, in per cent of the width
+   * @param {{ side?: number, neutral?: number }} [options] of two pictures the side; up to where the
+   *   faces keep the material, in per cent of the width
+   */
+  rampOf([from, to], { side, neutral = 0 } = {}) {
+    const spaced = this.rampStops(side).map(
+      ([at, colour]) => `${colour} ${from + (to - from) * at}%`,
+    );
+    const ramp = `linear-gradient(to right, ${spaced.join(', ')})`;
+    const material = `linear-gradient(to right, var(--material) ${neutral}%, transparent 0)`;
+    return neutral > 0 ? `${material}, ${ramp}` : ramp;
+  }
+
+  /**
+   * Draws one picture of another size, in the proportions and the framing of the one that is shown,
+   * and gives the canvas to `take`, which must read it at once. The shown one is drawn again then.
+   * @param {{ width: number, height: number, scale: number }} size in pixels; `scale` of them are a CSS pixel
+   * @param {boolean} white light colours on white
+   * @param {(canvas: HTMLCanvasElement) => void} take
+   * @returns {boolean} whether it could be drawn
+   */
+  still({ width, height, scale }, white, take) {
+    const { view } = this;
+    const canvas = this.#canvas;
+    if (!view || !canvas) return false;
+    this.#resize();
+    this.#handOver();
+    const [shownWidth, shownHeight] = [canvas.width, canvas.height];
+    const { dark } = this.#store.get();
+    try {
+      view.resize(width, height, scale);
+      if (white) view.setTheme(false);
+      view.setGizmo(false, false);
+      view.setWhite(white);
+      const drawn = view.draw();
+      if (drawn) take(canvas);
+      return drawn;
+    } catch (thrown) {
+      this.#lost(messageOf(thrown));
+      return false;
+    } finally {
+      if (this.view === view) {
+        view.setWhite(false);
+        view.setTheme(dark);
+        showDisplay(view, this.#store.get());
+        view.resize(shownWidth, shownHeight, shownWidth / this.#size[0]);
+        this.ask();
+      }
+    }
+  }
+
+  async #create() {
+    const canvas = document.createElement('canvas');
+    canvas.addEventListener('webglcontextlost', (event) => {
+      event.preventDefault();
+      if (canvas === this.#canvas) this.#lost('the graphics context was lost');
+    });
+    this.#canvas = canvas;
+    this.element.replaceChildren(canvas);
+    const backend = await this.#backend.choose();
+    // It may have been lost by now, and another one have taken its place.
+    if (canvas !== this.#canvas) return;
+    try {
+      const view = await openView(canvas, backend);
+      if (canvas !== this.#canvas) return view.free();
+      this.view = view;
+    } catch (thrown) {
+      if (canvas !== this.#canvas) return;
+      if (this.#backend.failed(backend)) this.#create();
+      else this.#giveUp(messageOf(thrown));
+      return;
+    }
+    this.#size = [0, 0];
+    this.#resize();
+    this.#newMesh = true;
+    this.#handOver();
+    this.#store.set({ renderer: backend });
+    this.dispatchEvent(new Event('ready'));
+  }
+
+  /** @param {string} reason */
+  #lost(reason) {
+    const { renderer } = this.#store.get();
+    const { view } = this;
+    this.view = null;
+    this.#canvas = null;
+    // It may call for help once more.
+    view?.free();
+    if (renderer !== 'webgpu' || !this.#backend.failed(renderer)) this.#attempts += 1;
+    const isOver = this.#attempts > ATTEMPTS;
+    this.#store.set({ status: `The 3D picture was lost${isOver ? '' : ' and is drawn anew'}` });
+    if (isOver) this.#giveUp(reason);
+    else this.#create();
+  }
+
+  /** @param {string} reason */
+  #giveUp(reason) {
+    this.view = null;
+    this.#canvas = null;
+    this.element.replaceChildren();
+    removeFirstPicture();
+    this.#store.set({ renderer: 'none' });
+    this.dispatchEvent(new CustomEvent('none', { detail: reason }));
+  }
+
+  #watchSize() {
+    const observer = new ResizeObserver((entries) => {
+      const pixels = entries[0].devicePixelContentBoxSize?.[0];
+      this.#resize(pixels && [pixels.inlineSize, pixels.blockSize]);
+    });
+    try {
+      observer.observe(this.element, { box: 'device-pixel-content-box' });
+    } catch {
+      observer.observe(this.element);
+    }
+  }
+
+  /** @param {[number, number]} [pixels] the exact size, where the browser tells */
+  #resize(pixels) {
+    const { width, height } = this.element.getBoundingClientRect();
+    if (!this.view || width === 0 || height === 0) return;
+    // The observer tells of a panel that was closed only before the next picture.
+    const isNew = width !== this.#size[0] || height !== this.#size[1];
+    if (!isNew && !pixels) return;
+    this.#size = [width, height];
+    const rounded = [width, height].map((side) => Math.round(side * devicePixelRatio));
+    // An emulated phone tells CSS pixels here.
+    const exact = pixels?.every((side, i) => Math.abs(side - rounded[i]) <= 1) ? pixels : rounded;
+    // The ratio that makes the view's CSS pixels those of the page.
+    this.view.resize(exact[0], exact[1], exact[0] / width);
+    this.ask();
+  }
+
+  #watchSolver() {
+    this.#solver.addEventListener('model', () => {
+      this.#newMesh = true;
+      this.#endTransition();
+      this.ask();
+    });
+    this.#solver.addEventListener('frame', () => {
+      this.#newFrame = true;
+      this.ask();
+    });
+  }
+
+  #watchStore() {
+    const { subscribe } = this.#store;
+    subscribe(['heldOriginal'], () => {
+      this.#newFrame = true;
+      this.ask();
+    });
+    /** @type {[(keyof State)[], (view: View, state: State) => void][]} */
+    const parts = [
+      [['dark'], (view, state) => view.setTheme(state.dark)],
+      [['document'], (view, { document }) => document && view.setUp(document.up)],
+      [['display', 'halfway', 'heldOriginal'], showDisplay],
+      [['parallel'], (view, { parallel }) => view.setParallel(parallel)],
+      [['tape'], (view, { tape }) => view.setTape(Uint32Array.from(tape ?? []))],
+      [
+        ['document', 'dragged', 'moved', 'pointedAt', 'selection', 'model', 'heldOriginal'],
+        showHandles,
+      ],
+      [
+        ['gizmoPart', 'dragged'],
+        (view, state) => view.lightGizmo(state.gizmoPart, state.dragged.length > 0),
+      ],
+      [['selection', 'model'], showSelection],
+      [['tint', 'model'], showTint],
+      [['rowColours', 'model', 'flatMap'], showRowColours],
+      [
+        ['measure', 'range', 'tolerance', 'tolerances', 'display', 'flatMap'],
+        (view, state) => this.#showValues(view, state),
+      ],
+      [['flatMap'], showFlatMap],
+      [['split'], showSplit],
+    ];
+    for (const [keys, show] of parts) {
+      subscribe(keys, (state) => {
+        // A mesh that has not been handed over yet brings all of this with it.
+        if (!this.#newMesh) this.unmeasured((view) => show(view, state));
+      });
+    }
+    this.#showAll = (view, state) => parts.forEach(([, show]) => show(view, state));
+    subscribe(['camera'], ({ camera }) => {
+      if (!camera || camera === this.#camera || this.#newMesh) return;
+      this.unmeasured((view) => view.placeCamera(Float64Array.from(camera)));
+    });
+  }
+
+  /** @type {(view: View, state: State) => void} */
+  #showAll = () => {};
+
+  /**
+   * @param {View} view
+   * @param {State} state
+   */
+  #showValues(view, state) {
+    const { geometry } = this.#solver;
+    const { heldOriginal } = state;
+    const isCurrent = geometry?.measure === state.measure && !state.flatMap && !heldOriginal;
+    view.setCornerValues((isCurrent && geometry?.corners) || undefined);
+    if (state.flatMap) return view.setFaceValues(...modelErrors(state.flatMap));
+    // Right after another choice, the values are still those of the one before, or have no range.
+    const isRanged = geometry?.measure === state.measure && state.spread;
+    const values = isRanged ? (heldOriginal ?? geometry)?.values : null;
+    const { full, log } = state.display;
+    const about = declared(state, state.measure);
+    const tolerance = about && !full ? toleranceOf(state, about) : null;
+    view.setFaceValues(values ?? undefined, ...state.range, tolerance ?? undefined, log);
+  }
+
+  /**
+   * Those that are shown for the newest ones, `#V by 3`.
+   * @param {Float64Array} newest
+   * @param {State} state
+   */
+  #positions(newest, { heldOriginal }) {
+    const positions = this.#transition?.shapes.towards(newest) ?? newest;
+    if (this.#transition?.shapes.part === 1) this.#endTransition();
+    if (this.#transition) {
+      // The next picture is another one without a frame, too.
+      this.#newFrame = true;
+      this.ask();
+    }
+    return heldOriginal?.positions ?? positions;
+  }
+
+  /** Gives the view what is newer than what it has. */
+  #handOver() {
+    const { geometry } = this.#solver;
+    const { view } = this;
+    if (!view || !geometry || !(this.#newMesh || this.#newFrame)) return;
+    const state = this.#store.get();
+    if (this.#newMesh) {
+      const { faceOffsets, faceIndices, curveOffsets, curveIndices } = geometry.connectivity;
+      if (state.model) view.setUp(state.model.up);
+      view.setMesh(faceOffsets, faceIndices, curveOffsets, curveIndices, geometry.positions);
+      view.setEdges(geometry.connectivity.edges);
+      this.#newMesh = false;
+      this.#showAll(view, state);
+      view.fit();
+      // The view may be a new one of the same mesh, and the mesh may be restored.
+      if (state.camera) view.placeCamera(Float64Array.from(state.camera));
+    }
+    this.#newFrame = false;
+    view.setPositions(this.#positions(geometry.positions, state));
+    this.#showValues(view, state);
+    if (geometry.shapes) view.setShapes(geometry.shapes);
+    if (geometry.projections) {
+      const { vertices, ways, colours, outlines, palette } = geometry.projections;
+      view.setProjections(vertices, ways, colours, outlines, palette);
+    }
+  }
+
+  /** @param {Float64Array} numbers */
+  #tellCamera(numbers) {
+    const isSame = this.#camera?.every((number, i) => number === numbers[i]);
+    if (isSame) return;
+    this.#camera = [...numbers];
+    this.#store.set({ camera: this.#camera });
+  }
+
+  #draw() {
+    this.#handOver();
+    this.#solver.recycle();
+    // Without a mesh there is nothing to draw.
+    if (!this.#solver.geometry || !this.view?.needsDraw()) return;
+    try {
+      if (!this.view.draw()) return;
+      if (!this.#isProven && this.view.backend() === 'webgpu' && this.#canvas) {
+        if (isBlank(this.#canvas)) return this.#lost('the picture stays empty');
+        this.#isProven = true;
+      }
+      this.#attempts = 0;
+      // Which has its colours at once.
+      if (this.#store.get().spread) removeFirstPicture();
+      this.#tellCamera(this.view.camera());
+      this.dispatchEvent(new Event('drawn'));
+    } catch (thrown) {
+      this.#lost(messageOf(thrown));
+    }
+  }
+}
+
+/**
+ * @param {View} view
+ * @param {State} state
+ */
+function showDisplay(view, { display, halfway, heldOriginal }) {
+  const { edges, vertices } = display;
+  // All of them are of the current shape. What the local step has fitted is seen until the global
+  // step takes it over.
+  const [shapes, outlines, arrows] = heldOriginal
+    ? [false, false, false]
+    : [display.shapes, display.outlines || halfway, display.arrows];
+  view.setDisplay(edges, vertices, shapes, outlines, arrows);
+  view.setSurroundings(display.ghost, display.ground);
+  view.setBands(display.bands);
+  view.setGizmo(display.gizmo, FINGERS.matches);
+}
+
+/**
+ * Handles as the view takes them: 0 soft, 1 fixed, 2 under the pointer.
+ * @param {View} view
+ * @param {State} state
+ */
+function showHandles(view, state) {
+  const { dragged, pointedAt } = state;
+  // Where they pull is about the current shape.
+  const handles = state.heldOriginal ? [] : handlesNow(state);
+  const vertices = Uint32Array.from(handles, (handle) => handle.vertex);
+  const states = Uint8Array.from(handles, (handle) =>
+    handle.vertex === pointedAt || dragged.includes(handle.vertex) ? 2 : handle.fixed ? 1 : 0,
+  );
+  const targets = Float64Array.from(handles.flatMap((handle) => handle.target));
+  view.setHandles(vertices, states, targets);
+}
+
+/**
+ * @param {View} view
+ * @param {State} state
+ */
+function showSelection(view, { selection }) {
+  view.setSelection(Uint32Array.from(selection.vertices), Uint32Array.from(selection.faces));
+  view.setSelectedEdges(Uint32Array.from(selection.edges));
+}
+
+/**
+ * @param {View} view
+ * @param {State} state
+ */
+function showTint(view, { tint }) {
+  const { vertices, faces, colour } = tint ?? { vertices: NONE, faces: NONE, colour: [0, 0, 0] };
+  const [red, green, blue] = colour.map((byte) => byte / 255);
+  view.setTint(vertices, faces, red, green, blue);
+}
+
+/**
+ * @param {View} view
+ * @param {State} state
+ */
+function showRowColours(view, { rowColours, flatMap }) {
+  const { faces, vertices, palette } = (!flatMap && rowColours) || NO_COLOURS;
+  view.setRowColours(faces, vertices, palette);
+}
