@@ -21,9 +21,10 @@
 //! | [`math`] | small vectors in lanes, eigenvectors, closest rotations, fitted circles and spheres | nothing |
 //! | [`mesh`] | polygon mesh, files in and out, topology, Laplacian, closest point, error measures | math |
 //! | [`constraint`] | one projection operator per file, the list of kinds, selectors, batches | math, mesh |
-//! | [`scene`] | the scene file: serde form and validation; the examples | math, mesh, constraint |
+//! | [`scene`] | the scene file: serde form and validation | math, mesh, constraint |
 //! | [`solve`] | assembly, ordering, LDL^T, the two-step iteration, accelerators, conformal maps | math, mesh, constraint, scene |
 //! | [`error`] | the one error that hosts see | mesh, scene, solve |
+//! | [`example`] | the example scenes, and the generators of their meshes | math, mesh, constraint, scene |
 //! | [`session`] | what every host drives: load, edit, drag, step, undo, report | all above |
 //! | [`experiment`] | the paper's comparisons with other methods (Fig. 10, 11), run live | all above |
 //! | [`view`] | wgpu: camera, picking, faces, edges, handles, fitted shapes | math |
@@ -62,6 +63,8 @@
 pub mod constraint;
 #[cfg(any(feature = "cli", feature = "solver"))]
 pub mod error;
+#[cfg(any(feature = "cli", feature = "solver"))]
+pub mod example;
 #[cfg(any(feature = "cli", feature = "solver"))]
 pub mod experiment;
 pub mod math;

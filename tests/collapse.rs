@@ -7,8 +7,9 @@ mod grid;
 #[path = "support/shared.rs"]
 mod shared;
 
+use shape_up::example::EXAMPLES;
 use shape_up::mesh::Mesh;
-use shape_up::scene::{Closeness, Scene, Smoothness, Weights, examples::EXAMPLES};
+use shape_up::scene::{Closeness, Scene, Smoothness, Weights};
 use shape_up::session::{CollapseReason, Edit, Session};
 
 /// The weights of Fig. 5, which take an open mesh for one whose boundary is held.

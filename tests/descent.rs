@@ -11,10 +11,10 @@ use meshes::wavy;
 use random::Random;
 use serde_json::json;
 use shape_up::constraint::{Element, KINDS, Kind};
+use shape_up::example::model::Dome;
+use shape_up::example::{EXAMPLES, Example};
 use shape_up::math::Vec3;
-use shape_up::mesh::generate::Dome;
 use shape_up::mesh::{Mesh, Point};
-use shape_up::scene::examples::{EXAMPLES, Example};
 use shape_up::scene::{Accelerator, Scene, SolverSettings, Weights, Worded};
 use shape_up::session::Session;
 

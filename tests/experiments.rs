@@ -5,10 +5,10 @@
 mod random;
 
 use random::Random;
+use shape_up::example::EXAMPLES;
 use shape_up::experiment::{Circularity, EXPERIMENTS, EndedBy, Experiment, Limits, Run, Series};
 use shape_up::math::Vec3;
 use shape_up::mesh::Point;
-use shape_up::scene::examples::EXAMPLES;
 use shape_up::scene::{ClosenessTo, Hold, Weights};
 use shape_up::session::Session;
 

@@ -1,7 +1,7 @@
 //! The picture that the build puts into the page.
 #![cfg(feature = "view")]
 
-use shape_up::scene::examples::EXAMPLES;
+use shape_up::example::EXAMPLES;
 use std::process::Command;
 
 fn picture(name: &str) -> String {

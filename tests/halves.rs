@@ -4,9 +4,9 @@
 mod grid;
 
 use grid::bumpy;
+use shape_up::example::EXAMPLES;
 use shape_up::mesh::Point;
 use shape_up::scene::Scene;
-use shape_up::scene::examples::EXAMPLES;
 use shape_up::session::{Edit, FACE_MEASURES, Fits, Half, Session, Shape};
 
 /// Squares on the faces of a bumpy grid, with a scene's `rest`.

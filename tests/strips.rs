@@ -5,7 +5,7 @@ mod meshes;
 
 use meshes::{mixed, wavy};
 use proptest::prelude::*;
-use shape_up::mesh::generate::Dome;
+use shape_up::example::model::Dome;
 use shape_up::mesh::{Mesh, Ragged, Topology, strips};
 use std::collections::BTreeMap;
 

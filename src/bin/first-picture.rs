@@ -4,7 +4,7 @@
 mod pictures;
 
 use glam::Vec2;
-use shape_up::scene::examples::EXAMPLES;
+use shape_up::example::EXAMPLES;
 use shape_up::session::Session;
 use shape_up::view::still;
 use std::error::Error;

@@ -6,8 +6,8 @@ mod pictures;
 
 use glam::{DVec3, Vec2};
 use serde::Serialize;
+use shape_up::example::{EXAMPLES, Example};
 use shape_up::mesh::{Point, angle_histogram};
-use shape_up::scene::examples::{EXAMPLES, Example};
 use shape_up::session::Session;
 use shape_up::solve::{ConformalNorm, ConformalWeights, Parametrization, SolveError};
 use shape_up::view::{framing, thumbnail};

@@ -84,7 +84,7 @@ impl Creases<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::generate::Blocks;
+    use crate::example::model::Blocks;
 
     #[test]
     fn a_box_has_twelve_creases_between_eight_corners() {

@@ -8,7 +8,6 @@
 //! | `problem`, `survey` | what a file, and a mesh as a whole, has wrong that can be survived |
 //! | `obj_write`, `medit_write` | OBJ and Medit out |
 //! | `decimal` | numbers as text that reads back to the same bits |
-//! | `generate` | meshes of the examples |
 //! | `topology` | edges, neighbours, rings, faces around edges and vertices |
 //! | `boundary`, `edge_lines`, `strips`, `components` | boundary loops, straight edge lines, strips of quads, connected components |
 //! | `curves` | polylines and edge lines that run along each other |
@@ -38,7 +37,6 @@ mod edge_lines;
 mod face_fit;
 mod feature_curves;
 mod footing;
-pub mod generate;
 mod groups;
 mod histogram;
 mod laplacian;

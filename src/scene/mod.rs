@@ -12,10 +12,8 @@
 //! | `opened` | the settings of a mesh file that somebody opens |
 //! | `panels` | the same shape for all panels, by one press |
 //! | `presets` | settings that belong together |
-//! | `examples` | the example scenes, on meshes that the project's own generators make |
 
 mod closeness;
-pub mod examples;
 mod frame;
 mod json;
 mod lesson;

@@ -1,6 +1,6 @@
 //! The example that is a lesson: it is missed as it stands, and can be met and handed in.
 
-use shape_up::scene::examples::{EXAMPLES, Example};
+use shape_up::example::{EXAMPLES, Example};
 use shape_up::scene::{Results, Weights};
 use shape_up::session::{Edit, Session, check_results};
 

@@ -3,10 +3,10 @@
 mod exercise;
 mod statements;
 
-use shape_up::mesh::generate::{Canopy, Creature, Dome, Hall, Lantern, Mounds};
+use shape_up::example::EXAMPLES;
+use shape_up::example::model::{Canopy, Creature, Dome, Hall, Lantern, Mounds};
 use shape_up::mesh::{Mesh, Point, Topology, components, read, survey, write_medit, write_obj};
 use shape_up::scene::Scene;
-use shape_up::scene::examples::EXAMPLES;
 
 fn minus(a: Point, b: Point) -> Point {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]

@@ -1,8 +1,8 @@
 //! What each example states of itself, measured when it is solved with its own settings.
 
+use shape_up::example::{EXAMPLES, Example};
 use shape_up::math::Vec3;
 use shape_up::mesh::{MapErrors, Mesh, Point, QuasiConformal, Topology, angle_histogram};
-use shape_up::scene::examples::{EXAMPLES, Example};
 use shape_up::session::{Report, Session};
 use shape_up::solve::{ConformalNorm, ConformalWeights, Parametrization};
 

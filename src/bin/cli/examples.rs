@@ -3,10 +3,10 @@
 use super::{Failure, output};
 use serde::Serialize;
 use shape_up::constraint::Info;
+use shape_up::example::{EXAMPLES, Example, Suggestion, suggestions};
 use shape_up::experiment::Experiment;
 use shape_up::mesh::{Mesh, write_medit, write_obj};
 use shape_up::scene::Scene;
-use shape_up::scene::examples::{EXAMPLES, Example, Suggestion, suggestions};
 use shape_up::session::{GoalWords, goals_in_words};
 use std::path::{Path, PathBuf};
 

@@ -2,8 +2,8 @@
 
 use super::arguments::Experiment as Asked;
 use super::{Failure, output};
+use shape_up::example::EXAMPLES;
 use shape_up::experiment::{EXPERIMENTS, Experiment, Limits, Run};
-use shape_up::scene::examples::EXAMPLES;
 
 /// One line per example that has an experiment.
 pub(super) fn list() -> Result<(), Failure> {

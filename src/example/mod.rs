@@ -1,0 +1,18 @@
+//! The example scenes and the generators of their meshes: first three models to play with, then the
+//! figures of the paper, whose numbers begin their ids, and lessons.
+//!
+//! | file | holds |
+//! |---|---|
+//! | `declaration` | what an example says of itself, and how it is built |
+//! | `scene` | the list of examples, and the scene of each |
+//! | `model` | the meshes |
+//! | `suggestions` | views that hosts offer of some examples |
+
+mod declaration;
+pub mod model;
+mod scene;
+mod suggestions;
+
+pub use declaration::Example;
+pub use scene::EXAMPLES;
+pub use suggestions::{Shows, Side, Suggestion, suggestions};

@@ -1,0 +1,19 @@
+//! Meshes of the examples, computed. Lengths are in metres, z points up. Only `+ - * / sqrt` are
+//! used, so every machine makes the same bits.
+//!
+//! | folder | holds |
+//! |---|---|
+//! | `surface` | roofs, shells, towers, sheets |
+//! | `solid` | blocks, bodies, points |
+//! | `tool` | what the generators share |
+
+mod solid;
+mod surface;
+mod tool;
+
+pub use solid::{Archway, Blocks, Creature, Pavilion};
+pub use surface::{
+    Canopy, Dome, Hall, Hypar, Lantern, Mask, Mounds, Net, Patch, Strip, Tower, Vase, honeycomb,
+};
+pub(crate) use tool::Noise;
+pub use tool::{opened, soften};

@@ -1,0 +1,74 @@
+//! Polygons over a surface: mostly hexagons, with pentagons and heptagons where the number of cells
+//! across changes.
+
+use crate::example::model::tool::{dual, rounded};
+use crate::mesh::{Mesh, Point, Ragged};
+
+/// The dual of rows of triangles over the square from -1 to 1 in `u` and `v`, mapped by `point`.
+/// There are `rows + 1` rows of triangle corners along `u`; row `k` has `across(u)` of them and one
+/// more where `k` is odd, shifted by half their distance.
+pub fn honeycomb(
+    rows: usize,
+    across: impl Fn(f64) -> usize,
+    point: impl Fn(f64, f64) -> Point,
+) -> Mesh {
+    let mut positions: Vec<Point> = Vec::new();
+    let mut faces = Ragged::new();
+    let mut below = 0..0;
+    for k in 0..=rows {
+        let u = (2.0 * k as f64 - rows as f64) / rows as f64;
+        let first = positions.len() as u32;
+        positions.extend(row(across(u).max(2), k % 2 == 1).into_iter().map(|v| [u, v, 0.0]));
+        let above = first..positions.len() as u32;
+        if k > 0 {
+            stitch(&positions, below, above.clone(), &mut faces);
+        }
+        below = above;
+    }
+    let triangles = Mesh { positions, faces, ..Mesh::default() };
+    let at_corner = |v: u32| {
+        let [u, v, _] = triangles.positions[v as usize];
+        u.abs() == 1.0 && v.abs() == 1.0
+    };
+    let mut cells = dual(&triangles, at_corner);
+    cells.positions.iter_mut().for_each(|p| *p = point(p[0], p[1]));
+    rounded(cells)
+}
+
+/// Places from -1 to 1: `n` at equal distances, or both ends and the middles between the `n`.
+fn row(n: usize, shifted: bool) -> Vec<f64> {
+    let at = |k: f64| (2.0 * k - (n - 1) as f64) / (n - 1) as f64;
+    if shifted {
+        let inner = (1..n).map(|k| at(k as f64 - 0.5));
+        std::iter::once(-1.0).chain(inner).chain([1.0]).collect()
+    } else {
+        (0..n).map(|k| at(k as f64)).collect()
+    }
+}
+
+/// Triangles between two rows, each with the shorter of its two possible diagonals.
+fn stitch(
+    positions: &[Point],
+    below: std::ops::Range<u32>,
+    above: std::ops::Range<u32>,
+    faces: &mut Ragged,
+) {
+    let v = |vertex: u32| positions[vertex as usize][1];
+    let (mut low, mut high) = (below.start, above.start);
+    while low + 1 < below.end || high + 1 < above.end {
+        let along_below = if low + 1 == below.end {
+            false
+        } else if high + 1 == above.end {
+            true
+        } else {
+            (v(low + 1) - v(high)).abs() <= (v(high + 1) - v(low)).abs()
+        };
+        if along_below {
+            faces.push(&[low, high, low + 1]);
+            low += 1;
+        } else {
+            faces.push(&[low, high, high + 1]);
+            high += 1;
+        }
+    }
+}

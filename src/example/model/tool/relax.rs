@@ -1,0 +1,68 @@
+//! Vertices moved towards the middle of what is around them.
+
+use crate::math::Vec3;
+use crate::mesh::{Mesh, Point, Topology};
+
+/// Rounds the corners of a surface: in each step every vertex goes half the way to the mean of its
+/// neighbours.
+pub fn soften(mesh: &mut Mesh, steps: usize) {
+    let topology = Topology::new(mesh);
+    for _ in 0..steps {
+        mesh.positions = halfway(mesh, &topology).into_iter().map(Into::into).collect();
+    }
+}
+
+/// Evens out the triangles of the surface where `field` is zero: in each step every vertex goes half
+/// the way to the centre of the triangles around it, along the surface, and then back onto it.
+/// `spacing` is the step of the differences that stand for the gradient.
+pub(crate) fn slide(mesh: &mut Mesh, field: impl Fn(Point) -> f64, spacing: f64, steps: usize) {
+    for _ in 0..steps {
+        let towards = centres(mesh);
+        for (p, to) in mesh.positions.iter_mut().zip(towards) {
+            let from = Vec3::from(*p);
+            let normal = gradient(&field, *p, spacing);
+            let length = normal.length_squared();
+            let step = to - from;
+            let along = step - normal * (step.dot(normal) / length);
+            let moved = from + along;
+            *p = (moved - normal * (field(moved.into()) / length)).into();
+        }
+    }
+}
+
+fn halfway(mesh: &Mesh, topology: &Topology) -> Vec<Vec3<f64>> {
+    let at = |v: u32| Vec3::from(mesh.positions[v as usize]);
+    let rows = (0..).zip(topology.neighbours().iter());
+    rows.map(|(v, neighbours)| {
+        let sum = neighbours.iter().fold(Vec3::zero(), |sum, &n| sum + at(n));
+        (at(v) + sum * (1.0 / neighbours.len() as f64)) * 0.5
+    })
+    .collect()
+}
+
+/// For each vertex the middle between it and the centre of the triangles around it, by their
+/// areas.
+fn centres(mesh: &Mesh) -> Vec<Vec3<f64>> {
+    let mut sums = vec![(Vec3::zero(), 0.0); mesh.positions.len()];
+    for face in mesh.faces.iter() {
+        let [a, b, c] = [0, 1, 2].map(|k| Vec3::from(mesh.positions[face[k] as usize]));
+        let area = (b - a).cross(c - a).length();
+        for &v in face {
+            sums[v as usize].0 += (a + b + c) * (area / 3.0);
+            sums[v as usize].1 += area;
+        }
+    }
+    let pairs = mesh.positions.iter().zip(sums);
+    pairs.map(|(&p, (sum, area))| (Vec3::from(p) + sum * (1.0 / area)) * 0.5).collect()
+}
+
+/// By central differences.
+fn gradient(field: impl Fn(Point) -> f64, p: Point, step: f64) -> Vec3<f64> {
+    let along = |axis: usize| {
+        let (mut low, mut high) = (p, p);
+        low[axis] -= 0.5 * step;
+        high[axis] += 0.5 * step;
+        (field(high) - field(low)) / step
+    };
+    Vec3::new(along(0), along(1), along(2))
+}

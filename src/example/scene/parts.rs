@@ -1,0 +1,25 @@
+//! Constraints and handles as the examples write them.
+
+use crate::constraint::{Element, Kind, Selector};
+use crate::mesh::{Mesh, Point};
+use crate::scene::{ConstraintSpec, HandleSpec, Hold};
+
+pub(crate) fn each(element: Element) -> Selector {
+    Selector::Each { element, within: None, radius: 0 }
+}
+
+pub(crate) fn constraint(id: &str, on: Selector, weight: f64) -> ConstraintSpec {
+    let kind = Kind::new(id, serde_json::json!({})).expect("the kind is in the list of kinds");
+    ConstraintSpec { kind, on, weight, enabled: true, name: String::new() }
+}
+
+/// Vertices that stay where they are.
+pub(crate) fn fixed(vertices: Vec<u32>) -> HandleSpec {
+    HandleSpec { vertices, targets: None, hold: Hold::Fixed }
+}
+
+/// Vertices that are put elsewhere.
+pub(crate) fn moved(mesh: &Mesh, vertices: Vec<u32>, to: impl Fn(Point) -> Point) -> HandleSpec {
+    let targets = vertices.iter().map(|&v| to(mesh.positions[v as usize])).collect();
+    HandleSpec { vertices, targets: Some(targets), hold: Hold::Fixed }
+}

@@ -1,0 +1,84 @@
+//! What some examples offer to look at: hosts show a button for each, and name none of them.
+
+use serde::Serialize;
+
+/// Something to look at in an example.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Suggestion {
+    /// What the button says.
+    pub label: &'static str,
+    /// What it does.
+    pub shows: Shows,
+}
+
+/// What a host shows.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub enum Shows {
+    /// Two pictures side by side: left and right.
+    Split([Side; 2]),
+    /// A plot, by its name.
+    Plot(&'static str),
+}
+
+/// One of two pictures side by side.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Side {
+    /// What its faces are coloured by: the id of a measure.
+    pub measure: &'static str,
+    /// Whether it is of the original instead of the current shape.
+    pub original: bool,
+}
+
+const fn before_and_after(measure: &'static str) -> Shows {
+    Shows::Split([Side { measure, original: true }, Side { measure, original: false }])
+}
+
+/// The two errors of Fig. 5.
+const BOTH_ERRORS: Suggestion = Suggestion {
+    label: "e_p beside e_c",
+    shows: Shows::Split([
+        Side { measure: "e-p", original: false },
+        Side { measure: "e-c", original: false },
+    ]),
+};
+const PLANARITY: Suggestion =
+    Suggestion { label: "Before and after", shows: before_and_after("e-p") };
+const CIRCULARITY: Suggestion =
+    Suggestion { label: "Before and after", shows: before_and_after("e-c") };
+const ANGLES: Suggestion =
+    Suggestion { label: "Angles before and after", shows: Shows::Plot("angles") };
+
+/// What the example `id` offers to look at.
+pub fn suggestions(id: &str) -> &'static [Suggestion] {
+    match id {
+        "fig-05-planar" => &[PLANARITY, BOTH_ERRORS],
+        "fig-05-circular" | "fig-05-mixed" => &[CIRCULARITY, BOTH_ERRORS],
+        "fig-07-quality" => &[ANGLES],
+        _ => &[],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::example::EXAMPLES;
+    use crate::session::FACE_MEASURES;
+
+    #[test]
+    fn examples_offer_measures_that_there_are() {
+        let mut offered = 0;
+        for example in EXAMPLES {
+            for suggestion in suggestions(example.id) {
+                offered += 1;
+                if let Shows::Split(sides) = suggestion.shows {
+                    let is_known = |side: &Side| FACE_MEASURES.iter().any(|m| m.id == side.measure);
+                    assert!(sides.iter().all(is_known), "{}", example.id);
+                }
+            }
+        }
+        assert_eq!(offered, 7, "every one is of an example");
+    }
+}
