@@ -1,0 +1,82 @@
+//! The boundary of the rest shape as curves for vertices to glide on, with its corners (boundary
+//! preservation, paper section 4).
+
+use crate::math::Vec3;
+use crate::mesh::{Mesh, Point, Ragged, Surface, Topology};
+
+/// The boundary loops of a mesh as curves, and the corners between them. Each boundary vertex is
+/// either a corner or on exactly one curve.
+#[derive(Clone, Debug)]
+pub struct BoundaryCurves {
+    /// One for each of [`Topology::boundary_loops`].
+    pub curves: Vec<BoundaryCurve>,
+    /// The corners, ascending.
+    pub corners: Vec<u32>,
+}
+
+/// One boundary loop.
+#[derive(Clone, Debug)]
+pub struct BoundaryCurve {
+    /// Its polyline, with the corners.
+    pub polyline: Surface,
+    /// Its vertices without the corners, along the loop.
+    pub vertices: Vec<u32>,
+}
+
+impl BoundaryCurves {
+    /// The boundary of a mesh with its vertices at `positions` (`#V by 3`).
+    ///
+    /// A vertex is a corner where the boundary turns by more than the angle with the cosine
+    /// `corner_cosine`, where it is on several loops, and at the ends of a loop that is not closed.
+    /// An edge without length has no direction: the one beyond it counts.
+    pub fn new(positions: &[Point], topology: &Topology, corner_cosine: f64) -> BoundaryCurves {
+        let loops = topology.boundary_loops();
+        let mut on_loops = vec![0_u32; positions.len()];
+        loops.indices().iter().for_each(|&v| on_loops[v as usize] += 1);
+        let mut is_corner: Vec<bool> = on_loops.iter().map(|&count| count > 1).collect();
+        for one in loops.iter() {
+            for (k, &v) in one.iter().enumerate() {
+                is_corner[v as usize] |= turn_cosine(one, k, positions) < corner_cosine;
+            }
+            if !is_closed(one, topology) {
+                is_corner[one[0] as usize] = true;
+                is_corner[one[one.len() - 1] as usize] = true;
+            }
+        }
+        let curves = loops.iter().map(|one| {
+            let mut polyline = one.to_vec();
+            if is_closed(one, topology) {
+                polyline.push(one[0]);
+            }
+            let curve = Mesh { curves: Ragged::from_iter([polyline]), ..Mesh::default() };
+            BoundaryCurve {
+                polyline: Surface::new(positions, &curve),
+                vertices: one.iter().copied().filter(|&v| !is_corner[v as usize]).collect(),
+            }
+        });
+        let curves = curves.collect();
+        let corners = (0..).zip(&is_corner).filter(|(_, corner)| **corner).map(|(v, _)| v);
+        BoundaryCurves { curves, corners: corners.collect() }
+    }
+}
+
+/// Whether a row of the boundary loops comes back to its first vertex.
+fn is_closed(one: &[u32], topology: &Topology) -> bool {
+    let closing = topology.edge(one[0], one[one.len() - 1]);
+    one.len() > 2 && closing.is_some_and(|e| topology.is_boundary_edge(e))
+}
+
+/// The cosine of the angle by which a loop turns at its vertex `k`; 1 where all is in one point.
+fn turn_cosine(one: &[u32], k: usize, positions: &[Point]) -> f64 {
+    let n = one.len();
+    let at = |k: usize| Vec3::from(positions[one[k % n] as usize]);
+    let here = at(k);
+    let first_away = |step: usize| {
+        let away = (1..n).map(|i| at(k + i * step) - here);
+        away.into_iter().find(|edge| edge.length() > 0.0)
+    };
+    match (first_away(n - 1), first_away(1)) {
+        (Some(back), Some(on)) => -back.dot(on) / (back.length() * on.length()),
+        _ => 1.0,
+    }
+}

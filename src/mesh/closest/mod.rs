@@ -1,0 +1,23 @@
+//! Closest points on a surface (`c(v)` of Eq. 11) and on its boundary curves.
+//!
+//! | file | holds |
+//! |---|---|
+//! | `surface` | the surface as triangles, and the search |
+//! | `bvh` | bounding volume hierarchy over the triangles |
+//! | `triangle` | the closest point of one triangle |
+//! | `neighbourhoods` | per triangle the region above and below it where it is closest |
+//! | `safe_region` | that region, bounded by the triangles around |
+//! | `point_cache` | per point the triangle that was closest last, and its region |
+//! | `boundary_curves` | the boundary loops as curves to glide on, with corners |
+
+mod boundary_curves;
+mod bvh;
+mod neighbourhoods;
+mod point_cache;
+mod safe_region;
+mod surface;
+mod triangle;
+
+pub use boundary_curves::{BoundaryCurve, BoundaryCurves};
+pub use point_cache::Footing;
+pub use surface::Surface;

@@ -1,0 +1,147 @@
+//! The closest point `c(v)` on the reference surface (paper section 4, Eq. 11).
+//!
+//! It is searched for every vertex in every iteration, so a search starts from what the last one of
+//! that vertex found. Near the surface, the short list of triangles around the last closest one has
+//! all that can be nearer; elsewhere its distance bounds the search of a tree. Both are exact.
+
+use super::bvh::{Box3, Tree};
+use super::neighbourhoods::Surroundings;
+use super::point_cache::Footing;
+use super::triangle::{Corners, Hit, Planes, is_sliver, splat};
+use crate::math::{Pair, Vec3};
+use crate::mesh::{Mesh, Point};
+
+/// A surface that answers which of its points is closest.
+#[derive(Clone, Debug)]
+pub struct Surface {
+    /// The origin of all that follows, so that coordinates far from zero do not cost digits.
+    centre: Vec3<f64>,
+    /// In the order of the tree, so that neighbours in space are neighbours in memory.
+    planes: Vec<Planes>,
+    corners: Vec<Corners>,
+    surroundings: Surroundings,
+    tree: Tree,
+}
+
+impl Surface {
+    /// No triangle is known yet: the value that `warm` starts from.
+    pub const COLD: u32 = u32::MAX;
+
+    /// The surface of `mesh` at `positions` (`#V by 3`): its faces, triangulated as fans
+    /// `(f0, fk, fk+1)`; without faces the segments of its curves; without either its vertices.
+    /// A triangle thinner than 1e-8 of its length counts as its three sides.
+    pub fn new(positions: &[Point], mesh: &Mesh) -> Surface {
+        let at = |v: &u32| positions[*v as usize];
+        let fans = mesh.faces.iter().map(|face| face.len().saturating_sub(2)).sum();
+        let mut triangles: Vec<[Point; 3]> = Vec::with_capacity(fans);
+        for face in mesh.faces.iter() {
+            for side in face[1..].windows(2) {
+                let [a, b, c] = [at(&face[0]), at(&side[0]), at(&side[1])];
+                if is_sliver([a, b, c]) {
+                    triangles.extend([[a, b, b], [b, c, c], [c, a, a]]);
+                } else {
+                    triangles.push([a, b, c]);
+                }
+            }
+        }
+        if mesh.faces.is_empty() {
+            let segments = mesh.curves.iter().flat_map(|curve| curve.windows(2));
+            triangles.extend(segments.map(|ends| [at(&ends[0]), at(&ends[1]), at(&ends[1])]));
+        }
+        if triangles.is_empty() {
+            triangles.extend(positions.iter().map(|&p| [p; 3]));
+        }
+        Surface::of_triangles(triangles)
+    }
+
+    fn of_triangles(triangles: Vec<[Point; 3]>) -> Surface {
+        let centre = Box3::around(triangles.as_flattened()).centre();
+        let triangles: Vec<[Vec3<f64>; 3]> =
+            triangles.into_iter().map(|corners| corners.map(|p| Vec3::from(p) - centre)).collect();
+        let boxes: Vec<Box3> =
+            triangles.iter().map(|corners| Box3::around(&corners.map(Point::from))).collect();
+        let (tree, order) = Tree::new(&boxes);
+        let ordered = || order.iter().map(|&t| t as usize);
+        let boxes: Vec<Box3> = ordered().map(|t| boxes[t]).collect();
+        let planes: Vec<Planes> = ordered().map(|t| Planes::new(triangles[t])).collect();
+        let corners: Vec<Corners> = ordered().map(|t| Corners::new(triangles[t])).collect();
+        let surroundings = Surroundings::new(&tree, &boxes, &planes, &corners);
+        Surface { centre, planes, corners, surroundings, tree }
+    }
+
+    /// The point of the surface that is closest to `p`; `p` itself when the surface is empty.
+    /// `warm` is what the last search for this point left, or [`Surface::COLD`]: the better it
+    /// fits, the faster the search. Where several points are equally close, it can decide which.
+    #[inline]
+    pub fn closest(&self, p: Point, warm: &mut u32) -> Point {
+        let p = Vec3::from(p) - self.centre;
+        if let Some(planes) = self.planes.get(*warm as usize) {
+            let over = planes.over(splat(p));
+            if self.surroundings.clearing(*warm as usize).holds(over) {
+                return (planes.foot(p, over) + self.centre).into();
+            }
+        }
+        (self.search(p, warm) + self.centre).into()
+    }
+
+    /// As [`Surface::closest`], and as exact. `footing` is what the last search for this point left too,
+    /// or [`Footing::unknown`].
+    #[inline(always)]
+    pub fn closest_from(&self, p: Point, warm: &mut u32, footing: &mut Footing) -> Point {
+        let p = Vec3::from(p) - self.centre;
+        let foot = match footing.foot(p) {
+            Some(foot) => foot,
+            None => self.find_footing(p, warm, footing),
+        };
+        (foot + self.centre).into()
+    }
+
+    #[inline(never)]
+    fn find_footing(&self, p: Vec3<f64>, warm: &mut u32, footing: &mut Footing) -> Vec3<f64> {
+        let before = *warm;
+        let found = self.search(p, warm);
+        if *warm != before {
+            let t = *warm as usize;
+            footing.planes.clone_from(&self.planes[t]);
+            footing.clearing.clone_from(self.surroundings.clearing(t));
+        }
+        found
+    }
+
+    /// The closest point among the surroundings of the triangle `warm`, or of all.
+    #[inline(never)]
+    fn search(&self, p: Vec3<f64>, warm: &mut u32) -> Vec3<f64> {
+        let lanes = splat(p);
+        let mut best = Hit { point: p, distance_squared: f64::INFINITY };
+        if let Some(planes) = self.planes.get(*warm as usize) {
+            let t = *warm as usize;
+            best = self.corners[t].closest(planes, p, planes.over(lanes));
+            if let Some(list) = self.surroundings.of(t, best.distance_squared) {
+                for &s in list {
+                    self.consider(s as usize, p, lanes, &mut best, warm);
+                }
+                return best.point;
+            }
+        }
+        self.tree.search(lanes, best.distance_squared, |leaf, _| {
+            for t in leaf {
+                self.consider(t, p, lanes, &mut best, warm);
+            }
+            best.distance_squared
+        });
+        best.point
+    }
+
+    /// Takes the closest point of triangle `t` if it is nearer than the best one so far.
+    #[inline(always)]
+    fn consider(&self, t: usize, p: Vec3<f64>, lanes: Vec3<Pair>, best: &mut Hit, warm: &mut u32) {
+        let over = self.planes[t].over(lanes);
+        if over.within(best.distance_squared) {
+            let hit = self.corners[t].closest(&self.planes[t], p, over);
+            if hit.distance_squared < best.distance_squared {
+                *best = hit;
+                *warm = t as u32;
+            }
+        }
+    }
+}

@@ -1,0 +1,249 @@
+//! Welding: a mesh whose faces have their own vertices has no edges in common, and what its faces are
+//! asked would tear it apart. Vertices at one place become one.
+
+use crate::math::{Vec3, polygon_sides};
+use crate::mesh::{GroupKeyword, Mesh, Point, ProblemKind, Read, flawed, survey};
+
+/// Vertices are at one place within this part of the diagonal of the bounding box,
+const TOLERANCE: f64 = 1e-6;
+/// and within this part of the shortest edge, so that no edge vanishes.
+const OF_SHORTEST_EDGE: f64 = 0.1;
+/// Where so many of the vertices of faces belong to one face only, faces have their own vertices:
+const OWN: f64 = 0.9;
+/// and where so many of these are at the place of another one, the faces belong together.
+const SHARED: f64 = 0.25;
+
+/// A mesh whose vertices at one place were made one, and how it came.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Weld {
+    /// The mesh as it came.
+    pub original: Mesh,
+    /// Of each vertex of the original the one of the welded mesh.
+    pub to: Vec<u32>,
+    /// Within which distance vertices are at one place, units of the mesh.
+    pub tolerance: f64,
+}
+
+impl Read {
+    /// Welds the mesh where its faces have their own vertices, and tells what is wrong with it then.
+    pub fn weld(&mut self) -> Option<Weld> {
+        let weld = Weld::unwelded(&mut self.mesh)?;
+        let of_mesh = survey(&weld.original);
+        self.problems.retain(|problem| of_mesh.iter().all(|other| other.kind != problem.kind));
+        self.problems.extend(survey(&self.mesh));
+        self.notes.push(format!(
+            "faces have their own vertices: {} at the places of others were welded, {} are left",
+            weld.original.positions.len() - self.mesh.positions.len(),
+            self.mesh.positions.len()
+        ));
+        Some(weld)
+    }
+}
+
+impl Weld {
+    /// Welds `mesh` where its faces have their own vertices; `None`, and nothing has changed, where they
+    /// have them in common or nothing is at one place. Faces, curves and groups keep their order; vertices
+    /// are in the order in which the first at each place came.
+    pub fn unwelded(mesh: &mut Mesh) -> Option<Weld> {
+        let uses = uses(mesh);
+        let used = uses.iter().filter(|&&uses| uses > 0).count();
+        let own = uses.iter().filter(|&&uses| uses == 1).count();
+        if !mesh.tets.is_empty() || mesh.faces.len() < 2 || (own as f64) < OWN * used as f64 {
+            return None;
+        }
+        let tolerance = tolerance(mesh)?;
+        // Solids that touch have two faces at one place: these stay apart, each in its group.
+        let whole = vec![0; mesh.positions.len()];
+        let parts = [whole, groups(mesh)];
+        let (welded, to) = parts.iter().find_map(|parts| {
+            let first = first_at_each_place(&mesh.positions, parts, tolerance);
+            merged(mesh, &first, SHARED * used as f64)
+        })?;
+        Some(Weld { original: std::mem::replace(mesh, welded), to, tolerance })
+    }
+
+    /// The positions of the original, `#V by 3`, when the welded mesh went from `rest` to `now`: each moves
+    /// with the one that it was welded to.
+    pub fn as_it_came(&self, rest: &[Point], now: &[Point]) -> Vec<Point> {
+        let moved = |(at, &to): (&Point, &u32)| -> Point {
+            let (rest, now) = (rest[to as usize], now[to as usize]);
+            // Where nothing is apart every bit stays.
+            std::array::from_fn(
+                |i| if at[i] == rest[i] { now[i] } else { at[i] + (now[i] - rest[i]) },
+            )
+        };
+        self.original.positions.iter().zip(&self.to).map(moved).collect()
+    }
+}
+
+/// `mesh` with one vertex for all that have the same `first`, and of each vertex the new one; none where
+/// fewer than `least` go, or faces come to lie on each other.
+fn merged(mesh: &Mesh, first: &[u32], least: f64) -> Option<(Mesh, Vec<u32>)> {
+    let merged = (0..).zip(first).filter(|(v, first)| *v != **first).count();
+    if (merged as f64) < least {
+        return None;
+    }
+    let mut to = vec![0; first.len()];
+    let mut positions = Vec::with_capacity(first.len() - merged);
+    for (vertex, &first) in first.iter().enumerate() {
+        to[vertex] = if first as usize == vertex {
+            positions.push(mesh.positions[vertex]);
+            positions.len() as u32 - 1
+        } else {
+            to[first as usize]
+        };
+    }
+    let mut welded = Mesh { positions, ..mesh.clone() };
+    welded.faces.rename(&to);
+    welded.curves.rename(&to);
+    let on_each_other = |mesh: &Mesh| flawed(mesh, ProblemKind::DuplicateFace).faces.len();
+    let is_sound =
+        !welded.faces.iter().any(comes_back) && on_each_other(&welded) == on_each_other(mesh);
+    is_sound.then_some((welded, to))
+}
+
+/// Of each vertex one more than the group of a face that has it, by objects and groups; 0 in none.
+fn groups(mesh: &Mesh) -> Vec<u32> {
+    let mut of_vertex = vec![0; mesh.positions.len()];
+    let named = mesh.groups.iter().filter(|group| group.keyword != GroupKeyword::Material);
+    for (number, group) in (1..).zip(named) {
+        for corner in group.faces.iter().flat_map(|&face| mesh.faces.row(face as usize)) {
+            of_vertex[*corner as usize] = number;
+        }
+    }
+    of_vertex
+}
+
+/// How many faces each vertex belongs to.
+fn uses(mesh: &Mesh) -> Vec<u32> {
+    let mut uses = vec![0; mesh.positions.len()];
+    mesh.faces.indices().iter().for_each(|&v| uses[v as usize] += 1);
+    uses
+}
+
+/// Within which distance vertices of `mesh` are at one place; none where it has no extent.
+fn tolerance(mesh: &Mesh) -> Option<f64> {
+    let at = |v: u32| Vec3::from(mesh.positions[v as usize]);
+    let sides = mesh.faces.iter().flat_map(polygon_sides);
+    let lengths = sides.map(|[a, b]| (at(b) - at(a)).length()).filter(|length| *length > 0.0);
+    let shortest = lengths.reduce(f64::min)?;
+    let bound = |pick: fn(f64, f64) -> f64| {
+        let points = mesh.positions.iter().copied();
+        points.reduce(|a, b| std::array::from_fn(|i| pick(a[i], b[i]))).map(Vec3::from)
+    };
+    let diagonal = (bound(f64::max)? - bound(f64::min)?).length();
+    Some((TOLERANCE * diagonal).min(OF_SHORTEST_EDGE * shortest))
+}
+
+/// Of each vertex the first one at its place and of its part, within `tolerance`.
+fn first_at_each_place(positions: &[Point], parts: &[u32], tolerance: f64) -> Vec<u32> {
+    // In cells of twice the tolerance what is near is in the same or in a neighbouring cell.
+    // Adding zero makes one zero of the two.
+    let cell = |x: f64| (x / (2.0 * tolerance)).floor() + 0.0;
+    let cell_of = |p: Point| p.map(cell);
+    let mut order: Vec<u32> = (0..positions.len() as u32).collect();
+    let by_cell = |a: [f64; 3], b: [f64; 3]| {
+        a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])).then(a[2].total_cmp(&b[2]))
+    };
+    let cell_at = |v: u32| cell_of(positions[v as usize]);
+    order.sort_by(|&a, &b| by_cell(cell_at(a), cell_at(b)));
+    let mut first: Vec<u32> = (0..positions.len() as u32).collect();
+    for (vertex, &here) in positions.iter().enumerate() {
+        let [low, high] = [-tolerance, tolerance].map(|by| here.map(|x| cell(x + by)));
+        let mut nearest = vertex as u32;
+        for corner in 0..8 {
+            let near: [f64; 3] =
+                std::array::from_fn(|i| if corner >> i & 1 == 0 { low[i] } else { high[i] });
+            let begin = order.partition_point(|&v| by_cell(cell_at(v), near).is_lt());
+            let inside = order[begin..].iter().take_while(|&&v| cell_at(v) == near);
+            for &other in inside.take_while(|&&other| (other as usize) < vertex) {
+                let away = Vec3::from(positions[other as usize]) - Vec3::from(here);
+                let is_first =
+                    first[other as usize] == other && parts[other as usize] == parts[vertex];
+                if is_first && away.length() <= tolerance {
+                    nearest = nearest.min(other);
+                }
+            }
+        }
+        first[vertex] = nearest;
+    }
+    first
+}
+
+/// Whether a face has a corner twice.
+fn comes_back(face: &[u32]) -> bool {
+    (1..face.len()).any(|k| face[..k].contains(&face[k]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::{Topology, read};
+
+    /// A grid of `n * n` quads, each with vertices of its own, which are apart by up to `apart`.
+    fn soup(n: u32, apart: f64, scale: f64) -> Mesh {
+        let mut mesh = Mesh::default();
+        for (i, j) in (0..n * n).map(|k| (k % n, k / n)) {
+            let first = mesh.positions.len() as u32;
+            for (x, y) in [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)] {
+                let lift = apart * f64::from((i + 2 * j) % 3) * 0.5;
+                let at = [f64::from(x), f64::from(y), 0.1 * f64::from(x * y) + lift];
+                mesh.positions.push(at.map(|x| scale * x));
+            }
+            mesh.faces.push(&[first, first + 1, first + 2, first + 3]);
+        }
+        mesh
+    }
+
+    #[test]
+    fn faces_with_vertices_of_their_own_are_welded_and_come_out_as_they_came() {
+        for (apart, scale) in [(0.0, 1.0), (1e-7, 1.0), (1e-7, 1e-3), (0.0, 1e6)] {
+            let came = soup(5, apart, scale);
+            let mut mesh = came.clone();
+            let weld = Weld::unwelded(&mut mesh).expect("its faces have their own vertices");
+            assert_eq!((mesh.positions.len(), mesh.faces.len()), (36, 25));
+            assert_eq!(Topology::new(&mesh).boundary_loops().len(), 1);
+            assert_eq!(weld.original, came);
+            assert!(weld.tolerance > 0.0 && weld.tolerance < 1e-4 * scale);
+            assert_eq!(weld.as_it_came(&mesh.positions, &mesh.positions), came.positions);
+            // What belongs together moves together.
+            let mut now = mesh.positions.clone();
+            now[weld.to[2] as usize][2] += scale;
+            let out = weld.as_it_came(&mesh.positions, &now);
+            let moved = out.iter().zip(&came.positions).filter(|(a, b)| a != b);
+            assert_eq!(moved.count(), weld.to.iter().filter(|&&to| to == weld.to[2]).count());
+        }
+    }
+
+    #[test]
+    fn what_is_whole_or_in_separate_pieces_stays_as_it_is() {
+        let mut apart = soup(5, 0.0, 1.0);
+        // Panels with joints between them.
+        for face in 0..apart.faces.len() {
+            for &v in &apart.faces.row(face).to_vec() {
+                apart.positions[v as usize][0] += 0.02 * (face % 5) as f64;
+                apart.positions[v as usize][1] += 0.02 * (face / 5) as f64;
+            }
+        }
+        let mut whole = soup(5, 0.0, 1.0);
+        Weld::unwelded(&mut whole).expect("it is in pieces");
+        for mesh in [apart, whole, soup(1, 0.0, 1.0), Mesh::default()] {
+            let mut after = mesh.clone();
+            assert_eq!(Weld::unwelded(&mut after), None);
+            assert_eq!(after, mesh);
+        }
+    }
+
+    #[test]
+    fn two_boxes_that_touch_stay_two() {
+        let corners =
+            |x: u32| (0..8).map(move |i| format!("v {} {} {}\n", x + (i & 1), i >> 1 & 1, i >> 2));
+        let faces = |k: u32| {
+            [[1, 3, 4, 2], [5, 6, 8, 7], [1, 2, 6, 5], [3, 7, 8, 4], [1, 5, 7, 3], [2, 4, 8, 6]]
+                .map(|face| format!("f {}\n", face.map(|v: u32| (v + k).to_string()).join(" ")))
+        };
+        let text: String = corners(0).chain(corners(1)).chain(faces(0)).chain(faces(8)).collect();
+        let mut boxes = read("boxes.obj", text.as_bytes()).expect("it is a mesh").mesh;
+        assert_eq!(Weld::unwelded(&mut boxes), None);
+    }
+}

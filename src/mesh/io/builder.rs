@@ -1,0 +1,181 @@
+//! A mesh as a reader builds it: what every format does with a vertex, a corner and an element.
+
+use super::lines::excerpt;
+use super::number::{Numbering, coordinate};
+use super::outcome::{Fault, Read};
+use crate::mesh::diagnostics::{coincident, examine};
+use crate::mesh::problem::Tally;
+use crate::mesh::{Element, Mesh, Point, ProblemKind, counted};
+
+/// The mesh so far, with the lines that its parts are from.
+#[derive(Default)]
+pub(crate) struct Draft {
+    pub(crate) mesh: Mesh,
+    pub(crate) tally: Tally,
+    pub(crate) notes: Vec<String>,
+    /// `#V` and `#F`.
+    vertex_lines: Vec<u32>,
+    face_lines: Vec<u32>,
+    /// Element, line and end in `deferred_corners` of the elements that wait for their vertices.
+    deferred: Vec<(Element, u32, u32)>,
+    deferred_corners: Vec<Option<i32>>,
+    /// The corners of the element at hand.
+    row: Vec<u32>,
+    /// `#V`: the number of the last face that has this corner, counting from one.
+    visited: Vec<u32>,
+    faces_seen: u32,
+}
+
+impl Draft {
+    /// Appends a vertex. Bad coordinates are not-a-number until [`Draft::finish`].
+    pub(crate) fn vertex(&mut self, words: [&str; 3], line: usize) {
+        let [x, y, z] = words.map(coordinate);
+        let mut problems = [x.1, y.1, z.1];
+        problems.sort_unstable();
+        let mut last = None;
+        for problem in problems.into_iter().flatten().filter(|&p| last.replace(p) != Some(p)) {
+            self.tally.add(problem, Some(line));
+        }
+        self.mesh.positions.push([x.0, y.0, z.0]);
+        self.vertex_lines.push(line as u32);
+    }
+
+    /// Appends an element on vertices that are there already and returns its index among those of
+    /// its sort, or counts why it is skipped.
+    pub(crate) fn element(
+        &mut self,
+        element: Element,
+        numbers: impl Iterator<Item = Option<i32>>,
+        numbering: Numbering,
+        line: usize,
+    ) -> Option<u32> {
+        match self.resolve(element, numbers, numbering) {
+            Ok(true) => self.tally.add(ProblemKind::RepeatedCorner(element), Some(line)),
+            Ok(false) => {}
+            Err(problem) => {
+                self.tally.add(problem, Some(line));
+                return None;
+            }
+        }
+        let index = match element {
+            Element::Face => {
+                self.mesh.faces.push(&self.row);
+                self.face_lines.push(line as u32);
+                self.mesh.faces.len()
+            }
+            Element::Curve => {
+                self.mesh.curves.push(&self.row);
+                self.mesh.curves.len()
+            }
+            Element::Tetrahedron => {
+                self.mesh.tets.push([self.row[0], self.row[1], self.row[2], self.row[3]]);
+                self.mesh.tets.len()
+            }
+        };
+        Some(index as u32 - 1)
+    }
+
+    /// Puts the corners of an element into `row`; tells whether one was there twice in a row.
+    fn resolve(
+        &mut self,
+        element: Element,
+        numbers: impl Iterator<Item = Option<i32>>,
+        numbering: Numbering,
+    ) -> Result<bool, ProblemKind> {
+        let Draft { row, mesh, visited, .. } = self;
+        let vertices = mesh.positions.len();
+        row.clear();
+        for number in numbers {
+            row.push(numbering.vertex(number, vertices, element)?);
+        }
+        let corners = row.len();
+        row.dedup();
+        if element == Element::Face && row.len() > 1 && row.first() == row.last() {
+            row.pop();
+        }
+        let fewest = match element {
+            Element::Face => 3,
+            Element::Curve => 2,
+            Element::Tetrahedron => 4,
+        };
+        if row.len() < fewest {
+            return Err(ProblemKind::TooFewCorners(element));
+        }
+        if element != Element::Curve {
+            self.faces_seen += 1;
+            visited.resize(vertices, 0);
+            let revisits = |&v: &u32| {
+                std::mem::replace(&mut visited[v as usize], self.faces_seen) == self.faces_seen
+            };
+            if row.iter().any(revisits) {
+                return Err(match element {
+                    Element::Face => ProblemKind::SelfTouchingFace,
+                    _ => ProblemKind::TooFewCorners(element),
+                });
+            }
+        }
+        Ok(row.len() < corners)
+    }
+
+    /// Keeps a corner of the element that comes next: see [`Draft::settle`].
+    pub(crate) fn defer_corner(&mut self, number: Option<i32>) {
+        self.deferred_corners.push(number);
+    }
+
+    /// Keeps an element of the corners since the last one.
+    pub(crate) fn defer_element(&mut self, element: Element, line: usize) {
+        self.deferred.push((element, line as u32, self.deferred_corners.len() as u32));
+    }
+
+    /// The vertex numbers at all corners that are kept.
+    pub(crate) fn deferred_corners(&self) -> impl Iterator<Item = i32> {
+        self.deferred_corners.iter().copied().flatten()
+    }
+
+    /// Appends the elements that were kept until all vertices are there.
+    pub(crate) fn settle(&mut self, numbering: Numbering) {
+        let corners = std::mem::take(&mut self.deferred_corners);
+        let mut begin = 0;
+        for (element, line, end) in std::mem::take(&mut self.deferred) {
+            let row = corners[begin..end as usize].iter().copied();
+            self.element(element, row, numbering, line as usize);
+            begin = end as usize;
+        }
+    }
+
+    /// The mesh, with what the whole of it has wrong, or why there is nothing to solve.
+    pub(crate) fn finish(mut self, text: &str) -> Result<Read, Fault> {
+        let positions = &mut self.mesh.positions;
+        if positions.is_empty() {
+            let expected = "expected at least one, such as `v 0 0 0` in OBJ";
+            return Err(Fault::whole(format!("the file holds no vertices: {expected}")));
+        }
+        if positions.as_flattened().iter().all(|x| x.is_nan()) {
+            return Err(Fault::whole("no vertex of the file has a coordinate that is a number"));
+        }
+        if let Some((count, first)) = coincident(positions) {
+            let vertices = counted(count, "vertex lies", "vertices lie");
+            let line = self.vertex_lines[first];
+            self.notes.push(format!("{vertices} exactly on an earlier one, first at line {line}"));
+        }
+        fill_in(positions);
+        positions.shrink_to_fit();
+        examine(&self.mesh, &self.vertex_lines, &self.face_lines, &mut self.tally);
+        let problems = self.tally.problems(|line| excerpt(text, line));
+        Ok(Read { mesh: self.mesh, problems, notes: self.notes })
+    }
+}
+
+/// Puts the middle of the extent in the place of every coordinate that is not a number, so that
+/// vertices keep their numbers and the mesh its size.
+fn fill_in(positions: &mut [Point]) {
+    for axis in 0..3 {
+        let extent = positions.iter().map(|p| p[axis]).filter(|x| !x.is_nan());
+        let (low, high) = extent
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
+        let middle = if low <= high { 0.5 * low + 0.5 * high } else { 0.0 };
+        for x in positions.iter_mut().map(|p| &mut p[axis]).filter(|x| x.is_nan()) {
+            *x = middle;
+        }
+    }
+}

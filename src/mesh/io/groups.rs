@@ -1,0 +1,71 @@
+//! The named, overlapping groups of an OBJ file as its statements open and close them.
+
+use std::collections::BTreeMap;
+
+use crate::math::{ascending, key_of_pair};
+use crate::mesh::{Element, Group, GroupKeyword};
+
+/// How many names of one `g` statement are kept. Without a limit, a file could ask for memory in
+/// the square of its size.
+const MOST_NAMES: usize = 32;
+
+/// The groups so far.
+#[derive(Default)]
+pub(crate) struct Groups {
+    groups: Vec<Group>,
+    by_name: BTreeMap<(GroupKeyword, String), usize>,
+    /// Indices in `groups` of those that elements now fall into, for each keyword.
+    open: [Vec<usize>; GroupKeyword::STATEMENTS.len()],
+}
+
+impl Groups {
+    /// Reads the statement of `keyword` in the line `text`. A name that was there before continues
+    /// its group; no name closes what is open. Returns whether there are more names than are kept.
+    pub(crate) fn open(&mut self, keyword: GroupKeyword, text: &str) -> bool {
+        let open = &mut self.open[keyword as usize];
+        open.clear();
+        // A `#` may begin a name: these statements have no comments.
+        let mut words = text.split_ascii_whitespace().skip(1);
+        let names: Vec<String> = match keyword {
+            GroupKeyword::Group => words.by_ref().take(MOST_NAMES).map(str::to_owned).collect(),
+            _ => Some(words.by_ref().collect::<Vec<_>>().join(" ")).into_iter().collect(),
+        };
+        for name in names.into_iter().filter(|name| !name.is_empty()) {
+            let new = self.groups.len();
+            let group = *self.by_name.entry((keyword, name)).or_insert_with_key(|(_, name)| {
+                let name = name.clone();
+                self.groups.push(Group { name, keyword, faces: Vec::new(), curves: Vec::new() });
+                new
+            });
+            if !open.contains(&group) {
+                open.push(group);
+            }
+        }
+        words.next().is_some()
+    }
+
+    /// Puts a face or a curve into the groups that are open.
+    pub(crate) fn add(&mut self, element: Element, index: u32) {
+        for &group in self.open.iter().flatten() {
+            match element {
+                Element::Face => self.groups[group].faces.push(index),
+                Element::Curve => self.groups[group].curves.push(index),
+                Element::Tetrahedron => unreachable!("OBJ has no tetrahedra"),
+            }
+        }
+    }
+
+    /// The groups that have members, by their first face, else their first curve, so that a file
+    /// written from them gives them in the same order.
+    pub(crate) fn finish(self) -> Vec<Group> {
+        let mut groups = self.groups;
+        groups.retain(|group| !(group.faces.is_empty() && group.curves.is_empty()));
+        let first = |members: &[u32]| members.first().copied().unwrap_or(u32::MAX);
+        let by_keyword = ascending(groups.iter().map(|group| group.keyword as u64));
+        let key = |group: &Group| key_of_pair([first(&group.faces), first(&group.curves)]);
+        let order = ascending(by_keyword.iter().map(|&group| key(&groups[group as usize])));
+        let places = order.into_iter().map(|i| by_keyword[i as usize] as usize);
+        let mut groups: Vec<Option<Group>> = groups.into_iter().map(Some).collect();
+        places.map(|place| groups[place].take().expect("an order has every place once")).collect()
+    }
+}

@@ -1,0 +1,143 @@
+//! The text of a mesh file as lines and words, whatever the encoding and the ends of its lines.
+
+use std::borrow::Cow;
+use std::str::SplitAsciiWhitespace;
+
+/// The text of a file: UTF-8, or UTF-16 where a byte order mark says so. Bytes that are not UTF-8,
+/// as older programs write them into names, are taken as Latin-1, so that different names stay
+/// different.
+pub(crate) fn decode(bytes: &[u8]) -> Cow<'_, str> {
+    let utf16 = |bytes: &[u8], unit: fn([u8; 2]) -> u16| {
+        let units = bytes.chunks_exact(2).map(|pair| unit([pair[0], pair[1]]));
+        char::decode_utf16(units).map(|c| c.unwrap_or(char::REPLACEMENT_CHARACTER)).collect()
+    };
+    match bytes {
+        [0xFF, 0xFE, rest @ ..] => Cow::Owned(utf16(rest, u16::from_le_bytes)),
+        [0xFE, 0xFF, rest @ ..] => Cow::Owned(utf16(rest, u16::from_be_bytes)),
+        [0xEF, 0xBB, 0xBF, rest @ ..] | rest => match str::from_utf8(rest) {
+            Ok(text) => Cow::Borrowed(text),
+            Err(_) => Cow::Owned(rest.utf8_chunks().fold(String::new(), |mut text, chunk| {
+                text.push_str(chunk.valid());
+                text.extend(chunk.invalid().iter().map(|&byte| char::from(byte)));
+                text
+            })),
+        },
+    }
+}
+
+/// The lines of the file with their numbers from one, ended by LF, CR LF, CR or the end of the text.
+pub(crate) fn lines(text: &str) -> Lines<'_> {
+    Lines { rest: text, number: 0 }
+}
+
+/// See [`lines`].
+pub(crate) struct Lines<'a> {
+    rest: &'a str,
+    number: usize,
+}
+
+impl<'a> Iterator for Lines<'a> {
+    type Item = (usize, &'a str);
+
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.rest.is_empty() {
+            return None;
+        }
+        let is_end = |byte| byte == b'\n' || byte == b'\r';
+        let length = self.rest.bytes().position(is_end).unwrap_or(self.rest.len());
+        let (line, rest) = self.rest.split_at(length);
+        self.rest = rest.strip_prefix("\r\n").or(rest.get(1..)).unwrap_or_default();
+        self.number += 1;
+        Some((self.number, line))
+    }
+}
+
+/// The lines of the file, those that end in a backslash joined with the next, numbered by their
+/// first. A comment is never continued: it may well end in the path of a folder.
+pub(crate) fn joined_lines(text: &str) -> impl Iterator<Item = (usize, Cow<'_, str>)> {
+    let continued = |line: &str| line.trim_ascii_end().strip_suffix('\\').map(str::len);
+    let mut lines = lines(text);
+    std::iter::from_fn(move || {
+        let (number, first) = lines.next()?;
+        let is_comment = first.trim_ascii_start().starts_with('#');
+        let Some(length) = continued(first).filter(|_| !is_comment) else {
+            return Some((number, Cow::Borrowed(first)));
+        };
+        let mut joined = first[..length].to_owned();
+        for (_, next) in lines.by_ref() {
+            joined.push(' ');
+            let length = continued(next);
+            joined.push_str(&next[..length.unwrap_or(next.len())]);
+            if length.is_none() {
+                break;
+            }
+        }
+        Some((number, Cow::Owned(joined)))
+    })
+}
+
+/// The words of a line up to a comment: a `#` that begins a word, unlike that of `1.#IND`.
+pub(crate) fn words(line: &str) -> SplitAsciiWhitespace<'_> {
+    let begins =
+        |&(at, _): &(usize, &str)| at == 0 || line.as_bytes()[at - 1].is_ascii_whitespace();
+    let end = line.match_indices('#').find(begins).map_or(line.len(), |(at, _)| at);
+    line[..end].split_ascii_whitespace()
+}
+
+/// The text of line `number`, shortened, for a message.
+pub(crate) fn excerpt(text: &str, number: usize) -> String {
+    const LONGEST: usize = 60;
+    let line = lines(text).nth(number - 1).map_or("", |(_, line)| line.trim());
+    match line.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("{}...", &line[..end]),
+        None => line.to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn joined(text: &str) -> Vec<(usize, String)> {
+        joined_lines(text).map(|(number, line)| (number, line.into_owned())).collect()
+    }
+
+    #[test]
+    fn a_line_ends_at_every_convention() {
+        let found: Vec<_> = lines("a\nb\r\nc\rd\n\ne").collect();
+        assert_eq!(found, [(1, "a"), (2, "b"), (3, "c"), (4, "d"), (5, ""), (6, "e")]);
+        assert_eq!(lines("a\n").count(), 1);
+    }
+
+    #[test]
+    fn a_backslash_joins_lines_but_not_comments() {
+        let found = joined("f 1 2 \\\r\n 3\\  \n4\n# C:\\models\\\nv\\");
+        let line = |number, text: &str| (number, text.to_owned());
+        assert_eq!(found, [line(1, "f 1 2   3 4"), line(4, "# C:\\models\\"), line(5, "v")]);
+    }
+
+    #[test]
+    fn a_comment_begins_with_a_word() {
+        assert_eq!(words(" v 1.#IND 2 #3 4").collect::<Vec<_>>(), ["v", "1.#IND", "2"]);
+        assert_eq!(words("# v").count(), 0);
+    }
+
+    #[test]
+    fn every_encoding_gives_the_same_text() {
+        let text = "g D\u{e4}cher\n";
+        let units: Vec<u16> = text.encode_utf16().collect();
+        let big: Vec<u8> = units.iter().flat_map(|unit| unit.to_be_bytes()).collect();
+        let little: Vec<u8> = units.iter().flat_map(|unit| unit.to_le_bytes()).collect();
+        assert_eq!(decode(text.as_bytes()), text);
+        assert_eq!(decode(&[b"\xEF\xBB\xBF", text.as_bytes()].concat()), text);
+        assert_eq!(decode(&[b"\xFE\xFF", &big[..]].concat()), text);
+        assert_eq!(decode(&[b"\xFF\xFE", &little[..]].concat()), text);
+        assert_eq!(decode(b"g D\xE4cher\n"), text);
+    }
+
+    #[test]
+    fn an_excerpt_is_short_and_whole_characters() {
+        assert_eq!(excerpt("a\n  f 1 2 \n", 2), "f 1 2");
+        assert_eq!(excerpt(&"\u{e4}".repeat(1000), 1), format!("{}...", "\u{e4}".repeat(60)));
+    }
+}

@@ -1,0 +1,67 @@
+//! Medit's `.mesh` (INRIA Technical Report 0253), as text: named sections, each with the number of
+//! its rows. Vertices count from one; each row ends in a reference number, which is ignored.
+//! Triangles and quadrilaterals are read as faces, edges as curves.
+
+use super::builder::Draft;
+use super::number::Numbering;
+use super::outcome::Fault;
+use super::stream::Stream;
+use crate::mesh::Element;
+
+/// The first word of a file.
+pub(crate) const HEADER: &str = "MeshVersionFormatted";
+
+pub(crate) fn read(text: &str) -> Result<Draft, Fault> {
+    let mut stream = Stream::new(text);
+    let mut draft = Draft::default();
+    let mut dimension = 3;
+    let mut section = "";
+    while let Some(word) = stream.word() {
+        let (element, corners) = match word {
+            HEADER => {
+                stream.count("the version")?;
+                continue;
+            }
+            "Dimension" => {
+                dimension = stream.count("the dimension")?;
+                if !(2..=3).contains(&dimension) {
+                    return Err(stream.fault("expected dimension 2 or 3".to_owned()));
+                }
+                continue;
+            }
+            "Vertices" => {
+                section = word;
+                let count = stream.count("the number of vertices")?;
+                stream.vertices(count, dimension, &mut draft)?;
+                continue;
+            }
+            "Edges" => (Element::Curve, 2),
+            "Triangles" => (Element::Face, 3),
+            "Quadrilaterals" => (Element::Face, 4),
+            "Tetrahedra" => (Element::Tetrahedron, 4),
+            "End" => break,
+            _ if word.starts_with(|c: char| c.is_ascii_alphabetic()) => {
+                section = "";
+                continue;
+            }
+            // A number in a section without a meaning here.
+            _ if section.is_empty() => continue,
+            _ => {
+                let message = format!("`{section}` has more rows than it says: found `{word}`");
+                return Err(stream.fault(message));
+            }
+        };
+        section = word;
+        let count = stream.count(format_args!("the number of {word}"))?;
+        for row in 1..=count {
+            stream.element(
+                element,
+                corners,
+                format_args!("row {row} of {count} of {word}"),
+                &mut draft,
+            )?;
+        }
+    }
+    draft.settle(Numbering::OneBased);
+    Ok(draft)
+}

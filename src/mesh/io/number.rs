@@ -1,0 +1,110 @@
+//! Coordinates and vertex numbers as mesh files write them.
+
+use crate::mesh::{Element, ProblemKind};
+
+/// A coordinate, not-a-number where it is not finite, and what is wrong with it.
+pub(crate) fn coordinate(word: &str) -> (f64, Option<ProblemKind>) {
+    let (value, problem) = match word.parse::<f64>() {
+        Ok(value) => (value, None),
+        // `1.#IND` and `-1.#INF` are what an older Windows run-time library prints for these.
+        Err(_) if word.contains('#') => (f64::NAN, None),
+        Err(_) => match word.replacen(',', ".", 1).parse::<f64>() {
+            Ok(value) => (value, Some(ProblemKind::DecimalComma)),
+            Err(_) => return (f64::NAN, Some(ProblemKind::MalformedCoordinate)),
+        },
+    };
+    match value.is_finite() {
+        true => (value, problem),
+        false => (f64::NAN, Some(ProblemKind::NonFiniteCoordinate)),
+    }
+}
+
+/// A vertex number as the file writes it. What is too big for the type is out of range anyhow.
+pub(crate) fn whole(word: &str) -> Option<i32> {
+    let number: i64 = word.parse().ok()?;
+    Some(number.clamp(i32::MIN.into(), i32::MAX.into()) as i32)
+}
+
+/// How a format numbers its vertices.
+#[derive(Clone, Copy)]
+pub(crate) enum Numbering {
+    ZeroBased,
+    OneBased,
+    /// One-based; negative numbers count back from the last of the vertices `read` so far.
+    OneBasedOrBack {
+        read: usize,
+    },
+}
+
+impl Numbering {
+    /// The index from zero, below `vertices`, of the vertex that `number` means as a corner of an
+    /// `element`.
+    pub(crate) fn vertex(
+        self,
+        number: Option<i32>,
+        vertices: usize,
+        element: Element,
+    ) -> Result<u32, ProblemKind> {
+        let number = i64::from(number.ok_or(ProblemKind::MalformedCorner(element))?);
+        let index = match self {
+            Numbering::ZeroBased => number,
+            _ if number == 0 => return Err(ProblemKind::CornerZero(element)),
+            Numbering::OneBasedOrBack { read } if number < 0 => read as i64 + number,
+            _ => number - 1,
+        };
+        match (0..vertices as i64).contains(&index) {
+            true => Ok(index as u32),
+            false => Err(ProblemKind::CornerOutOfRange(element)),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn coordinates_are_read_in_every_form_that_means_one_number() {
+        for (word, value) in
+            [("2.", 2.0), ("+.5", 0.5), ("-1E2", -100.0), ("2.e-1", 0.2), ("1e-400", 0.0)]
+        {
+            assert_eq!(coordinate(word), (value, None), "{word}");
+        }
+        assert_eq!(coordinate("-0,046"), (-0.046, Some(ProblemKind::DecimalComma)));
+    }
+
+    #[test]
+    fn a_bad_coordinate_is_told_from_one_that_is_not_finite() {
+        for word in ["", "x", "3.1+e2", "1,234.5", "1,2,3", "0x10", "1_000"] {
+            let (value, problem) = coordinate(word);
+            assert!(value.is_nan() && problem == Some(ProblemKind::MalformedCoordinate), "{word}");
+        }
+        for word in ["nan", "-nan", "INF", "-infinity", "1.#IND", "-1.#INF", "1e999", "1,e999"] {
+            let (value, problem) = coordinate(word);
+            assert!(value.is_nan() && problem == Some(ProblemKind::NonFiniteCoordinate), "{word}");
+        }
+    }
+
+    #[test]
+    fn vertex_numbers_mean_the_same_vertex_in_every_numbering() {
+        let vertex = |numbering: Numbering, word| numbering.vertex(whole(word), 4, Element::Face);
+        let back = Numbering::OneBasedOrBack { read: 3 };
+        assert_eq!(vertex(Numbering::ZeroBased, "2"), Ok(2));
+        assert_eq!(vertex(Numbering::OneBased, "3"), Ok(2));
+        assert_eq!(vertex(back, "3"), Ok(2));
+        assert_eq!(vertex(back, "-1"), Ok(2));
+        let out_of_range = Err(ProblemKind::CornerOutOfRange(Element::Face));
+        for (numbering, word) in [
+            (Numbering::ZeroBased, "4"),
+            (Numbering::ZeroBased, "-1"),
+            (Numbering::OneBased, "5"),
+            (Numbering::OneBased, "-1"),
+            (back, "-4"),
+            (back, "99999999999"),
+        ] {
+            assert_eq!(vertex(numbering, word), out_of_range, "{word}");
+        }
+        assert_eq!(vertex(back, "0"), Err(ProblemKind::CornerZero(Element::Face)));
+        assert_eq!(vertex(back, "1.5"), Err(ProblemKind::MalformedCorner(Element::Face)));
+    }
+}

@@ -1,0 +1,126 @@
+//! Wavefront OBJ (Appendix B1 of the Advanced Visualizer manual, <https://paulbourke.net/dataformats/obj/>):
+//! vertices, polygons, polylines and groups. Polylines are those of `l` and the free-form curves of
+//! degree one that Rhino writes. Texture, normals, points and true free-form geometry are counted
+//! and left out.
+
+use super::builder::Draft;
+use super::groups::Groups;
+use super::lines::{joined_lines, words};
+use super::number::{Numbering, whole};
+use crate::mesh::{Element, GroupKeyword, ProblemKind, counted};
+
+/// Statements that say nothing of the shape, or only to a free-form element.
+const SILENT: &str = "vt vn vp s mg mtllib maplib usemap parm trim hole scrv sp end con bmat step \
+    ctech stech bevel c_interp d_interp lod shadow_obj trace_obj call csh";
+
+pub(crate) fn read(text: &str) -> Draft {
+    let mut draft = Draft::default();
+    let mut ignored = Ignored::default();
+    // Faces may come before their vertices: vertices are read first.
+    for (line, text) in joined_lines(text) {
+        let mut words = words(&text);
+        if words.next() == Some("v") {
+            let coordinates = std::array::from_fn(|_| words.next().unwrap_or_default());
+            draft.vertex(coordinates, line);
+            ignored.vertex_extras += usize::from(words.next().is_some());
+        }
+    }
+
+    let mut groups = Groups::default();
+    let mut vertices_read = 0;
+    let mut curve_type = String::new();
+    let mut degree = String::new();
+    for (line, text) in joined_lines(text) {
+        let mut words = words(&text);
+        let Some(statement) = words.next() else { continue };
+        let element = match statement {
+            "v" => {
+                vertices_read += 1;
+                continue;
+            }
+            "f" | "fo" => Element::Face,
+            "l" => Element::Curve,
+            "curv" if degree == "1" && ["bspline", "bezier"].contains(&curve_type.as_str()) => {
+                // The extent of the parameter comes before the control points.
+                words.by_ref().take(2).for_each(drop);
+                Element::Curve
+            }
+            "cstype" => {
+                curve_type = words.last().unwrap_or_default().to_owned();
+                continue;
+            }
+            "deg" => {
+                degree = words.next().unwrap_or_default().to_owned();
+                continue;
+            }
+            "curv" | "curv2" => {
+                ignored.curves += 1;
+                continue;
+            }
+            "surf" => {
+                ignored.surfaces += 1;
+                continue;
+            }
+            "p" => {
+                ignored.points += words.count();
+                continue;
+            }
+            _ => {
+                let opens = |(word, _): &&(&str, GroupKeyword)| *word == statement;
+                if let Some(&(_, keyword)) = GroupKeyword::STATEMENTS.iter().find(opens) {
+                    if groups.open(keyword, &text) {
+                        draft.tally.add(ProblemKind::TooManyNames, Some(line));
+                    }
+                } else if !SILENT.split(' ').any(|silent| silent == statement) {
+                    draft.tally.add(ProblemKind::UnknownStatement, Some(line));
+                }
+                continue;
+            }
+        };
+        let corners = words.map(|word| ignored.corner(word));
+        let numbering = Numbering::OneBasedOrBack { read: vertices_read };
+        if let Some(index) = draft.element(element, corners, numbering, line) {
+            groups.add(element, index);
+        }
+    }
+    draft.mesh.groups = groups.finish();
+    draft.notes.extend(ignored.notes());
+    draft
+}
+
+/// How much of the file was understood and left out.
+#[derive(Default)]
+struct Ignored {
+    textures: usize,
+    normals: usize,
+    vertex_extras: usize,
+    points: usize,
+    curves: usize,
+    surfaces: usize,
+}
+
+impl Ignored {
+    /// The vertex number of a corner such as `3`, `3/1`, `3//2` or `3/1/2`.
+    fn corner(&mut self, word: &str) -> Option<i32> {
+        let mut parts = word.split('/');
+        let number = parts.next().and_then(whole);
+        let mut is_there = || usize::from(parts.next().is_some_and(|part| !part.is_empty()));
+        self.textures += is_there();
+        self.normals += is_there();
+        number
+    }
+
+    fn notes(&self) -> impl Iterator<Item = String> {
+        let all = [
+            (self.textures, "texture index", "texture indices"),
+            (self.normals, "normal index", "normal indices"),
+            (self.vertex_extras, "weight or colour of a vertex", "weights or colours of vertices"),
+            (self.points, "point element", "point elements"),
+            (self.curves, "curve of a degree above one", "curves of a degree above one"),
+            (self.surfaces, "free-form surface", "free-form surfaces"),
+        ];
+        all.into_iter()
+            .filter(|(count, ..)| *count > 0)
+            .map(|(count, one, many)| format!("{} ignored", counted(count, one, many)))
+    }
+}

@@ -1,0 +1,51 @@
+//! What reading a file gives: a mesh with what there is to say of it, or an error.
+
+use crate::mesh::{Mesh, Problem};
+
+/// A mesh as it was read, and what there is to say of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Read {
+    /// The mesh.
+    pub mesh: Mesh,
+    /// What is wrong in the file or with the mesh, and was survived.
+    pub problems: Vec<Problem>,
+    /// What is not wrong but worth knowing, a sentence each: what was left out, what was guessed.
+    pub notes: Vec<String>,
+}
+
+/// Why a file is refused; [`read`] adds the name of the file and the text of the line.
+pub(crate) struct Fault {
+    pub(crate) line: Option<usize>,
+    pub(crate) message: String,
+}
+
+impl Fault {
+    /// A fault of no line in particular.
+    pub(crate) fn whole(message: impl Into<String>) -> Self {
+        Fault { line: None, message: message.into() }
+    }
+}
+
+/// Why a mesh file was refused.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ReadError {
+    /// Name of the file.
+    pub file: String,
+    /// Line, counted from one; none when the file as a whole is at fault.
+    pub line: Option<usize>,
+    /// The text of that line, shortened; empty when the file as a whole is at fault.
+    pub text: String,
+    /// What is wrong and what was expected.
+    pub message: String,
+}
+
+impl std::fmt::Display for ReadError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self.line {
+            Some(line) => write!(f, "{}:{line}: `{}`: {}", self.file, self.text, self.message),
+            None => write!(f, "{}: {}", self.file, self.message),
+        }
+    }
+}
+
+impl std::error::Error for ReadError {}

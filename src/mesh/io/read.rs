@@ -1,0 +1,73 @@
+//! Reads a mesh file of any format known here.
+
+use super::outcome::{Fault, Read, ReadError};
+use super::{lines, medit, obj, off};
+
+/// Reads a mesh from the bytes of the file `name`: OBJ, OFF or Medit, by the extension of the name,
+/// else by content. Vertices keep their order and numbers; faces, curves and tetrahedra keep their
+/// order, without those that the problems of the result count as skipped. Takes time and memory in
+/// proportion to the size of the file, up to sorting.
+///
+/// # Errors
+///
+/// The file is empty, not text, of no format known here, ends too early or holds no vertices.
+pub fn read(name: &str, bytes: &[u8]) -> Result<Read, ReadError> {
+    let text = lines::decode(bytes);
+    read_text(name, &text).map_err(|fault| ReadError {
+        file: name.to_owned(),
+        line: fault.line,
+        text: fault.line.map(|line| lines::excerpt(&text, line)).unwrap_or_default(),
+        message: fault.message,
+    })
+}
+
+fn read_text(name: &str, text: &str) -> Result<Read, Fault> {
+    if text.trim().is_empty() {
+        return Err(Fault::whole("the file is empty"));
+    }
+    if u32::try_from(text.len()).is_err() {
+        return Err(Fault::whole("the file is larger than 4 GiB"));
+    }
+    if text.contains('\0') {
+        return Err(Fault::whole(format!("this is not a text file; {KNOWN}")));
+    }
+    let format = Format::of_name(name).or_else(|| Format::of_content(text));
+    let draft = match format {
+        Some(Format::Obj) => obj::read(text),
+        Some(Format::Off) => off::read(text)?,
+        Some(Format::Medit) => medit::read(text)?,
+        None => return Err(Fault::whole(format!("the format is not known; {KNOWN}"))),
+    };
+    draft.finish(text)
+}
+
+/// What a message says of the formats.
+const KNOWN: &str = "mesh files known here are .obj (Wavefront), .off and .mesh (Medit), as text";
+
+#[derive(Clone, Copy)]
+enum Format {
+    Obj,
+    Off,
+    Medit,
+}
+
+impl Format {
+    fn of_name(name: &str) -> Option<Self> {
+        let (_, extension) = name.rsplit_once('.')?;
+        match extension.to_ascii_lowercase().as_str() {
+            "obj" => Some(Format::Obj),
+            "off" => Some(Format::Off),
+            "mesh" => Some(Format::Medit),
+            _ => None,
+        }
+    }
+
+    fn of_content(text: &str) -> Option<Self> {
+        let first_words = || lines::lines(text).filter_map(|(_, line)| lines::words(line).next());
+        match first_words().next()? {
+            medit::HEADER => Some(Format::Medit),
+            word if off::Header::parse(word).is_some() => Some(Format::Off),
+            _ => first_words().any(|word| word == "v").then_some(Format::Obj),
+        }
+    }
+}

@@ -1,0 +1,14 @@
+//! The weights `w_ij` of the smoothness energy (paper section 4, Eq. 12).
+//!
+//! | file | holds |
+//! |---|---|
+//! | `weights` | the weights of a mesh: uniform, cotangent, polygon |
+//! | `cotangent` | cotangents of angles, bounded |
+//! | `polygon_weights` | the weights that a polygon of any number of corners gives |
+
+mod cotangent;
+mod polygon_weights;
+mod weights;
+
+pub use cotangent::LARGEST_COTANGENT;
+pub use weights::Laplacian;

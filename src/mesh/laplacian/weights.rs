@@ -1,0 +1,103 @@
+//! The weights `w_ij` of the smoothness energy (paper section 4, Eq. 12).
+
+use super::cotangent::cotangent;
+use super::polygon_weights::PolygonWeights;
+use crate::math::{ascending, key_of_pair};
+use crate::mesh::{Mesh, Point, Ragged, Topology};
+
+/// For each vertex `i` its neighbours `N(i)` and their weights `w_ij`. The Laplacian of `l` at `i`
+/// is `sum_j w_ij (l_j - l_i)`; a vertex without edges has none.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Laplacian {
+    neighbours: Ragged,
+    /// One weight per entry of `neighbours`, in its order.
+    weights: Vec<f64>,
+}
+
+impl Laplacian {
+    /// `w_ij = 1` along every edge.
+    pub fn uniform(topology: &Topology) -> Laplacian {
+        let neighbours = topology.neighbours().clone();
+        let weights = vec![1.0; neighbours.indices().len()];
+        Laplacian { neighbours, weights }
+    }
+
+    /// `w_ij = (cot a + cot b) / 2` on the rest mesh, where `a` and `b` are the angles opposite to
+    /// the edge. A boundary edge has one term, an edge with three or more faces one for each.
+    /// Cotangents are clamped to [`LARGEST_COTANGENT`]; the angle at coincident points counts as a
+    /// right angle.
+    ///
+    /// Panics when `topology` is not that of a triangle mesh: see [`Topology::is_triangle_mesh`].
+    pub fn cotangent(mesh: &Mesh, topology: &Topology) -> Laplacian {
+        assert!(topology.is_triangle_mesh(), "cotangent weights need a triangle mesh");
+        let mut of_edge = vec![0.0; topology.edges().len()];
+        for face in mesh.faces.iter() {
+            for k in 0..3 {
+                let [a, b, opposite] = [face[k], face[(k + 1) % 3], face[(k + 2) % 3]];
+                // A triangle that repeats a corner has sides that are no edges.
+                if let Some(e) = topology.edge(a, b) {
+                    let corner = [opposite, a, b].map(|v| mesh.positions[v as usize]);
+                    of_edge[e as usize] += 0.5 * cotangent(corner);
+                }
+            }
+        }
+        let weights =
+            topology.vertex_edges().indices().iter().map(|&e| of_edge[e as usize]).collect();
+        Laplacian { neighbours: topology.neighbours().clone(), weights }
+    }
+
+    /// The most corners of a face for [`Laplacian::polygon`], which joins all of them with each other.
+    pub const MOST_CORNERS: usize = 500;
+
+    /// `w_ij` of Alexa and Wardetzky 2011 on the rest mesh, whose faces may have any number of corners
+    /// and need not be planar. The neighbours of a vertex are the corners of its faces. On triangles
+    /// these are the cotangent weights, and on planar faces linear functions have the Laplacian zero at
+    /// vertices inside. See `polygon_weights.rs`.
+    pub fn polygon(mesh: &Mesh) -> Laplacian {
+        let (mut pairs, mut of_pair) = (Vec::new(), Vec::new());
+        let mut weights = PolygonWeights::default();
+        for face in mesh.faces.iter() {
+            let corners: Vec<Point> = face.iter().map(|&v| mesh.positions[v as usize]).collect();
+            weights.take(&corners);
+            for j in 1..face.len() {
+                for i in (0..j).filter(|&i| face[i] != face[j]) {
+                    let weight = match corners[..] {
+                        // Clamped as these are.
+                        [_, _, _] => 0.5 * cotangent([3 - i - j, i, j].map(|k| corners[k])),
+                        _ => weights.weight(i, j),
+                    };
+                    pairs.extend([[face[i], face[j]], [face[j], face[i]]]);
+                    of_pair.extend([weight; 2]);
+                }
+            }
+        }
+        let order = ascending(pairs.iter().copied().map(key_of_pair));
+        let order: Vec<usize> = order.into_iter().map(|k| k as usize).collect();
+        let (mut rows, mut sums) = (vec![Vec::new(); mesh.positions.len()], Vec::new());
+        for same in order.chunk_by(|&a, &b| pairs[a] == pairs[b]) {
+            let [vertex, neighbour] = pairs[same[0]];
+            rows[vertex as usize].push(neighbour);
+            sums.push(same.iter().map(|&k| of_pair[k]).sum());
+        }
+        Laplacian { neighbours: rows.iter().collect(), weights: sums }
+    }
+
+    /// How many vertices.
+    pub fn len(&self) -> usize {
+        self.neighbours.len()
+    }
+    /// Whether there is no vertex.
+    pub fn is_empty(&self) -> bool {
+        self.neighbours.is_empty()
+    }
+    /// The neighbours of vertex `i`, ascending, and their weights `w_ij`.
+    pub fn row(&self, i: usize) -> (&[u32], &[f64]) {
+        let offsets = self.neighbours.offsets();
+        let range = offsets[i] as usize..offsets[i + 1] as usize;
+        (&self.neighbours.indices()[range.clone()], &self.weights[range])
+    }
+    /// All rows in order.
+    pub fn rows(&self) -> impl ExactSizeIterator<Item = (&[u32], &[f64])> {
+        (0..self.len()).map(|i| self.row(i))
+    }
+}

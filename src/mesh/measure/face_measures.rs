@@ -1,0 +1,117 @@
+//! How planar and how circular the faces of a mesh are (paper Fig. 5).
+
+use super::face_fit::FaceFit;
+use crate::math::Vec3;
+use crate::mesh::{Point, Ragged};
+use serde::Serialize;
+
+/// How planar the faces are.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Planarity {
+    /// The largest distance of a vertex to the least-squares plane of its face, units of the mesh.
+    pub max_distance: f64,
+    /// The mean over faces of the largest distance of their vertices.
+    pub mean_distance: f64,
+    /// The largest `e_p` of a face, bounding sphere of diameter 1: the mean squared distance of its
+    /// vertices to the plane.
+    pub e_p_max: f64,
+    /// The mean `e_p`.
+    pub e_p_mean: f64,
+    /// The largest ratio of the distance between the diagonals of a quad to their mean length; 0
+    /// without quads.
+    pub diagonal_ratio_max: f64,
+}
+
+/// How circular the faces are.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Circularity {
+    /// The largest distance of a vertex to the fitted circle of its face, units of the mesh.
+    pub max_distance: f64,
+    /// The mean over faces of the largest distance of their vertices.
+    pub mean_distance: f64,
+    /// The largest `e_c` of a face, bounding sphere of diameter 1: the mean squared distance of its
+    /// vertices to the circle of Thomas and Chan in their least-squares plane. It is more than their share
+    /// of `E_shape` (Eq. 4), where the circle is moved until the closest points have their mean.
+    pub e_c_max: f64,
+    /// The mean `e_c`.
+    pub e_c_mean: f64,
+}
+
+/// The errors of all faces.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Measures {
+    /// Over all faces; zeros without faces.
+    pub planarity: Planarity,
+    /// Over all faces; zeros without faces.
+    pub circularity: Circularity,
+    /// Per face the largest distance of its vertices to their plane, units of the mesh.
+    pub planarity_distances: Vec<f64>,
+    /// Per face the largest distance of its vertices to their circle, units of the mesh.
+    pub circularity_distances: Vec<f64>,
+    /// Per face its `e_p`.
+    pub e_p: Vec<f64>,
+    /// Per face its `e_c`.
+    pub e_c: Vec<f64>,
+}
+
+impl Measures {
+    /// Measures `faces` at `positions` (`#V by 3`). `diameter` is that of the bounding sphere of the
+    /// rest mesh; with 0, `e_p` and `e_c` are 0.
+    pub fn new(positions: &[Point], faces: &Ragged, diameter: f64) -> Measures {
+        let mut all = Measures::default();
+        let squares_scale = if diameter > 0.0 { 1.0 / diameter / diameter } else { 0.0 };
+        let share = if faces.is_empty() { 0.0 } else { 1.0 / faces.len() as f64 };
+        let mut fit = FaceFit::default();
+        let (planarity, circularity) = (&mut all.planarity, &mut all.circularity);
+        for face in faces.iter() {
+            let corners = face.iter().map(|&v| positions[v as usize]);
+            let errors = fit.errors(corners);
+            let (distance, e_p) = (errors.plane.largest_square.sqrt(), errors.plane.mean_square);
+            all.planarity_distances.push(distance);
+            planarity.max_distance = greater(planarity.max_distance, distance);
+            planarity.mean_distance += share * distance;
+            let e_p = squares_scale * e_p;
+            all.e_p.push(e_p);
+            planarity.e_p_max = greater(planarity.e_p_max, e_p);
+            planarity.e_p_mean += share * e_p;
+            if let &[a, b, c, d] = face {
+                let ratio = diagonal_ratio([a, b, c, d].map(|v| positions[v as usize]));
+                planarity.diagonal_ratio_max = greater(planarity.diagonal_ratio_max, ratio);
+            }
+            let (distance, e_c) = (errors.circle.largest_square.sqrt(), errors.circle.mean_square);
+            all.circularity_distances.push(distance);
+            circularity.max_distance = greater(circularity.max_distance, distance);
+            circularity.mean_distance += share * distance;
+            let e_c = squares_scale * e_c;
+            all.e_c.push(e_c);
+            circularity.e_c_max = greater(circularity.e_c_max, e_c);
+            circularity.e_c_mean += share * e_c;
+        }
+        all
+    }
+}
+
+fn greater(a: f64, b: f64) -> f64 {
+    if b > a { b } else { a }
+}
+
+/// The distance between the lines of the two diagonals of a quad, over their mean length; 0 where
+/// both have no length. Diagonals that are parallel up to rounding have the distance of one from
+/// an end of the other.
+pub fn diagonal_ratio(corners: [Point; 4]) -> f64 {
+    const PARALLEL: f64 = 1e-12;
+    let [a, b, c, d] = corners.map(Vec3::from);
+    let (ac, bd, between) = (c - a, d - b, b - a);
+    let lengths = [ac.length(), bd.length()];
+    let normal = ac.cross(bd);
+    let sine = normal.length();
+    let distance = if sine > PARALLEL * lengths[0] * lengths[1] {
+        between.dot(normal).abs() / sine
+    } else {
+        let longer = if lengths[0] >= lengths[1] { ac } else { bd };
+        let squared = longer.length_squared();
+        if squared > 0.0 { between.cross(longer).length() / squared.sqrt() } else { 0.0 }
+    };
+    let mean = 0.5 * (lengths[0] + lengths[1]);
+    if mean > 0.0 { distance / mean } else { 0.0 }
+}

@@ -1,0 +1,20 @@
+//! Numbers that describe a mesh.
+//!
+//! | file | holds |
+//! |---|---|
+//! | `face_measures` | planarity, circularity and diagonal ratio of faces |
+//! | `face_fit` | the least-squares plane and circle of a face |
+//! | `angle_histogram` | how many corners of faces have which angle |
+//! | `histogram` | how errors are distributed, for legends |
+//! | `quasi_conformal` | how far a flat map is from keeping angles |
+
+mod angle_histogram;
+mod face_fit;
+mod face_measures;
+mod histogram;
+mod quasi_conformal;
+
+pub use angle_histogram::angle_histogram;
+pub use face_measures::{Circularity, Measures, Planarity, diagonal_ratio};
+pub use histogram::Histogram;
+pub use quasi_conformal::{MapErrors, QuasiConformal, quasi_conformal};

@@ -1,0 +1,55 @@
+//! A polygon mesh with curves, tetrahedra and named groups.
+
+use super::ragged::Ragged;
+
+/// A position in space, in the units of the mesh.
+pub type Point = [f64; 3];
+
+/// A polygon mesh with its curves and tetrahedra, as a file gives it. The order of vertices, faces,
+/// curves and groups is the file's and never changes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mesh {
+    /// `#V by 3`, finite.
+    pub positions: Vec<Point>,
+    /// The corners of each face, at least three, as indices of vertices.
+    pub faces: Ragged,
+    /// The vertices of each polyline, at least two; a closed one repeats its first vertex at the end.
+    pub curves: Ragged,
+    /// `#T by 4` indices of vertices.
+    pub tets: Vec<[u32; 4]>,
+    /// Named sets of faces and curves, which may overlap; none is empty. From a file: by first member.
+    pub groups: Vec<Group>,
+}
+
+/// A named set of faces and curves.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Group {
+    /// The name in the file.
+    pub name: String,
+    /// Which statement of an OBJ file named it.
+    pub keyword: GroupKeyword,
+    /// Indices of faces, ascending.
+    pub faces: Vec<u32>,
+    /// Indices of curves, ascending.
+    pub curves: Vec<u32>,
+}
+
+/// The statement of an OBJ file that opens a group.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum GroupKeyword {
+    /// `o`
+    Object,
+    /// `g`
+    Group,
+    /// `usemtl`
+    Material,
+}
+
+impl GroupKeyword {
+    /// The word of each.
+    pub const STATEMENTS: [(&str, GroupKeyword); 3] = [
+        ("o", GroupKeyword::Object),
+        ("g", GroupKeyword::Group),
+        ("usemtl", GroupKeyword::Material),
+    ];
+}

@@ -1,0 +1,201 @@
+//! What is next to what in a mesh: edges, neighbours, faces around edges and vertices.
+//!
+//! Everything is found by sorting, so the order of all lists depends on the mesh alone. A mesh need
+//! not be a manifold: an edge may have any number of faces, a vertex any number of fans.
+
+use crate::math::{ascending, key_of_pair, polygon_sides};
+use crate::mesh::{Mesh, Ragged};
+
+/// The adjacency of a mesh. Indices are those of the mesh; edges are numbered in lexicographic
+/// order of their ends.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Topology {
+    edges: Vec<[u32; 2]>,
+    neighbours: Ragged,
+    vertex_edges: Ragged,
+    edge_faces: Ragged,
+    vertex_faces: Ragged,
+    boundary_loops: Ragged,
+    triangle_mesh: bool,
+    quad_dominant: bool,
+}
+
+impl Topology {
+    /// Finds the adjacency of `mesh`. Its edges are the sides of faces, the segments of curves and
+    /// the edges of tetrahedra, each once; a side whose two ends are the same vertex is none.
+    pub fn new(mesh: &Mesh) -> Topology {
+        let n_vertices = mesh.positions.len();
+        let sides = sides(mesh);
+        let mut edges = Vec::new();
+        let mut edge_faces = Ragged::new();
+        for same in sides.chunk_by(|a, b| a.ends == b.ends) {
+            edges.push(same[0].ends);
+            let faces: Vec<u32> = same.iter().filter_map(|side| side.face).collect();
+            edge_faces.push(&faces);
+        }
+        let numbered = || edges.iter().zip(0..);
+        let by_vertex = |of_end: fn([u32; 2], u32, bool) -> u32| {
+            let ends = numbered().flat_map(|(&[a, b], e)| {
+                [(a, of_end([a, b], e, true)), (b, of_end([a, b], e, false))]
+            });
+            gather(n_vertices, ends)
+        };
+        // Edges come in lexicographic order, so both lists of a vertex are in ascending order of its
+        // neighbours.
+        let neighbours = by_vertex(|[a, b], _, first| if first { b } else { a });
+        let vertex_edges = by_vertex(|_, e, _| e);
+        // A vertex that a face repeats still has that face once.
+        let mut last_face = vec![None; n_vertices];
+        let corners = mesh.faces.iter().zip(0..);
+        let corners = corners.flat_map(|(face, f)| face.iter().map(move |&v| (v, f)));
+        let distinct: Vec<(u32, u32)> =
+            corners.filter(|&(v, f)| last_face[v as usize].replace(f) != Some(f)).collect();
+        let vertex_faces = gather(n_vertices, distinct.iter().copied());
+        let boundary_loops =
+            super::boundary::boundary_loops(mesh, &edges, &vertex_edges, &edge_faces);
+        let quads = mesh.faces.iter().filter(|face| face.len() == 4).count();
+        Topology {
+            triangle_mesh: !mesh.faces.is_empty()
+                && mesh.faces.iter().all(|face| face.len() == 3)
+                && edge_faces.iter().all(|faces| !faces.is_empty()),
+            quad_dominant: 2 * quads > mesh.faces.len(),
+            edges,
+            neighbours,
+            vertex_edges,
+            edge_faces,
+            vertex_faces,
+            boundary_loops,
+        }
+    }
+
+    /// `#E by 2`: the ends of each edge, the smaller first, in lexicographic order.
+    pub fn edges(&self) -> &[[u32; 2]] {
+        &self.edges
+    }
+    /// The edge between two vertices.
+    pub fn edge(&self, a: u32, b: u32) -> Option<u32> {
+        self.edges.binary_search(&[a.min(b), a.max(b)]).ok().map(|e| e as u32)
+    }
+    /// The end of edge `e` that is not `v`.
+    pub fn other_end(&self, e: u32, v: u32) -> u32 {
+        let [a, b] = self.edges[e as usize];
+        if a == v { b } else { a }
+    }
+    /// `#V` rows: the vertices that share an edge with a vertex, `N(i)` of Eq. 12, ascending.
+    pub fn neighbours(&self) -> &Ragged {
+        &self.neighbours
+    }
+    /// `#V` rows: the edges at a vertex, each at the place of its other end in
+    /// [`Topology::neighbours`].
+    pub fn vertex_edges(&self) -> &Ragged {
+        &self.vertex_edges
+    }
+    /// `#E` rows: the faces that have an edge as a side, ascending. One face: the edge is on the
+    /// boundary. None: it is of curves or tetrahedra only. Three or more: it is not manifold. A
+    /// face that runs along the edge twice is there twice.
+    pub fn edge_faces(&self) -> &Ragged {
+        &self.edge_faces
+    }
+    /// Whether edge `e` has exactly one face.
+    pub fn is_boundary_edge(&self, e: u32) -> bool {
+        self.edge_faces.row(e as usize).len() == 1
+    }
+    /// `#V` rows: the faces that have a vertex as a corner, ascending.
+    pub fn vertex_faces(&self) -> &Ragged {
+        &self.vertex_faces
+    }
+    /// The boundary, as loops of vertices in order. Each boundary edge is in exactly one loop, no
+    /// vertex is twice in the same loop, and a loop does not repeat its first vertex at its end. It
+    /// runs as its faces do where they agree. Only where edges of three or more faces meet the
+    /// boundary, a row may be an open chain.
+    pub fn boundary_loops(&self) -> &Ragged {
+        &self.boundary_loops
+    }
+    /// Whether the mesh is triangles and nothing else: it has faces, all of them have three
+    /// corners, and every edge is a side of one.
+    pub fn is_triangle_mesh(&self) -> bool {
+        self.triangle_mesh
+    }
+    /// Whether more than half of the faces have four corners.
+    pub fn is_quad_dominant(&self) -> bool {
+        self.quad_dominant
+    }
+
+    /// The vertices within `radius` edges of `vertex`: itself first, then ring by ring, each ring
+    /// ascending.
+    pub fn ring(&self, vertex: u32, radius: u32) -> Vec<u32> {
+        self.grow(&[vertex], radius)
+    }
+
+    /// The vertices within `radius` edges of `seed`: the seed as it is (distinct vertices), then
+    /// ring by ring, each ring ascending.
+    pub fn grow(&self, seed: &[u32], radius: u32) -> Vec<u32> {
+        let mut all = seed.to_vec();
+        let mut inner: Vec<u32> = Vec::new();
+        let mut ring = seed.to_vec();
+        ring.sort_unstable();
+        for _ in 0..radius {
+            // A neighbour of a ring is in it, in the ring before it or in the next one.
+            let mut next: Vec<u32> =
+                ring.iter().flat_map(|&v| self.neighbours.row(v as usize)).copied().collect();
+            next.sort_unstable();
+            next.dedup();
+            next.retain(|v| ring.binary_search(v).is_err() && inner.binary_search(v).is_err());
+            if next.is_empty() {
+                break;
+            }
+            all.extend_from_slice(&next);
+            inner = std::mem::replace(&mut ring, next);
+        }
+        all
+    }
+}
+
+/// One side of a face, one segment of a curve or one edge of a tetrahedron.
+#[derive(Clone, Copy)]
+struct Side {
+    /// The smaller first.
+    ends: [u32; 2],
+    /// None for curves and tetrahedra.
+    face: Option<u32>,
+}
+
+/// All sides, sorted by ends, then by face.
+fn sides(mesh: &Mesh) -> Vec<Side> {
+    const TET_EDGES: [[usize; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
+    let of_faces = mesh
+        .faces
+        .iter()
+        .zip(0..)
+        .flat_map(|(face, f)| polygon_sides(face).map(move |[a, b]| (a, b, Some(f))));
+    let of_curves =
+        mesh.curves.iter().flat_map(|curve| curve.windows(2).map(|ends| (ends[0], ends[1], None)));
+    let of_tets = mesh.tets.iter().flat_map(|tet| TET_EDGES.map(|[a, b]| (tet[a], tet[b], None)));
+    // Faces last and in order, so that the sides of an edge are.
+    let sides: Vec<Side> = of_curves
+        .chain(of_tets)
+        .chain(of_faces)
+        .filter(|(a, b, _)| a != b)
+        .map(|(a, b, face)| Side { ends: [a.min(b), a.max(b)], face })
+        .collect();
+    let order = ascending(sides.iter().map(|side| key_of_pair(side.ends)));
+    order.into_iter().map(|side| sides[side as usize]).collect()
+}
+
+/// `n_rows` rows: row `i` has the values that come with key `i`, in the order in which they come.
+fn gather(n_rows: usize, pairs: impl Iterator<Item = (u32, u32)> + Clone) -> Ragged {
+    let mut starts = vec![0_u32; n_rows + 1];
+    for (key, _) in pairs.clone() {
+        starts[key as usize + 1] += 1;
+    }
+    for i in 0..n_rows {
+        starts[i + 1] += starts[i];
+    }
+    let mut values = vec![0; starts[n_rows] as usize];
+    let mut ends = starts.clone();
+    for (key, value) in pairs {
+        values[ends[key as usize] as usize] = value;
+        ends[key as usize] += 1;
+    }
+    Ragged::from_parts(starts, values)
+}

@@ -1,0 +1,122 @@
+//! Boundary loops.
+//!
+//! The boundary edges form a graph. Where the mesh is a manifold, each vertex has none or two of
+//! them; where loops touch, it has four or more; where edges with three or more faces end, it can
+//! have an odd number. Walks through the graph are cut wherever they meet themselves, which leaves
+//! simple loops in every case.
+
+use crate::math::polygon_sides;
+use crate::mesh::{Mesh, Ragged};
+
+/// See [`crate::mesh::Topology::boundary_loops`].
+pub(crate) fn boundary_loops(
+    mesh: &Mesh,
+    edges: &[[u32; 2]],
+    vertex_edges: &Ragged,
+    edge_faces: &Ragged,
+) -> Ragged {
+    let n_vertices = mesh.positions.len();
+    let mut walk = Walk {
+        edges,
+        vertex_edges,
+        // An edge that is not on the boundary counts as walked.
+        walked: edge_faces.iter().map(|faces| faces.len() != 1).collect(),
+        from_first: runs_from_first(mesh, edges, edge_faces),
+        path: Vec::new(),
+        place: vec![None; n_vertices],
+        loops: Ragged::new(),
+    };
+    // Open chains first: what they leave has an even number of edges at each vertex.
+    let odd: Vec<u32> = (0..n_vertices as u32).filter(|&v| walk.degree(v) % 2 == 1).collect();
+    for start in odd.into_iter().chain(0..n_vertices as u32) {
+        while walk.degree(start) > 0 {
+            walk.from(start);
+        }
+    }
+    walk.loops
+}
+
+/// A side is searched for in the corners of a face with no more of them than this.
+const FEW_CORNERS: usize = 32;
+
+/// Of each edge whether it is on the boundary, and its face runs from the smaller end to the greater.
+fn runs_from_first(mesh: &Mesh, edges: &[[u32; 2]], edge_faces: &Ragged) -> Vec<bool> {
+    let only_face = |e: usize| match edge_faces.row(e) {
+        &[face] => Some(mesh.faces.row(face as usize)),
+        _ => None,
+    };
+    let runs = |(e, ends): (usize, &[u32; 2])| {
+        only_face(e)
+            .filter(|face| face.len() <= FEW_CORNERS)
+            .is_some_and(|face| polygon_sides(face).any(|side| side == *ends))
+    };
+    let mut from_first: Vec<bool> = edges.iter().enumerate().map(runs).collect();
+    for face in mesh.faces.iter().filter(|face| face.len() > FEW_CORNERS) {
+        for side in polygon_sides(face).filter(|[a, b]| a < b) {
+            if let Ok(e) = edges.binary_search(&side) {
+                from_first[e] = only_face(e).is_some();
+            }
+        }
+    }
+    from_first
+}
+
+struct Walk<'a> {
+    edges: &'a [[u32; 2]],
+    vertex_edges: &'a Ragged,
+    walked: Vec<bool>,
+    /// Whether the face of a boundary edge runs from the smaller end to the greater.
+    from_first: Vec<bool>,
+    path: Vec<u32>,
+    /// Where a vertex is on the path.
+    place: Vec<Option<usize>>,
+    loops: Ragged,
+}
+
+impl Walk<'_> {
+    /// How many boundary edges at `v` are still to be walked.
+    fn degree(&self, v: u32) -> usize {
+        self.vertex_edges.row(v as usize).iter().filter(|&&e| !self.walked[e as usize]).count()
+    }
+
+    /// The next edge to walk at `v`: one whose face runs away from `v` if there is one.
+    fn leave(&self, v: u32) -> Option<u32> {
+        self.vertex_edges
+            .row(v as usize)
+            .iter()
+            .copied()
+            .filter(|&e| !self.walked[e as usize])
+            .min_by_key(|&e| self.from_first[e as usize] != (self.edges[e as usize][0] == v))
+    }
+
+    /// Walks from `start` until there is no way on, and collects each loop that closes.
+    fn from(&mut self, start: u32) {
+        self.push(start);
+        let mut at = start;
+        while let Some(e) = self.leave(at) {
+            self.walked[e as usize] = true;
+            let [a, b] = self.edges[e as usize];
+            at = if at == a { b } else { a };
+            match self.place[at as usize] {
+                Some(place) => {
+                    self.loops.push(&self.path[place..]);
+                    for v in self.path.drain(place + 1..) {
+                        self.place[v as usize] = None;
+                    }
+                }
+                None => self.push(at),
+            }
+        }
+        if self.path.len() > 1 {
+            self.loops.push(&self.path);
+        }
+        for v in self.path.drain(..) {
+            self.place[v as usize] = None;
+        }
+    }
+
+    fn push(&mut self, v: u32) {
+        self.place[v as usize] = Some(self.path.len());
+        self.path.push(v);
+    }
+}

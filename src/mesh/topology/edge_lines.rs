@@ -1,0 +1,76 @@
+//! Straight edge lines of quad-dominant meshes: the curves on a surface that can be made circular
+//! or planar as a whole (paper section 4.1, Fig. 6).
+
+use crate::mesh::{Ragged, Topology};
+
+/// The straight lines of edges of a quad-dominant mesh; no rows on other meshes. Each side of a
+/// face is in exactly one row.
+///
+/// A line goes on at a regular vertex: inside the mesh one with four edges and four faces, where it
+/// leaves by the opposite edge; on the boundary one with three edges and two faces, where it
+/// follows the boundary. It ends at every other vertex, and where it meets the boundary. A closed
+/// line repeats its first vertex at the end. Edges that are of curves only do not count.
+pub fn edge_lines(topology: &Topology) -> Ragged {
+    let mut lines = Ragged::new();
+    if !topology.is_quad_dominant() {
+        return lines;
+    }
+    let edges = topology.edges();
+    let mut walked = vec![false; edges.len()];
+    for e in 0..edges.len() as u32 {
+        if walked[e as usize] || topology.edge_faces().row(e as usize).is_empty() {
+            continue;
+        }
+        let [a, b] = edges[e as usize];
+        walked[e as usize] = true;
+        let (mut line, closed) = follow(topology, e, a, &mut walked);
+        line.reverse();
+        if closed {
+            line.insert(0, a);
+        } else {
+            line.extend(follow(topology, e, b, &mut walked).0);
+        }
+        lines.push(&line);
+    }
+    lines
+}
+
+/// The vertices of the line along edge `first` from its end `v` on, and whether it comes back to
+/// `first`. As going on is the same in both directions, it then does so at the other end, which
+/// is the last of the vertices.
+fn follow(topology: &Topology, first: u32, v: u32, walked: &mut [bool]) -> (Vec<u32>, bool) {
+    let mut vertices = vec![v];
+    let (mut edge, mut at) = (first, v);
+    while let Some(next) = straight_on(topology, edge, at) {
+        if next == first {
+            return (vertices, true);
+        }
+        walked[next as usize] = true;
+        (edge, at) = (next, topology.other_end(next, at));
+        vertices.push(at);
+    }
+    (vertices, false)
+}
+
+/// The edge that goes on from `edge` at its end `v`.
+fn straight_on(topology: &Topology, edge: u32, v: u32) -> Option<u32> {
+    let faces = |e: u32| topology.edge_faces().row(e as usize);
+    let around = || {
+        topology.vertex_edges().row(v as usize).iter().copied().filter(|&e| !faces(e).is_empty())
+    };
+    let inner = around().filter(|&e| faces(e).len() == 2).count();
+    let boundary = around().filter(|&e| faces(e).len() == 1).count();
+    let regular = (inner, boundary, topology.vertex_faces().row(v as usize).len());
+    if regular != (4, 0, 4) && regular != (1, 2, 2) || around().count() != inner + boundary {
+        return None;
+    }
+    let on_boundary = faces(edge).len() == 1;
+    around().find(|&e| {
+        e != edge
+            && if boundary == 0 {
+                !faces(e).iter().any(|face| faces(edge).contains(face))
+            } else {
+                on_boundary && faces(e).len() == 1
+            }
+    })
+}
