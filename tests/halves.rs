@@ -145,7 +145,9 @@ fn whatever_changes_the_shape_or_the_scene_ends_the_half_step() {
     let changes: [(&str, Change); 5] = [
         ("a step", step),
         ("a drag", |session| session.begin_drag()),
-        ("an edit", |session| session.edit(Edit::Reset).expect("it can be solved")),
+        ("an edit", |session| {
+            session.edit(Edit::Reset).expect("it can be solved");
+        }),
         ("undo", |session| drop(session.undo().expect("it can be solved"))),
         ("a run", |session| session.begin_run()),
     ];

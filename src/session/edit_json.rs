@@ -21,7 +21,6 @@ impl Edit {
         let kind = at.need("type", "the type of an edit")?;
         Ok(match kind.text("the type of an edit")? {
             "addConstraint" => Edit::AddConstraint(new_constraint(at)?),
-            "makePanels" => Edit::MakePanels { kind: word(at, "kind")? },
             "removeConstraint" => Edit::RemoveConstraint { index: index(at)? },
             "setConstraint" => Edit::SetConstraint {
                 index: index(at)?,

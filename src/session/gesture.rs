@@ -1,6 +1,7 @@
 //! Drags and runs: many changes that are one step of undo together.
 
 use super::history::Snapshot;
+use super::make_panels::PanelGoal;
 use super::{Edit, Session};
 use crate::error::Error;
 use crate::mesh::{FARTHEST, Point, counted, too_far};
@@ -8,12 +9,16 @@ use crate::scene::SceneError;
 
 /// A drag or a run that has begun and is not yet a step of undo.
 pub(super) struct Gesture {
-    kind: GestureKind,
+    pub(super) kind: GestureKind,
     pub(super) before: Snapshot,
+    /// It belongs to the step of undo that was made last, and becomes none of its own.
+    pub(super) joins_last: bool,
+    /// See [`Session::make_panels`].
+    pub(super) goal: Option<PanelGoal>,
 }
 
 #[derive(PartialEq)]
-enum GestureKind {
+pub(super) enum GestureKind {
     Drag,
     Run,
 }
@@ -126,7 +131,7 @@ impl Session {
         self.solver.settle();
         self.look();
         let iterations = self.past.iteration - gesture.before.iteration;
-        if iterations > 0 {
+        if iterations > 0 && !gesture.joins_last {
             let iterations = counted(iterations as usize, "iteration", "iterations");
             self.past.history.push(format!("Run, {iterations}"), gesture.before);
         }
@@ -135,7 +140,8 @@ impl Session {
     fn begin(&mut self, kind: GestureKind) {
         self.end_run();
         self.end_drag(true);
-        self.past.gesture = Some(Gesture { kind, before: self.snapshot() });
+        let before = self.snapshot();
+        self.past.gesture = Some(Gesture { kind, before, joins_last: false, goal: None });
         if self.is_dragging() && self.collapse().is_none() {
             self.past.guard.start = None;
         }

@@ -21,6 +21,7 @@
 //! | `holding` | how much single vertices are kept close |
 //! | `inspect` | what hosts show of a row: its members, its measure; and what is held otherwise |
 //! | `lesson` | the goals of a lesson, and the results that are handed in |
+//! | `make_panels` | one press for all panels: asked for one shape, and run until they are within a tolerance |
 //! | `moved` | what the shape has cost: how far vertices moved, how much edges shrank |
 //! | `measured` | what was measured of the current shape, kept as long as it stays |
 //! | `opening` | opening a scene in the place of another |
@@ -53,6 +54,7 @@ mod history;
 mod holding;
 mod inspect;
 mod lesson;
+mod make_panels;
 mod measured;
 mod moved;
 mod opening;
@@ -217,7 +219,11 @@ impl Session {
             trace.push(entry);
         }
         let collapsed = self.watch();
-        Ok(Step { converged: self.converged(), ended: self.solver.converged() || collapsed })
+        let ended = self.solver.converged() || collapsed;
+        if ended && !collapsed && self.tighten() {
+            return Ok(Step { converged: false, ended: false });
+        }
+        Ok(Step { converged: self.converged(), ended })
     }
 
     /// Iterates until the tolerance or the limit of the scene is reached; with `trace` the energies of

@@ -6,12 +6,12 @@ use crate::error::Error;
 use crate::scene::Scene;
 
 impl Session {
-    /// Makes an edit. One that changes nothing is no step of undo.
+    /// Makes an edit, and returns whether it is a step of undo: one that changes nothing is none.
     ///
     /// # Errors
     /// When it names a row or vertex that is not there, leaves a row without constraints or a goal without
     /// the row that it is on, or makes the system singular; nothing has changed then.
-    pub fn edit(&mut self, edit: Edit) -> Result<(), Error> {
+    pub fn edit(&mut self, edit: Edit) -> Result<bool, Error> {
         self.end_run();
         self.end_drag(true);
         let before = self.snapshot();
@@ -21,11 +21,11 @@ impl Session {
         }
         let name = self.apply(edit, &mut after)?;
         if after.is_same(&before) {
-            return Ok(());
+            return Ok(false);
         }
         self.go_to(after)?;
         self.past.history.push(name, before);
-        Ok(())
+        Ok(true)
     }
 
     /// Takes back the last step; gives its name, or none when there is none.

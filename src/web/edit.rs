@@ -14,10 +14,14 @@ impl Solver {
         let session = self.open_mut()?;
         let edit = Edit::from_json(&text(&edit)?, session.document());
         let edit = edit.map_err(|error| thrown_at(&error))?;
-        session.edit(edit).map_err(|error| match error {
-            Error::Scene(error) => thrown_at(&error),
-            error => thrown(error),
-        })
+        session.edit(edit).map(|_| ()).map_err(refused)
+    }
+
+    /// Asks one shape of all panels and begins a run until they are within `tolerance`: see
+    /// [`crate::session::Session::make_panels`].
+    #[wasm_bindgen(js_name = makePanels)]
+    pub fn make_panels(&mut self, kind: &str, tolerance: f64) -> Result<(), JsValue> {
+        self.open_mut()?.make_panels(kind, tolerance).map_err(refused)
     }
 
     /// How many constraints a row of each kind would hold at each of the places, which are selectors as
@@ -25,5 +29,12 @@ impl Solver {
     pub fn previews(&self, places: JsValue) -> Result<JsValue, JsValue> {
         let places = Place::all_from_json(&text(&places)?).map_err(|error| thrown_at(&error))?;
         plain(&self.open()?.previews(&places).map_err(|error| thrown_at(&error))?)
+    }
+}
+
+fn refused(error: Error) -> JsValue {
+    match error {
+        Error::Scene(error) => thrown_at(&error),
+        error => thrown(error),
     }
 }

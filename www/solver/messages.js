@@ -39,7 +39,6 @@
 /**
  * One edit of the document; each is one step of undo.
  * @typedef {{ type: "addConstraint", kind: string, params: Record<string, ParamValue>, on: Selector, weight: number }
- *   | { type: "makePanels", kind: string }
  *   | { type: "holdCloser" }
  *   | { type: "removeConstraint", index: number }
  *   | { type: "setConstraint", index: number, weight?: number, enabled?: boolean, params?: Record<string, ParamValue> }
@@ -293,6 +292,7 @@
  *   `frame` what a mesh file is taken for that does not say its unit and axis: `# units: m`, `# up: y`;
  *   `weld: false` leaves a mesh file whose faces have their own vertices as it came; `solved` runs before anything is shown: only for what is known to converge soon.
  * - `edit`, `undo`, `redo`, `step`; `halfStep`: the local step, or the global step after it.
+ * - `makePanels`: asks one shape of all panels, and runs until they are within the tolerance.
  * - `members`: what a constraint acts on. `rowColours`: the colours of all of them. `previews`: what
  *   adding one of each kind at each of some places would make. `select`: what is selected then.
  * - `worst`: the worst faces by a measure, or the worst constraints of a row. `flawed`: the elements
@@ -315,6 +315,7 @@
  * @typedef {{ type: "open", files: NamedBytes[], saved?: Saved, frame?: string,
  *       solved?: boolean, weld?: boolean }
  *   | { type: "edit", edit: Edit }
+ *   | { type: "makePanels", kind: string, tolerance: number }
  *   | { type: "undo" }
  *   | { type: "redo" }
  *   | { type: "step" }
@@ -347,6 +348,7 @@
  * @typedef {object} Replies
  * @property {Loaded} open
  * @property {null} edit
+ * @property {null} makePanels
  * @property {string | null} undo the name of what was undone
  * @property {string | null} redo the name of what was redone
  * @property {boolean} step whether it has converged

@@ -36,9 +36,28 @@ export function createActions(store, solver, alerts) {
    * @param {(error: unknown) => boolean} [tells] tells an error where it belongs; false if it has no place for it
    * @returns {Promise<null | undefined>}
    */
-  async function edit(edit, tells = () => false) {
+  function edit(edit, tells = () => false) {
+    return attempt({ type: 'edit', edit }, tells);
+  }
+
+  /**
+   * Asks one shape of all panels, and runs until they are within the tolerance.
+   * @param {string} kind
+   * @returns {Promise<null | undefined>}
+   */
+  function makePanels(kind) {
+    const { tolerance, model } = store.get();
+    return attempt({ type: 'makePanels', kind, tolerance: tolerance ?? model?.tolerance ?? 0 });
+  }
+
+  /**
+   * @param {import("./messages.js").Request & { type: "edit" | "makePanels" }} request
+   * @param {(error: unknown) => boolean} [tells]
+   * @returns {Promise<null | undefined>} undefined where it was refused
+   */
+  async function attempt(request, tells = () => false) {
     try {
-      return await solver.request({ type: 'edit', edit });
+      return await solver.request(request);
     } catch (error) {
       if (!tells(error)) alerts.error(messageOf(error));
       return undefined;
@@ -83,6 +102,7 @@ export function createActions(store, solver, alerts) {
 
   return {
     edit,
+    makePanels,
     told,
     say,
     connectivity,

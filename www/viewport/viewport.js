@@ -117,14 +117,15 @@ export class Viewport extends EventTarget {
    * @returns {Promise<void>} when it is there
    */
   transition(milliseconds) {
-    this.#endTransition();
+    this.endTransition();
     const { geometry } = this.#solver;
     if (!this.view || !geometry) return Promise.resolve();
     const shapes = new ShapeTransition(geometry.positions, milliseconds);
     return new Promise((arrived) => (this.#transition = { shapes, arrived }));
   }
 
-  #endTransition() {
+  /** Shows the newest shape from now on. */
+  endTransition() {
     this.#transition?.arrived();
     this.#transition = null;
   }
@@ -297,7 +298,7 @@ export class Viewport extends EventTarget {
   #watchSolver() {
     this.#solver.addEventListener('model', () => {
       this.#newMesh = true;
-      this.#endTransition();
+      this.endTransition();
       this.ask();
     });
     this.#solver.addEventListener('frame', () => {
@@ -379,7 +380,7 @@ export class Viewport extends EventTarget {
    */
   #positions(newest, { heldOriginal }) {
     const positions = this.#transition?.shapes.towards(newest) ?? newest;
-    if (this.#transition?.shapes.part === 1) this.#endTransition();
+    if (this.#transition?.shapes.part === 1) this.endTransition();
     if (this.#transition) {
       // The next picture is another one without a frame, too.
       this.#newFrame = true;

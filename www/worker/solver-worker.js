@@ -17,7 +17,17 @@ import { fetchModule } from './fetch-wasm.js';
 /** @typedef {import("../solver/messages.js").FromWorker} FromWorker */
 
 /** What makes it useless to try what would help the shape as it is. @type {Set<ToWorker["type"]>} */
-const CHANGES = new Set(['run', 'drag', 'open', 'edit', 'undo', 'redo', 'step', 'halfStep']);
+const CHANGES = new Set([
+  'run',
+  'drag',
+  'open',
+  'edit',
+  'makePanels',
+  'undo',
+  'redo',
+  'step',
+  'halfStep',
+]);
 /**
  * A run or a drag says at least so often how far it has come, so that little is lost when the page or the
  * worker dies; telling takes at most so large a part of the time.
@@ -172,6 +182,8 @@ function answer(message) {
     case 'edit':
       if (message.edit.type === 'reset') pause();
       return betweenRuns(() => live().edit(message.edit), null);
+    case 'makePanels':
+      return makePanels(message);
     case 'undo':
       pause();
       return betweenRuns(() => live().undo());
@@ -307,6 +319,18 @@ function betweenRuns(edit, value) {
   sliceIsNew = true;
   if (running) queueSlice();
   return value === undefined ? result : value;
+}
+
+/** Asks one shape of all panels, and runs. @param {Extract<ToWorker, { type: "makePanels" }>} message */
+function makePanels({ kind, tolerance }) {
+  live().makePanels(kind, tolerance);
+  running = true;
+  goesOn = settled = false;
+  activityDue = true;
+  changed();
+  sliceIsNew = true;
+  queueSlice();
+  return null;
 }
 
 function step() {

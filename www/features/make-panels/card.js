@@ -56,18 +56,20 @@ export class MakePanels {
 
   /** Makes all panels of this kind, visibly. @param {KindInfo} kind */
   async #make(kind) {
-    const { store, solver, viewport, actions } = this.#parts;
-    const { model } = store.get();
+    const { store, viewport, actions } = this.#parts;
+    const { model, display } = store.get();
     this.#pressed = this.#underWay = model;
     this.#closed = null;
-    const edit = /** @type {const} */ ({ type: 'makePanels', kind: kind.id });
-    if ((await actions.edit(edit)) === undefined) return void (this.#underWay = null);
     const arrived = still.matches ? null : viewport.transition(TRANSITION_MS);
     const show = (/** @type {boolean} */ shapes) =>
       store.set({ display: { ...store.get().display, shapes } });
     // They are those of the shape at the end of the way.
     if (arrived) show(false);
-    solver.tell({ type: 'run' });
+    if ((await actions.makePanels(kind.id)) === undefined) {
+      this.#underWay = null;
+      viewport.endTransition();
+      return show(display.shapes);
+    }
     const ended = this.#endOfRun();
     await arrived;
     show(true);
@@ -77,7 +79,7 @@ export class MakePanels {
     this.#tell(true);
   }
 
-  /** Settles when the run that was asked for has ended. */
+  /** Settles when the run that goes on has ended. */
   #endOfRun() {
     const { store, solver } = this.#parts;
     return new Promise((ended) => {
