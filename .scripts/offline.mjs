@@ -18,7 +18,7 @@ const VIEW = /^assets\/view-(webgpu|webgl2)-/;
 /** Completes the site in `folder`, which has everything else already. */
 export function writeOfflineParts(folder) {
   for (const name of NAMED) copyFileSync(at('www', name), `${folder}/${name}`);
-  const source = readFileSync(at('www', 'app', WORKER), 'utf8');
+  const source = readFileSync(at('www', 'app', 'offline', WORKER), 'utf8');
   const hash = createHash('sha256').update(source);
   const files = [];
   const pictures = [];

@@ -6,23 +6,14 @@ import { byId, element } from '../ui/dom.js';
 import { messageOf } from '../solver/messages.js';
 import { Convergence } from '../panels/convergence/convergence.js';
 
-/**
- * @typedef {object} Parts what a tab may use
- * @property {import("../store/state.js").Store} store
- * @property {import("../solver/solver-client.js").SolverClient} solver
- * @property {import("../viewport/viewport.js").Viewport} viewport
- * @property {import("../documents/files.js").Files} files
- * @property {import("../store/actions.js").Actions} actions
- * @property {import("../ui/alerts.js").Alerts} alerts
- * @property {import("../features/hold-original.js").HoldOriginal} hold
- */
+/** @typedef {import("./context.js").AppContext} AppContext */
 
 /**
  * @typedef {object} Tab
  * @property {string} id
  * @property {string} label
  * @property {boolean} [atOnce] made with the page, because it has to see everything from the start
- * @property {(panel: HTMLElement, parts: Parts) => unknown} make fills its panel; called once
+ * @property {(panel: HTMLElement, parts: AppContext) => unknown} make fills its panel; called once
  */
 
 /** In the order in which they are offered. @type {Tab[]} */
@@ -54,7 +45,7 @@ const TABS = [
 
 /**
  * @param {HTMLElement} place
- * @param {Parts} parts
+ * @param {AppContext} parts
  * @returns {{ bring: (id: string) => void, show: (id: string) => void, shown: () => string }} `bring`
  *   shows a tab and brings the region into sight; `shown` is the tab that is shown
  */

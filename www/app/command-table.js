@@ -2,30 +2,14 @@
 
 import { byId } from '../ui/dom.js';
 import { halfStepTitle } from '../store/half-step.js';
-import { selectCommands } from '../features/selection/select-commands.js';
+import { selectCommands } from '../features/select-commands.js';
 import { isDrawn } from '../store/state.js';
 import { toggleTheme } from './theme.js';
 import { viewCommands } from '../features/view-tools/view-commands.js';
 
-/** @typedef {import("./commands.js").Command} Command */
+/** @typedef {import("./context.js").Command} Command */
+/** @typedef {import("./context.js").CommandContext} Parts */
 /** @typedef {import("../store/state.js").State} State */
-
-/**
- * @typedef {object} Parts
- * @property {import("../store/state.js").Store} store
- * @property {import("../viewport/viewport.js").Viewport} viewport
- * @property {import("../viewport/input/pointer.js").PointerInput} pointer
- * @property {import("../documents/files.js").Files} files
- * @property {import("../store/actions.js").Actions} actions
- * @property {import("../ui/alerts.js").Alerts} alerts
- * @property {import("../solver/solver-client.js").SolverClient} solver
- * @property {import("../features/hold-original.js").HoldOriginal} hold
- * @property {() => void} lesson opens the dialog that writes one
- * @property {() => void} flatMap shows the flat map, or takes it away
- * @property {() => void} split shows two pictures, or one again
- * @property {HTMLInputElement} fileInput
- * @property {() => Promise<void>} help
- */
 
 /**
  * @param {Parts} parts
@@ -296,12 +280,7 @@ export function commandTable(parts) {
       group: 'File',
       label: 'Share a link to the scene',
       keys: [],
-      action: () =>
-        actions.told(
-          import('../features/share/dialog-share.js').then(({ share }) =>
-            share({ store, solver, files }),
-          ),
-        ),
+      action: parts.share,
       needsModel: true,
     },
     {

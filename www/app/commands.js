@@ -4,24 +4,10 @@
  */
 
 import { setText } from '../ui/dom.js';
+import { chordOf, digitOf, isTyping, keyName } from '../ui/keys.js';
 import { isSwitchedOff } from '../ui/single-keys.js';
 
-/**
- * @typedef {object} Command
- * @property {string} id what `data-command` names
- * @property {string} group heading in the help
- * @property {string} label in the help
- * @property {string[]} keys such as "Ctrl+Shift+Z"; letters are what is written on the key
- * @property {() => void} action
- * @property {boolean} [needsModel] while the first model is on its way, a press waits for it
- * @property {(state: import("../store/state.js").State) => boolean} [enabled] always, when absent
- * @property {(state: import("../store/state.js").State) => boolean} [pressed] for buttons that are toggles
- * @property {(state: import("../store/state.js").State) => string} [title] instead of the label
- */
-
-/** The keys that press a button or open a list themselves. */
-const ACTIVATING = new Set([' ', 'Enter']);
-const NOT_TYPED_INTO = '[type="checkbox"], [type="radio"], [type="file"], [type="range"]';
+/** @typedef {import("./context.js").Command} Command */
 
 /** Pressed before there was a model. @type {Set<Command>} */
 const waiting = new Set();
@@ -106,54 +92,6 @@ export function bindKeys(commands, store) {
     if (chord !== 'Escape') event.preventDefault();
     press(command, store);
   });
-}
-
-/**
- * The keys of an event as the table writes them. Letters by what they print, not by where they
- * are: keyboards differ.
- * @param {KeyboardEvent} event
- */
-function chordOf(event) {
-  const letter = event.key.length === 1;
-  const key = letter ? event.key.toUpperCase() : event.key;
-  const isLetter = letter && key !== event.key.toLowerCase();
-  const shift = event.shiftKey && (isLetter || !letter);
-  return `${event.ctrlKey || event.metaKey ? 'Ctrl+' : ''}${shift ? 'Shift+' : ''}${key}`;
-}
-
-/**
- * A digit by where its key is: some keyboards have other signs there. With its name before it on the
- * number pad, where other keys are the same ones without the lock. Empty for other keys.
- * @param {KeyboardEvent} event
- */
-function digitOf({ code, key, shiftKey, ctrlKey, metaKey }) {
-  const [, pad, digit] = /^(Digit|Numpad)(\d)$/.exec(code) ?? [];
-  if (!digit || ctrlKey || metaKey) return '';
-  if (pad === 'Numpad') return key === digit ? code : '';
-  return `${shiftKey ? 'Shift+' : ''}${digit}`;
-}
-
-/** @param {KeyboardEvent} event */
-function isTyping({ target, key }) {
-  if (!(target instanceof HTMLElement)) return false;
-  if (target.matches('select, textarea') || target.matches(`input:not(${NOT_TYPED_INTO})`))
-    return true;
-  return ACTIVATING.has(key) && target.matches('button, summary, a, input:not([type="range"])');
-}
-
-const IS_MAC = /Mac|iPhone|iPad/.test(navigator.platform);
-
-/**
- * A key as people read it.
- * @param {string} chord
- */
-export function keyName(chord) {
-  return chord
-    .replace('Ctrl+', IS_MAC ? '⌘' : 'Ctrl+')
-    .replace('Shift+', IS_MAC ? '⇧' : 'Shift+')
-    .replace('Numpad', 'Num ')
-    .replace(/ $/, 'Space')
-    .replace('Escape', 'Esc');
 }
 
 /**

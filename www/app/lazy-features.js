@@ -2,7 +2,7 @@
 
 import { messageOf } from '../solver/messages.js';
 
-/** @param {import("./analysis.js").Parts} parts */
+/** @param {import("./context.js").AppContext} parts */
 export function attachLater(parts) {
   const { store, solver, files, alerts } = parts;
   const failed = (/** @type {unknown} */ error) => alerts.error(messageOf(error));

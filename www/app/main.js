@@ -29,16 +29,16 @@ import { showMoved } from '../viewport/input/drag-label.js';
 import { handlesPanel } from '../panels/handles/handles.js';
 import { bindHalfStepButtons } from '../store/half-step.js';
 import { HoldOriginal } from '../features/hold-original.js';
-import { stayOffline } from './offline.js';
+import { stayOffline } from './offline/offline.js';
 import { modelPanel } from '../panels/model/model.js';
 import { statusBar } from '../panels/status-bar/status-bar.js';
 import { selectBar } from '../panels/select-bar/select-bar.js';
 import { PointerInput } from '../viewport/input/pointer.js';
-import { RegionSelection } from '../features/selection/region-selection.js';
+import { RegionSelection } from '../viewport/input/region-selection.js';
 import { colourRows } from '../viewport/constraint-colours.js';
 import { sizeOf } from '../ui/rounding.js';
 import { scriptApi } from './script-api.js';
-import { Selecting } from '../features/selection/mesh-queries.js';
+import { Selecting } from '../store/mesh-queries.js';
 import { NOTHING } from '../store/selection.js';
 import { SolverClient } from '../solver/solver-client.js';
 import { splitInto, toggleSplit } from '../features/split/split.js';
@@ -47,7 +47,7 @@ import { createStore } from '../store/state.js';
 import { followTheme } from './theme.js';
 import { bindViewMenu } from '../features/view-tools/view-commands.js';
 import { bindViewKeys } from '../viewport/input/view-keys.js';
-import { offerReport, tellUncaught } from './uncaught-errors.js';
+import { offerReport, tellUncaught } from './errors/uncaught-errors.js';
 import { Viewport } from '../viewport/viewport.js';
 
 const store = createStore();
@@ -112,7 +112,14 @@ fileInput.addEventListener('change', async () => {
 });
 files.acceptDrops(byId('drop-overlay'));
 
-/** @type {import("./commands.js").Command[]} */
+const share = () =>
+  actions.told(
+    import('../features/share/dialog-share.js').then(({ share }) =>
+      share({ store, solver, files }),
+    ),
+  );
+
+/** @type {import("./context.js").Command[]} */
 const commands = commandTable({
   store,
   viewport,
@@ -124,7 +131,8 @@ const commands = commandTable({
   hold,
   fileInput,
   lesson: () =>
-    actions.told(import('../features/lesson/dialog.js').then(({ write }) => write(parts))),
+    actions.told(import('../features/lesson/dialog.js').then(({ write }) => write(parts, share))),
+  share,
   // What it lists is complete by the time that somebody looks.
   help: () =>
     import('../features/help/help.js').then(({ showHelp }) => showHelp(byId('help'), commands)),
@@ -205,7 +213,9 @@ function takeUp(client) {
     }),
   );
   on('loading', ({ bytes, all }) =>
-    import('./solver-loading.js').then(({ showLoading }) => showLoading(store, bytes, all)),
+    import('./progress/solver-loading.js').then(({ showLoading }) =>
+      showLoading(store, bytes, all),
+    ),
   );
   on('document', ({ document }) => store.set({ document }));
   on('frame', ({ numbers, answers }) =>
@@ -224,7 +234,7 @@ function takeUp(client) {
   });
   client.addEventListener('busy', (event) => {
     const { busy } = /** @type {CustomEvent} */ (event).detail;
-    import('./long-work.js').then(
+    import('./progress/long-work.js').then(
       ({ offerCancel }) => offerCancel(busy, client),
       () => {},
     );

@@ -17,7 +17,7 @@ const WORDS = {
 };
 
 /**
- * @param {import("../app/analysis.js").Parts} parts
+ * @param {import("../app/context.js").AppContext} parts
  * @param {Collapse} collapse
  */
 export function tellCollapse({ store, solver, alerts, actions }, { reason, amount }) {

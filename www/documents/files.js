@@ -5,7 +5,7 @@
 
 import { count, ended, groupDigits, length } from '../ui/format.js';
 import { element } from '../ui/dom.js';
-import { exampleFile, listOfExamples } from './examples.js';
+import { exampleFile, listOfExamples } from '../solver/examples.js';
 import { removeFirstPicture } from '../viewport/placeholder/placeholder-scene.js';
 import { messageOf } from '../solver/messages.js';
 import { isReadable, mainOf, worthReading } from '../solver/opened-files.js';
@@ -13,7 +13,7 @@ import { saveFile } from '../ui/save-file.js';
 import { rememberedFrame } from './units-prompt.js';
 
 /** @typedef {import("../solver/messages.js").NamedBytes} NamedBytes */
-/** @typedef {import("./examples.js").Example} Example */
+/** @typedef {import("../solver/examples.js").Example} Example */
 
 /**
  * Where a model comes from.

@@ -2,17 +2,19 @@
 
 import { element } from '../ui/dom.js';
 
+/** @typedef {import("./recent-documents.js").Work} Work */
+
 /**
  * Fills the menu each time, then shows it.
  * @param {HTMLButtonElement} button
  * @param {HTMLElement} menu
- * @param {import("../app/startup.js").Keeping} keeping
+ * @param {{ saveNow: () => Promise<void>, recent: () => Promise<Work[]>, openWork: (work: Work) => void }} keeping
  */
 export function recentMenu(button, menu, keeping) {
   button.addEventListener('click', async () => {
     await keeping.saveNow().catch(() => {});
     const list = await keeping.recent().catch(() => []);
-    const open = (/** @type {import("./recent-documents.js").Work} */ work) => {
+    const open = (/** @type {Work} */ work) => {
       menu.hidePopover();
       keeping.openWork(work);
     };

@@ -4,15 +4,15 @@
  */
 
 import { byId, element } from '../ui/dom.js';
-import { placeMenu } from '../app/layout.js';
+import { placeMenu } from '../ui/menu.js';
 
 /**
  * @typedef {object} Parts
  * @property {import("../store/state.js").Store} store
  * @property {import("../viewport/viewport.js").Viewport} viewport
  * @property {import("../store/actions.js").Actions} actions
- * @property {import("./selection/mesh-queries.js").Selecting} selecting
- * @property {import("../app/commands.js").Command[]} commands
+ * @property {import("../store/mesh-queries.js").Selecting} selecting
+ * @property {import("../app/context.js").Command[]} commands
  */
 
 /** Where the menu is asked for, in CSS pixels of the page. */

@@ -10,7 +10,7 @@ import { NOTHING } from '../store/selection.js';
 /** Of their dots, sRGB bytes. @type {[number, number, number]} */
 const COLOUR = [214, 132, 24];
 
-/** @param {import("../app/analysis.js").Parts} parts */
+/** @param {import("../app/context.js").AppContext} parts */
 export function watchFreeVertices({ store, solver, actions }) {
   const place = element('div', { 'aria-live': 'polite' });
   document.getElementById('messages')?.append(place);

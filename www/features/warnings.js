@@ -14,7 +14,7 @@ const ZERO_SIZE = 'zero-size-faces';
 /** So many changes that help are offered. */
 const MOST_REMEDIES = 3;
 
-/** @param {import("../app/analysis.js").Parts} parts */
+/** @param {import("../app/context.js").AppContext} parts */
 export function watchConditions(parts) {
   const { store, solver, files, alerts, actions } = parts;
   const place = element('div', { 'aria-live': 'polite', id: 'conditions' });

@@ -19,7 +19,7 @@
  * @property {number} size diagonal of the bounding box of the mesh as it was opened, in its unit
  * @property {string} fileName what was opened, also when it is work of last time that goes on
  * @property {boolean} firstExample the model is the one that the page opens with
- * @property {import("../documents/files.js").Example | null} example whose mesh is open, if it is that of one
+ * @property {import("../solver/examples.js").Example | null} example whose mesh is open, if it is that of one
  * @property {SceneDocument | null} document
  * @property {Numbers | null} numbers
  * @property {boolean} running Run was pressed and the iteration has not converged
@@ -54,8 +54,8 @@
  *   than the viewport sets here is where the camera goes
  * @property {boolean} parallel projection, instead of perspective
  * @property {number[] | null} tape the ends of the measuring tape that are chosen, while there is one
- * @property {import("../features/flat-map/flat-map.js").FlatMap | null} flatMap what is shown beside the model
- * @property {import("../features/split/split.js").Split | null} split two pictures in place of one
+ * @property {import("./view-modes.js").FlatMap | null} flatMap what is shown beside the model
+ * @property {import("./view-modes.js").Split | null} split two pictures in place of one
  * @property {HeldOriginal | null} heldOriginal shown in place of the current shape while somebody holds
  * @property {boolean} dark
  * @property {"webgpu" | "webgl2" | "none" | "starting"} renderer

@@ -8,7 +8,7 @@
 /**
  * @typedef {object} Seen
  * @property {import("../store/state.js").Store} store
- * @property {ReturnType<typeof import("../app/analysis.js").analysisRegion>} analysis
+ * @property {{ show: (tab: string) => void, shown: () => string }} analysis the region of plots and tables
  */
 
 /** @type {["camera", "parallel", "tab", "measure", "measureChosen", "tolerance", "tolerances"]} */

@@ -10,8 +10,8 @@ import { ShapeTransition } from './shape-transition.js';
 import { handlesNow } from '../store/state.js';
 import { declared, toleranceOf } from '../store/measures.js';
 import { messageOf } from '../solver/messages.js';
-import { modelErrors, showFlatMap } from '../features/flat-map/flat-map.js';
-import { showSplit } from '../features/split/split.js';
+import { modelErrors, showFlatMap } from './flat-map-layer.js';
+import { showSplit } from './split-layer.js';
 
 /** @typedef {import("../pkg/view-webgl2/shape_up.js").View} View */
 /** @typedef {import("../store/state.js").State} State */

@@ -7,18 +7,6 @@ import { element } from '../../ui/dom.js';
 import { messageOf } from '../../solver/messages.js';
 
 /**
- * A comparison of methods, as the list of examples declares it.
- * @typedef {object} Experiment
- * @property {string} id
- * @property {string} label
- * @property {string} summary
- * @property {{ id: string, label: string, unit: "energy" | "length" | "none" }[]} quantities
- * @property {{ quantity: number, over: "iterations" | "seconds" }[]} plots
- * @property {{ id: string, label: string, summary: string }[]} methods
- * @property {{ iterations: number, seconds: number }} limits of each method
- */
-
-/**
  * @param {HTMLElement} place
  * @param {import("../../store/state.js").Store} store
  * @param {import("../../solver/solver-client.js").SolverClient} solver

@@ -1,14 +1,14 @@
 /** The dialog of an experiment: runs its methods one after another and shows how far each one comes. */
 
 import { element, setText, throttled } from '../../ui/dom.js';
-import { exampleFile } from '../../documents/examples.js';
+import { exampleFile } from '../../solver/examples.js';
 import { saveFile } from '../../ui/save-file.js';
 import { groupDigits, length, number } from '../../ui/format.js';
 import { messageOf } from '../../solver/messages.js';
 import { Chart } from './chart.js';
 import './plots-dialog.css';
 
-/** @typedef {import("./offer.js").Experiment} Experiment */
+/** @typedef {import("../../solver/examples.js").Experiment} Experiment */
 /** @typedef {import("../../documents/files.js").Example} Example */
 
 /**

@@ -10,7 +10,7 @@ import { messageOf } from '../../solver/messages.js';
 import { flatMapPanel } from './uv-panel.js';
 import { NOTHING, select } from '../../store/selection.js';
 
-/** @typedef {import("./flat-map.js").FlatMap} FlatMap */
+/** @typedef {import("../../store/view-modes.js").FlatMap} FlatMap */
 
 /**
  * @typedef {object} Parts

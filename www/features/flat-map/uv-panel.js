@@ -3,7 +3,7 @@
 import { element, setText } from '../../ui/dom.js';
 import { duration, groupDigits, ratio } from '../../ui/format.js';
 
-/** @typedef {import("./flat-map.js").FlatMap} FlatMap */
+/** @typedef {import("../../store/view-modes.js").FlatMap} FlatMap */
 
 /** What a polygon counts: label and explanation. */
 const WEIGHTS = {

@@ -1,7 +1,7 @@
 /** The help: everything that keys and the mouse do, from the table that binds them. */
 
 import './help.css';
-import { keyName } from '../../app/commands.js';
+import { keyName } from '../../ui/keys.js';
 import { dialogHead, element } from '../../ui/dom.js';
 import { singleKeys } from '../../ui/single-keys.js';
 
@@ -32,7 +32,7 @@ const VIEW_KEYS = [
 
 /**
  * @param {HTMLDialogElement} dialog
- * @param {import("../../app/commands.js").Command[]} commands
+ * @param {import("../../app/context.js").Command[]} commands
  */
 export function showHelp(dialog, commands) {
   const bound = commands.filter((command) => command.keys.length > 0);
@@ -67,7 +67,7 @@ export function showHelp(dialog, commands) {
   dialog.showModal();
 }
 
-/** @param {import("../../app/commands.js").Command} command @returns {[(Node | string)[], string]} */
+/** @param {import("../../app/context.js").Command} command @returns {[(Node | string)[], string]} */
 function keysOf({ keys, label }) {
   return keyRow(keys.map(keyName), label);
 }

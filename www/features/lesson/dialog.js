@@ -9,8 +9,11 @@ import { messageOf } from '../../solver/messages.js';
 const UNITS = { percent: '%', degrees: '°', number: '' };
 const ERROR_AT = /^goals\[(\d+)\]/;
 
-/** @param {import("../../app/analysis.js").Parts} parts */
-export function write(parts) {
+/**
+ * @param {import("../../app/context.js").AppContext} parts
+ * @param {() => unknown} share shows a link to the scene
+ */
+export function write(parts, share) {
   const { store, solver, files, actions } = parts;
   const state = store.get();
   const scene = state.document;
@@ -160,12 +163,7 @@ export function write(parts) {
       { class: 'dialog-buttons' },
       button('Save lesson', () => keep(), 'primary'),
       button('Keep and save the scene', () => keep(() => files.saveScene())),
-      button('Keep and make a link', () =>
-        keep(async () => {
-          const { share } = await import('../share/dialog-share.js');
-          await actions.told(share({ store, solver, files }));
-        }),
-      ),
+      button('Keep and make a link', () => keep(share)),
       ...(scene.lesson ? [button('No lesson any more', forget)] : []),
     ),
   );

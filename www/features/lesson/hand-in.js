@@ -4,7 +4,7 @@ import '../../ui/styles/dialog.css';
 import './lesson.css';
 import { element, icon } from '../../ui/dom.js';
 
-/** @param {import("../../app/analysis.js").Parts} parts */
+/** @param {import("../../app/context.js").AppContext} parts */
 export function handIn({ store, solver, files, actions }) {
   const name = element('input', {
     type: 'text',

@@ -11,7 +11,7 @@ import { goalInWords, measureOf } from './goal.js';
 
 const MARKS = { met: '✓', missed: '✗' };
 
-/** @param {import("../../app/analysis.js").Parts} parts */
+/** @param {import("../../app/context.js").AppContext} parts */
 export function lessonPanel(parts) {
   const { store } = parts;
   const text = element('p', { class: 'lesson-text' });

@@ -33,7 +33,7 @@ export class MakePanels {
   /** A verdict is asked for. */
   #isBusy = false;
 
-  /** @param {import("../../app/analysis.js").Parts} parts */
+  /** @param {import("../../app/context.js").AppContext} parts */
   constructor(parts) {
     this.#parts = parts;
     const { store, solver } = parts;

@@ -10,7 +10,7 @@ import { bars, drawBars, drawOutline, outline } from '../../ui/plot/histogram-sv
 import { countsOf, greatestOf } from '../../ui/plot/histogram.js';
 import { axisOf } from '../../ui/plot/value-axis.js';
 
-/** @typedef {import("./split.js").Choice} Choice */
+/** @typedef {import("../../store/view-modes.js").Choice} Choice */
 
 export class SplitLegend {
   #side;
@@ -67,7 +67,7 @@ export class SplitLegend {
   }
 
   /**
-   * @param {(Choice & import("./split.js").Shown) | undefined} side
+   * @param {(Choice & import("../../store/view-modes.js").Shown) | undefined} side
    * @param {Float32Array | undefined} original values of the original in the same measure
    */
   show(side, original) {

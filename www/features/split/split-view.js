@@ -11,8 +11,8 @@ import { SplitLegend } from './split-legend.js';
 import { greatestOf } from '../../ui/plot/histogram.js';
 import './split.css';
 
-/** @typedef {import("./split.js").Choice} Choice */
-/** @typedef {import("./split.js").Split} Split */
+/** @typedef {import("../../store/view-modes.js").Choice} Choice */
+/** @typedef {import("../../store/view-modes.js").Split} Split */
 
 /** A range finer than so many times the rounding would colour what nobody could build or see. */
 const LEAST_RANGE = 1000;
@@ -38,14 +38,14 @@ export class SplitView {
 
   /**
    * The one of the page.
-   * @param {import("../../app/analysis.js").Parts} parts
+   * @param {import("../../app/context.js").AppContext} parts
    */
   static of(parts) {
     only ??= new SplitView(parts);
     return only;
   }
 
-  /** @param {import("../../app/analysis.js").Parts} parts */
+  /** @param {import("../../app/context.js").AppContext} parts */
   constructor({ store, solver, viewport, alerts }) {
     this.#store = store;
     this.#solver = solver;

@@ -3,7 +3,7 @@
  * work comes with `view-tools.js` when one of them is first used.
  */
 
-import { placeMenu } from '../../app/layout.js';
+import { placeMenu } from '../../ui/menu.js';
 import { messageOf } from '../../solver/messages.js';
 
 /** Name, as the view knows it, and a key of the number pad for some; the others are Shift + digit. */
@@ -20,8 +20,8 @@ const VIEWS = [
 const load = () => import('./view-tools.js');
 
 /**
- * @param {Pick<import("../../app/command-table.js").Parts, "store" | "solver" | "viewport" | "alerts">} parts
- * @returns {import("../../app/commands.js").Command[]}
+ * @param {Pick<import("../../app/context.js").CommandContext, "store" | "solver" | "viewport" | "alerts">} parts
+ * @returns {import("../../app/context.js").Command[]}
  */
 export function viewCommands(parts) {
   const { store, alerts } = parts;
@@ -86,7 +86,7 @@ export function viewCommands(parts) {
  * The menu of the views, which is made when it is first opened.
  * @param {HTMLElement} menu
  * @param {HTMLElement} button
- * @param {import("../../app/commands.js").Command[]} commands
+ * @param {import("../../app/context.js").Command[]} commands
  * @param {import("../../store/state.js").Store} store
  */
 export function bindViewMenu(menu, button, commands, store) {

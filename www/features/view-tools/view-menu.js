@@ -1,11 +1,11 @@
 /** The menu of the views, projection and what is drawn about the model. */
 
 import { element } from '../../ui/dom.js';
-import { keyName } from '../../app/commands.js';
+import { keyName } from '../../ui/keys.js';
 
 /**
  * @param {HTMLElement} menu
- * @param {import("../../app/commands.js").Command[]} commands
+ * @param {import("../../app/context.js").Command[]} commands
  * @param {import("../../store/state.js").Store} store
  */
 export function buildViewMenu(menu, commands, store) {

@@ -15,7 +15,7 @@ const FLIGHT_MS = 320;
 const BAR = 120;
 const still = matchMedia('(prefers-reduced-motion: reduce)');
 
-/** @typedef {Pick<import("../../app/command-table.js").Parts, "store" | "solver" | "viewport">} Parts */
+/** @typedef {Pick<import("../../app/context.js").CommandContext, "store" | "solver" | "viewport">} Parts */
 
 /** @type {Seeing | null} */
 let only = null;

@@ -19,7 +19,7 @@ import { withSymbols } from '../../ui/symbols.js';
 const PICTURES = new URL(/* @vite-ignore */ 'pictures/', document.baseURI);
 
 /**
- * @param {import("../../documents/examples.js").Example} example
+ * @param {import("../../solver/examples.js").Example} example
  * @param {Result | undefined} result
  */
 export function card(example, result) {
@@ -79,7 +79,7 @@ function fact(name, value) {
   return [element('dt', {}, name), element('dd', {}, value)];
 }
 
-/** @param {import("../../documents/examples.js").Example} example */
+/** @param {import("../../solver/examples.js").Example} example */
 function sizeInWords({ vertices, faces, tets }) {
   const parts = [
     [vertices, 'vertices'],

@@ -1,13 +1,13 @@
 /** The gallery: all examples figure by figure, searched by words, figure and constraint. */
 
 import { byId, element } from '../../ui/dom.js';
-import { listOfExamples } from '../../documents/examples.js';
+import { listOfExamples } from '../../solver/examples.js';
 import { count } from '../../ui/format.js';
 import { messageOf } from '../../solver/messages.js';
 import { card } from './card.js';
 import { LESSONS, headingOf } from './figures.js';
 
-/** @typedef {import("../../documents/examples.js").Example} Example */
+/** @typedef {import("../../solver/examples.js").Example} Example */
 /** @typedef {{ example: Example, words: string, card: HTMLElement, section: HTMLElement }} Entry */
 
 const RESULTS = new URL(/* @vite-ignore */ 'pictures/results.json', document.baseURI);

@@ -15,7 +15,7 @@ const TICKS = [0, 45, 90, 135, 180];
 
 /**
  * @param {HTMLElement} panel
- * @param {import("../../app/analysis.js").Parts} parts
+ * @param {import("../../app/context.js").AppContext} parts
  */
 export function anglesPanel(panel, { store, solver, files, alerts }) {
   const before = outline();

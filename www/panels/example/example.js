@@ -5,13 +5,13 @@ import { linkTo } from '../../documents/example-links.js';
 import { messageOf } from '../../solver/messages.js';
 import { withSymbols } from '../../ui/symbols.js';
 
-/** @typedef {import("../../documents/examples.js").Example} Example */
+/** @typedef {import("../../solver/examples.js").Example} Example */
 
 /**
  * @param {HTMLElement} place a section, which is hidden while no example is open
  * @param {import("../../documents/files.js").Files} files
  * @param {import("../../ui/alerts.js").Alerts} alerts
- * @param {(shows: import("../../documents/examples.js").Suggestion["shows"]) => void} show
+ * @param {(shows: import("../../solver/examples.js").Suggestion["shows"]) => void} show
  */
 export function exampleNote(place, files, alerts, show) {
   /** @param {string} text @param {Example | undefined} to */

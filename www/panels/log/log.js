@@ -10,7 +10,7 @@ const NAMES = { error: 'Error', notice: 'Notice', status: '' };
 
 /**
  * @param {HTMLElement} panel
- * @param {import("../../app/analysis.js").Parts} parts
+ * @param {import("../../app/context.js").AppContext} parts
  */
 export function logOf(panel, parts) {
   const { store, solver, alerts, actions } = parts;

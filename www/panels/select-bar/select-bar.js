@@ -4,7 +4,7 @@
  */
 
 import { element, icon, setText } from '../../ui/dom.js';
-import { placeMenu } from '../../app/layout.js';
+import { placeMenu } from '../../ui/menu.js';
 import { messageOf } from '../../solver/messages.js';
 import { describe, sizeOfSelection } from '../../store/selection.js';
 
@@ -27,7 +27,7 @@ const SHAPES = [
  * @param {HTMLElement} menu
  * @param {import("../../store/state.js").Store} store
  * @param {import("../../store/actions.js").Actions} actions
- * @param {import("../../features/selection/mesh-queries.js").Selecting} selecting
+ * @param {import("../../store/mesh-queries.js").Selecting} selecting
  * @param {import("../../ui/alerts.js").Alerts} alerts
  */
 export function selectBar(bar, menu, store, actions, selecting, alerts) {

@@ -5,7 +5,7 @@
 
 import { element, icon } from '../../ui/dom.js';
 import { count } from '../../ui/format.js';
-import { keyName } from '../../app/commands.js';
+import { keyName } from '../../ui/keys.js';
 import { Parameters } from '../../ui/kinds/parameters.js';
 import { combineOf, selectedVertices, sizeOfSelection } from '../../store/selection.js';
 
@@ -15,7 +15,7 @@ import { combineOf, selectedVertices, sizeOfSelection } from '../../store/select
  * @param {HTMLElement} menu
  * @param {import("../../store/state.js").Store} store
  * @param {import("../../store/actions.js").Actions} actions
- * @param {import("../../features/selection/mesh-queries.js").Selecting} selecting
+ * @param {import("../../store/mesh-queries.js").Selecting} selecting
  */
 export function fillSelectMenu(menu, store, actions, selecting) {
   const state = store.get();

@@ -26,7 +26,7 @@ const COLOURS = 'colours';
 
 /**
  * @param {HTMLElement} panel
- * @param {import("../../app/analysis.js").Parts} parts
+ * @param {import("../../app/context.js").AppContext} parts
  */
 export function worstElements(panel, parts) {
   const { store, solver } = parts;

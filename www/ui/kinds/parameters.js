@@ -14,7 +14,6 @@ import {
   labelOf,
   unitOf,
 } from './parameter-forms.js';
-import { Refusal } from '../../solver/solver-client.js';
 
 /** @typedef {import("../../solver/messages.js").ParamInfo} ParamInfo */
 /** @typedef {import("../../solver/messages.js").ParamValue} ParamValue */
@@ -63,14 +62,15 @@ export class Parameters {
   }
 
   /**
-   * Shows an error at the parameter that it is about, or below all when it is about several. False
+   * Shows a refusal, an error with a `path` in the scene, at the parameter that it is about, or below all when it is about several. False
    * when it is about something else.
    * @param {unknown} error
    */
   refuse(error) {
-    if (!(error instanceof Refusal)) return false;
-    const path = error.path.replace(/^constraints\[\d+\]\.?/, '');
-    const message = error.message.replace(`${error.path}: `, '');
+    if (!(error instanceof Error && 'path' in error)) return false;
+    const at = String(error.path);
+    const path = at.replace(/^constraints\[\d+\]\.?/, '');
+    const message = error.message.replace(`${at}: `, '');
     const [, id = '', place = '0'] = /^([^.[]*)(?:\[(\d+)\])?/.exec(path) ?? [];
     const about = this.#all.find((one) => one.id === id);
     about?.refuse(message, Number(place));

@@ -60,7 +60,7 @@ export class PointerInput {
    * @param {import("../../store/state.js").Store} store
    * @param {import("../../solver/solver-client.js").SolverClient} solver
    * @param {import("../viewport.js").Viewport} viewport
-   * @param {import("../../features/selection/region-selection.js").RegionSelection} region
+   * @param {import("./region-selection.js").RegionSelection} region
    * @param {{ addHandles: (vertices: number[]) => Promise<void>, fitAll: () => void, chosenHandles: () => number[],
    *   showMenu: (at: [number, number]) => void,
    *   doubleClick: (mode: import("../../store/state.js").Mode, item: number, event: MouseEvent) => void }} commands

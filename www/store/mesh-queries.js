@@ -3,12 +3,12 @@
  * is what the page does with an answer. How many are selected is said after every change.
  */
 
-import { combineOf, describe, select, sizeOfSelection } from '../../store/selection.js';
+import { combineOf, describe, select, sizeOfSelection } from './selection.js';
 
-/** @typedef {import("../../solver/messages.js").Operation} Operation */
-/** @typedef {import("../../solver/messages.js").ParamValue} ParamValue */
-/** @typedef {import("../../store/selection.js").Combine} Combine */
-/** @typedef {import("../../store/state.js").Mode} Mode */
+/** @typedef {import("../solver/messages.js").Operation} Operation */
+/** @typedef {import("../solver/messages.js").ParamValue} ParamValue */
+/** @typedef {import("./selection.js").Combine} Combine */
+/** @typedef {import("./state.js").Mode} Mode */
 
 /** @type {Mode[]} */
 const MODES = ['vertices', 'edges', 'faces'];
@@ -19,9 +19,9 @@ export class Selecting {
   #actions;
 
   /**
-   * @param {import("../../store/state.js").Store} store
-   * @param {import("../../solver/solver-client.js").SolverClient} solver
-   * @param {import("../../store/actions.js").Actions} actions
+   * @param {import("./state.js").Store} store
+   * @param {import("../solver/solver-client.js").SolverClient} solver
+   * @param {import("./actions.js").Actions} actions
    */
   constructor(store, solver, actions) {
     this.#store = store;
@@ -86,7 +86,7 @@ export class Selecting {
 
   /**
    * The keys that operations declare, once they are here, as commands.
-   * @param {import("../../app/commands.js").Command[]} commands
+   * @param {import("../app/context.js").Command[]} commands
    */
   bindKeys(commands) {
     let bound = false;

@@ -2,7 +2,7 @@
 
 /**
  * @param {string} what happened
- * @param {import("../store/state.js").State} state
+ * @param {import("../../store/state.js").State} state
  */
 export function crashReport(what, { model, document, numbers, renderer }) {
   const rows = (document?.constraints ?? []).map(
@@ -27,8 +27,8 @@ export function crashReport(what, { model, document, numbers, renderer }) {
 /**
  * Copies it, or shows it where copying is not allowed.
  * @param {string} text
- * @param {import("../store/state.js").Store} store
- * @param {import("../ui/alerts.js").Alerts} alerts
+ * @param {import("../../store/state.js").Store} store
+ * @param {import("../../ui/alerts.js").Alerts} alerts
  */
 export async function giveReport(text, store, alerts) {
   try {

@@ -1,14 +1,14 @@
 /** How much of the solver is here, over the view, where it takes a while. */
 
-import '../ui/styles/waiting.css';
-import { byId, element } from '../ui/dom.js';
+import '../../ui/styles/waiting.css';
+import { byId, element } from '../../ui/dom.js';
 
 const MB = 1_000_000;
 /** @type {{ text: HTMLElement, bar: HTMLProgressElement, card: HTMLElement } | null} */
 let shown = null;
 
 /**
- * @param {import("../store/state.js").Store} store
+ * @param {import("../../store/state.js").Store} store
  * @param {number} bytes that are here
  * @param {number} all bytes
  */
@@ -19,7 +19,7 @@ export function showLoading(store, bytes, all) {
   shown.bar.value = bytes / all;
 }
 
-/** @param {import("../store/state.js").Store} store */
+/** @param {import("../../store/state.js").Store} store */
 function show(store) {
   const text = element('p');
   const bar = element('progress', { max: 1, 'aria-label': 'How much of the solver is here' });

@@ -5,12 +5,12 @@ const BRUSH_FACTOR = 1.25;
 const BRUSH = [4, 120];
 
 /**
- * @param {import("../../store/state.js").Store} store
- * @returns {import("../../app/commands.js").Command[]}
+ * @param {import("../store/state.js").Store} store
+ * @returns {import("../app/context.js").Command[]}
  */
 export function selectCommands(store) {
   const shape = (
-    /** @type {import("../../store/state.js").State["shape"]} */ id,
+    /** @type {import("../store/state.js").State["shape"]} */ id,
     /** @type {string} */ label,
     /** @type {string} */ key,
   ) => ({

@@ -1,13 +1,13 @@
 /** What nobody expected to go wrong is said, and can be reported. */
 
-import { messageOf } from '../solver/messages.js';
+import { messageOf } from '../../solver/messages.js';
 
 /** Browsers say so when a size changes twice before a picture; nothing is wrong. */
 const HARMLESS = /^ResizeObserver loop/;
 
 /**
- * @param {import("../ui/alerts.js").Alerts} alerts
- * @param {import("../store/state.js").Store} store
+ * @param {import("../../ui/alerts.js").Alerts} alerts
+ * @param {import("../../store/state.js").Store} store
  */
 export function tellUncaught(alerts, store) {
   const tell = (/** @type {unknown} */ thrown) => {
@@ -23,8 +23,8 @@ export function tellUncaught(alerts, store) {
 /**
  * What can be done when something has stopped: copy what somebody who mends it wants to know.
  * @param {string} message
- * @param {import("../store/state.js").Store} store
- * @param {import("../ui/alerts.js").Alerts} alerts
+ * @param {import("../../store/state.js").Store} store
+ * @param {import("../../ui/alerts.js").Alerts} alerts
  */
 export function offerReport(message, store, alerts) {
   const action = async () => {

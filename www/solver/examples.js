@@ -15,15 +15,29 @@
  * @property {number} tets
  * @property {{ id: string, label: string }[]} kinds
  * @property {[number, number, number]} weights shape, close, smooth
- * @property {import("../features/experiment/offer.js").Experiment | null} experiment that compares ways to solve it
+ * @property {Experiment | null} experiment that compares ways to solve it
  * @property {Suggestion[]} suggestions what there is to look at
- * @property {import("../solver/messages.js").LessonWords["goals"]} [goals] what a student is to reach, where it is a lesson
+ * @property {import("./messages.js").LessonWords["goals"]} [goals] what a student is to reach, where it is a lesson
  * @property {string} units of the mesh
  */
 
 /**
+ * A comparison of methods, as the list of examples declares it.
+ * @typedef {object} Experiment
+ * @property {string} id
+ * @property {string} label
+ * @property {string} summary
+ * @property {{ id: string, label: string, unit: "energy" | "length" | "none" }[]} quantities
+ * @property {{ quantity: number, over: "iterations" | "seconds" }[]} plots
+ * @property {{ id: string, label: string, summary: string }[]} methods
+ * @property {{ iterations: number, seconds: number }} limits of each method
+ */
+
+/** What one of two pictures shows. @typedef {{ measure: import("./messages.js").Measure, original: boolean }} SideChoice */
+
+/**
  * Something to look at: two pictures side by side, or a plot, by its name.
- * @typedef {{ label: string, shows: { split?: [import("../features/split/split.js").Choice, import("../features/split/split.js").Choice], plot?: string } }} Suggestion
+ * @typedef {{ label: string, shows: { split?: [SideChoice, SideChoice], plot?: string } }} Suggestion
  */
 
 const FOLDER = new URL(/* @vite-ignore */ 'examples/', document.baseURI);

@@ -34,7 +34,7 @@ export class RegionSelection {
 
   /**
    * @param {import("../../store/state.js").Store} store
-   * @param {import("../../viewport/viewport.js").Viewport} viewport
+   * @param {import("../viewport.js").Viewport} viewport
    */
   constructor(store, viewport) {
     this.#store = store;

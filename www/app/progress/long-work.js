@@ -1,14 +1,14 @@
 /** What the solver has worked on for a while can be stopped. Comes when that is so. */
 
-import '../ui/styles/waiting.css';
-import { byId, element, leave } from '../ui/dom.js';
+import '../../ui/styles/waiting.css';
+import { byId, element, leave } from '../../ui/dom.js';
 
 /** @type {HTMLElement | null} */
 let card = null;
 
 /**
  * @param {boolean} busy
- * @param {import("../solver/solver-client.js").SolverClient} solver
+ * @param {import("../../solver/solver-client.js").SolverClient} solver
  */
 export function offerCancel(busy, solver) {
   const before = card;

@@ -6,9 +6,9 @@
  */
 
 /**
- * @param {import("../ui/alerts.js").Alerts} alerts
- * @param {import("./startup.js").Keeping} keeping
- * @param {import("../viewport/viewport.js").Viewport} viewport
+ * @param {import("../../ui/alerts.js").Alerts} alerts
+ * @param {import("../startup.js").Keeping} keeping
+ * @param {import("../../viewport/viewport.js").Viewport} viewport
  */
 export function stayOffline(alerts, keeping, viewport) {
   if (!import.meta.env.PROD || !('serviceWorker' in navigator)) return;
@@ -27,9 +27,9 @@ export function stayOffline(alerts, keeping, viewport) {
 let registered = null;
 
 /**
- * @param {import("../ui/alerts.js").Alerts} alerts
- * @param {import("./startup.js").Keeping} keeping
- * @param {import("../viewport/viewport.js").Viewport} viewport
+ * @param {import("../../ui/alerts.js").Alerts} alerts
+ * @param {import("../startup.js").Keeping} keeping
+ * @param {import("../../viewport/viewport.js").Viewport} viewport
  */
 async function register(alerts, keeping, viewport) {
   const { serviceWorker } = navigator;

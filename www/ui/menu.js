@@ -1,0 +1,48 @@
+/** Menus: popovers that open at their button, inside the window, and that the arrow keys walk through. */
+
+const MOUSE = matchMedia('(pointer: fine)');
+
+/**
+ * Puts a popover at its button, inside the window.
+ * @param {HTMLElement} menu
+ * @param {() => HTMLElement} anchor
+ */
+export function placeMenu(menu, anchor) {
+  menu.addEventListener('toggle', (event) => {
+    if (/** @type {ToggleEvent} */ (event).newState !== 'open') return;
+    const at = anchor().getBoundingClientRect();
+    // A menu at a point may lie beside it, but under a finger it would be pressed.
+    const isPoint = at.width === 0 && at.height === 0 && MOUSE.matches;
+    // As wide as it wants to be, wherever it was last.
+    menu.style.left = '0';
+    const gap = 4;
+    const left = Math.min(at.left + (isPoint ? gap : 0), innerWidth - menu.offsetWidth - 2 * gap);
+    const [above, below] = [at.top - 2 * gap, innerHeight - at.bottom - 2 * gap];
+    const room = isPoint ? innerHeight - 2 * gap : Math.max(above, below);
+    // What is too long for the roomier side scrolls there; at a point it moves up instead.
+    menu.style.maxHeight = `${room}px`;
+    const height = Math.min(menu.offsetHeight, room);
+    const higher = isPoint ? innerHeight - gap - height : at.top - gap - height;
+    menu.style.left = `${Math.max(2 * gap, left)}px`;
+    menu.style.top = `${height <= below ? at.bottom + gap : higher}px`;
+    itemsOf(menu)[0]?.focus();
+  });
+  menu.addEventListener('keydown', (event) => {
+    const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
+    // A field has them for itself.
+    const isField = event.target instanceof Element && event.target.matches('input, select');
+    if (!step || isField) return;
+    event.preventDefault();
+    const items = itemsOf(menu);
+    const at = items.findIndex((item) => item === document.activeElement);
+    items[(at + step + items.length) % items.length]?.focus();
+  });
+}
+
+/** What the arrow keys walk through. @param {HTMLElement} menu */
+function itemsOf(menu) {
+  const items = /** @type {NodeListOf<HTMLElement>} */ (
+    menu.querySelectorAll('a, button, [role="menuitem"]')
+  );
+  return [...items].filter((item) => item.checkVisibility() && !item.matches(':disabled'));
+}
