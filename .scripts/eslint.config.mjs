@@ -2,6 +2,7 @@
 
 import js from '@eslint/js';
 import globals from 'globals';
+import { roomRules } from './rooms.mjs';
 
 export default [
   { ignores: ['dist/', 'target/', 'www/pkg/', 'www/examples/', 'test-results/'] },
@@ -18,21 +19,8 @@ export default [
   {
     files: ['www/**/*.js'],
     languageOptions: { globals: { ...globals.browser, ...globals.worker } },
-    rules: {
-      'no-restricted-syntax': [
-        'error',
-        {
-          selector: "CallExpression[callee.name=/^setAttribute$/] > Literal[value='style']",
-          message: 'The policy of the page refuses the attribute: set element.style.',
-        },
-        {
-          selector:
-            "CallExpression[callee.property.name=/^setAttribute$/] > Literal[value='style']",
-          message: 'The policy of the page refuses the attribute: set element.style.',
-        },
-      ],
-    },
   },
+  ...roomRules,
   {
     // These run in Node, the functions that they evaluate in a page.
     files: ['tests/**/*.mjs', '.scripts/**/*.mjs'],

@@ -1,0 +1,66 @@
+// The rooms of the page, `www/`: which may import what. The linter and tests/scripts/rooms.test.mjs hold
+// the code to it.
+
+/** The rooms that each may import, from the lowest to the highest. */
+export const ROOMS = {
+  ui: [],
+  solver: [],
+  worker: ['solver'],
+  store: ['ui', 'solver'],
+  viewport: ['ui', 'solver', 'store'],
+  documents: ['ui', 'solver', 'store', 'viewport'],
+  panels: ['ui', 'solver', 'store', 'viewport', 'documents'],
+  features: ['ui', 'solver', 'store', 'viewport', 'documents'],
+  app: ['ui', 'solver', 'store', 'viewport', 'documents', 'panels', 'features'],
+  pages: ['ui', 'solver', 'store', 'documents', 'features'],
+};
+
+/** What is in one of their folders knows nothing of what is in another, and a file in them of none. */
+export const APART = ['features', 'panels'];
+
+/** A folder with more files is two. */
+export const MOST_FILES = 14;
+
+/** Rooms whose types a room may name beyond what it may import. */
+export const TYPES = { ui: ['solver'] };
+
+/** Only types are in here, those of what the highest room gives to the others: any may name them. */
+export const CONTEXT = 'app/context.js';
+
+const own = ({ message, regex }, files) => {
+  const source = regex.replaceAll('/', '\\/');
+  return {
+    files,
+    rules: {
+      'no-restricted-imports': ['error', { patterns: [{ regex, message }] }],
+      'no-restricted-syntax': [
+        'error',
+        ...STYLES,
+        { selector: `ImportExpression[source.value=/${source}/]`, message },
+      ],
+    },
+  };
+};
+
+/** The attribute `style`, which the policy of the page refuses. */
+const STYLES = ['name', 'property.name'].map((name) => ({
+  selector: `CallExpression[callee.${name}=/^setAttribute$/] > Literal[value='style']`,
+  message: 'The policy of the page refuses the attribute: set element.style.',
+}));
+
+/** What the linter has to know of the rooms. */
+export const roomRules = Object.entries(ROOMS).flatMap(([room, lower]) => {
+  const others = Object.keys(ROOMS).filter((other) => other !== room && !lower.includes(other));
+  const may =
+    lower.length > 0 ? `may import from ${lower.join(', ')}` : 'imports from no other room';
+  const outside = {
+    regex: `^(\\.\\./)+(${others.join('|')})/`,
+    message: `${room}/ ${may}: see .scripts/rooms.mjs.`,
+  };
+  if (!APART.includes(room)) return [own(outside, [`www/${room}/**/*.js`])];
+  const message = `${outside.message} What is beside it is another part of the page.`;
+  return [
+    own({ regex: `${outside.regex}|^\\./`, message }, [`www/${room}/*.js`]),
+    own({ regex: `${outside.regex}|^\\.\\./[^.]`, message }, [`www/${room}/*/**/*.js`]),
+  ];
+});

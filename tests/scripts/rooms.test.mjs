@@ -1,0 +1,111 @@
+// The rooms of the page: who imports whom, without cycles, and how full they are.
+
+import assert from 'node:assert/strict';
+import { readdirSync, readFileSync } from 'node:fs';
+import { dirname, join, relative, sep } from 'node:path';
+import { test } from 'node:test';
+import { ESLint } from 'eslint';
+import { at } from '../../.scripts/project.mjs';
+import { APART, CONTEXT, MOST_FILES, ROOMS, TYPES } from '../../.scripts/rooms.mjs';
+
+const WWW = at('www');
+const ROOM_NAMES = Object.keys(ROOMS);
+
+/** The files of the rooms, by their paths in `www/`. */
+const files = ROOM_NAMES.flatMap((room) =>
+  readdirSync(join(WWW, room), { recursive: true, withFileTypes: true })
+    .filter((entry) => entry.isFile())
+    .map((entry) => relative(WWW, join(entry.parentPath, entry.name)).split(sep).join('/')),
+);
+const scripts = files.filter((file) => file.endsWith('.js'));
+
+const IMPORT = /(?:\bfrom|^import|\bimport\()\s*'(\.[^']+)'/gm;
+const TYPE = /\bimport\("(\.[^"]+)"\)/g;
+
+/** What a script names, as paths in `www/`. */
+const named = (file, pattern) =>
+  [...readFileSync(join(WWW, file), 'utf8').matchAll(pattern)].map(([, name]) =>
+    join(dirname(file), name).split(sep).join('/'),
+  );
+
+/** The room of a file, and its part of the room where parts are apart. */
+function placeOf(file) {
+  const [room, part] = file.split('/');
+  return { room, part: APART.includes(room) ? part : '' };
+}
+
+const isOfRoom = (file) => ROOM_NAMES.includes(placeOf(file).room);
+
+/** Whether a file may name another that is in a room. */
+function may(from, to, beyond = []) {
+  const [a, b] = [placeOf(from), placeOf(to)];
+  if (a.room === b.room) return a.part === b.part;
+  return ROOMS[a.room].includes(b.room) || beyond.includes(b.room);
+}
+
+test('the rooms are one below the other', () => {
+  ROOM_NAMES.forEach((room, i) => {
+    const higher = ROOMS[room].filter((other) => ROOM_NAMES.indexOf(other) >= i);
+    assert.deepEqual(higher, [], room);
+  });
+});
+
+test('what a file imports is in its room, or in one that it may know', () => {
+  const wrong = scripts.flatMap((file) =>
+    named(file, IMPORT)
+      .filter((to) => isOfRoom(to) && !may(file, to))
+      .map((to) => `${file} imports ${to}`),
+  );
+  assert.deepEqual(wrong, []);
+});
+
+test('the types that a file names are those of rooms that it may know, or of the context', () => {
+  const wrong = scripts.flatMap((file) =>
+    named(file, TYPE)
+      .filter((to) => isOfRoom(to) && to !== CONTEXT && !may(file, to, TYPES[placeOf(file).room]))
+      .map((to) => `${file} names a type of ${to}`),
+  );
+  assert.deepEqual(wrong, []);
+  const runs = readFileSync(join(WWW, CONTEXT), 'utf8').replace(/\/\*[\s\S]*?\*\//g, '');
+  assert.equal(runs.trim(), 'export {};', `${CONTEXT} has only types`);
+});
+
+test('no file imports itself, over however many others', () => {
+  const done = new Set();
+  const walk = (file, path) => {
+    assert.ok(!path.includes(file), `a cycle: ${[...path, file].join(' -> ')}`);
+    if (done.has(file)) return;
+    for (const to of named(file, IMPORT)) if (to.endsWith('.js')) walk(to, [...path, file]);
+    done.add(file);
+  };
+  for (const file of scripts) if (isOfRoom(file)) walk(file, []);
+});
+
+test('no folder has more files than a reader takes in', () => {
+  const count = new Map();
+  for (const file of files) count.set(dirname(file), (count.get(dirname(file)) ?? 0) + 1);
+  const full = [...count].filter(([, inside]) => inside > MOST_FILES);
+  assert.deepEqual(full, []);
+});
+
+test('the linter refuses what crosses the rooms', async () => {
+  const linter = new ESLint({ cwd: at(), overrideConfigFile: at('.scripts', 'eslint.config.mjs') });
+  const rulesBroken = async (file, code) => {
+    const [{ messages }] = await linter.lintText(code, { filePath: at('www', file) });
+    return messages.map(({ ruleId }) => ruleId).filter((rule) => rule?.startsWith('no-restricted'));
+  };
+  const imports = ['no-restricted-imports'];
+  const later = ['no-restricted-syntax'];
+  for (const [file, code, broken] of [
+    ['ui/dom.js', "import '../store/state.js';", imports],
+    ['store/state.js', "import '../app/main.js';", imports],
+    ['panels/model/model.js', "import '../legend/legend.js';", imports],
+    ['panels/model/model.js', "import '../../features/hints.js';", imports],
+    ['features/hints.js', "import './help/help.js';", imports],
+    ['features/lesson/dialog.js', "import('../share/dialog-share.js');", later],
+    ['viewport/viewport.js', "import('../features/split/split.js');", later],
+    ['panels/model/model.js', "import '../../store/state.js'; import './model.js';", []],
+    ['app/main.js', "import('../features/hints.js');", []],
+  ])
+    assert.deepEqual(await rulesBroken(file, code), broken, `${file}: ${code}`);
+});
