@@ -69,34 +69,20 @@ impl Session {
     pub(super) fn go_to(&mut self, state: Snapshot) -> Result<(), Error> {
         let Snapshot { document, handles, positions, iteration, start } = state;
         let moved = self.positions() != positions;
+        let replaced = moved.then_some(&positions[..]);
         if same_problem(&document, &self.document) {
-            let same_holds = handles.len() == self.solver.handles().len()
-                && handles
-                    .iter()
-                    .zip(self.solver.handles())
-                    .all(|(a, b)| a.vertex == b.vertex && a.hold == b.hold);
-            if same_holds {
-                self.solver.move_handles(handles.iter().map(|h| (h.vertex, h.target)));
-            } else {
-                let old = self.solver.handles().to_vec();
-                if let Err(error) = self.solver.hold(handles) {
-                    self.solver.hold(old)?;
-                    return Err(error.into());
-                }
-            }
-            if moved {
-                self.solver.set_positions(&positions);
+            let old = self.solver.handles().to_vec();
+            if let Err(error) = self.solver.hold(handles, replaced) {
+                self.solver.hold(old, None)?;
+                return Err(error.into());
             }
             self.document = document;
         } else if self.differs_in_weights(&document) {
             document.validate(&self.mesh)?;
             let old = self.solver.handles().to_vec();
-            if let Err(error) = self.solver.reweigh(document.weights, handles) {
-                self.solver.reweigh(self.document.weights, old)?;
+            if let Err(error) = self.solver.reweigh(document.weights, handles, replaced) {
+                self.solver.reweigh(self.document.weights, old, None)?;
                 return Err(error.into());
-            }
-            if moved {
-                self.solver.set_positions(&positions);
             }
             self.document = document;
         } else {

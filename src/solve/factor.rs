@@ -68,7 +68,7 @@ impl Factor {
     pub(super) fn factor(
         &mut self,
         normal: &Normal,
-        fixed: &[u32],
+        fixed: &[bool],
         precision: Precision,
     ) -> Result<(), Singular> {
         let Factor { symbolic, single, double, .. } = self;
@@ -94,7 +94,7 @@ impl Factor {
     }
 
     /// The inverse, in double precision, of the matrix that was factored last: `normal`.
-    pub(super) fn double(&mut self, normal: &Normal, fixed: &[u32]) -> &Panels<f64> {
+    pub(super) fn double(&mut self, normal: &Normal, fixed: &[bool]) -> &Panels<f64> {
         let Factor { symbolic, method, pivots, double, .. } = self;
         double.get_or_insert_with(|| {
             let mut made = Panels::new(Rc::clone(symbolic));
@@ -111,7 +111,7 @@ impl Factor {
 
     /// The inverse, in single precision, of the matrix that was factored last: `normal`. Columns
     /// that are `fixed` are no unknowns.
-    pub(super) fn single(&mut self, normal: &Normal, fixed: &[u32]) -> &Metric {
+    pub(super) fn single(&mut self, normal: &Normal, fixed: &[bool]) -> &Metric {
         let Factor { symbolic, method, pivots, single, .. } = self;
         single.get_or_insert_with(|| {
             let mut made = Metric::new(Rc::clone(symbolic));
@@ -124,6 +124,22 @@ impl Factor {
             }
             made
         })
+    }
+
+    /// Whether it can be solved with this precision at once.
+    pub(super) fn has(&self, precision: Precision) -> bool {
+        match precision {
+            Precision::Single => self.single.is_some(),
+            Precision::Double => self.double.is_some(),
+        }
+    }
+
+    /// Gives the memory of the other precision back.
+    pub(super) fn keep_only(&mut self, precision: Precision) {
+        match precision {
+            Precision::Single => self.double = None,
+            Precision::Double => self.single = None,
+        }
     }
 
     /// Whether [`Factor::change`] works.
@@ -161,11 +177,11 @@ impl Precisions<'_> {
         &mut self,
         symbolic: &Symbolic,
         normal: &Normal,
-        fixed: &[u32],
+        fixed: &[bool],
         smallest: f64,
         pivots: &mut [f64],
     ) -> Result<(), Singular> {
-        supernodal::factor(symbolic, normal, smallest, pivots, &mut |s, front| {
+        supernodal::factor(symbolic, normal, fixed, smallest, pivots, &mut |s, front| {
             if let Some(single) = &mut self.single {
                 single.panels().store(s, front);
             }
@@ -178,7 +194,7 @@ impl Precisions<'_> {
     }
 
     /// With the factor of `sprs-ldl`.
-    fn fill(&mut self, numeric: &LdlNumeric<f64, u32>, fixed: &[u32]) {
+    fn fill(&mut self, numeric: &LdlNumeric<f64, u32>, fixed: &[bool]) {
         let l = numeric.l();
         let offsets = l.indptr();
         let l = Columns { offsets: offsets.raw_storage(), rows: l.indices(), values: l.data() };
@@ -191,7 +207,7 @@ impl Precisions<'_> {
         self.set_pivots(numeric.d(), fixed);
     }
 
-    fn set_pivots(&mut self, pivots: &[f64], fixed: &[u32]) {
+    fn set_pivots(&mut self, pivots: &[f64], fixed: &[bool]) {
         if let Some(single) = &mut self.single {
             single.set_pivots(pivots, fixed);
         }

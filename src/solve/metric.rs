@@ -39,7 +39,7 @@ impl Metric {
     }
 
     /// Replaces `D`. Columns that are `fixed` are no unknowns.
-    pub(super) fn set_pivots(&mut self, pivots: &[f64], fixed: &[u32]) {
+    pub(super) fn set_pivots(&mut self, pivots: &[f64], fixed: &[bool]) {
         let (unit, scaled) = scaled(pivots, fixed);
         self.unit = unit;
         self.panels.set_pivots(&scaled);
@@ -84,12 +84,13 @@ impl Metric {
 
 /// A power of two near the largest pivot, and the pivots divided by it. Those of fixed columns have no
 /// unit, and become one.
-fn scaled(pivots: &[f64], fixed: &[u32]) -> (f64, Vec<f64>) {
+fn scaled(pivots: &[f64], fixed: &[bool]) -> (f64, Vec<f64>) {
     let mut scaled = pivots.to_vec();
-    fixed.iter().for_each(|&column| scaled[column as usize] = 0.0);
-    let unit = power_of_two(scaled.iter().copied().fold(0.0, Lane::max));
-    scaled.iter_mut().for_each(|pivot| *pivot /= unit);
-    fixed.iter().for_each(|&column| scaled[column as usize] = 1.0);
+    let largest = pivots.iter().zip(fixed).filter(|(_, fixed)| !**fixed);
+    let unit = power_of_two(largest.map(|(&pivot, _)| pivot).fold(0.0, Lane::max));
+    for (pivot, fixed) in scaled.iter_mut().zip(fixed) {
+        *pivot = if *fixed { 1.0 } else { *pivot / unit };
+    }
     (unit, scaled)
 }
 

@@ -44,6 +44,14 @@ pub(super) struct Panel {
     pub values: u32,
 }
 
+impl Panel {
+    /// How many values it has.
+    fn size(&self) -> usize {
+        let width = self.width as usize;
+        width * (width - 1) / 2 + width * self.height as usize
+    }
+}
+
 /// A factor in panels of single or double precision.
 pub(super) struct Panels<S> {
     pub(super) symbolic: Rc<Symbolic>,
@@ -91,8 +99,15 @@ impl<S: Scalar> Panels<S> {
         }
     }
 
-    /// Stores supernode `s`, whose columns are factored.
-    pub(super) fn store(&mut self, s: usize, front: &Front<'_>) {
+    /// Stores supernode `s`, whose columns are factored; without a front they are those of the identity.
+    pub(super) fn store(&mut self, s: usize, front: Option<&Front<'_>>) {
+        let Some(front) = front else {
+            let panels = &self.panels[self.starts[s] as usize..self.starts[s + 1] as usize];
+            let start = panels[0].values as usize;
+            let size = panels.iter().map(Panel::size).sum::<usize>();
+            self.values[start..start + size].fill(S::ZERO);
+            return;
+        };
         let start = self.symbolic.columns(s).start;
         for panel in &self.panels[self.starts[s] as usize..self.starts[s + 1] as usize] {
             let (first, width) = (panel.first as usize - start, panel.width as usize);

@@ -164,17 +164,23 @@ impl Solver {
             accelerated: false,
             seconds: IterateSeconds::default(),
         };
-        solver.hold(handles)?;
+        solver.hold(handles, None)?;
         Ok(solver)
     }
 
     /// Replaces the positions, `#V by 3`.
     pub fn set_positions(&mut self, positions: &[Point]) {
+        self.place(Some(positions));
+        self.retarget();
+    }
+
+    /// The same, if there are others, without evaluating there.
+    fn place(&mut self, positions: Option<&[Point]>) {
+        let Some(positions) = positions else { return };
         for (&point, &node) in positions.iter().zip(self.system.node_of()) {
             self.x[node as usize] = relative(point, self.centre);
         }
         self.put.copy_from_slice(positions);
-        self.retarget();
     }
 
     /// Forgets the steps so far: the next one starts anew.
@@ -194,6 +200,12 @@ impl Solver {
     /// # Errors
     /// When a position leaves the finite numbers; the positions are then those before the step.
     pub fn step(&mut self) -> Result<(), SolveError> {
+        if self.system.unknowns() == 0 && self.energy.total.is_finite() {
+            self.accelerated = false;
+            self.converged = self.settings.tolerance > 0.0;
+            return Ok(());
+        }
+        self.system.prepare()?;
         let before = self.energy;
         let started = clock::now();
         let now = Iterate { x: &self.x, gradient: &self.gradient };

@@ -29,19 +29,28 @@ impl Front<'_> {
 /// Factors `normal`: fills `pivots` and gives each factored supernode to `store`, in order. A pivot has
 /// to be more than `smallest` times its diagonal entry.
 ///
+/// The rows and columns of `fixed` nodes are those of the identity, and so are their columns of `L`: a
+/// supernode of nothing else, whose descendants are like it, has no front, and `store` is given none.
+///
 /// # Errors
 /// The first column whose pivot is not.
 pub(super) fn factor(
     symbolic: &Symbolic,
     normal: &Normal,
+    fixed: &[bool],
     smallest: f64,
     pivots: &mut [f64],
-    store: &mut dyn FnMut(usize, &Front<'_>),
+    store: &mut dyn FnMut(usize, Option<&Front<'_>>),
 ) -> Result<(), Singular> {
     let mut workspace = Workspace::new(symbolic, pivots.len());
     for s in 0..symbolic.count() {
         let (columns, height) = (symbolic.columns(s), symbolic.rows(s).len());
         let width = columns.len();
+        if !workspace.has_child(symbolic, s) && fixed[columns.clone()].iter().all(|fixed| *fixed) {
+            pivots[columns].fill(1.0);
+            store(s, None);
+            continue;
+        }
         workspace.assemble(symbolic, normal, s);
         workspace.add_children(symbolic, s);
         let first = columns.start;
@@ -56,7 +65,7 @@ pub(super) fn factor(
         if dense::has_below(&workspace.own, width, height) {
             dense::subtract_outer(&mut workspace.rest, &workspace.own, width, height, own);
         }
-        store(s, &Front { panels: &workspace.own, height });
+        store(s, Some(&Front { panels: &workspace.own, height }));
         if height > width {
             workspace.waiting.push((s, workspace.stack.len()));
             workspace.stack.extend_from_slice(&workspace.rest);
@@ -128,6 +137,11 @@ impl Workspace {
                 self.own[first + row][c % 4] = normal.values[from as usize];
             }
         }
+    }
+
+    /// Whether a child of supernode `s` has left something.
+    fn has_child(&self, symbolic: &Symbolic, s: usize) -> bool {
+        self.waiting.last().is_some_and(|&(child, _)| symbolic.parent(child) == s as u32)
     }
 
     /// Adds what the children of supernode `s` left, and takes it from the stack.

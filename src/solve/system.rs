@@ -23,17 +23,64 @@ pub struct SetUpSeconds {
     pub factor: f64,
 }
 
+/// What the normal matrix of a pattern depends on: `sum_k scales[k] * energies[k] + diag(diagonal)`, with
+/// the rows and columns of the `fixed` nodes replaced by those of the identity.
+#[derive(Clone, Debug, Default, PartialEq)]
+struct Matrix {
+    /// One for each energy.
+    scales: Vec<f64>,
+    /// `#nodes`
+    diagonal: Vec<f64>,
+    /// `#nodes`
+    fixed: Vec<bool>,
+}
+
+impl Matrix {
+    /// Whether `other` is this matrix with more on its diagonal and more nodes fixed, or the same. If this
+    /// one is positive definite then so is the other: its pivots are no smaller (Schur complements of
+    /// positive definite matrices grow with the diagonal; those of a submatrix are no smaller).
+    fn is_below(&self, other: &Matrix) -> bool {
+        let own = self.diagonal.iter().zip(&self.fixed);
+        let others = other.diagonal.iter().zip(&other.fixed);
+        self.scales == other.scales
+            && own
+                .zip(others)
+                .all(|((a, fixed), (b, other_fixed))| *other_fixed || (!*fixed && a <= b))
+    }
+}
+
 /// The normal matrix over vertices and extra unknowns, called nodes once they are in the order of
 /// elimination: everything that iterates is numbered by node, so that no step permutes.
 pub struct System {
     ordered: Rc<Ordered>,
     assembler: Assembler,
+    factorization: Factorization,
+    precision: Precision,
+    matrix: Matrix,
+    /// The values of `matrix`; of another one as long as there is no factor.
     normal: Normal,
     factor: Factor,
+    state: State,
+    /// The factor of a matrix that is below the one at hand: whoever releases what was added since comes
+    /// back to it.
+    below: Option<(Matrix, Factor)>,
     /// The nodes that are no unknowns.
     fixed: Vec<u32>,
     /// What setting up took.
     pub seconds: SetUpSeconds,
+}
+
+/// What of the matrix there is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum State {
+    /// Neither values nor factor; it may be singular.
+    Unknown,
+    /// Neither values nor factor, but it is positive definite.
+    Regular,
+    /// The factor, and no values.
+    Factored,
+    /// Values and factor.
+    Whole,
 }
 
 impl System {
@@ -69,7 +116,19 @@ impl System {
             order: arranged - patterned,
             factor: 0.0,
         };
-        System { ordered, assembler, normal, factor, fixed: Vec::new(), seconds }
+        System {
+            ordered,
+            assembler,
+            factorization,
+            precision: Precision::Double,
+            matrix: Matrix::default(),
+            normal,
+            factor,
+            state: State::Unknown,
+            below: None,
+            fixed: Vec::new(),
+            seconds,
+        }
     }
 
     /// The order of elimination, for other systems of the same pattern.
@@ -101,6 +160,7 @@ impl System {
     /// where terms are linear pieces of something that is not. Takes effect with the next factor.
     pub(crate) fn set_coefficients(&mut self, energy: usize, a: &[f64]) {
         self.assembler.set_coefficients(energy, a);
+        (self.below, self.state) = (None, State::Unknown);
     }
 
     /// Assembles `sum_k scales[k] * energies[k] + diag(diagonal)` and factors it. Nodes that are
@@ -114,42 +174,103 @@ impl System {
         diagonal: &[f64],
         fixed: Vec<bool>,
     ) -> Result<(), SolveError> {
-        self.factor_for(Precision::Double, scales, diagonal, fixed)
+        self.set_matrix(Precision::Double, scales, diagonal, fixed)?;
+        self.prepare()
     }
 
-    /// The same, to be solved with this precision. Another one is made when it is asked for.
+    /// The same, to be solved with this precision. A matrix that is certain to be positive definite is
+    /// factored by [`System::prepare`], and not at all where its factor is at hand.
     ///
     /// # Errors
     /// As [`System::factor`].
-    pub(super) fn factor_for(
+    pub(super) fn set_matrix(
         &mut self,
         precision: Precision,
         scales: &[f64],
         diagonal: &[f64],
         fixed: Vec<bool>,
     ) -> Result<(), SolveError> {
+        self.fixed = (0..).zip(&fixed).filter(|(_, fixed)| **fixed).map(|(node, _)| node).collect();
+        let wanted = Matrix { scales: scales.to_vec(), diagonal: diagonal.to_vec(), fixed };
+        let has_factor = matches!(self.state, State::Factored | State::Whole);
+        let matrix = std::mem::replace(&mut self.matrix, wanted);
+        if precision != self.precision {
+            (self.below, self.state) = (None, State::Unknown);
+        }
+        self.precision = precision;
+        self.state = match &self.below {
+            Some((below, _)) if *below == self.matrix => {
+                let (_, factor) = self.below.take().expect("it is there");
+                self.factor = factor;
+                State::Factored
+            }
+            Some((below, _)) if below.is_below(&self.matrix) => State::Regular,
+            _ if has_factor && matrix.is_below(&self.matrix) => {
+                let new = Factor::new(Rc::clone(&self.ordered.symbolic), self.factorization);
+                let mut factor = std::mem::replace(&mut self.factor, new);
+                factor.keep_only(precision);
+                self.below = Some((matrix, factor));
+                State::Regular
+            }
+            _ => {
+                self.below = None;
+                State::Unknown
+            }
+        };
+        if self.state == State::Unknown { self.prepare() } else { Ok(()) }
+    }
+
+    /// Makes the factor, if it is not there.
+    ///
+    /// # Errors
+    /// As [`System::factor`].
+    pub(super) fn prepare(&mut self) -> Result<(), SolveError> {
+        if matches!(self.state, State::Factored | State::Whole) {
+            return Ok(());
+        }
+        self.state = State::Unknown;
+        self.assemble();
         let started = clock::now();
-        self.assembler.assemble(scales, diagonal, &fixed, &mut self.normal);
-        self.fixed = (0..).zip(fixed).filter(|(_, fixed)| *fixed).map(|(node, _)| node).collect();
-        let assembled = clock::now();
-        self.seconds.assemble += assembled - started;
-        self.factor.factor(&self.normal, &self.fixed, precision).map_err(|singular| {
-            SolveError::NotPositiveDefinite { vertex: self.ordered.order[singular.column] }
-        })?;
-        self.seconds.factor = clock::now() - assembled;
+        self.factor.factor(&self.normal, &self.matrix.fixed, self.precision).map_err(
+            |singular| SolveError::NotPositiveDefinite {
+                vertex: self.ordered.order[singular.column],
+            },
+        )?;
+        self.seconds.factor = clock::now() - started;
+        self.state = State::Whole;
         Ok(())
+    }
+
+    /// Computes the values of the matrix.
+    fn assemble(&mut self) {
+        let started = clock::now();
+        let Matrix { scales, diagonal, fixed } = &self.matrix;
+        self.assembler.assemble(scales, diagonal, fixed, &mut self.normal);
+        self.seconds.assemble += clock::now() - started;
+    }
+
+    /// Computes the values of a matrix whose factor is there.
+    fn complete(&mut self) {
+        if self.state == State::Factored {
+            self.assemble();
+            self.state = State::Whole;
+        }
     }
 
     /// Holds some more nodes without factoring anew. False where that cannot be: nothing has
     /// changed then.
     pub(super) fn change(&mut self, changes: &[(u32, Change)]) -> bool {
-        let started = clock::now();
-        if !self.factor.changes() {
+        if !self.factor.changes() || !matches!(self.state, State::Factored | State::Whole) {
             return false;
         }
+        self.complete();
+        let started = clock::now();
         for &(node, change) in changes {
             match change {
-                Change::Weight(weight) => *self.normal.diagonal(node as usize) += weight,
+                Change::Weight(weight) => {
+                    *self.normal.diagonal(node as usize) += weight;
+                    self.matrix.diagonal[node as usize] += weight;
+                }
                 Change::Fix => {
                     let column = self.normal.pattern.column(node as usize);
                     self.normal.values[column].fill(0.0);
@@ -157,6 +278,7 @@ impl System {
                     below.for_each(|(_, place)| self.normal.values[place as usize] = 0.0);
                     *self.normal.diagonal(node as usize) = 1.0;
                     self.fixed.push(node);
+                    self.matrix.fixed[node as usize] = true;
                 }
             }
             self.factor.change(node, change);
@@ -165,9 +287,12 @@ impl System {
         true
     }
 
-    /// The inverse of the normal matrix in single precision.
+    /// The inverse of the normal matrix in single precision, after [`System::prepare`].
     pub(super) fn metric(&mut self) -> &Metric {
-        self.factor.single(&self.normal, &self.fixed)
+        if !self.factor.has(Precision::Single) {
+            self.complete();
+        }
+        self.factor.single(&self.normal, &self.matrix.fixed)
     }
 
     /// Step II: from `now` to the positions `to`, in double precision.
@@ -185,7 +310,10 @@ impl System {
     }
 
     fn double(&mut self) -> &Panels<f64> {
-        self.factor.double(&self.normal, &self.fixed)
+        if !self.factor.has(Precision::Double) {
+            self.complete();
+        }
+        self.factor.double(&self.normal, &self.matrix.fixed)
     }
 
     /// Clears the rows of nodes that are no unknowns.

@@ -41,6 +41,12 @@ enum Task {
         /// Ends after as many iterations in which the energy hardly fell; 0 never does.
         patience: usize,
     },
+    /// Edits of the handles of all vertices.
+    Handles {
+        #[serde(flatten)]
+        problem: Problem,
+        rounds: usize,
+    },
     /// A conformal map.
     Map { mesh: String, weights: String, rounds: usize },
     /// Reading memory.
@@ -146,6 +152,14 @@ struct MapRun {
     iterate: f64,
 }
 
+/// Milliseconds of an edit of all handles, and of the first iteration after it.
+#[derive(Serialize)]
+struct HandleEdit {
+    what: &'static str,
+    edit: f64,
+    iteration: f64,
+}
+
 /// What a call gives, and its milliseconds.
 fn timed<T>(run: impl FnOnce() -> T) -> (T, f64) {
     let started = clock::now();
@@ -232,6 +246,33 @@ fn iterations(
     Iterations { report, openings, steps, fresh, handle, change, drag }
 }
 
+fn handles(problem: &Problem, rounds: usize) -> Vec<HandleEdit> {
+    let mut session = problem.begin();
+    let all: Vec<u32> = (0..session.mesh().positions.len() as u32).collect();
+    let mut edits = Vec::new();
+    let mut measure = |what, session: &mut Session, run: &mut dyn FnMut(&mut Session)| {
+        let edit = timed(|| run(session)).1;
+        edits.push(HandleEdit { what, edit, iteration: step(session).total });
+    };
+    let undo = |session: &mut Session| _ = session.undo().expect("the state was regular");
+    for _ in 0..rounds {
+        let fix = Edit::AddHandles { vertices: all.clone(), fixed: true };
+        let soft = Edit::AddHandles { vertices: all.clone(), fixed: false };
+        let release = Edit::RemoveHandles { vertices: all.clone() };
+        measure("fix all", &mut session, &mut |session| edit(session, fix.clone()));
+        measure("undo of it", &mut session, &mut |session| undo(session));
+        measure("all soft", &mut session, &mut |session| edit(session, soft.clone()));
+        measure("undo of it", &mut session, &mut |session| undo(session));
+        edit(&mut session, fix.clone());
+        measure("fixed to soft", &mut session, &mut |session| edit(session, soft.clone()));
+        measure("undo of it", &mut session, &mut |session| undo(session));
+        measure("release all", &mut session, &mut |session| edit(session, release.clone()));
+        measure("undo of it", &mut session, &mut |session| undo(session));
+        edit(&mut session, release.clone());
+    }
+    edits
+}
+
 fn convergence(problem: &Problem, goal: f64, limit: f64, patience: usize) -> Convergence {
     let mut session = problem.begin();
     let mut energies = vec![session.solver().energy().total];
@@ -283,6 +324,7 @@ fn perform(task: Task) -> serde_json::Value {
         Task::Convergence { problem, goal, limit, patience } => {
             serde_json::to_value(convergence(&problem, goal, limit, patience))
         }
+        Task::Handles { problem, rounds } => serde_json::to_value(handles(&problem, rounds)),
         Task::Map { mesh, weights, rounds } => serde_json::to_value(map(&mesh, &weights, rounds)),
         Task::Stream { bytes } => {
             let reads: Vec<f64> = bytes.into_iter().map(stream::milliseconds).collect();

@@ -15,11 +15,23 @@ use crate::scene::{Hold, Weights};
 const MOST_CHANGES: usize = 16;
 
 impl Solver {
-    /// Replaces the handles, each vertex at most once; numbers and order stay.
+    /// Replaces the handles, each vertex at most once, and the positions (`#V by 3`) if there are others;
+    /// numbers and order stay. What has to be factored anew and is certain to be positive definite is
+    /// factored by the next step.
     ///
     /// # Errors
     /// When the normal matrix is not positive definite.
-    pub fn hold(&mut self, handles: Vec<Handle>) -> Result<(), SolveError> {
+    pub fn hold(
+        &mut self,
+        handles: Vec<Handle>,
+        positions: Option<&[Point]>,
+    ) -> Result<(), SolveError> {
+        if self.factored && self.holds_alike(&handles) {
+            self.handles = handles;
+            self.place(positions);
+            self.retarget();
+            return Ok(());
+        }
         if let Some(changes) = self.changes(&handles)
             && self.system.change(&changes)
         {
@@ -28,7 +40,12 @@ impl Solver {
                 self.handle_places.insert(handle.vertex, place);
             }
             self.handles = handles;
-            self.begin_holding(&added);
+            if positions.is_some() {
+                self.place(positions);
+                self.retarget();
+            } else {
+                self.begin_holding(&added);
+            }
             return Ok(());
         }
         let n = self.x.len();
@@ -59,12 +76,19 @@ impl Solver {
         let weights = self.energies.weights;
         let precision = self.accelerator.precision();
         self.factored = false;
-        self.system.factor_for(precision, &[weights.shape, weights.smooth], &diagonal, fixed)?;
+        self.system.set_matrix(precision, &[weights.shape, weights.smooth], &diagonal, fixed)?;
         self.factored = true;
         self.handle_places = HandlePlaces::new(self.n_vertices, &handles);
         self.handles = handles;
+        self.place(positions);
         self.retarget();
         Ok(())
+    }
+
+    /// Whether `handles` are those at hand but for their targets.
+    fn holds_alike(&self, handles: &[Handle]) -> bool {
+        let alike = |(a, b): (&Handle, &Handle)| a.vertex == b.vertex && a.hold == b.hold;
+        handles.len() == self.handles.len() && handles.iter().zip(&self.handles).all(alike)
     }
 
     /// Whether other weights leave the energies as they are: those that are zero stay zero.
@@ -75,16 +99,21 @@ impl Solver {
         counts(weights) == counts(self.energies.weights)
     }
 
-    /// Replaces the weights of Eq. 13 where [`Solver::can_reweigh`], and the handles: numbers and order
-    /// stay, the factor is made anew.
+    /// Replaces the weights of Eq. 13 where [`Solver::can_reweigh`], and the rest as [`Solver::hold`];
+    /// the factor is made anew.
     ///
     /// # Errors
     /// When the normal matrix is not positive definite.
-    pub fn reweigh(&mut self, weights: Weights, handles: Vec<Handle>) -> Result<(), SolveError> {
+    pub fn reweigh(
+        &mut self,
+        weights: Weights,
+        handles: Vec<Handle>,
+        positions: Option<&[Point]>,
+    ) -> Result<(), SolveError> {
         assert!(self.can_reweigh(weights), "energies come and go with a new solver");
         self.energies.weights = weights;
         self.factored = false;
-        self.hold(handles)
+        self.hold(handles, positions)
     }
 
     /// What the matrix of `handles` has over the one at hand, if these are the handles at hand and a

@@ -135,9 +135,44 @@ proptest! {
         // Both precisions as they were changed, and both as they are made from the matrix that was kept.
         check(&mut system, &matrix, &fixed);
         let mut again = Factor::new(Rc::clone(&system.ordered.symbolic), Factorization::Supernodal);
-        again.factor(&system.normal, &system.fixed, Precision::Double).expect("positive definite");
+        again.factor(&system.normal, &system.matrix.fixed, Precision::Double).expect("positive definite");
         system.factor = again;
         check(&mut system, &matrix, &fixed);
+    }
+
+    #[test]
+    fn a_matrix_that_was_left_upwards_is_come_back_to_without_factoring(
+        (n, terms) in any_terms(),
+        added in proptest::collection::vec((any::<bool>(), 0.0..1e3), 60),
+    ) {
+        let (matrix, sparse) = dense(n, &terms, &vec![1.0; n]);
+        let mut system = System::new(n, vec![sparse]);
+        let free = vec![false; n];
+        system.factor(&[1.0], &vec![1.0; n], free.clone()).expect("positive definite");
+        let solution = |system: &mut System| {
+            let mut rows = right_side(n);
+            system.solve(&mut rows);
+            rows
+        };
+        let before = solution(&mut system);
+        let fixed: Vec<bool> = added[..n].iter().map(|(fixed, _)| *fixed).collect();
+        let more: Vec<f64> = added[..n].iter().map(|(_, weight)| 1.0 + weight).collect();
+        for (diagonal, fixed) in [(&more, &free), (&more, &fixed), (&vec![1.0; n], &vec![true; n])] {
+            system.set_matrix(Precision::Double, &[1.0], diagonal, fixed.clone()).expect("it is above");
+            let is_other = *diagonal != vec![1.0; n] || *fixed != free;
+            assert_eq!(system.state, if is_other { State::Regular } else { State::Factored });
+            system.prepare().expect("positive definite");
+            let mut expected = matrix.clone();
+            let mut by_vertex = free.clone();
+            for (v, &node) in system.node_of().iter().enumerate() {
+                expected[(v, v)] += diagonal[node as usize] - 1.0;
+                by_vertex[v] = fixed[node as usize];
+            }
+            check(&mut system, &expected, &by_vertex);
+        }
+        system.set_matrix(Precision::Double, &[1.0], &vec![1.0; n], free).expect("it was before");
+        assert_eq!(system.state, State::Factored);
+        assert_eq!(solution(&mut system), before, "the same factor, bit by bit");
     }
 
     #[test]
@@ -202,12 +237,20 @@ fn the_factor_of_a_grid_is_that_of_the_reference() {
     let mut found = vec![Vec::new(); n];
     let symbolic = &system.ordered.symbolic;
     let mut own = vec![0.0; n];
-    super::super::supernodal::factor(symbolic, &system.normal, 0.0, &mut own, &mut |s, front| {
-        for (c, column) in symbolic.columns(s).enumerate() {
-            let rows = symbolic.rows(s)[c + 1..].iter().copied();
-            found[column] = rows.zip(front.column(c, c + 1)).collect::<Vec<_>>();
-        }
-    })
+    super::super::supernodal::factor(
+        symbolic,
+        &system.normal,
+        &vec![false; n],
+        0.0,
+        &mut own,
+        &mut |s, front| {
+            let front = front.expect("nothing is fixed");
+            for (c, column) in symbolic.columns(s).enumerate() {
+                let rows = symbolic.rows(s)[c + 1..].iter().copied();
+                found[column] = rows.zip(front.column(c, c + 1)).collect::<Vec<_>>();
+            }
+        },
+    )
     .expect("positive definite");
     for c in 0..n {
         assert!((own[c] - pivots[c]).abs() <= 1e-12 * pivots[c], "pivot {c}");
@@ -219,6 +262,22 @@ fn the_factor_of_a_grid_is_that_of_the_reference() {
         let zeros = stored.keys().filter(|row| columns[c].iter().all(|(other, _)| other != *row));
         zeros.for_each(|row| assert_eq!(stored[row], 0.0, "entry {row}, {c} is stored zero"));
     }
+}
+
+#[test]
+fn a_matrix_that_may_be_singular_is_factored_at_once() {
+    let mut terms = Terms::default();
+    terms.push(&[0, 1, 2, 3], [1.0; 4], 0.3, -0.3 / 4.0);
+    let mut system = System::new(4, vec![terms]);
+    system.set_matrix(Precision::Single, &[1.0], &[1.0; 4], vec![false; 4]).expect("it is regular");
+    assert_eq!(system.state, State::Whole);
+    let less = system.set_matrix(Precision::Single, &[1.0], &[0.0; 4], vec![false; 4]);
+    assert!(matches!(less, Err(SolveError::NotPositiveDefinite { .. })));
+    assert_eq!(system.state, State::Unknown);
+    system.set_matrix(Precision::Single, &[1.0], &[1.0; 4], vec![false; 4]).expect("it is regular");
+    // Other weights are no comparison.
+    system.set_matrix(Precision::Single, &[2.0], &[2.0; 4], vec![false; 4]).expect("it is regular");
+    assert_eq!(system.state, State::Whole);
 }
 
 #[test]
