@@ -4,10 +4,13 @@
 //! `LANES` constraints at a time, centres them (`N_i` of Eq. 5), projects them, and scatters
 //! the gradient `w_i N_i (N_i V_i - P_i)` (Appendix A). The operator sees points and nothing else.
 
-use super::{Arity, Centring, Fitted, Kind, KindVisitor, Projection, project_with};
+use super::declaration::{Arity, Centring};
+use super::fitted::Fitted;
+use super::kinds::{Kind, KindVisitor};
+use super::projection::{Projection, project_with};
+use super::reference::Reference;
 use crate::math::{LANES, Lane, Lanes, Vec3, ascending, centre, key_of_pair};
-use crate::mesh::{Ragged, Surface};
-use std::rc::Rc;
+use crate::mesh::Ragged;
 
 /// A position or a gradient with a pad, so that a row is two 128-bit registers.
 pub type Row = [f64; 4];
@@ -23,13 +26,6 @@ pub struct LocalStep {
 
 /// The points of one constraint: which node, and the way from there to the shape that fits.
 pub type Projected = [(u32, Vec3<f64>)];
-
-/// What an operator may look up besides its own points.
-#[derive(Clone, Copy)]
-pub struct Reference<'a> {
-    /// The rest surface, made when it is asked for; in the same place as points that are not centred.
-    pub surface: &'a dyn Fn() -> Rc<Surface>,
-}
 
 /// Batches the constraints of one kind: one batch for each number of points, fewest first.
 ///

@@ -1,0 +1,89 @@
+//! Line segment (paper section 3.3): the ends of an edge at a given distance, or at a distance
+//! within limits.
+
+use crate::constraint::parameter::{Limits, Target};
+use crate::constraint::{Arity, Centring, Info, PlaceShape, Projection};
+use crate::math::{Lane, Vec3};
+use serde::{Deserialize, Serialize};
+
+/// Two vertices have the distance that they have at rest, or a given one. With limits instead of one
+/// number only what is beyond them is corrected: strain limiting.
+///
+/// The closest segment has the same middle and direction. Ends that coincide are parted along their
+/// rest direction, and along the first axis where they coincide at rest too.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct LineSegment {
+    /// The length.
+    length: Target,
+    /// Where the length is that at rest: times this.
+    strain: Limits,
+}
+
+impl Default for LineSegment {
+    fn default() -> Self {
+        LineSegment { length: Target::Rest, strain: Limits::exactly(1.0) }
+    }
+}
+
+impl Projection for LineSegment {
+    const INFO: Info = Info {
+        id: "line-segment",
+        label: "Line segment",
+        summary: "The two vertices keep their distance, or have a given one.",
+        paper: "3.3",
+        arity: Arity::Exactly(2),
+        centring: Centring::Together,
+        elements: &[],
+        exact: true,
+        measure: None,
+        panels: None,
+        colour: [150, 105, 20],
+        params: &Target::params("length", "Length", "Times the rest length"),
+    };
+
+    const USUAL_FOR: &'static [PlaceShape] = &[PlaceShape::Edges];
+
+    const READS_REST: bool = true;
+
+    /// The length at rest, then the direction.
+    fn prepare(&self, rest: &mut [Vec3<f64>]) {
+        let (length, direction) = (rest[1] - rest[0]).length_and_direction();
+        rest[0] = Vec3::new(length, 0.0, 0.0);
+        rest[1] = direction.unwrap_or(Vec3::new(1.0, 0.0, 0.0));
+    }
+
+    fn closed_form<S: Lane>(
+        &self,
+        rest: &[Vec3<S>],
+        v: &[Vec3<S>],
+        projected: &mut [Vec3<S>],
+    ) -> bool {
+        let half = (v[1] - v[0]) * S::splat(0.5);
+        let squared = half.length_squared();
+        let length = squared.sqrt();
+        let half = half * (self.clamped(length, rest[0].x) / length);
+        projected.copy_from_slice(&[-half, half]);
+        // Squares of lengths keep all digits in this range.
+        let accurate = squared.if_greater(S::splat(1e-60), S::one(), S::zero());
+        S::splat(1e60).if_greater(squared, accurate, S::zero()).all_greater(S::zero())
+    }
+
+    fn careful(&self, rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
+        // Halved first: the difference of two finite numbers need not be finite.
+        let (length, direction) = (v[1] * 0.5 - v[0] * 0.5).length_and_direction();
+        let half = direction.unwrap_or(rest[1]) * self.clamped(length, rest[0].x);
+        v.copy_from_slice(&[-half, half]);
+    }
+}
+
+impl LineSegment {
+    /// Half the length that is nearest to twice `half`, where the length at rest is `rest`.
+    #[inline(always)]
+    fn clamped<S: Lane>(&self, half: S, rest: S) -> S {
+        match self.length {
+            Target::Rest => self.strain.clamp_times(half, rest * S::splat(0.5)),
+            Target::Within(limits) => limits.clamp_times(half, S::splat(0.5)),
+        }
+    }
+}

@@ -1,0 +1,219 @@
+//! On curve (an application of paper section 4.2, where vertices slide along feature curves): the
+//! closest point of a polyline that stays in its place.
+
+use crate::constraint::kinds::shared::separate_lanes;
+use crate::constraint::{Arity, Centring, Element, Form, Info, Param, ParamValue, Projection};
+use crate::math::{Lane, Vec3, cosine};
+use serde::{Deserialize, Serialize};
+
+/// The vertices glide along the polyline that they make at rest, in the order in which they are
+/// given, each on its own piece of it: from one corner to the next. The corners themselves stay at
+/// their rest places, and so do the ends of an open curve.
+///
+/// A corner is where the curve turns by more than `corners`. A curve of three or more vertices is
+/// closed when the gap from its last vertex to its first is no longer than 1.5 times the longest of
+/// its other segments, unless `closed` says yes or no. A segment without length turns nowhere.
+///
+/// Each vertex goes to the closest point of its piece, and to one of them where several are equally
+/// close.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct OnCurve {
+    /// The least turn of a corner, in degrees.
+    corners: f64,
+    /// Whether the last vertex is followed by the first.
+    closed: Closed,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+enum Closed {
+    Auto,
+    Yes,
+    No,
+}
+
+impl Default for OnCurve {
+    fn default() -> Self {
+        OnCurve { corners: 45.0, closed: Closed::Auto }
+    }
+}
+
+/// How much longer than all other segments the gap of a closed curve may be.
+const GAP: f64 = 1.5;
+
+impl Projection for OnCurve {
+    const INFO: Info = Info {
+        id: "on-curve",
+        label: "On curve",
+        summary: "The vertices glide along the curve that they make at rest; its corners stay.",
+        paper: "",
+        arity: Arity::AtLeast(2),
+        centring: Centring::Placed,
+        elements: &[Element::Curve, Element::Polyline, Element::EdgeLine, Element::Boundary],
+        exact: true,
+        measure: None,
+        panels: None,
+        colour: [0, 130, 120],
+        params: &[
+            Param {
+                id: "corners",
+                label: "Corners turn by more than",
+                unit: "degrees",
+                default: ParamValue::Number(45.0),
+                forms: &[Form::Number],
+                range: [0.0, 180.0],
+            },
+            Param {
+                id: "closed",
+                label: "Closed",
+                unit: "",
+                default: ParamValue::Word("auto"),
+                forms: &[Form::Word("auto"), Form::Word("yes"), Form::Word("no")],
+                range: [f64::NEG_INFINITY, f64::INFINITY],
+            },
+        ],
+    };
+
+    const READS_REST: bool = true;
+
+    fn closed_form<S: Lane>(
+        &self,
+        rest: &[Vec3<S>],
+        v: &[Vec3<S>],
+        projected: &mut [Vec3<S>],
+    ) -> bool {
+        // How far a search goes depends on where the points are, so the lanes go separate ways.
+        separate_lanes(rest, v, projected, |lane, projected| {
+            let curve = Curve::new(self, rest.len(), |i| rest[i].lane(lane));
+            let largest = v.iter().map(|v| largest_coordinate(v.lane(lane)));
+            let largest = largest.fold(curve.size(), f64::max);
+            if !(1e-60..=1e60).contains(&largest) {
+                return false;
+            }
+            curve.glide(|i, closest| {
+                let p = closest(v[i].lane(lane));
+                projected[i].set_lane(lane, p);
+            });
+            true
+        })
+    }
+
+    /// The same in units of the largest coordinate, so that squares of lengths keep their digits.
+    fn careful(&self, rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
+        let largest = |points: &[Vec3<f64>]| {
+            points.iter().fold(0.0f64, |largest, p| largest.max(largest_coordinate(*p)))
+        };
+        let unit = largest(rest).max(largest(v));
+        if unit == 0.0 {
+            return;
+        }
+        let scaled = |p: Vec3<f64>| Vec3::new(p.x / unit, p.y / unit, p.z / unit);
+        let curve = Curve::new(self, rest.len(), |i| scaled(rest[i]));
+        curve.glide(|i, closest| v[i] = closest(scaled(v[i])) * unit);
+    }
+}
+
+fn largest_coordinate(p: Vec3<f64>) -> f64 {
+    p.x.abs().max(p.y.abs()).max(p.z.abs())
+}
+
+/// The polyline of one constraint.
+struct Curve<P> {
+    /// Its vertices, `n` of them.
+    at: P,
+    n: usize,
+    closed: bool,
+    /// The length of its longest segment.
+    longest: f64,
+    /// The cosine of the least turn of a corner.
+    cosine: f64,
+}
+
+impl<P: Fn(usize) -> Vec3<f64>> Curve<P> {
+    fn new(operator: &OnCurve, n: usize, at: P) -> Self {
+        let lengths = (0..n - 1).map(|i| (at(i + 1) - at(i)).length());
+        let longest = lengths.fold(0.0, f64::max);
+        let gap = (at(0) - at(n - 1)).length();
+        let closed = match operator.closed {
+            Closed::Auto => n >= 3 && gap <= GAP * longest,
+            Closed::Yes => true,
+            Closed::No => false,
+        };
+        let longest = if closed { longest.max(gap) } else { longest };
+        let cosine = cosine(operator.corners / 360.0);
+        Curve { at, n, closed, longest, cosine }
+    }
+
+    fn size(&self) -> f64 {
+        (0..self.n).fold(0.0, |size, i| largest_coordinate((self.at)(i)).max(size))
+    }
+
+    fn is_kept(&self, i: usize) -> bool {
+        let n = self.n;
+        if !self.closed && (i == 0 || i == n - 1) {
+            return true;
+        }
+        let here = (self.at)(i);
+        let (before, after) = (here - (self.at)((i + n - 1) % n), (self.at)((i + 1) % n) - here);
+        let lengths = before.length() * after.length();
+        // Rounding makes no corner of a straight line.
+        lengths > 0.0 && before.dot(after) < (self.cosine - 1e-12) * lengths
+    }
+
+    /// Calls `place` for each vertex, with what gives the closest point of its piece.
+    fn glide(&self, mut place: impl FnMut(usize, &dyn Fn(Vec3<f64>) -> Vec3<f64>)) {
+        let n = self.n;
+        let segments = if self.closed { n } else { n - 1 };
+        let Some(first) = (0..n).find(|&i| self.is_kept(i)) else {
+            (0..n).for_each(|i| place(i, &|v| self.closest(0, segments, i, v)));
+            return;
+        };
+        // The pieces go from kept vertex to kept vertex, all around where the curve is closed.
+        let mut start = first;
+        while start < first + segments {
+            let after = (start + 1..first + segments).find(|&i| self.is_kept(i % n));
+            let end = after.unwrap_or(first + segments);
+            for i in start + 1..end {
+                place(i % n, &|v| self.closest(start, end, i, v));
+            }
+            start = end;
+        }
+        (0..n).filter(|&i| self.is_kept(i)).for_each(|i| place(i, &|_| (self.at)(i)));
+    }
+
+    /// The point closest to `v` on the segments from `start` to before `end`, where the number of a
+    /// segment is that of its first vertex. The search begins at vertex `near`, and leaves out
+    /// segments that are too far along the curve to be nearer than what it has.
+    fn closest(&self, start: usize, end: usize, near: usize, v: Vec3<f64>) -> Vec3<f64> {
+        let mut best = ((self.at)(near % self.n), f64::INFINITY);
+        let mut consider = |segment: usize| {
+            let (a, b) = ((self.at)(segment % self.n), (self.at)((segment + 1) % self.n));
+            let side = b - a;
+            let squared = side.length_squared();
+            let along = if squared > 0.0 { (v - a).dot(side) / squared } else { 0.0 };
+            let point = match along {
+                along if along <= 0.0 => a,
+                along if along >= 1.0 => b,
+                along => a + side * along,
+            };
+            let distance = (v - point).length();
+            if distance < best.1 {
+                best = (point, distance);
+            }
+            // All of the segment's neighbours begin at least this much farther away than the best.
+            let spare = distance - best.1;
+            if spare > 0.0 { (spare / self.longest) as usize } else { 0 }
+        };
+        let mut segment = near;
+        while segment < end {
+            segment = consider(segment).saturating_add(segment + 1);
+        }
+        let mut segment = near;
+        while segment > start {
+            let skipped = consider(segment - 1);
+            segment = (segment - 1).saturating_sub(skipped).max(start);
+        }
+        best.0
+    }
+}

@@ -1,0 +1,97 @@
+//! On surface (the closest point `c(v)` of paper Eq. 11, for some of the vertices, as a shape
+//! constraint): the closest point of the rest surface.
+
+use crate::constraint::kinds::shared::separate_lanes;
+use crate::constraint::{Arity, Centring, Info, Projection, Reference};
+use crate::math::{Lane, Vec3};
+use crate::mesh::{Point, Surface};
+use serde::{Deserialize, Serialize};
+use std::fmt;
+use std::rc::Rc;
+
+/// The vertices glide on the rest surface of the whole mesh: its faces, triangulated as fans;
+/// without faces its curves.
+///
+/// Each vertex goes to the closest point, and to one of them where several are equally close. A
+/// coordinate beyond 1e100 counts as much nearer in the same direction.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct OnSurface {
+    #[serde(skip)]
+    surface: RestSurface,
+}
+
+/// The rest surface, once it is known. No parameter: two operators with the same ones are equal.
+#[derive(Clone, Default)]
+struct RestSurface(Option<Rc<Surface>>);
+
+impl PartialEq for RestSurface {
+    fn eq(&self, _: &RestSurface) -> bool {
+        true
+    }
+}
+
+impl fmt::Debug for RestSurface {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(if self.0.is_some() { "known" } else { "unknown" })
+    }
+}
+
+impl Projection for OnSurface {
+    const INFO: Info = Info {
+        id: "on-surface",
+        label: "On surface",
+        summary: "The vertices glide on the surface that the mesh has at rest.",
+        paper: "",
+        arity: Arity::AtLeast(1),
+        centring: Centring::Placed,
+        elements: &[],
+        exact: true,
+        measure: None,
+        panels: None,
+        colour: [70, 130, 70],
+        params: &[],
+    };
+
+    const READS_REST: bool = true;
+
+    fn refer(&mut self, reference: &Reference<'_>) {
+        self.surface = RestSurface(Some((reference.surface)()));
+    }
+
+    /// Where on the surface the vertex is at rest: later searches start there.
+    fn prepare(&self, rest: &mut [Vec3<f64>]) {
+        for r in rest {
+            let mut triangle = Surface::COLD;
+            self.closest(*r, &mut triangle);
+            *r = Vec3::new(f64::from(triangle), 0.0, 0.0);
+        }
+    }
+
+    fn closed_form<S: Lane>(
+        &self,
+        rest: &[Vec3<S>],
+        v: &[Vec3<S>],
+        projected: &mut [Vec3<S>],
+    ) -> bool {
+        separate_lanes(rest, v, projected, |lane, projected| {
+            for ((r, v), p) in rest.iter().zip(v).zip(projected) {
+                let mut triangle = r.x.lane(lane) as u32;
+                p.set_lane(lane, self.closest(v.lane(lane), &mut triangle));
+            }
+            true
+        })
+    }
+}
+
+/// The square of a coordinate is finite up to here.
+const FARTHEST: f64 = 1e100;
+
+impl OnSurface {
+    fn closest(&self, v: Vec3<f64>, triangle: &mut u32) -> Vec3<f64> {
+        let surface = self.surface.0.as_ref().expect("operators get their reference first");
+        let largest = v.x.abs().max(v.y.abs()).max(v.z.abs());
+        let v = if largest > FARTHEST { v * (FARTHEST / largest) } else { v };
+        surface.closest(Point::from(v), triangle).into()
+    }
+}

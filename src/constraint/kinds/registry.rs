@@ -1,0 +1,75 @@
+//! The enum of kinds and what is the same for each of them, made from the list.
+
+use crate::constraint::Projection;
+
+/// A computation that needs the operator's type, such as making a batch of it.
+pub trait KindVisitor {
+    /// What it gives.
+    type Output;
+    /// The computation for one operator.
+    fn visit<P: Projection>(self, operator: &P) -> Self::Output;
+}
+
+/// Makes the enum of kinds and everything that is the same for each of them. The only list of
+/// kinds in the project.
+macro_rules! kinds {
+    ($($module:ident :: $Kind:ident),* $(,)?) => {
+        $(mod $module;)*
+
+        /// A kind of constraint with its parameters.
+        #[derive(Clone, Debug, PartialEq)]
+        pub enum Kind {
+            $(#[doc = concat!("See `kinds/", stringify!($module), ".rs`.")]
+            $Kind($module::$Kind),)*
+        }
+
+        /// Every kind, in the order in which hosts list them.
+        pub const KINDS: &[Info] = &[$($module::$Kind::INFO),*];
+
+        /// `#KINDS` rows: see [`Projection::USUAL_FOR`].
+        pub const USUAL_FOR: &[&[PlaceShape]] = &[$($module::$Kind::USUAL_FOR),*];
+
+        impl Kind {
+            /// The kind named `id` with the parameters `params`.
+            ///
+            /// # Errors
+            /// When no kind has that id, or a parameter is unknown or out of type.
+            pub fn new(id: &str, params: serde_json::Value) -> Result<Kind, KindError> {
+                $(if id == $module::$Kind::INFO.id {
+                    let kind = Kind::$Kind(parameter::read(&params)?);
+                    parameter::check_ranges($module::$Kind::INFO.params, &kind.params())?;
+                    return Ok(kind);
+                })*
+                Err(KindError::Unknown)
+            }
+
+            /// The declaration.
+            pub fn info(&self) -> &'static Info {
+                const ALL: &[Info] = KINDS;
+                let id = match self { $(Kind::$Kind(_) => $module::$Kind::INFO.id),* };
+                ALL.iter().find(|info| info.id == id).expect("every kind is in the list of kinds")
+            }
+
+            /// Whether its projection is the closest point of the set, with these parameters.
+            pub fn is_exact(&self) -> bool {
+                match self { $(Kind::$Kind(p) => p.is_exact()),* }
+            }
+
+            /// Whether the total energy can rise with it where the scene has no `monotone` guard.
+            pub fn can_rise(&self) -> bool {
+                match self { $(Kind::$Kind(p) => !(p.is_exact() || $module::$Kind::GUARDED)),* }
+            }
+
+            /// The parameters as the object of a scene file.
+            pub fn params(&self) -> serde_json::Value {
+                match self { $(Kind::$Kind(p) => serde_json::to_value(p)),* }
+                    .expect("parameters are plain numbers, strings and arrays")
+            }
+
+            /// Calls `visitor` with the operator itself.
+            pub fn visit<V: KindVisitor>(&self, visitor: V) -> V::Output {
+                match self { $(Kind::$Kind(p) => visitor.visit(p)),* }
+            }
+        }
+    };
+}

@@ -1,0 +1,56 @@
+//! Rigid (paper section 3.2): the rest points, moved by the closest rotation and translation
+//! (Umeyama 1991, without the scale).
+
+use crate::constraint::{Arity, Centring, Info, Projection};
+use crate::math::{Alignment, Lane, Vec3};
+use serde::{Deserialize, Serialize};
+
+/// The vertices keep their rest shape: it may move and turn, not bend, grow or flip over. Two
+/// vertices keep their distance.
+///
+/// Where several rotations are equally close, one of them is taken; all are closest. That is so when
+/// the vertices are collinear and the rest shape is not (any turn about the line), when they all
+/// coincide (the rest shape is then not turned), and when they are a mirror image of a shape that has
+/// two equal singular values (several planes to flip it over).
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Rigid {}
+
+impl Projection for Rigid {
+    const INFO: Info = Info {
+        id: "rigid",
+        label: "Rigid",
+        summary: "The vertices keep their rest shape and size, and may move and turn as one.",
+        paper: "3.2",
+        arity: Arity::AtLeast(2),
+        centring: Centring::Together,
+        elements: &[],
+        exact: true,
+        measure: None,
+        panels: None,
+        colour: [44, 160, 80],
+        params: &[],
+    };
+
+    const READS_REST: bool = true;
+
+    fn closed_form<S: Lane>(
+        &self,
+        rest: &[Vec3<S>],
+        v: &[Vec3<S>],
+        projected: &mut [Vec3<S>],
+    ) -> bool {
+        let alignment = Alignment::of(rest, v);
+        for (r, p) in rest.iter().zip(projected) {
+            *p = alignment.turn(*r);
+        }
+        alignment.accurate.all_greater(S::zero())
+    }
+
+    fn careful(&self, rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
+        let alignment = Alignment::careful(rest, v);
+        for (r, p) in rest.iter().zip(v) {
+            *p = alignment.turn(*r);
+        }
+    }
+}

@@ -1,0 +1,182 @@
+//! A mirror plane or a rotation axis, and which of given points are images of each other in it.
+
+use crate::math::{UnitPolygon, Vec3, ascending, key_of_number};
+
+/// The symmetries of a mirror plane, or those of an n-fold axis, through the origin.
+#[derive(Clone, Debug)]
+pub(crate) enum SymmetryGroup {
+    /// The plane with this unit normal.
+    Mirror(Vec3<f64>),
+    /// The axis along this unit vector, and how far each rotation turns.
+    Axis(Vec3<f64>, UnitPolygon),
+}
+
+impl SymmetryGroup {
+    /// How many symmetries there are, the one that leaves everything in place included.
+    pub(crate) fn order(&self) -> usize {
+        match self {
+            SymmetryGroup::Mirror(_) => 2,
+            SymmetryGroup::Axis(_, turns) => turns.len(),
+        }
+    }
+
+    /// The image of `v` in the symmetry number `k`: the first one, `k` times over.
+    pub(crate) fn image(&self, k: usize, v: Vec3<f64>) -> Vec3<f64> {
+        match self {
+            SymmetryGroup::Mirror(_) if k == 0 => v,
+            SymmetryGroup::Mirror(normal) => v - *normal * (2.0 * normal.dot(v)),
+            SymmetryGroup::Axis(axis, turns) => {
+                let [cosine, sine] = turns[k];
+                let along = *axis * axis.dot(v);
+                along + (v - along) * cosine + axis.cross(v) * sine
+            }
+        }
+    }
+
+    /// The part of a translation that moves the plane or the axis.
+    fn across(&self, v: Vec3<f64>) -> Vec3<f64> {
+        match self {
+            SymmetryGroup::Mirror(normal) => *normal * normal.dot(v),
+            SymmetryGroup::Axis(axis, _) => v - *axis * axis.dot(v),
+        }
+    }
+
+    /// Which of the points is the first image of each: the nearest one to it. None where that is
+    /// farther away than `tolerance` times the greatest distance of a point from the origin, or
+    /// where the images of the images do not come back to the point itself.
+    ///
+    /// The plane or axis goes through the origin first. It then follows the nearest points, as they
+    /// lie from the images in the middle (the median), so that some points without a partner do not
+    /// carry it off.
+    pub(crate) fn pairs(&self, points: &[Vec3<f64>], tolerance: f64) -> Vec<Option<usize>> {
+        let extent = points.iter().fold(0.0f64, |m, p| m.max(p.length_and_direction().0));
+        if extent == 0.0 {
+            return vec![None; points.len()];
+        }
+        let points: Vec<_> =
+            points.iter().map(|p| Vec3::new(p.x / extent, p.y / extent, p.z / extent)).collect();
+        let sorted = Sorted::new(&points);
+        let mut shift = Vec3::zero();
+        let mut nearest = Vec::new();
+        for _ in 0..ROUNDS {
+            nearest.clear();
+            for (i, p) in points.iter().enumerate() {
+                let image = self.image(1, *p) + shift;
+                let j = sorted.nearest(image, i);
+                nearest.push((j, points[j] - image));
+            }
+            let off = self.across(median(nearest.iter().map(|(_, off)| *off)));
+            if off.length() <= 0.01 * tolerance {
+                break;
+            }
+            shift += off;
+        }
+        let next: Vec<_> =
+            nearest.into_iter().map(|(j, off)| (off.length() <= tolerance).then_some(j)).collect();
+        let comes_back = |i: usize| {
+            let end = (0..self.order()).try_fold(i, |at, _| next[at]);
+            next[i].filter(|_| end == Some(i))
+        };
+        (0..points.len()).map(comes_back).collect()
+    }
+}
+
+/// How often the plane or axis is put in a new place, at most.
+const ROUNDS: usize = 10;
+
+/// Of each coordinate the one in the middle.
+fn median(vectors: impl Iterator<Item = Vec3<f64>> + Clone) -> Vec3<f64> {
+    let middle = |coordinate: fn(Vec3<f64>) -> f64| {
+        let all: Vec<f64> = vectors.clone().map(coordinate).collect();
+        all[ascending(all.iter().map(|&x| key_of_number(x)))[all.len() / 2] as usize]
+    };
+    Vec3::new(middle(|v| v.x), middle(|v| v.y), middle(|v| v.z))
+}
+
+/// Points in the order of the coordinate in which they spread most.
+struct Sorted<'a> {
+    points: &'a [Vec3<f64>],
+    coordinate: fn(Vec3<f64>) -> f64,
+    order: Vec<usize>,
+}
+
+impl<'a> Sorted<'a> {
+    fn new(points: &'a [Vec3<f64>]) -> Self {
+        let coordinates: [fn(Vec3<f64>) -> f64; 3] = [|v| v.x, |v| v.y, |v| v.z];
+        let spread = |coordinate: fn(Vec3<f64>) -> f64| {
+            let all = points.iter().map(|p| coordinate(*p));
+            let (low, high) = all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
+                (low.min(x), high.max(x))
+            });
+            high - low
+        };
+        let coordinate =
+            coordinates.into_iter().reduce(|a, b| if spread(b) > spread(a) { b } else { a });
+        let coordinate = coordinate.expect("space has three coordinates");
+        let order = ascending(points.iter().map(|p| key_of_number(coordinate(*p))));
+        let order = order.into_iter().map(|i| i as usize).collect();
+        Sorted { points, coordinate, order }
+    }
+
+    /// The point nearest to `place`, and `own` where no other is nearer.
+    fn nearest(&self, place: Vec3<f64>, own: usize) -> usize {
+        let at = (self.coordinate)(place);
+        let middle = self.order.partition_point(|&i| (self.coordinate)(self.points[i]) < at);
+        let mut best = ((self.points[own] - place).length_squared(), own);
+        let (below, above) = self.order.split_at(middle);
+        // Away from the place on both sides, as long as the coordinate alone leaves a chance.
+        let mut consider = |&i: &usize| {
+            let away = (self.coordinate)(self.points[i]) - at;
+            let distance = (self.points[i] - place).length_squared();
+            if distance < best.0 {
+                best = (distance, i);
+            }
+            away * away <= best.0
+        };
+        let _ = above.iter().all(&mut consider);
+        let _ = below.iter().rev().all(&mut consider);
+        best.1
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::SymmetryGroup;
+    use crate::math::{UnitPolygon, Vec3};
+
+    #[test]
+    fn images_are_found_next_to_points_without_a_partner() {
+        let mirror = SymmetryGroup::Mirror(Vec3::new(1.0, 0.0, 0.0));
+        let right = (0..40).map(|i| {
+            let i = f64::from(i);
+            Vec3::new(0.1 + 0.02 * i, (i * i) % 7.0 / 7.0, (i * 3.0) % 11.0 / 11.0)
+        });
+        let mut points: Vec<_> = right.flat_map(|p| [p, mirror.image(1, p)]).collect();
+        // On the plane, and two points of nothing.
+        points.extend([
+            Vec3::new(0.0, 0.5, 0.5),
+            Vec3::new(0.7, 2.0, 0.0),
+            Vec3::new(0.9, 2.0, 0.3),
+        ]);
+        for offset in [0.0, 0.02] {
+            let moved: Vec<_> =
+                points.iter().map(|p| (*p + Vec3::new(offset, 0.0, 0.0)) * 1e200).collect();
+            let found = mirror.pairs(&moved, 1e-3);
+            for (i, found) in found[..80].iter().enumerate() {
+                assert_eq!(*found, Some(i ^ 1));
+            }
+            assert_eq!(found[80..], [Some(80), None, None]);
+        }
+    }
+
+    #[test]
+    fn a_ring_goes_round_and_its_middle_stays() {
+        let axis = SymmetryGroup::Axis(Vec3::new(0.0, 0.0, 1.0), UnitPolygon::new(6));
+        let mut points: Vec<_> = (0..6).map(|k| axis.image(k, Vec3::new(1.0, 0.2, 0.0))).collect();
+        points.push(Vec3::new(0.0, 0.0, 1.0));
+        let found: Vec<_> = axis.pairs(&points, 1e-3).into_iter().flatten().collect();
+        assert_eq!(found, [1, 2, 3, 4, 5, 0, 6]);
+        // Five of six come round to nothing.
+        assert_eq!(axis.pairs(&points[1..6], 1e-3), [None; 5]);
+    }
+}

@@ -1,0 +1,70 @@
+//! Similar (paper section 3.2): the rest points, moved by the closest rotation, uniform scale and
+//! translation (Umeyama 1991), with the scale between two limits.
+
+use crate::constraint::parameter::Limits;
+use crate::constraint::{Arity, Centring, Form, Info, Param, ParamValue, Projection};
+use crate::math::{Alignment, Lane, Vec3};
+use serde::{Deserialize, Serialize};
+
+/// The vertices keep their rest shape up to its size: it may move, turn and grow, not bend or flip
+/// over.
+///
+/// The rotation does not depend on the scale, and the distance is a parabola in the scale, so that
+/// clamping the best scale is exact.
+///
+/// Degenerate shapes are treated as by `rigid`. Vertices that all coincide, and a rest shape that has
+/// no size, give one point, unless the least scale asks for more.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Similar {
+    /// Least and greatest scale.
+    scale: Limits,
+}
+
+impl Projection for Similar {
+    const INFO: Info = Info {
+        id: "similar",
+        label: "Similar",
+        summary: "The vertices keep their rest shape up to its size, and so all its angles.",
+        paper: "3.2",
+        arity: Arity::AtLeast(2),
+        centring: Centring::Together,
+        elements: &[],
+        exact: true,
+        measure: None,
+        panels: None,
+        colour: [0, 145, 160],
+        params: &[Param {
+            id: "scale",
+            label: "Scale",
+            unit: "",
+            default: ParamValue::Range([None, None]),
+            forms: &[Form::Range, Form::Number],
+            range: [0.0, f64::INFINITY],
+        }],
+    };
+
+    const READS_REST: bool = true;
+
+    fn closed_form<S: Lane>(
+        &self,
+        rest: &[Vec3<S>],
+        v: &[Vec3<S>],
+        projected: &mut [Vec3<S>],
+    ) -> bool {
+        let alignment = Alignment::of(rest, v);
+        let scale = self.scale.clamp(alignment.scale);
+        for (r, p) in rest.iter().zip(projected) {
+            *p = alignment.turn(*r) * scale;
+        }
+        alignment.accurate.all_greater(S::zero())
+    }
+
+    fn careful(&self, rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
+        let alignment = Alignment::careful(rest, v);
+        let scale = self.scale.clamp(alignment.scale);
+        for (r, p) in rest.iter().zip(v) {
+            *p = alignment.turn(*r) * scale;
+        }
+    }
+}

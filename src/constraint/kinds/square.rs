@@ -1,0 +1,51 @@
+//! Square (paper section 3.3): the regular polygon with four corners. Their cosines and sines are 0,
+//! 1 and -1, so that the two sums of the regular polygon are its diagonals.
+
+use crate::constraint::{Arity, Centring, Info, Projection};
+use crate::math::{Lane, OrthogonalPair, Vec3};
+use serde::{Deserialize, Serialize};
+
+/// Four vertices, in turn, are the corners of a square: its diagonals halve each other, are equally
+/// long and at right angles.
+///
+/// Where the diagonals are parallel or one of them is zero, as for collinear vertices, every plane
+/// through their line is equally close, and one of them is taken. Where both are zero, all vertices
+/// meet.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Square {}
+
+impl Projection for Square {
+    const INFO: Info = Info {
+        id: "square",
+        label: "Square",
+        summary: "The four vertices are the corners of a flat panel with four equal sides and \
+                  four right angles.",
+        paper: "3.3",
+        arity: Arity::Exactly(4),
+        centring: Centring::Together,
+        elements: &[],
+        exact: true,
+        measure: None,
+        panels: None,
+        colour: [140, 100, 70],
+        params: &[],
+    };
+
+    fn closed_form<S: Lane>(
+        &self,
+        _rest: &[Vec3<S>],
+        v: &[Vec3<S>],
+        projected: &mut [Vec3<S>],
+    ) -> bool {
+        let half = S::splat(0.5);
+        let (pair, accurate) = OrthogonalPair::closest((v[0] - v[2]) * half, (v[1] - v[3]) * half);
+        projected.copy_from_slice(&[pair.u, pair.w, -pair.u, -pair.w]);
+        accurate.all_greater(S::zero())
+    }
+
+    fn careful(&self, _rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
+        let pair = OrthogonalPair::closest_carefully((v[0] - v[2]) * 0.5, (v[1] - v[3]) * 0.5);
+        v.copy_from_slice(&[pair.u, pair.w, -pair.u, -pair.w]);
+    }
+}

@@ -1,0 +1,182 @@
+//! Symmetry (an application named in paper section 6): vertices as they would be after the mean over
+//! a symmetry group, here of a mirror plane or an n-fold axis.
+
+use crate::constraint::kinds::shared::{SymmetryGroup, separate_lanes};
+use crate::constraint::parameter::Direction;
+use crate::constraint::{Arity, Centring, Form, Info, Param, ParamValue, Projection};
+use crate::math::{Lane, UnitPolygon, Vec3};
+use serde::{Deserialize, Deserializer, Serialize};
+
+/// The vertices as a set are their own mirror image, or their own image when they are turned by a
+/// full turn over `fold`. Only the direction of the plane or axis is given: it lies where it fits.
+///
+/// Which vertex is the image of which is told by the rest shape: the one whose rest place is
+/// nearest to the image, and no farther from it than 1e-3 of the size of the rest shape. Vertices
+/// without a partner are free, and of several at one rest place all but one may be. A vertex that
+/// is its own image stays on the plane or axis.
+///
+/// The projection is linear: the mean over the symmetries of what they make of the points, around
+/// the mean of all that have a partner.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Symmetry {
+    /// The normal of the mirror plane.
+    mirror: Direction,
+    /// The axis of the rotation, in place of the mirror plane.
+    axis: Option<Direction>,
+    /// How many times the shape meets itself in a full turn.
+    #[serde(deserialize_with = "whole")]
+    fold: u32,
+}
+
+impl Default for Symmetry {
+    fn default() -> Self {
+        let mirror = Direction::new(MIRROR).expect("it is not zero");
+        Symmetry { mirror, axis: None, fold: 2 }
+    }
+}
+
+/// The normal of the mirror plane where none is given.
+const MIRROR: [f64; 3] = [1.0, 0.0, 0.0];
+
+/// The least and the greatest fold.
+const FOLDS: [f64; 2] = [2.0, 360.0];
+
+/// How far from its image a partner may be at rest, as a part of the size of the rest shape.
+const TOLERANCE: f64 = 1e-3;
+
+impl Projection for Symmetry {
+    const INFO: Info = Info {
+        id: "symmetry",
+        label: "Symmetry",
+        summary: "The vertices are the mirror image of each other, or the same after a turn.",
+        paper: "",
+        arity: Arity::AtLeast(2),
+        centring: Centring::Together,
+        elements: &[],
+        exact: true,
+        measure: None,
+        panels: None,
+        colour: [180, 70, 110],
+        params: &[
+            Param {
+                id: "mirror",
+                label: "Normal of the mirror",
+                unit: "",
+                default: ParamValue::Vector(MIRROR),
+                forms: &[Form::Vector],
+                range: [f64::NEG_INFINITY, f64::INFINITY],
+            },
+            Param {
+                id: "axis",
+                label: "Axis instead of a mirror",
+                unit: "",
+                default: ParamValue::Nothing,
+                forms: &[Form::Nothing, Form::Vector],
+                range: [f64::NEG_INFINITY, f64::INFINITY],
+            },
+            Param {
+                id: "fold",
+                label: "Turns of the axis",
+                unit: "",
+                default: ParamValue::Number(2.0),
+                forms: &[Form::Number],
+                range: FOLDS,
+            },
+        ],
+    };
+
+    const READS_REST: bool = true;
+
+    /// Which vertex is the first image, then what it is itself.
+    fn prepare(&self, rest: &mut [Vec3<f64>]) {
+        let next = self.group().pairs(rest, TOLERANCE);
+        for i in 0..rest.len() {
+            rest[i] = match next[i] {
+                None => Vec3::new(i as f64, FREE, 0.0),
+                Some(first) => {
+                    let mut others = std::iter::successors(Some(first), |&j| next[j]);
+                    let is_least = others.find(|&j| j <= i) == Some(i);
+                    Vec3::new(first as f64, if is_least { LEAST } else { IMAGE }, 0.0)
+                }
+            };
+        }
+    }
+
+    fn closed_form<S: Lane>(
+        &self,
+        rest: &[Vec3<S>],
+        v: &[Vec3<S>],
+        projected: &mut [Vec3<S>],
+    ) -> bool {
+        let group = self.group();
+        // Each constraint has its own images, so the lanes go separate ways.
+        separate_lanes(rest, v, projected, |lane, projected| {
+            average(&group, lane, rest, v, projected);
+            true
+        })
+    }
+}
+
+/// What a vertex is: without a partner, the least of those that are images of each other, or one of
+/// the others.
+const FREE: f64 = 0.0;
+const LEAST: f64 = 1.0;
+const IMAGE: f64 = 2.0;
+
+/// The mean over the symmetries in one lane.
+fn average<S: Lane>(
+    group: &SymmetryGroup,
+    lane: usize,
+    rest: &[Vec3<S>],
+    v: &[Vec3<S>],
+    projected: &mut [Vec3<S>],
+) {
+    let role = |i: usize| rest[i].y.lane(lane);
+    let next = |i: usize| rest[i].x.lane(lane) as usize;
+    let (mut sum, mut count) = (Vec3::zero(), 0.0);
+    for i in (0..v.len()).filter(|&i| role(i) != FREE) {
+        sum += v[i].lane(lane);
+        count += 1.0;
+    }
+    let mean = if count > 0.0 { sum * (1.0 / count) } else { sum };
+    let order = group.order();
+    for i in 0..v.len() {
+        if role(i) == FREE {
+            projected[i].set_lane(lane, v[i].lane(lane));
+        } else if role(i) == LEAST {
+            let mut at = i;
+            let mut turned_back = Vec3::zero();
+            for k in 0..order {
+                turned_back += group.image((order - k) % order, v[at].lane(lane) - mean);
+                at = next(at);
+            }
+            let own = turned_back * (1.0 / order as f64);
+            for k in 0..order {
+                projected[at].set_lane(lane, mean + group.image(k, own));
+                at = next(at);
+            }
+        }
+    }
+}
+
+impl Symmetry {
+    fn group(&self) -> SymmetryGroup {
+        match self.axis {
+            None => SymmetryGroup::Mirror(self.mirror.unit()),
+            Some(axis) => SymmetryGroup::Axis(axis.unit(), UnitPolygon::new(self.fold as usize)),
+        }
+    }
+}
+
+/// A whole number of turns.
+fn whole<'de, D: Deserializer<'de>>(deserializer: D) -> Result<u32, D::Error> {
+    let [least, greatest] = FOLDS;
+    let number = f64::deserialize(deserializer)?;
+    if (least..=greatest).contains(&number) && number == number.round() {
+        return Ok(number as u32);
+    }
+    Err(serde::de::Error::custom(format_args!(
+        "found {number}, expected a whole number from {least} to {greatest}"
+    )))
+}

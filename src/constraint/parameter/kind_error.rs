@@ -1,0 +1,15 @@
+//! Why a kind with its parameters is refused.
+
+/// Why [`Kind::new`](crate::constraint::Kind::new) gave none.
+#[derive(Clone, Debug, PartialEq)]
+pub enum KindError {
+    /// No kind has that id.
+    Unknown,
+    /// A parameter is unknown, missing or out of type.
+    Params {
+        /// Where below the constraint, such as `scale[0]`.
+        path: String,
+        /// What is wrong and what was expected.
+        message: String,
+    },
+}

@@ -1,0 +1,126 @@
+//! Limits of a quantity that is never negative, such as a scale, a length or a radius.
+//!
+//! In JSON one number for exactly that, or an array of two, each a number or null for no limit.
+
+use crate::math::Lane;
+use serde::de::{self, Deserializer, SeqAccess, Visitor};
+use serde::{Deserialize, Serialize, Serializer};
+use std::fmt;
+
+/// Least and greatest; none is no limit.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Limits([Option<f64>; 2]);
+
+impl Limits {
+    /// Exactly this much.
+    pub(crate) const fn exactly(amount: f64) -> Limits {
+        Limits([Some(amount); 2])
+    }
+
+    /// Least and greatest: zero and infinity where there is no limit.
+    pub(crate) fn ends(self) -> [f64; 2] {
+        let [least, greatest] = self.0;
+        [least.unwrap_or(0.0), greatest.unwrap_or(f64::INFINITY)]
+    }
+
+    /// The amount nearest to `amount` within the limits.
+    #[inline(always)]
+    pub(crate) fn clamp<S: Lane>(self, amount: S) -> S {
+        self.clamp_times(amount, S::one())
+    }
+
+    /// The same with both limits times `unit`.
+    #[inline(always)]
+    pub(crate) fn clamp_times<S: Lane>(self, amount: S, unit: S) -> S {
+        let [least, greatest] = self.0;
+        let amount = amount.max(S::splat(least.unwrap_or(0.0)) * unit);
+        greatest.map_or(amount, |greatest| amount.min(S::splat(greatest) * unit))
+    }
+}
+
+impl Serialize for Limits {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self.0 {
+            [Some(least), Some(greatest)] if least == greatest => serializer.serialize_f64(least),
+            limits => limits.serialize(serializer),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for Limits {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(LimitsVisitor)
+    }
+}
+
+struct LimitsVisitor;
+
+impl<'de> Visitor<'de> for LimitsVisitor {
+    type Value = Limits;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a number from 0, or [least, greatest], each a number from 0 or null")
+    }
+
+    fn visit_u64<E: de::Error>(self, amount: u64) -> Result<Limits, E> {
+        self.visit_f64(amount as f64)
+    }
+    fn visit_i64<E: de::Error>(self, amount: i64) -> Result<Limits, E> {
+        self.visit_f64(amount as f64)
+    }
+    fn visit_f64<E: de::Error>(self, amount: f64) -> Result<Limits, E> {
+        LimitFrom(0.0).visit_f64(amount).map(|limit| Limits([limit; 2]))
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut array: A) -> Result<Limits, A::Error> {
+        let mut limits = [None; 2];
+        let mut least = 0.0;
+        for (k, limit) in limits.iter_mut().enumerate() {
+            let next = array.next_element_seed(LimitFrom(least))?;
+            *limit = next.ok_or_else(|| de::Error::invalid_length(k, &self))?;
+            least = limit.unwrap_or(least);
+        }
+        match array.next_element::<de::IgnoredAny>()? {
+            Some(_) => Err(de::Error::custom(format_args!(
+                "found an array of more than two, expected {}",
+                &self as &dyn de::Expected
+            ))),
+            None => Ok(Limits(limits)),
+        }
+    }
+}
+
+/// Reads one limit that is not below this one.
+struct LimitFrom(f64);
+
+impl<'de> de::DeserializeSeed<'de> for LimitFrom {
+    type Value = Option<f64>;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Option<f64>, D::Error> {
+        deserializer.deserialize_any(self)
+    }
+}
+
+impl Visitor<'_> for LimitFrom {
+    type Value = Option<f64>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "a number from {}, or null for no limit", self.0)
+    }
+    fn visit_unit<E>(self) -> Result<Option<f64>, E> {
+        Ok(None)
+    }
+    fn visit_u64<E: de::Error>(self, value: u64) -> Result<Option<f64>, E> {
+        self.visit_f64(value as f64)
+    }
+    fn visit_i64<E: de::Error>(self, value: i64) -> Result<Option<f64>, E> {
+        self.visit_f64(value as f64)
+    }
+    fn visit_f64<E: de::Error>(self, value: f64) -> Result<Option<f64>, E> {
+        if value >= self.0 && value.is_finite() {
+            // Zero has one sign.
+            return Ok(Some(value + 0.0));
+        }
+        Err(E::custom(format_args!("found {value}, expected {}", &self as &dyn de::Expected)))
+    }
+}
