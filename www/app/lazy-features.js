@@ -9,17 +9,16 @@ export function attachLater(parts) {
 
   const watch = () =>
     import('../features/warnings.js').then(({ watchConditions }) => watchConditions(parts), failed);
-  files.addEventListener('opened', watch, { once: true });
+  files.once('opened', watch);
   const offer = () =>
     import('../features/make-panels/card.js').then(
       ({ MakePanels }) => void new MakePanels(parts),
       failed,
     );
-  files.addEventListener('opened', offer, { once: true });
-  solver.addEventListener('collapsed', (event) => {
-    const { detail } = /** @type {CustomEvent} */ (event);
+  files.once('opened', offer);
+  solver.on('collapsed', (collapse) => {
     import('../documents/collapse.js').then(
-      ({ tellCollapse }) => tellCollapse(parts, detail),
+      ({ tellCollapse }) => tellCollapse(parts, collapse),
       failed,
     );
   });

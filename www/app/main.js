@@ -87,7 +87,7 @@ constraintsPanel(byId('constraints'), store, solver, actions);
 handlesPanel(byId('handles'), store, actions, solver);
 energiesPanel(byId('energies'), store, actions);
 displayPanel(byId('display'), store);
-viewport.addEventListener('ready', showLegend, { once: true });
+viewport.once('ready', showLegend);
 const hold = new HoldOriginal(store, solver);
 const parts = { store, solver, viewport, files, actions, alerts, hold };
 const analysis = analysisRegion(byId('analysis'), parts);
@@ -152,9 +152,8 @@ delete early.earlyPresses;
 bindViewMenu(byId('view-menu'), byId('view-menu-button'), commands, store);
 selecting.bindKeys(commands);
 
-viewport.addEventListener('none', (event) => {
-  const { detail } = /** @type {CustomEvent} */ (event);
-  import('../viewport/no-picture.js').then((module) => module.tellWhy(detail));
+viewport.on('none', (why) => {
+  import('../viewport/no-picture.js').then((module) => module.tellWhy(why));
 });
 
 Object.assign(window, { shapeUp: scriptApi(store, solver, viewport, files) });
@@ -179,18 +178,10 @@ function showLegend() {
  * @param {SolverClient} client
  */
 function takeUp(client) {
-  /**
-   * @template {import("../solver/messages.js").FromWorker["type"]} Type
-   * @param {Type} type
-   * @param {(message: Extract<import("../solver/messages.js").FromWorker, { type: Type }>) => void} take
-   */
-  const on = (type, take) =>
-    client.addEventListener(type, (event) => take(/** @type {CustomEvent} */ (event).detail));
-
-  on('ready', ({ kinds, elements, measures, operations, settings }) =>
+  client.on('ready', ({ kinds, elements, measures, operations, settings }) =>
     store.set({ kinds, elements, measures, operations, settings }),
   );
-  on('model', ({ loaded, positions }) =>
+  client.on('model', ({ loaded, positions }) =>
     store.set({
       // In another worker it is looked at as before.
       ...(!client.restoring && {
@@ -212,19 +203,19 @@ function takeUp(client) {
       tape: null,
     }),
   );
-  on('loading', ({ bytes, all }) =>
+  client.on('loading', ({ bytes, all }) =>
     import('./progress/solver-loading.js').then(({ showLoading }) =>
       showLoading(store, bytes, all),
     ),
   );
-  on('document', ({ document }) => store.set({ document }));
-  on('frame', ({ numbers, answers }) =>
+  client.on('document', ({ document }) => store.set({ document }));
+  client.on('frame', ({ numbers, answers }) =>
     store.set({
       ...{ numbers, halfway: numbers.halfway },
       ...(answers && { dragMs: performance.now() - answers[0] }),
     }),
   );
-  on('activity', ({ running, converged }) => {
+  client.on('activity', ({ running, converged }) => {
     const before = store.get();
     store.set({ running, converged });
     // A drag comes to rest as well, but whoever drags is told of the handle.
@@ -232,20 +223,17 @@ function takeUp(client) {
     const { iteration = 0 } = before.numbers ?? {};
     store.set({ status: running ? 'Running' : ended(converged, iteration) });
   });
-  client.addEventListener('busy', (event) => {
-    const { busy } = /** @type {CustomEvent} */ (event).detail;
+  client.on('busy', ({ busy }) => {
     import('./progress/long-work.js').then(
       ({ offerCancel }) => offerCancel(busy, client),
       () => {},
     );
   });
-  on('trouble', ({ message }) => alerts.error(message));
-  client.addEventListener('absent', (event) => {
-    const { message } = /** @type {CustomEvent} */ (event).detail;
+  client.on('trouble', ({ message }) => alerts.error(message));
+  client.on('absent', ({ message }) => {
     alerts.stop(message, { label: 'Reload', action: () => location.reload() });
   });
-  client.addEventListener('restarted', (event) => {
-    const { message } = /** @type {CustomEvent} */ (event).detail;
+  client.on('restarted', ({ message }) => {
     alerts.notice(message, offerReport(message, store, alerts));
   });
 }

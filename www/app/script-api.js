@@ -17,8 +17,7 @@ const DRAGS_KEPT = 1000;
 export function scriptApi(store, solver, viewport, files) {
   /** @type {{ latency: number[], answer: number[] }} */
   const drags = { latency: [], answer: [] };
-  solver.addEventListener('frame', (event) => {
-    const { answers } = /** @type {CustomEvent} */ (event).detail;
+  solver.on('frame', ({ answers }) => {
     if (!answers) return;
     drags.latency.push(performance.now() - answers[0]);
     drags.answer.push(answers[1]);

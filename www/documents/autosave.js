@@ -52,16 +52,16 @@ export class Autosave {
     this.#solver = solver;
     this.#files = files;
     this.#seen = seen;
-    solver.addEventListener('model', () => {
+    solver.on('model', () => {
       // What comes until it has opened belongs to no work.
       if (!solver.restoring) this.#id = '';
     });
-    files.addEventListener('opened', () => this.#begin());
-    solver.addEventListener('scene', () => {
+    files.on('opened', () => this.#begin());
+    solver.on('scene', () => {
       if (this.#id && solver.sceneText !== this.#kept.text) store.set({ saved: '' });
       this.save();
     });
-    solver.addEventListener('progress', () => this.save());
+    solver.on('progress', () => this.save());
     document.addEventListener('visibilitychange', () => {
       if (document.visibilityState === 'hidden') this.#saveAtOnce();
     });

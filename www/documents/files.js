@@ -7,6 +7,7 @@ import { count, ended, groupDigits, length } from '../ui/format.js';
 import { element } from '../ui/dom.js';
 import { exampleFile, listOfExamples } from '../solver/examples.js';
 import { removeFirstPicture } from '../viewport/placeholder/placeholder-scene.js';
+import { Emitter } from '../solver/emitter.js';
 import { messageOf } from '../solver/messages.js';
 import { isReadable, mainOf, worthReading } from '../solver/opened-files.js';
 import { saveFile } from '../ui/save-file.js';
@@ -31,7 +32,8 @@ const IS_RHINO = /\.3dm$/i;
 /** Bytes from which on it takes a while to read a file. */
 const LARGE = 2_000_000;
 
-export class Files extends EventTarget {
+/** @extends {Emitter<{ opened: void }>} */
+export class Files extends Emitter {
   /** Where the model that is open comes from. @type {Origin} */
   origin = {};
   /** The text of its scene when it was opened; null when it is work that goes on. @type {string | null} */
@@ -104,7 +106,7 @@ export class Files extends EventTarget {
         status: `Opened ${main.name}: ${count(loaded.vertices, 'vertex', 'vertices')}, ${count(loaded.faces, 'face')}`,
       });
       if (loaded.welded) this.#tellWelded(loaded.welded, loaded.units);
-      this.dispatchEvent(new Event('opened'));
+      this.emit('opened', undefined);
       return loaded;
     } catch (error) {
       this.#store.set({ status: '' });

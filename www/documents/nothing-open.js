@@ -23,5 +23,5 @@ export function showNothingOpen(files, again) {
     element('button', { type: 'button', class: 'bordered', onclick: again }, 'Open a sample'),
   );
   byId('main').append(card);
-  files.addEventListener('opened', () => card.remove(), { once: true });
+  files.once('opened', () => card.remove());
 }

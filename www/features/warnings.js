@@ -141,8 +141,7 @@ export function watchConditions(parts) {
   }
 
   let wasRunning = false;
-  solver.addEventListener('activity', (event) => {
-    const { running, converged } = /** @type {CustomEvent} */ (event).detail;
+  solver.on('activity', ({ running, converged }) => {
     if (running) clear();
     const ended = wasRunning && !running;
     wasRunning = running;
@@ -151,12 +150,12 @@ export function watchConditions(parts) {
     lookForFlatFaces();
     if (converged) tellVerdict();
   });
-  solver.addEventListener('model', () => {
+  solver.on('model', () => {
     clear();
     flat = 0;
     wasRunning = false;
   });
   store.subscribe(['document', 'tolerance'], clear);
-  files.addEventListener('opened', lookForFlatFaces);
+  files.on('opened', lookForFlatFaces);
   lookForFlatFaces();
 }

@@ -448,6 +448,15 @@
  *   | { type: "refused", id: number, message: string, path: string }} FromWorker
  */
 
+/** The messages of the worker by their type. @typedef {{ [T in FromWorker["type"]]: Extract<FromWorker, { type: T }> }} WorkerEvents */
+
+/**
+ * What answers each request: one that is missing, that is none, or whose value is not what the request is
+ * answered with is an error of types.
+ * @typedef {{ [T in Request["type"]]: (message: Extract<Request, { type: T }>) => Replies[T] | Promise<Replies[T]> }} RequestHandlers
+ */
+/** What does each command. @typedef {{ [T in Command["type"]]: (message: Extract<Command, { type: T }>) => void }} CommandHandlers */
+
 /** How long the worker iterates before it looks for messages, in milliseconds. */
 export const SLICE_MS = 8;
 

@@ -5,6 +5,7 @@
  * replaced and given the last scene that it sent, with the steps of undo.
  */
 
+import { Emitter } from './emitter.js';
 import { messageOf } from './messages.js';
 
 /** @typedef {import("./messages.js").FromWorker} FromWorker */
@@ -45,7 +46,15 @@ export class Refusal extends Error {
   }
 }
 
-export class SolverClient extends EventTarget {
+/**
+ * What the worker tells, and what is known of the worker itself: it works on something for long (`busy`),
+ * it could not be started (`absent`), another one has taken its place (`restarted`).
+ * @typedef {Omit<import("./messages.js").WorkerEvents, "reply" | "refused" | "died" | "working" | "pong">
+ *   & { busy: { busy: boolean }, absent: { message: string }, restarted: { message: string } }} SolverEvents
+ */
+
+/** @extends {Emitter<SolverEvents>} */
+export class SolverClient extends Emitter {
   /** @type {Geometry | null} */
   geometry = null;
   /** The text of the scene as the worker last sent it. @type {string | null} */
@@ -167,7 +176,7 @@ export class SolverClient extends EventTarget {
     this.#busyLooks = looks;
     const busy = looks >= LONG_WORK;
     if (busy === before >= LONG_WORK) return;
-    this.dispatchEvent(new CustomEvent('busy', { detail: { busy } }));
+    this.emit('busy', { busy });
   }
 
   /**
@@ -243,7 +252,7 @@ export class SolverClient extends EventTarget {
       case 'died':
         return this.#died(message.message);
     }
-    this.dispatchEvent(new CustomEvent(message.type, { detail: message }));
+    this.emit(message.type, message);
   }
 
   /**
@@ -274,15 +283,11 @@ export class SolverClient extends EventTarget {
     this.#held = [];
     for (const id of [...this.#waiting.keys()])
       this.#answer(id, null, new Error(`the solver stopped (${reason})`));
-    this.dispatchEvent(
-      new CustomEvent('activity', {
-        detail: { type: 'activity', running: false, converged: false },
-      }),
-    );
+    this.emit('activity', { type: 'activity', running: false, converged: false });
 
     if (atStart && !lastScene && !wanted) {
       const message = `The solver could not be started (${reason}). Check the network, then reload the page.`;
-      return this.dispatchEvent(new CustomEvent('absent', { detail: { message } }));
+      return this.emit('absent', { message });
     }
     if ((atStart || again) && !wanted) {
       const what = again ? 'stopped again on the same model' : 'could not be started';
@@ -315,6 +320,6 @@ export class SolverClient extends EventTarget {
 
   /** @param {string} message */
   #notice(message) {
-    this.dispatchEvent(new CustomEvent('restarted', { detail: { message } }));
+    this.emit('restarted', { message });
   }
 }

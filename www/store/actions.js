@@ -51,7 +51,7 @@ export function createActions(store, solver, alerts) {
   }
 
   /**
-   * @param {import("./messages.js").Request & { type: "edit" | "makePanels" }} request
+   * @param {import("../solver/messages.js").Request & { type: "edit" | "makePanels" }} request
    * @param {(error: unknown) => boolean} [tells]
    * @returns {Promise<null | undefined>} undefined where it was refused
    */

@@ -43,10 +43,10 @@ export function colourFaces(store, solver) {
     const firstRow = before === 0 && rows;
     if ((opened || firstRow) && !state.measureChosen) store.set({ measure: measureOfScene(state) });
   });
-  solver.addEventListener('model', () => store.set(NONE));
+  solver.on('model', () => store.set(NONE));
   const takeInSoon = throttled(RENEW_MS, takeIn);
   // What is coloured for the first time has its range at once.
-  solver.addEventListener('frame', () => (store.get().spread ? takeInSoon() : takeIn()));
+  solver.on('frame', () => (store.get().spread ? takeInSoon() : takeIn()));
   store.subscribe(['measure', 'display', 'halfway'], ({ measure, display, halfway }) => {
     const projections = display.outlines || display.arrows || halfway;
     const { shapes, bands } = display;

@@ -14,7 +14,7 @@ export function colourRows(store, solver, actions) {
   /** What the colours on the page are those of. */
   let shown = '';
 
-  solver.addEventListener('model', () => {
+  solver.on('model', () => {
     newest += 1;
     shown = '';
     store.set({ rowColours: null });

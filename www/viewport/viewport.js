@@ -7,11 +7,9 @@
 import { Backend, isBlank, openView } from './backend.js';
 import { removeFirstPicture } from './placeholder/placeholder-scene.js';
 import { ShapeTransition } from './shape-transition.js';
-import { handlesNow } from '../store/state.js';
-import { declared, toleranceOf } from '../store/measures.js';
+import { Emitter } from '../solver/emitter.js';
 import { messageOf } from '../solver/messages.js';
-import { modelErrors, showFlatMap } from './flat-map-layer.js';
-import { showSplit } from './split-layer.js';
+import { LAYERS, showDisplay, showValues } from './layers.js';
 
 /** @typedef {import("../pkg/view-webgl2/shape_up.js").View} View */
 /** @typedef {import("../store/state.js").State} State */
@@ -22,15 +20,13 @@ import { showSplit } from './split-layer.js';
 
 /** A view that is lost this often in a row is given up. */
 const ATTEMPTS = 3;
-const NONE = new Uint32Array(0);
-const FINGERS = matchMedia('(pointer: coarse)');
-const NO_COLOURS = {
-  faces: new Uint8Array(0),
-  vertices: new Uint8Array(0),
-  palette: new Float32Array(0),
-};
+/**
+ * Something can draw; nothing can, and why; a picture was drawn.
+ * @typedef {{ ready: void, none: string, drawn: void }} ViewportEvents
+ */
 
-export class Viewport extends EventTarget {
+/** @extends {Emitter<ViewportEvents>} */
+export class Viewport extends Emitter {
   /** The element that gestures and sizes refer to; canvases come and go in it. @type {HTMLElement} */
   element;
   /** None while it starts, and where nothing can draw. @type {View | null} */
@@ -141,41 +137,6 @@ export class Viewport extends EventTarget {
   }
 
   /**
-   * The colours of the range as a legend paints them, with their places in it from 0 to 1: gradual, or
-   * in bands with hard limits.
-   * @param {number} [side] of two pictures, 0 left or 1 right
-   * @returns {[number, string][]}
-   */
-  rampStops(side) {
-    const stops = this.unmeasured((view) => {
-      const colours = view.rampColours(side);
-      const limits = view.bandLimits(side);
-      const ends = [0, ...limits, 1];
-      return colours.flatMap((colour, i) =>
-        (limits.length > 0 ? [ends[i], ends[i + 1]] : [i / (colours.length - 1)]).map(
-          (at) => /** @type {[number, string]} */ ([at, colour]),
-        ),
-      );
-    });
-    return stops ?? [];
-  }
-
-  /**
-   * The same as a CSS background.
-   * @param {[number, number]} ends of the range, in per cent of the width
-   * @param {{ side?: number, neutral?: number }} [options] of two pictures the side; up to where the
-   *   faces keep the material, in per cent of the width
-   */
-  rampOf([from, to], { side, neutral = 0 } = {}) {
-    const spaced = this.rampStops(side).map(
-      ([at, colour]) => `${colour} ${from + (to - from) * at}%`,
-    );
-    const ramp = `linear-gradient(to right, ${spaced.join(', ')})`;
-    const material = `linear-gradient(to right, var(--material) ${neutral}%, transparent 0)`;
-    return neutral > 0 ? `${material}, ${ramp}` : ramp;
-  }
-
-  /**
    * Draws one picture of another size, in the proportions and the framing of the one that is shown,
    * and gives the canvas to `take`, which must read it at once. The shown one is drawn again then.
    * @param {{ width: number, height: number, scale: number }} size in pixels; `scale` of them are a CSS pixel
@@ -239,7 +200,7 @@ export class Viewport extends EventTarget {
     this.#newMesh = true;
     this.#handOver();
     this.#store.set({ renderer: backend });
-    this.dispatchEvent(new Event('ready'));
+    this.emit('ready', undefined);
   }
 
   /** @param {string} reason */
@@ -264,7 +225,7 @@ export class Viewport extends EventTarget {
     this.element.replaceChildren();
     removeFirstPicture();
     this.#store.set({ renderer: 'none' });
-    this.dispatchEvent(new CustomEvent('none', { detail: reason }));
+    this.emit('none', reason);
   }
 
   #watchSize() {
@@ -296,12 +257,12 @@ export class Viewport extends EventTarget {
   }
 
   #watchSolver() {
-    this.#solver.addEventListener('model', () => {
+    this.#solver.on('model', () => {
       this.#newMesh = true;
       this.endTransition();
       this.ask();
     });
-    this.#solver.addEventListener('frame', () => {
+    this.#solver.on('frame', () => {
       this.#newFrame = true;
       this.ask();
     });
@@ -313,64 +274,16 @@ export class Viewport extends EventTarget {
       this.#newFrame = true;
       this.ask();
     });
-    /** @type {[(keyof State)[], (view: View, state: State) => void][]} */
-    const parts = [
-      [['dark'], (view, state) => view.setTheme(state.dark)],
-      [['document'], (view, { document }) => document && view.setUp(document.up)],
-      [['display', 'halfway', 'heldOriginal'], showDisplay],
-      [['parallel'], (view, { parallel }) => view.setParallel(parallel)],
-      [['tape'], (view, { tape }) => view.setTape(Uint32Array.from(tape ?? []))],
-      [
-        ['document', 'dragged', 'moved', 'pointedAt', 'selection', 'model', 'heldOriginal'],
-        showHandles,
-      ],
-      [
-        ['gizmoPart', 'dragged'],
-        (view, state) => view.lightGizmo(state.gizmoPart, state.dragged.length > 0),
-      ],
-      [['selection', 'model'], showSelection],
-      [['tint', 'model'], showTint],
-      [['rowColours', 'model', 'flatMap'], showRowColours],
-      [
-        ['measure', 'range', 'tolerance', 'tolerances', 'display', 'flatMap'],
-        (view, state) => this.#showValues(view, state),
-      ],
-      [['flatMap'], showFlatMap],
-      [['split'], showSplit],
-    ];
-    for (const [keys, show] of parts) {
+    for (const [keys, show] of LAYERS) {
       subscribe(keys, (state) => {
         // A mesh that has not been handed over yet brings all of this with it.
-        if (!this.#newMesh) this.unmeasured((view) => show(view, state));
+        if (!this.#newMesh) this.unmeasured((view) => show(view, state, this.#solver.geometry));
       });
     }
-    this.#showAll = (view, state) => parts.forEach(([, show]) => show(view, state));
     subscribe(['camera'], ({ camera }) => {
       if (!camera || camera === this.#camera || this.#newMesh) return;
       this.unmeasured((view) => view.placeCamera(Float64Array.from(camera)));
     });
-  }
-
-  /** @type {(view: View, state: State) => void} */
-  #showAll = () => {};
-
-  /**
-   * @param {View} view
-   * @param {State} state
-   */
-  #showValues(view, state) {
-    const { geometry } = this.#solver;
-    const { heldOriginal } = state;
-    const isCurrent = geometry?.measure === state.measure && !state.flatMap && !heldOriginal;
-    view.setCornerValues((isCurrent && geometry?.corners) || undefined);
-    if (state.flatMap) return view.setFaceValues(...modelErrors(state.flatMap));
-    // Right after another choice, the values are still those of the one before, or have no range.
-    const isRanged = geometry?.measure === state.measure && state.spread;
-    const values = isRanged ? (heldOriginal ?? geometry)?.values : null;
-    const { full, log } = state.display;
-    const about = declared(state, state.measure);
-    const tolerance = about && !full ? toleranceOf(state, about) : null;
-    view.setFaceValues(values ?? undefined, ...state.range, tolerance ?? undefined, log);
   }
 
   /**
@@ -401,14 +314,14 @@ export class Viewport extends EventTarget {
       view.setMesh(faceOffsets, faceIndices, curveOffsets, curveIndices, geometry.positions);
       view.setEdges(geometry.connectivity.edges);
       this.#newMesh = false;
-      this.#showAll(view, state);
+      LAYERS.forEach(([, show]) => show(view, state, geometry));
       view.fit();
       // The view may be a new one of the same mesh, and the mesh may be restored.
       if (state.camera) view.placeCamera(Float64Array.from(state.camera));
     }
     this.#newFrame = false;
     view.setPositions(this.#positions(geometry.positions, state));
-    this.#showValues(view, state);
+    showValues(view, state, geometry);
     if (geometry.shapes) view.setShapes(geometry.shapes);
     if (geometry.projections) {
       const { vertices, ways, colours, outlines, palette } = geometry.projections;
@@ -439,71 +352,9 @@ export class Viewport extends EventTarget {
       // Which has its colours at once.
       if (this.#store.get().spread) removeFirstPicture();
       this.#tellCamera(this.view.camera());
-      this.dispatchEvent(new Event('drawn'));
+      this.emit('drawn', undefined);
     } catch (thrown) {
       this.#lost(messageOf(thrown));
     }
   }
-}
-
-/**
- * @param {View} view
- * @param {State} state
- */
-function showDisplay(view, { display, halfway, heldOriginal }) {
-  const { edges, vertices } = display;
-  // All of them are of the current shape. What the local step has fitted is seen until the global
-  // step takes it over.
-  const [shapes, outlines, arrows] = heldOriginal
-    ? [false, false, false]
-    : [display.shapes, display.outlines || halfway, display.arrows];
-  view.setDisplay(edges, vertices, shapes, outlines, arrows);
-  view.setSurroundings(display.ghost, display.ground);
-  view.setBands(display.bands);
-  view.setGizmo(display.gizmo, FINGERS.matches);
-}
-
-/**
- * Handles as the view takes them: 0 soft, 1 fixed, 2 under the pointer.
- * @param {View} view
- * @param {State} state
- */
-function showHandles(view, state) {
-  const { dragged, pointedAt } = state;
-  // Where they pull is about the current shape.
-  const handles = state.heldOriginal ? [] : handlesNow(state);
-  const vertices = Uint32Array.from(handles, (handle) => handle.vertex);
-  const states = Uint8Array.from(handles, (handle) =>
-    handle.vertex === pointedAt || dragged.includes(handle.vertex) ? 2 : handle.fixed ? 1 : 0,
-  );
-  const targets = Float64Array.from(handles.flatMap((handle) => handle.target));
-  view.setHandles(vertices, states, targets);
-}
-
-/**
- * @param {View} view
- * @param {State} state
- */
-function showSelection(view, { selection }) {
-  view.setSelection(Uint32Array.from(selection.vertices), Uint32Array.from(selection.faces));
-  view.setSelectedEdges(Uint32Array.from(selection.edges));
-}
-
-/**
- * @param {View} view
- * @param {State} state
- */
-function showTint(view, { tint }) {
-  const { vertices, faces, colour } = tint ?? { vertices: NONE, faces: NONE, colour: [0, 0, 0] };
-  const [red, green, blue] = colour.map((byte) => byte / 255);
-  view.setTint(vertices, faces, red, green, blue);
-}
-
-/**
- * @param {View} view
- * @param {State} state
- */
-function showRowColours(view, { rowColours, flatMap }) {
-  const { faces, vertices, palette } = (!flatMap && rowColours) || NO_COLOURS;
-  view.setRowColours(faces, vertices, palette);
 }

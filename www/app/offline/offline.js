@@ -19,8 +19,8 @@ export function stayOffline(alerts, keeping, viewport) {
   }
   const start = () => register(alerts, keeping, viewport).catch(() => {});
   // After what the first picture needs; again when another backend had to take over.
-  viewport.addEventListener('ready', start);
-  viewport.addEventListener('none', start);
+  viewport.on('ready', start);
+  viewport.on('none', start);
 }
 
 /** @type {Promise<ServiceWorkerRegistration> | null} */

@@ -27,7 +27,8 @@ export class ExperimentDialog {
   /** @type {Series[]} */
   #series = [];
   #running = false;
-  #listener = (/** @type {Event} */ event) => this.#take(/** @type {CustomEvent} */ (event).detail);
+  /** Ends listening to the solver. @type {(() => void)[]} */
+  #stops = [];
   /** The worker has died, and with it what it measured. */
   #lost = () => this.#running && this.#fail('the solver was restarted');
   #draw;
@@ -114,8 +115,10 @@ export class ExperimentDialog {
   open() {
     document.body.append(this.#dialog);
     this.#dialog.showModal();
-    this.#solver.addEventListener('experiment', this.#listener);
-    this.#solver.addEventListener('restarted', this.#lost);
+    this.#stops = [
+      this.#solver.on('experiment', (news) => this.#take(news)),
+      this.#solver.on('restarted', () => this.#lost()),
+    ];
     const figures = this.#dialog.querySelectorAll('figure');
     this.#charts = this.#experiment.plots.map(
       (plot, k) =>
@@ -133,8 +136,7 @@ export class ExperimentDialog {
 
   #closed() {
     if (this.#running) this.#solver.tell({ type: 'cancelExperiment' });
-    this.#solver.removeEventListener('experiment', this.#listener);
-    this.#solver.removeEventListener('restarted', this.#lost);
+    this.#stops.forEach((stop) => stop());
     this.#charts.forEach((chart) => chart.destroy());
     this.#dialog.remove();
   }

@@ -1,5 +1,6 @@
 /** A picture of the view as PNG, larger than the screen if wanted, with the legend drawn into it. */
 
+import { rampStops } from '../../viewport/ramp.js';
 import { groupDigits } from '../../ui/format.js';
 import { declared, toleranceOf, valueInWords } from '../../store/measures.js';
 import { spreadOf } from '../../ui/plot/histogram.js';
@@ -39,7 +40,7 @@ export async function pictureOf(viewport, state, { scale, legend, white }) {
   if (legend && state.model?.faces) {
     legendsOf(state).forEach(([from, shown], i) => {
       context.setTransform(size.scale, 0, 0, size.scale, from * size.width, 0);
-      drawLegend(context, shown, viewport.rampStops(state.split ? i : undefined), size, white);
+      drawLegend(context, shown, rampStops(viewport, state.split ? i : undefined), size, white);
     });
   }
   drawLabels(context, viewport.labels(), size.scale, state.dark && !white);

@@ -44,7 +44,7 @@ export class MakePanels {
       wasRunning = running;
     });
     const tellSoon = throttled(RENEW_MS, () => this.#tell(false));
-    solver.addEventListener('frame', tellSoon);
+    solver.on('frame', tellSoon);
     store.subscribe(['tolerance'], tellSoon);
     // What would help comes into it later.
     new ResizeObserver(() => this.#cover()).observe(this.#card);
@@ -84,14 +84,12 @@ export class MakePanels {
     const { store, solver } = this.#parts;
     return new Promise((ended) => {
       let began = store.get().running;
-      const listen = (/** @type {Event} */ event) => {
-        const { running } = /** @type {CustomEvent} */ (event).detail;
+      const stop = solver.on('activity', ({ running }) => {
         began ||= running;
         if (running || !began) return;
-        solver.removeEventListener('activity', listen);
+        stop();
         ended(undefined);
-      };
-      solver.addEventListener('activity', listen);
+      });
     });
   }
 

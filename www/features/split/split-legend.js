@@ -3,6 +3,7 @@
  * its faces are spread, over the outline of those of the original.
  */
 
+import { rampOf } from '../../viewport/ramp.js';
 import { element, setText } from '../../ui/dom.js';
 import { groupDigits } from '../../ui/format.js';
 import { declared, movedInWords, toleranceOf, unitOf, valueInWords } from '../../store/measures.js';
@@ -88,7 +89,7 @@ export class SplitLegend {
     drawBars(this.#bars, countsOf(side.values, axis));
     const before = side.original || !original ? null : countsOf(original, axis);
     drawOutline(this.#before, before, Math.max(...(before ?? [])));
-    this.#ramp.style.background = this.#viewport.rampOf([0, 100], { side: this.#side });
+    this.#ramp.style.background = rampOf(this.#viewport, [0, 100], { side: this.#side });
 
     const units = state.document?.units ?? '';
     const step = this.#viewport.with((view) => view.bandStep(this.#side));

@@ -78,15 +78,15 @@ export class SplitView {
       if (flatMap) store.set({ split: null });
     });
     store.subscribe(['display'], () => this.#update());
-    solver.addEventListener('frame', () => this.#update());
-    solver.addEventListener('model', () => {
+    solver.on('frame', () => this.#update());
+    solver.on('model', () => {
       this.#choices = null;
       this.#original = null;
       this.#originalValues.clear();
       this.#tops.clear();
     });
     // An edit may ask for something else of the faces.
-    solver.addEventListener('document', () => this.#originalValues.clear());
+    solver.on('document', () => this.#originalValues.clear());
   }
 
   /** @param {[Choice, Choice]} [choices] left and right; else those before, or the original and now */

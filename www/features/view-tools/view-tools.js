@@ -49,8 +49,8 @@ export class Seeing {
     this.#viewport = viewport;
     this.#tape = new Tape(store, viewport);
     viewport.element.after(this.#scale);
-    viewport.addEventListener('ready', () => this.#handOver());
-    viewport.addEventListener('drawn', () => this.#show());
+    viewport.on('ready', () => this.#handOver());
+    viewport.on('drawn', () => this.#show());
     store.subscribe(
       ['model', 'display', 'tape', 'parallel', 'flatMap', 'split', 'document'],
       () => {

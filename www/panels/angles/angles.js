@@ -112,7 +112,7 @@ export function anglesPanel(panel, { store, solver, files, alerts }) {
     );
   });
   bars.addEventListener('pointerleave', () => shown && draw(shown));
-  solver.addEventListener('frame', update);
+  solver.on('frame', update);
   // A panel that comes into sight shows what is so now.
   new ResizeObserver(update).observe(panel);
   update();

@@ -36,8 +36,8 @@ export class Convergence {
       this.#inSight = entry.isIntersecting;
       if (this.#inSight) this.#draw();
     }).observe(place);
-    solver.addEventListener('model', () => this.#showNone());
-    solver.addEventListener('frame', () => this.#draw());
+    solver.on('model', () => this.#showNone());
+    solver.on('frame', () => this.#draw());
     store.subscribe(['dark'], () => this.#plot?.then((plot) => plot.restyle()));
   }
 

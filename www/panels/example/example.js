@@ -27,7 +27,7 @@ export function exampleNote(place, files, alerts, show) {
     return [element('a', { href: linkTo(to.id), title: to.title, onclick }, text)];
   };
 
-  files.addEventListener('opened', async () => {
+  files.on('opened', async () => {
     const { example } = files.origin;
     place.hidden = !example;
     if (!example) return;

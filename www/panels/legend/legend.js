@@ -3,6 +3,7 @@
  * which can be dragged or entered, how many faces are within the tolerance, and how far the mesh moved.
  */
 
+import { rampOf } from '../../viewport/ramp.js';
 import { element, setAttribute, setText } from '../../ui/dom.js';
 import { groupDigits, number, round } from '../../ui/format.js';
 import {
@@ -167,7 +168,7 @@ export function legend(place, store, viewport, fit) {
     const { axis } = spread;
     const [from, to] = range.map((value) => 100 * placeOn(axis, value));
     const neutral = allowed === null || display.full ? 0 : 100 * placeOn(axis, allowed);
-    ramp.style.background = viewport.rampOf([from, to], { neutral });
+    ramp.style.background = rampOf(viewport, [from, to], { neutral });
     const rounding = roundingOf(about, state.size);
     const words = (/** @type {number} */ value) =>
       valueInWords(about, value < rounding ? 0 : value, units, allowed);

@@ -210,7 +210,7 @@ export class PointerInput {
       if (last) this.#drag(event, last);
     };
     this.#store.set({ dragged: [vertex] });
-    this.#solver.addEventListener('document', made, { once: true });
+    this.#solver.once('document', made);
   }
 
   /**

@@ -40,7 +40,7 @@ const numbersOf = (text) => (text ?? '').split(' ').map(Number);
  * @param {import("../../solver/solver-client.js").SolverClient} solver
  */
 export function animateFirstPicture(store, solver) {
-  solver.addEventListener('frame', () => {
+  solver.on('frame', () => {
     const picture = find();
     if (picture && solver.geometry) draw(picture, solver.geometry);
   });

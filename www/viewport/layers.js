@@ -1,0 +1,124 @@
+/** What the view shows of the state: the mesh's colours, handles, selection and all that is drawn about it. */
+
+import { handlesNow } from '../store/state.js';
+import { declared, toleranceOf } from '../store/measures.js';
+import { modelErrors, showFlatMap } from './flat-map-layer.js';
+import { showSplit } from './split-layer.js';
+
+/** @typedef {import("../pkg/view-webgl2/shape_up.js").View} View */
+/** @typedef {import("../store/state.js").State} State */
+/** @typedef {import("../solver/solver-client.js").Geometry} Geometry */
+
+const NONE = new Uint32Array(0);
+const FINGERS = matchMedia('(pointer: coarse)');
+const NO_COLOURS = {
+  faces: new Uint8Array(0),
+  vertices: new Uint8Array(0),
+  palette: new Float32Array(0),
+};
+
+/**
+ * What the view shows of the state, each with the parts of the state that it depends on.
+ * @type {[(keyof State)[], (view: View, state: State, geometry: Geometry | null) => void][]}
+ */
+export const LAYERS = [
+  [['dark'], (view, state) => view.setTheme(state.dark)],
+  [['document'], (view, { document }) => document && view.setUp(document.up)],
+  [['display', 'halfway', 'heldOriginal'], showDisplay],
+  [['parallel'], (view, { parallel }) => view.setParallel(parallel)],
+  [['tape'], (view, { tape }) => view.setTape(Uint32Array.from(tape ?? []))],
+  [
+    ['document', 'dragged', 'moved', 'pointedAt', 'selection', 'model', 'heldOriginal'],
+    showHandles,
+  ],
+  [
+    ['gizmoPart', 'dragged'],
+    (view, state) => view.lightGizmo(state.gizmoPart, state.dragged.length > 0),
+  ],
+  [['selection', 'model'], showSelection],
+  [['tint', 'model'], showTint],
+  [['rowColours', 'model', 'flatMap'], showRowColours],
+  [['measure', 'range', 'tolerance', 'tolerances', 'display', 'flatMap'], showValues],
+  [['flatMap'], showFlatMap],
+  [['split'], showSplit],
+];
+/**
+ * @param {View} view
+ * @param {State} state
+ * @param {Geometry | null} geometry
+ */
+export function showValues(view, state, geometry) {
+  const { heldOriginal } = state;
+  const isCurrent = geometry?.measure === state.measure && !state.flatMap && !heldOriginal;
+  view.setCornerValues((isCurrent && geometry?.corners) || undefined);
+  if (state.flatMap) return view.setFaceValues(...modelErrors(state.flatMap));
+  // Right after another choice, the values are still those of the one before, or have no range.
+  const isRanged = geometry?.measure === state.measure && state.spread;
+  const values = isRanged ? (heldOriginal ?? geometry)?.values : null;
+  const { full, log } = state.display;
+  const about = declared(state, state.measure);
+  const tolerance = about && !full ? toleranceOf(state, about) : null;
+  view.setFaceValues(values ?? undefined, ...state.range, tolerance ?? undefined, log);
+}
+
+/**
+ * @param {View} view
+ * @param {State} state
+ */
+export function showDisplay(view, { display, halfway, heldOriginal }) {
+  const { edges, vertices } = display;
+  // All of them are of the current shape. What the local step has fitted is seen until the global
+  // step takes it over.
+  const [shapes, outlines, arrows] = heldOriginal
+    ? [false, false, false]
+    : [display.shapes, display.outlines || halfway, display.arrows];
+  view.setDisplay(edges, vertices, shapes, outlines, arrows);
+  view.setSurroundings(display.ghost, display.ground);
+  view.setBands(display.bands);
+  view.setGizmo(display.gizmo, FINGERS.matches);
+}
+
+/**
+ * Handles as the view takes them: 0 soft, 1 fixed, 2 under the pointer.
+ * @param {View} view
+ * @param {State} state
+ */
+function showHandles(view, state) {
+  const { dragged, pointedAt } = state;
+  // Where they pull is about the current shape.
+  const handles = state.heldOriginal ? [] : handlesNow(state);
+  const vertices = Uint32Array.from(handles, (handle) => handle.vertex);
+  const states = Uint8Array.from(handles, (handle) =>
+    handle.vertex === pointedAt || dragged.includes(handle.vertex) ? 2 : handle.fixed ? 1 : 0,
+  );
+  const targets = Float64Array.from(handles.flatMap((handle) => handle.target));
+  view.setHandles(vertices, states, targets);
+}
+
+/**
+ * @param {View} view
+ * @param {State} state
+ */
+function showSelection(view, { selection }) {
+  view.setSelection(Uint32Array.from(selection.vertices), Uint32Array.from(selection.faces));
+  view.setSelectedEdges(Uint32Array.from(selection.edges));
+}
+
+/**
+ * @param {View} view
+ * @param {State} state
+ */
+function showTint(view, { tint }) {
+  const { vertices, faces, colour } = tint ?? { vertices: NONE, faces: NONE, colour: [0, 0, 0] };
+  const [red, green, blue] = colour.map((byte) => byte / 255);
+  view.setTint(vertices, faces, red, green, blue);
+}
+
+/**
+ * @param {View} view
+ * @param {State} state
+ */
+function showRowColours(view, { rowColours, flatMap }) {
+  const { faces, vertices, palette } = (!flatMap && rowColours) || NO_COLOURS;
+  view.setRowColours(faces, vertices, palette);
+}

@@ -1,0 +1,78 @@
+/**
+ * What the page sees of the iteration: positions in two buffers that travel back and forth, and whatever
+ * else it asked to be shown. No free buffer, no frame.
+ */
+
+/** @typedef {import("../solver/messages.js").FromWorker} FromWorker */
+/** @typedef {Extract<import("../solver/messages.js").Command, { type: "show" }>} Show */
+
+export class Frames {
+  /** There is something that the page has not seen. */
+  due = false;
+  /** @type {Omit<Show, "type">} */
+  shown = { measure: null, shapes: false, projections: false, corners: false };
+
+  #solver;
+  #post;
+  /** Buffers that are here. @type {Float64Array[]} */
+  #free = [];
+  #length = 0;
+
+  /**
+   * @param {import("../pkg/solver/shape_up.js").Solver} solver
+   * @param {(message: FromWorker, transfer?: Transferable[]) => void} post
+   */
+  constructor(solver, post) {
+    this.#solver = solver;
+    this.#post = post;
+  }
+
+  /**
+   * Begins with another mesh.
+   * @param {number} vertices
+   * @returns {Float64Array} the first of the two buffers, with its positions
+   */
+  renew(vertices) {
+    this.#length = 3 * vertices;
+    this.#free = [new Float64Array(this.#length)];
+    const positions = new Float64Array(this.#length);
+    this.#solver.writePositions(positions);
+    return positions;
+  }
+
+  /** Takes a buffer back, unless it is one of the mesh before. @param {Float64Array} positions */
+  takeBack(positions) {
+    if (positions.length === this.#length && this.#free.length < 2) this.#free.push(positions);
+  }
+
+  /**
+   * Sends the state of the iteration, if the page has not seen it and a buffer is free.
+   * @param {() => [number, number] | null} answers the move of a drag that it shows
+   * @returns {boolean} whether it was sent
+   */
+  send(answers) {
+    const positions = this.#free.at(-1);
+    if (!this.due || !positions) return false;
+    const solver = this.#solver;
+    const { measure, shapes, projections, corners } = this.shown;
+    solver.writePositions(positions);
+    const parts = {
+      values: measure ? solver.faceValues(measure) : null,
+      corners: (measure && corners && solver.cornerValues(measure)) || null,
+      shapes: shapes ? solver.fitted() : null,
+    };
+    /** @type {import("../solver/messages.js").Projections | null} */
+    const projected = projections ? solver.projections() : null;
+    this.#free.pop();
+    const arrays = [positions, ...Object.values(parts), ...Object.values(projected ?? {})];
+    this.#post(
+      {
+        ...{ type: 'frame', numbers: solver.frame(), positions, measure },
+        ...{ ...parts, projections: projected, answers: answers() },
+      },
+      arrays.flatMap((array) => array?.buffer ?? []),
+    );
+    this.due = false;
+    return true;
+  }
+}

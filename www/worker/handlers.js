@@ -1,0 +1,84 @@
+/** What the worker does at each message of the page: one entry for each command and each request. */
+
+import { cancelExperiment, experimentCsv, runExperiment } from './experiment.js';
+import { open } from './open.js';
+import { findRemedies } from './remedies.js';
+import { mostFaces, warmUpWhenQuiet } from './warm-up.js';
+
+/**
+ * @param {import("./scheduler.js").Scheduler} scheduler
+ * @returns {Omit<import("../solver/messages.js").CommandHandlers, "ping">}
+ */
+export const commandHandlers = (scheduler) => ({
+  recycle({ positions }) {
+    scheduler.frames.takeBack(positions);
+    warmUpWhenQuiet(() => scheduler.isIterating);
+    scheduler.sendFrame();
+  },
+  show(shown) {
+    scheduler.frames.shown = shown;
+    scheduler.frames.due = scheduler.isLoaded;
+    scheduler.sendFrame();
+  },
+  run: ({ goOn }) => scheduler.run(goOn),
+  pause: () => scheduler.pause(),
+  drag: (message) => scheduler.drag(message),
+  cancelExperiment,
+});
+
+/**
+ * @param {import("../pkg/solver/shape_up.js").Solver} solver
+ * @param {import("./scheduler.js").Scheduler} scheduler
+ * @param {(message: import("../solver/messages.js").FromWorker, transfer?: Transferable[]) => void} post
+ * @param {(thrown: unknown) => void} died the wasm machine has trapped
+ * @returns {import("../solver/messages.js").RequestHandlers}
+ */
+export function requestHandlers(solver, scheduler, post, died) {
+  /** @template T @param {() => T} action once the run has ended */
+  const paused = (action) => {
+    scheduler.pause();
+    return action();
+  };
+  return {
+    open: (message) => open(solver, scheduler, post, message),
+    edit({ edit }) {
+      if (edit.type === 'reset') scheduler.pause();
+      scheduler.betweenRuns(() => solver.edit(edit));
+      return null;
+    },
+    makePanels({ kind, tolerance }) {
+      scheduler.runFor(() => solver.makePanels(kind, tolerance));
+      return null;
+    },
+    undo: () => paused(() => scheduler.betweenRuns(() => solver.undo() ?? null)),
+    redo: () => paused(() => scheduler.betweenRuns(() => solver.redo() ?? null)),
+    step: () => paused(() => scheduler.step()),
+    halfStep: () => paused(() => scheduler.halfStep()),
+    faceValues: ({ measure, original }) =>
+      original ? solver.originalValues(measure) : solver.faceValues(measure),
+    cornerValues: ({ measure }) => solver.cornerValues(measure),
+    originalPositions: () => solver.originalPositions(),
+    angles: () => solver.angles(),
+    members: ({ constraint }) => solver.members(constraint),
+    rowColours: () => solver.rowColours(),
+    previews: ({ places }) => solver.previews(places),
+    worst: ({ measure, row, count }) =>
+      measure ? solver.worstFaces(measure, count) : solver.worstConstraints(row ?? 0, count),
+    flawed: ({ flaw }) => solver.flawed(flaw),
+    verdict: ({ tolerance }) => solver.verdict(tolerance),
+    remedies: () => findRemedies(solver),
+    mostFaces,
+    results: ({ student, time }) => solver.results(student, time),
+    select: ({ request }) => solver.select(request),
+    scene: () => solver.scene(),
+    obj({ uv, asItCame }) {
+      if (asItCame) return solver.objAsItCame();
+      return uv ? solver.objWithUv(uv) : solver.obj();
+    },
+    parametrize: ({ weights, norm }) => paused(() => solver.parametrize(weights, norm)),
+    table: ({ table }) => solver.table(table),
+    trace: () => solver.trace(),
+    runExperiment: (message) => runExperiment(message, post, died),
+    experimentCsv,
+  };
+}

@@ -1,0 +1,62 @@
+/** Opens the files of a model in the worker. */
+
+import { messageOf } from '../solver/messages.js';
+import { companionOf, mainOf } from '../solver/opened-files.js';
+import { isTrap } from './wasm-errors.js';
+
+/** @typedef {import("../pkg/solver/shape_up.js").Solver} Solver */
+/** @typedef {Extract<import("../solver/messages.js").Request, { type: "open" }>} Open */
+
+/**
+ * @param {Solver} solver
+ * @param {import("./scheduler.js").Scheduler} scheduler
+ * @param {(message: import("../solver/messages.js").FromWorker, transfer?: Transferable[]) => void} post
+ * @param {Open} message
+ * @returns {import("../solver/messages.js").Loaded}
+ */
+export function open(solver, scheduler, post, { files, saved, frame = '', solved, weld }) {
+  const main = mainOf(files);
+  const companion = companionOf(files, (scene) => solver.sceneMeshFile(scene));
+  scheduler.close();
+  solver.assume(frame);
+  solver.keepApart(weld === false);
+  /** @type {import("../solver/messages.js").Loaded} */
+  const loaded = {
+    ...solver.load(main.name, main.bytes, companion?.bytes ?? null),
+    files: companion ? [main.name, companion.name] : [main.name],
+  };
+  loaded.undoLost = saved ? restore(solver, saved) : '';
+  scheduler.begin(solved ?? false);
+  const positions = scheduler.frames.renew(loaded.vertices);
+  const connectivity = {
+    faceOffsets: solver.faceOffsets(),
+    faceIndices: solver.faceIndices(),
+    curveOffsets: solver.curveOffsets(),
+    curveIndices: solver.curveIndices(),
+    edges: solver.edges(),
+  };
+  post({ type: 'model', loaded, connectivity, positions }, [
+    positions.buffer,
+    ...Object.values(connectivity).map((array) => array.buffer),
+  ]);
+  scheduler.tellActivity();
+  scheduler.changed();
+  return loaded;
+}
+
+/**
+ * Goes on where the scene that was just opened stood when it was saved.
+ * @param {Solver} solver
+ * @param {import("../solver/messages.js").Saved} saved
+ * @returns {string} why its steps of undo are gone; empty when they are not
+ */
+function restore(solver, { iteration, history, progress }) {
+  solver.restoreIteration(iteration);
+  try {
+    solver.restore(history ?? new Uint8Array(0), progress ?? new Uint8Array(0));
+    return '';
+  } catch (thrown) {
+    if (isTrap(thrown)) throw thrown;
+    return messageOf(thrown);
+  }
+}
