@@ -1,6 +1,6 @@
 //! Vertices, edges and faces as marks: one per element of the mesh, in its order.
 
-use super::{Mode, Selection};
+use super::request::{Mode, Selection};
 use crate::mesh::{Mesh, Topology};
 
 /// Whether each element of one kind is meant.

@@ -1,10 +1,10 @@
 //! By number of sides, by valence, by error, by name.
 
 use super::elements::{Elements, Marks};
-use super::{Selection, error};
+use super::request::{Selection, error};
 use crate::constraint::{Selector, resolve};
 use crate::scene::SceneError;
-use crate::session::Session;
+use crate::session::state::Session;
 
 impl Elements<'_> {
     /// Faces with that many corners.

@@ -1,7 +1,7 @@
 //! Along the mesh: connected parts, boundary loops, edge loops and rings, strips, flat patches.
 
 use super::elements::{Elements, Marks, items, marked};
-use super::{Mode, Selection};
+use super::request::{Mode, Selection};
 use crate::math::{Vec3, cosine_and_sine_of_degrees, polygon_sides, twice_vector_area};
 use crate::mesh::{Point, components, edge_lines, strips};
 

@@ -2,6 +2,8 @@
 //!
 //! | file | holds |
 //! |---|---|
+//! | `request` | selections and requests for them |
+//! | `select` | carries out a request |
 //! | `operation` | the declared list of ways to select |
 //! | `elements` | vertices, edges and faces as marks, from one kind to another, and what touches them |
 //! | `follow` | along the mesh: connected parts, boundary loops, edge loops and rings, strips, flat patches |
@@ -11,152 +13,8 @@ mod elements;
 mod find;
 mod follow;
 mod operation;
+mod request;
+mod select;
 
 pub use operation::{OPERATIONS, Operation};
-
-use super::Session;
-use crate::scene::{SceneError, Worded};
-use elements::Elements;
-use serde::Serialize;
-use serde_json::{Map, Value};
-
-/// What is picked.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Mode {
-    /// Vertices.
-    Vertices,
-    /// Edges, numbered as in [`crate::mesh::Topology::edges`].
-    Edges,
-    /// Faces.
-    Faces,
-}
-
-impl Worded for Mode {
-    const WORDS: &'static [(&'static str, Mode)] =
-        &[("vertices", Mode::Vertices), ("edges", Mode::Edges), ("faces", Mode::Faces)];
-}
-
-/// Some vertices, edges and faces.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
-pub struct Selection {
-    /// Indices of vertices.
-    pub vertices: Vec<u32>,
-    /// Numbers of edges, as in [`crate::mesh::Topology::edges`].
-    pub edges: Vec<u32>,
-    /// Indices of faces.
-    pub faces: Vec<u32>,
-}
-
-/// A way to select, from where.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SelectRequest {
-    /// The id of an [`Operation`].
-    pub operation: String,
-    /// What is picked; the answer is of that kind unless the operation gives another.
-    pub mode: Mode,
-    /// What is selected now.
-    pub from: Selection,
-    /// The parameters that are not at their default.
-    pub params: Map<String, Value>,
-}
-
-impl Session {
-    /// What is selected after `request`, on the current shape; indices ascending.
-    ///
-    /// # Errors
-    /// When it names an operation, a set, or an element that is not there, or when a parameter is not
-    /// a number in its range.
-    pub fn select(&mut self, request: &SelectRequest) -> Result<Selection, SceneError> {
-        let operation =
-            OPERATIONS.iter().find(|operation| operation.id == request.operation).ok_or_else(
-                || error("operation", format!("`{}` is no way to select", request.operation)),
-            )?;
-        self.check(&request.from)?;
-        let mode = match operation.id {
-            // The faces along a boundary have a second ring of vertices, which nobody asked for.
-            "boundary" if request.mode == Mode::Faces => Mode::Edges,
-            _ => operation.gives.unwrap_or(request.mode),
-        };
-        let params = Params { operation, given: &request.params };
-        let found = match operation.id {
-            // These need the session: errors of faces, sets, and what acts on vertices.
-            "error" => {
-                self.with_error_above(params.word("measure")?, params.number("tolerance")?)?
-            }
-            "named" => self.named(params.word("name")?)?,
-            "free" => Selection { vertices: self.free(), ..Selection::default() },
-            _ => Selection::default(),
-        };
-        let positions = self.positions();
-        let elements = Elements::new(&self.mesh, &self.topology);
-        let seeds = elements.marks(mode, &request.from);
-        let marks = match operation.id {
-            "all" => vec![true; elements.count(mode)],
-            "invert" => elements::not(seeds),
-            "grow" => elements.around(mode, &seeds),
-            "shrink" => elements::not(elements.around(mode, &elements::not(seeds))),
-            "to-vertices" | "to-edges" | "to-faces" => seeds,
-            "connected" => elements.connected(mode, &seeds),
-            "boundary" | "boundary-faces" => elements.boundary(mode, &seeds),
-            "loop" => elements.edge_loops(mode, &request.from),
-            "ring" => elements.edge_rings(&seeds),
-            "strip" => elements.strips(&seeds),
-            "flat" => elements.flat_patch(&seeds, params.number("angle")?, &positions),
-            "sides" => elements.with_sides(params.number("sides")?),
-            "valence" => elements.with_valence(params.number("edges")?),
-            "error" | "named" | "free" => elements.marks(mode, &found),
-            id => unreachable!("{id} is declared"),
-        };
-        Ok(elements::selection(mode, &marks))
-    }
-
-    fn check(&self, from: &Selection) -> Result<(), SceneError> {
-        let elements = Elements::new(&self.mesh, &self.topology);
-        for (name, mode, items) in [
-            ("vertices", Mode::Vertices, &from.vertices),
-            ("edges", Mode::Edges, &from.edges),
-            ("faces", Mode::Faces, &from.faces),
-        ] {
-            let count = elements.count(mode);
-            if let Some(item) = items.iter().find(|&&item| item as usize >= count) {
-                let message = format!("{item} is out of range: the mesh has {count}");
-                return Err(error(&format!("from.{name}"), message));
-            }
-        }
-        Ok(())
-    }
-}
-
-fn error(path: &str, message: String) -> SceneError {
-    SceneError { path: path.to_owned(), message }
-}
-
-/// The parameters of an operation: those given, else their defaults.
-struct Params<'a> {
-    operation: &'a Operation,
-    given: &'a Map<String, Value>,
-}
-
-impl Params<'_> {
-    fn value(&self, id: &str) -> Option<Value> {
-        let declared = self.operation.params.iter().find(|param| param.id == id);
-        let usual = declared.and_then(|param| serde_json::to_value(param.default).ok());
-        self.given.get(id).cloned().or(usual)
-    }
-
-    fn number(&self, id: &str) -> Result<f64, SceneError> {
-        let declared = self.operation.params.iter().find(|param| param.id == id);
-        let [least, greatest] = declared.map_or([f64::NEG_INFINITY, f64::INFINITY], |p| p.range);
-        let value = self.value(id).and_then(|value| value.as_f64());
-        value
-            .filter(|value| (least..=greatest).contains(value))
-            .ok_or_else(|| error(id, format!("expected a number from {least} to {greatest}")))
-    }
-
-    fn word(&self, id: &str) -> Result<String, SceneError> {
-        let value = self.value(id);
-        let word = value.as_ref().and_then(Value::as_str);
-        word.map(str::to_owned).ok_or_else(|| error(id, "expected a word".to_owned()))
-    }
-}
+pub use request::{Mode, SelectRequest, Selection};

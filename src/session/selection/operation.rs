@@ -1,8 +1,8 @@
 //! The declared ways to select: everything that hosts show of them, and nothing that they do.
 
-use super::Mode;
+use super::request::Mode;
 use crate::constraint::{Form, Param, ParamValue};
-use crate::session::FACE_MEASURES;
+use crate::session::report::FACE_MEASURES;
 use serde::Serialize;
 
 /// The declaration of a way to select.

@@ -1,0 +1,133 @@
+//! The edits of the document: each is one step of undo.
+
+use super::constraint_target::Place;
+use crate::constraint::Set;
+use crate::scene::{ConstraintSpec, Lesson, Scene, Up, Weights};
+use serde_json::{Map, Value};
+
+/// An edit of the document; [`Edit::from_json`] reads one.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Edit {
+    /// Appends a row of constraints.
+    AddConstraint(NewConstraint),
+    /// Asks for one shape of every face that can have it: see [`Scene::ask_of_panels`].
+    MakePanels {
+        /// The id of the kind.
+        kind: String,
+    },
+    /// Removes row `index`.
+    RemoveConstraint {
+        /// Which row.
+        index: usize,
+    },
+    /// Changes row `index`.
+    SetConstraint {
+        /// Which row.
+        index: usize,
+        /// New `w_i`.
+        weight: Option<f64>,
+        /// Whether it counts.
+        enabled: Option<bool>,
+        /// New values of parameters, as in scene files; those that are not here stay.
+        params: Map<String, Value>,
+    },
+    /// Adds a row like row `index` after it.
+    DuplicateConstraint {
+        /// Which row.
+        index: usize,
+    },
+    /// Gives row `index` another name.
+    RenameConstraint {
+        /// Which row.
+        index: usize,
+        /// Empty for the label of its kind.
+        name: String,
+    },
+    /// Gives a set a name, instead of what had that name.
+    NameSet {
+        /// Not empty.
+        name: String,
+        /// The set.
+        set: Set,
+    },
+    /// Takes a set away.
+    RemoveSet {
+        /// Its name.
+        name: String,
+    },
+    /// Gives one of the declared settings another value.
+    Set {
+        /// Its id.
+        id: String,
+        /// Its value, in one of its forms.
+        value: Value,
+    },
+    /// Keeps some vertices close more or less than the others.
+    HoldClose {
+        /// Which vertices; all of them where there is no list.
+        vertices: Option<Vec<u32>>,
+        /// A factor of the weight of closeness, not negative; 1 is as the others.
+        weight: f64,
+    },
+    /// Goes back to where iterating began, if the shape has collapsed since, and holds all vertices
+    /// closer to where they were.
+    HoldCloser,
+    /// Makes handles soft, with a weight.
+    WeighHandles {
+        /// Their vertices.
+        vertices: Vec<u32>,
+        /// Positive.
+        weight: f64,
+    },
+    /// Replaces the weights of Eq. 13.
+    SetWeights(Weights),
+    /// Sets what belongs together: see [`crate::scene::PRESETS`].
+    Preset {
+        /// The id of a preset.
+        id: String,
+    },
+    /// Says in which unit the coordinates are; they stay as they are.
+    SetUnits {
+        /// Empty when not known.
+        units: String,
+    },
+    /// Says which axis points up; the coordinates stay as they are.
+    SetUp {
+        /// Which one.
+        up: Up,
+    },
+    /// Makes the scene an exercise, or no longer.
+    SetLesson(Option<Lesson>),
+    /// Makes vertices handles where they are now; those that are handles already change how they hold.
+    AddHandles {
+        /// Which vertices.
+        vertices: Vec<u32>,
+        /// Fixed or soft.
+        fixed: bool,
+    },
+    /// Releases vertices.
+    RemoveHandles {
+        /// Which vertices.
+        vertices: Vec<u32>,
+    },
+    /// Goes back to the rest shape; constraints, handles and weights stay.
+    Reset,
+}
+
+/// A row of constraints to be added.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NewConstraint {
+    /// The row.
+    pub spec: ConstraintSpec,
+    /// What [`Place::UNNAMED`] stands for in the selector.
+    pub set: Option<Set>,
+}
+
+impl NewConstraint {
+    /// Adds the row to `document`, and its set under a name of its own.
+    pub(crate) fn add_to(self, document: &mut Scene) {
+        let NewConstraint { mut spec, set } = self;
+        spec.on = Place { on: spec.on, set }.name_in(document);
+        document.constraints.push(spec);
+    }
+}

@@ -1,0 +1,29 @@
+//! Edits of a scene.
+//!
+//! | file | holds |
+//! |---|---|
+//! | `edit_list` | the edits |
+//! | `apply` | what each does to a state |
+//! | `edit_json` | edits and selections from JSON |
+//! | `constraint_target` | where a constraint may be |
+//! | `target_shape` | what that is to the mesh, for the usual kind |
+//! | `preview` | what adding a constraint would make |
+//! | `closeness_weights` | how close single vertices are kept |
+//! | `settings` | the declared settings of a scene |
+//! | `remedies` | changes that help where constraints are not met |
+
+mod apply;
+mod closeness_weights;
+mod constraint_target;
+mod edit_json;
+mod edit_list;
+mod preview;
+mod remedies;
+mod settings;
+mod target_shape;
+
+pub use constraint_target::Place;
+pub use edit_list::{Edit, NewConstraint};
+pub use preview::Preview;
+pub use remedies::{Remedies, Remedy};
+pub use settings::{SETTINGS, Setting, settings_of};

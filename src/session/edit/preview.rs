@@ -1,0 +1,115 @@
+//! What adding constraints would make, for every kind at several places at once.
+
+use super::constraint_target::Place;
+use super::target_shape::place_shape;
+use crate::constraint::{
+    Centring, Info, KINDS, PlaceShape, Selector, USUAL_FOR, resolve as select,
+};
+use crate::mesh::{Ragged, Topology};
+use crate::scene::SceneError;
+use crate::session::state::{Session, edges_among};
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// What a row of one kind at one place would hold.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Preview {
+    /// How many constraints.
+    pub constraints: usize,
+    /// Elements whose number of vertices does not fit the kind.
+    pub skipped: usize,
+    /// Vertices of all constraints together; one counts in each constraint that it is in.
+    pub vertices: usize,
+    /// Whether the kind is the usual choice there.
+    pub usual: bool,
+}
+
+impl Session {
+    /// What a row of each kind at each place would hold: `#kinds by #places`, kinds in the order of
+    /// [`KINDS`]. None where nothing fits, and where the elements are not those that the kind is
+    /// meant for. Every place is resolved once.
+    ///
+    /// # Errors
+    /// When a place names what is not there.
+    pub fn previews(&self, places: &[Place]) -> Result<Vec<Vec<Option<Preview>>>, SceneError> {
+        let places: Vec<_> =
+            places.iter().map(|place| self.sizes(place)).collect::<Result<_, _>>()?;
+        let of = |(info, usual_for): (&Info, &&[PlaceShape])| {
+            places.iter().map(|sizes| sizes.of(info, usual_for)).collect()
+        };
+        Ok(KINDS.iter().zip(USUAL_FOR).map(of).collect())
+    }
+
+    fn sizes<'a>(&self, place: &'a Place) -> Result<Sizes<'a>, SceneError> {
+        let mut document = self.document.clone();
+        let on = place.clone().name_in(&mut document);
+        let selected = select(&on, &self.mesh, &self.topology, &document.sets)
+            .map_err(|error| SceneError { path: "on".to_owned(), message: error.to_string() })?;
+        let shape = place_shape(&on, &selected, &self.mesh, &self.topology);
+        Ok(Sizes::new(&place.on, &selected, shape, &self.topology))
+    }
+}
+
+/// How large the elements of a place are.
+struct Sizes<'a> {
+    on: &'a Selector,
+    /// What they are to the mesh.
+    shape: Option<PlaceShape>,
+    /// How many elements have that many vertices.
+    vertices: BTreeMap<usize, usize>,
+    /// How many elements have that many ends of edges among their vertices.
+    ends: BTreeMap<usize, usize>,
+}
+
+impl<'a> Sizes<'a> {
+    fn new(
+        on: &'a Selector,
+        selected: &Ragged,
+        shape: Option<PlaceShape>,
+        topology: &Topology,
+    ) -> Sizes<'a> {
+        let count = |size: &dyn Fn(&[u32]) -> usize| {
+            let mut counts = BTreeMap::new();
+            selected.iter().for_each(|row| *counts.entry(size(row)).or_insert(0) += 1);
+            counts
+        };
+        let by_edge = KINDS.iter().any(|info| info.centring == Centring::ByEdge);
+        Sizes {
+            on,
+            shape,
+            vertices: count(&|row| row.len()),
+            ends: if by_edge {
+                count(&|row| edges_among(row, topology).len())
+            } else {
+                BTreeMap::new()
+            },
+        }
+    }
+
+    fn of(&self, info: &Info, usual_for: &[PlaceShape]) -> Option<Preview> {
+        let meant = |on: &Selector| match on {
+            Selector::Each { element, .. } => {
+                info.elements.is_empty() || info.elements.contains(element)
+            }
+            Selector::Set(_) | Selector::Vertices(_) => true,
+        };
+        if !meant(self.on) {
+            return None;
+        }
+        let sizes = match info.centring {
+            Centring::ByEdge => &self.ends,
+            Centring::Together | Centring::Placed => &self.vertices,
+        };
+        let usual = self.shape.is_some_and(|shape| usual_for.contains(&shape));
+        let mut preview = Preview { usual, ..Preview::default() };
+        for (&size, &count) in sizes {
+            if info.arity.fits(size) {
+                preview.constraints += count;
+                preview.vertices += count * size;
+            } else {
+                preview.skipped += count;
+            }
+        }
+        (preview.constraints > 0).then_some(preview)
+    }
+}

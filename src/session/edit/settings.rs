@@ -1,0 +1,251 @@
+//! The settings of a scene beyond its weights, declared: what is kept close to what, what is
+//! smoothed, how it is solved. Hosts build their controls from the list.
+
+use crate::constraint::{Form, Param, ParamValue};
+use crate::scene::{
+    Accelerator, BoundaryCloseness, ClosenessTo, Scene, SceneError, SmoothnessOf, Weighting, Worded,
+};
+use serde::Serialize;
+use serde_json::{Map, Value, json};
+
+/// A declared setting.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Setting {
+    /// Id, name and forms, as those of a parameter of a kind.
+    #[serde(flatten)]
+    pub param: Param,
+    /// What it does, in one sentence.
+    pub summary: &'static str,
+    /// The heading that hosts list it under.
+    pub group: &'static str,
+}
+
+const NEAR: &str = "Close to the original";
+const SMOOTH: &str = "Smoothness";
+const SOLVER: &str = "Solver";
+const OFF: Form = Form::Word("off");
+
+/// A switch.
+impl Worded for bool {
+    const WORDS: &'static [(&'static str, bool)] = &[("on", true), ("off", false)];
+}
+
+/// The words of a choice as forms of its value.
+const fn forms<T: Worded, const N: usize>() -> [Form; N] {
+    let mut forms = [Form::Nothing; N];
+    let mut i = 0;
+    while i < N {
+        forms[i] = Form::Word(T::WORDS[i].0);
+        i += 1;
+    }
+    forms
+}
+
+const fn words(
+    id: &'static str,
+    label: &'static str,
+    default: &'static str,
+    forms: &'static [Form],
+) -> Param {
+    Param { id, label, unit: "", default: ParamValue::Word(default), forms, range: [0.0, 0.0] }
+}
+
+/// All settings, in the order in which hosts list them.
+pub const SETTINGS: &[Setting] = &[
+    Setting {
+        param: words("closeness", "Stay near", "surface", const { &forms::<ClosenessTo, 3>() }),
+        summary: "The original surface lets vertices glide along it; rest holds each where it was; none holds nothing.",
+        group: NEAR,
+    },
+    Setting {
+        param: Param {
+            id: "boundary",
+            label: "Boundary stays on its curve",
+            unit: "degrees",
+            default: ParamValue::Word("off"),
+            forms: &[OFF, Form::Number],
+            range: [0.0, 180.0],
+        },
+        summary: "Boundary vertices glide along their own boundary curve; where it turns by more than this angle they are corners, which stay.",
+        group: NEAR,
+    },
+    Setting {
+        param: words("smoothness", "Smooth", "surface", const { &forms::<SmoothnessOf, 2>() }),
+        summary: "The surface itself, or only how far it moves, which keeps its bumps and creases.",
+        group: SMOOTH,
+    },
+    Setting {
+        param: words("weighting", "Neighbours count", "auto", const { &forms::<Weighting, 4>() }),
+        summary: "All alike, or by the shape of the faces between them: cotangent for triangles, polygon for any face; auto is cotangent on triangle meshes, else uniform.",
+        group: SMOOTH,
+    },
+    Setting {
+        param: words(
+            "accelerator",
+            "Accelerator",
+            "quasi-newton",
+            const { &forms::<Accelerator, 3>() },
+        ),
+        summary: "How steps are lengthened by what earlier ones found; none is the plain iteration of the paper.",
+        group: SOLVER,
+    },
+    Setting {
+        param: Param {
+            id: "window",
+            label: "Steps remembered",
+            unit: "",
+            default: ParamValue::Number(5.0),
+            forms: &[Form::Number],
+            range: [0.0, 50.0],
+        },
+        summary: "How many earlier steps the accelerator looks at; with 0 it does nothing.",
+        group: SOLVER,
+    },
+    Setting {
+        param: Param {
+            id: "tolerance",
+            label: "Stopping threshold",
+            unit: "",
+            default: ParamValue::Number(1e-9),
+            forms: &[Form::Number],
+            range: [0.0, 1.0],
+        },
+        summary: "The run stops when the total energy changes by less than this part of itself; with 0 it goes on.",
+        group: SOLVER,
+    },
+    Setting {
+        param: words("mean-centring", "Mean centring", "on", &[Form::Word("on"), OFF]),
+        summary: "Shapes are compared about their middles, so that they move freely; off is the slow way, for comparison.",
+        group: SOLVER,
+    },
+    Setting {
+        param: words("monotone", "Never increase energy", "off", &[OFF, Form::Word("on")]),
+        summary: "Keep an old projection where the new one is farther, so that the energy never rises with kinds that are not exact.",
+        group: SOLVER,
+    },
+];
+
+/// The value of every setting in `scene`, by id.
+pub fn settings_of(scene: &Scene) -> Map<String, Value> {
+    let boundary = scene.closeness.boundary;
+    let solver = scene.solver;
+    let values = [
+        ("closeness", json!(scene.closeness.to.word())),
+        ("boundary", boundary.map_or(json!("off"), |boundary| json!(boundary.corners))),
+        ("smoothness", json!(scene.smoothness.of.word())),
+        ("weighting", json!(scene.smoothness.weighting.word())),
+        ("accelerator", json!(solver.accelerator.word())),
+        ("window", json!(solver.window)),
+        ("tolerance", json!(solver.tolerance)),
+        ("mean-centring", json!(solver.mean_centring.word())),
+        ("monotone", json!(solver.monotone.word())),
+    ];
+    let mut settings = Map::new();
+    // Collecting them would bring a sort along.
+    settings.extend(values.map(|(id, value)| (id.to_owned(), value)));
+    settings
+}
+
+/// Gives a setting of `scene` another value, and tells its name.
+///
+/// # Errors
+/// When there is no such setting, or the value has none of its forms or is out of range.
+pub(crate) fn set(scene: &mut Scene, id: &str, value: &Value) -> Result<&'static str, SceneError> {
+    let error = |message: String| SceneError { path: id.to_owned(), message };
+    let setting = SETTINGS
+        .iter()
+        .find(|setting| setting.param.id == id)
+        .ok_or_else(|| error(format!("there is no setting `{id}`")))?;
+    let [least, greatest] = setting.param.range;
+    let number = || {
+        value.as_f64().filter(|number| (least..=greatest).contains(number)).ok_or_else(|| {
+            error(format!("found {value}, expected a number from {least} to {greatest}"))
+        })
+    };
+    match id {
+        "closeness" => scene.closeness.to = choice(id, value)?,
+        "boundary" => {
+            let off = value.as_str() == Some("off");
+            scene.closeness.boundary =
+                if off { None } else { Some(BoundaryCloseness { corners: number()? }) };
+        }
+        "smoothness" => scene.smoothness.of = choice(id, value)?,
+        "weighting" => scene.smoothness.weighting = choice(id, value)?,
+        "accelerator" => scene.solver.accelerator = choice(id, value)?,
+        "window" => {
+            let steps = number()?;
+            if steps.fract() != 0.0 {
+                return Err(error(format!("found {steps}, expected a whole number")));
+            }
+            scene.solver.window = steps as u32;
+        }
+        "tolerance" => scene.solver.tolerance = number()?,
+        "mean-centring" => scene.solver.mean_centring = choice(id, value)?,
+        "monotone" => scene.solver.monotone = choice(id, value)?,
+        _ => unreachable!("{id} is declared"),
+    }
+    Ok(setting.param.label)
+}
+
+/// What a value of setting `id` stands for among the words of a choice.
+fn choice<T: Worded>(id: &str, value: &Value) -> Result<T, SceneError> {
+    value.as_str().and_then(T::of_word).ok_or_else(|| SceneError {
+        path: id.to_owned(),
+        message: format!("found {value}, expected {}", T::list(" or ")),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::MeshSource;
+
+    fn scene() -> Scene {
+        Scene::new(MeshSource::File(String::new()))
+    }
+
+    #[test]
+    fn a_new_scene_has_the_declared_defaults() {
+        let now = settings_of(&scene());
+        assert_eq!(now.len(), SETTINGS.len());
+        for Setting { param, .. } in SETTINGS {
+            let declared = serde_json::to_value(param.default).expect("it is plain");
+            assert_eq!(now[param.id].as_f64(), declared.as_f64(), "{}", param.id);
+            assert_eq!(now[param.id].as_str(), declared.as_str(), "{}", param.id);
+        }
+    }
+
+    #[test]
+    fn every_declared_word_and_number_can_be_set_and_is_read_back() {
+        for Setting { param, .. } in SETTINGS {
+            for form in param.forms {
+                let value = match form {
+                    Form::Word(word) => json!(word),
+                    _ => json!(param.range[1]),
+                };
+                let mut scene = scene();
+                set(&mut scene, param.id, &value).expect("it is declared");
+                let read = &settings_of(&scene)[param.id];
+                assert_eq!(read.as_str(), value.as_str(), "{}", param.id);
+                assert_eq!(read.as_f64(), value.as_f64(), "{}", param.id);
+            }
+        }
+    }
+
+    #[test]
+    fn what_a_setting_cannot_be_is_refused_at_its_place() {
+        for (id, value) in [
+            ("closeness", json!("roof")),
+            ("boundary", json!(181)),
+            ("window", json!(2.5)),
+            ("tolerance", json!(-1)),
+            ("monotone", json!(true)),
+            ("colour", json!("red")),
+        ] {
+            let mut changed = scene();
+            let refused = set(&mut changed, id, &value).expect_err(id);
+            assert_eq!(refused.path, id);
+            assert_eq!(changed, scene());
+        }
+    }
+}

@@ -1,0 +1,78 @@
+//! What the vertices of a place are to the mesh: loops, chains, patches, panels.
+
+use crate::constraint::{Element, PlaceShape, Selector};
+use crate::mesh::{Mesh, Ragged, Topology};
+
+/// What the rows of vertices that a selector gave are to the mesh. None where nothing is usual.
+pub(crate) fn place_shape(
+    on: &Selector,
+    rows: &Ragged,
+    mesh: &Mesh,
+    topology: &Topology,
+) -> Option<PlaceShape> {
+    match on {
+        Selector::Each { element: Element::Face, .. } => {
+            let triangles = rows.iter().filter(|row| row.len() == 3).count();
+            let mostly = 2 * triangles > rows.len();
+            Some(if mostly { PlaceShape::Triangles } else { PlaceShape::Panels })
+        }
+        Selector::Each { element: Element::Edge, .. } => Some(PlaceShape::Edges),
+        Selector::Each { element: Element::Boundary, .. } => Some(PlaceShape::Loop),
+        Selector::Each { element: Element::Curve, .. } => Some(PlaceShape::Chain),
+        Selector::Each { .. } => None,
+        Selector::Set(_) | Selector::Vertices(_) => {
+            rows.iter().next().and_then(|vertices| together(vertices, mesh, topology))
+        }
+    }
+}
+
+/// What distinct vertices are that one constraint acts on together.
+fn together(vertices: &[u32], mesh: &Mesh, topology: &Topology) -> Option<PlaceShape> {
+    let mut inside = vec![false; mesh.positions.len()];
+    vertices.iter().for_each(|&v| inside[v as usize] = true);
+    let all_inside = |row: &[u32]| row.iter().all(|&v| inside[v as usize]);
+    let is_boundary_loop =
+        topology.boundary_loops().iter().any(|row| row.len() == vertices.len() && all_inside(row));
+    if is_boundary_loop {
+        return Some(PlaceShape::Loop);
+    }
+    let mut faces = mesh.faces.iter().filter(|face| all_inside(face));
+    if let Some(first) = faces.next() {
+        return match faces.next() {
+            None if first.len() == 3 => Some(PlaceShape::Triangles),
+            None => Some(PlaceShape::Panels),
+            Some(_) if mesh.faces.iter().all(all_inside) => None,
+            Some(_) => Some(PlaceShape::Patch),
+        };
+    }
+    let joined = |v: u32| {
+        topology.neighbours().row(v as usize).iter().filter(|&&n| inside[n as usize]).count()
+    };
+    let ends = vertices.iter().filter(|&&v| joined(v) == 1).count();
+    let is_path = vertices.iter().all(|&v| matches!(joined(v), 1 | 2))
+        && reached(vertices[0], &inside, topology) == vertices.len();
+    match (vertices.len(), ends) {
+        (0 | 1, _) => None,
+        (2, 2) => Some(PlaceShape::Edges),
+        (_, 0) if is_path => Some(PlaceShape::Loop),
+        (_, 2) if is_path => Some(PlaceShape::Chain),
+        _ => Some(PlaceShape::Points),
+    }
+}
+
+/// How many vertices edges lead to from `start` without leaving those that are `inside`.
+fn reached(start: u32, inside: &[bool], topology: &Topology) -> usize {
+    let mut left = inside.to_vec();
+    let mut queue = vec![start];
+    left[start as usize] = false;
+    let mut count = 0;
+    while let Some(v) = queue.pop() {
+        count += 1;
+        for &n in topology.neighbours().row(v as usize) {
+            if std::mem::take(&mut left[n as usize]) {
+                queue.push(n);
+            }
+        }
+    }
+    count
+}

@@ -1,0 +1,84 @@
+//! Which row of constraints each face and each vertex belongs to, to be shown in its colour.
+
+use crate::math::ascending;
+use crate::mesh::{Mesh, Topology};
+use crate::session::state::Session;
+
+/// The row that acts on each face and each vertex. Where several do, it is the one with the fewest
+/// vertices, which says the most about each; of those with as many the last.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ActingRows {
+    /// Per face the row, one of whose constraints has all its corners.
+    pub faces: Vec<Option<u32>>,
+    /// Per vertex the row, one of whose constraints has it and covers no whole face: a beam, a rim.
+    pub vertices: Vec<Option<u32>>,
+}
+
+impl Session {
+    /// What the enabled rows act on.
+    pub fn acting_rows(&self) -> ActingRows {
+        let mesh = &self.mesh;
+        let mut cover = Cover::new(mesh, &self.topology);
+        let rows: Vec<_> = (0..).zip(&self.rows).filter(|(_, row)| row.enabled).collect();
+        let most_vertices_first = ascending(rows.iter().map(|(_, row)| {
+            let mut vertices = row.constraints.members.indices().to_vec();
+            vertices.sort_unstable();
+            vertices.dedup();
+            u64::MAX - vertices.len() as u64
+        }));
+        let mut acting = ActingRows {
+            faces: vec![None; mesh.faces.len()],
+            vertices: vec![None; mesh.positions.len()],
+        };
+        for (index, row) in most_vertices_first.into_iter().map(|i| rows[i as usize]) {
+            for members in row.constraints.members.iter() {
+                let faces = cover.faces(members);
+                for &face in faces {
+                    acting.faces[face as usize] = Some(index);
+                }
+                if faces.is_empty() {
+                    for &vertex in members {
+                        acting.vertices[vertex as usize] = Some(index);
+                    }
+                }
+            }
+        }
+        acting
+    }
+}
+
+/// Finds the faces that sets of vertices cover.
+pub(crate) struct Cover<'a> {
+    mesh: &'a Mesh,
+    topology: &'a Topology,
+    /// Per vertex the last set that had it.
+    set_of: Vec<usize>,
+    sets: usize,
+    faces: Vec<u32>,
+}
+
+impl<'a> Cover<'a> {
+    pub(crate) fn new(mesh: &'a Mesh, topology: &'a Topology) -> Self {
+        let set_of = vec![0; mesh.positions.len()];
+        Cover { mesh, topology, set_of, sets: 0, faces: Vec::new() }
+    }
+
+    /// The faces all of whose corners are in `set`.
+    pub(crate) fn faces(&mut self, set: &[u32]) -> &[u32] {
+        self.sets += 1;
+        set.iter().for_each(|&vertex| self.set_of[vertex as usize] = self.sets);
+        self.faces.clear();
+        for &vertex in set {
+            for &face in self.topology.vertex_faces().row(vertex as usize) {
+                let corners = self.mesh.faces.row(face as usize);
+                // Each face is looked at once, from its first corner.
+                let is_covered = corners[0] == vertex
+                    && corners.iter().all(|&corner| self.set_of[corner as usize] == self.sets);
+                if is_covered {
+                    self.faces.push(face);
+                }
+            }
+        }
+        &self.faces
+    }
+}

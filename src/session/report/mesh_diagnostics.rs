@@ -1,0 +1,114 @@
+//! Elements of the mesh that have something wrong, so that a host can show which they are.
+
+use crate::math::Vec3;
+use crate::mesh::{Flawed, ProblemKind, flawed};
+use crate::session::state::Session;
+
+/// What can be asked for besides the problems of a file: faces without an area, as the shape is now.
+pub const ZERO_SIZE_FACES: &str = "zero-size-faces";
+
+/// A face that is thinner than this part of the size of the mesh has no area but by rounding.
+const ROUNDING: f64 = 1e-12;
+
+/// Problems whose elements are still in the mesh, by the name to ask for them.
+const PROBLEMS: &[(&str, ProblemKind)] = &[
+    ("unused-vertices", ProblemKind::UnusedVertex),
+    ("duplicate-faces", ProblemKind::DuplicateFace),
+    ("crowded-edges", ProblemKind::NonManifoldEdge),
+    ("flipped-edges", ProblemKind::FlippedNeighbour),
+];
+
+/// The name to ask for the elements with a problem; none where they are not in the mesh.
+pub fn flaw_of(kind: ProblemKind) -> Option<&'static str> {
+    PROBLEMS.iter().find(|(_, other)| *other == kind).map(|(name, _)| *name)
+}
+
+impl Session {
+    /// The elements with the flaw `name`, of [`flaw_of`] or [`ZERO_SIZE_FACES`]; none for any other name.
+    pub fn flawed(&self, name: &str) -> Option<Flawed> {
+        if name == ZERO_SIZE_FACES {
+            return Some(Flawed { faces: self.zero_size_faces(), ..Flawed::default() });
+        }
+        let (_, kind) = PROBLEMS.iter().find(|(other, _)| *other == name)?;
+        Some(flawed(&self.mesh, *kind))
+    }
+
+    /// The places in the list of edges of the topology of the edges between these ends.
+    pub fn edges_between(&self, ends: &[[u32; 2]]) -> Vec<u32> {
+        let mut ends = ends.to_vec();
+        ends.sort_unstable();
+        let edges = (0..).zip(self.topology.edges());
+        edges
+            .filter(|(_, [a, b])| ends.binary_search(&[*a.min(b), *a.max(b)]).is_ok())
+            .map(|(index, _)| index)
+            .collect()
+    }
+
+    /// Faces whose corners lie on one line or in one point.
+    fn zero_size_faces(&self) -> Vec<u32> {
+        let positions = self.positions();
+        let at = |v: u32| Vec3::from(positions[v as usize]);
+        let least = ROUNDING * self.diameter;
+        let is_flat = |corners: &[u32]| {
+            let first = at(corners[0]);
+            let ways = corners.iter().map(|&v| at(v) - first);
+            let farthest =
+                ways.clone().max_by(|a, b| a.length_squared().total_cmp(&b.length_squared()));
+            let Some(farthest) = farthest else { return true };
+            let length = farthest.length();
+            ways.clone().all(|way| way.cross(farthest).length() <= least * length)
+        };
+        let faces = (0..).zip(self.mesh.faces.iter());
+        faces.filter(|(_, corners)| is_flat(corners)).map(|(face, _)| face).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::Mesh;
+    use crate::scene::{MeshSource, Scene};
+
+    /// A square, a triangle on one line, a quad in one point, and a vertex of its own.
+    fn session(scale: f64) -> Session {
+        let corners: [[f64; 3]; 8] = [
+            [0.0, 0.0, 0.0],
+            [1.0, 0.0, 0.0],
+            [1.0, 1.0, 0.0],
+            [0.0, 1.0, 0.0],
+            [2.0, 0.0, 0.0],
+            [1.0, 1.0, 0.0],
+            [1.0, 1.0, 0.0],
+            [5.0, 5.0, 0.0],
+        ];
+        let faces: [&[u32]; 3] = [&[0, 1, 2, 3], &[0, 4, 1], &[2, 5, 6]];
+        let mesh = Mesh {
+            positions: corners.iter().map(|corner| corner.map(|x| scale * x)).collect(),
+            faces: faces.into_iter().collect(),
+            ..Mesh::default()
+        };
+        let scene = Scene::new(MeshSource::File(String::new()));
+        Session::open(scene, mesh).expect("it opens")
+    }
+
+    #[test]
+    fn faces_without_an_area_are_found_at_every_scale() {
+        for scale in [1e-3, 1.0, 1e3] {
+            let found = session(scale).flawed(ZERO_SIZE_FACES).expect("it is known");
+            assert_eq!(found.faces, [1, 2]);
+        }
+    }
+
+    #[test]
+    fn problems_of_the_mesh_name_their_elements() {
+        let session = session(1.0);
+        let name = flaw_of(ProblemKind::UnusedVertex).expect("it is in the mesh");
+        assert_eq!(session.flawed(name).expect("it is known").vertices, [7]);
+        assert_eq!(flaw_of(ProblemKind::UnknownStatement), None);
+        assert_eq!(session.flawed("beauty"), None);
+        let edges = session.topology().edges();
+        let found = session.edges_between(&[[0, 1], [2, 3]]);
+        assert_eq!(found.len(), 2);
+        assert!(found.iter().all(|&e| [[0, 1], [2, 3]].contains(&edges[e as usize])));
+    }
+}

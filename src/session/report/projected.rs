@@ -1,0 +1,114 @@
+//! The projections of the constraints, to be drawn: the projected points, and the edges of the mesh
+//! between them.
+
+use super::face_measure::Shape;
+use crate::constraint::{Centring, Projected};
+use crate::mesh::Topology;
+use crate::session::state::Session;
+use crate::solve::{Constraints, projections_at_rest};
+
+/// Every point of every enabled constraint with its projection. A vertex has a point in each
+/// constraint that it is part of.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Projections {
+    /// Per point its vertex.
+    pub vertices: Vec<u32>,
+    /// `#points by 3`: from the vertex to the shape that fits, in the unit of the mesh.
+    pub ways: Vec<[f64; 3]>,
+    /// Per point its row of constraints.
+    pub rows: Vec<u32>,
+    /// The outlines of the projected shapes as pairs of points of the same constraint: the ends of
+    /// the edges that it is about, else of the edges of the mesh among its vertices.
+    pub outlines: Vec<[u32; 2]>,
+}
+
+impl Session {
+    /// The projections at the current positions.
+    pub fn projections(&mut self) -> Projections {
+        let enabled: Vec<(u32, Centring)> = (0..)
+            .zip(&self.rows)
+            .filter(|(_, row)| row.enabled)
+            .map(|(index, row)| (index, row.constraints.kind.info().centring))
+            .collect();
+        let mut found = Projections::default();
+        let mut among = Among::new(&self.topology);
+        self.solver.projected(|row, points| {
+            let (row, centring) = enabled[row];
+            let first = found.vertices.len() as u32;
+            for (vertex, way) in points {
+                found.vertices.push(*vertex);
+                found.ways.push([way.x, way.y, way.z]);
+                found.rows.push(row);
+            }
+            let own = &found.vertices[first as usize..];
+            match centring {
+                Centring::ByEdge => found
+                    .outlines
+                    .extend((0..own.len() as u32 / 2).map(|k| [first + 2 * k, first + 2 * k + 1])),
+                Centring::Together | Centring::Placed => {
+                    among.edges(own, |ends| found.outlines.push(ends.map(|end| first + end)));
+                }
+            }
+        });
+        found
+    }
+}
+
+impl Session {
+    /// How far each face is from what its constraints want, `#F`, in the unit of the mesh: the largest
+    /// distance of a corner to its projection in any enabled constraint.
+    pub fn residuals(&mut self) -> Vec<f64> {
+        self.residuals_of(Shape::Now)
+    }
+
+    pub(crate) fn residuals_of(&mut self, shape: Shape) -> Vec<f64> {
+        let mut squares = vec![0.0f64; self.mesh.positions.len()];
+        let mut take = |points: &Projected| {
+            for (vertex, way) in points {
+                let worst = &mut squares[*vertex as usize];
+                *worst = worst.max(way.length_squared());
+            }
+        };
+        match shape {
+            Shape::Now => self.solver.projected(|_, points| take(points)),
+            Shape::Original => {
+                let enabled = self.rows.iter().filter(|row| row.enabled);
+                let constraints: Vec<Constraints> =
+                    enabled.map(|row| row.constraints.clone()).collect();
+                projections_at_rest(&self.mesh, &constraints, take);
+            }
+        }
+        let worst = |face: &[u32]| face.iter().fold(0.0, |w: f64, &v| w.max(squares[v as usize]));
+        self.mesh.faces.iter().map(|face| worst(face).sqrt()).collect()
+    }
+}
+
+/// Finds the edges of the mesh among sets of vertices.
+struct Among<'a> {
+    topology: &'a Topology,
+    /// Per vertex the last set that had it, and its place there.
+    place: Vec<(usize, u32)>,
+    sets: usize,
+}
+
+impl<'a> Among<'a> {
+    fn new(topology: &'a Topology) -> Self {
+        Among { topology, place: vec![(0, 0); topology.neighbours().len()], sets: 0 }
+    }
+
+    /// Gives `each` the places in `set` of the ends of every edge among its vertices.
+    fn edges(&mut self, set: &[u32], mut each: impl FnMut([u32; 2])) {
+        self.sets += 1;
+        for (k, &vertex) in (0..).zip(set) {
+            self.place[vertex as usize] = (self.sets, k);
+        }
+        for (k, &vertex) in (0..).zip(set) {
+            for &other in self.topology.neighbours().row(vertex as usize) {
+                let (set, place) = self.place[other as usize];
+                if set == self.sets && vertex < other {
+                    each([k, place]);
+                }
+            }
+        }
+    }
+}

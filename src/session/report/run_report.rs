@@ -1,0 +1,121 @@
+//! The report of a solved scene.
+
+use super::moved::Moved;
+use crate::mesh::{Circularity, Planarity};
+use crate::scene::{Accelerator, Worded};
+use crate::session::state::{Session, TraceEntry};
+use crate::solve::{Energy, IterateSeconds};
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// What `shape-up solve --report` writes and what the page shows, in the same words and units.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Report {
+    /// `#V`
+    pub vertices: usize,
+    /// `#F`
+    pub faces: usize,
+    /// Enabled constraints by kind.
+    pub constraints: BTreeMap<&'static str, usize>,
+    /// Elements whose number of vertices does not fit their kind.
+    pub skipped: usize,
+    /// Unknowns of the linear system, the extra ones of big constraints included; each is x, y and z.
+    pub unknowns: usize,
+    /// Nonzeros of `L` with its diagonal.
+    pub factor_nonzeros: usize,
+    /// Iterations done.
+    pub iterations: u32,
+    /// `"tolerance"` or `"iterations"`.
+    pub stopped_by: &'static str,
+    /// How steps were accelerated, in the words of the scene file.
+    pub accelerator: &'static str,
+    /// Vertices pinned because nothing holds their part.
+    pub pinned: Vec<u32>,
+    /// Energies at the input and now.
+    pub energy: EnergyReport,
+    /// Planarity of the faces.
+    pub planarity: Planarity,
+    /// Circularity of the faces.
+    pub circularity: Circularity,
+    /// How far the vertices are from their rest positions.
+    pub moved: Moved,
+    /// The least length of an edge as a part of its length at rest.
+    pub shortest_edge: f64,
+    /// Where the time went.
+    pub seconds: Seconds,
+    /// Every iteration, when a trace was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub trace: Option<Vec<TraceEntry>>,
+}
+
+/// Energies at the input and now.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct EnergyReport {
+    /// At the input.
+    pub initial: Energy,
+    /// Now.
+    #[serde(rename = "final")]
+    pub last: Energy,
+}
+
+/// Seconds by stage.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Seconds {
+    /// Reading the files.
+    pub load: f64,
+    /// The normal matrix.
+    pub assemble: f64,
+    /// The order of elimination.
+    pub order: f64,
+    /// The factor.
+    pub factor: f64,
+    /// All iterations.
+    pub iterate: f64,
+    /// All iterations by part.
+    pub parts: IterateSeconds,
+}
+
+impl Session {
+    /// The report as of now.
+    pub fn report(&self) -> Report {
+        let mut constraints = BTreeMap::new();
+        let mut skipped = 0;
+        for row in self.rows.iter().filter(|row| row.enabled) {
+            *constraints.entry(row.constraints.kind.info().id).or_insert(0) +=
+                row.constraints.members.len();
+            skipped += row.skipped;
+        }
+        let measures = self.measures();
+        let set_up = self.solver.set_up_seconds();
+        let settings = &self.document.solver;
+        // Without steps to learn from there is nothing but the plain iteration.
+        let accelerator =
+            if settings.window == 0 { Accelerator::None } else { settings.accelerator };
+        Report {
+            vertices: self.mesh.positions.len(),
+            faces: self.mesh.faces.len(),
+            constraints,
+            skipped,
+            unknowns: self.solver.system().unknowns(),
+            factor_nonzeros: self.solver.system().factor_nonzeros(),
+            iterations: self.past.iteration,
+            stopped_by: if self.converged() { "tolerance" } else { "iterations" },
+            accelerator: accelerator.word(),
+            pinned: self.solver.pinned().to_vec(),
+            energy: EnergyReport { initial: self.past.initial, last: self.solver.energy() },
+            planarity: measures.planarity,
+            circularity: measures.circularity,
+            moved: self.moved(),
+            shortest_edge: self.shortest_edge(),
+            seconds: Seconds {
+                load: self.past.load_seconds,
+                assemble: set_up.assemble,
+                order: set_up.order,
+                factor: set_up.factor,
+                iterate: self.solver.iterate_seconds().total(),
+                parts: self.solver.iterate_seconds(),
+            },
+            trace: self.past.trace.as_ref().map(|_| self.trace().to_vec()),
+        }
+    }
+}

@@ -1,0 +1,110 @@
+//! What a run has come to, in the words of somebody who builds: how many panels are as asked, within
+//! which tolerance, and what it cost.
+
+use super::moved::Moved;
+use crate::math::Vec3;
+use crate::session::state::Session;
+use serde::Serialize;
+
+/// What has become of the panels.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Verdict {
+    /// The id of the kind that they are asked to have.
+    pub kind: &'static str,
+    /// What they are then: "flat".
+    pub adjective: &'static str,
+    /// How many are asked.
+    pub panels: usize,
+    /// How many have their worst vertex within the tolerance.
+    pub within: usize,
+    /// The distance of the worst vertex, units of the mesh.
+    pub worst: f64,
+    /// The face that it belongs to.
+    pub worst_face: u32,
+    /// How far the vertices are from their rest positions.
+    pub moved: Moved,
+}
+
+impl Session {
+    /// How near the panels are to what they are asked to be, by the last row that is on and asks it of
+    /// single faces: distances up to `tolerance` are within. None where nothing of the kind is asked.
+    pub fn verdict(&mut self, tolerance: f64) -> Option<Verdict> {
+        let rows = self.document.constraints.iter().enumerate().rev();
+        let mut asking = rows.filter(|(_, row)| row.enabled);
+        let (row, info, adjective) = asking.find_map(|(index, row)| {
+            let info = row.kind.info();
+            let adjective = info.panels.filter(|_| self.asked_measure(index).is_some())?;
+            Some((index, info, adjective))
+        })?;
+        let [faces, _] = self.members(row);
+        let distances = self.face_values(info.measure?)?;
+        let distance = |face: u32| distances[face as usize];
+        let worst_face =
+            faces.iter().copied().max_by(|&a, &b| distance(a).total_cmp(&distance(b)))?;
+        Some(Verdict {
+            kind: info.id,
+            adjective,
+            panels: faces.len(),
+            within: faces.iter().filter(|&&face| distance(face) <= tolerance).count(),
+            worst: distance(worst_face),
+            worst_face,
+            moved: self.moved(),
+        })
+    }
+
+    /// Mean length of an edge at rest; zero without edges.
+    pub fn mean_edge(&self) -> f64 {
+        let at = |v: u32| Vec3::from(self.mesh.positions[v as usize]);
+        let edges = self.topology.edges();
+        let sum: f64 = edges.iter().map(|&[a, b]| (at(b) - at(a)).length()).sum();
+        sum / edges.len().max(1) as f64
+    }
+
+    /// A tolerance for distances on this mesh: about a thousandth of the mean edge, a number that one
+    /// says (1, 2 or 5 times a power of ten), in the unit of the mesh.
+    pub fn tolerance(&self) -> f64 {
+        match self.mean_edge() {
+            edge if edge > 0.0 => round_number(1e-3 * edge),
+            _ => round_number(1e-3 * self.diameter),
+        }
+    }
+}
+
+/// The nearest of 1, 2 and 5 times a power of ten; of nothing, 1.
+fn round_number(number: f64) -> f64 {
+    if number.is_nan() || number <= 0.0 {
+        return 1.0;
+    }
+    // In decimal, so that the result is the number that is written so.
+    let text = format!("{number:e}");
+    let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+    let mantissa: f64 = mantissa.parse().unwrap_or(1.0);
+    let step = match mantissa {
+        ..1.5 => "1",
+        1.5..3.5 => "2",
+        3.5..7.5 => "5",
+        _ => "10",
+    };
+    format!("{step}e{exponent}").parse().unwrap_or(number)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_tolerance_is_a_number_that_one_says() {
+        for (number, round) in [
+            (0.0013, 0.001),
+            (0.0017, 0.002),
+            (4.9, 5.0),
+            (0.08, 0.1),
+            (730.0, 500.0),
+            (2.2e-7, 2e-7),
+            (0.0, 1.0),
+        ] {
+            assert_eq!(round_number(number), round);
+        }
+    }
+}

@@ -1,0 +1,50 @@
+//! Selections and requests for them.
+
+use crate::scene::{SceneError, Worded};
+use serde::Serialize;
+use serde_json::{Map, Value};
+
+/// What is picked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Mode {
+    /// Vertices.
+    Vertices,
+    /// Edges, numbered as in [`crate::mesh::Topology::edges`].
+    Edges,
+    /// Faces.
+    Faces,
+}
+
+impl Worded for Mode {
+    const WORDS: &'static [(&'static str, Mode)] =
+        &[("vertices", Mode::Vertices), ("edges", Mode::Edges), ("faces", Mode::Faces)];
+}
+
+/// Some vertices, edges and faces.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Selection {
+    /// Indices of vertices.
+    pub vertices: Vec<u32>,
+    /// Numbers of edges, as in [`crate::mesh::Topology::edges`].
+    pub edges: Vec<u32>,
+    /// Indices of faces.
+    pub faces: Vec<u32>,
+}
+
+/// A way to select, from where.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SelectRequest {
+    /// The id of an [`Operation`](super::Operation).
+    pub operation: String,
+    /// What is picked; the answer is of that kind unless the operation gives another.
+    pub mode: Mode,
+    /// What is selected now.
+    pub from: Selection,
+    /// The parameters that are not at their default.
+    pub params: Map<String, Value>,
+}
+
+pub(super) fn error(path: &str, message: String) -> SceneError {
+    SceneError { path: path.to_owned(), message }
+}

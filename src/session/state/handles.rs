@@ -1,0 +1,34 @@
+//! Handles as a scene lists them and as the solver has them.
+
+use crate::mesh::Point;
+use crate::scene::{HandleSpec, Hold};
+use crate::solve::Handle;
+
+/// One handle per vertex.
+pub(crate) fn flat(specs: &[HandleSpec], rest: &[Point]) -> Vec<Handle> {
+    let mut handles = Vec::new();
+    for spec in specs {
+        for (k, &vertex) in spec.vertices.iter().enumerate() {
+            let target = spec.targets.as_ref().map_or(rest[vertex as usize], |targets| targets[k]);
+            handles.push(Handle { vertex, target, hold: spec.hold });
+        }
+    }
+    handles
+}
+
+/// Runs of handles that hold alike, as the scene file lists them.
+pub(crate) fn grouped(handles: &[Handle]) -> Vec<HandleSpec> {
+    let alike = |a: &Handle, b: &Handle| match (a.hold, b.hold) {
+        (Hold::Fixed, Hold::Fixed) => true,
+        (Hold::Soft { weight: a }, Hold::Soft { weight: b }) => a == b,
+        _ => false,
+    };
+    handles
+        .chunk_by(alike)
+        .map(|run| HandleSpec {
+            vertices: run.iter().map(|handle| handle.vertex).collect(),
+            targets: Some(run.iter().map(|handle| handle.target).collect()),
+            hold: run[0].hold,
+        })
+        .collect()
+}

@@ -1,0 +1,97 @@
+//! Rows of constraints with their vertices.
+
+use crate::constraint::{Centring, resolve};
+use crate::mesh::{Mesh, Ragged, Topology};
+use crate::scene::{ConstraintSpec, Scene, SceneError};
+use crate::solve::Constraints;
+
+/// A row of the list of constraints with the vertices that it acts on.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ResolvedRow {
+    /// Kind, weight, and the vertices of each constraint.
+    pub constraints: Constraints,
+    /// Elements whose number of vertices does not fit the kind.
+    pub skipped: usize,
+    /// Whether it counts.
+    pub enabled: bool,
+}
+
+/// All constraints have at most so many vertices, counted in each of them: a few words of a scene could
+/// stand for any number.
+const MOST_MEMBERS: usize = 40_000_000;
+
+/// Resolves every row of a scene.
+///
+/// # Errors
+/// When a row has no constraint left, or all of them are on more vertices than can be solved for, with the
+/// JSON path of the row.
+pub(crate) fn resolve_rows(
+    scene: &Scene,
+    mesh: &Mesh,
+    topology: &Topology,
+) -> Result<Vec<ResolvedRow>, SceneError> {
+    let mut members = 0;
+    let resolved = scene.constraints.iter().enumerate().map(|(i, spec)| {
+        let error = |message| SceneError { path: format!("constraints[{i}].on"), message };
+        let row = row(spec, scene, mesh, topology).map_err(error)?;
+        members += row.constraints.members.indices().len();
+        if members > MOST_MEMBERS {
+            return Err(error(format!(
+                "the constraints have more than {MOST_MEMBERS} vertices together, expected fewer of them"
+            )));
+        }
+        Ok(row)
+    });
+    resolved.collect()
+}
+
+/// Resolves one row; the error says why none is left.
+fn row(
+    spec: &ConstraintSpec,
+    scene: &Scene,
+    mesh: &Mesh,
+    topology: &Topology,
+) -> Result<ResolvedRow, String> {
+    let selected =
+        resolve(&spec.on, mesh, topology, &scene.sets).map_err(|error| error.to_string())?;
+    let info = spec.kind.info();
+    let selected = match info.centring {
+        Centring::ByEdge => selected.iter().map(|members| edges_among(members, topology)).collect(),
+        Centring::Together | Centring::Placed => selected,
+    };
+    let fits = |members: &&[u32]| info.arity.fits(members.len());
+    let members: Ragged = selected.iter().filter(fits).collect();
+    if members.is_empty() {
+        return Err(if selected.is_empty() {
+            "nothing is selected: the mesh has no such element, expected at least one".to_owned()
+        } else {
+            format!(
+                "{} takes {}, and none of the {} selected elements has that, expected some that do",
+                info.id,
+                info.takes(),
+                selected.len()
+            )
+        });
+    }
+    Ok(ResolvedRow {
+        skipped: selected.len() - members.len(),
+        constraints: Constraints { kind: spec.kind.clone(), weight: spec.weight, members },
+        enabled: spec.enabled,
+    })
+}
+
+/// The edges of the mesh between `members`, one end after the other, in the order of the smaller end
+/// among the members.
+pub(crate) fn edges_among(members: &[u32], topology: &Topology) -> Vec<u32> {
+    let mut sorted = members.to_vec();
+    sorted.sort_unstable();
+    let mut ends = Vec::new();
+    for &v in members {
+        for &u in topology.neighbours().row(v as usize) {
+            if v < u && sorted.binary_search(&u).is_ok() {
+                ends.extend([v, u]);
+            }
+        }
+    }
+    ends
+}
