@@ -38,7 +38,7 @@ export class HoldOriginal {
     try {
       const [positions, values] = await Promise.all([
         this.#positionsOf(model),
-        measure && this.#solver.request({ type: 'faceValues', measure, original: true }),
+        measure ? this.#solver.request({ type: 'faceValues', measure, original: true }) : null,
       ]);
       if (!this.#isHeld || this.#store.get().model !== model) return;
       this.#store.set({ heldOriginal: { positions, values }, status: STATUS });
@@ -88,10 +88,10 @@ export class HoldOriginal {
 
   /** @param {unknown} model the one that is open */
   async #positionsOf(model) {
-    if (this.#original?.model !== model) {
-      const positions = await this.#solver.request({ type: 'originalPositions' });
-      this.#original = { model, positions };
-    }
-    return this.#original?.positions;
+    const known = this.#original;
+    if (known && known.model === model) return known.positions;
+    const positions = await this.#solver.request({ type: 'originalPositions' });
+    this.#original = { model, positions };
+    return positions;
   }
 }

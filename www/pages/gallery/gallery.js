@@ -94,7 +94,7 @@ function section(heading, id) {
  */
 function show(entries) {
   const words = query.value.toLowerCase().split(/\s+/).filter(Boolean);
-  const fits = ({ example, words: text }) =>
+  const fits = (/** @type {Entry} */ { example, words: text }) =>
     words.every((word) => text.includes(word)) &&
     (figure.value === '' || String(example.figure) === figure.value) &&
     (kind.value === '' || example.kinds.some(({ id }) => id === kind.value));

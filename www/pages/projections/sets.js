@@ -44,7 +44,7 @@ function closestOnParabola(bend, x, y) {
   // Where the distance is least, its derivative 2 b^2 u^3 + (1 - 2 b y) u - x is zero.
   const roots = rootsOfCubic((1 - 2 * bend * y) / (2 * bend * bend), -x / (2 * bend * bend));
   const points = roots.map((u) => /** @type {Point} */ ([u, bend * u * u]));
-  const far = ([u, v]) => (u - x) ** 2 + (v - y) ** 2;
+  const far = (/** @type {Point} */ [u, v]) => (u - x) ** 2 + (v - y) ** 2;
   return points.reduce((best, point) => (far(point) < far(best) ? point : best));
 }
 

@@ -11,7 +11,7 @@
   const early = { drags: [], changed() {} };
   Object.assign(window, { earlyDrags: early });
 
-  addEventListener('pointerdown', (press) => {
+  window.addEventListener('pointerdown', (press) => {
     const { target, button, isPrimary, pointerId, clientX, clientY } = press;
     if (button !== 0 || !isPrimary || !(target instanceof Element)) return;
     const picture = [...document.querySelectorAll('#first-picture svg')].find(
