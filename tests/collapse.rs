@@ -126,3 +126,17 @@ fn real_meshes_with_the_settings_of_an_opened_mesh_do_not_trip_it() {
         }
     }
 }
+
+#[test]
+fn a_scene_that_was_edited_is_watched_over_after_a_reload_too() {
+    let mesh = grid::grid(10, 10, |i, j| [f64::from(i), f64::from(j), f64::from(i * j % 7) * 0.2]);
+    let mut session = with_weights_of_fig_5(mesh.clone());
+    let smooth = Weights { shape: 1.0, close: 0.0, smooth: 10.0 };
+    session.edit(Edit::SetWeights(smooth)).unwrap();
+    let mut opened = Session::open(session.scene(), mesh).unwrap();
+    opened.restore(&session.saved_history(), &[]).unwrap();
+    assert!(run(&mut session, 5000, false) && session.collapse().is_some());
+    // It was taken for a scene whose author meant it.
+    assert!(run(&mut opened, 5000, false));
+    assert_eq!(opened.collapse(), session.collapse());
+}

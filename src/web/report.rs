@@ -4,7 +4,7 @@ use super::lesson::{GoalNumbers, LessonWords};
 use crate::constraint::{Element, Info, KINDS, Kind, LocalStep, Sketch, describe};
 use crate::mesh::{Circularity, Planarity, Read, Weld};
 use crate::scene::{Hold, PRESETS, PanelOffer, Preset, PresetOffer, Worded, panel_offers};
-use crate::session::{CollapseReason, Moved, Session, flaw_of, settings_of};
+use crate::session::{Moved, Session, flaw_of, settings_of};
 use crate::solve::Energy;
 use serde::Serialize;
 use serde_json::Value;
@@ -263,8 +263,8 @@ impl<'a> Document<'a> {
 pub(super) struct Frame {
     iteration: u32,
     converged: bool,
-    /// In which way the shape has collapsed.
-    collapse: Option<CollapseReason>,
+    /// How the shape has collapsed.
+    collapse: Option<String>,
     /// The local step is done, the global step is next.
     halfway: bool,
     energy: Energy,
@@ -296,7 +296,7 @@ impl Frame {
         Frame {
             iteration: session.iteration(),
             converged: session.converged(),
-            collapse: session.collapse().map(|collapse| collapse.reason),
+            collapse: session.collapse().map(|collapse| collapse.to_string()),
             halfway: session.halfway(),
             energy,
             planarity: measures.planarity,

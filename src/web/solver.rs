@@ -72,9 +72,9 @@ impl Solver {
         Ok(step.ended)
     }
 
-    /// How the shape has collapsed, or null.
-    pub fn collapse(&self) -> Result<JsValue, JsValue> {
-        plain(&self.open()?.collapse())
+    /// How the shape has collapsed, as the end of a sentence, or undefined.
+    pub fn collapse(&self) -> Result<Option<String>, JsValue> {
+        Ok(self.open()?.collapse().map(|collapse| collapse.to_string()))
     }
 
     /// Lets the run that has begun go on when the shape collapses.

@@ -121,3 +121,13 @@ fn faces_with_vertices_of_their_own_are_solved_together_and_come_out_as_they_cam
     let middle = [2, 7, 9, 12].map(|v| after.positions[v]);
     assert!(middle.iter().all(|at| *at == middle[0]), "{middle:?}");
 }
+
+#[test]
+fn a_mesh_that_shrinks_to_a_dot_is_told() {
+    // It was written without a word.
+    let folder = Folder::new("dot");
+    folder.write("roof.obj", ROOF);
+    folder.write("s.json", scene(r#", "weights": { "shape": 1, "smooth": 10 }"#));
+    let out = folder.run(&["solve", "s.json", "--panels", "plane", "--out", "out.obj"]).done();
+    assert!(out.contains("note: stopped: the mesh shrank to "), "{out}");
+}

@@ -16,7 +16,7 @@ export function attachLater(parts) {
       failed,
     );
   files.once('opened', offer);
-  solver.on('collapsed', (collapse) => {
+  solver.on('collapsed', ({ collapse }) => {
     import('../documents/collapse.js').then(
       ({ tellCollapse }) => tellCollapse(parts, collapse),
       failed,

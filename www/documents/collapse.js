@@ -4,24 +4,13 @@
  */
 
 import { dialogHead, element } from '../ui/dom.js';
-import { part } from '../ui/format.js';
-
-/** @typedef {import("../solver/messages.js").Collapse} Collapse */
-
-/** What happened, as the end of a sentence. @type {Record<Collapse["reason"], (amount: number) => string>} */
-const WORDS = {
-  shrunk: (amount) =>
-    `the mesh shrank to ${amount < 0.01 ? 'a dot' : `${part(amount)} of its size`}`,
-  area: (amount) => `${part(amount)} of the faces lost their area`,
-  moved: (amount) => `vertices moved by up to ${part(amount)} of the size of the mesh`,
-};
 
 /**
  * @param {import("../app/context.js").AppContext} parts
- * @param {Collapse} collapse
+ * @param {string} collapse how, as the end of a sentence
  */
-export function tellCollapse({ store, solver, alerts, actions }, { reason, amount }) {
-  const text = `Stopped: ${WORDS[reason](amount)}.`;
+export function tellCollapse({ store, solver, alerts, actions }, collapse) {
+  const text = `Stopped: ${collapse}.`;
   store.set({ status: text });
   alerts.notice(
     text,
@@ -40,22 +29,21 @@ export function tellCollapse({ store, solver, alerts, actions }, { reason, amoun
 
 /**
  * Asks whether a shape that has collapsed shall be exported as it is.
- * @param {Collapse["reason"]} reason
+ * @param {string} collapse how, as the end of a sentence
  * @returns {Promise<boolean>}
  */
-export function askToExport(reason) {
+export function askToExport(collapse) {
   const dialog = element('dialog', {
     id: 'export-anyway',
     'aria-labelledby': 'export-anyway-title',
   });
   const answer = (/** @type {string} */ value) => () => dialog.close(value);
-  const what = { shrunk: 'shrank', area: 'has faces without an area', moved: 'moved far away' };
   dialog.append(
     dialogHead(dialog, 'export-anyway-title', 'Export this shape?'),
     element(
       'div',
       { class: 'dialog-body' },
-      element('p', {}, `The mesh ${what[reason]} in the last run. It is hardly what you want.`),
+      element('p', {}, `In the last run ${collapse}. It is hardly what you want.`),
       element(
         'div',
         { class: 'dialog-foot' },

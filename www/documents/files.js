@@ -279,8 +279,8 @@ export class Files extends Emitter {
 
   /** Whether the shape is wanted as it is: asks where a run took the mesh apart. */
   async mayExport() {
-    const reason = this.#store.get().numbers?.collapse;
-    return !reason || (await import('./collapse.js')).askToExport(reason);
+    const collapse = this.#store.get().numbers?.collapse;
+    return !collapse || (await import('./collapse.js')).askToExport(collapse);
   }
 
   /** The current shape, with the flat map that is shown, as OBJ. */

@@ -174,17 +174,11 @@
  */
 
 /**
- * How a shape has collapsed: the whole has shrunk, and what is left of its diagonal; faces have lost their
- * area, and how many of all; vertices have moved far, and the farthest way as a part of the diagonal.
- * @typedef {{ reason: "shrunk" | "area" | "moved", amount: number }} Collapse
- */
-
-/**
  * The numbers of one state of the iteration.
  * @typedef {object} Numbers
  * @property {number} iteration
  * @property {boolean} converged
- * @property {Collapse["reason"] | null} collapse in which way the shape has collapsed since iterating began
+ * @property {string | null} collapse how the shape has collapsed since iterating began, as the end of a sentence
  * @property {boolean} halfway the local step is done, the global step is next
  * @property {Energy} energy
  * @property {{ max_distance: number, mean_distance: number, [measure: string]: number }} planarity
@@ -418,7 +412,7 @@
  *   move of a drag that it shows, and the milliseconds since that came.
  * - `activity`: whether the solver runs (Run was pressed and it has not converged); sent after the
  *   frame that belongs to it.
- * - `collapsed`: the run has ended with a shape that has collapsed. `converged` is not said of it.
+ * - `collapsed`: the run has ended with a shape that has collapsed, and how. `converged` is not said of it.
  * - `experiment`: what an experiment has measured since the last one. `ended` is null while it goes on;
  *   `message` says why it failed.
  * - `trouble`: an iteration failed; the last good state stays.
@@ -438,7 +432,7 @@
  *       shapes: Float32Array | null, projections: Projections | null,
  *       answers: [number, number] | null }
  *   | { type: "activity", running: boolean, converged: boolean }
- *   | ({ type: "collapsed" } & Collapse)
+ *   | { type: "collapsed", collapse: string }
  *   | { type: "experiment", news: ExperimentNews[], ended: "done" | "cancelled" | "failed" | null, message: string }
  *   | { type: "trouble", message: string }
  *   | { type: "died", message: string }

@@ -269,8 +269,8 @@ export class Scheduler {
   }
 
   #iterateForSlice() {
-    /** @type {import("../solver/messages.js").Collapse | null} */
-    let collapsed = null;
+    /** @type {string | undefined} */
+    let collapse;
     if (this.#move) {
       this.#solver.drag(this.#move.vertices, this.#move.targets, 'move');
       this.#move = null;
@@ -285,12 +285,12 @@ export class Scheduler {
     if (this.#isSettled && this.#isRunning && !this.#isDragging) {
       this.#endRun();
       this.changed();
-      if (!this.#goesOn) collapsed = this.#solver.collapse();
+      if (!this.#goesOn) collapse = this.#solver.collapse();
     } else if (this.frames.due) {
       this.#progressTimer ||= setTimeout(() => this.#sendProgress(), this.#progressEvery);
     }
     this.sendFrame();
-    if (collapsed) this.#post({ type: 'collapsed', ...collapsed });
+    if (collapse) this.#post({ type: 'collapsed', collapse });
   }
 
   #sendDocument() {

@@ -34,9 +34,15 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
 
     let mut session = Session::open(scene, mesh).map_err(at_input)?;
     session.set_load_seconds(load_seconds);
+    if command.panels.is_some() {
+        session.arm_guard();
+    }
     session.solve(command.trace).map_err(at_input)?;
     let report = session.report();
     remarks.extend(misfits(&session));
+    remarks.extend(session.collapse().map(|collapse| {
+        format!("stopped: {collapse}. A larger weight of closeness keeps it nearer to its shape")
+    }));
 
     let mut files: Vec<(&Path, String)> = Vec::new();
     if let Some(path) = &command.out {

@@ -19,6 +19,11 @@ impl Session {
         self.solver.converged() && self.collapse().is_none()
     }
 
+    /// Watches over the shape from here on, as after an edit.
+    pub fn arm_guard(&mut self) {
+        self.past.guard.armed = true;
+    }
+
     /// Before an iteration.
     pub(crate) fn take_start(&mut self) {
         let guard = &self.past.guard;

@@ -8,8 +8,7 @@
 use crate::math::{Vec3, twice_vector_area};
 use crate::mesh::{Mesh, Point, Ragged};
 use crate::scene::Scene;
-use serde::Serialize;
-use std::rc::Rc;
+use std::{fmt, rc::Rc};
 
 /// The least diagonal of the bounding box, as a part of that at the start.
 const LEAST_DIAGONAL: f64 = 0.5;
@@ -23,7 +22,7 @@ const MOST_LOST: f64 = 0.1;
 /// Handles that are away from their targets pull: the shape may change by so many times their way more.
 const PER_PULL: f64 = 2.0;
 /// What has become of a shape.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Collapse {
     /// In which way.
     pub reason: CollapseReason,
@@ -32,9 +31,23 @@ pub struct Collapse {
     pub amount: f64,
 }
 
+/// As the end of a sentence: "the mesh shrank to a dot".
+impl fmt::Display for Collapse {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let percent = (100.0 * self.amount).round();
+        match self.reason {
+            CollapseReason::Shrunk if self.amount < 0.01 => f.write_str("the mesh shrank to a dot"),
+            CollapseReason::Shrunk => write!(f, "the mesh shrank to {percent} % of its size"),
+            CollapseReason::Area => write!(f, "{percent} % of the faces lost their area"),
+            CollapseReason::Moved => {
+                write!(f, "vertices moved by up to {percent} % of the size of the mesh")
+            }
+        }
+    }
+}
+
 /// In which way a shape collapsed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CollapseReason {
     /// The whole has shrunk.
     Shrunk,

@@ -114,7 +114,9 @@ impl Session {
         self.solver.settle();
         self.look();
         let iterations = self.past.iteration - gesture.before.iteration;
-        if iterations > 0 && !gesture.joins_last {
+        // One that collapsed can be taken back alone.
+        let joins = gesture.joins_last && self.collapse().is_none();
+        if iterations > 0 && !joins {
             let iterations = counted(iterations as usize, "iteration", "iterations");
             self.past.history.push(format!("Run, {iterations}"), gesture.before);
         }

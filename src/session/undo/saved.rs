@@ -66,7 +66,14 @@ impl Session {
         let mut result = Ok(());
         if !history.is_empty() {
             let read = self.read_history(&mut Bytes(history), &now);
-            result = read.map(|history| self.past.history = history);
+            result = read.map(|history| {
+                // What was asked when the scene was first opened: edits since then arm the guard.
+                if let [[(_, first), ..], _] = history.steps() {
+                    self.past.guard.opened = first.document.clone();
+                }
+                self.past.history = history;
+                self.start_from(None);
+            });
         }
         if !progress.is_empty() {
             let read = self.read_state(&mut Bytes(progress), None);
