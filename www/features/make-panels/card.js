@@ -29,6 +29,8 @@ export class MakePanels {
   #pressed = null;
   /** The model that is on its way there. @type {unknown} */
   #underWay = null;
+  /** Fitted shapes are shown since a press, whose model it was. @type {unknown} */
+  #shown = null;
   #text = element('p');
   /** A verdict is asked for. */
   #isBusy = false;
@@ -38,6 +40,12 @@ export class MakePanels {
     this.#parts = parts;
     const { store, solver } = parts;
     store.subscribe(['model', 'kinds', 'document', 'example'], () => this.#show());
+    // The next mesh starts as the first one did.
+    store.subscribe(['model'], ({ model, display }) => {
+      if (!this.#shown || this.#shown === model) return;
+      this.#shown = null;
+      store.set({ display: { ...display, shapes: false } });
+    });
     let wasRunning = false;
     store.subscribe(['running'], ({ running }) => {
       if (wasRunning && !running && !this.#isUnderWay()) this.#tell(true);
@@ -72,7 +80,9 @@ export class MakePanels {
     }
     const ended = this.#endOfRun();
     await arrived;
+    if (store.get().model !== model) return;
     show(true);
+    if (!display.shapes) this.#shown = model;
     await ended;
     if (store.get().model !== model) return;
     this.#underWay = null;
