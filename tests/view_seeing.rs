@@ -3,11 +3,10 @@
 #![cfg(feature = "view")]
 
 use glam::{DVec3, Vec2};
+use shape_up::view::appearance::LineKind;
 use shape_up::view::camera::Projection;
-use shape_up::view::grip::Way;
-use shape_up::view::palette::LineKind;
-use shape_up::view::region::{Outline, Taking};
-use shape_up::view::stage::{Changes, Stage};
+use shape_up::view::gizmo::Way;
+use shape_up::view::state::{Changes, Outline, Stage, Taking};
 
 const CANVAS: Vec2 = Vec2::new(900.0, 600.0);
 

@@ -4,10 +4,9 @@
 
 use glam::{DVec3, Vec2, Vec3};
 use shape_up::view::camera::Up;
-use shape_up::view::flat_map::{flat_map, follow, show_flipped};
-use shape_up::view::grip::Way;
-use shape_up::view::region::{Outline, Taking};
-use shape_up::view::stage::{Changes, Stage};
+use shape_up::view::gizmo::Way;
+use shape_up::view::side_by_side::{flat_map, follow, show_flipped};
+use shape_up::view::state::{Changes, Outline, Stage, Taking};
 
 const CANVAS: Vec2 = Vec2::new(900.0, 600.0);
 

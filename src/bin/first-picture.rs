@@ -6,7 +6,7 @@ mod pictures;
 use glam::Vec2;
 use shape_up::example::EXAMPLES;
 use shape_up::session::Session;
-use shape_up::view::still;
+use shape_up::view::svg::picture as still;
 use std::error::Error;
 
 /// The sizes of the 3D view in CSS pixels for which there is a picture: in a window of 1440 by 900

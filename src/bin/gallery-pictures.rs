@@ -10,7 +10,8 @@ use shape_up::example::{EXAMPLES, Example};
 use shape_up::mesh::{Point, angle_histogram};
 use shape_up::session::Session;
 use shape_up::solve::{ConformalNorm, ConformalWeights, Parametrization, SolveError};
-use shape_up::view::{framing, thumbnail};
+use shape_up::view::camera::framing;
+use shape_up::view::svg::thumbnail;
 use std::error::Error;
 use std::path::Path;
 

@@ -4,17 +4,12 @@
 //! of the file. What is thrown is an `Error` whose message is one complete line.
 
 use super::{log_panics, thrown};
-use crate::view::colour_map::ColourMap;
-use crate::view::colour_scale::ColourScale;
-use crate::view::device::{Device, DeviceError};
-use crate::view::flat_map::follow;
-use crate::view::flight::Flight;
-use crate::view::loss::Loss;
-use crate::view::picture::Picture;
-use crate::view::projections::Projections;
-use crate::view::row_colours::RowColours;
-use crate::view::split::Split;
-use crate::view::stage::{Display, Stage};
+use crate::view::appearance::{ColourMap, ColourScale, RowColours};
+use crate::view::camera::Flight;
+use crate::view::gpu::{Device, DeviceError, Loss, Picture};
+use crate::view::model::Projections;
+use crate::view::side_by_side::{Split, follow};
+use crate::view::state::{Display, Stage};
 use glam::Vec2;
 use std::sync::Arc;
 use wasm_bindgen::prelude::*;

@@ -3,7 +3,7 @@
 use super::thrown;
 use super::view::View;
 use crate::view::camera::Up;
-use crate::view::lists::ViewError;
+use crate::view::model::ViewError;
 use glam::Vec2;
 use wasm_bindgen::prelude::*;
 
@@ -59,7 +59,7 @@ impl View {
         self.stage.cover(pixels);
     }
 
-    /// Where the camera is: numbers to be kept. See [`crate::view::kept_camera`].
+    /// Where the camera is: numbers to be kept. See [`crate::view::state::saved_camera`].
     pub fn camera(&self) -> Vec<f64> {
         self.stage.camera_numbers().to_vec()
     }

@@ -2,7 +2,7 @@
 
 use super::thrown;
 use super::view::View;
-use crate::view::grip::Way;
+use crate::view::gizmo::Way;
 use glam::{DVec3, Vec2};
 use wasm_bindgen::prelude::*;
 

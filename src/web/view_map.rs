@@ -2,8 +2,8 @@
 
 use super::thrown;
 use super::view::View;
-use crate::view::colour_scale::ColourScale;
-use crate::view::flat_map::{Region, flat_map, show_flipped};
+use crate::view::appearance::ColourScale;
+use crate::view::side_by_side::{Region, flat_map, show_flipped};
 use glam::Vec2;
 use wasm_bindgen::prelude::*;
 

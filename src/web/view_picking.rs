@@ -1,7 +1,7 @@
 //! What is under the cursor, what is inside an outline, and where things are on the canvas.
 
 use super::view::View;
-use crate::view::region::{Outline, Taking};
+use crate::view::state::{Outline, Taking};
 use glam::Vec2;
 use wasm_bindgen::prelude::*;
 

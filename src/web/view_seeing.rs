@@ -2,10 +2,9 @@
 
 use super::thrown;
 use super::view::View;
-use crate::view::bands::Bands;
-use crate::view::flight::Flight;
-use crate::view::looks::Looks;
-use crate::view::scale_bar::scale_bar;
+use crate::view::appearance::{Bands, Looks};
+use crate::view::camera::Flight;
+use crate::view::overlay::scale_bar;
 use wasm_bindgen::prelude::*;
 
 /// Colours of the map that stand for all of it.

@@ -2,7 +2,7 @@
 
 use super::thrown;
 use super::view::View;
-use crate::view::split::{Colours, Split};
+use crate::view::side_by_side::{Colours, Split};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]

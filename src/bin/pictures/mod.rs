@@ -2,11 +2,10 @@
 
 use shape_up::scene::Hold;
 use shape_up::session::Session;
+use shape_up::view::appearance::{ColourScale, RowColours};
 use shape_up::view::camera::Up;
-use shape_up::view::colour_scale::ColourScale;
-use shape_up::view::lists::ViewError;
-use shape_up::view::row_colours::RowColours;
-use shape_up::view::stage::Stage;
+use shape_up::view::model::ViewError;
+use shape_up::view::state::Stage;
 
 /// What the page shows of a scene when it is opened: handles, and faces in the colours of what the
 /// first row of constraints asks of them, or where that has no measure, in the colours of the rows.

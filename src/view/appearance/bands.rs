@@ -1,0 +1,173 @@
+//! Values in steps: each band between two round limits has one colour, and lines part the bands.
+//!
+//! Most measures are one number per face: a face is in one band, and the lines run along the edges
+//! between faces of different bands. Where every vertex has a value, the faces are coloured by what
+//! lies between their corners, and the lines are isolines through them (`shaders/faces.wgsl`).
+
+use super::colour_map::{ColourMap, texel};
+use super::colour_scale::ColourScale;
+use super::round_length::round_down;
+use crate::math::polygon_sides;
+use crate::view::model::Lists;
+
+/// There are at least so many bands in a range, and at most five halves as many.
+const LEAST: f64 = 5.0;
+
+/// Round limits over a range of values.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bands {
+    scale: ColourScale,
+    low: f64,
+    high: f64,
+    /// From one limit to the next, a round number in the unit of the values, or of their logarithm.
+    pub step: f64,
+    /// The limits inside the range, as parts of it.
+    pub limits: Vec<f64>,
+    /// Per band the texel of the colour map in its middle.
+    pub texels: Vec<u8>,
+}
+
+impl Bands {
+    /// For the range of a scale; none where there is nothing in it.
+    pub fn new(scale: ColourScale) -> Option<Bands> {
+        let [low, high] = scale.ends();
+        let step = round_down((high - low) / LEAST);
+        if step == 0.0 {
+            return None;
+        }
+        let first = (low / step).floor() + 1.0;
+        let parts = (0..).map(|k| ((first + f64::from(k)) * step - low) / (high - low));
+        let limits: Vec<f64> = parts.take_while(|&part| part < 1.0 - 1e-6).collect();
+        let starts = std::iter::once(0.0).chain(limits.iter().copied());
+        let ends = limits.iter().copied().chain(std::iter::once(1.0));
+        let middle = |(from, to): (f64, f64)| texel(0.5 * (from + to));
+        let texels = starts.zip(ends).map(middle).collect();
+        Some(Bands { scale, low, high, step, limits, texels })
+    }
+
+    /// Which band a value is in, from 0 on; values beyond the range are in its first or last band,
+    /// and what is not a number is in none.
+    pub fn band(&self, value: f32) -> Option<usize> {
+        let part = (self.scale.coordinate(value) - self.low) / (self.high - self.low);
+        (!part.is_nan()).then(|| self.limits.partition_point(|&limit| limit <= part))
+    }
+
+    /// The CSS colour of each band.
+    pub fn colours(&self, map: ColourMap) -> Vec<String> {
+        let css = |&texel: &u8| {
+            let [r, g, b] = (map.colour(texel) * 255.0).round().to_array();
+            format!("rgb({r} {g} {b})")
+        };
+        self.texels.iter().map(css).collect()
+    }
+
+    /// Where the range begins and ends, in steps from a limit.
+    pub fn range_in_steps(&self) -> [f32; 2] {
+        [self.low, self.high].map(|end| self.steps_to(end))
+    }
+
+    /// A value in the same steps, whole at the limits; at most a little outside the range. What is not
+    /// a number is at its beginning.
+    pub fn in_steps(&self, value: f32) -> f32 {
+        let [begins, ends] = self.range_in_steps();
+        let steps = self.steps_to(self.scale.coordinate(value));
+        if steps.is_nan() { begins } else { steps.clamp(begins - 1.0, ends + 1.0).max(0.0) }
+    }
+
+    fn steps_to(&self, value: f64) -> f32 {
+        // One more: no value in the range is less than nothing.
+        let whole = (self.low / self.step).floor() - 1.0;
+        (value / self.step - whole) as f32
+    }
+}
+
+/// Two faces with the edge between them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Seam {
+    /// The vertices of the edge.
+    pub ends: [u32; 2],
+    /// The faces on its sides.
+    pub faces: [u32; 2],
+}
+
+/// Every edge that parts two faces, with them; where more than two meet, each next to the one before.
+pub fn seams(faces: &Lists) -> Vec<Seam> {
+    let mut sides: Vec<([u32; 2], u32)> = Vec::new();
+    for (face, corners) in (0..).zip(faces.iter()) {
+        for [from, to] in polygon_sides(corners) {
+            if from != to {
+                sides.push(([from.min(to), from.max(to)], face));
+            }
+        }
+    }
+    sides.sort_unstable();
+    sides
+        .windows(2)
+        .filter(|pair| pair[0].0 == pair[1].0)
+        .map(|pair| Seam { ends: pair[0].0, faces: [pair[0].1, pair[1].1] })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(low: f32, high: f32) -> Option<Bands> {
+        Bands::new(ColourScale::linear(low, high))
+    }
+
+    #[test]
+    fn by_logarithms_the_powers_of_ten_part_bands() {
+        let scale = ColourScale { logarithmic: true, ..ColourScale::linear(0.001, 1.0) };
+        let bands = Bands::new(scale).unwrap();
+        assert_eq!(bands.step, 0.5);
+        let found = [0.0011, 0.099, 0.101, 0.9].map(|value| bands.band(value).unwrap());
+        assert_eq!(found, [0, 3, 4, 5]);
+    }
+
+    #[test]
+    fn limits_are_round_and_inside_the_range() {
+        let bands = of(0.0, 0.038).unwrap();
+        assert_eq!(bands.step, 0.005);
+        let limits: Vec<f64> = bands.limits.iter().map(|part| part * 0.038).collect();
+        assert_eq!(limits.len(), 7);
+        assert!((limits[0] - 0.005).abs() < 1e-9 && (limits[6] - 0.035).abs() < 1e-9);
+        // A limit at the end of the range parts nothing.
+        assert_eq!(of(0.0, 0.01).unwrap().limits.len(), 4);
+        assert_eq!(of(3.0, 8.0).unwrap().limits, [0.2, 0.4, 0.6, 0.8]);
+        for (low, high) in [(0.0, 0.0), (1.0, 0.5), (0.0, f32::NAN), (0.0, f32::INFINITY)] {
+            assert_eq!(of(low, high), None);
+        }
+    }
+
+    #[test]
+    fn a_value_is_in_the_band_between_its_limits() {
+        let bands = of(0.0, 10.0).unwrap();
+        assert_eq!(bands.step, 2.0);
+        let found = [-1.0, 0.0, 1.9, 2.0, 9.9, 50.0].map(|value| bands.band(value).unwrap());
+        assert_eq!(found, [0, 0, 0, 1, 4, 4]);
+        assert_eq!(bands.band(f32::NAN), None);
+        assert_eq!(bands.texels, [26, 77, 128, 179, 230]);
+        assert_eq!(bands.colours(ColourMap::Full).len(), 5);
+    }
+
+    #[test]
+    fn in_steps_limits_are_whole() {
+        for (low, high, limit) in [(0.0, 10.0, 4.0), (1.0, 11.0, 4.0), (-3.0, 7.0, 0.0)] {
+            let bands = of(low, high).unwrap();
+            let steps = bands.in_steps(limit);
+            assert_eq!(steps, steps.round());
+            let [begins, ends] = bands.range_in_steps();
+            assert!(begins > 0.0 && (ends - begins - 5.0).abs() < 1e-5);
+            assert!(begins < steps && steps < ends);
+            assert!(bands.in_steps(1e9) > ends && bands.in_steps(-1e9) >= 0.0);
+            assert_eq!(bands.in_steps(f32::NAN), begins);
+        }
+    }
+
+    #[test]
+    fn seams_part_two_faces() {
+        let faces = Lists::new("faces", vec![0, 4, 7], vec![0, 1, 4, 3, 1, 2, 4], 5).unwrap();
+        assert_eq!(seams(&faces), [Seam { ends: [1, 4], faces: [0, 1] }]);
+    }
+}

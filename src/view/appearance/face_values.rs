@@ -1,0 +1,330 @@
+//! What a face looks like beside its shape: its value on the colour map, whether it is selected,
+//! the colour of the row of constraints that acts on it, whether it is a member of the one that is
+//! pointed at. Four bytes per face.
+
+use super::bands::Bands;
+use super::colour_map::{ColourMap, texel};
+use super::colour_scale::ColourScale;
+use super::row_colours::RowColours;
+use crate::view::model::{ViewError, check_indices};
+
+/// What the colour of a face stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FaceColour {
+    /// The material.
+    Plain,
+    /// A row of constraints: its place among the colours of rows, from 1 on.
+    Row(u8),
+    /// A value: its texel on the full colour map.
+    Value(u8),
+    /// A value beyond the tolerance: its texel on the map of these.
+    Beyond(u8),
+    /// There should be a value, but it is not a number.
+    NoValue,
+}
+
+impl FaceColour {
+    /// Bytes 0 and 1 of the look of a face.
+    fn bytes(self) -> [u8; 2] {
+        match self {
+            FaceColour::Plain => [0, 0],
+            FaceColour::Row(place) => [place, 64],
+            FaceColour::Value(texel) => [texel, 127],
+            FaceColour::Beyond(texel) => [texel, 191],
+            FaceColour::NoValue => [0, 255],
+        }
+    }
+}
+
+/// Values and marks of the faces and vertices.
+#[derive(Clone, Debug, Default)]
+pub struct Looks {
+    /// Per face, or nothing for the plain material.
+    values: Option<(Vec<f32>, ColourScale)>,
+    /// #V, what the values of the faces are the greatest of; nothing where they are not of vertices.
+    corners: Option<Vec<f32>>,
+    in_bands: bool,
+    /// When values are shown in bands.
+    bands: Option<Bands>,
+    /// Selected vertices.
+    pub selected_vertices: Vec<u32>,
+    /// Selected edges, by their vertices.
+    pub selected_edges: Vec<[u32; 2]>,
+    selected_faces: Vec<u32>,
+    tinted_vertices: Vec<u32>,
+    tinted_faces: Vec<u32>,
+    /// Colours of the rows of constraints; values go before them.
+    pub rows: RowColours,
+}
+
+impl Looks {
+    /// Colours faces by `values` (#F) on a scale; `None` is the plain material.
+    ///
+    /// # Errors
+    /// Another number of values than faces.
+    pub fn set_values(
+        &mut self,
+        values: Option<Vec<f32>>,
+        scale: ColourScale,
+        faces: usize,
+    ) -> Result<(), ViewError> {
+        if let Some(values) = &values
+            && values.len() != faces
+        {
+            let got = values.len();
+            return Err(ViewError::Length { what: "face values", got, expected: faces });
+        }
+        self.values = values.map(|values| (values, scale));
+        self.part();
+        Ok(())
+    }
+
+    /// Shows values in bands, or gradually.
+    pub fn set_in_bands(&mut self, in_bands: bool) {
+        self.in_bands = in_bands;
+        self.part();
+    }
+
+    /// Whether values are to be shown in bands.
+    pub fn is_in_bands(&self) -> bool {
+        self.in_bands
+    }
+
+    /// Tells the values of the vertices (#V) whose greatest those of the faces are; bands go through
+    /// the faces then.
+    ///
+    /// # Errors
+    /// Another number of values than vertices.
+    pub fn set_corners(
+        &mut self,
+        corners: Option<Vec<f32>>,
+        vertices: usize,
+    ) -> Result<(), ViewError> {
+        if let Some(corners) = &corners
+            && corners.len() != vertices
+        {
+            let got = corners.len();
+            return Err(ViewError::Length { what: "corner values", got, expected: vertices });
+        }
+        self.corners = corners;
+        Ok(())
+    }
+
+    fn part(&mut self) {
+        let range = self.values.as_ref().filter(|_| self.in_bands);
+        self.bands = range.and_then(|&(_, scale)| Bands::new(scale));
+    }
+
+    /// The bands that values are shown in, if they are.
+    pub fn bands(&self) -> Option<&Bands> {
+        self.bands.as_ref()
+    }
+
+    /// The band of a face, where faces are in bands as a whole.
+    pub fn band_of(&self, face: u32) -> Option<usize> {
+        let (values, scale) = self.values.as_ref().filter(|_| self.corners.is_none())?;
+        let value = values[face as usize];
+        let bands = self.bands.as_ref()?;
+        // What is within the tolerance is a band of its own, after the others.
+        if scale.is_within(value) { Some(bands.texels.len()) } else { bands.band(value) }
+    }
+
+    /// Where bands go through the faces, the range in steps from a limit.
+    pub fn corner_steps(&self) -> Option<[f32; 2]> {
+        self.corners.as_ref()?;
+        Some(self.bands.as_ref()?.range_in_steps())
+    }
+
+    /// The value of a vertex in the steps of [`Looks::corner_steps`]; zero where there are none.
+    pub fn corner_in_steps(&self, vertex: usize) -> f32 {
+        match (&self.bands, &self.corners) {
+            (Some(bands), Some(corners)) => bands.in_steps(corners[vertex]),
+            _ => 0.0,
+        }
+    }
+
+    /// The tolerance in the steps of [`Looks::corner_steps`]; zero where there is none.
+    pub fn tolerance_in_steps(&self) -> f32 {
+        let scale = self.values.as_ref().map(|(_, scale)| scale);
+        let tolerance = scale.and_then(|scale| scale.tolerance);
+        match (self.corner_steps(), &self.bands, tolerance) {
+            (Some(_), Some(bands), Some(tolerance)) => bands.in_steps(tolerance),
+            _ => 0.0,
+        }
+    }
+
+    /// Whether faces are coloured by values.
+    pub fn has_values(&self) -> bool {
+        self.values.is_some()
+    }
+
+    /// Whether all faces have colours of values; with a tolerance, only those beyond it have.
+    pub fn has_full_map(&self) -> bool {
+        self.has_values() && self.map() == ColourMap::Full
+    }
+
+    /// The map of the values.
+    pub fn map(&self) -> ColourMap {
+        match &self.values {
+            Some((_, ColourScale { tolerance: Some(_), .. })) => ColourMap::Beyond,
+            _ => ColourMap::Full,
+        }
+    }
+
+    /// Marks vertices and faces as selected, and no others.
+    ///
+    /// # Errors
+    /// An index that names nothing.
+    pub fn select(
+        &mut self,
+        vertices: Vec<u32>,
+        faces: Vec<u32>,
+        (vertex_count, face_count): (usize, usize),
+    ) -> Result<(), ViewError> {
+        check_indices("selected vertices", &vertices, vertex_count)?;
+        check_indices("selected faces", &faces, face_count)?;
+        (self.selected_vertices, self.selected_faces) = (vertices, faces);
+        Ok(())
+    }
+
+    /// Marks vertices and faces as members of a constraint, and no others.
+    ///
+    /// # Errors
+    /// An index that names nothing.
+    pub fn tint(
+        &mut self,
+        vertices: Vec<u32>,
+        faces: Vec<u32>,
+        (vertex_count, face_count): (usize, usize),
+    ) -> Result<(), ViewError> {
+        check_indices("tinted vertices", &vertices, vertex_count)?;
+        check_indices("tinted faces", &faces, face_count)?;
+        (self.tinted_vertices, self.tinted_faces) = (vertices, faces);
+        Ok(())
+    }
+
+    /// Marks the same vertices and faces as `other`.
+    pub fn mark_as(&mut self, other: &Looks) {
+        self.selected_vertices.clone_from(&other.selected_vertices);
+        self.selected_faces.clone_from(&other.selected_faces);
+        self.tinted_vertices.clone_from(&other.tinted_vertices);
+        self.tinted_faces.clone_from(&other.tinted_faces);
+    }
+
+    /// Tinted vertices that need a dot: where whole faces are tinted, dots would be noise.
+    pub fn tinted_dots(&self) -> &[u32] {
+        if self.tinted_faces.is_empty() { &self.tinted_vertices } else { &[] }
+    }
+
+    /// What the colour of a face stands for.
+    pub fn colour_of(&self, face: usize) -> FaceColour {
+        if let Some((values, scale)) = &self.values {
+            let value = values[face];
+            let texel = match &self.bands {
+                Some(bands) => bands.band(value).map(|band| bands.texels[band]),
+                None => scale.part(value).map(texel),
+            };
+            return match texel {
+                None => FaceColour::NoValue,
+                Some(_) if scale.is_within(value) => FaceColour::Plain,
+                Some(texel) if scale.tolerance.is_some() => FaceColour::Beyond(texel),
+                Some(texel) => FaceColour::Value(texel),
+            };
+        }
+        match self.rows.faces.get(face) {
+            None | Some(0) => FaceColour::Plain,
+            Some(&place) => FaceColour::Row(place),
+        }
+    }
+
+    /// Per face: texel, kind of colour, selected, tinted; #F by 4 bytes.
+    pub fn bytes(&self, faces: usize) -> Vec<u8> {
+        let mut bytes = vec![0; faces * 4];
+        for (face, look) in bytes.chunks_exact_mut(4).enumerate() {
+            look[..2].copy_from_slice(&self.colour_of(face).bytes());
+        }
+        for &face in &self.selected_faces {
+            bytes[face as usize * 4 + 2] = 255;
+        }
+        for &face in &self.tinted_faces {
+            bytes[face as usize * 4 + 3] = 255;
+        }
+        bytes
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const UNIT: ColourScale =
+        ColourScale { low: 0.0, high: 1.0, tolerance: None, logarithmic: false };
+
+    #[test]
+    fn within_the_tolerance_faces_keep_the_material() {
+        let mut looks = Looks::default();
+        let scale = ColourScale { low: 0.2, tolerance: Some(0.2), ..UNIT };
+        looks.set_values(Some(vec![0.1, 0.2, 0.21, 1.0, f32::NAN]), scale, 5).unwrap();
+        let colours = [0, 1, 2, 3, 4].map(|face| looks.colour_of(face));
+        assert_eq!(colours[..2], [FaceColour::Plain, FaceColour::Plain]);
+        assert_eq!(colours[3..], [FaceColour::Beyond(255), FaceColour::NoValue]);
+        assert!(matches!(colours[2], FaceColour::Beyond(_)));
+        assert!(looks.has_values() && !looks.has_full_map());
+        assert_eq!(looks.bytes(5)[12..14], [255, 191]);
+        // A line parts what is within from the first band beyond.
+        looks.set_in_bands(true);
+        assert_eq!(looks.band_of(0), looks.band_of(1));
+        assert_ne!(looks.band_of(1), looks.band_of(2));
+        assert_eq!(looks.colour_of(1), FaceColour::Plain);
+        looks.set_corners(Some(vec![0.2]), 1).unwrap();
+        assert_eq!(looks.tolerance_in_steps(), looks.corner_in_steps(0));
+    }
+
+    #[test]
+    fn values_and_marks_end_in_their_bytes() {
+        let mut looks = Looks::default();
+        looks.set_values(Some(vec![0.0, f32::NAN, 1.0]), UNIT, 3).unwrap();
+        looks.select(vec![], vec![2], (0, 3)).unwrap();
+        looks.tint(vec![], vec![0], (0, 3)).unwrap();
+        assert_eq!(looks.bytes(3), [0, 127, 0, 255, 0, 255, 0, 0, 255, 127, 255, 0]);
+        looks.set_values(None, UNIT, 3).unwrap();
+        assert_eq!(looks.bytes(3)[..4], [0, 0, 0, 255]);
+    }
+
+    #[test]
+    fn in_bands_values_of_one_band_look_alike() {
+        let mut looks = Looks::default();
+        let to_ten = ColourScale::linear(0.0, 10.0);
+        looks.set_values(Some(vec![0.1, 1.9, 2.1, f32::NAN]), to_ten, 4).unwrap();
+        assert_ne!(looks.colour_of(0), looks.colour_of(1));
+        looks.set_in_bands(true);
+        assert_eq!(looks.colour_of(0), looks.colour_of(1));
+        assert_ne!(looks.colour_of(1), looks.colour_of(2));
+        assert_eq!(looks.colour_of(3), FaceColour::NoValue);
+        assert_eq!([0, 2, 3].map(|face| looks.band_of(face)), [Some(0), Some(1), None]);
+        assert_eq!(looks.corner_steps(), None);
+        assert!(looks.set_corners(Some(vec![0.0; 2]), 3).is_err());
+        looks.set_corners(Some(vec![0.0, 2.0, f32::NAN]), 3).unwrap();
+        let [begins, ends] = looks.corner_steps().unwrap();
+        assert_eq!((ends - begins, looks.corner_in_steps(1)), (5.0, begins + 1.0));
+        assert_eq!(looks.corner_in_steps(2), begins);
+        assert_eq!(looks.band_of(0), None);
+    }
+
+    #[test]
+    fn colours_of_rows_are_seen_where_there_are_no_values() {
+        let rows = RowColours::new(vec![0, 2], vec![], &[0.5; 6], (3, 2)).unwrap();
+        let mut looks = Looks { rows, ..Looks::default() };
+        assert_eq!(looks.bytes(2), [0, 0, 0, 0, 2, 64, 0, 0]);
+        looks.set_values(Some(vec![0.0, 1.0]), UNIT, 2).unwrap();
+        assert_eq!(looks.bytes(2), [0, 127, 0, 0, 255, 127, 0, 0]);
+    }
+
+    #[test]
+    fn marks_on_things_that_do_not_exist_are_refused() {
+        let mut looks = Looks::default();
+        assert!(looks.set_values(Some(vec![1.0]), UNIT, 2).is_err());
+        assert!(looks.select(vec![4], vec![], (4, 2)).is_err());
+        assert!(looks.tint(vec![], vec![2], (4, 2)).is_err());
+    }
+}

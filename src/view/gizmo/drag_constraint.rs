@@ -1,0 +1,268 @@
+//! A hold of handles that the pointer drags: freely, in a plane, or along an axis.
+//!
+//! A plane is met by the line of sight through the pointer. An axis is followed to its point nearest
+//! to that line. Both go on from the point under the pointer when the drag began, with the eye as it
+//! was then, so that nothing jumps and nothing drifts.
+
+use crate::view::camera::{Camera, Eye, Up};
+use crate::view::model::ViewError;
+use glam::{Vec2, Vec3};
+
+/// The sine of the angle below which an axis points at the eye, or a plane is seen from its side.
+const EDGE_ON: f32 = 0.1;
+/// What is dragged stays within this many times its own depth.
+const FARTHEST: f32 = 20.0;
+
+/// What a drag keeps to. Axes and planes are those of the file's coordinates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Way {
+    /// The plane that faces the eye.
+    Screen,
+    /// Along an axis: 0, 1, 2.
+    Axis(usize),
+    /// Across an axis: 0, 1, 2.
+    Plane(usize),
+}
+
+/// Names of planes by the axis across them.
+const PLANES: [&str; 3] = ["yz", "zx", "xy"];
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+impl Way {
+    /// From `screen`, `x`, `y`, `z`, `xy`, `yz`, `zx`, or from what the vertical axis gives:
+    /// `horizontal`, `vertical`.
+    ///
+    /// # Errors
+    /// Any other name.
+    pub fn named(name: &str, up: Up) -> Result<Way, ViewError> {
+        let vertical = match up {
+            Up::Z => 2,
+            Up::Y => 1,
+        };
+        let place = |names: [&str; 3]| names.iter().position(|known| *known == name);
+        match name {
+            "screen" => Ok(Way::Screen),
+            "horizontal" => Ok(Way::Plane(vertical)),
+            "vertical" => Ok(Way::Axis(vertical)),
+            _ => {
+                let way = place(AXES).map(Way::Axis).or(place(PLANES).map(Way::Plane));
+                way.ok_or_else(|| ViewError::Word {
+                    what: "way",
+                    got: name.to_owned(),
+                    known: "screen, horizontal, vertical, x, y, z, xy, yz or zx",
+                })
+            }
+        }
+    }
+
+    /// Its name, which [`Way::named`] reads.
+    pub fn name(self) -> &'static str {
+        match self {
+            Way::Screen => "screen",
+            Way::Axis(axis) => AXES[axis],
+            Way::Plane(axis) => PLANES[axis],
+        }
+    }
+}
+
+/// A hold of a point.
+#[derive(Clone, Copy, Debug)]
+pub struct Grip {
+    eye: Eye,
+    /// What is held, relative to the view's centre.
+    held: Vec3,
+    /// Where the pointer took it, CSS pixels.
+    from: Vec2,
+}
+
+impl Grip {
+    /// Takes hold of a point, with the pointer somewhere near it on the screen.
+    pub fn new(camera: &Camera, held: Vec3, from: Vec2) -> Grip {
+        Grip { eye: camera.eye(), held, from }
+    }
+
+    /// How far what is held goes when the pointer has gone `by` CSS pixels; `None` where its line of
+    /// sight does not say, or says something out of all proportion. Parts of the displacement that the
+    /// way forbids are exactly nothing.
+    pub fn way(&self, way: Way, by: Vec2) -> Option<Vec3> {
+        let to = self.from + by;
+        let way = match way {
+            Way::Screen => Some(self.on_screen(to)),
+            Way::Axis(axis) => {
+                let start = self.along(axis, self.from)?;
+                let end = self.along(axis, to)?;
+                Some(axis_of(axis) * (end - start))
+            }
+            Way::Plane(axis) => self.in_plane(axis, to),
+        }?;
+        let depth = |point: Vec3| self.eye.project(point).1;
+        let limit = FARTHEST * depth(self.held);
+        (depth(self.held + way) > 0.0 && way.length() < limit).then_some(way)
+    }
+
+    /// Where what is held is seen when it has gone so far, CSS pixels.
+    pub fn place(&self, by: Vec3) -> Vec2 {
+        self.eye.project(self.held + by).0
+    }
+
+    fn on_screen(&self, to: Vec2) -> Vec3 {
+        let (_, depth) = self.eye.project(self.held);
+        self.eye.across(to - self.from, depth)
+    }
+
+    /// Where the axis through what is held comes nearest to the line of sight, measured from there.
+    fn along(&self, axis: usize, at: Vec2) -> Option<f32> {
+        let along = axis_of(axis);
+        let (from, sight) = self.eye.ray(at);
+        let sight = sight.normalize();
+        let part = along.dot(sight);
+        let across = 1.0 - part * part;
+        if across < EDGE_ON * EDGE_ON {
+            return None;
+        }
+        let offset = from - self.held;
+        let far = (offset.dot(along) - part * offset.dot(sight)) / across;
+        // The nearest point of the line of sight is in front of the eye.
+        (self.held + along * far - from).dot(sight).is_sign_positive().then_some(far)
+    }
+
+    /// The displacement in the plane across an axis.
+    fn in_plane(&self, axis: usize, to: Vec2) -> Option<Vec3> {
+        let normal = axis_of(axis);
+        let meet = |at: Vec2| {
+            let (from, sight) = self.eye.ray(at);
+            let sight = sight.normalize();
+            let slope = sight.dot(normal);
+            let far = (self.held - from).dot(normal) / slope;
+            (slope.abs() >= EDGE_ON * 0.2 && far > 0.0).then(|| from + sight * far)
+        };
+        let (_, sight) = self.eye.ray(self.from);
+        let mut way = if sight.normalize().dot(normal).abs() < EDGE_ON {
+            // Seen from the side, a plane is a line: what is up on the screen says nothing of it.
+            self.on_screen(to)
+        } else {
+            meet(to)? - meet(self.from)?
+        };
+        way[axis] = 0.0;
+        Some(way)
+    }
+}
+
+/// The unit vector along an axis.
+pub fn axis_of(axis: usize) -> Vec3 {
+    Vec3::AXES[axis]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::view::camera::Projection;
+
+    const HELD: Vec3 = Vec3::new(0.3, -0.2, 0.4);
+
+    fn camera(turn: f32, tilt: f32) -> Camera {
+        Camera { turn, tilt, distance: 6.0, canvas: Vec2::new(900.0, 700.0), ..Camera::default() }
+    }
+
+    /// From many sides, in perspective and in parallel projection.
+    fn views() -> impl Iterator<Item = Camera> {
+        let turns = [-2.8, -1.0, 0.4, 0.9, 2.2];
+        let cameras = turns
+            .into_iter()
+            .flat_map(|turn| [-1.2, -0.5, 0.35, 0.8].map(|tilt| camera(turn, tilt)));
+        cameras.flat_map(|camera| {
+            let parallel = Projection::Parallel { reach: 10.0 };
+            [camera, Camera { projection: parallel, ..camera }]
+        })
+    }
+
+    /// Takes hold beside the point, and goes where the point would be after `by`.
+    fn drag(camera: &Camera, way: Way, by: Vec3) -> Option<Vec3> {
+        let eye = camera.eye();
+        let beside = Vec2::new(9.0, -6.0);
+        let on_screen = |point| eye.project(point).0 + beside;
+        Grip::new(camera, HELD, on_screen(HELD)).way(way, on_screen(HELD + by) - on_screen(HELD))
+    }
+
+    #[test]
+    fn what_is_dragged_along_an_axis_stays_under_the_pointer_and_on_the_axis() {
+        for camera in views() {
+            for axis in 0..3 {
+                let by = axis_of(axis) * 0.7;
+                let Some(way) = drag(&camera, Way::Axis(axis), by) else {
+                    panic!("{camera:?} sees the axis {axis}");
+                };
+                assert!((way - by).length() < 0.05, "{camera:?} {axis} {way}");
+                assert!((0..3).all(|other| other == axis || way[other] == 0.0));
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_dragged_in_a_plane_stays_under_the_pointer_and_in_the_plane() {
+        for camera in views() {
+            for axis in 0..3 {
+                let mut by = Vec3::new(0.3, -0.25, 0.2);
+                by[axis] = 0.0;
+                let eye = camera.eye();
+                let seen = (HELD - eye.at).normalize()[axis].abs();
+                let Some(way) = drag(&camera, Way::Plane(axis), by) else {
+                    panic!("{camera:?} sees the plane across {axis}");
+                };
+                assert_eq!(way[axis], 0.0);
+                if seen > 0.3 {
+                    assert!((way - by).length() < 0.12, "{camera:?} {axis} {way}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn taken_exactly_at_the_point_it_follows_exactly() {
+        for camera in views() {
+            let eye = camera.eye();
+            let grip = Grip::new(&camera, HELD, eye.project(HELD).0);
+            for (way, by) in [
+                (Way::Axis(2), Vec3::new(0.0, 0.0, 0.5)),
+                (Way::Plane(2), Vec3::new(0.4, -0.3, 0.0)),
+                (Way::Screen, eye.right * 0.3 - eye.up * 0.2),
+            ] {
+                let went = grip.way(way, eye.project(HELD + by).0 - eye.project(HELD).0).unwrap();
+                assert!((went - by).length() < 2e-5, "{way:?} {went} {by}");
+            }
+        }
+    }
+
+    #[test]
+    fn an_axis_that_points_at_the_eye_says_nothing() {
+        let above = camera(0.0, std::f32::consts::FRAC_PI_2);
+        let at = above.eye().project(HELD).0;
+        let grip = Grip::new(&above, HELD, at);
+        assert_eq!(grip.way(Way::Axis(2), Vec2::splat(40.0)), None);
+        // A plane that is seen from its side still moves to the right.
+        let front = camera(0.0, 0.0);
+        let at = front.eye().project(Vec3::ZERO).0;
+        let grip = Grip::new(&front, Vec3::ZERO, at);
+        let way = grip.way(Way::Plane(2), Vec2::new(50.0, -30.0)).unwrap();
+        assert!(way.x > 0.0 && way.y.abs() < 1e-6 && way.z == 0.0, "{way}");
+    }
+
+    #[test]
+    fn beyond_the_horizon_there_is_nothing() {
+        let low = camera(0.3, 0.3);
+        let at = low.eye().project(HELD).0;
+        let grip = Grip::new(&low, HELD, at);
+        assert!(grip.way(Way::Plane(2), Vec2::new(0.0, -30.0)).is_some());
+        assert_eq!(grip.way(Way::Plane(2), Vec2::new(0.0, -2000.0)), None);
+    }
+
+    #[test]
+    fn names_are_read_as_they_are_written() {
+        for way in [Way::Screen, Way::Axis(0), Way::Axis(1), Way::Plane(0), Way::Plane(2)] {
+            assert_eq!(Way::named(way.name(), Up::Z).unwrap(), way);
+        }
+        assert_eq!(Way::named("horizontal", Up::Y).unwrap(), Way::Plane(1));
+        assert_eq!(Way::named("vertical", Up::Z).unwrap(), Way::Axis(2));
+        assert!(Way::named("sideways", Up::Z).unwrap_err().to_string().contains("sideways"));
+    }
+}

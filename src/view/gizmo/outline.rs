@@ -1,0 +1,152 @@
+//! What the gizmo looks like: arrows with the letters of their axes, and squares, as triangles.
+//!
+//! Each part has a casing below it, so that it is seen on any mesh. The part under the pointer is
+//! heavier; while it is held, the others step back.
+
+use super::drag_constraint::Way;
+use super::parts::{Gizmo, Part, Wanted};
+use crate::view::appearance::{Colour, Palette};
+use glam::Vec2;
+
+/// Widths in CSS pixels: of an arrow's shaft, of a square's outline, of a letter's strokes.
+const SHAFT: f32 = 2.4;
+const OUTLINE: f32 = 1.6;
+const LETTER: f32 = 1.7;
+/// The casing on each side.
+const CASING: f32 = 1.3;
+/// What lights up is so much wider.
+const LIT: f32 = 1.6;
+/// Opacity of the inside of a square, and of one that is lit.
+const FILL: [f32; 2] = [0.32, 0.72];
+/// What is not held is so much fainter.
+const STEPPED_BACK: f32 = 0.22;
+/// Length and half width of an arrow's head.
+const HEAD: Vec2 = Vec2::new(13.0, 5.0);
+/// From the tip to the middle of the letter.
+const TO_LETTER: f32 = 11.0;
+/// Strokes of the letters x, y and z, downwards positive.
+const LETTERS: [&[[f32; 4]]; 3] = [
+    &[[-3.0, -4.0, 3.0, 4.0], [-3.0, 4.0, 3.0, -4.0]],
+    &[[-3.2, -4.0, 0.0, 0.2], [3.2, -4.0, 0.0, 0.2], [0.0, 0.2, 0.0, 4.0]],
+    &[[-3.0, -4.0, 3.0, -4.0], [3.0, -4.0, -3.0, 4.0], [-3.0, 4.0, 3.0, 4.0]],
+];
+
+/// A corner of a triangle: x and y in CSS pixels, and a colour.
+pub type Corner = [f32; 6];
+
+/// All triangles, the lowest first.
+pub fn triangles(gizmo: &Gizmo, wanted: &Wanted, palette: &Palette) -> Vec<Corner> {
+    let mut parts: Vec<&Part> = gizmo.parts.iter().filter(|part| part.strength > 0.0).collect();
+    let is_arrow = |part: &Part| matches!(part.way, Way::Axis(_));
+    parts.sort_by(|a, b| is_arrow(a).cmp(&is_arrow(b)).then(b.depth.total_cmp(&a.depth)));
+    let mut drawing = Drawing::default();
+    for part in parts {
+        let lit = wanted.lit == Some(part.way);
+        let back = if wanted.held && !lit { STEPPED_BACK } else { 1.0 };
+        drawing.opacity = part.strength * back;
+        let width = if lit { LIT } else { 1.0 };
+        match part.way {
+            Way::Axis(axis) => {
+                drawing.arrow(part, axis, width, [palette.axis_casing, palette.axes[axis]]);
+            }
+            Way::Plane(axis) => {
+                let fill = FILL[usize::from(lit)];
+                drawing.square(part, fill, width, [palette.axis_casing, palette.axes[axis]]);
+            }
+            Way::Screen => {}
+        }
+    }
+    drawing.corners
+}
+
+#[derive(Default)]
+struct Drawing {
+    corners: Vec<Corner>,
+    opacity: f32,
+}
+
+impl Drawing {
+    fn triangle(&mut self, points: [Vec2; 3], [r, g, b, a]: Colour) {
+        let alpha = a * self.opacity;
+        self.corners.extend(points.map(|at| [at.x, at.y, r, g, b, alpha]));
+    }
+
+    fn line(&mut self, from: Vec2, to: Vec2, width: f32, colour: Colour) {
+        let along = (to - from).normalize_or(Vec2::X) * (0.5 * width);
+        let aside = along.perp();
+        let [a, b] = [from - along, to + along];
+        self.triangle([a - aside, b - aside, b + aside], colour);
+        self.triangle([a - aside, b + aside, a + aside], colour);
+    }
+
+    fn arrow(&mut self, part: &Part, axis: usize, width: f32, [casing, colour]: [Colour; 2]) {
+        let [start, tip] = part.corners[..] else { return };
+        let span = tip - start;
+        let along = span.normalize_or(Vec2::NEG_Y);
+        // A head that is longer than its arrow would cover the handle.
+        let scale = (span.length() / HEAD.x).min(1.0) * (0.5 + 0.5 * width);
+        let head = HEAD * scale;
+        let neck = tip - along * head.x;
+        for (extra, colour) in [(CASING, casing), (0.0, colour)] {
+            let grown = 1.0 + 2.0 * extra / HEAD.x;
+            let aside = along.perp() * (head.y * grown + extra);
+            let base = neck - along * extra;
+            self.line(start, neck, SHAFT * width + 2.0 * extra, colour);
+            self.triangle([base - aside, tip + along * (1.6 * extra), base + aside], colour);
+        }
+        let middle = tip + along * TO_LETTER;
+        for (extra, colour) in [(CASING, casing), (0.0, colour)] {
+            for &[x, y, to_x, to_y] in LETTERS[axis] {
+                let [from, to] = [Vec2::new(x, y), Vec2::new(to_x, to_y)].map(|at| middle + at);
+                self.line(from, to, LETTER * width.min(1.3) + 2.0 * extra, colour);
+            }
+        }
+    }
+
+    fn square(&mut self, part: &Part, fill: f32, width: f32, [casing, colour]: [Colour; 2]) {
+        let [a, b, c, d] = part.corners[..] else { return };
+        let sides = [[a, b], [b, c], [c, d], [d, a]];
+        for [from, to] in sides {
+            self.line(from, to, OUTLINE * width + 2.0 * CASING, casing);
+        }
+        let [red, green, blue, _] = colour;
+        self.triangle([a, b, c], [red, green, blue, fill]);
+        self.triangle([a, c, d], [red, green, blue, fill]);
+        for [from, to] in sides {
+            self.line(from, to, OUTLINE * width, colour);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::view::appearance::{DARK, LIGHT};
+    use crate::view::camera::Camera;
+    use glam::Vec3;
+
+    #[test]
+    fn all_parts_are_drawn_near_the_gizmo_and_what_is_not_held_steps_back() {
+        let canvas = Vec2::new(1000.0, 800.0);
+        let gizmo = Gizmo::new(&Camera { canvas, ..Camera::default() }, Vec3::ZERO, false).unwrap();
+        for palette in [&LIGHT, &DARK] {
+            let shown = triangles(&gizmo, &Wanted::default(), palette);
+            assert_eq!(shown.len() % 3, 0);
+            for colour in palette.axes {
+                let [r, g, b, _] = colour;
+                assert!(shown.iter().any(|corner| corner[2..] == [r, g, b, 1.0]), "{colour:?}");
+            }
+            let limit = gizmo.sizes.length + 30.0;
+            let near =
+                |corner: &Corner| Vec2::new(corner[0], corner[1]).distance(gizmo.middle) < limit;
+            assert!(shown.iter().all(near));
+            let held = Wanted { lit: Some(Way::Axis(2)), held: true, ..Wanted::default() };
+            let opaque = |wanted| {
+                let corners = triangles(&gizmo, wanted, palette);
+                corners.iter().filter(|corner| corner[5] == 1.0).count()
+            };
+            assert!(opaque(&held) > 0);
+            assert!(opaque(&held) < opaque(&Wanted::default()));
+        }
+    }
+}

@@ -1,0 +1,238 @@
+//! The gizmo at the selected handles: an arrow along each axis and a square in each plane, which the
+//! pointer takes hold of. It has the same size on the screen wherever it is, and lies over the mesh.
+//!
+//! An arrow that points at the eye, and a square seen from its side, fade out and cannot be taken: a
+//! pixel would mean any distance there.
+
+use super::drag_constraint::{Grip, Way, axis_of};
+use crate::view::camera::{Camera, Eye};
+use glam::{Vec2, Vec3};
+
+/// An arrow is gone where the sine of its angle with the line of sight is the first, and whole from
+/// the second on; so is a square, by the cosine of the angle of its normal.
+const FADING: [f32; 2] = [0.2, 0.38];
+/// What is less strong than this cannot be taken.
+const TAKEN_FROM: f32 = 0.5;
+
+/// Sizes in CSS pixels, of what is seen from the front.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sizes {
+    /// Radius around the middle that belongs to the handle itself.
+    pub gap: f32,
+    /// From the middle to the tip of an arrow.
+    pub length: f32,
+    /// Where the sides of a square are, along both of its axes.
+    pub square: [f32; 2],
+    /// The pointer is on what is this near: half the size of a target.
+    pub reach: f32,
+}
+
+/// For a mouse or a pen.
+const FINE: Sizes = Sizes { gap: 15.0, length: 86.0, square: [28.0, 54.0], reach: 12.0 };
+/// For fingers.
+const COARSE: Sizes = Sizes { gap: 26.0, length: 120.0, square: [44.0, 84.0], reach: 22.0 };
+
+/// What the page says of the gizmo.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Wanted {
+    /// Whether it is shown where a handle is selected.
+    pub shown: bool,
+    /// Whether fingers are to take it.
+    pub touch: bool,
+    /// The part under the pointer, or held by it.
+    pub lit: Option<Way>,
+    /// Whether the pointer holds the part, or another handle: what else there is steps back.
+    pub held: bool,
+    /// The hold that the pointer has of handles.
+    pub grip: Option<Grip>,
+}
+
+/// An arrow or a square on the screen.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Part {
+    /// What it drags along.
+    pub way: Way,
+    /// From 0, gone, to 1.
+    pub strength: f32,
+    /// Start and tip of an arrow, or the corners of a square, CSS pixels.
+    pub corners: Vec<Vec2>,
+    /// Of its farthest point: what is nearer is drawn later.
+    pub depth: f32,
+}
+
+/// The gizmo as it lies on the screen.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Gizmo {
+    /// Where the handles are, CSS pixels.
+    pub middle: Vec2,
+    /// How large it is.
+    pub sizes: Sizes,
+    /// Arrows x, y, z, then squares yz, zx, xy.
+    pub parts: Vec<Part>,
+}
+
+impl Gizmo {
+    /// The gizmo at a point of the scene; `None` when it is behind the eye.
+    pub fn new(camera: &Camera, at: Vec3, touch: bool) -> Option<Gizmo> {
+        let eye = camera.eye();
+        let (middle, depth) = eye.project(at);
+        if depth <= 0.0 {
+            return None;
+        }
+        let sizes = if touch { COARSE } else { FINE };
+        let pixel = eye.across(Vec2::X, depth).length();
+        let sight = eye.ray(middle).1.normalize();
+        let place = |way: Vec3| at + way * pixel;
+        let arrows = (0..3).map(|axis| {
+            let along = axis_of(axis);
+            let ends = [sizes.gap, sizes.length].map(|far| place(along * far));
+            let part = along.dot(sight);
+            Part::new(&eye, Way::Axis(axis), (1.0 - part * part).max(0.0).sqrt(), &ends)
+        });
+        let squares = (0..3).map(|axis| {
+            let [a, b] = [axis_of((axis + 1) % 3), axis_of((axis + 2) % 3)];
+            let [near, far] = sizes.square;
+            let corners = [[near, near], [far, near], [far, far], [near, far]];
+            let corners = corners.map(|[u, v]| place(a * u + b * v));
+            Part::new(&eye, Way::Plane(axis), axis_of(axis).dot(sight).abs(), &corners)
+        });
+        Some(Gizmo { middle, sizes, parts: arrows.chain(squares).collect() })
+    }
+
+    /// The part under a screen position. Around the middle there is none: the handle is there.
+    pub fn pick(&self, at: Vec2) -> Option<Way> {
+        if at.distance(self.middle) < self.sizes.gap {
+            return None;
+        }
+        let mut nearest: Option<(f32, Way)> = None;
+        for part in self.parts.iter().filter(|part| part.strength >= TAKEN_FROM) {
+            if let Some(apart) = part.apart(at, self.sizes.reach)
+                && nearest.is_none_or(|(least, _)| apart < least)
+            {
+                nearest = Some((apart, part.way));
+            }
+        }
+        nearest.map(|(_, way)| way)
+    }
+
+    /// Where a part is best taken; `None` while it cannot be.
+    pub fn best(&self, way: Way) -> Option<Vec2> {
+        let part = self.parts.iter().find(|part| part.way == way)?;
+        let at = match part.corners[..] {
+            [start, tip] => start.lerp(tip, 0.75),
+            _ => part.middle(),
+        };
+        (part.strength >= TAKEN_FROM).then_some(at)
+    }
+}
+
+impl Part {
+    fn new(eye: &Eye, way: Way, slant: f32, points: &[Vec3]) -> Part {
+        let [gone, whole] = FADING;
+        let (corners, depths): (Vec<_>, Vec<_>) = points.iter().map(|&p| eye.project(p)).unzip();
+        Part {
+            way,
+            strength: ((slant - gone) / (whole - gone)).clamp(0.0, 1.0),
+            corners,
+            depth: depths.into_iter().fold(0.0, f32::max),
+        }
+    }
+
+    fn middle(&self) -> Vec2 {
+        self.corners.iter().sum::<Vec2>() / self.corners.len() as f32
+    }
+
+    /// How far the part is from a screen position, if that is on it or nearer than `reach`.
+    fn apart(&self, at: Vec2, reach: f32) -> Option<f32> {
+        if let [start, tip] = self.corners[..] {
+            let apart = apart_from_segment(at, start, tip);
+            return (apart <= reach).then_some(apart);
+        }
+        let sides = self.corners.iter().zip(self.corners.iter().cycle().skip(1));
+        let turns = sides.clone().map(|(&a, &b)| (b - a).perp_dot(at - a));
+        let inside = turns.clone().all(|turn| turn >= 0.0) || turns.clone().all(|turn| turn <= 0.0);
+        if inside {
+            return Some(0.0);
+        }
+        let apart = sides.map(|(&a, &b)| apart_from_segment(at, a, b)).fold(f32::MAX, f32::min);
+        (at.distance(self.middle()) <= reach).then_some(apart)
+    }
+}
+
+fn apart_from_segment(at: Vec2, start: Vec2, end: Vec2) -> f32 {
+    let span = end - start;
+    let part =
+        ((at - start).dot(span) / span.length_squared().max(f32::MIN_POSITIVE)).clamp(0.0, 1.0);
+    at.distance(start + span * part)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f32::consts::FRAC_PI_2;
+
+    fn gizmo(turn: f32, tilt: f32, distance: f32, touch: bool) -> Gizmo {
+        let canvas = Vec2::new(1000.0, 800.0);
+        let camera = Camera { turn, tilt, distance, canvas, ..Camera::default() };
+        Gizmo::new(&camera, Vec3::new(0.2, 0.1, -0.1), touch).unwrap()
+    }
+
+    fn length(part: &Part) -> f32 {
+        part.corners[0].distance(part.corners[1])
+    }
+
+    #[test]
+    fn it_is_as_large_from_far_as_from_near() {
+        let [near, far] = [3.0, 300.0].map(|distance| gizmo(0.55, 0.65, distance, false));
+        for (a, b) in near.parts.iter().zip(&far.parts) {
+            assert_eq!(a.way, b.way);
+            assert!((length(a) - length(b)).abs() < 4.0, "{:?}", a.way);
+        }
+        let behind = Camera { distance: -3.0, ..Camera::default() };
+        assert!(Gizmo::new(&behind, Vec3::ZERO, false).is_none());
+    }
+
+    #[test]
+    fn every_part_can_be_taken_where_it_is_said_to_be() {
+        for touch in [false, true] {
+            let gizmo = gizmo(0.55, 0.65, 5.0, touch);
+            for part in &gizmo.parts {
+                let at = gizmo.best(part.way).unwrap();
+                assert_eq!(gizmo.pick(at), Some(part.way), "{touch}");
+            }
+            assert_eq!(gizmo.pick(gizmo.middle + 3.0), None, "the handle is there");
+            assert_eq!(gizmo.pick(gizmo.middle + 300.0), None);
+        }
+    }
+
+    #[test]
+    fn a_target_is_24_pixels_wide_and_44_for_fingers() {
+        for (touch, half) in [(false, 12.0), (true, 22.0)] {
+            let gizmo = gizmo(0.55, 0.65, 5.0, touch);
+            for part in &gizmo.parts[..3] {
+                let [start, tip] = part.corners[..] else { panic!("an arrow has two ends") };
+                let aside = (tip - start).perp().normalize() * (half - 0.1);
+                for side in [aside, -aside] {
+                    let found = part.apart(tip + side, gizmo.sizes.reach);
+                    assert!(found.is_some(), "{:?}", part.way);
+                }
+            }
+            for part in &gizmo.parts[3..] {
+                for way in [Vec2::X, Vec2::Y, -Vec2::X, -Vec2::Y] {
+                    let at = part.middle() + way * (half - 0.1);
+                    assert!(part.apart(at, gizmo.sizes.reach).is_some(), "{:?}", part.way);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn from_above_only_what_moves_on_the_ground_can_be_taken() {
+        let gizmo = gizmo(0.0, FRAC_PI_2, 50.0, false);
+        let taken: Vec<_> = gizmo.parts.iter().map(|part| gizmo.best(part.way).is_some()).collect();
+        assert_eq!(taken, [true, true, false, false, false, true]);
+        let upwards = &gizmo.parts[2];
+        assert_eq!(upwards.strength, 0.0);
+        assert_ne!(gizmo.pick(upwards.corners[1] + Vec2::splat(9.0)), Some(upwards.way));
+    }
+}

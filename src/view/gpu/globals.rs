@@ -1,0 +1,75 @@
+//! The numbers that every shader reads: camera, canvas, colours. The order is that of `Scene` in
+//! `shaders/scene.wgsl`, all of it in groups of four.
+
+use crate::view::appearance::{DOT_KINDS, Dot, DotKind, LINE_KINDS, LineKind, Stroke};
+use crate::view::state::Stage;
+use glam::{Vec3, Vec4};
+
+/// How many numbers there are.
+pub const NUMBERS: usize = 16 + 4 * (5 + 1 + 7 + 2) + 8 + 8 * LINE_KINDS + 12 * DOT_KINDS;
+
+/// The numbers for a canvas of `width` by `height` pixels.
+pub fn numbers(stage: &Stage, width: u32, height: u32) -> Vec<f32> {
+    let camera = &stage.camera;
+    let eye = camera.eye();
+    let palette = stage.palette();
+    let ratio = width as f32 / camera.canvas.x;
+    let (near, far) = stage.depth_range();
+    let [_, _, sky] = camera.up.axes();
+    let [r, g, b] = stage.tint;
+
+    let mut numbers = Vec::with_capacity(NUMBERS);
+    numbers.extend(camera.clip_from_scene(near, far).to_cols_array());
+    numbers.extend(eye.at.extend(eye.parallel.unwrap_or(0.0)).to_array());
+    for axis in [eye.right, eye.up, eye.forward, sky] {
+        numbers.extend(Vec3::extend(axis, 0.0).to_array());
+    }
+    let pixel = 1.0 / (eye.focal * ratio);
+    numbers.extend(Vec4::new(width as f32, height as f32, ratio, pixel).to_array());
+    for colour in [palette.material, palette.shade, palette.no_value, palette.selected] {
+        numbers.extend(colour);
+    }
+    numbers.extend([r, g, b, TINT_STRENGTH]);
+    numbers.extend(palette.sphere);
+    numbers.extend(palette.ghost);
+    numbers.extend(palette.check);
+    let [begins, ends] = stage.looks.corner_steps().unwrap_or_default();
+    let tolerance = stage.looks.tolerance_in_steps();
+    numbers.extend([stage.checks.per_length, begins, ends, tolerance]);
+    extend_stroke(&mut numbers, &palette.circle, stage.circle_pieces());
+    let mut strokes = palette.strokes;
+    if stage.checks.per_length > 0.0 {
+        strokes[LineKind::Edge as usize].colour = palette.edge_of_checks;
+    } else if stage.looks.has_full_map() {
+        strokes[LineKind::Edge as usize].colour = palette.edge_of_values;
+    }
+    for stroke in &strokes {
+        extend_stroke(&mut numbers, stroke, 1);
+    }
+    let mut dots = palette.dots;
+    dots[DotKind::Tinted as usize].fill = [r, g, b, 1.0];
+    for Dot { fill, rim, radius, rim_width, square } in dots {
+        numbers.extend(fill);
+        numbers.extend(rim);
+        numbers.extend([radius, rim_width, square, 0.0]);
+    }
+    numbers
+}
+
+/// How much of the tint is mixed into a face.
+const TINT_STRENGTH: f32 = 0.55;
+
+fn extend_stroke(numbers: &mut Vec<f32>, stroke: &Stroke, pieces: u32) {
+    numbers.extend(stroke.colour);
+    numbers.extend([stroke.width, pieces as f32, stroke.casing, stroke.hidden]);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn there_are_as_many_numbers_as_the_shaders_read() {
+        assert_eq!(numbers(&Stage::default(), 800, 400).len(), NUMBERS);
+    }
+}

@@ -1,0 +1,42 @@
+//! From the state of a view to a canvas, with wgpu. Compiled for the browser only, but for what native tests check.
+//!
+//! | file | holds |
+//! |---|---|
+//! | `renderer` | draws a view |
+//! | `viewport` | the part of the canvas that a view is drawn to |
+//! | `device` | adapter, device and surface |
+//! | `loss` | what happens when a device is lost |
+//! | `canvas_size` | the size of a canvas in device pixels |
+//! | `gpu_tables` | buffers and textures that shaders read |
+//! | `globals` | the uniform block of all shaders |
+//! | `shaders` | the sources of the shaders |
+//! | `pipeline` | render pipelines |
+//! | `primitive` | what is drawn, one file for each kind |
+
+pub mod canvas_size;
+#[cfg(target_arch = "wasm32")]
+pub mod device;
+pub mod globals;
+#[cfg(target_arch = "wasm32")]
+pub mod gpu_tables;
+pub mod loss;
+#[cfg(target_arch = "wasm32")]
+pub mod pipeline;
+#[cfg(target_arch = "wasm32")]
+pub mod primitive;
+#[cfg(target_arch = "wasm32")]
+pub mod renderer;
+pub mod shaders;
+#[cfg(target_arch = "wasm32")]
+pub mod viewport;
+
+#[cfg(target_arch = "wasm32")]
+pub use device::{Device, DeviceError};
+#[cfg(target_arch = "wasm32")]
+pub use gpu_tables::Store;
+pub use loss::Loss;
+#[cfg(target_arch = "wasm32")]
+pub use pipeline::{Layer, Recipe, VertexBuffer, build};
+#[cfg(target_arch = "wasm32")]
+pub use renderer::Picture;
+pub use shaders::{CIRCLES, FACES, GIZMO, LINES, POINTS, PROJECTIONS, SPHERES};

@@ -1,0 +1,160 @@
+//! Makes the pipeline of a primitive from its shader, and grows its buffers.
+
+use super::gpu_tables::Store;
+
+/// Samples per pixel.
+pub const SAMPLES: u32 = 4;
+/// Format of the depth buffer.
+pub const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth24Plus;
+
+/// How a primitive meets the depth buffer and the colours that are there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Layer {
+    /// Opaque, and pushed back a little so that lines on it are seen. WebGPU allows such a bias on
+    /// triangles only.
+    Surface,
+    /// Blended, where nothing is in front, and pushed back more than a surface: where both are in the
+    /// same place, the surface is seen and nothing flickers.
+    Veil,
+    /// Blended, where nothing is in front.
+    InFront,
+    /// Blended, where something is in front.
+    Behind,
+    /// Blended, over everything.
+    Over,
+}
+
+/// What a primitive's pipeline is made from.
+#[derive(Clone, Copy, Debug)]
+pub struct Recipe<'a> {
+    /// The primitive's name.
+    pub label: &'a str,
+    /// Its whole shader.
+    pub source: &'a str,
+    /// Vertex entry point.
+    pub vertex: &'a str,
+    /// Fragment entry point.
+    pub fragment: &'a str,
+    /// Attributes, and whether they step per instance.
+    pub attributes: &'a [wgpu::VertexAttribute],
+    /// Bytes from one element to the next.
+    pub stride: u64,
+    /// Per vertex or per instance.
+    pub step: wgpu::VertexStepMode,
+    /// Depth and blending.
+    pub layer: Layer,
+}
+
+/// Makes a pipeline that draws triangles from both sides.
+pub fn build(
+    device: &wgpu::Device,
+    store: &Store,
+    format: wgpu::TextureFormat,
+    recipe: &Recipe<'_>,
+) -> wgpu::RenderPipeline {
+    let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
+        label: Some(recipe.label),
+        source: wgpu::ShaderSource::Wgsl(recipe.source.into()),
+    });
+    let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+        label: Some(recipe.label),
+        bind_group_layouts: &[Some(store.layout())],
+        immediate_size: 0,
+    });
+    let surface = recipe.layer == Layer::Surface;
+    let bias = match recipe.layer {
+        Layer::Surface => wgpu::DepthBiasState { constant: 2, slope_scale: 1.5, clamp: 0.0 },
+        Layer::Veil => wgpu::DepthBiasState { constant: 8, slope_scale: 3.0, clamp: 0.0 },
+        Layer::InFront | Layer::Behind | Layer::Over => wgpu::DepthBiasState::default(),
+    };
+    let compare = match recipe.layer {
+        Layer::Surface | Layer::Veil | Layer::InFront => wgpu::CompareFunction::LessEqual,
+        Layer::Behind => wgpu::CompareFunction::Greater,
+        Layer::Over => wgpu::CompareFunction::Always,
+    };
+    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+        label: Some(recipe.label),
+        layout: Some(&layout),
+        vertex: wgpu::VertexState {
+            module: &module,
+            entry_point: Some(recipe.vertex),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            buffers: &[Some(wgpu::VertexBufferLayout {
+                array_stride: recipe.stride,
+                step_mode: recipe.step,
+                attributes: recipe.attributes,
+            })],
+        },
+        primitive: wgpu::PrimitiveState::default(),
+        depth_stencil: Some(wgpu::DepthStencilState {
+            format: DEPTH_FORMAT,
+            depth_write_enabled: Some(surface),
+            depth_compare: Some(compare),
+            stencil: wgpu::StencilState::default(),
+            bias,
+        }),
+        multisample: wgpu::MultisampleState { count: SAMPLES, ..Default::default() },
+        fragment: Some(wgpu::FragmentState {
+            module: &module,
+            entry_point: Some(recipe.fragment),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            targets: &[Some(wgpu::ColorTargetState {
+                format,
+                blend: (!surface).then_some(wgpu::BlendState::ALPHA_BLENDING),
+                write_mask: wgpu::ColorWrites::COLOR,
+            })],
+        }),
+        multiview_mask: None,
+        cache: None,
+    })
+}
+
+/// A vertex buffer that grows.
+#[derive(Debug)]
+pub struct VertexBuffer {
+    buffer: wgpu::Buffer,
+    count: u32,
+}
+
+impl VertexBuffer {
+    /// Holds nothing yet.
+    pub fn new(device: &wgpu::Device) -> VertexBuffer {
+        VertexBuffer { buffer: Self::create(device, 256), count: 0 }
+    }
+
+    fn create(device: &wgpu::Device, size: u64) -> wgpu::Buffer {
+        device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("vertices"),
+            size,
+            usage: wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        })
+    }
+
+    /// Replaces all elements.
+    pub fn write<T: bytemuck::NoUninit>(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        elements: &[T],
+    ) {
+        let bytes: &[u8] = bytemuck::cast_slice(elements);
+        self.count = elements.len() as u32;
+        if bytes.len() as u64 > self.buffer.size() {
+            self.buffer = Self::create(device, (bytes.len() as u64).next_power_of_two());
+        }
+        if !bytes.is_empty() {
+            queue.write_buffer(&self.buffer, 0, bytes);
+        }
+    }
+
+    /// How many elements.
+    pub fn count(&self) -> u32 {
+        self.count
+    }
+
+    /// The buffer.
+    pub fn slice(&self) -> wgpu::BufferSlice<'_> {
+        self.buffer.slice(..)
+    }
+}

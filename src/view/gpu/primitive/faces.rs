@@ -1,0 +1,68 @@
+//! Draws the faces, and those of the ghost as a veil: `shaders/faces.wgsl`.
+
+use crate::view::gpu::{FACES, Layer, Recipe, Store, VertexBuffer, build};
+use crate::view::model::Subject;
+
+const CORNER: [wgpu::VertexAttribute; 1] = wgpu::vertex_attr_array![0 => Uint32x2];
+
+/// The faces' triangles.
+#[derive(Debug)]
+pub struct Faces {
+    surface: wgpu::RenderPipeline,
+    veil: wgpu::RenderPipeline,
+    /// Per corner its vertex and its face.
+    corners: VertexBuffer,
+}
+
+impl Faces {
+    /// Nothing to draw yet.
+    pub fn new(device: &wgpu::Device, store: &Store, format: wgpu::TextureFormat) -> Faces {
+        let pipeline = |vertex: &str, fragment: &str, layer: Layer| {
+            let recipe = Recipe {
+                label: "faces",
+                source: &FACES.concat(),
+                vertex,
+                fragment,
+                attributes: &CORNER,
+                stride: 8,
+                step: wgpu::VertexStepMode::Vertex,
+                layer,
+            };
+            build(device, store, format, &recipe)
+        };
+        Faces {
+            surface: pipeline("corner_of_face", "lit", Layer::Surface),
+            veil: pipeline("corner_of_veil", "veil", Layer::Veil),
+            corners: VertexBuffer::new(device),
+        }
+    }
+
+    /// Takes the triangles of a mesh.
+    pub fn update(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, subject: &Subject) {
+        let corners: Vec<[u32; 2]> = subject
+            .triangles
+            .iter()
+            .zip(&subject.triangle_face)
+            .flat_map(|(triangle, &face)| triangle.map(|vertex| [vertex, face]))
+            .collect();
+        self.corners.write(device, queue, &corners);
+    }
+
+    /// Draws them.
+    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
+        self.draw_with(pass, &self.surface);
+    }
+
+    /// Draws them where the points of the ghost are, whose group is bound.
+    pub fn draw_veil(&self, pass: &mut wgpu::RenderPass<'_>) {
+        self.draw_with(pass, &self.veil);
+    }
+
+    fn draw_with(&self, pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline) {
+        if self.corners.count() > 0 {
+            pass.set_pipeline(pipeline);
+            pass.set_vertex_buffer(0, self.corners.slice());
+            pass.draw(0..self.corners.count(), 0..1);
+        }
+    }
+}

@@ -1,0 +1,50 @@
+//! Draws the gizmo: `shaders/gizmo.wgsl`.
+
+use crate::view::gizmo::triangles;
+use crate::view::gpu::{GIZMO, Layer, Recipe, Store, VertexBuffer, build};
+use crate::view::state::Stage;
+
+const CORNER: [wgpu::VertexAttribute; 2] = wgpu::vertex_attr_array![0 => Float32x2, 1 => Float32x4];
+
+/// The triangles of the gizmo.
+#[derive(Debug)]
+pub struct GizmoMarks {
+    pipeline: wgpu::RenderPipeline,
+    corners: VertexBuffer,
+}
+
+impl GizmoMarks {
+    /// Nothing to draw yet.
+    pub fn new(device: &wgpu::Device, store: &Store, format: wgpu::TextureFormat) -> GizmoMarks {
+        let recipe = Recipe {
+            label: "gizmo",
+            source: &GIZMO.concat(),
+            vertex: "corner_of_gizmo",
+            fragment: "drawn",
+            attributes: &CORNER,
+            stride: 24,
+            step: wgpu::VertexStepMode::Vertex,
+            layer: Layer::Over,
+        };
+        GizmoMarks {
+            pipeline: build(device, store, format, &recipe),
+            corners: VertexBuffer::new(device),
+        }
+    }
+
+    /// Takes the gizmo as it lies on the screen now.
+    pub fn update(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, stage: &Stage) {
+        let gizmo = stage.gizmo();
+        let corners = gizmo.map(|gizmo| triangles(&gizmo, &stage.gizmo, stage.palette()));
+        self.corners.write(device, queue, &corners.unwrap_or_default());
+    }
+
+    /// Draws it.
+    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
+        if self.corners.count() > 0 {
+            pass.set_pipeline(&self.pipeline);
+            pass.set_vertex_buffer(0, self.corners.slice());
+            pass.draw(0..self.corners.count(), 0..1);
+        }
+    }
+}

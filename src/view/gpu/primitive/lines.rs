@@ -1,0 +1,167 @@
+//! Draws edges, polylines, selected edges, outlines of flipped faces, and the lines from handles to their
+//! targets: `shaders/lines.wgsl`.
+
+use crate::view::appearance::{LineKind, Seam, seams};
+use crate::view::gpu::{LINES, Layer, Recipe, Store, VertexBuffer, build};
+use crate::view::model::Subject;
+use crate::view::state::Stage;
+
+const LINE: [wgpu::VertexAttribute; 2] = wgpu::vertex_attr_array![0 => Uint32x2, 1 => Uint32];
+
+/// Lines between entries of the table of positions.
+#[derive(Debug)]
+pub struct Lines {
+    in_front: wgpu::RenderPipeline,
+    behind: wgpu::RenderPipeline,
+    /// Per line its two ends and its [`LineKind`].
+    edges: VertexBuffer,
+    curves: VertexBuffer,
+    pulls: VertexBuffer,
+    selected: VertexBuffer,
+    flipped: VertexBuffer,
+    /// Where two faces of the mesh meet.
+    seams: Vec<Seam>,
+}
+
+impl Lines {
+    /// Nothing to draw yet.
+    pub fn new(device: &wgpu::Device, store: &Store, format: wgpu::TextureFormat) -> Lines {
+        let pipeline = |fragment: &str, layer: Layer| {
+            let recipe = Recipe {
+                label: "lines",
+                source: &LINES.concat(),
+                vertex: "corner_of_line",
+                fragment,
+                attributes: &LINE,
+                stride: 12,
+                step: wgpu::VertexStepMode::Instance,
+                layer,
+            };
+            build(device, store, format, &recipe)
+        };
+        Lines {
+            in_front: pipeline("in_front", Layer::InFront),
+            behind: pipeline("behind", Layer::Behind),
+            edges: VertexBuffer::new(device),
+            curves: VertexBuffer::new(device),
+            pulls: VertexBuffer::new(device),
+            selected: VertexBuffer::new(device),
+            flipped: VertexBuffer::new(device),
+            seams: Vec::new(),
+        }
+    }
+
+    /// Takes the edges and curves of a mesh.
+    pub fn update_mesh(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, subject: &Subject) {
+        self.edges.write(device, queue, &edge_lines(subject));
+        let curves: Vec<[u32; 3]> = subject
+            .curves
+            .iter()
+            .flat_map(|curve| curve.windows(2).map(|ends| line(ends[0], ends[1], LineKind::Curve)))
+            .collect();
+        self.curves.write(device, queue, &curves);
+        self.seams = seams(&subject.faces);
+    }
+
+    /// The edges between faces whose values are in different bands, as [`Lines::draw_others`] takes them.
+    pub fn between_bands(&self, stage: &Stage) -> Vec<[u32; 3]> {
+        let looks = &stage.looks;
+        let seams = self.seams.iter().filter(|_| looks.bands().is_some());
+        let parting = seams.filter(|seam| {
+            let [a, b] = seam.faces.map(|face| looks.band_of(face));
+            a.is_some() && b.is_some() && a != b
+        });
+        parting.map(|seam| line(seam.ends[0], seam.ends[1], LineKind::Band)).collect()
+    }
+
+    /// Takes the selected edges and the measuring tape.
+    pub fn update_marks(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, stage: &Stage) {
+        let edges = stage.looks.selected_edges.iter();
+        let mut selected: Vec<[u32; 3]> =
+            edges.map(|&[a, b]| line(a, b, LineKind::Selected)).collect();
+        if let &[from, to] = &stage.tape[..] {
+            selected.push(line(from, to, LineKind::Tape));
+        }
+        self.selected.write(device, queue, &selected);
+    }
+
+    /// Takes the sides of the faces that the flat map `map` turns over.
+    pub fn update_map(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, map: &Stage) {
+        let sides = map.flipped.iter();
+        let flipped: Vec<[u32; 3]> = sides.map(|&[a, b]| line(a, b, LineKind::Flipped)).collect();
+        self.flipped.write(device, queue, &flipped);
+    }
+
+    /// Takes the handles; their targets come after the vertices in the table of positions.
+    pub fn update_handles(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, stage: &Stage) {
+        let first = stage.counts().0 as u32;
+        let pulls: Vec<[u32; 3]> = stage
+            .handles
+            .iter()
+            .zip(first..)
+            .map(|(handle, target)| line(handle.vertex, target, LineKind::Pull))
+            .collect();
+        self.pulls.write(device, queue, &pulls);
+    }
+
+    /// Draws edges, if wanted, and curves.
+    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, edges: bool) {
+        if edges {
+            draw(pass, &self.in_front, &self.edges);
+        }
+        draw(pass, &self.in_front, &self.curves);
+    }
+
+    /// Draws the outlines of the faces that the flat map turns over.
+    pub fn draw_flipped(&self, pass: &mut wgpu::RenderPass<'_>) {
+        draw(pass, &self.in_front, &self.flipped);
+    }
+
+    /// Draws other lines: those in sight, and the first `through` of them dim where the surface hides
+    /// them.
+    pub fn draw_others(&self, pass: &mut wgpu::RenderPass<'_>, lines: &VertexBuffer, through: u32) {
+        if through > 0 {
+            pass.set_pipeline(&self.behind);
+            pass.set_vertex_buffer(0, lines.slice());
+            pass.draw(0..6, 0..through);
+        }
+        draw(pass, &self.in_front, lines);
+    }
+
+    /// Draws selected edges and the tape: dim where the surface hides them, then those in sight.
+    pub fn draw_marks(&self, pass: &mut wgpu::RenderPass<'_>) {
+        draw(pass, &self.behind, &self.selected);
+        draw(pass, &self.in_front, &self.selected);
+    }
+
+    /// Draws the lines from handles to targets: dim where the surface hides them, then those in
+    /// sight.
+    pub fn draw_pulls(&self, pass: &mut wgpu::RenderPass<'_>) {
+        draw(pass, &self.behind, &self.pulls);
+        draw(pass, &self.in_front, &self.pulls);
+    }
+}
+
+fn draw(pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline, lines: &VertexBuffer) {
+    if lines.count() > 0 {
+        pass.set_pipeline(pipeline);
+        pass.set_vertex_buffer(0, lines.slice());
+        pass.draw(0..6, 0..lines.count());
+    }
+}
+
+fn line(from: u32, to: u32, kind: LineKind) -> [u32; 3] {
+    [from, to, kind as u32]
+}
+
+/// Inner edges first, so that the heavier rim lies over them.
+fn edge_lines(subject: &Subject) -> Vec<[u32; 3]> {
+    let kinds = [(false, LineKind::Edge), (true, LineKind::Boundary)];
+    kinds
+        .into_iter()
+        .flat_map(|(boundary, kind)| {
+            let chosen = subject.edges.iter().filter(move |edge| edge.boundary == boundary);
+            chosen.map(move |edge| line(edge.ends[0], edge.ends[1], kind))
+        })
+        .collect()
+}

@@ -1,0 +1,105 @@
+//! Draws vertices, marks, handles and targets as dots: `shaders/points.wgsl`.
+
+use crate::view::appearance::DotKind;
+use crate::view::gpu::{Layer, POINTS, Recipe, Store, VertexBuffer, build};
+use crate::view::state::Stage;
+
+const DOT: [wgpu::VertexAttribute; 1] = wgpu::vertex_attr_array![0 => Uint32x3];
+
+/// Dots at entries of the table of positions.
+#[derive(Debug)]
+pub struct Points {
+    in_front: wgpu::RenderPipeline,
+    behind: wgpu::RenderPipeline,
+    /// Per dot its place in the table, its [`DotKind`], and the place of its colour.
+    vertices: VertexBuffer,
+    members: VertexBuffer,
+    marks: VertexBuffer,
+}
+
+impl Points {
+    /// Nothing to draw yet.
+    pub fn new(device: &wgpu::Device, store: &Store, format: wgpu::TextureFormat) -> Points {
+        let pipeline = |fragment: &str, layer: Layer| {
+            let recipe = Recipe {
+                label: "points",
+                source: &POINTS.concat(),
+                vertex: "corner_of_dot",
+                fragment,
+                attributes: &DOT,
+                stride: 12,
+                step: wgpu::VertexStepMode::Instance,
+                layer,
+            };
+            build(device, store, format, &recipe)
+        };
+        Points {
+            in_front: pipeline("in_front", Layer::InFront),
+            behind: pipeline("behind", Layer::Behind),
+            vertices: VertexBuffer::new(device),
+            members: VertexBuffer::new(device),
+            marks: VertexBuffer::new(device),
+        }
+    }
+
+    /// Takes the vertices of a mesh.
+    pub fn update_mesh(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, stage: &Stage) {
+        let count = stage.counts().0 as u32;
+        let dots: Vec<[u32; 3]> = (0..count).map(|v| dot(v, DotKind::Vertex)).collect();
+        self.vertices.write(device, queue, &dots);
+    }
+
+    /// Takes marks and handles.
+    pub fn update_marks(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, stage: &Stage) {
+        let rows = &stage.looks.rows;
+        let members: Vec<[u32; 3]> =
+            rows.dots().map(|(v, place)| [v, DotKind::Member as u32, u32::from(place)]).collect();
+        self.members.write(device, queue, &members);
+        self.marks.write(device, queue, &marks(stage));
+    }
+
+    /// Draws a dot on every vertex in sight.
+    pub fn draw_vertices(&self, pass: &mut wgpu::RenderPass<'_>) {
+        draw(pass, &self.in_front, &self.vertices);
+    }
+
+    /// Draws members of constraints in sight, then marks and handles: dim where the surface hides
+    /// them, then those in sight.
+    pub fn draw_marks(&self, pass: &mut wgpu::RenderPass<'_>) {
+        draw(pass, &self.in_front, &self.members);
+        draw(pass, &self.behind, &self.marks);
+        draw(pass, &self.in_front, &self.marks);
+    }
+}
+
+fn draw(pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline, dots: &VertexBuffer) {
+    if dots.count() > 0 {
+        pass.set_pipeline(pipeline);
+        pass.set_vertex_buffer(0, dots.slice());
+        pass.draw(0..6, 0..dots.count());
+    }
+}
+
+fn dot(place: u32, kind: DotKind) -> [u32; 3] {
+    [place, kind as u32, 0]
+}
+
+/// The least important first: later dots lie over earlier ones. Targets come after the vertices in
+/// the table of positions.
+fn marks(stage: &Stage) -> Vec<[u32; 3]> {
+    let looks = &stage.looks;
+    let tinted = looks.tinted_dots().iter();
+    let mut dots: Vec<[u32; 3]> = tinted.map(|&v| dot(v, DotKind::Tinted)).collect();
+    dots.extend(looks.selected_vertices.iter().map(|&v| dot(v, DotKind::Selected)));
+    let first = stage.counts().0 as u32;
+    let soft = stage.handles.iter().zip(first..).filter(|(h, _)| h.kind != DotKind::Fixed);
+    dots.extend(soft.map(|(_, target)| dot(target, DotKind::Target)));
+    for kind in [DotKind::Fixed, DotKind::Handle, DotKind::Active] {
+        let handles = stage.handles.iter().filter(|handle| handle.kind == kind);
+        dots.extend(handles.map(|handle| dot(handle.vertex, kind)));
+    }
+    let chosen = stage.handles.iter().filter(|h| looks.selected_vertices.contains(&h.vertex));
+    dots.extend(chosen.map(|handle| dot(handle.vertex, DotKind::Chosen)));
+    dots.extend(stage.tape.iter().map(|&end| dot(end, DotKind::Tape)));
+    dots
+}

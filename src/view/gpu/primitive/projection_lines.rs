@@ -1,0 +1,125 @@
+//! Draws projected shapes, as outlines with a faint inside, and the arrows to projected points:
+//! `shaders/projections.wgsl`.
+
+use crate::view::appearance::LineKind;
+use crate::view::gpu::{Layer, PROJECTIONS, Recipe, Store, VertexBuffer, build};
+use crate::view::model::ProjectedFaces;
+use crate::view::state::{Display, Stage};
+use glam::Vec3;
+
+const LINE: [wgpu::VertexAttribute; 2] = wgpu::vertex_attr_array![0 => Uint32x2, 1 => Uint32x2];
+const CORNER: [wgpu::VertexAttribute; 2] = wgpu::vertex_attr_array![0 => Uint32x2, 1 => Float32];
+
+/// A corner of the inside of a projected shape.
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+#[repr(C)]
+struct Corner {
+    point: u32,
+    /// Of its colour.
+    place: u32,
+    /// How far beside the surface it may lie.
+    beside: f32,
+}
+
+/// Lines between vertices and projected points, which are entries of the table of positions.
+#[derive(Debug)]
+pub struct ProjectionLines {
+    lines: wgpu::RenderPipeline,
+    insides: wgpu::RenderPipeline,
+    /// Three per triangle.
+    corners: VertexBuffer,
+    /// Per line its two ends, its [`LineKind`], and the place of its colour.
+    outlines: VertexBuffer,
+    arrows: VertexBuffer,
+}
+
+impl ProjectionLines {
+    /// Nothing to draw yet.
+    pub fn new(
+        device: &wgpu::Device,
+        store: &Store,
+        format: wgpu::TextureFormat,
+    ) -> ProjectionLines {
+        let lines = Recipe {
+            label: "projections",
+            source: &PROJECTIONS.concat(),
+            vertex: "corner_of_projection",
+            fragment: "drawn",
+            attributes: &LINE,
+            stride: 16,
+            step: wgpu::VertexStepMode::Instance,
+            layer: Layer::InFront,
+        };
+        let insides = Recipe {
+            vertex: "corner_of_inside",
+            fragment: "inside",
+            attributes: &CORNER,
+            stride: 12,
+            step: wgpu::VertexStepMode::Vertex,
+            ..lines
+        };
+        ProjectionLines {
+            lines: build(device, store, format, &lines),
+            insides: build(device, store, format, &insides),
+            corners: VertexBuffer::new(device),
+            outlines: VertexBuffer::new(device),
+            arrows: VertexBuffer::new(device),
+        }
+    }
+
+    /// Takes the projections; their points come after vertices and targets in the table of positions.
+    pub fn update(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, stage: &Stage) {
+        let first = (stage.counts().0 + stage.handles.len()) as u32;
+        let points = &stage.projections.points;
+        let outlines: Vec<[u32; 4]> = stage
+            .projections
+            .outlines
+            .iter()
+            .map(|&[a, b]| {
+                line([first + a, first + b], LineKind::Outline, points[a as usize].place)
+            })
+            .collect();
+        self.outlines.write(device, queue, &outlines);
+        let places: Vec<Vec3> = stage.projected().map(|point| point.truncate()).collect();
+        let faces = ProjectedFaces::new(&stage.projections, &places);
+        let corners: Vec<Corner> = faces
+            .triangles
+            .iter()
+            .zip(faces.beside)
+            .flat_map(|(triangle, beside)| {
+                triangle.map(|point| {
+                    let place = u32::from(points[point as usize].place);
+                    Corner { point: first + point, place, beside }
+                })
+            })
+            .collect();
+        self.corners.write(device, queue, &corners);
+        let arrows: Vec<[u32; 4]> = points
+            .iter()
+            .zip(first..)
+            .map(|(point, end)| line([point.vertex, end], LineKind::Arrow, point.place))
+            .collect();
+        self.arrows.write(device, queue, &arrows);
+    }
+
+    /// Draws what is switched on.
+    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, display: Display) {
+        if display.outlines && self.corners.count() > 0 {
+            pass.set_pipeline(&self.insides);
+            pass.set_vertex_buffer(0, self.corners.slice());
+            pass.draw(0..self.corners.count(), 0..1);
+        }
+        for (lines, wanted) in [(&self.outlines, display.outlines), (&self.arrows, display.arrows)]
+        {
+            if wanted && lines.count() > 0 {
+                pass.set_pipeline(&self.lines);
+                pass.set_vertex_buffer(0, lines.slice());
+                pass.draw(0..6, 0..lines.count());
+            }
+        }
+    }
+}
+
+fn line([from, to]: [u32; 2], kind: LineKind, place: u8) -> [u32; 4] {
+    [from, to, kind as u32, u32::from(place)]
+}

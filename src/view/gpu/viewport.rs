@@ -1,0 +1,59 @@
+//! What the GPU has of a stage that is seen by itself: its tables, what is drawn about its mesh, and
+//! the lines that part its bands of values. The whole canvas is one pane; a split picture has two,
+//! which share the mesh's faces and edges.
+
+use super::gpu_tables::Store;
+use super::pipeline::VertexBuffer;
+use crate::view::gpu::primitive::{Faces, Lines, SurroundingLines};
+use crate::view::state::Stage;
+
+/// One picture of a mesh.
+#[derive(Debug)]
+pub struct Pane {
+    /// The tables of the stage.
+    pub store: Store,
+    around: SurroundingLines,
+    bands: VertexBuffer,
+}
+
+impl Pane {
+    /// Nothing to draw yet; `like` is a store that the same pipelines read.
+    pub fn new(device: &wgpu::Device, queue: &wgpu::Queue, like: &Store) -> Pane {
+        Pane {
+            store: like.beside(device, queue),
+            around: SurroundingLines::new(device, queue, like),
+            bands: VertexBuffer::new(device),
+        }
+    }
+
+    /// Takes what has changed on the stage, whose mesh `lines` has already, for a canvas of `size`
+    /// pixels.
+    pub fn update(
+        &mut self,
+        (device, queue): (&wgpu::Device, &wgpu::Queue),
+        stage: &mut Stage,
+        lines: &Lines,
+        size: (u32, u32),
+    ) {
+        self.store.update(device, queue, stage, size);
+        self.around.update(device, queue, stage, size);
+        if stage.changes.mesh || stage.changes.looks {
+            self.bands.write(device, queue, &lines.between_bands(stage));
+        }
+    }
+
+    /// Draws the surface, what is about it, and its edges; leaves the group of the tables bound.
+    pub fn draw(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        faces: &Faces,
+        lines: &Lines,
+        show_edges: bool,
+    ) {
+        pass.set_bind_group(0, self.store.group(), &[]);
+        faces.draw(pass);
+        self.around.draw(pass, faces, lines, &self.store);
+        lines.draw(pass, show_edges);
+        lines.draw_others(pass, &self.bands, 0);
+    }
+}

@@ -1,0 +1,89 @@
+//! A grid on the ground, below the mesh: its lines are at round coordinates of the file, a round
+//! length apart, so that it tells how large things are.
+
+use crate::view::appearance::round_down;
+use crate::view::camera::Up;
+use glam::{DVec3, Vec3};
+
+/// There are at least so many squares along the longer side of the mesh.
+const LEAST: f64 = 6.0;
+/// The grid reaches beyond the mesh by this part of its longer side.
+const BEYOND: f64 = 0.22;
+/// It lies this part of the size of the mesh below it, so that a flat mesh does not lie in it.
+const BELOW: f64 = 0.004;
+
+/// The lines of a grid.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Ground {
+    /// From one line to the next, in the unit of the file.
+    pub step: f64,
+    /// Ends of each line, relative to the view's centre.
+    pub lines: Vec<[Vec3; 2]>,
+}
+
+impl Ground {
+    /// Below the box from `low` to `high`, in file coordinates; `centre` is the view's. No lines
+    /// where the box has no size.
+    pub fn new(low: DVec3, high: DVec3, up: Up, centre: DVec3) -> Ground {
+        let [right, away, sky] = up.axes().map(|axis| axis.as_dvec3());
+        let size = high - low;
+        let longer = size.dot(right.abs()).max(size.dot(away.abs()));
+        let step = round_down(longer / LEAST);
+        if step == 0.0 {
+            return Ground::default();
+        }
+        let floor = low.dot(sky) - BELOW * size.length();
+        let span = |axis: DVec3| {
+            let axis = axis.abs();
+            let from = ((low.dot(axis) - BEYOND * longer) / step).floor();
+            let to = ((high.dot(axis) + BEYOND * longer) / step).ceil();
+            (axis, from as i64, to as i64)
+        };
+        let mut lines = Vec::new();
+        let (across, along) = (span(right), span(away));
+        for ((axis, from, to), (other, first, last)) in [(across, along), (along, across)] {
+            for k in from..=to {
+                let at = axis * (k as f64 * step) + sky * floor - centre;
+                let ends = [first, last].map(|end| (at + other * (end as f64 * step)).as_vec3());
+                lines.push(ends);
+            }
+        }
+        Ground { step, lines }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_are_at_round_coordinates_around_and_below_the_mesh() {
+        for (up, flat, sky) in [(Up::Z, [0, 1], 2), (Up::Y, [0, 2], 1)] {
+            let mut high = DVec3::splat(21.7);
+            high[sky] = 4.0;
+            let low = DVec3::splat(0.3);
+            let centre = DVec3::new(10.0, 7.0, 3.0);
+            let ground = Ground::new(low, high, up, centre);
+            assert_eq!(ground.step, 2.0);
+            let ends: Vec<DVec3> =
+                ground.lines.iter().flatten().map(|end| end.as_dvec3() + centre).collect();
+            for end in &ends {
+                assert!(end[sky] < 0.3 && end[sky] > 0.0);
+                for axis in flat {
+                    assert!((end[axis] / 2.0 - (end[axis] / 2.0).round()).abs() < 1e-6);
+                }
+            }
+            for axis in flat {
+                assert!(ends.iter().any(|end| end[axis] < 0.3));
+                assert!(ends.iter().any(|end| end[axis] > 21.7));
+            }
+            assert!(ground.lines.len() > 20 && ground.lines.len() < 60);
+        }
+    }
+
+    #[test]
+    fn one_point_has_no_ground() {
+        let point = DVec3::splat(2.0);
+        assert_eq!(Ground::new(point, point, Up::Z, point), Ground::default());
+    }
+}

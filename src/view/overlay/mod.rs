@@ -1,0 +1,15 @@
+//! What is about the mesh.
+//!
+//! | file | holds |
+//! |---|---|
+//! | `surroundings` | the ghost of the original, and the ground |
+//! | `ground` | the grid on the ground |
+//! | `scale_bar` | a bar of a round length |
+
+pub mod ground;
+pub mod scale_bar;
+pub mod surroundings;
+
+pub use ground::Ground;
+pub use scale_bar::scale_bar;
+pub use surroundings::Surroundings;

@@ -1,0 +1,140 @@
+//! A small picture of the surface made on the CPU: per pixel the nearest depth and its face. It
+//! tells what is visible for box selections, where a ray per candidate would be too slow.
+
+use crate::view::camera::{Camera, Eye};
+use crate::view::model::Subject;
+use glam::{Vec2, Vec3};
+
+/// Pixels along the longer side of the canvas.
+const LONGER_SIDE: f32 = 512.0;
+/// A point this much farther away than the surface, in parts of its depth, still counts as on it.
+const TOLERANCE: f32 = 4e-3;
+/// No face.
+const NONE: u32 = u32::MAX;
+
+/// Depth and face per pixel.
+#[derive(Clone, Debug)]
+pub struct DepthMap {
+    width: usize,
+    height: usize,
+    /// Pixels per CSS pixel.
+    scale: f32,
+    /// What grows towards the eye and is linear on the screen: one over the depth, in parallel
+    /// projection minus the depth. Less than any where there is nothing.
+    nearness: Vec<f32>,
+    faces: Vec<u32>,
+    /// [`Eye::parallel`].
+    parallel: Option<f32>,
+}
+
+impl DepthMap {
+    /// Draws all triangles as the camera sees them.
+    pub fn new(subject: &Subject, camera: &Camera) -> DepthMap {
+        let scale = LONGER_SIDE / camera.canvas.max_element().max(1.0);
+        let size = (camera.canvas * scale).ceil().max(Vec2::ONE);
+        let (width, height) = (size.x as usize, size.y as usize);
+        let mut map = DepthMap {
+            width,
+            height,
+            scale,
+            nearness: vec![f32::NEG_INFINITY; width * height],
+            faces: vec![NONE; width * height],
+            parallel: camera.eye().parallel,
+        };
+        let eye = camera.eye();
+        let near = camera.distance * 1e-3;
+        for (triangle, &face) in subject.triangles.iter().zip(&subject.triangle_face) {
+            let corners = triangle.map(|v| subject.positions[v as usize]);
+            map.draw_clipped(&eye, corners, near, face);
+        }
+        map
+    }
+
+    /// Cuts a triangle at the near depth and draws what is in front of the eye.
+    fn draw_clipped(&mut self, eye: &Eye, corners: [Vec3; 3], near: f32, face: u32) {
+        let depths = corners.map(|p| (p - eye.at).dot(eye.forward));
+        if depths.iter().all(|&d| d >= near) {
+            self.draw(corners.map(|p| self.pixel(eye, p)), face);
+            return;
+        }
+        let mut kept: Vec<Vec3> = Vec::with_capacity(4);
+        for i in 0..3 {
+            let j = (i + 1) % 3;
+            if depths[i] >= near {
+                kept.push(corners[i]);
+            }
+            if (depths[i] >= near) != (depths[j] >= near) {
+                let part = (near - depths[i]) / (depths[j] - depths[i]);
+                kept.push(corners[i].lerp(corners[j], part));
+            }
+        }
+        for i in 2..kept.len() {
+            self.draw([kept[0], kept[i - 1], kept[i]].map(|p| self.pixel(eye, p)), face);
+        }
+    }
+
+    /// Pixel position, and nearness as third coordinate.
+    fn pixel(&self, eye: &Eye, point: Vec3) -> Vec3 {
+        let (screen, depth) = eye.project(point);
+        let nearness = if self.parallel.is_some() { -depth } else { 1.0 / depth };
+        (screen * self.scale).extend(nearness)
+    }
+
+    fn draw(&mut self, [a, b, c]: [Vec3; 3], face: u32) {
+        let low = a.min(b).min(c);
+        let high = a.max(b).max(c);
+        let area = (b - a).truncate().perp_dot((c - a).truncate());
+        if area == 0.0 || !area.is_finite() {
+            return;
+        }
+        // Pixel centres lie at halves. The cast saturates: beyond the picture becomes its rim.
+        let range = |low: f32, high: f32, count: usize| {
+            ((low - 0.5).ceil().max(0.0) as usize)
+                ..((high + 0.5).floor().max(0.0) as usize).min(count)
+        };
+        for y in range(low.y, high.y, self.height) {
+            for x in range(low.x, high.x, self.width) {
+                let p = Vec2::new(x as f32 + 0.5, y as f32 + 0.5);
+                let weight = |from: Vec3, to: Vec3| {
+                    (to - from).truncate().perp_dot(p - from.truncate()) / area
+                };
+                let (at_c, at_a, at_b) = (weight(a, b), weight(b, c), weight(c, a));
+                if at_a < 0.0 || at_b < 0.0 || at_c < 0.0 {
+                    continue;
+                }
+                let nearness = at_a * a.z + at_b * b.z + at_c * c.z;
+                let pixel = y * self.width + x;
+                if nearness > self.nearness[pixel] {
+                    self.nearness[pixel] = nearness;
+                    self.faces[pixel] = face;
+                }
+            }
+        }
+    }
+
+    /// Whether a point of the surface is in front at some pixel around it. The neighbours count so
+    /// that points on the outline are seen.
+    pub fn shows(&self, screen: Vec2, depth: f32) -> bool {
+        let at = (screen * self.scale).floor();
+        let nearness = match self.parallel {
+            None => (1.0 + TOLERANCE) / depth,
+            Some(scale) => TOLERANCE * scale - depth,
+        };
+        (-1..=1).any(|dy| {
+            (-1..=1).any(|dx| {
+                let x = (at.x as i64 + dx).clamp(0, self.width as i64 - 1) as usize;
+                let y = (at.y as i64 + dy).clamp(0, self.height as i64 - 1) as usize;
+                self.nearness[y * self.width + x] <= nearness
+            })
+        })
+    }
+
+    /// Per face, whether it is in front at some pixel.
+    pub fn faces_in_front(&self, count: usize) -> Vec<bool> {
+        let mut seen = vec![false; count];
+        for &face in self.faces.iter().filter(|&&f| f != NONE) {
+            seen[face as usize] = true;
+        }
+        seen
+    }
+}

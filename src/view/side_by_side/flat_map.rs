@@ -1,0 +1,124 @@
+//! The flat map of a surface beside it: the same faces in the plane, on a stage of its own that is
+//! seen from above, and how the two share the canvas.
+
+use crate::math::polygon_sides;
+use crate::view::model::{Checks, Lists, Subject, ViewError, check_indices};
+use crate::view::state::Stage;
+use glam::{Vec2, Vec3};
+
+/// A part of the canvas, CSS pixels from its upper left corner.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Region {
+    /// Its upper left corner.
+    pub at: Vec2,
+    /// Width and height.
+    pub size: Vec2,
+}
+
+/// On a canvas that is narrower, the map lies below the surface.
+const NARROW: f32 = 560.0;
+
+impl Region {
+    /// The whole of a canvas.
+    pub fn whole(canvas: Vec2) -> Region {
+        Region { at: Vec2::ZERO, size: canvas }
+    }
+
+    /// The parts of the surface and of the map: side by side, or on a narrow or high canvas one above
+    /// the other. That of the surface begins in the corner of the canvas. Both begin at whole pixels.
+    pub fn halves(canvas: Vec2) -> [Region; 2] {
+        let stacked = canvas.x < NARROW || canvas.x < canvas.y;
+        let first = if stacked {
+            Vec2::new(canvas.x, (0.5 * canvas.y).round())
+        } else {
+            Vec2::new((0.5 * canvas.x).round(), canvas.y)
+        };
+        let at = if stacked { Vec2::new(0.0, first.y) } else { Vec2::new(first.x, 0.0) };
+        [Region { at: Vec2::ZERO, size: first }, Region { at, size: canvas - at }]
+    }
+}
+
+/// The stage of a flat map of what `model` shows, with a checkerboard for both: the places `uv`
+/// (#V by 2 in a flat array) are in the units of the mesh. The faces that it turns over, `flipped`, are
+/// outlined.
+///
+/// # Errors
+/// Another number of places than vertices, one that is not finite, or a face that does not exist.
+pub fn flat_map(model: &Stage, uv: &[f64], flipped: &[u32]) -> Result<(Stage, Checks), ViewError> {
+    let (count, faces) = model.counts();
+    check_indices("flipped faces", flipped, faces)?;
+    let checks = Checks::new(uv, count)?;
+    let flat = checks.places.iter().flat_map(|place| [place.x, place.y, 0.0].map(f64::from));
+    let coordinates: Vec<f64> = flat.collect();
+    let subject = Subject::new(model.subject.faces.clone(), Lists::default(), &coordinates)?;
+    let mut stage = Stage::default();
+    stage.flipped = sides(&subject.faces, flipped);
+    (stage.subject, stage.checks) = (subject, checks.clone());
+    stage.camera.look_from("top").expect("top is a side to look from");
+    Ok((stage, checks))
+}
+
+/// The sides of some faces, each once.
+fn sides(faces: &Lists, chosen: &[u32]) -> Vec<[u32; 2]> {
+    let corners = chosen.iter().map(|&face| faces.row(face as usize));
+    let mut sides: Vec<[u32; 2]> =
+        corners.flat_map(polygon_sides).map(|[a, b]| [a.min(b), a.max(b)]).collect();
+    sides.sort_unstable();
+    sides.dedup();
+    sides
+}
+
+/// Comes near the faces that the map turns over, as near as they are small; on the model from their front.
+pub fn show_flipped(map: &mut Stage, model: &mut Stage) {
+    let mut vertices = map.flipped.as_flattened().to_vec();
+    vertices.sort_unstable();
+    vertices.dedup();
+    if vertices.is_empty() {
+        return;
+    }
+    let normals = vertices.iter().map(|&v| model.subject.normals.vertices[v as usize]);
+    let front: Vec3 = normals.sum();
+    if front.length() > 0.0 {
+        model.camera.look_against(front);
+    }
+    for stage in [model, map] {
+        let places = vertices.iter().map(|&v| stage.subject.positions[v as usize]);
+        let low = places.clone().fold(Vec3::INFINITY, Vec3::min);
+        let high = places.fold(Vec3::NEG_INFINITY, Vec3::max);
+        let around = 0.25 * (high - low).length();
+        stage.come_near(&vertices, around.max(LEAST_PART * stage.size()));
+    }
+}
+
+/// So much around what is shown is seen at least, as a part of the size of the whole.
+const LEAST_PART: f32 = 1e-4;
+
+/// Brings what the map has in common with the surface up to date.
+pub fn follow(map: &mut Stage, model: &Stage) {
+    if map.dark != model.dark || map.display != model.display {
+        (map.dark, map.display) = (model.dark, model.display);
+        map.changes.view = true;
+    }
+    if model.changes.looks {
+        map.looks.mark_as(&model.looks);
+        map.tint = model.tint;
+        map.changes.looks = true;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn halves_fill_the_canvas_side_by_side_or_stacked() {
+        let [model, map] = Region::halves(Vec2::new(1001.0, 700.0));
+        assert_eq!((model.at, model.size), (Vec2::ZERO, Vec2::new(501.0, 700.0)));
+        assert_eq!((map.at, map.size), (Vec2::new(501.0, 0.0), Vec2::new(500.0, 700.0)));
+        for canvas in [Vec2::new(390.0, 700.0), Vec2::new(390.0, 340.0)] {
+            let [model, map] = Region::halves(canvas);
+            assert_eq!(model.size, map.size);
+            assert_eq!(map.at, Vec2::new(0.0, 0.5 * canvas.y));
+        }
+    }
+}

@@ -1,0 +1,284 @@
+//! Two pictures of the same mesh on one canvas, seen by the same camera: one left and one right of a
+//! divider. Each shows the shape as it is or the original, with colours of its own (paper Fig. 5).
+
+use super::flat_map::Region;
+use crate::view::appearance::ColourScale;
+use crate::view::model::ViewError;
+use crate::view::state::Stage;
+use glam::Vec2;
+
+/// The divider and what is on its two sides.
+#[derive(Debug)]
+pub struct Split {
+    /// Where the divider is, as a part of the width of the canvas: 0 is the left end, 1 the right.
+    pub at: f32,
+    /// Left and right.
+    pub sides: [Side; 2],
+}
+
+/// What is drawn on one side.
+#[derive(Debug)]
+pub struct Side {
+    /// The mesh with the colours of this side.
+    pub stage: Stage,
+    /// Whether it stays as it is when the mesh moves: handles and projections are not of its shape.
+    pub is_original: bool,
+}
+
+/// The colours of the faces of a side: a value each (#F), from `low` to `high`; none for the plain
+/// material.
+#[derive(Clone, Debug, Default)]
+pub struct Colours {
+    /// A value per face.
+    pub values: Option<Vec<f32>>,
+    /// #V, what the values of the faces are the greatest of; nothing where they are not of vertices.
+    pub corners: Option<Vec<f32>>,
+    /// What the first colour stands for.
+    pub low: f32,
+    /// What the last colour stands for.
+    pub high: f32,
+}
+
+impl Split {
+    /// Both sides show what `model` shows, without colours of values.
+    pub fn new(model: &Stage, at: f32) -> Split {
+        let side = || {
+            let mut stage = Stage::default();
+            stage.subject = model.subject.clone();
+            stage.around = model.around.clone();
+            stage.around.changed = true;
+            stage.looks.set_in_bands(model.looks.is_in_bands());
+            Side { stage, is_original: false }
+        };
+        let mut split = Split { at: 0.0, sides: [side(), side()] };
+        split.move_to(at);
+        split
+    }
+
+    /// Shows the values of both sides in bands, or gradually.
+    pub fn set_in_bands(&mut self, in_bands: bool) {
+        for side in &mut self.sides {
+            side.stage.looks.set_in_bands(in_bands);
+            side.stage.changes.looks = true;
+        }
+    }
+
+    /// Moves the divider.
+    pub fn move_to(&mut self, at: f32) {
+        self.at = if at.is_finite() { at.clamp(0.0, 1.0) } else { 0.5 };
+        self.sides[0].stage.changes.view = true;
+    }
+
+    /// The parts of the canvas left and right of the divider, which is at a whole pixel.
+    pub fn parts(&self, canvas: Vec2) -> [Region; 2] {
+        let left = Vec2::new((self.at * canvas.x).round(), canvas.y);
+        let at = Vec2::new(left.x, 0.0);
+        [Region { at: Vec2::ZERO, size: left }, Region { at, size: canvas - at }]
+    }
+
+    /// Brings both sides up to date with what they have in common with `model`.
+    pub fn follow(&mut self, model: &Stage) {
+        for side in &mut self.sides {
+            side.follow(model);
+        }
+    }
+
+    /// Whether there is anything new to see.
+    pub fn has_changes(&self) -> bool {
+        self.sides.iter().any(|side| side.stage.changes.any())
+    }
+}
+
+impl Side {
+    /// Shows the shape `coordinates` (#V by 3, in file coordinates), whatever becomes of `model`; or
+    /// what `model` shows.
+    ///
+    /// # Errors
+    /// Another number of vertices or a coordinate that is not finite; all stays as it was.
+    pub fn show(&mut self, coordinates: Option<&[f64]>, model: &Stage) -> Result<(), ViewError> {
+        match coordinates {
+            Some(coordinates) => self.stage.set_positions(coordinates)?,
+            None => self.take_positions(model),
+        }
+        self.is_original = coordinates.is_some();
+        Ok(())
+    }
+
+    /// Colours the faces.
+    ///
+    /// # Errors
+    /// Another number of values than faces, or of those of corners than vertices.
+    pub fn colour(&mut self, colours: Colours) -> Result<(), ViewError> {
+        let (vertices, faces) = self.stage.counts();
+        let Colours { values, corners, low, high } = colours;
+        self.stage.looks.set_values(values, ColourScale::linear(low, high), faces)?;
+        self.stage.looks.set_corners(corners, vertices)?;
+        self.stage.changes.looks = true;
+        Ok(())
+    }
+
+    fn take_positions(&mut self, model: &Stage) {
+        let (own, other) = (&mut self.stage.subject, &model.subject);
+        own.exact.clone_from(&other.exact);
+        own.positions.clone_from(&other.positions);
+        own.normals.clone_from(&other.normals);
+        self.stage.changes.positions = true;
+        self.take_targets(model);
+    }
+
+    fn take_targets(&mut self, model: &Stage) {
+        self.stage.handles.clone_from(&model.handles);
+        self.stage.changes.targets = true;
+    }
+
+    fn follow(&mut self, model: &Stage) {
+        let changes = model.changes;
+        if !self.is_original {
+            if changes.positions {
+                self.take_positions(model);
+            } else if changes.targets {
+                self.take_targets(model);
+            }
+            if changes.projections || self.stage.projections != model.projections {
+                self.stage.projections.clone_from(&model.projections);
+                self.stage.changes.projections = true;
+            }
+        }
+        if changes.looks {
+            self.stage.looks.mark_as(&model.looks);
+            self.stage.tint = model.tint;
+            self.stage.changes.looks = true;
+        }
+        let stage = &mut self.stage;
+        if model.around.changed {
+            stage.around.clone_from(&model.around);
+        }
+        stage.camera.clone_from(&model.camera);
+        (stage.display, stage.dark, stage.white) = (model.display, model.dark, model.white);
+        stage.keep_reach();
+        stage.changes.view |= changes.view;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A quad in a stage.
+    fn model() -> Stage {
+        let mut stage = Stage::default();
+        let faces = (vec![0, 4], vec![0, 1, 2, 3]);
+        let corners = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 0.25];
+        stage.set_mesh(faces, (vec![0], vec![]), &corners).unwrap();
+        stage
+    }
+
+    fn lifted() -> Vec<f64> {
+        vec![0.0, 0.0, 1.0, 1.0, 0.0, 1.0, 1.0, 1.0, 1.0, 0.0, 1.0, 1.0]
+    }
+
+    #[test]
+    fn the_parts_fill_the_canvas_wherever_the_divider_is() {
+        let canvas = Vec2::new(1001.0, 700.0);
+        for (at, width) in [(0.0, 0.0), (0.25, 250.0), (1.0, 1001.0), (7.0, 1001.0)] {
+            let [left, right] = Split::new(&model(), at).parts(canvas);
+            assert_eq!((left.at, left.size), (Vec2::ZERO, Vec2::new(width, 700.0)));
+            assert_eq!(right.at.x + right.size.x, canvas.x);
+            assert_eq!(left.size.x, right.at.x);
+        }
+        let mut split = Split::new(&model(), 0.2);
+        split.move_to(f32::NAN);
+        assert_eq!(split.at, 0.5);
+    }
+
+    #[test]
+    fn one_side_stays_as_it_was_and_the_other_follows() {
+        let mut model = model();
+        let mut split = Split::new(&model, 0.5);
+        let original: Vec<f64> =
+            model.subject.exact.iter().flat_map(|point| point.to_array()).collect();
+        let before = model.subject.positions.clone();
+        split.sides[0].show(Some(&original), &model).unwrap();
+        model.set_positions(&lifted()).unwrap();
+        model.orbit(30.0, 10.0);
+        split.follow(&model);
+        let [left, right] = &split.sides;
+        assert_eq!(left.stage.subject.positions, before);
+        assert_eq!(right.stage.subject.positions, model.subject.positions);
+        for side in [left, right] {
+            assert_eq!(side.stage.camera.eye().at, model.camera.eye().at);
+        }
+        // Back to the shape as it is.
+        split.sides[0].show(None, &model).unwrap();
+        assert_eq!(split.sides[0].stage.subject.positions, model.subject.positions);
+    }
+
+    #[test]
+    fn both_sides_are_in_bands_and_each_has_its_own() {
+        let mut model = model();
+        model.looks.set_in_bands(true);
+        let mut split = Split::new(&model, 0.5);
+        for (side, high) in split.sides.iter_mut().zip([1.0, 30.0]) {
+            let corners = Some(vec![0.0, 0.0, 0.0, high]);
+            let colours = Colours { values: Some(vec![high]), corners, low: 0.0, high };
+            side.colour(colours).unwrap();
+        }
+        let steps = |split: &Split| {
+            split.sides.each_ref().map(|side| side.stage.looks.bands().map(|bands| bands.step))
+        };
+        assert_eq!(steps(&split), [Some(0.2), Some(5.0)]);
+        // Isolines go through the faces, from the values of the vertices.
+        for side in &split.sides {
+            assert!(side.stage.looks.corner_steps().is_some());
+            assert!(side.stage.looks.corner_in_steps(3) > side.stage.looks.corner_in_steps(0));
+        }
+        split.set_in_bands(false);
+        assert_eq!(steps(&split), [None, None]);
+        let wrong = Colours { corners: Some(vec![0.0]), ..Colours::default() };
+        assert!(split.sides[0].colour(wrong).is_err());
+    }
+
+    #[test]
+    fn ghost_and_ground_are_about_both_sides_and_nothing_of_them_is_cut_off() {
+        let mut model = model();
+        let low: Vec<f64> = lifted().chunks(3).flat_map(|at| [at[0], at[1], -40.0]).collect();
+        model.set_surroundings(false, true);
+        let mut split = Split::new(&model, 0.5);
+        model.set_rest(&low).unwrap();
+        model.set_surroundings(true, true);
+        split.follow(&model);
+        let eye = model.camera.eye();
+        for side in &split.sides {
+            assert!(side.stage.around.changed);
+            assert!(side.stage.surrounding_points().eq(model.surrounding_points()));
+            assert_eq!(side.stage.surrounding_lines(), model.surrounding_lines());
+            let (near, far) = side.stage.depth_range();
+            for point in side.stage.surrounding_points() {
+                let (_, depth) = eye.project(point);
+                assert!(depth < far && (depth > near || depth < 0.0), "{near} {depth} {far}");
+            }
+        }
+        // A split picture that begins later has them at once.
+        let later = Split::new(&model, 0.5);
+        assert_eq!(later.sides[1].stage.around.grid_step(), model.around.grid_step());
+        assert!(later.sides[1].stage.around.changed);
+    }
+
+    #[test]
+    fn each_side_has_colours_of_its_own() {
+        let model = model();
+        let mut split = Split::new(&model, 0.5);
+        split.sides.iter_mut().for_each(|side| side.stage.changes = Default::default());
+        assert!(!split.has_changes());
+        let colours =
+            |value| Colours { values: Some(vec![value]), corners: None, low: 0.0, high: 1.0 };
+        split.sides[0].colour(colours(0.0)).unwrap();
+        split.sides[1].colour(colours(1.0)).unwrap();
+        assert!(split.has_changes());
+        let [left, right] = split.sides.each_ref().map(|side| side.stage.looks.bytes(1));
+        assert_ne!(left, right);
+        assert!(split.sides[0].colour(Colours { values: Some(vec![]), ..colours(0.0) }).is_err());
+        assert!(split.sides[1].show(Some(&[0.0]), &model).is_err());
+        assert!(!split.sides[1].is_original);
+    }
+}

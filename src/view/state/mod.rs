@@ -1,0 +1,27 @@
+//! Everything that a picture shows, without a GPU: native tests hold it to account.
+//!
+//! | file | holds |
+//! |---|---|
+//! | `view_state` | the state of a view, and its setters |
+//! | `parts` | handles, switches, and what has changed since the last picture |
+//! | `navigate` | the camera under the pointer, and framing |
+//! | `pick` | what is under the cursor |
+//! | `select_region` | what is inside an outline |
+//! | `gizmo_drag` | what is dragged with the gizmo |
+//! | `surrounding` | the ghost and the ground of a view, and how deep it is |
+//! | `saved_camera` | the camera as numbers, to be kept |
+//! | `tape` | the measuring tape |
+
+pub mod gizmo_drag;
+pub mod navigate;
+pub mod parts;
+pub mod pick;
+pub mod saved_camera;
+pub mod select_region;
+pub mod surrounding;
+pub mod tape;
+pub mod view_state;
+
+pub use parts::{Changes, Display, Handle, SHAPE_NUMBERS};
+pub use select_region::{Outline, Taking};
+pub use view_state::Stage;

@@ -1,0 +1,76 @@
+//! Small parts of a view: handles, switches, and what has changed since the last picture.
+
+use crate::view::appearance::DotKind;
+use glam::DVec3;
+
+/// Numbers per fitted shape: kind (0 circle, 1 sphere), centre, normal, radius.
+pub const SHAPE_NUMBERS: usize = 8;
+
+/// A vertex that is held, softly or exactly.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Handle {
+    /// The vertex.
+    pub vertex: u32,
+    /// [`DotKind::Handle`], [`DotKind::Fixed`] or [`DotKind::Active`].
+    pub kind: DotKind,
+    /// Where it should be, in file coordinates.
+    pub target: DVec3,
+}
+
+/// What is switched on.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Display {
+    /// Edges of the polygons.
+    pub edges: bool,
+    /// A dot on every vertex.
+    pub vertices: bool,
+    /// Fitted circles and spheres.
+    pub shapes: bool,
+    /// Outlines of projected shapes.
+    pub outlines: bool,
+    /// Arrows from vertices to their projections.
+    pub arrows: bool,
+}
+
+/// What has changed since the last picture.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Changes {
+    /// Faces, curves, edges.
+    pub mesh: bool,
+    /// Where vertices are.
+    pub positions: bool,
+    /// Where handle targets are.
+    pub targets: bool,
+    /// Values and marks of faces.
+    pub looks: bool,
+    /// Which dots and pulling lines there are.
+    pub marks: bool,
+    /// Fitted shapes.
+    pub shapes: bool,
+    /// Projections.
+    pub projections: bool,
+    /// Places on the checkerboard.
+    pub checks: bool,
+    /// Camera, theme, size, display: all that needs a new picture but no new data.
+    pub view: bool,
+}
+
+impl Changes {
+    /// Everything.
+    pub const ALL: Changes = Changes {
+        mesh: true,
+        positions: true,
+        targets: true,
+        looks: true,
+        marks: true,
+        shapes: true,
+        projections: true,
+        checks: true,
+        view: true,
+    };
+
+    /// Whether there is anything.
+    pub fn any(self) -> bool {
+        self != Changes::default()
+    }
+}

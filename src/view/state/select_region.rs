@@ -1,0 +1,243 @@
+//! What lies inside an outline on the screen: a box, a lasso, a stroke of the brush. Screen
+//! positions are CSS pixels.
+
+use super::view_state::Stage;
+use crate::math::polygon_sides;
+use crate::view::model::{Subject, ViewError, check_indices};
+use crate::view::picking::DepthMap;
+use glam::{Vec2, Vec3};
+
+/// A closed polygon on the screen. Where it crosses itself, every other part is inside.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outline {
+    corners: Vec<Vec2>,
+    low: Vec2,
+    high: Vec2,
+}
+
+impl Outline {
+    /// From its corners, in order; it closes by itself. Without corners it holds nothing.
+    pub fn new(corners: Vec<Vec2>) -> Outline {
+        let low = corners.iter().copied().reduce(Vec2::min).unwrap_or(Vec2::INFINITY);
+        let high = corners.iter().copied().reduce(Vec2::max).unwrap_or(Vec2::NEG_INFINITY);
+        Outline { corners, low, high }
+    }
+
+    /// A box, from any two opposite corners.
+    pub fn around(a: Vec2, b: Vec2) -> Outline {
+        Outline::new(vec![a, Vec2::new(b.x, a.y), b, Vec2::new(a.x, b.y)])
+    }
+
+    fn holds(&self, p: Vec2) -> bool {
+        p.cmpge(self.low).all() && p.cmple(self.high).all() && holds(&self.corners, p)
+    }
+
+    /// Whether a segment crosses the outline.
+    fn crosses(&self, a: Vec2, b: Vec2) -> bool {
+        let beside = a.max(b).cmplt(self.low).any() || a.min(b).cmpgt(self.high).any();
+        !beside && polygon_sides(&self.corners).any(|[c, d]| cross(a, b, c, d))
+    }
+
+    /// Whether any part of a segment is inside.
+    fn meets(&self, a: Vec2, b: Vec2) -> bool {
+        self.holds(a) || self.crosses(a, b)
+    }
+
+    /// Whether all of a segment is inside.
+    fn has(&self, a: Vec2, b: Vec2) -> bool {
+        self.holds(a) && self.holds(b) && !self.crosses(a, b)
+    }
+}
+
+/// The even-odd rule: how often the way to the right leaves the polygon.
+fn holds(corners: &[Vec2], p: Vec2) -> bool {
+    let crossed = polygon_sides(corners).filter(|&[a, b]| {
+        (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)
+    });
+    crossed.count() % 2 == 1
+}
+
+/// Whether two segments cross: the ends of each lie on different sides of the other.
+fn cross(a: Vec2, b: Vec2, c: Vec2, d: Vec2) -> bool {
+    let side = |from: Vec2, to: Vec2, p: Vec2| (to - from).perp_dot(p - from) > 0.0;
+    side(a, b, c) != side(a, b, d) && side(c, d, a) != side(c, d, b)
+}
+
+/// How a region takes elements.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Taking {
+    /// Also those that are partly inside.
+    pub touching: bool,
+    /// Also those that the surface hides.
+    pub through: bool,
+}
+
+impl Stage {
+    /// The edges that can be picked: two vertices each, numbered in this order.
+    ///
+    /// # Errors
+    /// A vertex that does not exist, or half an edge.
+    pub fn set_edges(&mut self, ends: &[u32]) -> Result<(), ViewError> {
+        check_indices("edges", ends, self.counts().0)?;
+        let (edges, rest) = ends.as_chunks::<2>();
+        if !rest.is_empty() {
+            let expected = ends.len() + 1;
+            return Err(ViewError::Length { what: "ends of edges", got: ends.len(), expected });
+        }
+        self.edges = edges.to_vec();
+        Ok(())
+    }
+
+    /// Marks edges as selected, and no others.
+    ///
+    /// # Errors
+    /// An edge that is not among those of [`Stage::set_edges`].
+    pub fn select_edges(&mut self, edges: &[u32]) -> Result<(), ViewError> {
+        check_indices("selected edges", edges, self.edges.len())?;
+        self.looks.selected_edges = edges.iter().map(|&e| self.edges[e as usize]).collect();
+        self.changes.marks = true;
+        Ok(())
+    }
+
+    /// The visible edge nearest to a screen position, within a radius.
+    pub fn pick_edge(&mut self, at: Vec2, radius: f32) -> Option<u32> {
+        let seen = Seen::new(self, false);
+        let mut near: Vec<(f32, f32, u32)> = Vec::new();
+        for (&ends, edge) in seen.edges.iter().zip(0..) {
+            let Some([a, b]) = seen.on_screen(ends) else { continue };
+            let along = (b.0 - a.0).length_squared();
+            let part = if along > 0.0 { (at - a.0).dot(b.0 - a.0) / along } else { 0.0 };
+            let distance = a.0.lerp(b.0, part.clamp(0.0, 1.0)).distance(at);
+            if distance <= radius {
+                near.push((distance, a.1.min(b.1), edge));
+            }
+        }
+        near.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
+        near.into_iter().map(|(_, _, edge)| edge).find(|&edge| seen.shows_edge(edge))
+    }
+
+    /// Vertices inside, in order.
+    pub fn vertices_in(&mut self, outline: &Outline, through: bool) -> Vec<u32> {
+        let seen = Seen::new(self, through);
+        let count = seen.subject.positions.len() as u32;
+        let inside = |&vertex: &u32| {
+            let (at, depth) = seen.project(seen.subject.positions[vertex as usize]);
+            depth > 0.0 && outline.holds(at) && seen.shows(at, depth)
+        };
+        (0..count).filter(inside).collect()
+    }
+
+    /// Edges inside, in order of [`Stage::set_edges`]. One is seen where its middle is.
+    pub fn edges_in(&mut self, outline: &Outline, taking: Taking) -> Vec<u32> {
+        let seen = Seen::new(self, taking.through);
+        let inside = |&edge: &u32| {
+            let Some([a, b]) = seen.on_screen(seen.edges[edge as usize]) else { return false };
+            let within =
+                if taking.touching { outline.meets(a.0, b.0) } else { outline.has(a.0, b.0) };
+            within && seen.shows_edge(edge)
+        };
+        (0..seen.edges.len() as u32).filter(inside).collect()
+    }
+
+    /// Faces inside, in order.
+    pub fn faces_in(&mut self, outline: &Outline, taking: Taking) -> Vec<u32> {
+        let seen = Seen::new(self, taking.through);
+        let shown = seen.faces();
+        let inside = |&face: &u32| {
+            let corners = seen.subject.faces.row(face as usize);
+            let places: Vec<(Vec2, f32)> =
+                corners.iter().map(|&v| seen.project(seen.subject.positions[v as usize])).collect();
+            if places.is_empty() || places.iter().any(|&(_, depth)| depth <= 0.0) {
+                return false;
+            }
+            let corners: Vec<Vec2> = places.iter().map(|&(at, _)| at).collect();
+            let within = if taking.touching {
+                // The outline may lie inside the face, and touch none of its sides.
+                polygon_sides(&corners).any(|[a, b]| outline.meets(a, b))
+                    || outline.corners.first().is_some_and(|&corner| holds(&corners, corner))
+            } else {
+                polygon_sides(&corners).all(|[a, b]| outline.has(a, b))
+            };
+            within && shown.as_ref().is_none_or(|shown| shown[face as usize])
+        };
+        (0..seen.subject.faces.len() as u32).filter(inside).collect()
+    }
+}
+
+/// The mesh from where the camera stands, and what of it is in front.
+struct Seen<'a> {
+    subject: &'a Subject,
+    edges: &'a [[u32; 2]],
+    eye: crate::view::camera::Eye,
+    /// None where hidden things count too.
+    map: Option<&'a DepthMap>,
+}
+
+impl<'a> Seen<'a> {
+    fn new(stage: &'a mut Stage, through: bool) -> Seen<'a> {
+        let eye = stage.camera.eye();
+        if !through {
+            stage.look();
+        }
+        let stage = &*stage;
+        let map = if through { None } else { stage.depth_map() };
+        Seen { subject: &stage.subject, edges: &stage.edges, eye, map }
+    }
+
+    fn project(&self, point: Vec3) -> (Vec2, f32) {
+        self.eye.project(point)
+    }
+
+    fn shows(&self, at: Vec2, depth: f32) -> bool {
+        self.map.is_none_or(|map| map.shows(at, depth))
+    }
+
+    /// Where the ends of an edge are, with their depths; nothing where one is behind the eye.
+    fn on_screen(&self, ends: [u32; 2]) -> Option<[(Vec2, f32); 2]> {
+        let ends = ends.map(|v| self.project(self.subject.positions[v as usize]));
+        ends.iter().all(|&(_, depth)| depth > 0.0).then_some(ends)
+    }
+
+    fn shows_edge(&self, edge: u32) -> bool {
+        let [a, b] = self.edges[edge as usize].map(|v| self.subject.positions[v as usize]);
+        let (at, depth) = self.project((a + b) * 0.5);
+        self.shows(at, depth)
+    }
+
+    /// Per face whether it is in sight; none where hidden ones count too.
+    fn faces(&self) -> Option<Vec<bool>> {
+        let map = self.map?;
+        let mut shown = map.faces_in_front(self.subject.faces.len());
+        // A face too small for the map's pixels is seen where its middle is.
+        for (triangle, &face) in self.subject.triangles.iter().zip(&self.subject.triangle_face) {
+            if !shown[face as usize] {
+                let corners = triangle.map(|v| self.subject.positions[v as usize]);
+                let (at, depth) = self.project((corners[0] + corners[1] + corners[2]) / 3.0);
+                shown[face as usize] = depth > 0.0 && map.shows(at, depth);
+            }
+        }
+        Some(shown)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_notch_of_a_lasso_is_outside() {
+        let at = |x: f32, y: f32| Vec2::new(x, y);
+        // A U: the notch comes down from above to the height of 2.
+        let corners =
+            [(0., 0.), (9., 0.), (9., 9.), (6., 9.), (6., 2.), (3., 2.), (3., 9.), (0., 9.)];
+        let u = Outline::new(corners.map(|(x, y)| at(x, y)).to_vec());
+        assert!(u.holds(at(1.0, 5.0)) && u.holds(at(8.0, 5.0)) && u.holds(at(4.5, 1.0)));
+        assert!(!u.holds(at(4.5, 5.0)) && !u.holds(at(-1.0, 5.0)));
+        // From arm to arm: both ends are inside, the middle is not.
+        assert!(u.meets(at(1.0, 5.0), at(8.0, 5.0)) && !u.has(at(1.0, 5.0), at(8.0, 5.0)));
+        assert!(u.has(at(1.0, 5.0), at(1.5, 8.0)));
+        assert!(u.meets(at(-5.0, 1.0), at(20.0, 1.0)));
+        assert!(!u.meets(at(4.0, 5.0), at(5.0, 8.0)));
+        assert!(!Outline::new(vec![]).meets(at(0.0, 0.0), at(1.0, 1.0)));
+    }
+}

@@ -1,0 +1,42 @@
+//! The measuring tape: how far apart two vertices are, now and in the model that was opened.
+
+use super::view_state::Stage;
+use crate::view::model::{ViewError, check_indices};
+use glam::DVec3;
+
+/// From one vertex to another, in file coordinates and the unit of the file.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measured {
+    /// As the mesh is.
+    pub now: DVec3,
+    /// As it was opened, when that is known.
+    pub rest: Option<DVec3>,
+}
+
+impl Stage {
+    /// Spans the tape between two vertices, marks the one that it begins at, or takes it away.
+    ///
+    /// # Errors
+    /// A vertex that does not exist, or more than two.
+    pub fn set_tape(&mut self, vertices: &[u32]) -> Result<(), ViewError> {
+        check_indices("tape", vertices, self.counts().0)?;
+        if vertices.len() > 2 {
+            let got = vertices.len();
+            return Err(ViewError::Length { what: "tape", got, expected: 2 });
+        }
+        self.changes.marks |= self.tape != vertices;
+        self.tape = vertices.to_vec();
+        Ok(())
+    }
+
+    /// What the tape says; nothing unless it spans two vertices.
+    pub fn measured(&self) -> Option<Measured> {
+        let &[from, to] = &self.tape[..] else { return None };
+        let between = |points: &[DVec3]| points[to as usize] - points[from as usize];
+        let rest = self.around.rest();
+        Some(Measured {
+            now: between(&self.subject.exact),
+            rest: (!rest.is_empty()).then(|| between(rest)),
+        })
+    }
+}

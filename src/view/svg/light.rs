@@ -1,0 +1,55 @@
+//! The colour of a face without a GPU: what `shaders/faces.wgsl` computes for the middle of the
+//! face. A page test holds the still picture, which is made of these, to what the view draws.
+
+use crate::view::appearance::{Colour, ColourMap, FaceColour, Palette, row_colours};
+use crate::view::camera::Eye;
+use crate::view::state::Stage;
+use glam::Vec3;
+
+/// The sRGB colour of a face in the middle, each part 0 to 1; marks are not seen.
+pub fn face_colour(stage: &Stage, face: u32, palette: &Palette) -> Vec3 {
+    let light = light_on(stage, face);
+    let modelled = 0.74 + (1.06 - 0.74) * light;
+    let plain = rgb(palette.shade).lerp(rgb(palette.material), light);
+    let colour = match stage.looks.colour_of(face as usize) {
+        FaceColour::Plain => plain,
+        FaceColour::Row(place) => {
+            let row = Vec3::from(stage.looks.rows.palette[usize::from(place) - 1]);
+            plain.lerp(row * modelled, row_colours::STRENGTH)
+        }
+        FaceColour::NoValue => rgb(palette.no_value) * modelled,
+        FaceColour::Value(texel) => ColourMap::Full.colour(texel) * modelled,
+        FaceColour::Beyond(texel) => ColourMap::Beyond.colour(texel) * modelled,
+    };
+    colour.min(Vec3::ONE)
+}
+
+fn rgb([r, g, b, _]: Colour) -> Vec3 {
+    Vec3::new(r, g, b)
+}
+
+/// From 0 in the shade to 1 in full light.
+fn light_on(stage: &Stage, face: u32) -> f32 {
+    let subject = &stage.subject;
+    let corners = subject.faces.row(face as usize);
+    let mean = |values: &[Vec3]| {
+        corners.iter().map(|&v| values[v as usize]).sum::<Vec3>() / corners.len().max(1) as f32
+    };
+    let Eye { at: eye, right, up, forward, .. } = stage.camera.eye();
+    let to_eye = (eye - mean(&subject.positions)).normalize();
+    let flat = subject.normals.faces[face as usize];
+    let normal = towards(if flat.length_squared() < 0.5 { to_eye } else { flat }, to_eye);
+    let soft = towards(mean(&subject.normals.vertices), normal);
+    let bent = (normal + 0.4 * soft).normalize();
+    let key = (up * 0.75 - right * 0.62 - forward * 0.45).normalize();
+    let [_, _, sky] = stage.camera.up.axes();
+    let from_key = (bent.dot(key) * 0.8 + 0.2).max(0.0);
+    let from_sky = 0.5 + 0.5 * bent.dot(sky);
+    let from_eye = bent.dot(to_eye).max(0.0);
+    (0.70 * from_key + 0.22 * from_sky + 0.14 * from_eye).clamp(0.0, 1.0)
+}
+
+/// The vector or its opposite, whichever is on the side of `side`.
+fn towards(vector: Vec3, side: Vec3) -> Vec3 {
+    if vector.dot(side) >= 0.0 { vector } else { -vector }
+}

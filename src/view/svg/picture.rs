@@ -1,0 +1,230 @@
+//! A still picture of a stage as SVG: what a page shows before it can draw. Faces, edges, handles
+//! and the lines that pull them, as the view draws them in its first picture, in the colours of
+//! both themes.
+//!
+//! Faces are painted from the farthest to the nearest, each in one colour with its own edges. So it
+//! is a picture for meshes of a few hundred faces that do not cut through each other.
+//!
+//! The picture says what a script needs to keep it alive until the view draws
+//! (`www/viewport/placeholder/placeholder-scene.js`): the eye, so that the faces can be drawn at other positions, and where a
+//! handle goes when it is dragged.
+
+use super::light::face_colour;
+use crate::math::polygon_sides;
+use crate::view::appearance::{Colour, DARK, Dot, DotKind, LIGHT, LineKind, Palette, Stroke};
+use crate::view::camera::Eye;
+use crate::view::picking::hidden;
+use crate::view::state::Stage;
+use glam::{Vec2, Vec3, Vec4};
+use std::collections::BTreeSet;
+use std::fmt::{Display, Write};
+
+/// Colours of faces are rounded to so many steps per part, places to whole CSS pixels: nobody sees it
+/// in a picture that is replaced at once, and it is half of the size.
+const STEPS: f32 = 64.0;
+/// Opacity of what the surface hides, as in the shaders of lines and dots.
+const BEHIND: f32 = 0.38;
+/// What hides a mark by less than this part of its distance from the eye does not hide it.
+const NEAR: f32 = 0.02;
+
+/// The stage as an `svg` element of the size of its canvas, with the classes `still` and `class`.
+/// [`style`] has the rest of its looks.
+pub fn svg(stage: &Stage, class: &str) -> String {
+    let [width, height] = stage.camera.canvas.round().to_array();
+    let eye = stage.camera.eye();
+    let mut svg = format!(
+        r#"<svg class="still {class}" viewBox="0 0 {width} {height}" data-eye="{}">"#,
+        spaced(rows_for_file(stage, &eye).iter().flat_map(|row| row.to_array())),
+    );
+    let place = |point: Vec3| eye.project(point).0.round();
+    let places: Vec<Vec2> = stage.subject.positions.iter().map(|&point| place(point)).collect();
+    let rim = rim_of(stage);
+    for face in from_far_to_near(stage) {
+        let corners = stage.subject.faces.row(face as usize);
+        let [light, dark] = [LIGHT, DARK]
+            .map(|palette| (face_colour(stage, face, &palette) * STEPS).round() / STEPS);
+        let colour = themed(light.extend(1.0).to_array(), dark.extend(1.0).to_array());
+        let outline = line(corners.iter().map(|&v| places[v as usize]));
+        // Writing to a string cannot fail.
+        let _ = write!(svg, r#"<path color="{colour}" d="{outline}z"/>"#);
+        let on_rim: Vec<(usize, [u32; 2])> =
+            sides(corners).enumerate().filter(|(_, ends)| rim.contains(ends)).collect();
+        if !on_rim.is_empty() {
+            let sides = spaced(on_rim.iter().map(|(side, _)| side));
+            let ends = on_rim.iter().map(|(_, ends)| line(ends.map(|v| places[v as usize])));
+            let rim: String = ends.collect();
+            let _ = write!(svg, r#"<path class="rim" data-sides="{sides}" d="{rim}"/>"#);
+        }
+    }
+    svg + &handles(stage, &eye) + "</svg>"
+}
+
+/// The edges on the boundary.
+pub(crate) fn rim_of(stage: &Stage) -> BTreeSet<[u32; 2]> {
+    let boundary = stage.subject.edges.iter().filter(|edge| edge.boundary);
+    boundary.map(|edge| edge.ends).collect()
+}
+
+/// Each handle with its target and the line between them.
+fn handles(stage: &Stage, eye: &Eye) -> String {
+    let mut svg = String::new();
+    for (handle, target) in stage.handles.iter().zip(stage.targets()) {
+        let point = stage.subject.positions[handle.vertex as usize];
+        let (at, depth) = eye.project(point);
+        let [right, down] = [Vec2::X, Vec2::Y].map(|pixel| eye.across(pixel, depth));
+        let _ = write!(
+            svg,
+            r#"<g data-vertex="{}" data-right="{}" data-down="{}">"#,
+            handle.vertex,
+            spaced(right.to_array()),
+            spaced(down.to_array()),
+        );
+        let opacity = if is_hidden(stage, eye, handle.vertex) { BEHIND } else { 1.0 };
+        if handle.kind != DotKind::Fixed {
+            let to = eye.project(target).0.round();
+            let Vec2 { x, y } = at.round();
+            let pull = format!("M{x} {y}L{} {}", to.x, to.y);
+            let _ = write!(svg, r#"<path class="pull" opacity="{opacity}" d="{pull}"/>"#);
+            svg += &dot(DotKind::Target, 1.0, to);
+        }
+        svg += &dot(handle.kind, opacity, at.round());
+        svg += "</g>";
+    }
+    svg
+}
+
+/// The eye's rows for points in file coordinates.
+fn rows_for_file(stage: &Stage, eye: &Eye) -> [Vec4; 3] {
+    let centre = stage.subject.centre.as_vec3();
+    eye.rows().map(|row| row.truncate().extend(row.w - row.truncate().dot(centre)))
+}
+
+/// Numbers as the text of an attribute.
+pub fn spaced(values: impl IntoIterator<Item = impl Display>) -> String {
+    values.into_iter().map(|value| value.to_string()).collect::<Vec<_>>().join(" ")
+}
+
+/// The style sheet of still pictures: the colours and widths of the view's palette. Faces with
+/// a full map of values have lighter edges than plain ones.
+pub fn style(has_full_map: bool) -> String {
+    let edge = |palette: &Palette| {
+        let mut stroke = palette.strokes[LineKind::Edge as usize];
+        if has_full_map {
+            stroke.colour = palette.edge_of_values;
+        }
+        let [r, g, b, a] = stroke.colour;
+        let face = (100.0 * (1.0 - a)).round();
+        format!("color-mix(in srgb,currentColor {face}%,{})", hex([r, g, b, 1.0]))
+    };
+    let mut style = format!(
+        ".still path{{fill:currentColor;stroke:light-dark({},{});stroke-width:{};stroke-linejoin:round}}",
+        edge(&LIGHT),
+        edge(&DARK),
+        LIGHT.strokes[LineKind::Edge as usize].width,
+    );
+    for (kind, class) in [(LineKind::Boundary, "rim"), (LineKind::Pull, "pull")] {
+        let [Stroke { colour: light, width, .. }, Stroke { colour: dark, .. }] =
+            [LIGHT, DARK].map(|palette| palette.strokes[kind as usize]);
+        let _ = write!(
+            style,
+            ".still .{class}{{fill:none;stroke:{};stroke-width:{};stroke-linecap:round}}",
+            themed(light, dark),
+            width,
+        );
+    }
+    for kind in [DotKind::Target, DotKind::Handle, DotKind::Fixed] {
+        let [light, dark] = [LIGHT, DARK].map(|palette| palette.dots[kind as usize]);
+        let _ = write!(
+            style,
+            ".still .{}{{fill:{};stroke:{};stroke-width:{}}}",
+            dot_class(kind),
+            themed(light.fill, dark.fill),
+            themed(light.rim, dark.rim),
+            light.rim_width,
+        );
+    }
+    style
+}
+
+/// The faces in the order in which they are painted: those whose corners are on average the
+/// farthest first. It depends on where the eye looks, not on where it is.
+pub fn from_far_to_near(stage: &Stage) -> Vec<u32> {
+    let subject = &stage.subject;
+    let forward = stage.camera.eye().forward;
+    let depth = |corners: &[u32]| {
+        let sum: f32 = corners.iter().map(|&v| subject.positions[v as usize].dot(forward)).sum();
+        sum / corners.len().max(1) as f32
+    };
+    let mut faces: Vec<(f32, u32)> = subject.faces.iter().map(depth).zip(0..).collect();
+    faces.sort_by(|a, b| b.0.total_cmp(&a.0));
+    faces.into_iter().map(|(_, face)| face).collect()
+}
+
+/// The sides of a face, the smaller vertex first.
+pub(crate) fn sides(corners: &[u32]) -> impl Iterator<Item = [u32; 2]> + '_ {
+    polygon_sides(corners).map(|[a, b]| [a.min(b), a.max(b)])
+}
+
+/// Whether the surface hides the mark on a vertex. The view draws marks in front of what is near.
+pub(crate) fn is_hidden(stage: &Stage, eye: &Eye, vertex: u32) -> bool {
+    let point = stage.subject.positions[vertex as usize];
+    let from = eye.seen_from(point);
+    hidden(&stage.subject, from, vertex, eye.scale_depth((point - from).length()) * NEAR)
+}
+
+/// A line through places, as the data of a path: the first as it is, the others by their steps.
+pub(crate) fn line(places: impl IntoIterator<Item = Vec2>) -> String {
+    let mut data = String::new();
+    let mut last = None;
+    for place in places {
+        let Vec2 { x, y } = place - last.unwrap_or_default();
+        let letter = if last.is_none() {
+            "M"
+        } else if data.contains('l') {
+            " "
+        } else {
+            "l"
+        };
+        let between = if y < 0.0 { "" } else { " " };
+        let letter = if letter == " " && x < 0.0 { "" } else { letter };
+        let _ = write!(data, "{letter}{x}{between}{y}");
+        last = Some(place);
+    }
+    data
+}
+
+fn dot(kind: DotKind, opacity: f32, at: Vec2) -> String {
+    let Dot { radius, rim_width, square, .. } = LIGHT.dots[kind as usize];
+    let radius = radius - 0.5 * rim_width;
+    let (class, Vec2 { x, y }) = (dot_class(kind), at);
+    if square > 0.0 {
+        let (left, top, side) = (x - radius, y - radius, 2.0 * radius);
+        return format!(
+            r#"<rect class="{class}" opacity="{opacity}" x="{left}" y="{top}" width="{side}" height="{side}" rx="2"/>"#
+        );
+    }
+    format!(r#"<circle class="{class}" opacity="{opacity}" cx="{x}" cy="{y}" r="{radius}"/>"#)
+}
+
+fn dot_class(kind: DotKind) -> &'static str {
+    match kind {
+        DotKind::Target => "target",
+        DotKind::Fixed => "fixed",
+        _ => "handle",
+    }
+}
+
+/// A CSS colour for both themes.
+pub(crate) fn themed(light: Colour, dark: Colour) -> String {
+    let [light, dark] = [light, dark].map(hex);
+    if light == dark { light } else { format!("light-dark({light},{dark})") }
+}
+
+fn hex(colour: Colour) -> String {
+    let [r, g, b, a] = colour.map(|part| (part * 255.0).round() as u8);
+    if a == 255 {
+        format!("#{r:02x}{g:02x}{b:02x}")
+    } else {
+        format!("#{r:02x}{g:02x}{b:02x}{a:02x}")
+    }
+}

@@ -1,0 +1,270 @@
+//! A small picture of a stage as an SVG file of its own, for the gallery. Like [`super::picture`] it
+//! paints faces from the farthest to the nearest; colours are fewer and places coarser, so that the
+//! file is small.
+//!
+//! The file is for both themes: it takes the colour scheme of the page that shows it.
+
+use super::light::face_colour;
+use super::picture::{from_far_to_near, is_hidden, line, rim_of, sides, themed};
+use crate::view::appearance::{DARK, DotKind, LIGHT, LineKind, Palette};
+use crate::view::camera::Eye;
+use crate::view::state::Stage;
+use glam::{Vec2, Vec3};
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+/// A mesh of more faces than this is drawn more coarsely, and with finer lines.
+const CROWD: usize = 1200;
+/// Handles are this much smaller than in the view, as the picture is.
+const DOTS: f32 = 0.62;
+
+/// The stage as an SVG file of the size of its canvas.
+pub fn svg(stage: &Stage) -> String {
+    let mut drawing = Drawing::new(stage);
+    let body = drawing.faces() + &drawing.curves() + &drawing.dots();
+    let [width, height] = (stage.camera.canvas * drawing.scale).round().to_array();
+    let style = drawing.style();
+    let colours = &drawing.colours;
+    let colours: String =
+        colours.iter().map(|(colour, class)| format!(".{class}{{color:{colour}}}")).collect();
+    format!(
+        r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}"><style>{style}{colours}</style>{body}</svg>"#
+    )
+}
+
+/// A picture in the making.
+struct Drawing<'a> {
+    stage: &'a Stage,
+    eye: Eye,
+    /// Steps of places per CSS pixel.
+    scale: f32,
+    /// Steps of brightness from black to white.
+    steps: f32,
+    /// The classes of the colours that are used.
+    colours: BTreeMap<String, String>,
+}
+
+/// Names `a`, `b`, ..., `z`, `aa`, ...
+fn letters(number: usize) -> String {
+    let last = char::from(b'a' + (number % 26) as u8);
+    if number < 26 { last.to_string() } else { letters(number / 26 - 1) + &last.to_string() }
+}
+
+impl<'a> Drawing<'a> {
+    fn new(stage: &'a Stage) -> Self {
+        let is_crowd = stage.subject.faces.len() > CROWD;
+        let (scale, steps) = if is_crowd { (1.0, 20.0) } else { (2.0, 32.0) };
+        Drawing { stage, eye: stage.camera.eye(), scale, steps, colours: BTreeMap::new() }
+    }
+
+    /// The class of a colour.
+    fn class(&mut self, colour: String) -> String {
+        let number = self.colours.len();
+        self.colours.entry(colour).or_insert_with(|| letters(number)).clone()
+    }
+
+    fn style(&self) -> String {
+        let looks = &self.stage.looks;
+        let edge = |palette: &Palette| match looks.has_full_map() {
+            true => palette.edge_of_values,
+            false => palette.strokes[LineKind::Edge as usize].colour,
+        };
+        // Where there are thousands of faces, lines as wide as in the view would be all that is seen.
+        let crowd = (self.stage.subject.faces.len() as f32 / 450.0).sqrt().max(1.0);
+        let stroke = |kind: LineKind| {
+            let colour = |palette: &Palette| palette.strokes[kind as usize].colour;
+            let width = LIGHT.strokes[kind as usize].width * self.scale * DOTS;
+            format!("stroke:{};stroke-width:{width:.2}", themed(colour(&LIGHT), colour(&DARK)))
+        };
+        format!(
+            ":root{{color-scheme:light dark}}path,circle{{fill:currentColor}}\
+             path{{stroke:{};stroke-width:{:.2};stroke-linejoin:round}}\
+             .R,.P{{fill:none;stroke-linecap:round}}.R{{{}}}.P{{{}}}\
+             .D{{stroke:currentColor;stroke-linecap:round;stroke-width:{:.2}}}.S{{stroke-width:{:.2}}}\
+             .H{{stroke:#fff;stroke-width:{:.2}}}",
+            themed(edge(&LIGHT), edge(&DARK)),
+            self.scale / crowd,
+            stroke(LineKind::Boundary),
+            stroke(LineKind::Pull),
+            2.0 * LIGHT.dots[DotKind::Vertex as usize].radius * self.scale,
+            LIGHT.dots[DotKind::Vertex as usize].radius * self.scale,
+            LIGHT.dots[DotKind::Handle as usize].rim_width * self.scale * DOTS,
+        )
+    }
+
+    fn faces(&mut self) -> String {
+        let mut svg = String::new();
+        let rim = rim_of(self.stage);
+        // The class of the path that the last face is in.
+        let mut open = String::new();
+        for face in from_far_to_near(self.stage) {
+            // Of a closed surface no back is seen.
+            if rim.is_empty() && self.is_turned_away(face) {
+                continue;
+            }
+            let [light, dark] = [LIGHT, DARK].map(|palette| {
+                self.coarse(face_colour(self.stage, face, &palette)).extend(1.0).to_array()
+            });
+            let class = self.class(themed(light, dark));
+            let corners = self.stage.subject.faces.row(face as usize);
+            let outline = line(corners.iter().map(|&v| self.place(v)));
+            // Writing to a string cannot fail.
+            if class == open {
+                svg.truncate(svg.len() - r#""/>"#.len());
+                let _ = write!(svg, r#"{outline}z"/>"#);
+            } else {
+                let _ = write!(svg, r#"<path class="{class}" d="{outline}z"/>"#);
+                open = class;
+            }
+            let border: String = sides(corners)
+                .filter(|side| rim.contains(side))
+                .map(|side| line(side.map(|v| self.place(v))))
+                .collect();
+            if !border.is_empty() {
+                let _ = write!(svg, r#"<path class="R" d="{border}"/>"#);
+                open.clear();
+            }
+        }
+        svg
+    }
+
+    /// The colour with fewer digits: of values each part, of light on a material the brightness, so
+    /// that its hue stays.
+    fn coarse(&self, colour: Vec3) -> Vec3 {
+        let coarse = |part: f32| (part * self.steps).round() / self.steps;
+        let most = colour.max_element();
+        if self.stage.looks.has_full_map() || most == 0.0 {
+            Vec3::from(colour.to_array().map(coarse))
+        } else {
+            (colour * (coarse(most) / most)).min(Vec3::ONE)
+        }
+    }
+
+    /// Whether the back of a face is seen.
+    fn is_turned_away(&self, face: u32) -> bool {
+        let subject = &self.stage.subject;
+        let corner = subject.faces.row(face as usize)[0];
+        let sight = subject.positions[corner as usize] - self.eye.at;
+        subject.normals.faces[face as usize].dot(sight) > 0.0
+    }
+
+    /// Polylines where there are no faces; those on a surface are seen by its edges.
+    fn curves(&self) -> String {
+        let subject = &self.stage.subject;
+        if !subject.faces.is_empty() || subject.curves.is_empty() {
+            return String::new();
+        }
+        let curves = subject.curves.iter();
+        let lines: String =
+            curves.map(|curve| line(curve.iter().map(|&v| self.place(v)))).collect();
+        format!(r#"<path class="R" d="{lines}"/>"#)
+    }
+
+    /// Vertices in the colours of constraints, all of them where there is nothing else to see, then
+    /// handles and the lines that pull them.
+    fn dots(&mut self) -> String {
+        let mut svg = self.points();
+        let mut marks = String::new();
+        for handle in &self.stage.handles {
+            let from = self.place(handle.vertex);
+            let to = self.at(self.stage.subject.relative(handle.target));
+            if from.distance(to) > self.scale {
+                let _ = write!(svg, r#"<path class="P" d="{}"/>"#, line([from, to]));
+            }
+            if !is_hidden(self.stage, &self.eye, handle.vertex) {
+                let [light, dark] = [LIGHT, DARK].map(|palette| palette.dots[handle.kind as usize]);
+                let class = self.class(themed(light.fill, dark.fill)) + " H";
+                marks += &self.dot(&class, from, light.radius * DOTS);
+            }
+        }
+        svg + &marks
+    }
+
+    /// One path of dots for each colour.
+    fn points(&mut self) -> String {
+        let stage = self.stage;
+        let rows = &stage.looks.rows;
+        let is_only_points = stage.subject.is_only_points();
+        let mut paths: BTreeMap<String, String> = BTreeMap::new();
+        for v in 0..stage.subject.positions.len() as u32 {
+            let row = rows.vertices.get(v as usize).copied().unwrap_or(0);
+            let is_seen = is_only_points || row > 0 && !is_hidden(stage, &self.eye, v);
+            if !is_seen || stage.looks.has_values() {
+                continue;
+            }
+            let [light, dark] = [LIGHT, DARK].map(|palette| match row {
+                0 => palette.dots[DotKind::Vertex as usize].fill,
+                row => Vec3::from(rows.palette[usize::from(row) - 1]).extend(1.0).to_array(),
+            });
+            let Vec2 { x, y } = self.place(v);
+            let _ = write!(paths.entry(themed(light, dark)).or_default(), "M{x} {y}h0");
+        }
+        let size = if is_only_points { "D" } else { "D S" };
+        let dots = paths.into_iter().map(|(colour, dots)| {
+            let class = self.class(colour);
+            format!(r#"<path class="{class} {size}" d="{dots}"/>"#)
+        });
+        dots.collect()
+    }
+
+    fn dot(&self, class: &str, Vec2 { x, y }: Vec2, radius: f32) -> String {
+        let radius = (radius * self.scale).round();
+        format!(r#"<circle class="{class}" cx="{x}" cy="{y}" r="{radius}"/>"#)
+    }
+
+    fn place(&self, vertex: u32) -> Vec2 {
+        self.at(self.stage.subject.positions[vertex as usize])
+    }
+
+    fn at(&self, point: Vec3) -> Vec2 {
+        (self.eye.project(point).0 * self.scale).round()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A cube, closed or without its lid.
+    fn stage(faces: usize) -> Stage {
+        let corners = (0..8u8).flat_map(|k| [k & 1, k >> 1 & 1, k >> 2].map(f64::from));
+        let quads =
+            [[0, 2, 3, 1], [0, 1, 5, 4], [1, 3, 7, 5], [3, 2, 6, 7], [2, 0, 4, 6], [4, 5, 7, 6]];
+        let indices: Vec<u32> = quads[..faces].concat();
+        let offsets = (0..=faces as u32).map(|k| 4 * k).collect();
+        let mut stage = Stage::default();
+        let positions: Vec<f64> = corners.collect();
+        stage.set_mesh((offsets, indices), (vec![0], vec![]), &positions).unwrap();
+        stage.resize(Vec2::new(200.0, 100.0));
+        stage
+    }
+
+    fn outlines(svg: &str) -> usize {
+        svg.matches('z').count()
+    }
+
+    #[test]
+    fn a_closed_surface_shows_no_backs_and_an_open_one_shows_all() {
+        let closed = svg(&stage(6));
+        assert_eq!(outlines(&closed), 3, "{closed}");
+        assert!(closed.contains(r#"viewBox="0 0 400 200""#));
+        let open = svg(&stage(5));
+        assert_eq!(outlines(&open), 5, "{open}");
+        assert!(open.contains(r#"class="R""#));
+    }
+
+    #[test]
+    fn points_without_faces_are_dots() {
+        let mut stage = Stage::default();
+        stage
+            .set_mesh((vec![0], vec![]), (vec![0], vec![]), &[0.0, 0.0, 0.0, 1.0, 2.0, 3.0])
+            .unwrap();
+        stage.resize(Vec2::new(200.0, 100.0));
+        assert_eq!(svg(&stage).matches("h0").count(), 2);
+    }
+
+    #[test]
+    fn classes_are_letters() {
+        assert_eq!([0, 25, 26, 51, 52].map(letters), ["a", "z", "aa", "az", "ba"]);
+    }
+}
