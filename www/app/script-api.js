@@ -36,7 +36,9 @@ export function scriptApi(store, solver, viewport, files) {
      */
     state() {
       const state = store.get();
-      const { model, document, numbers, running, converged, selection, renderer } = state;
+      const { document, numbers, running, converged, selection, renderer } = state;
+      // A mesh comes a message before its document: whoever sees one sees both.
+      const model = document && state.model;
       /** @type {Record<string, number>} */
       const constraints = {};
       for (const { kind, count, enabled } of document?.constraints ?? []) {
