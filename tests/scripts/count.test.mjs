@@ -1,14 +1,27 @@
-// The numbers at the end of `npm test` are those of the test programs.
+// The numbers at the end of `npm test` are those of the test programs, and none of them looks away.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { countTests } from '../../.scripts/count.mjs';
+import { countTests, inexcusable } from '../../.scripts/count.mjs';
+
+const none = { skipped: [], flaky: [] };
 
 test('cargo: all test programs are added up', () => {
   const output = `
-test result: ok. 12 passed; 0 failed; 1 ignored; 0 measured; 0 filtered out; finished in 0.02s
+test factor::agrees ... ok
+test result: ok. 12 passed; 0 failed; 0 ignored; 0 measured; 0 filtered out; finished in 0.02s
 test result: FAILED. 3 passed; 2 failed; 0 ignored; 0 measured; 0 filtered out; finished in 1.5s`;
-  assert.deepEqual(countTests('cargo', output), { passed: 15, failed: 2 });
+  assert.deepEqual(countTests('cargo', output), { passed: 15, failed: 2, ...none });
+});
+
+test('cargo: what is ignored is named', () => {
+  const output = `
+test factor::agrees ... ok
+test factor::large ... ignored
+test factor::slow ... ignored, takes an hour
+test result: ok. 1 passed; 0 failed; 2 ignored; 0 measured; 0 filtered out; finished in 0.02s`;
+  const skipped = ['factor::large', 'factor::slow'];
+  assert.deepEqual(countTests('cargo', output), { passed: 1, failed: 0, skipped, flaky: [] });
 });
 
 test('playwright: what did not run has not passed', () => {
@@ -19,9 +32,35 @@ test('playwright: what did not run has not passed', () => {
     [desktop] › page.spec.mjs:5:1 › first paint
   2 did not run
   7 passed (12.3s)`;
-  assert.deepEqual(countTests('playwright', output), { passed: 7, failed: 3 });
+  assert.deepEqual(countTests('playwright', output), { passed: 7, failed: 3, ...none });
+});
+
+test('playwright: what was skipped, and what passed only the second time, is named', () => {
+  const output = `
+  -  1 [phone] › app/axe.spec.mjs:48:3 › axe: plots
+  ✘  2 [desktop] › page.spec.mjs:5:1 › first paint (3.1s)
+  ✓  3 [desktop] › page.spec.mjs:5:1 › first paint (retry #1) (1.1s)
+
+  2 flaky
+    [desktop] › page.spec.mjs:5:1 › first paint
+    [phone] › touch.spec.mjs:9:1 › pinch
+  1 skipped
+  7 passed (12.3s)`;
+  assert.deepEqual(countTests('playwright', output), {
+    ...{ passed: 9, failed: 0 },
+    skipped: ['[phone] › app/axe.spec.mjs:48:3 › axe: plots'],
+    flaky: ['[desktop] › page.spec.mjs:5:1 › first paint', '[phone] › touch.spec.mjs:9:1 › pinch'],
+  });
 });
 
 test('node: the summary of its TAP form', () => {
-  assert.deepEqual(countTests('node', '# tests 3\n# pass 2\n# fail 1\n'), { passed: 2, failed: 1 });
+  const output = `ok 1 - reads\nok 2 - writes # SKIP no disk\n# tests 3\n# pass 2\n# fail 1\n# skipped 1\n`;
+  const skipped = ['writes'];
+  assert.deepEqual(countTests('node', output), { passed: 2, failed: 1, skipped, flaky: [] });
+});
+
+test('only what is on the list is excused', () => {
+  const excused = [{ name: 'touch.spec', reason: 'the machine has no fingers' }];
+  const tests = ['[phone] › touch.spec.mjs:9:1 › pinch', '[desktop] › page.spec.mjs:5:1 › paint'];
+  assert.deepEqual(inexcusable(tests, excused), [tests[1]]);
 });

@@ -270,7 +270,9 @@ test('what is damaged beside a work costs no more than that', async ({ page, con
 
 test('an example that nobody touched is not kept', async ({ page }) => {
   await visit(page);
-  await page.waitForTimeout(2500);
+  // The tab has a name for its work by then, and whatever it keeps of it is kept.
+  await page.waitForFunction(() => sessionStorage.getItem('shape-up.work'));
+  await page.evaluate(() => window.shapeUp.settled());
   await visit(page);
   await expect(back(page)).toBeHidden();
   await tool(page, 'Open recent');

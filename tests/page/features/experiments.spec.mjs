@@ -100,7 +100,8 @@ test('an experiment can be cancelled and run again', async ({ page }) => {
   await dialog.getByRole('button', { name: 'Cancel' }).click();
   await expect(dialog.getByRole('status')).toHaveText('Cancelled.');
   const stopped = await cells(dialog, 'Mean-centred');
-  await page.waitForTimeout(500);
+  // What was under way has had its turns by the time that the solver has answered twice.
+  for (let turn = 0; turn < 2; turn++) await page.evaluate(() => window.shapeUp.settled());
   expect(await cells(dialog, 'Mean-centred')).toEqual(stopped);
   await dialog.getByLabel('At most').fill('2');
   await dialog.getByRole('button', { name: 'Run all' }).click();

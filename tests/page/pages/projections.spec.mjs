@@ -76,11 +76,12 @@ test('sets that do not meet leave a rest, and weights decide where', async ({ pa
 });
 
 test('Play goes on by itself until it is paused or has arrived', async ({ page }) => {
+  await page.clock.install();
   await page.goto('./projections.html');
   await page.getByRole('button', { name: 'Play' }).click();
   await expect(page.getByRole('status')).toContainText('iteration 2');
   await page.getByRole('button', { name: 'Pause' }).click();
   const sums = await proximities(page);
-  await page.waitForTimeout(1000);
+  await page.clock.runFor(10_000);
   expect(await proximities(page)).toEqual(sums);
 });

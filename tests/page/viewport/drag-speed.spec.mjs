@@ -3,20 +3,17 @@
 // instead. The work of the page is counted by the shapes that it shows, not by the pictures: while the
 // worker is still computing, a picture shows the dot at the pointer and nothing else that is new.
 
-import { cpus, loadavg } from 'node:os';
 import { showPanel } from '../actions.mjs';
 import { expect, screenOf, state, test, visit, waitForState } from '../support.mjs';
 
 /** The example with about 2500 vertices. */
 const EXAMPLE = 'fig-05-mixed';
-/**
- * With more programs than this for each processor, the time says nothing of this one: page and worker
- * take a processor each.
- */
-const BUSY = 0.5;
-/** Milliseconds of the page's main thread for each shape. */
+/** Milliseconds of the processor for the page's main thread and each shape. */
 const FRAME_BUDGET = 4;
-/** Milliseconds from when the worker is told of a move. */
+/**
+ * Milliseconds from when the worker is told of a move, on a machine that does nothing else. Where other
+ * programs have the processors too, so many times more as other work takes longer there meanwhile.
+ */
 const ANSWER_BUDGET = 16;
 /** So many times so many moves, each made when the one before it is answered. */
 const BATCHES = 9;
@@ -24,13 +21,20 @@ const MOVES = 8;
 
 test.use({ pixels: false });
 
+/** In the page: milliseconds of the same work, some times over. */
+const otherWork = () =>
+  Array.from({ length: 8 }, () => {
+    const begun = performance.now();
+    let sum = 0;
+    for (let i = 1; i < 2_000_000; i++) sum += 1 / i;
+    return sum > 0 ? performance.now() - begun : 0;
+  });
+
 const median = (values) => values.toSorted((a, b) => a - b)[values.length >> 1];
 
 test('a drag on 2500 vertices is answered within 16 ms and costs the page less', async ({
   page,
 }) => {
-  const [load] = loadavg();
-  test.skip(load > BUSY * cpus().length, `the machine is busy: ${load} programs are running`);
   await page.addInitScript(() => {
     window.shapes = { shown: 0, answered: 0 };
     window.Worker = class extends Worker {
@@ -83,18 +87,22 @@ test('a drag on 2500 vertices is answered within 16 ms and costs the page less',
     return shapes.shown - before;
   };
   const perShape = [];
+  const others = [];
   for (let batch = 0; batch < BATCHES; batch++) {
     const before = await spent();
     const shown = await page.evaluate(showMoves, [x, y - 12 - batch, MOVES]);
     perShape.push(((await spent()) - before) / shown);
+    others.push(...(await page.evaluate(otherWork)));
   }
   await page.mouse.up();
   const { answer, latency } = await page.evaluate(() => window.shapeUp.dragTimes());
   const [work, answers] = [median(perShape), median(answer)];
-  const said = `page ${work.toFixed(2)} ms, worker ${answers.toFixed(2)} ms, pointer to positions ${median(latency).toFixed(1)} ms`;
+  // The best of them had a processor to itself.
+  const slower = median(others) / Math.min(...others);
+  const said = `page ${work.toFixed(2)} ms, worker ${answers.toFixed(2)} ms, other work ${slower.toFixed(2)} times as long as alone, pointer to positions ${median(latency).toFixed(1)} ms`;
   test.info().annotations.push({ type: 'measured', description: said });
   expect(work, said).toBeLessThan(FRAME_BUDGET);
-  expect(answers, said).toBeLessThanOrEqual(ANSWER_BUDGET);
+  expect(answers, said).toBeLessThanOrEqual(ANSWER_BUDGET * slower);
   // Told to whom asks for it.
   const told = page.getByTitle('From the pointer to new positions');
   await expect(told).toBeHidden();
