@@ -159,7 +159,7 @@ export class Keeping {
     const examples = work.example ? await this.#files.examples() : [];
     const example = examples.find(({ id }) => id === work.example);
     const { id, title } = work;
-    const origin = { example, work: id, title, saved };
+    const origin = { example, work: id, title, saved, text };
     const files = [{ name: `${work.name}.shapeup.json`, bytes }];
     const loaded = await this.#files.open(files, origin).catch(async (error) => {
       const { Unreadable, giveBack } = await import('../documents/autosave.js');

@@ -76,10 +76,11 @@ export class Autosave {
 
   /** Another model is open: a work of its own, or one that goes on. */
   async #begin() {
-    const { work, saved } = this.#files.origin;
+    const { work, saved, text = null } = this.#files.origin;
     const id = work ?? newId();
     this.#hash = location.hash;
-    this.#kept = work && !saved?.progress ? { ...NOTHING, text: this.#solver.sceneText } : NOTHING;
+    // Somebody may have edited it since it was opened.
+    this.#kept = work && !saved?.progress ? { ...NOTHING, text } : NOTHING;
     this.#id = id;
     this.#store.set({ saved: '' });
     remember(MINE, id, 'sessionStorage');

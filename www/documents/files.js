@@ -23,6 +23,7 @@ import { rememberedFrame } from './units-prompt.js';
  * @property {Example} [example] whose mesh it has
  * @property {string} [work] the name under which it is kept in this browser, see `recent-documents.js`
  * @property {string} [title] of the work
+ * @property {string} [text] of its scene as it is kept
  * @property {import("../solver/messages.js").Saved} [saved] beside its scene
  * @property {boolean} [asItCame] its vertices are not welded
  */

@@ -124,6 +124,30 @@ for (const way of ['reload', 'leave', 'close']) {
   });
 }
 
+test('an edit is kept that came before the page had settled after a reload', async ({ page }) => {
+  // It was taken for what had been kept before.
+  await visit(page);
+  await openText(page, 'roof.obj', wavyGrid(20), 441);
+  await page.evaluate(editAndThen, [3, '']);
+  await expect(page.getByText(/^Saved in this browser/)).toBeVisible();
+  await page.evaluate(() => sessionStorage.setItem('test.edit', '11'));
+  await page.addInitScript(() => {
+    const weight = sessionStorage.getItem('test.edit');
+    sessionStorage.removeItem('test.edit');
+    const edit = () => {
+      const field = document.querySelector('[aria-label="Shape weight"]');
+      if (!window.shapeUp?.scene() || !field) return void setTimeout(edit);
+      field.value = weight;
+      field.dispatchEvent(new Event('change', { bubbles: true }));
+    };
+    if (weight) edit();
+  });
+  for (let time = 0; time < 2; time++) {
+    await page.reload();
+    await expect.poll(async () => (await sceneOf(page))?.weights.shape).toBe(11);
+  }
+});
+
 test('a run that was cut off is back, as a step of undo', async ({ page, context }) => {
   await visit(page);
   await openText(page, 'endless.shapeup.json', endlessScene(), 41 * 41);
