@@ -1,10 +1,12 @@
 // npm test: every check, the fast ones first, and at the end how many tests passed.
 
 import { readdirSync } from 'node:fs';
+import { relative } from 'node:path';
 import { countTests, inexcusable } from './count.mjs';
-import { at, wasmTarget } from './project.mjs';
+import { at, root, wasmTarget } from './project.mjs';
 import { main } from './run.mjs';
 import { setUp } from './setup.mjs';
+import { filesUnder } from './stamp.mjs';
 import { step } from './step.mjs';
 import { modules } from './wasm.mjs';
 
@@ -14,9 +16,11 @@ const forModule = (feature) => [...wasm, '--features', feature];
 const clippy = (...args) => ['cargo', ['clippy', '--locked', ...args, '--', '-D', 'warnings']];
 
 const styled = '**/*.{js,mjs,css,html}';
-const scriptTests = readdirSync(at('tests', 'scripts'))
-  .filter((name) => name.endsWith('.test.mjs'))
-  .map((name) => `tests/scripts/${name}`);
+const nodeTests = ['scripts', 'page'].flatMap((folder) =>
+  filesUnder(at('tests', folder))
+    .filter((path) => path.endsWith('.test.mjs'))
+    .map((path) => relative(root, path)),
+);
 
 /** The arguments that name the browser tests of a module; none where it has none. */
 const browserTests = (feature) => {
@@ -48,8 +52,8 @@ const steps = [
     run: [tool('eslint'), ['--config', '.scripts/eslint.config.mjs', '--max-warnings', '0', '.']],
   },
   {
-    title: 'tests of the scripts',
-    run: ['node', ['--test', '--test-reporter=tap', ...scriptTests]],
+    title: 'tests of the scripts, and of what of the page needs no browser',
+    run: ['node', ['--test', '--test-reporter=tap', ...nodeTests]],
     count: 'node',
   },
   // The view without a GPU is part of the native checks.

@@ -37,7 +37,7 @@ export function isTyping({ target, key }) {
   return ACTIVATING.has(key) && target.matches('button, summary, a, input:not([type="range"])');
 }
 
-const IS_MAC = /Mac|iPhone|iPad/.test(navigator.platform);
+const IS_MAC = /Mac|iPhone|iPad/.test(globalThis.navigator?.platform ?? '');
 
 /**
  * A key as people read it.

@@ -98,22 +98,6 @@ test('what nobody expected to fail is said', async ({ page, complaints }) => {
   expect(complaints.splice(0)).toHaveLength(2);
 });
 
-test('a listener of the store that throws hurts no other', async () => {
-  const { createStore } = await import('../../../www/store/state.js');
-  const reported = [];
-  globalThis.reportError = (error) => reported.push(error.message);
-  const store = createStore();
-  const heard = [];
-  store.subscribe(['status'], ({ status }) => {
-    if (status) throw new Error(status);
-  });
-  store.subscribe(['status'], ({ status }) => heard.push(status));
-  store.set({ status: 'broken' });
-  await Promise.resolve();
-  expect(heard).toEqual(['', 'broken']);
-  expect(reported).toEqual(['broken']);
-});
-
 test('without graphics everything but the picture works', async ({ page }) => {
   await page.addInitScript(() => {
     const { getContext } = HTMLCanvasElement.prototype;

@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { isTrap } from '../../www/worker/wasm-errors.js';
+import { isTrap } from '../../../www/worker/wasm-errors.js';
 
 /** A module whose one function, f, does nothing but call itself. */
 const recursive = new Uint8Array([

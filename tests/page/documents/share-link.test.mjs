@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { deflateRawSync } from 'node:zlib';
-import { MOST_BYTES, readLink, unpack, writeLink } from '../../www/documents/share-link.js';
+import { MOST_BYTES, readLink, unpack, writeLink } from '../../../www/documents/share-link.js';
 
 const code = (bytes) => deflateRawSync(bytes).toString('base64url');
 

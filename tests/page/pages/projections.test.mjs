@@ -2,7 +2,13 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { closestPoint, errors, project, reconcile, sum } from '../../www/pages/projections/sets.js';
+import {
+  closestPoint,
+  errors,
+  project,
+  reconcile,
+  sum,
+} from '../../../www/pages/projections/sets.js';
 
 const sets = [
   { kind: 'line', at: [1, 2], turn: 0.4 },

@@ -2,8 +2,8 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { indices } from '../../www/documents/rhino/index-list.js';
-import { byLayer } from '../../www/documents/rhino/rhino-layers.js';
+import { indices } from '../../../www/documents/rhino/index-list.js';
+import { byLayer } from '../../../www/documents/rhino/rhino-layers.js';
 
 test('ranges include both ends, and an empty list has no index', () => {
   assert.deepEqual(indices('0-3,7'), [0, 1, 2, 3, 7]);

@@ -1,0 +1,45 @@
+// What page and worker share: events, and which of several files is opened.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { Emitter } from '../../../www/solver/emitter.js';
+import { companionOf, mainOf, worthReading } from '../../../www/solver/opened-files.js';
+
+test('listeners are called in their order, once is once, and one that throws hurts no other', () => {
+  const reported = [];
+  globalThis.reportError = (error) => reported.push(error.message);
+  const emitter = new Emitter();
+  const heard = [];
+  emitter.on('frame', () => {
+    throw new Error('broken');
+  });
+  const stop = emitter.on('frame', (value) => heard.push(['on', value]));
+  emitter.once('frame', (value) => heard.push(['once', value]));
+  emitter.emit('frame', 1);
+  emitter.emit('frame', 2);
+  stop();
+  emitter.emit('frame', 3);
+  assert.deepEqual(heard, [
+    ['on', 1],
+    ['once', 1],
+    ['on', 2],
+  ]);
+  assert.equal(reported.length, 3);
+});
+
+test('a scene is opened with the mesh that it names, else the first file that can be read', () => {
+  const file = (name) => ({ name, bytes: new Uint8Array() });
+  const [scene, mesh, words] = ['roof.shapeup.json', 'roof.obj', 'notes.txt'].map(file);
+  assert.equal(mainOf([mesh, scene]), scene);
+  assert.deepEqual(worthReading([words, mesh, scene]), [scene, mesh]);
+  assert.deepEqual(worthReading([words]), [words]);
+  assert.equal(
+    companionOf([scene, mesh], () => 'models/roof.obj'),
+    mesh,
+  );
+  assert.equal(
+    companionOf([mesh], () => 'roof.obj'),
+    null,
+  );
+  assert.throws(() => companionOf([scene], () => 'roof.obj'), /needs the mesh file roof.obj/);
+});

@@ -1,0 +1,33 @@
+// What clicks and regions do to the selection.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import {
+  NOTHING,
+  combineOf,
+  describe,
+  select,
+  selectedVertices,
+} from '../../../www/store/selection.js';
+
+test('Shift adds, Ctrl removes, and a plain click replaces', () => {
+  assert.equal(combineOf({ shiftKey: true }), 'add');
+  assert.equal(combineOf({ ctrlKey: true, shiftKey: true }), 'remove');
+  assert.equal(combineOf({}), 'replace');
+  const two = select(select(NOTHING, 'faces', [4], 'replace'), 'faces', [5], 'add');
+  assert.deepEqual([...two.faces], [4, 5]);
+  assert.deepEqual([...select(two, 'faces', [4], 'remove').faces], [5]);
+  const vertex = select(two, 'vertices', [1], 'replace');
+  assert.deepEqual([[...vertex.vertices], [...vertex.faces]], [[1], []]);
+});
+
+test('a selected face or edge stands for its vertices, each once', () => {
+  const square = {
+    faceOffsets: Uint32Array.of(0, 4),
+    faceIndices: Uint32Array.of(0, 1, 2, 3),
+    edges: Uint32Array.of(2, 9),
+  };
+  const selection = { vertices: new Set([3]), edges: new Set([0]), faces: new Set([0]) };
+  assert.deepEqual(selectedVertices(selection, square), [0, 1, 2, 3, 9]);
+  assert.equal(describe(selection), '1 vertex, 1 edge, 1 face');
+});

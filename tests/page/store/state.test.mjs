@@ -1,0 +1,51 @@
+// The store: who is told of what, and when.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { createStore, handlesNow } from '../../../www/store/state.js';
+
+const reported = [];
+globalThis.reportError = (error) => reported.push(error.message);
+
+test('a listener is told once for a task, and only of its own keys', async () => {
+  const store = createStore();
+  const heard = [];
+  store.subscribe(['status'], ({ status }) => heard.push(status));
+  store.set({ status: 'one' });
+  store.set({ status: 'two' });
+  store.set({ fileName: 'roof.obj' });
+  await Promise.resolve();
+  assert.deepEqual(heard, ['', 'two']);
+  store.set({ fileName: 'dome.obj' });
+  store.set({ status: 'two' });
+  await Promise.resolve();
+  assert.deepEqual(heard, ['', 'two']);
+});
+
+test('a listener of the store that throws hurts no other', async () => {
+  const store = createStore();
+  const heard = [];
+  store.subscribe(['status'], ({ status }) => {
+    if (status) throw new Error(status);
+  });
+  store.subscribe(['status'], ({ status }) => heard.push(status));
+  store.set({ status: 'broken' });
+  await Promise.resolve();
+  assert.deepEqual(heard, ['', 'broken']);
+  assert.deepEqual(reported, ['broken']);
+});
+
+test('handles that are dragged are where they are dragged to', () => {
+  const handle = (vertex) => ({ vertex, target: [0, 0, 0], weight: 1, fixed: false });
+  const state = {
+    document: { handles: [handle(3), handle(7)] },
+    dragged: [7],
+    moved: { by: [1, 2, 3], targets: Float64Array.of(1, 2, 3) },
+  };
+  const targets = handlesNow(state).map(({ target }) => target);
+  assert.deepEqual(targets, [
+    [0, 0, 0],
+    [1, 2, 3],
+  ]);
+  assert.deepEqual(handlesNow({ ...state, document: null }), []);
+});

@@ -1,0 +1,69 @@
+// Numbers, lengths and keys as the page writes and reads them.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { count, length, limit, number, part, ratio } from '../../../www/ui/format.js';
+import { coordinate, decimalsFor, readLength } from '../../../www/ui/number-entry.js';
+import { chordOf, digitOf, keyName } from '../../../www/ui/keys.js';
+
+test('a number has three digits, a sign that is one, and powers of ten where they are shorter', () => {
+  const cases = { 1.2345: '1.23', [-0.5]: '−0.500', 12345: '12345', 0: '0', 2.5e-7: '2.50e−7' };
+  for (const [value, text] of Object.entries(cases)) assert.equal(number(Number(value)), text);
+  assert.equal(number(3e7), '3.00e7');
+  assert.equal(number(NaN), '–');
+});
+
+test('metres below a decimetre are millimetres, other units stay', () => {
+  assert.equal(length(0.0421, 'm'), '42.1 mm');
+  assert.equal(length(0.0421, 'ft'), '0.0421 ft');
+  assert.equal(length(1e-9, 'm'), '< 0.001 mm');
+  assert.equal(length(2, ''), '2.00');
+  // Next to another length the unit is that one's.
+  assert.equal(length(0.0421, 'm', 3), '0.0421 m');
+  assert.equal(limit(0.005, 'm'), '5 mm');
+});
+
+test('parts, ratios and counts read as words do', () => {
+  assert.deepEqual([part(0), part(0.004), part(0.5)], ['0 %', '< 1 %', '50 %']);
+  assert.deepEqual([ratio(1.5), ratio(Infinity), ratio(NaN)], ['1.5000', '∞', '–']);
+  assert.equal(count(1, 'vertex', 'vertices'), '1 vertex');
+  assert.equal(count(12345, 'face'), '12\u2009345 faces');
+});
+
+test('lengths are read as people type them', () => {
+  assert.deepEqual(readLength('1,5', 'm'), { by: false, length: 1.5 });
+  assert.deepEqual(readLength('1/4', 'm'), { by: false, length: 0.25 });
+  assert.deepEqual(readLength('20cm', 'm'), { by: false, length: 0.2 });
+  assert.deepEqual(readLength('+-0.5', 'm'), { by: true, length: -0.5 });
+  assert.throws(() => readLength('far', 'm'), /“far” is not a length/);
+  assert.throws(() => readLength('1/0', 'm'), /is not a length/);
+});
+
+test('coordinates have as many decimals as their mesh needs', () => {
+  assert.deepEqual(
+    [decimalsFor(20), decimalsFor(2e-6), decimalsFor(1e9), decimalsFor(0)],
+    [4, 11, 0, 3],
+  );
+  assert.equal(coordinate(-0.00001, 3), '0.000');
+});
+
+test('keys are letters by what they print, and digits by where they are', () => {
+  const press = (key, more = {}) => ({
+    key,
+    code: '',
+    ctrlKey: false,
+    shiftKey: false,
+    metaKey: false,
+    ...more,
+  });
+  assert.equal(chordOf(press('z', { ctrlKey: true })), 'Ctrl+Z');
+  assert.equal(chordOf(press('Z', { metaKey: true, shiftKey: true })), 'Ctrl+Shift+Z');
+  // What is written on the key says that it was Shift already.
+  assert.equal(chordOf(press('?', { shiftKey: true })), '?');
+  assert.equal(digitOf(press('&', { code: 'Digit1' })), '1');
+  assert.equal(digitOf(press('!', { code: 'Digit1', shiftKey: true })), 'Shift+1');
+  assert.equal(digitOf(press('7', { code: 'Numpad7' })), 'Numpad7');
+  assert.equal(digitOf(press('Home', { code: 'Numpad7' })), '');
+  assert.equal(keyName('Ctrl+Shift+Z'), 'Ctrl+Shift+Z');
+  assert.equal(keyName(' '), 'Space');
+});

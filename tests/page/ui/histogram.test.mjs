@@ -1,0 +1,40 @@
+// The legend's histogram and its axis.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { BINS, countsOf, spreadOf } from '../../../www/ui/plot/histogram.js';
+import { axisOf, placeOn, roundUp, valueAt } from '../../../www/ui/plot/value-axis.js';
+
+test('a place on an axis and its value are each other’s inverse, evenly and by the logarithm', () => {
+  for (const axis of [axisOf(0, 8, false), axisOf(0.001, 8, true)])
+    for (const value of [0.001, 0.5, 8]) {
+      const there = valueAt(axis, placeOn(axis, value));
+      assert.ok(Math.abs(there - value) < 1e-12, `${value} is at ${there}`);
+    }
+  assert.equal(placeOn(axisOf(0, 8, false), 9), 1);
+  assert.equal(placeOn(axisOf(3, 3, false), 3), 0);
+});
+
+test('ends are round, and never below what they hold', () => {
+  assert.deepEqual([0.9, 1.2, 7.3, 10, 1e-300].map(roundUp), [1, 1.5, 8, 10, 1e-300]);
+  assert.deepEqual([0, NaN, Infinity].map(roundUp), [0, 0, 0]);
+});
+
+test('every face with a value is in one bar, the greatest in the last', () => {
+  const values = Float32Array.of(0, 0.5, 1, NaN, 2);
+  const counts = countsOf(values, axisOf(0, 1, false));
+  assert.equal(counts.length, BINS);
+  assert.equal(
+    counts.reduce((sum, count) => sum + count),
+    3,
+  );
+  assert.equal(counts.at(-1), 1);
+  const { faces, within, greatest, original } = spreadOf(
+    'planarity',
+    values,
+    axisOf(0, 2, false),
+    0.5,
+    values,
+  );
+  assert.deepEqual([faces, within, greatest, original.greatest], [4, 2, 2, 2]);
+});
