@@ -27,8 +27,6 @@ const LARGE_FOLDERS: &[(&str, &str)] = &[
 /// Folders whose files know of each other in circles.
 const CIRCLES: &[(&str, &str)] = &[
     ("experiment", "being divided"),
-    ("scene", "being divided"),
-    ("scene/json", "being divided"),
     ("solve", "being divided"),
     ("solve/conformal", "being divided"),
     ("web", "being divided"),

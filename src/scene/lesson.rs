@@ -1,7 +1,4 @@
-//! Lessons: a text, goals that a shape is to meet, and the results that a student hands in.
-
-use super::{ConstraintSpec, HandleSpec, MeshSource, Scene};
-use crate::mesh::{Mesh, Point};
+//! Lessons: a text, goals that a shape is to meet.
 
 /// An exercise on the mesh of a scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,69 +26,4 @@ pub enum GoalOf {
     /// The worst error of the enabled rows of constraints that are called so: by their name, or by
     /// the label of their kind where they have none.
     Constraint(String),
-}
-
-/// What a student hands in: the shape, and what it was found to be.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Results {
-    /// Who made it, as the student typed it.
-    pub student: String,
-    /// Title of the scene.
-    pub title: String,
-    /// [`Scene::fingerprint`] of what it was made from.
-    pub scene: String,
-    /// When it was saved, as the page says it; empty when not known.
-    pub time: String,
-    /// Iterations from where the scene starts.
-    pub iterations: u32,
-    /// Whether all goals were met.
-    pub passed: bool,
-    /// What each goal was found to be.
-    pub goals: Vec<GoalResult>,
-    /// The rows of constraints at the end.
-    pub constraints: Vec<ConstraintSpec>,
-    /// The handles at the end.
-    pub handles: Vec<HandleSpec>,
-    /// The shape, `#V by 3`.
-    pub positions: Vec<Point>,
-}
-
-/// A goal, and what it was found to be.
-#[derive(Clone, Debug, PartialEq)]
-pub struct GoalResult {
-    /// The goal.
-    pub goal: Goal,
-    /// The value; none where nothing has it.
-    pub value: Option<f64>,
-    /// Whether it is small enough.
-    pub met: bool,
-}
-
-impl Scene {
-    /// Which exercise this is: 16 hexadecimal digits that other meshes and other lessons do not share,
-    /// but for a chance of one in 2^64. Constraints, handles and weights are not in it: they are what
-    /// students change. It tells mistakes apart, and is no seal.
-    pub fn fingerprint(&self, mesh: &Mesh) -> String {
-        let mut exercise = Scene::new(MeshSource::Inline(Box::default()));
-        exercise.lesson.clone_from(&self.lesson);
-        format!("{:016x}", fnv1a(exercise.to_json(mesh).as_bytes()))
-    }
-}
-
-/// The hash of Fowler, Noll and Vo, variant 1a, 64 bits.
-fn fnv1a(bytes: &[u8]) -> u64 {
-    let step = |hash: u64, byte: &u8| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
-    bytes.iter().fold(0xcbf2_9ce4_8422_2325, step)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_hash_is_that_of_its_published_examples() {
-        assert_eq!(fnv1a(b""), 0xcbf2_9ce4_8422_2325);
-        assert_eq!(fnv1a(b"a"), 0xaf63_dc4c_8601_ec8c);
-        assert_eq!(fnv1a(b"foobar"), 0x8594_4171_f739_67e8);
-    }
 }

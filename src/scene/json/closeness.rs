@@ -7,7 +7,7 @@
 
 use super::node::At;
 use super::selector;
-use super::write::{field, number, object};
+use super::text::{field, number, object, text};
 use crate::scene::{
     BoundaryCloseness, Closeness, ClosenessTo, ClosenessWeight, SceneError, Worded,
 };
@@ -48,7 +48,7 @@ fn read_boundary(at: &At<'_>) -> Result<BoundaryCloseness, SceneError> {
 pub(super) fn write(closeness: &Closeness) -> Vec<String> {
     let mut fields = Vec::new();
     if closeness.to != ClosenessTo::default() {
-        fields.push(field("to", super::write::text(closeness.to.word())));
+        fields.push(field("to", text(closeness.to.word())));
     }
     if !closeness.weights.is_empty() {
         let entry = |entry: &ClosenessWeight| {

@@ -1,7 +1,9 @@
 //! One entry of the list of constraints: kind, selector, weight, and the parameters of the kind.
 
 use super::node::At;
+use super::parse::parse;
 use super::selector;
+use super::text::{field, number, object, text};
 use crate::constraint::{KINDS, Kind, KindError};
 use crate::scene::{ConstraintSpec, SceneError};
 
@@ -10,8 +12,8 @@ impl ConstraintSpec {
     ///
     /// # Errors
     /// As [`crate::scene::Scene::from_json`].
-    pub fn from_json(text: &str) -> Result<ConstraintSpec, SceneError> {
-        read(&At::root(&super::parse(text)?))
+    pub fn from_json(json: &str) -> Result<ConstraintSpec, SceneError> {
+        read(&At::root(&parse(json)?))
     }
 }
 
@@ -68,11 +70,35 @@ fn parameter_keys(id: &str) -> Vec<String> {
 }
 
 /// The parameters that a kind has when the scene gives none; empty when some have no default.
-pub(super) fn default_params(id: &str) -> serde_json::Map<String, serde_json::Value> {
+fn default_params(id: &str) -> serde_json::Map<String, serde_json::Value> {
     match Kind::new(id, serde_json::json!({})).map(|kind| kind.params()) {
         Ok(serde_json::Value::Object(params)) => params,
         _ => serde_json::Map::new(),
     }
+}
+
+/// One line of the list.
+pub(super) fn write(spec: &ConstraintSpec) -> String {
+    let id = spec.kind.info().id;
+    let mut fields = vec![field("kind", text(id)), field("on", selector::write(&spec.on))];
+    if spec.weight != 1.0 {
+        fields.push(field("weight", number(spec.weight)));
+    }
+    if !spec.enabled {
+        fields.push(field("enabled", "false".to_owned()));
+    }
+    if !spec.name.is_empty() {
+        fields.push(field("name", text(&spec.name)));
+    }
+    let defaults = default_params(id);
+    if let serde_json::Value::Object(params) = spec.kind.params() {
+        for (key, value) in params {
+            if defaults.get(&key) != Some(&value) {
+                fields.push(field(&key, value.to_string()));
+            }
+        }
+    }
+    object(fields)
 }
 
 /// A JSON path and one below it.

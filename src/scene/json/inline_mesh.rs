@@ -5,9 +5,9 @@
 //! of one name under different statements are an array. So an OBJ that was saved in a scene comes
 //! out of it as it went in.
 
-use super::node::{At, Node};
-use super::write::{field, object, point, rows, text};
-use super::{indices, read_points};
+use super::indices;
+use super::node::{At, Node, read_points};
+use super::text::{field, object, point, rows, text};
 use crate::mesh::{Group, GroupKeyword, Mesh, Ragged};
 use crate::scene::{SceneError, Worded};
 

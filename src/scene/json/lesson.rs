@@ -6,9 +6,10 @@
 //!              { "constraint": "Eaves", "at_most": 0.01 } ] }
 //! ```
 
-use super::node::{At, Node};
-use super::write::{self, field, number, object, text};
-use super::{check_format, constraint, read_handle, read_points};
+use super::node::{At, Node, read_points};
+use super::parse::{check_format, parse};
+use super::text::{field, lines, number, object, point, rows, text};
+use super::{constraint, handle};
 use crate::scene::{Goal, GoalOf, GoalResult, Lesson, Results, SceneError};
 
 /// The value of `format` in every file of results.
@@ -37,8 +38,8 @@ impl Lesson {
     ///
     /// # Errors
     /// As [`crate::scene::Scene::from_json`].
-    pub fn from_json(text: &str) -> Result<Lesson, SceneError> {
-        read(&At::root(&super::parse(text)?))
+    pub fn from_json(json: &str) -> Result<Lesson, SceneError> {
+        read(&At::root(&parse(json)?))
     }
 }
 
@@ -76,7 +77,7 @@ fn read_goal(at: &At<'_>, keys: &[&str]) -> Result<Goal, SceneError> {
 /// The lesson, each goal on a line.
 pub(super) fn write(lesson: &Lesson) -> String {
     let goals = lesson.goals.iter().map(|goal| object(goal_fields(goal))).collect();
-    object(vec![field("text", text(&lesson.text)), field("goals", write::lines('[', goals, ']'))])
+    object(vec![field("text", text(&lesson.text)), field("goals", lines('[', goals, ']'))])
 }
 
 fn goal_fields(goal: &Goal) -> Vec<String> {
@@ -92,8 +93,8 @@ impl Results {
     ///
     /// # Errors
     /// As [`crate::scene::Scene::from_json`].
-    pub fn from_json(text: &str) -> Result<Results, SceneError> {
-        read_results(&At::root(&super::parse(text)?))
+    pub fn from_json(json: &str) -> Result<Results, SceneError> {
+        read_results(&At::root(&parse(json)?))
     }
 
     /// Writes the file that [`Results::from_json`] reads.
@@ -104,8 +105,8 @@ impl Results {
             fields.push(field("met", result.met.to_string()));
             object(fields)
         });
-        let constraints = self.constraints.iter().map(write::constraint).collect();
-        let handles = self.handles.iter().map(write::handle).collect();
+        let constraints = self.constraints.iter().map(constraint::write).collect();
+        let handles = self.handles.iter().map(handle::write).collect();
         let fields = [
             field("format", text(FORMAT)),
             field("version", VERSION.to_string()),
@@ -115,10 +116,10 @@ impl Results {
             field("time", text(&self.time)),
             field("iterations", self.iterations.to_string()),
             field("passed", self.passed.to_string()),
-            field("goals", write::lines('[', goals.collect(), ']')),
-            field("constraints", write::lines('[', constraints, ']')),
-            field("handles", write::lines('[', handles, ']')),
-            field("positions", write::rows(self.positions.iter().map(write::point), "")),
+            field("goals", lines('[', goals.collect(), ']')),
+            field("constraints", lines('[', constraints, ']')),
+            field("handles", lines('[', handles, ']')),
+            field("positions", rows(self.positions.iter().map(point), "")),
         ];
         format!("{{\n  {}\n}}\n", fields.join(",\n  "))
     }
@@ -142,7 +143,7 @@ fn read_results(at: &At<'_>) -> Result<Results, SceneError> {
         passed: at.need("passed", "true or false")?.truth()?,
         goals: each(&goals, "an array of goals", read_result)?,
         constraints: each(&constraints, "an array of constraints", constraint::read)?,
-        handles: each(&handles, "an array of handles", read_handle)?,
+        handles: each(&handles, "an array of handles", handle::read)?,
         positions: read_points(&at.need("positions", "an array of points [x, y, z]")?)?,
     })
 }

@@ -279,3 +279,8 @@ pub(in crate::scene) fn push_key(path: &mut String, key: &str) {
         path.push_str(key);
     }
 }
+
+/// An array of points.
+pub(super) fn read_points(at: &At<'_>) -> Result<Vec<crate::mesh::Point>, SceneError> {
+    at.array("an array of points [x, y, z]")?.iter().map(At::point).collect()
+}

@@ -2,7 +2,8 @@
 
 use super::indices;
 use super::node::{At, Node};
-use super::write::{field, object, text};
+use super::parse::parse;
+use super::text::{field, object, text};
 use crate::constraint::{Element, Selector};
 use crate::scene::SceneError;
 
@@ -23,8 +24,8 @@ impl Selector {
     ///
     /// # Errors
     /// As [`crate::scene::Scene::from_json`].
-    pub fn from_json(text: &str) -> Result<Selector, SceneError> {
-        read(&At::root(&super::parse(text)?))
+    pub fn from_json(json: &str) -> Result<Selector, SceneError> {
+        read(&At::root(&parse(json)?))
     }
 }
 

@@ -1,14 +1,22 @@
 //! The scene as JSON: one line per constraint, handle and set; only what is not the default.
 
-use super::constraint::default_params;
-use super::{FORMAT, VERSION, closeness, indices, inline_mesh, lesson, selector};
+use super::read::{FORMAT, VERSION};
+use super::text::{field, lines, number, object, point, rows, text};
+use super::{closeness, constraint, handle, indices, inline_mesh, lesson};
 use crate::constraint::Set;
-use crate::mesh::{Decimal, Mesh, Point};
-use crate::scene::{
-    ConstraintSpec, HANDLE_WEIGHT, HandleSpec, Hold, MeshSource, Scene, Up, Worded,
-};
+use crate::mesh::Mesh;
+use crate::scene::{MeshSource, Scene, Up, Worded};
 
-pub(super) fn scene(scene: &Scene, mesh: &Mesh) -> String {
+impl Scene {
+    /// Writes the scene as a file: `mesh` goes inline where [`Scene::mesh`] is inline. What has its
+    /// default value is left out. The same scene always gives the same text, and numbers read
+    /// back to the same bits.
+    pub fn to_json(&self, mesh: &Mesh) -> String {
+        write(self, mesh)
+    }
+}
+
+fn write(scene: &Scene, mesh: &Mesh) -> String {
     let mut fields = vec![field("format", text(FORMAT)), field("version", VERSION.to_string())];
     if !scene.title.is_empty() {
         fields.push(field("title", text(&scene.title)));
@@ -37,10 +45,13 @@ pub(super) fn scene(scene: &Scene, mesh: &Mesh) -> String {
     // Also when empty: the list is what a scene is about.
     fields.push(field(
         "constraints",
-        lines('[', scene.constraints.iter().map(constraint).collect(), ']'),
+        lines('[', scene.constraints.iter().map(constraint::write).collect(), ']'),
     ));
     if !scene.handles.is_empty() {
-        fields.push(field("handles", lines('[', scene.handles.iter().map(handle).collect(), ']')));
+        fields.push(field(
+            "handles",
+            lines('[', scene.handles.iter().map(handle::write).collect(), ']'),
+        ));
     }
     let defaults = Scene::new(scene.mesh.clone());
     let mut add = |name, fields_of: Vec<String>| {
@@ -104,44 +115,6 @@ fn solver(scene: &Scene, defaults: &Scene) -> Vec<String> {
     fields
 }
 
-pub(super) fn constraint(spec: &ConstraintSpec) -> String {
-    let id = spec.kind.info().id;
-    let mut fields = vec![field("kind", text(id)), field("on", selector::write(&spec.on))];
-    if spec.weight != 1.0 {
-        fields.push(field("weight", number(spec.weight)));
-    }
-    if !spec.enabled {
-        fields.push(field("enabled", "false".to_owned()));
-    }
-    if !spec.name.is_empty() {
-        fields.push(field("name", text(&spec.name)));
-    }
-    let defaults = default_params(id);
-    if let serde_json::Value::Object(params) = spec.kind.params() {
-        for (key, value) in params {
-            if defaults.get(&key) != Some(&value) {
-                fields.push(field(&key, value.to_string()));
-            }
-        }
-    }
-    object(fields)
-}
-
-pub(super) fn handle(handle: &HandleSpec) -> String {
-    let mut fields = vec![field("vertices", indices::write(&handle.vertices))];
-    if let Some(targets) = &handle.targets {
-        fields.push(field("targets", points(targets)));
-    }
-    match handle.hold {
-        Hold::Fixed => fields.push(field("fixed", "true".to_owned())),
-        Hold::Soft { weight } if weight != HANDLE_WEIGHT => {
-            fields.push(field("weight", number(weight)));
-        }
-        Hold::Soft { .. } => {}
-    }
-    object(fields)
-}
-
 fn write_set(set: &Set) -> String {
     let mut fields = Vec::new();
     if !set.vertices.is_empty() {
@@ -151,61 +124,4 @@ fn write_set(set: &Set) -> String {
         fields.push(field("faces", indices::write(&set.faces)));
     }
     object(fields)
-}
-
-pub(super) fn field(key: &str, value: String) -> String {
-    format!("{}: {value}", text(key))
-}
-
-pub(super) fn object(fields: Vec<String>) -> String {
-    format!("{{ {} }}", fields.join(", "))
-}
-
-/// One item per line.
-pub(super) fn lines(open: char, items: Vec<String>, close: char) -> String {
-    if items.is_empty() {
-        return format!("{open}{close}");
-    }
-    format!("{open}\n    {}\n  {close}", items.join(",\n    "))
-}
-
-/// Rows in as few lines as are good to read: what a scene holds is long, not deep.
-pub(super) fn rows(rows: impl Iterator<Item = String>, indent: &str) -> String {
-    let mut text = String::from("[");
-    let mut width = 0;
-    for (i, row) in rows.enumerate() {
-        if i > 0 {
-            text.push(',');
-        }
-        if i == 0 || width + row.len() > 96 {
-            text.push_str(&format!("\n{indent}    "));
-            width = 0;
-        } else {
-            text.push(' ');
-        }
-        width += row.len() + 2;
-        text.push_str(&row);
-    }
-    text.push_str(&format!("\n{indent}  ]"));
-    text
-}
-
-fn points(points: &[Point]) -> String {
-    let items: Vec<_> = points.iter().map(point).collect();
-    format!("[{}]", items.join(", "))
-}
-
-pub(super) fn point(point: &Point) -> String {
-    let [x, y, z] = point.map(number);
-    format!("[{x}, {y}, {z}]")
-}
-
-/// The shortest decimal that reads back to the same bits.
-pub(super) fn number(value: f64) -> String {
-    if value.is_finite() { Decimal(value).to_string() } else { "null".to_owned() }
-}
-
-/// A JSON string.
-pub(super) fn text(value: &str) -> String {
-    serde_json::Value::from(value).to_string()
 }

@@ -1,0 +1,118 @@
+//! The scene as a value.
+
+use super::closeness::Closeness;
+use super::lesson::Lesson;
+use super::solver_settings::{Smoothness, SolverSettings, Weights};
+use super::up::Up;
+use crate::constraint::{Kind, Selector, Sets};
+use crate::mesh::{Mesh, Point};
+
+/// A scene file, checked for form. Whether its indices and names fit the mesh is checked when a
+/// session opens it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    /// Shown as the name of the model.
+    pub title: String,
+    /// Unit of length, such as `"m"`; empty when not known.
+    pub units: String,
+    /// Which axis points up.
+    pub up: Up,
+    /// The rest shape.
+    pub mesh: MeshSource,
+    /// Where the iteration starts, `#V by 3`; at rest when absent.
+    pub current: Option<Vec<Point>>,
+    /// Named sets.
+    pub sets: Sets,
+    /// One entry of the list of constraints: a kind on a selector.
+    pub constraints: Vec<ConstraintSpec>,
+    /// Handles.
+    pub handles: Vec<HandleSpec>,
+    /// The weights of Eq. 13.
+    pub weights: Weights,
+    /// What vertices are kept close to, Eq. 11.
+    pub closeness: Closeness,
+    /// What is smoothed, Eq. 12.
+    pub smoothness: Smoothness,
+    /// How it is solved.
+    pub solver: SolverSettings,
+    /// The exercise that it is.
+    pub lesson: Option<Lesson>,
+}
+
+impl Scene {
+    /// A scene without constraints and with the default settings.
+    pub fn new(mesh: MeshSource) -> Scene {
+        Scene {
+            title: String::new(),
+            units: String::new(),
+            up: Up::Z,
+            mesh,
+            current: None,
+            sets: Sets::new(),
+            constraints: Vec::new(),
+            handles: Vec::new(),
+            weights: Weights::default(),
+            closeness: Closeness::default(),
+            smoothness: Smoothness::default(),
+            solver: SolverSettings::default(),
+            lesson: None,
+        }
+    }
+}
+
+/// Where the mesh of a scene comes from.
+#[derive(Clone, Debug, PartialEq)]
+pub enum MeshSource {
+    /// A file beside the scene: path relative to it.
+    File(String),
+    /// In the scene itself.
+    Inline(Box<Mesh>),
+}
+
+/// A kind of constraint on a selector.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ConstraintSpec {
+    /// The operator with its parameters.
+    pub kind: Kind,
+    /// Which vertices.
+    pub on: Selector,
+    /// `w_i` of Eq. 4, not negative.
+    pub weight: f64,
+    /// Whether it counts; a disabled one stays in the list.
+    pub enabled: bool,
+    /// What somebody called it; empty for the label of its kind.
+    pub name: String,
+}
+
+impl ConstraintSpec {
+    /// Its name, or the label of its kind where it has none.
+    pub fn label(&self) -> &str {
+        if self.name.is_empty() { self.kind.info().label } else { &self.name }
+    }
+}
+
+/// Vertices held at targets.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HandleSpec {
+    /// Indices of vertices.
+    pub vertices: Vec<u32>,
+    /// `#vertices by 3`; the rest positions when absent.
+    pub targets: Option<Vec<Point>>,
+    /// How the targets are met.
+    pub hold: Hold,
+}
+
+/// How a handle holds its vertices.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Hold {
+    /// Adds `weight * |v - target|^2` to the total.
+    Soft {
+        /// Positive.
+        weight: f64,
+    },
+    /// Takes the vertices out of the unknowns: the targets are met exactly.
+    Fixed,
+}
+
+/// The weight of a soft handle that does not say its own.
+pub const HANDLE_WEIGHT: f64 = 100.0;

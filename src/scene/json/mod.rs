@@ -1,0 +1,73 @@
+//! The scene file, version 1, as JSON in and out; the README shows one.
+//!
+//! What is wrong is named by its JSON path, with what was found and what was expected. Here the
+//! form is checked; whether indices and names fit the mesh is checked by `validate`.
+//!
+//! # The file
+//!
+//! Only `format`, `version` and `mesh` are required. Indices count from 0; a list of them is an array
+//! or a string of ranges, `"0-199,240"`.
+//!
+//! | key | holds |
+//! |---|---|
+//! | "mesh" | `{ "file": PATH }`, relative to the scene, or `{ "positions", "faces", "curves", "tets", "groups" }` |
+//! | "current" | `#V by 3`, where the iteration starts; without it, at rest |
+//! | "sets" | `{ NAME: { "vertices": LIST } }` or `{ NAME: { "faces": LIST } }` |
+//! | "constraints" | `kind`, `on`, `weight` (1), `enabled` (true), `name`, and the parameters of the kind |
+//! | "handles" | `vertices`, `targets` (the rest positions), and `weight` (100) or `"fixed": true` |
+//! | "weights" | `shape`, `close`, `smooth`: the weights of Eq. 13, by default 1, 0, 0 |
+//! | "closeness" | `"to"`: `"surface"`, `"rest"` or `"none"`; `"weights"` of single sets; `"boundary"` to its curves |
+//! | "smoothness" | `"of"`: `"surface"` or `"displacement"`; `"weighting"`: `"auto"`, `"uniform"`, `"cotangent"` (triangles) or `"polygon"` (any faces) |
+//! | "solver" | `iterations`, `tolerance`, `accelerator` (`"quasi-newton"`, `"anderson"`, `"none"`), `window`, `mean_centring`, `monotone` |
+//! | "lesson" | a text and goals |
+//!
+//! | on | one constraint for |
+//! |---|---|
+//! | "faces", "edges", "tets" | each face, edge, tetrahedron |
+//! | "rings", "stars" | each vertex with its neighbours; with them in their order around it |
+//! | "corners", "hinges" | each corner of a face, each edge with the corners opposite to it |
+//! | "boundary", "strips" | each boundary loop, each strip of quads |
+//! | "polylines" | each polyline of the file |
+//! | "edge-lines" | on a mesh of quads each straight line of edges |
+//! | "curves" | both; of two of which one runs along the other, the longer |
+//! | { "each": "face", "in": NAME } | each of them in a set or group; "each": "group" is each group |
+//! | { "each": "ring", "radius": 2 } | each, with so many rings of neighbours |
+//! | { "set": NAME }, { "vertices": LIST } | all these vertices together |
+//!
+//! # The code
+//!
+//! | file | holds |
+//! |---|---|
+//! | `parse` | from text to a tree |
+//! | `node` | the tree, and typed access that names the place |
+//! | `text` | JSON as text |
+//! | `read`, `write` | the scene |
+//! | `inline_mesh` | a mesh inside the scene |
+//! | `constraint`, `selector` | one entry of the list of constraints; the forms of `on` |
+//! | `handle` | one entry of the list of handles |
+//! | `indices` | index lists: arrays or strings of ranges |
+//! | `closeness` | what vertices are kept close to |
+//! | `lesson` | the exercise that a scene is, and the results that are handed in |
+
+mod closeness;
+mod constraint;
+mod handle;
+mod indices;
+mod inline_mesh;
+mod lesson;
+mod node;
+mod parse;
+mod read;
+mod selector;
+mod text;
+mod write;
+
+pub(super) use node::push_key;
+pub use read::{FORMAT, VERSION};
+
+pub(crate) use constraint::read as read_constraint;
+pub(crate) use indices::read as read_indices;
+pub(crate) use lesson::read as read_lesson;
+pub(crate) use node::{At, Node};
+pub(crate) use parse::parse;
+pub(crate) use selector::read as read_selector;

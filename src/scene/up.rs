@@ -1,0 +1,10 @@
+//! The vertical axis.
+
+/// Which axis points up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Up {
+    /// y, as in most viewers.
+    Y,
+    /// z, as in Rhino.
+    Z,
+}
