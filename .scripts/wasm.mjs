@@ -21,7 +21,7 @@ export const sizeFlags = [
 ];
 
 /** The rooms of `src/` that a view is compiled from; `src/lib.rs` says so. */
-const isOfView = (path) => /^src\/(lib\.rs|math\/|view\/|web\/(mod|view\w*)\.rs)/.test(path);
+const isOfView = (path) => /^src\/(lib\.rs|math\/|view\/|web\/(mod\.rs|page\/))/.test(path);
 
 /** The sources of a module: an edit of the solver compiles no view anew, which takes minutes. */
 function sourcesOf(feature) {

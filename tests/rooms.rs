@@ -21,7 +21,6 @@ const LARGE_FOLDERS: &[(&str, &str)] = &[
     ("constraint/kinds", "the operators, one file each: their list is the table of contents"),
     ("math", "one formula or decomposition a file"),
     ("solve", "being divided"),
-    ("web", "one file for each part of a face of a module"),
 ];
 
 /// Folders whose files know of each other in circles.
@@ -29,7 +28,6 @@ const CIRCLES: &[(&str, &str)] = &[
     ("experiment", "being divided"),
     ("solve", "being divided"),
     ("solve/conformal", "being divided"),
-    ("web", "being divided"),
 ];
 
 /// Names of several public types.

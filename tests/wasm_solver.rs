@@ -7,8 +7,8 @@ mod golden;
 
 use js_sys::{Float32Array, Float64Array, JSON, Reflect, Uint8Array, Uint32Array};
 use shape_up::constraint::{Arity, KINDS};
-use shape_up::web::solver::Solver;
 use shape_up::web::warm_up::WarmUp;
+use shape_up::web::worker::Solver;
 use std::fmt::Write;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};

@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a helper that fails here fails its test")]
 #![cfg(all(target_arch = "wasm32", feature = "view"))]
 
-use shape_up::web::view::View;
+use shape_up::web::page::View;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 use web_sys::HtmlCanvasElement;

@@ -1,8 +1,8 @@
 //! What the page asks about the original beside the current shape, and an iteration in its halves.
 
 use super::solver::Solver;
-use super::thrown;
 use crate::session::Shape;
+use crate::web::thrown;
 use js_sys::Float64Array;
 use serde::Serialize;
 use wasm_bindgen::prelude::*;

@@ -3,13 +3,13 @@
 //! Screen positions are CSS pixels from the upper left corner of the canvas. Coordinates are those
 //! of the file. What is thrown is an `Error` whose message is one complete line.
 
-use super::{log_panics, thrown};
 use crate::view::appearance::{ColourMap, ColourScale, RowColours};
 use crate::view::camera::Flight;
 use crate::view::gpu::{Device, DeviceError, Loss, Picture};
 use crate::view::model::Projections;
 use crate::view::side_by_side::{Split, follow};
 use crate::view::state::{Display, Stage};
+use crate::web::{log_panics, thrown};
 use glam::Vec2;
 use std::sync::Arc;
 use wasm_bindgen::prelude::*;
@@ -20,15 +20,15 @@ use wgpu::SurfaceTarget;
 #[wasm_bindgen]
 #[derive(Debug)]
 pub struct View {
-    pub(super) stage: Stage,
+    pub(crate) stage: Stage,
     /// The stage of the flat map beside the model.
-    pub(super) map: Option<Stage>,
+    pub(crate) map: Option<Stage>,
     /// Two pictures instead of one.
-    pub(super) split: Option<Split>,
+    pub(crate) split: Option<Split>,
     /// On its way to another view.
-    pub(super) flight: Option<Flight>,
+    pub(crate) flight: Option<Flight>,
     /// Size of the canvas in CSS pixels.
-    pub(super) canvas_size: Vec2,
+    pub(crate) canvas_size: Vec2,
     pixel_ratio: f32,
     picture: Picture,
     backend: &'static str,

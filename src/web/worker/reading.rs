@@ -1,13 +1,13 @@
 //! Files in: meshes, and scenes with the mesh files that they name.
 
-use super::plain::plain;
 use super::report::{Guessed, Loaded};
 use super::solver::Solver;
-use super::thrown;
 use crate::mesh::{Read, read};
 use crate::scene::{Frame, MeshSource, Scene};
 use crate::session::Session;
 use crate::solve::clock;
+use crate::web::plain::plain;
+use crate::web::thrown;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]

@@ -1,10 +1,10 @@
 //! What would help where constraints are not met, found beside whatever the worker does.
 
-use super::plain::plain;
 use super::solver::Solver;
-use super::{log_panics, thrown};
 use crate::session::Remedies;
 use crate::solve::clock;
+use crate::web::plain::plain;
+use crate::web::{log_panics, thrown};
 use wasm_bindgen::prelude::*;
 
 /// Trials of changes on a copy of the model that is open.

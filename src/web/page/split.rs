@@ -1,8 +1,8 @@
 //! Two pictures of the model on one canvas, left and right of a divider.
 
-use super::thrown;
 use super::view::View;
 use crate::view::side_by_side::{Colours, Split};
+use crate::web::thrown;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]

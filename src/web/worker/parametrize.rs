@@ -1,11 +1,11 @@
 //! The flat map of the model in the worker (paper section 4.3, Eq. 14).
 
-use super::plain::{indices, narrow, object, plain};
 use super::solver::Solver;
-use super::thrown;
 use crate::mesh::{Histogram, Mesh, write_obj_with_uv};
 use crate::scene::Worded;
 use crate::solve::{ConformalNorm, ConformalWeights, Parametrization, clock};
+use crate::web::plain::{indices, narrow, object, plain};
+use crate::web::thrown;
 use js_sys::Float64Array;
 use wasm_bindgen::prelude::*;
 

@@ -1,11 +1,11 @@
 //! The face of the experiments in the worker.
 
-use super::thrown;
 use crate::error::Error;
 use crate::experiment::{Experiment, Limits, Run};
 use crate::mesh::read;
 use crate::scene::Scene;
 use crate::solve::clock;
+use crate::web::thrown;
 use js_sys::{Array, Float64Array, Object, Reflect};
 use wasm_bindgen::prelude::*;
 

@@ -1,8 +1,8 @@
 //! What the page selects with, and the settings that it offers: the declared lists, and the answers.
 
-use super::plain::{plain, selection, text, thrown_at};
 use super::solver::Solver;
 use crate::session::{OPERATIONS, SETTINGS, SelectRequest};
+use crate::web::plain::{plain, selection, text, thrown_at};
 use js_sys::Uint32Array;
 use wasm_bindgen::prelude::*;
 

@@ -1,12 +1,12 @@
 //! The face of the solver in the worker.
 
-use super::plain::plain;
 use super::report::{self, Document, elements, kinds};
-use super::{log_panics, thrown};
 use crate::mesh::Weld;
 use crate::scene::{Frame, MeshSource};
 use crate::session::{FACE_MEASURES, Session};
 use crate::solve::clock;
+use crate::web::plain::plain;
+use crate::web::{log_panics, thrown};
 use js_sys::{Float64Array, Uint32Array};
 use wasm_bindgen::prelude::*;
 
@@ -14,15 +14,15 @@ use wasm_bindgen::prelude::*;
 #[wasm_bindgen]
 #[derive(Default)]
 pub struct Solver {
-    pub(super) session: Option<Session>,
+    pub(crate) session: Option<Session>,
     /// For the next mesh file that does not state its own.
-    pub(super) assumed: Frame,
+    pub(crate) assumed: Frame,
     /// The next mesh file keeps vertices at one place apart.
-    pub(super) keeps_apart: bool,
+    pub(crate) keeps_apart: bool,
     /// How the mesh that is open was welded.
-    pub(super) weld: Option<Weld>,
+    pub(crate) weld: Option<Weld>,
     /// Milliseconds that the last step took.
-    pub(super) step_ms: f64,
+    pub(crate) step_ms: f64,
 }
 
 #[wasm_bindgen]
@@ -186,11 +186,11 @@ impl Solver {
         Ok(Uint32Array::from(self.open()?.mesh().curves.indices()))
     }
 
-    pub(super) fn open(&self) -> Result<&Session, JsValue> {
+    pub(crate) fn open(&self) -> Result<&Session, JsValue> {
         self.session.as_ref().ok_or_else(nothing_open)
     }
 
-    pub(super) fn open_mut(&mut self) -> Result<&mut Session, JsValue> {
+    pub(crate) fn open_mut(&mut self) -> Result<&mut Session, JsValue> {
         self.session.as_mut().ok_or_else(nothing_open)
     }
 }

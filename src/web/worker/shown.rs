@@ -1,11 +1,11 @@
 //! What the view shows of the session: values of faces and vertices, fitted shapes, projections, and what
 //! rows of constraints act on.
 
-use super::plain::{indices, narrow, object};
 use super::solver::Solver;
-use super::thrown;
 use crate::constraint::Fitted;
 use crate::session::{Session, Shape};
+use crate::web::plain::{indices, narrow, object};
+use crate::web::thrown;
 use js_sys::{Float32Array, Uint8Array};
 use wasm_bindgen::prelude::*;
 

@@ -1,7 +1,7 @@
 //! What the page saves beside the scene, as bytes that only the session reads.
 
 use super::solver::Solver;
-use super::thrown;
+use crate::web::thrown;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]

@@ -1,10 +1,10 @@
 //! Ways of seeing beside the plain picture: projection, flights to views, ghost, ground, bands, tape.
 
-use super::thrown;
 use super::view::View;
 use crate::view::appearance::{Bands, Looks};
 use crate::view::camera::Flight;
 use crate::view::overlay::scale_bar;
+use crate::web::thrown;
 use wasm_bindgen::prelude::*;
 
 /// Colours of the map that stand for all of it.
@@ -46,7 +46,7 @@ impl View {
     }
 
     /// Ends a flight where it leads.
-    pub(super) fn arrive(&mut self) {
+    pub(crate) fn arrive(&mut self) {
         self.fly(1.0);
     }
 

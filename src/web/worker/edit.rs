@@ -1,10 +1,10 @@
 //! Edits as the page sends them, and what it asks before it sends one.
 
-use super::plain::{plain, text, thrown_at};
 use super::solver::Solver;
-use super::thrown;
 use crate::error::Error;
 use crate::session::{Edit, Place};
+use crate::web::plain::{plain, text, thrown_at};
+use crate::web::thrown;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]

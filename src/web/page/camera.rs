@@ -1,9 +1,9 @@
 //! Where the model is looked at from.
 
-use super::thrown;
 use super::view::View;
 use crate::view::camera::Up;
 use crate::view::model::ViewError;
+use crate::web::thrown;
 use glam::Vec2;
 use wasm_bindgen::prelude::*;
 

@@ -1,9 +1,9 @@
 //! The flat map of the model beside it: two parts of one canvas.
 
-use super::thrown;
 use super::view::View;
 use crate::view::appearance::ColourScale;
 use crate::view::side_by_side::{Region, flat_map, show_flipped};
+use crate::web::thrown;
 use glam::Vec2;
 use wasm_bindgen::prelude::*;
 
@@ -111,7 +111,7 @@ impl View {
     }
 
     /// Gives the model and its map their parts of the canvas.
-    pub(super) fn arrange(&mut self) {
+    pub(crate) fn arrange(&mut self) {
         self.arrive();
         let whole = Region::whole(self.canvas_size);
         let [model, map] = match &self.map {

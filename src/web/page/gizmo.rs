@@ -1,8 +1,8 @@
 //! The gizmo at the selected handles, and the hold that the pointer has of handles.
 
-use super::thrown;
 use super::view::View;
 use crate::view::gizmo::Way;
+use crate::web::thrown;
 use glam::{DVec3, Vec2};
 use wasm_bindgen::prelude::*;
 

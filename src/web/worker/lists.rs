@@ -1,8 +1,8 @@
 //! What is told of elements: how many panels are as asked, the worst ones, those that have something wrong.
 
-use super::plain::{plain, selection};
 use super::solver::Solver;
-use super::thrown;
+use crate::web::plain::{plain, selection};
+use crate::web::thrown;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]

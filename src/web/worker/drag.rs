@@ -1,8 +1,8 @@
 //! Dragging handles, as the page tells of it.
 
 use super::solver::Solver;
-use super::thrown;
 use crate::session::check_targets;
+use crate::web::thrown;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]

@@ -1,0 +1,31 @@
+//! The face of the solver in the worker.
+//!
+//! | file or folder | holds |
+//! |---|---|
+//! | `solver` | the model that is open, its state, its numbers |
+//! | `reading`, `edit`, `drag` | files in; edits and previews; handles that are dragged |
+//! | `shown`, `original` | what is drawn of the session, and of what it was before |
+//! | `report` | what is told of the session |
+//! | `selecting`, `lists`, `lesson` | selections and settings, lists of elements, goals |
+//! | `saved` | steps of undo and unfinished work as bytes, to go on after a restart |
+//! | `parametrize`, `experiment` | the flat map, the paper's comparisons |
+//! | `remedies` | what would help where constraints are not met |
+//! | `measure` | what benchmarks ask |
+
+mod drag;
+mod edit;
+pub mod experiment;
+mod lesson;
+mod lists;
+mod measure;
+mod original;
+mod parametrize;
+mod reading;
+pub mod remedies;
+mod report;
+mod saved;
+mod selecting;
+mod shown;
+mod solver;
+
+pub use solver::Solver;

@@ -1,0 +1,156 @@
+//! The document as the page shows it.
+
+use super::lesson::LessonWords;
+use crate::constraint::describe;
+use crate::scene::{Hold, PRESETS, Preset, PresetOffer, Worded};
+use crate::session::{Session, settings_of};
+use serde::Serialize;
+use serde_json::Value;
+
+/// The document as it stands.
+#[derive(Serialize)]
+pub(crate) struct Document<'a> {
+    title: &'a str,
+    units: &'a str,
+    up: &'static str,
+    constraints: Vec<ConstraintRow<'a>>,
+    handles: Vec<HandleRow>,
+    weights: Weights,
+    closeness: &'static str,
+    smoothness: SmoothnessWords,
+    /// Of every declared setting its value.
+    settings: serde_json::Map<String, Value>,
+    /// The id of the preset whose settings it has.
+    preset: Option<&'static str>,
+    presets: Vec<PresetOffer>,
+    /// Vertices that nothing acts on.
+    free: usize,
+    sets: Vec<NamedSet<'a>>,
+    /// Vertices that are kept close more or less than the others.
+    #[serde(rename = "heldOtherwise")]
+    held_otherwise: usize,
+    undo: Option<&'a str>,
+    redo: Option<&'a str>,
+    pinned: &'a [u32],
+    lesson: Option<LessonWords<'a>>,
+}
+
+#[derive(Serialize)]
+struct NamedSet<'a> {
+    name: &'a str,
+    vertices: usize,
+    faces: usize,
+}
+
+#[derive(Serialize)]
+struct ConstraintRow<'a> {
+    index: usize,
+    kind: &'static str,
+    /// Its name, or what its kind is called.
+    label: &'a str,
+    name: &'a str,
+    colour: [u8; 3],
+    on: String,
+    count: usize,
+    skipped: usize,
+    weight: f64,
+    enabled: bool,
+    measure: Option<&'static str>,
+    params: Value,
+}
+
+#[derive(Serialize)]
+struct HandleRow {
+    vertex: u32,
+    target: [f64; 3],
+    weight: f64,
+    fixed: bool,
+}
+
+#[derive(Serialize)]
+struct Weights {
+    shape: f64,
+    close: f64,
+    smooth: f64,
+}
+
+#[derive(Serialize)]
+struct SmoothnessWords {
+    of: &'static str,
+    weighting: &'static str,
+}
+
+impl<'a> Document<'a> {
+    /// The document of `session`.
+    pub(crate) fn new(session: &'a Session) -> Self {
+        let scene = session.document();
+        let specs = scene.constraints.iter();
+        let constraints = specs
+            .zip(session.rows())
+            .enumerate()
+            .map(|(index, (spec, row))| {
+                let info = spec.kind.info();
+                ConstraintRow {
+                    index,
+                    kind: info.id,
+                    label: spec.label(),
+                    name: &spec.name,
+                    colour: info.colour,
+                    on: describe(&spec.on),
+                    count: row.constraints.members.len(),
+                    skipped: row.skipped,
+                    weight: spec.weight,
+                    enabled: spec.enabled,
+                    measure: session.asked_measure(index),
+                    params: spec.kind.params(),
+                }
+            })
+            .collect();
+        let handles = session.solver().handles().iter();
+        let handles = handles
+            .map(|handle| {
+                let (weight, fixed) = match handle.hold {
+                    Hold::Soft { weight } => (weight, false),
+                    Hold::Fixed => (0.0, true),
+                };
+                HandleRow { vertex: handle.vertex, target: handle.target, weight, fixed }
+            })
+            .collect();
+        let [undo, redo] = session.undo_and_redo();
+        let crate::scene::Weights { shape, close, smooth } = scene.weights;
+        Document {
+            title: &scene.title,
+            units: &scene.units,
+            up: scene.up.word(),
+            constraints,
+            handles,
+            weights: Weights { shape, close, smooth },
+            closeness: scene.closeness.to.word(),
+            smoothness: SmoothnessWords {
+                of: scene.smoothness.of.word(),
+                weighting: scene.smoothness.weighting.word(),
+            },
+            settings: settings_of(scene),
+            preset: Preset::of(scene).map(|preset| preset.id),
+            presets: PRESETS
+                .iter()
+                .map(|preset| preset.offer(session.topology(), session.solver().handles().len()))
+                .collect(),
+            free: session.free().len(),
+            sets: scene
+                .sets
+                .iter()
+                .map(|(name, set)| NamedSet {
+                    name,
+                    vertices: set.vertices.len(),
+                    faces: set.faces.len(),
+                })
+                .collect(),
+            held_otherwise: session.held_otherwise(),
+            undo,
+            redo,
+            pinned: session.solver().pinned(),
+            lesson: scene.lesson.as_ref().map(LessonWords::new),
+        }
+    }
+}

@@ -1,0 +1,62 @@
+//! The numbers of one state of the iteration.
+
+use super::lesson::GoalNumbers;
+use crate::constraint::LocalStep;
+use crate::mesh::{Circularity, Planarity};
+use crate::session::{Moved, Session};
+use crate::solve::Energy;
+use serde::Serialize;
+
+/// The numbers of one state of the iteration.
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+pub(crate) struct Frame {
+    iteration: u32,
+    converged: bool,
+    /// How the shape has collapsed.
+    collapse: Option<String>,
+    /// The local step is done, the global step is next.
+    halfway: bool,
+    energy: Energy,
+    planarity: Planarity,
+    circularity: Circularity,
+    moved: Moved,
+    /// The least length of an edge as a part of its length at rest.
+    shortest_edge: f64,
+    /// Of each row of the document, disabled ones included as zero.
+    worst: Vec<f64>,
+    /// Of each row its part of the total energy, from 0 to 1.
+    shares: Vec<f64>,
+    /// Of each goal of the lesson.
+    goals: Vec<GoalNumbers>,
+    step_ms: f64,
+}
+
+impl Frame {
+    /// The state of `session`, whose last step took `step_ms`.
+    pub(crate) fn new(session: &mut Session, step_ms: f64) -> Self {
+        let goals = GoalNumbers::of(session);
+        let measures = session.measures();
+        let mut found = session.solver().found();
+        let rows = session.rows().iter().map(|row| row.enabled.then(|| found.next()).flatten());
+        let rows: Vec<LocalStep> = rows.map(Option::unwrap_or_default).collect();
+        let energy = session.solver().energy();
+        let whole = session.document().weights.shape / energy.total;
+        let share = |row: &LocalStep| if energy.total > 0.0 { row.energy * whole } else { 0.0 };
+        Frame {
+            iteration: session.iteration(),
+            converged: session.converged(),
+            collapse: session.collapse().map(|collapse| collapse.to_string()),
+            halfway: session.halfway(),
+            energy,
+            planarity: measures.planarity,
+            circularity: measures.circularity,
+            moved: session.moved(),
+            shortest_edge: session.shortest_edge(),
+            worst: rows.iter().map(|row| row.worst_squared.sqrt()).collect(),
+            shares: rows.iter().map(share).collect(),
+            goals,
+            step_ms,
+        }
+    }
+}

@@ -1,0 +1,32 @@
+//! Lessons, as the page shows them.
+
+use crate::scene::Lesson;
+use crate::session::{GoalWords, Session, goals_in_words};
+use serde::Serialize;
+
+/// The exercise that the scene is.
+#[derive(Serialize)]
+pub(crate) struct LessonWords<'a> {
+    text: &'a str,
+    goals: Vec<GoalWords<'a>>,
+}
+
+impl<'a> LessonWords<'a> {
+    pub(crate) fn new(lesson: &'a Lesson) -> Self {
+        LessonWords { text: &lesson.text, goals: goals_in_words(lesson) }
+    }
+}
+
+/// What a goal is on the shape as it is.
+#[derive(Serialize)]
+pub(crate) struct GoalNumbers {
+    value: Option<f64>,
+    met: bool,
+}
+
+impl GoalNumbers {
+    pub(crate) fn of(session: &mut Session) -> Vec<GoalNumbers> {
+        let goals = session.goals().into_iter();
+        goals.map(|goal| GoalNumbers { value: goal.value, met: goal.met }).collect()
+    }
+}

@@ -1,0 +1,106 @@
+//! What the page is told of a file that was opened.
+
+use crate::mesh::{Read, Weld};
+use crate::scene::{PanelOffer, Worded, panel_offers};
+use crate::session::{Session, flaw_of};
+use serde::Serialize;
+
+/// What was read from a file.
+#[derive(Serialize)]
+pub(crate) struct Loaded {
+    name: String,
+    title: String,
+    vertices: usize,
+    faces: usize,
+    curves: usize,
+    tets: usize,
+    groups: Vec<Group>,
+    units: String,
+    up: &'static str,
+    guessed: Guessed,
+    /// Mean length of an edge at rest; zero without edges.
+    #[serde(rename = "meanEdge")]
+    mean_edge: f64,
+    /// For distances, in the unit of the mesh.
+    tolerance: f64,
+    panels: Vec<PanelOffer>,
+    welded: Option<Welded>,
+    problems: Vec<Problem>,
+    notes: Vec<String>,
+}
+
+/// How many vertices the file has and the mesh has, and within which distance they are at one place.
+#[derive(Serialize)]
+struct Welded {
+    before: usize,
+    after: usize,
+    tolerance: f64,
+}
+
+/// Which of these the file does not say.
+#[derive(Serialize)]
+pub(crate) struct Guessed {
+    pub(crate) units: bool,
+    pub(crate) up: bool,
+}
+
+#[derive(Serialize)]
+struct Group {
+    name: String,
+    faces: usize,
+}
+
+#[derive(Serialize)]
+struct Problem {
+    message: String,
+    count: usize,
+    line: Option<usize>,
+    /// What to ask for the elements that have it.
+    flaw: Option<&'static str>,
+}
+
+impl Loaded {
+    /// About the file `name`, opened as `session`; `read` holds what its reader said.
+    pub(crate) fn new(
+        name: &str,
+        session: &Session,
+        read: &Read,
+        guessed: Guessed,
+        weld: Option<&Weld>,
+    ) -> Self {
+        let mesh = session.mesh();
+        let groups = mesh.groups.iter();
+        let problems = read.problems.iter();
+        Loaded {
+            name: name.to_owned(),
+            title: session.document().title.clone(),
+            vertices: mesh.positions.len(),
+            faces: mesh.faces.len(),
+            curves: mesh.curves.len(),
+            tets: mesh.tets.len(),
+            groups: groups
+                .map(|group| Group { name: group.name.clone(), faces: group.faces.len() })
+                .collect(),
+            units: session.document().units.clone(),
+            up: session.document().up.word(),
+            guessed,
+            mean_edge: session.mean_edge(),
+            tolerance: session.tolerance(),
+            panels: panel_offers(mesh),
+            welded: weld.map(|weld| Welded {
+                before: weld.to.len(),
+                after: mesh.positions.len(),
+                tolerance: weld.tolerance,
+            }),
+            problems: problems
+                .map(|p| Problem {
+                    message: p.to_string(),
+                    count: p.count,
+                    line: p.line,
+                    flaw: flaw_of(p.kind),
+                })
+                .collect(),
+            notes: read.notes.clone(),
+        }
+    }
+}

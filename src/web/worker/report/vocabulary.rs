@@ -1,0 +1,46 @@
+//! The kinds of constraints and the elements that they act on, for the controls of the page.
+
+use crate::constraint::{Element, Info, KINDS, Kind, Sketch};
+use serde::Serialize;
+use serde_json::Value;
+
+/// An element that can carry one constraint each.
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+pub(crate) struct ElementWords {
+    id: &'static str,
+    label: &'static str,
+    face_based: bool,
+}
+
+/// Every element.
+pub(crate) fn elements() -> Vec<ElementWords> {
+    let all = Element::ALL.iter();
+    all.map(|&element| ElementWords {
+        id: element.id(),
+        label: element.label(),
+        face_based: element == Element::Face,
+    })
+    .collect()
+}
+
+/// A kind with its drawing.
+#[derive(Serialize)]
+pub(crate) struct KindWords {
+    #[serde(flatten)]
+    info: &'static Info,
+    /// How many vertices or edges it takes, in words.
+    takes: String,
+    sketch: Sketch,
+}
+
+/// Every kind.
+pub(crate) fn kinds() -> Vec<KindWords> {
+    let all = KINDS.iter();
+    all.map(|info| {
+        let kind = Kind::new(info.id, Value::Object(serde_json::Map::new()));
+        let sketch = kind.expect("every parameter has a default").sketch();
+        KindWords { info, takes: info.takes(), sketch }
+    })
+    .collect()
+}
