@@ -139,8 +139,10 @@ export class Keeping {
     const { lastWork } = await import('../documents/autosave.js');
     const last = await lastWork();
     if (!last) return false;
-    const { undoLost } = await this.#openWork(last);
+    // An edit may come, and the page go, as soon as the work is seen.
     this.#keepOn();
+    await this.#autosave;
+    const { undoLost } = await this.#openWork(last);
     const fresh = () => {
       if (location.hash) history.replaceState(null, '', location.pathname + location.search);
       this.#told(this.startFresh());

@@ -8,6 +8,7 @@
 
 import { viewOf } from '../viewport/saved-view.js';
 import { recall, remember } from '../ui/safe-storage.js';
+import { bringIn, nothingAside, putAside } from './last-moment.js';
 import { contentsOf, forgetOldest, keep, works } from './recent-documents.js';
 
 /** @typedef {import("./recent-documents.js").Work} Work */
@@ -34,8 +35,10 @@ export class Autosave {
   #id = '';
   /** Lets go of the lock. @type {() => void} */
   #release = () => {};
-  /** What was saved last. */
+  /** What was saved last, or is on its way to the database. */
   #kept = NOTHING;
+  /** What the database said that it has. */
+  #confirmed = NOTHING;
   /** @type {Promise<void> | null} */
   #writing = null;
   /** The address that the model was opened at. */
@@ -81,6 +84,7 @@ export class Autosave {
     this.#hash = location.hash;
     // Somebody may have edited it since it was opened.
     this.#kept = work && !saved?.progress ? { ...NOTHING, text } : NOTHING;
+    this.#confirmed = this.#kept;
     this.#id = id;
     this.#store.set({ saved: '' });
     remember(MINE, id, 'sessionStorage');
@@ -101,8 +105,11 @@ export class Autosave {
 
   async #saveAll() {
     for (let next = this.#unsaved(); next; next = this.#unsaved()) {
+      const kept = this.#kept;
       try {
         await keep(...next);
+        this.#confirmed = kept;
+        if (kept === this.#kept) nothingAside();
         remember(ANY, 'yes');
         this.#store.set({ saved: `Saved in this browser ${timeOf(next[0].savedAt)}` });
       } catch {
@@ -114,12 +121,19 @@ export class Autosave {
     }
   }
 
-  /** Begins to save, before the page may be gone: also how the model is looked at. */
+  /** Saves before the page may be gone: also how the model is looked at. */
   #saveAtOnce() {
-    const next = this.#unsaved(true);
+    const confirmed = this.#confirmed;
+    const next = this.#unsaved(true, confirmed);
     if (!next) return;
+    const kept = this.#kept;
     remember(ANY, 'yes');
-    keep(...next).catch(() => {
+    if (kept.text !== confirmed.text || kept.progress !== confirmed.progress) putAside(...next);
+    const done = () => {
+      this.#confirmed = kept;
+      if (kept === this.#kept) nothingAside();
+    };
+    keep(...next).then(done, () => {
       this.#kept = NOTHING;
     });
   }
@@ -127,15 +141,15 @@ export class Autosave {
   /**
    * What differs from what was saved last; it counts as saved from now on.
    * @param {boolean} [withView] also when it is only looked at in another way
+   * @param {typeof NOTHING} [kept]
    * @returns {[Work, Partial<Contents>] | null}
    */
-  #unsaved(withView = false) {
+  #unsaved(withView = false, kept = this.#kept) {
     const { sceneText: text, saved } = this.#solver;
     const { origin, original, name } = this.#files;
     const { model } = this.#store.get();
     const { history, progress } = saved;
     if (!model || !text || !this.#id) return null;
-    const kept = this.#kept;
     const asItCame = origin.example && text === original && !progress;
     if (kept.text === null && asItCame) return null;
     const view = viewOf(this.#seen);
@@ -210,6 +224,7 @@ export class Unreadable extends Error {
  */
 export async function lastWork() {
   if (!recall(ANY)) return null;
+  await bringIn().catch(() => {});
   const mine = recall(MINE, 'sessionStorage');
   const list = await works();
   const own = list.find(({ id, hash }) => id === mine && hash === location.hash);

@@ -28,3 +28,12 @@ export function remember(key, value, storage = 'localStorage') {
     // It holds for this visit.
   }
 }
+
+/** @param {string} key of what is remembered in this browser */
+export function forget(key) {
+  try {
+    window.localStorage.removeItem(key);
+  } catch {
+    // Nothing was remembered.
+  }
+}

@@ -148,6 +148,28 @@ test('an edit is kept that came before the page had settled after a reload', asy
   }
 });
 
+test('what the browser drops when the page goes is there all the same', async ({ page }) => {
+  await visit(page);
+  await openText(page, 'roof.obj', wavyGrid(20), 441);
+  await page.evaluate(editAndThen, [3, '']);
+  await expect(page.getByText(/^Saved in this browser/)).toBeVisible();
+  // On a busy machine 3 of 80 pages were gone before their last transaction had begun.
+  await page.evaluate(() => {
+    IDBTransaction.prototype.commit = function () {
+      this.abort();
+    };
+  });
+  await page.evaluate(editAndThen, [7, 'leave']).catch(() => {});
+  await page.waitForURL('about:blank');
+  await visit(page);
+  await expect(back(page)).toContainText('roof.obj');
+  expect((await sceneOf(page)).weights.shape).toBe(7);
+  await tool(page, 'Undo');
+  await expect.poll(async () => (await sceneOf(page)).weights.shape).toBe(3);
+  // It is where it belongs by now.
+  expect(await page.evaluate(() => localStorage.getItem('shape-up.last-moment'))).toBeNull();
+});
+
 test('a run that was cut off is back, as a step of undo', async ({ page, context }) => {
   await visit(page);
   await openText(page, 'endless.shapeup.json', endlessScene(), 41 * 41);

@@ -1,0 +1,56 @@
+/**
+ * What a page that goes cannot wait for: a browser may drop what is on its way to the database when the
+ * page closes. It is put where writing takes effect at once, and goes to the database when a page opens
+ * next.
+ */
+
+import { forget, recall, remember } from '../ui/safe-storage.js';
+import { keep, works } from './recent-documents.js';
+
+/** @typedef {import("./recent-documents.js").Work} Work */
+/** @typedef {import("./recent-documents.js").Contents} Contents */
+
+const KEY = 'shape-up.last-moment';
+/** Longer steps of undo would take the room of the scene: browsers have some five million letters. */
+const MOST_BYTES = 1_000_000;
+
+/**
+ * @param {Work} work
+ * @param {Partial<Contents>} contents what the database does not have yet
+ */
+export function putAside(work, contents) {
+  const write = (/** @type {string} */ _, /** @type {unknown} */ value) =>
+    value instanceof Uint8Array ? lettersOf(value) : value;
+  remember(KEY, JSON.stringify({ work, contents }, write));
+}
+
+/** The database has all. */
+export function nothingAside() {
+  if (recall(KEY) !== null) forget(KEY);
+}
+
+/** Brings what was put aside into the database, unless that has something newer. */
+export async function bringIn() {
+  const aside = recall(KEY);
+  if (aside === null) return;
+  try {
+    const { work, contents } = JSON.parse(aside);
+    for (const part of ['history', 'progress'])
+      if (contents[part]) contents[part] = bytesOf(contents[part]);
+    const known = (await works()).find(({ id }) => id === work.id);
+    if (!known || known.savedAt < work.savedAt) await keep(work, contents);
+  } finally {
+    forget(KEY);
+  }
+}
+
+/** @param {Uint8Array} bytes */
+function lettersOf(bytes) {
+  if (bytes.length > MOST_BYTES) return null;
+  return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''));
+}
+
+/** @param {string} letters */
+function bytesOf(letters) {
+  return Uint8Array.from(atob(letters), (letter) => letter.charCodeAt(0));
+}
