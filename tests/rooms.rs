@@ -20,15 +20,10 @@ const MOST_FILES: usize = 15;
 const LARGE_FOLDERS: &[(&str, &str)] = &[
     ("constraint/kinds", "the operators, one file each: their list is the table of contents"),
     ("math", "one formula or decomposition a file"),
-    ("solve", "being divided"),
 ];
 
 /// Folders whose files know of each other in circles.
-const CIRCLES: &[(&str, &str)] = &[
-    ("experiment", "being divided"),
-    ("solve", "being divided"),
-    ("solve/conformal", "being divided"),
-];
+const CIRCLES: &[(&str, &str)] = &[("experiment", "being divided")];
 
 /// Names of several public types.
 const SHARED_NAMES: &[(&str, &str)] = &[

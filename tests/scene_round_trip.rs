@@ -105,7 +105,7 @@ prop_compose! {
                 window: solver.2,
                 mean_centring: solver.3,
                 monotone: solver.4,
-                factorization: [Factorization::Supernodal, Factorization::SprsLdl][choices.0 % 2],
+                factorization: [Factorization::Auto, Factorization::Supernodal, Factorization::SprsLdl][choices.0 % 3],
             },
             lesson: lesson.map(|(text, goals)| Lesson {
                 text,

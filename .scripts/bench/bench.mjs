@@ -11,6 +11,7 @@ import { browserSolver, buildBenchModule } from './in-browser.mjs';
 import {
   mapSizes,
   measureConvergence,
+  measureFactors,
   measureIterations,
   measureMaps,
   measureModels,
@@ -114,6 +115,9 @@ async function measure(options, words) {
     async iterations() {
       results.iterations = await measureIterations(asked);
       results.maps = await measureMaps({ ...asked, sizes: mapSizes(sizes) });
+    },
+    async factors() {
+      if (browser) results.factors = await measureFactors(browser, trial);
     },
     async convergence() {
       results.convergence = await measureConvergence(asked);

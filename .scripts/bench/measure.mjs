@@ -79,6 +79,33 @@ export async function measureIterations({ sizes, letters, places, trial }) {
   return rows;
 }
 
+/** Sizes about which it changes which of the two numeric factors is faster. */
+const FACTOR_SIZES = [500, 1000, 2500, 5000, 10_000];
+const factorizations = ['sprs-ldl', 'supernodal'];
+
+/** Changing constraints with both numeric factors, in the browser; a row for each problem and size. */
+export async function measureFactors(browser, trial) {
+  const rows = [];
+  for (const size of trial ? [400] : FACTOR_SIZES) {
+    for (const letter of ['A', 'B', 'C']) {
+      const problem = problemOf(letter, size);
+      const { vertices } = problem;
+      say(`${letter}, ${vertices} vertices, both numeric factors`);
+      const rounds = trial ? 1 : Math.max(7, Math.min(41, Math.round(60_000 / size)));
+      const task = { measure: 'factors', problem, factorizations, rounds };
+      const { runs, unknowns, nonzeros } = await browser.perform(task);
+      const of = Object.fromEntries(
+        runs.map(({ factorization, ...times }) => {
+          const spreads = Object.entries(times).map(([key, list]) => [key, spread(list)]);
+          return [factorization, Object.fromEntries(spreads)];
+        }),
+      );
+      rows.push({ problem: letter, vertices, unknowns, nonzeros, of });
+    }
+  }
+  return rows;
+}
+
 /** Until the converged energy, with every accelerator. `native` finds what the converged one is. */
 export async function measureConvergence({ sizes, letters, places, native, limitMs }) {
   const rows = [];

@@ -146,6 +146,21 @@ const mapTable = (rows) =>
     }),
   );
 
+/** Both numeric factors: from changed constraints to the first iteration, and the factor alone. */
+export function factorTable(rows) {
+  const head = ['problem', 'vertices', 'unknowns', 'nonzeros of L'];
+  head.push('changed, sprs-ldl', 'changed, supernodal', 'factor, sprs-ldl', 'factor, supernodal');
+  return table(
+    head,
+    rows.map(({ problem, vertices, unknowns, nonzeros, of }) => {
+      const both = ['sprs-ldl', 'supernodal'].map((name) => of[name]);
+      const changed = both.map(({ change }) => ranged(change));
+      const factors = both.map(({ factor }) => number(factor.median));
+      return [problem, ...[vertices, unknowns, nonzeros].map(number), ...changed, ...factors];
+    }),
+  );
+}
+
 /** Milliseconds since the navigation began. */
 export function startTable(start) {
   const names = { cold: 'first visit', warm: 'second visit', again: 'third visit' };
@@ -211,7 +226,7 @@ export function machineText({ command, date, processor, cores, browser, rustc, c
 
 /** Everything that was measured. */
 export function markdown(results) {
-  const { iterations, maps, convergence, models, start, operators, peers } = results;
+  const { iterations, factors, maps, convergence, models, start, operators, peers } = results;
   const sections = [`# How fast it is\n\n${machineText(results.machine)} Milliseconds, medians.`];
   const add = (title, ...texts) => sections.push(`## ${title}\n\n${texts.join('\n\n')}`);
   const titles = Object.entries(problems).filter(([, problem]) => !problem.for);
@@ -223,6 +238,11 @@ export function markdown(results) {
     add('One solve against the limit', solveTable(iterations));
     add('Setting up and editing', setUpTable(iterations));
     if (results.sizes.length > 1) add('Growth', growthTable(iterations));
+  }
+  if (factors?.length) {
+    const note =
+      'From changed constraints to the end of the first iteration (10–90 %), in the browser.';
+    add('Both numeric factors', factorTable(factors), note);
   }
   if (maps?.length) add('Conformal maps', mapTable(maps));
   if (convergence) {

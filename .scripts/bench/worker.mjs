@@ -84,6 +84,35 @@ function iterations({ problem, loads, rounds, steps: [all, unmeasured], edits })
   return { report, cold, openings, steps, fresh, handle, change, drag: dragged, bytes };
 }
 
+/**
+ * Milliseconds from changed constraints to the end of the first iteration, and from a file to it, with each
+ * numeric factor in turn: a scene differs in what factors it, and in nothing else.
+ */
+function factors({ problem, factorizations, rounds }) {
+  const scene = JSON.parse(new TextDecoder().decode(problem.sceneBytes));
+  const taken = factorizations.map((factorization) => {
+    const solver = { ...scene.solver, factorization };
+    const sceneBytes = encoder.encode(JSON.stringify({ ...scene, solver }));
+    const one = { factorization, solver: new Solver(), change: [], factor: [], opened: [] };
+    return { ...one, problem: { ...problem, sceneBytes } };
+  });
+  for (let round = 0; round <= rounds; round++) {
+    for (const one of taken) {
+      const [, opened] = timed(() => (open(one.solver, one.problem), one.solver.step()));
+      if (round > 0) one.opened.push(opened);
+      const edit = { type: 'setConstraint', index: 0, weight: 1.5 + 0.5 * round };
+      const [, ms] = timed(() => (one.solver.edit(edit), one.solver.step()));
+      if (round > 0) one.change.push(ms);
+      if (round > 0) one.factor.push(1e3 * one.solver.report().seconds.factor);
+    }
+  }
+  const { unknowns, factor_nonzeros: nonzeros } = taken[0].solver.report();
+  const runs = taken.map(({ factorization, change, factor, opened }) => ({
+    ...{ factorization, change, factor, opened },
+  }));
+  return { unknowns, nonzeros, runs };
+}
+
 /** Energy and milliseconds of every iteration, until the energy is at the goal or time is up. */
 function convergence({ problem, goal, limit }) {
   const solver = new Solver();
@@ -142,7 +171,7 @@ async function stream({ bytes }) {
   return bytes.map((count) => module.stream(count));
 }
 
-const measures = { iterations, convergence, models, map, stream };
+const measures = { iterations, factors, convergence, models, map, stream };
 
 /** Fetches what a task names by address, so that nothing but addresses is sent. */
 async function fetched({ scene, mesh, move, from, spare }) {

@@ -3,6 +3,7 @@
 use super::SceneError;
 use crate::constraint::{Selector, Sets, resolve};
 use crate::mesh::{Mesh, Topology};
+use crate::solve::{BoundaryCloseness, ClosenessTo};
 
 /// What vertices are kept close to, and how much each.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -15,18 +16,6 @@ pub struct Closeness {
     pub boundary: Option<BoundaryCloseness>,
 }
 
-/// `c(v)`: what a vertex is kept close to.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum ClosenessTo {
-    /// The closest point on the rest surface.
-    #[default]
-    Surface,
-    /// The vertex's own rest position.
-    Rest,
-    /// Nothing.
-    None,
-}
-
 /// How much more or less some vertices are kept close than the rest.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClosenessWeight {
@@ -34,21 +23,6 @@ pub struct ClosenessWeight {
     pub on: Selector,
     /// `k_v`, a factor of `weights.close`, not negative; at 0 nothing keeps them close.
     pub weight: f64,
-}
-
-/// Boundary vertices are kept close to the closest point on the rest shape of their own boundary
-/// loop, and corners are fixed at their rest positions. A corner that is a handle is held by that
-/// instead, and is kept close to its rest position.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct BoundaryCloseness {
-    /// A vertex is a corner where the boundary turns by more than this, in degrees from 0 to 180.
-    pub corners: f64,
-}
-
-impl Default for BoundaryCloseness {
-    fn default() -> Self {
-        BoundaryCloseness { corners: 45.0 }
-    }
 }
 
 impl Closeness {

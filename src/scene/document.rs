@@ -2,10 +2,10 @@
 
 use super::closeness::Closeness;
 use super::lesson::Lesson;
-use super::solver_settings::{Smoothness, SolverSettings, Weights};
 use super::up::Up;
 use crate::constraint::{Kind, Selector, Sets};
 use crate::mesh::{Mesh, Point};
+use crate::solve::{Hold, Smoothness, SolverSettings, Weights};
 
 /// A scene file, checked for form. Whether its indices and names fit the mesh is checked when a
 /// session opens it.
@@ -100,18 +100,6 @@ pub struct HandleSpec {
     pub targets: Option<Vec<Point>>,
     /// How the targets are met.
     pub hold: Hold,
-}
-
-/// How a handle holds its vertices.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Hold {
-    /// Adds `weight * |v - target|^2` to the total.
-    Soft {
-        /// Positive.
-        weight: f64,
-    },
-    /// Takes the vertices out of the unknowns: the targets are met exactly.
-    Fixed,
 }
 
 /// The weight of a soft handle that does not say its own.

@@ -3,7 +3,6 @@
 //! | file or folder | holds |
 //! |---|---|
 //! | `document` | the scene as a value: mesh, constraints, handles, settings |
-//! | `solver_settings` | weights, smoothness, accelerator, factorisation |
 //! | `closeness` | what vertices are kept close to, and how much |
 //! | `lesson` | exercises: a text and goals |
 //! | `results` | what a student hands in |
@@ -17,6 +16,7 @@
 //! | `opened` | the settings of a mesh file that somebody opens |
 //! | `panels` | the same shape for all panels, by one press |
 //! | `presets` | settings that belong together |
+//! | `problem` | the problem that the solver is given |
 
 mod closeness;
 mod document;
@@ -27,15 +27,20 @@ mod lesson;
 mod opened;
 mod panels;
 mod presets;
+mod problem;
 mod results;
-mod solver_settings;
 mod up;
 mod up_guess;
 mod validate;
 mod words;
 
-pub use closeness::{BoundaryCloseness, Closeness, ClosenessTo, ClosenessWeight};
-pub use document::{ConstraintSpec, HANDLE_WEIGHT, HandleSpec, Hold, MeshSource, Scene};
+pub use crate::solve::{
+    Accelerator, BoundaryCloseness, ClosenessTo, Hold, Smoothness, SmoothnessOf, SolverSettings,
+    Weighting, Weights,
+};
+pub use crate::sparse::Factorization;
+pub use closeness::{Closeness, ClosenessWeight};
+pub use document::{ConstraintSpec, HANDLE_WEIGHT, HandleSpec, MeshSource, Scene};
 pub use error::SceneError;
 pub use frame::Frame;
 pub(crate) use json::{At, Node, parse, read_constraint, read_indices, read_lesson, read_selector};
@@ -44,8 +49,5 @@ pub use lesson::{Goal, GoalOf, Lesson};
 pub use panels::{PanelOffer, panel_offers};
 pub use presets::{PRESETS, Preset, PresetOffer};
 pub use results::{GoalResult, Results};
-pub use solver_settings::{
-    Accelerator, Factorization, Smoothness, SmoothnessOf, SolverSettings, Weighting, Weights,
-};
 pub use up::Up;
 pub use words::Worded;

@@ -3,6 +3,7 @@
 
 use super::{Accelerator, ClosenessTo, Factorization, SmoothnessOf, Up, Weighting};
 use crate::mesh::GroupKeyword;
+use crate::solve::{ConformalNorm, ConformalWeights};
 
 /// A choice between a few values that have a word each.
 pub trait Worded: Copy + PartialEq + 'static {
@@ -61,8 +62,24 @@ impl Worded for Accelerator {
 }
 
 impl Worded for Factorization {
-    const WORDS: &'static [(&'static str, Factorization)] =
-        &[("supernodal", Factorization::Supernodal), ("sprs-ldl", Factorization::SprsLdl)];
+    const WORDS: &'static [(&'static str, Factorization)] = &[
+        ("auto", Factorization::Auto),
+        ("supernodal", Factorization::Supernodal),
+        ("sprs-ldl", Factorization::SprsLdl),
+    ];
+}
+
+impl Worded for ConformalWeights {
+    const WORDS: &'static [(&'static str, ConformalWeights)] = &[
+        ("inverse-area", ConformalWeights::InverseArea),
+        ("one", ConformalWeights::One),
+        ("lscm", ConformalWeights::Lscm),
+    ];
+}
+
+impl Worded for ConformalNorm {
+    const WORDS: &'static [(&'static str, ConformalNorm)] =
+        &[("boundary", ConformalNorm::Boundary), ("vertices", ConformalNorm::Vertices)];
 }
 
 impl Worded for GroupKeyword {

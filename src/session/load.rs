@@ -7,7 +7,7 @@ use super::state::{ResolvedRow, RunState, Session, flat, resolve_rows, solver};
 use crate::error::Error;
 use crate::mesh::{BoundingSphere, Mesh, Point, Topology};
 use crate::scene::Scene;
-use crate::solve::{Handle, Kept};
+use crate::solve::{Handle, SetupCache};
 use std::cell::RefCell;
 
 impl Session {
@@ -96,7 +96,8 @@ impl Checked {
         past: Option<RunState>,
     ) -> Result<Session, Error> {
         let Checked { scene, mesh, topology, rows } = self;
-        let solver = solver(&scene, &mesh, &topology, &rows, Kept::default(), handles, start)?;
+        let solver =
+            solver(&scene, &mesh, &topology, &rows, SetupCache::default(), handles, start)?;
         Ok(Session {
             diameter: BoundingSphere::of(&mesh.positions).diameter(),
             past: past.unwrap_or_else(|| RunState::beginning(solver.energy(), scene.clone())),

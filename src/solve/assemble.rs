@@ -1,12 +1,13 @@
-//! Assembly of the normal matrix `Q^T Q` (Eq. 6, 13) straight into compressed columns.
+//! Assembly of the normal matrix `Q^T Q` (Eq. 6, 13) straight into the compressed columns of a
+//! [`sprs::CsMatI`].
 //!
 //! `Q` is never formed. Every energy is a sum of terms that couple a few nodes, and each term adds
 //! `diagonal * I + outer * a a^T` to the rows and columns of its nodes: `N_i = I - 1 1^T / n` of a
 //! shape constraint, one row of the Laplacian for smoothness, the star of a big constraint.
 
 use crate::mesh::Ragged;
-use std::ops::Range;
-use std::rc::Rc;
+use crate::sparse::UpperTriangle;
+use sprs::CsStructureI;
 
 /// Terms of one energy, each `diagonal * I + outer * a a^T` on its nodes.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -20,7 +21,7 @@ pub struct Terms {
 }
 
 impl Terms {
-    /// Adds a term.
+    /// Adds a term on distinct `nodes`, with an entry of `a` for each of them.
     pub fn push(
         &mut self,
         nodes: &[u32],
@@ -83,82 +84,32 @@ impl Occurrences {
     }
 }
 
-/// Where the upper triangle of a symmetric matrix has entries, in compressed columns, rows
-/// ascending, diagonal included in every column.
-#[derive(Debug, PartialEq)]
-pub(super) struct Pattern {
-    /// `#nodes + 1`.
-    pub columns: Vec<u32>,
-    /// Row of each entry.
-    pub rows: Vec<u32>,
-}
-
-impl Pattern {
-    /// From the neighbours of each node (see [`adjacency`]).
-    pub(super) fn new(adjacency: &Ragged) -> Pattern {
-        let (mut columns, mut rows) = (Vec::with_capacity(adjacency.len() + 1), Vec::new());
-        columns.push(0);
-        for (v, neighbours) in (0..).zip(adjacency.iter()) {
-            rows.extend(neighbours.iter().filter(|&&u| u < v));
-            rows.push(v);
-            columns.push(rows.len() as u32);
-        }
-        rows.shrink_to_fit();
-        Pattern { columns, rows }
-    }
-
-    /// The entries of column `v`, its diagonal last.
-    pub(super) fn column(&self, v: usize) -> Range<usize> {
-        self.columns[v] as usize..self.columns[v + 1] as usize
-    }
-}
-
-/// The upper triangle of the normal matrix.
-#[derive(Clone, Debug)]
-pub(super) struct Normal {
-    /// Where its entries are.
-    pub pattern: Rc<Pattern>,
-    /// Value of each entry.
-    pub values: Vec<f64>,
-}
-
-impl Normal {
-    /// Zeros.
-    pub(super) fn new(pattern: Rc<Pattern>) -> Normal {
-        Normal { values: vec![0.0; pattern.rows.len()], pattern }
-    }
-
-    /// The entry of `v` on the diagonal.
-    pub(super) fn diagonal(&mut self, v: usize) -> &mut f64 {
-        &mut self.values[self.pattern.columns[v + 1] as usize - 1]
-    }
-}
-
-/// The pattern of the whole symmetric matrix without its diagonal, as ordering wants it:
-/// the neighbours of each node, ascending.
-pub(super) fn adjacency(n: usize, energies: &[&Terms]) -> Ragged {
+/// The pattern of the normal matrix of some energies over `n` nodes, whole and with its diagonal.
+pub(super) fn structure(n: usize, energies: &[&Terms]) -> CsStructureI<u32> {
     let occurrences: Vec<_> = energies.iter().map(|terms| Occurrences::new(n, terms)).collect();
     let mut seen = vec![u32::MAX; n];
-    let mut column = Vec::new();
-    let mut adjacency = Ragged::new();
+    let (mut columns, mut rows) = (Vec::with_capacity(n + 1), Vec::new());
+    columns.push(0);
     for v in 0..n {
-        column.clear();
+        let first = rows.len();
+        rows.push(v as u32);
         seen[v] = v as u32;
         for (terms, occurrences) in energies.iter().zip(&occurrences) {
             for &[t, _] in occurrences.of(v) {
                 for &u in terms.nodes.row(t as usize) {
                     if seen[u as usize] != v as u32 {
                         seen[u as usize] = v as u32;
-                        column.push(u);
+                        rows.push(u);
                     }
                 }
             }
         }
-        column.sort_unstable();
-        adjacency.push(&column);
+        rows[first..].sort_unstable();
+        columns.push(rows.len() as u32);
     }
-    adjacency.shrink_to_fit();
-    adjacency
+    rows.shrink_to_fit();
+    let values = vec![(); rows.len()];
+    CsStructureI::new_csc((n, n), columns, rows, values)
 }
 
 /// Assembles and re-assembles the normal matrix in one pattern.
@@ -189,21 +140,21 @@ impl Assembler {
         scales: &[f64],
         diagonal: &[f64],
         fixed: &[bool],
-        normal: &mut Normal,
+        normal: &mut UpperTriangle,
     ) {
-        let Normal { pattern, values } = normal;
-        values.fill(0.0);
+        normal.data_mut().fill(0.0);
         let mut slot = vec![0u32; self.n];
         for v in 0..self.n {
-            let entries = pattern.column(v);
+            let entries = normal.indptr().outer_inds_sz(v);
             let last = entries.end - 1;
             if fixed[v] {
-                values[last] = 1.0;
+                normal.data_mut()[last] = 1.0;
                 continue;
             }
             for k in entries {
-                slot[pattern.rows[k] as usize] = k as u32;
+                slot[normal.indices()[k] as usize] = k as u32;
             }
+            let values = normal.data_mut();
             values[last] = diagonal[v];
             for ((terms, occurrences), &scale) in
                 self.energies.iter().zip(&self.occurrences).zip(scales)

@@ -1,6 +1,6 @@
 //! The time, for reports: seconds from an arbitrary start, never going back.
 
-/// Seconds now.
+/// Seconds since an arbitrary start.
 #[cfg(not(target_arch = "wasm32"))]
 pub fn now() -> f64 {
     use std::sync::OnceLock;
@@ -9,7 +9,7 @@ pub fn now() -> f64 {
     START.get_or_init(Instant::now).elapsed().as_secs_f64()
 }
 
-/// Seconds now.
+/// Seconds since an arbitrary start.
 // `Instant::now` panics on this target.
 #[cfg(target_arch = "wasm32")]
 pub fn now() -> f64 {

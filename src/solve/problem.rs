@@ -1,27 +1,31 @@
-//! What is solved, and what of it the normal matrix is made of.
+//! The problem that a solver is given, and the terms of its normal matrix.
 
 use super::assemble::Terms;
-use super::shape::{self, Constraints, extra_unknowns};
+use super::energy::{Constraints, extra_unknowns, shape_terms};
+use super::settings::{
+    BoundaryCloseness, ClosenessTo, Smoothness, SolverSettings, Weighting, Weights,
+};
 use crate::mesh::{Laplacian, Mesh, Topology};
-use crate::scene::{Closeness, Smoothness, SolverSettings, Weighting, Weights};
 
-/// What is solved: the rest shape and what its parts shall be.
+/// A shape, the constraints on its vertices, and the weights of Eq. 13.
 pub struct Problem<'a> {
-    /// The rest shape.
+    /// The rest shape `V'`; lengths of everything else are in its unit.
     pub mesh: &'a Mesh,
-    /// Its topology.
+    /// The topology of `mesh`.
     pub topology: &'a Topology,
     /// Every row of constraints, resolved.
     pub constraints: &'a [Constraints],
     /// The weights of Eq. 13.
     pub weights: Weights,
-    /// What vertices are kept close to.
-    pub closeness: &'a Closeness,
-    /// `k_v` of each vertex, `#V`: see [`Closeness::factors`].
+    /// `c(v)` of Eq. 11: the target of each vertex.
+    pub closeness_to: ClosenessTo,
+    /// Where it is there, boundary vertices have the boundary curves for `c(v)`.
+    pub boundary_closeness: Option<BoundaryCloseness>,
+    /// `k_v` of each vertex, `#V`: factors of the weight of closeness.
     pub closeness_factors: &'a [f64],
-    /// What is smoothed.
+    /// `l_i` and `w_ij` of Eq. 12.
     pub smoothness: Smoothness,
-    /// How it is solved.
+    /// Accelerator, precision of convergence, numeric factor.
     pub settings: SolverSettings,
 }
 
@@ -35,7 +39,7 @@ impl Problem<'_> {
     pub(super) fn shape_terms(&self) -> Terms {
         if self.weights.shape > 0.0 {
             let n_vertices = self.mesh.positions.len();
-            shape::terms(self.constraints, n_vertices, self.settings.mean_centring)
+            shape_terms(self.constraints, n_vertices, self.settings.mean_centring)
         } else {
             Terms::default()
         }

@@ -1,15 +1,12 @@
 //! The linear system of the global step: `Q^T Q` in the order of elimination, and its factor.
 
-use super::accelerate::Iterate;
-use super::assemble::{Assembler, Normal, Terms, adjacency};
-use super::factor::{Factor, Precision};
-use super::metric::Metric;
-use super::ordered::Ordered;
-use super::panels::Panels;
-use super::rank_one::Change;
-use super::{SolveError, clock};
+use super::assemble::{Assembler, Terms, structure};
+use super::clock;
+use super::error::SolveError;
 use crate::constraint::Row;
-use crate::scene::Factorization;
+use crate::sparse::{
+    F32Factor, Factor, Factorization, Panels, Precision, SymbolicAnalysis, Update, UpperTriangle,
+};
 use std::rc::Rc;
 
 /// Seconds that setting up took.
@@ -23,7 +20,7 @@ pub struct SetUpSeconds {
     pub factor: f64,
 }
 
-/// What the normal matrix of a pattern depends on: `sum_k scales[k] * energies[k] + diag(diagonal)`, with
+/// The numbers that a normal matrix of this pattern depends on: it is `sum_k scales[k] * energies[k] + diag(diagonal)`, with
 /// the rows and columns of the `fixed` nodes replaced by those of the identity.
 #[derive(Clone, Debug, Default, PartialEq)]
 struct Matrix {
@@ -52,34 +49,34 @@ impl Matrix {
 /// The normal matrix over vertices and extra unknowns, called nodes once they are in the order of
 /// elimination: everything that iterates is numbered by node, so that no step permutes.
 pub struct System {
-    ordered: Rc<Ordered>,
+    analysis: Rc<SymbolicAnalysis>,
     assembler: Assembler,
     factorization: Factorization,
     precision: Precision,
     matrix: Matrix,
     /// The values of `matrix`; of another one as long as there is no factor.
-    normal: Normal,
+    normal: UpperTriangle,
     factor: Factor,
     state: State,
-    /// The factor of a matrix that is below the one at hand: whoever releases what was added since comes
-    /// back to it.
+    /// A matrix that is below the one at hand (see [`Matrix::is_below`]), and its factor: releasing the
+    /// handles that were added since comes back to it.
     below: Option<(Matrix, Factor)>,
     /// The nodes that are no unknowns.
     fixed: Vec<u32>,
-    /// What setting up took.
+    /// Seconds of setting up, by part.
     pub seconds: SetUpSeconds,
 }
 
-/// What of the matrix there is.
+/// How far the system is set up for its matrix.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum State {
-    /// Neither values nor factor; it may be singular.
+    /// There are neither values nor a factor; the matrix may be singular.
     Unknown,
-    /// Neither values nor factor, but it is positive definite.
+    /// There are neither values nor a factor, but the matrix is certain to be positive definite.
     Regular,
-    /// The factor, and no values.
+    /// There is a factor, and the values are those of another matrix.
     Factored,
-    /// Values and factor.
+    /// There are values and a factor.
     Whole,
 }
 
@@ -94,30 +91,30 @@ impl System {
         n: usize,
         energies: Vec<Terms>,
         factorization: Factorization,
-        at_hand: Option<&Rc<Ordered>>,
+        at_hand: Option<&Rc<SymbolicAnalysis>>,
     ) -> System {
         let started = clock::now();
         let all: Vec<&Terms> = energies.iter().collect();
-        let adjacency = adjacency(n, &all);
+        let structure = structure(n, &all);
         let patterned = clock::now();
-        let ordered = match at_hand.filter(|at_hand| at_hand.fits(&adjacency)) {
+        let analysis = match at_hand.filter(|at_hand| at_hand.fits(&structure)) {
             Some(fitting) => Rc::clone(fitting),
-            None => Rc::new(Ordered::new(adjacency)),
+            None => Rc::new(SymbolicAnalysis::new(structure)),
         };
         let arranged = clock::now();
 
-        let renumbered = energies.into_iter().map(|terms| terms.renumbered(&ordered.node_of));
+        let renumbered = energies.into_iter().map(|terms| terms.renumbered(analysis.place_of()));
         let energies = renumbered.collect();
         let assembler = Assembler::new(n, energies);
-        let normal = Normal::new(Rc::clone(&ordered.pattern));
-        let factor = Factor::new(Rc::clone(&ordered.symbolic), factorization);
+        let normal = analysis.zeros();
+        let factor = Factor::new(Rc::clone(analysis.supernodes()), factorization);
         let seconds = SetUpSeconds {
             assemble: patterned - started + clock::now() - arranged,
             order: arranged - patterned,
             factor: 0.0,
         };
         System {
-            ordered,
+            analysis,
             assembler,
             factorization,
             precision: Precision::Double,
@@ -131,24 +128,24 @@ impl System {
         }
     }
 
-    /// The order of elimination, for other systems of the same pattern.
-    pub(super) fn ordered(&self) -> &Rc<Ordered> {
-        &self.ordered
+    /// The analysis of its pattern, for other systems of the same pattern.
+    pub(super) fn analysis(&self) -> &Rc<SymbolicAnalysis> {
+        &self.analysis
     }
 
     /// The node of each vertex, then of each extra unknown.
     pub fn node_of(&self) -> &[u32] {
-        &self.ordered.node_of
+        self.analysis.place_of()
     }
 
-    /// The connected part of each node.
-    pub fn parts(&self) -> &[u32] {
-        &self.ordered.parts
+    /// A number for each node, which all nodes of its connected component share.
+    pub fn components(&self) -> &[u32] {
+        self.analysis.components()
     }
 
     /// Nodes that are unknowns.
     pub fn unknowns(&self) -> usize {
-        self.ordered.order.len() - self.fixed.len()
+        self.analysis.size() - self.fixed.len()
     }
 
     /// Nonzeros of the factor.
@@ -206,7 +203,7 @@ impl System {
             }
             Some((below, _)) if below.is_below(&self.matrix) => State::Regular,
             _ if has_factor && matrix.is_below(&self.matrix) => {
-                let new = Factor::new(Rc::clone(&self.ordered.symbolic), self.factorization);
+                let new = Factor::new(Rc::clone(self.analysis.supernodes()), self.factorization);
                 let mut factor = std::mem::replace(&mut self.factor, new);
                 factor.keep_only(precision);
                 self.below = Some((matrix, factor));
@@ -233,7 +230,7 @@ impl System {
         let started = clock::now();
         self.factor.factor(&self.normal, &self.matrix.fixed, self.precision).map_err(
             |singular| SolveError::NotPositiveDefinite {
-                vertex: self.ordered.order[singular.column],
+                vertex: self.analysis.unknown_at(singular.column),
             },
         )?;
         self.seconds.factor = clock::now() - started;
@@ -257,51 +254,43 @@ impl System {
         }
     }
 
-    /// Holds some more nodes without factoring anew. False where that cannot be: nothing has
-    /// changed then.
-    pub(super) fn change(&mut self, changes: &[(u32, Change)]) -> bool {
-        if !self.factor.changes() || !matches!(self.state, State::Factored | State::Whole) {
+    /// Updates the rows and columns of some nodes without factoring anew. False where there is no factor:
+    /// nothing has changed then.
+    pub(super) fn update(&mut self, updates: &[(u32, Update)]) -> bool {
+        if !matches!(self.state, State::Factored | State::Whole) {
             return false;
         }
         self.complete();
         let started = clock::now();
-        for &(node, change) in changes {
-            match change {
-                Change::Weight(weight) => {
-                    *self.normal.diagonal(node as usize) += weight;
+        for &(node, update) in updates {
+            let column = self.normal.indptr().outer_inds_sz(node as usize);
+            let values = self.normal.data_mut();
+            match update {
+                Update::Weight(weight) => {
+                    values[column.end - 1] += weight;
                     self.matrix.diagonal[node as usize] += weight;
                 }
-                Change::Fix => {
-                    let column = self.normal.pattern.column(node as usize);
-                    self.normal.values[column].fill(0.0);
-                    let below = self.ordered.symbolic.lower(node as usize);
-                    below.for_each(|(_, place)| self.normal.values[place as usize] = 0.0);
-                    *self.normal.diagonal(node as usize) = 1.0;
+                Update::Fix => {
+                    values[column.clone()].fill(0.0);
+                    let below = self.analysis.supernodes().lower(node as usize);
+                    below.for_each(|(_, place)| values[place as usize] = 0.0);
+                    values[column.end - 1] = 1.0;
                     self.fixed.push(node);
                     self.matrix.fixed[node as usize] = true;
                 }
             }
-            self.factor.change(node, change);
+            self.factor.update(node, update);
         }
         self.seconds.factor = clock::now() - started;
         true
     }
 
-    /// The inverse of the normal matrix in single precision, after [`System::prepare`].
-    pub(super) fn metric(&mut self) -> &Metric {
+    /// The factor in single precision, after [`System::prepare`].
+    pub(super) fn f32_factor(&mut self) -> &F32Factor {
         if !self.factor.has(Precision::Single) {
             self.complete();
         }
         self.factor.single(&self.normal, &self.matrix.fixed)
-    }
-
-    /// Step II: from `now` to the positions `to`, in double precision.
-    pub(super) fn plain_step(&mut self, now: Iterate<'_>, to: &mut [Row]) {
-        to.copy_from_slice(now.gradient);
-        self.solve(to);
-        for (to, x) in to.as_flattened_mut().iter_mut().zip(now.x.as_flattened()) {
-            *to = x - *to;
-        }
     }
 
     /// Applies the inverse of the normal matrix to `right` in place, in double precision.

@@ -19,7 +19,8 @@ fn bumpy(n: u32) -> Mesh {
     })
 }
 
-/// What is put on the grid, with the digest for each accelerator: none, quasi-newton, anderson.
+/// What is put on the grid, with the digest for each accelerator (none, quasi-newton, anderson) where the
+/// supernodal factor is used.
 const SCENES: &[(&str, [u64; 3])] = &[
     (
         r#""constraints": [{ "kind": "circle", "on": "faces" }],
@@ -56,6 +57,15 @@ const SCENES: &[(&str, [u64; 3])] = &[
                                       { "on": { "vertices": "80-90" }, "weight": 0 }] }"#,
         [0xa772_f1bd_fead_3113, 0xae5f_059a_9e1d_917e, 0x7d6b_9987_cabf_d388],
     ),
+];
+
+/// The same of each scene with the factor of `sprs-ldl`, the default of scenes of this size: it sums in
+/// another order.
+const SPRS_LDL_DIGESTS: &[[u64; 3]] = &[
+    [0x9fb0_5a7e_7d37_ea4e, 0xef4b_a934_f254_5e08, 0x1503_4237_be8a_1eb9],
+    [0x96e3_0d30_446d_f889, 0x15ed_4570_0d12_a3bf, 0xcc85_2e86_a1b2_bfdf],
+    [0x25db_0500_3f6d_17bb, 0xc146_5698_d303_03ff, 0x273f_5c9b_d36e_a0ff],
+    [0x872d_600e_80b9_4040, 0xae5f_059a_9e1d_917e, 0x7d6b_9987_cabf_d388],
 ];
 
 /// The digest of each kind with its defaults, on every sort of element that fits it.
@@ -126,7 +136,7 @@ fn kind_digest(info: &Info) -> u64 {
                   "constraints": [{{ "kind": "{}", "on": {{ "each": "{}" }} }}],
                   "handles": [{{ "vertices": [7, 40, 75], "targets": [[1, 2, 0.3], [2, 1, 1], [4, 0, 1]] }}],
                   "weights": {{ "shape": 1, "close": 0.1 }}, "closeness": {{ "to": "rest" }},
-                  "solver": {{ "tolerance": 0 }} }}"#,
+                  "solver": {{ "tolerance": 0, "factorization": "supernodal" }} }}"#,
             info.id,
             element.id()
         );
@@ -153,11 +163,16 @@ fn digest(positions: &[Point]) -> u64 {
 /// Compares every digest.
 pub(crate) fn check() {
     let mut wrong = Vec::new();
-    for (scene, expected) in SCENES {
+    let digests =
+        SCENES.iter().zip(SPRS_LDL_DIGESTS).flat_map(|((scene, supernodal), sprs_ldl)| {
+            [(scene, "supernodal", supernodal), (scene, "sprs-ldl", sprs_ldl)]
+        });
+    for (scene, factorization, expected) in digests {
         for (accelerator, expected) in ["none", "quasi-newton", "anderson"].iter().zip(expected) {
             let text = format!(
                 r#"{{ "format": "shape-up-scene", "version": 1, "mesh": {{ "file": "grid.obj" }}, {scene},
-                      "solver": {{ "accelerator": "{accelerator}", "tolerance": 0 }} }}"#
+                      "solver": {{ "accelerator": "{accelerator}", "tolerance": 0,
+                                   "factorization": "{factorization}" }} }}"#
             );
             let scene = Scene::from_json(&text).expect("the scene is valid");
             let mut session = Session::open(scene, bumpy(12)).expect("the scene fits the grid");
@@ -166,7 +181,9 @@ pub(crate) fn check() {
             }
             let found = digest(&session.positions());
             if found != *expected {
-                wrong.push(format!("{accelerator}: {found:#018x}, expected {expected:#018x}"));
+                wrong.push(format!(
+                    "{factorization}, {accelerator}: {found:#018x}, expected {expected:#018x}"
+                ));
             }
         }
     }

@@ -18,7 +18,7 @@
 //! | "weights" | `shape`, `close`, `smooth`: the weights of Eq. 13, by default 1, 0, 0 |
 //! | "closeness" | `"to"`: `"surface"`, `"rest"` or `"none"`; `"weights"` of single sets; `"boundary"` to its curves |
 //! | "smoothness" | `"of"`: `"surface"` or `"displacement"`; `"weighting"`: `"auto"`, `"uniform"`, `"cotangent"` (triangles) or `"polygon"` (any faces) |
-//! | "solver" | `iterations`, `tolerance`, `accelerator` (`"quasi-newton"`, `"anderson"`, `"none"`), `window`, `mean_centring`, `monotone` |
+//! | "solver" | `iterations`, `tolerance`, `accelerator` (`"quasi-newton"`, `"anderson"`, `"none"`), `window`, `mean_centring`, `monotone`, `factorization` (`"auto"`, `"supernodal"`, `"sprs-ldl"`) |
 //! | "lesson" | a text and goals |
 //!
 //! | on | one constraint for |

@@ -8,7 +8,7 @@ use crate::mesh::{Point, counted};
 use crate::scene::{ConstraintSpec, HANDLE_WEIGHT, Hold, PRESETS, Scene, SceneError};
 use crate::session::report::check_lesson;
 use crate::session::state::{Session, Snapshot};
-use crate::solve::{Handle, HandlePlaces};
+use crate::solve::{Handle, HandleIndex};
 use serde_json::{Map, Value};
 
 impl Session {
@@ -92,7 +92,7 @@ impl Session {
                     let message = format!("found {weight}, expected a number above 0");
                     return Err(SceneError { path: "handles.weight".to_owned(), message });
                 }
-                let places = HandlePlaces::new(positions.len(), handles);
+                let places = HandleIndex::new(positions.len(), handles);
                 for place in vertices.iter().filter_map(|&vertex| places.get(vertex)) {
                     handles[place].hold = Hold::Soft { weight };
                 }
@@ -154,7 +154,7 @@ impl Session {
         handles: &mut Vec<Handle>,
         positions: &[Point],
     ) -> Result<(), SceneError> {
-        let mut places = HandlePlaces::new(positions.len(), handles);
+        let mut places = HandleIndex::new(positions.len(), handles);
         for &vertex in vertices {
             let Some(&target) = positions.get(vertex as usize) else {
                 let message =

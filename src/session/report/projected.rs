@@ -5,7 +5,7 @@ use super::face_measure::Shape;
 use crate::constraint::{Centring, Projected};
 use crate::mesh::Topology;
 use crate::session::state::Session;
-use crate::solve::{Constraints, projections_at_rest};
+use crate::solve::{Constraints, rest_projections};
 
 /// Every point of every enabled constraint with its projection. A vertex has a point in each
 /// constraint that it is part of.
@@ -75,7 +75,7 @@ impl Session {
                 let enabled = self.rows.iter().filter(|row| row.enabled);
                 let constraints: Vec<Constraints> =
                     enabled.map(|row| row.constraints.clone()).collect();
-                projections_at_rest(&self.mesh, &constraints, take);
+                rest_projections(&self.mesh, &constraints, take);
             }
         }
         let worst = |face: &[u32]| face.iter().fold(0.0, |w: f64, &v| w.max(squares[v as usize]));

@@ -98,8 +98,8 @@ impl Session {
                 && handles == self.solver.handles();
             if !unused {
                 let (mesh, topology) = (&self.mesh, &self.topology);
-                let kept = self.solver.kept();
-                self.solver = solver(&document, mesh, topology, &rows, kept, handles, &positions)?;
+                let cache = self.solver.setup_cache();
+                self.solver = solver(&document, mesh, topology, &rows, cache, handles, &positions)?;
             }
             self.rows = rows;
             self.document = document;

@@ -1,8 +1,8 @@
 //! One face of a conformal map: its shape in its own plane, and its part of the energy of Eq. 14.
 
 use super::super::assemble::Terms;
-use super::super::shape::BIG;
-use super::ConformalWeights;
+use super::super::energy::BIG;
+use super::weights::ConformalWeights;
 use crate::math::{PrincipalAxes, Vec3, centre};
 use crate::mesh::Point;
 

@@ -3,16 +3,16 @@
 //! Moving a handle changes the gradient. Adding a few changes the factor along their paths in the
 //! elimination tree. Anything else factors the matrix again, in the same order.
 
-use super::super::SolveError;
-use super::super::centred::relative;
-use super::super::hold::{Handle, HandlePlaces, SoftHandles, pins};
-use super::super::rank_one::Change;
 use super::Solver;
 use crate::mesh::Point;
-use crate::scene::{Hold, Weights};
+use crate::solve::energy::{Handle, HandleIndex, Hold, PositionalConstraints, pins};
+use crate::solve::error::SolveError;
+use crate::solve::local_frame::relative;
+use crate::solve::settings::Weights;
+use crate::sparse::Update;
 
 /// More handles at once than this are factored in: by then that costs less.
-const MOST_CHANGES: usize = 16;
+const MOST_UPDATES: usize = 16;
 
 impl Solver {
     /// Replaces the handles, each vertex at most once, and the positions (`#V by 3`) if there are others;
@@ -32,12 +32,12 @@ impl Solver {
             self.retarget();
             return Ok(());
         }
-        if let Some(changes) = self.changes(&handles)
-            && self.system.change(&changes)
+        if let Some(updates) = self.updates(&handles)
+            && self.system.update(&updates)
         {
             let added = handles[self.handles.len()..].to_vec();
             for (place, handle) in handles.iter().enumerate().skip(self.handles.len()) {
-                self.handle_places.insert(handle.vertex, place);
+                self.handle_index.insert(handle.vertex, place);
             }
             self.handles = handles;
             if positions.is_some() {
@@ -71,14 +71,14 @@ impl Solver {
                 Hold::Fixed => fixed[node] = true,
             }
         }
-        self.pinned = pins(node_of, self.system.parts(), &held);
+        self.pinned = pins(node_of, self.system.components(), &held);
         self.pinned.iter().for_each(|&v| fixed[node_of[v as usize] as usize] = true);
         let weights = self.energies.weights;
         let precision = self.accelerator.precision();
         self.factored = false;
         self.system.set_matrix(precision, &[weights.shape, weights.smooth], &diagonal, fixed)?;
         self.factored = true;
-        self.handle_places = HandlePlaces::new(self.n_vertices, &handles);
+        self.handle_index = HandleIndex::new(self.n_vertices, &handles);
         self.handles = handles;
         self.place(positions);
         self.retarget();
@@ -116,32 +116,33 @@ impl Solver {
         self.hold(handles, positions)
     }
 
-    /// What the matrix of `handles` has over the one at hand, if these are the handles at hand and a
+    /// The diagonal updates that lead to the matrix of `handles`, if these are the handles at hand and a
     /// few more on vertices that are still free.
-    fn changes(&self, handles: &[Handle]) -> Option<Vec<(u32, Change)>> {
+    fn updates(&self, handles: &[Handle]) -> Option<Vec<(u32, Update)>> {
         let added = handles.strip_prefix(&self.handles[..])?;
-        if !self.factored || added.is_empty() || added.len() > MOST_CHANGES {
+        if !self.factored || added.is_empty() || added.len() > MOST_UPDATES {
             return None;
         }
-        let part = |v: u32| self.system.parts()[self.system.node_of()[v as usize] as usize];
-        let change = |handle: &Handle| {
-            // A corner of the boundary is fixed, and a part that a handle holds needs no pin: both
+        let component =
+            |v: u32| self.system.components()[self.system.node_of()[v as usize] as usize];
+        let update = |handle: &Handle| {
+            // A corner of the boundary is fixed, and a component that a handle holds needs no pin: both
             // would become free.
             let frees = self.corners.iter().any(|&(corner, _)| corner == handle.vertex)
-                || self.pinned.iter().any(|&pin| part(pin) == part(handle.vertex));
-            let change = match handle.hold {
-                Hold::Soft { weight } => Change::Weight(weight),
-                Hold::Fixed => Change::Fix,
+                || self.pinned.iter().any(|&pin| component(pin) == component(handle.vertex));
+            let update = match handle.hold {
+                Hold::Soft { weight } => Update::Weight(weight),
+                Hold::Fixed => Update::Fix,
             };
-            (!frees).then(|| (self.system.node_of()[handle.vertex as usize], change))
+            (!frees).then(|| (self.system.node_of()[handle.vertex as usize], update))
         };
-        added.iter().map(change).collect()
+        added.iter().map(update).collect()
     }
 
     /// Moves the targets of handles. Costs no factorisation: only the gradient changes.
     pub fn move_handles(&mut self, targets: impl IntoIterator<Item = (u32, Point)>) {
         for (vertex, target) in targets {
-            if let Some(place) = self.handle_places.get(vertex) {
+            if let Some(place) = self.handle_index.get(vertex) {
                 self.handles[place].target = target;
             }
         }
@@ -157,16 +158,16 @@ impl Solver {
         }
         let node_of = &self.system.node_of()[..self.n_vertices];
         for handle in added.iter().filter(|handle| handle.hold == Hold::Fixed) {
-            // What is left to move is rounding.
+            // The target is this position to rounding.
             self.x[node_of[handle.vertex as usize] as usize] = relative(handle.target, self.centre);
             self.put[handle.vertex as usize] = handle.target;
         }
-        let energy =
-            SoftHandles::new(added, node_of, self.centre).step(&self.x, &mut self.gradient);
+        let energy = PositionalConstraints::new(added, node_of, self.centre)
+            .step(&self.x, &mut self.gradient);
         self.energy.handles += energy;
         self.energy.total += energy;
         self.system.clear_fixed(&mut self.gradient);
-        self.energies.handles = SoftHandles::new(&self.handles, node_of, self.centre);
+        self.energies.handles = PositionalConstraints::new(&self.handles, node_of, self.centre);
         self.start_anew();
     }
 
@@ -175,13 +176,13 @@ impl Solver {
         let node_of = &self.system.node_of()[..self.n_vertices];
         let fixed = self.handles.iter().filter(|handle| handle.hold == Hold::Fixed);
         let fixed = fixed.map(|handle| (handle.vertex, handle.target));
-        let is_handle = |v: u32| self.handle_places.get(v).is_some();
+        let is_handle = |v: u32| self.handle_index.get(v).is_some();
         let corners = self.corners.iter().copied().filter(|&(v, _)| !is_handle(v));
         for (vertex, target) in corners.chain(fixed) {
             self.x[node_of[vertex as usize] as usize] = relative(target, self.centre);
             self.put[vertex as usize] = target;
         }
-        self.energies.handles = SoftHandles::new(&self.handles, node_of, self.centre);
+        self.energies.handles = PositionalConstraints::new(&self.handles, node_of, self.centre);
         self.evaluate();
         self.start_anew();
     }

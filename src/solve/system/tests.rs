@@ -1,7 +1,7 @@
 //! The linear system against dense ones.
 
-use super::super::metric::round;
 use super::*;
+use crate::sparse::{round, supernodal_factor};
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
 
@@ -43,11 +43,11 @@ fn check(system: &mut System, matrix: &DMatrix<f64>, fixed: &[bool]) {
     for (v, &node) in system.node_of().iter().enumerate() {
         by_node[node as usize] = rows[v];
     }
-    let (zeros, scale) = (vec![[0.0; 4]; n], Metric::scale(&by_node));
+    let (zeros, scale) = (vec![[0.0; 4]; n], F32Factor::scale(&by_node));
     let mut single = vec![[0.0; 4]; n];
     round(&mut single, &by_node, scale);
     let mut by_metric = vec![[0.0; 4]; n];
-    let metric = system.metric();
+    let metric = system.f32_factor();
     metric.solve(&mut single);
     metric.subtract_step(&mut by_metric, &zeros, &single, scale);
     system.double().solve(&mut by_node);
@@ -111,33 +111,35 @@ proptest! {
         weight in 0.1..10.0,
         held in proptest::collection::vec((0usize..60, proptest::option::of(1e-6..1e6)), 1..12),
     ) {
+        for factorization in FACTORIZATIONS {
         let (mut matrix, sparse) = dense(n, &terms, &vec![weight; n]);
-        let mut system = System::new(n, vec![sparse]);
+        let mut system = System::with_order(n, vec![sparse], factorization, None);
         system.factor(&[1.0], &vec![weight; n], vec![false; n]).expect("positive definite");
-        system.metric();
+        system.f32_factor();
         let mut fixed = vec![false; n];
-        for (v, weight) in held.into_iter().filter(|&(v, _)| v < n) {
+        for (v, weight) in held.iter().copied().filter(|&(v, _)| v < n) {
             if fixed[v] {
                 continue;
             }
-            let change = match weight {
+            let update = match weight {
                 Some(weight) => {
                     matrix[(v, v)] += weight;
-                    Change::Weight(weight)
+                    Update::Weight(weight)
                 }
                 None => {
                     fixed[v] = true;
-                    Change::Fix
+                    Update::Fix
                 }
             };
-            assert!(system.change(&[(system.node_of()[v], change)]));
+            assert!(system.update(&[(system.node_of()[v], update)]));
         }
         // Both precisions as they were changed, and both as they are made from the matrix that was kept.
         check(&mut system, &matrix, &fixed);
-        let mut again = Factor::new(Rc::clone(&system.ordered.symbolic), Factorization::Supernodal);
+        let mut again = Factor::new(Rc::clone(system.analysis.supernodes()), factorization);
         again.factor(&system.normal, &system.matrix.fixed, Precision::Double).expect("positive definite");
         system.factor = again;
         check(&mut system, &matrix, &fixed);
+        }
     }
 
     #[test]
@@ -145,8 +147,9 @@ proptest! {
         (n, terms) in any_terms(),
         added in proptest::collection::vec((any::<bool>(), 0.0..1e3), 60),
     ) {
+        for factorization in FACTORIZATIONS {
         let (matrix, sparse) = dense(n, &terms, &vec![1.0; n]);
-        let mut system = System::new(n, vec![sparse]);
+        let mut system = System::with_order(n, vec![sparse], factorization, None);
         let free = vec![false; n];
         system.factor(&[1.0], &vec![1.0; n], free.clone()).expect("positive definite");
         let solution = |system: &mut System| {
@@ -173,6 +176,7 @@ proptest! {
         system.set_matrix(Precision::Double, &[1.0], &vec![1.0; n], free).expect("it was before");
         assert_eq!(system.state, State::Factored);
         assert_eq!(solution(&mut system), before, "the same factor, bit by bit");
+        }
     }
 
     #[test]
@@ -181,29 +185,24 @@ proptest! {
         let other: Vec<_> =
             terms.iter().map(|(nodes, diagonal, outer)| (nodes.clone(), 2.0 * diagonal, outer + 1.0)).collect();
         let (matrix, other) = dense(n, &other, &vec![weight; n]);
-        let kept = Rc::clone(System::new(n, vec![sparse]).ordered());
+        let kept = Rc::clone(System::new(n, vec![sparse]).analysis());
         let mut system = System::with_order(n, vec![other], Factorization::default(), Some(&kept));
-        assert!(Rc::ptr_eq(&kept, system.ordered()), "the pattern is the same");
+        assert!(Rc::ptr_eq(&kept, system.analysis()), "the pattern is the same");
         system.factor(&[1.0], &vec![weight; n], vec![false; n]).expect("positive definite");
         check(&mut system, &matrix, &vec![false; n]);
         let mut chain = Terms::default();
         (1..n as u32).for_each(|v| chain.push(&[v - 1, v], [1.0, -1.0], 0.0, 1.0));
         chain.push(&[0, n as u32 - 1], [1.0; 2], 0.0, 1.0);
-        let fits = kept.fits(&adjacency(n, &[&chain]));
+        let fits = kept.fits(&structure(n, &[&chain]));
         let system = System::with_order(n, vec![chain], Factorization::default(), Some(&kept));
-        assert_eq!(fits, Rc::ptr_eq(&kept, system.ordered()));
+        assert_eq!(fits, Rc::ptr_eq(&kept, system.analysis()));
     }
 }
 
 /// `L` and `D` by sprs-ldl, and the pattern of the whole lower triangle.
-fn reference(normal: &Normal) -> (Vec<Vec<(u32, f64)>>, Vec<f64>) {
-    let n = normal.pattern.columns.len() - 1;
-    let view = sprs::CsMatViewI::new_csc(
-        (n, n),
-        &normal.pattern.columns,
-        &normal.pattern.rows,
-        &normal.values,
-    );
+fn reference(normal: &UpperTriangle) -> (Vec<Vec<(u32, f64)>>, Vec<f64>) {
+    let n = normal.cols();
+    let view = normal.view();
     let symbolic = sprs_ldl::LdlSymbolic::new_perm(
         view,
         sprs::PermOwnedI::identity(n),
@@ -235,18 +234,18 @@ fn the_factor_of_a_grid_is_that_of_the_reference() {
     let entries: usize = columns.iter().map(Vec::len).sum();
     assert_eq!(system.factor_nonzeros(), entries + n, "counted without forming it");
     let mut found = vec![Vec::new(); n];
-    let symbolic = &system.ordered.symbolic;
+    let supernodes = system.analysis.supernodes();
     let mut own = vec![0.0; n];
-    super::super::supernodal::factor(
-        symbolic,
+    supernodal_factor(
+        supernodes,
         &system.normal,
         &vec![false; n],
         0.0,
         &mut own,
         &mut |s, front| {
             let front = front.expect("nothing is fixed");
-            for (c, column) in symbolic.columns(s).enumerate() {
-                let rows = symbolic.rows(s)[c + 1..].iter().copied();
+            for (c, column) in supernodes.columns(s).enumerate() {
+                let rows = supernodes.rows(s)[c + 1..].iter().copied();
                 found[column] = rows.zip(front.column(c, c + 1)).collect::<Vec<_>>();
             }
         },
@@ -307,6 +306,6 @@ fn names_a_vertex_where_the_matrix_is_singular() {
         );
     }
     let system = System::new(8, vec![terms]);
-    let parts = system.parts();
-    assert_ne!(parts[system.node_of()[0] as usize], parts[system.node_of()[4] as usize]);
+    let components = system.components();
+    assert_ne!(components[system.node_of()[0] as usize], components[system.node_of()[4] as usize]);
 }

@@ -1,0 +1,29 @@
+//! The problem that a scene poses to the solver.
+
+use super::document::Scene;
+use crate::mesh::{Mesh, Topology};
+use crate::solve::{Constraints, Problem};
+
+impl Scene {
+    /// The problem on `mesh`, which is what [`Scene::mesh`] stands for, with these `constraints`: its rows that
+    /// are enabled, resolved. `closeness_factors` are those of [`crate::scene::Closeness::factors`], `#V`.
+    pub fn problem<'a>(
+        &self,
+        mesh: &'a Mesh,
+        topology: &'a Topology,
+        constraints: &'a [Constraints],
+        closeness_factors: &'a [f64],
+    ) -> Problem<'a> {
+        Problem {
+            mesh,
+            topology,
+            constraints,
+            weights: self.weights,
+            closeness_to: self.closeness.to,
+            boundary_closeness: self.closeness.boundary,
+            closeness_factors,
+            smoothness: self.smoothness,
+            settings: self.solver,
+        }
+    }
+}

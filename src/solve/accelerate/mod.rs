@@ -1,0 +1,86 @@
+//! Steps that learn from the steps before them, so that stiff problems need tens of iterations
+//! where the plain two-step iteration needs thousands.
+//!
+//! An accelerator sees positions, half gradients and the inverse of the normal matrix, and nothing of the
+//! geometry. It proposes a step; the solver takes it only if the energy falls, and
+//! falls back to the plain step otherwise. So it may work in single precision, where the plain
+//! step, on which everything rests, is in double.
+//!
+//! | file | holds |
+//! |---|---|
+//! | `iterate` | positions with their gradient, and the plain step from there |
+//! | `quasi_newton` | L-BFGS whose initial metric is the factored normal matrix |
+//! | `anderson` | Anderson acceleration |
+
+mod anderson;
+mod iterate;
+mod quasi_newton;
+
+pub(super) use iterate::Iterate;
+
+use super::settings::{Accelerator, SolverSettings};
+use super::system::System;
+use crate::constraint::Row;
+use crate::sparse::Precision;
+use anderson::Anderson;
+use quasi_newton::QuasiNewton;
+
+/// The chosen accelerator with its memory.
+pub(in crate::solve) enum Acceleration {
+    /// None: the plain two-step iteration of section 2.2.
+    None,
+    /// See [`QuasiNewton`].
+    QuasiNewton(QuasiNewton),
+    /// See [`Anderson`].
+    Anderson(Anderson),
+}
+
+impl Acceleration {
+    /// The one that the settings ask for; a window of 0 is the plain iteration.
+    pub(super) fn new(settings: &SolverSettings) -> Self {
+        let window = settings.window as usize;
+        match settings.accelerator {
+            _ if window == 0 => Acceleration::None,
+            Accelerator::None => Acceleration::None,
+            Accelerator::QuasiNewton => Acceleration::QuasiNewton(QuasiNewton::new(window)),
+            Accelerator::Anderson => Acceleration::Anderson(Anderson::new(window)),
+        }
+    }
+
+    /// How the system is to be solved for it.
+    pub(super) fn precision(&self) -> Precision {
+        match self {
+            Acceleration::None => Precision::Double,
+            Acceleration::QuasiNewton(_) | Acceleration::Anderson(_) => Precision::Single,
+        }
+    }
+
+    /// Steps from `now` to the positions `to`. `before` is the iterate before, if there is one since
+    /// the problem changed. False when it is the plain step to full precision.
+    pub(super) fn propose(
+        &mut self,
+        now: Iterate<'_>,
+        before: Option<Iterate<'_>>,
+        system: &mut System,
+        to: &mut [Row],
+    ) -> bool {
+        match self {
+            Acceleration::None => {
+                now.plain_step(system, to);
+                return false;
+            }
+            Acceleration::QuasiNewton(it) => it.propose(now, before, system.f32_factor(), to),
+            Acceleration::Anderson(it) => it.propose(now, before, system.f32_factor(), to),
+        }
+        true
+    }
+
+    /// Forgets all steps: the problem has changed.
+    pub(super) fn forget(&mut self) {
+        match self {
+            Acceleration::None => {}
+            Acceleration::QuasiNewton(quasi_newton) => quasi_newton.forget(),
+            Acceleration::Anderson(anderson) => anderson.forget(),
+        }
+    }
+}

@@ -1,0 +1,151 @@
+//! `E_close` (Eq. 11): every vertex is kept close to the reference surface, to a boundary curve, or
+//! to where it was.
+
+use crate::constraint::Row;
+use crate::math::{ascending, cosine};
+use crate::mesh::{BoundaryCurves, Footing, Point, Surface, Topology};
+use crate::solve::settings::{BoundaryCloseness, ClosenessTo};
+use std::rc::Rc;
+
+/// `E_close = sum_v k_v |v - c(v)|^2`, over the vertices that have a target `c(v)`.
+pub(crate) struct CloseEnergy {
+    /// The rest surface and the boundary curves, each with the vertices that are kept close to it.
+    surfaces: Vec<SurfaceTargets>,
+    /// Vertices that are kept close to one point.
+    points: Vec<PointTarget>,
+}
+
+/// Vertices whose target is their closest point on a surface or curve.
+struct SurfaceTargets {
+    on: Rc<Surface>,
+    /// On the rest surface by ascending nodes: neighbours in the elimination order are neighbours
+    /// on the surface, so that its tree stays in the cache.
+    vertices: Vec<SurfaceTarget>,
+    /// The foot points of the last search, from which the next one starts: one for each vertex.
+    footings: Vec<Footing>,
+}
+
+impl SurfaceTargets {
+    fn new(on: Rc<Surface>, vertices: Vec<SurfaceTarget>) -> SurfaceTargets {
+        let footings = vec![Footing::unknown(); vertices.len()];
+        SurfaceTargets { on, vertices, footings }
+    }
+}
+
+#[derive(Clone, Copy)]
+struct SurfaceTarget {
+    node: u32,
+    /// Where the last search for it ended.
+    warm: u32,
+    /// `k_v`, positive.
+    factor: f64,
+}
+
+struct PointTarget {
+    node: u32,
+    /// `k_v`, positive.
+    factor: f64,
+    target: Row,
+}
+
+/// The rest shape in terms of nodes.
+pub(crate) struct RestShape<'a> {
+    /// The rest position of each node.
+    pub rest: &'a [Row],
+    /// The node of each vertex.
+    pub node_of: &'a [u32],
+    pub topology: &'a Topology,
+    /// Gives the rest surface, which is made when it is first asked for.
+    pub surface: &'a dyn Fn() -> Rc<Surface>,
+}
+
+impl CloseEnergy {
+    /// The energy with targets `to`, or those of `boundary` for the vertices there, and the factors `k_v`,
+    /// `#V`; none when nothing is kept close. With it the vertices that are corners of the boundary, if
+    /// these count.
+    pub(crate) fn new(
+        to: ClosenessTo,
+        boundary: Option<BoundaryCloseness>,
+        factors: &[f64],
+        rest_shape: &RestShape<'_>,
+    ) -> (Option<CloseEnergy>, Vec<u32>) {
+        let RestShape { rest, node_of, topology, surface } = *rest_shape;
+        let on_surface = |v: u32| SurfaceTarget {
+            node: node_of[v as usize],
+            warm: Surface::COLD,
+            factor: factors[v as usize],
+        };
+        let at_point = |v: u32| PointTarget {
+            node: node_of[v as usize],
+            factor: factors[v as usize],
+            target: rest[node_of[v as usize] as usize],
+        };
+        let mut elsewhere: Vec<bool> = factors.iter().map(|&factor| factor == 0.0).collect();
+        let mut energy = CloseEnergy { surfaces: Vec::new(), points: Vec::new() };
+        let mut corners = Vec::new();
+        if let Some(boundary) = boundary {
+            let positions: Vec<Point> = node_of
+                .iter()
+                .map(|&node| {
+                    let [x, y, z, _] = rest[node as usize];
+                    [x, y, z]
+                })
+                .collect();
+            let boundary =
+                BoundaryCurves::new(&positions, topology, cosine(boundary.corners / 360.0));
+            let mut take = |v: &u32| !std::mem::replace(&mut elsewhere[*v as usize], true);
+            corners = boundary.corners.into_iter().filter(&mut take).collect();
+            energy.points.extend(corners.iter().copied().map(at_point));
+            for curve in boundary.curves {
+                let vertices =
+                    curve.vertices.into_iter().filter(&mut take).map(on_surface).collect();
+                energy.surfaces.push(SurfaceTargets::new(Rc::new(curve.polyline), vertices));
+            }
+        }
+        let others = (0..).zip(&elsewhere).filter(|(_, elsewhere)| !**elsewhere).map(|(v, _)| v);
+        match to {
+            ClosenessTo::None => {}
+            ClosenessTo::Rest => energy.points.extend(others.map(at_point)),
+            ClosenessTo::Surface => {
+                let vertices: Vec<SurfaceTarget> = others.map(on_surface).collect();
+                let order = ascending(vertices.iter().map(|target| u64::from(target.node)));
+                let vertices = order.into_iter().map(|i| vertices[i as usize]).collect();
+                energy.surfaces.push(SurfaceTargets::new(surface(), vertices));
+            }
+        }
+        let any = energy.held().next().is_some();
+        (any.then_some(energy), corners)
+    }
+
+    /// The nodes that it holds, each once, with `k_v`, which is not zero.
+    pub(crate) fn held(&self) -> impl Iterator<Item = (u32, f64)> {
+        let on_surfaces = self.surfaces.iter().flat_map(|surface| &surface.vertices);
+        let on_surfaces = on_surfaces.map(|target| (target.node, target.factor));
+        on_surfaces.chain(self.points.iter().map(|target| (target.node, target.factor)))
+    }
+
+    /// Adds half the gradient of `lambda * E_close` at `x`, and gives `E_close`.
+    pub(crate) fn step(&mut self, x: &[Row], gradient: &mut [Row], lambda: f64) -> f64 {
+        let mut energy = 0.0;
+        let mut pull = |node: u32, factor: f64, target: Point| {
+            let (row, gradient) = (x[node as usize], &mut gradient[node as usize]);
+            let lambda = lambda * factor;
+            for i in 0..3 {
+                let away = row[i] - target[i];
+                energy += factor * (away * away);
+                gradient[i] += lambda * away;
+            }
+        };
+        for SurfaceTargets { on, vertices, footings } in &mut self.surfaces {
+            for (SurfaceTarget { node, warm, factor }, footing) in vertices.iter_mut().zip(footings)
+            {
+                let [px, py, pz, _] = x[*node as usize];
+                pull(*node, *factor, on.closest_from([px, py, pz], warm, footing));
+            }
+        }
+        for &PointTarget { node, factor, target: [px, py, pz, _] } in &self.points {
+            pull(node, factor, [px, py, pz]);
+        }
+        energy
+    }
+}

@@ -1,0 +1,49 @@
+//! Why a problem cannot be solved.
+
+use std::fmt;
+
+/// Why a valid problem cannot be solved as it stands.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SolveError {
+    /// The normal matrix is not positive definite although every component is held.
+    NotPositiveDefinite {
+        /// The vertex whose pivot failed.
+        vertex: u32,
+    },
+    /// A part of a surface that is to be flattened has no area, or so little that its matrix is singular.
+    NoArea {
+        /// A vertex of it.
+        vertex: u32,
+    },
+    /// The flat map of a surface puts it onto a line or into a point.
+    Collapsed,
+    /// A position became NaN or infinite; the last good state stays.
+    NotFinite {
+        /// The first such vertex.
+        vertex: u32,
+    },
+}
+
+impl fmt::Display for SolveError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            SolveError::NotPositiveDefinite { vertex } => write!(
+                f,
+                "the system is singular at vertex {vertex}: its weights are too small against those of the rest"
+            ),
+            SolveError::NoArea { vertex } => write!(
+                f,
+                "the part with vertex {vertex} has no area, or next to none, expected a surface"
+            ),
+            SolveError::Collapsed => write!(
+                f,
+                "its flat map collapses, expected a surface whose faces do not contradict each other"
+            ),
+            SolveError::NotFinite { vertex } => {
+                write!(f, "vertex {vertex} left the finite numbers; the last good shape is kept")
+            }
+        }
+    }
+}
+
+impl std::error::Error for SolveError {}

@@ -1,0 +1,33 @@
+//! The projections at the current positions, to be drawn.
+
+use super::Solver;
+use crate::constraint::{Fitted, Projected};
+
+impl Solver {
+    /// Gives `each` the row of every constraint, its vertices, and the way from each of these to the
+    /// shape that fits at the current positions, in the unit of the mesh.
+    pub fn projected(&mut self, mut each: impl FnMut(usize, &Projected)) {
+        let mut vertex_of = vec![0; self.x.len()];
+        for (vertex, &node) in (0..).zip(&self.system.node_of()[..self.n_vertices]) {
+            vertex_of[node as usize] = vertex;
+        }
+        let mut points = Vec::new();
+        self.energies.shape.projected(&self.x, |row, projected| {
+            points.clear();
+            points.extend(projected.iter().map(|&(node, way)| (vertex_of[node as usize], way)));
+            each(row, &points);
+        });
+    }
+
+    /// The shapes that fit the constraints at the current positions, to be drawn.
+    pub fn fitted(&self) -> Vec<Fitted> {
+        let offset = self.centre.into();
+        let mut shapes = self.energies.shape.fitted(&self.x);
+        for shape in &mut shapes {
+            match shape {
+                Fitted::Circle { centre, .. } | Fitted::Sphere { centre, .. } => *centre += offset,
+            }
+        }
+        shapes
+    }
+}

@@ -1,0 +1,278 @@
+//! The two-step iteration (paper sections 2.1 and 2.2) on one mesh.
+//!
+//! In delta form: `x -= A^-1 g(x)`, where `A = Q^T Q` is the normal matrix and `g(x) = A x - Q^T p(x)`
+//! half the gradient of the total energy (Appendix A). The local step gives `g` as a by-product, and
+//! the factor of `A` is only a metric: its rounding cannot move the fixed point.
+//!
+//! | file | holds |
+//! |---|---|
+//! | `step` | one iteration, and what it falls back to |
+//! | `handles` | handles and weights changed at the least cost |
+//! | `fitted` | the projections at the current positions, to be drawn |
+
+mod fitted;
+mod handles;
+mod step;
+
+use super::accelerate::Acceleration;
+use super::clock;
+use super::energy::{
+    CloseEnergy, Energies, Energy, Handle, HandleIndex, IterateSeconds, PositionalConstraints,
+    RestShape, ShapeEnergy, SmoothEnergy, smooth_terms,
+};
+use super::error::SolveError;
+use super::local_frame::{centre_and_extent, relative, rest_surface};
+use super::problem::Problem;
+use super::settings::{SmoothnessOf, SolverSettings};
+use super::setup_cache::SetupCache;
+use super::system::{SetUpSeconds, System};
+use crate::constraint::{LocalStep, Reference, Row};
+use crate::mesh::{Mesh, Point, Surface};
+use std::cell::OnceCell;
+use std::rc::Rc;
+
+/// A problem that is assembled, factored, and evaluated at its current positions.
+pub struct Solver {
+    centre: Point,
+    n_vertices: usize,
+    /// Vertices and extra unknowns; nodes beyond are padding.
+    n_unknowns: usize,
+    settings: SolverSettings,
+    system: System,
+    /// The rest surface, shared with the next solver; see [`SetupCache`].
+    surface: OnceCell<Rc<Surface>>,
+    energies: Energies,
+    /// Nodes that the shape energy holds in their place.
+    held: Vec<bool>,
+    /// Corners of the boundary, if these are fixed, and where.
+    corners: Vec<(u32, Point)>,
+    handles: Vec<Handle>,
+    handle_index: HandleIndex,
+    /// Whether the factor is that of these handles.
+    factored: bool,
+    pinned: Vec<u32>,
+    accelerator: Acceleration,
+    x: Vec<Row>,
+    /// The positions that vertices were last put at, `#V by 3`: a vertex that is still there keeps
+    /// every bit of its coordinates.
+    put: Vec<Point>,
+    /// Half the gradient of the total at `x`; zero where fixed.
+    gradient: Vec<Row>,
+    energy: Energy,
+    /// The same before the last step.
+    previous: (Vec<Row>, Vec<Row>),
+    /// Whether there was one since the problem changed.
+    has_previous: bool,
+    /// Room for the next positions.
+    next: Vec<Row>,
+    /// The lowest total of an accelerated run, and where.
+    best: Option<(f64, Vec<Row>)>,
+    /// Changes of the total below this are rounding: positions have no more digits.
+    rounding: f64,
+    converged: bool,
+    /// Whether the last step was not the plain one.
+    accelerated: bool,
+    seconds: IterateSeconds,
+}
+
+impl Solver {
+    /// Assembles, orders, factors, and evaluates at the positions `start`, `#V by 3`. Each vertex
+    /// has one handle at most. What another solver on the same mesh left in the `cache` is not made again.
+    ///
+    /// # Errors
+    /// When the normal matrix is not positive definite.
+    pub fn new(
+        problem: &Problem<'_>,
+        cache: SetupCache,
+        handles: Vec<Handle>,
+        start: &[Point],
+    ) -> Result<Solver, SolveError> {
+        let started = clock::now();
+        let Problem { mesh, constraints, weights, settings, .. } = *problem;
+        let n_vertices = mesh.positions.len();
+        let n_unknowns = problem.n_unknowns();
+        // `sprs-ldl` panics below two unknowns: the rest is padding, and fixed.
+        let n = n_unknowns.max(2);
+        let laplacian = problem.laplacian();
+        let shape_terms = problem.shape_terms();
+        let held = problem.nodes_held_by(&shape_terms, n);
+        let smooth_part = laplacian.as_ref().map(smooth_terms).unwrap_or_default();
+        let before_system = clock::now();
+        let terms = vec![shape_terms, smooth_part];
+        let SetupCache { surface: made, analysis } = cache;
+        let mut system = System::with_order(n, terms, settings.factorization, analysis.as_ref());
+        let after_system = clock::now();
+
+        let (centre, diameter) = centre_and_extent(&mesh.positions);
+        let node_of = &system.node_of()[..n_vertices];
+        let to_rows = |points: &[Point]| {
+            let mut rows = vec![[0.0; 4]; n];
+            for (&point, &node) in points.iter().zip(node_of) {
+                rows[node as usize] = relative(point, centre);
+            }
+            rows
+        };
+        let rest = to_rows(&mesh.positions);
+        let x = to_rows(start);
+        let surface = || Rc::clone(made.get_or_init(|| Rc::new(rest_surface(mesh, centre))));
+        let reference = Reference { surface: &surface };
+        let (close, corners) = if weights.close > 0.0 {
+            let factors = problem.closeness_factors;
+            let rest_shape =
+                RestShape { rest: &rest, node_of, topology: problem.topology, surface: &surface };
+            CloseEnergy::new(problem.closeness_to, problem.boundary_closeness, factors, &rest_shape)
+        } else {
+            Default::default()
+        };
+        let energies = Energies {
+            weights,
+            shape: ShapeEnergy::new(constraints, node_of, &rest, settings.monotone, &reference),
+            smooth: laplacian.map(|laplacian| {
+                let rest = match problem.smoothness.of {
+                    SmoothnessOf::Surface => Vec::new(),
+                    SmoothnessOf::Displacement => rest.clone(),
+                };
+                SmoothEnergy::new(&laplacian, node_of, n, rest)
+            }),
+            close,
+            handles: PositionalConstraints::default(),
+        };
+        let held = {
+            let mut by_node = vec![false; n];
+            held.iter().zip(system.node_of()).for_each(|(&h, &node)| by_node[node as usize] = h);
+            by_node
+        };
+        system.seconds.assemble += before_system - started + clock::now() - after_system;
+
+        let mut solver = Solver {
+            centre,
+            n_vertices,
+            n_unknowns,
+            settings,
+            system,
+            surface: made,
+            energies,
+            held,
+            corners: corners.into_iter().map(|v| (v, mesh.positions[v as usize])).collect(),
+            handles: Vec::new(),
+            handle_index: HandleIndex::new(n_vertices, &[]),
+            factored: false,
+            pinned: Vec::new(),
+            accelerator: Acceleration::new(&settings),
+            gradient: vec![[0.0; 4]; n],
+            previous: (vec![[0.0; 4]; n], vec![[0.0; 4]; n]),
+            has_previous: false,
+            next: vec![[0.0; 4]; n],
+            x,
+            put: start.to_vec(),
+            energy: Energy::default(),
+            best: None,
+            rounding: 1e-30 * diameter * diameter * n_vertices as f64,
+            converged: false,
+            accelerated: false,
+            seconds: IterateSeconds::default(),
+        };
+        solver.hold(handles, None)?;
+        Ok(solver)
+    }
+
+    /// Replaces the positions, `#V by 3`.
+    pub fn set_positions(&mut self, positions: &[Point]) {
+        self.place(Some(positions));
+        self.retarget();
+    }
+
+    /// The same, if there are others, without evaluating there.
+    fn place(&mut self, positions: Option<&[Point]>) {
+        let Some(positions) = positions else { return };
+        for (&point, &node) in positions.iter().zip(self.system.node_of()) {
+            self.x[node as usize] = relative(point, self.centre);
+        }
+        self.put.copy_from_slice(positions);
+    }
+
+    /// Forgets the steps so far: the next one starts anew.
+    fn forget(&mut self) {
+        self.accelerator.forget();
+        self.has_previous = false;
+    }
+
+    /// Step I at `x`.
+    fn evaluate(&mut self) {
+        self.energy = self.energies.evaluate(&self.x, &mut self.gradient, &mut self.seconds);
+        self.system.clear_fixed(&mut self.gradient);
+    }
+
+    /// Current positions, `#V by 3`.
+    pub fn positions(&self) -> impl ExactSizeIterator<Item = Point> {
+        (0..self.n_vertices as u32).map(|vertex| self.position(vertex))
+    }
+
+    fn position(&self, vertex: u32) -> Point {
+        let row = self.x[self.system.node_of()[vertex as usize] as usize];
+        let put = self.put[vertex as usize];
+        if row == relative(put, self.centre) {
+            put
+        } else {
+            std::array::from_fn(|i| row[i] + self.centre[i])
+        }
+    }
+
+    /// The energies at the current positions.
+    pub fn energy(&self) -> Energy {
+        self.energy
+    }
+    /// The gradient of the total energy at the current positions (Appendix A), `#V by 3`; zero where
+    /// vertices are fixed.
+    pub fn gradient(&self) -> impl ExactSizeIterator<Item = Point> {
+        let half = |&node: &u32| self.gradient[node as usize];
+        self.system.node_of()[..self.n_vertices]
+            .iter()
+            .map(half)
+            .map(|[x, y, z, _]| [x + x, y + y, z + z])
+    }
+    /// Whether the last step changed the total by no more than the tolerance.
+    pub fn converged(&self) -> bool {
+        self.converged
+    }
+    /// Whether the last step went elsewhere than to the least-squares answer to its projections.
+    pub fn accelerated(&self) -> bool {
+        self.accelerated
+    }
+    /// The handles, in the order in which they were made; targets in the unit of the mesh.
+    pub fn handles(&self) -> &[Handle] {
+        &self.handles
+    }
+    /// Vertices pinned because nothing holds their part.
+    pub fn pinned(&self) -> &[u32] {
+        &self.pinned
+    }
+    /// For each row of constraints its energy at the last local step, and the greatest squared distance of
+    /// a point from its projection.
+    pub fn found(&self) -> impl Iterator<Item = LocalStep> {
+        self.energies.shape.found()
+    }
+    /// The linear system of the global step.
+    pub fn system(&self) -> &System {
+        &self.system
+    }
+    /// The rest surface of `mesh`, which is that of the problem, and the centre that its coordinates are
+    /// relative to. It is made when it is first asked for.
+    pub fn rest_surface(&self, mesh: &Mesh) -> (Rc<Surface>, Point) {
+        let surface = self.surface.get_or_init(|| Rc::new(rest_surface(mesh, self.centre)));
+        (Rc::clone(surface), self.centre)
+    }
+    /// For the next solver on the same mesh.
+    pub fn setup_cache(&self) -> SetupCache {
+        let analysis = Some(Rc::clone(self.system.analysis()));
+        SetupCache { surface: self.surface.clone(), analysis }
+    }
+    /// Seconds of setting up: terms and matrix, ordering and analysis, the last numeric factor.
+    pub fn set_up_seconds(&self) -> SetUpSeconds {
+        self.system.seconds
+    }
+    /// Seconds of all iterations so far, by part.
+    pub fn iterate_seconds(&self) -> IterateSeconds {
+        self.seconds
+    }
+}

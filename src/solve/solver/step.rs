@@ -1,0 +1,96 @@
+//! One iteration, with its fallbacks: from an accelerated step to the plain one, from numbers that are not
+//! finite to the positions before, from the end of a run to its lowest total.
+
+use super::Solver;
+use crate::constraint::Row;
+use crate::solve::accelerate::Iterate;
+use crate::solve::clock;
+use crate::solve::error::SolveError;
+
+impl Solver {
+    /// One iteration: step II from the projections at hand, then step I at the new positions.
+    ///
+    /// # Errors
+    /// When a position leaves the finite numbers; the positions are then those before the step.
+    pub fn step(&mut self) -> Result<(), SolveError> {
+        if self.system.unknowns() == 0 && self.energy.total.is_finite() {
+            self.accelerated = false;
+            self.converged = self.settings.tolerance > 0.0;
+            return Ok(());
+        }
+        self.system.prepare()?;
+        let before = self.energy;
+        let started = clock::now();
+        let now = Iterate { x: &self.x, gradient: &self.gradient };
+        let previous = Iterate { x: &self.previous.0, gradient: &self.previous.1 };
+        let learned = self.has_previous;
+        let previous = learned.then_some(previous);
+        let accelerated = self.accelerator.propose(now, previous, &mut self.system, &mut self.next);
+        std::mem::swap(&mut self.previous.0, &mut self.x);
+        std::mem::swap(&mut self.previous.1, &mut self.gradient);
+        std::mem::swap(&mut self.x, &mut self.next);
+        self.has_previous = true;
+        self.seconds.global += clock::now() - started;
+        self.evaluate();
+        // Without a step to learn from, a proposal is the plain step in fewer digits.
+        self.accelerated = accelerated && learned;
+        if accelerated {
+            // Written so that NaN falls back too.
+            let falls = self.energy.total < before.total;
+            if !falls {
+                self.accelerated = false;
+                self.take_plain_step();
+            }
+            self.keep_best(before.total);
+        }
+        self.stop_non_finite()?;
+        let change = (self.energy.total - before.total).abs();
+        let tolerance = self.settings.tolerance;
+        self.converged = tolerance > 0.0 && change <= (tolerance * before.total).max(self.rounding);
+        Ok(())
+    }
+
+    /// The step of the plain iteration from the positions before.
+    fn take_plain_step(&mut self) {
+        let started = clock::now();
+        let previous = Iterate { x: &self.previous.0, gradient: &self.previous.1 };
+        previous.plain_step(&mut self.system, &mut self.x);
+        self.seconds.global += clock::now() - started;
+        self.energies.shape.take_back();
+        self.evaluate();
+    }
+
+    /// With operators that are not exact even the plain step can raise the total in a late digit.
+    fn keep_best(&mut self, before: f64) {
+        if self.energy.total > before && self.best.as_ref().is_none_or(|best| before < best.0) {
+            self.best = Some((before, self.previous.0.clone()));
+        }
+    }
+
+    /// Goes back to the lowest total of the run, if the last step was not it.
+    pub fn settle(&mut self) {
+        if let Some((total, x)) = self.best.take()
+            && total < self.energy.total
+        {
+            self.x = x;
+            self.forget();
+            self.evaluate();
+        }
+    }
+
+    /// The second of two gates for non-finite numbers; the first is where input is read.
+    fn stop_non_finite(&mut self) -> Result<(), SolveError> {
+        let finite = |row: &Row| row.iter().all(|value| value.is_finite());
+        // Without a way out halfway it takes several at a time.
+        let all_finite = |all: bool, value: &f64| all & value.is_finite();
+        if self.energy.total.is_finite() && self.x.as_flattened().iter().fold(true, all_finite) {
+            return Ok(());
+        }
+        let node = self.x.iter().position(|row| !finite(row)).unwrap_or(0) as u32;
+        let vertex = self.system.node_of()[..self.n_vertices].iter().position(|&of| of == node);
+        self.x.copy_from_slice(&self.previous.0);
+        self.forget();
+        self.evaluate();
+        Err(SolveError::NotFinite { vertex: vertex.unwrap_or(0) as u32 })
+    }
+}

@@ -1,0 +1,89 @@
+//! Symbolic analysis: permutation, pattern and supernodes follow from the pattern of a symmetric matrix, and
+//! serve every matrix of that pattern.
+
+use super::matrix::UpperTriangle;
+use super::order::elimination_order;
+use super::supernodes::Supernodes;
+use sprs::{CsMatI, CsStructureI, PermOwnedI};
+use std::rc::Rc;
+
+/// The symbolic analysis of a pattern.
+pub(crate) struct SymbolicAnalysis {
+    /// The whole pattern with its diagonal, as it was given.
+    structure: CsStructureI<u32>,
+    /// `at(k)` is the unknown that is eliminated `k`-th.
+    permutation: PermOwnedI<u32>,
+    /// The inverse of the permutation: the place of each unknown in the order of elimination.
+    place_of: Vec<u32>,
+    /// The upper triangle in the order of elimination.
+    upper: CsStructureI<u32>,
+    supernodes: Rc<Supernodes>,
+}
+
+impl SymbolicAnalysis {
+    /// Orders and analyses a symmetric pattern with its diagonal.
+    pub(crate) fn new(structure: CsStructureI<u32>) -> SymbolicAnalysis {
+        let permutation = elimination_order(&structure);
+        let place_of = permutation.inv_vec();
+        let upper = permuted_upper(&structure, &permutation, &place_of);
+        let supernodes = Rc::new(Supernodes::new(&upper));
+        SymbolicAnalysis { structure, permutation, place_of, upper, supernodes }
+    }
+
+    /// Whether this is the analysis of that pattern.
+    pub(crate) fn fits(&self, structure: &CsStructureI<u32>) -> bool {
+        self.structure == *structure
+    }
+
+    /// The number of unknowns.
+    pub(crate) fn size(&self) -> usize {
+        self.place_of.len()
+    }
+
+    /// The unknown that is eliminated `k`-th.
+    pub(crate) fn unknown_at(&self, k: usize) -> u32 {
+        self.permutation.at(k) as u32
+    }
+
+    /// The place of each unknown in the order of elimination.
+    pub(crate) fn place_of(&self) -> &[u32] {
+        &self.place_of
+    }
+
+    /// A number for each unknown in the order of elimination, which those that the pattern connects share.
+    pub(crate) fn components(&self) -> &[u32] {
+        self.supernodes.components()
+    }
+
+    /// The supernodes of the factor.
+    pub(crate) fn supernodes(&self) -> &Rc<Supernodes> {
+        &self.supernodes
+    }
+
+    /// A matrix of this pattern in the order of elimination, zero so far.
+    pub(crate) fn zeros(&self) -> UpperTriangle {
+        let columns = self.upper.indptr().raw_storage().to_vec();
+        let rows = self.upper.indices().to_vec();
+        CsMatI::new_csc(self.upper.shape(), columns, rows, vec![0.0; self.upper.nnz()])
+    }
+}
+
+/// The upper triangle of `P A P^T`.
+fn permuted_upper(
+    structure: &CsStructureI<u32>,
+    permutation: &PermOwnedI<u32>,
+    place_of: &[u32],
+) -> CsStructureI<u32> {
+    let n = structure.cols();
+    let (mut columns, mut rows) = (Vec::with_capacity(n + 1), Vec::new());
+    columns.push(0);
+    for k in 0..n {
+        let first = rows.len();
+        let neighbours = &structure.indices()[structure.indptr().outer_inds_sz(permutation.at(k))];
+        rows.extend(neighbours.iter().map(|&u| place_of[u as usize]).filter(|&u| u as usize <= k));
+        rows[first..].sort_unstable();
+        columns.push(rows.len() as u32);
+    }
+    let values = vec![(); rows.len()];
+    CsStructureI::new_csc((n, n), columns, rows, values)
+}

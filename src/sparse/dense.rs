@@ -1,0 +1,168 @@
+//! Dense kernels of the supernodal factor, on lower triangles in panels of four columns.
+//!
+//! A panel stores its rows one after another, four values each, from the first row of its own
+//! columns on; what is above the diagonal means nothing, and where fewer than four columns are left,
+//! nor do the rest. Rows are one or two registers, so that nothing is packed or shuffled.
+
+/// One row of a panel.
+pub(crate) type Quad = [f64; 4];
+
+/// How many rows the panels of the first `width` columns of a lower triangle with `height` rows take
+/// together.
+pub(crate) fn size(width: usize, height: usize) -> usize {
+    start(width.div_ceil(4), height)
+}
+
+/// Where panel `p` of a lower triangle with `height` rows starts.
+pub(crate) fn start(p: usize, height: usize) -> usize {
+    p * (height + 2) - 2 * p * p
+}
+
+/// Factors the first `width` columns of a lower triangle with `height` rows in place, `L D L^T`,
+/// and gives each pivot to `accept` before it divides.
+///
+/// # Errors
+/// The first column whose pivot is not accepted.
+pub(crate) fn factor(
+    panels: &mut [Quad],
+    width: usize,
+    height: usize,
+    pivots: &mut [f64],
+    accept: impl Fn(usize, f64) -> bool,
+) -> Result<(), usize> {
+    for p in 0..width.div_ceil(4) {
+        let (before, panel) = panels.split_at_mut(start(p, height));
+        let panel = &mut panel[..height - 4 * p];
+        for q in 0..p {
+            // The rows of panel `q` from the first one of this panel on.
+            let source = &before[start(q, height) + 4 * (p - q)..][..panel.len()];
+            let right = times_pivots(source, &pivots[4 * q..4 * q + 4]);
+            subtract_product::<4>(panel, source, &right);
+        }
+        let columns = 4 * p..width.min(4 * p + 4);
+        let own = &mut pivots[columns.clone()];
+        let (below, inverse) = factor_tile(panel, own, |c, pivot| accept(columns.start + c, pivot))
+            .map_err(|c| columns.start + c)?;
+        divide(&mut panel[own.len()..], &below, &inverse);
+    }
+    Ok(())
+}
+
+/// The diagonal tile of a panel: its strict lower triangle column by column, and the inverse
+/// pivots; zeros and ones where there are fewer columns.
+fn factor_tile(
+    panel: &mut [Quad],
+    pivots: &mut [f64],
+    accept: impl Fn(usize, f64) -> bool,
+) -> Result<([Quad; 3], Quad), usize> {
+    let width = pivots.len();
+    let (mut below, mut inverse) = ([[0.0; 4]; 3], [1.0; 4]);
+    for c in 0..width {
+        let pivot = panel[c][c];
+        if !accept(c, pivot) {
+            return Err(c);
+        }
+        pivots[c] = pivot;
+        inverse[c] = 1.0 / pivot;
+        for r in c + 1..width {
+            let l = panel[r][c] * inverse[c];
+            below[c][r] = l;
+            for k in c + 1..=r {
+                panel[r][k] -= l * panel[k][c];
+            }
+        }
+        for r in c + 1..width {
+            panel[r][c] = below[c][r];
+        }
+    }
+    Ok((below, inverse))
+}
+
+/// Rows below the diagonal tile, from those of the matrix to those of `L`.
+#[inline(never)]
+fn divide(rows: &mut [Quad], below: &[Quad; 3], inverse: &Quad) {
+    for row in rows {
+        let mut values = *row;
+        for c in 0..3 {
+            let own = values[c];
+            values = std::array::from_fn(|k| values[k] - own * below[c][k]);
+        }
+        *row = std::array::from_fn(|k| values[k] * inverse[k]);
+    }
+}
+
+/// Whether one of the rows below the first `width` columns of `panels` is not zero there.
+pub(crate) fn has_below(panels: &[Quad], width: usize, height: usize) -> bool {
+    (0..width.div_ceil(4)).any(|p| {
+        let rows = &panels[start(p, height)..][..height - 4 * p];
+        rows[width - 4 * p..].as_flattened().iter().any(|&value| value != 0.0)
+    })
+}
+
+/// Subtracts `L D L^T` of the rows below the first `width` columns of `panels`, which are factored, from
+/// the lower triangle `update`.
+pub(crate) fn subtract_outer(
+    update: &mut [Quad],
+    panels: &[Quad],
+    width: usize,
+    height: usize,
+    pivots: &[f64],
+) {
+    let below = height - width;
+    for q in 0..below.div_ceil(4) {
+        let target = &mut update[start(q, below)..][..below - 4 * q];
+        for p in 0..width.div_ceil(4) {
+            let source = &panels[start(p, height) + width + 4 * q - 4 * p..][..target.len()];
+            let own = &pivots[4 * p..width.min(4 * p + 4)];
+            let right = times_pivots(source, own);
+            match own.len() {
+                1 => subtract_product::<1>(target, source, &right),
+                2 => subtract_product::<2>(target, source, &right),
+                3 => subtract_product::<3>(target, source, &right),
+                _ => subtract_product::<4>(target, source, &right),
+            }
+        }
+    }
+}
+
+/// `D L^T` of the first four rows, or as many as there are.
+fn times_pivots(rows: &[Quad], pivots: &[f64]) -> [Quad; 4] {
+    let mut product = [[0.0; 4]; 4];
+    for (c, row) in rows.iter().take(4).enumerate() {
+        for (k, pivot) in pivots.iter().enumerate() {
+            product[k][c] = pivot * row[k];
+        }
+    }
+    product
+}
+
+/// `target -= left * right`, over the first `W` columns of `left`: where most of the time goes.
+// A function of its own: V8 replaces wasm functions by optimised code only between calls.
+#[inline(never)]
+fn subtract_product<const W: usize>(target: &mut [Quad], left: &[Quad], right: &[Quad; 4]) {
+    // Tiles of four rows: of single rows the compiler would make two lanes of two rows, and shuffle.
+    let (target_tiles, target_rest) = target.as_chunks_mut::<4>();
+    let (left_tiles, left_rest) = left.as_chunks::<4>();
+    for (target, left) in target_tiles.iter_mut().zip(left_tiles) {
+        *target = tile_minus_product::<W, 4>(*target, left, right);
+    }
+    for (target, left) in target_rest.iter_mut().zip(left_rest) {
+        [*target] = tile_minus_product::<W, 1>([*target], &[*left], right);
+    }
+}
+
+#[inline(always)]
+fn tile_minus_product<const W: usize, const ROWS: usize>(
+    mut tile: [Quad; ROWS],
+    left: &[Quad; ROWS],
+    right: &[Quad; 4],
+) -> [Quad; ROWS] {
+    for k in 0..W {
+        for row in 0..ROWS {
+            for c in 0..4 {
+                tile[row][c] -= left[row][k] * right[k][c];
+            }
+        }
+    }
+    tile
+}

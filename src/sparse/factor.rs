@@ -1,0 +1,231 @@
+//! `L D L^T` of a symmetric positive definite matrix, by one of two numeric factors, in panels of the
+//! precisions that are asked for.
+
+use super::f32_factor::F32Factor;
+use super::matrix::UpperTriangle;
+use super::panels::Panels;
+use super::pivot::{SMALLEST_PIVOT, Singular};
+use super::rank_one::Update;
+use super::simplicial::Simplicial;
+use super::supernodal;
+use super::supernodes::Supernodes;
+use sprs_ldl::LdlNumeric;
+use std::rc::Rc;
+
+/// Which numeric factor is computed. All fill the same panels and agree to rounding.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Factorization {
+    /// That of `sprs-ldl` for systems of up to [`Factorization::MOST_SIMPLICIAL`] unknowns, the supernodal
+    /// one for larger ones.
+    #[default]
+    Auto,
+    /// Dense blocks of columns with the same rows, multifrontal.
+    Supernodal,
+    /// One column after another, by the crate `sprs-ldl`.
+    SprsLdl,
+}
+
+impl Factorization {
+    /// Up to so many unknowns the factor of `sprs-ldl` is the default.
+    pub const MOST_SIMPLICIAL: usize = 1000;
+
+    /// The one place that chooses: whether a system of `unknowns` is factored by `sprs-ldl`.
+    fn is_simplicial(self, unknowns: usize) -> bool {
+        match self {
+            Factorization::Auto => unknowns <= Factorization::MOST_SIMPLICIAL,
+            Factorization::Supernodal => false,
+            Factorization::SprsLdl => true,
+        }
+    }
+}
+
+/// With what precision a system is solved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Precision {
+    /// See [`F32Factor`].
+    Single,
+    /// See [`Panels`].
+    Double,
+}
+
+/// A symmetric positive definite matrix, factored. Most scenes need one of two precisions: what was
+/// never asked for is not there.
+pub(crate) struct Factor {
+    supernodes: Rc<Supernodes>,
+    /// None where the factor is supernodal.
+    simplicial: Option<Simplicial>,
+    pivots: Vec<f64>,
+    single: Option<F32Factor>,
+    double: Option<Panels<f64>>,
+}
+
+impl Factor {
+    /// For matrices whose factor has these supernodes.
+    pub(crate) fn new(supernodes: Rc<Supernodes>, factorization: Factorization) -> Factor {
+        let is_simplicial = factorization.is_simplicial(supernodes.components().len());
+        let simplicial = is_simplicial.then(Simplicial::default);
+        Factor { supernodes, simplicial, pivots: Vec::new(), single: None, double: None }
+    }
+
+    /// Factors `matrix`, whose columns are in the order of elimination, to be solved with `precision` at
+    /// once. The rows and columns that are `fixed` are those of the identity.
+    ///
+    /// # Errors
+    /// When it is not positive definite to working precision. Another matrix must be factored then before
+    /// anything is solved.
+    pub(crate) fn factor(
+        &mut self,
+        matrix: &UpperTriangle,
+        fixed: &[bool],
+        precision: Precision,
+    ) -> Result<(), Singular> {
+        let Factor { supernodes, simplicial, pivots, single, double } = self;
+        let own = || Rc::clone(supernodes);
+        match precision {
+            Precision::Single => _ = single.get_or_insert_with(|| F32Factor::new(own())),
+            Precision::Double => _ = double.get_or_insert_with(|| Panels::new(own())),
+        }
+        let mut to = Precisions { single: single.as_mut(), double: double.as_mut() };
+        match simplicial {
+            Some(simplicial) => to.fill(simplicial.factor(matrix, SMALLEST_PIVOT)?, fixed),
+            None => to.factor(supernodes, matrix, fixed, SMALLEST_PIVOT, pivots)?,
+        }
+        Ok(())
+    }
+
+    /// The factor of `matrix`, which is the one that was factored last, in double precision.
+    pub(crate) fn double(&mut self, matrix: &UpperTriangle, fixed: &[bool]) -> &Panels<f64> {
+        let Factor { supernodes, simplicial, pivots, double, .. } = self;
+        double.get_or_insert_with(|| {
+            let mut made = Panels::new(Rc::clone(supernodes));
+            let to = Precisions { single: None, double: Some(&mut made) };
+            to.again(supernodes, simplicial, matrix, fixed, pivots);
+            made
+        })
+    }
+
+    /// The factor of `matrix`, which is the one that was factored last, in single precision.
+    pub(crate) fn single(&mut self, matrix: &UpperTriangle, fixed: &[bool]) -> &F32Factor {
+        let Factor { supernodes, simplicial, pivots, single, .. } = self;
+        single.get_or_insert_with(|| {
+            let mut made = F32Factor::new(Rc::clone(supernodes));
+            let to = Precisions { single: Some(&mut made), double: None };
+            to.again(supernodes, simplicial, matrix, fixed, pivots);
+            made
+        })
+    }
+
+    /// Whether it can be solved with this precision at once.
+    pub(crate) fn has(&self, precision: Precision) -> bool {
+        match precision {
+            Precision::Single => self.single.is_some(),
+            Precision::Double => self.double.is_some(),
+        }
+    }
+
+    /// Gives the memory of the other precision back.
+    pub(crate) fn keep_only(&mut self, precision: Precision) {
+        match precision {
+            Precision::Single => self.double = None,
+            Precision::Double => self.single = None,
+        }
+    }
+
+    /// Changes the factor to that of the updated matrix; see [`Panels::update`].
+    pub(crate) fn update(&mut self, column: u32, update: Update) {
+        if let Some(single) = &mut self.single {
+            single.update(column, update);
+        }
+        if let Some(double) = &mut self.double {
+            double.update(column, update);
+        }
+    }
+
+    /// Nonzeros of `L` with its diagonal.
+    pub(crate) fn nonzeros(&self) -> usize {
+        self.supernodes.nonzeros()
+    }
+}
+
+/// The panels that are to be filled.
+struct Precisions<'a> {
+    single: Option<&'a mut F32Factor>,
+    double: Option<&'a mut Panels<f64>>,
+}
+
+impl Precisions<'_> {
+    /// With the factor of a matrix that has one.
+    fn again(
+        mut self,
+        supernodes: &Supernodes,
+        simplicial: &mut Option<Simplicial>,
+        matrix: &UpperTriangle,
+        fixed: &[bool],
+        pivots: &mut Vec<f64>,
+    ) {
+        const FACTORED: &str = "what has a factor in one precision has it in the other";
+        const ANY: f64 = f64::NEG_INFINITY;
+        match simplicial {
+            Some(simplicial) => self.fill(simplicial.factor(matrix, ANY).expect(FACTORED), fixed),
+            None => self.factor(supernodes, matrix, fixed, ANY, pivots).expect(FACTORED),
+        }
+    }
+
+    /// With the supernodal factor.
+    fn factor(
+        &mut self,
+        supernodes: &Supernodes,
+        matrix: &UpperTriangle,
+        fixed: &[bool],
+        smallest: f64,
+        pivots: &mut Vec<f64>,
+    ) -> Result<(), Singular> {
+        pivots.resize(matrix.cols(), 0.0);
+        supernodal::factor(supernodes, matrix, fixed, smallest, pivots, &mut |s, front| {
+            if let Some(single) = &mut self.single {
+                single.panels().store(s, front);
+            }
+            if let Some(double) = &mut self.double {
+                double.store(s, front);
+            }
+        })?;
+        self.set_pivots(pivots, fixed);
+        Ok(())
+    }
+
+    /// With the factor of `sprs-ldl`.
+    fn fill(&mut self, numeric: &LdlNumeric<f64, u32>, fixed: &[bool]) {
+        if let Some(single) = &mut self.single {
+            single.panels().fill(numeric.l());
+        }
+        if let Some(double) = &mut self.double {
+            double.fill(numeric.l());
+        }
+        self.set_pivots(numeric.d(), fixed);
+    }
+
+    fn set_pivots(&mut self, pivots: &[f64], fixed: &[bool]) {
+        if let Some(single) = &mut self.single {
+            single.set_pivots(pivots, fixed);
+        }
+        if let Some(double) = &mut self.double {
+            double.set_pivots(pivots);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_size_of_the_system_chooses_unless_the_scene_does() {
+        let most = Factorization::MOST_SIMPLICIAL;
+        let chosen = |factorization: Factorization| {
+            [most, most + 1].map(|unknowns| factorization.is_simplicial(unknowns))
+        };
+        assert_eq!(chosen(Factorization::Auto), [true, false]);
+        assert_eq!(chosen(Factorization::SprsLdl), [true; 2]);
+        assert_eq!(chosen(Factorization::Supernodal), [false; 2]);
+    }
+}
