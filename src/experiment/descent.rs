@@ -1,8 +1,8 @@
 //! Methods that see the total energy and its gradient and nothing else: `2 w_i (x - P_i(x))`, summed
 //! (Appendix A). No part of the projections is differentiated, and no linear system is solved.
 
+use super::declaration::{Method, Step};
 use super::line_search::{Along, wolfe_step};
-use super::{Method, Step};
 use crate::error::Error;
 use crate::mesh::{Mesh, Point};
 use crate::scene::Scene;

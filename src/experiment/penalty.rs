@@ -6,8 +6,10 @@
 //! length, beside which no step is short enough. Either finds a local minimum only.
 
 use super::continuation::Continuation;
+use super::declaration::{
+    Experiment, Limits, Method, MethodInfo, Over, Plot, Quantity, Step, Unit,
+};
 use super::gauss_newton::GaussNewton;
-use super::{Experiment, Limits, Method, MethodInfo, Over, Plot, Quantity, Step, Unit};
 use crate::error::Error;
 use crate::mesh::{BoundingSphere, Laplacian, Measures, Mesh, Point, Ragged, Topology};
 use crate::scene::{ClosenessTo, Hold, Scene, SceneError, SmoothnessOf, Weights};

@@ -1,9 +1,9 @@
 //! Fig. 10: an animal whose vertices have collapsed comes back, because each ring of neighbours is to
 //! have the shape that it had; by five methods.
 
+use super::declaration::{Experiment, Limits, MethodInfo, Over, Plot, Quantity, Unit};
 use super::descent::Descent;
 use super::two_step::TwoStep;
-use super::{Experiment, Limits, MethodInfo, Over, Plot, Quantity, Unit};
 use crate::scene::Accelerator;
 
 /// Steps that L-BFGS remembers.

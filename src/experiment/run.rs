@@ -1,7 +1,7 @@
 //! One experiment under way: a method after another, an iteration at a time, so that a host can show
 //! how far it is and stop whenever it likes.
 
-use super::{Experiment, Limits, Method, Step};
+use super::declaration::{Experiment, Limits, Method, Step};
 use crate::error::Error;
 use crate::mesh::Mesh;
 use crate::scene::Scene;

@@ -1,6 +1,6 @@
 //! The project's own solver as a method: the two-step iteration, plain or accelerated.
 
-use super::{Method, Step};
+use super::declaration::{Method, Step};
 use crate::error::Error;
 use crate::mesh::Mesh;
 use crate::scene::{Accelerator, Scene};

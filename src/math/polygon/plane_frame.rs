@@ -1,6 +1,6 @@
 //! Orthonormal axes of the plane that two vectors span.
 
-use super::{Lane, Vec3};
+use crate::math::{Lane, Vec3};
 
 /// A vector shorter than this fraction of another is rounding error beside it.
 const NEGLIGIBLE: f64 = 4.0 * f64::EPSILON;

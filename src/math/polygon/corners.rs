@@ -1,6 +1,6 @@
 //! The corners of a polygon in turn: what loops over the faces of a mesh have in common.
 
-use super::Vec3;
+use crate::math::Vec3;
 
 /// The sides of a polygon: each corner with the one after it, the last one with the first.
 pub fn polygon_sides<T: Copy>(corners: &[T]) -> impl Iterator<Item = [T; 2]> + Clone + '_ {

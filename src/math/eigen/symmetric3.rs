@@ -1,9 +1,9 @@
 //! Symmetric 3x3 matrices in lanes, and the scatter matrix of centred points (`C^T C` of paper
 //! section 3.1).
 
-use super::{Lane, Vec3};
+use crate::math::{Lane, Vec3};
 
-/// A symmetric 3x3 matrix; with [`super::Lanes`] one for each of several constraints.
+/// A symmetric 3x3 matrix; with [`crate::math::Lanes`] one for each of several constraints.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Symmetric3<S> {
     /// Row 1, column 1.

@@ -13,7 +13,7 @@
 //! exceeds the trace. A residual counts as one ulp at least, so that a gap which is itself rounding
 //! error never passes. `p'` is negative at the middle eigenvalue only, so its sign tells that one.
 
-use super::{Lane, Symmetric3, Vec3};
+use crate::math::{Lane, Symmetric3, Vec3};
 
 /// Enough for eigenvalues that differ by a factor of four; closer ones fail the check.
 const NEWTON_STEPS: usize = 5;
@@ -29,7 +29,7 @@ pub struct Eigenvector<S> {
     /// Its eigenvalue.
     pub value: S,
     /// One in the lanes where `vector` is off by at most 1e-12 radians, else zero. There the
-    /// vector is not to be used, and may be anything: see [`super::PrincipalAxes`].
+    /// vector is not to be used, and may be anything: see [`crate::math::PrincipalAxes`].
     pub accurate: S,
 }
 

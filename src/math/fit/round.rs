@@ -16,7 +16,7 @@
 //! which divides by nothing that vanishes with `d`: at `d = 0` it is the projection onto the line
 //! (or plane) through the mean that is orthogonal to `a`, the limit circle.
 
-use super::{Lane, Vec3};
+use crate::math::{Lane, Vec3};
 
 /// Below this fraction of the longest, an extent is rounding error: the points are collinear (or
 /// coplanar).
@@ -24,7 +24,7 @@ const FLAT: f64 = 32.0 * f64::EPSILON;
 
 /// A point nearer to the centre than this fraction of the radius is at the centre: the direction in
 /// which it lies is rounding error.
-pub(super) const AT_CENTRE: f64 = 1e-14;
+pub(crate) const AT_CENTRE: f64 = 1e-14;
 
 /// The least `R`, relative to the points (unit trace, lengths over `s^1/2`), at which the closed
 /// form is used. Its rounding error is a few ulp of one, divided by this: about 1e-12 of the size of
@@ -41,7 +41,7 @@ pub struct Round<S> {
     /// The radius times `d`.
     pub reach: S,
     /// The mean of `|v|^2`.
-    pub(super) mean_square: S,
+    pub(crate) mean_square: S,
 }
 
 impl<S: Lane> Round<S> {

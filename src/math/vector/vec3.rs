@@ -1,9 +1,9 @@
 //! A 3-vector whose components are lanes.
 
-use super::Lane;
+use crate::math::Lane;
 use std::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
-/// A 3-vector; with [`super::Lanes`] one vector for each of several constraints.
+/// A 3-vector; with [`crate::math::Lanes`] one vector for each of several constraints.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Vec3<S> {
     /// First component.

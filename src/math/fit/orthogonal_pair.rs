@@ -9,7 +9,7 @@
 //! u = (p + q x n) / 2,   w = (q + n x p) / 2,   n = p x q / |p x q|
 //! ```
 
-use super::{Lane, PrincipalAxes, Vec3};
+use crate::math::{Lane, PrincipalAxes, Vec3};
 
 /// The least `|p x q|`, relative to `|p|^2 + |q|^2`, at which the closed form is used. The normal
 /// is off by about an ulp divided by this.

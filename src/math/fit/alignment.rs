@@ -27,7 +27,7 @@
 //! can be: columns that are not orthonormal, which is checked, and mended by a step towards the polar
 //! factor.
 
-use super::{Lane, PrincipalAxes, Vec3};
+use crate::math::{Lane, PrincipalAxes, Vec3};
 
 /// How far from orthonormal the columns of a rotation can be: the size of `R^T R - I`.
 const ORTHONORMAL: f64 = 1e-12;

@@ -3,9 +3,9 @@
 //! and Chan, see [`Round`].
 //!
 //! [`CircleFit`] is the closed form, in lanes. Where it is not accurate, [`PrincipalCircle`] and
-//! [`super::PrincipalRound`] are.
+//! [`crate::math::PrincipalRound`] are.
 
-use super::{Lane, PrincipalAxes, Round, RoundWithin, Scatter, Vec3};
+use crate::math::{Lane, PrincipalAxes, Round, RoundWithin, Scatter, Vec3};
 
 /// The circle in closed form.
 #[derive(Clone, Copy, Debug)]

@@ -12,7 +12,7 @@
 //! Points inside the circle have a negative `k`; it counts as zero, so that no step goes uphill.
 
 use super::round::AT_CENTRE;
-use super::{Lane, PrincipalAxes, Round, Symmetric3, Vec3};
+use crate::math::{Lane, PrincipalAxes, Round, Symmetric3, Vec3};
 
 /// With noise of a tenth of the radius five come within 1e-4 of the least distance, and three within
 /// 1 %.

@@ -6,7 +6,7 @@
 //! the digits, is never formed, so that the height of an arc is right to the rounding error of its
 //! length.
 
-use super::Vec3;
+use crate::math::Vec3;
 
 /// Convergence is quadratic: of a million random and degenerate inputs 99 % needed at most six
 /// sweeps. What the others still turn after twelve is rounding error.

@@ -4,7 +4,7 @@
 //! One-sided Jacobi (Hestenes 1958), as in [`PrincipalAxes`], with a fixed number of sweeps: small
 //! singular values keep their digits, and equal ones do no harm.
 
-use super::{Lane, PrincipalAxes, Vec3};
+use crate::math::{Lane, PrincipalAxes, Vec3};
 
 /// Sweeps in lanes; convergence is quadratic, and six are enough for 99 in 100.
 const SWEEPS: usize = 6;

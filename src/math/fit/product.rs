@@ -7,7 +7,7 @@
 //! one equation in one unknown, convex where Newton's method comes from above, so that it never
 //! overshoots.
 
-use super::Lane;
+use crate::math::Lane;
 
 /// Steps in lanes. Newton's method doubles the digits with each.
 const STEPS: usize = 8;

@@ -1,0 +1,119 @@
+//! What an experiment and its methods declare.
+
+use crate::error::Error;
+use crate::mesh::Mesh;
+use crate::scene::Scene;
+use serde::Serialize;
+
+/// A comparison of methods on the same problem.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Experiment {
+    /// Its name on the command line.
+    pub id: &'static str,
+    /// Its name on the page.
+    pub label: &'static str,
+    /// What is compared and what to look for.
+    pub summary: &'static str,
+    /// The ids of the examples that it can be run on.
+    pub examples: &'static [&'static str],
+    /// What is measured after every iteration.
+    pub quantities: &'static [Quantity],
+    /// What is drawn.
+    pub plots: &'static [Plot],
+    /// What is compared, in the order in which it is run.
+    pub methods: &'static [MethodInfo],
+    /// When a method is stopped that has not ended by itself.
+    pub limits: Limits,
+}
+
+/// Something that is measured after every iteration.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Quantity {
+    /// Its name in files.
+    pub id: &'static str,
+    /// Its name on the page.
+    pub label: &'static str,
+    /// What it is measured in.
+    pub unit: Unit,
+}
+
+/// What a quantity is measured in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Unit {
+    /// The square of the unit of the mesh.
+    Energy,
+    /// The unit of the mesh.
+    Length,
+    /// A plain number.
+    None,
+}
+
+/// A quantity over iterations or over time.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Plot {
+    /// The index of the quantity.
+    pub quantity: usize,
+    /// What it is drawn over.
+    pub over: Over,
+}
+
+/// What is counted along a plot.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Over {
+    /// Iterations of the method.
+    Iterations,
+    /// Seconds that the method has taken.
+    Seconds,
+}
+
+/// One of the methods that are compared.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct MethodInfo {
+    /// Its name in files.
+    pub id: &'static str,
+    /// Its name on the page.
+    pub label: &'static str,
+    /// What it does, in one sentence.
+    pub summary: &'static str,
+    #[serde(skip)]
+    pub(super) start: Start,
+}
+
+/// Sets a method up on a scene.
+pub(super) type Start = fn(&Scene, &Mesh) -> Result<Box<dyn Method>, Error>;
+
+/// When a method is stopped that has not ended by itself.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Limits {
+    /// Iterations of each method.
+    pub iterations: u32,
+    /// Seconds of each method.
+    pub seconds: f64,
+}
+
+/// A method that is under way.
+pub(super) trait Method {
+    /// Seconds that it took before its first iteration.
+    fn set_up_seconds(&self) -> f64 {
+        0.0
+    }
+
+    /// One iteration.
+    fn step(&mut self) -> Result<Step, Error>;
+
+    /// The quantities of the experiment, now.
+    fn values(&self) -> Vec<f64>;
+}
+
+/// What became of an iteration.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Step {
+    /// There is more to do.
+    Going,
+    /// The method has reached what was asked for.
+    Reached,
+    /// The method finds no better point.
+    Stalled,
+}
