@@ -2,6 +2,7 @@
  * The region of plots and tables: a tab for each. What a tab needs comes when it is first shown.
  */
 
+import { itemByKey } from '../ui/controls/arrow-keys.js';
 import { byId, element } from '../ui/dom.js';
 import { messageOf } from '../solver/messages.js';
 import { Convergence } from '../panels/convergence/convergence.js';
@@ -74,13 +75,10 @@ export function analysisRegion(place, parts) {
   place.append(list, ...entries.map(({ panel }) => panel));
 
   list.addEventListener('keydown', (event) => {
-    const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
-    if (!step) return;
-    event.preventDefault();
-    const at = entries.findIndex(({ button }) => button === document.activeElement);
-    const next = entries[(at + step + entries.length) % entries.length];
-    next.button.focus();
-    show(next.id);
+    const buttons = entries.map(({ button }) => button);
+    const next = itemByKey(event, buttons, { along: 'x' });
+    next?.focus();
+    next?.click();
   });
 
   /** @param {typeof entries[number]} entry */

@@ -23,7 +23,7 @@
  * @property {import("../viewport/viewport.js").Viewport} viewport
  * @property {import("../documents/files.js").Files} files
  * @property {import("../store/actions.js").Actions} actions
- * @property {import("../ui/alerts.js").Alerts} alerts
+ * @property {import("../ui/controls/alerts.js").Alerts} alerts
  * @property {import("../features/hold-original.js").HoldOriginal} hold
  */
 

@@ -3,8 +3,9 @@
  * and where the groups of the toolbar are.
  */
 
+import { itemByKey } from '../ui/controls/arrow-keys.js';
 import { byId, element, icon } from '../ui/dom.js';
-import { placeMenu } from '../ui/menu.js';
+import { placeMenu } from '../ui/controls/menu.js';
 
 const PHONE = matchMedia('(max-width: 699px)');
 /** Where each group of the toolbar is on a phone; the others stay in the header. */
@@ -39,7 +40,7 @@ export function arrangeForWidth(store) {
   }
   PHONE.addEventListener('change', arrange);
   arrange();
-  import('../ui/toolbar.js').then(({ oneTabStop }) => {
+  import('../ui/controls/toolbar.js').then(({ oneTabStop }) => {
     [tools, bar, byId('select-bar')].forEach(oneTabStop);
   });
   more.addEventListener('click', (event) => {
@@ -83,9 +84,9 @@ function tabs(store) {
   buttons.forEach((button, i) => {
     button.addEventListener('click', () => show(names[i]));
     button.addEventListener('keydown', (event) => {
-      if (event.key !== 'ArrowLeft' && event.key !== 'ArrowRight') return;
-      buttons[1 - i].focus();
-      buttons[1 - i].click();
+      const next = itemByKey(event, buttons, { along: 'x' });
+      next?.focus();
+      next?.click();
     });
   });
 }

@@ -34,7 +34,7 @@ export function attachLater(parts) {
   });
 
   if (matchMedia('(any-pointer: coarse)').matches)
-    import('../ui/tooltips.js').then(({ tooltipsForTouch }) => tooltipsForTouch(), failed);
+    import('../ui/controls/tooltips.js').then(({ tooltipsForTouch }) => tooltipsForTouch(), failed);
 
   let taught = false;
   store.subscribe(['document'], ({ document }) => {

@@ -4,7 +4,7 @@
  */
 
 import { createActions } from '../store/actions.js';
-import { Alerts } from '../ui/alerts.js';
+import { Alerts } from '../ui/controls/alerts.js';
 import { analysisRegion } from './analysis.js';
 import { colourFaces } from '../viewport/colour-scale.js';
 import { commandTable } from './command-table.js';

@@ -21,7 +21,7 @@ export class Keeping {
   /**
    * @param {import("../solver/solver-client.js").SolverClient} solver
    * @param {Files} files
-   * @param {import("../ui/alerts.js").Alerts} alerts
+   * @param {import("../ui/controls/alerts.js").Alerts} alerts
    * @param {import("../viewport/saved-view.js").Seen} seen
    */
   constructor(solver, files, alerts, seen) {

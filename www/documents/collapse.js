@@ -3,7 +3,8 @@
  * a shape asks first.
  */
 
-import { dialogHead, element } from '../ui/dom.js';
+import { openDialog } from '../ui/controls/dialog.js';
+import { element } from '../ui/dom.js';
 
 /**
  * @param {import("../app/context.js").AppContext} parts
@@ -33,13 +34,9 @@ export function tellCollapse({ store, solver, alerts, actions }, collapse) {
  * @returns {Promise<boolean>}
  */
 export function askToExport(collapse) {
-  const dialog = element('dialog', {
-    id: 'export-anyway',
-    'aria-labelledby': 'export-anyway-title',
-  });
   const answer = (/** @type {string} */ value) => () => dialog.close(value);
-  dialog.append(
-    dialogHead(dialog, 'export-anyway-title', 'Export this shape?'),
+  const dialog = openDialog(
+    { id: 'export-anyway', title: 'Export this shape?' },
     element(
       'div',
       { class: 'dialog-body' },
@@ -56,12 +53,7 @@ export function askToExport(collapse) {
       ),
     ),
   );
-  document.body.append(dialog);
-  dialog.showModal();
   return new Promise((resolve) =>
-    dialog.addEventListener('close', () => {
-      dialog.remove();
-      resolve(dialog.returnValue === 'export');
-    }),
+    dialog.addEventListener('close', () => resolve(dialog.returnValue === 'export')),
   );
 }

@@ -52,7 +52,7 @@ export class Files extends Emitter {
   /**
    * @param {import("../store/state.js").Store} store
    * @param {import("../solver/solver-client.js").SolverClient} solver
-   * @param {import("../ui/alerts.js").Alerts} alerts
+   * @param {import("../ui/controls/alerts.js").Alerts} alerts
    */
   constructor(store, solver, alerts) {
     super();

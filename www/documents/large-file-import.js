@@ -20,7 +20,7 @@ class Cancelled extends Error {}
  * @param {object} parts
  * @param {import("../store/state.js").Store} parts.store
  * @param {import("../solver/solver-client.js").SolverClient} parts.solver
- * @param {import("../ui/alerts.js").Alerts} parts.alerts
+ * @param {import("../ui/controls/alerts.js").Alerts} parts.alerts
  * @param {(files: import("../solver/messages.js").NamedBytes[], cancelled: AbortSignal) => Promise<import("../solver/messages.js").Loaded | undefined>} parts.open says itself what is wrong with them
  */
 export async function openLarge(chosen, { store, solver, alerts, open }) {

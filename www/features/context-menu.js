@@ -4,7 +4,7 @@
  */
 
 import { byId, element } from '../ui/dom.js';
-import { placeMenu } from '../ui/menu.js';
+import { placeMenu } from '../ui/controls/menu.js';
 
 /**
  * @typedef {object} Parts

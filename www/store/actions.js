@@ -11,7 +11,7 @@ import { NOTHING, selectedVertices } from './selection.js';
 /**
  * @param {import("./state.js").Store} store
  * @param {import("../solver/solver-client.js").SolverClient} solver
- * @param {import("../ui/alerts.js").Alerts} alerts
+ * @param {import("../ui/controls/alerts.js").Alerts} alerts
  */
 export function createActions(store, solver, alerts) {
   const say = (/** @type {string} */ status) => store.set({ status });

@@ -38,25 +38,6 @@ export function icon(name) {
 }
 
 /**
- * The title of a dialog, and the cross that closes it.
- * @param {HTMLDialogElement} dialog
- * @param {string} id of the title, which the dialog is labelled by
- * @param {string} title
- */
-export function dialogHead(dialog, id, title) {
-  return element(
-    'div',
-    { class: 'dialog-head' },
-    element('h2', { id }, title),
-    element(
-      'button',
-      { type: 'button', class: 'square', 'aria-label': 'Close', onclick: () => dialog.close() },
-      icon('close'),
-    ),
-  );
-}
-
-/**
  * The element with that id, which index.html is bound to have.
  * @template {HTMLElement} [Kind=HTMLElement]
  * @param {string} id
@@ -99,6 +80,20 @@ export function setText(node, text) {
  */
 export function setAttribute(place, name, value) {
   if (place.getAttribute(name) !== value) place.setAttribute(name, value);
+}
+
+/**
+ * The colour that a custom property stands for in the theme that is shown, where CSS does not resolve it.
+ * @param {HTMLElement} place
+ * @param {string} name
+ */
+export function colourOf(place, name) {
+  const { style } = place;
+  const before = style.color;
+  style.color = `var(${name})`;
+  const { color } = getComputedStyle(place);
+  style.color = before;
+  return color;
 }
 
 /** What is read while it changes, in a run or a drag, is renewed this often, in milliseconds. */

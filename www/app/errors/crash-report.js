@@ -28,7 +28,7 @@ export function crashReport(what, { model, document, numbers, renderer }) {
  * Copies it, or shows it where copying is not allowed.
  * @param {string} text
  * @param {import("../../store/state.js").Store} store
- * @param {import("../../ui/alerts.js").Alerts} alerts
+ * @param {import("../../ui/controls/alerts.js").Alerts} alerts
  */
 export async function giveReport(text, store, alerts) {
   try {

@@ -6,7 +6,7 @@ import { messageOf } from '../../solver/messages.js';
 const HARMLESS = /^ResizeObserver loop/;
 
 /**
- * @param {import("../../ui/alerts.js").Alerts} alerts
+ * @param {import("../../ui/controls/alerts.js").Alerts} alerts
  * @param {import("../../store/state.js").Store} store
  */
 export function tellUncaught(alerts, store) {
@@ -24,7 +24,7 @@ export function tellUncaught(alerts, store) {
  * What can be done when something has stopped: copy what somebody who mends it wants to know.
  * @param {string} message
  * @param {import("../../store/state.js").Store} store
- * @param {import("../../ui/alerts.js").Alerts} alerts
+ * @param {import("../../ui/controls/alerts.js").Alerts} alerts
  */
 export function offerReport(message, store, alerts) {
   const action = async () => {

@@ -6,7 +6,7 @@
  */
 
 /**
- * @param {import("../../ui/alerts.js").Alerts} alerts
+ * @param {import("../../ui/controls/alerts.js").Alerts} alerts
  * @param {import("../startup.js").Keeping} keeping
  * @param {import("../../viewport/viewport.js").Viewport} viewport
  */
@@ -27,7 +27,7 @@ export function stayOffline(alerts, keeping, viewport) {
 let registered = null;
 
 /**
- * @param {import("../../ui/alerts.js").Alerts} alerts
+ * @param {import("../../ui/controls/alerts.js").Alerts} alerts
  * @param {import("../startup.js").Keeping} keeping
  * @param {import("../../viewport/viewport.js").Viewport} viewport
  */

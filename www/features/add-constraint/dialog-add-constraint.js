@@ -6,7 +6,8 @@
  */
 
 import './add-constraint.css';
-import { byId, dialogHead, element, setText } from '../../ui/dom.js';
+import { dialogHead } from '../../ui/controls/dialog.js';
+import { byId, element, setText } from '../../ui/dom.js';
 import { count, groupDigits } from '../../ui/format.js';
 import { KindChoices } from '../../ui/kinds/kind-choices.js';
 import { Parameters } from '../../ui/kinds/parameters.js';

@@ -10,7 +10,7 @@ import { messageOf } from '../../solver/messages.js';
  * @param {HTMLElement} place
  * @param {import("../../store/state.js").Store} store
  * @param {import("../../solver/solver-client.js").SolverClient} solver
- * @param {import("../../ui/alerts.js").Alerts} alerts
+ * @param {import("../../ui/controls/alerts.js").Alerts} alerts
  */
 export function offerExperiment(place, store, solver, alerts) {
   async function open() {

@@ -1,7 +1,7 @@
 /** The dialog of Export: what can be taken away, grouped by what it is for. */
 
-import '../../ui/styles/dialog.css';
-import { dialogHead, element, setText } from '../../ui/dom.js';
+import { openDialog } from '../../ui/controls/dialog.js';
+import { element, setText } from '../../ui/dom.js';
 import { messageOf } from '../../solver/messages.js';
 import { pictureOf, pictureSize } from './picture.js';
 import { convergenceSvg } from './plot-svg.js';
@@ -24,7 +24,6 @@ const picture = { scale: 2, legend: true, white: false };
 export function showExport(parts) {
   const { store, solver, files, viewport } = parts;
   const { model, document: scene, flatMap } = store.get();
-  const dialog = element('dialog', { id: 'export', 'aria-labelledby': 'export-title' });
   const working = element('p', { class: 'working quiet', 'aria-live': 'polite' });
 
   /**
@@ -55,8 +54,8 @@ export function showExport(parts) {
   const canDraw = isDrawn(store.get());
   const curvesOnly = (model?.faces ?? 0) === 0;
   const squared = scene?.units ? `${scene.units}²` : '';
-  dialog.append(
-    dialogHead(dialog, 'export-title', 'Export'),
+  const dialog = openDialog(
+    { id: 'export', title: 'Export', light: true },
     element(
       'div',
       { class: 'dialog-body' },
@@ -130,12 +129,6 @@ export function showExport(parts) {
       working,
     ),
   );
-  dialog.addEventListener('close', () => dialog.remove());
-  dialog.addEventListener('click', (event) => {
-    if (event.target === dialog) dialog.close();
-  });
-  document.body.append(dialog);
-  dialog.showModal();
   /** @type {HTMLElement | null} */ (dialog.querySelector('.format'))?.focus();
 }
 

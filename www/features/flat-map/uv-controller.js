@@ -17,7 +17,7 @@ import { NOTHING, select } from '../../store/selection.js';
  * @property {import("../../store/state.js").Store} store
  * @property {import("../../solver/solver-client.js").SolverClient} solver
  * @property {import("../../viewport/viewport.js").Viewport} viewport
- * @property {import("../../ui/alerts.js").Alerts} alerts
+ * @property {import("../../ui/controls/alerts.js").Alerts} alerts
  */
 
 /** What can be chosen. @typedef {Pick<FlatMap, "weights" | "norm" | "onModel" | "onMap" | "squares">} Choices */

@@ -2,7 +2,8 @@
 
 import './help.css';
 import { keyName } from '../../ui/keys.js';
-import { dialogHead, element } from '../../ui/dom.js';
+import { dialogHead } from '../../ui/controls/dialog.js';
+import { element } from '../../ui/dom.js';
 import { singleKeys } from '../../ui/single-keys.js';
 
 /** What the pointer does; see `pointer.js`. @type {[string, string][]} */

@@ -1,7 +1,7 @@
 /** The dialog in which a teacher writes a lesson: a text, goals, and how the class gets it. */
 
-import '../../ui/styles/dialog.css';
 import './lesson.css';
+import { openDialog } from '../../ui/controls/dialog.js';
 import { element, icon, setText } from '../../ui/dom.js';
 import { declared, measureOfScene, toleranceOf } from '../../store/measures.js';
 import { messageOf } from '../../solver/messages.js';
@@ -143,7 +143,6 @@ export function write(parts, share) {
     /** @type {() => unknown} */ onclick,
     style = 'bordered',
   ) => element('button', { type: 'button', class: style, onclick }, label);
-  const dialog = element('dialog', { id: 'lesson-dialog', 'aria-labelledby': 'lesson-title' });
   const form = element(
     'form',
     { class: 'dialog-body', method: 'dialog' },
@@ -167,23 +166,8 @@ export function write(parts, share) {
       ...(scene.lesson ? [button('No lesson any more', forget)] : []),
     ),
   );
-  dialog.append(
-    element(
-      'div',
-      { class: 'dialog-head' },
-      element('h2', { id: 'lesson-title' }, 'Lesson'),
-      element(
-        'button',
-        { type: 'button', class: 'square', 'aria-label': 'Close', onclick: () => dialog.close() },
-        icon('close'),
-      ),
-    ),
-    form,
-  );
   // Enter in a field of a goal is not the end of the dialog.
   form.addEventListener('submit', (event) => event.preventDefault());
-  document.body.append(dialog);
-  dialog.addEventListener('close', () => dialog.remove());
-  dialog.showModal();
+  const dialog = openDialog({ id: 'lesson-dialog', title: 'Lesson' }, form);
   text.focus();
 }

@@ -1,8 +1,8 @@
 /** The dialog that saves what a student hands in. */
 
-import '../../ui/styles/dialog.css';
 import './lesson.css';
-import { element, icon } from '../../ui/dom.js';
+import { openDialog } from '../../ui/controls/dialog.js';
+import { element } from '../../ui/dom.js';
 
 /** @param {import("../../app/context.js").AppContext} parts */
 export function handIn({ store, solver, files, actions }) {
@@ -15,7 +15,6 @@ export function handIn({ store, solver, files, actions }) {
   });
   const goals = store.get().numbers?.goals ?? [];
   const met = goals.filter((goal) => goal.met).length;
-  const dialog = element('dialog', { id: 'hand-in', 'aria-labelledby': 'hand-in-title' });
   const form = element(
     'form',
     { class: 'dialog-body', method: 'dialog', onsubmit: save },
@@ -36,27 +35,7 @@ export function handIn({ store, solver, files, actions }) {
       element('button', { type: 'submit', class: 'primary' }, 'Save the file'),
     ),
   );
-  dialog.append(
-    element(
-      'div',
-      { class: 'dialog-head' },
-      element('h2', { id: 'hand-in-title' }, 'Results for hand-in'),
-      element(
-        'button',
-        {
-          type: 'button',
-          class: 'square',
-          'aria-label': 'Close',
-          onclick: () => dialog.close(),
-        },
-        icon('close'),
-      ),
-    ),
-    form,
-  );
-  document.body.append(dialog);
-  dialog.addEventListener('close', () => dialog.remove());
-  dialog.showModal();
+  openDialog({ id: 'hand-in', title: 'Results for hand-in' }, form);
   name.focus();
 
   async function save() {

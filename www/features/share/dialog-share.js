@@ -1,7 +1,7 @@
 /** The dialog of Share: the link, how long it is, and where a link of that length gets through. */
 
-import '../../ui/styles/dialog.css';
-import { dialogHead, element, setText } from '../../ui/dom.js';
+import { openDialog } from '../../ui/controls/dialog.js';
+import { element, setText } from '../../ui/dom.js';
 import { groupDigits } from '../../ui/format.js';
 import { writeLink } from '../../documents/share-link.js';
 
@@ -42,13 +42,10 @@ export async function share({ store, solver, files }) {
   const fragment = await writeLink(text, example, files.original, run);
   const link = new URL(fragment, location.href.split('#')[0]).href;
   const found = LEVELS.find(({ most }) => link.length <= most);
-  const dialog = build(link, found, () => {
+  const dialog = open(link, found, () => {
     dialog.close();
     files.saveScene();
   });
-  document.body.append(dialog);
-  dialog.addEventListener('close', () => dialog.remove());
-  dialog.showModal();
   const field = dialog.querySelector('textarea');
   field?.focus();
   field?.select();
@@ -63,14 +60,13 @@ export async function share({ store, solver, files }) {
  * @param {{ level: string, words: string } | undefined} found
  * @param {() => void} save
  */
-function build(link, found, save) {
+function open(link, found, save) {
   const length = groupDigits(link.length);
   const words = found
     ? `${length} characters. ${found.words}`
     : `${length} characters are more than a link can have. Save the scene and send the file.`;
-  const dialog = element('dialog', { id: 'share', 'aria-labelledby': 'share-title' });
-  dialog.append(
-    dialogHead(dialog, 'share-title', 'Share'),
+  const dialog = openDialog(
+    { id: 'share', title: 'Share' },
     element(
       'div',
       { class: 'dialog-body' },

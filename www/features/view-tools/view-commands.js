@@ -3,7 +3,7 @@
  * work comes with `view-tools.js` when one of them is first used.
  */
 
-import { placeMenu } from '../../ui/menu.js';
+import { placeMenu } from '../../ui/controls/menu.js';
 import { messageOf } from '../../solver/messages.js';
 
 /** Name, as the view knows it, and a key of the number pad for some; the others are Shift + digit. */

@@ -10,7 +10,7 @@ import { withSymbols } from '../../ui/symbols.js';
 /**
  * @param {HTMLElement} place a section, which is hidden while no example is open
  * @param {import("../../documents/files.js").Files} files
- * @param {import("../../ui/alerts.js").Alerts} alerts
+ * @param {import("../../ui/controls/alerts.js").Alerts} alerts
  * @param {(shows: import("../../solver/examples.js").Suggestion["shows"]) => void} show
  */
 export function exampleNote(place, files, alerts, show) {

@@ -4,7 +4,7 @@
  */
 
 import { element, icon, setText } from '../../ui/dom.js';
-import { placeMenu } from '../../ui/menu.js';
+import { placeMenu } from '../../ui/controls/menu.js';
 import { messageOf } from '../../solver/messages.js';
 import { describe, sizeOfSelection } from '../../store/selection.js';
 
@@ -28,7 +28,7 @@ const SHAPES = [
  * @param {import("../../store/state.js").Store} store
  * @param {import("../../store/actions.js").Actions} actions
  * @param {import("../../store/mesh-queries.js").Selecting} selecting
- * @param {import("../../ui/alerts.js").Alerts} alerts
+ * @param {import("../../ui/controls/alerts.js").Alerts} alerts
  */
 export function selectBar(bar, menu, store, actions, selecting, alerts) {
   const shapes = SHAPES.map(({ id, label, key, title }) =>

@@ -4,6 +4,7 @@
  */
 
 import '../../ui/styles/lists.css';
+import { itemByKey } from '../../ui/controls/arrow-keys.js';
 import { element, setText, throttled } from '../../ui/dom.js';
 import { length } from '../../ui/format.js';
 import {
@@ -67,11 +68,8 @@ export function worstElements(panel, parts) {
     return { line, button, constraint, value };
   });
   body.addEventListener('keydown', (event) => {
-    const step = { ArrowDown: 1, ArrowUp: -1, Home: -ROWS, End: ROWS }[event.key];
-    if (!step) return;
-    event.preventDefault();
-    const at = rows.findIndex(({ button }) => button === document.activeElement);
-    rows[Math.max(0, Math.min(at + step, shown.length - 1))]?.button.focus();
+    const buttons = rows.slice(0, shown.length).map(({ button }) => button);
+    itemByKey(event, buttons, { along: 'y', wraps: false, ends: true })?.focus();
   });
 
   /** @param {number} index */

@@ -1,6 +1,6 @@
 /** Messages that want to be read: errors and notices, in the page's one `role="alert"`. */
 
-import { element, icon, leave } from './dom.js';
+import { element, icon, leave } from '../dom.js';
 
 /** What can be done about a message. @typedef {{ label: string, action: () => void }} Offer */
 

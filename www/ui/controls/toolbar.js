@@ -3,9 +3,9 @@
  * go to their ends, and the stop is where somebody was last.
  */
 
+import { itemByKey } from './arrow-keys.js';
+
 const CONTROLS = 'button, input, select';
-/** Of a slider only these; the others set it. */
-const WAYS = { ArrowLeft: -1, ArrowRight: 1 };
 
 /** @param {HTMLElement} bar with `role="toolbar"` */
 export function oneTabStop(bar) {
@@ -25,14 +25,9 @@ export function oneTabStop(bar) {
   bar.addEventListener('focusin', update);
   bar.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || event.shiftKey) return;
-    const controls = reachable();
-    const at = controls.findIndex((control) => control === event.target);
-    const way = WAYS[/** @type {keyof typeof WAYS} */ (event.key)];
-    const isSlider = controls[at]?.matches('[type="range"]');
-    const end = isSlider ? undefined : { Home: 0, End: controls.length - 1 }[event.key];
-    if (at < 0 || (way === undefined && end === undefined)) return;
-    event.preventDefault();
-    controls[end ?? (at + way + controls.length) % controls.length].focus();
+    // Of a slider Home and End set it.
+    const ends = !(event.target instanceof Element && event.target.matches('[type="range"]'));
+    itemByKey(event, reachable(), { along: 'x', ends })?.focus();
   });
   // What has the stop may go, or come back.
   const watch = { subtree: true, childList: true, attributeFilter: ['disabled', 'hidden'] };

@@ -1,6 +1,6 @@
 /** What a button is called that shows no name, for fingers: resting on one shows its tooltip. */
 
-import { element } from './dom.js';
+import { element } from '../dom.js';
 
 /** A finger that rests so long asks, in milliseconds. */
 const REST_MS = 500;

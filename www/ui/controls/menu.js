@@ -1,5 +1,7 @@
 /** Menus: popovers that open at their button, inside the window, and that the arrow keys walk through. */
 
+import { itemByKey } from './arrow-keys.js';
+
 const MOUSE = matchMedia('(pointer: fine)');
 
 /**
@@ -28,14 +30,9 @@ export function placeMenu(menu, anchor) {
     itemsOf(menu)[0]?.focus();
   });
   menu.addEventListener('keydown', (event) => {
-    const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
     // A field has them for itself.
     const isField = event.target instanceof Element && event.target.matches('input, select');
-    if (!step || isField) return;
-    event.preventDefault();
-    const items = itemsOf(menu);
-    const at = items.findIndex((item) => item === document.activeElement);
-    items[(at + step + items.length) % items.length]?.focus();
+    if (!isField) itemByKey(event, itemsOf(menu), { along: 'y' })?.focus();
   });
 }
 

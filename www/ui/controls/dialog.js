@@ -1,0 +1,41 @@
+/** Dialogs: a title, the cross that closes them, and what they are about. */
+
+import '../styles/dialog.css';
+import { element, icon } from '../dom.js';
+
+/**
+ * The title of a dialog, and the cross that closes it.
+ * @param {HTMLDialogElement} dialog
+ * @param {string} id of the title, which the dialog is labelled by
+ * @param {string} title
+ */
+export function dialogHead(dialog, id, title) {
+  return element(
+    'div',
+    { class: 'dialog-head' },
+    element('h2', { id }, title),
+    element(
+      'button',
+      { type: 'button', class: 'square', 'aria-label': 'Close', onclick: () => dialog.close() },
+      icon('close'),
+    ),
+  );
+}
+
+/**
+ * Shows a dialog, which is gone when it is closed.
+ * @param {{ id: string, title: string, light?: boolean }} about `light`: a press beside it closes it
+ * @param {...Node} body
+ */
+export function openDialog({ id, title, light = false }, ...body) {
+  const dialog = element('dialog', { id, 'aria-labelledby': `${id}-title` });
+  dialog.append(dialogHead(dialog, `${id}-title`, title), ...body);
+  dialog.addEventListener('close', () => dialog.remove());
+  if (light)
+    dialog.addEventListener('click', (event) => {
+      if (event.target === dialog) dialog.close();
+    });
+  document.body.append(dialog);
+  dialog.showModal();
+  return dialog;
+}
