@@ -1,6 +1,8 @@
 /** A plot of an experiment: one line for each method, the values on a logarithmic scale, with uPlot. */
 
 import uPlot from 'uplot';
+import { colourOf } from '../../ui/dom.js';
+import { axesOf } from '../../ui/plot/axes.js';
 import { COUNTS, decades, powerOfTen } from '../../ui/plot/plot.js';
 
 const HEIGHT = 240;
@@ -68,14 +70,6 @@ export class Chart {
   }
 
   #make() {
-    const style = getComputedStyle(this.#place);
-    const colour = (/** @type {string} */ name) => style.getPropertyValue(name).trim();
-    const axis = {
-      stroke: colour('--quiet'),
-      font: `11px ${style.fontFamily}`,
-      grid: { stroke: colour('--line'), width: 1 },
-      ticks: { show: false },
-    };
     const plot = new uPlot(
       {
         width: Math.max(this.#place.clientWidth, 200),
@@ -84,29 +78,21 @@ export class Chart {
         legend: { show: false },
         cursor: { y: false, points: { size: 5 }, drag: { x: false, y: false } },
         scales: { x: { time: false }, y: { distr: 3, range } },
-        axes: [
+        axes: axesOf(
+          this.#place,
           {
-            ...axis,
-            size: 22,
-            gap: 4,
             space: 56,
             ...(this.#axes.x === null && { incrs: COUNTS }),
             values: (_, ticks) => ticks.map((tick) => String(Number(tick.toPrecision(6)))),
           },
-          {
-            ...axis,
-            size: 46,
-            gap: 4,
-            filter: (_, ticks) => ticks,
-            splits: (_, _axis, least, most) => marks(least, most),
-            values: (_, ticks) => ticks.map(written),
-          },
-        ],
+          marks,
+          written,
+        ),
         series: [
           {},
           ...this.#axes.names.map((label, k) => ({
             label,
-            stroke: colour(`--line-of-method-${k}`),
+            stroke: colourOf(this.#place, `--line-of-method-${k}`),
             width: 1.75,
             points: { show: false },
             // Lines have points at different times.

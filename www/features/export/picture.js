@@ -1,6 +1,7 @@
 /** A picture of the view as PNG, larger than the screen if wanted, with the legend drawn into it. */
 
 import { rampStops } from '../../viewport/ramp.js';
+import { colourOf } from '../../ui/dom.js';
 import { groupDigits } from '../../ui/format.js';
 import { declared, toleranceOf, valueInWords } from '../../store/measures.js';
 import { spreadOf } from '../../ui/plot/histogram.js';
@@ -134,9 +135,7 @@ function drawLegend(context, state, stops, size, white) {
   if (tolerance === null) return;
   const limit = left + placeOn(axis, tolerance) * width;
   if (!display.full) {
-    context.fillStyle = white
-      ? '#f1efea'
-      : getComputedStyle(document.body).getPropertyValue('--material');
+    context.fillStyle = white ? '#f1efea' : colourOf(document.body, '--material');
     context.fillRect(left, foot, limit - left, 10);
   }
   context.fillStyle = ink;

@@ -1,8 +1,9 @@
 /** The convergence plot: energies over iterations, on a logarithmic scale, with uPlot. */
 
 import uPlot from 'uplot';
-import { element, setText } from '../dom.js';
+import { colourOf, element, setText } from '../dom.js';
 import { groupDigits, number } from '../format.js';
+import { axesOf } from './axes.js';
 
 /** In the order of the columns. */
 const SERIES = [
@@ -95,14 +96,6 @@ export class EnergyPlot {
 
   #make() {
     this.#plot?.destroy();
-    const style = getComputedStyle(this.#place);
-    const colour = (/** @type {string} */ name) => style.getPropertyValue(name).trim();
-    const axis = {
-      stroke: colour('--quiet'),
-      font: `11px ${style.fontFamily}`,
-      grid: { stroke: colour('--line'), width: 1 },
-      ticks: { show: false },
-    };
     this.#plot = new uPlot(
       {
         width: Math.max(this.#place.clientWidth, 120),
@@ -111,29 +104,17 @@ export class EnergyPlot {
         legend: { show: false },
         cursor: { y: false, points: { size: 5 }, drag: { x: false, y: false } },
         scales: { x: { time: false }, y: { distr: 3 } },
-        axes: [
-          {
-            ...axis,
-            size: 22,
-            gap: 4,
-            space: 48,
-            incrs: COUNTS,
-            values: (_, ticks) => ticks.map(groupDigits),
-          },
-          {
-            ...axis,
-            size: 46,
-            gap: 4,
-            filter: (_, ticks) => ticks,
-            splits: (_, _axis, least, most) => decades(least, most),
-            values: (_, ticks) => ticks.map(powerOfTen),
-          },
-        ],
+        axes: axesOf(
+          this.#place,
+          { space: 48, incrs: COUNTS, values: (_, ticks) => ticks.map(groupDigits) },
+          decades,
+          powerOfTen,
+        ),
         series: [
           {},
           ...SERIES.map(({ id, label, width }) => ({
             label,
-            stroke: colour(`--series-${id}`),
+            stroke: colourOf(this.#place, `--series-${id}`),
             width,
             points: { show: false },
           })),
