@@ -1,5 +1,7 @@
 //! Planarity, circularity and diagonal ratio of faces, and the bounding sphere they are scaled by.
 
+#[path = "support/grid.rs"]
+mod grid;
 #[path = "support/meshes.rs"]
 mod meshes;
 #[path = "support/shared.rs"]
@@ -12,6 +14,7 @@ use shape_up::math::cosine;
 use shape_up::mesh::{BoundingSphere, Measures, Mesh, Point, Ragged, diagonal_ratio};
 use shape_up::scene::Scene;
 use shape_up::session::Session;
+use std::rc::Rc;
 
 fn one_face(corners: &[Point]) -> Measures {
     let indices: Vec<u32> = (0..corners.len() as u32).collect();
@@ -323,4 +326,18 @@ proptest! {
             prop_assert!((shown - largest).abs() <= 1e-9 * largest, "{shown} {largest}");
         }
     }
+}
+
+#[test]
+fn what_was_measured_a_moment_ago_stands_in_while_iterating_and_not_at_rest() {
+    let mesh = grid::grid(3, 3, |i, j| [f64::from(i), f64::from(j), f64::from(i * j % 3)]);
+    let mut scene = Scene::opened("own.obj");
+    scene.ask_of_panels("plane", &mesh).expect("it has quads");
+    let mut session = Session::open(scene, mesh).expect("it fits");
+    let first = session.measures();
+    session.step().expect("it stays finite");
+    assert!(Rc::ptr_eq(&session.recent_measures(1e6), &first));
+    let now = session.recent_measures(0.0);
+    assert!(now.planarity.max_distance < first.planarity.max_distance);
+    assert!(Rc::ptr_eq(&session.recent_measures(1e6), &now));
 }

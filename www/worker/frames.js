@@ -48,9 +48,10 @@ export class Frames {
   /**
    * Sends the state of the iteration, if the page has not seen it and a buffer is free.
    * @param {() => [number, number] | null} answers the move of a drag that it shows
+   * @param {boolean} iterating it is not the last one
    * @returns {boolean} whether it was sent
    */
-  send(answers) {
+  send(answers, iterating) {
     const positions = this.#free.at(-1);
     if (!this.due || !positions) return false;
     const solver = this.#solver;
@@ -67,7 +68,7 @@ export class Frames {
     const arrays = [positions, ...Object.values(parts), ...Object.values(projected ?? {})];
     this.#post(
       {
-        ...{ type: 'frame', numbers: solver.frame(), positions, measure },
+        ...{ type: 'frame', numbers: solver.frame(iterating), positions, measure },
         ...{ ...parts, projections: projected, answers: answers() },
       },
       arrays.flatMap((array) => array?.buffer ?? []),

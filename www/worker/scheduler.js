@@ -208,7 +208,7 @@ export class Scheduler {
       this.#answering = null;
       return /** @type {[number, number]} */ ([time, performance.now() - came]);
     };
-    if (this.frames.send(answers) && this.#activityDue) this.#sendActivity();
+    if (this.frames.send(answers, this.isIterating) && this.#activityDue) this.#sendActivity();
   }
 
   /**

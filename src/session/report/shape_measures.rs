@@ -4,6 +4,7 @@ use super::face_measure::Shape;
 use crate::math::Vec3;
 use crate::mesh::{Measures, Point, Surface};
 use crate::session::state::{Measured, Session};
+use crate::solve::clock;
 use std::rc::Rc;
 
 impl Session {
@@ -11,9 +12,20 @@ impl Session {
     pub fn measures(&self) -> Rc<Measures> {
         let mut measured = self.measured.borrow_mut();
         measured.of(self.positions());
-        let Measured { positions, measures, .. } = &mut *measured;
-        let measure = || Rc::new(Measures::new(positions, &self.mesh.faces, self.diameter));
+        let Measured { positions, measures, recent, .. } = &mut *measured;
+        let measure = || {
+            let new = Rc::new(Measures::new(positions, &self.mesh.faces, self.diameter));
+            *recent = Some((Rc::clone(&new), clock::now()));
+            new
+        };
         Rc::clone(measures.get_or_insert_with(measure))
+    }
+
+    /// The same of a shape at most so many seconds ago: on large meshes it takes longer than an iteration.
+    pub fn recent_measures(&self, seconds: f64) -> Rc<Measures> {
+        let recent = self.measured.borrow().recent.clone();
+        let recent = recent.filter(|(_, time)| clock::now() < time + seconds);
+        recent.map_or_else(|| self.measures(), |(measures, _)| measures)
     }
 
     /// Per vertex (`#V`), its distance to the surface of the model that was opened.

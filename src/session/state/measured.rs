@@ -10,6 +10,8 @@ pub(crate) struct Measured {
     /// The shape, `#V by 3`.
     pub(in crate::session) positions: Vec<Point>,
     pub(in crate::session) measures: Option<Rc<Measures>>,
+    /// Those that were taken last, of this shape or one before, and when, in seconds.
+    pub(in crate::session) recent: Option<(Rc<Measures>, f64)>,
     /// `#V`
     pub(in crate::session) surface_distances: Option<Rc<[f64]>>,
     /// The triangle of the original that was closest to each vertex last, `#V`; none before the first search.
@@ -23,6 +25,7 @@ impl Measured {
             *self = Measured {
                 positions,
                 closest: std::mem::take(&mut self.closest),
+                recent: self.recent.take(),
                 ..Measured::default()
             };
         }

@@ -113,10 +113,11 @@ impl Solver {
         Ok(Float64Array::from(entries.collect::<Vec<_>>().as_flattened()))
     }
 
-    /// The numbers of the current state.
-    pub fn frame(&mut self) -> Result<JsValue, JsValue> {
+    /// The numbers of the current state; while it is `iterating`, how planar and circular the faces are may
+    /// be those of half a second before.
+    pub fn frame(&mut self, iterating: bool) -> Result<JsValue, JsValue> {
         let step_ms = self.step_ms;
-        plain(&report::Frame::new(self.open_mut()?, step_ms))
+        plain(&report::Frame::new(self.open_mut()?, step_ms, iterating))
     }
 
     /// Writes the current positions, `#V by 3`.

@@ -32,11 +32,14 @@ pub(crate) struct Frame {
     step_ms: f64,
 }
 
+/// How old measures may be while it iterates, in seconds.
+const RENEWED: f64 = 0.5;
+
 impl Frame {
-    /// The state of `session`, whose last step took `step_ms`.
-    pub(crate) fn new(session: &mut Session, step_ms: f64) -> Self {
+    /// The state of `session`, whose last step took `step_ms`; see [`Session::recent_measures`].
+    pub(crate) fn new(session: &mut Session, step_ms: f64, iterating: bool) -> Self {
         let goals = GoalNumbers::of(session);
-        let measures = session.measures();
+        let measures = session.recent_measures(if iterating { RENEWED } else { 0.0 });
         let mut found = session.solver().found();
         let rows = session.rows().iter().map(|row| row.enabled.then(|| found.next()).flatten());
         let rows: Vec<LocalStep> = rows.map(Option::unwrap_or_default).collect();
