@@ -1,5 +1,6 @@
 //! The words of the command line.
 
+use lexopt::Arg;
 use shape_up::constraint::KINDS;
 use shape_up::scene::{Accelerator, Worded};
 use shape_up::solve::{ConformalNorm, ConformalWeights};
@@ -122,74 +123,71 @@ pub(super) fn parse(arguments: Vec<OsString>) -> Result<Command, String> {
     if arguments.iter().take_while(|word| *word != "--").any(|word| asks_for_help(&word)) {
         return Ok(Command::Help);
     }
-    let mut words = Words { rest: arguments.into_iter(), seen: Vec::new(), only_files: false };
-    let command = words.rest.next().ok_or("expected a command")?;
-    match command.to_str() {
-        Some("solve") => solve(words),
-        Some("check") => {
-            let (mut mesh, mut report, mut scene) = (None, None, None);
-            while let Some(word) = words.next()? {
-                match word {
-                    Word::File(file) => one(&mut mesh, file)?,
-                    Word::Option(name, value) if name == "--report" => {
-                        report = Some(words.file(&name, value)?);
-                    }
-                    Word::Option(name, value) if name == "--scene" => {
-                        scene = Some(words.file(&name, value)?);
-                    }
-                    Word::Option(name, _) => return Err(unknown(&name, "check")),
-                }
-            }
-            let file = mesh.ok_or("check needs a mesh file")?;
-            match (scene, report) {
-                (None, report) => Ok(Command::Check { mesh: file, report }),
-                (Some(scene), None) => Ok(Command::CheckResults { results: file, scene }),
-                (Some(_), Some(_)) => Err("check writes no report of results".to_owned()),
-            }
-        }
-        Some("parametrize") => parametrize(words),
-        Some("examples") => {
+    let mut words = Words { parser: lexopt::Parser::from_args(arguments), seen: Vec::new() };
+    let command = match words.next()?.ok_or("expected a command")? {
+        Word::File(command) => command.to_string_lossy().into_owned(),
+        Word::Option(name) => name,
+    };
+    match command.as_str() {
+        "solve" => solve(words),
+        "check" => check(words),
+        "parametrize" => parametrize(words),
+        "examples" => {
             let mut out = None;
             while let Some(word) = words.next()? {
                 match word {
-                    Word::Option(name, value) if name == "--out" => {
-                        out = Some(words.file(&name, value)?);
-                    }
-                    Word::Option(name, _) => return Err(unknown(&name, "examples")),
-                    Word::File(file) => return Err(unknown(&file.to_string_lossy(), "examples")),
+                    Word::Option(name) if name == "--out" => out = Some(words.file(&name)?),
+                    word => return Err(unknown(&word, "examples")),
                 }
             }
             Ok(Command::Examples { out })
         }
-        Some("experiment") => experiment(words),
-        Some("operators") => match words.rest.next() {
+        "experiment" => experiment(words),
+        "operators" => match words.next()? {
             None => Ok(Command::Operators),
-            Some(word) => Err(unknown(&word.to_string_lossy(), "operators")),
+            Some(word) => Err(unknown(&word, "operators")),
         },
-        Some("help") => Ok(Command::Help),
-        Some("--version" | "-V") => Ok(Command::Version),
+        "help" => Ok(Command::Help),
+        "--version" | "-V" => Ok(Command::Version),
         _ => Err(format!(
-            "unknown command `{}`, expected solve, check, parametrize, examples, experiment or operators",
-            command.to_string_lossy()
+            "unknown command `{command}`, expected solve, check, parametrize, examples, experiment or operators"
         )),
+    }
+}
+
+fn check(mut words: Words) -> Result<Command, String> {
+    let (mut mesh, mut report, mut scene) = (None, None, None);
+    while let Some(word) = words.next()? {
+        match word {
+            Word::File(file) => one(&mut mesh, file)?,
+            Word::Option(name) if name == "--report" => report = Some(words.file(&name)?),
+            Word::Option(name) if name == "--scene" => scene = Some(words.file(&name)?),
+            word => return Err(unknown(&word, "check")),
+        }
+    }
+    let file = mesh.ok_or("check needs a mesh file")?;
+    match (scene, report) {
+        (None, report) => Ok(Command::Check { mesh: file, report }),
+        (Some(scene), None) => Ok(Command::CheckResults { results: file, scene }),
+        (Some(_), Some(_)) => Err("check writes no report of results".to_owned()),
     }
 }
 
 fn experiment(mut words: Words) -> Result<Command, String> {
     let (mut experiment, mut example) = (Experiment::default(), None);
     while let Some(word) = words.next()? {
-        let (name, value) = match word {
+        let name = match word {
             Word::File(file) => {
                 one(&mut example, file)?;
                 continue;
             }
-            Word::Option(name, value) => (name, value),
+            Word::Option(name) => name,
         };
         match name.as_str() {
-            "--iterations" => experiment.iterations = Some(words.iterations(&name, value)?),
-            "--seconds" => experiment.seconds = Some(words.not_negative(&name, value)?),
-            "--csv" => experiment.csv = Some(words.file(&name, value)?),
-            _ => return Err(unknown(&name, "experiment")),
+            "--iterations" => experiment.iterations = Some(words.iterations(&name)?),
+            "--seconds" => experiment.seconds = Some(words.not_negative(&name)?),
+            "--csv" => experiment.csv = Some(words.file(&name)?),
+            _ => return Err(unknown(&Word::Option(name), "experiment")),
         }
     }
     match example {
@@ -205,27 +203,24 @@ fn experiment(mut words: Words) -> Result<Command, String> {
 fn solve(mut words: Words) -> Result<Command, String> {
     let (mut solve, mut input) = (Solve::default(), None);
     while let Some(word) = words.next()? {
-        let (name, value) = match word {
+        let name = match word {
             Word::File(file) => {
                 one(&mut input, file)?;
                 continue;
             }
-            Word::Option(name, value) => (name, value),
+            Word::Option(name) => name,
         };
         match name.as_str() {
-            "--panels" => solve.panels = Some(words.kind(&name, value)?),
-            "--trace" => {
-                no_value(&name, value)?;
-                solve.trace = true;
-            }
-            "--out" => solve.out = Some(words.mesh(&name, value, &["obj", "mesh"])?),
-            "--report" => solve.report = Some(words.file(&name, value)?),
-            "--iterations" => solve.iterations = Some(words.iterations(&name, value)?),
-            "--tolerance" => solve.tolerance = Some(words.not_negative(&name, value)?),
+            "--panels" => solve.panels = Some(words.kind(&name)?),
+            "--trace" => solve.trace = words.flag(&name)?,
+            "--out" => solve.out = Some(words.mesh(&name, &["obj", "mesh"])?),
+            "--report" => solve.report = Some(words.file(&name)?),
+            "--iterations" => solve.iterations = Some(words.iterations(&name)?),
+            "--tolerance" => solve.tolerance = Some(words.not_negative(&name)?),
             "--accelerator" => {
-                solve.accelerator = Some(words.one_of(&name, value)?);
+                solve.accelerator = Some(words.one_of(&name)?);
             }
-            _ => return Err(unknown(&name, "solve")),
+            _ => return Err(unknown(&Word::Option(name), "solve")),
         }
     }
     solve.input = input.ok_or("solve needs a scene or a mesh file")?;
@@ -236,21 +231,21 @@ fn solve(mut words: Words) -> Result<Command, String> {
 fn parametrize(mut words: Words) -> Result<Command, String> {
     let (mut parametrize, mut mesh) = (Parametrize::default(), None);
     while let Some(word) = words.next()? {
-        let (name, value) = match word {
+        let name = match word {
             Word::File(file) => {
                 one(&mut mesh, file)?;
                 continue;
             }
-            Word::Option(name, value) => (name, value),
+            Word::Option(name) => name,
         };
         match name.as_str() {
             "--weights" => {
-                parametrize.weights = words.one_of(&name, value)?;
+                parametrize.weights = words.one_of(&name)?;
             }
-            "--norm" => parametrize.norm = words.one_of(&name, value)?,
-            "--out" => parametrize.out = Some(words.mesh(&name, value, &["obj"])?),
-            "--report" => parametrize.report = Some(words.file(&name, value)?),
-            _ => return Err(unknown(&name, "parametrize")),
+            "--norm" => parametrize.norm = words.one_of(&name)?,
+            "--out" => parametrize.out = Some(words.mesh(&name, &["obj"])?),
+            "--report" => parametrize.report = Some(words.file(&name)?),
+            _ => return Err(unknown(&Word::Option(name), "parametrize")),
         }
     }
     parametrize.mesh = mesh.ok_or("parametrize needs a mesh file")?;
@@ -268,7 +263,11 @@ fn not_the_same(out: &Option<PathBuf>, report: &Option<PathBuf>) -> Result<(), S
     }
 }
 
-fn unknown(word: &str, command: &str) -> String {
+fn unknown(word: &Word, command: &str) -> String {
+    let word = match word {
+        Word::File(file) => file.to_string_lossy(),
+        Word::Option(name) => name.into(),
+    };
     format!("{command} does not take `{word}`")
 }
 
@@ -284,59 +283,53 @@ fn one(place: &mut Option<PathBuf>, file: OsString) -> Result<(), String> {
     }
 }
 
-fn no_value(name: &str, value: Option<OsString>) -> Result<(), String> {
-    match value {
-        None => Ok(()),
-        Some(value) => Err(format!("{name} takes no value, found `{}`", value.to_string_lossy())),
-    }
-}
-
 /// The arguments of a command, one after another.
 struct Words {
-    rest: std::vec::IntoIter<OsString>,
+    parser: lexopt::Parser,
     /// The options so far: none is given twice.
     seen: Vec<String>,
-    /// After `--` nothing is an option.
-    only_files: bool,
 }
 
 enum Word {
     File(OsString),
-    /// The name with its dashes, and the value behind `=`.
-    Option(String, Option<OsString>),
+    /// The name with its dashes.
+    Option(String),
 }
 
 impl Words {
     fn next(&mut self) -> Result<Option<Word>, String> {
-        let Some(word) = self.rest.next() else { return Ok(None) };
-        if word == "--" && !self.only_files {
-            self.only_files = true;
-            return self.next();
-        }
-        if self.only_files || !word.as_encoded_bytes().starts_with(b"-") {
-            return Ok(Some(Word::File(word)));
-        }
-        let text = word.to_str().ok_or("an option is not UTF-8 text")?;
-        let (name, value) = match text.split_once('=') {
-            Some((name, value)) => (name, Some(value.into())),
-            None => (text, None),
+        let name = match self.parser.next().map_err(|error| error.to_string())? {
+            None => return Ok(None),
+            Some(Arg::Value(file)) => return Ok(Some(Word::File(file))),
+            Some(Arg::Long(name)) => format!("--{name}"),
+            Some(Arg::Short(letter)) => format!("-{letter}"),
         };
-        if self.seen.iter().any(|seen| seen == name) {
+        if self.seen.contains(&name) {
             return Err(format!("{name} is given twice"));
         }
-        self.seen.push(name.to_owned());
-        Ok(Some(Word::Option(name.to_owned(), value)))
+        self.seen.push(name.clone());
+        Ok(Some(Word::Option(name)))
+    }
+
+    /// True, of an option that takes no value.
+    fn flag(&mut self, name: &str) -> Result<bool, String> {
+        match self.parser.optional_value() {
+            None => Ok(true),
+            Some(value) => {
+                Err(format!("{name} takes no value, found `{}`", value.to_string_lossy()))
+            }
+        }
     }
 
     /// The value of an option: behind its `=`, or the next word.
-    fn value(&mut self, name: &str, value: Option<OsString>) -> Result<OsString, String> {
-        let value = value.or_else(|| self.rest.next());
+    fn value(&mut self, name: &str) -> Result<OsString, String> {
         let present = |v: &OsString| !v.is_empty() && !v.as_encoded_bytes().starts_with(b"--");
-        value.filter(present).ok_or_else(|| format!("{name} needs a value"))
+        let value = self.parser.value().ok().filter(present);
+        value.ok_or_else(|| format!("{name} needs a value"))
     }
 
-    fn file(&mut self, name: &str, value: Option<OsString>) -> Result<PathBuf, String> {
-        self.value(name, value).map(PathBuf::from)
+    fn file(&mut self, name: &str) -> Result<PathBuf, String> {
+        self.value(name).map(PathBuf::from)
     }
 
     /// The value of an option that takes the name of a mesh file to be written, of one of the `formats`.
@@ -344,10 +337,9 @@ impl Words {
     fn mesh(
         &mut self,
         name: &str,
-        value: Option<OsString>,
         formats: &[&str],
     ) -> Result<PathBuf, String> {
-        let path = self.file(name, value)?;
+        let path = self.file(name)?;
         let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
         let is = |format: &&str| ending.as_deref() == Some(format);
         if ["obj", "off", "mesh"].iter().any(is) && !formats.iter().any(is) {
@@ -359,21 +351,21 @@ impl Words {
     }
 
     /// The value of an option that takes a whole number.
-    fn iterations(&mut self, name: &str, value: Option<OsString>) -> Result<u32, String> {
-        let value = self.text(name, value)?;
+    fn iterations(&mut self, name: &str) -> Result<u32, String> {
+        let value = self.text(name)?;
         value.parse().map_err(|_| format!("{name} takes a whole number from 0, found `{value}`"))
     }
 
     /// The value of an option that takes a number that is not negative.
-    fn not_negative(&mut self, name: &str, value: Option<OsString>) -> Result<f64, String> {
-        let value = self.text(name, value)?;
+    fn not_negative(&mut self, name: &str) -> Result<f64, String> {
+        let value = self.text(name)?;
         let parsed = value.parse().ok().filter(|number: &f64| number.is_finite() && *number >= 0.0);
         parsed.ok_or_else(|| format!("{name} takes a number from 0, found `{value}`"))
     }
 
     /// The value of an option that takes the id of a kind.
-    fn kind(&mut self, name: &str, value: Option<OsString>) -> Result<&'static str, String> {
-        let value = self.text(name, value)?;
+    fn kind(&mut self, name: &str) -> Result<&'static str, String> {
+        let value = self.text(name)?;
         let known: Vec<_> = KINDS.iter().map(|info| info.id).collect();
         known
             .iter()
@@ -383,14 +375,14 @@ impl Words {
     }
 
     /// The value of an option that takes one of some words.
-    fn one_of<T: Worded>(&mut self, name: &str, value: Option<OsString>) -> Result<T, String> {
-        let value = self.text(name, value)?;
+    fn one_of<T: Worded>(&mut self, name: &str) -> Result<T, String> {
+        let value = self.text(name)?;
         let expected = || format!("{name} takes {}, found `{value}`", T::list(" or "));
         T::of_word(&value).ok_or_else(expected)
     }
 
-    fn text(&mut self, name: &str, value: Option<OsString>) -> Result<String, String> {
-        let value = self.value(name, value)?;
+    fn text(&mut self, name: &str) -> Result<String, String> {
+        let value = self.value(name)?;
         let text = |value: &OsStr| value.to_str().map(str::to_owned);
         text(&value).ok_or_else(|| format!("the value of {name} is not UTF-8 text"))
     }
