@@ -10,6 +10,8 @@ import { isTrap } from './wasm-errors.js';
 /** @typedef {import("../solver/messages.js").FromWorker} FromWorker */
 /** @typedef {import("../solver/messages.js").Drag} Drag */
 
+/** Messages wait no longer than that for the end of a slice, where an iteration takes less. */
+const LONGEST_SLICE_MS = 100;
 /**
  * A run or a drag says at least so often how far it has come, so that little is lost when the page or the
  * worker dies; telling takes at most so large a part of the time.
@@ -28,6 +30,8 @@ export class Scheduler {
   /** The run goes on whatever becomes of the shape. */
   #goesOn = false;
   #isDragging = false;
+  /** What the last frame took, in milliseconds. */
+  #frameMs = 0;
   /** Nothing would change by iterating on; a moved handle or an edit ends it. */
   #isSettled = false;
   /** The newest move of a drag that is not applied yet. @type {Drag | null} */
@@ -276,8 +280,11 @@ export class Scheduler {
       this.#move = null;
       this.#isSettled = false;
     }
-    // Who drags waits for the answer.
-    const until = performance.now() + SLICE_MS / (this.#answering ? 2 : 1);
+    // Who drags waits for the answer. Else frames of large meshes take no more than half of the time.
+    const slice = this.#answering
+      ? SLICE_MS / 2
+      : Math.max(SLICE_MS, Math.min(this.#frameMs, LONGEST_SLICE_MS));
+    const until = performance.now() + slice;
     while (this.isIterating && performance.now() < until) {
       this.#isSettled = this.#solver.step();
       this.frames.due = true;
@@ -289,7 +296,9 @@ export class Scheduler {
     } else if (this.frames.due) {
       this.#progressTimer ||= setTimeout(() => this.#sendProgress(), this.#progressEvery);
     }
+    const begun = performance.now();
     this.sendFrame();
+    this.#frameMs = performance.now() - begun;
     if (collapse) this.#post({ type: 'collapsed', collapse });
   }
 
