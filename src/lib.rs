@@ -44,8 +44,9 @@
 //! [`sparse::Factorization::MOST_SIMPLICIAL`] unknowns. It computes one column of `L` after another, which is
 //! all that a small system needs. On larger ones most columns of `L` share their rows with their neighbours:
 //! a numeric phase of our own computes such runs (supernodes) as dense blocks in 128-bit lanes, from the
-//! same pattern in the same order, and is four times faster at 30,000 vertices. Both fill the same panels,
-//! so that iterating costs the same, and the same tests hold both to dense factors.
+//! same pattern in the same order, about three times faster at 10,000 vertices (`npm run bench -- --parts
+//! factors`). Both fill the same panels, so that iterating costs the same, and the same tests hold both to
+//! dense factors.
 //!
 //! # Notation of the paper, and its names here
 //!

@@ -13,7 +13,7 @@ let text;
 
 before(() => {
   const words = ['--trial', '--sizes', '400', '--limit', '0.5'];
-  const asked = ['--parts', 'iterations,convergence,memory'];
+  const asked = ['--parts', 'iterations,factors,convergence,memory'];
   const { status, stderr } = spawnSync(
     'node',
     [at('.scripts', 'bench', 'bench.mjs'), ...words, ...asked],
@@ -42,6 +42,23 @@ test('every problem is measured natively and in the browser', () => {
     assert.ok(where === 'native' ? bytes === null : bytes.opened > 1e6);
   }
   assert.match(text, /\| A \| 400 \| browser \| quasi-newton \|/);
+});
+
+test('both numeric factors are measured from changed constraints to the first iteration', () => {
+  assert.deepEqual(
+    results.factors.map(({ problem }) => problem),
+    ['A', 'B', 'C'],
+  );
+  for (const { of, unknowns } of results.factors) {
+    assert.equal(unknowns, 400);
+    for (const name of ['sprs-ldl', 'supernodal']) {
+      assert.ok(
+        of[name].change.median > of[name].factor.median && of[name].factor.median > 0,
+        name,
+      );
+    }
+  }
+  assert.match(text, /Both numeric factors/);
 });
 
 test('the browser goes the way of the native program, to the last bit of the energy', () => {
