@@ -17,9 +17,8 @@ use std::collections::{BTreeMap, BTreeSet};
 const MOST_FILES: usize = 15;
 
 /// Folders with more files.
-const LARGE_FOLDERS: &[(&str, &str)] = &[
-    ("constraint/kinds", "the operators, one file each: their list is the table of contents"),
-];
+const LARGE_FOLDERS: &[(&str, &str)] =
+    &[("constraint/kinds", "the operators, one file each: their list is the table of contents")];
 
 /// Folders whose files know of each other in circles.
 const CIRCLES: &[(&str, &str)] = &[];

@@ -334,11 +334,7 @@ impl Words {
 
     /// The value of an option that takes the name of a mesh file to be written, of one of the `formats`.
     /// An ending that no mesh format has is no matter.
-    fn mesh(
-        &mut self,
-        name: &str,
-        formats: &[&str],
-    ) -> Result<PathBuf, String> {
+    fn mesh(&mut self, name: &str, formats: &[&str]) -> Result<PathBuf, String> {
         let path = self.file(name)?;
         let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
         let is = |format: &&str| ending.as_deref() == Some(format);
