@@ -47,7 +47,9 @@ await main(() => {
   // WebGL2: the larger one counts.
   const glue = code.filter((path) => /^view-web/.test(basename(path)));
   const [largest, ...others] = glue.sort((a, b) => statSync(b).size - statSync(a).size);
-  const first = new Set([...firstNeeded(at('dist', 'index.html')), largest]);
+  // So is the service worker, after the first picture.
+  const worker = at('dist', 'service-worker.js');
+  const first = new Set([...firstNeeded(at('dist', 'index.html')), largest, worker]);
   const beside = ['gallery.html', 'projections.html'].flatMap((name) =>
     firstNeeded(at('dist', name)),
   );
@@ -68,10 +70,10 @@ await main(() => {
     row('solver module', [at('www', 'pkg', 'solver', 'shape_up_bg.wasm')], 515 * kB),
     row('view, WebGPU', [at('www', 'pkg', 'view-webgpu', 'shape_up_bg.wasm')], 165 * kB),
     row('view, WebGL2', [at('www', 'pkg', 'view-webgl2', 'shape_up_bg.wasm')], 900 * kB),
-    row('first visit', [...first], 81 * kB),
+    row('first visit', [...first], 78 * kB),
     row('first picture', [firstPicture], 14 * kB),
     row('plots', code.filter(isPlot), 30 * kB),
-    row('other dialogs', code.filter(isLater), 57 * kB),
+    row('other dialogs', code.filter(isLater), 66 * kB),
     row('gallery, projections', code.filter(isBeside), 16 * kB),
     row('licences', code.filter(isLicences), 24 * kB),
     row('files of Rhino', filesUnder(at('dist')).filter(isRhino), 1100 * kB),

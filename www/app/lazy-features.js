@@ -1,45 +1,75 @@
-/** Parts of the page that few models need: they come with the first that does. */
+/** Parts of the page that come with the first model, state or press that needs them. */
 
 import { messageOf } from '../solver/messages.js';
+import { sizeOfSelection } from '../store/selection.js';
+import { byId } from '../ui/dom.js';
 
-/** @param {import("./context.js").AppContext} parts */
-export function attachLater(parts) {
-  const { store, solver, files, alerts } = parts;
-  const failed = (/** @type {unknown} */ error) => alerts.error(messageOf(error));
+/** @typedef {import("../store/state.js").State} State */
 
-  const watch = () =>
-    import('../features/warnings.js').then(({ watchConditions }) => watchConditions(parts), failed);
-  files.once('opened', watch);
-  const offer = () =>
-    import('../features/make-panels/card.js').then(
-      ({ MakePanels }) => void new MakePanels(parts),
-      failed,
-    );
-  files.once('opened', offer);
-  solver.on('collapsed', ({ collapse }) => {
-    import('../documents/collapse.js').then(
-      ({ tellCollapse }) => tellCollapse(parts, collapse),
-      failed,
-    );
-  });
+/**
+ * @param {import("./context.js").AppContext} parts
+ * @param {import("../store/mesh-queries.js").Selecting} selecting
+ */
+export function loadWhenNeeded(parts, selecting) {
+  const { store, solver, viewport, files, actions, alerts } = parts;
+  const loaded = (/** @type {Promise<unknown>} */ part) =>
+    void part.catch((error) => alerts.error(messageOf(error)));
 
-  let watched = false;
-  store.subscribe(['document'], ({ document }) => {
-    if (watched || !document?.free || document.constraints.length === 0) return;
-    watched = true;
-    import('../features/free-vertices.js').then(
-      ({ watchFreeVertices }) => watchFreeVertices(parts),
-      failed,
-    );
-  });
+  /**
+   * Loads a part the first time that something holds.
+   * @param {(keyof State)[]} keys that it depends on
+   * @param {(state: Readonly<State>) => unknown} holds
+   * @param {() => Promise<unknown>} load
+   */
+  function when(keys, holds, load) {
+    let isDone = false;
+    store.subscribe(keys, (state) => {
+      if (isDone || !holds(state)) return;
+      isDone = true;
+      loaded(load());
+    });
+  }
 
+  files.once('opened', () =>
+    loaded(import('../features/warnings.js').then((it) => it.watchConditions(parts))),
+  );
+  files.once('opened', () =>
+    loaded(import('../features/make-panels/card.js').then((it) => new it.MakePanels(parts))),
+  );
+  solver.on('collapsed', ({ collapse }) =>
+    loaded(import('../documents/collapse.js').then((it) => it.tellCollapse(parts, collapse))),
+  );
+  when(
+    ['document'],
+    ({ document }) => document?.free && document.constraints.length > 0,
+    () => import('../features/free-vertices.js').then((it) => it.watchFreeVertices(parts)),
+  );
+  when(
+    ['document'],
+    ({ document }) => document?.lesson,
+    () => import('../features/lesson/panel.js').then((it) => it.lessonPanel(parts)),
+  );
+  when(
+    ['example'],
+    ({ example }) => example?.experiment,
+    () =>
+      import('../features/experiment/offer.js').then((it) =>
+        it.offerExperiment(byId('experiment'), store, solver, alerts),
+      ),
+  );
+  when(
+    ['tool', 'selection'],
+    ({ tool, selection }) => tool === 'select' || sizeOfSelection(selection) > 0,
+    () =>
+      import('../panels/select-bar/select-bar.js').then((it) =>
+        it.selectBar(byId('select-bar'), byId('select-menu'), store, actions, selecting, alerts),
+      ),
+  );
+  when(
+    ['moved'],
+    ({ moved }) => moved,
+    () => import('../viewport/input/drag-label.js').then((it) => it.showMoved(viewport, store)),
+  );
   if (matchMedia('(any-pointer: coarse)').matches)
-    import('../ui/controls/tooltips.js').then(({ tooltipsForTouch }) => tooltipsForTouch(), failed);
-
-  let taught = false;
-  store.subscribe(['document'], ({ document }) => {
-    if (taught || !document?.lesson) return;
-    taught = true;
-    import('../features/lesson/panel.js').then(({ lessonPanel }) => lessonPanel(parts), failed);
-  });
+    loaded(import('../ui/controls/tooltips.js').then((it) => it.tooltipsForTouch()));
 }

@@ -10,12 +10,11 @@ import { colourFaces } from '../viewport/colour-scale.js';
 import { commandTable } from './command-table.js';
 import { bindButtons, bindKeys, bindRunButton, takeEarlyPresses } from './commands.js';
 import { byId } from '../ui/dom.js';
-import { offerExperiment } from '../features/experiment/offer.js';
 import { Files } from '../documents/files.js';
 import { animateFirstPicture } from '../viewport/placeholder/placeholder-scene.js';
 import { toggleFlatMap } from '../features/flat-map/flat-map.js';
 import { ended } from '../ui/format.js';
-import { attachLater } from './lazy-features.js';
+import { loadWhenNeeded } from './lazy-features.js';
 import { bindHandleKeys } from '../viewport/input/handle-keys.js';
 import { firstHints } from '../features/hints.js';
 import { arrangeForWidth } from './layout.js';
@@ -25,14 +24,11 @@ import { displayPanel } from '../panels/display/display.js';
 import { energiesPanel } from '../panels/energies/energies.js';
 import { exampleNote } from '../panels/example/example.js';
 import { Keeping } from './startup.js';
-import { showMoved } from '../viewport/input/drag-label.js';
 import { handlesPanel } from '../panels/handles/handles.js';
 import { bindHalfStepButtons } from '../store/half-step.js';
 import { HoldOriginal } from '../features/hold-original.js';
-import { stayOffline } from './offline/offline.js';
 import { modelPanel } from '../panels/model/model.js';
 import { statusBar } from '../panels/status-bar/status-bar.js';
-import { selectBar } from '../panels/select-bar/select-bar.js';
 import { PointerInput } from '../viewport/input/pointer.js';
 import { RegionSelection } from '../viewport/input/region-selection.js';
 import { colourRows } from '../viewport/constraint-colours.js';
@@ -42,7 +38,6 @@ import { Selecting } from '../store/mesh-queries.js';
 import { NOTHING } from '../store/selection.js';
 import { SolverClient } from '../solver/solver-client.js';
 import { splitInto, toggleSplit } from '../features/split/split.js';
-import { recentMenu } from '../documents/recent-menu.js';
 import { createStore } from '../store/state.js';
 import { followTheme } from './theme.js';
 import { bindViewMenu } from '../features/view-tools/view-commands.js';
@@ -77,12 +72,10 @@ const pointer = new PointerInput(store, solver, viewport, region, {
 });
 bindHandleKeys(viewport, store, solver, actions);
 bindViewKeys(viewport);
-showMoved(viewport, store);
 const { fit } = colourFaces(store, solver);
 colourRows(store, solver, actions);
 
 modelPanel(byId('model'), store, actions, () => analysis.bring('log'));
-offerExperiment(byId('experiment'), store, solver, alerts);
 constraintsPanel(byId('constraints'), store, solver, actions);
 handlesPanel(byId('handles'), store, actions, solver);
 energiesPanel(byId('energies'), store, actions);
@@ -96,9 +89,8 @@ exampleNote(byId('example-note'), files, alerts, ({ split, plot }) => {
   if (plot) analysis.bring(plot);
 });
 store.subscribe(['status'], ({ status }) => status && alerts.note(status));
-attachLater(parts);
+loadWhenNeeded(parts, selecting);
 statusBar({ status: byId('status'), hint: byId('hint'), numbers: byId('numbers') }, store);
-selectBar(byId('select-bar'), byId('select-menu'), store, actions, selecting, alerts);
 firstHints(byId('hint-card'), store);
 arrangeForWidth(store);
 
@@ -159,10 +151,20 @@ viewport.on('none', (why) => {
 Object.assign(window, { shapeUp: scriptApi(store, solver, viewport, files) });
 
 const keeping = new Keeping(solver, files, alerts, { store, analysis });
-recentMenu(byId('recent-button'), byId('recent'), keeping);
+byId('recent-button').addEventListener('click', () =>
+  actions.told(
+    import('../documents/recent-menu.js').then((it) => it.showRecent(byId('recent'), keeping)),
+  ),
+);
 keeping.begin().catch((error) => alerts.error(messageOf(error)));
 files.offerExamples(byId('examples')).catch((error) => alerts.error(messageOf(error)));
-stayOffline(alerts, keeping, viewport);
+const offline = () =>
+  import('./offline/offline.js').then(
+    (it) => it.stayOffline(alerts, keeping, viewport),
+    () => {},
+  );
+viewport.on('ready', offline);
+viewport.on('none', offline);
 import('../panels/status-bar/environment-status.js').then((module) =>
   module.tellSurroundings(byId('numbers'), store),
 );

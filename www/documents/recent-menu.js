@@ -6,33 +6,30 @@ import { element } from '../ui/dom.js';
 
 /**
  * Fills the menu each time, then shows it.
- * @param {HTMLButtonElement} button
  * @param {HTMLElement} menu
  * @param {{ saveNow: () => Promise<void>, recent: () => Promise<Work[]>, openWork: (work: Work) => void }} keeping
  */
-export function recentMenu(button, menu, keeping) {
-  button.addEventListener('click', async () => {
-    await keeping.saveNow().catch(() => {});
-    const list = await keeping.recent().catch(() => []);
-    const open = (/** @type {Work} */ work) => {
-      menu.hidePopover();
-      keeping.openWork(work);
-    };
-    const rows = list.map((work) =>
+export async function showRecent(menu, keeping) {
+  await keeping.saveNow().catch(() => {});
+  const list = await keeping.recent().catch(() => []);
+  const open = (/** @type {Work} */ work) => {
+    menu.hidePopover();
+    keeping.openWork(work);
+  };
+  const rows = list.map((work) =>
+    element(
+      'button',
+      { type: 'button', role: 'menuitem', onclick: () => open(work) },
       element(
-        'button',
-        { type: 'button', role: 'menuitem', onclick: () => open(work) },
-        element(
-          'span',
-          { class: 'entry' },
-          element('strong', {}, work.title),
-          element('span', {}, `${dateOf(work.savedAt)}, iteration ${work.iteration}`),
-        ),
+        'span',
+        { class: 'entry' },
+        element('strong', {}, work.title),
+        element('span', {}, `${dateOf(work.savedAt)}, iteration ${work.iteration}`),
       ),
-    );
-    menu.replaceChildren(...(rows.length > 0 ? rows : [noEntry()]));
-    menu.showPopover();
-  });
+    ),
+  );
+  menu.replaceChildren(...(rows.length > 0 ? rows : [noEntry()]));
+  menu.showPopover();
 }
 
 /** A menu has to have an entry, or nobody hears what it says. */

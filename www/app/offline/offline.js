@@ -6,6 +6,7 @@
  */
 
 /**
+ * To be called after what the first picture needs, and again when another backend had to take over.
  * @param {import("../../ui/controls/alerts.js").Alerts} alerts
  * @param {import("../startup.js").Keeping} keeping
  * @param {import("../../viewport/viewport.js").Viewport} viewport
@@ -17,10 +18,7 @@ export function stayOffline(alerts, keeping, viewport) {
     navigator.serviceWorker.getRegistration().then((registration) => registration?.unregister());
     return;
   }
-  const start = () => register(alerts, keeping, viewport).catch(() => {});
-  // After what the first picture needs; again when another backend had to take over.
-  viewport.on('ready', start);
-  viewport.on('none', start);
+  register(alerts, keeping, viewport).catch(() => {});
 }
 
 /** @type {Promise<ServiceWorkerRegistration> | null} */

@@ -3,6 +3,7 @@
  * holds the panel and the part of the canvas that belong to it. Loaded when it is first asked for.
  */
 
+import './flat-map.css';
 import { byId } from '../../ui/dom.js';
 import { duration } from '../../ui/format.js';
 import { MapRegion } from './uv-view.js';

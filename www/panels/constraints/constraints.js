@@ -7,10 +7,8 @@ import { RENEW_MS, element, icon, setAttribute, setText, throttled } from '../..
 import { groupDigits, length, limit, part } from '../../ui/format.js';
 import { movedInWords } from '../../store/measures.js';
 import { valueInWords } from '../../ui/kinds/parameter-forms.js';
-import { Parameters } from '../../ui/kinds/parameters.js';
 import { energyOrNothing, lengthOrNothing } from '../../ui/rounding.js';
 import { NOTHING } from '../../store/selection.js';
-import { sketch } from '../../ui/kinds/sketch.js';
 
 /** @typedef {import("../../solver/messages.js").ConstraintRow} ConstraintRow */
 
@@ -41,6 +39,10 @@ export function constraintsPanel(place, store, solver, actions) {
   /** The rows that are open, by what they are: an index would change with what is before it. @type {Set<string>} */
   const open = new Set();
 
+  /** What opens below a row comes with the first that is opened. @type {typeof import("./details.js") | null} */
+  let rowDetails = null;
+  const loadDetails = async () => (rowDetails ??= await import('./details.js'));
+
   /** Tints what a constraint acts on. @param {ConstraintRow} row */
   async function tint(row) {
     const members = await actions.told(solver.request({ type: 'members', constraint: row.index }));
@@ -62,45 +64,6 @@ export function constraintsPanel(place, store, solver, actions) {
 
   function untint() {
     store.set({ tint: null });
-  }
-
-  /**
-   * What opens below a row: what it asks, and its parameters, which act at once.
-   * @param {ConstraintRow} row
-   * @param {string} name
-   * @param {() => void} rename
-   */
-  function detailsOf(row, name, rename) {
-    const { kinds, model } = store.get();
-    const kind = kinds.find(({ id }) => id === row.kind);
-    if (!kind || !model) return element('div', { hidden: true });
-    const parameters = new Parameters(kind.params, row.params, model, {
-      name,
-      changed: (id, value) =>
-        actions.edit(
-          { type: 'setConstraint', index: row.index, params: { [id]: value } },
-          (error) => {
-            parameters.restore(row.params);
-            return parameters.refuse(error);
-          },
-        ),
-    });
-    return element(
-      'div',
-      { class: 'details' },
-      sketch(kind.sketch),
-      element('p', { class: 'quiet' }, kind.summary),
-      parameters.element,
-      element(
-        'div',
-        { class: 'row-buttons' },
-        textButton('Select', `${name}: select what it acts on`, () => selectMembers(row)),
-        textButton('Duplicate', `${name}: duplicate`, () =>
-          actions.edit({ type: 'duplicateConstraint', index: row.index }),
-        ),
-        textButton('Rename', `${name}: rename`, rename),
-      ),
-    );
   }
 
   /** Parameters that are not at their default, in words. @param {ConstraintRow} row */
@@ -168,9 +131,21 @@ export function constraintsPanel(place, store, solver, actions) {
     const within = element('span');
     withinCells.push(within);
     const skipped = row.skipped > 0 ? `, ${groupDigits(row.skipped)} skipped` : '';
-    const details = detailsOf(row, name, () => rename());
-    details.hidden = !open.has(key);
-    details.id = `constraint-${row.index}-details`;
+    const details = element('div', {
+      class: 'details',
+      id: `constraint-${row.index}-details`,
+      hidden: !open.has(key),
+    });
+    const fill = () => {
+      const own = { select: () => selectMembers(row), rename: () => rename() };
+      details.replaceChildren(...(rowDetails?.detailsOf(row, name, store, actions, own) ?? []));
+    };
+    if (open.has(key)) fill();
+    const show = async () => {
+      await loadDetails();
+      fill();
+      details.scrollIntoView({ block: 'nearest' });
+    };
     const opener = element(
       'button',
       {
@@ -183,7 +158,7 @@ export function constraintsPanel(place, store, solver, actions) {
           if (!open.delete(key)) open.add(key);
           details.hidden = !open.has(key);
           opener.setAttribute('aria-expanded', String(open.has(key)));
-          details.scrollIntoView({ block: 'nearest' });
+          if (open.has(key)) actions.told(show());
         },
       },
       element('span', {}, row.label),
@@ -297,19 +272,6 @@ export function constraintsPanel(place, store, solver, actions) {
     showNumbers();
   });
   store.subscribe(['numbers', 'tolerance'], showNumbers);
-}
-
-/**
- * @param {string} label
- * @param {string} name for those who do not see where it is
- * @param {() => void} onclick
- */
-function textButton(label, name, onclick) {
-  return element(
-    'button',
-    { type: 'button', class: 'bordered', 'aria-label': name, onclick },
-    label,
-  );
 }
 
 /** The accessible name of the field that has the focus, to give it back. @param {HTMLElement} place */

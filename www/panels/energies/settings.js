@@ -3,6 +3,7 @@
  * how it is solved. Made from the declared list when it is first opened.
  */
 
+import './settings.css';
 import { element, setText } from '../../ui/dom.js';
 import { count } from '../../ui/format.js';
 import { Parameters } from '../../ui/kinds/parameters.js';

@@ -1,5 +1,6 @@
 /** The selected handles in numbers: where they should be, and how they hold. Comes with the first. */
 
+import './handle-details.css';
 import { RENEW_MS, element, setText, throttled } from '../../ui/dom.js';
 import { count } from '../../ui/format.js';
 import { messageOf } from '../../solver/messages.js';

@@ -3,6 +3,7 @@
  * and the menu of everything else. It is there while the Select tool is, or something is selected.
  */
 
+import './select-bar.css';
 import { element, icon, setText } from '../../ui/dom.js';
 import { placeMenu } from '../../ui/controls/menu.js';
 import { messageOf } from '../../solver/messages.js';
