@@ -94,7 +94,7 @@ fn one_of_something_is_not_several() {
     let folder = Folder::new("one");
     folder.write("roof.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0.1\nv 0 1 0\nf 1 2 3 4\n");
     let out = folder.write("s.json", scene(PLANES)).run(&["solve", "s.json"]).done();
-    assert!(out.contains("4 vertices, 1 face, ") && out.contains("pinned at vertex 0\n"), "{out}");
+    assert!(out.contains("4 vertices, 1 face, ") && out.contains("fixed at vertex 0\n"), "{out}");
 }
 
 #[test]

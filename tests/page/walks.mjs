@@ -418,7 +418,7 @@ export const walks = {
           new MutationObserver(lose).observe(place, { childList: true });
           lose();
         });
-        await expect(page.getByText('No 3D picture')).toBeVisible();
+        await expect(page.getByText('No 3D view')).toBeVisible();
       },
     },
   ],

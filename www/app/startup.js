@@ -99,7 +99,7 @@ export class Keeping {
       if (!taken) throw new Error(`${title} is open in another tab of this browser.`);
       const { undoLost } = await this.#openWork(taken);
       this.#store.set({ status: `Opened ${title}` });
-      if (undoLost) this.#alerts.notice(`The steps of undo of ${title} are gone: ${undoLost}.`);
+      if (undoLost) this.#alerts.notice(`The undo history of ${title} is lost: ${undoLost}.`);
     } catch (error) {
       this.#tellUnreadable(error);
     }
@@ -147,7 +147,7 @@ export class Keeping {
       if (location.hash) history.replaceState(null, '', location.pathname + location.search);
       this.#told(this.startFresh());
     };
-    const but = undoLost && `, but its steps of undo are gone: ${undoLost}`;
+    const but = undoLost && `, but its undo history is lost: ${undoLost}`;
     this.#alerts.notice(`${last.work.title} is back as you left it${but}.`, {
       label: 'Start fresh',
       action: fresh,

@@ -40,7 +40,7 @@ export function askToExport(collapse) {
     element(
       'div',
       { class: 'dialog-body' },
-      element('p', {}, `In the last run ${collapse}. It is hardly what you want.`),
+      element('p', {}, `In the last run ${collapse}. You probably do not want to export this shape.`),
       element(
         'div',
         { class: 'dialog-foot' },

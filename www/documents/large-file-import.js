@@ -116,7 +116,7 @@ const progress = (read, all) => `${(read / MB).toFixed(1)} of ${(all / MB).toFix
 class Card {
   #abort = new AbortController();
   #text = element('p', { id: 'import-text' });
-  #bar = element('progress', { 'aria-label': 'How far it is read', max: 1 });
+  #bar = element('progress', { 'aria-label': 'Reading progress', max: 1 });
   #buttons = element('div', { class: 'row-buttons' });
   #element;
 

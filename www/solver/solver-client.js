@@ -306,7 +306,7 @@ export class SolverClient extends Emitter {
       const files = [{ name: 'restored.shapeup.json', bytes }];
       const { undoLost } = await this.request({ type: 'open', files, saved });
       const back = `your model is back as it was at iteration ${this.saved.iteration}`;
-      const but = undoLost ? `, but the steps of undo are gone: ${undoLost}.` : '.';
+      const but = undoLost ? `, but its undo history is lost: ${undoLost}.` : '.';
       notice(`The solver stopped (${reason}) and was restarted; ${back}${but}`);
     } catch (error) {
       if (this.#worker)

@@ -128,7 +128,7 @@ export function createActions(store, solver, alerts) {
     },
 
     async reset() {
-      if ((await edit({ type: 'reset' })) !== undefined) say('Back to the shape of the file');
+      if ((await edit({ type: 'reset' })) !== undefined) say('Back to the original');
     },
 
     async undo() {

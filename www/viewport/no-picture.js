@@ -14,7 +14,7 @@ export function tellWhy(reason) {
   const cause = /was lost/.test(reason) ? GONE : /fetched/.test(reason) ? NOT_HERE : NEVER;
   const notice = byId('no-picture');
   notice.replaceChildren(
-    element('p', {}, `No 3D picture: ${cause} Everything else works: the panels, Run, and Export.`),
+    element('p', {}, `No 3D view: ${cause} Everything else works: the panels, Run, and Export.`),
     element(
       'details',
       {},

@@ -213,7 +213,7 @@ export class Viewport extends Emitter {
     view?.free();
     if (renderer !== 'webgpu' || !this.#backend.failed(renderer)) this.#attempts += 1;
     const isOver = this.#attempts > ATTEMPTS;
-    this.#store.set({ status: `The 3D picture was lost${isOver ? '' : ' and is drawn anew'}` });
+    this.#store.set({ status: `The 3D view was lost${isOver ? '' : ' and is being restored'}` });
     if (isOver) this.#giveUp(reason);
     else this.#create();
   }

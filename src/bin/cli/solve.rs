@@ -96,9 +96,9 @@ fn summary(input: &Path, report: &Report, remarks: &[String], units: &str) -> St
         line(format_args!(
             "note: nothing holds {} {}{}",
             if report.pinned.len() == 1 {
-                "one part of the mesh, pinned at vertex"
+                "one part of the mesh, fixed at vertex"
             } else {
-                "some parts of the mesh, pinned at vertices"
+                "some parts of the mesh, fixed at vertices"
             },
             named.join(", "),
             if more == 0 { String::new() } else { format!(" and {more} more") }

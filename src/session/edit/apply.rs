@@ -74,8 +74,8 @@ impl Session {
                     Some(vertices) => hold_close(&mut document.closeness, vertices, weight),
                     None => document.closeness.weights.clear(),
                 }
-                vertices.map_or("Hold all alike".to_owned(), |vertices| {
-                    format!("Hold {} close", of_vertices(vertices.len()))
+                vertices.map_or("Same closeness for all".to_owned(), |vertices| {
+                    format!("Change closeness of {}", of_vertices(vertices.len()))
                 })
             }
             Edit::HoldCloser => {
@@ -96,7 +96,7 @@ impl Session {
                 for place in vertices.iter().filter_map(|&vertex| places.get(vertex)) {
                     handles[place].hold = Hold::Soft { weight };
                 }
-                format!("Weigh {}", of_vertices(vertices.len()))
+                format!("Weigh {}", counted(vertices.len(), "handle", "handles"))
             }
             Edit::SetWeights(weights) => {
                 document.weights = weights;
@@ -125,7 +125,10 @@ impl Session {
             Edit::AddHandles { vertices, fixed } => {
                 let hold = if fixed { Hold::Fixed } else { Hold::Soft { weight: HANDLE_WEIGHT } };
                 self.hold(&vertices, hold, handles, positions)?;
-                format!("{} {}", if fixed { "Fix" } else { "Hold" }, of_vertices(vertices.len()))
+                match fixed {
+                    true => format!("Fix {}", of_vertices(vertices.len())),
+                    false => format!("Make {}", counted(vertices.len(), "handle", "handles")),
+                }
             }
             Edit::RemoveHandles { vertices } => {
                 let mut released = vec![false; positions.len()];

@@ -135,7 +135,10 @@ fn candidates(session: &Session) -> Vec<(String, Value)> {
     let mut offer = |label: &str, edit: Value| candidates.push((label.to_owned(), edit));
     let is_close = weights.close > 0.0 && document.closeness.to != ClosenessTo::None;
     if is_close {
-        offer("Hold less close", json!({ "type": "setWeights", "close": weights.close / FACTOR }));
+        offer(
+            "Weigh closeness less",
+            json!({ "type": "setWeights", "close": weights.close / FACTOR }),
+        );
     }
     if weights.smooth > 0.0 {
         offer("Smooth less", json!({ "type": "setWeights", "smooth": weights.smooth / FACTOR }));

@@ -72,7 +72,7 @@ test('axe: before anything but the HTML is there', async ({ page }) => {
 test('axe: without graphics, and running', async ({ page }) => {
   await withoutGraphics(page);
   await openPage(page);
-  await expect(page.getByText('No 3D picture')).toBeVisible();
+  await expect(page.getByText('No 3D view')).toBeVisible();
   await expectNothing(page, 'without graphics');
   await openText(page, 'endless.shapeup.json', endlessScene(), 41 * 41);
   await page.getByRole('button', { name: 'Run' }).click();

@@ -107,7 +107,7 @@ test('without graphics everything but the picture works', async ({ page }) => {
     Object.defineProperty(Navigator.prototype, 'gpu', { value: undefined });
   });
   await openPage(page);
-  await expect(page.getByText('No 3D picture')).toBeVisible();
+  await expect(page.getByText('No 3D view')).toBeVisible();
   expect((await state(page)).renderer).toBe('none');
   await openText(page, 'grid.obj', wavyGrid(4), 25);
   await addConstraint(page, 'Circle', 'each face');
@@ -127,6 +127,6 @@ test('a lost graphics context comes back', async ({ page }) => {
   });
   await expect(page.locator('[role="application"] canvas[data-lost]')).toHaveCount(0);
   await waitForState(page, (now) => now.renderer === 'webgl2');
-  await expect(page.getByRole('status')).toHaveText('The 3D picture was lost and is drawn anew');
+  await expect(page.getByRole('status')).toHaveText('The 3D view was lost and is being restored');
   await expect.poll(() => coloursOfView(page)).toBeGreaterThan(50);
 });

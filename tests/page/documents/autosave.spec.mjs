@@ -306,7 +306,7 @@ test('what is damaged beside a work costs no more than that', async ({ page, con
   await other.close();
   const again = await context.newPage();
   await visit(again);
-  await expect(again.getByRole('alert')).toContainText('steps of undo are gone');
+  await expect(again.getByRole('alert')).toContainText('undo history is lost');
   expect((await state(again)).constraints).toEqual({ plane: 16 });
   await openText(again, 'next.obj', wavyGrid(3), 16);
   await kept(again);

@@ -144,10 +144,10 @@ test('a lesson without an end is not kept, and one can be taken away', async ({ 
   await dialog.getByRole('button', { name: 'Save lesson' }).click();
   await expect(dialog).toBeVisible();
   // What is left is the first one then.
-  await dialog.getByRole('button', { name: 'Take away Goal 1: planarity' }).click();
+  await dialog.getByRole('button', { name: 'Remove Goal 1: planarity' }).click();
   await worst(dialog, 1).selectOption({ label: 'Angle quality' });
   await expect(most(dialog, 'Goal 1: angle quality at most, °')).toHaveValue('0.01');
-  await dialog.getByRole('button', { name: 'Take away Goal 1: angle quality' }).click();
+  await dialog.getByRole('button', { name: 'Remove Goal 1: angle quality' }).click();
   await dialog.getByRole('button', { name: 'Save lesson' }).click();
   await expect(dialog).toContainText('expected at least one goal');
   await dialog.getByRole('button', { name: 'Add goal' }).click();

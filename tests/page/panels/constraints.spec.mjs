@@ -123,11 +123,11 @@ test('the selection is held more than the rest, and all alike again', async ({ p
   await page.mouse.click(...(await screenOf(page, MIDDLE)));
   await showPanel(page, 'Energies and display');
   await page.getByText('More settings').click();
-  await page.getByRole('button', { name: 'Hold the selection: more' }).click();
+  await page.getByRole('button', { name: 'Closeness of the selection: more' }).click();
   const weights = async () => (await sceneOf(page)).closeness?.weights;
   await expect.poll(weights).toEqual([{ on: { vertices: [MIDDLE] }, weight: 10 }]);
-  await expect(page.getByText('1 vertex is held otherwise.')).toBeVisible();
-  await page.getByRole('button', { name: 'Hold all alike' }).click();
+  await expect(page.getByText('1 vertex has another closeness.')).toBeVisible();
+  await page.getByRole('button', { name: 'Same for all' }).click();
   await expect.poll(weights).toBeUndefined();
 });
 

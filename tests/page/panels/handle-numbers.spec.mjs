@@ -58,7 +58,7 @@ test('a coordinate is set for all selected handles, as one step', async ({ page 
   await expect(undoButton(page)).toHaveAttribute('title', /Move 2 handles/);
   await undoButton(page).click();
   await expect.poll(() => targets(page)).toEqual(before);
-  await expect(undoButton(page)).toHaveAttribute('title', /Hold 2 vertices/);
+  await expect(undoButton(page)).toHaveAttribute('title', /Make 2 handles/);
   await expect(target(page, 'z')).not.toHaveValue(/7\.5/);
 });
 
@@ -146,7 +146,7 @@ test('weight, soft and fixed are those of all selected handles', async ({ page }
   await expect(weight).toHaveAttribute('placeholder', 'mixed');
   await enter(weight, '12');
   await waitForState(page, (now) => now.handles.every((handle) => handle.weight === 12));
-  await expect(undoButton(page)).toHaveAttribute('title', /Weigh 2 vertices/);
+  await expect(undoButton(page)).toHaveAttribute('title', /Weigh 2 handles/);
 
   const soft = details(page).getByRole('button', { name: 'Soft' });
   await expect(soft).toHaveAttribute('aria-pressed', 'true');

@@ -104,7 +104,7 @@ for (const [fault, [cause, modules]] of Object.entries(faults)) {
     await openPage(page);
     await drawnWith(page, 'webgl2');
     expect([...loaded]).toEqual(modules);
-    await expect(page.getByText('No 3D picture')).toBeHidden();
+    await expect(page.getByText('No 3D view')).toBeHidden();
   });
 }
 

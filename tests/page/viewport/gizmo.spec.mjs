@@ -81,7 +81,7 @@ test('a square moves them in its plane; Escape puts them back exactly', async ({
   await page.keyboard.press('Escape');
   await page.mouse.up();
   await expect.poll(() => everything(page)).toEqual(exact);
-  await expect(undoButton(page)).toHaveAttribute('title', /Hold 1 vertex/);
+  await expect(undoButton(page)).toHaveAttribute('title', /Make 1 handle/);
 });
 
 test('the gizmo is there for a selected handle only, and can be switched off', async ({ page }) => {

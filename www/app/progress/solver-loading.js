@@ -22,7 +22,7 @@ export function showLoading(store, bytes, all) {
 /** @param {import("../../store/state.js").Store} store */
 function show(store) {
   const text = element('p');
-  const bar = element('progress', { max: 1, 'aria-label': 'How much of the solver is here' });
+  const bar = element('progress', { max: 1, 'aria-label': 'Loading progress' });
   const card = element('div', { id: 'loading', class: 'card' }, text, bar);
   byId('main').append(card);
   // What the solver declares comes with it, perhaps before this.

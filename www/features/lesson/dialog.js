@@ -84,7 +84,7 @@ export function write(parts, share) {
       const what = `${goal}: ${of.selectedOptions[0]?.label.toLowerCase() ?? ''}`;
       of.setAttribute('aria-label', `${goal}: worst`);
       most.setAttribute('aria-label', `${what} at most, ${unit.textContent}`.replace(/, $/, ''));
-      remove.setAttribute('aria-label', `Take away ${what}`);
+      remove.setAttribute('aria-label', `Remove ${what}`);
     });
   }
 

@@ -86,13 +86,13 @@ function holdRow(store, actions) {
         type: 'button',
         class: 'bordered',
         title,
-        'aria-label': `Hold the selection: ${label.toLowerCase()}`,
+        'aria-label': `Closeness of the selection: ${label.toLowerCase()}`,
         onclick: async () => {
           const vertices = actions.chosenVertices();
           const done = await actions.edit({ type: 'holdClose', vertices, weight });
           if (done !== undefined)
             actions.say(
-              `${count(vertices.length, 'vertex', 'vertices')} held: ${label.toLowerCase()}`,
+              `Closeness of ${count(vertices.length, 'vertex', 'vertices')}: ${label.toLowerCase()}`,
             );
         },
       },
@@ -106,21 +106,24 @@ function holdRow(store, actions) {
       class: 'bordered',
       onclick: () => actions.edit({ type: 'holdClose', vertices: null, weight: 1 }),
     },
-    'Hold all alike',
+    'Same for all',
   );
   store.subscribe(['selection', 'document'], ({ selection, document }) => {
     const none = sizeOfSelection(selection) === 0;
     buttons.forEach((button) => (button.disabled = none));
     const held = document?.heldOtherwise ?? 0;
     all.hidden = held === 0;
-    const words = none ? 'Select vertices to hold them more or less than the others.' : '';
-    const others = held > 0 ? `${count(held, 'vertex is', 'vertices are')} held otherwise.` : '';
+    const words = none
+      ? 'Select vertices to keep them closer to the original, or less close, than the others.'
+      : '';
+    const others =
+      held > 0 ? `${count(held, 'vertex has', 'vertices have')} another closeness.` : '';
     setText(said, [words, others].filter(Boolean).join(' '));
   });
   return element(
     'div',
-    { class: 'setting', role: 'group', 'aria-label': 'Hold the selection' },
-    element('p', {}, 'Hold the selection'),
+    { class: 'setting', role: 'group', 'aria-label': 'Closeness of the selection' },
+    element('p', {}, 'Closeness of the selection'),
     element('div', { class: 'row-buttons' }, ...buttons, all),
     said,
   );

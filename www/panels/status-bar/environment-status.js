@@ -9,7 +9,7 @@ import { isDrawn } from '../../store/state.js';
 /** Names of renderers that compute pictures on the processor. */
 const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
 const SLOW =
-  'No graphics card draws, which is slow. Look for graphics acceleration in the settings of the browser.';
+  'Software rendering, which is slow: turn on graphics acceleration in the settings of the browser.';
 
 /**
  * @param {HTMLElement} numbers the list of the status bar
