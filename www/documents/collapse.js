@@ -40,7 +40,11 @@ export function askToExport(collapse) {
     element(
       'div',
       { class: 'dialog-body' },
-      element('p', {}, `In the last run ${collapse}. You probably do not want to export this shape.`),
+      element(
+        'p',
+        {},
+        `In the last run ${collapse}. You probably do not want to export this shape.`,
+      ),
       element(
         'div',
         { class: 'dialog-foot' },
