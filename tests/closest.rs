@@ -7,7 +7,7 @@ mod shared;
 
 use meshes::{mixed, wavy};
 use proptest::prelude::*;
-use shape_up::mesh::{Footing, Mesh, Point, Ragged, Surface};
+use shape_up::mesh::{ClosestPointCache, Mesh, Point, Ragged, Surface};
 
 fn sub(a: Point, b: Point) -> Point {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
@@ -100,7 +100,7 @@ proptest! {
     fn a_footing_changes_no_bit(mesh in mixed(), steps in steps()) {
         prop_assume!(!mesh.faces.is_empty());
         let surface = Surface::new(&mesh.positions, &mesh);
-        let start = vec![(Surface::COLD, Footing::unknown(), Surface::COLD); mesh.positions.len()];
+        let start = vec![(Surface::COLD, ClosestPointCache::unknown(), Surface::COLD); mesh.positions.len()];
         let mut left = start;
         // Each vertex wanders, and is searched for with what its own last search left.
         for by in [0.0, 0.01, 0.02, -0.1, 0.1, 0.4, -1.0, 0.4, 0.41] {

@@ -15,7 +15,7 @@ use shape_up::example::model::Dome;
 use shape_up::example::{EXAMPLES, Example};
 use shape_up::math::Vec3;
 use shape_up::mesh::{Mesh, Point};
-use shape_up::scene::{Accelerator, Scene, SolverSettings, Weights, Worded};
+use shape_up::scene::{Accelerator, NamedEnum, Scene, SolverSettings, Weights};
 use shape_up::session::Session;
 
 const ITERATIONS: usize = 200;

@@ -3,7 +3,7 @@
 use serde_json::json;
 use shape_up::constraint::{Element, Selector, Set};
 use shape_up::scene::{MeshSource, Scene, Up, Weights};
-use shape_up::session::{Edit, Mode, NewConstraint, Place, SelectRequest, Selection};
+use shape_up::session::{ConstraintTarget, Edit, Mode, NewConstraint, SelectRequest, Selection};
 
 fn document() -> Scene {
     let mut scene = Scene::new(MeshSource::File("none.obj".to_owned()));
@@ -94,7 +94,7 @@ fn a_constraint_is_added_on_a_set_that_has_no_name_yet() {
     assert_eq!((spec.kind.info().id, spec.weight), ("angle", 2.0));
     assert_eq!(spec.kind.params()["angle"], json!([80.0, 100.0]));
     assert_eq!(set, Some(Set { vertices: vec![], faces: vec![1, 5] }));
-    let within = Some(Place::UNNAMED.to_owned());
+    let within = Some(ConstraintTarget::UNNAMED.to_owned());
     assert_eq!(spec.on, Selector::Each { element: Element::Corner, within, radius: 0 });
 }
 
@@ -142,10 +142,10 @@ fn requests_to_select_and_places_are_read() {
 
     let text =
         json!(["faces", { "vertices": [3, 1] }, { "each": "face", "in": { "vertices": [0] } }]);
-    let places = Place::all_from_json(&text.to_string()).expect("they are places");
-    assert_eq!(places[1], Place { on: Selector::Vertices(vec![3, 1]), set: None });
+    let places = ConstraintTarget::all_from_json(&text.to_string()).expect("they are places");
+    assert_eq!(places[1], ConstraintTarget { on: Selector::Vertices(vec![3, 1]), set: None });
     assert_eq!(places[2].set, Some(Set { vertices: vec![0], faces: vec![] }));
     let text = json!(["faces", { "each": "cube" }]);
-    let error = Place::all_from_json(&text.to_string()).expect_err("there are no cubes");
+    let error = ConstraintTarget::all_from_json(&text.to_string()).expect_err("there are no cubes");
     assert_eq!(error.path, "each");
 }

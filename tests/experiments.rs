@@ -6,7 +6,7 @@ mod random;
 
 use random::Random;
 use shape_up::example::EXAMPLES;
-use shape_up::experiment::{Circularity, EXPERIMENTS, EndedBy, Experiment, Limits, Run, Series};
+use shape_up::experiment::{AngleSums, EXPERIMENTS, EndedBy, Experiment, Limits, Run, Series};
 use shape_up::math::Vec3;
 use shape_up::mesh::Point;
 use shape_up::scene::{ClosenessTo, Hold, Weights};
@@ -217,7 +217,7 @@ fn the_derivatives_of_the_angle_sums_are_those_of_their_differences() {
     let mut random = Random::new(3);
     for _ in 0..50 {
         let corners = quad(&mut random);
-        let found = Circularity::of(corners, 0.7);
+        let found = AngleSums::of(corners, 0.7);
         for v in 0..4 {
             for k in 0..3 {
                 const STEP: f64 = 1e-6;
@@ -225,7 +225,7 @@ fn the_derivatives_of_the_angle_sums_are_those_of_their_differences() {
                     let mut moved = corners;
                     let by = [0, 1, 2].map(|i| if i == k { step } else { 0.0 });
                     moved[v] += Vec3::from(by);
-                    Circularity::of(moved, 0.7).residuals
+                    AngleSums::of(moved, 0.7).residuals
                 };
                 let (more, less) = (at(STEP), at(-STEP));
                 for r in 0..3 {
@@ -247,14 +247,14 @@ fn the_residuals_vanish_on_circles_only() {
         let (u, v) = (Vec3::new(0.6, 0.0, 0.8), Vec3::new(0.0, 1.0, 0.0));
         let turns = [0.0, 0.25, 0.5, 0.75].map(|t| t + 0.1 * random.uniform());
         let at = |t: f64| u * shape_up::math::cosine(t) + v * shape_up::math::sine(t);
-        let on = Circularity::of(turns.map(at), 1.0);
+        let on = AngleSums::of(turns.map(at), 1.0);
         assert!(on.residuals.iter().all(|r| r.abs() < 1e-12), "{:?}", on.residuals);
         let mut off = turns.map(at);
         off[2] = off[2] * 1.1;
-        let off = Circularity::of(off, 1.0);
+        let off = AngleSums::of(off, 1.0);
         assert!(off.residuals[0].abs() > 1e-2 && off.residuals[2].abs() < 1e-12);
         let mut bent = turns.map(at);
         bent[2] += u.cross(v) * 0.1;
-        assert!(Circularity::of(bent, 1.0).residuals[2].abs() > 1e-3);
+        assert!(AngleSums::of(bent, 1.0).residuals[2].abs() > 1e-3);
     }
 }

@@ -7,7 +7,7 @@ use grid::bumpy;
 use shape_up::example::EXAMPLES;
 use shape_up::mesh::Point;
 use shape_up::scene::Scene;
-use shape_up::session::{Edit, FACE_MEASURES, Fits, Half, Session, Shape};
+use shape_up::session::{Edit, FACE_MEASURES, FittedCount, HalfStep, Session, Shape};
 
 /// Squares on the faces of a bumpy grid, with a scene's `rest`.
 fn squares(rest: &str) -> Session {
@@ -21,9 +21,9 @@ fn squares(rest: &str) -> Session {
 }
 
 /// Both halves.
-fn whole(session: &mut Session) -> Half {
+fn whole(session: &mut Session) -> HalfStep {
     let local = session.half_step().expect("nothing moves");
-    assert!(matches!(local, Half::Local { .. }));
+    assert!(matches!(local, HalfStep::Local { .. }));
     // Looking at what is fitted changes nothing.
     session.projections();
     session.half_step().expect("positions stay finite")
@@ -75,21 +75,23 @@ fn the_local_step_tells_what_is_fitted_and_moves_nothing() {
     let mut session = squares("");
     let before = session.positions();
     let local = session.half_step().expect("nothing moves");
-    assert_eq!(local, Half::Local { fitted: vec![Fits { label: "Square", count: 16 }] });
+    assert_eq!(local, HalfStep::Local { fitted: vec![FittedCount { label: "Square", count: 16 }] });
     assert!(session.halfway());
     assert_eq!(session.positions(), before);
     assert_eq!(session.undo_and_redo(), [None, None], "there is nothing to take back");
 
     let global = session.half_step().expect("positions stay finite");
-    assert_eq!(global, Half::Global { converged: false, accelerated: false });
+    assert_eq!(global, HalfStep::Global { converged: false, accelerated: false });
     assert_ne!(session.positions(), before);
     assert_eq!(session.undo_and_redo()[0], Some("Run, 1 iteration"));
     // What has been learnt from it makes the next one another.
-    let Half::Global { accelerated, .. } = whole(&mut session) else { panic!("it is the second") };
+    let HalfStep::Global { accelerated, .. } = whole(&mut session) else {
+        panic!("it is the second")
+    };
     assert!(accelerated);
     let mut plain = squares(r#", "solver": { "accelerator": "none" }"#);
     whole(&mut plain);
-    assert_eq!(whole(&mut plain), Half::Global { converged: false, accelerated: false });
+    assert_eq!(whole(&mut plain), HalfStep::Global { converged: false, accelerated: false });
 }
 
 /// Without acceleration, closeness and smoothness, the global step puts every vertex where the
@@ -157,7 +159,7 @@ fn whatever_changes_the_shape_or_the_scene_ends_the_half_step() {
         session.half_step().expect("nothing moves");
         change(&mut session);
         assert!(!session.halfway(), "{what}");
-        assert!(matches!(session.half_step(), Ok(Half::Local { .. })), "{what}");
+        assert!(matches!(session.half_step(), Ok(HalfStep::Local { .. })), "{what}");
     }
 }
 

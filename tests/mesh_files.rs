@@ -7,7 +7,7 @@ mod shared;
 use std::path::PathBuf;
 
 use shape_up::mesh::{
-    Element, GroupKeyword, Mesh,
+    ElementKind, GroupKeyword, Mesh,
     ProblemKind::{self, *},
     Read, read, write_obj,
 };
@@ -157,7 +157,7 @@ fn awkward() -> Vec<Expected> {
         Expected {
             file: "tinyobj_invalid-face-definition.obj",
             vertices: 8,
-            problems: &[(TooFewCorners(Element::Face), 2, 15)],
+            problems: &[(TooFewCorners(ElementKind::Face), 2, 15)],
             ..none
         },
         Expected {
@@ -165,7 +165,7 @@ fn awkward() -> Vec<Expected> {
             vertices: 4,
             faces: 1,
             groups: &[("usemtl", "main", 1, 0)],
-            problems: &[(CornerZero(Element::Face), 1, 16), (UnusedVertex, 1, 6)],
+            problems: &[(CornerZero(ElementKind::Face), 1, 16), (UnusedVertex, 1, 6)],
             notes: &["4 texture indices ignored", "4 normal indices ignored"],
             ..none
         },
@@ -242,7 +242,7 @@ fn awkward() -> Vec<Expected> {
             vertices: 6,
             faces: 1,
             groups: &[("o", "Triangle1", 1, 0)],
-            problems: &[(CornerOutOfRange(Element::Face), 1, 12), (UnusedVertex, 3, 4)],
+            problems: &[(CornerOutOfRange(ElementKind::Face), 1, 12), (UnusedVertex, 3, 4)],
             ..none
         },
         Expected {

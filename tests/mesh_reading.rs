@@ -2,7 +2,7 @@
 //! same mesh, that nothing is lost silently, and that a message says where and what.
 
 use shape_up::mesh::{
-    Element, GroupKeyword, Mesh,
+    ElementKind, GroupKeyword, Mesh,
     ProblemKind::{self, *},
     Ragged, Read, read,
 };
@@ -141,20 +141,20 @@ fn decimal_commas_are_read_and_said() {
 fn a_bad_face_is_skipped_whole_and_the_others_stay() {
     let vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
     for (face, kind) in [
-        ("f 1 2", TooFewCorners(Element::Face)),
-        ("f", TooFewCorners(Element::Face)),
-        ("f 1 1 2", TooFewCorners(Element::Face)),
-        ("f 1 2 5", CornerOutOfRange(Element::Face)),
-        ("f 1 2 -5", CornerOutOfRange(Element::Face)),
-        ("f 1 2 99999999999999", CornerOutOfRange(Element::Face)),
-        ("f 1 2 0", CornerZero(Element::Face)),
-        ("f 1 2 x", MalformedCorner(Element::Face)),
-        ("f 1 2 3.0", MalformedCorner(Element::Face)),
-        ("f 1,2,3", MalformedCorner(Element::Face)),
-        ("f 1 2 /3", MalformedCorner(Element::Face)),
+        ("f 1 2", TooFewCorners(ElementKind::Face)),
+        ("f", TooFewCorners(ElementKind::Face)),
+        ("f 1 1 2", TooFewCorners(ElementKind::Face)),
+        ("f 1 2 5", CornerOutOfRange(ElementKind::Face)),
+        ("f 1 2 -5", CornerOutOfRange(ElementKind::Face)),
+        ("f 1 2 99999999999999", CornerOutOfRange(ElementKind::Face)),
+        ("f 1 2 0", CornerZero(ElementKind::Face)),
+        ("f 1 2 x", MalformedCorner(ElementKind::Face)),
+        ("f 1 2 3.0", MalformedCorner(ElementKind::Face)),
+        ("f 1,2,3", MalformedCorner(ElementKind::Face)),
+        ("f 1 2 /3", MalformedCorner(ElementKind::Face)),
         ("f 1 2 3 1 4", SelfTouchingFace),
-        ("l 1", TooFewCorners(Element::Curve)),
-        ("l 1 2 9", CornerOutOfRange(Element::Curve)),
+        ("l 1", TooFewCorners(ElementKind::Curve)),
+        ("l 1 2 9", CornerOutOfRange(ElementKind::Curve)),
         ("face 1 2 3", UnknownStatement),
     ] {
         let read = ok("a.obj", format!("{vertices}g a\nf 1 2 3\n{face}\ng b\nf 3 4 1\n"));
@@ -176,7 +176,10 @@ fn a_corner_twice_in_a_row_is_kept_once() {
     assert_eq!(rows(&read.mesh.curves), [[0, 1, 0]]);
     assert_eq!(
         kinds(&read)[..2],
-        [(RepeatedCorner(Element::Face), 2, Some(4)), (RepeatedCorner(Element::Curve), 1, Some(6)),]
+        [
+            (RepeatedCorner(ElementKind::Face), 2, Some(4)),
+            (RepeatedCorner(ElementKind::Curve), 1, Some(6)),
+        ]
     );
 }
 
@@ -250,7 +253,7 @@ fn variants_of_off_give_the_same_mesh() {
     let notes = ok("a.off", from_one).notes;
     assert_eq!(notes, ["the faces count vertices from one, unlike OFF: read so"]);
     let out_of_range = ok("a.off", plain.replace("3 2 3 0", "3 2 3 4"));
-    assert_eq!(kinds(&out_of_range)[0], (CornerOutOfRange(Element::Face), 1, Some(8)));
+    assert_eq!(kinds(&out_of_range)[0], (CornerOutOfRange(ElementKind::Face), 1, Some(8)));
 }
 
 #[test]
@@ -266,7 +269,7 @@ fn medit_sections_come_in_any_order_and_others_are_skipped() {
     assert_eq!(positions.len(), 4);
     assert_eq!(rows(faces), [vec![0, 1, 2], vec![0, 1, 2, 3]]);
     assert_eq!((rows(curves), &tets[..]), (vec![vec![0, 1]], &[[0, 1, 2, 3]][..]));
-    assert_eq!(kinds(&read)[0], (TooFewCorners(Element::Tetrahedron), 1, Some(8)));
+    assert_eq!(kinds(&read)[0], (TooFewCorners(ElementKind::Tetrahedron), 1, Some(8)));
     let flat = "MeshVersionFormatted 1\nDimension 2\nVertices 1\n3 4 0\n";
     assert_eq!(ok("a.mesh", flat).mesh.positions, [[3.0, 4.0, 0.0]]);
 }

@@ -9,18 +9,18 @@ use shape_up::constraint::{Arity, Centring, Element, KINDS, Selector, Set};
 use shape_up::error::Error;
 use shape_up::mesh::Mesh;
 use shape_up::scene::{ConstraintSpec, MeshSource, Scene};
-use shape_up::session::{Edit, NewConstraint, Place, Preview, Session};
+use shape_up::session::{ConstraintTarget, Edit, NewConstraint, Preview, Session};
 
 fn session(mesh: Mesh) -> Session {
     Session::open(Scene::new(MeshSource::File("grid.obj".to_owned())), mesh)
         .expect("the mesh can be solved")
 }
 
-fn each(element: Element) -> Place {
-    Place { on: Selector::Each { element, within: None, radius: 0 }, set: None }
+fn each(element: Element) -> ConstraintTarget {
+    ConstraintTarget { on: Selector::Each { element, within: None, radius: 0 }, set: None }
 }
 
-fn entry(kind: &str, place: &Place) -> Edit {
+fn entry(kind: &str, place: &ConstraintTarget) -> Edit {
     let mut spec = ConstraintSpec::from_json(&json!({ "kind": kind, "on": "faces" }).to_string())
         .unwrap_or_else(|error| panic!("{kind}: {error}"));
     spec.on = place.on.clone();
@@ -32,11 +32,11 @@ fn a_preview_says_what_adding_makes() {
     let places = [
         vec![each(Element::Face), each(Element::Edge), each(Element::Curve)],
         vec![each(Element::Boundary), each(Element::Corner), each(Element::Star)],
-        vec![Place { on: Selector::Vertices(vec![0, 1, 5, 6]), set: None }],
-        vec![Place {
+        vec![ConstraintTarget { on: Selector::Vertices(vec![0, 1, 5, 6]), set: None }],
+        vec![ConstraintTarget {
             on: Selector::Each {
                 element: Element::Face,
-                within: Some(Place::UNNAMED.to_owned()),
+                within: Some(ConstraintTarget::UNNAMED.to_owned()),
                 radius: 0,
             },
             set: Some(Set { vertices: Vec::new(), faces: vec![3, 7] }),
@@ -91,7 +91,7 @@ fn what_a_kind_is_not_meant_for_is_not_offered() {
 }
 
 /// The kinds that are the usual choice at a place.
-fn usual(session: &Session, place: Place) -> Vec<&'static str> {
+fn usual(session: &Session, place: ConstraintTarget) -> Vec<&'static str> {
     let previews = session.previews(&[place]).expect("everything is there");
     let is_usual = |row: &[Option<Preview>]| row[0].is_some_and(|one| one.usual);
     KINDS.iter().zip(previews).filter(|(_, row)| is_usual(row)).map(|(info, _)| info.id).collect()
@@ -102,7 +102,7 @@ fn the_usual_kind_follows_from_what_the_place_is_to_the_mesh() {
     // 5 by 5 vertices, row by row.
     let session = session(bumpy(4));
     let selected = |vertices: &[u32]| {
-        usual(&session, Place { on: Selector::Vertices(vertices.to_vec()), set: None })
+        usual(&session, ConstraintTarget { on: Selector::Vertices(vertices.to_vec()), set: None })
     };
     assert_eq!(usual(&session, each(Element::Face)), ["plane", "circle"]);
     assert_eq!(usual(&session, each(Element::Boundary)), ["circle"]);
@@ -124,7 +124,8 @@ fn the_usual_kind_follows_from_what_the_place_is_to_the_mesh() {
 #[test]
 fn an_unknown_place_is_an_error() {
     let session = session(bumpy(2));
-    let error = session.previews(&[Place { on: Selector::Vertices(vec![99]), set: None }]);
+    let error =
+        session.previews(&[ConstraintTarget { on: Selector::Vertices(vec![99]), set: None }]);
     assert!(error.expect_err("there is no vertex 99").message.contains("99"));
 }
 

@@ -10,7 +10,7 @@ mod shared;
 
 use shape_up::math::Vec3;
 use shape_up::mesh::{Mesh, Point, Topology};
-use shape_up::scene::{Frame, Scene, Up, panel_offers};
+use shape_up::scene::{Scene, UnitsAndUp, Up, panel_offers};
 use shape_up::session::{Edit, Session};
 
 /// How far a mesh may move, and the largest and the mean way, in per cent of the diagonal of its
@@ -169,7 +169,7 @@ fn real_meshes_are_opened_the_right_way_up() {
     for (files, up) in [(Z, Up::Z), (Y, Up::Y)] {
         for file in files {
             let Some(mesh) = shared::mesh(file) else { return };
-            assert_eq!(Frame::guess_up(&mesh), up, "{file}");
+            assert_eq!(UnitsAndUp::guess_up(&mesh), up, "{file}");
         }
     }
 }

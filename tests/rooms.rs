@@ -24,19 +24,8 @@ const LARGE_FOLDERS: &[(&str, &str)] =
 const CIRCLES: &[(&str, &str)] = &[];
 
 /// Names of several public types.
-const SHARED_NAMES: &[(&str, &str)] = &[
-    ("Circularity", "to be told apart"),
-    ("Element", "to be told apart"),
-    ("Frame", "to be told apart"),
-    ("Handle", "to be told apart"),
-    ("Problem", "to be told apart"),
-    ("Projected", "to be told apart"),
-    ("Projection", "to be told apart"),
-    ("Projections", "to be told apart"),
-    ("Side", "to be told apart"),
-    ("Solver", "to be told apart"),
-    ("Up", "to be told apart"),
-];
+const SHARED_NAMES: &[(&str, &str)] =
+    &[("Solver", "the wasm class of that name is a face of the solver")];
 
 /// Rooms whose heads list their files in another way, or not yet.
 const WITHOUT_TABLE: [&str; 1] = ["constraint/kinds"];

@@ -5,8 +5,8 @@ use shape_up::constraint::{Element, KINDS, Kind, Selector, Set};
 use shape_up::mesh::Mesh;
 use shape_up::scene::{
     Accelerator, BoundaryCloseness, Closeness, ClosenessTo, ClosenessWeight, ConstraintSpec,
-    Factorization, Goal, GoalOf, HandleSpec, Hold, Lesson, MeshSource, Scene, Smoothness,
-    SmoothnessOf, SolverSettings, Up, Weighting, Weights, Worded,
+    Factorization, Goal, GoalOf, HandleSpec, Hold, Lesson, MeshSource, NamedEnum, Scene,
+    Smoothness, SmoothnessOf, SolverSettings, Up, Weighting, Weights,
 };
 
 fn constraint(id: &str, on: Selector) -> ConstraintSpec {

@@ -25,18 +25,18 @@ fn main() -> Result<(), Box<dyn Error>> {
     if !session.solver().converged() {
         return Err("the page solves the first example when it opens: it has to converge".into());
     }
-    let mut stage = pictures::stage(&session)?;
+    let mut state = pictures::state(&session)?;
     let faces = session.mesh().faces.len();
     let scale = pictures::scale(&session, greatest);
-    stage.looks.set_values(pictures::values(&session), scale, faces)?;
-    let style = still::style(stage.looks.has_full_map());
-    let faces = still::spaced(still::from_far_to_near(&stage));
+    state.appearance.set_values(pictures::values(&session), scale, faces)?;
+    let style = still::style(state.appearance.has_full_map());
+    let faces = still::spaced(still::from_far_to_near(&state));
     let mut html = format!(
         r#"<div id="first-picture" aria-hidden="true" data-faces="{faces}"><style>{style}</style>"#
     );
     for (class, canvas) in SIZES {
-        stage.resize(canvas);
-        html += &still::svg(&stage, class);
+        state.resize(canvas);
+        html += &still::svg(&state, class);
     }
     html += "</div>";
     Ok(std::fs::write(file, html)?)

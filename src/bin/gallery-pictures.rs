@@ -52,7 +52,7 @@ fn main() -> std::result::Result<(), Box<dyn Error>> {
 fn picture(example: &Example, folder: &Path) -> std::result::Result<Result, Box<dyn Error>> {
     let (scene, mesh) = example.build();
     let mut session = Session::open(scene, mesh)?;
-    let mut stage = pictures::stage(&session)?;
+    let mut state = pictures::state(&session)?;
     let greatest = pictures::greatest(&pictures::values(&session));
     let start = session.positions();
     let is_map = session.rows().is_empty();
@@ -63,21 +63,21 @@ fn picture(example: &Example, folder: &Path) -> std::result::Result<Result, Box<
         session.positions()
     };
 
-    stage.resize(SIZE);
+    state.resize(SIZE);
     let later: &[Point] = if is_map { &[] } else { &end };
     let seen: Vec<_> =
-        start.iter().chain(later).map(|&p| stage.subject.relative(DVec3::from(p))).collect();
-    let margin = 0.01 * stage.size();
-    framing::frame(&mut stage.camera, seen.into_iter(), margin);
-    std::fs::write(folder.join(format!("{}-start.svg", example.id)), thumbnail::svg(&stage))?;
-    stage.set_positions(end.as_flattened())?;
+        start.iter().chain(later).map(|&p| state.mesh.relative(DVec3::from(p))).collect();
+    let margin = 0.01 * state.size();
+    framing::frame(&mut state.camera, seen.into_iter(), margin);
+    std::fs::write(folder.join(format!("{}-start.svg", example.id)), thumbnail::svg(&state))?;
+    state.set_positions(end.as_flattened())?;
     if is_map {
-        stage.preset("top")?;
+        state.preset("top")?;
     }
     let faces = session.mesh().faces.len();
     let scale = pictures::scale(&session, greatest);
-    stage.looks.set_values(pictures::values(&session), scale, faces)?;
-    std::fs::write(folder.join(format!("{}-end.svg", example.id)), thumbnail::svg(&stage))?;
+    state.appearance.set_values(pictures::values(&session), scale, faces)?;
+    std::fs::write(folder.join(format!("{}-end.svg", example.id)), thumbnail::svg(&state))?;
 
     let report = session.report();
     let squares = session.rows().iter().any(|row| row.constraints.kind.info().id == "square");

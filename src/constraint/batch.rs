@@ -9,7 +9,7 @@ use super::fitted::Fitted;
 use super::kinds::{Kind, KindVisitor};
 use super::projection::{Projection, project_with};
 use super::reference::Reference;
-use crate::math::{LANES, Lane, Lanes, Vec3, ascending, centre, key_of_pair};
+use crate::math::{LANES, Lane, Lanes, Vec3, argsort, centre, key_of_pair};
 use crate::mesh::Ragged;
 
 /// A position or a gradient with a pad, so that a row is two 128-bit registers.
@@ -43,7 +43,7 @@ pub fn batches(
 ) -> Vec<Batch> {
     // Sorted by first node, neighbours in a batch read and write neighbouring rows.
     let key = |nodes: &[u32]| [nodes.len() as u32, nodes.iter().min().map_or(0, |&first| first)];
-    let order = ascending(members.iter().map(|nodes| key_of_pair(key(nodes))));
+    let order = argsort(members.iter().map(|nodes| key_of_pair(key(nodes))));
     let by_size: Vec<&[u32]> = order.into_iter().map(|i| members.row(i as usize)).collect();
     by_size
         .chunk_by(|a, b| a.len() == b.len())
@@ -68,7 +68,7 @@ impl KindVisitor for MakeBatch<'_> {
     type Output = Batch;
     fn visit<P: Projection>(self, operator: &P) -> Batch {
         let mut operator = operator.clone();
-        operator.refer(self.reference);
+        operator.bind(self.reference);
         let make = MakeBatch { guarded: self.guarded || P::GUARDED, ..self };
         Batch::new(Box::new(operator), P::READS_REST, make)
     }
@@ -125,7 +125,7 @@ impl<P: Projection> Operator for P {
         };
         project_with(
             |rest, v, projected| closed_form(self, rest, v, projected),
-            &|rest, v| self.careful(rest, v),
+            &|rest, v| self.project_robust(rest, v),
             (rest, v, projected),
         );
     }

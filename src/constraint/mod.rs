@@ -49,4 +49,4 @@ pub use reference::Reference;
 pub use resolve::resolve;
 pub use select::{Element, SelectError, Selector, Set, Sets, describe};
 pub use sketch::Sketch;
-pub use target_shape::PlaceShape;
+pub use target_shape::TargetShape;

@@ -3,7 +3,7 @@
 use super::declaration::Info;
 use super::fitted::Fitted;
 use super::reference::Reference;
-use super::target_shape::PlaceShape;
+use super::target_shape::TargetShape;
 use crate::math::{Lane, Vec3};
 
 /// One projection operator `P_i` (paper section 2.1, Eq. 2, and section 3).
@@ -26,11 +26,11 @@ pub trait Projection: Clone + PartialEq + std::fmt::Debug + 'static {
     }
 
     /// The places for which it is what somebody usually wants: hosts choose it beforehand there.
-    const USUAL_FOR: &'static [PlaceShape] = &[];
+    const USUAL_FOR: &'static [TargetShape] = &[];
 
     /// Gives the operator what it may look up besides its own points. Called once, before anything
     /// else.
-    fn refer(&mut self, reference: &Reference<'_>) {
+    fn bind(&mut self, reference: &Reference<'_>) {
         let _ = reference;
     }
 
@@ -58,7 +58,7 @@ pub trait Projection: Clone + PartialEq + std::fmt::Debug + 'static {
     /// Replaces the points `v` of one constraint by the closest points that have the shape: slower,
     /// and finite and accurate for every finite input, degenerate ones included. Called where the
     /// closed form is not accurate; an operator whose closed form always is has none.
-    fn careful(&self, rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
+    fn project_robust(&self, rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
         let _ = (rest, v);
         unreachable!("the closed form of this kind is accurate for every input");
     }
@@ -69,7 +69,7 @@ pub trait Projection: Clone + PartialEq + std::fmt::Debug + 'static {
     fn project<S: Lane>(&self, rest: &[Vec3<S>], v: &[Vec3<S>], projected: &mut [Vec3<S>]) {
         project_with(
             |rest, v, projected| self.closed_form(rest, v, projected),
-            &|rest, v| self.careful(rest, v),
+            &|rest, v| self.project_robust(rest, v),
             (rest, v, projected),
         );
     }
@@ -85,14 +85,14 @@ pub trait Projection: Clone + PartialEq + std::fmt::Debug + 'static {
 /// Rest points, points and their projections.
 type Chunk<'a, S> = (&'a [Vec3<S>], &'a [Vec3<S>], &'a mut [Vec3<S>]);
 
-/// See [`Projection::careful`].
-type Careful<'a> = &'a dyn Fn(&[Vec3<f64>], &mut [Vec3<f64>]);
+/// See [`Projection::project_robust`].
+type Robust<'a> = &'a dyn Fn(&[Vec3<f64>], &mut [Vec3<f64>]);
 
 /// Step I with this closed form, and where it is not accurate each lane by itself.
 #[inline(always)]
 pub(super) fn project_with<S: Lane>(
     closed_form: impl Fn(&[Vec3<S>], &[Vec3<S>], &mut [Vec3<S>]) -> bool,
-    careful: Careful<'_>,
+    careful: Robust<'_>,
     (rest, v, projected): Chunk<'_, S>,
 ) {
     if !closed_form(rest, v, projected) {
@@ -110,7 +110,7 @@ type ClosedForm<'a, S> = &'a dyn Fn(&[Vec3<S>], &[Vec3<S>], &mut [Vec3<S>]) -> b
 #[inline(never)]
 fn lane_by_lane<S: Lane>(
     closed_form: ClosedForm<'_, S>,
-    careful: Careful<'_>,
+    careful: Robust<'_>,
     (rest, v, projected): Chunk<'_, S>,
 ) {
     let mut results = vec![Vec3::zero(); v.len()];

@@ -4,7 +4,7 @@
 /// What the vertices of a place are to the mesh. A kind names those that it is the usual choice for
 /// in [`Projection::USUAL_FOR`](super::Projection::USUAL_FOR); hosts choose it beforehand there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PlaceShape {
+pub enum TargetShape {
     /// Faces of four or more corners, each for itself.
     Panels,
     /// Triangles, each for itself.

@@ -15,4 +15,4 @@ mod suggestions;
 
 pub use declaration::Example;
 pub use scene::EXAMPLES;
-pub use suggestions::{Shows, Side, Suggestion, suggestions};
+pub use suggestions::{Shows, SplitSide, Suggestion, suggestions};

@@ -17,7 +17,7 @@ pub struct Suggestion {
 #[serde(rename_all = "camelCase")]
 pub enum Shows {
     /// Two pictures side by side: left and right.
-    Split([Side; 2]),
+    Split([SplitSide; 2]),
     /// A plot, by its name.
     Plot(&'static str),
 }
@@ -25,7 +25,7 @@ pub enum Shows {
 /// One of two pictures side by side.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
-pub struct Side {
+pub struct SplitSide {
     /// What its faces are coloured by: the id of a measure.
     pub measure: &'static str,
     /// Whether it is of the original instead of the current shape.
@@ -33,15 +33,15 @@ pub struct Side {
 }
 
 const fn before_and_after(measure: &'static str) -> Shows {
-    Shows::Split([Side { measure, original: true }, Side { measure, original: false }])
+    Shows::Split([SplitSide { measure, original: true }, SplitSide { measure, original: false }])
 }
 
 /// The two errors of Fig. 5.
 const BOTH_ERRORS: Suggestion = Suggestion {
     label: "e_p beside e_c",
     shows: Shows::Split([
-        Side { measure: "e-p", original: false },
-        Side { measure: "e-c", original: false },
+        SplitSide { measure: "e-p", original: false },
+        SplitSide { measure: "e-c", original: false },
     ]),
 };
 const PLANARITY: Suggestion =
@@ -74,7 +74,8 @@ mod tests {
             for suggestion in suggestions(example.id) {
                 offered += 1;
                 if let Shows::Split(sides) = suggestion.shows {
-                    let is_known = |side: &Side| FACE_MEASURES.iter().any(|m| m.id == side.measure);
+                    let is_known =
+                        |side: &SplitSide| FACE_MEASURES.iter().any(|m| m.id == side.measure);
                     assert!(sides.iter().all(is_known), "{}", example.id);
                 }
             }

@@ -10,7 +10,7 @@ pub(super) const RESIDUALS: usize = 3;
 
 /// The residuals of one quad with their derivatives.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Circularity {
+pub struct AngleSums {
     /// The sum of the first and the third angle less pi, the same of the second and the fourth, and the
     /// volume that the corners span. The angle sums alone do not see a small bend: they change with its
     /// square.
@@ -19,11 +19,11 @@ pub struct Circularity {
     pub derivatives: [[Vec3<f64>; 4]; 3],
 }
 
-impl Circularity {
+impl AngleSums {
     /// At four corners, in order around the quad. `length` is what the volume is divided by, three
     /// times. Where an edge has no length or two of them fold onto each other, the angles have no
     /// derivative, and what is given is not finite.
-    pub fn of(corners: [Vec3<f64>; 4], length: f64) -> Circularity {
+    pub fn of(corners: [Vec3<f64>; 4], length: f64) -> AngleSums {
         let mut residuals = [-PI, -PI, 0.0];
         let mut derivatives = [[Vec3::zero(); 4]; RESIDUALS];
         for k in 0..4 {
@@ -46,6 +46,6 @@ impl Circularity {
         residuals[2] = scale * a.dot(b.cross(c));
         let [by_a, by_b, by_c] = [b.cross(c), c.cross(a), a.cross(b)].map(|by| by * scale);
         derivatives[2] = [(by_a + by_b + by_c) * -1.0, by_a, by_b, by_c];
-        Circularity { residuals, derivatives }
+        AngleSums { residuals, derivatives }
     }
 }

@@ -1,7 +1,7 @@
 //! Gauss-Newton on a penalty function, as in Liu et al. 2006: the squares of the residuals of
-//! [`Circularity`], with the same fairness and closeness as in Eq. 13.
+//! [`AngleSums`], with the same fairness and closeness as in Eq. 13.
 
-use super::circularity::{Circularity, RESIDUALS};
+use super::circularity::{AngleSums, RESIDUALS};
 use crate::constraint::Row;
 use crate::math::{Vec3, polygon_sides};
 use crate::mesh::{Laplacian, Point};
@@ -92,7 +92,7 @@ impl GaussNewton {
     fn penalties_at(&self, positions: &[Point]) -> Penalties {
         let mut circles = 0.0;
         for quad in &self.quads {
-            let found = Circularity::of(quad.map(|v| at(positions, v)), self.length);
+            let found = AngleSums::of(quad.map(|v| at(positions, v)), self.length);
             circles += found.residuals.iter().map(|r| r * r).sum::<f64>();
         }
         let close = positions.iter().zip(&self.rest);
@@ -125,7 +125,7 @@ impl GaussNewton {
         let [close, smooth] = self.weights;
         let mut coefficients = Vec::new();
         for quad in &self.quads {
-            let found = Circularity::of(quad.map(|v| at(&self.positions, v)), self.length);
+            let found = AngleSums::of(quad.map(|v| at(&self.positions, v)), self.length);
             for (residual, by) in found.residuals.iter().zip(found.derivatives) {
                 for (&v, by) in quad.iter().zip(by) {
                     let by = by * self.length;

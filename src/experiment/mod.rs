@@ -26,7 +26,7 @@ mod recovery;
 mod run;
 mod two_step;
 
-pub use circularity::Circularity;
+pub use circularity::AngleSums;
 pub use declaration::{Experiment, Limits, MethodInfo, Over, Plot, Quantity, Unit};
 pub use run::{EndedBy, Run, Sample, Series};
 

@@ -2,7 +2,7 @@
 //! machine code for every type that is sorted; what has such a key shares one copy.
 
 /// The indices of `keys` in ascending order of the keys; those of equal keys ascend.
-pub fn ascending(keys: impl Iterator<Item = u64>) -> Vec<u32> {
+pub fn argsort(keys: impl Iterator<Item = u64>) -> Vec<u32> {
     order(keys.zip(0..).collect())
 }
 
@@ -33,9 +33,9 @@ mod tests {
         let numbers = [1.5, -0.0, f64::NAN, -2.0, 0.0, f64::NEG_INFINITY, 1.5, -1e-300, 3e9];
         let mut expected: Vec<usize> = (0..numbers.len()).collect();
         expected.sort_by(|&a, &b| numbers[a].total_cmp(&numbers[b]));
-        let found = ascending(numbers.into_iter().map(key_of_number));
+        let found = argsort(numbers.into_iter().map(key_of_number));
         assert_eq!(found, expected.into_iter().map(|i| i as u32).collect::<Vec<_>>());
         let pairs = [[2, 1], [1, u32::MAX], [2, 0], [1, 0], [2, 0]];
-        assert_eq!(ascending(pairs.into_iter().map(key_of_pair)), [3, 1, 2, 4, 0]);
+        assert_eq!(argsort(pairs.into_iter().map(key_of_pair)), [3, 1, 2, 4, 0]);
     }
 }

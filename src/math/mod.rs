@@ -21,13 +21,12 @@ mod turns;
 mod vector;
 
 pub use angle::angle;
-pub use argsort::{ascending, key_of_number, key_of_pair};
+pub use argsort::{argsort, key_of_number, key_of_pair};
 pub use cube_root::cube_root;
 pub use eigen::{Eigenvector, PrincipalAxes, Scatter, SingularValues, Symmetric3, symmetric_eigen};
 pub use fit::{
     Alignment, CircleFit, OrthogonalPair, PrincipalCircle, PrincipalRound, Round, RoundWithin,
-    pair_with_product, pair_with_product_carefully, triple_with_product,
-    triple_with_product_carefully,
+    pair_with_product, pair_with_product_robust, triple_with_product, triple_with_product_robust,
 };
 pub use polygon::{UnitPolygon, plane_frame, polygon_corners, polygon_sides, twice_vector_area};
 pub use turns::{cosine, cosine_and_sine_of_degrees, sine};

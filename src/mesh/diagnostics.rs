@@ -1,19 +1,19 @@
 //! What a mesh as a whole has wrong: unused vertices, duplicate faces, edges that are no surface's.
 
-use super::problem::{Problem, ProblemKind, Tally};
+use super::problem::{DiagnosticCounts, MeshProblem, ProblemKind};
 use super::{Mesh, Point};
-use crate::math::{ascending, key_of_number, key_of_pair, polygon_sides};
+use crate::math::{argsort, key_of_number, key_of_pair, polygon_sides};
 
 /// The problems of a mesh that is not from a file, such as one inside a scene.
-pub fn survey(mesh: &Mesh) -> Vec<Problem> {
-    let mut tally = Tally::default();
-    examine(mesh, &[], &[], &mut tally);
-    tally.problems(|_| String::new())
+pub fn diagnose(mesh: &Mesh) -> Vec<MeshProblem> {
+    let mut counts = DiagnosticCounts::default();
+    examine(mesh, &[], &[], &mut counts);
+    counts.problems(|_| String::new())
 }
 
-/// The elements of a mesh that have one of the problems of [`survey`].
+/// The elements of a mesh that have one of the problems of [`diagnose`].
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Flawed {
+pub struct ElementsWithProblem {
     /// Indices of vertices.
     pub vertices: Vec<u32>,
     /// Pairs of vertices, lower first.
@@ -23,24 +23,25 @@ pub struct Flawed {
 }
 
 /// Which elements have the problem `kind`; none where it is one of a file and not of a mesh.
-pub fn flawed(mesh: &Mesh, kind: ProblemKind) -> Flawed {
-    let mut flawed = Flawed::default();
+pub fn elements_with_problem(mesh: &Mesh, kind: ProblemKind) -> ElementsWithProblem {
+    let mut elements_with_problem = ElementsWithProblem::default();
     match kind {
         ProblemKind::UnusedVertex => {
-            flawed.vertices = unused(mesh).into_iter().map(|vertex| vertex as u32).collect();
+            elements_with_problem.vertices =
+                unused(mesh).into_iter().map(|vertex| vertex as u32).collect();
         }
-        ProblemKind::DuplicateFace => flawed.faces = duplicates(mesh),
+        ProblemKind::DuplicateFace => elements_with_problem.faces = duplicates(mesh),
         ProblemKind::NonManifoldEdge | ProblemKind::FlippedNeighbour => {
             let sides = half_edges(mesh);
             let edges = sides.chunk_by(|a, b| a.ends == b.ends);
-            flawed.edges = edges
+            elements_with_problem.edges = edges
                 .filter(|edge| problem_of(edge) == Some(kind))
                 .map(|edge| edge[0].ends)
                 .collect();
         }
         _ => {}
     }
-    flawed
+    elements_with_problem
 }
 
 /// What is wrong with an edge of these sides.
@@ -54,17 +55,22 @@ fn problem_of(edge: &[HalfEdge]) -> Option<ProblemKind> {
 
 /// Counts the problems of a mesh whose vertices and faces are from these lines of a file, or from
 /// nowhere (no lines).
-pub(super) fn examine(mesh: &Mesh, vertex_lines: &[u32], face_lines: &[u32], tally: &mut Tally) {
+pub(super) fn examine(
+    mesh: &Mesh,
+    vertex_lines: &[u32],
+    face_lines: &[u32],
+    counts: &mut DiagnosticCounts,
+) {
     let line = |lines: &[u32], index: usize| lines.get(index).map(|&line| line as usize);
     for vertex in unused(mesh) {
-        tally.add(ProblemKind::UnusedVertex, line(vertex_lines, vertex));
+        counts.add(ProblemKind::UnusedVertex, line(vertex_lines, vertex));
     }
     for face in duplicates(mesh) {
-        tally.add(ProblemKind::DuplicateFace, line(face_lines, face as usize));
+        counts.add(ProblemKind::DuplicateFace, line(face_lines, face as usize));
     }
     for edge in half_edges(mesh).chunk_by(|a, b| a.ends == b.ends) {
         if let Some(kind) = problem_of(edge) {
-            tally.add(kind, line(face_lines, edge[edge.len() - 1].face as usize));
+            counts.add(kind, line(face_lines, edge[edge.len() - 1].face as usize));
         }
     }
 }
@@ -111,7 +117,7 @@ fn half_edges(mesh: &Mesh) -> Vec<HalfEdge> {
             sides.push(HalfEdge { ends, face: face as u32, ascending: from < to });
         }
     }
-    let order = ascending(sides.iter().map(|side| key_of_pair(side.ends)));
+    let order = argsort(sides.iter().map(|side| key_of_pair(side.ends)));
     order.into_iter().map(|side| sides[side as usize]).collect()
 }
 
@@ -123,7 +129,7 @@ pub(super) fn coincident(positions: &[Point]) -> Option<(usize, usize)> {
     for axis in (0..3).rev() {
         // Adding zero makes one zero of the two.
         let keys = vertices.iter().map(|&vertex| key_of_number(positions[vertex][axis] + 0.0));
-        vertices = ascending(keys).into_iter().map(|i| vertices[i as usize]).collect();
+        vertices = argsort(keys).into_iter().map(|i| vertices[i as usize]).collect();
     }
     let same = |pair: &&[usize]| positions[pair[0]] == positions[pair[1]];
     let later = vertices.windows(2).filter(same).map(|pair| pair[1]);
@@ -138,7 +144,7 @@ mod tests {
     fn problems(vertices: usize, faces: &[&[u32]]) -> Vec<(ProblemKind, usize)> {
         let positions = (0..vertices).map(|i| [i as f64, 0.0, 0.0]).collect();
         let mesh = Mesh { positions, faces: faces.iter().collect(), ..Mesh::default() };
-        survey(&mesh).iter().map(|problem| (problem.kind, problem.count)).collect()
+        diagnose(&mesh).iter().map(|problem| (problem.kind, problem.count)).collect()
     }
 
     #[test]
@@ -163,15 +169,16 @@ mod tests {
             [&[0, 1, 2], &[1, 0, 3], &[0, 1, 4], &[2, 1, 0], &[5, 6, 7], &[5, 8, 7]];
         let positions = (0..11).map(|i| [f64::from(i), 0.0, 0.0]).collect();
         let mesh = Mesh { positions, faces: faces.into_iter().collect(), ..Mesh::default() };
-        for problem in survey(&mesh) {
-            let Flawed { vertices, edges, faces } = flawed(&mesh, problem.kind);
+        for problem in diagnose(&mesh) {
+            let ElementsWithProblem { vertices, edges, faces } =
+                elements_with_problem(&mesh, problem.kind);
             assert_eq!(vertices.len() + edges.len() + faces.len(), problem.count);
         }
-        assert_eq!(flawed(&mesh, UnusedVertex).vertices, [9, 10]);
-        assert_eq!(flawed(&mesh, DuplicateFace).faces, [3]);
-        assert_eq!(flawed(&mesh, NonManifoldEdge).edges, [[0, 1]]);
-        assert_eq!(flawed(&mesh, FlippedNeighbour).edges, [[5, 7]]);
-        assert_eq!(flawed(&mesh, UnknownStatement), Flawed::default());
+        assert_eq!(elements_with_problem(&mesh, UnusedVertex).vertices, [9, 10]);
+        assert_eq!(elements_with_problem(&mesh, DuplicateFace).faces, [3]);
+        assert_eq!(elements_with_problem(&mesh, NonManifoldEdge).edges, [[0, 1]]);
+        assert_eq!(elements_with_problem(&mesh, FlippedNeighbour).edges, [[5, 7]]);
+        assert_eq!(elements_with_problem(&mesh, UnknownStatement), ElementsWithProblem::default());
     }
 
     #[test]

@@ -27,8 +27,8 @@ mod ragged;
 mod topology;
 
 pub use bounds::{BoundingSphere, FARTHEST, too_far};
-pub use closest::{BoundaryCurve, BoundaryCurves, Footing, Surface};
-pub use diagnostics::{Flawed, flawed, survey};
+pub use closest::{BoundaryCurve, BoundaryCurves, ClosestPointCache, Surface};
+pub use diagnostics::{ElementsWithProblem, diagnose, elements_with_problem};
 pub use edit::Weld;
 pub use io::{Decimal, Read, ReadError, read, write_medit, write_obj, write_obj_with_uv};
 pub use laplacian::{LARGEST_COTANGENT, Laplacian};
@@ -37,7 +37,7 @@ pub use measure::{
     diagonal_ratio, quasi_conformal,
 };
 pub use polygon_mesh::{Group, GroupKeyword, Mesh, Point};
-pub use problem::{Element, Problem, ProblemKind, counted};
+pub use problem::{ElementKind, MeshProblem, ProblemKind, counted};
 pub use ragged::Ragged;
 pub use topology::{
     Repeated, Topology, components, corners, edge_lines, feature_curves, hinges, repeated, stars,

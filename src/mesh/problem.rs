@@ -5,7 +5,7 @@ use std::fmt;
 
 /// What joins vertices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Element {
+pub enum ElementKind {
     /// A polygon.
     Face,
     /// A polyline.
@@ -25,15 +25,15 @@ pub enum ProblemKind {
     /// A coordinate such as `0,046`, read as `0.046`.
     DecimalComma,
     /// A corner is not a whole number; the element is skipped.
-    MalformedCorner(Element),
+    MalformedCorner(ElementKind),
     /// A corner is zero where vertices are counted from one; the element is skipped.
-    CornerZero(Element),
+    CornerZero(ElementKind),
     /// A corner names a vertex that the file does not have; the element is skipped.
-    CornerOutOfRange(Element),
+    CornerOutOfRange(ElementKind),
     /// Fewer than three different corners (faces), two (curves), four (tetrahedra); skipped.
-    TooFewCorners(Element),
+    TooFewCorners(ElementKind),
     /// The same corner twice in a row; it is kept once.
-    RepeatedCorner(Element),
+    RepeatedCorner(ElementKind),
     /// A face comes back to one of its corners; it is skipped.
     SelfTouchingFace,
     /// A statement that the format does not have; it is ignored.
@@ -63,9 +63,9 @@ impl ProblemKind {
             | CornerOutOfRange(element)
             | TooFewCorners(element)
             | RepeatedCorner(element) => match element {
-                Element::Face => ("face", "faces"),
-                Element::Curve => ("polyline", "polylines"),
-                Element::Tetrahedron => ("tetrahedron", "tetrahedra"),
+                ElementKind::Face => ("face", "faces"),
+                ElementKind::Curve => ("polyline", "polylines"),
+                ElementKind::Tetrahedron => ("tetrahedron", "tetrahedra"),
             },
             SelfTouchingFace | DuplicateFace => ("face", "faces"),
             UnknownStatement => ("unknown statement", "unknown statements"),
@@ -83,9 +83,9 @@ impl ProblemKind {
             MalformedCorner(_) => "with a corner that is not a vertex number skipped",
             CornerZero(_) => "with vertex number 0 skipped, as vertices count from 1",
             CornerOutOfRange(_) => "with the number of a vertex that is not there skipped",
-            TooFewCorners(Element::Face) => "with fewer than three corners skipped",
-            TooFewCorners(Element::Curve) => "with fewer than two vertices skipped",
-            TooFewCorners(Element::Tetrahedron) => "with fewer than four corners skipped",
+            TooFewCorners(ElementKind::Face) => "with fewer than three corners skipped",
+            TooFewCorners(ElementKind::Curve) => "with fewer than two vertices skipped",
+            TooFewCorners(ElementKind::Tetrahedron) => "with fewer than four corners skipped",
             RepeatedCorner(_) => "with the same vertex twice in a row, which is kept once",
             SelfTouchingFace => "with the same vertex at two corners skipped",
             UnknownStatement => "ignored",
@@ -101,7 +101,7 @@ impl ProblemKind {
 
 /// All problems of one kind in a mesh.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Problem {
+pub struct MeshProblem {
     /// Which sort.
     pub kind: ProblemKind,
     /// How many, at least one.
@@ -112,7 +112,7 @@ pub struct Problem {
     pub text: String,
 }
 
-impl fmt::Display for Problem {
+impl fmt::Display for MeshProblem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (one, many, matter) = self.kind.words();
         write!(f, "{} {matter}", counted(self.count, one, many))?;
@@ -131,17 +131,17 @@ pub fn counted(count: usize, one: &str, many: &str) -> String {
 
 /// Problems as they are met.
 #[derive(Default)]
-pub(super) struct Tally(BTreeMap<ProblemKind, (usize, Option<usize>)>);
+pub(super) struct DiagnosticCounts(BTreeMap<ProblemKind, (usize, Option<usize>)>);
 
-impl Tally {
+impl DiagnosticCounts {
     /// Counts one problem. Problems of one kind come in the order of their lines.
     pub(super) fn add(&mut self, kind: ProblemKind, line: Option<usize>) {
         self.0.entry(kind).or_insert((0, line)).0 += 1;
     }
 
     /// The problems, by kind; `text` gives the text of a line.
-    pub(super) fn problems(self, text: impl Fn(usize) -> String) -> Vec<Problem> {
-        let problem = |(kind, (count, line)): (_, (_, Option<usize>))| Problem {
+    pub(super) fn problems(self, text: impl Fn(usize) -> String) -> Vec<MeshProblem> {
+        let problem = |(kind, (count, line)): (_, (_, Option<usize>))| MeshProblem {
             kind,
             count,
             line,

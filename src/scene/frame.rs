@@ -1,7 +1,7 @@
 //! The unit and the vertical axis of a mesh file. The formats have neither: a comment may state them,
 //! and where none does they are guessed from the shape (the axis in `up_guess`). Coordinates are never touched.
 
-use super::{Up, Worded};
+use super::{NamedEnum, Up};
 use crate::mesh::{Mesh, Point};
 
 /// A size, the diagonal of the bounding box, from which on it is taken as a building in metres.
@@ -11,17 +11,17 @@ const MILLIMETRES_FROM: f64 = 500.0;
 
 /// The unit and the vertical axis, where they are known.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Frame {
+pub struct UnitsAndUp {
     /// Unit of length.
     pub units: Option<String>,
     /// Which axis points up.
     pub up: Option<Up>,
 }
 
-impl Frame {
+impl UnitsAndUp {
     /// What the comments at the beginning of a mesh file state: `# units: m`, `# up: y`.
-    pub fn stated(file: &[u8]) -> Frame {
-        let mut frame = Frame::default();
+    pub fn stated(file: &[u8]) -> UnitsAndUp {
+        let mut frame = UnitsAndUp::default();
         for line in file.split(|&byte| byte == b'\n') {
             let Some(comment) = line.trim_ascii().strip_prefix(b"#") else { break };
             let Ok(comment) = std::str::from_utf8(comment) else { continue };
@@ -35,8 +35,8 @@ impl Frame {
     }
 
     /// This, and where it is not known the other.
-    pub fn or(self, other: Frame) -> Frame {
-        Frame { units: self.units.or(other.units), up: self.up.or(other.up) }
+    pub fn or(self, other: UnitsAndUp) -> UnitsAndUp {
+        UnitsAndUp { units: self.units.or(other.units), up: self.up.or(other.up) }
     }
 
     /// The comments that state it, each a line of its own; nothing for what is not known and for z,
@@ -104,21 +104,21 @@ mod tests {
     #[test]
     fn what_is_written_is_read_back() {
         for (units, up) in [("m", Up::Y), ("", Up::Y), ("ft", Up::Z), ("", Up::Z)] {
-            let text = Frame::comments(units, up) + "v 0 0 0\n# units: km\n";
-            let frame = Frame::stated(text.as_bytes());
+            let text = UnitsAndUp::comments(units, up) + "v 0 0 0\n# units: km\n";
+            let frame = UnitsAndUp::stated(text.as_bytes());
             assert_eq!(frame.units.unwrap_or_default(), units);
             assert_eq!(frame.up.unwrap_or(Up::Z), up);
         }
         let foreign = b"# Blender 4.2\r\n#\r\n# units: cm\r\n# a: b: c\r\nmtllib x.mtl\r\n";
-        assert_eq!(Frame::stated(foreign).units.as_deref(), Some("cm"));
-        assert_eq!(Frame::stated(b""), Frame::default());
+        assert_eq!(UnitsAndUp::stated(foreign).units.as_deref(), Some("cm"));
+        assert_eq!(UnitsAndUp::stated(b""), UnitsAndUp::default());
     }
 
     #[test]
     fn a_building_is_in_metres_or_millimetres_and_a_unit_cube_in_nothing() {
-        assert_eq!(Frame::guess_units(&block([1.0, 1.0, 1.0])), "");
-        assert_eq!(Frame::guess_units(&block([20.0, 15.0, 4.0])), "m");
-        assert_eq!(Frame::guess_units(&block([20e3, 15e3, 4e3])), "mm");
-        assert_eq!(Frame::guess_units(&points(Vec::new())), "");
+        assert_eq!(UnitsAndUp::guess_units(&block([1.0, 1.0, 1.0])), "");
+        assert_eq!(UnitsAndUp::guess_units(&block([20.0, 15.0, 4.0])), "m");
+        assert_eq!(UnitsAndUp::guess_units(&block([20e3, 15e3, 4e3])), "mm");
+        assert_eq!(UnitsAndUp::guess_units(&points(Vec::new())), "");
     }
 }

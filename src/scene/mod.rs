@@ -42,12 +42,14 @@ pub use crate::sparse::Factorization;
 pub use closeness::{Closeness, ClosenessWeight};
 pub use document::{ConstraintSpec, HANDLE_WEIGHT, HandleSpec, MeshSource, Scene};
 pub use error::SceneError;
-pub use frame::Frame;
-pub(crate) use json::{At, Node, parse, read_constraint, read_indices, read_lesson, read_selector};
+pub use frame::UnitsAndUp;
 pub use json::{FORMAT, VERSION};
+pub(crate) use json::{
+    JsonCursor, Node, parse, read_constraint, read_indices, read_lesson, read_selector,
+};
 pub use lesson::{Goal, GoalOf, Lesson};
 pub use panels::{PanelOffer, panel_offers};
 pub use presets::{PRESETS, Preset, PresetOffer};
 pub use results::{GoalResult, Results};
 pub use up::Up;
-pub use words::Worded;
+pub use words::NamedEnum;

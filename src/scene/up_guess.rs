@@ -3,7 +3,7 @@
 //! A surface with a boundary is mostly a roof: what it covers, the area that a vertical light would
 //! draw, tells. What is closed stands on something flat, or is a figure, which is least wide across.
 
-use super::{Frame, Up};
+use super::{UnitsAndUp, Up};
 use crate::math::{Vec3, twice_vector_area};
 use crate::mesh::{Mesh, Point};
 
@@ -26,7 +26,7 @@ const LYING: f64 = 0.5;
 /// A figure is less wide across than this part of both its other sides.
 const ACROSS: f64 = 0.8;
 
-impl Frame {
+impl UnitsAndUp {
     /// The axis that likely points up: z, unless the mesh tells otherwise.
     pub fn guess_up(mesh: &Mesh) -> Up {
         let [x, y, z] = [0, 1, 2].map(|axis| Extent::of(mesh, axis));
@@ -151,14 +151,14 @@ mod tests {
 
     #[test]
     fn points_that_lie_and_points_that_stand() {
-        assert_eq!(Frame::guess_up(&points(corners([20.0, 15.0, 4.0]))), Up::Z);
-        assert_eq!(Frame::guess_up(&points(corners([20.0, 4.0, 15.0]))), Up::Y);
-        assert_eq!(Frame::guess_up(&points(corners([4.0, 4.0, 30.0]))), Up::Z);
+        assert_eq!(UnitsAndUp::guess_up(&points(corners([20.0, 15.0, 4.0]))), Up::Z);
+        assert_eq!(UnitsAndUp::guess_up(&points(corners([20.0, 4.0, 15.0]))), Up::Y);
+        assert_eq!(UnitsAndUp::guess_up(&points(corners([4.0, 4.0, 30.0]))), Up::Z);
         // A pyramid whose square lies in the plane of x and z.
         let mut tower = corners([4.0, 0.0, 4.0]);
         tower.push([2.0, 30.0, 2.0]);
-        assert_eq!(Frame::guess_up(&points(tower)), Up::Y);
-        assert_eq!(Frame::guess_up(&points(Vec::new())), Up::Z);
+        assert_eq!(UnitsAndUp::guess_up(&points(tower)), Up::Y);
+        assert_eq!(UnitsAndUp::guess_up(&points(Vec::new())), Up::Z);
     }
 
     #[test]
@@ -170,11 +170,11 @@ mod tests {
             let whole = solid(sides);
             let kept = whole.faces.iter().enumerate().filter(|(f, _)| *f != open);
             let house = Mesh { faces: kept.map(|(_, face)| face).collect(), ..whole.clone() };
-            assert_eq!(Frame::guess_up(&house), up, "{sides:?} {open}");
+            assert_eq!(UnitsAndUp::guess_up(&house), up, "{sides:?} {open}");
         }
         // Of a closed box there is no telling.
         for sides in [[20.0, 15.0, 9.0], [4.0, 4.0, 30.0], [1.0, 1.0, 1.0], [20.0, 15.0, 1.0]] {
-            assert_eq!(Frame::guess_up(&solid(sides)), Up::Z, "{sides:?}");
+            assert_eq!(UnitsAndUp::guess_up(&solid(sides)), Up::Z, "{sides:?}");
         }
     }
 }

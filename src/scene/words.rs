@@ -6,7 +6,7 @@ use crate::mesh::GroupKeyword;
 use crate::solve::{ConformalNorm, ConformalWeights};
 
 /// A choice between a few values that have a word each.
-pub trait Worded: Copy + PartialEq + 'static {
+pub trait NamedEnum: Copy + PartialEq + 'static {
     /// Every value with its word, in the order in which hosts list them.
     const WORDS: &'static [(&'static str, Self)];
 
@@ -27,11 +27,11 @@ pub trait Worded: Copy + PartialEq + 'static {
     }
 }
 
-impl Worded for Up {
+impl NamedEnum for Up {
     const WORDS: &'static [(&'static str, Up)] = &[("z", Up::Z), ("y", Up::Y)];
 }
 
-impl Worded for ClosenessTo {
+impl NamedEnum for ClosenessTo {
     const WORDS: &'static [(&'static str, ClosenessTo)] = &[
         ("surface", ClosenessTo::Surface),
         ("rest", ClosenessTo::Rest),
@@ -39,12 +39,12 @@ impl Worded for ClosenessTo {
     ];
 }
 
-impl Worded for SmoothnessOf {
+impl NamedEnum for SmoothnessOf {
     const WORDS: &'static [(&'static str, SmoothnessOf)] =
         &[("surface", SmoothnessOf::Surface), ("displacement", SmoothnessOf::Displacement)];
 }
 
-impl Worded for Weighting {
+impl NamedEnum for Weighting {
     const WORDS: &'static [(&'static str, Weighting)] = &[
         ("auto", Weighting::Auto),
         ("uniform", Weighting::Uniform),
@@ -53,7 +53,7 @@ impl Worded for Weighting {
     ];
 }
 
-impl Worded for Accelerator {
+impl NamedEnum for Accelerator {
     const WORDS: &'static [(&'static str, Accelerator)] = &[
         ("quasi-newton", Accelerator::QuasiNewton),
         ("anderson", Accelerator::Anderson),
@@ -61,7 +61,7 @@ impl Worded for Accelerator {
     ];
 }
 
-impl Worded for Factorization {
+impl NamedEnum for Factorization {
     const WORDS: &'static [(&'static str, Factorization)] = &[
         ("auto", Factorization::Auto),
         ("supernodal", Factorization::Supernodal),
@@ -69,7 +69,7 @@ impl Worded for Factorization {
     ];
 }
 
-impl Worded for ConformalWeights {
+impl NamedEnum for ConformalWeights {
     const WORDS: &'static [(&'static str, ConformalWeights)] = &[
         ("inverse-area", ConformalWeights::InverseArea),
         ("one", ConformalWeights::One),
@@ -77,11 +77,11 @@ impl Worded for ConformalWeights {
     ];
 }
 
-impl Worded for ConformalNorm {
+impl NamedEnum for ConformalNorm {
     const WORDS: &'static [(&'static str, ConformalNorm)] =
         &[("boundary", ConformalNorm::Boundary), ("vertices", ConformalNorm::Vertices)];
 }
 
-impl Worded for GroupKeyword {
+impl NamedEnum for GroupKeyword {
     const WORDS: &'static [(&'static str, GroupKeyword)] = &GroupKeyword::STATEMENTS;
 }

@@ -30,25 +30,26 @@ impl Session {
         mesh: Mesh,
     ) -> Result<&mut Session, Error> {
         let checked = Checked::new(scene, mesh)?;
-        let before = open.take().map(Session::rest);
+        let before = open.take().map(Session::suspend);
         match checked.open() {
             Ok(session) => Ok(open.insert(session)),
             Err(error) => {
-                let wake = |resting: Resting| resting.wake().expect("it could be solved before");
-                *open = before.map(wake);
+                let resume =
+                    |suspended: Suspended| suspended.resume().expect("it could be solved before");
+                *open = before.map(resume);
                 Err(error)
             }
         }
     }
 
     /// Gives back what can be made again.
-    fn rest(self) -> Resting {
-        Resting {
+    fn suspend(self) -> Suspended {
+        Suspended {
             positions: self.positions(),
             handles: self.solver.handles().to_vec(),
             mesh: self.mesh,
             document: self.document,
-            past: self.past,
+            run_state: self.run_state,
         }
     }
 }
@@ -93,14 +94,15 @@ impl Checked {
         self,
         handles: Vec<Handle>,
         start: &[Point],
-        past: Option<RunState>,
+        run_state: Option<RunState>,
     ) -> Result<Session, Error> {
         let Checked { scene, mesh, topology, rows } = self;
         let solver =
             solver(&scene, &mesh, &topology, &rows, SetupCache::default(), handles, start)?;
         Ok(Session {
             diameter: BoundingSphere::of(&mesh.positions).diameter(),
-            past: past.unwrap_or_else(|| RunState::beginning(solver.energy(), scene.clone())),
+            run_state: run_state
+                .unwrap_or_else(|| RunState::beginning(solver.energy(), scene.clone())),
             mesh,
             topology,
             document: scene,
@@ -113,22 +115,22 @@ impl Checked {
 }
 
 /// A session without its solver, and without anything that follows from the rest.
-struct Resting {
+struct Suspended {
     mesh: Mesh,
     document: Scene,
     handles: Vec<Handle>,
     /// Current positions, `#V by 3`.
     positions: Vec<Point>,
-    past: RunState,
+    run_state: RunState,
 }
 
-impl Resting {
+impl Suspended {
     /// The session as it was. Its solver has forgotten the steps before, as after a pause.
     ///
     /// # Errors
     /// When the system is singular, which it was not before.
-    fn wake(self) -> Result<Session, Error> {
+    fn resume(self) -> Result<Session, Error> {
         let checked = Checked::new(self.document, self.mesh)?;
-        checked.set_up(self.handles, &self.positions, Some(self.past))
+        checked.set_up(self.handles, &self.positions, Some(self.run_state))
     }
 }

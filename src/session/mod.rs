@@ -24,14 +24,15 @@ mod state;
 mod undo;
 
 pub use edit::{
-    Edit, NewConstraint, Place, Preview, Remedies, Remedy, SETTINGS, Setting, settings_of,
+    ConstraintTarget, Edit, NewConstraint, Preview, Remedies, Remedy, SETTINGS, Setting,
+    settings_of,
 };
 pub use report::{
-    ActingRows, EnergyReport, FACE_MEASURES, FaceMeasure, GoalWords, MeasureUnit, Moved,
+    ConstraintMap, EnergyReport, FACE_MEASURES, FaceMeasure, GoalWords, MeasureUnit, Moved,
     Projections, Report, Seconds, Shape, Verdict, WorstElement, ZERO_SIZE_FACES, check_results,
     flaw_of, goals_in_words,
 };
-pub use run::{Fits, Half, Step, most_faces};
+pub use run::{FittedCount, HalfStep, Step, max_interactive_faces};
 pub use selection::{Mode, OPERATIONS, Operation, SelectRequest, Selection};
 pub use state::{Collapse, CollapseReason, ResolvedRow, Session, TraceEntry};
 pub use undo::check_targets;

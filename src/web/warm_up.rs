@@ -6,7 +6,7 @@
 
 use crate::mesh::read;
 use crate::scene::Scene;
-use crate::session::{Session, most_faces};
+use crate::session::{Session, max_interactive_faces};
 use crate::solve::clock;
 use std::fmt::Write;
 use wasm_bindgen::prelude::*;
@@ -71,9 +71,9 @@ impl WarmUp {
 
     /// The most faces of a mesh that this machine works with at once; none before it has begun.
     #[wasm_bindgen(js_name = mostFaces)]
-    pub fn most_faces(&self) -> Option<u32> {
+    pub fn max_interactive_faces(&self) -> Option<u32> {
         let faces = (SIDE - 1) * (SIDE - 1);
-        self.seconds.map(|seconds| most_faces(faces as usize, seconds))
+        self.seconds.map(|seconds| max_interactive_faces(faces as usize, seconds))
     }
 }
 

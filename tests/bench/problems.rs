@@ -8,7 +8,7 @@ mod stream;
 
 use serde::{Deserialize, Serialize};
 use shape_up::mesh::{Point, Topology, read};
-use shape_up::scene::{Scene, Worded};
+use shape_up::scene::{NamedEnum, Scene};
 use shape_up::session::{Edit, Report, Session};
 use shape_up::solve::{ConformalNorm, ConformalWeights, Parametrization, clock};
 use std::hint::black_box;

@@ -5,7 +5,7 @@ mod statements;
 
 use shape_up::example::EXAMPLES;
 use shape_up::example::model::{Canopy, Creature, Dome, Hall, Lantern, Mounds};
-use shape_up::mesh::{Mesh, Point, Topology, components, read, survey, write_medit, write_obj};
+use shape_up::mesh::{Mesh, Point, Topology, components, diagnose, read, write_medit, write_obj};
 use shape_up::scene::Scene;
 
 fn minus(a: Point, b: Point) -> Point {
@@ -58,7 +58,7 @@ fn meshes() -> Vec<(&'static str, Mesh, usize)> {
 #[test]
 fn meshes_are_manifold_and_in_one_piece() {
     for (name, mesh, loops) in meshes() {
-        assert_eq!(survey(&mesh), [], "{name}");
+        assert_eq!(diagnose(&mesh), [], "{name}");
         assert_eq!(Topology::new(&mesh).boundary_loops().len(), loops, "{name}");
         if !mesh.faces.is_empty() {
             let tets = mesh.tets.iter().map(|tet| tet.as_slice());

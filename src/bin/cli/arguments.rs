@@ -2,7 +2,7 @@
 
 use lexopt::Arg;
 use shape_up::constraint::KINDS;
-use shape_up::scene::{Accelerator, Worded};
+use shape_up::scene::{Accelerator, NamedEnum};
 use shape_up::solve::{ConformalNorm, ConformalWeights};
 use std::ffi::{OsStr, OsString};
 use std::path::PathBuf;
@@ -371,7 +371,7 @@ impl Words {
     }
 
     /// The value of an option that takes one of some words.
-    fn one_of<T: Worded>(&mut self, name: &str) -> Result<T, String> {
+    fn one_of<T: NamedEnum>(&mut self, name: &str) -> Result<T, String> {
         let value = self.text(name)?;
         let expected = || format!("{name} takes {}, found `{value}`", T::list(" or "));
         T::of_word(&value).ok_or_else(expected)

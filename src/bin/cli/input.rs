@@ -2,7 +2,7 @@
 
 use super::Failure;
 use shape_up::mesh::{self, Mesh, Read, Weld};
-use shape_up::scene::{Frame, MeshSource, Scene};
+use shape_up::scene::{MeshSource, Scene, UnitsAndUp};
 use std::fs::File;
 use std::io::{self, Read as _};
 use std::path::Path;
@@ -33,7 +33,7 @@ pub(super) fn read(path: &Path) -> Result<Input, Failure> {
             .map_err(|error| Failure::Input(error.to_string()))?;
         let weld = read.weld();
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let frame = Frame::stated(&bytes);
+        let frame = UnitsAndUp::stated(&bytes);
         let mut scene = Scene::opened(&name);
         scene.units = frame.units.unwrap_or_default();
         scene.up = frame.up.unwrap_or(scene.up);

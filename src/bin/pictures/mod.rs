@@ -3,28 +3,28 @@
 use shape_up::scene::Hold;
 use shape_up::session::Session;
 use shape_up::view::appearance::{ColourScale, RowColours};
-use shape_up::view::camera::Up;
+use shape_up::view::camera::UpAxis;
 use shape_up::view::model::ViewError;
-use shape_up::view::state::Stage;
+use shape_up::view::state::ViewState;
 
 /// What the page shows of a scene when it is opened: handles, and faces in the colours of what the
 /// first row of constraints asks of them, or where that has no measure, in the colours of the rows.
-pub(crate) fn stage(session: &Session) -> Result<Stage, ViewError> {
+pub(crate) fn state(session: &Session) -> Result<ViewState, ViewError> {
     let mesh = session.mesh();
     let lists = |rows: &shape_up::mesh::Ragged| (rows.offsets().to_vec(), rows.indices().to_vec());
     let positions = session.positions();
-    let mut stage = Stage::default();
-    stage.set_up(match session.document().up {
-        shape_up::scene::Up::Z => Up::Z,
-        shape_up::scene::Up::Y => Up::Y,
+    let mut state = ViewState::default();
+    state.set_up(match session.document().up {
+        shape_up::scene::Up::Z => UpAxis::Z,
+        shape_up::scene::Up::Y => UpAxis::Y,
     });
-    stage.set_mesh(lists(&mesh.faces), lists(&mesh.curves), positions.as_flattened())?;
+    state.set_mesh(lists(&mesh.faces), lists(&mesh.curves), positions.as_flattened())?;
 
     let values = values(session);
     let scale = scale(session, greatest(&values));
-    stage.looks.set_values(values, scale, mesh.faces.len())?;
-    if !stage.looks.has_values() {
-        stage.looks.rows = row_colours(session)?;
+    state.appearance.set_values(values, scale, mesh.faces.len())?;
+    if !state.appearance.has_values() {
+        state.appearance.rows = row_colours(session)?;
     }
 
     let handles = session.solver().handles();
@@ -32,8 +32,8 @@ pub(crate) fn stage(session: &Session) -> Result<Stage, ViewError> {
     let states: Vec<u8> =
         handles.iter().map(|handle| u8::from(handle.hold == Hold::Fixed)).collect();
     let targets: Vec<f64> = handles.iter().flat_map(|handle| handle.target).collect();
-    stage.set_handles(&vertices, &states, &targets)?;
-    Ok(stage)
+    state.set_handles(&vertices, &states, &targets)?;
+    Ok(state)
 }
 
 /// The colours of the page (`www/viewport/colour-scale.js`): up to the tolerance faces keep the material, and the

@@ -78,7 +78,7 @@ impl Projection for Angle {
         S::splat(1e60).if_greater(xx.max(yy), accurate, S::zero()).all_greater(S::zero())
     }
 
-    fn careful(&self, _rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
+    fn project_robust(&self, _rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
         let largest = |v: &[Vec3<f64>]| {
             v.iter().fold(0.0f64, |m, p| m.max(p.x.abs()).max(p.y.abs()).max(p.z.abs()))
         };

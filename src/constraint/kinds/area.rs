@@ -9,7 +9,7 @@
 
 use crate::constraint::parameter::{Limits, Target};
 use crate::constraint::{Arity, Centring, Info, Projection};
-use crate::math::{Lane, Vec3, pair_with_product, pair_with_product_carefully, plane_frame};
+use crate::math::{Lane, Vec3, pair_with_product, pair_with_product_robust, plane_frame};
 use serde::{Deserialize, Serialize};
 
 /// `3 sqrt(3) / 4`, the area of the equilateral triangle whose corners are at distance one from its
@@ -96,7 +96,7 @@ impl Projection for Area {
         S::splat(1e30).if_greater(s, accurate, S::zero()).all_greater(S::zero())
     }
 
-    fn careful(&self, rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
+    fn project_robust(&self, rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
         let (least, greatest) = (rest[0].x, rest[0].y);
         let Some(Scaled { size, triangle, .. }) = Scaled::of(v) else {
             let [c, s] = [-0.5 * least, SINE * least];
@@ -109,7 +109,7 @@ impl Projection for Area {
         let (least, greatest) = (least / unit, greatest / unit);
         let target = (s * t).max(least * least).min(greatest * greatest);
         if target != s * t {
-            let pair = pair_with_product_carefully(s, t, target.sqrt());
+            let pair = pair_with_product_robust(s, t, target.sqrt());
             let moved = triangle.with_singular_values(pair);
             v.iter_mut().zip(moved).for_each(|(p, moved)| *p = moved * unit);
         }

@@ -86,7 +86,7 @@ impl Projection for Bending {
         S::splat(1e60).if_greater(squared, accurate, S::zero()).all_greater(S::zero())
     }
 
-    fn careful(&self, rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
+    fn project_robust(&self, rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
         let size = greatest(v);
         // Points that coincide are as flat as any.
         let unit = if size > 0.0 { size } else { 1.0 };

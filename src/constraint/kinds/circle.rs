@@ -3,7 +3,7 @@
 
 use crate::constraint::parameter::Limits;
 use crate::constraint::{
-    Arity, Centring, Fitted, Form, Info, Param, ParamValue, PlaceShape, Projection,
+    Arity, Centring, Fitted, Form, Info, Param, ParamValue, Projection, TargetShape,
 };
 use crate::math::{CircleFit, Lane, PrincipalRound, Vec3, centre};
 use serde::{Deserialize, Serialize};
@@ -53,7 +53,7 @@ impl Projection for Circle {
         }],
     };
 
-    const USUAL_FOR: &'static [PlaceShape] = &[PlaceShape::Panels, PlaceShape::Loop];
+    const USUAL_FOR: &'static [TargetShape] = &[TargetShape::Panels, TargetShape::Loop];
 
     fn closed_form<S: Lane>(
         &self,
@@ -70,7 +70,7 @@ impl Projection for Circle {
         }
     }
 
-    fn careful(&self, _rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
+    fn project_robust(&self, _rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
         let circle = PrincipalRound::rotate(v, 2, |r| self.clamp(r));
         for p in v {
             *p = circle.closest(*p);

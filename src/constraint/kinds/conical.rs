@@ -70,7 +70,7 @@ impl Projection for Conical {
     }
 
     /// Of what is found by slower steps, and of the vertex joined to each neighbour, the nearest.
-    fn careful(&self, _rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
+    fn project_robust(&self, _rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
         let unit = v.iter().fold(0.0f64, |m, p| m.max(p.x.abs()).max(p.y.abs()).max(p.z.abs()));
         if unit == 0.0 {
             return;

@@ -67,7 +67,7 @@ impl Projection for EqualLength {
         accurate.all_greater(S::zero())
     }
 
-    fn careful(&self, rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
+    fn project_robust(&self, rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
         let share = 2.0 / v.len() as f64;
         let lengths = v.chunks_exact(2).map(|ends| half(ends).length_and_direction().0);
         let mean: f64 = lengths.map(|length| length * share).sum();

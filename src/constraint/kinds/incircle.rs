@@ -43,7 +43,7 @@ impl Projection for Incircle {
         pitot::closest(v.expect("it takes four points"), projected.expect("it gives four points"))
     }
 
-    fn careful(&self, _rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
-        pitot::careful(v);
+    fn project_robust(&self, _rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
+        pitot::project_robust(v);
     }
 }

@@ -2,7 +2,7 @@
 //! eigenvalue of the scatter matrix, or is given.
 
 use crate::constraint::parameter::Direction;
-use crate::constraint::{Arity, Centring, Form, Info, Param, ParamValue, PlaceShape, Projection};
+use crate::constraint::{Arity, Centring, Form, Info, Param, ParamValue, Projection, TargetShape};
 use crate::math::{Lane, PrincipalAxes, Scatter, Vec3};
 use serde::{Deserialize, Serialize};
 
@@ -40,7 +40,7 @@ impl Projection for Line {
         }],
     };
 
-    const USUAL_FOR: &'static [PlaceShape] = &[PlaceShape::Chain];
+    const USUAL_FOR: &'static [TargetShape] = &[TargetShape::Chain];
 
     fn closed_form<S: Lane>(
         &self,
@@ -63,7 +63,7 @@ impl Projection for Line {
         (e.accurate * scatter.in_range).all_greater(S::zero())
     }
 
-    fn careful(&self, _rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
+    fn project_robust(&self, _rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
         let axes = PrincipalAxes::rotate(v);
         for p in v {
             *p = axes.point(Vec3::new(p.x, 0.0, 0.0));

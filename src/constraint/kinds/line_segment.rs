@@ -2,7 +2,7 @@
 //! within limits.
 
 use crate::constraint::parameter::{Limits, Target};
-use crate::constraint::{Arity, Centring, Info, PlaceShape, Projection};
+use crate::constraint::{Arity, Centring, Info, Projection, TargetShape};
 use crate::math::{Lane, Vec3};
 use serde::{Deserialize, Serialize};
 
@@ -42,7 +42,7 @@ impl Projection for LineSegment {
         params: &Target::params("length", "Length", "Times the rest length"),
     };
 
-    const USUAL_FOR: &'static [PlaceShape] = &[PlaceShape::Edges];
+    const USUAL_FOR: &'static [TargetShape] = &[TargetShape::Edges];
 
     const READS_REST: bool = true;
 
@@ -69,7 +69,7 @@ impl Projection for LineSegment {
         S::splat(1e60).if_greater(squared, accurate, S::zero()).all_greater(S::zero())
     }
 
-    fn careful(&self, rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
+    fn project_robust(&self, rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
         // Halved first: the difference of two finite numbers need not be finite.
         let (length, direction) = (v[1] * 0.5 - v[0] * 0.5).length_and_direction();
         let half = direction.unwrap_or(rest[1]) * self.clamped(length, rest[0].x);

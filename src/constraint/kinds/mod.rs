@@ -18,7 +18,7 @@ pub use registry::KindVisitor;
 use super::declaration::Info;
 use super::parameter::{self, KindError};
 use super::projection::Projection;
-use super::target_shape::PlaceShape;
+use super::target_shape::TargetShape;
 
 kinds! {
     line::Line,

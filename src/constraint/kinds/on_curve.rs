@@ -100,7 +100,7 @@ impl Projection for OnCurve {
     }
 
     /// The same in units of the largest coordinate, so that squares of lengths keep their digits.
-    fn careful(&self, rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
+    fn project_robust(&self, rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
         let largest = |points: &[Vec3<f64>]| {
             points.iter().fold(0.0f64, |largest, p| largest.max(largest_coordinate(*p)))
         };

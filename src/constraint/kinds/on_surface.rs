@@ -55,7 +55,7 @@ impl Projection for OnSurface {
 
     const READS_REST: bool = true;
 
-    fn refer(&mut self, reference: &Reference<'_>) {
+    fn bind(&mut self, reference: &Reference<'_>) {
         self.surface = RestSurface(Some((reference.surface)()));
     }
 

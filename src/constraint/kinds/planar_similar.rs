@@ -71,7 +71,7 @@ impl Projection for PlanarSimilar {
         (n.accurate * scatter.in_range).all_greater(S::zero())
     }
 
-    fn careful(&self, rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
+    fn project_robust(&self, rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
         let axes = PrincipalAxes::rotate(v);
         let coordinates = v.to_vec();
         place(rest, &coordinates, Vec3::new(0.0, 0.0, 1.0), v);

@@ -2,7 +2,7 @@
 //! of the scatter matrix. It may be given, or a direction in the plane may be.
 
 use crate::constraint::parameter::Direction;
-use crate::constraint::{Arity, Centring, Form, Info, Param, ParamValue, PlaceShape, Projection};
+use crate::constraint::{Arity, Centring, Form, Info, Param, ParamValue, Projection, TargetShape};
 use crate::math::{Lane, PrincipalAxes, Scatter, Vec3};
 use serde::{Deserialize, Serialize};
 
@@ -76,7 +76,7 @@ impl Projection for Plane {
         ],
     };
 
-    const USUAL_FOR: &'static [PlaceShape] = &[PlaceShape::Panels, PlaceShape::Points];
+    const USUAL_FOR: &'static [TargetShape] = &[TargetShape::Panels, TargetShape::Points];
 
     fn closed_form<S: Lane>(
         &self,
@@ -99,7 +99,7 @@ impl Projection for Plane {
         (n.accurate * scatter.in_range).all_greater(S::zero())
     }
 
-    fn careful(&self, _rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
+    fn project_robust(&self, _rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
         if let Some(along) = &self.along {
             let [e, f] = frame_across(along);
             let mut seen: Vec<_> = v.iter().map(|v| Vec3::new(e.dot(*v), f.dot(*v), 0.0)).collect();

@@ -95,7 +95,7 @@ impl Projection for Rectangle {
         S::splat(1e60).if_greater(aa.max(bb), accurate, S::zero()).all_greater(S::zero())
     }
 
-    fn careful(&self, _rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
+    fn project_robust(&self, _rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
         if self.fit == Fit::Lines {
             let axes = PrincipalAxes::rotate(v);
             for p in v.iter_mut() {

@@ -27,7 +27,7 @@ macro_rules! kinds {
         pub const KINDS: &[Info] = &[$($module::$Kind::INFO),*];
 
         /// `#KINDS` rows: see [`Projection::USUAL_FOR`].
-        pub const USUAL_FOR: &[&[PlaceShape]] = &[$($module::$Kind::USUAL_FOR),*];
+        pub const USUAL_FOR: &[&[TargetShape]] = &[$($module::$Kind::USUAL_FOR),*];
 
         impl Kind {
             /// The kind named `id` with the parameters `params`.

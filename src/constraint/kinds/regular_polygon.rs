@@ -5,7 +5,7 @@
 //! `p = sum cos(2 pi k / n) v_k` and `q = sum sin(2 pi k / n) v_k`. The best frame in space is
 //! the closest pair of equal, orthogonal vectors to them, and turns either way without a reflection.
 
-use crate::constraint::{Arity, Centring, Info, PlaceShape, Projection};
+use crate::constraint::{Arity, Centring, Info, Projection, TargetShape};
 use crate::math::{Lane, OrthogonalPair, UnitPolygon, Vec3};
 use serde::{Deserialize, Serialize};
 
@@ -36,7 +36,7 @@ impl Projection for RegularPolygon {
         params: &[],
     };
 
-    const USUAL_FOR: &'static [PlaceShape] = &[PlaceShape::Triangles];
+    const USUAL_FOR: &'static [TargetShape] = &[TargetShape::Triangles];
 
     fn closed_form<S: Lane>(
         &self,
@@ -51,7 +51,7 @@ impl Projection for RegularPolygon {
         accurate.all_greater(S::zero())
     }
 
-    fn careful(&self, _rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
+    fn project_robust(&self, _rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
         let corners = UnitPolygon::new(v.len());
         let (p, q) = sums(&corners, v);
         place(&corners, OrthogonalPair::closest_carefully(p, q), v);

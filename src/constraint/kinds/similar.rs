@@ -60,8 +60,8 @@ impl Projection for Similar {
         alignment.accurate.all_greater(S::zero())
     }
 
-    fn careful(&self, rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
-        let alignment = Alignment::careful(rest, v);
+    fn project_robust(&self, rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
+        let alignment = Alignment::robust(rest, v);
         let scale = self.scale.clamp(alignment.scale);
         for (r, p) in rest.iter().zip(v) {
             *p = alignment.turn(*r) * scale;

@@ -3,7 +3,7 @@
 
 use crate::constraint::parameter::Limits;
 use crate::constraint::{
-    Arity, Centring, Fitted, Form, Info, Param, ParamValue, PlaceShape, Projection,
+    Arity, Centring, Fitted, Form, Info, Param, ParamValue, Projection, TargetShape,
 };
 use crate::math::{Lane, PrincipalRound, Round, RoundWithin, Scatter, Vec3, centre};
 use serde::{Deserialize, Serialize};
@@ -52,7 +52,7 @@ impl Projection for Sphere {
         }],
     };
 
-    const USUAL_FOR: &'static [PlaceShape] = &[PlaceShape::Patch];
+    const USUAL_FOR: &'static [TargetShape] = &[TargetShape::Patch];
 
     fn closed_form<S: Lane>(
         &self,
@@ -72,7 +72,7 @@ impl Projection for Sphere {
         good.all_greater(S::zero())
     }
 
-    fn careful(&self, _rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
+    fn project_robust(&self, _rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
         let sphere = PrincipalRound::rotate(v, 3, |r| self.clamp(r));
         for p in v {
             *p = sphere.closest(*p);

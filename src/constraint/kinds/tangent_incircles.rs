@@ -46,9 +46,9 @@ impl Projection for TangentIncircles {
         accurate
     }
 
-    fn careful(&self, _rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
+    fn project_robust(&self, _rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
         v.swap(1, 2);
-        pitot::careful(v);
+        pitot::project_robust(v);
         v.swap(1, 2);
     }
 }

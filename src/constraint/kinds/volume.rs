@@ -10,7 +10,7 @@
 use crate::constraint::parameter::{Limits, Target};
 use crate::constraint::{Arity, Centring, Element, Info, Projection};
 use crate::math::{
-    Lane, SingularValues, Vec3, cube_root, triple_with_product, triple_with_product_carefully,
+    Lane, SingularValues, Vec3, cube_root, triple_with_product, triple_with_product_robust,
 };
 use serde::{Deserialize, Serialize};
 
@@ -57,7 +57,7 @@ impl Projection for Volume {
 
     /// The least and the greatest cube root of the determinant, and the sign that it has at rest.
     fn prepare(&self, rest: &mut [Vec3<f64>]) {
-        let (found, scale) = SingularValues::careful(rows(rest));
+        let (found, scale) = SingularValues::robust(rows(rest));
         let [a, b, c] = found.values;
         let sizes = [cube_root(a * b * c.abs()) * scale, cube_root(3.0)];
         let [least, greatest] = self.volume.sizes(self.strain, cube_root, sizes);
@@ -91,9 +91,9 @@ impl Projection for Volume {
         S::splat(1e30).if_greater(a, accurate, S::zero()).all_greater(S::zero())
     }
 
-    fn careful(&self, rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
+    fn project_robust(&self, rest: &[Vec3<f64>], v: &mut [Vec3<f64>]) {
         let Vec3 { x: least, y: greatest, z: sign } = rest[0];
-        let (found, size) = SingularValues::careful(rows(v).map(|row| row * sign));
+        let (found, size) = SingularValues::robust(rows(v).map(|row| row * sign));
         let unit = size.max(least);
         if unit == 0.0 {
             return;
@@ -108,7 +108,7 @@ impl Projection for Volume {
         } else {
             return;
         };
-        let values = triple_with_product_carefully(values, root);
+        let values = triple_with_product_robust(values, root);
         let moved = points(found.with(values).map(|row| row * sign));
         v.iter_mut().zip(moved).for_each(|(p, moved)| *p = moved * unit);
     }

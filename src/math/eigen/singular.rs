@@ -91,7 +91,7 @@ impl SingularValues<f64> {
     /// The same for every finite matrix, divided by its greatest entry, which comes second. Where a
     /// singular value is zero or several are equal, the axes are one choice of many; for the zero
     /// matrix, they are those of space.
-    pub fn careful(mut rows: [Vec3<f64>; 3]) -> (Self, f64) {
+    pub fn robust(mut rows: [Vec3<f64>; 3]) -> (Self, f64) {
         let PrincipalAxes { axes, scale } = PrincipalAxes::rotate(&mut rows);
         let [p, q, r] = rows;
         let columns =
@@ -173,7 +173,7 @@ mod tests {
                 let expected = matrix.svd(false, false).singular_values;
                 let size = expected[0];
                 let (found, accurate) = SingularValues::of(rows);
-                let (careful, scale) = SingularValues::careful(rows);
+                let (careful, scale) = SingularValues::robust(rows);
                 slow += usize::from(accurate == 0.0);
                 let fast = (found, 1.0, accurate);
                 for (found, scale, accurate) in [fast, (careful, scale, 1.0)] {
@@ -200,7 +200,7 @@ mod tests {
         let e = Vec3::new(0.3, -1.2, 0.4);
         let zero = Vec3::zero();
         for rows in [[zero; 3], [e; 3], [e, zero, -e], [e * 1e-310, zero, zero], [e * 1e290; 3]] {
-            let (found, scale) = SingularValues::careful(rows);
+            let (found, scale) = SingularValues::robust(rows);
             for (row, back) in rows.iter().zip(found.with(found.values)) {
                 let error = *row - back * scale;
                 assert!(error.length() <= 1e-14 * row.length().max(f64::MIN_POSITIVE), "{rows:?}");

@@ -51,7 +51,7 @@ pub struct Alignment<S> {
     /// The factor that takes the turned rest points closest to the points. Not negative.
     pub scale: S,
     /// One in the lanes where the rotation is off by at most 1e-12 radians, else zero. There
-    /// nothing above is to be used: see [`Alignment::careful`].
+    /// nothing above is to be used: see [`Alignment::robust`].
     pub accurate: S,
 }
 
@@ -244,7 +244,7 @@ impl Alignment<f64> {
     ///
     /// Where several rotations are equally close, one is chosen: of those about the common line of
     /// collinear points any, and the identity where all points or all rest points coincide.
-    pub fn careful(rest: &[Vec3<f64>], v: &[Vec3<f64>]) -> Self {
+    pub fn robust(rest: &[Vec3<f64>], v: &[Vec3<f64>]) -> Self {
         let (rest_size, size) = (greatest(rest), greatest(v));
         let identity = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Vec3::from);
         let mut found = Alignment { columns: identity, scale: 0.0, accurate: 1.0 };

@@ -20,8 +20,7 @@ pub use alignment::Alignment;
 pub use circle_fit::{CircleFit, PrincipalCircle};
 pub use orthogonal_pair::OrthogonalPair;
 pub use product::{
-    pair_with_product, pair_with_product_carefully, triple_with_product,
-    triple_with_product_carefully,
+    pair_with_product, pair_with_product_robust, triple_with_product, triple_with_product_robust,
 };
 pub use round::Round;
 pub use round_within::{PrincipalRound, RoundWithin};

@@ -32,7 +32,7 @@ pub fn pair_with_product<S: Lane>(a: S, b: S, root: S) -> ([S; 2], S) {
 }
 
 /// The same for every input whose squares of squares are in the range of `f64`.
-pub fn pair_with_product_carefully(a: f64, b: f64, root: f64) -> [f64; 2] {
+pub fn pair_with_product_robust(a: f64, b: f64, root: f64) -> [f64; 2] {
     let pair = Pair::new(a, b, root);
     let mut s = pair.start();
     if s == 0.0 {
@@ -104,7 +104,7 @@ pub fn triple_with_product<S: Lane>(a: [S; 3], root: S) -> ([S; 3], S) {
 }
 
 /// The same for every input whose cubes are in the range of `f64`.
-pub fn triple_with_product_carefully(a: [f64; 3], root: f64) -> [f64; 3] {
+pub fn triple_with_product_robust(a: [f64; 3], root: f64) -> [f64; 3] {
     let target = root * root * root;
     let product = a[0] * a[1] * a[2];
     if target >= product {
@@ -233,7 +233,7 @@ mod tests {
                 for root in SIZES {
                     let p = root * root;
                     let distance = |s: f64, t: f64| (s - a) * (s - a) + (t - b) * (t - b);
-                    let [s, t] = pair_with_product_carefully(a, b, root);
+                    let [s, t] = pair_with_product_robust(a, b, root);
                     assert!((s * t - p).abs() <= 1e-14 * p.max(1e-3), "{a} {b} {root}: {s} {t}");
                     let found = distance(s, t);
                     if p > 0.0 {
@@ -264,14 +264,14 @@ mod tests {
                         let distance = |s: f64, t: f64, u: f64| {
                             (s - a) * (s - a) + (t - b) * (t - b) + (u - c) * (u - c)
                         };
-                        let [s, t, u] = triple_with_product_carefully([a, b, c], root);
+                        let [s, t, u] = triple_with_product_robust([a, b, c], root);
                         let name = format!("{a} {b} {c} {root}: {s} {t} {u}");
                         assert!((s * t * u - target).abs() <= 1e-13 * target, "{name}");
                         let found = distance(s, t, u);
                         if target > 0.0 {
                             let least = least(1e-12, 1e3, |u| {
                                 let p = target / u;
-                                let [s, t] = pair_with_product_carefully(a, b, p.sqrt());
+                                let [s, t] = pair_with_product_robust(a, b, p.sqrt());
                                 distance(s, t, u)
                             });
                             let slack = 1e-12 * (a * a + root * root);
@@ -296,9 +296,9 @@ mod tests {
 
     #[test]
     fn three_equal_numbers_fall_together_or_one_by_itself() {
-        let together = triple_with_product_carefully([1.0; 3], 0.6);
+        let together = triple_with_product_robust([1.0; 3], 0.6);
         assert!(together.iter().all(|s| (s - 0.6).abs() <= 1e-14), "{together:?}");
-        let [s, t, u] = triple_with_product_carefully([1.0; 3], 0.4);
+        let [s, t, u] = triple_with_product_robust([1.0; 3], 0.4);
         assert!((s - t).abs() <= 1e-14 && u < 0.1 && s > 0.9, "{s} {t} {u}");
     }
 }

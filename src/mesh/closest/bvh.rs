@@ -11,9 +11,9 @@ const LEAF: usize = 4;
 /// one child behind.
 const DEPTH: usize = 33;
 
-/// The tree. Its leaves are ranges of the order in which [`Tree::new`] puts the boxes.
+/// The tree. Its leaves are ranges of the order in which [`Bvh::new`] puts the boxes.
 #[derive(Clone, Debug)]
-pub(crate) struct Tree {
+pub(crate) struct Bvh {
     /// The root first; none over no boxes.
     nodes: Vec<Node>,
 }
@@ -50,16 +50,16 @@ impl Child {
     }
 }
 
-impl Tree {
+impl Bvh {
     /// The tree over some boxes, and the order in which they are in its leaves: neighbours in space
     /// become neighbours in the order.
-    pub(crate) fn new(boxes: &[Box3]) -> (Tree, Vec<u32>) {
+    pub(crate) fn new(boxes: &[Box3]) -> (Bvh, Vec<u32>) {
         let mut order: Vec<u32> = (0..boxes.len() as u32).collect();
-        let mut tree = Tree { nodes: Vec::new() };
+        let mut bvh = Bvh { nodes: Vec::new() };
         if !boxes.is_empty() {
-            tree.build(boxes, &mut order, 0);
+            bvh.build(boxes, &mut order, 0);
         }
-        (tree, order)
+        (bvh, order)
     }
 
     /// Makes the node over the boxes of `order`, which become those from `first` on. They are

@@ -19,5 +19,5 @@ mod surface;
 mod triangle;
 
 pub use boundary_curves::{BoundaryCurve, BoundaryCurves};
-pub use point_cache::Footing;
+pub use point_cache::ClosestPointCache;
 pub use surface::Surface;

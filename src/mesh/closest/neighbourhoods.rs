@@ -4,8 +4,8 @@
 //! within `2 d` of that triangle. So where `d` is short against the triangle, a short list made
 //! beforehand has all that can be nearer, and no tree needs to be searched.
 
-use super::bvh::{Box3, Tree};
-use super::safe_region::Clearing;
+use super::bvh::{Box3, Bvh};
+use super::safe_region::TriangleSafeRegion;
 use super::triangle::{Corners, Planes};
 use crate::math::Lane;
 use crate::mesh::Ragged;
@@ -22,8 +22,8 @@ const MOST: usize = 64;
 
 /// What is near each triangle.
 #[derive(Clone, Debug)]
-pub(crate) struct Surroundings {
-    clearings: Vec<Clearing>,
+pub(crate) struct TriangleNeighbourhoods {
+    clearings: Vec<TriangleSafeRegion>,
     /// For each triangle those in its reach, the close ones first.
     lists: Ragged,
     limits: Vec<Limits>,
@@ -40,14 +40,14 @@ struct Limits {
     n_close: u32,
 }
 
-impl Surroundings {
+impl TriangleNeighbourhoods {
     /// Lists the surroundings of all triangles. `boxes` are theirs, in the order of `tree`.
     pub(crate) fn new(
-        tree: &Tree,
+        bvh: &Bvh,
         boxes: &[Box3],
         planes: &[Planes],
         corners: &[Corners],
-    ) -> Surroundings {
+    ) -> TriangleNeighbourhoods {
         let mut lists = Ragged::new();
         let count = boxes.len();
         let (mut limits, mut clearings) = (Vec::with_capacity(count), Vec::with_capacity(count));
@@ -58,10 +58,10 @@ impl Surroundings {
             let size = boxes[t].diagonal();
             let reach = REACH * size;
             let around = boxes[t].grown(reach);
-            let mut clearing = Clearing::up_to(half(reach));
+            let mut region = TriangleSafeRegion::up_to(half(reach));
             close.clear();
             others.clear();
-            tree.meeting(&around, |leaf| {
+            bvh.meeting(&around, |leaf| {
                 for s in leaf.filter(|&s| s != t && boxes[s].meets(&around)) {
                     let mut gap = 0.0;
                     if !corners[t].touches(&corners[s]) {
@@ -73,7 +73,7 @@ impl Surroundings {
                     if gap <= reach {
                         let list = if gap <= CLOSE_REACH * size { &mut close } else { &mut others };
                         list.push(s as u32);
-                        clearing.clear_of(&planes[t], &corners[t], &corners[s], half(gap));
+                        region.clear_of(&planes[t], &corners[t], &corners[s], half(gap));
                     }
                 }
                 close.len() + others.len() <= MOST
@@ -83,21 +83,21 @@ impl Surroundings {
             if close.len() > MOST || size == 0.0 {
                 limits.push(Limits { close: -1.0, listed: -1.0, n_close: 0 });
                 lists.push(&[]);
-                clearings.push(Clearing::up_to(-1.0));
+                clearings.push(TriangleSafeRegion::up_to(-1.0));
             } else {
                 let (close_limit, listed) = (limit(CLOSE_REACH * size), limit(reach));
                 limits.push(Limits { close: close_limit, listed, n_close });
                 lists.push(&close);
-                clearings.push(clearing);
+                clearings.push(region);
             }
         }
         lists.shrink_to_fit();
-        Surroundings { clearings, lists, limits }
+        TriangleNeighbourhoods { clearings, lists, limits }
     }
 
     /// The clearing of triangle `t`.
     #[inline(always)]
-    pub(crate) fn clearing(&self, t: usize) -> &Clearing {
+    pub(crate) fn region(&self, t: usize) -> &TriangleSafeRegion {
         &self.clearings[t]
     }
 

@@ -13,7 +13,7 @@ use crate::math::{Lane, Vec3};
 /// For the points above a triangle, and for those below it.
 #[derive(Clone, Debug)]
 #[repr(align(64))]
-pub(crate) struct Clearing {
+pub(crate) struct TriangleSafeRegion {
     /// `tan(theta / 2)` of all that is beyond the sides ab, bc, ca.
     beyond_sides: [[f32; 3]; 2],
     /// Of all that is beyond the corners a, b, c, times what the sum of the distances inside
@@ -26,12 +26,12 @@ pub(crate) struct Clearing {
 /// The two sides that meet in each corner.
 const MEETING: [[usize; 2]; 3] = [[2, 0], [0, 1], [1, 2]];
 
-impl Clearing {
+impl TriangleSafeRegion {
     /// With nothing else around, as far as that is known.
-    pub(crate) fn up_to(height: f64) -> Clearing {
+    pub(crate) fn up_to(height: f64) -> TriangleSafeRegion {
         let nothing = [[0.0; 3]; 2];
         let heights = [rounded_down(height); 2];
-        Clearing { beyond_sides: nothing, beyond_corners: nothing, heights }
+        TriangleSafeRegion { beyond_sides: nothing, beyond_corners: nothing, heights }
     }
 
     /// Shrinks by what the triangle `other` makes nearer to it than the triangle of this clearing,

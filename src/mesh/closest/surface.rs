@@ -4,9 +4,9 @@
 //! that vertex found. Near the surface, the short list of triangles around the last closest one has
 //! all that can be nearer; elsewhere its distance bounds the search of a tree. Both are exact.
 
-use super::bvh::{Box3, Tree};
-use super::neighbourhoods::Surroundings;
-use super::point_cache::Footing;
+use super::bvh::{Box3, Bvh};
+use super::neighbourhoods::TriangleNeighbourhoods;
+use super::point_cache::ClosestPointCache;
 use super::triangle::{Corners, Hit, Planes, is_sliver, splat};
 use crate::math::{Pair, Vec3};
 use crate::mesh::{Mesh, Point};
@@ -19,8 +19,8 @@ pub struct Surface {
     /// In the order of the tree, so that neighbours in space are neighbours in memory.
     planes: Vec<Planes>,
     corners: Vec<Corners>,
-    surroundings: Surroundings,
-    tree: Tree,
+    neighbourhoods: TriangleNeighbourhoods,
+    bvh: Bvh,
 }
 
 impl Surface {
@@ -60,13 +60,13 @@ impl Surface {
             triangles.into_iter().map(|corners| corners.map(|p| Vec3::from(p) - centre)).collect();
         let boxes: Vec<Box3> =
             triangles.iter().map(|corners| Box3::around(&corners.map(Point::from))).collect();
-        let (tree, order) = Tree::new(&boxes);
+        let (bvh, order) = Bvh::new(&boxes);
         let ordered = || order.iter().map(|&t| t as usize);
         let boxes: Vec<Box3> = ordered().map(|t| boxes[t]).collect();
         let planes: Vec<Planes> = ordered().map(|t| Planes::new(triangles[t])).collect();
         let corners: Vec<Corners> = ordered().map(|t| Corners::new(triangles[t])).collect();
-        let surroundings = Surroundings::new(&tree, &boxes, &planes, &corners);
-        Surface { centre, planes, corners, surroundings, tree }
+        let neighbourhoods = TriangleNeighbourhoods::new(&bvh, &boxes, &planes, &corners);
+        Surface { centre, planes, corners, neighbourhoods, bvh }
     }
 
     /// The point of the surface that is closest to `p`; `p` itself when the surface is empty.
@@ -77,7 +77,7 @@ impl Surface {
         let p = Vec3::from(p) - self.centre;
         if let Some(planes) = self.planes.get(*warm as usize) {
             let over = planes.over(splat(p));
-            if self.surroundings.clearing(*warm as usize).holds(over) {
+            if self.neighbourhoods.region(*warm as usize).holds(over) {
                 return (planes.foot(p, over) + self.centre).into();
             }
         }
@@ -85,25 +85,25 @@ impl Surface {
     }
 
     /// As [`Surface::closest`], and as exact. `footing` is what the last search for this point left too,
-    /// or [`Footing::unknown`].
+    /// or [`ClosestPointCache::unknown`].
     #[inline(always)]
-    pub fn closest_from(&self, p: Point, warm: &mut u32, footing: &mut Footing) -> Point {
+    pub fn closest_from(&self, p: Point, warm: &mut u32, cache: &mut ClosestPointCache) -> Point {
         let p = Vec3::from(p) - self.centre;
-        let foot = match footing.foot(p) {
+        let foot = match cache.foot(p) {
             Some(foot) => foot,
-            None => self.find_footing(p, warm, footing),
+            None => self.find_from(p, warm, cache),
         };
         (foot + self.centre).into()
     }
 
     #[inline(never)]
-    fn find_footing(&self, p: Vec3<f64>, warm: &mut u32, footing: &mut Footing) -> Vec3<f64> {
+    fn find_from(&self, p: Vec3<f64>, warm: &mut u32, cache: &mut ClosestPointCache) -> Vec3<f64> {
         let before = *warm;
         let found = self.search(p, warm);
         if *warm != before {
             let t = *warm as usize;
-            footing.planes.clone_from(&self.planes[t]);
-            footing.clearing.clone_from(self.surroundings.clearing(t));
+            cache.planes.clone_from(&self.planes[t]);
+            cache.region.clone_from(self.neighbourhoods.region(t));
         }
         found
     }
@@ -116,14 +116,14 @@ impl Surface {
         if let Some(planes) = self.planes.get(*warm as usize) {
             let t = *warm as usize;
             best = self.corners[t].closest(planes, p, planes.over(lanes));
-            if let Some(list) = self.surroundings.of(t, best.distance_squared) {
+            if let Some(list) = self.neighbourhoods.of(t, best.distance_squared) {
                 for &s in list {
                     self.consider(s as usize, p, lanes, &mut best, warm);
                 }
                 return best.point;
             }
         }
-        self.tree.search(lanes, best.distance_squared, |leaf, _| {
+        self.bvh.search(lanes, best.distance_squared, |leaf, _| {
             for t in leaf {
                 self.consider(t, p, lanes, &mut best, warm);
             }

@@ -2,7 +2,7 @@
 //! asked would tear it apart. Vertices at one place become one.
 
 use crate::math::{Vec3, polygon_sides};
-use crate::mesh::{GroupKeyword, Mesh, Point, ProblemKind, Read, flawed, survey};
+use crate::mesh::{GroupKeyword, Mesh, Point, ProblemKind, Read, diagnose, elements_with_problem};
 
 /// Vertices are at one place within this part of the diagonal of the bounding box,
 const TOLERANCE: f64 = 1e-6;
@@ -28,9 +28,9 @@ impl Read {
     /// Welds the mesh where its faces have their own vertices, and tells what is wrong with it then.
     pub fn weld(&mut self) -> Option<Weld> {
         let weld = Weld::unwelded(&mut self.mesh)?;
-        let of_mesh = survey(&weld.original);
+        let of_mesh = diagnose(&weld.original);
         self.problems.retain(|problem| of_mesh.iter().all(|other| other.kind != problem.kind));
-        self.problems.extend(survey(&self.mesh));
+        self.problems.extend(diagnose(&self.mesh));
         self.notes.push(format!(
             "faces have their own vertices: {} at the places of others were welded, {} are left",
             weld.original.positions.len() - self.mesh.positions.len(),
@@ -96,7 +96,8 @@ fn merged(mesh: &Mesh, first: &[u32], least: f64) -> Option<(Mesh, Vec<u32>)> {
     let mut welded = Mesh { positions, ..mesh.clone() };
     welded.faces.rename(&to);
     welded.curves.rename(&to);
-    let on_each_other = |mesh: &Mesh| flawed(mesh, ProblemKind::DuplicateFace).faces.len();
+    let on_each_other =
+        |mesh: &Mesh| elements_with_problem(mesh, ProblemKind::DuplicateFace).faces.len();
     let is_sound =
         !welded.faces.iter().any(comes_back) && on_each_other(&welded) == on_each_other(mesh);
     is_sound.then_some((welded, to))

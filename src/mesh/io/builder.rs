@@ -2,22 +2,22 @@
 
 use super::lines::excerpt;
 use super::number::{Numbering, coordinate};
-use super::outcome::{Fault, Read};
+use super::outcome::{Read, ReadFault};
 use crate::mesh::diagnostics::{coincident, examine};
-use crate::mesh::problem::Tally;
-use crate::mesh::{Element, Mesh, Point, ProblemKind, counted};
+use crate::mesh::problem::DiagnosticCounts;
+use crate::mesh::{ElementKind, Mesh, Point, ProblemKind, counted};
 
 /// The mesh so far, with the lines that its parts are from.
 #[derive(Default)]
-pub(crate) struct Draft {
+pub(crate) struct MeshBuilder {
     pub(crate) mesh: Mesh,
-    pub(crate) tally: Tally,
+    pub(crate) counts: DiagnosticCounts,
     pub(crate) notes: Vec<String>,
     /// `#V` and `#F`.
     vertex_lines: Vec<u32>,
     face_lines: Vec<u32>,
-    /// Element, line and end in `deferred_corners` of the elements that wait for their vertices.
-    deferred: Vec<(Element, u32, u32)>,
+    /// ElementKind, line and end in `deferred_corners` of the elements that wait for their vertices.
+    deferred: Vec<(ElementKind, u32, u32)>,
     deferred_corners: Vec<Option<i32>>,
     /// The corners of the element at hand.
     row: Vec<u32>,
@@ -26,15 +26,15 @@ pub(crate) struct Draft {
     faces_seen: u32,
 }
 
-impl Draft {
-    /// Appends a vertex. Bad coordinates are not-a-number until [`Draft::finish`].
+impl MeshBuilder {
+    /// Appends a vertex. Bad coordinates are not-a-number until [`MeshBuilder::finish`].
     pub(crate) fn vertex(&mut self, words: [&str; 3], line: usize) {
         let [x, y, z] = words.map(coordinate);
         let mut problems = [x.1, y.1, z.1];
         problems.sort_unstable();
         let mut last = None;
         for problem in problems.into_iter().flatten().filter(|&p| last.replace(p) != Some(p)) {
-            self.tally.add(problem, Some(line));
+            self.counts.add(problem, Some(line));
         }
         self.mesh.positions.push([x.0, y.0, z.0]);
         self.vertex_lines.push(line as u32);
@@ -44,30 +44,30 @@ impl Draft {
     /// its sort, or counts why it is skipped.
     pub(crate) fn element(
         &mut self,
-        element: Element,
+        element: ElementKind,
         numbers: impl Iterator<Item = Option<i32>>,
         numbering: Numbering,
         line: usize,
     ) -> Option<u32> {
         match self.resolve(element, numbers, numbering) {
-            Ok(true) => self.tally.add(ProblemKind::RepeatedCorner(element), Some(line)),
+            Ok(true) => self.counts.add(ProblemKind::RepeatedCorner(element), Some(line)),
             Ok(false) => {}
             Err(problem) => {
-                self.tally.add(problem, Some(line));
+                self.counts.add(problem, Some(line));
                 return None;
             }
         }
         let index = match element {
-            Element::Face => {
+            ElementKind::Face => {
                 self.mesh.faces.push(&self.row);
                 self.face_lines.push(line as u32);
                 self.mesh.faces.len()
             }
-            Element::Curve => {
+            ElementKind::Curve => {
                 self.mesh.curves.push(&self.row);
                 self.mesh.curves.len()
             }
-            Element::Tetrahedron => {
+            ElementKind::Tetrahedron => {
                 self.mesh.tets.push([self.row[0], self.row[1], self.row[2], self.row[3]]);
                 self.mesh.tets.len()
             }
@@ -78,11 +78,11 @@ impl Draft {
     /// Puts the corners of an element into `row`; tells whether one was there twice in a row.
     fn resolve(
         &mut self,
-        element: Element,
+        element: ElementKind,
         numbers: impl Iterator<Item = Option<i32>>,
         numbering: Numbering,
     ) -> Result<bool, ProblemKind> {
-        let Draft { row, mesh, visited, .. } = self;
+        let MeshBuilder { row, mesh, visited, .. } = self;
         let vertices = mesh.positions.len();
         row.clear();
         for number in numbers {
@@ -90,18 +90,18 @@ impl Draft {
         }
         let corners = row.len();
         row.dedup();
-        if element == Element::Face && row.len() > 1 && row.first() == row.last() {
+        if element == ElementKind::Face && row.len() > 1 && row.first() == row.last() {
             row.pop();
         }
         let fewest = match element {
-            Element::Face => 3,
-            Element::Curve => 2,
-            Element::Tetrahedron => 4,
+            ElementKind::Face => 3,
+            ElementKind::Curve => 2,
+            ElementKind::Tetrahedron => 4,
         };
         if row.len() < fewest {
             return Err(ProblemKind::TooFewCorners(element));
         }
-        if element != Element::Curve {
+        if element != ElementKind::Curve {
             self.faces_seen += 1;
             visited.resize(vertices, 0);
             let revisits = |&v: &u32| {
@@ -109,7 +109,7 @@ impl Draft {
             };
             if row.iter().any(revisits) {
                 return Err(match element {
-                    Element::Face => ProblemKind::SelfTouchingFace,
+                    ElementKind::Face => ProblemKind::SelfTouchingFace,
                     _ => ProblemKind::TooFewCorners(element),
                 });
             }
@@ -117,13 +117,13 @@ impl Draft {
         Ok(row.len() < corners)
     }
 
-    /// Keeps a corner of the element that comes next: see [`Draft::settle`].
+    /// Keeps a corner of the element that comes next: see [`MeshBuilder::settle`].
     pub(crate) fn defer_corner(&mut self, number: Option<i32>) {
         self.deferred_corners.push(number);
     }
 
     /// Keeps an element of the corners since the last one.
-    pub(crate) fn defer_element(&mut self, element: Element, line: usize) {
+    pub(crate) fn defer_element(&mut self, element: ElementKind, line: usize) {
         self.deferred.push((element, line as u32, self.deferred_corners.len() as u32));
     }
 
@@ -144,14 +144,16 @@ impl Draft {
     }
 
     /// The mesh, with what the whole of it has wrong, or why there is nothing to solve.
-    pub(crate) fn finish(mut self, text: &str) -> Result<Read, Fault> {
+    pub(crate) fn finish(mut self, text: &str) -> Result<Read, ReadFault> {
         let positions = &mut self.mesh.positions;
         if positions.is_empty() {
             let expected = "expected at least one, such as `v 0 0 0` in OBJ";
-            return Err(Fault::whole(format!("the file holds no vertices: {expected}")));
+            return Err(ReadFault::whole(format!("the file holds no vertices: {expected}")));
         }
         if positions.as_flattened().iter().all(|x| x.is_nan()) {
-            return Err(Fault::whole("no vertex of the file has a coordinate that is a number"));
+            return Err(ReadFault::whole(
+                "no vertex of the file has a coordinate that is a number",
+            ));
         }
         if let Some((count, first)) = coincident(positions) {
             let vertices = counted(count, "vertex lies", "vertices lie");
@@ -160,8 +162,8 @@ impl Draft {
         }
         fill_in(positions);
         positions.shrink_to_fit();
-        examine(&self.mesh, &self.vertex_lines, &self.face_lines, &mut self.tally);
-        let problems = self.tally.problems(|line| excerpt(text, line));
+        examine(&self.mesh, &self.vertex_lines, &self.face_lines, &mut self.counts);
+        let problems = self.counts.problems(|line| excerpt(text, line));
         Ok(Read { mesh: self.mesh, problems, notes: self.notes })
     }
 }

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use crate::math::{ascending, key_of_pair};
-use crate::mesh::{Element, Group, GroupKeyword};
+use crate::math::{argsort, key_of_pair};
+use crate::mesh::{ElementKind, Group, GroupKeyword};
 
 /// How many names of one `g` statement are kept. Without a limit, a file could ask for memory in
 /// the square of its size.
@@ -45,12 +45,12 @@ impl Groups {
     }
 
     /// Puts a face or a curve into the groups that are open.
-    pub(crate) fn add(&mut self, element: Element, index: u32) {
+    pub(crate) fn add(&mut self, element: ElementKind, index: u32) {
         for &group in self.open.iter().flatten() {
             match element {
-                Element::Face => self.groups[group].faces.push(index),
-                Element::Curve => self.groups[group].curves.push(index),
-                Element::Tetrahedron => unreachable!("OBJ has no tetrahedra"),
+                ElementKind::Face => self.groups[group].faces.push(index),
+                ElementKind::Curve => self.groups[group].curves.push(index),
+                ElementKind::Tetrahedron => unreachable!("OBJ has no tetrahedra"),
             }
         }
     }
@@ -61,9 +61,9 @@ impl Groups {
         let mut groups = self.groups;
         groups.retain(|group| !(group.faces.is_empty() && group.curves.is_empty()));
         let first = |members: &[u32]| members.first().copied().unwrap_or(u32::MAX);
-        let by_keyword = ascending(groups.iter().map(|group| group.keyword as u64));
+        let by_keyword = argsort(groups.iter().map(|group| group.keyword as u64));
         let key = |group: &Group| key_of_pair([first(&group.faces), first(&group.curves)]);
-        let order = ascending(by_keyword.iter().map(|&group| key(&groups[group as usize])));
+        let order = argsort(by_keyword.iter().map(|&group| key(&groups[group as usize])));
         let places = order.into_iter().map(|i| by_keyword[i as usize] as usize);
         let mut groups: Vec<Option<Group>> = groups.into_iter().map(Some).collect();
         places.map(|place| groups[place].take().expect("an order has every place once")).collect()

@@ -2,18 +2,18 @@
 //! its rows. Vertices count from one; each row ends in a reference number, which is ignored.
 //! Triangles and quadrilaterals are read as faces, edges as curves.
 
-use super::builder::Draft;
+use super::builder::MeshBuilder;
 use super::number::Numbering;
-use super::outcome::Fault;
+use super::outcome::ReadFault;
 use super::stream::Stream;
-use crate::mesh::Element;
+use crate::mesh::ElementKind;
 
 /// The first word of a file.
 pub(crate) const HEADER: &str = "MeshVersionFormatted";
 
-pub(crate) fn read(text: &str) -> Result<Draft, Fault> {
+pub(crate) fn read(text: &str) -> Result<MeshBuilder, ReadFault> {
     let mut stream = Stream::new(text);
-    let mut draft = Draft::default();
+    let mut builder = MeshBuilder::default();
     let mut dimension = 3;
     let mut section = "";
     while let Some(word) = stream.word() {
@@ -32,13 +32,13 @@ pub(crate) fn read(text: &str) -> Result<Draft, Fault> {
             "Vertices" => {
                 section = word;
                 let count = stream.count("the number of vertices")?;
-                stream.vertices(count, dimension, &mut draft)?;
+                stream.vertices(count, dimension, &mut builder)?;
                 continue;
             }
-            "Edges" => (Element::Curve, 2),
-            "Triangles" => (Element::Face, 3),
-            "Quadrilaterals" => (Element::Face, 4),
-            "Tetrahedra" => (Element::Tetrahedron, 4),
+            "Edges" => (ElementKind::Curve, 2),
+            "Triangles" => (ElementKind::Face, 3),
+            "Quadrilaterals" => (ElementKind::Face, 4),
+            "Tetrahedra" => (ElementKind::Tetrahedron, 4),
             "End" => break,
             _ if word.starts_with(|c: char| c.is_ascii_alphabetic()) => {
                 section = "";
@@ -58,10 +58,10 @@ pub(crate) fn read(text: &str) -> Result<Draft, Fault> {
                 element,
                 corners,
                 format_args!("row {row} of {count} of {word}"),
-                &mut draft,
+                &mut builder,
             )?;
         }
     }
-    draft.settle(Numbering::OneBased);
-    Ok(draft)
+    builder.settle(Numbering::OneBased);
+    Ok(builder)
 }

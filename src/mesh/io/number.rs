@@ -1,6 +1,6 @@
 //! Coordinates and vertex numbers as mesh files write them.
 
-use crate::mesh::{Element, ProblemKind};
+use crate::mesh::{ElementKind, ProblemKind};
 
 /// A coordinate, not-a-number where it is not finite, and what is wrong with it.
 pub(crate) fn coordinate(word: &str) -> (f64, Option<ProblemKind>) {
@@ -43,7 +43,7 @@ impl Numbering {
         self,
         number: Option<i32>,
         vertices: usize,
-        element: Element,
+        element: ElementKind,
     ) -> Result<u32, ProblemKind> {
         let number = i64::from(number.ok_or(ProblemKind::MalformedCorner(element))?);
         let index = match self {
@@ -87,13 +87,14 @@ mod tests {
 
     #[test]
     fn vertex_numbers_mean_the_same_vertex_in_every_numbering() {
-        let vertex = |numbering: Numbering, word| numbering.vertex(whole(word), 4, Element::Face);
+        let vertex =
+            |numbering: Numbering, word| numbering.vertex(whole(word), 4, ElementKind::Face);
         let back = Numbering::OneBasedOrBack { read: 3 };
         assert_eq!(vertex(Numbering::ZeroBased, "2"), Ok(2));
         assert_eq!(vertex(Numbering::OneBased, "3"), Ok(2));
         assert_eq!(vertex(back, "3"), Ok(2));
         assert_eq!(vertex(back, "-1"), Ok(2));
-        let out_of_range = Err(ProblemKind::CornerOutOfRange(Element::Face));
+        let out_of_range = Err(ProblemKind::CornerOutOfRange(ElementKind::Face));
         for (numbering, word) in [
             (Numbering::ZeroBased, "4"),
             (Numbering::ZeroBased, "-1"),
@@ -104,7 +105,7 @@ mod tests {
         ] {
             assert_eq!(vertex(numbering, word), out_of_range, "{word}");
         }
-        assert_eq!(vertex(back, "0"), Err(ProblemKind::CornerZero(Element::Face)));
-        assert_eq!(vertex(back, "1.5"), Err(ProblemKind::MalformedCorner(Element::Face)));
+        assert_eq!(vertex(back, "0"), Err(ProblemKind::CornerZero(ElementKind::Face)));
+        assert_eq!(vertex(back, "1.5"), Err(ProblemKind::MalformedCorner(ElementKind::Face)));
     }
 }

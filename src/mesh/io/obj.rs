@@ -3,25 +3,25 @@
 //! degree one that Rhino writes. Texture, normals, points and true free-form geometry are counted
 //! and left out.
 
-use super::builder::Draft;
+use super::builder::MeshBuilder;
 use super::groups::Groups;
 use super::lines::{joined_lines, words};
 use super::number::{Numbering, whole};
-use crate::mesh::{Element, GroupKeyword, ProblemKind, counted};
+use crate::mesh::{ElementKind, GroupKeyword, ProblemKind, counted};
 
 /// Statements that say nothing of the shape, or only to a free-form element.
 const SILENT: &str = "vt vn vp s mg mtllib maplib usemap parm trim hole scrv sp end con bmat step \
     ctech stech bevel c_interp d_interp lod shadow_obj trace_obj call csh";
 
-pub(crate) fn read(text: &str) -> Draft {
-    let mut draft = Draft::default();
+pub(crate) fn read(text: &str) -> MeshBuilder {
+    let mut builder = MeshBuilder::default();
     let mut ignored = Ignored::default();
     // Faces may come before their vertices: vertices are read first.
     for (line, text) in joined_lines(text) {
         let mut words = words(&text);
         if words.next() == Some("v") {
             let coordinates = std::array::from_fn(|_| words.next().unwrap_or_default());
-            draft.vertex(coordinates, line);
+            builder.vertex(coordinates, line);
             ignored.vertex_extras += usize::from(words.next().is_some());
         }
     }
@@ -38,12 +38,12 @@ pub(crate) fn read(text: &str) -> Draft {
                 vertices_read += 1;
                 continue;
             }
-            "f" | "fo" => Element::Face,
-            "l" => Element::Curve,
+            "f" | "fo" => ElementKind::Face,
+            "l" => ElementKind::Curve,
             "curv" if degree == "1" && ["bspline", "bezier"].contains(&curve_type.as_str()) => {
                 // The extent of the parameter comes before the control points.
                 words.by_ref().take(2).for_each(drop);
-                Element::Curve
+                ElementKind::Curve
             }
             "cstype" => {
                 curve_type = words.last().unwrap_or_default().to_owned();
@@ -69,23 +69,23 @@ pub(crate) fn read(text: &str) -> Draft {
                 let opens = |(word, _): &&(&str, GroupKeyword)| *word == statement;
                 if let Some(&(_, keyword)) = GroupKeyword::STATEMENTS.iter().find(opens) {
                     if groups.open(keyword, &text) {
-                        draft.tally.add(ProblemKind::TooManyNames, Some(line));
+                        builder.counts.add(ProblemKind::TooManyNames, Some(line));
                     }
                 } else if !SILENT.split(' ').any(|silent| silent == statement) {
-                    draft.tally.add(ProblemKind::UnknownStatement, Some(line));
+                    builder.counts.add(ProblemKind::UnknownStatement, Some(line));
                 }
                 continue;
             }
         };
         let corners = words.map(|word| ignored.corner(word));
         let numbering = Numbering::OneBasedOrBack { read: vertices_read };
-        if let Some(index) = draft.element(element, corners, numbering, line) {
+        if let Some(index) = builder.element(element, corners, numbering, line) {
             groups.add(element, index);
         }
     }
-    draft.mesh.groups = groups.finish();
-    draft.notes.extend(ignored.notes());
-    draft
+    builder.mesh.groups = groups.finish();
+    builder.notes.extend(ignored.notes());
+    builder
 }
 
 /// How much of the file was understood and left out.

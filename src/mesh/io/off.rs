@@ -2,11 +2,11 @@
 //! of vertices, faces and edges, then the vertices and the faces. Its variants with colours (`COFF`),
 //! normals (`NOFF`) and texture coordinates (`STOFF`) are read without those.
 
-use super::builder::Draft;
+use super::builder::MeshBuilder;
 use super::number::Numbering;
-use super::outcome::Fault;
+use super::outcome::ReadFault;
 use super::stream::Stream;
-use crate::mesh::{Element, counted};
+use crate::mesh::{ElementKind, counted};
 
 /// The first word of a file.
 pub(crate) struct Header<'a> {
@@ -26,20 +26,21 @@ impl<'a> Header<'a> {
     }
 }
 
-pub(crate) fn read(text: &str) -> Result<Draft, Fault> {
+pub(crate) fn read(text: &str) -> Result<MeshBuilder, ReadFault> {
     let mut stream = Stream::new(text);
     let vertices = vertex_count(&mut stream)?;
     let faces = stream.count("the number of faces")?;
     stream.drop_line();
 
-    let mut draft = Draft::default();
-    let vertex_rests = stream.vertices(vertices, 3, &mut draft)?;
+    let mut builder = MeshBuilder::default();
+    let vertex_rests = stream.vertices(vertices, 3, &mut builder)?;
     let mut face_rests = 0;
     for face in 1..=faces {
         let corners =
             stream.count(format_args!("the number of corners of face {face} of {faces}"))?;
         let what = format_args!("a corner of face {face} of {faces}");
-        face_rests += usize::from(stream.element(Element::Face, corners, what, &mut draft)?);
+        face_rests +=
+            usize::from(stream.element(ElementKind::Face, corners, what, &mut builder)?);
     }
     if let Some(word) = stream.word() {
         let vertices = counted(vertices, "vertex", "vertices");
@@ -50,25 +51,25 @@ pub(crate) fn read(text: &str) -> Result<Draft, Fault> {
 
     if vertex_rests > 0 {
         let vertices = counted(vertex_rests, "vertex", "vertices");
-        draft.notes.push(format!("further numbers of {vertices} ignored"));
+        builder.notes.push(format!("further numbers of {vertices} ignored"));
     }
     if face_rests > 0 {
         let faces = counted(face_rests, "face", "faces");
-        draft.notes.push(format!("colours of {faces} ignored"));
+        builder.notes.push(format!("colours of {faces} ignored"));
     }
-    let numbering = match counts_from_one(&draft, vertices) {
+    let numbering = match counts_from_one(&builder, vertices) {
         true => Numbering::OneBased,
         false => Numbering::ZeroBased,
     };
     if matches!(numbering, Numbering::OneBased) {
-        draft.notes.push("the faces count vertices from one, unlike OFF: read so".to_owned());
+        builder.notes.push("the faces count vertices from one, unlike OFF: read so".to_owned());
     }
-    draft.settle(numbering);
-    Ok(draft)
+    builder.settle(numbering);
+    Ok(builder)
 }
 
 /// Reads the header, which may be missing, and the number of vertices.
-fn vertex_count(stream: &mut Stream<'_>) -> Result<usize, Fault> {
+fn vertex_count(stream: &mut Stream<'_>) -> Result<usize, ReadFault> {
     const WHAT: &str = "the number of vertices";
     let word = stream.expect("`OFF`")?;
     let is_digits = |word: &str| word.bytes().all(|byte| byte.is_ascii_digit());
@@ -89,8 +90,8 @@ fn vertex_count(stream: &mut Stream<'_>) -> Result<usize, Fault> {
 
 /// Whether some program has written its own numbering from one: vertex 0 is never used, and the
 /// vertex past the end is.
-fn counts_from_one(draft: &Draft, vertices: usize) -> bool {
-    let extent = draft
+fn counts_from_one(builder: &MeshBuilder, vertices: usize) -> bool {
+    let extent = builder
         .deferred_corners()
         .fold((i32::MAX, i32::MIN), |(low, high), number| (low.min(number), high.max(number)));
     extent.0 >= 1 && usize::try_from(extent.1) == Ok(vertices)

@@ -1,6 +1,6 @@
 //! What reading a file gives: a mesh with what there is to say of it, or an error.
 
-use crate::mesh::{Mesh, Problem};
+use crate::mesh::{Mesh, MeshProblem};
 
 /// A mesh as it was read, and what there is to say of it.
 #[derive(Clone, Debug, PartialEq)]
@@ -8,21 +8,21 @@ pub struct Read {
     /// The mesh.
     pub mesh: Mesh,
     /// What is wrong in the file or with the mesh, and was survived.
-    pub problems: Vec<Problem>,
+    pub problems: Vec<MeshProblem>,
     /// What is not wrong but worth knowing, a sentence each: what was left out, what was guessed.
     pub notes: Vec<String>,
 }
 
 /// Why a file is refused; [`read`] adds the name of the file and the text of the line.
-pub(crate) struct Fault {
+pub(crate) struct ReadFault {
     pub(crate) line: Option<usize>,
     pub(crate) message: String,
 }
 
-impl Fault {
+impl ReadFault {
     /// A fault of no line in particular.
     pub(crate) fn whole(message: impl Into<String>) -> Self {
-        Fault { line: None, message: message.into() }
+        ReadFault { line: None, message: message.into() }
     }
 }
 

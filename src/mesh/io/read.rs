@@ -1,6 +1,6 @@
 //! Reads a mesh file of any format known here.
 
-use super::outcome::{Fault, Read, ReadError};
+use super::outcome::{Read, ReadError, ReadFault};
 use super::{lines, medit, obj, off};
 
 /// Reads a mesh from the bytes of the file `name`: OBJ, OFF or Medit, by the extension of the name,
@@ -21,24 +21,24 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Read, ReadError> {
     })
 }
 
-fn read_text(name: &str, text: &str) -> Result<Read, Fault> {
+fn read_text(name: &str, text: &str) -> Result<Read, ReadFault> {
     if text.trim().is_empty() {
-        return Err(Fault::whole("the file is empty"));
+        return Err(ReadFault::whole("the file is empty"));
     }
     if u32::try_from(text.len()).is_err() {
-        return Err(Fault::whole("the file is larger than 4 GiB"));
+        return Err(ReadFault::whole("the file is larger than 4 GiB"));
     }
     if text.contains('\0') {
-        return Err(Fault::whole(format!("this is not a text file; {KNOWN}")));
+        return Err(ReadFault::whole(format!("this is not a text file; {KNOWN}")));
     }
     let format = Format::of_name(name).or_else(|| Format::of_content(text));
-    let draft = match format {
+    let builder = match format {
         Some(Format::Obj) => obj::read(text),
         Some(Format::Off) => off::read(text)?,
         Some(Format::Medit) => medit::read(text)?,
-        None => return Err(Fault::whole(format!("the format is not known; {KNOWN}"))),
+        None => return Err(ReadFault::whole(format!("the format is not known; {KNOWN}"))),
     };
-    draft.finish(text)
+    builder.finish(text)
 }
 
 /// What a message says of the formats.

@@ -3,11 +3,11 @@
 use std::fmt::Display;
 use std::str::SplitAsciiWhitespace;
 
-use super::builder::Draft;
+use super::builder::MeshBuilder;
 use super::lines::{Lines, lines, words};
 use super::number::whole;
-use super::outcome::Fault;
-use crate::mesh::Element;
+use super::outcome::ReadFault;
+use crate::mesh::ElementKind;
 
 /// The words of a file across its lines.
 pub(crate) struct Stream<'a> {
@@ -33,20 +33,20 @@ impl<'a> Stream<'a> {
     }
 
     /// The next word, which is to be `what`.
-    pub(crate) fn expect(&mut self, what: impl Display) -> Result<&'a str, Fault> {
-        let end = || Fault::whole(format!("the file ends where {what} was expected"));
+    pub(crate) fn expect(&mut self, what: impl Display) -> Result<&'a str, ReadFault> {
+        let end = || ReadFault::whole(format!("the file ends where {what} was expected"));
         self.word().ok_or_else(end)
     }
 
     /// The next word as a number of things.
-    pub(crate) fn count(&mut self, what: impl Display) -> Result<usize, Fault> {
+    pub(crate) fn count(&mut self, what: impl Display) -> Result<usize, ReadFault> {
         let word = self.expect(&what)?;
         word.parse().map_err(|_| self.fault(format!("expected {what}, found `{word}`")))
     }
 
     /// A fault of the line at hand.
-    pub(crate) fn fault(&self, message: String) -> Fault {
-        Fault { line: Some(self.line), message }
+    pub(crate) fn fault(&self, message: String) -> ReadFault {
+        ReadFault { line: Some(self.line), message }
     }
 
     /// Leaves out the rest of the line; tells whether there was any.
@@ -60,15 +60,15 @@ impl<'a> Stream<'a> {
         &mut self,
         count: usize,
         dimension: usize,
-        draft: &mut Draft,
-    ) -> Result<usize, Fault> {
+        builder: &mut MeshBuilder,
+    ) -> Result<usize, ReadFault> {
         let mut rests = 0;
         for vertex in 1..=count {
             let mut coordinates = ["0"; 3];
             for coordinate in &mut coordinates[..dimension] {
                 *coordinate = self.expect(format_args!("vertex {vertex} of {count}"))?;
             }
-            draft.vertex(coordinates, self.line);
+            builder.vertex(coordinates, self.line);
             rests += usize::from(self.drop_line());
         }
         Ok(rests)
@@ -78,18 +78,18 @@ impl<'a> Stream<'a> {
     /// the rest of its last line is left out. Tells whether there was any.
     pub(crate) fn element(
         &mut self,
-        element: Element,
+        element: ElementKind,
         corners: usize,
         what: impl Display,
-        draft: &mut Draft,
-    ) -> Result<bool, Fault> {
+        builder: &mut MeshBuilder,
+    ) -> Result<bool, ReadFault> {
         let mut first_line = None;
         for _ in 0..corners {
             let word = self.expect(&what)?;
             first_line.get_or_insert(self.line);
-            draft.defer_corner(whole(word));
+            builder.defer_corner(whole(word));
         }
-        draft.defer_element(element, first_line.unwrap_or(self.line));
+        builder.defer_element(element, first_line.unwrap_or(self.line));
         Ok(self.drop_line())
     }
 }

@@ -2,7 +2,7 @@
 
 use super::cotangent::cotangent;
 use super::polygon_weights::PolygonWeights;
-use crate::math::{ascending, key_of_pair};
+use crate::math::{argsort, key_of_pair};
 use crate::mesh::{Mesh, Point, Ragged, Topology};
 
 /// For each vertex `i` its neighbours `N(i)` and their weights `w_ij`. The Laplacian of `l` at `i`
@@ -71,7 +71,7 @@ impl Laplacian {
                 }
             }
         }
-        let order = ascending(pairs.iter().copied().map(key_of_pair));
+        let order = argsort(pairs.iter().copied().map(key_of_pair));
         let order: Vec<usize> = order.into_iter().map(|k| k as usize).collect();
         let (mut rows, mut sums) = (vec![Vec::new(); mesh.positions.len()], Vec::new());
         for same in order.chunk_by(|&a, &b| pairs[a] == pairs[b]) {

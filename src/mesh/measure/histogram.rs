@@ -1,6 +1,6 @@
 //! How values are distributed, for a legend of colours that leave out the few that are far out.
 
-use crate::math::{ascending, key_of_number};
+use crate::math::{argsort, key_of_number};
 
 /// Of a hundred values, so many may lie beyond the upper end.
 const BEYOND: usize = 1;
@@ -23,7 +23,7 @@ impl Histogram {
     pub fn new(values: &[f64], [low, least_high]: [f64; 2], bins: usize) -> Histogram {
         assert!(bins > 0 && least_high > low, "there is at least one bin, of some width");
         let numbers: Vec<f64> = values.iter().copied().filter(|v| !v.is_nan()).collect();
-        let order = ascending(numbers.iter().map(|&v| key_of_number(v)));
+        let order = argsort(numbers.iter().map(|&v| key_of_number(v)));
         let sorted: Vec<f64> = order.into_iter().map(|i| numbers[i as usize]).collect();
         let within = sorted.len() - sorted.len() * BEYOND / 100;
         let finite = sorted[..within].iter().rev().find(|value| value.is_finite());

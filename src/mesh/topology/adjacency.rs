@@ -3,7 +3,7 @@
 //! Everything is found by sorting, so the order of all lists depends on the mesh alone. A mesh need
 //! not be a manifold: an edge may have any number of faces, a vertex any number of fans.
 
-use crate::math::{ascending, key_of_pair, polygon_sides};
+use crate::math::{argsort, key_of_pair, polygon_sides};
 use crate::mesh::{Mesh, Ragged};
 
 /// The adjacency of a mesh. Indices are those of the mesh; edges are numbered in lexicographic
@@ -178,7 +178,7 @@ fn sides(mesh: &Mesh) -> Vec<Side> {
         .filter(|(a, b, _)| a != b)
         .map(|(a, b, face)| Side { ends: [a.min(b), a.max(b)], face })
         .collect();
-    let order = ascending(sides.iter().map(|side| key_of_pair(side.ends)));
+    let order = argsort(sides.iter().map(|side| key_of_pair(side.ends)));
     order.into_iter().map(|side| sides[side as usize]).collect()
 }
 

@@ -5,14 +5,14 @@
 //!   "weights": [ { "on": "boundary", "weight": 10 }, { "on": { "set": "skylight" }, "weight": 0 } ] }
 //! ```
 
-use super::node::At;
+use super::node::JsonCursor;
 use super::selector;
 use super::text::{field, number, object, text};
 use crate::scene::{
-    BoundaryCloseness, Closeness, ClosenessTo, ClosenessWeight, SceneError, Worded,
+    BoundaryCloseness, Closeness, ClosenessTo, ClosenessWeight, NamedEnum, SceneError,
 };
 
-pub(super) fn read(at: &At<'_>) -> Result<Closeness, SceneError> {
+pub(super) fn read(at: &JsonCursor<'_>) -> Result<Closeness, SceneError> {
     at.only_keys(&["to", "weights", "boundary"])?;
     let mut closeness = Closeness::default();
     if let Some(to) = at.get("to") {
@@ -28,14 +28,14 @@ pub(super) fn read(at: &At<'_>) -> Result<Closeness, SceneError> {
     Ok(closeness)
 }
 
-fn read_weight(at: &At<'_>) -> Result<ClosenessWeight, SceneError> {
+fn read_weight(at: &JsonCursor<'_>) -> Result<ClosenessWeight, SceneError> {
     at.only_keys(&["on", "weight"])?;
     let on = selector::read(&at.need("on", &selector::what())?)?;
     let weight = at.need("weight", "a number from 0")?.number("a number from 0")?;
     Ok(ClosenessWeight { on, weight })
 }
 
-fn read_boundary(at: &At<'_>) -> Result<BoundaryCloseness, SceneError> {
+fn read_boundary(at: &JsonCursor<'_>) -> Result<BoundaryCloseness, SceneError> {
     at.only_keys(&["corners"])?;
     let mut boundary = BoundaryCloseness::default();
     if let Some(corners) = at.get("corners") {

@@ -1,6 +1,6 @@
 //! One entry of the list of constraints: kind, selector, weight, and the parameters of the kind.
 
-use super::node::At;
+use super::node::JsonCursor;
 use super::parse::parse;
 use super::selector;
 use super::text::{field, number, object, text};
@@ -13,14 +13,14 @@ impl ConstraintSpec {
     /// # Errors
     /// As [`crate::scene::Scene::from_json`].
     pub fn from_json(json: &str) -> Result<ConstraintSpec, SceneError> {
-        read(&At::root(&parse(json)?))
+        read(&JsonCursor::root(&parse(json)?))
     }
 }
 
 /// The keys that every constraint has; all others are parameters of its kind.
 const KEYS: [&str; 5] = ["kind", "on", "weight", "enabled", "name"];
 
-pub(crate) fn read(at: &At<'_>) -> Result<ConstraintSpec, SceneError> {
+pub(crate) fn read(at: &JsonCursor<'_>) -> Result<ConstraintSpec, SceneError> {
     let entries = at.entries("a constraint: an object with \"kind\" and \"on\"")?;
     let ids: Vec<_> = KINDS.iter().map(|info| info.id).collect();
     let what = format!("one of {}", ids.join(", "));

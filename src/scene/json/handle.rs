@@ -1,11 +1,11 @@
 //! One entry of the list of handles.
 
 use super::indices;
-use super::node::{At, read_points};
+use super::node::{JsonCursor, read_points};
 use super::text::{field, number, object, points};
 use crate::scene::{HANDLE_WEIGHT, HandleSpec, Hold, SceneError};
 
-pub(super) fn read(at: &At<'_>) -> Result<HandleSpec, SceneError> {
+pub(super) fn read(at: &JsonCursor<'_>) -> Result<HandleSpec, SceneError> {
     at.only_keys(&["vertices", "targets", "weight", "fixed"])?;
     let list = at.need("vertices", "a list of indices")?;
     let vertices = indices::read(&list)?;

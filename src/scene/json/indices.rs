@@ -1,12 +1,12 @@
 //! Index lists: a JSON array, or a string of ranges such as `"0-199,240"` with both ends included.
 //! The order of the list is kept, in and out.
 
-use super::node::{At, Node};
+use super::node::{JsonCursor, Node};
 use crate::scene::SceneError;
 
 const WHAT: &str = "a list of indices such as [0, 1, 5] or \"0-1,5\"";
 
-pub(crate) fn read(at: &At<'_>) -> Result<Vec<u32>, SceneError> {
+pub(crate) fn read(at: &JsonCursor<'_>) -> Result<Vec<u32>, SceneError> {
     match at.node {
         Node::Array(_) => {
             at.array(WHAT)?.iter().map(|item| item.whole("an index, counted from 0")).collect()

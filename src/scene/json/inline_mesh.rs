@@ -6,12 +6,12 @@
 //! out of it as it went in.
 
 use super::indices;
-use super::node::{At, Node, read_points};
+use super::node::{JsonCursor, Node, read_points};
 use super::text::{field, object, point, rows, text};
 use crate::mesh::{Group, GroupKeyword, Mesh, Ragged};
-use crate::scene::{SceneError, Worded};
+use crate::scene::{NamedEnum, SceneError};
 
-pub(super) fn read(at: &At<'_>) -> Result<Mesh, SceneError> {
+pub(super) fn read(at: &JsonCursor<'_>) -> Result<Mesh, SceneError> {
     at.only_keys(&["positions", "faces", "curves", "tets", "groups", "file"])?;
     let list = at.need("positions", "an array of points, or \"file\" with the path of a mesh")?;
     let mut mesh = Mesh { positions: read_points(&list)?, ..Mesh::default() };
@@ -46,13 +46,13 @@ pub(super) fn read(at: &At<'_>) -> Result<Mesh, SceneError> {
     Ok(mesh)
 }
 
-fn read_rows(at: &At<'_>, least: usize, count: usize) -> Result<Ragged, SceneError> {
+fn read_rows(at: &JsonCursor<'_>, least: usize, count: usize) -> Result<Ragged, SceneError> {
     let rows = at.array("an array of lists of vertices")?;
     rows.iter().map(|row| read_row(row, least, count)).collect()
 }
 
 /// A list of at least `least` vertices of a mesh that has `count`.
-fn read_row(at: &At<'_>, least: usize, count: usize) -> Result<Vec<u32>, SceneError> {
+fn read_row(at: &JsonCursor<'_>, least: usize, count: usize) -> Result<Vec<u32>, SceneError> {
     let row = indices::read(at)?;
     if row.len() < least {
         return Err(at.error(format!("found {} vertices, expected at least {least}", row.len())));
@@ -65,7 +65,7 @@ fn read_row(at: &At<'_>, least: usize, count: usize) -> Result<Vec<u32>, SceneEr
     }
 }
 
-fn read_group(name: &str, at: &At<'_>, mesh: &Mesh) -> Result<Group, SceneError> {
+fn read_group(name: &str, at: &JsonCursor<'_>, mesh: &Mesh) -> Result<Group, SceneError> {
     at.only_keys(&["faces", "curves", "keyword"])?;
     let list = |key, what, count: usize| match at.get(key) {
         None => Ok(Vec::new()),

@@ -6,7 +6,7 @@
 //!              { "constraint": "Eaves", "at_most": 0.01 } ] }
 //! ```
 
-use super::node::{At, Node, read_points};
+use super::node::{JsonCursor, Node, read_points};
 use super::parse::{check_format, parse};
 use super::text::{field, lines, number, object, point, rows, text};
 use super::{constraint, handle};
@@ -39,11 +39,11 @@ impl Lesson {
     /// # Errors
     /// As [`crate::scene::Scene::from_json`].
     pub fn from_json(json: &str) -> Result<Lesson, SceneError> {
-        read(&At::root(&parse(json)?))
+        read(&JsonCursor::root(&parse(json)?))
     }
 }
 
-pub(crate) fn read(at: &At<'_>) -> Result<Lesson, SceneError> {
+pub(crate) fn read(at: &JsonCursor<'_>) -> Result<Lesson, SceneError> {
     at.only_keys(&["text", "goals"])?;
     let text = at.need("text", "what is to be done")?.text("what is to be done")?.to_owned();
     let goals = at.need("goals", "an array of goals")?;
@@ -55,7 +55,7 @@ pub(crate) fn read(at: &At<'_>) -> Result<Lesson, SceneError> {
     Ok(Lesson { text, goals })
 }
 
-fn read_goal(at: &At<'_>, keys: &[&str]) -> Result<Goal, SceneError> {
+fn read_goal(at: &JsonCursor<'_>, keys: &[&str]) -> Result<Goal, SceneError> {
     const WHAT: &str = "{\"measure\": ...} or {\"constraint\": ...}";
     at.only_keys(keys)?;
     let of = match (at.get("measure"), at.get("constraint")) {
@@ -94,7 +94,7 @@ impl Results {
     /// # Errors
     /// As [`crate::scene::Scene::from_json`].
     pub fn from_json(json: &str) -> Result<Results, SceneError> {
-        read_results(&At::root(&parse(json)?))
+        read_results(&JsonCursor::root(&parse(json)?))
     }
 
     /// Writes the file that [`Results::from_json`] reads.
@@ -125,7 +125,7 @@ impl Results {
     }
 }
 
-fn read_results(at: &At<'_>) -> Result<Results, SceneError> {
+fn read_results(at: &JsonCursor<'_>) -> Result<Results, SceneError> {
     check_format(at, "results: an object", FORMAT, VERSION)?;
     at.only_keys(RESULT_KEYS)?;
     let word = |key: &'static str| -> Result<String, SceneError> {
@@ -149,14 +149,14 @@ fn read_results(at: &At<'_>) -> Result<Results, SceneError> {
 }
 
 fn each<T>(
-    at: &At<'_>,
+    at: &JsonCursor<'_>,
     what: &str,
-    read: impl Fn(&At<'_>) -> Result<T, SceneError>,
+    read: impl Fn(&JsonCursor<'_>) -> Result<T, SceneError>,
 ) -> Result<Vec<T>, SceneError> {
     at.array(what)?.iter().map(read).collect()
 }
 
-fn read_result(at: &At<'_>) -> Result<GoalResult, SceneError> {
+fn read_result(at: &JsonCursor<'_>) -> Result<GoalResult, SceneError> {
     const WHAT: &str = "a number, or null where nothing has it";
     let goal = read_goal(at, &["measure", "constraint", "at_most", "value", "met"])?;
     let value = at.need("value", WHAT)?;

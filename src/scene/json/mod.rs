@@ -68,6 +68,6 @@ pub use read::{FORMAT, VERSION};
 pub(crate) use constraint::read as read_constraint;
 pub(crate) use indices::read as read_indices;
 pub(crate) use lesson::read as read_lesson;
-pub(crate) use node::{At, Node};
+pub(crate) use node::{JsonCursor, Node};
 pub(crate) use parse::parse;
 pub(crate) use selector::read as read_selector;

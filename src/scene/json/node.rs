@@ -1,7 +1,7 @@
 //! A JSON document as a tree that keeps the order of keys and refuses a key that occurs twice, and
-//! [`At`], a place in it: values are taken out by type, and what does not fit names the place.
+//! [`JsonCursor`], a place in it: values are taken out by type, and what does not fit names the place.
 
-use crate::scene::{SceneError, Worded};
+use crate::scene::{NamedEnum, SceneError};
 use serde::de::{self, Deserialize, Deserializer, MapAccess, SeqAccess, Visitor};
 use serde_json::{Map, Number, Value};
 use std::cell::Cell;
@@ -107,8 +107,8 @@ impl Node {
 const MOST_INDICES: usize = 1 << 24;
 
 /// A value and where it stands in the document.
-pub(crate) struct At<'a> {
-    parent: Option<&'a At<'a>>,
+pub(crate) struct JsonCursor<'a> {
+    parent: Option<&'a JsonCursor<'a>>,
     step: Step<'a>,
     pub(crate) node: &'a Node,
     /// How many indices ranges may still stand for; that of the root counts.
@@ -122,13 +122,13 @@ enum Step<'a> {
     Index(usize),
 }
 
-impl<'a> At<'a> {
-    pub(crate) fn root(node: &'a Node) -> At<'a> {
-        At { parent: None, step: Step::Root, node, indices_left: Cell::new(MOST_INDICES) }
+impl<'a> JsonCursor<'a> {
+    pub(crate) fn root(node: &'a Node) -> JsonCursor<'a> {
+        JsonCursor { parent: None, step: Step::Root, node, indices_left: Cell::new(MOST_INDICES) }
     }
 
-    fn below(&'a self, step: Step<'a>, node: &'a Node) -> At<'a> {
-        At { parent: Some(self), step, node, indices_left: Cell::new(0) }
+    fn below(&'a self, step: Step<'a>, node: &'a Node) -> JsonCursor<'a> {
+        JsonCursor { parent: Some(self), step, node, indices_left: Cell::new(0) }
     }
 
     /// Whether the ranges of the document may stand for `count` more indices, which then count.
@@ -143,7 +143,7 @@ impl<'a> At<'a> {
 
     /// The JSON path, such as `constraints[2].on.set`; empty at the root.
     pub(crate) fn path(&self) -> String {
-        let mut path = self.parent.map(At::path).unwrap_or_default();
+        let mut path = self.parent.map(JsonCursor::path).unwrap_or_default();
         match self.step {
             Step::Root => {}
             Step::Key(key) => push_key(&mut path, key),
@@ -162,7 +162,10 @@ impl<'a> At<'a> {
     }
 
     /// The entries of an object, whatever their keys are.
-    pub(crate) fn entries(&'a self, what: &str) -> Result<Vec<(&'a str, At<'a>)>, SceneError> {
+    pub(crate) fn entries(
+        &'a self,
+        what: &str,
+    ) -> Result<Vec<(&'a str, JsonCursor<'a>)>, SceneError> {
         let Node::Object(entries) = self.node else { return Err(self.expected(what)) };
         Ok(entries
             .iter()
@@ -185,18 +188,18 @@ impl<'a> At<'a> {
     }
 
     /// The value of `key` when this is an object that has it.
-    pub(crate) fn get(&'a self, key: &'a str) -> Option<At<'a>> {
+    pub(crate) fn get(&'a self, key: &'a str) -> Option<JsonCursor<'a>> {
         let Node::Object(entries) = self.node else { return None };
         let (key, node) = entries.iter().find(|(k, _)| k == key)?;
         Some(self.below(Step::Key(key), node))
     }
 
     /// The value of `key`, which must be there; `what` says what it would be.
-    pub(crate) fn need(&'a self, key: &'a str, what: &str) -> Result<At<'a>, SceneError> {
+    pub(crate) fn need(&'a self, key: &'a str, what: &str) -> Result<JsonCursor<'a>, SceneError> {
         self.get(key).ok_or_else(|| self.error(format!("`{key}` is missing, expected {what}")))
     }
 
-    pub(crate) fn array(&'a self, what: &str) -> Result<Vec<At<'a>>, SceneError> {
+    pub(crate) fn array(&'a self, what: &str) -> Result<Vec<JsonCursor<'a>>, SceneError> {
         let Node::Array(items) = self.node else { return Err(self.expected(what)) };
         Ok(items.iter().enumerate().map(|(i, node)| self.below(Step::Index(i), node)).collect())
     }
@@ -242,7 +245,7 @@ impl<'a> At<'a> {
     }
 
     /// The choice that a word stands for.
-    pub(crate) fn choice<T: Worded>(&self) -> Result<T, SceneError> {
+    pub(crate) fn choice<T: NamedEnum>(&self) -> Result<T, SceneError> {
         self.one_of(T::WORDS)
     }
 
@@ -281,6 +284,6 @@ pub(in crate::scene) fn push_key(path: &mut String, key: &str) {
 }
 
 /// An array of points.
-pub(super) fn read_points(at: &At<'_>) -> Result<Vec<crate::mesh::Point>, SceneError> {
-    at.array("an array of points [x, y, z]")?.iter().map(At::point).collect()
+pub(super) fn read_points(at: &JsonCursor<'_>) -> Result<Vec<crate::mesh::Point>, SceneError> {
+    at.array("an array of points [x, y, z]")?.iter().map(JsonCursor::point).collect()
 }

@@ -1,6 +1,6 @@
 //! From text to a tree, and whether the tree is what it says it is.
 
-use super::node::{At, Node};
+use super::node::{JsonCursor, Node};
 use crate::scene::SceneError;
 
 /// The document as a tree, with or without a byte order mark before it.
@@ -23,7 +23,7 @@ fn syntax_error(text: &str, error: &serde_json::Error) -> SceneError {
 /// Checks that a document is of this `format`, and of the `version` that is read here; `what` says what it
 /// would be.
 pub(super) fn check_format(
-    at: &At<'_>,
+    at: &JsonCursor<'_>,
     what: &str,
     format: &str,
     version: u32,

@@ -1,6 +1,6 @@
 //! Reads a scene.
 
-use super::node::{At, read_points};
+use super::node::{JsonCursor, read_points};
 use super::parse::{check_format, parse};
 use super::{closeness, constraint, handle, indices, inline_mesh, lesson};
 use crate::constraint::{Set, Sets};
@@ -36,13 +36,13 @@ impl Scene {
     /// When the text is not JSON (line and column), or not a scene of version 1 (the JSON path,
     /// what was found there and what was expected).
     pub fn from_json(text: &str) -> Result<Scene, SceneError> {
-        let scene = read_scene(&At::root(&parse(text)?))?;
+        let scene = read_scene(&JsonCursor::root(&parse(text)?))?;
         scene.check_numbers()?;
         Ok(scene)
     }
 }
 
-fn read_scene(at: &At<'_>) -> Result<Scene, SceneError> {
+fn read_scene(at: &JsonCursor<'_>) -> Result<Scene, SceneError> {
     // First of all: a later version may have keys that are unknown here.
     check_format(at, "a scene: an object", FORMAT, VERSION)?;
     at.only_keys(KEYS)?;
@@ -89,7 +89,7 @@ fn read_scene(at: &At<'_>) -> Result<Scene, SceneError> {
     Ok(scene)
 }
 
-fn read_mesh(at: &At<'_>) -> Result<MeshSource, SceneError> {
+fn read_mesh(at: &JsonCursor<'_>) -> Result<MeshSource, SceneError> {
     let Some(file) = at.get("file") else {
         return Ok(MeshSource::Inline(Box::new(inline_mesh::read(at)?)));
     };
@@ -100,7 +100,7 @@ fn read_mesh(at: &At<'_>) -> Result<MeshSource, SceneError> {
     }
 }
 
-fn read_sets(at: &At<'_>) -> Result<Sets, SceneError> {
+fn read_sets(at: &JsonCursor<'_>) -> Result<Sets, SceneError> {
     let mut sets = Sets::new();
     for (name, entry) in at.entries("an object of named sets")? {
         entry.only_keys(&["vertices", "faces"])?;
@@ -119,7 +119,7 @@ fn read_sets(at: &At<'_>) -> Result<Sets, SceneError> {
     Ok(sets)
 }
 
-fn read_weights(at: &At<'_>) -> Result<Weights, SceneError> {
+fn read_weights(at: &JsonCursor<'_>) -> Result<Weights, SceneError> {
     at.only_keys(&["shape", "close", "smooth"])?;
     let mut weights = Weights::default();
     for (key, weight) in [
@@ -134,7 +134,7 @@ fn read_weights(at: &At<'_>) -> Result<Weights, SceneError> {
     Ok(weights)
 }
 
-fn read_smoothness(at: &At<'_>) -> Result<Smoothness, SceneError> {
+fn read_smoothness(at: &JsonCursor<'_>) -> Result<Smoothness, SceneError> {
     at.only_keys(&["of", "weighting"])?;
     let mut smoothness = Smoothness::default();
     if let Some(of) = at.get("of") {
@@ -146,7 +146,7 @@ fn read_smoothness(at: &At<'_>) -> Result<Smoothness, SceneError> {
     Ok(smoothness)
 }
 
-fn read_solver(at: &At<'_>) -> Result<SolverSettings, SceneError> {
+fn read_solver(at: &JsonCursor<'_>) -> Result<SolverSettings, SceneError> {
     at.only_keys(&[
         "iterations",
         "tolerance",

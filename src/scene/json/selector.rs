@@ -1,7 +1,7 @@
 //! The forms of `on`: which vertices a constraint acts on.
 
 use super::indices;
-use super::node::{At, Node};
+use super::node::{JsonCursor, Node};
 use super::parse::parse;
 use super::text::{field, object, text};
 use crate::constraint::{Element, Selector};
@@ -25,11 +25,11 @@ impl Selector {
     /// # Errors
     /// As [`crate::scene::Scene::from_json`].
     pub fn from_json(json: &str) -> Result<Selector, SceneError> {
-        read(&At::root(&parse(json)?))
+        read(&JsonCursor::root(&parse(json)?))
     }
 }
 
-pub(crate) fn read(at: &At<'_>) -> Result<Selector, SceneError> {
+pub(crate) fn read(at: &JsonCursor<'_>) -> Result<Selector, SceneError> {
     match at.node {
         Node::Text(word) => {
             let element = Element::ALL.into_iter().find(|e| e.word_for_all() == Some(word));
@@ -41,7 +41,7 @@ pub(crate) fn read(at: &At<'_>) -> Result<Selector, SceneError> {
     }
 }
 
-fn read_object(at: &At<'_>) -> Result<Selector, SceneError> {
+fn read_object(at: &JsonCursor<'_>) -> Result<Selector, SceneError> {
     if let Some(set) = at.get("set") {
         at.only_keys(&["set"])?;
         return Ok(Selector::Set(set.text("the name of a set or group")?.to_owned()));

@@ -5,7 +5,7 @@ use super::text::{field, lines, number, object, point, rows, text};
 use super::{closeness, constraint, handle, indices, inline_mesh, lesson};
 use crate::constraint::Set;
 use crate::mesh::Mesh;
-use crate::scene::{MeshSource, Scene, Up, Worded};
+use crate::scene::{MeshSource, NamedEnum, Scene, Up};
 
 impl Scene {
     /// Writes the scene as a file: `mesh` goes inline where [`Scene::mesh`] is inline. What has its

@@ -1,6 +1,6 @@
 //! What each edit does to a state of the document. It fails without leaving a trace.
 
-use super::closeness_weights::{hold_close, hold_closer};
+use super::closeness_weights::{set_closeness_weight, strengthen_closeness};
 use super::edit_list::Edit;
 use super::settings;
 use crate::constraint::{Kind, KindError, Set};
@@ -71,7 +71,9 @@ impl Session {
             }
             Edit::HoldClose { vertices, weight } => {
                 match &vertices {
-                    Some(vertices) => hold_close(&mut document.closeness, vertices, weight),
+                    Some(vertices) => {
+                        set_closeness_weight(&mut document.closeness, vertices, weight)
+                    }
                     None => document.closeness.weights.clear(),
                 }
                 vertices.map_or("Same closeness for all".to_owned(), |vertices| {
@@ -79,7 +81,7 @@ impl Session {
                 })
             }
             Edit::HoldCloser => {
-                hold_closer(document);
+                strengthen_closeness(document);
                 // From a shape without extent there is no way back.
                 if let Some(start) = start.take() {
                     positions.clone_from(&start.positions);

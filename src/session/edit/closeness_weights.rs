@@ -6,7 +6,7 @@ use crate::scene::{Closeness, ClosenessTo, ClosenessWeight, Scene};
 
 /// Gives `vertices` the factor `weight`, whatever other entries say; an entry for each factor lists
 /// its vertices.
-pub(crate) fn hold_close(closeness: &mut Closeness, vertices: &[u32], weight: f64) {
+pub(crate) fn set_closeness_weight(closeness: &mut Closeness, vertices: &[u32], weight: f64) {
     let mut moved = vertices.to_vec();
     moved.sort_unstable();
     moved.dedup();
@@ -32,7 +32,7 @@ pub(crate) fn hold_close(closeness: &mut Closeness, vertices: &[u32], weight: f6
 
 /// Holds every vertex closer to where it was at rest: at first as a mesh that is opened, and from then on
 /// ten times as much. On the surface alone it may still shrink to a dot.
-pub(crate) fn hold_closer(document: &mut Scene) {
+pub(crate) fn strengthen_closeness(document: &mut Scene) {
     let close = document.weights.close;
     if close > 0.0 && document.closeness.to == ClosenessTo::Rest {
         document.weights.close = 10.0 * close;
@@ -53,15 +53,15 @@ mod tests {
     fn a_vertex_is_in_one_list_and_the_usual_factor_needs_none() {
         let list = |vertices: &[u32]| Selector::Vertices(vertices.to_vec());
         let mut closeness = Closeness::default();
-        hold_close(&mut closeness, &[5, 3, 4], 10.0);
-        hold_close(&mut closeness, &[4, 9], 0.0);
-        hold_close(&mut closeness, &[1], 10.0);
+        set_closeness_weight(&mut closeness, &[5, 3, 4], 10.0);
+        set_closeness_weight(&mut closeness, &[4, 9], 0.0);
+        set_closeness_weight(&mut closeness, &[1], 10.0);
         assert_eq!(closeness.weights, [entry(list(&[1, 3, 5]), 10.0), entry(list(&[4, 9]), 0.0)]);
-        hold_close(&mut closeness, &[1, 3, 4, 5, 9], 1.0);
+        set_closeness_weight(&mut closeness, &[1, 3, 4, 5, 9], 1.0);
         assert_eq!(closeness.weights, []);
         // Of a set that the scene names, single vertices are taken out by an entry of their own.
         closeness.weights.push(entry(Selector::Set("eaves".to_owned()), 3.0));
-        hold_close(&mut closeness, &[2], 1.0);
+        set_closeness_weight(&mut closeness, &[2], 1.0);
         assert_eq!(closeness.weights[1], entry(list(&[2]), 1.0));
     }
 }

@@ -5,20 +5,20 @@ use crate::scene::Scene;
 
 /// Where constraints may be: what a selector says, which may be about a set that has no name yet.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Place {
+pub struct ConstraintTarget {
     /// The selector.
     pub on: Selector,
-    /// What [`Place::UNNAMED`] stands for in the selector.
+    /// What [`ConstraintTarget::UNNAMED`] stands for in the selector.
     pub set: Option<Set>,
 }
 
-impl Place {
+impl ConstraintTarget {
     /// The name in the selector that stands for `set`.
     pub const UNNAMED: &str = "";
 
     /// The selector when the set is in `document`, which gets it under a name of its own.
     pub(crate) fn name_in(self, document: &mut Scene) -> Selector {
-        let Place { mut on, set } = self;
+        let ConstraintTarget { mut on, set } = self;
         if let Some(set) = set {
             let known = document.sets.iter().find(|(_, other)| **other == set);
             let name = match known {

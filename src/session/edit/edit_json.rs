@@ -1,11 +1,11 @@
 //! Edits, requests to select, and places, as hosts that speak JSON send them.
 
-use super::constraint_target::Place;
+use super::constraint_target::ConstraintTarget;
 use super::edit_list::{Edit, NewConstraint};
 use crate::constraint::Set;
 use crate::scene::{
-    At, Node, Scene, SceneError, Weights, parse, read_constraint, read_indices, read_lesson,
-    read_selector,
+    JsonCursor, Node, Scene, SceneError, Weights, parse, read_constraint, read_indices,
+    read_lesson, read_selector,
 };
 use crate::session::selection::{SelectRequest, Selection};
 use serde_json::{Map, Value};
@@ -13,13 +13,13 @@ use serde_json::{Map, Value};
 impl Edit {
     /// Reads an edit of `document`: an object with its `type`, which is the name of the variant in camel
     /// case, and its fields. A constraint is described as in a scene file, but with its parameters in
-    /// `params` and `on` as a [`Place`]; of weights, those that are not given stay.
+    /// `params` and `on` as a [`ConstraintTarget`]; of weights, those that are not given stay.
     ///
     /// # Errors
     /// As [`Scene::from_json`].
     pub fn from_json(text: &str, document: &Scene) -> Result<Edit, SceneError> {
         let node = parse(text)?;
-        let at = &At::root(&node);
+        let at = &JsonCursor::root(&node);
         let kind = at.need("type", "the type of an edit")?;
         Ok(match kind.text("the type of an edit")? {
             "addConstraint" => Edit::AddConstraint(new_constraint(at)?),
@@ -62,7 +62,7 @@ impl Edit {
             "setUp" => Edit::SetUp { up: at.need("up", "an axis")?.choice()? },
             "setLesson" => Edit::SetLesson(given(at, "lesson", |lesson| {
                 // Its paths are those within a lesson.
-                read_lesson(&At::root(lesson.node))
+                read_lesson(&JsonCursor::root(lesson.node))
             })?),
             "addHandles" => Edit::AddHandles {
                 vertices: vertices(at)?,
@@ -82,9 +82,10 @@ impl SelectRequest {
     /// As [`Scene::from_json`].
     pub fn from_json(text: &str) -> Result<SelectRequest, SceneError> {
         let node = parse(text)?;
-        let at = &At::root(&node);
-        let list = |from: &At<'_>, key| Ok(given(from, key, read_indices)?.unwrap_or_default());
-        let selection = |from: &At<'_>| -> Result<Selection, SceneError> {
+        let at = &JsonCursor::root(&node);
+        let list =
+            |from: &JsonCursor<'_>, key| Ok(given(from, key, read_indices)?.unwrap_or_default());
+        let selection = |from: &JsonCursor<'_>| -> Result<Selection, SceneError> {
             Ok(Selection {
                 vertices: list(from, "vertices")?,
                 edges: list(from, "edges")?,
@@ -100,19 +101,19 @@ impl SelectRequest {
     }
 }
 
-impl Place {
+impl ConstraintTarget {
     /// Reads an array of places: each a selector as in a scene file, in which `in` may also be a set
     /// without a name, `{"faces": ...}` or `{"vertices": ...}`.
     ///
     /// # Errors
     /// As [`Scene::from_json`], with the path within the place.
-    pub fn all_from_json(text: &str) -> Result<Vec<Place>, SceneError> {
+    pub fn all_from_json(text: &str) -> Result<Vec<ConstraintTarget>, SceneError> {
         let node = parse(text)?;
-        let root = At::root(&node);
+        let root = JsonCursor::root(&node);
         let places = root.array("an array of places")?;
-        let read = |at: &At<'_>| {
+        let read = |at: &JsonCursor<'_>| {
             let (on, set) = with_set_named(at)?;
-            Ok(Place { on: read_selector(&At::root(&on))?, set })
+            Ok(ConstraintTarget { on: read_selector(&JsonCursor::root(&on))?, set })
         };
         places.iter().map(read).collect()
     }
@@ -122,38 +123,38 @@ const A_WEIGHT: &str = "a weight";
 
 /// What `read` makes of the value of `key`, where there is one that is not null.
 fn given<T>(
-    at: &At<'_>,
+    at: &JsonCursor<'_>,
     key: &str,
-    read: impl Fn(&At<'_>) -> Result<T, SceneError>,
+    read: impl Fn(&JsonCursor<'_>) -> Result<T, SceneError>,
 ) -> Result<Option<T>, SceneError> {
     at.get(key).filter(|value| *value.node != Node::Null).as_ref().map(read).transpose()
 }
 
-fn word(at: &At<'_>, key: &str) -> Result<String, SceneError> {
+fn word(at: &JsonCursor<'_>, key: &str) -> Result<String, SceneError> {
     Ok(at.need(key, "a text")?.text("a text")?.to_owned())
 }
 
-fn weight(at: &At<'_>) -> Result<f64, SceneError> {
+fn weight(at: &JsonCursor<'_>) -> Result<f64, SceneError> {
     at.number(A_WEIGHT)
 }
 
-fn index(at: &At<'_>) -> Result<usize, SceneError> {
+fn index(at: &JsonCursor<'_>) -> Result<usize, SceneError> {
     const WHAT: &str = "the index of a row";
     Ok(at.need("index", WHAT)?.whole(WHAT)? as usize)
 }
 
-fn vertices(at: &At<'_>) -> Result<Vec<u32>, SceneError> {
+fn vertices(at: &JsonCursor<'_>) -> Result<Vec<u32>, SceneError> {
     read_indices(&at.need("vertices", "a list of vertices")?)
 }
 
-fn set(at: &At<'_>) -> Result<Set, SceneError> {
+fn set(at: &JsonCursor<'_>) -> Result<Set, SceneError> {
     Ok(Set {
         vertices: given(at, "vertices", read_indices)?.unwrap_or_default(),
         faces: given(at, "faces", read_indices)?.unwrap_or_default(),
     })
 }
 
-fn params(at: &At<'_>) -> Result<Map<String, Value>, SceneError> {
+fn params(at: &JsonCursor<'_>) -> Result<Map<String, Value>, SceneError> {
     match at.get("params").map(|params| params.node.to_value()) {
         None => Ok(Map::new()),
         Some(Value::Object(params)) => Ok(params),
@@ -162,7 +163,7 @@ fn params(at: &At<'_>) -> Result<Map<String, Value>, SceneError> {
 }
 
 /// The row that an edit adds, read as an entry of a scene file.
-fn new_constraint(at: &At<'_>) -> Result<NewConstraint, SceneError> {
+fn new_constraint(at: &JsonCursor<'_>) -> Result<NewConstraint, SceneError> {
     let mut entry = Vec::new();
     if let Some(params) = at.get("params") {
         let own = params.entries("an object of parameters")?;
@@ -172,20 +173,20 @@ fn new_constraint(at: &At<'_>) -> Result<NewConstraint, SceneError> {
     entry.push(("kind".to_owned(), at.need("kind", "a kind")?.node.clone()));
     entry.push(("on".to_owned(), on));
     entry.push(("weight".to_owned(), at.need("weight", A_WEIGHT)?.node.clone()));
-    let spec = read_constraint(&At::root(&Node::Object(entry)))?;
+    let spec = read_constraint(&JsonCursor::root(&Node::Object(entry)))?;
     Ok(NewConstraint { spec, set })
 }
 
-/// A selector with [`Place::UNNAMED`] where it has a set without a name, and this set.
-fn with_set_named(on: &At<'_>) -> Result<(Node, Option<Set>), SceneError> {
+/// A selector with [`ConstraintTarget::UNNAMED`] where it has a set without a name, and this set.
+fn with_set_named(on: &JsonCursor<'_>) -> Result<(Node, Option<Set>), SceneError> {
     let mut named = on.node.clone();
     let mut unnamed = None;
     if let Node::Object(entries) = &mut named
         && let Some((_, within)) = entries.iter_mut().find(|(key, _)| key == "in")
         && let Node::Object(_) = within
     {
-        unnamed = Some(set(&At::root(within))?);
-        *within = Node::Text(Place::UNNAMED.to_owned());
+        unnamed = Some(set(&JsonCursor::root(within))?);
+        *within = Node::Text(ConstraintTarget::UNNAMED.to_owned());
     }
     Ok((named, unnamed))
 }

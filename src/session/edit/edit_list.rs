@@ -1,6 +1,6 @@
 //! The edits of the document: each is one step of undo.
 
-use super::constraint_target::Place;
+use super::constraint_target::ConstraintTarget;
 use crate::constraint::Set;
 use crate::scene::{ConstraintSpec, Lesson, Scene, Up, Weights};
 use serde_json::{Map, Value};
@@ -119,7 +119,7 @@ pub enum Edit {
 pub struct NewConstraint {
     /// The row.
     pub spec: ConstraintSpec,
-    /// What [`Place::UNNAMED`] stands for in the selector.
+    /// What [`ConstraintTarget::UNNAMED`] stands for in the selector.
     pub set: Option<Set>,
 }
 
@@ -127,7 +127,7 @@ impl NewConstraint {
     /// Adds the row to `document`, and its set under a name of its own.
     pub(crate) fn add_to(self, document: &mut Scene) {
         let NewConstraint { mut spec, set } = self;
-        spec.on = Place { on: spec.on, set }.name_in(document);
+        spec.on = ConstraintTarget { on: spec.on, set }.name_in(document);
         document.constraints.push(spec);
     }
 }

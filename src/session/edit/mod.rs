@@ -22,7 +22,7 @@ mod remedies;
 mod settings;
 mod target_shape;
 
-pub use constraint_target::Place;
+pub use constraint_target::ConstraintTarget;
 pub use edit_list::{Edit, NewConstraint};
 pub use preview::Preview;
 pub use remedies::{Remedies, Remedy};

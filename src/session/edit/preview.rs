@@ -1,9 +1,9 @@
 //! What adding constraints would make, for every kind at several places at once.
 
-use super::constraint_target::Place;
-use super::target_shape::place_shape;
+use super::constraint_target::ConstraintTarget;
+use super::target_shape::target_shape;
 use crate::constraint::{
-    Centring, Info, KINDS, PlaceShape, Selector, USUAL_FOR, resolve as select,
+    Centring, Info, KINDS, Selector, TargetShape, USUAL_FOR, resolve as select,
 };
 use crate::mesh::{Ragged, Topology};
 use crate::scene::SceneError;
@@ -31,21 +31,24 @@ impl Session {
     ///
     /// # Errors
     /// When a place names what is not there.
-    pub fn previews(&self, places: &[Place]) -> Result<Vec<Vec<Option<Preview>>>, SceneError> {
+    pub fn previews(
+        &self,
+        places: &[ConstraintTarget],
+    ) -> Result<Vec<Vec<Option<Preview>>>, SceneError> {
         let places: Vec<_> =
             places.iter().map(|place| self.sizes(place)).collect::<Result<_, _>>()?;
-        let of = |(info, usual_for): (&Info, &&[PlaceShape])| {
+        let of = |(info, usual_for): (&Info, &&[TargetShape])| {
             places.iter().map(|sizes| sizes.of(info, usual_for)).collect()
         };
         Ok(KINDS.iter().zip(USUAL_FOR).map(of).collect())
     }
 
-    fn sizes<'a>(&self, place: &'a Place) -> Result<Sizes<'a>, SceneError> {
+    fn sizes<'a>(&self, place: &'a ConstraintTarget) -> Result<Sizes<'a>, SceneError> {
         let mut document = self.document.clone();
         let on = place.clone().name_in(&mut document);
         let selected = select(&on, &self.mesh, &self.topology, &document.sets)
             .map_err(|error| SceneError { path: "on".to_owned(), message: error.to_string() })?;
-        let shape = place_shape(&on, &selected, &self.mesh, &self.topology);
+        let shape = target_shape(&on, &selected, &self.mesh, &self.topology);
         Ok(Sizes::new(&place.on, &selected, shape, &self.topology))
     }
 }
@@ -54,7 +57,7 @@ impl Session {
 struct Sizes<'a> {
     on: &'a Selector,
     /// What they are to the mesh.
-    shape: Option<PlaceShape>,
+    shape: Option<TargetShape>,
     /// How many elements have that many vertices.
     vertices: BTreeMap<usize, usize>,
     /// How many elements have that many ends of edges among their vertices.
@@ -65,7 +68,7 @@ impl<'a> Sizes<'a> {
     fn new(
         on: &'a Selector,
         selected: &Ragged,
-        shape: Option<PlaceShape>,
+        shape: Option<TargetShape>,
         topology: &Topology,
     ) -> Sizes<'a> {
         let count = |size: &dyn Fn(&[u32]) -> usize| {
@@ -86,7 +89,7 @@ impl<'a> Sizes<'a> {
         }
     }
 
-    fn of(&self, info: &Info, usual_for: &[PlaceShape]) -> Option<Preview> {
+    fn of(&self, info: &Info, usual_for: &[TargetShape]) -> Option<Preview> {
         let meant = |on: &Selector| match on {
             Selector::Each { element, .. } => {
                 info.elements.is_empty() || info.elements.contains(element)

@@ -3,7 +3,8 @@
 
 use crate::constraint::{Form, Param, ParamValue};
 use crate::scene::{
-    Accelerator, BoundaryCloseness, ClosenessTo, Scene, SceneError, SmoothnessOf, Weighting, Worded,
+    Accelerator, BoundaryCloseness, ClosenessTo, NamedEnum, Scene, SceneError, SmoothnessOf,
+    Weighting,
 };
 use serde::Serialize;
 use serde_json::{Map, Value, json};
@@ -26,12 +27,12 @@ const SOLVER: &str = "Solver";
 const OFF: Form = Form::Word("off");
 
 /// A switch.
-impl Worded for bool {
+impl NamedEnum for bool {
     const WORDS: &'static [(&'static str, bool)] = &[("on", true), ("off", false)];
 }
 
 /// The words of a choice as forms of its value.
-const fn forms<T: Worded, const N: usize>() -> [Form; N] {
+const fn forms<T: NamedEnum, const N: usize>() -> [Form; N] {
     let mut forms = [Form::Nothing; N];
     let mut i = 0;
     while i < N {
@@ -188,7 +189,7 @@ pub(crate) fn set(scene: &mut Scene, id: &str, value: &Value) -> Result<&'static
 }
 
 /// What a value of setting `id` stands for among the words of a choice.
-fn choice<T: Worded>(id: &str, value: &Value) -> Result<T, SceneError> {
+fn choice<T: NamedEnum>(id: &str, value: &Value) -> Result<T, SceneError> {
     value.as_str().and_then(T::of_word).ok_or_else(|| SceneError {
         path: id.to_owned(),
         message: format!("found {value}, expected {}", T::list(" or ")),

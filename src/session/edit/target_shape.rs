@@ -1,24 +1,24 @@
 //! What the vertices of a place are to the mesh: loops, chains, patches, panels.
 
-use crate::constraint::{Element, PlaceShape, Selector};
+use crate::constraint::{Element, Selector, TargetShape};
 use crate::mesh::{Mesh, Ragged, Topology};
 
 /// What the rows of vertices that a selector gave are to the mesh. None where nothing is usual.
-pub(crate) fn place_shape(
+pub(crate) fn target_shape(
     on: &Selector,
     rows: &Ragged,
     mesh: &Mesh,
     topology: &Topology,
-) -> Option<PlaceShape> {
+) -> Option<TargetShape> {
     match on {
         Selector::Each { element: Element::Face, .. } => {
             let triangles = rows.iter().filter(|row| row.len() == 3).count();
             let mostly = 2 * triangles > rows.len();
-            Some(if mostly { PlaceShape::Triangles } else { PlaceShape::Panels })
+            Some(if mostly { TargetShape::Triangles } else { TargetShape::Panels })
         }
-        Selector::Each { element: Element::Edge, .. } => Some(PlaceShape::Edges),
-        Selector::Each { element: Element::Boundary, .. } => Some(PlaceShape::Loop),
-        Selector::Each { element: Element::Curve, .. } => Some(PlaceShape::Chain),
+        Selector::Each { element: Element::Edge, .. } => Some(TargetShape::Edges),
+        Selector::Each { element: Element::Boundary, .. } => Some(TargetShape::Loop),
+        Selector::Each { element: Element::Curve, .. } => Some(TargetShape::Chain),
         Selector::Each { .. } => None,
         Selector::Set(_) | Selector::Vertices(_) => {
             rows.iter().next().and_then(|vertices| together(vertices, mesh, topology))
@@ -27,22 +27,22 @@ pub(crate) fn place_shape(
 }
 
 /// What distinct vertices are that one constraint acts on together.
-fn together(vertices: &[u32], mesh: &Mesh, topology: &Topology) -> Option<PlaceShape> {
+fn together(vertices: &[u32], mesh: &Mesh, topology: &Topology) -> Option<TargetShape> {
     let mut inside = vec![false; mesh.positions.len()];
     vertices.iter().for_each(|&v| inside[v as usize] = true);
     let all_inside = |row: &[u32]| row.iter().all(|&v| inside[v as usize]);
     let is_boundary_loop =
         topology.boundary_loops().iter().any(|row| row.len() == vertices.len() && all_inside(row));
     if is_boundary_loop {
-        return Some(PlaceShape::Loop);
+        return Some(TargetShape::Loop);
     }
     let mut faces = mesh.faces.iter().filter(|face| all_inside(face));
     if let Some(first) = faces.next() {
         return match faces.next() {
-            None if first.len() == 3 => Some(PlaceShape::Triangles),
-            None => Some(PlaceShape::Panels),
+            None if first.len() == 3 => Some(TargetShape::Triangles),
+            None => Some(TargetShape::Panels),
             Some(_) if mesh.faces.iter().all(all_inside) => None,
-            Some(_) => Some(PlaceShape::Patch),
+            Some(_) => Some(TargetShape::Patch),
         };
     }
     let joined = |v: u32| {
@@ -53,10 +53,10 @@ fn together(vertices: &[u32], mesh: &Mesh, topology: &Topology) -> Option<PlaceS
         && reached(vertices[0], &inside, topology) == vertices.len();
     match (vertices.len(), ends) {
         (0 | 1, _) => None,
-        (2, 2) => Some(PlaceShape::Edges),
-        (_, 0) if is_path => Some(PlaceShape::Loop),
-        (_, 2) if is_path => Some(PlaceShape::Chain),
-        _ => Some(PlaceShape::Points),
+        (2, 2) => Some(TargetShape::Edges),
+        (_, 0) if is_path => Some(TargetShape::Loop),
+        (_, 2) if is_path => Some(TargetShape::Chain),
+        _ => Some(TargetShape::Points),
     }
 }
 

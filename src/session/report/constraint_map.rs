@@ -1,13 +1,13 @@
 //! Which row of constraints each face and each vertex belongs to, to be shown in its colour.
 
-use crate::math::ascending;
+use crate::math::argsort;
 use crate::mesh::{Mesh, Topology};
 use crate::session::state::Session;
 
 /// The row that acts on each face and each vertex. Where several do, it is the one with the fewest
 /// vertices, which says the most about each; of those with as many the last.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct ActingRows {
+pub struct ConstraintMap {
     /// Per face the row, one of whose constraints has all its corners.
     pub faces: Vec<Option<u32>>,
     /// Per vertex the row, one of whose constraints has it and covers no whole face: a beam, a rim.
@@ -16,17 +16,17 @@ pub struct ActingRows {
 
 impl Session {
     /// What the enabled rows act on.
-    pub fn acting_rows(&self) -> ActingRows {
+    pub fn acting_rows(&self) -> ConstraintMap {
         let mesh = &self.mesh;
-        let mut cover = Cover::new(mesh, &self.topology);
+        let mut cover = ConstraintCoverage::new(mesh, &self.topology);
         let rows: Vec<_> = (0..).zip(&self.rows).filter(|(_, row)| row.enabled).collect();
-        let most_vertices_first = ascending(rows.iter().map(|(_, row)| {
+        let most_vertices_first = argsort(rows.iter().map(|(_, row)| {
             let mut vertices = row.constraints.members.indices().to_vec();
             vertices.sort_unstable();
             vertices.dedup();
             u64::MAX - vertices.len() as u64
         }));
-        let mut acting = ActingRows {
+        let mut acting = ConstraintMap {
             faces: vec![None; mesh.faces.len()],
             vertices: vec![None; mesh.positions.len()],
         };
@@ -48,7 +48,7 @@ impl Session {
 }
 
 /// Finds the faces that sets of vertices cover.
-pub(crate) struct Cover<'a> {
+pub(crate) struct ConstraintCoverage<'a> {
     mesh: &'a Mesh,
     topology: &'a Topology,
     /// Per vertex the last set that had it.
@@ -57,10 +57,10 @@ pub(crate) struct Cover<'a> {
     faces: Vec<u32>,
 }
 
-impl<'a> Cover<'a> {
+impl<'a> ConstraintCoverage<'a> {
     pub(crate) fn new(mesh: &'a Mesh, topology: &'a Topology) -> Self {
         let set_of = vec![0; mesh.positions.len()];
-        Cover { mesh, topology, set_of, sets: 0, faces: Vec::new() }
+        ConstraintCoverage { mesh, topology, set_of, sets: 0, faces: Vec::new() }
     }
 
     /// The faces all of whose corners are in `set`.

@@ -209,7 +209,7 @@ impl Session {
     pub fn corner_values(&self, id: &str) -> Option<Vec<f64>> {
         match id {
             "surface" => Some(self.surface_distances(Shape::Now).to_vec()),
-            "displacement" => Some(self.ways_moved()),
+            "displacement" => Some(self.displacements()),
             _ => None,
         }
     }
@@ -304,7 +304,7 @@ fn surface_distances(session: &mut Session, shape: Shape) -> Vec<f64> {
 fn displacements(session: &mut Session, shape: Shape) -> Vec<f64> {
     match shape {
         Shape::Now => {
-            let ways = session.ways_moved();
+            let ways = session.displacements();
             session.worst_corner(|v| ways[v])
         }
         Shape::Original => vec![0.0; session.mesh.faces.len()],

@@ -1,7 +1,7 @@
 //! What hosts show of a row of constraints: its members, and the measure that it is about; and how
 //! many vertices are held otherwise than the rest.
 
-use super::constraint_map::Cover;
+use super::constraint_map::ConstraintCoverage;
 use crate::constraint::{Element, Selector};
 use crate::session::state::Session;
 
@@ -28,7 +28,7 @@ impl Session {
     /// The faces and the vertices that row `index` acts on, ascending; a face counts when one of the
     /// row's constraints has all its corners.
     pub fn members(&self, index: usize) -> [Vec<u32>; 2] {
-        let mut cover = Cover::new(&self.mesh, &self.topology);
+        let mut cover = ConstraintCoverage::new(&self.mesh, &self.topology);
         let [mut faces, mut vertices] = [Vec::new(), Vec::new()];
         if let Some(row) = self.rows.get(index) {
             let members = &row.constraints.members;

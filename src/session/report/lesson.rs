@@ -143,7 +143,7 @@ impl Session {
             title,
             scene: self.document.fingerprint(&self.mesh),
             time: time.to_owned(),
-            iterations: self.past.iteration,
+            iterations: self.run_state.iteration,
             passed: goals.iter().all(|goal| goal.met),
             goals,
             constraints,

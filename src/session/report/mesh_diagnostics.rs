@@ -1,7 +1,7 @@
 //! Elements of the mesh that have something wrong, so that a host can show which they are.
 
 use crate::math::Vec3;
-use crate::mesh::{Flawed, ProblemKind, flawed};
+use crate::mesh::{ElementsWithProblem, ProblemKind, elements_with_problem};
 use crate::session::state::Session;
 
 /// What can be asked for besides the problems of a file: faces without an area, as the shape is now.
@@ -25,12 +25,15 @@ pub fn flaw_of(kind: ProblemKind) -> Option<&'static str> {
 
 impl Session {
     /// The elements with the flaw `name`, of [`flaw_of`] or [`ZERO_SIZE_FACES`]; none for any other name.
-    pub fn flawed(&self, name: &str) -> Option<Flawed> {
+    pub fn elements_with_problem(&self, name: &str) -> Option<ElementsWithProblem> {
         if name == ZERO_SIZE_FACES {
-            return Some(Flawed { faces: self.zero_size_faces(), ..Flawed::default() });
+            return Some(ElementsWithProblem {
+                faces: self.zero_size_faces(),
+                ..ElementsWithProblem::default()
+            });
         }
         let (_, kind) = PROBLEMS.iter().find(|(other, _)| *other == name)?;
-        Some(flawed(&self.mesh, *kind))
+        Some(elements_with_problem(&self.mesh, *kind))
     }
 
     /// The places in the list of edges of the topology of the edges between these ends.
@@ -94,7 +97,7 @@ mod tests {
     #[test]
     fn faces_without_an_area_are_found_at_every_scale() {
         for scale in [1e-3, 1.0, 1e3] {
-            let found = session(scale).flawed(ZERO_SIZE_FACES).expect("it is known");
+            let found = session(scale).elements_with_problem(ZERO_SIZE_FACES).expect("it is known");
             assert_eq!(found.faces, [1, 2]);
         }
     }
@@ -103,9 +106,9 @@ mod tests {
     fn problems_of_the_mesh_name_their_elements() {
         let session = session(1.0);
         let name = flaw_of(ProblemKind::UnusedVertex).expect("it is in the mesh");
-        assert_eq!(session.flawed(name).expect("it is known").vertices, [7]);
+        assert_eq!(session.elements_with_problem(name).expect("it is known").vertices, [7]);
         assert_eq!(flaw_of(ProblemKind::UnknownStatement), None);
-        assert_eq!(session.flawed("beauty"), None);
+        assert_eq!(session.elements_with_problem("beauty"), None);
         let edges = session.topology().edges();
         let found = session.edges_between(&[[0, 1], [2, 3]]);
         assert_eq!(found.len(), 2);

@@ -32,7 +32,7 @@ mod tables;
 mod verdict;
 mod worst;
 
-pub use constraint_map::ActingRows;
+pub use constraint_map::ConstraintMap;
 pub use face_measure::{FACE_MEASURES, FaceMeasure, MeasureUnit, Shape};
 pub(crate) use lesson::check_lesson;
 pub use lesson::{GoalWords, check_results, goals_in_words};

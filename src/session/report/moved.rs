@@ -17,7 +17,7 @@ pub struct Moved {
 impl Session {
     /// How far the vertices are from their rest positions.
     pub fn moved(&self) -> Moved {
-        let ways = self.ways_moved();
+        let ways = self.displacements();
         let max = ways.iter().copied().fold(0.0, f64::max);
         Moved { max, mean: ways.iter().sum::<f64>() / ways.len().max(1) as f64 }
     }
@@ -39,7 +39,7 @@ impl Session {
     }
 
     /// Per vertex, its distance to its rest position: `#V`.
-    pub(crate) fn ways_moved(&self) -> Vec<f64> {
+    pub(crate) fn displacements(&self) -> Vec<f64> {
         let pairs = self.solver.positions().zip(&self.mesh.positions);
         pairs.map(|(now, &rest)| (Vec3::from(now) - Vec3::from(rest)).length()).collect()
     }

@@ -2,7 +2,7 @@
 
 use super::moved::Moved;
 use crate::mesh::{Circularity, Planarity};
-use crate::scene::{Accelerator, Worded};
+use crate::scene::{Accelerator, NamedEnum};
 use crate::session::state::{Session, TraceEntry};
 use crate::solve::{Energy, IterateSeconds};
 use serde::Serialize;
@@ -98,24 +98,24 @@ impl Session {
             skipped,
             unknowns: self.solver.system().unknowns(),
             factor_nonzeros: self.solver.system().factor_nonzeros(),
-            iterations: self.past.iteration,
+            iterations: self.run_state.iteration,
             stopped_by: if self.converged() { "tolerance" } else { "iterations" },
             accelerator: accelerator.word(),
             pinned: self.solver.pinned().to_vec(),
-            energy: EnergyReport { initial: self.past.initial, last: self.solver.energy() },
+            energy: EnergyReport { initial: self.run_state.initial, last: self.solver.energy() },
             planarity: measures.planarity,
             circularity: measures.circularity,
             moved: self.moved(),
             shortest_edge: self.shortest_edge(),
             seconds: Seconds {
-                load: self.past.load_seconds,
+                load: self.run_state.load_seconds,
                 assemble: set_up.assemble,
                 order: set_up.order,
                 factor: set_up.factor,
                 iterate: self.solver.iterate_seconds().total(),
                 parts: self.solver.iterate_seconds(),
             },
-            trace: self.past.trace.as_ref().map(|_| self.trace().to_vec()),
+            trace: self.run_state.trace.as_ref().map(|_| self.trace().to_vec()),
         }
     }
 }

@@ -1,8 +1,8 @@
 //! The worst elements: a list that says in words and numbers what the colours show.
 
-use super::constraint_map::Cover;
+use super::constraint_map::ConstraintCoverage;
 use crate::constraint::{Element, Selector};
-use crate::math::{ascending, key_of_number};
+use crate::math::{argsort, key_of_number};
 use crate::mesh::Group;
 use crate::session::state::Session;
 use serde::Serialize;
@@ -32,7 +32,7 @@ impl Session {
     pub fn worst_faces(&mut self, id: &str, count: usize) -> Option<Vec<WorstElement>> {
         let values = self.face_values(id)?;
         let value = |face: u32| values[face as usize];
-        let descending = ascending(values.iter().map(|&value| !key_of_number(value)));
+        let descending = argsort(values.iter().map(|&value| !key_of_number(value)));
         let with_value = descending.into_iter().filter(|&face| !value(face).is_nan());
         let faces: Vec<u32> = with_value.take(count).collect();
         let pulling = self.pulling_rows(&faces);
@@ -70,7 +70,7 @@ impl Session {
             let place = worst.partition_point(|(other, _)| *other >= distance);
             worst.insert(place, (distance, points.iter().map(|(vertex, _)| *vertex).collect()));
         });
-        let mut cover = Cover::new(&self.mesh, &self.topology);
+        let mut cover = ConstraintCoverage::new(&self.mesh, &self.topology);
         let spec = &self.document.constraints[index];
         let element = |(value, vertices): (f64, Vec<u32>)| {
             let mut faces = cover.faces(&vertices).to_vec();

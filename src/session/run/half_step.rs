@@ -9,11 +9,11 @@ use serde::Serialize;
 /// What half of an iteration did.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "half", rename_all = "camelCase")]
-pub enum Half {
+pub enum HalfStep {
     /// The local step: shapes are fitted, nothing has moved.
     Local {
         /// How many constraints of which kind, each kind once.
-        fitted: Vec<Fits>,
+        fitted: Vec<FittedCount>,
     },
     /// The global step: the vertices have moved.
     Global {
@@ -27,7 +27,7 @@ pub enum Half {
 
 /// Constraints of one kind.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Fits {
+pub struct FittedCount {
     /// The kind's name for people.
     pub label: &'static str,
     /// How many constraints.
@@ -43,18 +43,18 @@ impl Session {
     ///
     /// # Errors
     /// As [`Session::step`].
-    pub fn half_step(&mut self) -> Result<Half, Error> {
+    pub fn half_step(&mut self) -> Result<HalfStep, Error> {
         if !self.halfway {
             self.end_run();
             self.end_drag(true);
             self.halfway = true;
-            return Ok(Half::Local { fitted: self.fits() });
+            return Ok(HalfStep::Local { fitted: self.fits() });
         }
         self.begin_run();
         let step = self.step();
         self.end_run();
         let Step { converged, .. } = step?;
-        Ok(Half::Global { converged, accelerated: self.solver.accelerated() })
+        Ok(HalfStep::Global { converged, accelerated: self.solver.accelerated() })
     }
 
     /// Whether the local step is done and the global step is not. Whatever else changes the shape or
@@ -63,13 +63,13 @@ impl Session {
         self.halfway
     }
 
-    fn fits(&self) -> Vec<Fits> {
-        let mut fits: Vec<Fits> = Vec::new();
+    fn fits(&self) -> Vec<FittedCount> {
+        let mut fits: Vec<FittedCount> = Vec::new();
         for row in self.rows.iter().filter(|row| row.enabled) {
             let (label, count) = (row.constraints.kind.info().label, row.constraints.members.len());
             match fits.iter_mut().find(|fits| fits.label == label) {
                 Some(fits) => fits.count += count,
-                None => fits.push(Fits { label, count }),
+                None => fits.push(FittedCount { label, count }),
             }
         }
         fits

@@ -11,7 +11,7 @@ const BOUNDS: [f64; 2] = [1e4, 5e5];
 
 /// The most faces of a mesh whose iterations take no longer than a thirtieth of a second, on a machine
 /// that needs `seconds` for an iteration on `faces` faces; with one digit, or two where the first is 1.
-pub fn most_faces(faces: usize, seconds: f64) -> u32 {
+pub fn max_interactive_faces(faces: usize, seconds: f64) -> u32 {
     let most = AT_ONCE / GROWTH * faces as f64 / seconds;
     let [least, greatest] = BOUNDS;
     // Not a number, where the clock stands still, counts as fast.
@@ -29,24 +29,24 @@ mod tests {
 
     #[test]
     fn a_machine_that_is_twice_as_fast_takes_about_twice_as_many() {
-        let slow = most_faces(400, 2e-4);
-        let fast = most_faces(400, 1e-4);
+        let slow = max_interactive_faces(400, 2e-4);
+        let fast = max_interactive_faces(400, 1e-4);
         assert!((slow..=4 * slow).contains(&fast), "{slow} {fast}");
         assert!(fast > slow);
     }
 
     #[test]
     fn it_stays_within_what_is_sane() {
-        assert_eq!(most_faces(400, 1e3), 10_000);
+        assert_eq!(max_interactive_faces(400, 1e3), 10_000);
         for none in [0.0, f64::NAN, 1e-300] {
-            assert_eq!(most_faces(400, none), 500_000);
+            assert_eq!(max_interactive_faces(400, none), 500_000);
         }
     }
 
     #[test]
     fn it_is_a_round_number() {
         for (seconds, round) in [(3e-4, 20_000), (1e-4, 60_000), (4e-5, 160_000)] {
-            assert_eq!(most_faces(400, seconds), round);
+            assert_eq!(max_interactive_faces(400, seconds), round);
         }
     }
 }

@@ -4,7 +4,7 @@
 use crate::error::Error;
 use crate::scene::{Scene, Weights};
 use crate::session::edit::Edit;
-use crate::session::state::{Gesture, GestureKind, PanelGoal, Session};
+use crate::session::state::{PanelGoal, Session, Transaction, TransactionKind};
 
 /// The weight of the constraints is raised at most so often, and each time by at most and at least this:
 /// distances fall like one over the weight.
@@ -25,9 +25,10 @@ impl Session {
     pub fn make_panels(&mut self, kind: &str, tolerance: f64) -> Result<(), Error> {
         let made = self.edit(Edit::MakePanels { kind: kind.to_owned() })?;
         self.begin_run();
-        if let Some(gesture) = &mut self.past.gesture {
-            gesture.joins_last = made;
-            gesture.goal = Some(PanelGoal { tolerance, rounds: MOST_ROUNDS, worst: f64::INFINITY });
+        if let Some(transaction) = &mut self.run_state.transaction {
+            transaction.joins_last = made;
+            transaction.goal =
+                Some(PanelGoal { tolerance, rounds: MOST_ROUNDS, worst: f64::INFINITY });
         }
         Ok(())
     }
@@ -35,7 +36,9 @@ impl Session {
     /// Where a run has converged with panels beyond its tolerance: weighs the constraints more, and
     /// returns whether it did.
     pub(crate) fn tighten(&mut self) -> bool {
-        let Some(Gesture { kind: GestureKind::Run, goal, .. }) = &mut self.past.gesture else {
+        let Some(Transaction { kind: TransactionKind::Run, goal, .. }) =
+            &mut self.run_state.transaction
+        else {
             return false;
         };
         let Some(PanelGoal { tolerance, rounds, worst }) = goal.take() else { return false };
@@ -53,8 +56,9 @@ impl Session {
         if self.go_to(state).is_err() {
             return false;
         }
-        if let Some(gesture) = &mut self.past.gesture {
-            gesture.goal = Some(PanelGoal { tolerance, rounds: rounds - 1, worst: verdict.worst });
+        if let Some(transaction) = &mut self.run_state.transaction {
+            transaction.goal =
+                Some(PanelGoal { tolerance, rounds: rounds - 1, worst: verdict.worst });
         }
         true
     }

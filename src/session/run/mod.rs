@@ -14,6 +14,6 @@ mod interactive_size;
 mod make_panels;
 mod step;
 
-pub use half_step::{Fits, Half};
-pub use interactive_size::most_faces;
+pub use half_step::{FittedCount, HalfStep};
+pub use interactive_size::max_interactive_faces;
 pub use step::Step;

@@ -22,9 +22,9 @@ impl Session {
         self.halfway = false;
         self.take_start();
         self.solver.step()?;
-        self.past.iteration += 1;
+        self.run_state.iteration += 1;
         let entry = self.trace_entry();
-        if let Some(trace) = &mut self.past.trace {
+        if let Some(trace) = &mut self.run_state.trace {
             trace.push(entry);
         }
         let collapsed = self.watch();
@@ -42,7 +42,7 @@ impl Session {
     /// As [`Session::step`].
     pub fn solve(&mut self, trace: bool) -> Result<(), Error> {
         if trace {
-            self.past.trace = Some(Trace::whole(self.trace_entry()));
+            self.run_state.trace = Some(Trace::whole(self.trace_entry()));
         }
         for _ in 0..self.document.solver.iterations {
             if self.step()?.ended {
@@ -56,34 +56,34 @@ impl Session {
     /// Records the energies of the iterations from here on, this one included. Of some thousands
     /// there are all; of more, as many at equal distances.
     pub fn start_trace(&mut self) {
-        self.past.trace = Some(Trace::bounded(self.trace_entry()));
+        self.run_state.trace = Some(Trace::bounded(self.trace_entry()));
     }
 
     /// The recorded energies that led to the current shape, ascending; none where nothing is recorded.
     pub fn trace(&self) -> &[TraceEntry] {
-        self.past.trace.as_ref().map_or(&[], Trace::entries)
+        self.run_state.trace.as_ref().map_or(&[], Trace::entries)
     }
 
     fn trace_entry(&self) -> TraceEntry {
-        TraceEntry::new(self.past.iteration, self.solver.energy())
+        TraceEntry::new(self.run_state.iteration, self.solver.energy())
     }
 
     /// Counts on from `iteration` after a jump to a state from before or after, to which iterations led
     /// from `start`.
     pub(in crate::session) fn arrive(&mut self, iteration: u32, start: Option<Rc<Start>>) {
         self.start_from(start);
-        self.past.iteration = iteration;
+        self.run_state.iteration = iteration;
         self.halfway = false;
         let entry = self.trace_entry();
-        if let Some(trace) = &mut self.past.trace {
+        if let Some(trace) = &mut self.run_state.trace {
             trace.go_to(entry);
         }
     }
 
     /// Counts on from `iteration`, for a scene that is opened again where it stood.
     pub fn restore_iteration(&mut self, iteration: u32) {
-        self.past.iteration = iteration;
-        if self.past.trace.is_some() {
+        self.run_state.iteration = iteration;
+        if self.run_state.trace.is_some() {
             self.start_trace();
         }
     }

@@ -1,6 +1,6 @@
 //! Selections and requests for them.
 
-use crate::scene::{SceneError, Worded};
+use crate::scene::{NamedEnum, SceneError};
 use serde::Serialize;
 use serde_json::{Map, Value};
 
@@ -16,7 +16,7 @@ pub enum Mode {
     Faces,
 }
 
-impl Worded for Mode {
+impl NamedEnum for Mode {
     const WORDS: &'static [(&'static str, Mode)] =
         &[("vertices", Mode::Vertices), ("edges", Mode::Edges), ("faces", Mode::Faces)];
 }

@@ -1,4 +1,4 @@
-//! Undo and redo of everything, one step per gesture.
+//! Undo and redo of everything, one step per transaction.
 
 use super::collapse::Start;
 use crate::mesh::Point;

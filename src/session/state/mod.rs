@@ -9,13 +9,12 @@
 //! | `same_problem` | whether two documents need different solvers |
 //! | `run_state` | all that outlasts the solver: iterations, trace, history, guard |
 //! | `history` | snapshots, steps of undo and redo |
-//! | `gesture` | a drag or a run that is under way |
+//! | `transaction` | a drag or a run that is under way |
 //! | `trace` | the energies of the iterations |
 //! | `collapse` | whether a shape has collapsed since a start |
 //! | `measured` | measures of one shape, kept while it stays |
 
 mod collapse;
-mod gesture;
 mod handles;
 mod history;
 mod measured;
@@ -25,10 +24,10 @@ mod same_problem;
 mod session;
 mod setup;
 mod trace;
+mod transaction;
 
 pub use collapse::{Collapse, CollapseReason};
 pub(crate) use collapse::{Start, areas, diagonal};
-pub(crate) use gesture::{Gesture, GestureKind, PanelGoal};
 pub(crate) use handles::{flat, grouped};
 pub(crate) use history::{History, Snapshot};
 pub(crate) use measured::Measured;
@@ -40,3 +39,4 @@ pub use session::Session;
 pub(crate) use setup::solver;
 pub(crate) use trace::Trace;
 pub use trace::TraceEntry;
+pub(crate) use transaction::{PanelGoal, Transaction, TransactionKind};

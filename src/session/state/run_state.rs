@@ -2,9 +2,9 @@
 //! anew.
 
 use super::collapse::Guard;
-use super::gesture::Gesture;
 use super::history::History;
 use super::trace::Trace;
+use super::transaction::Transaction;
 use crate::scene::Scene;
 use crate::solve::Energy;
 
@@ -21,7 +21,7 @@ pub(crate) struct RunState {
     /// What can be undone and redone.
     pub(crate) history: History,
     /// What has begun and is not yet a step of undo.
-    pub(crate) gesture: Option<Gesture>,
+    pub(crate) transaction: Option<Transaction>,
     /// What watches over the shape.
     pub(crate) guard: Guard,
 }
@@ -35,7 +35,7 @@ impl RunState {
             trace: None,
             load_seconds: 0.0,
             history: History::default(),
-            gesture: None,
+            transaction: None,
             guard: Guard::new(opened),
         }
     }

@@ -18,7 +18,7 @@ pub struct Session {
     pub(in crate::session) document: Scene,
     pub(in crate::session) rows: Vec<ResolvedRow>,
     pub(in crate::session) solver: Solver,
-    pub(in crate::session) past: RunState,
+    pub(in crate::session) run_state: RunState,
     pub(in crate::session) measured: RefCell<Measured>,
     /// See [`Session::halfway`].
     pub(in crate::session) halfway: bool,
@@ -55,11 +55,11 @@ impl Session {
     }
     /// Iterations from where the scene starts to the current shape; undo takes them back.
     pub fn iteration(&self) -> u32 {
-        self.past.iteration
+        self.run_state.iteration
     }
 
     /// Seconds that reading the files took, for the report.
     pub fn set_load_seconds(&mut self, seconds: f64) {
-        self.past.load_seconds = seconds;
+        self.run_state.load_seconds = seconds;
     }
 }

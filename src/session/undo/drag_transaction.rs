@@ -4,7 +4,7 @@ use crate::error::Error;
 use crate::mesh::{FARTHEST, Point, counted, too_far};
 use crate::scene::SceneError;
 use crate::session::edit::Edit;
-use crate::session::state::{Gesture, GestureKind, Session};
+use crate::session::state::{Session, Transaction, TransactionKind};
 
 /// Checks that the targets of these vertices are such as a scene file may have.
 ///
@@ -31,7 +31,7 @@ pub fn check_targets(vertices: &[u32], targets: &[Point]) -> Result<(), SceneErr
 impl Session {
     /// Begins to drag vertices that are handles; targets move until [`Session::end_drag`].
     pub fn begin_drag(&mut self) {
-        self.begin(GestureKind::Drag);
+        self.begin(TransactionKind::Drag);
     }
 
     /// Makes vertices handles where they are and begins to drag them: one step of undo together, and
@@ -40,21 +40,24 @@ impl Session {
     /// # Errors
     /// When a vertex is not there; nothing has changed then.
     pub fn begin_drag_of_new(&mut self, vertices: Vec<u32>) -> Result<(), Error> {
-        self.begin(GestureKind::Drag);
+        self.begin(TransactionKind::Drag);
         let mut with_handles = self.snapshot();
         let made = self
             .apply(Edit::AddHandles { vertices, fixed: false }, &mut with_handles)
             .map_err(Error::from)
             .and_then(|_| self.go_to(with_handles));
         if made.is_err() {
-            self.past.gesture = None;
+            self.run_state.transaction = None;
         }
         made
     }
 
     /// Whether a drag has begun and not ended; an edit ends it.
     pub fn is_dragging(&self) -> bool {
-        self.past.gesture.as_ref().is_some_and(|gesture| gesture.kind == GestureKind::Drag)
+        self.run_state
+            .transaction
+            .as_ref()
+            .is_some_and(|transaction| transaction.kind == TransactionKind::Drag)
     }
 
     /// Moves the targets of handles.
@@ -73,15 +76,17 @@ impl Session {
 
     /// Ends a drag: keeps it as one step of undo, or puts everything back.
     pub fn end_drag(&mut self, keep: bool) {
-        let Some(gesture) = self.past.gesture.take_if(|g| g.kind == GestureKind::Drag) else {
+        let Some(transaction) =
+            self.run_state.transaction.take_if(|g| g.kind == TransactionKind::Drag)
+        else {
             return;
         };
-        let before = &gesture.before.handles;
+        let before = &transaction.before.handles;
         let now = self.solver.handles();
         if !keep {
-            self.go_to(gesture.before).expect("the state was solvable before");
+            self.go_to(transaction.before).expect("the state was solvable before");
         } else if before.len() != now.len() {
-            self.past.history.push("Make and move handle".to_owned(), gesture.before);
+            self.run_state.history.push("Make and move handle".to_owned(), transaction.before);
         } else {
             let moved = before.iter().zip(now).filter(|(before, now)| before != now).count();
             let name = match moved {
@@ -89,46 +94,49 @@ impl Session {
                 1 => "Move handle".to_owned(),
                 _ => format!("Move {moved} handles"),
             };
-            self.past.history.push(name, gesture.before);
+            self.run_state.history.push(name, transaction.before);
         }
     }
 
     /// Begins a run: iterations up to [`Session::end_run`] are one step of undo.
     pub fn begin_run(&mut self) {
-        self.past.guard.goes_on = false;
-        if self.past.gesture.is_none() {
-            self.begin(GestureKind::Run);
+        self.run_state.guard.goes_on = false;
+        if self.run_state.transaction.is_none() {
+            self.begin(TransactionKind::Run);
         }
     }
 
     /// Lets the run that has begun go on when the shape collapses.
     pub fn go_on(&mut self) {
-        self.past.guard.goes_on = true;
+        self.run_state.guard.goes_on = true;
     }
 
     /// Ends a run, at the lowest total that it saw.
     pub fn end_run(&mut self) {
-        let Some(gesture) = self.past.gesture.take_if(|g| g.kind == GestureKind::Run) else {
+        let Some(transaction) =
+            self.run_state.transaction.take_if(|g| g.kind == TransactionKind::Run)
+        else {
             return;
         };
         self.solver.settle();
         self.look();
-        let iterations = self.past.iteration - gesture.before.iteration;
+        let iterations = self.run_state.iteration - transaction.before.iteration;
         // One that collapsed can be taken back alone.
-        let joins = gesture.joins_last && self.collapse().is_none();
+        let joins = transaction.joins_last && self.collapse().is_none();
         if iterations > 0 && !joins {
             let iterations = counted(iterations as usize, "iteration", "iterations");
-            self.past.history.push(format!("Run, {iterations}"), gesture.before);
+            self.run_state.history.push(format!("Run, {iterations}"), transaction.before);
         }
     }
 
-    fn begin(&mut self, kind: GestureKind) {
+    fn begin(&mut self, kind: TransactionKind) {
         self.end_run();
         self.end_drag(true);
         let before = self.snapshot();
-        self.past.gesture = Some(Gesture { kind, before, joins_last: false, goal: None });
+        self.run_state.transaction =
+            Some(Transaction { kind, before, joins_last: false, goal: None });
         if self.is_dragging() && self.collapse().is_none() {
-            self.past.guard.start = None;
+            self.run_state.guard.start = None;
         }
         self.halfway = false;
     }

@@ -23,12 +23,12 @@ impl Session {
     /// The steps of undo and redo, for [`Session::restore`]; at most 20 MB of them. They belong to the
     /// scene as it stands, or as it stood before the run or the drag that goes on.
     pub fn saved_history(&self) -> Vec<u8> {
-        let now = match &self.past.gesture {
-            Some(gesture) => gesture.before.clone(),
+        let now = match &self.run_state.transaction {
+            Some(transaction) => transaction.before.clone(),
             None => self.snapshot(),
         };
         let mut out = MAGIC.to_vec();
-        for steps in self.past.history.steps() {
+        for steps in self.run_state.history.steps() {
             let mut near = &now;
             let mut written = Vec::new();
             let mut count = 0;
@@ -69,9 +69,9 @@ impl Session {
             result = read.map(|history| {
                 // What was asked when the scene was first opened: edits since then arm the guard.
                 if let [[(_, first), ..], _] = history.steps() {
-                    self.past.guard.opened = first.document.clone();
+                    self.run_state.guard.opened = first.document.clone();
                 }
-                self.past.history = history;
+                self.run_state.history = history;
                 self.start_from(None);
             });
         }

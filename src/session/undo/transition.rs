@@ -24,7 +24,7 @@ impl Session {
             return Ok(false);
         }
         self.go_to(after)?;
-        self.past.history.push(name, before);
+        self.run_state.history.push(name, before);
         Ok(true)
     }
 
@@ -36,7 +36,7 @@ impl Session {
         self.end_run();
         self.end_drag(true);
         let now = self.snapshot();
-        self.past.history.undo(now).map(|(name, to)| self.go_to(to).map(|()| name)).transpose()
+        self.run_state.history.undo(now).map(|(name, to)| self.go_to(to).map(|()| name)).transpose()
     }
 
     /// Repeats the step that was last undone; gives its name, or none when there is none.
@@ -47,12 +47,12 @@ impl Session {
         self.end_run();
         self.end_drag(true);
         let now = self.snapshot();
-        self.past.history.redo(now).map(|(name, to)| self.go_to(to).map(|()| name)).transpose()
+        self.run_state.history.redo(now).map(|(name, to)| self.go_to(to).map(|()| name)).transpose()
     }
 
     /// The names of the steps that undo and redo would take.
     pub fn undo_and_redo(&self) -> [Option<&str>; 2] {
-        [self.past.history.undo_name(), self.past.history.redo_name()]
+        [self.run_state.history.undo_name(), self.run_state.history.redo_name()]
     }
 
     pub(crate) fn snapshot(&self) -> Snapshot {
@@ -60,8 +60,8 @@ impl Session {
             document: self.document.clone(),
             handles: self.solver.handles().to_vec(),
             positions: self.positions(),
-            iteration: self.past.iteration,
-            start: self.past.guard.start.clone(),
+            iteration: self.run_state.iteration,
+            start: self.run_state.guard.start.clone(),
         }
     }
 

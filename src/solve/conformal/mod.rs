@@ -23,7 +23,8 @@ use super::clock;
 use super::error::SolveError;
 use super::system::System;
 use crate::mesh::{
-    BoundingSphere, MapErrors, Mesh, ProblemKind, Topology, components, flawed, quasi_conformal,
+    BoundingSphere, MapErrors, Mesh, ProblemKind, Topology, components, elements_with_problem,
+    quasi_conformal,
 };
 use face::Face;
 use serde::Serialize;
@@ -162,7 +163,7 @@ fn faces_that_count(mesh: &Mesh) -> Vec<Option<Face>> {
     let diameter = BoundingSphere::of(&mesh.positions).diameter();
     let faces = mesh.faces.iter().map(|face| Face::new(face, &mesh.positions, diameter));
     let mut faces: Vec<Option<Face>> = faces.collect();
-    for repeated in flawed(mesh, ProblemKind::DuplicateFace).faces {
+    for repeated in elements_with_problem(mesh, ProblemKind::DuplicateFace).faces {
         faces[repeated as usize] = None;
     }
     faces

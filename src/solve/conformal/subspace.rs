@@ -8,7 +8,7 @@
 //! only the counted ones are iterated.
 
 use crate::constraint::Row;
-use crate::math::{ascending, key_of_number, symmetric_eigen};
+use crate::math::{argsort, key_of_number, symmetric_eigen};
 use crate::solve::system::System;
 
 /// Iterations at most. Maps whose fifth eigenvalue is well apart need five to fifteen.
@@ -84,7 +84,7 @@ fn principal(matrix: Hermitian) -> Mix {
     let symmetric =
         std::array::from_fn(|i| std::array::from_fn(|j| 0.5 * (matrix[i][j] + matrix[j][i])));
     let (values, vectors) = symmetric_eigen(symmetric);
-    let descending = ascending(values.iter().map(|&value| !key_of_number(value)));
+    let descending = argsort(values.iter().map(|&value| !key_of_number(value)));
     // Of the two real vectors of an eigenvalue one is a multiple of the other by a complex number.
     let mut mix = [[0.0; REAL]; VECTORS];
     let mut taken = 0;

@@ -2,8 +2,8 @@
 //! to where it was.
 
 use crate::constraint::Row;
-use crate::math::{ascending, cosine};
-use crate::mesh::{BoundaryCurves, Footing, Point, Surface, Topology};
+use crate::math::{argsort, cosine};
+use crate::mesh::{BoundaryCurves, ClosestPointCache, Point, Surface, Topology};
 use crate::solve::settings::{BoundaryCloseness, ClosenessTo};
 use std::rc::Rc;
 
@@ -22,12 +22,12 @@ struct SurfaceTargets {
     /// on the surface, so that its tree stays in the cache.
     vertices: Vec<SurfaceTarget>,
     /// The foot points of the last search, from which the next one starts: one for each vertex.
-    footings: Vec<Footing>,
+    footings: Vec<ClosestPointCache>,
 }
 
 impl SurfaceTargets {
     fn new(on: Rc<Surface>, vertices: Vec<SurfaceTarget>) -> SurfaceTargets {
-        let footings = vec![Footing::unknown(); vertices.len()];
+        let footings = vec![ClosestPointCache::unknown(); vertices.len()];
         SurfaceTargets { on, vertices, footings }
     }
 }
@@ -108,7 +108,7 @@ impl CloseEnergy {
             ClosenessTo::Rest => energy.points.extend(others.map(at_point)),
             ClosenessTo::Surface => {
                 let vertices: Vec<SurfaceTarget> = others.map(on_surface).collect();
-                let order = ascending(vertices.iter().map(|target| u64::from(target.node)));
+                let order = argsort(vertices.iter().map(|target| u64::from(target.node)));
                 let vertices = order.into_iter().map(|i| vertices[i as usize]).collect();
                 energy.surfaces.push(SurfaceTargets::new(surface(), vertices));
             }

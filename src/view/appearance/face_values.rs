@@ -38,7 +38,7 @@ impl FaceColour {
 
 /// Values and marks of the faces and vertices.
 #[derive(Clone, Debug, Default)]
-pub struct Looks {
+pub struct Appearance {
     /// Per face, or nothing for the plain material.
     values: Option<(Vec<f32>, ColourScale)>,
     /// #V, what the values of the faces are the greatest of; nothing where they are not of vertices.
@@ -57,7 +57,7 @@ pub struct Looks {
     pub rows: RowColours,
 }
 
-impl Looks {
+impl Appearance {
     /// Colours faces by `values` (#F) on a scale; `None` is the plain material.
     ///
     /// # Errors
@@ -135,7 +135,7 @@ impl Looks {
         Some(self.bands.as_ref()?.range_in_steps())
     }
 
-    /// The value of a vertex in the steps of [`Looks::corner_steps`]; zero where there are none.
+    /// The value of a vertex in the steps of [`Appearance::corner_steps`]; zero where there are none.
     pub fn corner_in_steps(&self, vertex: usize) -> f32 {
         match (&self.bands, &self.corners) {
             (Some(bands), Some(corners)) => bands.in_steps(corners[vertex]),
@@ -143,7 +143,7 @@ impl Looks {
         }
     }
 
-    /// The tolerance in the steps of [`Looks::corner_steps`]; zero where there is none.
+    /// The tolerance in the steps of [`Appearance::corner_steps`]; zero where there is none.
     pub fn tolerance_in_steps(&self) -> f32 {
         let scale = self.values.as_ref().map(|(_, scale)| scale);
         let tolerance = scale.and_then(|scale| scale.tolerance);
@@ -204,7 +204,7 @@ impl Looks {
     }
 
     /// Marks the same vertices and faces as `other`.
-    pub fn mark_as(&mut self, other: &Looks) {
+    pub fn mark_as(&mut self, other: &Appearance) {
         self.selected_vertices.clone_from(&other.selected_vertices);
         self.selected_faces.clone_from(&other.selected_faces);
         self.tinted_vertices.clone_from(&other.tinted_vertices);
@@ -262,69 +262,69 @@ mod tests {
 
     #[test]
     fn within_the_tolerance_faces_keep_the_material() {
-        let mut looks = Looks::default();
+        let mut appearance = Appearance::default();
         let scale = ColourScale { low: 0.2, tolerance: Some(0.2), ..UNIT };
-        looks.set_values(Some(vec![0.1, 0.2, 0.21, 1.0, f32::NAN]), scale, 5).unwrap();
-        let colours = [0, 1, 2, 3, 4].map(|face| looks.colour_of(face));
+        appearance.set_values(Some(vec![0.1, 0.2, 0.21, 1.0, f32::NAN]), scale, 5).unwrap();
+        let colours = [0, 1, 2, 3, 4].map(|face| appearance.colour_of(face));
         assert_eq!(colours[..2], [FaceColour::Plain, FaceColour::Plain]);
         assert_eq!(colours[3..], [FaceColour::Beyond(255), FaceColour::NoValue]);
         assert!(matches!(colours[2], FaceColour::Beyond(_)));
-        assert!(looks.has_values() && !looks.has_full_map());
-        assert_eq!(looks.bytes(5)[12..14], [255, 191]);
+        assert!(appearance.has_values() && !appearance.has_full_map());
+        assert_eq!(appearance.bytes(5)[12..14], [255, 191]);
         // A line parts what is within from the first band beyond.
-        looks.set_in_bands(true);
-        assert_eq!(looks.band_of(0), looks.band_of(1));
-        assert_ne!(looks.band_of(1), looks.band_of(2));
-        assert_eq!(looks.colour_of(1), FaceColour::Plain);
-        looks.set_corners(Some(vec![0.2]), 1).unwrap();
-        assert_eq!(looks.tolerance_in_steps(), looks.corner_in_steps(0));
+        appearance.set_in_bands(true);
+        assert_eq!(appearance.band_of(0), appearance.band_of(1));
+        assert_ne!(appearance.band_of(1), appearance.band_of(2));
+        assert_eq!(appearance.colour_of(1), FaceColour::Plain);
+        appearance.set_corners(Some(vec![0.2]), 1).unwrap();
+        assert_eq!(appearance.tolerance_in_steps(), appearance.corner_in_steps(0));
     }
 
     #[test]
     fn values_and_marks_end_in_their_bytes() {
-        let mut looks = Looks::default();
-        looks.set_values(Some(vec![0.0, f32::NAN, 1.0]), UNIT, 3).unwrap();
-        looks.select(vec![], vec![2], (0, 3)).unwrap();
-        looks.tint(vec![], vec![0], (0, 3)).unwrap();
-        assert_eq!(looks.bytes(3), [0, 127, 0, 255, 0, 255, 0, 0, 255, 127, 255, 0]);
-        looks.set_values(None, UNIT, 3).unwrap();
-        assert_eq!(looks.bytes(3)[..4], [0, 0, 0, 255]);
+        let mut appearance = Appearance::default();
+        appearance.set_values(Some(vec![0.0, f32::NAN, 1.0]), UNIT, 3).unwrap();
+        appearance.select(vec![], vec![2], (0, 3)).unwrap();
+        appearance.tint(vec![], vec![0], (0, 3)).unwrap();
+        assert_eq!(appearance.bytes(3), [0, 127, 0, 255, 0, 255, 0, 0, 255, 127, 255, 0]);
+        appearance.set_values(None, UNIT, 3).unwrap();
+        assert_eq!(appearance.bytes(3)[..4], [0, 0, 0, 255]);
     }
 
     #[test]
     fn in_bands_values_of_one_band_look_alike() {
-        let mut looks = Looks::default();
+        let mut appearance = Appearance::default();
         let to_ten = ColourScale::linear(0.0, 10.0);
-        looks.set_values(Some(vec![0.1, 1.9, 2.1, f32::NAN]), to_ten, 4).unwrap();
-        assert_ne!(looks.colour_of(0), looks.colour_of(1));
-        looks.set_in_bands(true);
-        assert_eq!(looks.colour_of(0), looks.colour_of(1));
-        assert_ne!(looks.colour_of(1), looks.colour_of(2));
-        assert_eq!(looks.colour_of(3), FaceColour::NoValue);
-        assert_eq!([0, 2, 3].map(|face| looks.band_of(face)), [Some(0), Some(1), None]);
-        assert_eq!(looks.corner_steps(), None);
-        assert!(looks.set_corners(Some(vec![0.0; 2]), 3).is_err());
-        looks.set_corners(Some(vec![0.0, 2.0, f32::NAN]), 3).unwrap();
-        let [begins, ends] = looks.corner_steps().unwrap();
-        assert_eq!((ends - begins, looks.corner_in_steps(1)), (5.0, begins + 1.0));
-        assert_eq!(looks.corner_in_steps(2), begins);
-        assert_eq!(looks.band_of(0), None);
+        appearance.set_values(Some(vec![0.1, 1.9, 2.1, f32::NAN]), to_ten, 4).unwrap();
+        assert_ne!(appearance.colour_of(0), appearance.colour_of(1));
+        appearance.set_in_bands(true);
+        assert_eq!(appearance.colour_of(0), appearance.colour_of(1));
+        assert_ne!(appearance.colour_of(1), appearance.colour_of(2));
+        assert_eq!(appearance.colour_of(3), FaceColour::NoValue);
+        assert_eq!([0, 2, 3].map(|face| appearance.band_of(face)), [Some(0), Some(1), None]);
+        assert_eq!(appearance.corner_steps(), None);
+        assert!(appearance.set_corners(Some(vec![0.0; 2]), 3).is_err());
+        appearance.set_corners(Some(vec![0.0, 2.0, f32::NAN]), 3).unwrap();
+        let [begins, ends] = appearance.corner_steps().unwrap();
+        assert_eq!((ends - begins, appearance.corner_in_steps(1)), (5.0, begins + 1.0));
+        assert_eq!(appearance.corner_in_steps(2), begins);
+        assert_eq!(appearance.band_of(0), None);
     }
 
     #[test]
     fn colours_of_rows_are_seen_where_there_are_no_values() {
         let rows = RowColours::new(vec![0, 2], vec![], &[0.5; 6], (3, 2)).unwrap();
-        let mut looks = Looks { rows, ..Looks::default() };
-        assert_eq!(looks.bytes(2), [0, 0, 0, 0, 2, 64, 0, 0]);
-        looks.set_values(Some(vec![0.0, 1.0]), UNIT, 2).unwrap();
-        assert_eq!(looks.bytes(2), [0, 127, 0, 0, 255, 127, 0, 0]);
+        let mut appearance = Appearance { rows, ..Appearance::default() };
+        assert_eq!(appearance.bytes(2), [0, 0, 0, 0, 2, 64, 0, 0]);
+        appearance.set_values(Some(vec![0.0, 1.0]), UNIT, 2).unwrap();
+        assert_eq!(appearance.bytes(2), [0, 127, 0, 0, 255, 127, 0, 0]);
     }
 
     #[test]
     fn marks_on_things_that_do_not_exist_are_refused() {
-        let mut looks = Looks::default();
-        assert!(looks.set_values(Some(vec![1.0]), UNIT, 2).is_err());
-        assert!(looks.select(vec![4], vec![], (4, 2)).is_err());
-        assert!(looks.tint(vec![], vec![2], (4, 2)).is_err());
+        let mut appearance = Appearance::default();
+        assert!(appearance.set_values(Some(vec![1.0]), UNIT, 2).is_err());
+        assert!(appearance.select(vec![4], vec![], (4, 2)).is_err());
+        assert!(appearance.tint(vec![], vec![2], (4, 2)).is_err());
     }
 }

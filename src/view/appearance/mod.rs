@@ -21,7 +21,7 @@ pub mod row_colours;
 pub use bands::{Bands, Seam, seams};
 pub use colour_map::{ColourMap, TEXELS};
 pub use colour_scale::ColourScale;
-pub use face_values::{FaceColour, Looks};
+pub use face_values::{Appearance, FaceColour};
 pub use palette::{
     Colour, DARK, DOT_KINDS, Dot, DotKind, LIGHT, LINE_KINDS, LineKind, Palette, Stroke,
 };

@@ -90,7 +90,7 @@ pub fn depth_range(camera: &Camera, points: impl Iterator<Item = Vec3>) -> (f32,
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::view::camera::{Projection, Up};
+    use crate::view::camera::{CameraProjection, UpAxis};
 
     fn corners() -> Vec<Vec3> {
         (0..8)
@@ -102,14 +102,14 @@ mod tests {
 
     #[test]
     fn a_framed_box_touches_the_margin_and_nothing_leaves_the_canvas() {
-        let parallel = Projection::Parallel { reach: 30.0 };
+        let parallel = CameraProjection::Parallel { reach: 30.0 };
         for (canvas, projection) in [
-            (Vec2::new(1440.0, 900.0), Projection::Perspective),
-            (Vec2::new(390.0, 844.0), Projection::Perspective),
+            (Vec2::new(1440.0, 900.0), CameraProjection::Perspective),
+            (Vec2::new(390.0, 844.0), CameraProjection::Perspective),
             (Vec2::new(390.0, 844.0), parallel),
             (Vec2::new(1440.0, 900.0), parallel),
         ] {
-            for (side, up) in [("home", Up::Z), ("top", Up::Z), ("left", Up::Y)] {
+            for (side, up) in [("home", UpAxis::Z), ("top", UpAxis::Z), ("left", UpAxis::Y)] {
                 let mut camera = Camera { canvas, up, projection, ..Camera::default() };
                 camera.look_from(side).unwrap();
                 frame(&mut camera, corners().into_iter(), 0.0);
@@ -129,7 +129,9 @@ mod tests {
     #[test]
     fn nothing_of_a_framed_box_is_where_the_canvas_is_covered() {
         let canvas = Vec2::new(390.0, 600.0);
-        for projection in [Projection::Perspective, Projection::Parallel { reach: 30.0 }] {
+        for projection in
+            [CameraProjection::Perspective, CameraProjection::Parallel { reach: 30.0 }]
+        {
             for side in ["home", "front"] {
                 let mut camera = Camera { canvas, projection, covered: 120.0, ..Camera::default() };
                 camera.look_from(side).unwrap();

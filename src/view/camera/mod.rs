@@ -12,4 +12,4 @@ pub mod orbit_camera;
 
 pub use flight::Flight;
 pub use framing::{depth_range, frame};
-pub use orbit_camera::{Camera, Eye, Projection, Up};
+pub use orbit_camera::{Camera, CameraProjection, Eye, UpAxis};

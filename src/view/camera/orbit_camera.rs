@@ -19,7 +19,7 @@ const ISOMETRIC: f32 = FRAC_1_SQRT_2;
 
 /// Which axis of the file points to the sky.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Up {
+pub enum UpAxis {
     /// Architecture, Rhino, Blender.
     #[default]
     Z,
@@ -27,19 +27,19 @@ pub enum Up {
     Y,
 }
 
-impl Up {
+impl UpAxis {
     /// Right, away, and up, as seen from the front.
     pub fn axes(self) -> [Vec3; 3] {
         match self {
-            Up::Z => [Vec3::X, Vec3::Y, Vec3::Z],
-            Up::Y => [Vec3::X, Vec3::NEG_Z, Vec3::Y],
+            UpAxis::Z => [Vec3::X, Vec3::Y, Vec3::Z],
+            UpAxis::Y => [Vec3::X, Vec3::NEG_Z, Vec3::Y],
         }
     }
 }
 
 /// How depth acts on size.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum Projection {
+pub enum CameraProjection {
     /// What is farther away is smaller.
     #[default]
     Perspective,
@@ -65,9 +65,9 @@ pub struct Camera {
     /// Angle above the horizon, radians, from -pi/2 to pi/2.
     pub tilt: f32,
     /// Vertical axis.
-    pub up: Up,
+    pub up: UpAxis,
     /// Perspective or parallel.
-    pub projection: Projection,
+    pub projection: CameraProjection,
     /// Size of the canvas, CSS pixels.
     pub canvas: Vec2,
     /// At the lower edge of the canvas, what framing leaves free for what lies over it, CSS pixels.
@@ -81,7 +81,7 @@ pub struct Eye {
     pub at: Vec3,
     /// To the right on the screen.
     pub right: Vec3,
-    /// Up on the screen.
+    /// UpAxis on the screen.
     pub up: Vec3,
     /// Into the screen.
     pub forward: Vec3,
@@ -100,8 +100,8 @@ impl Default for Camera {
             distance: 4.0,
             turn: HOME.0,
             tilt: HOME.1,
-            up: Up::Z,
-            projection: Projection::Perspective,
+            up: UpAxis::Z,
+            projection: CameraProjection::Perspective,
             canvas: Vec2::new(300.0, 150.0),
             covered: 0.0,
         }
@@ -117,8 +117,10 @@ impl Camera {
         let right = x * cos_turn + y * sin_turn;
         let forward = (y * cos_turn - x * sin_turn) * cos_tilt - z * sin_tilt;
         let (back, parallel) = match self.projection {
-            Projection::Perspective => (self.distance, None),
-            Projection::Parallel { reach } => (self.pivot.length() + reach, Some(self.distance)),
+            CameraProjection::Perspective => (self.distance, None),
+            CameraProjection::Parallel { reach } => {
+                (self.pivot.length() + reach, Some(self.distance))
+            }
         };
         Eye {
             at: self.pivot - forward * back,
@@ -170,7 +172,7 @@ impl Camera {
         self.pivot + eye.across(screen - eye.middle, self.distance)
     }
 
-    /// Looks from a named side: `top`, `bottom`, `front`, `back`, `left`, `right`, `isometric`, or
+    /// Appearance from a named side: `top`, `bottom`, `front`, `back`, `left`, `right`, `isometric`, or
     /// `home`, the three-quarter view. Place and distance stay.
     ///
     /// # Errors
@@ -197,7 +199,7 @@ impl Camera {
         Ok(())
     }
 
-    /// Looks against a direction, which is not zero. Place and distance stay.
+    /// Appearance against a direction, which is not zero. Place and distance stay.
     pub fn look_against(&mut self, direction: Vec3) {
         let direction = direction.normalize();
         let [right, back, up] = self.up.axes().map(|axis| axis.dot(direction));
@@ -293,7 +295,7 @@ mod tests {
 
     /// In perspective, and parallel.
     fn cameras() -> [Camera; 2] {
-        let parallel = Camera { projection: Projection::Parallel { reach: 4.0 }, ..camera() };
+        let parallel = Camera { projection: CameraProjection::Parallel { reach: 4.0 }, ..camera() };
         [camera(), parallel]
     }
 
@@ -319,7 +321,7 @@ mod tests {
 
     #[test]
     fn the_sky_is_up_and_sides_are_where_they_should_be() {
-        for (up, sky, side) in [(Up::Z, Vec3::Z, Vec3::NEG_Y), (Up::Y, Vec3::Y, Vec3::Z)] {
+        for (up, sky, side) in [(UpAxis::Z, Vec3::Z, Vec3::NEG_Y), (UpAxis::Y, Vec3::Y, Vec3::Z)] {
             let mut camera = Camera { up, ..camera() };
             for (name, towards) in [
                 ("front", side),

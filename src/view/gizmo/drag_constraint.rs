@@ -4,7 +4,7 @@
 //! to that line. Both go on from the point under the pointer when the drag began, with the eye as it
 //! was then, so that nothing jumps and nothing drifts.
 
-use crate::view::camera::{Camera, Eye, Up};
+use crate::view::camera::{Camera, Eye, UpAxis};
 use crate::view::model::ViewError;
 use glam::{Vec2, Vec3};
 
@@ -15,7 +15,7 @@ const FARTHEST: f32 = 20.0;
 
 /// What a drag keeps to. Axes and planes are those of the file's coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Way {
+pub enum DragDirection {
     /// The plane that faces the eye.
     Screen,
     /// Along an axis: 0, 1, 2.
@@ -28,24 +28,26 @@ pub enum Way {
 const PLANES: [&str; 3] = ["yz", "zx", "xy"];
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-impl Way {
+impl DragDirection {
     /// From `screen`, `x`, `y`, `z`, `xy`, `yz`, `zx`, or from what the vertical axis gives:
     /// `horizontal`, `vertical`.
     ///
     /// # Errors
     /// Any other name.
-    pub fn named(name: &str, up: Up) -> Result<Way, ViewError> {
+    pub fn named(name: &str, up: UpAxis) -> Result<DragDirection, ViewError> {
         let vertical = match up {
-            Up::Z => 2,
-            Up::Y => 1,
+            UpAxis::Z => 2,
+            UpAxis::Y => 1,
         };
         let place = |names: [&str; 3]| names.iter().position(|known| *known == name);
         match name {
-            "screen" => Ok(Way::Screen),
-            "horizontal" => Ok(Way::Plane(vertical)),
-            "vertical" => Ok(Way::Axis(vertical)),
+            "screen" => Ok(DragDirection::Screen),
+            "horizontal" => Ok(DragDirection::Plane(vertical)),
+            "vertical" => Ok(DragDirection::Axis(vertical)),
             _ => {
-                let way = place(AXES).map(Way::Axis).or(place(PLANES).map(Way::Plane));
+                let way = place(AXES)
+                    .map(DragDirection::Axis)
+                    .or(place(PLANES).map(DragDirection::Plane));
                 way.ok_or_else(|| ViewError::Word {
                     what: "way",
                     got: name.to_owned(),
@@ -55,19 +57,19 @@ impl Way {
         }
     }
 
-    /// Its name, which [`Way::named`] reads.
+    /// Its name, which [`DragDirection::named`] reads.
     pub fn name(self) -> &'static str {
         match self {
-            Way::Screen => "screen",
-            Way::Axis(axis) => AXES[axis],
-            Way::Plane(axis) => PLANES[axis],
+            DragDirection::Screen => "screen",
+            DragDirection::Axis(axis) => AXES[axis],
+            DragDirection::Plane(axis) => PLANES[axis],
         }
     }
 }
 
 /// A hold of a point.
 #[derive(Clone, Copy, Debug)]
-pub struct Grip {
+pub struct DragConstraint {
     eye: Eye,
     /// What is held, relative to the view's centre.
     held: Vec3,
@@ -75,25 +77,25 @@ pub struct Grip {
     from: Vec2,
 }
 
-impl Grip {
+impl DragConstraint {
     /// Takes hold of a point, with the pointer somewhere near it on the screen.
-    pub fn new(camera: &Camera, held: Vec3, from: Vec2) -> Grip {
-        Grip { eye: camera.eye(), held, from }
+    pub fn new(camera: &Camera, held: Vec3, from: Vec2) -> DragConstraint {
+        DragConstraint { eye: camera.eye(), held, from }
     }
 
     /// How far what is held goes when the pointer has gone `by` CSS pixels; `None` where its line of
     /// sight does not say, or says something out of all proportion. Parts of the displacement that the
     /// way forbids are exactly nothing.
-    pub fn way(&self, way: Way, by: Vec2) -> Option<Vec3> {
+    pub fn way(&self, way: DragDirection, by: Vec2) -> Option<Vec3> {
         let to = self.from + by;
         let way = match way {
-            Way::Screen => Some(self.on_screen(to)),
-            Way::Axis(axis) => {
+            DragDirection::Screen => Some(self.on_screen(to)),
+            DragDirection::Axis(axis) => {
                 let start = self.along(axis, self.from)?;
                 let end = self.along(axis, to)?;
                 Some(axis_of(axis) * (end - start))
             }
-            Way::Plane(axis) => self.in_plane(axis, to),
+            DragDirection::Plane(axis) => self.in_plane(axis, to),
         }?;
         let depth = |point: Vec3| self.eye.project(point).1;
         let limit = FARTHEST * depth(self.held);
@@ -156,7 +158,7 @@ pub fn axis_of(axis: usize) -> Vec3 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::view::camera::Projection;
+    use crate::view::camera::CameraProjection;
 
     const HELD: Vec3 = Vec3::new(0.3, -0.2, 0.4);
 
@@ -171,17 +173,18 @@ mod tests {
             .into_iter()
             .flat_map(|turn| [-1.2, -0.5, 0.35, 0.8].map(|tilt| camera(turn, tilt)));
         cameras.flat_map(|camera| {
-            let parallel = Projection::Parallel { reach: 10.0 };
+            let parallel = CameraProjection::Parallel { reach: 10.0 };
             [camera, Camera { projection: parallel, ..camera }]
         })
     }
 
     /// Takes hold beside the point, and goes where the point would be after `by`.
-    fn drag(camera: &Camera, way: Way, by: Vec3) -> Option<Vec3> {
+    fn drag(camera: &Camera, way: DragDirection, by: Vec3) -> Option<Vec3> {
         let eye = camera.eye();
         let beside = Vec2::new(9.0, -6.0);
         let on_screen = |point| eye.project(point).0 + beside;
-        Grip::new(camera, HELD, on_screen(HELD)).way(way, on_screen(HELD + by) - on_screen(HELD))
+        DragConstraint::new(camera, HELD, on_screen(HELD))
+            .way(way, on_screen(HELD + by) - on_screen(HELD))
     }
 
     #[test]
@@ -189,7 +192,7 @@ mod tests {
         for camera in views() {
             for axis in 0..3 {
                 let by = axis_of(axis) * 0.7;
-                let Some(way) = drag(&camera, Way::Axis(axis), by) else {
+                let Some(way) = drag(&camera, DragDirection::Axis(axis), by) else {
                     panic!("{camera:?} sees the axis {axis}");
                 };
                 assert!((way - by).length() < 0.05, "{camera:?} {axis} {way}");
@@ -206,7 +209,7 @@ mod tests {
                 by[axis] = 0.0;
                 let eye = camera.eye();
                 let seen = (HELD - eye.at).normalize()[axis].abs();
-                let Some(way) = drag(&camera, Way::Plane(axis), by) else {
+                let Some(way) = drag(&camera, DragDirection::Plane(axis), by) else {
                     panic!("{camera:?} sees the plane across {axis}");
                 };
                 assert_eq!(way[axis], 0.0);
@@ -221,11 +224,11 @@ mod tests {
     fn taken_exactly_at_the_point_it_follows_exactly() {
         for camera in views() {
             let eye = camera.eye();
-            let grip = Grip::new(&camera, HELD, eye.project(HELD).0);
+            let grip = DragConstraint::new(&camera, HELD, eye.project(HELD).0);
             for (way, by) in [
-                (Way::Axis(2), Vec3::new(0.0, 0.0, 0.5)),
-                (Way::Plane(2), Vec3::new(0.4, -0.3, 0.0)),
-                (Way::Screen, eye.right * 0.3 - eye.up * 0.2),
+                (DragDirection::Axis(2), Vec3::new(0.0, 0.0, 0.5)),
+                (DragDirection::Plane(2), Vec3::new(0.4, -0.3, 0.0)),
+                (DragDirection::Screen, eye.right * 0.3 - eye.up * 0.2),
             ] {
                 let went = grip.way(way, eye.project(HELD + by).0 - eye.project(HELD).0).unwrap();
                 assert!((went - by).length() < 2e-5, "{way:?} {went} {by}");
@@ -237,13 +240,13 @@ mod tests {
     fn an_axis_that_points_at_the_eye_says_nothing() {
         let above = camera(0.0, std::f32::consts::FRAC_PI_2);
         let at = above.eye().project(HELD).0;
-        let grip = Grip::new(&above, HELD, at);
-        assert_eq!(grip.way(Way::Axis(2), Vec2::splat(40.0)), None);
+        let grip = DragConstraint::new(&above, HELD, at);
+        assert_eq!(grip.way(DragDirection::Axis(2), Vec2::splat(40.0)), None);
         // A plane that is seen from its side still moves to the right.
         let front = camera(0.0, 0.0);
         let at = front.eye().project(Vec3::ZERO).0;
-        let grip = Grip::new(&front, Vec3::ZERO, at);
-        let way = grip.way(Way::Plane(2), Vec2::new(50.0, -30.0)).unwrap();
+        let grip = DragConstraint::new(&front, Vec3::ZERO, at);
+        let way = grip.way(DragDirection::Plane(2), Vec2::new(50.0, -30.0)).unwrap();
         assert!(way.x > 0.0 && way.y.abs() < 1e-6 && way.z == 0.0, "{way}");
     }
 
@@ -251,18 +254,29 @@ mod tests {
     fn beyond_the_horizon_there_is_nothing() {
         let low = camera(0.3, 0.3);
         let at = low.eye().project(HELD).0;
-        let grip = Grip::new(&low, HELD, at);
-        assert!(grip.way(Way::Plane(2), Vec2::new(0.0, -30.0)).is_some());
-        assert_eq!(grip.way(Way::Plane(2), Vec2::new(0.0, -2000.0)), None);
+        let grip = DragConstraint::new(&low, HELD, at);
+        assert!(grip.way(DragDirection::Plane(2), Vec2::new(0.0, -30.0)).is_some());
+        assert_eq!(grip.way(DragDirection::Plane(2), Vec2::new(0.0, -2000.0)), None);
     }
 
     #[test]
     fn names_are_read_as_they_are_written() {
-        for way in [Way::Screen, Way::Axis(0), Way::Axis(1), Way::Plane(0), Way::Plane(2)] {
-            assert_eq!(Way::named(way.name(), Up::Z).unwrap(), way);
+        for way in [
+            DragDirection::Screen,
+            DragDirection::Axis(0),
+            DragDirection::Axis(1),
+            DragDirection::Plane(0),
+            DragDirection::Plane(2),
+        ] {
+            assert_eq!(DragDirection::named(way.name(), UpAxis::Z).unwrap(), way);
         }
-        assert_eq!(Way::named("horizontal", Up::Y).unwrap(), Way::Plane(1));
-        assert_eq!(Way::named("vertical", Up::Z).unwrap(), Way::Axis(2));
-        assert!(Way::named("sideways", Up::Z).unwrap_err().to_string().contains("sideways"));
+        assert_eq!(DragDirection::named("horizontal", UpAxis::Y).unwrap(), DragDirection::Plane(1));
+        assert_eq!(DragDirection::named("vertical", UpAxis::Z).unwrap(), DragDirection::Axis(2));
+        assert!(
+            DragDirection::named("sideways", UpAxis::Z)
+                .unwrap_err()
+                .to_string()
+                .contains("sideways")
+        );
     }
 }

@@ -10,6 +10,6 @@ pub mod drag_constraint;
 pub mod outline;
 pub mod parts;
 
-pub use drag_constraint::{Grip, Way};
+pub use drag_constraint::{DragConstraint, DragDirection};
 pub use outline::triangles;
-pub use parts::{Gizmo, Wanted};
+pub use parts::{Gizmo, GizmoState};

@@ -3,8 +3,8 @@
 //! Each part has a casing below it, so that it is seen on any mesh. The part under the pointer is
 //! heavier; while it is held, the others step back.
 
-use super::drag_constraint::Way;
-use super::parts::{Gizmo, Part, Wanted};
+use super::drag_constraint::DragDirection;
+use super::parts::{Gizmo, GizmoState, Part};
 use crate::view::appearance::{Colour, Palette};
 use glam::Vec2;
 
@@ -35,9 +35,9 @@ const LETTERS: [&[[f32; 4]]; 3] = [
 pub type Corner = [f32; 6];
 
 /// All triangles, the lowest first.
-pub fn triangles(gizmo: &Gizmo, wanted: &Wanted, palette: &Palette) -> Vec<Corner> {
+pub fn triangles(gizmo: &Gizmo, wanted: &GizmoState, palette: &Palette) -> Vec<Corner> {
     let mut parts: Vec<&Part> = gizmo.parts.iter().filter(|part| part.strength > 0.0).collect();
-    let is_arrow = |part: &Part| matches!(part.way, Way::Axis(_));
+    let is_arrow = |part: &Part| matches!(part.way, DragDirection::Axis(_));
     parts.sort_by(|a, b| is_arrow(a).cmp(&is_arrow(b)).then(b.depth.total_cmp(&a.depth)));
     let mut drawing = Drawing::default();
     for part in parts {
@@ -46,14 +46,14 @@ pub fn triangles(gizmo: &Gizmo, wanted: &Wanted, palette: &Palette) -> Vec<Corne
         drawing.opacity = part.strength * back;
         let width = if lit { LIT } else { 1.0 };
         match part.way {
-            Way::Axis(axis) => {
+            DragDirection::Axis(axis) => {
                 drawing.arrow(part, axis, width, [palette.axis_casing, palette.axes[axis]]);
             }
-            Way::Plane(axis) => {
+            DragDirection::Plane(axis) => {
                 let fill = FILL[usize::from(lit)];
                 drawing.square(part, fill, width, [palette.axis_casing, palette.axes[axis]]);
             }
-            Way::Screen => {}
+            DragDirection::Screen => {}
         }
     }
     drawing.corners
@@ -130,7 +130,7 @@ mod tests {
         let canvas = Vec2::new(1000.0, 800.0);
         let gizmo = Gizmo::new(&Camera { canvas, ..Camera::default() }, Vec3::ZERO, false).unwrap();
         for palette in [&LIGHT, &DARK] {
-            let shown = triangles(&gizmo, &Wanted::default(), palette);
+            let shown = triangles(&gizmo, &GizmoState::default(), palette);
             assert_eq!(shown.len() % 3, 0);
             for colour in palette.axes {
                 let [r, g, b, _] = colour;
@@ -140,13 +140,17 @@ mod tests {
             let near =
                 |corner: &Corner| Vec2::new(corner[0], corner[1]).distance(gizmo.middle) < limit;
             assert!(shown.iter().all(near));
-            let held = Wanted { lit: Some(Way::Axis(2)), held: true, ..Wanted::default() };
+            let held = GizmoState {
+                lit: Some(DragDirection::Axis(2)),
+                held: true,
+                ..GizmoState::default()
+            };
             let opaque = |wanted| {
                 let corners = triangles(&gizmo, wanted, palette);
                 corners.iter().filter(|corner| corner[5] == 1.0).count()
             };
             assert!(opaque(&held) > 0);
-            assert!(opaque(&held) < opaque(&Wanted::default()));
+            assert!(opaque(&held) < opaque(&GizmoState::default()));
         }
     }
 }

@@ -4,7 +4,7 @@
 //! An arrow that points at the eye, and a square seen from its side, fade out and cannot be taken: a
 //! pixel would mean any distance there.
 
-use super::drag_constraint::{Grip, Way, axis_of};
+use super::drag_constraint::{DragConstraint, DragDirection, axis_of};
 use crate::view::camera::{Camera, Eye};
 use glam::{Vec2, Vec3};
 
@@ -34,24 +34,24 @@ const COARSE: Sizes = Sizes { gap: 26.0, length: 120.0, square: [44.0, 84.0], re
 
 /// What the page says of the gizmo.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Wanted {
+pub struct GizmoState {
     /// Whether it is shown where a handle is selected.
     pub shown: bool,
     /// Whether fingers are to take it.
     pub touch: bool,
     /// The part under the pointer, or held by it.
-    pub lit: Option<Way>,
+    pub lit: Option<DragDirection>,
     /// Whether the pointer holds the part, or another handle: what else there is steps back.
     pub held: bool,
     /// The hold that the pointer has of handles.
-    pub grip: Option<Grip>,
+    pub grip: Option<DragConstraint>,
 }
 
 /// An arrow or a square on the screen.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Part {
     /// What it drags along.
-    pub way: Way,
+    pub way: DragDirection,
     /// From 0, gone, to 1.
     pub strength: f32,
     /// Start and tip of an arrow, or the corners of a square, CSS pixels.
@@ -87,24 +87,24 @@ impl Gizmo {
             let along = axis_of(axis);
             let ends = [sizes.gap, sizes.length].map(|far| place(along * far));
             let part = along.dot(sight);
-            Part::new(&eye, Way::Axis(axis), (1.0 - part * part).max(0.0).sqrt(), &ends)
+            Part::new(&eye, DragDirection::Axis(axis), (1.0 - part * part).max(0.0).sqrt(), &ends)
         });
         let squares = (0..3).map(|axis| {
             let [a, b] = [axis_of((axis + 1) % 3), axis_of((axis + 2) % 3)];
             let [near, far] = sizes.square;
             let corners = [[near, near], [far, near], [far, far], [near, far]];
             let corners = corners.map(|[u, v]| place(a * u + b * v));
-            Part::new(&eye, Way::Plane(axis), axis_of(axis).dot(sight).abs(), &corners)
+            Part::new(&eye, DragDirection::Plane(axis), axis_of(axis).dot(sight).abs(), &corners)
         });
         Some(Gizmo { middle, sizes, parts: arrows.chain(squares).collect() })
     }
 
     /// The part under a screen position. Around the middle there is none: the handle is there.
-    pub fn pick(&self, at: Vec2) -> Option<Way> {
+    pub fn pick(&self, at: Vec2) -> Option<DragDirection> {
         if at.distance(self.middle) < self.sizes.gap {
             return None;
         }
-        let mut nearest: Option<(f32, Way)> = None;
+        let mut nearest: Option<(f32, DragDirection)> = None;
         for part in self.parts.iter().filter(|part| part.strength >= TAKEN_FROM) {
             if let Some(apart) = part.apart(at, self.sizes.reach)
                 && nearest.is_none_or(|(least, _)| apart < least)
@@ -116,7 +116,7 @@ impl Gizmo {
     }
 
     /// Where a part is best taken; `None` while it cannot be.
-    pub fn best(&self, way: Way) -> Option<Vec2> {
+    pub fn best(&self, way: DragDirection) -> Option<Vec2> {
         let part = self.parts.iter().find(|part| part.way == way)?;
         let at = match part.corners[..] {
             [start, tip] => start.lerp(tip, 0.75),
@@ -127,7 +127,7 @@ impl Gizmo {
 }
 
 impl Part {
-    fn new(eye: &Eye, way: Way, slant: f32, points: &[Vec3]) -> Part {
+    fn new(eye: &Eye, way: DragDirection, slant: f32, points: &[Vec3]) -> Part {
         let [gone, whole] = FADING;
         let (corners, depths): (Vec<_>, Vec<_>) = points.iter().map(|&p| eye.project(p)).unzip();
         Part {

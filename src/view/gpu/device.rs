@@ -37,7 +37,7 @@ impl std::error::Error for DeviceError {}
 
 /// Views of the frame that is being drawn.
 #[derive(Debug)]
-pub struct Frame {
+pub struct SurfaceFrame {
     texture: wgpu::SurfaceTexture,
     view: wgpu::TextureView,
 }
@@ -146,7 +146,7 @@ impl Device {
     ///
     /// # Errors
     /// The device is lost.
-    pub fn frame(&mut self) -> Result<Option<Frame>, DeviceError> {
+    pub fn frame(&mut self) -> Result<Option<SurfaceFrame>, DeviceError> {
         use wgpu::CurrentSurfaceTexture as Current;
         for _ in 0..2 {
             if self.loss.happened() {
@@ -155,7 +155,7 @@ impl Device {
             match self.surface.get_current_texture() {
                 Current::Success(texture) | Current::Suboptimal(texture) => {
                     let view = texture.texture.create_view(&wgpu::TextureViewDescriptor::default());
-                    return Ok(Some(Frame { texture, view }));
+                    return Ok(Some(SurfaceFrame { texture, view }));
                 }
                 Current::Timeout | Current::Occluded => return Ok(None),
                 Current::Outdated | Current::Lost => {
@@ -171,7 +171,7 @@ impl Device {
     pub fn pass<'a>(
         &self,
         encoder: &'a mut wgpu::CommandEncoder,
-        frame: &Frame,
+        frame: &SurfaceFrame,
         background: [f32; 4],
     ) -> wgpu::RenderPass<'a> {
         let [r, g, b, a] = background.map(f64::from);
@@ -183,14 +183,14 @@ impl Device {
                 resolve_target: Some(&frame.view),
                 ops: wgpu::Operations {
                     load: wgpu::LoadOp::Clear(wgpu::Color { r, g, b, a }),
-                    store: wgpu::StoreOp::Discard,
+                    tables: wgpu::StoreOp::Discard,
                 },
             })],
             depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
                 view: &self.depth,
                 depth_ops: Some(wgpu::Operations {
                     load: wgpu::LoadOp::Clear(1.0),
-                    store: wgpu::StoreOp::Discard,
+                    tables: wgpu::StoreOp::Discard,
                 }),
                 stencil_ops: None,
             }),
@@ -199,7 +199,7 @@ impl Device {
     }
 
     /// Sends the commands and shows the frame.
-    pub fn show(&self, encoder: wgpu::CommandEncoder, frame: Frame) {
+    pub fn show(&self, encoder: wgpu::CommandEncoder, frame: SurfaceFrame) {
         self.queue.submit([encoder.finish()]);
         self.queue.present(frame.texture);
     }

@@ -2,21 +2,21 @@
 //! `shaders/scene.wgsl`, all of it in groups of four.
 
 use crate::view::appearance::{DOT_KINDS, Dot, DotKind, LINE_KINDS, LineKind, Stroke};
-use crate::view::state::Stage;
+use crate::view::state::ViewState;
 use glam::{Vec3, Vec4};
 
 /// How many numbers there are.
 pub const NUMBERS: usize = 16 + 4 * (5 + 1 + 7 + 2) + 8 + 8 * LINE_KINDS + 12 * DOT_KINDS;
 
 /// The numbers for a canvas of `width` by `height` pixels.
-pub fn numbers(stage: &Stage, width: u32, height: u32) -> Vec<f32> {
-    let camera = &stage.camera;
+pub fn numbers(state: &ViewState, width: u32, height: u32) -> Vec<f32> {
+    let camera = &state.camera;
     let eye = camera.eye();
-    let palette = stage.palette();
+    let palette = state.palette();
     let ratio = width as f32 / camera.canvas.x;
-    let (near, far) = stage.depth_range();
+    let (near, far) = state.depth_range();
     let [_, _, sky] = camera.up.axes();
-    let [r, g, b] = stage.tint;
+    let [r, g, b] = state.tint;
 
     let mut numbers = Vec::with_capacity(NUMBERS);
     numbers.extend(camera.clip_from_scene(near, far).to_cols_array());
@@ -33,14 +33,14 @@ pub fn numbers(stage: &Stage, width: u32, height: u32) -> Vec<f32> {
     numbers.extend(palette.sphere);
     numbers.extend(palette.ghost);
     numbers.extend(palette.check);
-    let [begins, ends] = stage.looks.corner_steps().unwrap_or_default();
-    let tolerance = stage.looks.tolerance_in_steps();
-    numbers.extend([stage.checks.per_length, begins, ends, tolerance]);
-    extend_stroke(&mut numbers, &palette.circle, stage.circle_pieces());
+    let [begins, ends] = state.appearance.corner_steps().unwrap_or_default();
+    let tolerance = state.appearance.tolerance_in_steps();
+    numbers.extend([state.checks.per_length, begins, ends, tolerance]);
+    extend_stroke(&mut numbers, &palette.circle, state.circle_pieces());
     let mut strokes = palette.strokes;
-    if stage.checks.per_length > 0.0 {
+    if state.checks.per_length > 0.0 {
         strokes[LineKind::Edge as usize].colour = palette.edge_of_checks;
-    } else if stage.looks.has_full_map() {
+    } else if state.appearance.has_full_map() {
         strokes[LineKind::Edge as usize].colour = palette.edge_of_values;
     }
     for stroke in &strokes {
@@ -70,6 +70,6 @@ mod tests {
 
     #[test]
     fn there_are_as_many_numbers_as_the_shaders_read() {
-        assert_eq!(numbers(&Stage::default(), 800, 400).len(), NUMBERS);
+        assert_eq!(numbers(&ViewState::default(), 800, 400).len(), NUMBERS);
     }
 }

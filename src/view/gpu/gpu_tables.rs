@@ -4,7 +4,7 @@
 
 use super::globals::{NUMBERS, numbers};
 use crate::view::appearance::{ColourMap, TEXELS, row_colours};
-use crate::view::state::Stage;
+use crate::view::state::ViewState;
 use glam::{Vec3, Vec4};
 
 /// Texels in a row of a table; the shaders know it too.
@@ -110,7 +110,7 @@ fn write(
 
 /// All that the shaders read, bound as one group.
 #[derive(Debug)]
-pub struct Store {
+pub struct GpuTables {
     globals: wgpu::Buffer,
     positions: Table,
     vertex_normals: Table,
@@ -122,22 +122,22 @@ pub struct Store {
     group: wgpu::BindGroup,
 }
 
-impl Store {
+impl GpuTables {
     /// Empty tables.
-    pub fn new(device: &wgpu::Device, queue: &wgpu::Queue) -> Store {
-        Store::with_layout(device, queue, group_layout(device))
+    pub fn new(device: &wgpu::Device, queue: &wgpu::Queue) -> GpuTables {
+        GpuTables::with_layout(device, queue, group_layout(device))
     }
 
     /// Empty tables for another stage, which the same pipelines can read.
-    pub fn beside(&self, device: &wgpu::Device, queue: &wgpu::Queue) -> Store {
-        Store::with_layout(device, queue, self.layout.clone())
+    pub fn beside(&self, device: &wgpu::Device, queue: &wgpu::Queue) -> GpuTables {
+        GpuTables::with_layout(device, queue, self.layout.clone())
     }
 
     fn with_layout(
         device: &wgpu::Device,
         queue: &wgpu::Queue,
         layout: wgpu::BindGroupLayout,
-    ) -> Store {
+    ) -> GpuTables {
         let float = wgpu::TextureFormat::Rgba32Float;
         let bytes = wgpu::TextureFormat::Rgba8Unorm;
         let globals = device.create_buffer(&wgpu::BufferDescriptor {
@@ -154,7 +154,7 @@ impl Store {
         let positions = Table::new(device, "positions", float);
         let vertex_normals = Table::new(device, "vertex normals", float);
         let face_normals = Table::new(device, "face normals", float);
-        let face_looks = Table::new(device, "face looks", bytes);
+        let face_looks = Table::new(device, "face appearance", bytes);
         let places = Table::new(device, "places on the checkerboard", float);
         let textures = [
             &positions.texture,
@@ -165,7 +165,7 @@ impl Store {
             &places.texture,
         ];
         let group = bind(device, &layout, &globals, textures);
-        Store {
+        GpuTables {
             globals,
             positions,
             vertex_normals,
@@ -194,51 +194,51 @@ impl Store {
         &mut self,
         device: &wgpu::Device,
         queue: &wgpu::Queue,
-        stage: &Stage,
+        state: &ViewState,
         (width, height): (u32, u32),
     ) {
-        let changes = stage.changes;
-        let subject = &stage.subject;
+        let changes = state.changes;
+        let mesh = &state.mesh;
         let mut rebind = false;
-        let corners = changes.looks && stage.looks.corner_steps().is_some();
+        let corners = changes.appearance && state.appearance.corner_steps().is_some();
         let vertices_changed = changes.mesh || changes.positions || corners;
         if vertices_changed || changes.targets || changes.projections {
-            let vertices = subject.positions.len();
-            let count = vertices + stage.handles.len() + stage.projections.points.len();
+            let vertices = mesh.positions.len();
+            let count = vertices + state.handles.len() + state.projections.points.len();
             if vertices_changed || !self.positions.holds(count) {
-                rebind |= self.positions.write(device, queue, points(stage, 0));
+                rebind |= self.positions.write(device, queue, points(state, 0));
             } else {
                 // Only what comes after the vertices.
                 let row = vertices as u32 / WIDTH;
-                self.positions.write_rows(queue, row, points(stage, (row * WIDTH) as usize));
+                self.positions.write_rows(queue, row, points(state, (row * WIDTH) as usize));
             }
         }
         if changes.mesh || changes.positions {
-            let normals = &subject.normals;
+            let normals = &mesh.normals;
             let soft = four_each(normals.vertices.iter().map(|normal| normal.extend(0.0)));
             rebind |= self.vertex_normals.write(device, queue, soft);
             let flat = four_each(normals.faces.iter().map(|normal| normal.extend(0.0)));
             rebind |= self.face_normals.write(device, queue, flat);
         }
-        if changes.mesh || changes.looks {
-            let looks = stage.looks.bytes(subject.faces.len());
-            rebind |= self.face_looks.write(device, queue, looks);
+        if changes.mesh || changes.appearance {
+            let appearance = state.appearance.bytes(mesh.faces.len());
+            rebind |= self.face_looks.write(device, queue, appearance);
         }
         if changes.mesh || changes.marks {
-            self.write_colours(queue, 1, &stage.looks.rows.palette);
+            self.write_colours(queue, 1, &state.appearance.rows.palette);
         }
         if changes.mesh || changes.checks {
-            let places = stage.checks.places.iter();
+            let places = state.checks.places.iter();
             let texels = four_each(places.map(|place| place.extend(0.0).extend(0.0)));
             rebind |= self.places.write(device, queue, texels);
         }
         if changes.projections {
-            self.write_colours(queue, 2, &stage.projections.palette);
+            self.write_colours(queue, 2, &state.projections.palette);
         }
         if rebind {
             self.bind(device);
         }
-        let numbers = numbers(stage, width, height);
+        let numbers = numbers(state, width, height);
         queue.write_buffer(&self.globals, 0, bytemuck::cast_slice(&numbers));
     }
 
@@ -247,7 +247,7 @@ impl Store {
         &mut self,
         device: &wgpu::Device,
         queue: &wgpu::Queue,
-        stage: &Stage,
+        state: &ViewState,
         points: Option<impl Iterator<Item = Vec3>>,
         (width, height): (u32, u32),
     ) {
@@ -255,7 +255,7 @@ impl Store {
         if points.is_some_and(|points| self.positions.write(device, queue, points)) {
             self.bind(device);
         }
-        let numbers = numbers(stage, width, height);
+        let numbers = numbers(state, width, height);
         queue.write_buffer(&self.globals, 0, bytemuck::cast_slice(&numbers));
     }
 
@@ -280,12 +280,12 @@ impl Store {
 }
 
 /// The table of positions from a vertex on: vertices, targets of handles, projected points.
-fn points(stage: &Stage, first: usize) -> Vec<[f32; 4]> {
-    let vertices = stage.subject.positions.iter().enumerate().skip(first);
+fn points(state: &ViewState, first: usize) -> Vec<[f32; 4]> {
+    let vertices = state.mesh.positions.iter().enumerate().skip(first);
     // Less than nothing: the fourth number of what lies beside the surface is more.
-    let vertices = vertices.map(|(v, at)| at.extend(-stage.looks.corner_in_steps(v)));
-    let targets = stage.targets().map(|place| place.extend(0.0));
-    four_each(vertices.chain(targets).chain(stage.projected()))
+    let vertices = vertices.map(|(v, at)| at.extend(-state.appearance.corner_in_steps(v)));
+    let targets = state.targets().map(|place| place.extend(0.0));
+    four_each(vertices.chain(targets).chain(state.projected()))
 }
 
 /// Vectors as four floats each.

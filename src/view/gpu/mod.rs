@@ -33,10 +33,10 @@ pub mod viewport;
 #[cfg(target_arch = "wasm32")]
 pub use device::{Device, DeviceError};
 #[cfg(target_arch = "wasm32")]
-pub use gpu_tables::Store;
+pub use gpu_tables::GpuTables;
 pub use loss::Loss;
 #[cfg(target_arch = "wasm32")]
 pub use pipeline::{Layer, Recipe, VertexBuffer, build};
 #[cfg(target_arch = "wasm32")]
-pub use renderer::Picture;
+pub use renderer::Renderer;
 pub use shaders::{CIRCLES, FACES, GIZMO, LINES, POINTS, PROJECTIONS, SPHERES};

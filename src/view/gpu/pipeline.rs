@@ -1,6 +1,6 @@
 //! Makes the pipeline of a primitive from its shader, and grows its buffers.
 
-use super::gpu_tables::Store;
+use super::gpu_tables::GpuTables;
 
 /// Samples per pixel.
 pub const SAMPLES: u32 = 4;
@@ -48,7 +48,7 @@ pub struct Recipe<'a> {
 /// Makes a pipeline that draws triangles from both sides.
 pub fn build(
     device: &wgpu::Device,
-    store: &Store,
+    tables: &GpuTables,
     format: wgpu::TextureFormat,
     recipe: &Recipe<'_>,
 ) -> wgpu::RenderPipeline {
@@ -58,7 +58,7 @@ pub fn build(
     });
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label: Some(recipe.label),
-        bind_group_layouts: &[Some(store.layout())],
+        bind_group_layouts: &[Some(tables.layout())],
         immediate_size: 0,
     });
     let surface = recipe.layer == Layer::Surface;

@@ -2,26 +2,26 @@
 //! their order.
 
 use super::device::{Device, DeviceError};
-use super::gpu_tables::Store;
-use super::viewport::Pane;
+use super::gpu_tables::GpuTables;
+use super::viewport::Viewport;
 use crate::view::gpu::primitive::{
     Circles, Faces, GizmoMarks, Lines, Points, ProjectionLines, Spheres,
 };
 use crate::view::side_by_side::{Region, Split};
-use crate::view::state::{Changes, Stage};
+use crate::view::state::{Changes, ViewState};
 use glam::Vec2;
 
 /// All GPU objects of a view.
 #[derive(Debug)]
-pub struct Picture {
+pub struct Renderer {
     /// Device and canvas.
     pub device: Device,
     /// Of the stage itself.
-    whole: Pane,
+    whole: Viewport,
     /// Of the stage of the flat map.
-    map_store: Store,
+    map_store: GpuTables,
     /// Of the two sides of a split picture.
-    sides: Option<[Pane; 2]>,
+    sides: Option<[Viewport; 2]>,
     faces: Faces,
     lines: Lines,
     projections: ProjectionLines,
@@ -31,21 +31,21 @@ pub struct Picture {
     gizmo: GizmoMarks,
 }
 
-impl Picture {
+impl Renderer {
     /// Builds the pipelines.
-    pub fn new(device: Device) -> Picture {
+    pub fn new(device: Device) -> Renderer {
         let (gpu, format) = (&device.device, device.format());
-        let store = Store::new(gpu, &device.queue);
-        Picture {
-            faces: Faces::new(gpu, &store, format),
-            lines: Lines::new(gpu, &store, format),
-            projections: ProjectionLines::new(gpu, &store, format),
-            points: Points::new(gpu, &store, format),
-            circles: Circles::new(gpu, &store, format),
-            spheres: Spheres::new(gpu, &store, format),
-            gizmo: GizmoMarks::new(gpu, &store, format),
-            whole: Pane::new(gpu, &device.queue, &store),
-            map_store: store.beside(gpu, &device.queue),
+        let tables = GpuTables::new(gpu, &device.queue);
+        Renderer {
+            faces: Faces::new(gpu, &tables, format),
+            lines: Lines::new(gpu, &tables, format),
+            projections: ProjectionLines::new(gpu, &tables, format),
+            points: Points::new(gpu, &tables, format),
+            circles: Circles::new(gpu, &tables, format),
+            spheres: Spheres::new(gpu, &tables, format),
+            gizmo: GizmoMarks::new(gpu, &tables, format),
+            whole: Viewport::new(gpu, &device.queue, &tables),
+            map_store: tables.beside(gpu, &device.queue),
             sides: None,
             device,
         }
@@ -58,13 +58,13 @@ impl Picture {
     /// The device is lost; a new picture on a new canvas is needed.
     pub fn draw(
         &mut self,
-        stage: &mut Stage,
-        mut map: Option<&mut Stage>,
+        state: &mut ViewState,
+        mut map: Option<&mut ViewState>,
         split: Option<&mut Split>,
         ratio: f32,
     ) -> Result<bool, DeviceError> {
         let split = split.filter(|_| map.is_none());
-        let is_new = stage.changes.any()
+        let is_new = state.changes.any()
             || map.as_ref().is_some_and(|map| map.changes.any())
             || split.as_ref().is_some_and(|split| split.has_changes());
         if !is_new {
@@ -76,8 +76,8 @@ impl Picture {
             let css = Vec2::new(canvas.0 as f32, canvas.1 as f32) / ratio;
             Region::halves(css).map(|part| pixels(part, ratio, canvas))
         });
-        self.update(stage, parts.map_or(canvas, |[[.., width, height], _]| (width, height)));
-        stage.changes = Changes::default();
+        self.update(state, parts.map_or(canvas, |[[.., width, height], _]| (width, height)));
+        state.changes = Changes::default();
         if let (Some(map), Some([_, [.., width, height]])) = (&mut map, parts) {
             let (device, queue) = (&self.device.device, &self.device.queue);
             self.map_store.update(device, queue, map, (width, height));
@@ -89,26 +89,26 @@ impl Picture {
         let sides = split.map(|split| self.update_sides(split, canvas, ratio));
         let label = wgpu::CommandEncoderDescriptor { label: Some("picture") };
         let mut encoder = self.device.device.create_command_encoder(&label);
-        let mut pass = self.device.pass(&mut encoder, &frame, stage.background());
+        let mut pass = self.device.pass(&mut encoder, &frame, state.background());
         if let Some([part, _]) = parts {
             confine(&mut pass, part);
         }
         match (sides, &self.sides) {
             (Some(sides), Some(panes)) => {
-                for ((part, is_original), pane) in sides.into_iter().zip(panes) {
+                for ((part, is_original), viewport) in sides.into_iter().zip(panes) {
                     let [left, top, width, height] = part;
                     pass.set_scissor_rect(left, top, width, height);
-                    self.draw_model(&mut pass, pane, stage, is_original);
+                    self.draw_model(&mut pass, viewport, state, is_original);
                 }
                 pass.set_scissor_rect(0, 0, canvas.0, canvas.1);
             }
-            _ => self.draw_model(&mut pass, &self.whole, stage, false),
+            _ => self.draw_model(&mut pass, &self.whole, state, false),
         }
         if let Some([_, part]) = parts {
             confine(&mut pass, part);
             pass.set_bind_group(0, self.map_store.group(), &[]);
             self.faces.draw(&mut pass);
-            self.lines.draw(&mut pass, stage.display.edges);
+            self.lines.draw(&mut pass, state.display.edges);
             self.lines.draw_flipped(&mut pass);
             // On WebGL2 only what is inside the last rectangle arrives on the canvas.
             confine(&mut pass, [0, 0, canvas.0, canvas.1]);
@@ -123,20 +123,20 @@ impl Picture {
     fn draw_model(
         &self,
         pass: &mut wgpu::RenderPass<'_>,
-        pane: &Pane,
-        stage: &Stage,
+        viewport: &Viewport,
+        state: &ViewState,
         is_original: bool,
     ) {
-        let display = stage.display;
-        pane.draw(pass, &self.faces, &self.lines, display.edges);
+        let display = state.display;
+        viewport.draw(pass, &self.faces, &self.lines, display.edges);
         if display.shapes && !is_original {
             self.spheres.draw(pass);
-            self.circles.draw(pass, stage.circle_pieces());
+            self.circles.draw(pass, state.circle_pieces());
         }
         if !is_original {
             self.projections.draw(pass, display);
         }
-        if display.vertices || stage.subject.is_only_points() {
+        if display.vertices || state.mesh.is_only_points() {
             self.points.draw_vertices(pass);
         }
         self.lines.draw_marks(pass);
@@ -158,38 +158,38 @@ impl Picture {
         let (device, queue) = (&self.device.device, &self.device.queue);
         let like = &self.map_store;
         let panes =
-            self.sides.get_or_insert_with(|| [(); 2].map(|()| Pane::new(device, queue, like)));
-        for (side, pane) in split.sides.iter_mut().zip(panes) {
-            pane.update((device, queue), &mut side.stage, &self.lines, canvas);
-            side.stage.changes = Changes::default();
+            self.sides.get_or_insert_with(|| [(); 2].map(|()| Viewport::new(device, queue, like)));
+        for (side, viewport) in split.sides.iter_mut().zip(panes) {
+            viewport.update((device, queue), &mut side.state, &self.lines, canvas);
+            side.state.changes = Changes::default();
         }
         let css = Vec2::new(canvas.0 as f32, canvas.1 as f32) / ratio;
         let [left, right] = split.parts(css).map(|part| pixels(part, ratio, canvas));
         [(left, split.sides[0].is_original), (right, split.sides[1].is_original)]
     }
 
-    fn update(&mut self, stage: &mut Stage, size: (u32, u32)) {
+    fn update(&mut self, state: &mut ViewState, size: (u32, u32)) {
         let (device, queue) = (&self.device.device, &self.device.queue);
-        let changes = stage.changes;
-        self.gizmo.update(device, queue, stage);
+        let changes = state.changes;
+        self.gizmo.update(device, queue, state);
         if changes.mesh {
-            self.faces.update(device, queue, &stage.subject);
-            self.lines.update_mesh(device, queue, &stage.subject);
-            self.points.update_mesh(device, queue, stage);
+            self.faces.update(device, queue, &state.mesh);
+            self.lines.update_mesh(device, queue, &state.mesh);
+            self.points.update_mesh(device, queue, state);
         }
-        self.whole.update((device, queue), stage, &self.lines, size);
+        self.whole.update((device, queue), state, &self.lines, size);
         if changes.mesh || changes.marks {
-            self.lines.update_marks(device, queue, stage);
-            self.lines.update_handles(device, queue, stage);
-            self.points.update_marks(device, queue, stage);
+            self.lines.update_marks(device, queue, state);
+            self.lines.update_handles(device, queue, state);
+            self.points.update_marks(device, queue, state);
         }
         // Their points come after the targets of the handles.
         if changes.mesh || changes.marks || changes.projections {
-            self.projections.update(device, queue, stage);
+            self.projections.update(device, queue, state);
         }
         if changes.mesh || changes.shapes {
-            self.circles.update(device, queue, &stage.shapes);
-            self.spheres.update(device, queue, &stage.shapes);
+            self.circles.update(device, queue, &state.shapes);
+            self.spheres.update(device, queue, &state.shapes);
         }
     }
 }

@@ -2,25 +2,25 @@
 //! the lines that part its bands of values. The whole canvas is one pane; a split picture has two,
 //! which share the mesh's faces and edges.
 
-use super::gpu_tables::Store;
+use super::gpu_tables::GpuTables;
 use super::pipeline::VertexBuffer;
 use crate::view::gpu::primitive::{Faces, Lines, SurroundingLines};
-use crate::view::state::Stage;
+use crate::view::state::ViewState;
 
 /// One picture of a mesh.
 #[derive(Debug)]
-pub struct Pane {
+pub struct Viewport {
     /// The tables of the stage.
-    pub store: Store,
+    pub tables: GpuTables,
     around: SurroundingLines,
     bands: VertexBuffer,
 }
 
-impl Pane {
+impl Viewport {
     /// Nothing to draw yet; `like` is a store that the same pipelines read.
-    pub fn new(device: &wgpu::Device, queue: &wgpu::Queue, like: &Store) -> Pane {
-        Pane {
-            store: like.beside(device, queue),
+    pub fn new(device: &wgpu::Device, queue: &wgpu::Queue, like: &GpuTables) -> Viewport {
+        Viewport {
+            tables: like.beside(device, queue),
             around: SurroundingLines::new(device, queue, like),
             bands: VertexBuffer::new(device),
         }
@@ -31,14 +31,14 @@ impl Pane {
     pub fn update(
         &mut self,
         (device, queue): (&wgpu::Device, &wgpu::Queue),
-        stage: &mut Stage,
+        state: &mut ViewState,
         lines: &Lines,
         size: (u32, u32),
     ) {
-        self.store.update(device, queue, stage, size);
-        self.around.update(device, queue, stage, size);
-        if stage.changes.mesh || stage.changes.looks {
-            self.bands.write(device, queue, &lines.between_bands(stage));
+        self.tables.update(device, queue, state, size);
+        self.around.update(device, queue, state, size);
+        if state.changes.mesh || state.changes.appearance {
+            self.bands.write(device, queue, &lines.between_bands(state));
         }
     }
 
@@ -50,9 +50,9 @@ impl Pane {
         lines: &Lines,
         show_edges: bool,
     ) {
-        pass.set_bind_group(0, self.store.group(), &[]);
+        pass.set_bind_group(0, self.tables.group(), &[]);
         faces.draw(pass);
-        self.around.draw(pass, faces, lines, &self.store);
+        self.around.draw(pass, faces, lines, &self.tables);
         lines.draw(pass, show_edges);
         lines.draw_others(pass, &self.bands, 0);
     }

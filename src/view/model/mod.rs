@@ -23,5 +23,5 @@ pub mod triangulate;
 pub use checks::Checks;
 pub use lists::{Lists, ViewError, check_indices};
 pub use projected_faces::ProjectedFaces;
-pub use projections::Projections;
-pub use render_mesh::{Subject, read_points};
+pub use projections::ProjectionMarks;
+pub use render_mesh::{RenderMesh, read_points};

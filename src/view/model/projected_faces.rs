@@ -1,6 +1,6 @@
 //! The inside of projected shapes: where the outlines of one close to a ring, triangles that fill it.
 
-use super::projections::Projections;
+use super::projections::ProjectionMarks;
 use super::triangulate::triangulate;
 use glam::Vec3;
 
@@ -15,7 +15,7 @@ pub struct ProjectedFaces {
 
 impl ProjectedFaces {
     /// Of `projections`, whose points are at `places`. What is open, or branches, has no inside.
-    pub fn new(projections: &Projections, places: &[Vec3]) -> ProjectedFaces {
+    pub fn new(projections: &ProjectionMarks, places: &[Vec3]) -> ProjectedFaces {
         let mut found = ProjectedFaces::default();
         for ring in rings(&projections.outlines, places.len()) {
             let ways = ring.iter().map(|&point| projections.points[point as usize].way.length());
@@ -84,7 +84,7 @@ mod tests {
         let ways = [0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 0.0];
         let outlines = [0, 1, 1, 2, 2, 3, 0, 3];
         let projections =
-            Projections::new(&[0, 1, 2, 3], &ways, &[1; 4], &outlines, &[0.5; 3], 4).unwrap();
+            ProjectionMarks::new(&[0, 1, 2, 3], &ways, &[1; 4], &outlines, &[0.5; 3], 4).unwrap();
         let places = [Vec3::ZERO, Vec3::X, Vec3::ONE.with_z(0.0), Vec3::Y];
         let faces = ProjectedFaces::new(&projections, &places);
         assert_eq!(faces.triangles, [[0, 1, 2], [0, 2, 3]]);

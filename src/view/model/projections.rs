@@ -9,7 +9,7 @@ pub const MOST_POINTS: usize = 1 << 20;
 
 /// A projected point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Projected {
+pub struct ProjectedPoint {
     /// The vertex that it is the projection of.
     pub vertex: u32,
     /// From the vertex to the point; relative, so that it loses no digits far from the origin.
@@ -20,16 +20,16 @@ pub struct Projected {
 
 /// All projected points.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Projections {
+pub struct ProjectionMarks {
     /// The points.
-    pub points: Vec<Projected>,
+    pub points: Vec<ProjectedPoint>,
     /// Pairs of points.
     pub outlines: Vec<[u32; 2]>,
     /// sRGB, each part 0 to 1.
     pub palette: Vec<[f32; 3]>,
 }
 
-impl Projections {
+impl ProjectionMarks {
     /// Takes the vertex of each point, the way from it to the point (#points by 3), one more than the
     /// place of its colour, the outlines as pairs of points, and the palette, #colours by 3. Of more
     /// than [`MOST_POINTS`] the first are taken.
@@ -43,7 +43,7 @@ impl Projections {
         outlines: &[u32],
         palette: &[f32],
         vertex_count: usize,
-    ) -> Result<Projections, ViewError> {
+    ) -> Result<ProjectionMarks, ViewError> {
         check_indices("projected vertices", vertices, vertex_count)?;
         check_indices("outlines", outlines, vertices.len())?;
         let (ways, rest) = ways.as_chunks::<3>();
@@ -69,10 +69,10 @@ impl Projections {
         let points = points.take(MOST_POINTS).map(|((&vertex, &way), &place)| {
             // A way that is not finite is no way: the arrow has no length and is not seen.
             let way = Vec3::from(way);
-            Projected { vertex, way: if way.is_finite() { way } else { Vec3::ZERO }, place }
+            ProjectedPoint { vertex, way: if way.is_finite() { way } else { Vec3::ZERO }, place }
         });
         let inside = |ends: &&[u32; 2]| ends.iter().all(|&end| (end as usize) < MOST_POINTS);
-        Ok(Projections {
+        Ok(ProjectionMarks {
             points: points.collect(),
             outlines: outlines.iter().filter(inside).copied().collect(),
             palette: palette.to_vec(),
@@ -87,8 +87,8 @@ mod tests {
     #[test]
     fn points_keep_their_ways_and_outlines_their_ends() {
         let ways = [0.0, 0.0, 1.0, f32::NAN, 0.0, 0.0];
-        let found = Projections::new(&[4, 2], &ways, &[1, 1], &[0, 1], &[0.5; 3], 5).unwrap();
-        assert_eq!(found.points[0], Projected { vertex: 4, way: Vec3::Z, place: 1 });
+        let found = ProjectionMarks::new(&[4, 2], &ways, &[1, 1], &[0, 1], &[0.5; 3], 5).unwrap();
+        assert_eq!(found.points[0], ProjectedPoint { vertex: 4, way: Vec3::Z, place: 1 });
         assert_eq!(found.points[1].way, Vec3::ZERO);
         assert_eq!(found.outlines, [[0, 1]]);
     }
@@ -96,7 +96,7 @@ mod tests {
     #[test]
     fn what_does_not_fit_is_refused_by_name() {
         let refused = |vertices: &[u32], ways: &[f32], places: &[u8], outlines: &[u32]| {
-            Projections::new(vertices, ways, places, outlines, &[0.5; 3], 5)
+            ProjectionMarks::new(vertices, ways, places, outlines, &[0.5; 3], 5)
                 .unwrap_err()
                 .to_string()
         };

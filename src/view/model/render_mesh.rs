@@ -8,7 +8,7 @@ use glam::{DVec3, Vec3};
 
 /// What is looked at.
 #[derive(Clone, Debug, Default)]
-pub struct Subject {
+pub struct RenderMesh {
     /// The middle of the first bounding box, in file coordinates. It stays when vertices move.
     pub centre: DVec3,
     /// The vertices that the model is made of: those of faces and curves, or all where it has neither.
@@ -32,12 +32,12 @@ pub struct Subject {
     pub normals: Normals,
 }
 
-impl Subject {
+impl RenderMesh {
     /// Takes a mesh; `coordinates` is #V by 3 in a flat array, in file coordinates.
     ///
     /// # Errors
     /// Arrays that do not fit together, or a coordinate that is not finite.
-    pub fn new(faces: Lists, curves: Lists, coordinates: &[f64]) -> Result<Subject, ViewError> {
+    pub fn new(faces: Lists, curves: Lists, coordinates: &[f64]) -> Result<RenderMesh, ViewError> {
         let exact = read_points(coordinates)?;
         let used = used(&faces, &curves, exact.len());
         let corners = used.iter().map(|&v| exact[v as usize]);
@@ -45,16 +45,16 @@ impl Subject {
         let high = corners.reduce(DVec3::max).unwrap_or_default();
         let edges = polygon_edges(&faces);
         let centre = low + (high - low) * 0.5;
-        let mut subject = Subject { centre, used, faces, curves, edges, ..Subject::default() };
-        subject.place(exact);
-        for (f, face) in subject.faces.iter().enumerate() {
-            triangulate(&subject.positions, face, &mut subject.triangles);
-            subject.triangle_face.resize(subject.triangles.len(), f as u32);
+        let mut mesh = RenderMesh { centre, used, faces, curves, edges, ..RenderMesh::default() };
+        mesh.place(exact);
+        for (f, face) in mesh.faces.iter().enumerate() {
+            triangulate(&mesh.positions, face, &mut mesh.triangles);
+            mesh.triangle_face.resize(mesh.triangles.len(), f as u32);
         }
-        Ok(subject)
+        Ok(mesh)
     }
 
-    /// Moves the vertices; the same shape as in [`Subject::new`].
+    /// Moves the vertices; the same shape as in [`RenderMesh::new`].
     ///
     /// # Errors
     /// Another number of vertices, or a coordinate that is not finite. Nothing has moved then.
@@ -120,12 +120,12 @@ pub fn read_points(coordinates: &[f64]) -> Result<Vec<DVec3>, ViewError> {
 mod tests {
     use super::*;
 
-    fn square(at: DVec3) -> Subject {
+    fn square(at: DVec3) -> RenderMesh {
         let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.25]];
         let coordinates: Vec<f64> =
             corners.iter().flat_map(|&c| (DVec3::from(c) + at).to_array()).collect();
         let faces = Lists::new("faces", vec![0, 4], vec![0, 1, 2, 3], 4).unwrap();
-        Subject::new(faces, Lists::default(), &coordinates).unwrap()
+        RenderMesh::new(faces, Lists::default(), &coordinates).unwrap()
     }
 
     #[test]
@@ -143,7 +143,7 @@ mod tests {
         let there = square(at);
         let mut coordinates: Vec<f64> = there.exact.iter().flat_map(|p| p.to_array()).collect();
         coordinates.extend([0.0; 3]);
-        let stray = Subject::new(there.faces.clone(), Lists::default(), &coordinates).unwrap();
+        let stray = RenderMesh::new(there.faces.clone(), Lists::default(), &coordinates).unwrap();
         assert_eq!(stray.centre, there.centre);
         assert_eq!(stray.positions[..4], there.positions);
         assert!(stray.used_positions().eq(there.used_positions()));
@@ -151,12 +151,12 @@ mod tests {
 
     #[test]
     fn bad_positions_change_nothing() {
-        let mut subject = square(DVec3::ZERO);
-        let before = subject.positions.clone();
+        let mut mesh = square(DVec3::ZERO);
+        let before = mesh.positions.clone();
         let mut wrong = [0.0; 12];
         wrong[7] = f64::NAN;
-        assert_eq!(subject.set_positions(&wrong), Err(ViewError::NotFinite { vertex: 2 }));
-        assert!(subject.set_positions(&wrong[..9]).is_err());
-        assert_eq!(subject.positions, before);
+        assert_eq!(mesh.set_positions(&wrong), Err(ViewError::NotFinite { vertex: 2 }));
+        assert!(mesh.set_positions(&wrong[..9]).is_err());
+        assert_eq!(mesh.positions, before);
     }
 }

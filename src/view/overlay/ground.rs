@@ -2,7 +2,7 @@
 //! length apart, so that it tells how large things are.
 
 use crate::view::appearance::round_down;
-use crate::view::camera::Up;
+use crate::view::camera::UpAxis;
 use glam::{DVec3, Vec3};
 
 /// There are at least so many squares along the longer side of the mesh.
@@ -24,7 +24,7 @@ pub struct Ground {
 impl Ground {
     /// Below the box from `low` to `high`, in file coordinates; `centre` is the view's. No lines
     /// where the box has no size.
-    pub fn new(low: DVec3, high: DVec3, up: Up, centre: DVec3) -> Ground {
+    pub fn new(low: DVec3, high: DVec3, up: UpAxis, centre: DVec3) -> Ground {
         let [right, away, sky] = up.axes().map(|axis| axis.as_dvec3());
         let size = high - low;
         let longer = size.dot(right.abs()).max(size.dot(away.abs()));
@@ -58,7 +58,7 @@ mod tests {
 
     #[test]
     fn lines_are_at_round_coordinates_around_and_below_the_mesh() {
-        for (up, flat, sky) in [(Up::Z, [0, 1], 2), (Up::Y, [0, 2], 1)] {
+        for (up, flat, sky) in [(UpAxis::Z, [0, 1], 2), (UpAxis::Y, [0, 2], 1)] {
             let mut high = DVec3::splat(21.7);
             high[sky] = 4.0;
             let low = DVec3::splat(0.3);
@@ -84,6 +84,6 @@ mod tests {
     #[test]
     fn one_point_has_no_ground() {
         let point = DVec3::splat(2.0);
-        assert_eq!(Ground::new(point, point, Up::Z, point), Ground::default());
+        assert_eq!(Ground::new(point, point, UpAxis::Z, point), Ground::default());
     }
 }

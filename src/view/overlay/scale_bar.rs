@@ -23,13 +23,13 @@ pub fn scale_bar(camera: &Camera, most: f64) -> ScaleBar {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::view::camera::Projection;
+    use crate::view::camera::CameraProjection;
     use glam::Vec2;
 
     #[test]
     fn the_bar_is_as_long_as_it_says() {
         let mut camera = Camera { canvas: Vec2::new(900.0, 600.0), ..Camera::default() };
-        camera.projection = Projection::Parallel { reach: 20.0 };
+        camera.projection = CameraProjection::Parallel { reach: 20.0 };
         for distance in [0.3, 4.0, 70.0] {
             camera.distance = distance;
             let bar = scale_bar(&camera, 120.0);

@@ -2,7 +2,7 @@
 //! tells what is visible for box selections, where a ray per candidate would be too slow.
 
 use crate::view::camera::{Camera, Eye};
-use crate::view::model::Subject;
+use crate::view::model::RenderMesh;
 use glam::{Vec2, Vec3};
 
 /// Pixels along the longer side of the canvas.
@@ -29,7 +29,7 @@ pub struct DepthMap {
 
 impl DepthMap {
     /// Draws all triangles as the camera sees them.
-    pub fn new(subject: &Subject, camera: &Camera) -> DepthMap {
+    pub fn new(mesh: &RenderMesh, camera: &Camera) -> DepthMap {
         let scale = LONGER_SIDE / camera.canvas.max_element().max(1.0);
         let size = (camera.canvas * scale).ceil().max(Vec2::ONE);
         let (width, height) = (size.x as usize, size.y as usize);
@@ -43,8 +43,8 @@ impl DepthMap {
         };
         let eye = camera.eye();
         let near = camera.distance * 1e-3;
-        for (triangle, &face) in subject.triangles.iter().zip(&subject.triangle_face) {
-            let corners = triangle.map(|v| subject.positions[v as usize]);
+        for (triangle, &face) in mesh.triangles.iter().zip(&mesh.triangle_face) {
+            let corners = triangle.map(|v| mesh.positions[v as usize]);
             map.draw_clipped(&eye, corners, near, face);
         }
         map

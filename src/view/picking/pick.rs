@@ -2,45 +2,45 @@
 
 use super::ray::{Hit, first_hit, hidden};
 use crate::view::camera::Camera;
-use crate::view::model::Subject;
+use crate::view::model::RenderMesh;
 use glam::Vec2;
 
 /// A vertex this much behind the surface, in parts of its distance from the eye, is still seen.
 const HIDING_TOLERANCE: f32 = 1e-3;
 
 /// Whether the vertex is in front of the eye and not behind the surface.
-pub fn visible(subject: &Subject, camera: &Camera, vertex: u32) -> bool {
+pub fn visible(mesh: &RenderMesh, camera: &Camera, vertex: u32) -> bool {
     let eye = camera.eye();
-    let point = subject.positions[vertex as usize];
+    let point = mesh.positions[vertex as usize];
     let (_, depth) = eye.project(point);
     let from = eye.seen_from(point);
     let tolerance = eye.scale_depth((point - from).length()) * HIDING_TOLERANCE;
-    depth > 0.0 && !hidden(subject, from, vertex, tolerance)
+    depth > 0.0 && !hidden(mesh, from, vertex, tolerance)
 }
 
 /// The visible vertex nearest to a screen position, within a radius.
-pub fn pick_vertex(subject: &Subject, camera: &Camera, at: Vec2, radius: f32) -> Option<u32> {
-    let all = 0..subject.positions.len() as u32;
-    near_cursor(subject, camera, all, at, radius)
+pub fn pick_vertex(mesh: &RenderMesh, camera: &Camera, at: Vec2, radius: f32) -> Option<u32> {
+    let all = 0..mesh.positions.len() as u32;
+    near_cursor(mesh, camera, all, at, radius)
         .into_iter()
-        .find(|&vertex| visible(subject, camera, vertex))
+        .find(|&vertex| visible(mesh, camera, vertex))
 }
 
 /// The nearest of `candidates` to a screen position, within a radius, hidden or not.
 pub fn pick_any(
-    subject: &Subject,
+    mesh: &RenderMesh,
     camera: &Camera,
     candidates: impl Iterator<Item = u32>,
     at: Vec2,
     radius: f32,
 ) -> Option<u32> {
-    near_cursor(subject, camera, candidates, at, radius).first().copied()
+    near_cursor(mesh, camera, candidates, at, radius).first().copied()
 }
 
 /// Those of `candidates` within `radius` of a screen position, the nearest first; of those in the
 /// same place the one nearer to the eye first.
 fn near_cursor(
-    subject: &Subject,
+    mesh: &RenderMesh,
     camera: &Camera,
     candidates: impl Iterator<Item = u32>,
     at: Vec2,
@@ -49,7 +49,7 @@ fn near_cursor(
     let eye = camera.eye();
     let mut near: Vec<(f32, f32, u32)> = candidates
         .filter_map(|vertex| {
-            let (screen, depth) = eye.project(subject.positions[vertex as usize]);
+            let (screen, depth) = eye.project(mesh.positions[vertex as usize]);
             let distance = screen.distance(at);
             (depth > 0.0 && distance <= radius).then_some((distance, depth, vertex))
         })
@@ -59,7 +59,7 @@ fn near_cursor(
 }
 
 /// The face under a screen position, with the depth at which it was met.
-pub fn pick_face(subject: &Subject, camera: &Camera, at: Vec2) -> Option<Hit> {
+pub fn pick_face(mesh: &RenderMesh, camera: &Camera, at: Vec2) -> Option<Hit> {
     let (from, direction) = camera.eye().ray(at);
-    first_hit(subject, from, direction)
+    first_hit(mesh, from, direction)
 }

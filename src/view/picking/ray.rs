@@ -1,6 +1,6 @@
 //! Where a line of sight meets the surface, by the ray-triangle test of Moller and Trumbore 1997.
 
-use crate::view::model::Subject;
+use crate::view::model::RenderMesh;
 use glam::Vec3;
 
 /// Triangles are larger by this part of their sides, so that no ray slips between two of them.
@@ -16,10 +16,10 @@ pub struct Hit {
 }
 
 /// The first meeting of a ray with the surface.
-pub fn first_hit(subject: &Subject, from: Vec3, direction: Vec3) -> Option<Hit> {
+pub fn first_hit(mesh: &RenderMesh, from: Vec3, direction: Vec3) -> Option<Hit> {
     let mut nearest: Option<Hit> = None;
-    for (triangle, &face) in subject.triangles.iter().zip(&subject.triangle_face) {
-        let corners = triangle.map(|v| subject.positions[v as usize]);
+    for (triangle, &face) in mesh.triangles.iter().zip(&mesh.triangle_face) {
+        let corners = triangle.map(|v| mesh.positions[v as usize]);
         if let Some(along) = meet(corners, from, direction)
             && nearest.is_none_or(|hit| along < hit.along)
         {
@@ -32,12 +32,12 @@ pub fn first_hit(subject: &Subject, from: Vec3, direction: Vec3) -> Option<Hit> 
 /// Whether the surface hides a vertex from an eye. Triangles that have the vertex as a corner do
 /// not count, nor does anything nearer to it than `tolerance` (units of length), so that corners on
 /// the outline, and copies of a vertex in the same place, are seen.
-pub fn hidden(subject: &Subject, eye: Vec3, vertex: u32, tolerance: f32) -> bool {
-    let to_vertex = subject.positions[vertex as usize] - eye;
+pub fn hidden(mesh: &RenderMesh, eye: Vec3, vertex: u32, tolerance: f32) -> bool {
+    let to_vertex = mesh.positions[vertex as usize] - eye;
     let limit = 1.0 - tolerance / to_vertex.length().max(f32::MIN_POSITIVE);
-    subject.triangles.iter().any(|triangle| {
+    mesh.triangles.iter().any(|triangle| {
         !triangle.contains(&vertex)
-            && meet(triangle.map(|v| subject.positions[v as usize]), eye, to_vertex)
+            && meet(triangle.map(|v| mesh.positions[v as usize]), eye, to_vertex)
                 .is_some_and(|along| along < limit)
     })
 }
@@ -70,7 +70,7 @@ mod tests {
     use crate::view::model::Lists;
 
     /// Two unit squares, at z = 0 and z = 1.
-    fn two_floors() -> Subject {
+    fn two_floors() -> RenderMesh {
         let mut coordinates = Vec::new();
         for z in [0.0, 1.0] {
             for [x, y] in [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]] {
@@ -78,30 +78,30 @@ mod tests {
             }
         }
         let faces = Lists::new("faces", vec![0, 4, 8], (0..8).collect(), 8).unwrap();
-        Subject::new(faces, Lists::default(), &coordinates).unwrap()
+        RenderMesh::new(faces, Lists::default(), &coordinates).unwrap()
     }
 
     #[test]
     fn the_nearer_floor_is_met_from_either_side() {
-        let subject = two_floors();
+        let mesh = two_floors();
         let above = Vec3::new(0.1, 0.2, 3.0);
-        let hit = first_hit(&subject, above, Vec3::NEG_Z * 2.0).unwrap();
+        let hit = first_hit(&mesh, above, Vec3::NEG_Z * 2.0).unwrap();
         assert_eq!(hit.face, 1);
         assert!((hit.along - 1.25).abs() < 1e-6);
-        assert_eq!(first_hit(&subject, -above, Vec3::Z).unwrap().face, 0);
-        assert_eq!(first_hit(&subject, above, Vec3::Z), None);
-        assert_eq!(first_hit(&subject, Vec3::new(2.0, 0.0, 3.0), Vec3::NEG_Z), None);
+        assert_eq!(first_hit(&mesh, -above, Vec3::Z).unwrap().face, 0);
+        assert_eq!(first_hit(&mesh, above, Vec3::Z), None);
+        assert_eq!(first_hit(&mesh, Vec3::new(2.0, 0.0, 3.0), Vec3::NEG_Z), None);
     }
 
     #[test]
     fn the_upper_floor_hides_the_lower_one_only() {
-        let subject = two_floors();
+        let mesh = two_floors();
         // The centre of the view is the middle of the box: the floors lie at -0.5 and 0.5.
         let eye = Vec3::new(0.0, 0.0, 4.0);
         for vertex in 0..8 {
-            assert_eq!(hidden(&subject, eye, vertex, 1e-3), vertex < 4, "{vertex}");
+            assert_eq!(hidden(&mesh, eye, vertex, 1e-3), vertex < 4, "{vertex}");
         }
         let far_aside = Vec3::new(40.0, 0.0, 0.1);
-        assert!((0..8).all(|v| !hidden(&subject, far_aside, v, 1e-3)));
+        assert!((0..8).all(|v| !hidden(&mesh, far_aside, v, 1e-3)));
     }
 }

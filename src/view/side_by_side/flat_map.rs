@@ -2,8 +2,8 @@
 //! seen from above, and how the two share the canvas.
 
 use crate::math::polygon_sides;
-use crate::view::model::{Checks, Lists, Subject, ViewError, check_indices};
-use crate::view::state::Stage;
+use crate::view::model::{Checks, Lists, RenderMesh, ViewError, check_indices};
+use crate::view::state::ViewState;
 use glam::{Vec2, Vec3};
 
 /// A part of the canvas, CSS pixels from its upper left corner.
@@ -44,18 +44,22 @@ impl Region {
 ///
 /// # Errors
 /// Another number of places than vertices, one that is not finite, or a face that does not exist.
-pub fn flat_map(model: &Stage, uv: &[f64], flipped: &[u32]) -> Result<(Stage, Checks), ViewError> {
+pub fn flat_map(
+    model: &ViewState,
+    uv: &[f64],
+    flipped: &[u32],
+) -> Result<(ViewState, Checks), ViewError> {
     let (count, faces) = model.counts();
     check_indices("flipped faces", flipped, faces)?;
     let checks = Checks::new(uv, count)?;
     let flat = checks.places.iter().flat_map(|place| [place.x, place.y, 0.0].map(f64::from));
     let coordinates: Vec<f64> = flat.collect();
-    let subject = Subject::new(model.subject.faces.clone(), Lists::default(), &coordinates)?;
-    let mut stage = Stage::default();
-    stage.flipped = sides(&subject.faces, flipped);
-    (stage.subject, stage.checks) = (subject, checks.clone());
-    stage.camera.look_from("top").expect("top is a side to look from");
-    Ok((stage, checks))
+    let mesh = RenderMesh::new(model.mesh.faces.clone(), Lists::default(), &coordinates)?;
+    let mut state = ViewState::default();
+    state.flipped = sides(&mesh.faces, flipped);
+    (state.mesh, state.checks) = (mesh, checks.clone());
+    state.camera.look_from("top").expect("top is a side to look from");
+    Ok((state, checks))
 }
 
 /// The sides of some faces, each once.
@@ -69,24 +73,24 @@ fn sides(faces: &Lists, chosen: &[u32]) -> Vec<[u32; 2]> {
 }
 
 /// Comes near the faces that the map turns over, as near as they are small; on the model from their front.
-pub fn show_flipped(map: &mut Stage, model: &mut Stage) {
+pub fn show_flipped(map: &mut ViewState, model: &mut ViewState) {
     let mut vertices = map.flipped.as_flattened().to_vec();
     vertices.sort_unstable();
     vertices.dedup();
     if vertices.is_empty() {
         return;
     }
-    let normals = vertices.iter().map(|&v| model.subject.normals.vertices[v as usize]);
+    let normals = vertices.iter().map(|&v| model.mesh.normals.vertices[v as usize]);
     let front: Vec3 = normals.sum();
     if front.length() > 0.0 {
         model.camera.look_against(front);
     }
-    for stage in [model, map] {
-        let places = vertices.iter().map(|&v| stage.subject.positions[v as usize]);
+    for state in [model, map] {
+        let places = vertices.iter().map(|&v| state.mesh.positions[v as usize]);
         let low = places.clone().fold(Vec3::INFINITY, Vec3::min);
         let high = places.fold(Vec3::NEG_INFINITY, Vec3::max);
         let around = 0.25 * (high - low).length();
-        stage.come_near(&vertices, around.max(LEAST_PART * stage.size()));
+        state.come_near(&vertices, around.max(LEAST_PART * state.size()));
     }
 }
 
@@ -94,15 +98,15 @@ pub fn show_flipped(map: &mut Stage, model: &mut Stage) {
 const LEAST_PART: f32 = 1e-4;
 
 /// Brings what the map has in common with the surface up to date.
-pub fn follow(map: &mut Stage, model: &Stage) {
+pub fn follow(map: &mut ViewState, model: &ViewState) {
     if map.dark != model.dark || map.display != model.display {
         (map.dark, map.display) = (model.dark, model.display);
         map.changes.view = true;
     }
-    if model.changes.looks {
-        map.looks.mark_as(&model.looks);
+    if model.changes.appearance {
+        map.appearance.mark_as(&model.appearance);
         map.tint = model.tint;
-        map.changes.looks = true;
+        map.changes.appearance = true;
     }
 }
 

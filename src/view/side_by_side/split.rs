@@ -4,7 +4,7 @@
 use super::flat_map::Region;
 use crate::view::appearance::ColourScale;
 use crate::view::model::ViewError;
-use crate::view::state::Stage;
+use crate::view::state::ViewState;
 use glam::Vec2;
 
 /// The divider and what is on its two sides.
@@ -20,7 +20,7 @@ pub struct Split {
 #[derive(Debug)]
 pub struct Side {
     /// The mesh with the colours of this side.
-    pub stage: Stage,
+    pub state: ViewState,
     /// Whether it stays as it is when the mesh moves: handles and projections are not of its shape.
     pub is_original: bool,
 }
@@ -41,14 +41,14 @@ pub struct Colours {
 
 impl Split {
     /// Both sides show what `model` shows, without colours of values.
-    pub fn new(model: &Stage, at: f32) -> Split {
+    pub fn new(model: &ViewState, at: f32) -> Split {
         let side = || {
-            let mut stage = Stage::default();
-            stage.subject = model.subject.clone();
-            stage.around = model.around.clone();
-            stage.around.changed = true;
-            stage.looks.set_in_bands(model.looks.is_in_bands());
-            Side { stage, is_original: false }
+            let mut state = ViewState::default();
+            state.mesh = model.mesh.clone();
+            state.around = model.around.clone();
+            state.around.changed = true;
+            state.appearance.set_in_bands(model.appearance.is_in_bands());
+            Side { state, is_original: false }
         };
         let mut split = Split { at: 0.0, sides: [side(), side()] };
         split.move_to(at);
@@ -58,15 +58,15 @@ impl Split {
     /// Shows the values of both sides in bands, or gradually.
     pub fn set_in_bands(&mut self, in_bands: bool) {
         for side in &mut self.sides {
-            side.stage.looks.set_in_bands(in_bands);
-            side.stage.changes.looks = true;
+            side.state.appearance.set_in_bands(in_bands);
+            side.state.changes.appearance = true;
         }
     }
 
     /// Moves the divider.
     pub fn move_to(&mut self, at: f32) {
         self.at = if at.is_finite() { at.clamp(0.0, 1.0) } else { 0.5 };
-        self.sides[0].stage.changes.view = true;
+        self.sides[0].state.changes.view = true;
     }
 
     /// The parts of the canvas left and right of the divider, which is at a whole pixel.
@@ -77,7 +77,7 @@ impl Split {
     }
 
     /// Brings both sides up to date with what they have in common with `model`.
-    pub fn follow(&mut self, model: &Stage) {
+    pub fn follow(&mut self, model: &ViewState) {
         for side in &mut self.sides {
             side.follow(model);
         }
@@ -85,7 +85,7 @@ impl Split {
 
     /// Whether there is anything new to see.
     pub fn has_changes(&self) -> bool {
-        self.sides.iter().any(|side| side.stage.changes.any())
+        self.sides.iter().any(|side| side.state.changes.any())
     }
 }
 
@@ -95,9 +95,13 @@ impl Side {
     ///
     /// # Errors
     /// Another number of vertices or a coordinate that is not finite; all stays as it was.
-    pub fn show(&mut self, coordinates: Option<&[f64]>, model: &Stage) -> Result<(), ViewError> {
+    pub fn show(
+        &mut self,
+        coordinates: Option<&[f64]>,
+        model: &ViewState,
+    ) -> Result<(), ViewError> {
         match coordinates {
-            Some(coordinates) => self.stage.set_positions(coordinates)?,
+            Some(coordinates) => self.state.set_positions(coordinates)?,
             None => self.take_positions(model),
         }
         self.is_original = coordinates.is_some();
@@ -109,29 +113,29 @@ impl Side {
     /// # Errors
     /// Another number of values than faces, or of those of corners than vertices.
     pub fn colour(&mut self, colours: Colours) -> Result<(), ViewError> {
-        let (vertices, faces) = self.stage.counts();
+        let (vertices, faces) = self.state.counts();
         let Colours { values, corners, low, high } = colours;
-        self.stage.looks.set_values(values, ColourScale::linear(low, high), faces)?;
-        self.stage.looks.set_corners(corners, vertices)?;
-        self.stage.changes.looks = true;
+        self.state.appearance.set_values(values, ColourScale::linear(low, high), faces)?;
+        self.state.appearance.set_corners(corners, vertices)?;
+        self.state.changes.appearance = true;
         Ok(())
     }
 
-    fn take_positions(&mut self, model: &Stage) {
-        let (own, other) = (&mut self.stage.subject, &model.subject);
+    fn take_positions(&mut self, model: &ViewState) {
+        let (own, other) = (&mut self.state.mesh, &model.mesh);
         own.exact.clone_from(&other.exact);
         own.positions.clone_from(&other.positions);
         own.normals.clone_from(&other.normals);
-        self.stage.changes.positions = true;
+        self.state.changes.positions = true;
         self.take_targets(model);
     }
 
-    fn take_targets(&mut self, model: &Stage) {
-        self.stage.handles.clone_from(&model.handles);
-        self.stage.changes.targets = true;
+    fn take_targets(&mut self, model: &ViewState) {
+        self.state.handles.clone_from(&model.handles);
+        self.state.changes.targets = true;
     }
 
-    fn follow(&mut self, model: &Stage) {
+    fn follow(&mut self, model: &ViewState) {
         let changes = model.changes;
         if !self.is_original {
             if changes.positions {
@@ -139,24 +143,24 @@ impl Side {
             } else if changes.targets {
                 self.take_targets(model);
             }
-            if changes.projections || self.stage.projections != model.projections {
-                self.stage.projections.clone_from(&model.projections);
-                self.stage.changes.projections = true;
+            if changes.projections || self.state.projections != model.projections {
+                self.state.projections.clone_from(&model.projections);
+                self.state.changes.projections = true;
             }
         }
-        if changes.looks {
-            self.stage.looks.mark_as(&model.looks);
-            self.stage.tint = model.tint;
-            self.stage.changes.looks = true;
+        if changes.appearance {
+            self.state.appearance.mark_as(&model.appearance);
+            self.state.tint = model.tint;
+            self.state.changes.appearance = true;
         }
-        let stage = &mut self.stage;
+        let state = &mut self.state;
         if model.around.changed {
-            stage.around.clone_from(&model.around);
+            state.around.clone_from(&model.around);
         }
-        stage.camera.clone_from(&model.camera);
-        (stage.display, stage.dark, stage.white) = (model.display, model.dark, model.white);
-        stage.keep_reach();
-        stage.changes.view |= changes.view;
+        state.camera.clone_from(&model.camera);
+        (state.display, state.dark, state.white) = (model.display, model.dark, model.white);
+        state.keep_reach();
+        state.changes.view |= changes.view;
     }
 }
 
@@ -165,12 +169,12 @@ mod tests {
     use super::*;
 
     /// A quad in a stage.
-    fn model() -> Stage {
-        let mut stage = Stage::default();
+    fn model() -> ViewState {
+        let mut state = ViewState::default();
         let faces = (vec![0, 4], vec![0, 1, 2, 3]);
         let corners = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 0.25];
-        stage.set_mesh(faces, (vec![0], vec![]), &corners).unwrap();
-        stage
+        state.set_mesh(faces, (vec![0], vec![]), &corners).unwrap();
+        state
     }
 
     fn lifted() -> Vec<f64> {
@@ -196,27 +200,27 @@ mod tests {
         let mut model = model();
         let mut split = Split::new(&model, 0.5);
         let original: Vec<f64> =
-            model.subject.exact.iter().flat_map(|point| point.to_array()).collect();
-        let before = model.subject.positions.clone();
+            model.mesh.exact.iter().flat_map(|point| point.to_array()).collect();
+        let before = model.mesh.positions.clone();
         split.sides[0].show(Some(&original), &model).unwrap();
         model.set_positions(&lifted()).unwrap();
         model.orbit(30.0, 10.0);
         split.follow(&model);
         let [left, right] = &split.sides;
-        assert_eq!(left.stage.subject.positions, before);
-        assert_eq!(right.stage.subject.positions, model.subject.positions);
+        assert_eq!(left.state.mesh.positions, before);
+        assert_eq!(right.state.mesh.positions, model.mesh.positions);
         for side in [left, right] {
-            assert_eq!(side.stage.camera.eye().at, model.camera.eye().at);
+            assert_eq!(side.state.camera.eye().at, model.camera.eye().at);
         }
         // Back to the shape as it is.
         split.sides[0].show(None, &model).unwrap();
-        assert_eq!(split.sides[0].stage.subject.positions, model.subject.positions);
+        assert_eq!(split.sides[0].state.mesh.positions, model.mesh.positions);
     }
 
     #[test]
     fn both_sides_are_in_bands_and_each_has_its_own() {
         let mut model = model();
-        model.looks.set_in_bands(true);
+        model.appearance.set_in_bands(true);
         let mut split = Split::new(&model, 0.5);
         for (side, high) in split.sides.iter_mut().zip([1.0, 30.0]) {
             let corners = Some(vec![0.0, 0.0, 0.0, high]);
@@ -224,13 +228,15 @@ mod tests {
             side.colour(colours).unwrap();
         }
         let steps = |split: &Split| {
-            split.sides.each_ref().map(|side| side.stage.looks.bands().map(|bands| bands.step))
+            split.sides.each_ref().map(|side| side.state.appearance.bands().map(|bands| bands.step))
         };
         assert_eq!(steps(&split), [Some(0.2), Some(5.0)]);
         // Isolines go through the faces, from the values of the vertices.
         for side in &split.sides {
-            assert!(side.stage.looks.corner_steps().is_some());
-            assert!(side.stage.looks.corner_in_steps(3) > side.stage.looks.corner_in_steps(0));
+            assert!(side.state.appearance.corner_steps().is_some());
+            assert!(
+                side.state.appearance.corner_in_steps(3) > side.state.appearance.corner_in_steps(0)
+            );
         }
         split.set_in_bands(false);
         assert_eq!(steps(&split), [None, None]);
@@ -249,33 +255,33 @@ mod tests {
         split.follow(&model);
         let eye = model.camera.eye();
         for side in &split.sides {
-            assert!(side.stage.around.changed);
-            assert!(side.stage.surrounding_points().eq(model.surrounding_points()));
-            assert_eq!(side.stage.surrounding_lines(), model.surrounding_lines());
-            let (near, far) = side.stage.depth_range();
-            for point in side.stage.surrounding_points() {
+            assert!(side.state.around.changed);
+            assert!(side.state.surrounding_points().eq(model.surrounding_points()));
+            assert_eq!(side.state.surrounding_lines(), model.surrounding_lines());
+            let (near, far) = side.state.depth_range();
+            for point in side.state.surrounding_points() {
                 let (_, depth) = eye.project(point);
                 assert!(depth < far && (depth > near || depth < 0.0), "{near} {depth} {far}");
             }
         }
         // A split picture that begins later has them at once.
         let later = Split::new(&model, 0.5);
-        assert_eq!(later.sides[1].stage.around.grid_step(), model.around.grid_step());
-        assert!(later.sides[1].stage.around.changed);
+        assert_eq!(later.sides[1].state.around.grid_step(), model.around.grid_step());
+        assert!(later.sides[1].state.around.changed);
     }
 
     #[test]
     fn each_side_has_colours_of_its_own() {
         let model = model();
         let mut split = Split::new(&model, 0.5);
-        split.sides.iter_mut().for_each(|side| side.stage.changes = Default::default());
+        split.sides.iter_mut().for_each(|side| side.state.changes = Default::default());
         assert!(!split.has_changes());
         let colours =
             |value| Colours { values: Some(vec![value]), corners: None, low: 0.0, high: 1.0 };
         split.sides[0].colour(colours(0.0)).unwrap();
         split.sides[1].colour(colours(1.0)).unwrap();
         assert!(split.has_changes());
-        let [left, right] = split.sides.each_ref().map(|side| side.stage.looks.bytes(1));
+        let [left, right] = split.sides.each_ref().map(|side| side.state.appearance.bytes(1));
         assert_ne!(left, right);
         assert!(split.sides[0].colour(Colours { values: Some(vec![]), ..colours(0.0) }).is_err());
         assert!(split.sides[1].show(Some(&[0.0]), &model).is_err());

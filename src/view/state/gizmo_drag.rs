@@ -1,11 +1,11 @@
 //! The gizmo of a view, and what is dragged with it or without it.
 
-use super::view_state::Stage;
-use crate::view::gizmo::{Gizmo, Grip, Wanted, Way};
+use super::view_state::ViewState;
+use crate::view::gizmo::{DragConstraint, DragDirection, Gizmo, GizmoState};
 use crate::view::model::{ViewError, check_indices};
 use glam::{DVec3, Vec2, Vec3};
 
-impl Stage {
+impl ViewState {
     /// The gizmo, where it is wanted and a handle is selected: in the middle of the targets of those.
     pub fn gizmo(&self) -> Option<Gizmo> {
         let middle = self.middle_of_chosen().filter(|_| self.gizmo.shown)?;
@@ -13,8 +13,8 @@ impl Stage {
     }
 
     /// Changes what is wanted of the gizmo, and draws again if that is seen.
-    pub fn want_gizmo(&mut self, change: impl FnOnce(&mut Wanted)) {
-        let look = |wanted: &Wanted| (wanted.shown, wanted.touch, wanted.lit, wanted.held);
+    pub fn want_gizmo(&mut self, change: impl FnOnce(&mut GizmoState)) {
+        let look = |wanted: &GizmoState| (wanted.shown, wanted.touch, wanted.lit, wanted.held);
         let before = look(&self.gizmo);
         change(&mut self.gizmo);
         self.changes.view |= look(&self.gizmo) != before;
@@ -26,31 +26,32 @@ impl Stage {
     /// A vertex that does not exist.
     pub fn hold_vertex(&mut self, vertex: u32, from: Option<Vec2>) -> Result<(), ViewError> {
         check_indices("held vertex", &[vertex], self.counts().0)?;
-        let held = self.subject.positions[vertex as usize];
+        let held = self.mesh.positions[vertex as usize];
         let from = from.unwrap_or_else(|| self.camera.eye().project(held).0);
-        self.gizmo.grip = Some(Grip::new(&self.camera, held, from));
+        self.gizmo.grip = Some(DragConstraint::new(&self.camera, held, from));
         Ok(())
     }
 
     /// Takes hold of the gizmo, if there is one, with the pointer at a screen position.
     pub fn hold_gizmo(&mut self, from: Vec2) {
-        self.gizmo.grip = self.middle_of_chosen().map(|held| Grip::new(&self.camera, held, from));
+        self.gizmo.grip =
+            self.middle_of_chosen().map(|held| DragConstraint::new(&self.camera, held, from));
     }
 
-    /// How far what is held goes for a pointer that has gone `by` CSS pixels; see [`Grip::way`].
-    pub fn held_way(&self, way: Way, by: Vec2) -> Option<Vec3> {
+    /// How far what is held goes for a pointer that has gone `by` CSS pixels; see [`DragConstraint::way`].
+    pub fn held_way(&self, way: DragDirection, by: Vec2) -> Option<Vec3> {
         self.gizmo.grip?.way(way, by)
     }
 
     /// The middle of the targets of the selected handles, relative to the view's centre.
     fn middle_of_chosen(&self) -> Option<Vec3> {
-        let selected = &self.looks.selected_vertices;
+        let selected = &self.appearance.selected_vertices;
         if selected.is_empty() {
             return None;
         }
         let chosen = self.handles.iter().filter(|handle| selected.contains(&handle.vertex));
         let targets: Vec<DVec3> = chosen.map(|handle| handle.target).collect();
         let sum: DVec3 = targets.iter().sum();
-        (!targets.is_empty()).then(|| self.subject.relative(sum / targets.len() as f64))
+        (!targets.is_empty()).then(|| self.mesh.relative(sum / targets.len() as f64))
     }
 }

@@ -22,6 +22,6 @@ pub mod surrounding;
 pub mod tape;
 pub mod view_state;
 
-pub use parts::{Changes, Display, Handle, SHAPE_NUMBERS};
+pub use parts::{Changes, Display, HandleMark, SHAPE_NUMBERS};
 pub use select_region::{Outline, Taking};
-pub use view_state::Stage;
+pub use view_state::ViewState;

@@ -1,12 +1,12 @@
 //! The camera of a view under the pointer, and framing.
 
-use super::view_state::Stage;
-use crate::view::camera::{Up, frame};
+use super::view_state::ViewState;
+use crate::view::camera::{UpAxis, frame};
 use crate::view::model::{ViewError, check_indices};
 use crate::view::picking::pick;
 use glam::{Vec2, Vec3};
 
-impl Stage {
+impl ViewState {
     /// Sets the size of the canvas in CSS pixels.
     pub fn resize(&mut self, canvas: Vec2) {
         self.camera.canvas = canvas.max(Vec2::ONE);
@@ -34,7 +34,7 @@ impl Stage {
     }
 
     /// Sets the vertical axis.
-    pub fn set_up(&mut self, up: Up) {
+    pub fn set_up(&mut self, up: UpAxis) {
         if up != self.camera.up {
             self.camera.up = up;
             self.surround();
@@ -60,7 +60,7 @@ impl Stage {
         self.turned_about = self.surface_at(cursor).unwrap_or(otherwise);
     }
 
-    /// Turns the camera about the point of [`Stage::begin_turn`], which keeps its place.
+    /// Turns the camera about the point of [`ViewState::begin_turn`], which keeps its place.
     pub fn turn(&mut self, dx: f32, dy: f32) {
         self.camera.orbit_about(self.turned_about, dx, dy);
         self.framed = false;
@@ -98,7 +98,7 @@ impl Stage {
 
     /// The point of the surface under the cursor.
     fn surface_at(&self, cursor: Vec2) -> Option<Vec3> {
-        let hit = pick::pick_face(&self.subject, &self.camera, cursor)?;
+        let hit = pick::pick_face(&self.mesh, &self.camera, cursor)?;
         let (from, direction) = self.camera.eye().ray(cursor);
         Some(from + direction * hit.along)
     }
@@ -106,7 +106,7 @@ impl Stage {
     /// Fills the canvas with the whole model, from where the camera looks now.
     pub fn fit(&mut self) {
         let radius = self.size() * 1e-3;
-        frame(&mut self.camera, self.subject.used_positions(), radius);
+        frame(&mut self.camera, self.mesh.used_positions(), radius);
         self.framed = true;
         self.view_changed();
     }
@@ -123,13 +123,13 @@ impl Stage {
 
     /// Fills the canvas with some vertices and so much around them.
     pub(crate) fn come_near(&mut self, vertices: &[u32], around: f32) {
-        let points = vertices.iter().map(|&v| self.subject.positions[v as usize]);
+        let points = vertices.iter().map(|&v| self.mesh.positions[v as usize]);
         frame(&mut self.camera, points, around);
         self.framed = false;
         self.view_changed();
     }
 
-    /// Looks from a named side and fills the canvas.
+    /// Appearance from a named side and fills the canvas.
     ///
     /// # Errors
     /// An unknown name.

@@ -8,7 +8,7 @@ pub const SHAPE_NUMBERS: usize = 8;
 
 /// A vertex that is held, softly or exactly.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Handle {
+pub struct HandleMark {
     /// The vertex.
     pub vertex: u32,
     /// [`DotKind::Handle`], [`DotKind::Fixed`] or [`DotKind::Active`].
@@ -42,12 +42,12 @@ pub struct Changes {
     /// Where handle targets are.
     pub targets: bool,
     /// Values and marks of faces.
-    pub looks: bool,
+    pub appearance: bool,
     /// Which dots and pulling lines there are.
     pub marks: bool,
     /// Fitted shapes.
     pub shapes: bool,
-    /// Projections.
+    /// ProjectionMarks.
     pub projections: bool,
     /// Places on the checkerboard.
     pub checks: bool,
@@ -61,7 +61,7 @@ impl Changes {
         mesh: true,
         positions: true,
         targets: true,
-        looks: true,
+        appearance: true,
         marks: true,
         shapes: true,
         projections: true,

@@ -1,41 +1,41 @@
 //! What is under the cursor, and where vertices are on the canvas.
 
-use super::view_state::Stage;
+use super::view_state::ViewState;
 use crate::view::picking::{DepthMap, pick};
 use glam::Vec2;
 
-impl Stage {
+impl ViewState {
     /// The visible vertex nearest to the cursor.
     pub fn pick_vertex(&self, at: Vec2, radius: f32) -> Option<u32> {
-        pick::pick_vertex(&self.subject, &self.camera, at, radius)
+        pick::pick_vertex(&self.mesh, &self.camera, at, radius)
     }
 
     /// The handle nearest to the cursor, hidden or not.
     pub fn pick_handle(&self, at: Vec2, radius: f32) -> Option<u32> {
         let handles = self.handles.iter().map(|handle| handle.vertex);
-        pick::pick_any(&self.subject, &self.camera, handles, at, radius)
+        pick::pick_any(&self.mesh, &self.camera, handles, at, radius)
     }
 
     /// The face under the cursor.
     pub fn pick_face(&self, at: Vec2) -> Option<u32> {
-        pick::pick_face(&self.subject, &self.camera, at).map(|hit| hit.face)
+        pick::pick_face(&self.mesh, &self.camera, at).map(|hit| hit.face)
     }
 
     /// Makes sure that it is known what is in front.
     pub(crate) fn look(&mut self) {
-        self.map.get_or_insert_with(|| DepthMap::new(&self.subject, &self.camera));
+        self.map.get_or_insert_with(|| DepthMap::new(&self.mesh, &self.camera));
     }
 
-    /// What is in front, once [`Stage::look`] has looked.
+    /// What is in front, once [`ViewState::look`] has looked.
     pub(crate) fn depth_map(&self) -> Option<&DepthMap> {
         self.map.as_ref()
     }
 
     /// Where a vertex is on the canvas; `None` when hidden or outside.
     pub fn screen(&self, vertex: u32) -> Option<Vec2> {
-        let point = *self.subject.positions.get(vertex as usize)?;
+        let point = *self.mesh.positions.get(vertex as usize)?;
         let (screen, _) = self.camera.eye().project(point);
         let inside = screen.cmpge(Vec2::ZERO).all() && screen.cmple(self.camera.canvas).all();
-        (inside && pick::visible(&self.subject, &self.camera, vertex)).then_some(screen)
+        (inside && pick::visible(&self.mesh, &self.camera, vertex)).then_some(screen)
     }
 }

@@ -1,15 +1,15 @@
 //! The camera as numbers, to be kept and put back later, in a window of another size too.
 
-use super::view_state::Stage;
+use super::view_state::ViewState;
 use glam::DVec3;
 
 /// The pivot in file coordinates (3), distance, turn, tilt, and whether everything is framed (1 or 0).
 pub const CAMERA_NUMBERS: usize = 7;
 
-impl Stage {
+impl ViewState {
     /// Where the camera is.
     pub fn camera_numbers(&self) -> [f64; CAMERA_NUMBERS] {
-        let [x, y, z] = (self.camera.pivot.as_dvec3() + self.subject.centre).to_array();
+        let [x, y, z] = (self.camera.pivot.as_dvec3() + self.mesh.centre).to_array();
         let [distance, turn, tilt] =
             [self.camera.distance, self.camera.turn, self.camera.tilt].map(f64::from);
         [x, y, z, distance, turn, tilt, f64::from(u8::from(self.is_framed()))]
@@ -25,7 +25,7 @@ impl Stage {
         if !numbers.iter().all(|number| number.is_finite()) || distance <= 0.0 {
             return;
         }
-        self.camera.pivot = self.subject.relative(DVec3::new(x, y, z));
+        self.camera.pivot = self.mesh.relative(DVec3::new(x, y, z));
         self.camera.distance = distance as f32;
         self.camera.turn = turn as f32;
         self.camera.tilt = tilt as f32;

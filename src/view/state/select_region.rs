@@ -1,9 +1,9 @@
 //! What lies inside an outline on the screen: a box, a lasso, a stroke of the brush. Screen
 //! positions are CSS pixels.
 
-use super::view_state::Stage;
+use super::view_state::ViewState;
 use crate::math::polygon_sides;
-use crate::view::model::{Subject, ViewError, check_indices};
+use crate::view::model::{RenderMesh, ViewError, check_indices};
 use crate::view::picking::DepthMap;
 use glam::{Vec2, Vec3};
 
@@ -72,7 +72,7 @@ pub struct Taking {
     pub through: bool,
 }
 
-impl Stage {
+impl ViewState {
     /// The edges that can be picked: two vertices each, numbered in this order.
     ///
     /// # Errors
@@ -91,10 +91,10 @@ impl Stage {
     /// Marks edges as selected, and no others.
     ///
     /// # Errors
-    /// An edge that is not among those of [`Stage::set_edges`].
+    /// An edge that is not among those of [`ViewState::set_edges`].
     pub fn select_edges(&mut self, edges: &[u32]) -> Result<(), ViewError> {
         check_indices("selected edges", edges, self.edges.len())?;
-        self.looks.selected_edges = edges.iter().map(|&e| self.edges[e as usize]).collect();
+        self.appearance.selected_edges = edges.iter().map(|&e| self.edges[e as usize]).collect();
         self.changes.marks = true;
         Ok(())
     }
@@ -119,15 +119,15 @@ impl Stage {
     /// Vertices inside, in order.
     pub fn vertices_in(&mut self, outline: &Outline, through: bool) -> Vec<u32> {
         let seen = Seen::new(self, through);
-        let count = seen.subject.positions.len() as u32;
+        let count = seen.mesh.positions.len() as u32;
         let inside = |&vertex: &u32| {
-            let (at, depth) = seen.project(seen.subject.positions[vertex as usize]);
+            let (at, depth) = seen.project(seen.mesh.positions[vertex as usize]);
             depth > 0.0 && outline.holds(at) && seen.shows(at, depth)
         };
         (0..count).filter(inside).collect()
     }
 
-    /// Edges inside, in order of [`Stage::set_edges`]. One is seen where its middle is.
+    /// Edges inside, in order of [`ViewState::set_edges`]. One is seen where its middle is.
     pub fn edges_in(&mut self, outline: &Outline, taking: Taking) -> Vec<u32> {
         let seen = Seen::new(self, taking.through);
         let inside = |&edge: &u32| {
@@ -144,9 +144,9 @@ impl Stage {
         let seen = Seen::new(self, taking.through);
         let shown = seen.faces();
         let inside = |&face: &u32| {
-            let corners = seen.subject.faces.row(face as usize);
+            let corners = seen.mesh.faces.row(face as usize);
             let places: Vec<(Vec2, f32)> =
-                corners.iter().map(|&v| seen.project(seen.subject.positions[v as usize])).collect();
+                corners.iter().map(|&v| seen.project(seen.mesh.positions[v as usize])).collect();
             if places.is_empty() || places.iter().any(|&(_, depth)| depth <= 0.0) {
                 return false;
             }
@@ -160,13 +160,13 @@ impl Stage {
             };
             within && shown.as_ref().is_none_or(|shown| shown[face as usize])
         };
-        (0..seen.subject.faces.len() as u32).filter(inside).collect()
+        (0..seen.mesh.faces.len() as u32).filter(inside).collect()
     }
 }
 
 /// The mesh from where the camera stands, and what of it is in front.
 struct Seen<'a> {
-    subject: &'a Subject,
+    mesh: &'a RenderMesh,
     edges: &'a [[u32; 2]],
     eye: crate::view::camera::Eye,
     /// None where hidden things count too.
@@ -174,14 +174,14 @@ struct Seen<'a> {
 }
 
 impl<'a> Seen<'a> {
-    fn new(stage: &'a mut Stage, through: bool) -> Seen<'a> {
-        let eye = stage.camera.eye();
+    fn new(state: &'a mut ViewState, through: bool) -> Seen<'a> {
+        let eye = state.camera.eye();
         if !through {
-            stage.look();
+            state.look();
         }
-        let stage = &*stage;
-        let map = if through { None } else { stage.depth_map() };
-        Seen { subject: &stage.subject, edges: &stage.edges, eye, map }
+        let state = &*state;
+        let map = if through { None } else { state.depth_map() };
+        Seen { mesh: &state.mesh, edges: &state.edges, eye, map }
     }
 
     fn project(&self, point: Vec3) -> (Vec2, f32) {
@@ -194,12 +194,12 @@ impl<'a> Seen<'a> {
 
     /// Where the ends of an edge are, with their depths; nothing where one is behind the eye.
     fn on_screen(&self, ends: [u32; 2]) -> Option<[(Vec2, f32); 2]> {
-        let ends = ends.map(|v| self.project(self.subject.positions[v as usize]));
+        let ends = ends.map(|v| self.project(self.mesh.positions[v as usize]));
         ends.iter().all(|&(_, depth)| depth > 0.0).then_some(ends)
     }
 
     fn shows_edge(&self, edge: u32) -> bool {
-        let [a, b] = self.edges[edge as usize].map(|v| self.subject.positions[v as usize]);
+        let [a, b] = self.edges[edge as usize].map(|v| self.mesh.positions[v as usize]);
         let (at, depth) = self.project((a + b) * 0.5);
         self.shows(at, depth)
     }
@@ -207,11 +207,11 @@ impl<'a> Seen<'a> {
     /// Per face whether it is in sight; none where hidden ones count too.
     fn faces(&self) -> Option<Vec<bool>> {
         let map = self.map?;
-        let mut shown = map.faces_in_front(self.subject.faces.len());
+        let mut shown = map.faces_in_front(self.mesh.faces.len());
         // A face too small for the map's pixels is seen where its middle is.
-        for (triangle, &face) in self.subject.triangles.iter().zip(&self.subject.triangle_face) {
+        for (triangle, &face) in self.mesh.triangles.iter().zip(&self.mesh.triangle_face) {
             if !shown[face as usize] {
-                let corners = triangle.map(|v| self.subject.positions[v as usize]);
+                let corners = triangle.map(|v| self.mesh.positions[v as usize]);
                 let (at, depth) = self.project((corners[0] + corners[1] + corners[2]) / 3.0);
                 shown[face as usize] = depth > 0.0 && map.shows(at, depth);
             }

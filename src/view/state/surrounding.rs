@@ -1,19 +1,19 @@
 //! The ghost and the ground of a view, its projection, and how deep it is.
 
-use super::view_state::Stage;
+use super::view_state::ViewState;
 use crate::view::appearance::LineKind;
-use crate::view::camera::{Projection, depth_range};
+use crate::view::camera::{CameraProjection, depth_range};
 use crate::view::model::{ViewError, read_points};
 use crate::view::overlay::Ground;
 use glam::{DVec3, Vec3};
 
-impl Stage {
+impl ViewState {
     /// Takes the positions of the mesh as it was opened: #V by 3 in file coordinates.
     ///
     /// # Errors
     /// Another number of vertices, or a coordinate that is not finite.
     pub fn set_rest(&mut self, coordinates: &[f64]) -> Result<(), ViewError> {
-        let expected = self.subject.exact.len() * 3;
+        let expected = self.mesh.exact.len() * 3;
         if coordinates.len() != expected {
             let got = coordinates.len();
             return Err(ViewError::Length { what: "positions at rest", got, expected });
@@ -44,7 +44,7 @@ impl Stage {
         let high = around.rest.iter().copied().reduce(DVec3::max);
         around.grid = match (around.ground, low, high) {
             (true, Some(low), Some(high)) => {
-                Ground::new(low, high, self.camera.up, self.subject.centre)
+                Ground::new(low, high, self.camera.up, self.mesh.centre)
             }
             _ => Ground::default(),
         };
@@ -57,18 +57,18 @@ impl Stage {
     pub fn surrounding_points(&self) -> impl Iterator<Item = Vec3> + '_ {
         let ghost = if self.around.ghost { &self.around.rest[..] } else { &[] };
         let grid = self.around.grid.lines.iter().flatten().copied();
-        ghost.iter().map(|&point| self.subject.relative(point)).chain(grid)
+        ghost.iter().map(|&point| self.mesh.relative(point)).chain(grid)
     }
 
-    /// The lines of what is shown: their ends among [`Stage::surrounding_points`], and their
+    /// The lines of what is shown: their ends among [`ViewState::surrounding_points`], and their
     /// [`LineKind`].
     pub fn surrounding_lines(&self) -> Vec<[u32; 3]> {
         let mut lines = Vec::new();
         let mut first = 0;
         if self.around.ghost && !self.around.rest.is_empty() {
             let kind = LineKind::Ghost as u32;
-            lines.extend(self.subject.edges.iter().map(|e| [e.ends[0], e.ends[1], kind]));
-            let curves = self.subject.curves.iter();
+            lines.extend(self.mesh.edges.iter().map(|e| [e.ends[0], e.ends[1], kind]));
+            let curves = self.mesh.curves.iter();
             lines.extend(curves.flat_map(|c| c.windows(2).map(|ends| [ends[0], ends[1], kind])));
             first = self.around.rest.len() as u32;
         }
@@ -79,14 +79,14 @@ impl Stage {
 
     /// Perspective or parallel projection; the pivot keeps its place and what lies there its size.
     pub fn set_parallel(&mut self, parallel: bool) {
-        let is_parallel = self.camera.projection != Projection::Perspective;
+        let is_parallel = self.camera.projection != CameraProjection::Perspective;
         if parallel == is_parallel {
             return;
         }
         self.camera.projection = if parallel {
-            Projection::Parallel { reach: 1.5 * self.reach() }
+            CameraProjection::Parallel { reach: 1.5 * self.reach() }
         } else {
-            Projection::Perspective
+            CameraProjection::Perspective
         };
         self.refit();
         self.view_changed();
@@ -94,10 +94,10 @@ impl Stage {
 
     /// In parallel projection, keeps the eye behind everything.
     pub(crate) fn keep_reach(&mut self) {
-        if let Projection::Parallel { reach } = self.camera.projection {
+        if let CameraProjection::Parallel { reach } = self.camera.projection {
             let needed = self.reach();
             if !(needed..=4.0 * needed).contains(&reach) {
-                self.camera.projection = Projection::Parallel { reach: 1.5 * needed };
+                self.camera.projection = CameraProjection::Parallel { reach: 1.5 * needed };
             }
         }
     }
@@ -105,7 +105,7 @@ impl Stage {
     /// Near and far depths around everything drawn.
     pub fn depth_range(&self) -> (f32, f32) {
         let [mut low, mut high] = self.bounds();
-        // Projections lie beside their vertices, and are drawn nearer to the eye by as much.
+        // ProjectionMarks lie beside their vertices, and are drawn nearer to the eye by as much.
         let ways = self.projections.points.iter().map(|point| point.way.length_squared());
         let beside = 2.0 * ways.fold(0.0, f32::max).sqrt();
         (low, high) = (low - beside, high + beside);
@@ -119,7 +119,7 @@ impl Stage {
 
     /// So far from the view's centre anything is drawn, and a little more.
     fn reach(&self) -> f32 {
-        let points = self.subject.positions.iter().copied();
+        let points = self.mesh.positions.iter().copied();
         let all = points.chain(self.targets()).chain(self.surrounding_points());
         let farthest = all.map(Vec3::length_squared).fold(0.0, f32::max).sqrt();
         farthest + 0.1 * self.size()

@@ -1,6 +1,6 @@
 //! The measuring tape: how far apart two vertices are, now and in the model that was opened.
 
-use super::view_state::Stage;
+use super::view_state::ViewState;
 use crate::view::model::{ViewError, check_indices};
 use glam::DVec3;
 
@@ -13,7 +13,7 @@ pub struct Measured {
     pub rest: Option<DVec3>,
 }
 
-impl Stage {
+impl ViewState {
     /// Spans the tape between two vertices, marks the one that it begins at, or takes it away.
     ///
     /// # Errors
@@ -35,7 +35,7 @@ impl Stage {
         let between = |points: &[DVec3]| points[to as usize] - points[from as usize];
         let rest = self.around.rest();
         Some(Measured {
-            now: between(&self.subject.exact),
+            now: between(&self.mesh.exact),
             rest: (!rest.is_empty()).then(|| between(rest)),
         })
     }

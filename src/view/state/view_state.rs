@@ -1,11 +1,11 @@
 //! Everything that a picture shows, and what has changed since the last one.
 
-use super::parts::{Changes, Display, Handle, SHAPE_NUMBERS};
-use crate::view::appearance::{Colour, DARK, DotKind, LIGHT, Looks, Palette};
+use super::parts::{Changes, Display, HandleMark, SHAPE_NUMBERS};
+use crate::view::appearance::{Appearance, Colour, DARK, DotKind, LIGHT, Palette};
 use crate::view::camera::Camera;
-use crate::view::gizmo::Wanted;
+use crate::view::gizmo::GizmoState;
 use crate::view::model::{
-    Checks, Lists, Projections, Subject, ViewError, check_indices, read_points,
+    Checks, Lists, ProjectionMarks, RenderMesh, ViewError, check_indices, read_points,
 };
 use crate::view::overlay::Surroundings;
 use crate::view::picking::DepthMap;
@@ -13,23 +13,23 @@ use glam::{DVec3, Vec3, Vec4};
 
 /// The state of the view.
 #[derive(Debug)]
-pub struct Stage {
+pub struct ViewState {
     /// The mesh.
-    pub subject: Subject,
+    pub mesh: RenderMesh,
     /// `#E by 2`: the edges that can be picked and selected.
     pub edges: Vec<[u32; 2]>,
     /// The camera.
     pub camera: Camera,
     /// Values and marks.
-    pub looks: Looks,
+    pub appearance: Appearance,
     /// Colour of the tint.
     pub tint: [f32; 3],
     /// All handles.
-    pub handles: Vec<Handle>,
+    pub handles: Vec<HandleMark>,
     /// Fitted shapes in view coordinates, `SHAPE_NUMBERS` each.
     pub shapes: Vec<f32>,
     /// Projected points, outlines, arrows.
-    pub projections: Projections,
+    pub projections: ProjectionMarks,
     /// The checkerboard of a flat map.
     pub checks: Checks,
     /// Sides of the faces that a flat map turns over, by their vertices.
@@ -41,7 +41,7 @@ pub struct Stage {
     /// What is switched on.
     pub display: Display,
     /// What is wanted of the gizmo.
-    pub gizmo: Wanted,
+    pub gizmo: GizmoState,
     /// Dark theme.
     pub dark: bool,
     /// White behind everything, for figures, instead of the theme's colour.
@@ -55,23 +55,23 @@ pub struct Stage {
     pub(super) map: Option<DepthMap>,
 }
 
-impl Default for Stage {
+impl Default for ViewState {
     fn default() -> Self {
-        Stage {
-            subject: Subject::default(),
+        ViewState {
+            mesh: RenderMesh::default(),
             edges: Vec::new(),
             camera: Camera::default(),
-            looks: Looks::default(),
+            appearance: Appearance::default(),
             tint: [0.2, 0.7, 0.3],
             handles: Vec::new(),
             shapes: Vec::new(),
-            projections: Projections::default(),
+            projections: ProjectionMarks::default(),
             checks: Checks::default(),
             flipped: Vec::new(),
             around: Surroundings::default(),
             tape: Vec::new(),
             display: Display { edges: true, ..Display::default() },
-            gizmo: Wanted::default(),
+            gizmo: GizmoState::default(),
             dark: false,
             white: false,
             changes: Changes::ALL,
@@ -82,7 +82,7 @@ impl Default for Stage {
     }
 }
 
-impl Stage {
+impl ViewState {
     /// Shows a mesh. Another mesh than before comes without marks, handles and shapes, and is
     /// framed from the three-quarter view; the same faces and curves only move.
     ///
@@ -97,18 +97,18 @@ impl Stage {
         let count = coordinates.len() / 3;
         let faces = Lists::new("faces", faces.0, faces.1, count)?;
         let curves = Lists::new("curves", curves.0, curves.1, count)?;
-        let same = faces == self.subject.faces
-            && curves == self.subject.curves
-            && count == self.subject.exact.len();
+        let same = faces == self.mesh.faces
+            && curves == self.mesh.curves
+            && count == self.mesh.exact.len();
         if same {
             return self.set_positions(coordinates);
         }
-        self.subject = Subject::new(faces, curves, coordinates)?;
+        self.mesh = RenderMesh::new(faces, curves, coordinates)?;
         self.edges.clear();
-        self.looks = Looks::default();
+        self.appearance = Appearance::default();
         self.handles.clear();
         self.shapes.clear();
-        self.projections = Projections::default();
+        self.projections = ProjectionMarks::default();
         self.checks = Checks::default();
         self.tape.clear();
         self.changes = Changes::ALL;
@@ -121,7 +121,7 @@ impl Stage {
     /// # Errors
     /// Another number of vertices or a coordinate that is not finite.
     pub fn set_positions(&mut self, coordinates: &[f64]) -> Result<(), ViewError> {
-        self.subject.set_positions(coordinates)?;
+        self.mesh.set_positions(coordinates)?;
         self.changes.positions = true;
         self.map = None;
         self.keep_reach();
@@ -130,7 +130,7 @@ impl Stage {
 
     /// How many vertices and faces there are.
     pub fn counts(&self) -> (usize, usize) {
-        (self.subject.positions.len(), self.subject.faces.len())
+        (self.mesh.positions.len(), self.mesh.faces.len())
     }
 
     /// Sets all handles; states are 0 soft, 1 fixed, 2 active; targets are #H by 3.
@@ -161,7 +161,7 @@ impl Stage {
                     return Err(ViewError::Index { what: "handle states", index, count });
                 }
             };
-            handles.push(Handle { vertex, kind, target });
+            handles.push(HandleMark { vertex, kind, target });
         }
         let same = handles.len() == self.handles.len()
             && handles
@@ -188,7 +188,7 @@ impl Stage {
         for row in rows.iter().filter(|row| row.iter().all(|x| x.is_finite())) {
             let centre = DVec3::new(f64::from(row[1]), f64::from(row[2]), f64::from(row[3]));
             self.shapes.push(row[0]);
-            self.shapes.extend(self.subject.relative(centre).to_array());
+            self.shapes.extend(self.mesh.relative(centre).to_array());
             self.shapes.extend(&row[4..]);
         }
         self.changes.shapes = true;
@@ -196,7 +196,7 @@ impl Stage {
     }
 
     /// Sets the projections of the constraints.
-    pub fn set_projections(&mut self, projections: Projections) {
+    pub fn set_projections(&mut self, projections: ProjectionMarks) {
         self.changes.projections |= projections != self.projections;
         self.projections = projections;
     }
@@ -204,7 +204,7 @@ impl Stage {
     /// The projected points relative to the view's centre, each with its distance from its vertex.
     pub fn projected(&self) -> impl Iterator<Item = Vec4> + '_ {
         self.projections.points.iter().map(|point| {
-            let at = self.subject.positions[point.vertex as usize] + point.way;
+            let at = self.mesh.positions[point.vertex as usize] + point.way;
             at.extend(point.way.length())
         })
     }
@@ -238,13 +238,13 @@ impl Stage {
     }
 
     pub(crate) fn bounds(&self) -> [Vec3; 2] {
-        let points = self.subject.used_positions();
+        let points = self.mesh.used_positions();
         let low = points.clone().reduce(Vec3::min).unwrap_or_default();
         [low, points.reduce(Vec3::max).unwrap_or_default()]
     }
 
     /// Where each handle should be, relative to the view's centre.
     pub fn targets(&self) -> impl Iterator<Item = Vec3> + '_ {
-        self.handles.iter().map(|handle| self.subject.relative(handle.target))
+        self.handles.iter().map(|handle| self.mesh.relative(handle.target))
     }
 }

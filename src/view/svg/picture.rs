@@ -14,7 +14,7 @@ use crate::math::polygon_sides;
 use crate::view::appearance::{Colour, DARK, Dot, DotKind, LIGHT, LineKind, Palette, Stroke};
 use crate::view::camera::Eye;
 use crate::view::picking::hidden;
-use crate::view::state::Stage;
+use crate::view::state::ViewState;
 use glam::{Vec2, Vec3, Vec4};
 use std::collections::BTreeSet;
 use std::fmt::{Display, Write};
@@ -29,20 +29,20 @@ const NEAR: f32 = 0.02;
 
 /// The stage as an `svg` element of the size of its canvas, with the classes `still` and `class`.
 /// [`style`] has the rest of its looks.
-pub fn svg(stage: &Stage, class: &str) -> String {
-    let [width, height] = stage.camera.canvas.round().to_array();
-    let eye = stage.camera.eye();
+pub fn svg(state: &ViewState, class: &str) -> String {
+    let [width, height] = state.camera.canvas.round().to_array();
+    let eye = state.camera.eye();
     let mut svg = format!(
         r#"<svg class="still {class}" viewBox="0 0 {width} {height}" data-eye="{}">"#,
-        spaced(rows_for_file(stage, &eye).iter().flat_map(|row| row.to_array())),
+        spaced(rows_for_file(state, &eye).iter().flat_map(|row| row.to_array())),
     );
     let place = |point: Vec3| eye.project(point).0.round();
-    let places: Vec<Vec2> = stage.subject.positions.iter().map(|&point| place(point)).collect();
-    let rim = rim_of(stage);
-    for face in from_far_to_near(stage) {
-        let corners = stage.subject.faces.row(face as usize);
+    let places: Vec<Vec2> = state.mesh.positions.iter().map(|&point| place(point)).collect();
+    let rim = rim_of(state);
+    for face in from_far_to_near(state) {
+        let corners = state.mesh.faces.row(face as usize);
         let [light, dark] = [LIGHT, DARK]
-            .map(|palette| (face_colour(stage, face, &palette) * STEPS).round() / STEPS);
+            .map(|palette| (face_colour(state, face, &palette) * STEPS).round() / STEPS);
         let colour = themed(light.extend(1.0).to_array(), dark.extend(1.0).to_array());
         let outline = line(corners.iter().map(|&v| places[v as usize]));
         // Writing to a string cannot fail.
@@ -56,20 +56,20 @@ pub fn svg(stage: &Stage, class: &str) -> String {
             let _ = write!(svg, r#"<path class="rim" data-sides="{sides}" d="{rim}"/>"#);
         }
     }
-    svg + &handles(stage, &eye) + "</svg>"
+    svg + &handles(state, &eye) + "</svg>"
 }
 
 /// The edges on the boundary.
-pub(crate) fn rim_of(stage: &Stage) -> BTreeSet<[u32; 2]> {
-    let boundary = stage.subject.edges.iter().filter(|edge| edge.boundary);
+pub(crate) fn rim_of(state: &ViewState) -> BTreeSet<[u32; 2]> {
+    let boundary = state.mesh.edges.iter().filter(|edge| edge.boundary);
     boundary.map(|edge| edge.ends).collect()
 }
 
 /// Each handle with its target and the line between them.
-fn handles(stage: &Stage, eye: &Eye) -> String {
+fn handles(state: &ViewState, eye: &Eye) -> String {
     let mut svg = String::new();
-    for (handle, target) in stage.handles.iter().zip(stage.targets()) {
-        let point = stage.subject.positions[handle.vertex as usize];
+    for (handle, target) in state.handles.iter().zip(state.targets()) {
+        let point = state.mesh.positions[handle.vertex as usize];
         let (at, depth) = eye.project(point);
         let [right, down] = [Vec2::X, Vec2::Y].map(|pixel| eye.across(pixel, depth));
         let _ = write!(
@@ -79,7 +79,7 @@ fn handles(stage: &Stage, eye: &Eye) -> String {
             spaced(right.to_array()),
             spaced(down.to_array()),
         );
-        let opacity = if is_hidden(stage, eye, handle.vertex) { BEHIND } else { 1.0 };
+        let opacity = if is_hidden(state, eye, handle.vertex) { BEHIND } else { 1.0 };
         if handle.kind != DotKind::Fixed {
             let to = eye.project(target).0.round();
             let Vec2 { x, y } = at.round();
@@ -94,8 +94,8 @@ fn handles(stage: &Stage, eye: &Eye) -> String {
 }
 
 /// The eye's rows for points in file coordinates.
-fn rows_for_file(stage: &Stage, eye: &Eye) -> [Vec4; 3] {
-    let centre = stage.subject.centre.as_vec3();
+fn rows_for_file(state: &ViewState, eye: &Eye) -> [Vec4; 3] {
+    let centre = state.mesh.centre.as_vec3();
     eye.rows().map(|row| row.truncate().extend(row.w - row.truncate().dot(centre)))
 }
 
@@ -148,14 +148,14 @@ pub fn style(has_full_map: bool) -> String {
 
 /// The faces in the order in which they are painted: those whose corners are on average the
 /// farthest first. It depends on where the eye looks, not on where it is.
-pub fn from_far_to_near(stage: &Stage) -> Vec<u32> {
-    let subject = &stage.subject;
-    let forward = stage.camera.eye().forward;
+pub fn from_far_to_near(state: &ViewState) -> Vec<u32> {
+    let mesh = &state.mesh;
+    let forward = state.camera.eye().forward;
     let depth = |corners: &[u32]| {
-        let sum: f32 = corners.iter().map(|&v| subject.positions[v as usize].dot(forward)).sum();
+        let sum: f32 = corners.iter().map(|&v| mesh.positions[v as usize].dot(forward)).sum();
         sum / corners.len().max(1) as f32
     };
-    let mut faces: Vec<(f32, u32)> = subject.faces.iter().map(depth).zip(0..).collect();
+    let mut faces: Vec<(f32, u32)> = mesh.faces.iter().map(depth).zip(0..).collect();
     faces.sort_by(|a, b| b.0.total_cmp(&a.0));
     faces.into_iter().map(|(_, face)| face).collect()
 }
@@ -166,10 +166,10 @@ pub(crate) fn sides(corners: &[u32]) -> impl Iterator<Item = [u32; 2]> + '_ {
 }
 
 /// Whether the surface hides the mark on a vertex. The view draws marks in front of what is near.
-pub(crate) fn is_hidden(stage: &Stage, eye: &Eye, vertex: u32) -> bool {
-    let point = stage.subject.positions[vertex as usize];
+pub(crate) fn is_hidden(state: &ViewState, eye: &Eye, vertex: u32) -> bool {
+    let point = state.mesh.positions[vertex as usize];
     let from = eye.seen_from(point);
-    hidden(&stage.subject, from, vertex, eye.scale_depth((point - from).length()) * NEAR)
+    hidden(&state.mesh, from, vertex, eye.scale_depth((point - from).length()) * NEAR)
 }
 
 /// A line through places, as the data of a path: the first as it is, the others by their steps.

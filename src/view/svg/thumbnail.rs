@@ -8,7 +8,7 @@ use super::light::face_colour;
 use super::picture::{from_far_to_near, is_hidden, line, rim_of, sides, themed};
 use crate::view::appearance::{DARK, DotKind, LIGHT, LineKind, Palette};
 use crate::view::camera::Eye;
-use crate::view::state::Stage;
+use crate::view::state::ViewState;
 use glam::{Vec2, Vec3};
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -19,10 +19,10 @@ const CROWD: usize = 1200;
 const DOTS: f32 = 0.62;
 
 /// The stage as an SVG file of the size of its canvas.
-pub fn svg(stage: &Stage) -> String {
-    let mut drawing = Drawing::new(stage);
+pub fn svg(state: &ViewState) -> String {
+    let mut drawing = Drawing::new(state);
     let body = drawing.faces() + &drawing.curves() + &drawing.dots();
-    let [width, height] = (stage.camera.canvas * drawing.scale).round().to_array();
+    let [width, height] = (state.camera.canvas * drawing.scale).round().to_array();
     let style = drawing.style();
     let colours = &drawing.colours;
     let colours: String =
@@ -34,7 +34,7 @@ pub fn svg(stage: &Stage) -> String {
 
 /// A picture in the making.
 struct Drawing<'a> {
-    stage: &'a Stage,
+    state: &'a ViewState,
     eye: Eye,
     /// Steps of places per CSS pixel.
     scale: f32,
@@ -51,10 +51,10 @@ fn letters(number: usize) -> String {
 }
 
 impl<'a> Drawing<'a> {
-    fn new(stage: &'a Stage) -> Self {
-        let is_crowd = stage.subject.faces.len() > CROWD;
+    fn new(state: &'a ViewState) -> Self {
+        let is_crowd = state.mesh.faces.len() > CROWD;
         let (scale, steps) = if is_crowd { (1.0, 20.0) } else { (2.0, 32.0) };
-        Drawing { stage, eye: stage.camera.eye(), scale, steps, colours: BTreeMap::new() }
+        Drawing { state, eye: state.camera.eye(), scale, steps, colours: BTreeMap::new() }
     }
 
     /// The class of a colour.
@@ -64,13 +64,13 @@ impl<'a> Drawing<'a> {
     }
 
     fn style(&self) -> String {
-        let looks = &self.stage.looks;
-        let edge = |palette: &Palette| match looks.has_full_map() {
+        let appearance = &self.state.appearance;
+        let edge = |palette: &Palette| match appearance.has_full_map() {
             true => palette.edge_of_values,
             false => palette.strokes[LineKind::Edge as usize].colour,
         };
         // Where there are thousands of faces, lines as wide as in the view would be all that is seen.
-        let crowd = (self.stage.subject.faces.len() as f32 / 450.0).sqrt().max(1.0);
+        let crowd = (self.state.mesh.faces.len() as f32 / 450.0).sqrt().max(1.0);
         let stroke = |kind: LineKind| {
             let colour = |palette: &Palette| palette.strokes[kind as usize].colour;
             let width = LIGHT.strokes[kind as usize].width * self.scale * DOTS;
@@ -94,19 +94,19 @@ impl<'a> Drawing<'a> {
 
     fn faces(&mut self) -> String {
         let mut svg = String::new();
-        let rim = rim_of(self.stage);
+        let rim = rim_of(self.state);
         // The class of the path that the last face is in.
         let mut open = String::new();
-        for face in from_far_to_near(self.stage) {
+        for face in from_far_to_near(self.state) {
             // Of a closed surface no back is seen.
             if rim.is_empty() && self.is_turned_away(face) {
                 continue;
             }
             let [light, dark] = [LIGHT, DARK].map(|palette| {
-                self.coarse(face_colour(self.stage, face, &palette)).extend(1.0).to_array()
+                self.coarse(face_colour(self.state, face, &palette)).extend(1.0).to_array()
             });
             let class = self.class(themed(light, dark));
-            let corners = self.stage.subject.faces.row(face as usize);
+            let corners = self.state.mesh.faces.row(face as usize);
             let outline = line(corners.iter().map(|&v| self.place(v)));
             // Writing to a string cannot fail.
             if class == open {
@@ -133,7 +133,7 @@ impl<'a> Drawing<'a> {
     fn coarse(&self, colour: Vec3) -> Vec3 {
         let coarse = |part: f32| (part * self.steps).round() / self.steps;
         let most = colour.max_element();
-        if self.stage.looks.has_full_map() || most == 0.0 {
+        if self.state.appearance.has_full_map() || most == 0.0 {
             Vec3::from(colour.to_array().map(coarse))
         } else {
             (colour * (coarse(most) / most)).min(Vec3::ONE)
@@ -142,19 +142,19 @@ impl<'a> Drawing<'a> {
 
     /// Whether the back of a face is seen.
     fn is_turned_away(&self, face: u32) -> bool {
-        let subject = &self.stage.subject;
-        let corner = subject.faces.row(face as usize)[0];
-        let sight = subject.positions[corner as usize] - self.eye.at;
-        subject.normals.faces[face as usize].dot(sight) > 0.0
+        let mesh = &self.state.mesh;
+        let corner = mesh.faces.row(face as usize)[0];
+        let sight = mesh.positions[corner as usize] - self.eye.at;
+        mesh.normals.faces[face as usize].dot(sight) > 0.0
     }
 
     /// Polylines where there are no faces; those on a surface are seen by its edges.
     fn curves(&self) -> String {
-        let subject = &self.stage.subject;
-        if !subject.faces.is_empty() || subject.curves.is_empty() {
+        let mesh = &self.state.mesh;
+        if !mesh.faces.is_empty() || mesh.curves.is_empty() {
             return String::new();
         }
-        let curves = subject.curves.iter();
+        let curves = mesh.curves.iter();
         let lines: String =
             curves.map(|curve| line(curve.iter().map(|&v| self.place(v)))).collect();
         format!(r#"<path class="R" d="{lines}"/>"#)
@@ -165,13 +165,13 @@ impl<'a> Drawing<'a> {
     fn dots(&mut self) -> String {
         let mut svg = self.points();
         let mut marks = String::new();
-        for handle in &self.stage.handles {
+        for handle in &self.state.handles {
             let from = self.place(handle.vertex);
-            let to = self.at(self.stage.subject.relative(handle.target));
+            let to = self.at(self.state.mesh.relative(handle.target));
             if from.distance(to) > self.scale {
                 let _ = write!(svg, r#"<path class="P" d="{}"/>"#, line([from, to]));
             }
-            if !is_hidden(self.stage, &self.eye, handle.vertex) {
+            if !is_hidden(self.state, &self.eye, handle.vertex) {
                 let [light, dark] = [LIGHT, DARK].map(|palette| palette.dots[handle.kind as usize]);
                 let class = self.class(themed(light.fill, dark.fill)) + " H";
                 marks += &self.dot(&class, from, light.radius * DOTS);
@@ -182,14 +182,14 @@ impl<'a> Drawing<'a> {
 
     /// One path of dots for each colour.
     fn points(&mut self) -> String {
-        let stage = self.stage;
-        let rows = &stage.looks.rows;
-        let is_only_points = stage.subject.is_only_points();
+        let state = self.state;
+        let rows = &state.appearance.rows;
+        let is_only_points = state.mesh.is_only_points();
         let mut paths: BTreeMap<String, String> = BTreeMap::new();
-        for v in 0..stage.subject.positions.len() as u32 {
+        for v in 0..state.mesh.positions.len() as u32 {
             let row = rows.vertices.get(v as usize).copied().unwrap_or(0);
-            let is_seen = is_only_points || row > 0 && !is_hidden(stage, &self.eye, v);
-            if !is_seen || stage.looks.has_values() {
+            let is_seen = is_only_points || row > 0 && !is_hidden(state, &self.eye, v);
+            if !is_seen || state.appearance.has_values() {
                 continue;
             }
             let [light, dark] = [LIGHT, DARK].map(|palette| match row {
@@ -213,7 +213,7 @@ impl<'a> Drawing<'a> {
     }
 
     fn place(&self, vertex: u32) -> Vec2 {
-        self.at(self.stage.subject.positions[vertex as usize])
+        self.at(self.state.mesh.positions[vertex as usize])
     }
 
     fn at(&self, point: Vec3) -> Vec2 {
@@ -226,17 +226,17 @@ mod tests {
     use super::*;
 
     /// A cube, closed or without its lid.
-    fn stage(faces: usize) -> Stage {
+    fn state(faces: usize) -> ViewState {
         let corners = (0..8u8).flat_map(|k| [k & 1, k >> 1 & 1, k >> 2].map(f64::from));
         let quads =
             [[0, 2, 3, 1], [0, 1, 5, 4], [1, 3, 7, 5], [3, 2, 6, 7], [2, 0, 4, 6], [4, 5, 7, 6]];
         let indices: Vec<u32> = quads[..faces].concat();
         let offsets = (0..=faces as u32).map(|k| 4 * k).collect();
-        let mut stage = Stage::default();
+        let mut state = ViewState::default();
         let positions: Vec<f64> = corners.collect();
-        stage.set_mesh((offsets, indices), (vec![0], vec![]), &positions).unwrap();
-        stage.resize(Vec2::new(200.0, 100.0));
-        stage
+        state.set_mesh((offsets, indices), (vec![0], vec![]), &positions).unwrap();
+        state.resize(Vec2::new(200.0, 100.0));
+        state
     }
 
     fn outlines(svg: &str) -> usize {
@@ -245,22 +245,22 @@ mod tests {
 
     #[test]
     fn a_closed_surface_shows_no_backs_and_an_open_one_shows_all() {
-        let closed = svg(&stage(6));
+        let closed = svg(&state(6));
         assert_eq!(outlines(&closed), 3, "{closed}");
         assert!(closed.contains(r#"viewBox="0 0 400 200""#));
-        let open = svg(&stage(5));
+        let open = svg(&state(5));
         assert_eq!(outlines(&open), 5, "{open}");
         assert!(open.contains(r#"class="R""#));
     }
 
     #[test]
     fn points_without_faces_are_dots() {
-        let mut stage = Stage::default();
-        stage
+        let mut state = ViewState::default();
+        state
             .set_mesh((vec![0], vec![]), (vec![0], vec![]), &[0.0, 0.0, 0.0, 1.0, 2.0, 3.0])
             .unwrap();
-        stage.resize(Vec2::new(200.0, 100.0));
-        assert_eq!(svg(&stage).matches("h0").count(), 2);
+        state.resize(Vec2::new(200.0, 100.0));
+        assert_eq!(svg(&state).matches("h0").count(), 2);
     }
 
     #[test]

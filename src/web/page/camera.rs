@@ -1,7 +1,7 @@
 //! Where the model is looked at from.
 
 use super::view::View;
-use crate::view::camera::Up;
+use crate::view::camera::UpAxis;
 use crate::view::model::ViewError;
 use crate::web::thrown;
 use glam::Vec2;
@@ -16,63 +16,63 @@ impl View {
     #[wasm_bindgen(js_name = setUp)]
     pub fn set_up(&mut self, up: &str) -> Result<(), JsValue> {
         let up = match up {
-            "z" => Up::Z,
-            "y" => Up::Y,
+            "z" => UpAxis::Z,
+            "y" => UpAxis::Y,
             _ => {
                 let got = up.to_owned();
                 return Err(thrown(ViewError::Word { what: "up", got, known: "z or y" }));
             }
         };
-        self.stage.set_up(up);
+        self.state.set_up(up);
         Ok(())
     }
 
     /// Turns the camera about the middle of the canvas.
     pub fn orbit(&mut self, dx: f32, dy: f32) {
-        self.stage.orbit(dx, dy);
+        self.state.orbit(dx, dy);
     }
 
     /// Begins to turn the camera by a drag, about what is under the cursor.
     #[wasm_bindgen(js_name = beginTurn)]
     pub fn begin_turn(&mut self, x: f32, y: f32) {
-        self.stage.begin_turn(Vec2::new(x, y));
+        self.state.begin_turn(Vec2::new(x, y));
     }
 
     /// Goes on with the drag that `beginTurn` began: what was under the cursor keeps its place.
     pub fn turn(&mut self, dx: f32, dy: f32) {
-        self.stage.turn(dx, dy);
+        self.state.turn(dx, dy);
     }
 
     /// Slides the picture by a drag.
     pub fn pan(&mut self, dx: f32, dy: f32) {
-        self.stage.pan(dx, dy);
+        self.state.pan(dx, dy);
     }
 
     /// Comes `factor` times nearer (farther when less than one) to what is under the cursor.
     pub fn zoom(&mut self, factor: f32, x: f32, y: f32) {
-        self.stage.zoom(factor, Vec2::new(x, y));
+        self.state.zoom(factor, Vec2::new(x, y));
     }
 
     /// Leaves so many CSS pixels free at the lower edge when something is framed. What is framed now moves
     /// away from there, and not back.
     pub fn cover(&mut self, pixels: f32) {
-        self.stage.cover(pixels);
+        self.state.cover(pixels);
     }
 
     /// Where the camera is: numbers to be kept. See [`crate::view::state::saved_camera`].
     pub fn camera(&self) -> Vec<f64> {
-        self.stage.camera_numbers().to_vec()
+        self.state.camera_numbers().to_vec()
     }
 
     /// Puts the camera back where `camera` said that it was.
     #[wasm_bindgen(js_name = placeCamera)]
     pub fn place_camera(&mut self, numbers: &[f64]) {
-        self.stage.place_camera(numbers);
+        self.state.place_camera(numbers);
     }
 
     /// Fills the canvas with the mesh, from where the camera looks now.
     pub fn fit(&mut self) {
-        self.stage.fit();
+        self.state.fit();
     }
 
     /// Fills the canvas with some vertices.
@@ -81,14 +81,14 @@ impl View {
     /// A vertex that does not exist.
     #[wasm_bindgen(js_name = fitVertices)]
     pub fn fit_vertices(&mut self, vertices: &[u32]) -> Result<(), JsValue> {
-        self.stage.fit_vertices(vertices).map_err(thrown)
+        self.state.fit_vertices(vertices).map_err(thrown)
     }
 
-    /// Looks from `top`, `bottom`, `front`, `back`, `left`, `right`, `isometric` or `home`, and fits.
+    /// Appearance from `top`, `bottom`, `front`, `back`, `left`, `right`, `isometric` or `home`, and fits.
     ///
     /// # Errors
     /// Any other name.
     pub fn preset(&mut self, name: &str) -> Result<(), JsValue> {
-        self.stage.preset(name).map_err(thrown)
+        self.state.preset(name).map_err(thrown)
     }
 }

@@ -1,7 +1,7 @@
 //! The gizmo at the selected handles, and the hold that the pointer has of handles.
 
 use super::view::View;
-use crate::view::gizmo::Way;
+use crate::view::gizmo::DragDirection;
 use crate::web::thrown;
 use glam::{DVec3, Vec2};
 use wasm_bindgen::prelude::*;
@@ -11,7 +11,7 @@ impl View {
     /// Shows the gizmo where a handle is selected, or not; larger for fingers.
     #[wasm_bindgen(js_name = setGizmo)]
     pub fn set_gizmo(&mut self, shown: bool, touch: bool) {
-        self.stage.want_gizmo(|wanted| (wanted.shown, wanted.touch) = (shown, touch));
+        self.state.want_gizmo(|wanted| (wanted.shown, wanted.touch) = (shown, touch));
     }
 
     /// Lights up a part of the gizmo: an axis `x`, `y` or `z`, or a plane `xy`, `yz` or `zx`. While
@@ -22,14 +22,14 @@ impl View {
     #[wasm_bindgen(js_name = lightGizmo)]
     pub fn light_gizmo(&mut self, part: Option<String>, held: bool) -> Result<(), JsValue> {
         let lit = part.map(|name| self.way(&name)).transpose()?;
-        self.stage.want_gizmo(|wanted| (wanted.lit, wanted.held) = (lit, held));
+        self.state.want_gizmo(|wanted| (wanted.lit, wanted.held) = (lit, held));
         Ok(())
     }
 
     /// The part of the gizmo under the cursor.
     #[wasm_bindgen(js_name = pickGizmo)]
     pub fn pick_gizmo(&self, x: f32, y: f32) -> Option<String> {
-        let way = self.stage.gizmo()?.pick(Vec2::new(x, y))?;
+        let way = self.state.gizmo()?.pick(Vec2::new(x, y))?;
         Some(way.name().to_owned())
     }
 
@@ -40,7 +40,7 @@ impl View {
     #[wasm_bindgen(js_name = gizmoPart)]
     pub fn gizmo_part(&self, part: &str) -> Result<Option<Vec<f64>>, JsValue> {
         let way = self.way(part)?;
-        let at = self.stage.gizmo().and_then(|gizmo| gizmo.best(way));
+        let at = self.state.gizmo().and_then(|gizmo| gizmo.best(way));
         Ok(at.map(|at| vec![f64::from(at.x), f64::from(at.y)]))
     }
 
@@ -56,13 +56,13 @@ impl View {
         y: Option<f32>,
     ) -> Result<(), JsValue> {
         let from = x.zip(y).map(Vec2::from);
-        self.stage.hold_vertex(vertex, from).map_err(thrown)
+        self.state.hold_vertex(vertex, from).map_err(thrown)
     }
 
     /// Takes hold of the gizmo, with the cursor at `(x, y)`.
     #[wasm_bindgen(js_name = holdGizmo)]
     pub fn hold_gizmo(&mut self, x: f32, y: f32) {
-        self.stage.hold_gizmo(Vec2::new(x, y));
+        self.state.hold_gizmo(Vec2::new(x, y));
     }
 
     /// How far what is held goes when the cursor has gone by `(dx, dy)`: three numbers, or nothing where
@@ -72,18 +72,18 @@ impl View {
     /// Any other way.
     #[wasm_bindgen(js_name = heldWay)]
     pub fn held_way(&self, way: &str, dx: f32, dy: f32) -> Result<Option<Vec<f64>>, JsValue> {
-        let found = self.stage.held_way(self.way(way)?, Vec2::new(dx, dy));
+        let found = self.state.held_way(self.way(way)?, Vec2::new(dx, dy));
         Ok(found.map(|by| by.as_dvec3().to_array().to_vec()))
     }
 
     /// Where what is held is seen on the canvas when it has gone so far; nothing while nothing is held.
     #[wasm_bindgen(js_name = heldPlace)]
     pub fn held_place(&self, x: f64, y: f64, z: f64) -> Option<Vec<f64>> {
-        let place = self.stage.gizmo.grip?.place(DVec3::new(x, y, z).as_vec3());
+        let place = self.state.gizmo.grip?.place(DVec3::new(x, y, z).as_vec3());
         Some(vec![f64::from(place.x), f64::from(place.y)])
     }
 
-    fn way(&self, name: &str) -> Result<Way, JsValue> {
-        Way::named(name, self.stage.camera.up).map_err(thrown)
+    fn way(&self, name: &str) -> Result<DragDirection, JsValue> {
+        DragDirection::named(name, self.state.camera.up).map_err(thrown)
     }
 }

@@ -17,15 +17,15 @@ impl View {
     /// all stays as it was.
     #[wasm_bindgen(js_name = setMap)]
     pub fn set_map(&mut self, uv: &[f64], flipped: &[u32]) -> Result<(), JsValue> {
-        let (map, checks) = flat_map(&self.stage, uv, flipped).map_err(thrown)?;
-        self.stage.checks = checks;
-        self.stage.changes.checks = true;
+        let (map, checks) = flat_map(&self.state, uv, flipped).map_err(thrown)?;
+        self.state.checks = checks;
+        self.state.changes.checks = true;
         // The marks of the model are those of the map too.
-        self.stage.changes.looks = true;
+        self.state.changes.appearance = true;
         let first = self.map.replace(map).is_none();
         self.arrange();
         if first {
-            self.stage.fit();
+            self.state.fit();
         }
         Ok(())
     }
@@ -36,10 +36,10 @@ impl View {
         if self.map.take().is_none() {
             return;
         }
-        self.stage.checks = Default::default();
-        self.stage.changes.checks = true;
+        self.state.checks = Default::default();
+        self.state.changes.checks = true;
         self.arrange();
-        self.stage.fit();
+        self.state.fit();
     }
 
     /// Draws a checkerboard with so many squares along the longer side of the map on the model, on the
@@ -61,12 +61,12 @@ impl View {
         let longest = map.checks.extent().max_element();
         let per_length = if longest > 0.0 { squares / longest } else { 0.0 };
         let drawn = |is_drawn: bool| if is_drawn { per_length } else { 0.0 };
-        self.stage.checks.per_length = drawn(on_model);
+        self.state.checks.per_length = drawn(on_model);
         map.checks.per_length = drawn(on_map);
         let (_, faces) = map.counts();
-        map.looks.set_values(values, ColourScale::linear(low, high), faces).map_err(thrown)?;
-        map.changes.looks = true;
-        self.stage.changes.view = true;
+        map.appearance.set_values(values, ColourScale::linear(low, high), faces).map_err(thrown)?;
+        map.changes.appearance = true;
+        self.state.changes.view = true;
         Ok(())
     }
 
@@ -98,7 +98,7 @@ impl View {
     #[wasm_bindgen(js_name = showFlipped)]
     pub fn show_flipped(&mut self) {
         if let Some(map) = &mut self.map {
-            show_flipped(map, &mut self.stage);
+            show_flipped(map, &mut self.state);
         }
     }
 
@@ -118,9 +118,9 @@ impl View {
             Some(_) => Region::halves(self.canvas_size),
             None => [whole; 2],
         };
-        self.stage.resize(model.size);
-        if let Some(stage) = &mut self.map {
-            stage.resize(map.size);
+        self.state.resize(model.size);
+        if let Some(state) = &mut self.map {
+            state.resize(map.size);
         }
     }
 }

@@ -13,10 +13,10 @@ impl View {
         match &mut self.split {
             Some(split) => split.move_to(at),
             None => {
-                self.split = Some(Split::new(&self.stage, at));
+                self.split = Some(Split::new(&self.state, at));
                 // The marks of the model are those of both sides.
-                self.stage.changes.looks = true;
-                self.stage.changes.positions = true;
+                self.state.changes.appearance = true;
+                self.state.changes.positions = true;
             }
         }
     }
@@ -39,7 +39,7 @@ impl View {
     ) -> Result<(), JsValue> {
         let sides = self.split.as_mut().map(|split| &mut split.sides[..]).unwrap_or_default();
         let Some(side) = sides.get_mut(side) else { return Ok(()) };
-        side.show(original.as_deref(), &self.stage).map_err(thrown)?;
+        side.show(original.as_deref(), &self.state).map_err(thrown)?;
         side.colour(Colours { values, corners, low, high }).map_err(thrown)
     }
 
@@ -47,7 +47,7 @@ impl View {
     #[wasm_bindgen(js_name = clearSplit)]
     pub fn clear_split(&mut self) {
         if self.split.take().is_some() {
-            self.stage.view_changed();
+            self.state.view_changed();
         }
     }
 }

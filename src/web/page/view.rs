@@ -5,10 +5,10 @@
 
 use crate::view::appearance::{ColourMap, ColourScale, RowColours};
 use crate::view::camera::Flight;
-use crate::view::gpu::{Device, DeviceError, Loss, Picture};
-use crate::view::model::Projections;
+use crate::view::gpu::{Device, DeviceError, Loss, Renderer};
+use crate::view::model::ProjectionMarks;
 use crate::view::side_by_side::{Split, follow};
-use crate::view::state::{Display, Stage};
+use crate::view::state::{Display, ViewState};
 use crate::web::{log_panics, thrown};
 use glam::Vec2;
 use std::sync::Arc;
@@ -20,9 +20,9 @@ use wgpu::SurfaceTarget;
 #[wasm_bindgen]
 #[derive(Debug)]
 pub struct View {
-    pub(crate) stage: Stage,
+    pub(crate) state: ViewState,
     /// The stage of the flat map beside the model.
-    pub(crate) map: Option<Stage>,
+    pub(crate) map: Option<ViewState>,
     /// Two pictures instead of one.
     pub(crate) split: Option<Split>,
     /// On its way to another view.
@@ -30,7 +30,7 @@ pub struct View {
     /// Size of the canvas in CSS pixels.
     pub(crate) canvas_size: Vec2,
     pixel_ratio: f32,
-    picture: Picture,
+    picture: Renderer,
     backend: &'static str,
     frames: u32,
     canvas: HtmlCanvasElement,
@@ -104,11 +104,11 @@ impl View {
         if backend == "webgpu" {
             wasm_bindgen_futures::spawn_local(tell_loss(device.loss(), canvas.clone()));
         }
-        let picture = Picture::new(device);
-        let stage = Stage::default();
-        let (canvas_size, pixel_ratio) = (stage.camera.canvas, 1.0);
+        let picture = Renderer::new(device);
+        let state = ViewState::default();
+        let (canvas_size, pixel_ratio) = (state.camera.canvas, 1.0);
         Ok(View {
-            stage,
+            state,
             map: None,
             split: None,
             flight: None,
@@ -152,8 +152,8 @@ impl View {
     ) -> Result<(), JsValue> {
         let faces = (face_offsets, face_indices);
         let curves = (curve_offsets, curve_indices);
-        self.stage.set_mesh(faces, curves, positions).map_err(thrown)?;
-        if self.stage.checks.places.is_empty() {
+        self.state.set_mesh(faces, curves, positions).map_err(thrown)?;
+        if self.state.checks.places.is_empty() {
             // Another mesh, and the map is that of the one before.
             self.clear_map();
         }
@@ -168,7 +168,7 @@ impl View {
     /// Another number of vertices, or a coordinate that is not finite.
     #[wasm_bindgen(js_name = setPositions)]
     pub fn set_positions(&mut self, positions: &[f64]) -> Result<(), JsValue> {
-        self.stage.set_positions(positions).map_err(thrown)
+        self.state.set_positions(positions).map_err(thrown)
     }
 
     /// Colours faces by a value each, from `low` to `high`, evenly or by their logarithm; with a
@@ -185,11 +185,11 @@ impl View {
         tolerance: Option<f32>,
         logarithmic: Option<bool>,
     ) -> Result<(), JsValue> {
-        let (_, faces) = self.stage.counts();
+        let (_, faces) = self.state.counts();
         let logarithmic = logarithmic.unwrap_or_default();
         let scale = ColourScale { low, high, tolerance, logarithmic };
-        self.stage.looks.set_values(values, scale, faces).map_err(thrown)?;
-        self.stage.changes.looks = true;
+        self.state.appearance.set_values(values, scale, faces).map_err(thrown)?;
+        self.state.changes.appearance = true;
         Ok(())
     }
 
@@ -202,15 +202,15 @@ impl View {
     /// Light or dark.
     #[wasm_bindgen(js_name = setTheme)]
     pub fn set_theme(&mut self, dark: bool) {
-        self.stage.changes.view |= dark != self.stage.dark;
-        self.stage.dark = dark;
+        self.state.changes.view |= dark != self.state.dark;
+        self.state.dark = dark;
     }
 
     /// White behind everything, or the colour of the theme.
     #[wasm_bindgen(js_name = setWhite)]
     pub fn set_white(&mut self, white: bool) {
-        self.stage.changes.view |= white != self.stage.white;
-        self.stage.white = white;
+        self.state.changes.view |= white != self.state.white;
+        self.state.white = white;
     }
 
     /// Switches edges, dots on vertices, fitted shapes, outlines of projected shapes, and arrows to
@@ -225,8 +225,8 @@ impl View {
         arrows: bool,
     ) {
         let display = Display { edges, vertices, shapes, outlines, arrows };
-        self.stage.changes.view |= display != self.stage.display;
-        self.stage.display = display;
+        self.state.changes.view |= display != self.state.display;
+        self.state.display = display;
     }
 
     /// Sets all handles: vertices, states (0 soft, 1 fixed, 2 active), and #H by 3 targets.
@@ -240,7 +240,7 @@ impl View {
         states: &[u8],
         targets: &[f64],
     ) -> Result<(), JsValue> {
-        self.stage.set_handles(vertices, states, targets).map_err(thrown)
+        self.state.set_handles(vertices, states, targets).map_err(thrown)
     }
 
     /// Marks vertices and faces as selected, and no others.
@@ -249,9 +249,9 @@ impl View {
     /// An index that names nothing.
     #[wasm_bindgen(js_name = setSelection)]
     pub fn set_selection(&mut self, vertices: Vec<u32>, faces: Vec<u32>) -> Result<(), JsValue> {
-        let counts = self.stage.counts();
-        self.stage.looks.select(vertices, faces, counts).map_err(thrown)?;
-        (self.stage.changes.looks, self.stage.changes.marks) = (true, true);
+        let counts = self.state.counts();
+        self.state.appearance.select(vertices, faces, counts).map_err(thrown)?;
+        (self.state.changes.appearance, self.state.changes.marks) = (true, true);
         Ok(())
     }
 
@@ -262,7 +262,7 @@ impl View {
     /// A vertex that does not exist.
     #[wasm_bindgen(js_name = setEdges)]
     pub fn set_edges(&mut self, ends: &[u32]) -> Result<(), JsValue> {
-        self.stage.set_edges(ends).map_err(thrown)
+        self.state.set_edges(ends).map_err(thrown)
     }
 
     /// Marks edges as selected, by their places in `setEdges`, and no others.
@@ -271,7 +271,7 @@ impl View {
     /// An edge that does not exist.
     #[wasm_bindgen(js_name = setSelectedEdges)]
     pub fn set_selected_edges(&mut self, edges: &[u32]) -> Result<(), JsValue> {
-        self.stage.select_edges(edges).map_err(thrown)
+        self.state.select_edges(edges).map_err(thrown)
     }
 
     /// Marks the members of a constraint in a colour (each part 0 to 1), and no others.
@@ -287,10 +287,10 @@ impl View {
         green: f32,
         blue: f32,
     ) -> Result<(), JsValue> {
-        let counts = self.stage.counts();
-        self.stage.looks.tint(vertices, faces, counts).map_err(thrown)?;
-        self.stage.tint = [red, green, blue];
-        (self.stage.changes.looks, self.stage.changes.marks) = (true, true);
+        let counts = self.state.counts();
+        self.state.appearance.tint(vertices, faces, counts).map_err(thrown)?;
+        self.state.tint = [red, green, blue];
+        (self.state.changes.appearance, self.state.changes.marks) = (true, true);
         Ok(())
     }
 
@@ -307,10 +307,10 @@ impl View {
         vertices: Vec<u8>,
         palette: &[f32],
     ) -> Result<(), JsValue> {
-        let counts = self.stage.counts();
-        self.stage.looks.rows =
+        let counts = self.state.counts();
+        self.state.appearance.rows =
             RowColours::new(faces, vertices, palette, counts).map_err(thrown)?;
-        (self.stage.changes.looks, self.stage.changes.marks) = (true, true);
+        (self.state.changes.appearance, self.state.changes.marks) = (true, true);
         Ok(())
     }
 
@@ -320,7 +320,7 @@ impl View {
     /// A length that is no multiple of eight.
     #[wasm_bindgen(js_name = setShapes)]
     pub fn set_shapes(&mut self, shapes: &[f32]) -> Result<(), JsValue> {
-        self.stage.set_shapes(shapes).map_err(thrown)
+        self.state.set_shapes(shapes).map_err(thrown)
     }
 
     /// Sets the projections of the constraints: the vertex of each projected point, the way from the
@@ -338,16 +338,16 @@ impl View {
         outlines: &[u32],
         palette: &[f32],
     ) -> Result<(), JsValue> {
-        let (count, _) = self.stage.counts();
-        let projections = Projections::new(vertices, ways, colours, outlines, palette, count);
-        self.stage.set_projections(projections.map_err(thrown)?);
+        let (count, _) = self.state.counts();
+        let projections = ProjectionMarks::new(vertices, ways, colours, outlines, palette, count);
+        self.state.set_projections(projections.map_err(thrown)?);
         Ok(())
     }
 
     /// Whether the next `draw` has something new to show.
     #[wasm_bindgen(js_name = needsDraw)]
     pub fn needs_draw(&self) -> bool {
-        self.stage.changes.any()
+        self.state.changes.any()
             || self.map.as_ref().is_some_and(|map| map.changes.any())
             || self.split.as_ref().is_some_and(Split::has_changes)
     }
@@ -358,14 +358,14 @@ impl View {
     /// The device is lost; the page makes a new view on a new canvas.
     pub fn draw(&mut self) -> Result<bool, JsValue> {
         if let Some(map) = &mut self.map {
-            follow(map, &self.stage);
+            follow(map, &self.state);
         }
         if let Some(split) = &mut self.split {
-            split.follow(&self.stage);
+            split.follow(&self.state);
         }
         let drawn = self
             .picture
-            .draw(&mut self.stage, self.map.as_mut(), self.split.as_mut(), self.pixel_ratio)
+            .draw(&mut self.state, self.map.as_mut(), self.split.as_mut(), self.pixel_ratio)
             .map_err(thrown)?;
         self.frames += u32::from(drawn);
         Ok(drawn)

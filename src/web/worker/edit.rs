@@ -2,7 +2,7 @@
 
 use super::solver::Solver;
 use crate::error::Error;
-use crate::session::{Edit, Place};
+use crate::session::{ConstraintTarget, Edit};
 use crate::web::plain::{plain, text, thrown_at};
 use crate::web::thrown;
 use wasm_bindgen::prelude::*;
@@ -27,7 +27,8 @@ impl Solver {
     /// How many constraints a row of each kind would hold at each of the places, which are selectors as
     /// in an edit: `#kinds by #places`, null where nothing fits.
     pub fn previews(&self, places: JsValue) -> Result<JsValue, JsValue> {
-        let places = Place::all_from_json(&text(&places)?).map_err(|error| thrown_at(&error))?;
+        let places =
+            ConstraintTarget::all_from_json(&text(&places)?).map_err(|error| thrown_at(&error))?;
         plain(&self.open()?.previews(&places).map_err(|error| thrown_at(&error))?)
     }
 }

@@ -2,7 +2,7 @@
 
 use super::solver::Solver;
 use crate::mesh::{Histogram, Mesh, write_obj_with_uv};
-use crate::scene::Worded;
+use crate::scene::NamedEnum;
 use crate::solve::{ConformalNorm, ConformalWeights, Parametrization, clock};
 use crate::web::plain::{indices, narrow, object, plain};
 use crate::web::thrown;
@@ -75,7 +75,7 @@ impl Solver {
 }
 
 /// What a word of the command line stands for.
-fn of_word<T: Worded>(what: &str, word: &str) -> Result<T, JsValue> {
+fn of_word<T: NamedEnum>(what: &str, word: &str) -> Result<T, JsValue> {
     let unknown = || thrown(format!("{what} \"{word}\", expected one of {}", T::list(", ")));
     T::of_word(word).ok_or_else(unknown)
 }

@@ -3,7 +3,7 @@
 use super::report::{Guessed, Loaded};
 use super::solver::Solver;
 use crate::mesh::{Read, read};
-use crate::scene::{Frame, MeshSource, Scene};
+use crate::scene::{MeshSource, Scene, UnitsAndUp};
 use crate::session::Session;
 use crate::solve::clock;
 use crate::web::plain::plain;
@@ -24,7 +24,7 @@ impl Solver {
     /// What the next mesh file is taken for unless it states otherwise, in its own words:
     /// `# units: m`, `# up: y`, a line each.
     pub fn assume(&mut self, comments: &str) {
-        self.assumed = Frame::stated(comments.as_bytes());
+        self.assumed = UnitsAndUp::stated(comments.as_bytes());
     }
 
     /// Whether the next mesh file keeps vertices at one place apart: otherwise it is welded where its faces
@@ -44,7 +44,7 @@ impl Solver {
     ) -> Result<JsValue, JsValue> {
         let started = clock::now();
         let is_scene = name.to_ascii_lowercase().ends_with(".json");
-        let mut stated = Frame::default();
+        let mut stated = UnitsAndUp::default();
         let (mut scene, mut file) = if is_scene {
             let in_scene = |message: String| thrown(format!("{name}: {message}"));
             let mut scene = scene_of(bytes).map_err(|e| in_scene(message_of(&e)))?;
@@ -63,13 +63,13 @@ impl Solver {
             };
             (scene, file)
         } else {
-            stated = Frame::stated(bytes).or(std::mem::take(&mut self.assumed));
+            stated = UnitsAndUp::stated(bytes).or(std::mem::take(&mut self.assumed));
             (Scene::opened(name), read(name, bytes).map_err(thrown)?)
         };
         if !is_scene {
-            let units = || Frame::guess_units(&file.mesh).to_owned();
+            let units = || UnitsAndUp::guess_units(&file.mesh).to_owned();
             scene.units = stated.units.clone().unwrap_or_else(units);
-            scene.up = stated.up.unwrap_or_else(|| Frame::guess_up(&file.mesh));
+            scene.up = stated.up.unwrap_or_else(|| UnitsAndUp::guess_up(&file.mesh));
         }
         // The indices in a scene are those of its mesh as it is.
         let apart = std::mem::take(&mut self.keeps_apart) || is_scene;

@@ -2,7 +2,7 @@
 
 use super::report::{self, Document, elements, kinds};
 use crate::mesh::Weld;
-use crate::scene::{Frame, MeshSource};
+use crate::scene::{MeshSource, UnitsAndUp};
 use crate::session::{FACE_MEASURES, Session};
 use crate::solve::clock;
 use crate::web::plain::plain;
@@ -16,7 +16,7 @@ use wasm_bindgen::prelude::*;
 pub struct Solver {
     pub(crate) session: Option<Session>,
     /// For the next mesh file that does not state its own.
-    pub(crate) assumed: Frame,
+    pub(crate) assumed: UnitsAndUp,
     /// The next mesh file keeps vertices at one place apart.
     pub(crate) keeps_apart: bool,
     /// How the mesh that is open was welded.

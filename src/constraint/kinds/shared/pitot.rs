@@ -153,7 +153,7 @@ pub(crate) fn closest<S: Lane>(v: &[Vec3<S>; 4], projected: &mut [Vec3<S>; 4]) -
 const MILD: f64 = 0.1;
 
 /// The same, slower and for all finite points.
-pub(crate) fn careful(v: &mut [Vec3<f64>]) {
+pub(crate) fn project_robust(v: &mut [Vec3<f64>]) {
     let mean = centre(v);
     let unit = v.iter().fold(0.0f64, |m, p| m.max(p.x.abs()).max(p.y.abs()).max(p.z.abs()));
     if unit == 0.0 {
@@ -239,7 +239,7 @@ fn candidates(v: &[Vec3<f64>]) -> Vec<[Vec3<f64>; 4]> {
         let both = (v[a] + v[b]) * 0.5;
         let mut line = [both, both, v[c], v[d]];
         let mean = centre(&mut line);
-        Line::default().careful(&[], &mut line);
+        Line::default().project_robust(&[], &mut line);
         if (line[2] - line[0]).dot(line[3] - line[0]) <= 0.0 {
             let mut x = [Vec3::zero(); 4];
             [a, b, c, d].iter().zip(line).for_each(|(&k, p)| x[k] = mean + p);

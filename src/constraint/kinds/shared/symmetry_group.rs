@@ -1,6 +1,6 @@
 //! A mirror plane or a rotation axis, and which of given points are images of each other in it.
 
-use crate::math::{UnitPolygon, Vec3, ascending, key_of_number};
+use crate::math::{UnitPolygon, Vec3, argsort, key_of_number};
 
 /// The symmetries of a mirror plane, or those of an n-fold axis, through the origin.
 #[derive(Clone, Debug)]
@@ -88,7 +88,7 @@ const ROUNDS: usize = 10;
 fn median(vectors: impl Iterator<Item = Vec3<f64>> + Clone) -> Vec3<f64> {
     let middle = |coordinate: fn(Vec3<f64>) -> f64| {
         let all: Vec<f64> = vectors.clone().map(coordinate).collect();
-        all[ascending(all.iter().map(|&x| key_of_number(x)))[all.len() / 2] as usize]
+        all[argsort(all.iter().map(|&x| key_of_number(x)))[all.len() / 2] as usize]
     };
     Vec3::new(middle(|v| v.x), middle(|v| v.y), middle(|v| v.z))
 }
@@ -113,7 +113,7 @@ impl<'a> Sorted<'a> {
         let coordinate =
             coordinates.into_iter().reduce(|a, b| if spread(b) > spread(a) { b } else { a });
         let coordinate = coordinate.expect("space has three coordinates");
-        let order = ascending(points.iter().map(|p| key_of_number(coordinate(*p))));
+        let order = argsort(points.iter().map(|p| key_of_number(coordinate(*p))));
         let order = order.into_iter().map(|i| i as usize).collect();
         Sorted { points, coordinate, order }
     }

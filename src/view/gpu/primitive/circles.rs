@@ -1,6 +1,6 @@
 //! Draws fitted circles: `shaders/circles.wgsl`.
 
-use crate::view::gpu::{CIRCLES, Layer, Recipe, Store, VertexBuffer, build};
+use crate::view::gpu::{CIRCLES, GpuTables, Layer, Recipe, VertexBuffer, build};
 use crate::view::state::SHAPE_NUMBERS;
 
 const CIRCLE: [wgpu::VertexAttribute; 3] =
@@ -15,7 +15,7 @@ pub struct Circles {
 
 impl Circles {
     /// Nothing to draw yet.
-    pub fn new(device: &wgpu::Device, store: &Store, format: wgpu::TextureFormat) -> Circles {
+    pub fn new(device: &wgpu::Device, tables: &GpuTables, format: wgpu::TextureFormat) -> Circles {
         let recipe = Recipe {
             label: "circles",
             source: &CIRCLES.concat(),
@@ -26,7 +26,7 @@ impl Circles {
             step: wgpu::VertexStepMode::Instance,
             layer: Layer::InFront,
         };
-        let pipeline = build(device, store, format, &recipe);
+        let pipeline = build(device, tables, format, &recipe);
         Circles { pipeline, circles: VertexBuffer::new(device) }
     }
 

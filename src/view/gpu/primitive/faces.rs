@@ -1,7 +1,7 @@
 //! Draws the faces, and those of the ghost as a veil: `shaders/faces.wgsl`.
 
-use crate::view::gpu::{FACES, Layer, Recipe, Store, VertexBuffer, build};
-use crate::view::model::Subject;
+use crate::view::gpu::{FACES, GpuTables, Layer, Recipe, VertexBuffer, build};
+use crate::view::model::RenderMesh;
 
 const CORNER: [wgpu::VertexAttribute; 1] = wgpu::vertex_attr_array![0 => Uint32x2];
 
@@ -16,7 +16,7 @@ pub struct Faces {
 
 impl Faces {
     /// Nothing to draw yet.
-    pub fn new(device: &wgpu::Device, store: &Store, format: wgpu::TextureFormat) -> Faces {
+    pub fn new(device: &wgpu::Device, tables: &GpuTables, format: wgpu::TextureFormat) -> Faces {
         let pipeline = |vertex: &str, fragment: &str, layer: Layer| {
             let recipe = Recipe {
                 label: "faces",
@@ -28,7 +28,7 @@ impl Faces {
                 step: wgpu::VertexStepMode::Vertex,
                 layer,
             };
-            build(device, store, format, &recipe)
+            build(device, tables, format, &recipe)
         };
         Faces {
             surface: pipeline("corner_of_face", "lit", Layer::Surface),
@@ -38,11 +38,11 @@ impl Faces {
     }
 
     /// Takes the triangles of a mesh.
-    pub fn update(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, subject: &Subject) {
-        let corners: Vec<[u32; 2]> = subject
+    pub fn update(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, mesh: &RenderMesh) {
+        let corners: Vec<[u32; 2]> = mesh
             .triangles
             .iter()
-            .zip(&subject.triangle_face)
+            .zip(&mesh.triangle_face)
             .flat_map(|(triangle, &face)| triangle.map(|vertex| [vertex, face]))
             .collect();
         self.corners.write(device, queue, &corners);

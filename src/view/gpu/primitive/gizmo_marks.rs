@@ -1,8 +1,8 @@
 //! Draws the gizmo: `shaders/gizmo.wgsl`.
 
 use crate::view::gizmo::triangles;
-use crate::view::gpu::{GIZMO, Layer, Recipe, Store, VertexBuffer, build};
-use crate::view::state::Stage;
+use crate::view::gpu::{GIZMO, GpuTables, Layer, Recipe, VertexBuffer, build};
+use crate::view::state::ViewState;
 
 const CORNER: [wgpu::VertexAttribute; 2] = wgpu::vertex_attr_array![0 => Float32x2, 1 => Float32x4];
 
@@ -15,7 +15,11 @@ pub struct GizmoMarks {
 
 impl GizmoMarks {
     /// Nothing to draw yet.
-    pub fn new(device: &wgpu::Device, store: &Store, format: wgpu::TextureFormat) -> GizmoMarks {
+    pub fn new(
+        device: &wgpu::Device,
+        tables: &GpuTables,
+        format: wgpu::TextureFormat,
+    ) -> GizmoMarks {
         let recipe = Recipe {
             label: "gizmo",
             source: &GIZMO.concat(),
@@ -27,15 +31,15 @@ impl GizmoMarks {
             layer: Layer::Over,
         };
         GizmoMarks {
-            pipeline: build(device, store, format, &recipe),
+            pipeline: build(device, tables, format, &recipe),
             corners: VertexBuffer::new(device),
         }
     }
 
     /// Takes the gizmo as it lies on the screen now.
-    pub fn update(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, stage: &Stage) {
-        let gizmo = stage.gizmo();
-        let corners = gizmo.map(|gizmo| triangles(&gizmo, &stage.gizmo, stage.palette()));
+    pub fn update(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, state: &ViewState) {
+        let gizmo = state.gizmo();
+        let corners = gizmo.map(|gizmo| triangles(&gizmo, &state.gizmo, state.palette()));
         self.corners.write(device, queue, &corners.unwrap_or_default());
     }
 

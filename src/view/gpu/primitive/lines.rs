@@ -2,9 +2,9 @@
 //! targets: `shaders/lines.wgsl`.
 
 use crate::view::appearance::{LineKind, Seam, seams};
-use crate::view::gpu::{LINES, Layer, Recipe, Store, VertexBuffer, build};
-use crate::view::model::Subject;
-use crate::view::state::Stage;
+use crate::view::gpu::{GpuTables, LINES, Layer, Recipe, VertexBuffer, build};
+use crate::view::model::RenderMesh;
+use crate::view::state::ViewState;
 
 const LINE: [wgpu::VertexAttribute; 2] = wgpu::vertex_attr_array![0 => Uint32x2, 1 => Uint32];
 
@@ -25,7 +25,7 @@ pub struct Lines {
 
 impl Lines {
     /// Nothing to draw yet.
-    pub fn new(device: &wgpu::Device, store: &Store, format: wgpu::TextureFormat) -> Lines {
+    pub fn new(device: &wgpu::Device, tables: &GpuTables, format: wgpu::TextureFormat) -> Lines {
         let pipeline = |fragment: &str, layer: Layer| {
             let recipe = Recipe {
                 label: "lines",
@@ -37,7 +37,7 @@ impl Lines {
                 step: wgpu::VertexStepMode::Instance,
                 layer,
             };
-            build(device, store, format, &recipe)
+            build(device, tables, format, &recipe)
         };
         Lines {
             in_front: pipeline("in_front", Layer::InFront),
@@ -52,50 +52,55 @@ impl Lines {
     }
 
     /// Takes the edges and curves of a mesh.
-    pub fn update_mesh(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, subject: &Subject) {
-        self.edges.write(device, queue, &edge_lines(subject));
-        let curves: Vec<[u32; 3]> = subject
+    pub fn update_mesh(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, mesh: &RenderMesh) {
+        self.edges.write(device, queue, &edge_lines(mesh));
+        let curves: Vec<[u32; 3]> = mesh
             .curves
             .iter()
             .flat_map(|curve| curve.windows(2).map(|ends| line(ends[0], ends[1], LineKind::Curve)))
             .collect();
         self.curves.write(device, queue, &curves);
-        self.seams = seams(&subject.faces);
+        self.seams = seams(&mesh.faces);
     }
 
     /// The edges between faces whose values are in different bands, as [`Lines::draw_others`] takes them.
-    pub fn between_bands(&self, stage: &Stage) -> Vec<[u32; 3]> {
-        let looks = &stage.looks;
-        let seams = self.seams.iter().filter(|_| looks.bands().is_some());
+    pub fn between_bands(&self, state: &ViewState) -> Vec<[u32; 3]> {
+        let appearance = &state.appearance;
+        let seams = self.seams.iter().filter(|_| appearance.bands().is_some());
         let parting = seams.filter(|seam| {
-            let [a, b] = seam.faces.map(|face| looks.band_of(face));
+            let [a, b] = seam.faces.map(|face| appearance.band_of(face));
             a.is_some() && b.is_some() && a != b
         });
         parting.map(|seam| line(seam.ends[0], seam.ends[1], LineKind::Band)).collect()
     }
 
     /// Takes the selected edges and the measuring tape.
-    pub fn update_marks(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, stage: &Stage) {
-        let edges = stage.looks.selected_edges.iter();
+    pub fn update_marks(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, state: &ViewState) {
+        let edges = state.appearance.selected_edges.iter();
         let mut selected: Vec<[u32; 3]> =
             edges.map(|&[a, b]| line(a, b, LineKind::Selected)).collect();
-        if let &[from, to] = &stage.tape[..] {
+        if let &[from, to] = &state.tape[..] {
             selected.push(line(from, to, LineKind::Tape));
         }
         self.selected.write(device, queue, &selected);
     }
 
     /// Takes the sides of the faces that the flat map `map` turns over.
-    pub fn update_map(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, map: &Stage) {
+    pub fn update_map(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, map: &ViewState) {
         let sides = map.flipped.iter();
         let flipped: Vec<[u32; 3]> = sides.map(|&[a, b]| line(a, b, LineKind::Flipped)).collect();
         self.flipped.write(device, queue, &flipped);
     }
 
     /// Takes the handles; their targets come after the vertices in the table of positions.
-    pub fn update_handles(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, stage: &Stage) {
-        let first = stage.counts().0 as u32;
-        let pulls: Vec<[u32; 3]> = stage
+    pub fn update_handles(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        state: &ViewState,
+    ) {
+        let first = state.counts().0 as u32;
+        let pulls: Vec<[u32; 3]> = state
             .handles
             .iter()
             .zip(first..)
@@ -155,12 +160,12 @@ fn line(from: u32, to: u32, kind: LineKind) -> [u32; 3] {
 }
 
 /// Inner edges first, so that the heavier rim lies over them.
-fn edge_lines(subject: &Subject) -> Vec<[u32; 3]> {
+fn edge_lines(mesh: &RenderMesh) -> Vec<[u32; 3]> {
     let kinds = [(false, LineKind::Edge), (true, LineKind::Boundary)];
     kinds
         .into_iter()
         .flat_map(|(boundary, kind)| {
-            let chosen = subject.edges.iter().filter(move |edge| edge.boundary == boundary);
+            let chosen = mesh.edges.iter().filter(move |edge| edge.boundary == boundary);
             chosen.map(move |edge| line(edge.ends[0], edge.ends[1], kind))
         })
         .collect()

@@ -1,8 +1,8 @@
 //! Draws vertices, marks, handles and targets as dots: `shaders/points.wgsl`.
 
 use crate::view::appearance::DotKind;
-use crate::view::gpu::{Layer, POINTS, Recipe, Store, VertexBuffer, build};
-use crate::view::state::Stage;
+use crate::view::gpu::{GpuTables, Layer, POINTS, Recipe, VertexBuffer, build};
+use crate::view::state::ViewState;
 
 const DOT: [wgpu::VertexAttribute; 1] = wgpu::vertex_attr_array![0 => Uint32x3];
 
@@ -19,7 +19,7 @@ pub struct Points {
 
 impl Points {
     /// Nothing to draw yet.
-    pub fn new(device: &wgpu::Device, store: &Store, format: wgpu::TextureFormat) -> Points {
+    pub fn new(device: &wgpu::Device, tables: &GpuTables, format: wgpu::TextureFormat) -> Points {
         let pipeline = |fragment: &str, layer: Layer| {
             let recipe = Recipe {
                 label: "points",
@@ -31,7 +31,7 @@ impl Points {
                 step: wgpu::VertexStepMode::Instance,
                 layer,
             };
-            build(device, store, format, &recipe)
+            build(device, tables, format, &recipe)
         };
         Points {
             in_front: pipeline("in_front", Layer::InFront),
@@ -43,19 +43,19 @@ impl Points {
     }
 
     /// Takes the vertices of a mesh.
-    pub fn update_mesh(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, stage: &Stage) {
-        let count = stage.counts().0 as u32;
+    pub fn update_mesh(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, state: &ViewState) {
+        let count = state.counts().0 as u32;
         let dots: Vec<[u32; 3]> = (0..count).map(|v| dot(v, DotKind::Vertex)).collect();
         self.vertices.write(device, queue, &dots);
     }
 
     /// Takes marks and handles.
-    pub fn update_marks(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, stage: &Stage) {
-        let rows = &stage.looks.rows;
+    pub fn update_marks(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, state: &ViewState) {
+        let rows = &state.appearance.rows;
         let members: Vec<[u32; 3]> =
             rows.dots().map(|(v, place)| [v, DotKind::Member as u32, u32::from(place)]).collect();
         self.members.write(device, queue, &members);
-        self.marks.write(device, queue, &marks(stage));
+        self.marks.write(device, queue, &marks(state));
     }
 
     /// Draws a dot on every vertex in sight.
@@ -86,20 +86,20 @@ fn dot(place: u32, kind: DotKind) -> [u32; 3] {
 
 /// The least important first: later dots lie over earlier ones. Targets come after the vertices in
 /// the table of positions.
-fn marks(stage: &Stage) -> Vec<[u32; 3]> {
-    let looks = &stage.looks;
-    let tinted = looks.tinted_dots().iter();
+fn marks(state: &ViewState) -> Vec<[u32; 3]> {
+    let appearance = &state.appearance;
+    let tinted = appearance.tinted_dots().iter();
     let mut dots: Vec<[u32; 3]> = tinted.map(|&v| dot(v, DotKind::Tinted)).collect();
-    dots.extend(looks.selected_vertices.iter().map(|&v| dot(v, DotKind::Selected)));
-    let first = stage.counts().0 as u32;
-    let soft = stage.handles.iter().zip(first..).filter(|(h, _)| h.kind != DotKind::Fixed);
+    dots.extend(appearance.selected_vertices.iter().map(|&v| dot(v, DotKind::Selected)));
+    let first = state.counts().0 as u32;
+    let soft = state.handles.iter().zip(first..).filter(|(h, _)| h.kind != DotKind::Fixed);
     dots.extend(soft.map(|(_, target)| dot(target, DotKind::Target)));
     for kind in [DotKind::Fixed, DotKind::Handle, DotKind::Active] {
-        let handles = stage.handles.iter().filter(|handle| handle.kind == kind);
+        let handles = state.handles.iter().filter(|handle| handle.kind == kind);
         dots.extend(handles.map(|handle| dot(handle.vertex, kind)));
     }
-    let chosen = stage.handles.iter().filter(|h| looks.selected_vertices.contains(&h.vertex));
+    let chosen = state.handles.iter().filter(|h| appearance.selected_vertices.contains(&h.vertex));
     dots.extend(chosen.map(|handle| dot(handle.vertex, DotKind::Chosen)));
-    dots.extend(stage.tape.iter().map(|&end| dot(end, DotKind::Tape)));
+    dots.extend(state.tape.iter().map(|&end| dot(end, DotKind::Tape)));
     dots
 }

@@ -2,9 +2,9 @@
 //! `shaders/projections.wgsl`.
 
 use crate::view::appearance::LineKind;
-use crate::view::gpu::{Layer, PROJECTIONS, Recipe, Store, VertexBuffer, build};
+use crate::view::gpu::{GpuTables, Layer, PROJECTIONS, Recipe, VertexBuffer, build};
 use crate::view::model::ProjectedFaces;
-use crate::view::state::{Display, Stage};
+use crate::view::state::{Display, ViewState};
 use glam::Vec3;
 
 const LINE: [wgpu::VertexAttribute; 2] = wgpu::vertex_attr_array![0 => Uint32x2, 1 => Uint32x2];
@@ -37,7 +37,7 @@ impl ProjectionLines {
     /// Nothing to draw yet.
     pub fn new(
         device: &wgpu::Device,
-        store: &Store,
+        tables: &GpuTables,
         format: wgpu::TextureFormat,
     ) -> ProjectionLines {
         let lines = Recipe {
@@ -59,8 +59,8 @@ impl ProjectionLines {
             ..lines
         };
         ProjectionLines {
-            lines: build(device, store, format, &lines),
-            insides: build(device, store, format, &insides),
+            lines: build(device, tables, format, &lines),
+            insides: build(device, tables, format, &insides),
             corners: VertexBuffer::new(device),
             outlines: VertexBuffer::new(device),
             arrows: VertexBuffer::new(device),
@@ -68,10 +68,10 @@ impl ProjectionLines {
     }
 
     /// Takes the projections; their points come after vertices and targets in the table of positions.
-    pub fn update(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, stage: &Stage) {
-        let first = (stage.counts().0 + stage.handles.len()) as u32;
-        let points = &stage.projections.points;
-        let outlines: Vec<[u32; 4]> = stage
+    pub fn update(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, state: &ViewState) {
+        let first = (state.counts().0 + state.handles.len()) as u32;
+        let points = &state.projections.points;
+        let outlines: Vec<[u32; 4]> = state
             .projections
             .outlines
             .iter()
@@ -80,8 +80,8 @@ impl ProjectionLines {
             })
             .collect();
         self.outlines.write(device, queue, &outlines);
-        let places: Vec<Vec3> = stage.projected().map(|point| point.truncate()).collect();
-        let faces = ProjectedFaces::new(&stage.projections, &places);
+        let places: Vec<Vec3> = state.projected().map(|point| point.truncate()).collect();
+        let faces = ProjectedFaces::new(&state.projections, &places);
         let corners: Vec<Corner> = faces
             .triangles
             .iter()

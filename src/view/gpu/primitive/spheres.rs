@@ -1,6 +1,6 @@
 //! Draws fitted spheres: `shaders/spheres.wgsl`.
 
-use crate::view::gpu::{Layer, Recipe, SPHERES, Store, VertexBuffer, build};
+use crate::view::gpu::{GpuTables, Layer, Recipe, SPHERES, VertexBuffer, build};
 use crate::view::state::SHAPE_NUMBERS;
 
 const SPHERE: [wgpu::VertexAttribute; 2] = wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32];
@@ -14,7 +14,7 @@ pub struct Spheres {
 
 impl Spheres {
     /// Nothing to draw yet.
-    pub fn new(device: &wgpu::Device, store: &Store, format: wgpu::TextureFormat) -> Spheres {
+    pub fn new(device: &wgpu::Device, tables: &GpuTables, format: wgpu::TextureFormat) -> Spheres {
         let recipe = Recipe {
             label: "spheres",
             source: &SPHERES.concat(),
@@ -25,7 +25,7 @@ impl Spheres {
             step: wgpu::VertexStepMode::Instance,
             layer: Layer::InFront,
         };
-        let pipeline = build(device, store, format, &recipe);
+        let pipeline = build(device, tables, format, &recipe);
         Spheres { pipeline, spheres: VertexBuffer::new(device) }
     }
 

@@ -4,13 +4,13 @@
 use super::faces::Faces;
 use super::lines::Lines;
 use crate::view::appearance::LineKind;
-use crate::view::gpu::{Store, VertexBuffer};
-use crate::view::state::Stage;
+use crate::view::gpu::{GpuTables, VertexBuffer};
+use crate::view::state::ViewState;
 
 /// The points and lines on the GPU.
 #[derive(Debug)]
 pub struct SurroundingLines {
-    store: Store,
+    tables: GpuTables,
     /// First those of the ghost.
     lines: VertexBuffer,
     ghosts: u32,
@@ -18,9 +18,9 @@ pub struct SurroundingLines {
 
 impl SurroundingLines {
     /// Nothing to draw yet; `beside` is the store of the mesh.
-    pub fn new(device: &wgpu::Device, queue: &wgpu::Queue, beside: &Store) -> SurroundingLines {
+    pub fn new(device: &wgpu::Device, queue: &wgpu::Queue, beside: &GpuTables) -> SurroundingLines {
         let lines = VertexBuffer::new(device);
-        SurroundingLines { store: beside.beside(device, queue), lines, ghosts: 0 }
+        SurroundingLines { tables: beside.beside(device, queue), lines, ghosts: 0 }
     }
 
     /// Takes what is new, for a canvas of `size` pixels.
@@ -28,19 +28,19 @@ impl SurroundingLines {
         &mut self,
         device: &wgpu::Device,
         queue: &wgpu::Queue,
-        stage: &mut Stage,
+        state: &mut ViewState,
         size: (u32, u32),
     ) {
-        let changed = std::mem::take(&mut stage.around.changed);
+        let changed = std::mem::take(&mut state.around.changed);
         if changed {
-            let lines = stage.surrounding_lines();
+            let lines = state.surrounding_lines();
             let is_ghost = |line: &&[u32; 3]| line[2] == LineKind::Ghost as u32;
             self.ghosts = lines.iter().filter(is_ghost).count() as u32;
             self.lines.write(device, queue, &lines);
         }
         if self.lines.count() > 0 {
-            let points = changed.then(|| stage.surrounding_points());
-            self.store.update_points(device, queue, stage, points, size);
+            let points = changed.then(|| state.surrounding_points());
+            self.tables.update_points(device, queue, state, points, size);
         }
     }
 
@@ -51,10 +51,10 @@ impl SurroundingLines {
         pass: &mut wgpu::RenderPass<'_>,
         faces: &Faces,
         lines: &Lines,
-        mesh: &Store,
+        mesh: &GpuTables,
     ) {
         if self.lines.count() > 0 {
-            pass.set_bind_group(0, self.store.group(), &[]);
+            pass.set_bind_group(0, self.tables.group(), &[]);
             if self.ghosts > 0 {
                 faces.draw_veil(pass);
             }

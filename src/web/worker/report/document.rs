@@ -2,7 +2,7 @@
 
 use super::lesson::LessonWords;
 use crate::constraint::describe;
-use crate::scene::{Hold, PRESETS, Preset, PresetOffer, Worded};
+use crate::scene::{Hold, NamedEnum, PRESETS, Preset, PresetOffer};
 use crate::session::{Session, settings_of};
 use serde::Serialize;
 use serde_json::Value;

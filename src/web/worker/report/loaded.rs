@@ -1,7 +1,7 @@
 //! What the page is told of a file that was opened.
 
 use crate::mesh::{Read, Weld};
-use crate::scene::{PanelOffer, Worded, panel_offers};
+use crate::scene::{NamedEnum, PanelOffer, panel_offers};
 use crate::session::{Session, flaw_of};
 use serde::Serialize;
 

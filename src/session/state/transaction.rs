@@ -3,8 +3,8 @@
 use super::history::Snapshot;
 
 /// A drag or a run that has begun and is not yet a step of undo.
-pub(crate) struct Gesture {
-    pub(crate) kind: GestureKind,
+pub(crate) struct Transaction {
+    pub(crate) kind: TransactionKind,
     pub(crate) before: Snapshot,
     /// It belongs to the step of undo that was made last, and becomes none of its own.
     pub(crate) joins_last: bool,
@@ -13,7 +13,7 @@ pub(crate) struct Gesture {
 }
 
 #[derive(PartialEq)]
-pub(crate) enum GestureKind {
+pub(crate) enum TransactionKind {
     Drag,
     Run,
 }
