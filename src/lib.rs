@@ -38,6 +38,31 @@
 //! quasi-Newton without a metric, and a penalty method with Gauss-Newton. It drives sessions as a host
 //! does, and nothing else depends on it.
 //!
+//! # One drag
+//!
+//! 1. The page's view finds the handle under the pointer (`view::picking`) and turns the way of the pointer
+//!    into a target (`view::gizmo`). The page sends vertex and target to the worker.
+//! 2. `web::worker` calls `Session::drag` ([`session`], `undo/drag_transaction`), which checks the target
+//!    and hands it to the solver. Only the gradient of the handle's energy changes: no matrix, no factor.
+//! 3. The next iteration sees it: `Session::step` calls `Solver::step` ([`solve`], `solver/step`).
+//!    - Local step: each batch of constraints projects its points ([`constraint`], `batch` and `kinds`).
+//!    - `solve::energy` sums energies and gradients of shape, closeness, smoothness and handles.
+//!    - Global step: `solve::system` applies the inverse of the normal matrix, by triangular sweeps through
+//!      the factor of [`sparse`]; `solve::accelerate` improves the step, or falls back to it.
+//! 4. The worker copies the positions to the page, which gives them to `view::state`; `view::gpu` draws.
+//! 5. The end of the drag makes one step of undo of it (`session/state/history`).
+//!
+//! # One run
+//!
+//! 1. [`mesh`] reads a file, or [`scene`] a scene and the mesh it names. `Session::open` ([`session`],
+//!    `load`) checks one against the other and resolves the selectors (`state/rows`).
+//! 2. `Solver::new` assembles the normal matrix (`solve::assemble`); [`sparse`] orders and factors it.
+//! 3. `Session::begin_run`, then `Session::step` until it says that it has ended: converged, collapsed
+//!    (`session/run/collapse_guard`), or, after one press for all panels, with all of them within the
+//!    tolerance (`run/make_panels`).
+//! 4. `Session::end_run` keeps the iterate of least energy and makes one step of undo of the run.
+//! 5. `Session::report` measures the shape ([`mesh`], `measure`); `session/export` writes OBJ or the scene.
+//!
 //! # Two numeric factors
 //!
 //! The normal matrix is a [`sprs::CsMatI`], and `sprs-ldl` factors it up to

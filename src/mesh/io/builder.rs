@@ -16,7 +16,7 @@ pub(crate) struct MeshBuilder {
     /// `#V` and `#F`.
     vertex_lines: Vec<u32>,
     face_lines: Vec<u32>,
-    /// ElementKind, line and end in `deferred_corners` of the elements that wait for their vertices.
+    /// The kind of element, line and end in `deferred_corners` of the elements that wait for their vertices.
     deferred: Vec<(ElementKind, u32, u32)>,
     deferred_corners: Vec<Option<i32>>,
     /// The corners of the element at hand.

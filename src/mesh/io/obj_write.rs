@@ -66,7 +66,7 @@ fn push(out: &mut String, value: impl Display) {
     write!(out, "{value}").expect("a string takes all that is written to it");
 }
 
-/// ElementKind, faces before curves, and group of every membership, ascending.
+/// The kind of element, faces before curves, and group of every membership, ascending.
 fn members(mesh: &Mesh) -> Vec<(u32, u32)> {
     let first_curve = mesh.faces.len() as u32;
     let mut members = Vec::new();

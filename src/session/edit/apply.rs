@@ -72,7 +72,7 @@ impl Session {
             Edit::HoldClose { vertices, weight } => {
                 match &vertices {
                     Some(vertices) => {
-                        set_closeness_weight(&mut document.closeness, vertices, weight)
+                        set_closeness_weight(&mut document.closeness, vertices, weight);
                     }
                     None => document.closeness.weights.clear(),
                 }

@@ -81,7 +81,7 @@ pub struct Eye {
     pub at: Vec3,
     /// To the right on the screen.
     pub right: Vec3,
-    /// UpAxis on the screen.
+    /// The upward direction of the screen.
     pub up: Vec3,
     /// Into the screen.
     pub forward: Vec3,
@@ -172,7 +172,7 @@ impl Camera {
         self.pivot + eye.across(screen - eye.middle, self.distance)
     }
 
-    /// Appearance from a named side: `top`, `bottom`, `front`, `back`, `left`, `right`, `isometric`, or
+    /// Looks from a named side: `top`, `bottom`, `front`, `back`, `left`, `right`, `isometric`, or
     /// `home`, the three-quarter view. Place and distance stay.
     ///
     /// # Errors
@@ -199,7 +199,7 @@ impl Camera {
         Ok(())
     }
 
-    /// Appearance against a direction, which is not zero. Place and distance stay.
+    /// Looks against a direction, which is not zero. Place and distance stay.
     pub fn look_against(&mut self, direction: Vec3) {
         let direction = direction.normalize();
         let [right, back, up] = self.up.axes().map(|axis| axis.dot(direction));

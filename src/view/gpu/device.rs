@@ -183,14 +183,14 @@ impl Device {
                 resolve_target: Some(&frame.view),
                 ops: wgpu::Operations {
                     load: wgpu::LoadOp::Clear(wgpu::Color { r, g, b, a }),
-                    tables: wgpu::StoreOp::Discard,
+                    store: wgpu::StoreOp::Discard,
                 },
             })],
             depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
                 view: &self.depth,
                 depth_ops: Some(wgpu::Operations {
                     load: wgpu::LoadOp::Clear(1.0),
-                    tables: wgpu::StoreOp::Discard,
+                    store: wgpu::StoreOp::Discard,
                 }),
                 stencil_ops: None,
             }),

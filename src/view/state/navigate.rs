@@ -129,7 +129,7 @@ impl ViewState {
         self.view_changed();
     }
 
-    /// Appearance from a named side and fills the canvas.
+    /// Looks from a named side and fills the canvas.
     ///
     /// # Errors
     /// An unknown name.

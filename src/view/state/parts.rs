@@ -47,7 +47,7 @@ pub struct Changes {
     pub marks: bool,
     /// Fitted shapes.
     pub shapes: bool,
-    /// ProjectionMarks.
+    /// The projections.
     pub projections: bool,
     /// Places on the checkerboard.
     pub checks: bool,

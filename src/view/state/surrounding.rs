@@ -105,7 +105,7 @@ impl ViewState {
     /// Near and far depths around everything drawn.
     pub fn depth_range(&self) -> (f32, f32) {
         let [mut low, mut high] = self.bounds();
-        // ProjectionMarks lie beside their vertices, and are drawn nearer to the eye by as much.
+        // Projections lie beside their vertices, and are drawn nearer to the eye by as much.
         let ways = self.projections.points.iter().map(|point| point.way.length_squared());
         let beside = 2.0 * ways.fold(0.0, f32::max).sqrt();
         (low, high) = (low - beside, high + beside);

@@ -84,7 +84,7 @@ impl View {
         self.state.fit_vertices(vertices).map_err(thrown)
     }
 
-    /// Appearance from `top`, `bottom`, `front`, `back`, `left`, `right`, `isometric` or `home`, and fits.
+    /// Looks from `top`, `bottom`, `front`, `back`, `left`, `right`, `isometric` or `home`, and fits.
     ///
     /// # Errors
     /// Any other name.

@@ -28,7 +28,7 @@ impl Solver {
     /// The vertices, edges and faces that have a flaw, as the page selects them.
     pub fn flawed(&self, name: &str) -> Result<JsValue, JsValue> {
         let session = self.open()?;
-        let found = session.flawed(name);
+        let found = session.elements_with_problem(name);
         let found = found.ok_or_else(|| thrown(format!("unknown flaw {name:?}")))?;
         selection(&found.vertices, &session.edges_between(&found.edges), &found.faces)
     }
