@@ -15,7 +15,7 @@ use crate::mesh::Ragged;
 /// A position or a gradient with a pad, so that a row is two 128-bit registers.
 pub type Row = [f64; 4];
 
-/// What the local step of a batch found.
+/// The result of the local step of a batch.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LocalStep {
     /// `sum_i w_i |N_i V_i - P_i|^2` over the batch, in squared length.

@@ -11,13 +11,13 @@ pub struct Info {
     pub id: &'static str,
     /// The name on the page.
     pub label: &'static str,
-    /// What it asks of its vertices, in one sentence.
+    /// The condition on its vertices, in one sentence.
     pub summary: &'static str,
     /// Where the paper defines it.
     pub paper: &'static str,
     /// How many points it takes.
     pub arity: Arity,
-    /// What it is invariant under, and so which points are centred together.
+    /// The translations it is invariant under, hence which points are centred together.
     pub centring: Centring,
     /// The elements whose vertices come in the order that it means; hosts offer it on these only.
     /// Empty where any elements will do.

@@ -8,7 +8,7 @@ use crate::math::{Lane, Vec3};
 
 /// One projection operator `P_i` (paper section 2.1, Eq. 2, and section 3).
 pub trait Projection: Clone + PartialEq + std::fmt::Debug + 'static {
-    /// What the operator is called, takes and guarantees.
+    /// The declaration of the kind.
     const INFO: Info;
 
     /// Whether [`Projection::project`] reads the rest points; without, it gets none.

@@ -3,7 +3,7 @@
 use crate::mesh::Surface;
 use std::rc::Rc;
 
-/// What an operator may look up besides its own points.
+/// Geometry that an operator may look up besides its own points.
 #[derive(Clone, Copy)]
 pub struct Reference<'a> {
     /// The rest surface, made when it is asked for; in the same place as points that are not centred.

@@ -152,7 +152,7 @@ enum Place {
     Other,
 }
 
-/// What a set or group holds.
+/// The members of a set or group.
 struct Members {
     /// Those listed, those of the faces, those of the curves; may repeat.
     vertices: Vec<u32>,

@@ -123,7 +123,7 @@ impl Element {
         }
     }
 
-    /// What one of them is called on the page.
+    /// The name of one of them on the page.
     pub fn label(self) -> &'static str {
         self.words()[0]
     }
@@ -183,7 +183,7 @@ impl fmt::Display for SelectError {
 
 impl std::error::Error for SelectError {}
 
-/// What a selector selects, in words: "all faces", "each face of eaves", "12 vertices".
+/// A selector in words: "all faces", "each face of eaves", "12 vertices".
 pub fn describe(selector: &Selector) -> String {
     match selector {
         Selector::Each { element, within, radius } => {

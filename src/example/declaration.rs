@@ -10,7 +10,7 @@ pub struct Example {
     pub id: &'static str,
     /// Shown as the name of the model.
     pub title: &'static str,
-    /// What to look for, in one sentence.
+    /// A hint of what to look for, in one sentence.
     pub summary: &'static str,
     /// What is measured when it is solved with its own settings, in one sentence; tests check it.
     pub statement: &'static str,

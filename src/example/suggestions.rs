@@ -6,13 +6,13 @@ use serde::Serialize;
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Suggestion {
-    /// What the button says.
+    /// The label of the button.
     pub label: &'static str,
-    /// What it does.
+    /// The effect of the button.
     pub shows: Shows,
 }
 
-/// What a host shows.
+/// The view that a host shows.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub enum Shows {
@@ -26,7 +26,7 @@ pub enum Shows {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct SplitSide {
-    /// What its faces are coloured by: the id of a measure.
+    /// The id of the measure that colours its faces.
     pub measure: &'static str,
     /// Whether it is of the original instead of the current shape.
     pub original: bool,
@@ -51,7 +51,7 @@ const CIRCULARITY: Suggestion =
 const ANGLES: Suggestion =
     Suggestion { label: "Angles before and after", shows: Shows::Plot("angles") };
 
-/// What the example `id` offers to look at.
+/// The suggestions of the example `id`.
 pub fn suggestions(id: &str) -> &'static [Suggestion] {
     match id {
         "fig-05-planar" => &[PLANARITY, BOTH_ERRORS],

@@ -1,4 +1,4 @@
-//! What an experiment and its methods declare.
+//! The declarations of an experiment and its methods.
 
 use crate::error::Error;
 use crate::mesh::Mesh;
@@ -12,15 +12,15 @@ pub struct Experiment {
     pub id: &'static str,
     /// Its name on the page.
     pub label: &'static str,
-    /// What is compared and what to look for.
+    /// The comparison in one sentence.
     pub summary: &'static str,
     /// The ids of the examples that it can be run on.
     pub examples: &'static [&'static str],
-    /// What is measured after every iteration.
+    /// The quantities measured after every iteration.
     pub quantities: &'static [Quantity],
-    /// What is drawn.
+    /// The plots.
     pub plots: &'static [Plot],
-    /// What is compared, in the order in which it is run.
+    /// The methods, in the order in which they run.
     pub methods: &'static [MethodInfo],
     /// When a method is stopped that has not ended by itself.
     pub limits: Limits,
@@ -33,11 +33,11 @@ pub struct Quantity {
     pub id: &'static str,
     /// Its name on the page.
     pub label: &'static str,
-    /// What it is measured in.
+    /// Its unit.
     pub unit: Unit,
 }
 
-/// What a quantity is measured in.
+/// The unit of a quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Unit {
@@ -54,11 +54,11 @@ pub enum Unit {
 pub struct Plot {
     /// The index of the quantity.
     pub quantity: usize,
-    /// What it is drawn over.
+    /// The quantity along the horizontal axis.
     pub over: Over,
 }
 
-/// What is counted along a plot.
+/// The horizontal axis of a plot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Over {
@@ -75,7 +75,7 @@ pub struct MethodInfo {
     pub id: &'static str,
     /// Its name on the page.
     pub label: &'static str,
-    /// What it does, in one sentence.
+    /// A description in one sentence.
     pub summary: &'static str,
     #[serde(skip)]
     pub(super) start: Start,
@@ -107,7 +107,7 @@ pub(super) trait Method {
     fn values(&self) -> Vec<f64>;
 }
 
-/// What became of an iteration.
+/// The outcome of an iteration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Step {
     /// There is more to do.

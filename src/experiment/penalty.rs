@@ -53,7 +53,7 @@ pub(super) const PENALTY: Experiment = Experiment {
     limits: Limits { iterations: 1500, seconds: 30.0 },
 };
 
-/// What is measured of a shape.
+/// The measures of a shape.
 struct Measured {
     faces: Ragged,
     edges: Vec<[u32; 2]>,

@@ -7,7 +7,7 @@ use crate::mesh::Mesh;
 use crate::scene::Scene;
 use crate::solve::clock;
 
-/// What a method did.
+/// The measurements of one method.
 #[derive(Clone, Debug, Default)]
 pub struct Series {
     /// After each iteration; the first is the start.
@@ -68,7 +68,7 @@ impl Run {
         Run { experiment, scene, mesh, limits, under_way: None, series: Vec::new() }
     }
 
-    /// What is run.
+    /// The experiment.
     pub fn experiment(&self) -> &'static Experiment {
         self.experiment
     }

@@ -1,4 +1,4 @@
-//! What a mesh as a whole has wrong: unused vertices, duplicate faces, edges that are no surface's.
+//! Problems of a mesh as a whole: unused vertices, duplicate faces, non-manifold edges.
 
 use super::problem::{DiagnosticCounts, MeshProblem, ProblemKind};
 use super::{Mesh, Point};
@@ -44,7 +44,7 @@ pub fn elements_with_problem(mesh: &Mesh, kind: ProblemKind) -> ElementsWithProb
     elements_with_problem
 }
 
-/// What is wrong with an edge of these sides.
+/// The problem of an edge with these sides; none where it has none.
 fn problem_of(edge: &[HalfEdge]) -> Option<ProblemKind> {
     match edge {
         [a, b] if a.ascending == b.ascending => Some(ProblemKind::FlippedNeighbour),

@@ -1,9 +1,9 @@
-//! What a mesh has wrong that can be survived: counted by kind, with the first line of each.
+//! Problems of a mesh or its file that do not stop reading: counted by kind, with the first line of each.
 
 use std::collections::BTreeMap;
 use std::fmt;
 
-/// What joins vertices.
+/// Kinds of elements of a mesh file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum ElementKind {
     /// A polygon.

@@ -29,9 +29,9 @@ pub struct Scene {
     pub handles: Vec<HandleSpec>,
     /// The weights of Eq. 13.
     pub weights: Weights,
-    /// What vertices are kept close to, Eq. 11.
+    /// The closeness energy, Eq. 11.
     pub closeness: Closeness,
-    /// What is smoothed, Eq. 12.
+    /// The smoothness energy, Eq. 12.
     pub smoothness: Smoothness,
     /// How it is solved.
     pub solver: SolverSettings,
@@ -80,7 +80,7 @@ pub struct ConstraintSpec {
     pub weight: f64,
     /// Whether it counts; a disabled one stays in the list.
     pub enabled: bool,
-    /// What somebody called it; empty for the label of its kind.
+    /// Its name; empty for the label of its kind.
     pub name: String,
 }
 

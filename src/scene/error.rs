@@ -1,13 +1,13 @@
-//! What is wrong with a scene.
+//! Errors in a scene.
 
 use std::fmt;
 
-/// What is wrong with a scene, and where.
+/// An error in a scene, with its JSON path.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SceneError {
     /// JSON path, such as `constraints[2].on.set`; empty for the whole file.
     pub path: String,
-    /// What is wrong and what was expected.
+    /// The fault, and what was expected instead.
     pub message: String,
 }
 

@@ -3,9 +3,9 @@
 /// An exercise on the mesh of a scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lesson {
-    /// What is to be done, in words; lines are kept.
+    /// The task, in words; lines are kept.
     pub text: String,
-    /// What is to be met, at least one; all of them have to be.
+    /// The goals, at least one; all of them have to be met.
     pub goals: Vec<Goal>,
 }
 
@@ -18,7 +18,7 @@ pub struct Goal {
     pub at_most: f64,
 }
 
-/// What a goal is about.
+/// The quantity that a goal bounds.
 #[derive(Clone, Debug, PartialEq)]
 pub enum GoalOf {
     /// The worst face by the measure of this id.

@@ -4,7 +4,7 @@ use super::document::{ConstraintSpec, HandleSpec, MeshSource, Scene};
 use super::lesson::Goal;
 use crate::mesh::{Mesh, Point};
 
-/// What a student hands in: the shape, and what it was found to be.
+/// The results of a student: the shape, and the values of the goals.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Results {
     /// Who made it, as the student typed it.
@@ -19,7 +19,7 @@ pub struct Results {
     pub iterations: u32,
     /// Whether all goals were met.
     pub passed: bool,
-    /// What each goal was found to be.
+    /// The value of each goal.
     pub goals: Vec<GoalResult>,
     /// The rows of constraints at the end.
     pub constraints: Vec<ConstraintSpec>,

@@ -16,7 +16,7 @@ pub trait NamedEnum: Copy + PartialEq + 'static {
         found.expect("every value has a word").0
     }
 
-    /// What a word stands for, if for anything.
+    /// The value of a word; none for an unknown one.
     fn of_word(word: &str) -> Option<Self> {
         Self::WORDS.iter().find(|(known, _)| *known == word).map(|(_, value)| *value)
     }

@@ -1,4 +1,4 @@
-//! What every host drives: open, edit, drag, step, undo, report.
+//! The session that every host drives: open, edit, drag, step, undo, report.
 //!
 //! A session holds one mesh and one document (constraints, handles, weights), and a solver for
 //! it. Every edit is one step of undo; iterating from one point to another is one step too.

@@ -26,7 +26,7 @@ const STEPS: u32 = 100;
 /// Iterations are done for as many seconds at a time.
 const SLICE: f64 = 0.006;
 
-/// What is left of it.
+/// The rest of the warm-up.
 #[wasm_bindgen]
 #[derive(Default)]
 pub struct WarmUp {
@@ -39,13 +39,13 @@ pub struct WarmUp {
 
 #[wasm_bindgen]
 impl WarmUp {
-    /// All of it.
+    /// A warm-up that has not begun.
     #[wasm_bindgen(constructor)]
     pub fn new() -> WarmUp {
         WarmUp::default()
     }
 
-    /// Does a little of it; false when nothing is left.
+    /// Iterates for a few milliseconds; false when nothing is left.
     #[wasm_bindgen(js_name = goOn)]
     pub fn go_on(&mut self) -> bool {
         let Some(session) = &mut self.session else {

@@ -24,7 +24,7 @@ pub struct Plane {
     along: Option<Direction>,
 }
 
-/// What the scene file may say.
+/// The direction as the scene file gives it.
 #[derive(Default, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 struct Given {

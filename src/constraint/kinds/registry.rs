@@ -4,7 +4,7 @@ use crate::constraint::Projection;
 
 /// A computation that needs the operator's type, such as making a batch of it.
 pub trait KindVisitor {
-    /// What it gives.
+    /// The result.
     type Output;
     /// The computation for one operator.
     fn visit<P: Projection>(self, operator: &P) -> Self::Output;

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-/// What a kind takes from the scene file besides its vertices.
+/// The declaration of a parameter of a kind.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Param {
     /// The key in scene files.
@@ -13,7 +13,7 @@ pub struct Param {
     pub unit: &'static str,
     /// The value when the key is absent.
     pub default: ParamValue,
-    /// What may be given, the form of the default among it.
+    /// The accepted forms; that of the default is one of them.
     pub forms: &'static [Form],
     /// Least and greatest number, also at the ends of a range. JSON has null for infinity.
     pub range: [f64; 2],

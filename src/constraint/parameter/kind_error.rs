@@ -9,7 +9,7 @@ pub enum KindError {
     Params {
         /// Where below the constraint, such as `scale[0]`.
         path: String,
-        /// What is wrong and what was expected.
+        /// The fault, and what was expected instead.
         message: String,
     },
 }

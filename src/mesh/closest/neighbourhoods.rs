@@ -20,7 +20,7 @@ const CLOSE_REACH: f64 = 0.125;
 /// around one corner do not cost ten thousand squared.
 const MOST: usize = 64;
 
-/// What is near each triangle.
+/// The triangles near each triangle.
 #[derive(Clone, Debug)]
 pub(crate) struct TriangleNeighbourhoods {
     clearings: Vec<TriangleSafeRegion>,

@@ -7,7 +7,7 @@ use super::safe_region::TriangleSafeRegion;
 use super::triangle::{Planes, splat};
 use crate::math::Vec3;
 
-/// What the last search for a point has found.
+/// The triangle that was closest to a point last, and the region in which it stays the closest.
 #[derive(Clone, Debug)]
 pub struct ClosestPointCache {
     pub(crate) planes: Planes,

@@ -1,4 +1,4 @@
-//! What reading a file gives: a mesh with what there is to say of it, or an error.
+//! The result of reading a file: a mesh with its problems and notes, or an error.
 
 use crate::mesh::{Mesh, MeshProblem};
 
@@ -7,9 +7,9 @@ use crate::mesh::{Mesh, MeshProblem};
 pub struct Read {
     /// The mesh.
     pub mesh: Mesh,
-    /// What is wrong in the file or with the mesh, and was survived.
+    /// Problems of the file or the mesh that did not stop reading.
     pub problems: Vec<MeshProblem>,
-    /// What is not wrong but worth knowing, a sentence each: what was left out, what was guessed.
+    /// Notes, a sentence each: statements that were left out, guesses that were made.
     pub notes: Vec<String>,
 }
 
@@ -35,7 +35,7 @@ pub struct ReadError {
     pub line: Option<usize>,
     /// The text of that line, shortened; empty when the file as a whole is at fault.
     pub text: String,
-    /// What is wrong and what was expected.
+    /// The fault, and what was expected instead.
     pub message: String,
 }
 

@@ -41,7 +41,7 @@ fn read_text(name: &str, text: &str) -> Result<Read, ReadFault> {
     builder.finish(text)
 }
 
-/// What a message says of the formats.
+/// The known formats, for messages.
 const KNOWN: &str = "mesh files known here are .obj (Wavefront), .off and .mesh (Medit), as text";
 
 #[derive(Clone, Copy)]

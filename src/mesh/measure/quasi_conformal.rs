@@ -14,7 +14,7 @@ pub struct QuasiConformal {
     pub max: f64,
 }
 
-/// What a flat map does to the triangles of a surface.
+/// The distortion of the triangles of a surface by a flat map.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MapErrors {
     /// Over all triangles.

@@ -1,4 +1,4 @@
-//! What is next to what in a mesh: edges, neighbours, faces around edges and vertices.
+//! Adjacency of a mesh: edges, neighbours, faces around edges and vertices.
 //!
 //! Everything is found by sorting, so the order of all lists depends on the mesh alone. A mesh need
 //! not be a manifold: an edge may have any number of faces, a vertex any number of fans.

@@ -7,7 +7,7 @@ use super::text::{field, object, text};
 use crate::constraint::{Element, Selector};
 use crate::scene::SceneError;
 
-/// What a selector is, for messages.
+/// The forms of a selector, for messages.
 pub(super) fn what() -> String {
     let all = Element::ALL.into_iter().filter_map(Element::word_for_all);
     let all: Vec<_> = all.map(|word| format!("\"{word}\"")).collect();

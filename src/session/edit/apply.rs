@@ -1,4 +1,4 @@
-//! What each edit does to a state of the document. It fails without leaving a trace.
+//! The effect of each edit on a state of the document. A failed edit changes nothing.
 
 use super::closeness_weights::{set_closeness_weight, strengthen_closeness};
 use super::edit_list::Edit;

@@ -1,4 +1,4 @@
-//! What adding constraints would make, for every kind at several places at once.
+//! The effect of adding constraints, for every kind and several targets at once.
 
 use super::constraint_target::ConstraintTarget;
 use super::target_shape::target_shape;
@@ -56,7 +56,7 @@ impl Session {
 /// How large the elements of a place are.
 struct Sizes<'a> {
     on: &'a Selector,
-    /// What they are to the mesh.
+    /// Their shape on the mesh.
     shape: Option<TargetShape>,
     /// How many elements have that many vertices.
     vertices: BTreeMap<usize, usize>,

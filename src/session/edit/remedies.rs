@@ -23,7 +23,7 @@ const MOST_FACTOR: f64 = 1000.0;
 /// A change that lowers the worst distance.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Remedy {
-    /// What it does, in words.
+    /// The change, in words.
     pub label: String,
     /// The edit, as [`Edit::from_json`] reads it.
     pub edit: Value,
@@ -78,7 +78,7 @@ impl Remedies {
         Ok(self.current.is_some() || !self.untried.is_empty())
     }
 
-    /// What was found to help so far, the greatest help first.
+    /// The remedies found so far, the most effective first.
     pub fn found(&self) -> &[Remedy] {
         &self.found
     }
@@ -127,7 +127,7 @@ fn enough(session: &Session) -> f64 {
     factor
 }
 
-/// What may help, in the order in which it is tried.
+/// The candidate remedies, in the order in which they are tried.
 fn candidates(session: &Session) -> Vec<(String, Value)> {
     let document = session.document();
     let weights = document.weights;

@@ -15,7 +15,7 @@ pub struct Setting {
     /// Id, name and forms, as those of a parameter of a kind.
     #[serde(flatten)]
     pub param: Param,
-    /// What it does, in one sentence.
+    /// A description in one sentence.
     pub summary: &'static str,
     /// The heading that hosts list it under.
     pub group: &'static str,

@@ -15,7 +15,7 @@ pub struct ConstraintMap {
 }
 
 impl Session {
-    /// What the enabled rows act on.
+    /// The elements that the enabled rows act on.
     pub fn acting_rows(&self) -> ConstraintMap {
         let mesh = &self.mesh;
         let mut cover = ConstraintCoverage::new(mesh, &self.topology);

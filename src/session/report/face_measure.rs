@@ -10,7 +10,7 @@ use serde::Serialize;
 use std::f64::consts::PI;
 use std::rc::Rc;
 
-/// What a value of a measure is counted in.
+/// The unit of a measure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum MeasureUnit {
@@ -31,11 +31,11 @@ pub struct FaceMeasure {
     pub id: &'static str,
     /// Its name for people.
     pub label: &'static str,
-    /// What is measured.
+    /// The measured quantity.
     pub words: &'static str,
-    /// What is true where the values of all faces are 0.
+    /// The statement that holds where the values of all faces are 0.
     pub met: &'static str,
-    /// What it is counted in.
+    /// Its unit.
     pub unit: MeasureUnit,
     /// Whether it is an error that the tolerance of the model applies to: a length that whoever builds
     /// it has to allow for.

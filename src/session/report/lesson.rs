@@ -14,11 +14,11 @@ use serde::Serialize;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct GoalWords<'a> {
-    /// What it is about: the label of a measure, or the name of a constraint.
+    /// The label of the measure, or the name of the constraint.
     pub label: &'a str,
-    /// What is measured.
+    /// The measured quantity.
     pub words: &'static str,
-    /// What values are counted in.
+    /// The unit of the values.
     pub unit: MeasureUnit,
     /// How large it may be, in that unit.
     pub at_most: f64,

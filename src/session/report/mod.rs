@@ -1,4 +1,4 @@
-//! What is said of a scene and its shape.
+//! Measures and reports of a scene and its shape.
 //!
 //! | file | holds |
 //! |---|---|

@@ -8,7 +8,7 @@ use crate::solve::{Energy, IterateSeconds};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// What `shape-up solve --report` writes and what the page shows, in the same words and units.
+/// The report of `shape-up solve --report`, which the page shows in the same words and units.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Report {
     /// `#V`

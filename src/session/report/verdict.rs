@@ -6,13 +6,13 @@ use crate::math::Vec3;
 use crate::session::state::Session;
 use serde::Serialize;
 
-/// What has become of the panels.
+/// How many panels have the shape asked for.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Verdict {
     /// The id of the kind that they are asked to have.
     pub kind: &'static str,
-    /// What they are then: "flat".
+    /// The adjective for panels that have the shape: "flat".
     pub adjective: &'static str,
     /// How many are asked.
     pub panels: usize,

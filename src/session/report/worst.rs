@@ -10,13 +10,13 @@ use serde::Serialize;
 /// An element that is far from what is asked of it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct WorstElement {
-    /// What it is called: "face 37", "edge 3–4".
+    /// Its name: "face 37", "edge 3–4".
     pub element: String,
     /// The groups of the mesh that one of its faces is in.
     pub groups: Vec<String>,
     /// The row of constraints: that of the list, or the one that pulls most at the face.
     pub row: Option<usize>,
-    /// What that row is called; empty where there is none.
+    /// The label of that row; empty where there is none.
     pub constraint: String,
     /// How far, in the unit of the measure.
     pub value: f64,
@@ -126,7 +126,7 @@ impl Session {
     }
 }
 
-/// What one constraint of a selector is on.
+/// The element that one constraint of a selector acts on.
 fn name_of(on: &Selector, faces: &[u32], vertices: &[u32]) -> String {
     let Selector::Each { element, radius, .. } = on else {
         return match on {

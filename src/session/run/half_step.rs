@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::session::state::Session;
 use serde::Serialize;
 
-/// What half of an iteration did.
+/// The outcome of half an iteration.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "half", rename_all = "camelCase")]
 pub enum HalfStep {

@@ -4,7 +4,7 @@ use crate::error::Error;
 use crate::session::state::{Session, Start, Trace, TraceEntry};
 use std::rc::Rc;
 
-/// What one iteration did.
+/// The outcome of one iteration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Step {
     /// Whether the total changed by no more than the tolerance, and the shape has not collapsed.

@@ -25,12 +25,12 @@ pub(super) fn marked(count: usize, items: impl IntoIterator<Item = u32>) -> Mark
     marks
 }
 
-/// What is marked, ascending.
+/// The marked elements, ascending.
 pub(super) fn items(marks: &Marks) -> impl Iterator<Item = u32> + '_ {
     (0..).zip(marks).filter(|(_, mark)| **mark).map(|(item, _)| item)
 }
 
-/// What is marked, as a selection.
+/// The marked elements as a selection.
 pub(super) fn selection(mode: Mode, marks: &Marks) -> Selection {
     let mut selection = Selection::default();
     let chosen = match mode {

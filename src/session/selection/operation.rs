@@ -9,23 +9,23 @@ use serde::Serialize;
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Operation {
-    /// What a request names it by.
+    /// The id in a request.
     pub id: &'static str,
     /// Its name on the page.
     pub label: &'static str,
-    /// What is selected afterwards, in one sentence.
+    /// The resulting selection, in one sentence.
     pub summary: &'static str,
     /// The heading that hosts list it under.
     pub group: &'static str,
-    /// What must be picked for it to have a meaning.
+    /// The elements that must be picked for it to apply.
     pub modes: &'static [Mode],
-    /// What it gives, where that is not what is picked.
+    /// The elements that it selects, where these are not those picked.
     pub gives: Option<Mode>,
     /// Whether it starts from what is selected, and gives nothing where nothing is.
     pub needs_selection: bool,
     /// Whether it takes the name of a set or of a group, as the parameter `name`.
     pub takes_name: bool,
-    /// What it asks.
+    /// Its parameters.
     pub params: &'static [Param],
     /// Keys of the page that do it, as "Ctrl+A".
     pub keys: &'static [&'static str],

@@ -4,7 +4,7 @@ use crate::scene::{NamedEnum, SceneError};
 use serde::Serialize;
 use serde_json::{Map, Value};
 
-/// What is picked.
+/// The kind of elements that are picked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Mode {
@@ -39,7 +39,7 @@ pub struct SelectRequest {
     pub operation: String,
     /// What is picked; the answer is of that kind unless the operation gives another.
     pub mode: Mode,
-    /// What is selected now.
+    /// The current selection.
     pub from: Selection,
     /// The parameters that are not at their default.
     pub params: Map<String, Value>,

@@ -21,7 +21,7 @@ const LOST: f64 = 0.05;
 const MOST_LOST: f64 = 0.1;
 /// Handles that are away from their targets pull: the shape may change by so many times their way more.
 const PER_PULL: f64 = 2.0;
-/// What has become of a shape.
+/// A collapse of a shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Collapse {
     /// In which way.

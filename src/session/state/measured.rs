@@ -4,7 +4,7 @@
 use crate::mesh::{Measures, Point};
 use std::rc::Rc;
 
-/// What was measured of one shape, and what helps to measure the next one.
+/// The measures of one shape, and the closest triangles as a start for the next one.
 #[derive(Default)]
 pub(crate) struct Measured {
     /// The shape, `#V by 3`.

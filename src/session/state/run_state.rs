@@ -8,7 +8,7 @@ use super::transaction::Transaction;
 use crate::scene::Scene;
 use crate::solve::Energy;
 
-/// What has happened so far.
+/// Iterations, energies, history and guard of a session.
 pub(crate) struct RunState {
     /// See [`crate::session::Session::iteration`].
     pub(crate) iteration: u32,
@@ -16,13 +16,13 @@ pub(crate) struct RunState {
     pub(crate) initial: Energy,
     /// The energies since then, when they are asked for.
     pub(crate) trace: Option<Trace>,
-    /// What reading the files took.
+    /// Seconds that reading the files took.
     pub(crate) load_seconds: f64,
-    /// What can be undone and redone.
+    /// The steps of undo and redo.
     pub(crate) history: History,
-    /// What has begun and is not yet a step of undo.
+    /// The drag or run that is under way.
     pub(crate) transaction: Option<Transaction>,
-    /// What watches over the shape.
+    /// The guard against collapse.
     pub(crate) guard: Guard,
 }
 

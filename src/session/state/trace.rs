@@ -61,7 +61,7 @@ impl Trace {
         }
     }
 
-    /// All of it.
+    /// All entries.
     pub(crate) fn entries(&self) -> &[TraceEntry] {
         &self.entries
     }

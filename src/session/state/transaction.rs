@@ -18,7 +18,7 @@ pub(crate) enum TransactionKind {
     Run,
 }
 
-/// What a run goes on for after it has converged.
+/// The tolerance for which a run goes on after it has converged.
 pub(crate) struct PanelGoal {
     /// In the unit of the mesh.
     pub(crate) tolerance: f64,

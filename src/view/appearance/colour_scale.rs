@@ -7,9 +7,9 @@ const LEAST_PART: f64 = 1e-6;
 /// How values become colours.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ColourScale {
-    /// What the first colour stands for.
+    /// The value at the first colour.
     pub low: f32,
-    /// What the last colour stands for.
+    /// The value at the last colour.
     pub high: f32,
     /// Values up to this keep the material, and those beyond it have the map of what is beyond a
     /// tolerance; without one all values are on the full map.

@@ -8,7 +8,7 @@ use super::colour_scale::ColourScale;
 use super::row_colours::RowColours;
 use crate::view::model::{ViewError, check_indices};
 
-/// What the colour of a face stands for.
+/// The meaning of the colour of a face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FaceColour {
     /// The material.
@@ -216,7 +216,7 @@ impl Appearance {
         if self.tinted_faces.is_empty() { &self.tinted_vertices } else { &[] }
     }
 
-    /// What the colour of a face stands for.
+    /// The meaning of the colour of a face.
     pub fn colour_of(&self, face: usize) -> FaceColour {
         if let Some((values, scale)) = &self.values {
             let value = values[face];

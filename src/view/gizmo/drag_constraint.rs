@@ -13,7 +13,7 @@ const EDGE_ON: f32 = 0.1;
 /// What is dragged stays within this many times its own depth.
 const FARTHEST: f32 = 20.0;
 
-/// What a drag keeps to. Axes and planes are those of the file's coordinates.
+/// The axis or plane that a drag keeps to, in the file's coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DragDirection {
     /// The plane that faces the eye.
@@ -71,7 +71,7 @@ impl DragDirection {
 #[derive(Clone, Copy, Debug)]
 pub struct DragConstraint {
     eye: Eye,
-    /// What is held, relative to the view's centre.
+    /// The dragged point, relative to the view's centre.
     held: Vec3,
     /// Where the pointer took it, CSS pixels.
     from: Vec2,

@@ -32,7 +32,7 @@ const FINE: Sizes = Sizes { gap: 15.0, length: 86.0, square: [28.0, 54.0], reach
 /// For fingers.
 const COARSE: Sizes = Sizes { gap: 26.0, length: 120.0, square: [44.0, 84.0], reach: 22.0 };
 
-/// What the page says of the gizmo.
+/// The state of the gizmo, as the page sets it.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct GizmoState {
     /// Whether it is shown where a handle is selected.
@@ -50,7 +50,7 @@ pub struct GizmoState {
 /// An arrow or a square on the screen.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Part {
-    /// What it drags along.
+    /// The axis or plane that it drags along.
     pub way: DragDirection,
     /// From 0, gone, to 1.
     pub strength: f32,

@@ -12,7 +12,7 @@ pub struct Loss {
 }
 
 impl Loss {
-    /// Whether it is.
+    /// Set when the device is lost.
     pub fn happened(&self) -> bool {
         self.happened.load(Ordering::Relaxed)
     }

@@ -24,7 +24,7 @@ pub enum Layer {
     Over,
 }
 
-/// What a primitive's pipeline is made from.
+/// The description of a primitive's pipeline.
 #[derive(Clone, Copy, Debug)]
 pub struct Recipe<'a> {
     /// The primitive's name.

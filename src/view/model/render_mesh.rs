@@ -6,7 +6,7 @@ use super::polygon_edges::{PolygonEdge, polygon_edges};
 use super::triangulate::triangulate;
 use glam::{DVec3, Vec3};
 
-/// What is looked at.
+/// The mesh as it is drawn.
 #[derive(Clone, Debug, Default)]
 pub struct RenderMesh {
     /// The middle of the first bounding box, in file coordinates. It stays when vertices move.

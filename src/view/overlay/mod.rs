@@ -1,4 +1,4 @@
-//! What is about the mesh.
+//! The surroundings of the mesh.
 //!
 //! | file | holds |
 //! |---|---|

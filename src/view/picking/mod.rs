@@ -1,4 +1,4 @@
-//! What is under the cursor or in front.
+//! Picking: elements under the cursor, and the depth in front.
 //!
 //! | file | holds |
 //! |---|---|

@@ -16,7 +16,7 @@ pub struct Split {
     pub sides: [Side; 2],
 }
 
-/// What is drawn on one side.
+/// One side of a split view.
 #[derive(Debug)]
 pub struct Side {
     /// The mesh with the colours of this side.
@@ -33,9 +33,9 @@ pub struct Colours {
     pub values: Option<Vec<f32>>,
     /// #V, what the values of the faces are the greatest of; nothing where they are not of vertices.
     pub corners: Option<Vec<f32>>,
-    /// What the first colour stands for.
+    /// The value at the first colour.
     pub low: f32,
-    /// What the last colour stands for.
+    /// The value at the last colour.
     pub high: f32,
 }
 

@@ -17,7 +17,7 @@ pub struct HandleMark {
     pub target: DVec3,
 }
 
-/// What is switched on.
+/// The parts of the view that are switched on.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Display {
     /// Edges of the polygons.
@@ -32,7 +32,7 @@ pub struct Display {
     pub arrows: bool,
 }
 
-/// What has changed since the last picture.
+/// The changes since the last picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Changes {
     /// Faces, curves, edges.

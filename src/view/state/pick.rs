@@ -1,4 +1,4 @@
-//! What is under the cursor, and where vertices are on the canvas.
+//! Picking elements under the cursor, and the places of vertices on the canvas.
 
 use super::view_state::ViewState;
 use crate::view::picking::{DepthMap, pick};
@@ -26,7 +26,7 @@ impl ViewState {
         self.map.get_or_insert_with(|| DepthMap::new(&self.mesh, &self.camera));
     }
 
-    /// What is in front, once [`ViewState::look`] has looked.
+    /// The depth map, once [`ViewState::look`] has made it.
     pub(crate) fn depth_map(&self) -> Option<&DepthMap> {
         self.map.as_ref()
     }

@@ -38,9 +38,9 @@ pub struct ViewState {
     pub around: Surroundings,
     /// The ends of the measuring tape: none, the first, or both.
     pub tape: Vec<u32>,
-    /// What is switched on.
+    /// The parts of the view that are switched on.
     pub display: Display,
-    /// What is wanted of the gizmo.
+    /// The state of the gizmo.
     pub gizmo: GizmoState,
     /// Dark theme.
     pub dark: bool,

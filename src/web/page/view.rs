@@ -47,7 +47,7 @@ impl Drop for View {
 
 const CONTEXT_LOST: &str = "webglcontextlost";
 
-/// What this module was compiled to draw with.
+/// The graphics backend of this module.
 const BACKENDS: &[&str] = &[
     #[cfg(feature = "view-webgpu")]
     "webgpu",

@@ -1,4 +1,4 @@
-//! What only measuring asks the solver.
+//! Timings for benchmarks.
 
 use super::solver::Solver;
 use wasm_bindgen::prelude::*;

@@ -1,4 +1,4 @@
-//! What the generators share.
+//! Tools that the generators share.
 //!
 //! | file | holds |
 //! |---|---|

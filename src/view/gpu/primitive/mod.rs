@@ -1,4 +1,4 @@
-//! What is drawn, each with its shader.
+//! Drawing primitives, each with its shader.
 //!
 //! | file | holds |
 //! |---|---|

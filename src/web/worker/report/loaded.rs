@@ -1,11 +1,11 @@
-//! What the page is told of a file that was opened.
+//! The summary of a file that was opened.
 
 use crate::mesh::{Read, Weld};
 use crate::scene::{NamedEnum, PanelOffer, panel_offers};
 use crate::session::{Session, flaw_of};
 use serde::Serialize;
 
-/// What was read from a file.
+/// The summary of a file that was opened.
 #[derive(Serialize)]
 pub(crate) struct Loaded {
     name: String,

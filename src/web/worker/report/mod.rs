@@ -1,4 +1,4 @@
-//! What the worker tells the page, as plain objects in camelCase.
+//! Results for the page, as plain objects in camelCase.
 //!
 //! | file | holds |
 //! |---|---|
