@@ -122,7 +122,7 @@ impl KindVisitor for Scalar<'_> {
     fn visit<P: Projection>(self, operator: &P) -> f64 {
         let Work { members, rest, x, .. } = self.0;
         let mut operator = operator.clone();
-        self.0.with_reference(|reference| operator.refer(reference));
+        self.0.with_reference(|reference| operator.bind(reference));
         let gather = |rows: &[Row], nodes: &[u32]| -> Vec<Vec3<f64>> {
             let points = nodes.iter().map(|&node| rows[node as usize]);
             let mut points: Vec<_> = points.map(|row| Vec3::new(row[0], row[1], row[2])).collect();
