@@ -1,13 +1,11 @@
 //! Planarity, circularity and diagonal ratio of faces, and the bounding sphere they are scaled by.
 
-#[path = "support/grid.rs"]
-mod grid;
 #[path = "support/meshes.rs"]
 mod meshes;
 #[path = "support/shared.rs"]
 mod shared;
 
-use meshes::mixed;
+use meshes::{grid, mixed};
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 use proptest::prelude::*;
 use shape_up::math::cosine;
@@ -330,7 +328,7 @@ proptest! {
 
 #[test]
 fn what_was_measured_a_moment_ago_stands_in_while_iterating_and_not_at_rest() {
-    let mesh = grid::grid(3, 3, |i, j| [f64::from(i), f64::from(j), f64::from(i * j % 3)]);
+    let mesh = grid(3, 3, |i, j| [f64::from(i), f64::from(j), f64::from(i * j % 3)]);
     let mut scene = Scene::opened("own.obj");
     scene.ask_of_panels("plane", &mesh).expect("it has quads");
     let mut session = Session::open(scene, mesh).expect("it fits");
