@@ -24,7 +24,7 @@ impl Laplacian {
 
     /// `w_ij = (cot a + cot b) / 2` on the rest mesh, where `a` and `b` are the angles opposite to
     /// the edge. A boundary edge has one term, an edge with three or more faces one for each.
-    /// Cotangents are clamped to [`LARGEST_COTANGENT`]; the angle at coincident points counts as a
+    /// Cotangents are clamped to [`LARGEST_COTANGENT`](crate::mesh::LARGEST_COTANGENT); the angle at coincident points counts as a
     /// right angle.
     ///
     /// Panics when `topology` is not that of a triangle mesh: see [`Topology::is_triangle_mesh`].
