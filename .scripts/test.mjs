@@ -115,6 +115,9 @@ const steps = [
   { title: 'sizes', run: ['node', ['.scripts/sizes.mjs']], show: true },
 ];
 
+/** So many tests may need a second run without a reason: hosts of other people's work stall at times. */
+const MOST_FLAKY = 2;
+
 const inWords = ({ passed, failed, skipped, flaky }) =>
   `${passed} passed, ${failed} failed, ${skipped} skipped, ${flaky} flaky`;
 
@@ -132,9 +135,10 @@ await main(async () => {
       sum.failed += failed;
       sum.skipped += skipped.length;
       sum.flaky += flaky.length;
-      const unexcused = inexcusable([...skipped, ...flaky]);
-      for (const test of unexcused) console.log(`    skipped or flaky without a reason: ${test}`);
-      if (unexcused.length > 0) process.exitCode = 1;
+      const [unrun, unsteady] = [inexcusable(skipped), inexcusable(flaky)];
+      for (const test of unrun) console.log(`    skipped without a reason: ${test}`);
+      for (const test of unsteady) console.log(`    flaky without a reason: ${test}`);
+      if (unrun.length > 0 || unsteady.length > MOST_FLAKY) process.exitCode = 1;
     }
     if (show && ok) console.log(output);
     if (!ok) {
