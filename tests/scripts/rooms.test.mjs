@@ -75,7 +75,8 @@ test('no file imports itself, over however many others', () => {
   const walk = (file, path) => {
     assert.ok(!path.includes(file), `a cycle: ${[...path, file].join(' -> ')}`);
     if (done.has(file)) return;
-    for (const to of named(file, IMPORT)) if (to.endsWith('.js')) walk(to, [...path, file]);
+    // What the build writes is no room, and imports none; a fresh clone does not have it.
+    for (const to of named(file, IMPORT)) if (scripts.includes(to)) walk(to, [...path, file]);
     done.add(file);
   };
   for (const file of scripts) if (isOfRoom(file)) walk(file, []);
