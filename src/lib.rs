@@ -93,7 +93,8 @@
 //!
 //! Arrays state their shape as in `#V by 3`. Indices are 0-based everywhere but in files that
 //! count from one. Lengths are in the units of the mesh. Energies, gradients and positions are
-//! `f64`. The solver uses only `+ - * / sqrt`, so that native and wasm builds give the same bits.
+//! `f64`. The solver uses only `+ - * / sqrt` and, for angles, `libm`, so that native and wasm builds give
+//! the same bits.
 
 #[cfg(any(feature = "cli", feature = "solver"))]
 pub mod constraint;

@@ -190,8 +190,9 @@ export class Scheduler {
 
   /** After an edit, a load, the end of a run or a drag: everything the page keeps is renewed. */
   changed() {
-    this.#sendDocument();
+    // Whoever sees the document, and with it the mesh, can have the scene.
     this.#sendScene();
+    this.#sendDocument();
     this.frames.due = true;
     this.sendFrame();
   }
