@@ -109,7 +109,7 @@ export class Autosave {
       try {
         await keep(...next);
         this.#confirmed = kept;
-        if (kept === this.#kept) nothingAside();
+        if (kept === this.#kept) nothingAside(next[0].id);
         remember(ANY, 'yes');
         this.#store.set({ saved: `Saved in this browser ${timeOf(next[0].savedAt)}` });
       } catch {
@@ -131,7 +131,7 @@ export class Autosave {
     if (kept.text !== confirmed.text || kept.progress !== confirmed.progress) putAside(...next);
     const done = () => {
       this.#confirmed = kept;
-      if (kept === this.#kept) nothingAside();
+      if (kept === this.#kept) nothingAside(next[0].id);
     };
     keep(...next).then(done, () => {
       this.#kept = NOTHING;

@@ -4,13 +4,14 @@
  * next.
  */
 
-import { forget, recall, remember } from '../ui/safe-storage.js';
+import { forget, keysOf, recall, remember } from '../ui/safe-storage.js';
 import { keep, works } from './recent-documents.js';
 
 /** @typedef {import("./recent-documents.js").Work} Work */
 /** @typedef {import("./recent-documents.js").Contents} Contents */
 
-const KEY = 'shape-up.last-moment';
+/** With the id of the work: tabs know nothing of each other. */
+const KEY = 'shape-up.last-moment ';
 /** Longer steps of undo would take the room of the scene: browsers have some five million letters. */
 const MOST_BYTES = 1_000_000;
 
@@ -21,26 +22,24 @@ const MOST_BYTES = 1_000_000;
 export function putAside(work, contents) {
   const write = (/** @type {string} */ _, /** @type {unknown} */ value) =>
     value instanceof Uint8Array ? lettersOf(value) : value;
-  remember(KEY, JSON.stringify({ work, contents }, write));
+  remember(KEY + work.id, JSON.stringify({ work, contents }, write));
 }
 
-/** The database has all. */
-export function nothingAside() {
-  if (recall(KEY) !== null) forget(KEY);
+/** The database has all of a work. @param {string} id */
+export function nothingAside(id) {
+  forget(KEY + id);
 }
 
 /** Brings what was put aside into the database, unless that has something newer. */
 export async function bringIn() {
-  const aside = recall(KEY);
-  if (aside === null) return;
-  try {
-    const { work, contents } = JSON.parse(aside);
+  for (const key of keysOf(KEY)) {
+    const { work, contents } = JSON.parse(recall(key) ?? '{}');
+    if (!work) continue;
     for (const part of ['history', 'progress'])
       if (contents[part]) contents[part] = bytesOf(contents[part]);
     const known = (await works()).find(({ id }) => id === work.id);
     if (!known || known.savedAt < work.savedAt) await keep(work, contents);
-  } finally {
-    forget(KEY);
+    forget(key);
   }
 }
 

@@ -37,3 +37,12 @@ export function forget(key) {
     // Nothing was remembered.
   }
 }
+
+/** The keys in this browser that begin so. @param {string} beginning */
+export function keysOf(beginning) {
+  try {
+    return Object.keys(window.localStorage).filter((key) => key.startsWith(beginning));
+  } catch {
+    return [];
+  }
+}
