@@ -55,13 +55,7 @@ export function analysisRegion(place, parts) {
   const entries = TABS.map((tab) => {
     const button = element(
       'button',
-      {
-        type: 'button',
-        role: 'tab',
-        id: `tab-${tab.id}`,
-        'aria-controls': tab.id,
-        onclick: () => show(tab.id),
-      },
+      { role: 'tab', id: `tab-${tab.id}`, 'aria-controls': tab.id, onclick: () => show(tab.id) },
       tab.label,
     );
     const panel = element('div', {

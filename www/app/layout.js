@@ -21,9 +21,9 @@ export function arrangeForWidth(store) {
   const more = byId('more');
   const moreButton = element(
     'button',
-    { type: 'button', popovertarget: 'more' },
+    { popovertarget: 'more' },
     icon('more'),
-    element('span', {}, 'More'),
+    element('span', 'More'),
   );
   bar.append(moreButton);
   header.append(tools);

@@ -38,22 +38,12 @@ export function askToExport(collapse) {
   const dialog = openDialog(
     { id: 'export-anyway', title: 'Export this shape?' },
     element(
-      'div',
-      { class: 'dialog-body' },
+      'div.dialog-body',
+      element('p', `In the last run ${collapse}. You probably do not want to export this shape.`),
       element(
-        'p',
-        {},
-        `In the last run ${collapse}. You probably do not want to export this shape.`,
-      ),
-      element(
-        'div',
-        { class: 'dialog-foot' },
-        element(
-          'button',
-          { type: 'button', class: 'bordered', onclick: answer('export') },
-          'Export anyway',
-        ),
-        element('button', { type: 'button', class: 'primary', onclick: answer('') }, 'Cancel'),
+        'div.dialog-foot',
+        element('button.bordered', { onclick: answer('export') }, 'Export anyway'),
+        element('button.primary', { onclick: answer('') }, 'Cancel'),
       ),
     ),
   );

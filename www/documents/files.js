@@ -210,7 +210,6 @@ export class Files extends Emitter {
         element(
           'button',
           {
-            type: 'button',
             role: 'menuitem',
             onclick: () => {
               menu.hidePopover();
@@ -336,6 +335,6 @@ async function asMesh(file, cancelled) {
  * @param {string} text
  */
 function entry(title, text) {
-  const parts = [element('strong', {}, title), element('span', {}, text)];
-  return element('span', { class: 'entry' }, ...parts);
+  const parts = [element('strong', title), element('span', text)];
+  return element('span.entry', ...parts);
 }

@@ -117,13 +117,13 @@ class Card {
   #abort = new AbortController();
   #text = element('p', { id: 'import-text' });
   #bar = element('progress', { 'aria-label': 'Reading progress', max: 1 });
-  #buttons = element('div', { class: 'row-buttons' });
+  #buttons = element('div.row-buttons');
   #element;
 
   /** @param {string} names */
   constructor(names) {
     const attributes = { class: 'message notice', role: 'group', 'aria-label': `Opening ${names}` };
-    const words = element('div', { class: 'import' }, this.#text, this.#bar);
+    const words = element('div.import', this.#text, this.#bar);
     this.#element = element('div', attributes, words, this.#buttons);
     this.#buttons.append(this.#button('Cancel', () => this.#abort.abort()));
     this.#element.addEventListener('keydown', (event) => {
@@ -192,6 +192,6 @@ class Card {
    * @param {() => void} onclick
    */
   #button(label, onclick) {
-    return element('button', { type: 'button', class: 'small bordered', onclick }, label);
+    return element('button.small.bordered', { onclick }, label);
   }
 }

@@ -14,13 +14,13 @@ const FILES = 'a mesh (.obj, .off, .mesh, .3dm) or a scene (.json)';
 export function showNothingOpen(files, again) {
   removeFirstPicture();
   byId('hint-card').hidden = true;
-  byId('model').replaceChildren(element('p', { class: 'quiet' }, 'Nothing is open.'));
+  byId('model').replaceChildren(element('p.quiet', 'Nothing is open.'));
   const card = element(
     'div',
     { id: 'nothing-open' },
-    element('p', { class: 'with-drop' }, `Drop ${FILES} here.`),
-    element('p', { class: 'without-drop' }, `Open ${FILES}.`),
-    element('button', { type: 'button', class: 'bordered', onclick: again }, 'Open a sample'),
+    element('p.with-drop', `Drop ${FILES} here.`),
+    element('p.without-drop', `Open ${FILES}.`),
+    element('button.bordered', { onclick: again }, 'Open a sample'),
   );
   byId('main').append(card);
   files.once('opened', () => card.remove());

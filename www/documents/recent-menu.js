@@ -19,12 +19,11 @@ export async function showRecent(menu, keeping) {
   const rows = list.map((work) =>
     element(
       'button',
-      { type: 'button', role: 'menuitem', onclick: () => open(work) },
+      { role: 'menuitem', onclick: () => open(work) },
       element(
-        'span',
-        { class: 'entry' },
-        element('strong', {}, work.title),
-        element('span', {}, `${dateOf(work.savedAt)}, iteration ${work.iteration}`),
+        'span.entry',
+        element('strong', work.title),
+        element('span', `${dateOf(work.savedAt)}, iteration ${work.iteration}`),
       ),
     ),
   );
@@ -35,8 +34,8 @@ export async function showRecent(menu, keeping) {
 /** A menu has to have an entry, or nobody hears what it says. */
 function noEntry() {
   return element(
-    'p',
-    { class: 'quiet', role: 'menuitem', 'aria-disabled': 'true', tabindex: '-1' },
+    'p.quiet',
+    { role: 'menuitem', 'aria-disabled': 'true', tabindex: '-1' },
     'Nothing else yet. What you open or change is kept in this browser, and listed here.',
   );
 }

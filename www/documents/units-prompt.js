@@ -79,10 +79,7 @@ export function frameFields(store, actions) {
     confirmed = store.get().model;
     showGuess();
   };
-  const units = element('select', {
-    id: 'units',
-    onchange: () => change({ units: units.value }),
-  });
+  const units = element('select', { id: 'units', onchange: () => change({ units: units.value }) });
   const up = element(
     'select',
     { id: 'up', onchange: () => change({ up: up.value === 'y' ? 'y' : 'z' }) },
@@ -91,13 +88,13 @@ export function frameFields(store, actions) {
   );
   const guess = element('span');
   const note = element(
-    'p',
-    { class: 'guess', hidden: true },
+    'p.guess',
+    { hidden: true },
     guess,
     element(
-      'button',
+      'button.small.bordered',
       // Nothing changes, but the file is known from now on.
-      { type: 'button', class: 'small bordered', onclick: () => leave(note, () => change({})) },
+      { onclick: () => leave(note, () => change({})) },
       'Looks right',
     ),
   );
@@ -118,8 +115,8 @@ export function frameFields(store, actions) {
   });
   const title = 'What the numbers of the file mean. They stay as they are.';
   return element(
-    'div',
-    { class: 'frame-fields', title },
+    'div.frame-fields',
+    { title },
     note,
     element('label', { for: 'units' }, 'Unit'),
     units,

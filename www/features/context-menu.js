@@ -18,12 +18,11 @@ import { placeMenu } from '../ui/controls/menu.js';
 /** Where the menu is asked for, in CSS pixels of the page. */
 let place = new DOMRect();
 
-const menu = element('div', {
+const menu = element('div.menu', {
   id: 'context-menu',
   popover: 'manual',
   role: 'menu',
   'aria-label': 'What is here',
-  class: 'menu',
 });
 byId('menus').append(menu);
 placeMenu(menu, () => /** @type {HTMLElement} */ ({ getBoundingClientRect: () => place }));
@@ -47,9 +46,9 @@ export function showContextMenu(at, parts) {
   menu.replaceChildren(
     ...sectionsOf(parts).map(([heading, items]) =>
       element(
-        'div',
-        { class: 'section', role: 'group', 'aria-label': heading },
-        element('p', { class: 'heading quiet', 'aria-hidden': 'true' }, heading),
+        'div.section',
+        { role: 'group', 'aria-label': heading },
+        element('p.heading.quiet', { 'aria-hidden': 'true' }, heading),
         ...items.map(([label, action]) => item(label, action)),
       ),
     ),
@@ -60,7 +59,7 @@ export function showContextMenu(at, parts) {
       close();
       action();
     };
-    return element('button', { type: 'button', role: 'menuitem', onclick }, label);
+    return element('button', { role: 'menuitem', onclick }, label);
   }
   const close = () => {
     menu.hidePopover();

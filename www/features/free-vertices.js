@@ -54,25 +54,21 @@ export function watchFreeVertices({ store, solver, actions }) {
    */
   function message(free, vertices) {
     const button = (/** @type {string} */ label, /** @type {() => unknown} */ onclick) =>
-      element('button', { type: 'button', class: 'small bordered', onclick }, label);
+      element('button.small.bordered', { onclick }, label);
     const stand =
       free === 1
         ? 'vertex stands still: nothing acts on it.'
         : 'vertices stand still: nothing acts on them.';
     return element(
-      'div',
-      { class: 'message notice', role: 'group', 'aria-label': 'Vertices that stand still' },
-      element('p', {}, `${count(free, stand, stand)}`),
+      'div.message.notice',
+      { role: 'group', 'aria-label': 'Vertices that stand still' },
+      element('p', `${count(free, stand, stand)}`),
       button('Let them follow', () => actions.edit({ type: 'preset', id: 'opened' })),
       button('Fix them', () => actions.addHandles(vertices, true)),
       button('Select', () => {
         store.set({ mode: 'vertices', selection: { ...NOTHING, vertices: new Set(vertices) } });
       }),
-      element(
-        'button',
-        { type: 'button', class: 'tiny', 'aria-label': 'Close', onclick: clear },
-        icon('close'),
-      ),
+      element('button.tiny', { 'aria-label': 'Close', onclick: clear }, icon('close')),
     );
   }
 }

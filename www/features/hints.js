@@ -32,10 +32,10 @@ const hints = (now) => [
 export function firstHints(card, store) {
   // index.html hides it then.
   if (recall(KEY) === 'done') return;
-  const text = element('p', { class: 'step' });
+  const text = element('p.step');
   const close = element(
-    'button',
-    { type: 'button', class: 'tiny', 'aria-label': 'Dismiss hint', onclick: () => finish() },
+    'button.tiny',
+    { 'aria-label': 'Dismiss hint', onclick: () => finish() },
     icon('close'),
   );
   byId('claim').after(text, close);

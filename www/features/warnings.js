@@ -70,7 +70,7 @@ export function watchConditions(parts) {
       cardOfPanels() ? 'Solved as far as possible.' : `Solved as far as possible. ${what}${cost}`,
       button('Show it', () => showElements(parts, worst)),
     );
-    const waiting = element('p', { class: 'quiet' }, 'Looking for what would help …');
+    const waiting = element('p.quiet', 'Looking for what would help …');
     group.append(waiting);
     const remedies = await solver.request({ type: 'remedies' }).catch(() => []);
     const helping = remedies
@@ -111,9 +111,9 @@ export function watchConditions(parts) {
    */
   function tell(text, ...buttons) {
     const group = element(
-      'div',
-      { class: 'remedies', role: 'group', 'aria-label': 'Verdict' },
-      element('p', {}, text),
+      'div.remedies',
+      { role: 'group', 'aria-label': 'Verdict' },
+      element('p', text),
       ...buttons,
     );
     clear();

@@ -1,25 +1,35 @@
 /** Small helpers to build the page's elements. */
 
+/** @typedef {HTMLElementTagNameMap} Tags */
+/** @typedef {Record<string, string | number | boolean | ((event: any) => void)>} Attributes */
+/** What is false or empty is left out. @typedef {Node | string | false | null | undefined} Child */
+
 /**
- * Makes an element. Keys that start with "on" are listeners, boolean values set or leave out the
- * attribute, everything else is an attribute. `style` is set as declarations, because the policy of
- * the page refuses the attribute.
- * @template {keyof HTMLElementTagNameMap} Tag
- * @param {Tag} tag
- * @param {Record<string, string | number | boolean | ((event: any) => void)>} [attributes]
- * @param {...(Node | string)} children
- * @returns {HTMLElementTagNameMap[Tag]}
+ * Makes an element: `element('p.quiet', { id: 'note' }, 'Saved')`. Attributes that start with "on" are
+ * listeners, boolean values set or leave out the attribute. `style` is set as declarations, because the
+ * policy of the page refuses the attribute.
+ * @template {keyof Tags | `${keyof Tags}.${string}`} Name
+ * @param {Name} name its tag, and its classes, each after a dot
+ * @param {...(Attributes | Child | Child[])} parts its attributes, where it has some, and its children
+ * @returns {Name extends keyof Tags ? Tags[Name] : Name extends `${infer Tag extends keyof Tags}.${string}` ? Tags[Tag] : never}
  */
-export function element(tag, attributes = {}, ...children) {
+export function element(name, ...parts) {
+  const [tag, ...classes] = name.split('.');
   const made = document.createElement(tag);
-  for (const [key, value] of Object.entries(attributes)) {
+  if (classes.length > 0) made.className = classes.join(' ');
+  // A form is sent by those that say so.
+  if (made instanceof HTMLButtonElement) made.type = 'button';
+  const [first] = parts;
+  const isPlain = first && Object.getPrototypeOf(first) === Object.prototype;
+  for (const [key, value] of Object.entries(isPlain ? first : {})) {
     if (typeof value === 'function') made.addEventListener(key.slice(2), value);
     else if (typeof value === 'boolean') made.toggleAttribute(key, value);
     else if (key === 'style') made.style.cssText = String(value);
     else made.setAttribute(key, String(value));
   }
-  made.append(...children);
-  return made;
+  const children = /** @type {(Node | string)[]} */ (parts.slice(isPlain ? 1 : 0).flat());
+  made.append(...children.filter(Boolean));
+  return /** @type {any} */ (made);
 }
 
 /**

@@ -10,5 +10,5 @@ import { element } from './dom.js';
 export function withSymbols(text) {
   return text
     .split(/\be_([cp])\b/)
-    .map((part, k) => (k % 2 === 0 ? part : element('var', {}, 'e', element('sub', {}, part))));
+    .map((part, k) => (k % 2 === 0 ? part : element('var', 'e', element('sub', part))));
 }

@@ -14,13 +14,8 @@ export function tellWhy(reason) {
   const cause = /was lost/.test(reason) ? GONE : /fetched/.test(reason) ? NOT_HERE : NEVER;
   const notice = byId('no-picture');
   notice.replaceChildren(
-    element('p', {}, `No 3D view: ${cause} Everything else works: the panels, Run, and Export.`),
-    element(
-      'details',
-      {},
-      element('summary', {}, 'What the browser says'),
-      element('p', {}, reason),
-    ),
+    element('p', `No 3D view: ${cause} Everything else works: the panels, Run, and Export.`),
+    element('details', element('summary', 'What the browser says'), element('p', reason)),
   );
   notice.hidden = false;
   byId('view-buttons').hidden = true;

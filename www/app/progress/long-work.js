@@ -18,12 +18,8 @@ export function offerCancel(busy, solver) {
   // A large file that is opened says so itself.
   if (!busy || messages.querySelector('.import')) return;
   const bar = element('progress', { 'aria-label': 'The solver is working' });
-  const words = element('div', { class: 'import' }, element('p', {}, 'Working …'), bar);
-  const cancel = element(
-    'button',
-    { type: 'button', class: 'small bordered', onclick: () => solver.abandon() },
-    'Cancel',
-  );
+  const words = element('div.import', element('p', 'Working …'), bar);
+  const cancel = element('button.small.bordered', { onclick: () => solver.abandon() }, 'Cancel');
   const attributes = { class: 'message notice', role: 'group', 'aria-label': 'Long work' };
   card = element('div', attributes, words, cancel);
   messages.append(card);

@@ -23,7 +23,7 @@ export function showLoading(store, bytes, all) {
 function show(store) {
   const text = element('p');
   const bar = element('progress', { max: 1, 'aria-label': 'Loading progress' });
-  const card = element('div', { id: 'loading', class: 'card' }, text, bar);
+  const card = element('div.card', { id: 'loading' }, text, bar);
   byId('main').append(card);
   // What the solver declares comes with it, perhaps before this.
   store.subscribe(['kinds'], ({ kinds }) => {

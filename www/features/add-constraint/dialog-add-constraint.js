@@ -48,15 +48,15 @@ class AddConstraintDialog {
     this.#show();
   });
   /** The shapes that fit nowhere, and why. */
-  #misfits = element('details', { class: 'misfits quiet', hidden: true });
+  #misfits = element('details.misfits.quiet', { hidden: true });
   /** What the chosen shape asks. */
-  #about = element('p', { class: 'about quiet' });
-  #places = element('div', { class: 'choices' });
+  #about = element('p.about.quiet');
+  #places = element('div.choices');
   #parameters = new Parameters([], {}, { units: '', meanEdge: 0, up: 'z' });
   #parametersPlace = element('div');
   /** The kind whose parameters these are. */
   #parametersOf = '';
-  #preview = element('p', { class: 'preview quiet', 'aria-live': 'polite' });
+  #preview = element('p.preview.quiet', { 'aria-live': 'polite' });
   #weight = element('input', {
     type: 'number',
     min: '0',
@@ -64,8 +64,8 @@ class AddConstraintDialog {
     value: '1',
     id: 'new-weight',
   });
-  #addAndRun = element('button', { type: 'submit', class: 'primary' }, 'Add and run');
-  #add = element('button', { type: 'submit', class: 'bordered' }, 'Add');
+  #addAndRun = element('button.primary', { type: 'submit' }, 'Add and run');
+  #add = element('button.bordered', { type: 'submit' }, 'Add');
   /** The shape and the place that are chosen, while they are offered. */
   #kindId = '';
   #placeId = '';
@@ -94,27 +94,19 @@ class AddConstraintDialog {
         // What is not valid is said at its field.
         { novalidate: true, onsubmit: (/** @type {SubmitEvent} */ event) => this.#submit(event) },
         element(
-          'div',
-          { class: 'shape' },
-          element(
-            'fieldset',
-            {},
-            element('legend', {}, 'Shape'),
-            this.#kinds.element,
-            this.#misfits,
-          ),
+          'div.shape',
+          element('fieldset', element('legend', 'Shape'), this.#kinds.element, this.#misfits),
           this.#about,
           this.#parametersPlace,
         ),
-        element('fieldset', {}, element('legend', {}, 'Where'), this.#places),
+        element('fieldset', element('legend', 'Where'), this.#places),
         element(
-          'div',
-          { class: 'weight-row' },
+          'div.weight-row',
           element('label', { for: 'new-weight' }, 'Weight'),
           this.#weight,
-          element('span', { class: 'quiet' }, 'against the other constraints'),
+          element('span.quiet', 'against the other constraints'),
         ),
-        element('div', { class: 'dialog-foot' }, this.#preview, this.#add, this.#addAndRun),
+        element('div.dialog-foot', this.#preview, this.#add, this.#addAndRun),
       ),
     );
     dialog.addEventListener('keydown', (event) => {
@@ -233,8 +225,8 @@ class AddConstraintDialog {
     };
     this.#misfits.hidden = left.length === 0;
     this.#misfits.replaceChildren(
-      element('summary', {}, `${count(left.length, 'shape does', 'shapes do')} not fit here`),
-      element('ul', {}, ...left.map((kind) => element('li', {}, `${kind.label}: ${wants(kind)}`))),
+      element('summary', `${count(left.length, 'shape does', 'shapes do')} not fit here`),
+      element('ul', ...left.map((kind) => element('li', `${kind.label}: ${wants(kind)}`))),
     );
   }
 
@@ -265,11 +257,10 @@ class AddConstraintDialog {
     });
     radio.checked = place.id === this.#placeId;
     return element(
-      'label',
-      { class: 'choice' },
+      'label.choice',
       radio,
-      element('span', {}, place.label),
-      element('span', { class: 'amount figure', id: amount }, groupDigits(preview.constraints)),
+      element('span', place.label),
+      element('span.amount.figure', { id: amount }, groupDigits(preview.constraints)),
     );
   }
 

@@ -29,12 +29,8 @@ export function offerExperiment(place, store, solver, alerts) {
     place.hidden = !experiment;
     if (!experiment) return place.replaceChildren();
     place.replaceChildren(
-      element('p', {}, element('strong', {}, 'Experiment: '), experiment.label),
-      element(
-        'button',
-        { type: 'button', class: 'bordered', 'aria-haspopup': 'dialog', onclick: open },
-        'Compare methods',
-      ),
+      element('p', element('strong', 'Experiment: '), experiment.label),
+      element('button.bordered', { 'aria-haspopup': 'dialog', onclick: open }, 'Compare methods'),
     );
   });
 }

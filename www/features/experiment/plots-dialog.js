@@ -33,18 +33,10 @@ export class ExperimentDialog {
   #lost = () => this.#running && this.#fail('the solver was restarted');
   #draw;
 
-  #status = element('p', { role: 'status', class: 'experiment-status quiet' });
+  #status = element('p.experiment-status.quiet', { role: 'status' });
   #progress = element('progress', { 'aria-label': 'Progress' });
-  #run = element(
-    'button',
-    { type: 'button', class: 'primary', onclick: () => this.#runOrCancel() },
-    'Run all',
-  );
-  #csv = element(
-    'button',
-    { type: 'button', class: 'bordered', onclick: () => this.#saveCsv(), disabled: true },
-    'Save CSV',
-  );
+  #run = element('button.primary', { onclick: () => this.#runOrCancel() }, 'Run all');
+  #csv = element('button.bordered', { onclick: () => this.#saveCsv(), disabled: true }, 'Save CSV');
   #rows = element('tbody');
   /** @type {Chart[]} */
   #charts = [];
@@ -74,32 +66,24 @@ export class ExperimentDialog {
     });
     this.#draw = throttled(DRAW_EVERY_MS, () => this.#drawNow());
     this.#dialog = element(
-      'dialog',
-      { class: 'experiment', 'aria-labelledby': 'experiment-title', onclose: () => this.#closed() },
+      'dialog.experiment',
+      { 'aria-labelledby': 'experiment-title', onclose: () => this.#closed() },
       element(
         'header',
-        {},
         element('h2', { id: 'experiment-title' }, experiment.label),
         element(
-          'button',
-          {
-            type: 'button',
-            class: 'square',
-            'aria-label': 'Close experiment',
-            onclick: () => this.#dialog.close(),
-          },
+          'button.square',
+          { 'aria-label': 'Close experiment', onclick: () => this.#dialog.close() },
           '×',
         ),
       ),
-      element('p', { class: 'summary' }, experiment.summary),
+      element('p.summary', experiment.summary),
       element(
-        'div',
-        { class: 'experiment-tools' },
+        'div.experiment-tools',
         this.#run,
         this.#csv,
         element(
-          'label',
-          { class: 'most' },
+          'label.most',
           'At most ',
           this.#most,
           ` iterations and ${experiment.limits.seconds} s each`,
@@ -228,20 +212,19 @@ export class ExperimentDialog {
 
   #figures() {
     const titles = this.#experiment.plots.map((plot) =>
-      element('figure', {}, element('figcaption', {}, this.#title(plot))),
+      element('figure', element('figcaption', this.#title(plot))),
     );
     const key = this.#experiment.methods.map((method, k) =>
       element(
         'li',
         { title: method.summary },
-        element('span', { class: 'swatch', style: `--chip: var(--line-of-method-${k})` }),
+        element('span.swatch', { style: `--chip: var(--line-of-method-${k})` }),
         method.label,
       ),
     );
     return element(
-      'div',
-      { class: 'experiment-plots' },
-      element('ul', { class: 'experiment-key', 'aria-label': 'Methods' }, ...key),
+      'div.experiment-plots',
+      element('ul.experiment-key', { 'aria-label': 'Methods' }, ...key),
       ...titles,
     );
   }
@@ -255,15 +238,12 @@ export class ExperimentDialog {
       'Ended by',
     ];
     return element(
-      'div',
-      { class: 'experiment-table' },
+      'div.experiment-table',
       element(
         'table',
-        {},
         element(
           'thead',
-          {},
-          element('tr', {}, ...heads.map((head) => element('th', { scope: 'col' }, head))),
+          element('tr', ...heads.map((head) => element('th', { scope: 'col' }, head))),
         ),
         this.#rows,
       ),
@@ -286,9 +266,8 @@ export class ExperimentDialog {
       ];
       return element(
         'tr',
-        {},
         element('th', { scope: 'row', title: method.summary }, method.label),
-        ...cells.map((cell) => element('td', {}, cell)),
+        ...cells.map((cell) => element('td', cell)),
       );
     });
     this.#rows.replaceChildren(...rows);

@@ -24,7 +24,7 @@ const picture = { scale: 2, legend: true, white: false };
 export function showExport(parts) {
   const { store, solver, files, viewport } = parts;
   const { model, document: scene, flatMap } = store.get();
-  const working = element('p', { class: 'working quiet', 'aria-live': 'polite' });
+  const working = element('p.working.quiet', { 'aria-live': 'polite' });
 
   /**
    * @param {string} name
@@ -34,10 +34,10 @@ export function showExport(parts) {
    */
   const format = (name, words, make, able = true) =>
     element(
-      'button',
-      { type: 'button', class: 'format', disabled: !able, onclick: () => run(make) },
-      element('strong', {}, name),
-      element('span', {}, words),
+      'button.format',
+      { disabled: !able, onclick: () => run(make) },
+      element('strong', name),
+      element('span', words),
     );
 
   /** @param {() => Promise<void>} make */
@@ -57,8 +57,7 @@ export function showExport(parts) {
   const dialog = openDialog(
     { id: 'export', title: 'Export', light: true },
     element(
-      'div',
-      { class: 'dialog-body' },
+      'div.dialog-body',
       section(
         'Shape',
         format(
@@ -151,12 +150,12 @@ async function saveForRhino({ solver, files }) {
  * @param {...(Node)} rows
  */
 function section(title, ...rows) {
-  return element('section', {}, element('h3', {}, title), ...rows);
+  return element('section', element('h3', title), ...rows);
 }
 
 /** How large the picture is and what is in it. @param {import("../../viewport/viewport.js").Viewport} viewport */
 function pictureOptions(viewport) {
-  const size = element('span', { class: 'quiet' });
+  const size = element('span.quiet');
   const tell = () => {
     const { width, height } = pictureSize(viewport, picture.scale);
     setText(size, `${width} × ${height} pixels`);
@@ -167,12 +166,11 @@ function pictureOptions(viewport) {
       checked: picture[key],
       onchange: () => (picture[key] = input.checked),
     });
-    return element('label', {}, input, label);
+    return element('label', input, label);
   };
   tell();
   return element(
-    'div',
-    { class: 'picture' },
+    'div.picture',
     element(
       'fieldset',
       { 'aria-label': 'Size of the picture' },
@@ -184,7 +182,6 @@ function pictureOptions(viewport) {
         const checked = scale === picture.scale;
         return element(
           'label',
-          {},
           element('input', { type: 'radio', name: 'scale', checked, onchange: choose }),
           `${scale}×`,
         );

@@ -25,24 +25,20 @@ const SQUARES = { least: 8, most: 96, step: 4 };
  * @param {import("./uv-controller.js").Parametrize} control
  */
 export function flatMapPanel(place, store, control) {
-  const facts = element('dl', { class: 'facts' });
-  const flipped = element('div', { class: 'flipped-row' });
+  const facts = element('dl.facts');
+  const flipped = element('div.flipped-row');
   const showFlipped = element(
-    'button',
-    { type: 'button', class: 'bordered', onclick: () => control.showFlipped() },
+    'button.bordered',
+    { onclick: () => control.showFlipped() },
     'Show flipped faces',
   );
   showFlipped.title = 'Select them on the model, and come nearer on both';
   flipped.append(
-    element('p', { class: 'quiet' }, 'Outlined in red on the map: there it folds over itself.'),
+    element('p.quiet', 'Outlined in red on the map: there it folds over itself.'),
     showFlipped,
   );
-  const notice = element('p', { class: 'notice' });
-  const again = element(
-    'button',
-    { type: 'button', class: 'small', onclick: () => control.flatten() },
-    'Flatten again',
-  );
+  const notice = element('p.notice');
+  const again = element('button.small', { onclick: () => control.flatten() }, 'Flatten again');
   const weights = choice('Weight of a polygon', WEIGHTS, (weights) => control.choose({ weights }));
   const norm = choice('Norm over', NORMS, (norm) => control.choose({ norm }));
   const onModel = choice('On the model', LOOKS, (onModel) => control.choose({ onModel }));
@@ -56,20 +52,18 @@ export function flatMapPanel(place, store, control) {
     oninput: () => control.choose({ squares: squares.valueAsNumber }),
   });
   const squaresRow = element(
-    'div',
-    { class: 'field-row' },
+    'div.field-row',
     element('label', { for: 'map-squares' }, 'Squares'),
     squares,
   );
-  const looks = element('div', {}, onModel.row, onMap.row, squaresRow);
+  const looks = element('div', onModel.row, onMap.row, squaresRow);
   place.replaceChildren(
     element(
-      'div',
-      { class: 'heading-row' },
+      'div.heading-row',
       element('h2', { id: 'heading-flat-map' }, 'Flat map'),
       element(
-        'button',
-        { type: 'button', class: 'small', title: 'Esc', onclick: () => control.close() },
+        'button.small',
+        { title: 'Esc', onclick: () => control.close() },
         'Back to the model',
       ),
     ),
@@ -135,7 +129,7 @@ function showFacts(list, found) {
   list.replaceChildren(
     ...rows.flatMap(([name, value, title]) => [
       element('dt', { title }, name),
-      element('dd', { class: 'figure' }, value),
+      element('dd.figure', value),
     ]),
   );
 }
@@ -148,7 +142,7 @@ function showFacts(list, found) {
  * @param {(id: Id) => void} choose
  */
 function choice(label, options, choose) {
-  const words = element('p', { class: 'quiet' });
+  const words = element('p.quiet');
   const id = `map-${label.toLowerCase().replaceAll(' ', '-')}`;
   const entries = /** @type {[Id, string[]][]} */ (Object.entries(options));
   const select = element(
@@ -156,14 +150,9 @@ function choice(label, options, choose) {
     { id, onchange: () => choose(/** @type {Id} */ (select.value)) },
     ...entries.map(([value, [name]]) => element('option', { value }, name)),
   );
-  const field = element(
-    'div',
-    { class: 'field-row' },
-    element('label', { for: id }, label),
-    select,
-  );
+  const field = element('div.field-row', element('label', { for: id }, label), select);
   return {
-    row: element('div', { class: 'choice-row' }, field, words),
+    row: element('div.choice-row', field, words),
     /** @param {Id} value */
     show(value) {
       select.value = value;

@@ -25,8 +25,8 @@ export class MapRegion {
   #place;
   #store;
   #viewport;
-  #legend = element('div', { class: 'map-legend' });
-  #flipped = element('span', { class: 'flipped' });
+  #legend = element('div.map-legend');
+  #flipped = element('span.flipped');
   /** Where each pointer that is down was last. @type {Map<number, [number, number]>} */
   #down = new Map();
 
@@ -39,10 +39,7 @@ export class MapRegion {
     this.#place = place;
     this.#store = store;
     this.#viewport = viewport;
-    place.replaceChildren(
-      element('span', { class: 'caption' }, 'Flat map', this.#flipped),
-      this.#legend,
-    );
+    place.replaceChildren(element('span.caption', 'Flat map', this.#flipped), this.#legend);
     store.subscribe(['flatMap', 'renderer', 'dark'], () => this.#show());
     new ResizeObserver(() => this.#arrange()).observe(viewport.element);
     this.#listen();
@@ -154,19 +151,18 @@ function histogram({ histogram: counts, high, max }, stops) {
     const height = count > 0 ? Math.max((100 * count) / most, 4) : 0;
     return element('i', { style: `height:${height}%;background:${stops[k]}` });
   });
-  const title = element('span', { class: 'title' });
+  const title = element('span.title');
   setText(title, 'Quasi-conformal error');
   title.title = 'The greater over the smaller stretch of each face: 1 where angles are kept';
   const label = `Histogram of the error of ${total} faces, from 1 to ${ratio(high)}`;
   return [
     title,
-    element('div', { class: 'bars', role: 'img', 'aria-label': label }, ...bars),
-    element('div', { class: 'ramp', style: `background:linear-gradient(to right,${stops})` }),
+    element('div.bars', { role: 'img', 'aria-label': label }, ...bars),
+    element('div.ramp', { style: `background:linear-gradient(to right,${stops})` }),
     element(
-      'div',
-      { class: 'ends figure' },
-      element('span', {}, '1'),
-      element('span', {}, `${max > high ? '≥ ' : ''}${ratio(high)}`),
+      'div.ends.figure',
+      element('span', '1'),
+      element('span', `${max > high ? '≥ ' : ''}${ratio(high)}`),
     ),
   ];
 }

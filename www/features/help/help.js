@@ -42,8 +42,7 @@ export function showHelp(dialog, commands) {
     dialogHead(dialog, 'help-title', 'Mouse and keys'),
     singleKeysSwitch(),
     element(
-      'div',
-      { class: 'columns' },
+      'div.columns',
       section(
         'Mouse and touch',
         POINTER.map(([what, effect]) => [[what], effect]),
@@ -56,8 +55,7 @@ export function showHelp(dialog, commands) {
       ),
     ),
     element(
-      'p',
-      { class: 'about' },
+      'p.about',
       'Everything is computed in this browser; nothing is uploaded. After “Shape-Up: Shaping Discrete Geometry with Projections”, Bouaziz, Deuss, Schwartzburg, Weise, Pauly, 2012. ',
       element('a', { href: './licences.html', target: '_blank' }, 'Licences'),
     ),
@@ -79,7 +77,7 @@ function keysOf({ keys, label }) {
  * @returns {[(Node | string)[], string]}
  */
 function keyRow(keys, effect) {
-  return [keys.flatMap((key) => [element('kbd', {}, key), ' ']), effect];
+  return [keys.flatMap((key) => [element('kbd', key), ' ']), effect];
 }
 
 /**
@@ -89,12 +87,10 @@ function keyRow(keys, effect) {
 function section(title, rows) {
   return element(
     'section',
-    {},
-    element('h3', {}, title),
+    element('h3', title),
     element(
       'dl',
-      {},
-      ...rows.flatMap(([term, effect]) => [element('dt', {}, ...term), element('dd', {}, effect)]),
+      ...rows.flatMap(([term, effect]) => [element('dt', ...term), element('dd', effect)]),
     ),
   );
 }
@@ -103,6 +99,6 @@ function section(title, rows) {
 function singleKeysSwitch() {
   const onchange = () => singleKeys.set(box.checked);
   const box = element('input', { type: 'checkbox', checked: singleKeys.on, onchange });
-  const words = element('span', {}, 'Enable single-key shortcuts');
-  return element('label', { class: 'single-keys' }, box, words);
+  const words = element('span', 'Enable single-key shortcuts');
+  return element('label.single-keys', box, words);
 }

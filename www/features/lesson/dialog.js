@@ -35,7 +35,7 @@ export function write(parts, share) {
   const text = element('textarea', { rows: 5, id: 'lesson-words', required: true });
   text.value = scene.lesson?.text ?? '';
   const list = element('ul', { 'aria-label': 'Goals of the lesson' });
-  const error = element('p', { class: 'refused', 'aria-live': 'assertive' });
+  const error = element('p.refused', { 'aria-live': 'assertive' });
   /** @type {{ row: HTMLElement, of: HTMLSelectElement, most: HTMLInputElement, unit: HTMLElement, remove: HTMLElement }[]} */
   let goals = [];
 
@@ -52,12 +52,10 @@ export function write(parts, share) {
     if (about.some((choice) => choice.value === value)) of.value = value;
     const most = element('input', { type: 'number', min: '0', step: 'any', required: true });
     if (atMost !== null) most.value = String(atMost);
-    const unit = element('span', { class: 'unit' });
+    const unit = element('span.unit');
     const remove = element(
-      'button',
+      'button.tiny',
       {
-        type: 'button',
-        class: 'tiny',
         onclick: () => {
           goals = goals.filter((goal) => goal.of !== of);
           row.remove();
@@ -67,7 +65,7 @@ export function write(parts, share) {
       },
       icon('close'),
     );
-    const row = element('li', {}, 'worst', of, 'at most', most, unit, remove);
+    const row = element('li', 'worst', of, 'at most', most, unit, remove);
     function showUnit() {
       setText(unit, about.find((choice) => choice.value === of.value)?.unit ?? '');
       nameGoals();
@@ -89,10 +87,8 @@ export function write(parts, share) {
   }
 
   const add = element(
-    'button',
+    'button.bordered',
     {
-      type: 'button',
-      class: 'bordered',
       disabled: about.length === 0,
       onclick: () => {
         addGoal(first, null);
@@ -142,28 +138,26 @@ export function write(parts, share) {
     /** @type {string} */ label,
     /** @type {() => unknown} */ onclick,
     style = 'bordered',
-  ) => element('button', { type: 'button', class: style, onclick }, label);
+  ) => element('button', { class: style, onclick }, label);
   const form = element(
-    'form',
-    { class: 'dialog-body', method: 'dialog' },
+    'form.dialog-body',
+    { method: 'dialog' },
     element('label', { for: 'lesson-words' }, 'What is to be done'),
     text,
-    element('h3', {}, 'Goals'),
+    element('h3', 'Goals'),
     list,
-    element('div', {}, add),
+    element('div', add),
     element(
-      'p',
-      { class: 'quiet' },
+      'p.quiet',
       'Students see the text and whether each goal is met while they work. They start from the scene as it is now.',
     ),
     error,
     element(
-      'div',
-      { class: 'dialog-buttons' },
+      'div.dialog-buttons',
       button('Save lesson', () => keep(), 'primary'),
       button('Keep and save the scene', () => keep(() => files.saveScene())),
       button('Keep and make a link', () => keep(share)),
-      ...(scene.lesson ? [button('No lesson any more', forget)] : []),
+      scene.lesson && button('No lesson any more', forget),
     ),
   );
   // Enter in a field of a goal is not the end of the dialog.

@@ -16,24 +16,18 @@ export function handIn({ store, solver, files, actions }) {
   const goals = store.get().numbers?.goals ?? [];
   const met = goals.filter((goal) => goal.met).length;
   const form = element(
-    'form',
-    { class: 'dialog-body', method: 'dialog', onsubmit: save },
-    element('label', { class: 'line' }, 'Your name', name),
+    'form.dialog-body',
+    { method: 'dialog', onsubmit: save },
+    element('label.line', 'Your name', name),
     element(
       'p',
-      {},
       `${met} of ${goals.length} goals are met now. The file holds the shape, the goals with their values, your constraints and handles, and the time.`,
     ),
     element(
-      'p',
-      { class: 'quiet' },
+      'p.quiet',
       'It is only saved on this computer: send it as you send other work. Whoever gets it can measure the shape again.',
     ),
-    element(
-      'div',
-      { class: 'dialog-buttons' },
-      element('button', { type: 'submit', class: 'primary' }, 'Save the file'),
-    ),
+    element('div.dialog-buttons', element('button.primary', { type: 'submit' }, 'Save the file')),
   );
   openDialog({ id: 'hand-in', title: 'Results for hand-in' }, form);
   name.focus();

@@ -14,9 +14,9 @@ const MARKS = { met: '✓', missed: '✗' };
 /** @param {import("../../app/context.js").AppContext} parts */
 export function lessonPanel(parts) {
   const { store } = parts;
-  const text = element('p', { class: 'lesson-text' });
+  const text = element('p.lesson-text');
   const list = element('ul', { 'aria-label': 'Goals' });
-  const sum = element('p', { 'aria-live': 'polite', class: 'lesson-sum' });
+  const sum = element('p.lesson-sum', { 'aria-live': 'polite' });
   const place = element(
     'section',
     { id: 'lesson', 'aria-labelledby': 'heading-lesson', hidden: true },
@@ -25,8 +25,8 @@ export function lessonPanel(parts) {
     list,
     sum,
     element(
-      'button',
-      { type: 'button', class: 'bordered', 'aria-haspopup': 'dialog', onclick: handIn },
+      'button.bordered',
+      { 'aria-haspopup': 'dialog', onclick: handIn },
       'Results for hand-in',
     ),
   );
@@ -35,12 +35,7 @@ export function lessonPanel(parts) {
   const card = element(
     'div',
     { id: 'lesson-card', 'aria-live': 'polite', hidden: true },
-    element(
-      'button',
-      { type: 'button', class: 'card', title: 'Show the goals', onclick: showGoals },
-      line,
-      icon('chevron'),
-    ),
+    element('button.card', { title: 'Show the goals', onclick: showGoals }, line, icon('chevron')),
   );
   byId('messages').before(card);
   /** @type {{ mark: HTMLElement, value: HTMLElement, row: HTMLElement }[]} */
@@ -94,13 +89,13 @@ export function lessonPanel(parts) {
     shown = now;
     setText(text, lesson.text);
     rows = lesson.goals.map((goal) => {
-      const mark = element('span', { class: 'mark', 'aria-hidden': 'true' });
-      const value = element('span', { class: 'now' });
+      const mark = element('span.mark', { 'aria-hidden': 'true' });
+      const value = element('span.now');
       const row = element(
         'li',
         { title: `The ${goal.words}` },
         mark,
-        element('span', {}, goalInWords(goal, document?.units ?? '')),
+        element('span', goalInWords(goal, document?.units ?? '')),
         value,
       );
       return { mark, value, row };

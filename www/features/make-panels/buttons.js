@@ -19,10 +19,8 @@ export function panelButtons({ kinds, model }, id, press) {
   const buttons = offered.map((kind) => {
     const reason = reasonOf.get(kind.id);
     return element(
-      'button',
+      'button.bordered',
       {
-        type: 'button',
-        class: 'bordered',
         disabled: Boolean(reason),
         title: reason || kind.summary,
         style: `--chip: rgb(${kind.colour.join(' ')})`,
@@ -30,13 +28,13 @@ export function panelButtons({ kinds, model }, id, press) {
         onclick: () => press(kind),
       },
       sketch(kind.sketch),
-      element('span', {}, `Make panels ${kind.panels}`),
+      element('span', `Make panels ${kind.panels}`),
     );
   });
   const reasons = new Set(offered.map((kind) => reasonOf.get(kind.id)).filter(Boolean));
   const words = [...reasons].join(' ');
   return {
     buttons,
-    reasons: words ? [element('p', { class: 'quiet', id }, words)] : [],
+    reasons: words ? [element('p.quiet', { id }, words)] : [],
   };
 }

@@ -116,9 +116,8 @@ export class MakePanels {
     const press = (/** @type {KindInfo} */ kind) => this.#make(kind);
     const { buttons, reasons } = panelButtons(state, 'make-panels-reason', press);
     this.#panel.hidden = !offers || here !== this.#panel;
-    if (here === this.#panel) renew(here, element('div', {}, ...buttons), ...reasons);
-    else
-      renew(here, ...reasons, element('div', {}, ...buttons, this.#somethingElse()), this.#cross());
+    if (here === this.#panel) renew(here, element('div', ...buttons), ...reasons);
+    else renew(here, ...reasons, element('div', ...buttons, this.#somethingElse()), this.#cross());
     this.#cover();
   }
 
@@ -134,11 +133,7 @@ export class MakePanels {
     leave(this.#card, show);
     if (what !== 'verdict') return;
     setText(this.#text, '');
-    const hold = element(
-      'button',
-      { type: 'button', class: 'bordered' },
-      'Hold to see the original',
-    );
+    const hold = element('button.bordered', 'Hold to see the original');
     this.#parts.hold.bind(hold);
     this.#card.append(this.#text, hold, this.#cross());
     this.#tell(false);
@@ -146,11 +141,7 @@ export class MakePanels {
 
   #somethingElse() {
     const onclick = () => byId('add-constraint-button').click();
-    return element(
-      'button',
-      { type: 'button', 'aria-haspopup': 'dialog', onclick },
-      'Something else',
-    );
+    return element('button', { 'aria-haspopup': 'dialog', onclick }, 'Something else');
   }
 
   #cross() {

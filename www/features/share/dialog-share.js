@@ -68,11 +68,9 @@ function open(link, found, save) {
   const dialog = openDialog(
     { id: 'share', title: 'Share' },
     element(
-      'div',
-      { class: 'dialog-body' },
+      'div.dialog-body',
       element(
         'p',
-        {},
         'Whoever opens this link gets the mesh with its constraints and handles, and their browser solves it again. The link holds all of it: nothing is uploaded.',
       ),
       found
@@ -93,22 +91,11 @@ function open(link, found, save) {
         value: Math.min(link.length, 9_000),
       }),
       element('p', { class: `length ${found?.level ?? 'poor'}` }, words),
-      element('p', { class: 'quiet', 'aria-live': 'polite', id: 'share-copied' }),
+      element('p.quiet', { 'aria-live': 'polite', id: 'share-copied' }),
       element(
-        'div',
-        { class: 'dialog-buttons' },
-        found
-          ? element(
-              'button',
-              { type: 'button', class: 'primary', onclick: () => copy(link, dialog) },
-              'Copy link',
-            )
-          : '',
-        element(
-          'button',
-          { type: 'button', class: 'bordered', onclick: save },
-          'Save scene instead',
-        ),
+        'div.dialog-buttons',
+        found ? element('button.primary', { onclick: () => copy(link, dialog) }, 'Copy link') : '',
+        element('button.bordered', { onclick: save }, 'Save scene instead'),
       ),
     ),
   );

@@ -23,9 +23,8 @@ const STEPS = {
  */
 export function splitDivider(store, words) {
   const divider = element(
-    'div',
+    'div.split-divider',
     {
-      class: 'split-divider',
       role: 'slider',
       tabindex: '0',
       'aria-label': 'Divider',
@@ -33,7 +32,7 @@ export function splitDivider(store, words) {
       'aria-valuemin': '0',
       'aria-valuemax': '100',
     },
-    element('span', { class: 'knob' }),
+    element('span.knob'),
   );
 
   /** @param {number} at */

@@ -21,11 +21,11 @@ export class SplitLegend {
   #shape;
   #bars = bars();
   #before = outline();
-  #histogram = element('div', { class: 'histogram', role: 'img' }, this.#bars, this.#before);
-  #ramp = element('div', { class: 'ramp' });
-  #steps = element('span', { class: 'quiet' });
+  #histogram = element('div.histogram', { role: 'img' }, this.#bars, this.#before);
+  #ramp = element('div.ramp');
+  #steps = element('span.quiet');
   #top = element('span');
-  #facts = element('p', { class: 'facts-line' });
+  #facts = element('p.facts-line');
   element;
 
   /**
@@ -59,10 +59,10 @@ export class SplitLegend {
         role: 'group',
         'aria-label': `${name} picture`,
       },
-      element('div', { class: 'choices' }, this.#shape, this.#measure),
+      element('div.choices', this.#shape, this.#measure),
       this.#histogram,
       this.#ramp,
-      element('div', { class: 'ends figure' }, element('span', {}, '0'), this.#steps, this.#top),
+      element('div.ends.figure', element('span', '0'), this.#steps, this.#top),
       this.#facts,
     );
   }

@@ -56,10 +56,8 @@ export class SplitView {
     const divider = splitDivider(store, () => this.#choices?.map((choice) => this.#words(choice)));
     this.#legends[1].element.firstElementChild?.append(
       element(
-        'button',
+        'button.tiny',
         {
-          type: 'button',
-          class: 'tiny',
           'aria-label': 'Back to one picture',
           title: 'Back to one picture (Esc)',
           onclick: () => store.set({ split: null, status: 'One picture' }),

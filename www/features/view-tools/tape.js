@@ -16,13 +16,12 @@ export class Tape {
   #label = element('div', { id: 'tape-label', 'aria-hidden': 'true', hidden: true });
   #title = element('span');
   /** By row and column. */
-  #cells = [0, 1].map(() => NAMES.map(() => element('td', { class: 'figure' })));
+  #cells = [0, 1].map(() => NAMES.map(() => element('td.figure')));
   #table = element(
     'table',
-    {},
-    element('tr', {}, element('td'), ...NAMES.map((name) => element('th', { scope: 'col' }, name))),
+    element('tr', element('td'), ...NAMES.map((name) => element('th', { scope: 'col' }, name))),
     ...['now', 'at rest'].map((name, i) =>
-      element('tr', {}, element('th', { scope: 'row' }, name), ...this.#cells[i]),
+      element('tr', element('th', { scope: 'row' }, name), ...this.#cells[i]),
     ),
   );
   #card;
@@ -37,20 +36,14 @@ export class Tape {
     this.#store = store;
     this.#viewport = viewport;
     const close = element(
-      'button',
-      {
-        type: 'button',
-        class: 'tiny',
-        'aria-label': 'End measuring',
-        title: 'Esc',
-        onclick: () => store.set({ tape: null }),
-      },
+      'button.tiny',
+      { 'aria-label': 'End measuring', title: 'Esc', onclick: () => store.set({ tape: null }) },
       icon('close'),
     );
     this.#card = element(
-      'div',
-      { id: 'tape', class: 'card', role: 'group', 'aria-label': 'Measuring tape', hidden: true },
-      element('div', { class: 'title' }, this.#title, close),
+      'div.card',
+      { id: 'tape', role: 'group', 'aria-label': 'Measuring tape', hidden: true },
+      element('div.title', this.#title, close),
       this.#table,
     );
     viewport.element.after(this.#label, this.#card);

@@ -15,7 +15,6 @@ export function buildViewMenu(menu, commands, store) {
     const made = element(
       'button',
       {
-        type: 'button',
         class: id,
         title: command.keys.map(keyName).join(', '),
         onclick: () => {
@@ -26,7 +25,7 @@ export function buildViewMenu(menu, commands, store) {
       label,
     );
     const [key] = command.keys;
-    if (command.pressed && key) made.append(element('kbd', {}, keyName(key)));
+    if (command.pressed && key) made.append(element('kbd', keyName(key)));
     const { pressed } = command;
     if (pressed)
       store.subscribe(['parallel', 'display', 'tape'], (state) =>
@@ -37,7 +36,7 @@ export function buildViewMenu(menu, commands, store) {
   const sides = commands.flatMap(({ id }) => /^view-(.*)/.exec(id)?.slice(1) ?? []);
   const views = sides.map((name) => button(`view-${name}`, name[0].toUpperCase() + name.slice(1)));
   menu.replaceChildren(
-    element('div', { class: 'view-cross', role: 'group', 'aria-label': 'Look from' }, ...views),
+    element('div.view-cross', { role: 'group', 'aria-label': 'Look from' }, ...views),
     button('parallel', 'Parallel projection'),
     button('ghost', 'Original ghost'),
     button('ground', 'Ground grid'),

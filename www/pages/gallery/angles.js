@@ -12,8 +12,7 @@ const [WIDTH, HEIGHT] = [180, 46];
 export function angleHistogram([before, after]) {
   const most = Math.max(...before, ...after);
   return element(
-    'div',
-    { class: 'angles' },
+    'div.angles',
     histogram('Angles at the start', before, most),
     histogram('Angles when solved', after, most),
   );
@@ -43,12 +42,11 @@ function histogram(title, counts, most) {
     bar.setAttribute('height', String(height));
     svg.append(bar);
   });
-  const ends = ['0°', '90°', '180°'].map((text) => element('span', {}, text));
+  const ends = ['0°', '90°', '180°'].map((text) => element('span', text));
   return element(
     'figure',
-    {},
     svg,
-    element('div', { class: 'ends', 'aria-hidden': 'true' }, ...ends),
-    element('figcaption', {}, `${title}: ${share} % near 90°`),
+    element('div.ends', { 'aria-hidden': 'true' }, ...ends),
+    element('figcaption', `${title}: ${share} % near 90°`),
   );
 }

@@ -29,7 +29,6 @@ export function card(example, result) {
   const picture = (/** @type {"start" | "end"} */ when, /** @type {string} */ words) =>
     element(
       'figure',
-      {},
       element('img', {
         src: new URL(`${id}-${when}.svg`, PICTURES).href,
         alt: `${title}, ${words}`,
@@ -37,29 +36,22 @@ export function card(example, result) {
         height: 156,
         loading: 'lazy',
       }),
-      element('figcaption', {}, when === 'start' ? 'Start' : isMap ? 'Flat map' : 'Solved'),
+      element('figcaption', when === 'start' ? 'Start' : isMap ? 'Flat map' : 'Solved'),
     );
   return element(
-    'article',
-    { class: 'example', id, 'aria-labelledby': `${id}-title` },
+    'article.example',
+    { id, 'aria-labelledby': `${id}-title` },
     element(
-      'div',
-      { class: 'pictures' },
+      'div.pictures',
       picture('start', 'at the start'),
       picture('end', isMap ? 'as a flat map' : 'solved'),
     ),
     element('h3', { id: `${id}-title` }, element('a', { href: `./${linkTo(id)}` }, title)),
-    element('p', {}, summary),
-    element(
-      'p',
-      { class: 'statement' },
-      element('strong', {}, 'Measured: '),
-      ...withSymbols(statement),
-    ),
-    ...(result?.angles ? [angleHistogram(result.angles)] : []),
+    element('p', summary),
+    element('p.statement', element('strong', 'Measured: '), ...withSymbols(statement)),
+    result?.angles && angleHistogram(result.angles),
     element(
       'dl',
-      {},
       ...goals.flatMap((goal) => fact('Goal', goalInWords(goal, units))),
       ...(isMap ? [] : fact('Constraints', kinds.map(({ label }) => label).join(', '))),
       ...(isMap
@@ -76,7 +68,7 @@ export function card(example, result) {
  * @param {string} value
  */
 function fact(name, value) {
-  return [element('dt', {}, name), element('dd', {}, value)];
+  return [element('dt', name), element('dd', value)];
 }
 
 /** @param {import("../../solver/examples.js").Example} example */

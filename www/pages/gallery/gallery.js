@@ -84,7 +84,7 @@ function section(heading, id) {
     'section',
     { 'aria-labelledby': id },
     element('h2', { id }, heading),
-    element('div', { class: 'grid' }),
+    element('div.grid'),
   );
 }
 

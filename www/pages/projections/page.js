@@ -73,16 +73,14 @@ for (const input of document.querySelectorAll('input[name="case"]')) {
 byId('weights').append(...NAMES.map(weightOf));
 byId('rows')
   .parentElement?.querySelector('thead')
-  ?.append(
-    element('tr', {}, ...['Half step', ...NAMES, 'φ'].map((name) => element('th', {}, name))),
-  );
+  ?.append(element('tr', ...['Half step', ...NAMES, 'φ'].map((name) => element('th', name))));
 plane.showSets(state.sets);
 place(START);
 
 /** @param {string} name @param {number} i */
 function weightOf(name, i) {
   // The slider says its value itself.
-  const value = element('span', { class: 'weight', 'aria-hidden': 'true' }, '1');
+  const value = element('span.weight', { 'aria-hidden': 'true' }, '1');
   const slider = element('input', {
     type: 'range',
     min: '0',
@@ -98,9 +96,8 @@ function weightOf(name, i) {
   });
   return element(
     'label',
-    {},
     element('span', { class: `chip set-${i}` }),
-    element('span', { class: 'name' }, name),
+    element('span.name', name),
     slider,
     value,
   );
@@ -190,8 +187,7 @@ function show(moves) {
     ...state.bars.map(({ label, errors: parts }) =>
       element(
         'tr',
-        {},
-        ...[label, ...parts.map(number), number(sum(parts))].map((text) => element('td', {}, text)),
+        ...[label, ...parts.map(number), number(sum(parts))].map((text) => element('td', text)),
       ),
     ),
   );

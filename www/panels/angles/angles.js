@@ -19,22 +19,19 @@ const TICKS = [0, 45, 90, 135, 180];
  */
 export function anglesPanel(panel, { store, solver, files, alerts }) {
   const before = outline();
-  const bars = element('div', { class: 'bars', role: 'img' });
-  const readout = element('p', { class: 'quiet' });
+  const bars = element('div.bars', { role: 'img' });
+  const readout = element('p.quiet');
   const key = element(
-    'p',
-    { class: 'angle-key' },
-    element('span', { class: 'now' }),
+    'p.angle-key',
+    element('span.now'),
     'now',
-    element('span', { class: 'original' }),
+    element('span.original'),
     'original',
-    element('span', { class: 'most figure' }),
+    element('span.most.figure'),
   );
   const save = element(
-    'button',
+    'button.bordered.small',
     {
-      type: 'button',
-      class: 'bordered small',
       onclick: async () => {
         try {
           const csv = await solver.request({ type: 'table', table: 'angles' });
@@ -47,19 +44,18 @@ export function anglesPanel(panel, { store, solver, files, alerts }) {
     'Save angles as CSV',
   );
   const plot = element(
-    'div',
-    { class: 'angles' },
+    'div.angles',
     key,
     bars,
     element(
-      'div',
-      { class: 'ticks quiet', 'aria-hidden': 'true' },
-      ...TICKS.map((tick) => element('span', {}, `${tick}°`)),
+      'div.ticks.quiet',
+      { 'aria-hidden': 'true' },
+      ...TICKS.map((tick) => element('span', `${tick}°`)),
     ),
     readout,
     save,
   );
-  const nothing = element('p', { class: 'quiet' }, 'There are no faces, and so no angles.');
+  const nothing = element('p.quiet', 'There are no faces, and so no angles.');
   panel.replaceChildren(plot, nothing);
 
   /** @type {{ original: number[], now: number[] } | null} */

@@ -28,10 +28,7 @@ export function constraintsPanel(place, store, solver, actions) {
   let withinCells = [];
   /** @type {HTMLElement[]} */
   let shareCells = [];
-  const moved = element('p', {
-    class: 'quiet',
-    title: 'How far the vertices are from where they were',
-  });
+  const moved = element('p.quiet', { title: 'How far the vertices are from where they were' });
   /** The row that just got a name: it has the focus again. @type {number | null} */
   let renamed = null;
   /** The rows that are on the page. */
@@ -108,10 +105,8 @@ export function constraintsPanel(place, store, solver, actions) {
       },
     });
     const remove = element(
-      'button',
+      'button.tiny',
       {
-        type: 'button',
-        class: 'tiny',
         'aria-label': `${name}: remove`,
         title: 'Remove',
         onclick: () => {
@@ -121,18 +116,16 @@ export function constraintsPanel(place, store, solver, actions) {
       },
       icon('close'),
     );
-    const worst = element('span', {
-      class: 'worst figure',
+    const worst = element('span.worst.figure', {
       title: 'The largest distance of a vertex from where this wants it',
     });
-    const share = element('span', { class: 'share figure', title: 'Its part of the total energy' });
+    const share = element('span.share.figure', { title: 'Its part of the total energy' });
     shareCells.push(share);
     worstCells.push(worst);
     const within = element('span');
     withinCells.push(within);
     const skipped = row.skipped > 0 ? `, ${groupDigits(row.skipped)} skipped` : '';
-    const details = element('div', {
-      class: 'details',
+    const details = element('div.details', {
       id: `constraint-${row.index}-details`,
       hidden: !open.has(key),
     });
@@ -147,10 +140,8 @@ export function constraintsPanel(place, store, solver, actions) {
       details.scrollIntoView({ block: 'nearest' });
     };
     const opener = element(
-      'button',
+      'button.name',
       {
-        type: 'button',
-        class: 'name',
         'aria-label': `${name}: parameters`,
         'aria-expanded': String(open.has(key)),
         'aria-controls': details.id,
@@ -161,7 +152,7 @@ export function constraintsPanel(place, store, solver, actions) {
           if (open.has(key)) actions.told(show());
         },
       },
-      element('span', {}, row.label),
+      element('span', row.label),
       icon('chevron'),
     );
     const rename = async () => {
@@ -192,20 +183,18 @@ export function constraintsPanel(place, store, solver, actions) {
         },
         onfocusout: untint,
       },
-      element('span', { class: 'chip' }),
+      element('span.chip'),
       opener,
-      element('span', { class: 'buttons' }, element('label', { class: 'switch' }, toggle), remove),
+      element('span.buttons', element('label.switch', toggle), remove),
       element(
-        'span',
-        { class: 'on' },
+        'span.on',
         element(
           'span',
-          {},
           `${row.name && `${kind}, `}${row.on} · ${groupDigits(row.count)}${skipped}${paramsInWords(row)}`,
         ),
         share,
       ),
-      element('span', { class: 'measures' }, element('label', {}, 'weight', weight), worst, within),
+      element('span.measures', element('label', 'weight', weight), worst, within),
       details,
     );
   }
@@ -256,7 +245,7 @@ export function constraintsPanel(place, store, solver, actions) {
     place.replaceChildren(
       document.constraints.length > 0
         ? element('ul', { 'aria-label': 'Constraints' }, ...document.constraints.map(keyedRow))
-        : element('p', { class: 'quiet' }, 'No constraints yet. Add one, then press Run.'),
+        : element('p.quiet', 'No constraints yet. Add one, then press Run.'),
       moved,
     );
     if (focused) {

@@ -31,11 +31,10 @@ export function detailsOf(row, name, store, actions, { select, rename }) {
   });
   return [
     sketch(kind.sketch),
-    element('p', { class: 'quiet' }, kind.summary),
+    element('p.quiet', kind.summary),
     parameters.element,
     element(
-      'div',
-      { class: 'row-buttons' },
+      'div.row-buttons',
       textButton('Select', `${name}: select what it acts on`, select),
       textButton('Duplicate', `${name}: duplicate`, () =>
         actions.edit({ type: 'duplicateConstraint', index: row.index }),
@@ -51,9 +50,5 @@ export function detailsOf(row, name, store, actions, { select, rename }) {
  * @param {() => void} onclick
  */
 function textButton(label, name, onclick) {
-  return element(
-    'button',
-    { type: 'button', class: 'bordered', 'aria-label': name, onclick },
-    label,
-  );
+  return element('button.bordered', { 'aria-label': name, onclick }, label);
 }

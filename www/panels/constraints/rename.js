@@ -12,9 +12,8 @@ import { element } from '../../ui/dom.js';
  * @param {(name: string) => void} rename
  */
 export function editName(opener, name, label, rename) {
-  const field = element('input', {
+  const field = element('input.rename', {
     type: 'text',
-    class: 'rename',
     'aria-label': 'Name of the constraint',
     placeholder: label,
     value: name,

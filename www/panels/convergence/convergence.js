@@ -45,9 +45,7 @@ export class Convergence {
   #showNone() {
     this.#plot?.then((plot) => plot.destroy());
     this.#plot = null;
-    this.#place.replaceChildren(
-      element('p', { class: 'quiet' }, 'The energies of each iteration appear here.'),
-    );
+    this.#place.replaceChildren(element('p.quiet', 'The energies of each iteration appear here.'));
   }
 
   async #drawNow() {
@@ -86,7 +84,7 @@ export class Convergence {
       return new EnergyPlot(this.#place);
     } catch (error) {
       this.#place.replaceChildren(
-        element('p', {}, `The plot could not be loaded: ${messageOf(error)}`),
+        element('p', `The plot could not be loaded: ${messageOf(error)}`),
       );
       throw error;
     }

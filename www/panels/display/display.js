@@ -24,19 +24,17 @@ export function displayPanel(place, store) {
       onchange: () => store.set({ display: { ...store.get().display, [key]: box.checked } }),
     });
     store.subscribe(['display'], ({ display }) => (box.checked = display[key]));
-    return element('label', {}, box, label);
+    return element('label', box, label);
   };
   const colourRow = element(
-    'div',
-    { class: 'field-row' },
+    'div.field-row',
     element('label', { for: 'colour-by' }, 'Colour by'),
     choice,
   );
   place.replaceChildren(
     colourRow,
     element(
-      'div',
-      { class: 'toggles' },
+      'div.toggles',
       toggle('edges', 'Edges'),
       toggle('vertices', 'Vertices'),
       toggle('shapes', 'Fitted shapes'),

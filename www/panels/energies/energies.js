@@ -42,11 +42,10 @@ export function energiesPanel(place, store, actions) {
     presets.element,
     ...rows.map((row) => row.element),
     element(
-      'dl',
-      { class: 'totals' },
-      element('dt', {}, swatch('handles'), 'Handles'),
+      'dl.totals',
+      element('dt', swatch('handles'), 'Handles'),
       handles,
-      element('dt', {}, swatch('total'), 'Total'),
+      element('dt', swatch('total'), 'Total'),
       total,
     ),
     moreSettings(store, actions),
@@ -77,18 +76,17 @@ export function energiesPanel(place, store, actions) {
  * @param {import("../../store/actions.js").Actions} actions
  */
 function moreSettings(store, actions) {
-  const inside = element('div', { class: 'settings' });
+  const inside = element('div.settings');
   const details = element(
-    'details',
+    'details.more-settings',
     {
-      class: 'more-settings',
       ontoggle: async () => {
         if (!details.open || inside.hasChildNodes()) return;
         const { settingsPanel } = await import('./settings.js');
         if (!inside.hasChildNodes()) settingsPanel(inside, store, actions);
       },
     },
-    element('summary', {}, 'More settings'),
+    element('summary', 'More settings'),
     inside,
   );
   return details;
@@ -124,20 +122,16 @@ function termRow({ id, label, words }, actions) {
     // One gesture is one edit: the weight is set when the slider is let go.
     onchange: () => send(weightAt(slider.valueAsNumber)),
   });
-  const explanation = element('span', { class: 'words' });
-  const energy = element('span', {
-    class: 'value figure',
-    title: `${label} energy, without its weight`,
-  });
+  const explanation = element('span.words');
+  const energy = element('span.value.figure', { title: `${label} energy, without its weight` });
   return {
     id,
     element: element(
-      'div',
-      { class: 'energy' },
-      element('span', { class: 'name' }, swatch(id), label, energy),
-      element('span', { class: 'weight' }, field),
+      'div.energy',
+      element('span.name', swatch(id), label, energy),
+      element('span.weight', field),
       explanation,
-      element('span', { class: 'slider' }, slider),
+      element('span.slider', slider),
     ),
     /** @param {SceneDocument} scene */
     show(scene) {
@@ -173,5 +167,5 @@ function placeOf(weight) {
 
 /** The term's colour in the plot. @param {string} id */
 function swatch(id) {
-  return element('span', { class: 'swatch', style: `--chip: var(--series-${id})` });
+  return element('span.swatch', { style: `--chip: var(--series-${id})` });
 }

@@ -30,10 +30,10 @@ export function settingsPanel(place, store, actions) {
     rows.filter((_, i) => settings[i].group === group).map(({ row }) => row);
   const [first, ...others] = groups;
   place.replaceChildren(
-    element('h3', {}, first ?? ''),
+    element('h3', first ?? ''),
     ...inGroup(first),
     holdRow(store, actions),
-    ...others.flatMap((group) => [element('h3', {}, group), ...inGroup(group)]),
+    ...others.flatMap((group) => [element('h3', group), ...inGroup(group)]),
   );
   let shown = '';
   store.subscribe(['document'], ({ document }) => {
@@ -59,12 +59,7 @@ function settingRow(setting, store, actions) {
         return parameters.refuse(error);
       }),
   });
-  const row = element(
-    'div',
-    { class: 'setting' },
-    parameters.element,
-    element('p', { class: 'quiet' }, setting.summary),
-  );
+  const row = element('div.setting', parameters.element, element('p.quiet', setting.summary));
   return {
     row,
     show: (/** @type {Record<string, import("../../solver/messages.js").ParamValue>} */ values) =>
@@ -78,13 +73,11 @@ function settingRow(setting, store, actions) {
  * @param {import("../../store/actions.js").Actions} actions
  */
 function holdRow(store, actions) {
-  const said = element('p', { class: 'quiet' });
+  const said = element('p.quiet');
   const buttons = HOLDS.map(({ label, weight, title }) =>
     element(
-      'button',
+      'button.bordered',
       {
-        type: 'button',
-        class: 'bordered',
         title,
         'aria-label': `Closeness of the selection: ${label.toLowerCase()}`,
         onclick: async () => {
@@ -100,12 +93,8 @@ function holdRow(store, actions) {
     ),
   );
   const all = element(
-    'button',
-    {
-      type: 'button',
-      class: 'bordered',
-      onclick: () => actions.edit({ type: 'holdClose', vertices: null, weight: 1 }),
-    },
+    'button.bordered',
+    { onclick: () => actions.edit({ type: 'holdClose', vertices: null, weight: 1 }) },
     'Same for all',
   );
   store.subscribe(['selection', 'document'], ({ selection, document }) => {
@@ -121,10 +110,10 @@ function holdRow(store, actions) {
     setText(said, [words, others].filter(Boolean).join(' '));
   });
   return element(
-    'div',
-    { class: 'setting', role: 'group', 'aria-label': 'Closeness of the selection' },
-    element('p', {}, 'Closeness of the selection'),
-    element('div', { class: 'row-buttons' }, ...buttons, all),
+    'div.setting',
+    { role: 'group', 'aria-label': 'Closeness of the selection' },
+    element('p', 'Closeness of the selection'),
+    element('div.row-buttons', ...buttons, all),
     said,
   );
 }

@@ -19,8 +19,7 @@ export function weightPresets(actions) {
   /** The one whose settings the scene has. @type {string | null} */
   let current = null;
   const choice = element('select', { 'aria-label': 'Preset', onchange: choose });
-  const warning = element('div', {
-    class: 'warning',
+  const warning = element('div.warning', {
     role: 'group',
     'aria-labelledby': 'preset-warning',
     hidden: true,
@@ -35,7 +34,7 @@ export function weightPresets(actions) {
     showChosen();
     const close = () => leave(warning, () => (warning.hidden = true));
     const answer = (/** @type {string} */ label, /** @type {() => void} */ action) =>
-      element('button', { type: 'button', class: 'small bordered', onclick: action }, label);
+      element('button.small.bordered', { onclick: action }, label);
     const useAnyway = () => {
       close();
       take(preset);
@@ -52,7 +51,7 @@ export function weightPresets(actions) {
   const showChosen = () => (choice.value = current ?? CUSTOM);
 
   return {
-    element: element('div', {}, element('label', { class: 'presets' }, 'Preset', choice), warning),
+    element: element('div', element('label.presets', 'Preset', choice), warning),
     show(document) {
       const isNew = presets.length === 0;
       ({ presets, preset: current } = document);

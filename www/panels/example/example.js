@@ -37,18 +37,14 @@ export function exampleNote(place, files, alerts, show) {
     const title = figure === null ? 'Example' : `Figure ${figure} of the paper`;
     place.replaceChildren(
       element('h2', { id: 'heading-example' }, title),
-      element('p', {}, summary),
-      element('p', { class: 'quiet' }, 'Once solved: ', ...withSymbols(statement)),
+      element('p', summary),
+      element('p.quiet', 'Once solved: ', ...withSymbols(statement)),
       ...suggestions.map(({ label, shows }) =>
-        element(
-          'button',
-          { type: 'button', class: 'bordered small', onclick: () => show(shows) },
-          ...withSymbols(label),
-        ),
+        element('button.bordered.small', { onclick: () => show(shows) }, ...withSymbols(label)),
       ),
       element(
-        'nav',
-        { 'aria-label': 'Examples one by one', class: 'beside' },
+        'nav.beside',
+        { 'aria-label': 'Examples one by one' },
         ...link('Previous', all[at - 1]),
         element('a', { href: './gallery.html' }, 'Gallery'),
         ...link('Next', all[at + 1]),

@@ -71,17 +71,16 @@ export function handleDetails(store, actions, solver) {
     actions.say(after.length === 1 ? 'Handle moved' : `${count(after.length, 'handle')} moved`);
   }
 
-  const title = element('p', { class: 'quiet' });
-  const error = element('p', { class: 'error', id: 'target-error', 'aria-live': 'polite' });
+  const title = element('p.quiet');
+  const error = element('p.error', { id: 'target-error', 'aria-live': 'polite' });
   /** Fields with something in them that is not taken over yet. @type {Set<HTMLInputElement>} */
   const typed = new Set();
   const targets = AXES.map((axis, at) => {
-    const field = element('input', {
+    const field = element('input.number', {
       type: 'text',
       autocomplete: 'off',
       spellcheck: 'false',
       title: '1.5, 1/3 or 20cm; +0.5 moves by that much',
-      class: 'number',
       'aria-label': `Target ${axis}`,
       'aria-describedby': error.id,
       oninput: () => typed.add(field),
@@ -97,15 +96,13 @@ export function handleDetails(store, actions, solver) {
     return field;
   });
   const place = element(
-    'div',
-    { class: 'target' },
-    ...targets.map((field, i) => element('label', {}, AXES[i], field)),
+    'div.target',
+    ...targets.map((field, i) => element('label', AXES[i], field)),
   );
   const kind = (/** @type {string} */ label, /** @type {boolean} */ fixed) =>
     element(
       'button',
       {
-        type: 'button',
         // Those that are so already keep their weight.
         onclick: () => {
           const others = vertices((handle) => handle.fixed !== fixed);
@@ -132,19 +129,14 @@ export function handleDetails(store, actions, solver) {
       });
     },
   });
-  const weightLabel = element('label', {}, 'weight', weight);
+  const weightLabel = element('label', 'weight', weight);
   const all = element(
-    'div',
-    { class: 'handle-details', role: 'group', 'aria-label': 'Selected handles' },
+    'div.handle-details',
+    { role: 'group', 'aria-label': 'Selected handles' },
     title,
     place,
     error,
-    element(
-      'div',
-      { class: 'hold' },
-      element('span', { class: 'segmented' }, soft, fixed),
-      weightLabel,
-    ),
+    element('div.hold', element('span.segmented', soft, fixed), weightLabel),
   );
 
   /** What was typed is not wanted. @param {HTMLInputElement} field */

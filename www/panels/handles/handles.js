@@ -16,7 +16,7 @@ export function handlesPanel(place, store, actions, solver) {
     /** @type {string} */ label,
     /** @type {string} */ title,
     /** @type {() => void} */ onclick,
-  ) => element('button', { type: 'button', title, onclick }, label);
+  ) => element('button', { title, onclick }, label);
   const add = button('Make handle', 'Make the selected vertices handles (H)', () =>
     actions.addHandles(actions.chosenVertices(), false),
   );
@@ -26,7 +26,7 @@ export function handlesPanel(place, store, actions, solver) {
   const remove = button('Remove', 'Let the selected handles go (Shift+H)', () =>
     actions.removeHandles(actions.chosenVertices()),
   );
-  const row = element('div', { class: 'handles-row' }, add, fix, remove);
+  const row = element('div.handles-row', add, fix, remove);
   place.replaceChildren(summary, row);
   let asked = false;
 

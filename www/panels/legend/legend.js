@@ -30,18 +30,18 @@ export function legend(place, store, viewport, fit) {
   const now = bars();
   const before = outline();
   const histogram = element(
-    'div',
-    { class: 'histogram', role: 'img', 'aria-label': 'No values yet' },
+    'div.histogram',
+    { role: 'img', 'aria-label': 'No values yet' },
     now,
     before,
   );
-  const tick = element('div', { class: 'tick' });
-  const ramp = element('div', { class: 'ramp' }, tick);
+  const tick = element('div.tick');
+  const ramp = element('div.ramp', tick);
   const ends = [rangeEnd('low', ramp, store), rangeEnd('high', ramp, store)];
-  const unit = element('span', { class: 'unit' });
+  const unit = element('span.unit');
   const toleranceUnit = element('span');
-  const within = element('span', { class: 'within', title: 'Faces within the tolerance' });
-  const facts = element('p', { class: 'quiet facts' });
+  const within = element('span.within', { title: 'Faces within the tolerance' });
+  const facts = element('p.quiet.facts');
   const low = field('Colours from', 'low');
   const high = field('Colours to', 'high');
   const tolerance = element('input', {
@@ -59,30 +59,20 @@ export function legend(place, store, viewport, fit) {
   const log = toggle('log', 'Log scale', 'Equal factors are equal steps');
   place.replaceChildren(
     element(
-      'div',
-      { class: 'title' },
+      'div.title',
       title,
       element(
         'button',
-        {
-          type: 'button',
-          title: 'End the range at the worst face of the shape as it is',
-          onclick: fit,
-        },
+        { title: 'End the range at the worst face of the shape as it is', onclick: fit },
         'Fit range',
       ),
     ),
     histogram,
     ramp,
-    element('div', { class: 'ends' }, low, unit, high),
-    element(
-      'div',
-      { class: 'ends' },
-      element('label', {}, 'Tolerance', tolerance, toleranceUnit),
-      within,
-    ),
+    element('div.ends', low, unit, high),
+    element('div.ends', element('label', 'Tolerance', tolerance, toleranceUnit), within),
     facts,
-    element('div', { class: 'ends switches' }, full.label, log.label),
+    element('div.ends.switches', full.label, log.label),
   );
 
   /** The unit of all values of the measure: that of its tolerance, or of its greatest value. */

@@ -29,8 +29,7 @@ const KEYS = {
  */
 export function rangeEnd(end, ramp, store) {
   const isLow = end === 'low';
-  const handle = element('div', {
-    class: 'range-end',
+  const handle = element('div.range-end', {
     role: 'slider',
     tabindex: 0,
     title: 'Drag to change the range of the colours; double-click for the automatic one',

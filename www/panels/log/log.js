@@ -14,21 +14,16 @@ const NAMES = { error: 'Error', notice: 'Notice', status: '' };
  */
 export function logOf(panel, parts) {
   const { store, solver, alerts, actions } = parts;
-  const file = element('div', { class: 'import-report' });
+  const file = element('div.import-report');
   // It scrolls, also by keyboard.
-  const list = element('ol', { 'aria-label': 'Messages', class: 'log', tabindex: 0 });
-  const said = element('span', { class: 'quiet', 'aria-live': 'polite' });
+  const list = element('ol.log', { 'aria-label': 'Messages', tabindex: 0 });
+  const said = element('span.quiet', { 'aria-live': 'polite' });
   panel.append(
-    element('h3', {}, 'File'),
+    element('h3', 'File'),
     file,
-    element('h3', {}, 'Messages'),
+    element('h3', 'Messages'),
     list,
-    element(
-      'p',
-      { class: 'log-end' },
-      element('button', { type: 'button', class: 'bordered', onclick: copy }, 'Copy as text'),
-      said,
-    ),
+    element('p.log-end', element('button.bordered', { onclick: copy }, 'Copy as text'), said),
   );
 
   /** Selects the elements that a problem is about. @param {string} flaw */
@@ -45,29 +40,20 @@ export function logOf(panel, parts) {
     const lines = factsOf(model, document?.units ?? model.units, document?.up ?? model.up);
     const problems = model.problems.map(({ message, flaw }) =>
       element(
-        'li',
-        { class: 'problem' },
-        element('span', { class: 'mark', 'aria-hidden': 'true' }, '!'),
-        element('span', {}, message),
-        ...(flaw
-          ? [
-              element(
-                'button',
-                {
-                  type: 'button',
-                  class: 'small bordered',
-                  'aria-label': `Select: ${message}`,
-                  onclick: () => select(flaw),
-                },
-                'Select',
-              ),
-            ]
-          : []),
+        'li.problem',
+        element('span.mark', { 'aria-hidden': 'true' }, '!'),
+        element('span', message),
+        flaw &&
+          element(
+            'button.small.bordered',
+            { 'aria-label': `Select: ${message}`, onclick: () => select(flaw) },
+            'Select',
+          ),
       ),
     );
-    const notes = model.notes.map((note) => element('li', { class: 'quiet' }, note));
+    const notes = model.notes.map((note) => element('li.quiet', note));
     file.replaceChildren(
-      ...lines.map((line) => element('p', {}, line)),
+      ...lines.map((line) => element('p', line)),
       ...(problems.length + notes.length > 0
         ? [element('ul', { 'aria-label': 'Problems and notes' }, ...problems, ...notes)]
         : []),
@@ -83,7 +69,7 @@ export function logOf(panel, parts) {
             'li',
             { class: kind },
             element('time', { datetime: time.toISOString() }, clock(time)),
-            element('span', {}, NAMES[kind] && element('strong', {}, `${NAMES[kind]}: `), text),
+            element('span', NAMES[kind] && element('strong', `${NAMES[kind]}: `), text),
           ),
         ),
     );

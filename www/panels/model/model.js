@@ -15,7 +15,7 @@ export function modelPanel(place, store, actions, showLog) {
   store.subscribe(['model', 'fileName'], ({ model, fileName }) => {
     if (!model) return;
     place.replaceChildren(
-      element('p', { class: 'model-name' }, model.title || fileName),
+      element('p.model-name', model.title || fileName),
       facts([
         ['Vertices', groupDigits(model.vertices)],
         ['Faces', groupDigits(model.faces)],
@@ -42,9 +42,8 @@ function optional(name, value) {
 /** @param {[string, string][]} rows */
 function facts(rows) {
   return element(
-    'dl',
-    { class: 'facts' },
-    ...rows.flatMap(([name, value]) => [element('dt', {}, name), element('dd', {}, value)]),
+    'dl.facts',
+    ...rows.flatMap(([name, value]) => [element('dt', name), element('dd', value)]),
   );
 }
 
@@ -52,7 +51,7 @@ function facts(rows) {
 function groups(model) {
   if (model.groups.length === 0) return [];
   const rows = model.groups.map((group) =>
-    element('li', {}, `${group.name}: ${count(group.faces, 'face')}`),
+    element('li', `${group.name}: ${count(group.faces, 'face')}`),
   );
   return [details(count(model.groups.length, 'group'), rows, false)];
 }
@@ -63,18 +62,14 @@ function groups(model) {
  * @param {() => void} showLog
  */
 function report(model, showLog) {
-  const problems = model.problems.map((problem) => element('li', {}, problem.message));
-  const notes = model.notes.map((note) => element('li', { class: 'quiet' }, note));
+  const problems = model.problems.map((problem) => element('li', problem.message));
+  const notes = model.notes.map((note) => element('li.quiet', note));
   if (problems.length + notes.length === 0) return [];
   const title =
     problems.length > 0
       ? `${count(problems.length, 'problem')} in the file`
       : count(notes.length, 'note');
-  const more = element(
-    'button',
-    { type: 'button', class: 'small bordered', onclick: showLog },
-    'Details',
-  );
+  const more = element('button.small.bordered', { onclick: showLog }, 'Details');
   const shown = details(title, [...problems, ...notes], problems.length > 0);
   shown.append(more);
   return [shown];
@@ -86,10 +81,5 @@ function report(model, showLog) {
  * @param {boolean} open
  */
 function details(title, rows, open) {
-  return element(
-    'details',
-    { class: 'report', open },
-    element('summary', {}, title),
-    element('ul', {}, ...rows),
-  );
+  return element('details.report', { open }, element('summary', title), element('ul', ...rows));
 }

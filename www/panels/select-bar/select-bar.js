@@ -35,25 +35,19 @@ export function selectBar(bar, menu, store, actions, selecting, alerts) {
   const shapes = SHAPES.map(({ id, label, key, title }) =>
     element(
       'button',
-      {
-        type: 'button',
-        title: `${title} (${key})`,
-        onclick: () => store.set({ tool: 'select', shape: id }),
-      },
+      { title: `${title} (${key})`, onclick: () => store.set({ tool: 'select', shape: id }) },
       icon(id),
-      element('span', {}, label),
+      element('span', label),
     ),
   );
   const through = element(
-    'button',
+    'button.toggle',
     {
-      type: 'button',
-      class: 'toggle',
       title: 'Also select what the surface hides (T)',
       onclick: () => store.set({ through: !store.get().through }),
     },
     icon('through'),
-    element('span', {}, 'Select through'),
+    element('span', 'Select through'),
   );
   const brush = element('input', {
     type: 'range',
@@ -64,23 +58,16 @@ export function selectBar(bar, menu, store, actions, selecting, alerts) {
     title: 'Brush radius ([ and ])',
     oninput: () => store.set({ brush: brush.valueAsNumber }),
   });
-  const said = element('span', { class: 'said' });
+  const said = element('span.said');
   const opener = element(
-    'button',
-    {
-      type: 'button',
-      class: 'bordered',
-      popovertarget: menu.id,
-      'aria-haspopup': 'dialog',
-    },
+    'button.bordered',
+    { popovertarget: menu.id, 'aria-haspopup': 'dialog' },
     said,
     icon('chevron'),
   );
   const none = element(
-    'button',
+    'button.square',
     {
-      type: 'button',
-      class: 'square',
       'aria-label': 'Clear',
       title: 'Nothing selected (Esc)',
       onclick: () => actions.selectNothing(),
@@ -88,11 +75,7 @@ export function selectBar(bar, menu, store, actions, selecting, alerts) {
     icon('close'),
   );
   bar.append(
-    element(
-      'div',
-      { class: 'segmented', role: 'group', 'aria-label': 'Shape of a drag' },
-      ...shapes,
-    ),
+    element('div.segmented', { role: 'group', 'aria-label': 'Shape of a drag' }, ...shapes),
     through,
     brush,
     opener,

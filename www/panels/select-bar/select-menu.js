@@ -28,7 +28,6 @@ export function fillSelectMenu(menu, store, actions, selecting) {
     const button = element(
       'button',
       {
-        type: 'button',
         title: operation.summary,
         onclick: async (/** @type {MouseEvent} */ event) => {
           if (asks) return show(form(operation));
@@ -36,8 +35,8 @@ export function fillSelectMenu(menu, store, actions, selecting) {
           await selecting.applyOrTell(operation, { combine: combineWith(operation, event) });
         },
       },
-      element('span', {}, asks ? `${operation.label}…` : operation.label),
-      ...operation.keys.slice(0, 1).map((key) => element('kbd', {}, keyName(key))),
+      element('span', asks ? `${operation.label}…` : operation.label),
+      ...operation.keys.slice(0, 1).map((key) => element('kbd', keyName(key))),
     );
     button.disabled = !selecting.canApply(operation);
     return button;
@@ -58,7 +57,7 @@ export function fillSelectMenu(menu, store, actions, selecting) {
     };
     // Enter in a field is to press Find, so that no other may submit.
     const verb = (/** @type {"add" | "remove"} */ combine, /** @type {string} */ label) =>
-      element('button', { type: 'button', class: 'bordered', onclick: () => find(combine) }, label);
+      element('button.bordered', { onclick: () => find(combine) }, label);
     const submit = (/** @type {SubmitEvent} */ event) => {
       event.preventDefault();
       find('replace');
@@ -67,13 +66,12 @@ export function fillSelectMenu(menu, store, actions, selecting) {
       'form',
       { novalidate: true, onsubmit: submit, 'aria-label': operation.label },
       heading(operation.label),
-      element('p', { class: 'quiet' }, operation.summary),
+      element('p.quiet', operation.summary),
       parameters.element,
       element(
-        'div',
-        { class: 'verbs' },
+        'div.verbs',
         ...(operation.needsSelection ? [] : [verb('remove', 'Take away'), verb('add', 'Add')]),
-        element('button', { type: 'submit', class: 'primary' }, 'Find'),
+        element('button.primary', { type: 'submit' }, 'Find'),
       ),
     );
   }
@@ -92,19 +90,16 @@ export function fillSelectMenu(menu, store, actions, selecting) {
     const sets = (state.document?.sets ?? []).map(({ name, vertices, faces }) => {
       const size = faces > 0 ? count(faces, 'face') : count(vertices, 'vertex', 'vertices');
       return element(
-        'div',
-        { class: 'set' },
+        'div.set',
         element(
           'button',
-          { type: 'button', onclick: pick(name) },
-          element('span', {}, name),
-          element('span', { class: 'quiet' }, size),
+          { onclick: pick(name) },
+          element('span', name),
+          element('span.quiet', size),
         ),
         element(
-          'button',
+          'button.tiny',
           {
-            type: 'button',
-            class: 'tiny',
             'aria-label': `Remove set ${name}`,
             title: 'Remove',
             onclick: async () => {
@@ -119,15 +114,15 @@ export function fillSelectMenu(menu, store, actions, selecting) {
     const groups = (state.model?.groups ?? []).map(({ name, faces }) =>
       element(
         'button',
-        { type: 'button', onclick: pick(name) },
-        element('span', {}, name),
-        element('span', { class: 'quiet' }, count(faces, 'face')),
+        { onclick: pick(name) },
+        element('span', name),
+        element('span.quiet', count(faces, 'face')),
       ),
     );
     const save = element(
       'button',
-      { type: 'button', onclick: () => show(saveForm()) },
-      element('span', {}, 'Save as a set…'),
+      { onclick: () => show(saveForm()) },
+      element('span', 'Save as a set…'),
     );
     save.disabled = sizeOfSelection(selection) === 0;
     return [heading('Sets and groups'), save, ...sets, ...groups];
@@ -160,16 +155,11 @@ export function fillSelectMenu(menu, store, actions, selecting) {
       { onsubmit: submit, 'aria-label': 'Save as a set' },
       heading('Save as a set'),
       element(
-        'p',
-        { class: 'quiet' },
+        'p.quiet',
         'The selection gets a name, and can be selected or constrained again by it.',
       ),
       name,
-      element(
-        'div',
-        { class: 'verbs' },
-        element('button', { type: 'submit', class: 'primary' }, 'Save set'),
-      ),
+      element('div.verbs', element('button.primary', { type: 'submit' }, 'Save set')),
     );
   }
 
@@ -203,7 +193,7 @@ export function fillSelectMenu(menu, store, actions, selecting) {
 
 /** @param {string} text */
 function heading(text) {
-  return element('p', { class: 'heading quiet' }, text);
+  return element('p.heading.quiet', text);
 }
 
 /**

@@ -16,11 +16,11 @@ const SLOW =
  * @param {import("../../store/state.js").Store} store
  */
 export function tellSurroundings(numbers, store) {
-  const offline = element('div', { hidden: true }, element('dd', {}, 'Offline'));
+  const offline = element('div', { hidden: true }, element('dd', 'Offline'));
   const software = element(
-    'div',
-    { class: 'wide narrow-hidden', title: SLOW, hidden: true },
-    element('dd', {}, 'Software rendering'),
+    'div.wide.narrow-hidden',
+    { title: SLOW, hidden: true },
+    element('dd', 'Software rendering'),
   );
   numbers.append(software, offline);
   tellNetwork(offline, store);

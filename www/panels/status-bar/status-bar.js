@@ -34,12 +34,7 @@ export function statusBar(places, store) {
     ['renderer', '', 'wide narrow-hidden'],
   ]) {
     const value = element('dd');
-    const row = element(
-      'div',
-      { class: style, hidden: true },
-      ...(name ? [element('dt', {}, name)] : []),
-      value,
-    );
+    const row = element('div', { class: style, hidden: true }, name && element('dt', name), value);
     places.numbers.append(row);
     cells.set(key, { row, value });
   }

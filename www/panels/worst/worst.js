@@ -37,18 +37,16 @@ export function worstElements(panel, parts) {
   let asked = 0;
 
   const by = element('select', { 'aria-label': 'Worst by', onchange: () => ask() });
-  const words = element('p', { class: 'quiet' });
+  const words = element('p.quiet');
   const body = element('tbody');
-  const heading = element('th', { scope: 'col', class: 'figure' }, 'Error');
+  const heading = element('th.figure', { scope: 'col' }, 'Error');
   const table = element(
-    'table',
-    { 'aria-label': 'Worst elements', class: 'worst-elements' },
+    'table.worst-elements',
+    { 'aria-label': 'Worst elements' },
     element(
       'thead',
-      {},
       element(
         'tr',
-        {},
         element('th', { scope: 'col' }, 'Element'),
         element('th', { scope: 'col' }, 'Asked by'),
         heading,
@@ -56,13 +54,13 @@ export function worstElements(panel, parts) {
     ),
     body,
   );
-  panel.append(element('label', { class: 'worst-by' }, 'By', by), words, table);
+  panel.append(element('label.worst-by', 'By', by), words, table);
 
   const rows = Array.from({ length: ROWS }, (_, index) => {
-    const button = element('button', { type: 'button', onclick: () => show(index) });
+    const button = element('button', { onclick: () => show(index) });
     const row = element('th', { scope: 'row' }, button);
     const constraint = element('td');
-    const value = element('td', { class: 'figure' });
+    const value = element('td.figure');
     const line = element('tr', { hidden: true }, row, constraint, value);
     body.append(line);
     return { line, button, constraint, value };

@@ -85,17 +85,17 @@ export class Alerts {
     this.note(message, kind);
     if (this.#stays) return;
     const close = element(
-      'button',
-      { type: 'button', class: 'tiny', 'aria-label': 'Dismiss', onclick: () => this.#clear() },
+      'button.tiny',
+      { 'aria-label': 'Dismiss', onclick: () => this.#clear() },
       icon('close'),
     );
-    const text = element('p', {}, message);
+    const text = element('p', message);
     const buttons = offers.map(({ label, action }) => {
       const onclick = () => {
         this.#clear();
         action();
       };
-      return element('button', { type: 'button', class: 'small bordered', onclick }, label);
+      return element('button.small.bordered', { onclick }, label);
     });
     this.#place.replaceChildren(
       element('div', { class: `message ${kind}` }, text, ...buttons, close),

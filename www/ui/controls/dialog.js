@@ -11,12 +11,11 @@ import { element, icon } from '../dom.js';
  */
 export function dialogHead(dialog, id, title) {
   return element(
-    'div',
-    { class: 'dialog-head' },
+    'div.dialog-head',
     element('h2', { id }, title),
     element(
-      'button',
-      { type: 'button', class: 'square', 'aria-label': 'Close', onclick: () => dialog.close() },
+      'button.square',
+      { 'aria-label': 'Close', onclick: () => dialog.close() },
       icon('close'),
     ),
   );

@@ -6,7 +6,7 @@ import { sketch } from './sketch.js';
 /** @typedef {import("../../solver/messages.js").KindInfo} KindInfo */
 
 export class KindChoices {
-  element = element('div', { class: 'kinds' });
+  element = element('div.kinds');
   #chosen;
   /** Those that are on the page. */
   #shown = '';
@@ -30,7 +30,7 @@ export class KindChoices {
       this.element.replaceChildren(
         ...(own.length > 0 ? [this.#palette(own)] : []),
         ...(others.length > 0
-          ? [element('p', { class: 'quiet heading' }, 'Other constraints'), this.#palette(others)]
+          ? [element('p.quiet.heading', 'Other constraints'), this.#palette(others)]
           : []),
       );
       if (focused) document.getElementById(focused)?.focus();
@@ -51,7 +51,7 @@ export class KindChoices {
 
   /** @param {KindInfo[]} kinds */
   #palette(kinds) {
-    return element('div', { class: 'palette' }, ...kinds.map((kind) => this.#tile(kind)));
+    return element('div.palette', ...kinds.map((kind) => this.#tile(kind)));
   }
 
   /** @param {KindInfo} kind */
@@ -66,13 +66,13 @@ export class KindChoices {
       onchange: () => this.#chosen(kind),
     });
     return element(
-      'label',
-      { class: 'tile', title: kind.summary, style: `--chip: rgb(${kind.colour.join(' ')})` },
+      'label.tile',
+      { title: kind.summary, style: `--chip: rgb(${kind.colour.join(' ')})` },
       radio,
       sketch(kind.sketch),
-      element('span', {}, kind.label),
+      element('span', kind.label),
       // The one that is chosen is said below the palette; a screen reader hears each.
-      element('span', { class: 'visually-hidden', id: summary }, kind.summary),
+      element('span.visually-hidden', { id: summary }, kind.summary),
     );
   }
 }

@@ -24,10 +24,10 @@ const NO_MODEL = { units: '', meanEdge: 0, up: 'z' };
 
 /** The parameters of one kind as rows of controls. */
 export class Parameters {
-  element = element('div', { class: 'parameters' });
+  element = element('div.parameters');
   /** @type {Parameter[]} */
   #all;
-  #error = element('p', { class: 'error', hidden: true, 'aria-live': 'polite' });
+  #error = element('p.error', { hidden: true, 'aria-live': 'polite' });
 
   /**
    * @param {ParamInfo[]} params
@@ -99,9 +99,9 @@ class Parameter {
   #changed;
   /** @type {HTMLInputElement[]} */
   #fields = [];
-  #place = element('span', { class: 'fields' });
+  #place = element('span.fields');
   #forms = element('select');
-  #error = element('p', { class: 'error', hidden: true, 'aria-live': 'polite' });
+  #error = element('p.error', { hidden: true, 'aria-live': 'polite' });
 
   /**
    * @param {ParamInfo} param
@@ -127,10 +127,10 @@ class Parameter {
       changed(this.#value);
     });
     this.element = element(
-      'div',
-      { class: 'parameter', role: 'group', 'aria-label': this.#name },
-      element('span', { class: 'label' }, param.label),
-      ...(param.forms.length > 1 ? [this.#forms] : []),
+      'div.parameter',
+      { role: 'group', 'aria-label': this.#name },
+      element('span.label', param.label),
+      param.forms.length > 1 && this.#forms,
       this.#place,
       this.#error,
     );
@@ -153,7 +153,7 @@ class Parameter {
     this.#place.replaceChildren(
       ...(key === 'vector' ? [this.#axes()] : []),
       ...this.#fields.flatMap((field, i) => (key === 'range' && i === 1 ? ['–', field] : [field])),
-      ...(unit && names.length > 0 ? [element('span', { class: 'quiet' }, unit)] : []),
+      ...(unit && names.length > 0 ? [element('span.quiet', unit)] : []),
     );
     this.#place.className = `fields ${key.split(' ')[0]}`;
     this.#tell('');
@@ -195,7 +195,6 @@ class Parameter {
       element(
         'button',
         {
-          type: 'button',
           'aria-label': `${this.#name} along ${name.toUpperCase()}`,
           'aria-pressed': String(axis(name).every((part, i) => part === this.#vector()[i])),
           onclick: () => {
@@ -206,7 +205,7 @@ class Parameter {
         name.toUpperCase(),
       ),
     );
-    return element('span', { class: 'segmented' }, ...buttons);
+    return element('span.segmented', ...buttons);
   }
 
   #vector() {

@@ -36,7 +36,7 @@ export class EnergyPlot {
   /** @param {HTMLElement} place */
   constructor(place) {
     this.#place = place;
-    this.#key = element('div', { class: 'plot-key' });
+    this.#key = element('div.plot-key');
     this.#observer = new ResizeObserver(() => {
       const width = this.#place.clientWidth;
       if (this.#plot && width > 0 && width !== this.#plot.width) {
@@ -135,13 +135,13 @@ export class EnergyPlot {
   #writeKey(index) {
     if (this.#key.childElementCount === 0) {
       this.#key.append(
-        element('span', { class: 'quiet' }),
+        element('span.quiet'),
         ...SERIES.map(({ id, label }) =>
           element(
             'span',
             { title: label },
-            element('span', { class: 'swatch', style: `--chip: var(--series-${id})` }),
-            element('span', { class: 'figure' }),
+            element('span.swatch', { style: `--chip: var(--series-${id})` }),
+            element('span.figure'),
           ),
         ),
       );
