@@ -59,7 +59,9 @@ export function length(value, units, like = value) {
  */
 export function limit(value, units) {
   const { unit, factor } = lengthUnit(value, units);
-  return `${round(value * factor)} ${unit}`.trim();
+  const scaled = Number((value * factor).toPrecision(6));
+  const tiny = scaled !== 0 && Math.abs(scaled) < 1e-3;
+  return `${tiny ? scaled.toExponential().replace('-', '−') : scaled} ${unit}`.trim();
 }
 
 /**

@@ -25,18 +25,16 @@ pub struct Side {
     pub is_original: bool,
 }
 
-/// The colours of the faces of a side: a value each (#F), from `low` to `high`; none for the plain
-/// material.
-#[derive(Clone, Debug, Default)]
+/// The colours of the faces of a side: a value each (#F) and the scale for them; no values for the
+/// plain material.
+#[derive(Clone, Debug)]
 pub struct Colours {
     /// A value per face.
     pub values: Option<Vec<f32>>,
     /// #V, what the values of the faces are the greatest of; nothing where they are not of vertices.
     pub corners: Option<Vec<f32>>,
-    /// The value at the first colour.
-    pub low: f32,
-    /// The value at the last colour.
-    pub high: f32,
+    /// From which value to which the colours go, and beyond which tolerance.
+    pub scale: ColourScale,
 }
 
 impl Split {
@@ -114,8 +112,8 @@ impl Side {
     /// Another number of values than faces, or of those of corners than vertices.
     pub fn colour(&mut self, colours: Colours) -> Result<(), ViewError> {
         let (vertices, faces) = self.state.counts();
-        let Colours { values, corners, low, high } = colours;
-        self.state.appearance.set_values(values, ColourScale::linear(low, high), faces)?;
+        let Colours { values, corners, scale } = colours;
+        self.state.appearance.set_values(values, scale, faces)?;
         self.state.appearance.set_corners(corners, vertices)?;
         self.state.changes.appearance = true;
         Ok(())
@@ -224,7 +222,8 @@ mod tests {
         let mut split = Split::new(&model, 0.5);
         for (side, high) in split.sides.iter_mut().zip([1.0, 30.0]) {
             let corners = Some(vec![0.0, 0.0, 0.0, high]);
-            let colours = Colours { values: Some(vec![high]), corners, low: 0.0, high };
+            let scale = ColourScale::linear(0.0, high);
+            let colours = Colours { values: Some(vec![high]), corners, scale };
             side.colour(colours).unwrap();
         }
         let steps = |split: &Split| {
@@ -240,7 +239,8 @@ mod tests {
         }
         split.set_in_bands(false);
         assert_eq!(steps(&split), [None, None]);
-        let wrong = Colours { corners: Some(vec![0.0]), ..Colours::default() };
+        let scale = ColourScale::linear(0.0, 1.0);
+        let wrong = Colours { values: None, corners: Some(vec![0.0]), scale };
         assert!(split.sides[0].colour(wrong).is_err());
     }
 
@@ -276,13 +276,20 @@ mod tests {
         let mut split = Split::new(&model, 0.5);
         split.sides.iter_mut().for_each(|side| side.state.changes = Default::default());
         assert!(!split.has_changes());
-        let colours =
-            |value| Colours { values: Some(vec![value]), corners: None, low: 0.0, high: 1.0 };
+        let colours = |value| Colours {
+            values: Some(vec![value]),
+            corners: None,
+            scale: ColourScale::linear(0.0, 1.0),
+        };
         split.sides[0].colour(colours(0.0)).unwrap();
         split.sides[1].colour(colours(1.0)).unwrap();
         assert!(split.has_changes());
         let [left, right] = split.sides.each_ref().map(|side| side.state.appearance.bytes(1));
         assert_ne!(left, right);
+        // A face within the tolerance keeps the material, as in one picture.
+        let scale = ColourScale { tolerance: Some(0.5), ..ColourScale::linear(0.5, 1.0) };
+        split.sides[0].colour(Colours { scale, ..colours(0.25) }).unwrap();
+        assert!(!split.sides[0].state.appearance.has_full_map());
         assert!(split.sides[0].colour(Colours { values: Some(vec![]), ..colours(0.0) }).is_err());
         assert!(split.sides[1].show(Some(&[0.0]), &model).is_err());
         assert!(!split.sides[1].is_original);

@@ -1,6 +1,7 @@
 //! Two pictures of the model on one canvas, left and right of a divider.
 
 use super::view::View;
+use crate::view::appearance::ColourScale;
 use crate::view::side_by_side::{Colours, Split};
 use crate::web::thrown;
 use wasm_bindgen::prelude::*;
@@ -22,8 +23,9 @@ impl View {
     }
 
     /// What the left side (0) or the right side (1) shows: the shape `original` (#V by 3) or the shape
-    /// as it is, with its faces coloured by a value each (#F), from `low` to `high`, and by those of the
-    /// vertices (#V) whose greatest they are, where they are such.
+    /// as it is, with its faces coloured by a value each (#F), and by those of the vertices (#V) whose
+    /// greatest they are, where they are such. The colours go from the tolerance, up to which the faces
+    /// keep the material, or from 0, to `high`.
     ///
     /// # Errors
     /// Arrays that do not fit the mesh.
@@ -34,13 +36,15 @@ impl View {
         original: Option<Vec<f64>>,
         values: Option<Vec<f32>>,
         corners: Option<Vec<f32>>,
-        low: f32,
         high: f32,
+        tolerance: Option<f32>,
     ) -> Result<(), JsValue> {
         let sides = self.split.as_mut().map(|split| &mut split.sides[..]).unwrap_or_default();
         let Some(side) = sides.get_mut(side) else { return Ok(()) };
         side.show(original.as_deref(), &self.state).map_err(thrown)?;
-        side.colour(Colours { values, corners, low, high }).map_err(thrown)
+        let scale =
+            ColourScale { tolerance, ..ColourScale::linear(tolerance.unwrap_or(0.0), high) };
+        side.colour(Colours { values, corners, scale }).map_err(thrown)
     }
 
     /// Shows one picture again.

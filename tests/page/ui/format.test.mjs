@@ -21,6 +21,7 @@ test('metres below a decimetre are millimetres, other units stay', () => {
   // Next to another length the unit is that one's.
   assert.equal(length(0.0421, 'm', 3), '0.0421 m');
   assert.equal(limit(0.005, 'm'), '5 mm');
+  assert.equal(limit(5e-6, ''), '5e−6');
 });
 
 test('parts, ratios and counts read as words do', () => {

@@ -83,13 +83,10 @@ function drawLabels(context, labels, scale, dark) {
  */
 function legendsOf(state) {
   if (!state.split) return [[0, state]];
-  return state.split.sides.map(({ measure, values, top }, i) => {
-    const spread = values ? spreadOf(measure, values, axisOf(0, top, false), null) : null;
-    const display = { ...state.display, full: true, log: false };
-    return [
-      i / 2,
-      { ...state, measure, spread, display, range: [0, top], tolerance: null, tolerances: {} },
-    ];
+  return state.split.sides.map(({ measure, values, top, tolerance }, i) => {
+    const spread = values ? spreadOf(measure, values, axisOf(0, top, false), tolerance) : null;
+    const display = { ...state.display, log: false };
+    return [i / 2, { ...state, measure, spread, display, range: [tolerance ?? 0, top] }];
   });
 }
 

@@ -6,7 +6,7 @@
 import './lesson.css';
 import { RENEW_MS, byId, element, icon, setText, throttled } from '../../ui/dom.js';
 import { count } from '../../ui/format.js';
-import { roundingOf, valueInWords } from '../../store/measures.js';
+import { movedInWords, roundingOf, valueInWords } from '../../store/measures.js';
 import { goalInWords, measureOf } from './goal.js';
 
 const MARKS = { met: '✓', missed: '✗' };
@@ -17,6 +17,7 @@ export function lessonPanel(parts) {
   const text = element('p.lesson-text');
   const list = element('ul', { 'aria-label': 'Goals' });
   const sum = element('p.lesson-sum', { 'aria-live': 'polite' });
+  const cost = element('p.quiet');
   const place = element(
     'section',
     { id: 'lesson', 'aria-labelledby': 'heading-lesson', hidden: true },
@@ -24,6 +25,7 @@ export function lessonPanel(parts) {
     text,
     list,
     sum,
+    cost,
     element(
       'button.bordered',
       { 'aria-haspopup': 'dialog', onclick: handIn },
@@ -75,6 +77,8 @@ export function lessonPanel(parts) {
     sum.classList.toggle('met', passed);
     card.classList.toggle('met', passed);
     setText(sum, passed ? `${MARKS.met} ${words}` : words);
+    const moved = movedInWords(store.get());
+    setText(cost, moved && `Moved ${moved}`);
     setText(line, `${passed ? MARKS.met : MARKS.missed} Lesson: ${words}`);
   });
 

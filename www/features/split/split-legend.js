@@ -9,7 +9,7 @@ import { groupDigits } from '../../ui/format.js';
 import { declared, movedInWords, toleranceOf, unitOf, valueInWords } from '../../store/measures.js';
 import { bars, drawBars, drawOutline, outline } from '../../ui/plot/histogram-svg.js';
 import { countsOf, greatestOf } from '../../ui/plot/histogram.js';
-import { axisOf } from '../../ui/plot/value-axis.js';
+import { axisOf, placeOn } from '../../ui/plot/value-axis.js';
 
 /** @typedef {import("../../store/view-modes.js").Choice} Choice */
 
@@ -89,7 +89,12 @@ export class SplitLegend {
     drawBars(this.#bars, countsOf(side.values, axis));
     const before = side.original || !original ? null : countsOf(original, axis);
     drawOutline(this.#before, before, Math.max(...(before ?? [])));
-    this.#ramp.style.background = rampOf(this.#viewport, [0, 100], { side: this.#side });
+    const from = 100 * placeOn(axis, side.tolerance ?? 0);
+    const ends = /** @type {[number, number]} */ ([from, 100]);
+    this.#ramp.style.background = rampOf(this.#viewport, ends, {
+      side: this.#side,
+      neutral: from,
+    });
 
     const units = state.document?.units ?? '';
     const step = this.#viewport.with((view) => view.bandStep(this.#side));

@@ -5,7 +5,7 @@
 
 import { byId, element, icon } from '../../ui/dom.js';
 import { messageOf } from '../../solver/messages.js';
-import { declared, measureOfScene, roundingOf } from '../../store/measures.js';
+import { declared, measureOfScene, roundingOf, toleranceOf } from '../../store/measures.js';
 import { splitDivider } from './split-divider.js';
 import { SplitLegend } from './split-legend.js';
 import { greatestOf } from '../../ui/plot/histogram.js';
@@ -75,7 +75,7 @@ export class SplitView {
     store.subscribe(['flatMap'], ({ flatMap }) => {
       if (flatMap) store.set({ split: null });
     });
-    store.subscribe(['display'], () => this.#update());
+    store.subscribe(['display', 'tolerance', 'tolerances'], () => this.#update());
     solver.on('frame', () => this.#update());
     solver.on('model', () => {
       this.#choices = null;
@@ -160,6 +160,7 @@ export class SplitView {
         values: values[i],
         corners: corners[i],
         top: this.#tops.get(choice.measure) ?? 1,
+        tolerance: this.#toleranceOf(choice.measure),
       };
       const before = split?.sides[i];
       const keys = /** @type {(keyof typeof side)[]} */ (Object.keys(side));
@@ -203,6 +204,18 @@ export class SplitView {
     const state = this.#store.get();
     const about = declared(state, measure);
     const least = about ? LEAST_RANGE * roundingOf(about, state.size) : 0;
-    this.#tops.set(measure, Math.max(this.#tops.get(measure) ?? least, greatestOf(values)));
+    const twice = 2 * (this.#toleranceOf(measure) ?? 0);
+    const before = this.#tops.get(measure) ?? Math.max(least, twice);
+    this.#tops.set(measure, Math.max(before, greatestOf(values)));
+  }
+
+  /**
+   * Up to where faces keep the material; null where all values have colours.
+   * @param {string} measure
+   */
+  #toleranceOf(measure) {
+    const state = this.#store.get();
+    const about = declared(state, measure);
+    return about && !state.display.full ? toleranceOf(state, about) : null;
   }
 }

@@ -34,9 +34,10 @@ export function statusBar(places, store) {
     ['renderer', '', 'wide narrow-hidden'],
   ]) {
     const value = element('dd');
-    const row = element('div', { class: style, hidden: true }, name && element('dt', name), value);
+    const label = name && element('dt', name);
+    const row = element('div', { class: style, hidden: true }, label, value);
     places.numbers.append(row);
-    cells.set(key, { row, value });
+    cells.set(key, { row, label, value });
   }
   const set = (/** @type {string} */ key, /** @type {string} */ text) => {
     const { row, value } = cells.get(key);
@@ -59,6 +60,8 @@ export function statusBar(places, store) {
       const worst = worstOf(state, about.id);
       const shown = worst < roundingOf(about, size) ? 0 : worst;
       set('worst', valueInWords(about, shown, units, toleranceOf(state, about)));
+      // A sphere on a region is no panel.
+      setText(cells.get('worst').label, about.id === 'residual' ? 'worst distance' : 'worst panel');
       setAttribute(cells.get('worst').row, 'title', `${about.label}: ${about.words}`);
     } else {
       set('worst', '');
