@@ -59,16 +59,18 @@ export function length(value, units, like = value) {
  */
 export function limit(value, units) {
   const { unit, factor } = lengthUnit(value, units);
-  const scaled = Number((value * factor).toPrecision(6));
-  const tiny = scaled !== 0 && Math.abs(scaled) < 1e-3;
-  return `${tiny ? scaled.toExponential().replace('-', '−') : scaled} ${unit}`.trim();
+  return `${round(value * factor)} ${unit}`.trim();
 }
 
 /**
  * As short as it can be written with so many digits as anybody chooses.
  * @param {number} value
  */
-export const round = (value) => String(Number(value.toPrecision(6)));
+export function round(value) {
+  const rounded = Number(value.toPrecision(6));
+  const isTiny = rounded !== 0 && Math.abs(rounded) < 1e-3;
+  return isTiny ? rounded.toExponential().replace('-', '−') : String(rounded);
+}
 
 /**
  * A part of a whole, in per cent.

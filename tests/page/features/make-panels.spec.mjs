@@ -43,6 +43,15 @@ test('a mesh that was opened is made circular by one press; a verdict says how f
   expect(flat.constraints).toEqual({ plane: N * N });
   expect(flat.planarity.max_distance).toBeLessThan(0.01);
 
+  // It makes room for the legends of two pictures.
+  const verdict = offer(page).getByText(VERDICT('flat'));
+  await page.getByRole('application').focus();
+  await page.keyboard.press('c');
+  await expect(page.getByRole('group', { name: 'Right picture' })).toBeVisible();
+  await expect(verdict).toBeHidden();
+  await page.keyboard.press('Escape');
+  await expect(verdict).toBeVisible();
+
   await offer(page).getByRole('button', { name: 'Close', exact: true }).click();
   await expect(offer(page)).toBeHidden();
 });

@@ -40,6 +40,7 @@ export class MakePanels {
     this.#parts = parts;
     const { store, solver } = parts;
     store.subscribe(['model', 'kinds', 'document', 'example'], () => this.#show());
+    store.subscribe(['split', 'flatMap'], () => this.#show());
     // The next mesh starts as the first one did.
     store.subscribe(['model'], ({ model, display }) => {
       if (!this.#shown || this.#shown === model) return;
@@ -105,10 +106,12 @@ export class MakePanels {
 
   #show() {
     const state = this.#parts.store.get();
-    const { model, document, example } = state;
+    const { model, document, example, split, flatMap } = state;
+    // Two pictures, and a map beside the model, have legends of their own in its place.
+    const hasRoom = !split && !flatMap;
     const rows = document?.constraints.length ?? 0;
     const offers = (model?.panels.length ?? 0) > 0;
-    if (!offers || !document || this.#closed === model) this.#turnTo('nothing');
+    if (!offers || !document || !hasRoom || this.#closed === model) this.#turnTo('nothing');
     else if (this.#pressed === model && rows > 0) this.#turnTo('verdict');
     else this.#turnTo(rows === 0 && !example ? 'offer' : 'nothing');
 

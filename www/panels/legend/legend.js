@@ -210,6 +210,6 @@ export function legend(place, store, viewport, fit) {
  * @param {HTMLInputElement} input
  */
 function numberIn(input) {
-  const value = Number.parseFloat(input.value.replace(',', '.'));
+  const value = Number.parseFloat(input.value.replace(',', '.').replace('−', '-'));
   return value >= 0 ? value : null;
 }
