@@ -81,7 +81,7 @@ fn in_parallel_a_drag_follows_the_cursor() {
     let by = Vec2::new(-80.0, 45.0);
     let to = at + by;
     state.hold_vertex(5, Some(at)).unwrap();
-    let way = state.held_way(DragDirection::Screen, by).unwrap();
+    let way = state.constrain_move(DragDirection::Screen, by).unwrap();
     let target = state.mesh.exact[5] + way.as_dvec3();
     let seen = state.camera.eye().project(state.mesh.relative(target)).0;
     assert!((seen - to).length() < 0.05, "{seen} {to}");

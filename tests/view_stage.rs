@@ -240,10 +240,10 @@ fn a_dragged_vertex_lies_under_the_cursor_and_keeps_its_depth() {
     let vertex = 24;
     let (before, depth) = state.camera.eye().project(state.mesh.positions[vertex as usize]);
     state.hold_vertex(vertex, Some(before)).unwrap();
-    assert_eq!(state.held_way(DragDirection::Screen, Vec2::ZERO), Some(Vec3::ZERO));
+    assert_eq!(state.constrain_move(DragDirection::Screen, Vec2::ZERO), Some(Vec3::ZERO));
 
     let by = Vec2::new(120.0, -45.0);
-    let way = state.held_way(DragDirection::Screen, by).unwrap();
+    let way = state.constrain_move(DragDirection::Screen, by).unwrap();
     let target = state.mesh.exact[vertex as usize] + way.as_dvec3();
     let (after, same_depth) = state.camera.eye().project(state.mesh.relative(target));
     assert!((after - before - by).length() < 0.01, "{after} {before}");
@@ -271,7 +271,7 @@ fn the_gizmo_is_in_the_middle_of_the_selected_handles() {
     let upwards = state.gizmo().unwrap().best(DragDirection::Axis(2)).unwrap();
     assert_eq!(state.gizmo().unwrap().pick(upwards), Some(DragDirection::Axis(2)));
     state.hold_gizmo(upwards);
-    let way = state.held_way(DragDirection::Axis(2), Vec2::new(0.0, -50.0)).unwrap();
+    let way = state.constrain_move(DragDirection::Axis(2), Vec2::new(0.0, -50.0)).unwrap();
     assert!(way.x == 0.0 && way.y == 0.0 && way.z > 0.0);
 
     state.appearance.select(vec![20], vec![], counts).unwrap();

@@ -187,7 +187,7 @@ async fn moved_vertices_are_seen_and_can_be_pointed_at() {
     let (x, y) = (at[0] as f32, at[1] as f32);
     assert_eq!(view.pick_vertex(x, y, 8.0), Some(4));
     view.hold_vertex(4, Some(x), Some(y)).unwrap();
-    let way = view.held_way("screen", 30.0, 20.0).unwrap().unwrap();
+    let way = view.constrain_move("screen", 30.0, 20.0).unwrap().unwrap();
     let mut positions = tent();
     positions[12..15].iter_mut().zip(&way).for_each(|(place, by)| *place += by);
     view.set_positions(&positions).unwrap();

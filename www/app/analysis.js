@@ -14,7 +14,7 @@ import { Convergence } from '../panels/convergence/convergence.js';
  * @property {string} id
  * @property {string} label
  * @property {boolean} [atOnce] made with the page, because it has to see everything from the start
- * @property {(panel: HTMLElement, parts: AppContext) => unknown} make fills its panel; called once
+ * @property {(panel: HTMLElement, app: AppContext) => unknown} make fills its panel; called once
  */
 
 /** In the order in which they are offered. @type {Tab[]} */
@@ -28,29 +28,29 @@ const TABS = [
   {
     id: 'angles',
     label: 'Angles',
-    make: async (panel, parts) =>
-      (await import('../panels/angles/angles.js')).anglesPanel(panel, parts),
+    make: async (panel, app) =>
+      (await import('../panels/angles/angles.js')).anglesPanel(panel, app),
   },
   {
     id: 'worst',
     label: 'Worst',
-    make: async (panel, parts) =>
-      (await import('../panels/worst/worst.js')).worstElements(panel, parts),
+    make: async (panel, app) =>
+      (await import('../panels/worst/worst.js')).worstElements(panel, app),
   },
   {
     id: 'log',
     label: 'Log',
-    make: async (panel, parts) => (await import('../panels/log/log.js')).logOf(panel, parts),
+    make: async (panel, app) => (await import('../panels/log/log.js')).logOf(panel, app),
   },
 ];
 
 /**
  * @param {HTMLElement} place
- * @param {AppContext} parts
+ * @param {AppContext} app
  * @returns {{ bring: (id: string) => void, show: (id: string) => void, shown: () => string }} `bring`
  *   shows a tab and brings the region into sight; `shown` is the tab that is shown
  */
-export function analysisRegion(place, parts) {
+export function analysisRegion(place, app) {
   const list = element('div', { role: 'tablist', 'aria-label': 'Analysis' });
   const entries = TABS.map((tab) => {
     const button = element(
@@ -80,10 +80,10 @@ export function analysisRegion(place, parts) {
     if (entry.isMade) return;
     entry.isMade = true;
     try {
-      await entry.make(entry.panel, parts);
+      await entry.make(entry.panel, app);
     } catch (error) {
       entry.isMade = false;
-      parts.alerts.error(messageOf(error));
+      app.alerts.error(messageOf(error));
     }
   }
 

@@ -8,15 +8,14 @@ import { toggleTheme } from './theme.js';
 import { viewCommands } from '../features/view-tools/view-commands.js';
 
 /** @typedef {import("./context.js").Command} Command */
-/** @typedef {import("./context.js").CommandContext} Parts */
 /** @typedef {import("../store/state.js").State} State */
 
 /**
- * @param {Parts} parts
+ * @param {import("./context.js").CommandContext} app
  * @returns {Command[]}
  */
-export function commandTable(parts) {
-  const { store, solver, viewport, pointer, files, actions, alerts, fileInput, help } = parts;
+export function commandTable(app) {
+  const { store, solver, viewport, pointer, files, actions, alerts, fileInput, help } = app;
   const hasFaces = (/** @type {State} */ { model }) => (model?.faces ?? 0) > 0;
 
   function fitSelection() {
@@ -79,7 +78,7 @@ export function commandTable(parts) {
       group: 'View',
       label: 'Hold: show the original',
       keys: ['R'],
-      action: () => parts.hold.begin(),
+      action: () => app.hold.begin(),
       enabled: (state) => state.document !== null && isDrawn(state),
     },
     {
@@ -106,7 +105,7 @@ export function commandTable(parts) {
       label: 'Add constraint',
       keys: [],
       action: () =>
-        actions.told(
+        actions.reportErrors(
           import('../features/add-constraint/dialog-add-constraint.js').then(
             ({ toggleAddConstraint }) => toggleAddConstraint(store, solver, actions),
           ),
@@ -215,13 +214,13 @@ export function commandTable(parts) {
         store.set({ display: { ...display, edges: !display.edges } });
       },
     },
-    ...viewCommands(parts),
+    ...viewCommands(app),
     {
       id: 'parametrize',
       group: 'View',
       label: 'Flatten: a flat map beside the model',
       keys: ['U'],
-      action: parts.flatMap,
+      action: app.flatMap,
       needsModel: true,
       enabled: hasFaces,
       pressed: ({ flatMap }) => flatMap !== null,
@@ -231,7 +230,7 @@ export function commandTable(parts) {
       group: 'View',
       label: 'Split view: original and now, or two measures',
       keys: ['C'],
-      action: parts.split,
+      action: app.split,
       needsModel: true,
       enabled: (state) => hasFaces(state) && isDrawn(state),
       pressed: ({ split }) => split !== null,
@@ -268,10 +267,8 @@ export function commandTable(parts) {
       label: 'More formats: Rhino, tables, pictures',
       keys: ['Ctrl+Shift+E'],
       action: () =>
-        actions.told(
-          import('../features/export/dialog-export.js').then(({ showExport }) =>
-            showExport({ store, solver, files, viewport }),
-          ),
+        actions.reportErrors(
+          import('../features/export/dialog-export.js').then(({ showExport }) => showExport(app)),
         ),
       needsModel: true,
     },
@@ -280,7 +277,7 @@ export function commandTable(parts) {
       group: 'File',
       label: 'Share a link to the scene',
       keys: [],
-      action: parts.share,
+      action: app.share,
       needsModel: true,
     },
     {
@@ -288,7 +285,7 @@ export function commandTable(parts) {
       group: 'File',
       label: 'Write a lesson: a text, and goals that are checked',
       keys: [],
-      action: parts.lesson,
+      action: app.lesson,
       needsModel: true,
     },
     {
@@ -303,7 +300,7 @@ export function commandTable(parts) {
       group: 'Page',
       label: 'This list',
       keys: ['?', 'F1'],
-      action: () => actions.told(help()),
+      action: () => actions.reportErrors(help()),
       title: () => 'Mouse and keys',
     },
   ];

@@ -33,7 +33,7 @@ function press(command, store) {
  * @param {import("../store/state.js").Store} store
  * @param {string[]} early names of commands
  */
-export function takeEarlyPresses(commands, store, early) {
+export function runEarlyPresses(commands, store, early) {
   for (const name of early) {
     const command = commands.find(({ id }) => id === name);
     if (command) press(command, store);

@@ -67,9 +67,9 @@ function tabs(store) {
     const same = store.get().tab === tab;
     dataset.sheet = same && dataset.sheet === 'open' ? 'closed' : 'open';
     store.set({ tab });
-    tell();
+    update();
   };
-  function tell() {
+  function update() {
     const { tab } = store.get();
     dataset.tab = tab;
     const open = !PHONE.matches || dataset.sheet === 'open';
@@ -79,8 +79,8 @@ function tabs(store) {
       button.tabIndex = isShown ? 0 : -1;
     });
   }
-  PHONE.addEventListener('change', tell);
-  store.subscribe(['tab'], tell);
+  PHONE.addEventListener('change', update);
+  store.subscribe(['tab'], update);
   buttons.forEach((button, i) => {
     button.addEventListener('click', () => show(names[i]));
     button.addEventListener('keydown', (event) => {

@@ -7,11 +7,11 @@ import { byId } from '../ui/dom.js';
 /** @typedef {import("../store/state.js").State} State */
 
 /**
- * @param {import("./context.js").AppContext} parts
+ * @param {import("./context.js").AppContext} app
  * @param {import("../store/mesh-queries.js").Selecting} selecting
  */
-export function loadWhenNeeded(parts, selecting) {
-  const { store, solver, viewport, files, actions, alerts } = parts;
+export function loadWhenNeeded(app, selecting) {
+  const { store, solver, viewport, files, actions, alerts } = app;
   const loaded = (/** @type {Promise<unknown>} */ part) =>
     void part.catch((error) => alerts.error(messageOf(error)));
 
@@ -31,23 +31,23 @@ export function loadWhenNeeded(parts, selecting) {
   }
 
   files.once('opened', () =>
-    loaded(import('../features/warnings.js').then((it) => it.watchConditions(parts))),
+    loaded(import('../features/warnings.js').then((it) => it.watchConditions(app))),
   );
   files.once('opened', () =>
-    loaded(import('../features/make-panels/card.js').then((it) => new it.MakePanels(parts))),
+    loaded(import('../features/make-panels/card.js').then((it) => new it.MakePanels(app))),
   );
   solver.on('collapsed', ({ collapse }) =>
-    loaded(import('../documents/collapse.js').then((it) => it.tellCollapse(parts, collapse))),
+    loaded(import('../documents/collapse.js').then((it) => it.reportCollapse(app, collapse))),
   );
   when(
     ['document'],
     ({ document }) => document?.free && document.constraints.length > 0,
-    () => import('../features/free-vertices.js').then((it) => it.watchFreeVertices(parts)),
+    () => import('../features/free-vertices.js').then((it) => it.watchFreeVertices(app)),
   );
   when(
     ['document'],
     ({ document }) => document?.lesson,
-    () => import('../features/lesson/panel.js').then((it) => it.lessonPanel(parts)),
+    () => import('../features/lesson/panel.js').then((it) => it.lessonPanel(app)),
   );
   when(
     ['example'],

@@ -8,7 +8,7 @@ import { Alerts } from '../ui/controls/alerts.js';
 import { analysisRegion } from './analysis.js';
 import { colourFaces } from '../viewport/colour-scale.js';
 import { commandTable } from './command-table.js';
-import { bindButtons, bindKeys, bindRunButton, takeEarlyPresses } from './commands.js';
+import { bindButtons, bindKeys, bindRunButton, runEarlyPresses } from './commands.js';
 import { byId } from '../ui/dom.js';
 import { Files } from '../documents/files.js';
 import { animateFirstPicture } from '../viewport/placeholder/placeholder-scene.js';
@@ -23,7 +23,7 @@ import { constraintsPanel } from '../panels/constraints/constraints.js';
 import { displayPanel } from '../panels/display/display.js';
 import { energiesPanel } from '../panels/energies/energies.js';
 import { exampleNote } from '../panels/example/example.js';
-import { Keeping } from './startup.js';
+import { Startup } from './startup.js';
 import { handlesPanel } from '../panels/handles/handles.js';
 import { bindHalfStepButtons } from '../store/half-step.js';
 import { HoldOriginal } from '../features/hold-original.js';
@@ -42,15 +42,15 @@ import { createStore } from '../store/state.js';
 import { followTheme } from './theme.js';
 import { bindViewMenu } from '../features/view-tools/view-commands.js';
 import { bindViewKeys } from '../viewport/input/view-keys.js';
-import { offerReport, tellUncaught } from './errors/uncaught-errors.js';
+import { offerReport, reportUncaughtErrors } from './errors/uncaught-errors.js';
 import { Viewport } from '../viewport/viewport.js';
 
 const store = createStore();
 followTheme(store);
 const alerts = new Alerts(byId('alert'));
-tellUncaught(alerts, store);
+reportUncaughtErrors(alerts, store);
 const solver = new SolverClient();
-takeUp(solver);
+bindSolver(solver);
 
 animateFirstPicture(store, solver);
 const viewport = new Viewport(byId('viewport'), store, solver);
@@ -62,7 +62,7 @@ const pointer = new PointerInput(store, solver, viewport, region, {
   addHandles: (vertices) => actions.addHandles(vertices, false),
   chosenHandles: actions.chosenHandles,
   showMenu: (at) =>
-    actions.told(
+    actions.reportErrors(
       import('../features/context-menu.js').then(({ showContextMenu }) =>
         showContextMenu(at, { store, viewport, actions, selecting, commands }),
       ),
@@ -82,14 +82,14 @@ energiesPanel(byId('energies'), store, actions);
 displayPanel(byId('display'), store);
 viewport.once('ready', showLegend);
 const hold = new HoldOriginal(store, solver);
-const parts = { store, solver, viewport, files, actions, alerts, hold };
-const analysis = analysisRegion(byId('analysis'), parts);
+const app = { store, solver, viewport, files, actions, alerts, hold };
+const analysis = analysisRegion(byId('analysis'), app);
 exampleNote(byId('example-note'), files, alerts, ({ split, plot }) => {
-  if (split) splitInto(parts, split);
+  if (split) splitInto(app, split);
   if (plot) analysis.bring(plot);
 });
 store.subscribe(['status'], ({ status }) => status && alerts.note(status));
-loadWhenNeeded(parts, selecting);
+loadWhenNeeded(app, selecting);
 statusBar({ status: byId('status'), hint: byId('hint'), numbers: byId('numbers') }, store);
 firstHints(byId('hint-card'), store);
 arrangeForWidth(store);
@@ -105,11 +105,7 @@ fileInput.addEventListener('change', async () => {
 files.acceptDrops(byId('drop-overlay'));
 
 const share = () =>
-  actions.told(
-    import('../features/share/dialog-share.js').then(({ share }) =>
-      share({ store, solver, files }),
-    ),
-  );
+  actions.reportErrors(import('../features/share/dialog-share.js').then(({ share }) => share(app)));
 
 /** @type {import("./context.js").Command[]} */
 const commands = commandTable({
@@ -123,13 +119,15 @@ const commands = commandTable({
   hold,
   fileInput,
   lesson: () =>
-    actions.told(import('../features/lesson/dialog.js').then(({ write }) => write(parts, share))),
+    actions.reportErrors(
+      import('../features/lesson/dialog.js').then(({ write }) => write(app, share)),
+    ),
   share,
   // What it lists is complete by the time that somebody looks.
   help: () =>
     import('../features/help/help.js').then(({ showHelp }) => showHelp(byId('help'), commands)),
-  flatMap: () => toggleFlatMap({ store, solver, viewport, alerts }),
-  split: () => toggleSplit(parts),
+  flatMap: () => toggleFlatMap(app),
+  split: () => toggleSplit(app),
 });
 for (const button of document.querySelectorAll('[data-command="reset"]'))
   if (button instanceof HTMLElement) hold.bind(button, { clicks: true });
@@ -139,47 +137,47 @@ bindRunButton(byId('run'), store);
 bindHalfStepButtons(store);
 /** @type {Window & { earlyPresses?: string[] }} index.html gathers them */
 const early = window;
-takeEarlyPresses(commands, store, early.earlyPresses ?? []);
+runEarlyPresses(commands, store, early.earlyPresses ?? []);
 delete early.earlyPresses;
 bindViewMenu(byId('view-menu'), byId('view-menu-button'), commands, store);
 selecting.bindKeys(commands);
 
 viewport.on('none', (why) => {
-  import('../viewport/no-picture.js').then((module) => module.tellWhy(why));
+  import('../viewport/no-picture.js').then((module) => module.explainNoPicture(why));
 });
 
 Object.assign(window, { shapeUp: scriptApi(store, solver, viewport, files) });
 
-const keeping = new Keeping(solver, files, alerts, { store, analysis });
+const startup = new Startup(solver, files, alerts, { store, analysis });
 byId('recent-button').addEventListener('click', () =>
-  actions.told(
-    import('../documents/recent-menu.js').then((it) => it.showRecent(byId('recent'), keeping)),
+  actions.reportErrors(
+    import('../documents/recent-menu.js').then((it) => it.showRecent(byId('recent'), startup)),
   ),
 );
-keeping.begin().catch((error) => alerts.error(messageOf(error)));
+startup.begin().catch((error) => alerts.error(messageOf(error)));
 files.offerExamples(byId('examples')).catch((error) => alerts.error(messageOf(error)));
 const offline = () =>
   import('./offline/offline.js').then(
-    (it) => it.stayOffline(alerts, keeping, viewport),
+    (it) => it.stayOffline(alerts, startup, viewport),
     () => {},
   );
 viewport.on('ready', offline);
 viewport.on('none', offline);
 import('../panels/status-bar/environment-status.js').then((module) =>
-  module.tellSurroundings(byId('numbers'), store),
+  module.environmentStatus(byId('numbers'), store),
 );
 
 /** The legend comes when there is something to see. */
 function showLegend() {
   const legend = import('../panels/legend/legend.js');
-  actions.told(legend.then(({ legend }) => legend(byId('legend'), store, viewport, fit)));
+  actions.reportErrors(legend.then(({ legend }) => legend(byId('legend'), store, viewport, fit)));
 }
 
 /**
  * Takes the solver's news into the store.
  * @param {SolverClient} client
  */
-function takeUp(client) {
+function bindSolver(client) {
   client.on('ready', ({ kinds, elements, measures, operations, settings }) =>
     store.set({ kinds, elements, measures, operations, settings }),
   );

@@ -9,7 +9,7 @@ import { recall } from '../ui/safe-storage.js';
 
 /** @typedef {import("../documents/files.js").Files} Files */
 
-export class Keeping {
+export class Startup {
   #store;
   #seen;
   #solver;
@@ -22,7 +22,7 @@ export class Keeping {
    * @param {import("../solver/solver-client.js").SolverClient} solver
    * @param {Files} files
    * @param {import("../ui/controls/alerts.js").Alerts} alerts
-   * @param {import("../viewport/saved-view.js").Seen} seen
+   * @param {import("../viewport/saved-view.js").ViewContext} seen
    */
   constructor(solver, files, alerts, seen) {
     this.#store = seen.store;
@@ -34,7 +34,7 @@ export class Keeping {
 
   /** Opens what the page is to begin with. */
   async begin() {
-    window.addEventListener('hashchange', () => this.#told(this.#openLink()));
+    window.addEventListener('hashchange', () => this.#reportErrors(this.#openLink()));
     /** @type {unknown} */
     let lost = null;
     try {
@@ -50,8 +50,8 @@ export class Keeping {
     });
     if (!linked) await this.#openFirst();
     if (problem) this.#alerts.error(problem);
-    if (lost) this.#tellUnreadable(lost);
-    this.#keepOn();
+    if (lost) this.#reportUnreadable(lost);
+    this.#startAutosave();
   }
 
   /** The first example, or what to do without it. */
@@ -63,7 +63,7 @@ export class Keeping {
       if (this.#solver.isAbsent) return;
       const { showNothingOpen } = await import('../documents/nothing-open.js');
       showNothingOpen(this.#files, async () => {
-        await this.#told(this.startFresh());
+        await this.#reportErrors(this.startFresh());
       });
     }
   }
@@ -81,9 +81,9 @@ export class Keeping {
 
   /** The works of this browser that can be opened again. */
   async recent() {
-    const { works } = await import('../documents/recent-documents.js');
+    const { recentDocuments } = await import('../documents/recent-documents.js');
     const current = (await this.#autosave)?.id;
-    return (await works()).filter(({ id }) => id !== current);
+    return (await recentDocuments()).filter(({ id }) => id !== current);
   }
 
   /**
@@ -101,7 +101,7 @@ export class Keeping {
       this.#store.set({ status: `Opened ${title}` });
       if (undoLost) this.#alerts.notice(`The undo history of ${title} is lost: ${undoLost}.`);
     } catch (error) {
-      this.#tellUnreadable(error);
+      this.#reportUnreadable(error);
     }
   }
 
@@ -109,7 +109,7 @@ export class Keeping {
    * Says that a work cannot be opened, and offers what is there of it.
    * @param {unknown} error
    */
-  #tellUnreadable(error) {
+  #reportUnreadable(error) {
     if (!(error instanceof Error && 'work' in error && 'raw' in error)) {
       return this.#alerts.error(messageOf(error));
     }
@@ -125,7 +125,7 @@ export class Keeping {
     });
   }
 
-  #keepOn() {
+  #startAutosave() {
     const [solver, files, seen] = [this.#solver, this.#files, this.#seen];
     this.#autosave ??= import('../documents/autosave.js').then(
       ({ Autosave }) => new Autosave(solver, files, seen),
@@ -135,17 +135,17 @@ export class Keeping {
 
   /** Goes on where this tab was, if it was anywhere. @returns {Promise<boolean>} */
   async #restored() {
-    if (!wasHere()) return false;
+    if (!hasStoredWork()) return false;
     const { lastWork } = await import('../documents/autosave.js');
     const last = await lastWork();
     if (!last) return false;
     // An edit may come, and the page go, as soon as the work is seen.
-    this.#keepOn();
+    this.#startAutosave();
     await this.#autosave;
     const { undoLost } = await this.#openWork(last);
     const fresh = () => {
       if (location.hash) history.replaceState(null, '', location.pathname + location.search);
-      this.#told(this.startFresh());
+      this.#reportErrors(this.startFresh());
     };
     const but = undoLost && `, but its undo history is lost: ${undoLost}`;
     this.#alerts.notice(`${last.work.title} is back as you left it${but}.`, {
@@ -164,12 +164,12 @@ export class Keeping {
     const origin = { example, work: id, title, saved, text };
     const files = [{ name: `${work.name}.shapeup.json`, bytes }];
     const loaded = await this.#files.open(files, origin).catch(async (error) => {
-      const { Unreadable, giveBack } = await import('../documents/autosave.js');
-      await giveBack(work);
+      const { Unreadable, releaseWork } = await import('../documents/autosave.js');
+      await releaseWork(work);
       throw new Unreadable(work, text, messageOf(error));
     });
-    const { lookAgain } = await import('../viewport/saved-view.js');
-    lookAgain(work.view, this.#seen);
+    const { restoreView } = await import('../viewport/saved-view.js');
+    restoreView(work.view, this.#seen);
     return loaded;
   }
 
@@ -182,7 +182,7 @@ export class Keeping {
     const text = link.code && (await unpack(link.code));
     if (link.example) await this.#openExample(link.example, text);
     else if (text) await this.#files.open([sceneFile('shared', text)]);
-    if (link.run) this.#solver.tell({ type: 'run' });
+    if (link.run) this.#solver.send({ type: 'run' });
     return true;
   }
 
@@ -207,7 +207,7 @@ export class Keeping {
    * @param {Promise<T>} promise
    * @returns {Promise<T | undefined>}
    */
-  async #told(promise) {
+  async #reportErrors(promise) {
     try {
       return await promise;
     } catch (error) {
@@ -226,4 +226,4 @@ function sceneFile(name, text) {
 }
 
 /** Whether anything was ever kept in this browser. */
-const wasHere = () => recall('shape-up.works') !== null;
+const hasStoredWork = () => recall('shape-up.works') !== null;

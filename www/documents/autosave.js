@@ -8,8 +8,8 @@
 
 import { viewOf } from '../viewport/saved-view.js';
 import { recall, remember } from '../ui/safe-storage.js';
-import { bringIn, nothingAside, putAside } from './last-moment.js';
-import { contentsOf, forgetOldest, keep, works } from './recent-documents.js';
+import { recoverUnsaved, forgetUnsaved, storeUnsaved } from './last-moment.js';
+import { contentsOf, pruneOldest, keep, recentDocuments } from './recent-documents.js';
 
 /** @typedef {import("./recent-documents.js").Work} Work */
 /** @typedef {import("./recent-documents.js").Contents} Contents */
@@ -47,7 +47,7 @@ export class Autosave {
   /**
    * @param {import("../solver/solver-client.js").SolverClient} solver
    * @param {import("./files.js").Files} files
-   * @param {import("../viewport/saved-view.js").Seen} seen
+   * @param {import("../viewport/saved-view.js").ViewContext} seen
    */
   constructor(solver, files, seen) {
     const { store } = seen;
@@ -92,7 +92,7 @@ export class Autosave {
     // One that goes on was claimed before it was opened.
     this.#release = claims.get(id) ?? (await claim(id)) ?? (() => {});
     await this.save();
-    await forgetOldest((other) => claims.has(other)).catch(() => {});
+    await pruneOldest((other) => claims.has(other)).catch(() => {});
   }
 
   /** Saves what is not saved yet, and what comes meanwhile. */
@@ -109,7 +109,7 @@ export class Autosave {
       try {
         await keep(...next);
         this.#confirmed = kept;
-        if (kept === this.#kept) nothingAside(next[0].id);
+        if (kept === this.#kept) forgetUnsaved(next[0].id);
         remember(ANY, 'yes');
         this.#store.set({ saved: `Saved in this browser ${timeOf(next[0].savedAt)}` });
       } catch {
@@ -128,10 +128,10 @@ export class Autosave {
     if (!next) return;
     const kept = this.#kept;
     remember(ANY, 'yes');
-    if (kept.text !== confirmed.text || kept.progress !== confirmed.progress) putAside(...next);
+    if (kept.text !== confirmed.text || kept.progress !== confirmed.progress) storeUnsaved(...next);
     const done = () => {
       this.#confirmed = kept;
-      if (kept === this.#kept) nothingAside(next[0].id);
+      if (kept === this.#kept) forgetUnsaved(next[0].id);
     };
     keep(...next).then(done, () => {
       this.#kept = NOTHING;
@@ -224,9 +224,9 @@ export class Unreadable extends Error {
  */
 export async function lastWork() {
   if (!recall(ANY)) return null;
-  await bringIn().catch(() => {});
+  await recoverUnsaved().catch(() => {});
   const mine = recall(MINE, 'sessionStorage');
-  const list = await works();
+  const list = await recentDocuments();
   const own = list.find(({ id, hash }) => id === mine && hash === location.hash);
   if (own) {
     const taken = await take(own, { signal: AbortSignal.timeout(RELOAD_MS) });
@@ -249,7 +249,7 @@ export async function take(work, how) {
   if (!(await claim(work.id, how))) return null;
   const { text, history, progress } = await contentsOf(work.id);
   if (typeof text !== 'string') {
-    await giveBack(work);
+    await releaseWork(work);
     throw new Unreadable(work, text, 'what was kept of it is damaged');
   }
   const bytes = (/** @type {unknown} */ value) => (value instanceof Uint8Array ? value : null);
@@ -259,7 +259,7 @@ export async function take(work, how) {
 }
 
 /** Lets go of a work that could not be opened, so that it does not come back by itself. @param {Work} work */
-export async function giveBack(work) {
+export async function releaseWork(work) {
   claims.get(work.id)?.();
   await keep({ ...work, unreadable: true }, {}).catch(() => {});
 }

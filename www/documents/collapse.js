@@ -7,10 +7,10 @@ import { openDialog } from '../ui/controls/dialog.js';
 import { element } from '../ui/dom.js';
 
 /**
- * @param {import("../app/context.js").AppContext} parts
+ * @param {import("../app/context.js").AppContext} app
  * @param {string} collapse how, as the end of a sentence
  */
-export function tellCollapse({ store, solver, alerts, actions }, collapse) {
+export function reportCollapse({ store, solver, alerts, actions }, collapse) {
   const text = `Stopped: ${collapse}.`;
   store.set({ status: text });
   alerts.notice(
@@ -21,10 +21,10 @@ export function tellCollapse({ store, solver, alerts, actions }, collapse) {
       action: async () => {
         await actions.undo();
         if ((await actions.edit({ type: 'holdCloser' })) !== undefined)
-          solver.tell({ type: 'run' });
+          solver.send({ type: 'run' });
       },
     },
-    { label: 'Go on', action: () => solver.tell({ type: 'run', goOn: true }) },
+    { label: 'Go on', action: () => solver.send({ type: 'run', goOn: true }) },
   );
 }
 

@@ -106,7 +106,7 @@ export class Files extends Emitter {
         example: origin.example ?? null,
         status: `Opened ${main.name}: ${count(loaded.vertices, 'vertex', 'vertices')}, ${count(loaded.faces, 'face')}`,
       });
-      if (loaded.welded) this.#tellWelded(loaded.welded, loaded.units);
+      if (loaded.welded) this.#reportWelded(loaded.welded, loaded.units);
       this.emit('opened', undefined);
       return loaded;
     } catch (error) {
@@ -264,7 +264,7 @@ export class Files extends Emitter {
    * @param {NonNullable<import("../solver/messages.js").Loaded["welded"]>} welded
    * @param {string} units
    */
-  #tellWelded({ before, after, tolerance }, units) {
+  #reportWelded({ before, after, tolerance }, units) {
     const words = `${groupDigits(before)} vertices welded into ${groupDigits(after)}: those within ${length(tolerance, units)} of each other.`;
     const asItCame = () =>
       this.open(this.#given, { ...this.origin, asItCame: true }).catch(() => {});

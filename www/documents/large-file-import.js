@@ -68,9 +68,9 @@ export async function openLarge(chosen, { store, solver, alerts, open }) {
 /**
  * @param {File} file
  * @param {AbortSignal} cancelled
- * @param {(chunk: Uint8Array) => void} tell of each piece
+ * @param {(chunk: Uint8Array) => void} onChunk of each piece
  */
-async function bytesOf(file, cancelled, tell) {
+async function bytesOf(file, cancelled, onChunk) {
   const bytes = new Uint8Array(file.size);
   const reader = file.stream().getReader();
   cancelled.addEventListener('abort', () => reader.cancel());
@@ -80,7 +80,7 @@ async function bytesOf(file, cancelled, tell) {
     if (done) return bytes;
     bytes.set(value, at);
     at += value.length;
-    tell(value);
+    onChunk(value);
   }
 }
 

@@ -5,7 +5,7 @@
  */
 
 import { forget, keysOf, recall, remember } from '../ui/safe-storage.js';
-import { keep, works } from './recent-documents.js';
+import { keep, recentDocuments } from './recent-documents.js';
 
 /** @typedef {import("./recent-documents.js").Work} Work */
 /** @typedef {import("./recent-documents.js").Contents} Contents */
@@ -19,25 +19,25 @@ const MOST_BYTES = 1_000_000;
  * @param {Work} work
  * @param {Partial<Contents>} contents what the database does not have yet
  */
-export function putAside(work, contents) {
+export function storeUnsaved(work, contents) {
   const write = (/** @type {string} */ _, /** @type {unknown} */ value) =>
     value instanceof Uint8Array ? lettersOf(value) : value;
   remember(KEY + work.id, JSON.stringify({ work, contents }, write));
 }
 
 /** The database has all of a work. @param {string} id */
-export function nothingAside(id) {
+export function forgetUnsaved(id) {
   forget(KEY + id);
 }
 
 /** Brings what was put aside into the database, unless that has something newer. */
-export async function bringIn() {
+export async function recoverUnsaved() {
   for (const key of keysOf(KEY)) {
     const { work, contents } = JSON.parse(recall(key) ?? '{}');
     if (!work) continue;
     for (const part of ['history', 'progress'])
       if (contents[part]) contents[part] = bytesOf(contents[part]);
-    const known = (await works()).find(({ id }) => id === work.id);
+    const known = (await recentDocuments()).find(({ id }) => id === work.id);
     if (!known || known.savedAt < work.savedAt) await keep(work, contents);
     forget(key);
   }

@@ -38,7 +38,7 @@ const MOST = 8;
 const database = createStore('shape-up', 'works');
 
 /** The newest first. @returns {Promise<Work[]>} */
-export async function works() {
+export async function recentDocuments() {
   const [keys, about, old] = await database('readonly', (store) =>
     Promise.all([
       promisifyRequest(store.getAllKeys()),
@@ -76,7 +76,7 @@ export async function keep(work, contents) {
     await write(work, contents);
   } catch (error) {
     if (!(error instanceof DOMException && error.name === 'QuotaExceededError')) throw error;
-    await forgetBut(({ id }) => id === work.id);
+    await deleteExcept(({ id }) => id === work.id);
     await write(work, contents);
   }
 }
@@ -85,14 +85,14 @@ export async function keep(work, contents) {
  * Forgets the oldest of too many.
  * @param {(id: string) => boolean} isOpen in a tab
  */
-export async function forgetOldest(isOpen) {
-  const newest = (await works()).slice(0, MOST).map(({ id }) => id);
-  await forgetBut(({ id }) => newest.includes(id) || isOpen(id));
+export async function pruneOldest(isOpen) {
+  const newest = (await recentDocuments()).slice(0, MOST).map(({ id }) => id);
+  await deleteExcept(({ id }) => newest.includes(id) || isOpen(id));
 }
 
 /** @param {(work: Work) => boolean} stays */
-async function forgetBut(stays) {
-  const gone = (await works()).filter((work) => !stays(work));
+async function deleteExcept(stays) {
+  const gone = (await recentDocuments()).filter((work) => !stays(work));
   if (gone.length === 0) return;
   await database('readwrite', (store) => {
     for (const { id } of gone) for (const part of PARTS) store.delete(part + id);

@@ -7,14 +7,14 @@ import { element } from '../ui/dom.js';
 /**
  * Fills the menu each time, then shows it.
  * @param {HTMLElement} menu
- * @param {{ saveNow: () => Promise<void>, recent: () => Promise<Work[]>, openWork: (work: Work) => void }} keeping
+ * @param {{ saveNow: () => Promise<void>, recent: () => Promise<Work[]>, openWork: (work: Work) => void }} startup
  */
-export async function showRecent(menu, keeping) {
-  await keeping.saveNow().catch(() => {});
-  const list = await keeping.recent().catch(() => []);
+export async function showRecent(menu, startup) {
+  await startup.saveNow().catch(() => {});
+  const list = await startup.recent().catch(() => []);
   const open = (/** @type {Work} */ work) => {
     menu.hidePopover();
-    keeping.openWork(work);
+    startup.openWork(work);
   };
   const rows = list.map((work) =>
     element(

@@ -7,7 +7,7 @@ import { byId, element } from '../ui/dom.js';
 import { placeMenu } from '../ui/controls/menu.js';
 
 /**
- * @typedef {object} Parts
+ * @typedef {object} MenuContext
  * @property {import("../store/state.js").Store} store
  * @property {import("../viewport/viewport.js").Viewport} viewport
  * @property {import("../store/actions.js").Actions} actions
@@ -38,13 +38,13 @@ menu.addEventListener('toggle', (event) => {
 
 /**
  * @param {[number, number]} at in CSS pixels of the page
- * @param {Parts} parts
+ * @param {MenuContext} app
  */
-export function showContextMenu(at, parts) {
-  const { store, viewport, actions } = parts;
+export function showContextMenu(at, app) {
+  const { store, viewport, actions } = app;
   place = new DOMRect(...at, 0, 0);
   menu.replaceChildren(
-    ...sectionsOf(parts).map(([heading, items]) =>
+    ...sectionsOf(app).map(([heading, items]) =>
       element(
         'div.section',
         { role: 'group', 'aria-label': heading },
@@ -72,14 +72,14 @@ export function showContextMenu(at, parts) {
     close();
   };
   if (store.get().model) menu.showPopover();
-  else actions.say('Nothing is open yet');
+  else actions.setStatus('Nothing is open yet');
 }
 
 /** @typedef {[label: string, action: () => void]} Item */
 
 /**
  * What there is to do, and how, under its headings.
- * @param {Parts} parts
+ * @param {MenuContext} app
  * @returns {[heading: string, items: Item[]][]}
  */
 function sectionsOf({ store, actions, selecting, commands }) {

@@ -10,14 +10,14 @@ import { NOTHING } from '../store/selection.js';
 /** Of their dots, sRGB bytes. @type {[number, number, number]} */
 const COLOUR = [214, 132, 24];
 
-/** @param {import("../app/context.js").AppContext} parts */
+/** @param {import("../app/context.js").AppContext} app */
 export function watchFreeVertices({ store, solver, actions }) {
   const place = element('div', { 'aria-live': 'polite' });
   document.getElementById('messages')?.append(place);
   /** What is shown of them. @type {import("../store/state.js").Tint | null} */
   let tint = null;
   /** How many there were when it was last said, or closed. */
-  let told = 0;
+  let reported = 0;
 
   function clear() {
     place.replaceChildren();
@@ -27,8 +27,8 @@ export function watchFreeVertices({ store, solver, actions }) {
 
   store.subscribe(['document'], async ({ document, model }) => {
     const free = document?.constraints.some(({ enabled }) => enabled) ? document.free : 0;
-    if (free === told) return;
-    told = free;
+    if (free === reported) return;
+    reported = free;
     clear();
     if (free === 0) return;
     const request = {
@@ -37,8 +37,8 @@ export function watchFreeVertices({ store, solver, actions }) {
       from: {},
       params: {},
     };
-    const found = await actions.told(solver.request({ type: 'select', request }));
-    if (!found || store.get().model !== model || told !== free) return;
+    const found = await actions.reportErrors(solver.request({ type: 'select', request }));
+    if (!found || store.get().model !== model || reported !== free) return;
     tint = { vertices: found.vertices, faces: new Uint32Array(0), colour: COLOUR };
     store.set({ tint });
     place.replaceChildren(message(free, [...found.vertices]));

@@ -47,7 +47,7 @@ export function firstHints(card, store) {
   let hasRun = false;
   let done = false;
 
-  const say = throttled(RENEW_MS, () => {
+  const update = throttled(RENEW_MS, () => {
     const state = store.get();
     const { document, numbers, size, firstExample } = state;
     const about = declared(state, measureOfScene(state));
@@ -78,7 +78,7 @@ export function firstHints(card, store) {
     if (at === 1 && hasRun) at = 2;
     // Whoever has seen the last one has seen them all.
     if (at === 2) remember(KEY, 'done');
-    say();
+    update();
   });
 
   function finish() {

@@ -14,9 +14,9 @@ const ZERO_SIZE = 'zero-size-faces';
 /** So many changes that help are offered. */
 const MOST_REMEDIES = 3;
 
-/** @param {import("../app/context.js").AppContext} parts */
-export function watchConditions(parts) {
-  const { store, solver, files, alerts, actions } = parts;
+/** @param {import("../app/context.js").AppContext} app */
+export function watchConditions(app) {
+  const { store, solver, files, alerts, actions } = app;
   const place = element('div', { 'aria-live': 'polite', id: 'conditions' });
   document.getElementById('messages')?.append(place);
   /** Faces without an area when they were last counted. */
@@ -33,12 +33,12 @@ export function watchConditions(parts) {
     const [have, they] = flat === 1 ? ['has', 'it is'] : ['have', 'they are'];
     alerts.notice(`${count(flat, 'face')} ${have} zero size; ${they} kept but not coloured.`, {
       label: 'Select',
-      action: () => showElements(parts, found),
+      action: () => showElements(app, found),
     });
   }
 
   /** Says how a run ended: that all is within the tolerance, or what is worst and what helps. */
-  async function tellVerdict() {
+  async function showVerdict() {
     const { document: scene, numbers, model, tolerance } = store.get();
     if (!scene || !numbers || !model) return;
     const allowed = tolerance ?? model.tolerance;
@@ -56,7 +56,7 @@ export function watchConditions(parts) {
     const moved = movedInWords(store.get());
     const cost = moved && ` Moved ${moved}.`;
     if (greatest <= allowed) {
-      if (!cardOfPanels()) tell(`All constraints are met within ${most}.${cost}`);
+      if (!cardOfPanels()) showMessage(`All constraints are met within ${most}.${cost}`);
       return;
     }
     const row = scene.constraints[errors.indexOf(greatest)];
@@ -65,10 +65,10 @@ export function watchConditions(parts) {
     if (!worst || store.get().document !== scene || store.get().running) return;
     const far = length(worst.value, scene.units, allowed);
     const what = `Worst: ${row.label} on ${worst.element}, ${far}; the tolerance is ${most}.`;
-    const group = tell(
+    const group = showMessage(
       // The verdict on the panels has said the rest.
       cardOfPanels() ? 'Solved as far as possible.' : `Solved as far as possible. ${what}${cost}`,
-      button('Show it', () => showElements(parts, worst)),
+      button('Show it', () => showElements(app, worst)),
     );
     const waiting = element('p.quiet', 'Looking for what would help …');
     group.append(waiting);
@@ -109,7 +109,7 @@ export function watchConditions(parts) {
    * @param {...HTMLElement} buttons
    * @returns {HTMLElement} where more can be added
    */
-  function tell(text, ...buttons) {
+  function showMessage(text, ...buttons) {
     const group = element(
       'div.remedies',
       { role: 'group', 'aria-label': 'Verdict' },
@@ -137,7 +137,7 @@ export function watchConditions(parts) {
 
   /** Makes a change that helps, and goes on. @param {import("../solver/messages.js").Edit} edit */
   async function take(edit) {
-    if ((await actions.edit(edit)) !== undefined) solver.tell({ type: 'run' });
+    if ((await actions.edit(edit)) !== undefined) solver.send({ type: 'run' });
   }
 
   let wasRunning = false;
@@ -148,7 +148,7 @@ export function watchConditions(parts) {
     // What has collapsed has a message of its own.
     if (!ended || store.get().numbers?.collapse) return;
     lookForFlatFaces();
-    if (converged) tellVerdict();
+    if (converged) showVerdict();
   });
   solver.on('model', () => {
     clear();

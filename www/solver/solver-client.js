@@ -106,7 +106,7 @@ export class SolverClient extends Emitter {
     const id = this.#nextId++;
     return new Promise((resolve, reject) => {
       this.#waiting.set(id, { resolve, reject });
-      this.#say({ ...request, id });
+      this.#post({ ...request, id });
     });
   }
 
@@ -115,9 +115,9 @@ export class SolverClient extends Emitter {
    * @param {Command} command
    * @param {Transferable[]} [transfer]
    */
-  tell(command, transfer = []) {
+  send(command, transfer = []) {
     if (command.type === 'show') this.#show = command;
-    this.#say(command, transfer);
+    this.#post(command, transfer);
   }
 
   /** The newest positions were taken over: the buffer before them can be written again. */
@@ -125,7 +125,7 @@ export class SolverClient extends Emitter {
     if (!this.#previous) return;
     const positions = this.#previous;
     this.#previous = null;
-    this.tell({ type: 'recycle', positions }, [positions.buffer]);
+    this.send({ type: 'recycle', positions }, [positions.buffer]);
   }
 
   /** Whether there is no worker, and there will be none. */
@@ -162,16 +162,16 @@ export class SolverClient extends Emitter {
       const slept = now - last > 2 * LOOK_EVERY_MS;
       last = now;
       if (slept || !this.#ready) return;
-      if (this.#working) return this.#tellBusy(this.#busyLooks + 1);
+      if (this.#working) return this.#setBusy(this.#busyLooks + 1);
       this.#missed += 1;
       const most = Math.max(MOST_MISSED, (STEPS_MISSED * this.#stepMs) / LOOK_EVERY_MS);
       if (this.#missed > most) this.#died('it did not answer');
-      else this.#say({ type: 'ping' });
+      else this.#post({ type: 'ping' });
     }, LOOK_EVERY_MS);
   }
 
   /** Tells `busy` when work gets long, and when it has ended. @param {number} looks */
-  #tellBusy(looks) {
+  #setBusy(looks) {
     const before = this.#busyLooks;
     this.#busyLooks = looks;
     const busy = looks >= LONG_WORK;
@@ -183,7 +183,7 @@ export class SolverClient extends Emitter {
    * @param {import("./messages.js").ToWorker} message
    * @param {Transferable[]} [transfer]
    */
-  #say(message, transfer = []) {
+  #post(message, transfer = []) {
     if (!this.#worker) {
       if ('id' in message)
         this.#answer(message.id, null, new Error('the solver has stopped: reload the page'));
@@ -198,7 +198,7 @@ export class SolverClient extends Emitter {
   #receive(message) {
     this.#missed = 0;
     this.#working = message.type === 'working';
-    if (!this.#working) this.#tellBusy(0);
+    if (!this.#working) this.#setBusy(0);
     switch (message.type) {
       case 'working':
       case 'pong':
@@ -207,7 +207,7 @@ export class SolverClient extends Emitter {
         this.#ready = true;
         const held = this.#held;
         this.#held = [];
-        for (const [early, transfer] of held) this.#say(early, transfer);
+        for (const [early, transfer] of held) this.#post(early, transfer);
         break;
       }
       case 'model':
@@ -279,7 +279,7 @@ export class SolverClient extends Emitter {
     this.#worker = null;
     this.#ready = this.#working = false;
     this.#missed = 0;
-    this.#tellBusy(0);
+    this.#setBusy(0);
     this.#held = [];
     for (const id of [...this.#waiting.keys()])
       this.#answer(id, null, new Error(`the solver stopped (${reason})`));
@@ -296,7 +296,7 @@ export class SolverClient extends Emitter {
       );
     }
     this.#start();
-    if (this.#show) this.tell(this.#show);
+    if (this.#show) this.send(this.#show);
     const notice = (/** @type {string} */ text) => wanted || this.#notice(text);
     if (!lastScene) return void notice(`The solver stopped (${reason}) and was restarted.`);
     this.#restoring = true;

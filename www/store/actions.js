@@ -14,7 +14,7 @@ import { NOTHING, selectedVertices } from './selection.js';
  * @param {import("../ui/controls/alerts.js").Alerts} alerts
  */
 export function createActions(store, solver, alerts) {
-  const say = (/** @type {string} */ status) => store.set({ status });
+  const setStatus = (/** @type {string} */ status) => store.set({ status });
 
   /**
    * Tells what went wrong and goes on.
@@ -22,7 +22,7 @@ export function createActions(store, solver, alerts) {
    * @param {Promise<T>} promise
    * @returns {Promise<T | undefined>}
    */
-  async function told(promise) {
+  async function reportErrors(promise) {
     try {
       return await promise;
     } catch (error) {
@@ -33,11 +33,11 @@ export function createActions(store, solver, alerts) {
 
   /**
    * @param {import("../solver/messages.js").Edit} edit
-   * @param {(error: unknown) => boolean} [tells] tells an error where it belongs; false if it has no place for it
+   * @param {(error: unknown) => boolean} [showError] showError an error where it belongs; false if it has no place for it
    * @returns {Promise<null | undefined>}
    */
-  function edit(edit, tells = () => false) {
-    return attempt({ type: 'edit', edit }, tells);
+  function edit(edit, showError = () => false) {
+    return attempt({ type: 'edit', edit }, showError);
   }
 
   /**
@@ -52,14 +52,14 @@ export function createActions(store, solver, alerts) {
 
   /**
    * @param {import("../solver/messages.js").Request & { type: "edit" | "makePanels" }} request
-   * @param {(error: unknown) => boolean} [tells]
+   * @param {(error: unknown) => boolean} [showError]
    * @returns {Promise<null | undefined>} undefined where it was refused
    */
-  async function attempt(request, tells = () => false) {
+  async function attempt(request, showError = () => false) {
     try {
       return await solver.request(request);
     } catch (error) {
-      if (!tells(error)) alerts.error(messageOf(error));
+      if (!showError(error)) alerts.error(messageOf(error));
       return undefined;
     }
   }
@@ -86,25 +86,25 @@ export function createActions(store, solver, alerts) {
    * @param {boolean} fixed
    */
   async function addHandles(vertices, fixed) {
-    if (vertices.length === 0) return say('Select a vertex first, then press H.');
+    if (vertices.length === 0) return setStatus('Select a vertex first, then press H.');
     if ((await edit({ type: 'addHandles', vertices, fixed })) === undefined) return;
-    say(`${count(vertices.length, 'handle')} ${fixed ? 'fixed' : 'added'}`);
+    setStatus(`${count(vertices.length, 'handle')} ${fixed ? 'fixed' : 'added'}`);
   }
 
   /** @param {number[]} vertices */
   async function removeHandles(vertices) {
     const handles = new Set(store.get().document?.handles.map((handle) => handle.vertex));
     const held = vertices.filter((vertex) => handles.has(vertex));
-    if (held.length === 0) return say('No handle is selected.');
+    if (held.length === 0) return setStatus('No handle is selected.');
     if ((await edit({ type: 'removeHandles', vertices: held })) === undefined) return;
-    say(`${count(held.length, 'handle')} removed`);
+    setStatus(`${count(held.length, 'handle')} removed`);
   }
 
   return {
     edit,
     makePanels,
-    told,
-    say,
+    reportErrors,
+    setStatus,
     connectivity,
     chosenVertices,
     chosenHandles,
@@ -112,39 +112,39 @@ export function createActions(store, solver, alerts) {
     removeHandles,
 
     runOrPause() {
-      solver.tell({ type: store.get().running ? 'pause' : 'run' });
+      solver.send({ type: store.get().running ? 'pause' : 'run' });
     },
 
     async step() {
-      const converged = await told(solver.request({ type: 'step' }));
+      const converged = await reportErrors(solver.request({ type: 'step' }));
       if (converged === undefined) return;
-      say(converged ? ended(true, store.get().numbers?.iteration ?? 0) : 'One iteration');
+      setStatus(converged ? ended(true, store.get().numbers?.iteration ?? 0) : 'One iteration');
     },
 
     /** The local step, or the global step after it. */
     async halfStep() {
-      const done = await told(solver.request({ type: 'halfStep' }));
-      if (done) say(halfStepWords(done));
+      const done = await reportErrors(solver.request({ type: 'halfStep' }));
+      if (done) setStatus(halfStepWords(done));
     },
 
     async reset() {
-      if ((await edit({ type: 'reset' })) !== undefined) say('Back to the original');
+      if ((await edit({ type: 'reset' })) !== undefined) setStatus('Back to the original');
     },
 
     async undo() {
-      const what = await told(solver.request({ type: 'undo' }));
-      if (what) say(`Undid: ${what}`);
+      const what = await reportErrors(solver.request({ type: 'undo' }));
+      if (what) setStatus(`Undid: ${what}`);
     },
 
     async redo() {
-      const what = await told(solver.request({ type: 'redo' }));
-      if (what) say(`Redid: ${what}`);
+      const what = await reportErrors(solver.request({ type: 'redo' }));
+      if (what) setStatus(`Redid: ${what}`);
     },
 
     selectNextHandle() {
       const { document, selection } = store.get();
       const handles = (document?.handles ?? []).map(({ vertex }) => vertex);
-      if (handles.length === 0) return say('There is no handle yet.');
+      if (handles.length === 0) return setStatus('There is no handle yet.');
       const at = handles.findIndex((vertex) => selection.vertices.has(vertex));
       const next = handles[(at + 1) % handles.length];
       store.set({ selection: { ...NOTHING, vertices: new Set([next]) } });

@@ -57,7 +57,7 @@ export class Selecting {
     if (this.#store.get().model !== model) return false;
     const gives = MODES.find((one) => found[one].length > 0);
     if (!gives) {
-      this.#actions.say(`${operation.label}: nothing found`);
+      this.#actions.setStatus(`${operation.label}: nothing found`);
       return false;
     }
     const now = this.#store.get().selection;
@@ -67,7 +67,7 @@ export class Selecting {
 
   /** As {@link apply}, for what has no fields to show an error at. @type {Selecting["apply"]} */
   async applyOrTell(operation, options) {
-    return (await this.#actions.told(this.apply(operation, options))) ?? false;
+    return (await this.#actions.reportErrors(this.apply(operation, options))) ?? false;
   }
 
   /**
@@ -117,7 +117,7 @@ export class Selecting {
       if (isNew || before === selection) return;
       if (sizeOfSelection(before) + sizeOfSelection(selection) === 0) return;
       const words = describe(selection);
-      this.#actions.say(words ? `${words} selected` : 'Nothing selected');
+      this.#actions.setStatus(words ? `${words} selected` : 'Nothing selected');
     });
   }
 }

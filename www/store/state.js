@@ -184,12 +184,12 @@ export function createStore() {
     const keys = changed;
     changed = new Set();
     for (const { keys: wanted, listener } of subscriptions) {
-      if (wanted.some((key) => keys.has(key))) tell(listener);
+      if (wanted.some((key) => keys.has(key))) notifyListener(listener);
     }
   }
 
   /** One that throws is no harm to the others. @param {(state: Readonly<State>) => void} listener */
-  function tell(listener) {
+  function notifyListener(listener) {
     try {
       listener(state);
     } catch (error) {
@@ -213,7 +213,7 @@ export function createStore() {
     },
     subscribe(keys, listener) {
       subscriptions.push({ keys, listener });
-      tell(listener);
+      notifyListener(listener);
     },
   };
 }

@@ -50,7 +50,7 @@ export function colourFaces(store, solver) {
   store.subscribe(['measure', 'display', 'halfway'], ({ measure, display, halfway }) => {
     const projections = display.outlines || display.arrows || halfway;
     const { shapes, bands } = display;
-    solver.tell({ type: 'show', measure, shapes, projections, corners: bands });
+    solver.send({ type: 'show', measure, shapes, projections, corners: bands });
   });
   store.subscribe(['measure'], () => store.set(NONE));
   store.subscribe(['tolerance', 'tolerances', 'ownRange', 'display'], takeIn);

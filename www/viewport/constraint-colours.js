@@ -28,7 +28,9 @@ export function colourRows(store, solver, actions) {
     newest += 1;
     const mine = newest;
     const needed = rows.some(({ enabled }) => enabled);
-    const rowColours = needed ? await actions.told(solver.request({ type: 'rowColours' })) : null;
+    const rowColours = needed
+      ? await actions.reportErrors(solver.request({ type: 'rowColours' }))
+      : null;
     if (mine === newest) store.set({ rowColours: rowColours ?? null });
   });
 }

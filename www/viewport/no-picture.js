@@ -10,7 +10,7 @@ const NOT_HERE =
   'the part that draws could not be fetched. Check the network, then reload the page.';
 
 /** @param {string} reason in the words of the browser */
-export function tellWhy(reason) {
+export function explainNoPicture(reason) {
   const cause = /was lost/.test(reason) ? GONE : /fetched/.test(reason) ? NOT_HERE : NEVER;
   const notice = byId('no-picture');
   notice.replaceChildren(

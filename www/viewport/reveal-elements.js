@@ -8,7 +8,7 @@ import { NOTHING } from '../store/selection.js';
 const RINGS = 2;
 
 /**
- * @param {import("../app/context.js").AppContext} parts
+ * @param {import("../app/context.js").AppContext} app
  * @param {Elements} elements faces where there are any, else edges, else vertices
  */
 export function showElements({ store, solver, viewport }, { vertices, edges = [], faces }) {

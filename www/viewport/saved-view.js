@@ -6,7 +6,7 @@
  */
 
 /**
- * @typedef {object} Seen
+ * @typedef {object} ViewContext
  * @property {import("../store/state.js").Store} store
  * @property {{ show: (tab: string) => void, shown: () => string }} analysis the region of plots and tables
  */
@@ -14,7 +14,7 @@
 /** @type {["camera", "parallel", "tab", "measure", "measureChosen", "tolerance", "tolerances"]} */
 const PARTS = ['camera', 'parallel', 'tab', 'measure', 'measureChosen', 'tolerance', 'tolerances'];
 
-/** @param {Seen} parts @returns {SavedView} */
+/** @param {ViewContext} parts @returns {SavedView} */
 export function viewOf({ store, analysis }) {
   const state = store.get();
   const parts = Object.fromEntries(PARTS.map((part) => [part, state[part]]));
@@ -24,9 +24,9 @@ export function viewOf({ store, analysis }) {
 /**
  * Looks at the model that was just opened as it was looked at when it was kept.
  * @param {SavedView | null} view null where it was not kept
- * @param {Seen} parts
+ * @param {ViewContext} parts
  */
-export function lookAgain(view, { store, analysis }) {
+export function restoreView(view, { store, analysis }) {
   if (!view) return;
   const { plot, ...parts } = view;
   const known = store.get().measures.some(({ id }) => id === parts.measure);

@@ -127,7 +127,7 @@ export class Viewport extends Emitter {
   }
 
   /** How far what the view holds goes with the pointer. @type {import("./input/handle-drag.js").Hold} */
-  heldWay = (way, dx, dy) => this.view?.heldWay(way, dx, dy);
+  constrainMove = (way, dx, dy) => this.view?.constrainMove(way, dx, dy);
   /** Where what the view holds is seen once it has gone so far. @param {number[]} by */
   heldPlace = (by) => this.view?.heldPlace(by[0], by[1], by[2]);
 
@@ -330,7 +330,7 @@ export class Viewport extends Emitter {
   }
 
   /** @param {Float64Array} numbers */
-  #tellCamera(numbers) {
+  #storeCamera(numbers) {
     const isSame = this.#camera?.every((number, i) => number === numbers[i]);
     if (isSame) return;
     this.#camera = [...numbers];
@@ -351,7 +351,7 @@ export class Viewport extends Emitter {
       this.#attempts = 0;
       // Which has its colours at once.
       if (this.#store.get().spread) removeFirstPicture();
-      this.#tellCamera(this.view.camera());
+      this.#storeCamera(this.view.camera());
       this.emit('drawn', undefined);
     } catch (thrown) {
       this.#lost(messageOf(thrown));

@@ -39,7 +39,7 @@ export function open(solver, scheduler, post, { files, saved, frame = '', solved
     positions.buffer,
     ...Object.values(connectivity).map((array) => array.buffer),
   ]);
-  scheduler.tellActivity();
+  scheduler.reportActivity();
   scheduler.changed();
   return loaded;
 }

@@ -198,7 +198,7 @@ export class Scheduler {
   }
 
   /** The page is told whether it runs, with the next frame. */
-  tellActivity() {
+  reportActivity() {
     this.#activityDue = true;
   }
 

@@ -39,7 +39,7 @@ impl ViewState {
     }
 
     /// How far what is held goes for a pointer that has gone `by` CSS pixels; see [`DragConstraint::way`].
-    pub fn held_way(&self, way: DragDirection, by: Vec2) -> Option<Vec3> {
+    pub fn constrain_move(&self, way: DragDirection, by: Vec2) -> Option<Vec3> {
         self.gizmo.grip?.way(way, by)
     }
 

@@ -70,9 +70,9 @@ impl View {
     ///
     /// # Errors
     /// Any other way.
-    #[wasm_bindgen(js_name = heldWay)]
-    pub fn held_way(&self, way: &str, dx: f32, dy: f32) -> Result<Option<Vec<f64>>, JsValue> {
-        let found = self.state.held_way(self.way(way)?, Vec2::new(dx, dy));
+    #[wasm_bindgen(js_name = constrainMove)]
+    pub fn constrain_move(&self, way: &str, dx: f32, dy: f32) -> Result<Option<Vec<f64>>, JsValue> {
+        let found = self.state.constrain_move(self.way(way)?, Vec2::new(dx, dy));
         Ok(found.map(|by| by.as_dvec3().to_array().to_vec()))
     }
 

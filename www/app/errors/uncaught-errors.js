@@ -9,15 +9,15 @@ const HARMLESS = /^ResizeObserver loop/;
  * @param {import("../../ui/controls/alerts.js").Alerts} alerts
  * @param {import("../../store/state.js").Store} store
  */
-export function tellUncaught(alerts, store) {
-  const tell = (/** @type {unknown} */ thrown) => {
+export function reportUncaughtErrors(alerts, store) {
+  const report = (/** @type {unknown} */ thrown) => {
     const message = `Something went wrong on this page: ${messageOf(thrown)}`;
     alerts.error(message, offerReport(message, store, alerts));
   };
   window.addEventListener('error', ({ error, message }) => {
-    if (!HARMLESS.test(message)) tell(error ?? message);
+    if (!HARMLESS.test(message)) report(error ?? message);
   });
-  window.addEventListener('unhandledrejection', ({ reason }) => tell(reason));
+  window.addEventListener('unhandledrejection', ({ reason }) => report(reason));
 }
 
 /**

@@ -8,17 +8,17 @@
 /**
  * To be called after what the first picture needs, and again when another backend had to take over.
  * @param {import("../../ui/controls/alerts.js").Alerts} alerts
- * @param {import("../startup.js").Keeping} keeping
+ * @param {import("../startup.js").Startup} startup
  * @param {import("../../viewport/viewport.js").Viewport} viewport
  */
-export function stayOffline(alerts, keeping, viewport) {
+export function stayOffline(alerts, startup, viewport) {
   if (!import.meta.env.PROD || !('serviceWorker' in navigator)) return;
   // Whoever looks for a fault can do without.
   if (new URLSearchParams(location.search).has('nosw')) {
     navigator.serviceWorker.getRegistration().then((registration) => registration?.unregister());
     return;
   }
-  register(alerts, keeping, viewport).catch(() => {});
+  register(alerts, startup, viewport).catch(() => {});
 }
 
 /** @type {Promise<ServiceWorkerRegistration> | null} */
@@ -26,10 +26,10 @@ let registered = null;
 
 /**
  * @param {import("../../ui/controls/alerts.js").Alerts} alerts
- * @param {import("../startup.js").Keeping} keeping
+ * @param {import("../startup.js").Startup} startup
  * @param {import("../../viewport/viewport.js").Viewport} viewport
  */
-async function register(alerts, keeping, viewport) {
+async function register(alerts, startup, viewport) {
   const { serviceWorker } = navigator;
   const isFirst = !registered;
   // The first one of all is not a new version.
@@ -38,7 +38,7 @@ async function register(alerts, keeping, viewport) {
     alerts.notice('A new version of Shape-Up is here. Your work is kept.', {
       label: 'Reload',
       action: async () => {
-        await keeping.saveNow().catch(() => {});
+        await startup.saveNow().catch(() => {});
         serviceWorker.addEventListener('controllerchange', () => location.reload());
         worker.postMessage('take over');
       },
@@ -47,15 +47,15 @@ async function register(alerts, keeping, viewport) {
   const address = new URL(/* @vite-ignore */ 'service-worker.js', document.baseURI);
   registered ??= serviceWorker.register(address, { updateViaCache: 'none' });
   const registration = await registered;
-  const tell = (/** @type {ServiceWorker | null} */ worker) =>
+  const post = (/** @type {ServiceWorker | null} */ worker) =>
     worker?.postMessage({ drawsWith: viewport.view?.backend() });
   for (const stage of [registration.installing, registration.waiting, registration.active])
-    tell(stage);
+    post(stage);
   if (!isFirst) return;
   announce(registration.waiting);
   registration.addEventListener('updatefound', () => {
     const worker = registration.installing;
-    tell(worker);
+    post(worker);
     worker?.addEventListener('statechange', () => {
       if (worker.state === 'installed') announce(worker);
     });

@@ -164,7 +164,7 @@ class AddConstraintDialog {
     const question = ++this.#question;
     const places = this.#allPlaces();
     const request = { type: /** @type {const} */ ('previews'), places: places.map(({ on }) => on) };
-    const previews = await this.#actions.told(this.#solver.request(request));
+    const previews = await this.#actions.reportErrors(this.#solver.request(request));
     if (question !== this.#question || !previews) return;
     this.#offers = new Map();
     this.#store.get().kinds.forEach((kind, k) => {
@@ -304,8 +304,8 @@ class AddConstraintDialog {
     );
     if (added === undefined) return;
     this.#dialog.close();
-    if (event.submitter === this.#addAndRun) this.#solver.tell({ type: 'run' });
+    if (event.submitter === this.#addAndRun) this.#solver.send({ type: 'run' });
     const { label } = this.#store.get().kinds.find(({ id }) => id === kind) ?? {};
-    this.#actions.say(`Added ${count(offer.preview.constraints, 'constraint')}: ${label}`);
+    this.#actions.setStatus(`Added ${count(offer.preview.constraints, 'constraint')}: ${label}`);
   }
 }

@@ -119,14 +119,14 @@ export class ExperimentDialog {
   }
 
   #closed() {
-    if (this.#running) this.#solver.tell({ type: 'cancelExperiment' });
+    if (this.#running) this.#solver.send({ type: 'cancelExperiment' });
     this.#stops.forEach((stop) => stop());
     this.#charts.forEach((chart) => chart.destroy());
     this.#dialog.remove();
   }
 
   async #runOrCancel() {
-    if (this.#running) return this.#solver.tell({ type: 'cancelExperiment' });
+    if (this.#running) return this.#solver.send({ type: 'cancelExperiment' });
     if (!this.#most.reportValidity()) return;
     this.#limits.iterations = this.#most.valueAsNumber;
     this.#series = [];

@@ -12,17 +12,9 @@ const SCALES = [1, 2, 4];
 /** What was chosen last stays chosen. */
 const picture = { scale: 2, legend: true, white: false };
 
-/**
- * @typedef {object} Parts
- * @property {import("../../store/state.js").Store} store
- * @property {import("../../solver/solver-client.js").SolverClient} solver
- * @property {import("../../documents/files.js").Files} files
- * @property {import("../../viewport/viewport.js").Viewport} viewport
- */
-
-/** @param {Parts} parts */
-export function showExport(parts) {
-  const { store, solver, files, viewport } = parts;
+/** @param {import("../../app/context.js").AppContext} app */
+export function showExport(app) {
+  const { store, solver, files, viewport } = app;
   const { model, document: scene, flatMap } = store.get();
   const working = element('p.working.quiet', { 'aria-live': 'polite' });
 
@@ -74,7 +66,7 @@ export function showExport(parts) {
               ),
             ]
           : []),
-        format('3DM', 'For Rhino, with a layer for each group', () => saveForRhino(parts)),
+        format('3DM', 'For Rhino, with a layer for each group', () => saveForRhino(app)),
         format('Scene', 'The mesh with its constraints, handles and weights', () =>
           files.saveScene(),
         ),
@@ -136,7 +128,7 @@ function convergence(solver) {
   return solver.request({ type: 'table', table: 'convergence' });
 }
 
-/** The reader and writer of Rhino's files is large, and comes only for this. @param {Parts} parts */
+/** The reader and writer of Rhino's files is large, and comes only for this. @param {import("../../app/context.js").AppContext} app */
 async function saveForRhino({ solver, files }) {
   if (!(await files.mayExport())) return;
   const { askRhino } = await import('../../documents/rhino/rhino-client.js');
@@ -156,7 +148,7 @@ function section(title, ...rows) {
 /** How large the picture is and what is in it. @param {import("../../viewport/viewport.js").Viewport} viewport */
 function pictureOptions(viewport) {
   const size = element('span.quiet');
-  const tell = () => {
+  const showSize = () => {
     const { width, height } = pictureSize(viewport, picture.scale);
     setText(size, `${width} × ${height} pixels`);
   };
@@ -168,7 +160,7 @@ function pictureOptions(viewport) {
     });
     return element('label', input, label);
   };
-  tell();
+  showSize();
   return element(
     'div.picture',
     element(
@@ -177,7 +169,7 @@ function pictureOptions(viewport) {
       ...SCALES.map((scale) => {
         const choose = () => {
           picture.scale = scale;
-          tell();
+          showSize();
         };
         const checked = scale === picture.scale;
         return element(

@@ -4,13 +4,13 @@ import { messageOf } from '../../solver/messages.js';
 
 /**
  * Shows the map of the model that is open, or takes it away.
- * @param {import("./uv-controller.js").Parts} parts
+ * @param {import("../../app/context.js").AppContext} app
  */
-export async function toggleFlatMap(parts) {
+export async function toggleFlatMap(app) {
   try {
     const { Parametrize } = await import('./uv-controller.js');
-    await Parametrize.of(parts).toggle();
+    await Parametrize.of(app).toggle();
   } catch (error) {
-    parts.alerts.error(messageOf(error));
+    app.alerts.error(messageOf(error));
   }
 }

@@ -13,14 +13,6 @@ import { NOTHING, select } from '../../store/selection.js';
 
 /** @typedef {import("../../store/view-modes.js").FlatMap} FlatMap */
 
-/**
- * @typedef {object} Parts
- * @property {import("../../store/state.js").Store} store
- * @property {import("../../solver/solver-client.js").SolverClient} solver
- * @property {import("../../viewport/viewport.js").Viewport} viewport
- * @property {import("../../ui/controls/alerts.js").Alerts} alerts
- */
-
 /** What can be chosen. @typedef {Pick<FlatMap, "weights" | "norm" | "onModel" | "onMap" | "squares">} Choices */
 
 /** @type {Parametrize | null} */
@@ -42,14 +34,14 @@ export class Parametrize {
 
   /**
    * The one of the page.
-   * @param {Parts} parts
+   * @param {import("../../app/context.js").AppContext} app
    */
-  static of(parts) {
-    only ??= new Parametrize(parts);
+  static of(app) {
+    only ??= new Parametrize(app);
     return only;
   }
 
-  /** @param {Parts} parts */
+  /** @param {import("../../app/context.js").AppContext} app */
   constructor({ store, solver, viewport, alerts }) {
     this.#store = store;
     this.#solver = solver;

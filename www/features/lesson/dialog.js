@@ -10,11 +10,11 @@ const UNITS = { percent: '%', degrees: '°', number: '' };
 const ERROR_AT = /^goals\[(\d+)\]/;
 
 /**
- * @param {import("../../app/context.js").AppContext} parts
+ * @param {import("../../app/context.js").AppContext} app
  * @param {() => unknown} share shows a link to the scene
  */
-export function write(parts, share) {
-  const { store, solver, files, actions } = parts;
+export function write(app, share) {
+  const { store, solver, files, actions } = app;
   const state = store.get();
   const scene = state.document;
   if (!scene) return;
@@ -124,14 +124,14 @@ export function write(parts, share) {
       return;
     }
     dialog.close();
-    actions.say('The scene is a lesson');
+    actions.setStatus('The scene is a lesson');
     then?.();
   }
 
   async function forget() {
     dialog.close();
     if ((await actions.edit({ type: 'setLesson', lesson: null })) !== undefined)
-      actions.say('The scene is no lesson any more');
+      actions.setStatus('The scene is no lesson any more');
   }
 
   const button = (

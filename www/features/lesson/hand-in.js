@@ -4,7 +4,7 @@ import './lesson.css';
 import { openDialog } from '../../ui/controls/dialog.js';
 import { element } from '../../ui/dom.js';
 
-/** @param {import("../../app/context.js").AppContext} parts */
+/** @param {import("../../app/context.js").AppContext} app */
 export function handIn({ store, solver, files, actions }) {
   const name = element('input', {
     type: 'text',
@@ -35,7 +35,7 @@ export function handIn({ store, solver, files, actions }) {
   async function save() {
     const student = name.value.trim();
     const time = new Date().toISOString();
-    const text = await actions.told(solver.request({ type: 'results', student, time }));
+    const text = await actions.reportErrors(solver.request({ type: 'results', student, time }));
     if (text) files.save('.results.json', text, 'application/json');
   }
 }

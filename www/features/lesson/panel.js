@@ -11,9 +11,9 @@ import { goalInWords, measureOf } from './goal.js';
 
 const MARKS = { met: '✓', missed: '✗' };
 
-/** @param {import("../../app/context.js").AppContext} parts */
-export function lessonPanel(parts) {
-  const { store } = parts;
+/** @param {import("../../app/context.js").AppContext} app */
+export function lessonPanel(app) {
+  const { store } = app;
   const text = element('p.lesson-text');
   const list = element('ul', { 'aria-label': 'Goals' });
   const sum = element('p.lesson-sum', { 'aria-live': 'polite' });
@@ -51,7 +51,7 @@ export function lessonPanel(parts) {
   }
 
   async function handIn() {
-    await parts.actions.told(import('./hand-in.js').then(({ handIn }) => handIn(parts)));
+    await app.actions.reportErrors(import('./hand-in.js').then(({ handIn }) => handIn(app)));
   }
 
   const showNumbers = throttled(RENEW_MS, () => {

@@ -18,7 +18,7 @@ const GAP = 8;
 const still = matchMedia('(prefers-reduced-motion: reduce)');
 
 export class MakePanels {
-  #parts;
+  #app;
   #card = byId('make-panels-card');
   #panel = byId('make-panels');
   /** What the card is about. @type {"nothing" | "offer" | "verdict"} */
@@ -35,10 +35,10 @@ export class MakePanels {
   /** A verdict is asked for. */
   #isBusy = false;
 
-  /** @param {import("../../app/context.js").AppContext} parts */
-  constructor(parts) {
-    this.#parts = parts;
-    const { store, solver } = parts;
+  /** @param {import("../../app/context.js").AppContext} app */
+  constructor(app) {
+    this.#app = app;
+    const { store, solver } = app;
     store.subscribe(['model', 'kinds', 'document', 'example'], () => this.#show());
     store.subscribe(['split', 'flatMap'], () => this.#show());
     // The next mesh starts as the first one did.
@@ -49,23 +49,23 @@ export class MakePanels {
     });
     let wasRunning = false;
     store.subscribe(['running'], ({ running }) => {
-      if (wasRunning && !running && !this.#isUnderWay()) this.#tell(true);
+      if (wasRunning && !running && !this.#isUnderWay()) this.#showVerdict(true);
       wasRunning = running;
     });
-    const tellSoon = throttled(RENEW_MS, () => this.#tell(false));
-    solver.on('frame', tellSoon);
-    store.subscribe(['tolerance'], tellSoon);
+    const updateSoon = throttled(RENEW_MS, () => this.#showVerdict(false));
+    solver.on('frame', updateSoon);
+    store.subscribe(['tolerance'], updateSoon);
     // What would help comes into it later.
     new ResizeObserver(() => this.#cover()).observe(this.#card);
   }
 
   #isUnderWay() {
-    return this.#underWay !== null && this.#underWay === this.#parts.store.get().model;
+    return this.#underWay !== null && this.#underWay === this.#app.store.get().model;
   }
 
   /** Makes all panels of this kind, visibly. @param {KindInfo} kind */
   async #make(kind) {
-    const { store, viewport, actions } = this.#parts;
+    const { store, viewport, actions } = this.#app;
     const { model, display } = store.get();
     this.#pressed = this.#underWay = model;
     this.#closed = null;
@@ -87,12 +87,12 @@ export class MakePanels {
     await ended;
     if (store.get().model !== model) return;
     this.#underWay = null;
-    this.#tell(true);
+    this.#showVerdict(true);
   }
 
   /** Settles when the run that goes on has ended. */
   #endOfRun() {
-    const { store, solver } = this.#parts;
+    const { store, solver } = this.#app;
     return new Promise((ended) => {
       let began = store.get().running;
       const stop = solver.on('activity', ({ running }) => {
@@ -105,7 +105,7 @@ export class MakePanels {
   }
 
   #show() {
-    const state = this.#parts.store.get();
+    const state = this.#app.store.get();
     const { model, document, example, split, flatMap } = state;
     // Two pictures, and a map beside the model, have legends of their own in its place.
     const hasRoom = !split && !flatMap;
@@ -137,9 +137,9 @@ export class MakePanels {
     if (what !== 'verdict') return;
     setText(this.#text, '');
     const hold = element('button.bordered', 'Hold to see the original');
-    this.#parts.hold.bind(hold);
+    this.#app.hold.bind(hold);
     this.#card.append(this.#text, hold, this.#cross());
-    this.#tell(false);
+    this.#showVerdict(false);
   }
 
   #somethingElse() {
@@ -149,7 +149,7 @@ export class MakePanels {
 
   #cross() {
     const close = () => {
-      this.#closed = this.#parts.store.get().model;
+      this.#closed = this.#app.store.get().model;
       this.#show();
     };
     const attributes = { type: 'button', class: 'tiny', 'aria-label': 'Close', onclick: close };
@@ -157,9 +157,9 @@ export class MakePanels {
   }
 
   /** Says how it stands; and that it has ended. @param {boolean} atEnd */
-  async #tell(atEnd) {
+  async #showVerdict(atEnd) {
     if (this.#shows !== 'verdict' || (this.#isBusy && !atEnd)) return;
-    const { store, solver } = this.#parts;
+    const { store, solver } = this.#app;
     const { model, document } = store.get();
     const tolerance = store.get().tolerance ?? model?.tolerance ?? 0;
     this.#isBusy = true;
@@ -179,7 +179,7 @@ export class MakePanels {
     const height = offsetParent?.clientHeight ?? 0;
     const covered = hidden || !height ? 0 : height - offsetTop + GAP;
     byId('main').style.setProperty('--covered', `${covered}px`);
-    this.#parts.viewport.with((view) => view.cover(covered));
+    this.#app.viewport.with((view) => view.cover(covered));
   }
 }
 

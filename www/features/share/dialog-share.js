@@ -28,12 +28,7 @@ const LEVELS = [
 
 const NOT_COPIED = 'This browser does not let the page copy: select the link and copy it yourself.';
 
-/**
- * @param {object} parts
- * @param {import("../../store/state.js").Store} parts.store
- * @param {import("../../solver/solver-client.js").SolverClient} parts.solver
- * @param {import("../../documents/files.js").Files} parts.files
- */
+/** @param {import("../../app/context.js").AppContext} app */
 export async function share({ store, solver, files }) {
   const text = await solver.request({ type: 'scene' });
   const { numbers } = store.get();

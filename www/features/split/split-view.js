@@ -38,14 +38,14 @@ export class SplitView {
 
   /**
    * The one of the page.
-   * @param {import("../../app/context.js").AppContext} parts
+   * @param {import("../../app/context.js").AppContext} app
    */
-  static of(parts) {
-    only ??= new SplitView(parts);
+  static of(app) {
+    only ??= new SplitView(app);
     return only;
   }
 
-  /** @param {import("../../app/context.js").AppContext} parts */
+  /** @param {import("../../app/context.js").AppContext} app */
   constructor({ store, solver, viewport, alerts }) {
     this.#store = store;
     this.#solver = solver;

@@ -9,23 +9,23 @@ import { messageOf } from '../../solver/messages.js';
 
 /**
  * Shows two pictures with what was chosen last, or one again.
- * @param {import("../../app/context.js").AppContext} parts
+ * @param {import("../../app/context.js").AppContext} app
  */
-export function toggleSplit(parts) {
-  if (parts.store.get().split) parts.store.set({ split: null, status: 'One picture' });
-  else splitInto(parts);
+export function toggleSplit(app) {
+  if (app.store.get().split) app.store.set({ split: null, status: 'One picture' });
+  else splitInto(app);
 }
 
 /**
  * Shows two pictures.
- * @param {import("../../app/context.js").AppContext} parts
+ * @param {import("../../app/context.js").AppContext} app
  * @param {[Choice, Choice]} [choices] left and right
  */
-export async function splitInto(parts, choices) {
+export async function splitInto(app, choices) {
   try {
     const { SplitView } = await import('./split-view.js');
-    await SplitView.of(parts).open(choices);
+    await SplitView.of(app).open(choices);
   } catch (error) {
-    parts.alerts.error(messageOf(error));
+    app.alerts.error(messageOf(error));
   }
 }

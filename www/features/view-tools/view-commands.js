@@ -20,18 +20,18 @@ const VIEWS = [
 const load = () => import('./view-tools.js');
 
 /**
- * @param {Pick<import("../../app/context.js").CommandContext, "store" | "solver" | "viewport" | "alerts">} parts
+ * @param {import("../../app/context.js").AppContext} app
  * @returns {import("../../app/context.js").Command[]}
  */
-export function viewCommands(parts) {
-  const { store, alerts } = parts;
-  const see = async () => (await load()).Seeing.of(parts);
-  const told = (/** @type {Promise<unknown>} */ promise) =>
+export function viewCommands(app) {
+  const { store, alerts } = app;
+  const see = async () => (await load()).Seeing.of(app);
+  const report = (/** @type {Promise<unknown>} */ promise) =>
     promise.catch((error) => alerts.error(messageOf(error)));
   const enabled = (/** @type {import("../../store/state.js").State} */ { renderer }) =>
     renderer !== 'none';
   store.subscribe(['display', 'parallel', 'tape'], ({ display, parallel, tape }) => {
-    if (display.ghost || display.ground || parallel || tape) told(see());
+    if (display.ghost || display.ground || parallel || tape) report(see());
   });
   return [
     ...VIEWS.map(([name, ...keys], i) => ({
@@ -39,7 +39,7 @@ export function viewCommands(parts) {
       group: 'View',
       label: `View: ${name}`,
       keys: [`Shift+${i + 1}`, ...keys],
-      action: () => void told(see().then((seeing) => seeing.flyTo(name))),
+      action: () => void report(see().then((seeing) => seeing.flyTo(name))),
       enabled,
     })),
     {

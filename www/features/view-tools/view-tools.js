@@ -15,8 +15,6 @@ const FLIGHT_MS = 320;
 const BAR = 120;
 const still = matchMedia('(prefers-reduced-motion: reduce)');
 
-/** @typedef {Pick<import("../../app/context.js").CommandContext, "store" | "solver" | "viewport">} Parts */
-
 /** @type {Seeing | null} */
 let only = null;
 
@@ -35,14 +33,14 @@ export class Seeing {
 
   /**
    * The one of the page.
-   * @param {Parts} parts
+   * @param {import("../../app/context.js").AppContext} app
    */
-  static of(parts) {
-    only ??= new Seeing(parts);
+  static of(app) {
+    only ??= new Seeing(app);
     return only;
   }
 
-  /** @param {Parts} parts */
+  /** @param {import("../../app/context.js").AppContext} app */
   constructor({ store, solver, viewport }) {
     this.#store = store;
     this.#solver = solver;

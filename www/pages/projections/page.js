@@ -114,7 +114,7 @@ function place(to) {
   state.bars = [];
   state.iteration = 0;
   const now = errors(state.x, project(state.sets, state.x), state.weights);
-  say(
+  announce(
     `The point is at proximity φ = ${number(sum(now))}. Step I finds the nearest place on each set.`,
   );
   show(false);
@@ -127,7 +127,7 @@ function step() {
     state.targets = project(sets, state.x);
     state.iteration += 1;
     log(`I, ${state.iteration}`);
-    say(`Step I, iteration ${state.iteration}: the nearest places. ${summary()}`);
+    announce(`Step I, iteration ${state.iteration}: the nearest places. ${summary()}`);
   } else {
     const before = state.x;
     const old = errors(before, state.targets, weights);
@@ -141,7 +141,9 @@ function step() {
       : '';
     const arrived = Math.hypot(state.x[0] - before[0], state.x[1] - before[1]) < ARRIVED;
     const end = arrived ? ' The point has arrived.' : '';
-    say(`Step II, iteration ${state.iteration}: to their weighted mean. ${summary()}${but}${end}`);
+    announce(
+      `Step II, iteration ${state.iteration}: to their weighted mean. ${summary()}${but}${end}`,
+    );
     if (arrived) pause();
     show(true);
     state.targets = null;
@@ -174,7 +176,7 @@ function pause() {
 }
 
 /** @param {string} text */
-function say(text) {
+function announce(text) {
   state.said = text;
 }
 

@@ -15,7 +15,7 @@ const TICKS = [0, 45, 90, 135, 180];
 
 /**
  * @param {HTMLElement} panel
- * @param {import("../../app/context.js").AppContext} parts
+ * @param {import("../../app/context.js").AppContext} app
  */
 export function anglesPanel(panel, { store, solver, files, alerts }) {
   const before = outline();

@@ -42,7 +42,9 @@ export function constraintsPanel(place, store, solver, actions) {
 
   /** Tints what a constraint acts on. @param {ConstraintRow} row */
   async function tint(row) {
-    const members = await actions.told(solver.request({ type: 'members', constraint: row.index }));
+    const members = await actions.reportErrors(
+      solver.request({ type: 'members', constraint: row.index }),
+    );
     const hovered = place.querySelector('.constraint:is(:hover, :focus-within)');
     if (members && hovered?.getAttribute('data-index') === String(row.index)) {
       // Dots on the corners of tinted faces would say nothing more.
@@ -53,7 +55,9 @@ export function constraintsPanel(place, store, solver, actions) {
 
   /** Selects what a constraint acts on. @param {ConstraintRow} row */
   async function selectMembers(row) {
-    const members = await actions.told(solver.request({ type: 'members', constraint: row.index }));
+    const members = await actions.reportErrors(
+      solver.request({ type: 'members', constraint: row.index }),
+    );
     if (!members) return;
     const mode = members.faces.length > 0 ? 'faces' : 'vertices';
     store.set({ mode, selection: { ...NOTHING, [mode]: new Set(members[mode]) } });
@@ -149,7 +153,7 @@ export function constraintsPanel(place, store, solver, actions) {
           if (!open.delete(key)) open.add(key);
           details.hidden = !open.has(key);
           opener.setAttribute('aria-expanded', String(open.has(key)));
-          if (open.has(key)) actions.told(show());
+          if (open.has(key)) actions.reportErrors(show());
         },
       },
       element('span', row.label),

@@ -84,7 +84,7 @@ function holdRow(store, actions) {
           const vertices = actions.chosenVertices();
           const done = await actions.edit({ type: 'holdClose', vertices, weight });
           if (done !== undefined)
-            actions.say(
+            actions.setStatus(
               `Closeness of ${count(vertices.length, 'vertex', 'vertices')}: ${label.toLowerCase()}`,
             );
         },

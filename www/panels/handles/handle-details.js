@@ -52,23 +52,25 @@ export function handleDetails(store, actions, solver) {
     }
     typed.delete(field);
     show();
-    const tell = (/** @type {"start" | "move" | "end"} */ phase, /** @type {Handle[]} */ handles) =>
-      solver.tell({
+    const send = (/** @type {"start" | "move" | "end"} */ phase, /** @type {Handle[]} */ handles) =>
+      solver.send({
         type: 'drag',
         vertices: Uint32Array.from(handles, ({ vertex }) => vertex),
         targets: Float64Array.from(handles.flatMap(({ target }) => target)),
         phase,
       });
     const after = chosen;
-    tell('start', before);
-    tell('move', after);
+    send('start', before);
+    send('move', after);
     const timer = setTimeout(() => pending?.(), FOLLOW_MS);
     pending = () => {
       clearTimeout(timer);
       pending = null;
-      tell('end', after);
+      send('end', after);
     };
-    actions.say(after.length === 1 ? 'Handle moved' : `${count(after.length, 'handle')} moved`);
+    actions.setStatus(
+      after.length === 1 ? 'Handle moved' : `${count(after.length, 'handle')} moved`,
+    );
   }
 
   const title = element('p.quiet');

@@ -45,7 +45,7 @@ export function handlesPanel(place, store, actions, solver) {
     remove.disabled = !handles.some((handle) => isChosen(handle.vertex));
     if (remove.disabled || asked) return;
     asked = true;
-    actions.told(
+    actions.reportErrors(
       import('./handle-details.js').then(({ handleDetails }) =>
         place.append(handleDetails(store, actions, solver)),
       ),

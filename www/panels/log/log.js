@@ -10,10 +10,10 @@ const NAMES = { error: 'Error', notice: 'Notice', status: '' };
 
 /**
  * @param {HTMLElement} panel
- * @param {import("../../app/context.js").AppContext} parts
+ * @param {import("../../app/context.js").AppContext} app
  */
-export function logOf(panel, parts) {
-  const { store, solver, alerts, actions } = parts;
+export function logOf(panel, app) {
+  const { store, solver, alerts, actions } = app;
   const file = element('div.import-report');
   // It scrolls, also by keyboard.
   const list = element('ol.log', { 'aria-label': 'Messages', tabindex: 0 });
@@ -28,11 +28,11 @@ export function logOf(panel, parts) {
 
   /** Selects the elements that a problem is about. @param {string} flaw */
   async function select(flaw) {
-    const found = await actions.told(solver.request({ type: 'flawed', flaw }));
+    const found = await actions.reportErrors(solver.request({ type: 'flawed', flaw }));
     if (!found) return;
     const some = found.vertices.length + found.edges.length + found.faces.length;
-    if (some > 0) showElements(parts, found);
-    else actions.say('None is left');
+    if (some > 0) showElements(app, found);
+    else actions.setStatus('None is left');
   }
 
   store.subscribe(['model', 'document'], ({ model, document }) => {

@@ -52,7 +52,7 @@ export function fillSelectMenu(menu, store, actions, selecting) {
         const found = await selecting.apply(operation, { params, combine });
         if (found) close();
       } catch (error) {
-        if (!parameters.refuse(error)) await actions.told(Promise.reject(error));
+        if (!parameters.refuse(error)) await actions.reportErrors(Promise.reject(error));
       }
     };
     // Enter in a field is to press Find, so that no other may submit.
@@ -148,7 +148,7 @@ export function fillSelectMenu(menu, store, actions, selecting) {
         vertices: [...new Set([...vertices, ...ends])].sort((a, b) => a - b),
         faces: [...faces].sort((a, b) => a - b),
       };
-      if ((await actions.edit(edit)) !== undefined) actions.say(`Saved as the set ${words}`);
+      if ((await actions.edit(edit)) !== undefined) actions.setStatus(`Saved as the set ${words}`);
     };
     return element(
       'form',

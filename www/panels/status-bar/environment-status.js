@@ -15,7 +15,7 @@ const SLOW =
  * @param {HTMLElement} numbers the list of the status bar
  * @param {import("../../store/state.js").Store} store
  */
-export function tellSurroundings(numbers, store) {
+export function environmentStatus(numbers, store) {
   const offline = element('div', { hidden: true }, element('dd', 'Offline'));
   const software = element(
     'div.wide.narrow-hidden',
@@ -23,7 +23,7 @@ export function tellSurroundings(numbers, store) {
     element('dd', 'Software rendering'),
   );
   numbers.append(software, offline);
-  tellNetwork(offline, store);
+  networkStatus(offline, store);
   store.subscribe(['renderer'], (state) => {
     software.hidden = !(isDrawn(state) && drawsInSoftware());
   });
@@ -34,8 +34,8 @@ export function tellSurroundings(numbers, store) {
  * @param {HTMLElement} place
  * @param {import("../../store/state.js").Store} store
  */
-function tellNetwork(place, store) {
-  const tell = () => {
+function networkStatus(place, store) {
+  const update = () => {
     const offline = !navigator.onLine;
     if (offline === !place.hidden) return;
     const kept = Boolean(navigator.serviceWorker?.controller);
@@ -44,9 +44,9 @@ function tellNetwork(place, store) {
     place.title = words;
     store.set({ status: offline ? words : 'Online again' });
   };
-  window.addEventListener('online', tell);
-  window.addEventListener('offline', tell);
-  tell();
+  window.addEventListener('online', update);
+  window.addEventListener('offline', update);
+  update();
 }
 
 /** Whether pictures are drawn without a graphics card. */

@@ -27,10 +27,10 @@ const COLOURS = 'colours';
 
 /**
  * @param {HTMLElement} panel
- * @param {import("../../app/context.js").AppContext} parts
+ * @param {import("../../app/context.js").AppContext} app
  */
-export function worstElements(panel, parts) {
-  const { store, solver } = parts;
+export function worstElements(panel, app) {
+  const { store, solver } = app;
   /** What the rows of the table show. @type {WorstElement[]} */
   let shown = [];
   let inSight = false;
@@ -73,7 +73,7 @@ export function worstElements(panel, parts) {
   /** @param {number} index */
   function show(index) {
     const worst = shown[index];
-    if (worst) showElements(parts, worst);
+    if (worst) showElements(app, worst);
   }
 
   function offer() {
@@ -105,7 +105,9 @@ export function worstElements(panel, parts) {
     const found =
       by.value === ''
         ? []
-        : await parts.actions.told(solver.request({ type: 'worst', ...request, count: ROWS }));
+        : await app.actions.reportErrors(
+            solver.request({ type: 'worst', ...request, count: ROWS }),
+          );
     // A later answer may be there already.
     if (found && turn === asked) fill(found, about);
   });

@@ -41,7 +41,7 @@ export class Parameters {
       const value = param.id in values ? values[param.id] : param.default;
       const prefix = name ? `${name}: ` : '';
       return new Parameter(param, value, model ?? NO_MODEL, prefix, (next) => {
-        this.#tell('');
+        this.#showError('');
         changed(param.id, next);
       });
     });
@@ -74,12 +74,12 @@ export class Parameters {
     const [, id = '', place = '0'] = /^([^.[]*)(?:\[(\d+)\])?/.exec(path) ?? [];
     const about = this.#all.find((one) => one.id === id);
     about?.refuse(message, Number(place));
-    if (path === '') this.#tell(message);
+    if (path === '') this.#showError(message);
     return about !== undefined || path === '';
   }
 
   /** @param {string} message about all parameters */
-  #tell(message) {
+  #showError(message) {
     this.#error.textContent = message;
     this.#error.hidden = message === '';
   }
@@ -156,7 +156,7 @@ class Parameter {
       ...(unit && names.length > 0 ? [element('span.quiet', unit)] : []),
     );
     this.#place.className = `fields ${key.split(' ')[0]}`;
-    this.#tell('');
+    this.#showError('');
   }
 
   /**
@@ -216,10 +216,10 @@ class Parameter {
   read() {
     const wrong = this.#fields.find((field) => !field.validity.valid);
     if (wrong) {
-      this.#tell(wrong.validationMessage, wrong);
+      this.#showError(wrong.validationMessage, wrong);
       return undefined;
     }
-    this.#tell('');
+    this.#showError('');
     if (this.#fields.length === 0) return this.#value;
     const numbers = this.#fields.map((field) => (field.value === '' ? null : field.valueAsNumber));
     return /** @type {ParamValue} */ (numbers.length === 1 ? numbers[0] : numbers);
@@ -230,11 +230,11 @@ class Parameter {
    * @param {number} place of the field that is wrong
    */
   refuse(message, place) {
-    this.#tell(message, this.#fields[place] ?? this.#fields[0]);
+    this.#showError(message, this.#fields[place] ?? this.#fields[0]);
   }
 
   /** @param {string} message @param {HTMLInputElement} [field] */
-  #tell(message, field) {
+  #showError(message, field) {
     for (const one of this.#fields) one.toggleAttribute('aria-invalid', false);
     field?.setAttribute('aria-invalid', 'true');
     this.#error.textContent = message;

@@ -54,7 +54,7 @@ export class HandleDrag {
     this.#targets = this.#from;
     // What was said of a run is no longer so.
     store.set({ dragged: [...this.#vertices], gizmoPart: part, status: '' });
-    if (!begun) this.#tell('start');
+    if (!begun) this.#send('start');
   }
 
   /**
@@ -71,7 +71,7 @@ export class HandleDrag {
     this.#targets = this.#from.map((value, i) => value + moved[i % 3]);
     // The dots follow the pointer at once; the mesh when the solver answers.
     this.#store.set({ moved: { by: [...moved], targets: this.#targets }, gizmoPart: way });
-    this.#tell('move', time);
+    this.#send('move', time);
   }
 
   /** What a drag with these keys moves in. @param {"screen" | "horizontal" | "vertical"} plane */
@@ -86,7 +86,7 @@ export class HandleDrag {
   }
 
   end() {
-    this.#tell('end');
+    this.#send('end');
     const { document } = this.#store.get();
     // Until the solver sends the document as it is now.
     if (document)
@@ -97,7 +97,7 @@ export class HandleDrag {
   /** Puts everything back to where it was. */
   cancel() {
     this.#targets = this.#from;
-    this.#tell('cancel');
+    this.#send('cancel');
     this.#leave();
   }
 
@@ -109,9 +109,9 @@ export class HandleDrag {
    * @param {"start" | "move" | "end" | "cancel"} phase
    * @param {number} [time]
    */
-  #tell(phase, time) {
+  #send(phase, time) {
     const vertices = this.#vertices.slice();
     const targets = this.#targets.slice();
-    this.#solver.tell({ type: 'drag', vertices, targets, phase, time });
+    this.#solver.send({ type: 'drag', vertices, targets, phase, time });
   }
 }

@@ -30,13 +30,13 @@ export function bindHandleKeys(viewport, store, solver, actions) {
   let drag = null;
   let at = [0, 0];
 
-  function takeUp() {
+  function grab() {
     const [vertex] = actions.chosenHandles();
     if (vertex === undefined || !viewport.view || store.get().dragged.length > 0) return false;
     viewport.view.holdVertex(vertex);
-    drag = new HandleDrag(store, solver, viewport.heldWay, vertex);
+    drag = new HandleDrag(store, solver, viewport.constrainMove, vertex);
     at = [0, 0];
-    actions.say('Handle taken up: arrows move it, Enter leaves it, Esc puts it back');
+    actions.setStatus('Handle taken up: arrows move it, Enter leaves it, Esc puts it back');
     return true;
   }
 
@@ -45,13 +45,13 @@ export function bindHandleKeys(viewport, store, solver, actions) {
     if (keep) drag?.end();
     else drag?.cancel();
     drag = null;
-    actions.say(keep ? 'Handle moved' : 'Handle put back');
+    actions.setStatus(keep ? 'Handle moved' : 'Handle put back');
     return true;
   }
 
   /** Whether the key was for a handle. @param {KeyboardEvent} event */
   function press({ key, shiftKey }) {
-    if (!drag) return key === 'Enter' && takeUp();
+    if (!drag) return key === 'Enter' && grab();
     if (key === 'Enter' || key === 'Escape') return letGo(key === 'Enter');
     const axis = AXES.indexOf(key.toLowerCase());
     if (axis >= 0) drag.toggleAxis(axis);

@@ -9,7 +9,7 @@ const CLICK_SLOP = { mouse: 4, pen: 6, touch: 10 };
 export const near = (event) => NEAR[typeOf(event)] ?? NEAR.mouse;
 
 /** @param {MouseEvent} event */
-export const slop = (event) => CLICK_SLOP[typeOf(event)] ?? CLICK_SLOP.mouse;
+export const clickTolerance = (event) => CLICK_SLOP[typeOf(event)] ?? CLICK_SLOP.mouse;
 
 /** @param {MouseEvent} event */
 function typeOf(event) {

@@ -17,7 +17,7 @@
 
 import { isFirstPictureThere } from '../placeholder/placeholder-scene.js';
 import { HandleDrag } from './handle-drag.js';
-import { near, slop } from './hit-tolerance.js';
+import { near, clickTolerance } from './hit-tolerance.js';
 import { NOTHING, combineOf, select } from '../../store/selection.js';
 import { pair, wheelFactor } from './zooming.js';
 
@@ -96,7 +96,7 @@ export class PointerInput {
     const gesture = this.#gesture;
     if (!gesture) return false;
     if (gesture.kind === 'handle') gesture.drag.cancel();
-    if (gesture.kind === 'making') this.#tellMade([], 'cancel');
+    if (gesture.kind === 'making') this.#sendNewHandles([], 'cancel');
     if (gesture.kind === 'region') this.#region.cancel();
     this.#become(this.#down.size > 0 ? { kind: 'spent' } : null);
     return true;
@@ -200,7 +200,7 @@ export class PointerInput {
     const making = { kind: vertex === undefined ? 'press' : 'making' };
     this.#become(making);
     if (vertex === undefined) return;
-    this.#tellMade([vertex], 'make');
+    this.#sendNewHandles([vertex], 'make');
     const made = () => {
       // Released or taken back meanwhile.
       if (this.#gesture !== making) return;
@@ -218,9 +218,9 @@ export class PointerInput {
    * @param {number[]} vertices
    * @param {"make" | "end" | "cancel"} phase
    */
-  #tellMade(vertices, phase) {
+  #sendNewHandles(vertices, phase) {
     const targets = new Float64Array(0);
-    this.#solver.tell({ type: 'drag', vertices: Uint32Array.from(vertices), targets, phase });
+    this.#solver.send({ type: 'drag', vertices: Uint32Array.from(vertices), targets, phase });
     if (phase !== 'make') this.#store.set({ dragged: [] });
   }
 
@@ -261,7 +261,7 @@ export class PointerInput {
     this.#down.set(event.pointerId, at);
     if (this.#gesture?.kind === 'press') {
       const moved = Math.hypot(at[0] - this.#start[0], at[1] - this.#start[1]);
-      if (moved < slop(event)) return;
+      if (moved < clickTolerance(event)) return;
       if (event.buttons !== 2) this.#begin();
       else if (event.shiftKey) this.#become({ kind: 'pan' });
       else this.#beginTurn();
@@ -285,12 +285,12 @@ export class PointerInput {
    * @param {boolean} [begun] the solver knows of the drag
    */
   #begin(begun = false) {
-    const { heldWay, view } = this.#viewport;
+    const { constrainMove, view } = this.#viewport;
     const [handle, part] = [this.#handle, this.#part];
     if (handle !== undefined && view) {
       if (part) view.holdGizmo(...this.#start);
       else view.holdVertex(handle, ...this.#start);
-      const drag = new HandleDrag(this.#store, this.#solver, heldWay, handle, part, begun);
+      const drag = new HandleDrag(this.#store, this.#solver, constrainMove, handle, part, begun);
       this.#become({ kind: 'handle', drag });
     } else {
       if (this.#store.get().tool !== 'select') return this.#beginTurn();
@@ -316,7 +316,7 @@ export class PointerInput {
         gesture.drag.end();
         break;
       case 'making':
-        this.#tellMade([], 'end');
+        this.#sendNewHandles([], 'end');
         break;
       case 'press':
         if (event.button === 2) this.#askForMenu(event, at);
