@@ -27,7 +27,7 @@ export const TYPES = { ui: ['solver'] };
 /** Only types are in here, those of what the highest room gives to the others: any may name them. */
 export const CONTEXT = 'app/context.js';
 
-const own = ({ message, regex }, files) => {
+const own = ({ message, regex }, files, room) => {
   const source = regex.replaceAll('/', '\\/');
   return {
     files,
@@ -36,6 +36,7 @@ const own = ({ message, regex }, files) => {
       'no-restricted-syntax': [
         'error',
         ...STYLES,
+        ...(BY_ACTIONS.includes(room) ? ACTS : []),
         { selector: `ImportExpression[source.value=/${source}/]`, message },
       ],
     },
@@ -48,6 +49,20 @@ const STYLES = ['name', 'property.name'].map((name) => ({
   message: 'The policy of the page refuses the attribute: set element.style.',
 }));
 
+/** The rooms that only show and ask: what changes the state or reaches the solver is an action. */
+export const BY_ACTIONS = ['panels'];
+
+/** Writing the state, and calling the solver. */
+const ACTS = [
+  ['store', 'set'],
+  ['solver', 'request|send'],
+].flatMap(([what, methods]) =>
+  ['name', 'property.name'].map((name) => ({
+    selector: `CallExpression[callee.object.${name}=${what}][callee.property.name=/^(${methods})$/]`,
+    message: `Only actions do this: see www/store/actions.js.`,
+  })),
+);
+
 /** What the linter has to know of the rooms. */
 export const roomRules = Object.entries(ROOMS).flatMap(([room, lower]) => {
   const others = Object.keys(ROOMS).filter((other) => other !== room && !lower.includes(other));
@@ -57,10 +72,10 @@ export const roomRules = Object.entries(ROOMS).flatMap(([room, lower]) => {
     regex: `^(\\.\\./)+(${others.join('|')})/`,
     message: `${room}/ ${may}: see .scripts/rooms.mjs.`,
   };
-  if (!APART.includes(room)) return [own(outside, [`www/${room}/**/*.js`])];
+  if (!APART.includes(room)) return [own(outside, [`www/${room}/**/*.js`], room)];
   const message = `${outside.message} What is beside it is another part of the page.`;
   return [
-    own({ regex: `${outside.regex}|^\\./`, message }, [`www/${room}/*.js`]),
-    own({ regex: `${outside.regex}|^\\.\\./[^.]`, message }, [`www/${room}/*/**/*.js`]),
+    own({ regex: `${outside.regex}|^\\./`, message }, [`www/${room}/*.js`], room),
+    own({ regex: `${outside.regex}|^\\.\\./[^.]`, message }, [`www/${room}/*/**/*.js`], room),
   ];
 });

@@ -107,6 +107,9 @@ test('the linter refuses what crosses the rooms', async () => {
     ['viewport/viewport.js', "import('../features/split/split.js');", later],
     ['panels/model/model.js', "import '../../store/state.js'; import './model.js';", []],
     ['app/main.js', "import('../features/hints.js');", []],
+    ['panels/model/model.js', 'export const f = (store) => store.set({});', later],
+    ['panels/model/model.js', 'export const f = (it) => it.solver.send({});', later],
+    ['store/actions.js', 'export const f = (solver) => solver.request({});', []],
   ])
     assert.deepEqual(await rulesBroken(file, code), broken, `${file}: ${code}`);
 });

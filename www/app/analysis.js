@@ -23,7 +23,7 @@ const TABS = [
     id: 'convergence',
     label: 'Convergence',
     atOnce: true,
-    make: (panel, { store, solver }) => new Convergence(panel, store, solver),
+    make: (panel, app) => new Convergence(panel, app),
   },
   {
     id: 'angles',

@@ -11,7 +11,7 @@ import { byId } from '../ui/dom.js';
  * @param {import("../store/mesh-queries.js").Selecting} selecting
  */
 export function loadWhenNeeded(app, selecting) {
-  const { store, solver, viewport, files, actions, alerts } = app;
+  const { store, solver, viewport, files, alerts } = app;
   const loaded = (/** @type {Promise<unknown>} */ part) =>
     void part.catch((error) => alerts.error(messageOf(error)));
 
@@ -62,7 +62,7 @@ export function loadWhenNeeded(app, selecting) {
     ({ tool, selection }) => tool === 'select' || sizeOfSelection(selection) > 0,
     () =>
       import('../panels/select-bar/select-bar.js').then((it) =>
-        it.selectBar(byId('select-bar'), byId('select-menu'), store, actions, selecting, alerts),
+        it.selectBar(byId('select-bar'), byId('select-menu'), app, selecting),
       ),
   );
   when(

@@ -75,16 +75,16 @@ bindViewKeys(viewport);
 const { fit } = colourFaces(store, solver);
 colourRows(store, solver, actions);
 
-modelPanel(byId('model'), store, actions, () => analysis.bring('log'));
-constraintsPanel(byId('constraints'), store, solver, actions);
-handlesPanel(byId('handles'), store, actions, solver);
-energiesPanel(byId('energies'), store, actions);
-displayPanel(byId('display'), store);
-viewport.once('ready', showLegend);
 const hold = new HoldOriginal(store, solver);
 const app = { store, solver, viewport, files, actions, alerts, hold };
+viewport.once('ready', showLegend);
+modelPanel(byId('model'), app, () => analysis.bring('log'));
+constraintsPanel(byId('constraints'), app);
+handlesPanel(byId('handles'), app);
+energiesPanel(byId('energies'), app);
+displayPanel(byId('display'), app);
 const analysis = analysisRegion(byId('analysis'), app);
-exampleNote(byId('example-note'), files, alerts, ({ split, plot }) => {
+exampleNote(byId('example-note'), app, ({ split, plot }) => {
   if (split) splitInto(app, split);
   if (plot) analysis.bring(plot);
 });
@@ -164,13 +164,13 @@ const offline = () =>
 viewport.on('ready', offline);
 viewport.on('none', offline);
 import('../panels/status-bar/environment-status.js').then((module) =>
-  module.environmentStatus(byId('numbers'), store),
+  module.environmentStatus(byId('numbers'), app),
 );
 
 /** The legend comes when there is something to see. */
 function showLegend() {
   const legend = import('../panels/legend/legend.js');
-  actions.reportErrors(legend.then(({ legend }) => legend(byId('legend'), store, viewport, fit)));
+  actions.reportErrors(legend.then(({ legend }) => legend(byId('legend'), app, fit)));
 }
 
 /**

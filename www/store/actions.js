@@ -6,7 +6,9 @@
 import { count, ended } from '../ui/format.js';
 import { halfStepWords } from './half-step.js';
 import { messageOf } from '../solver/messages.js';
-import { NOTHING, selectedVertices } from './selection.js';
+import { createQueries } from './queries.js';
+import { selectedVertices } from './selection.js';
+import { createViewActions } from './view-actions.js';
 
 /**
  * @param {import("./state.js").Store} store
@@ -14,7 +16,8 @@ import { NOTHING, selectedVertices } from './selection.js';
  * @param {import("../ui/controls/alerts.js").Alerts} alerts
  */
 export function createActions(store, solver, alerts) {
-  const setStatus = (/** @type {string} */ status) => store.set({ status });
+  const view = createViewActions(store);
+  const { setStatus } = view;
 
   /**
    * Tells what went wrong and goes on.
@@ -101,10 +104,11 @@ export function createActions(store, solver, alerts) {
   }
 
   return {
+    ...view,
+    ...createQueries(solver, reportErrors),
     edit,
     makePanels,
     reportErrors,
-    setStatus,
     connectivity,
     chosenVertices,
     chosenHandles,
@@ -147,11 +151,20 @@ export function createActions(store, solver, alerts) {
       if (handles.length === 0) return setStatus('There is no handle yet.');
       const at = handles.findIndex((vertex) => selection.vertices.has(vertex));
       const next = handles[(at + 1) % handles.length];
-      store.set({ selection: { ...NOTHING, vertices: new Set([next]) } });
+      view.select({ vertices: [next], faces: [] });
     },
 
-    selectNothing() {
-      store.set({ selection: NOTHING });
+    run: () => solver.send({ type: 'run' }),
+
+    /**
+     * Sends where handles are moved to.
+     * @param {import("../solver/messages.js").Handle[]} handles
+     * @param {"start" | "move" | "end"} phase
+     */
+    moveHandles(handles, phase) {
+      const vertices = Uint32Array.from(handles, ({ vertex }) => vertex);
+      const targets = Float64Array.from(handles.flatMap(({ target }) => target));
+      solver.send({ type: 'drag', vertices, targets, phase });
     },
   };
 }

@@ -3,9 +3,9 @@
  * outline of the original. Loaded when it is first shown.
  */
 
+import { button } from '../../ui/controls/fields.js';
 import { element, setText, throttled } from '../../ui/dom.js';
 import { groupDigits } from '../../ui/format.js';
-import { messageOf } from '../../solver/messages.js';
 import { drawOutline, outline } from '../../ui/plot/histogram-svg.js';
 import './angles.css';
 
@@ -17,7 +17,7 @@ const TICKS = [0, 45, 90, 135, 180];
  * @param {HTMLElement} panel
  * @param {import("../../app/context.js").AppContext} app
  */
-export function anglesPanel(panel, { store, solver, files, alerts }) {
+export function anglesPanel(panel, { store, solver, files, actions }) {
   const before = outline();
   const bars = element('div.bars', { role: 'img' });
   const readout = element('p.quiet');
@@ -29,20 +29,10 @@ export function anglesPanel(panel, { store, solver, files, alerts }) {
     'original',
     element('span.most.figure'),
   );
-  const save = element(
-    'button.bordered.small',
-    {
-      onclick: async () => {
-        try {
-          const csv = await solver.request({ type: 'table', table: 'angles' });
-          files.save('-angles.csv', csv, 'text/csv');
-        } catch (error) {
-          alerts.error(messageOf(error));
-        }
-      },
-    },
-    'Save angles as CSV',
-  );
+  const saveCsv = async () => files.save('-angles.csv', await actions.table('angles'), 'text/csv');
+  const save = button('Save angles as CSV', () => actions.reportErrors(saveCsv()), {
+    class: 'bordered small',
+  });
   const plot = element(
     'div.angles',
     key,
@@ -66,12 +56,8 @@ export function anglesPanel(panel, { store, solver, files, alerts }) {
     plot.hidden = !model?.faces;
     nothing.hidden = !plot.hidden;
     if (panel.offsetParent === null || plot.hidden) return;
-    try {
-      const found = await solver.request({ type: 'angles' });
-      if (store.get().model === model) draw(found);
-    } catch (error) {
-      alerts.error(messageOf(error));
-    }
+    const found = await actions.angles();
+    if (found && store.get().model === model) draw(found);
   });
 
   /** @param {{ original: number[], now: number[] }} found */

@@ -3,12 +3,12 @@
  * being typed into is not taken away by a frame.
  */
 
+import { amountField, closeButton } from '../../ui/controls/fields.js';
 import { RENEW_MS, element, icon, setAttribute, setText, throttled } from '../../ui/dom.js';
 import { groupDigits, length, limit, part } from '../../ui/format.js';
 import { movedInWords } from '../../store/measures.js';
 import { valueInWords } from '../../ui/kinds/parameter-forms.js';
 import { energyOrNothing, lengthOrNothing } from '../../ui/rounding.js';
-import { NOTHING } from '../../store/selection.js';
 
 /** @typedef {import("../../solver/messages.js").ConstraintRow} ConstraintRow */
 
@@ -17,17 +17,11 @@ const renaming = () => import('./rename.js');
 
 /**
  * @param {HTMLElement} place
- * @param {import("../../store/state.js").Store} store
- * @param {import("../../solver/solver-client.js").SolverClient} solver
- * @param {import("../../store/actions.js").Actions} actions
+ * @param {import("../../app/context.js").AppContext} app
  */
-export function constraintsPanel(place, store, solver, actions) {
-  /** @type {HTMLElement[]} */
-  let worstCells = [];
-  /** @type {HTMLElement[]} */
-  let withinCells = [];
-  /** @type {HTMLElement[]} */
-  let shareCells = [];
+export function constraintsPanel(place, { store, actions }) {
+  /** What the iteration says of each row. @type {{ worst: HTMLElement, within: HTMLElement, share: HTMLElement }[]} */
+  let cells = [];
   const moved = element('p.quiet', { title: 'How far the vertices are from where they were' });
   /** The row that just got a name: it has the focus again. @type {number | null} */
   let renamed = null;
@@ -39,45 +33,23 @@ export function constraintsPanel(place, store, solver, actions) {
   /** What opens below a row comes with the first that is opened. @type {typeof import("./details.js") | null} */
   let rowDetails = null;
   const loadDetails = async () => (rowDetails ??= await import('./details.js'));
+  const untint = () => actions.tint(null);
 
   /** Tints what a constraint acts on. @param {ConstraintRow} row */
   async function tint(row) {
-    const members = await actions.reportErrors(
-      solver.request({ type: 'members', constraint: row.index }),
-    );
+    const members = await actions.members(row);
     const hovered = place.querySelector('.constraint:is(:hover, :focus-within)');
     if (members && hovered?.getAttribute('data-index') === String(row.index)) {
       // Dots on the corners of tinted faces would say nothing more.
       const vertices = members.faces.length > 0 ? NONE : members.vertices;
-      store.set({ tint: { faces: members.faces, vertices, colour: row.colour } });
+      actions.tint({ faces: members.faces, vertices, colour: row.colour });
     }
   }
 
-  /** Selects what a constraint acts on. @param {ConstraintRow} row */
+  /** @param {ConstraintRow} row */
   async function selectMembers(row) {
-    const members = await actions.reportErrors(
-      solver.request({ type: 'members', constraint: row.index }),
-    );
-    if (!members) return;
-    const mode = members.faces.length > 0 ? 'faces' : 'vertices';
-    store.set({ mode, selection: { ...NOTHING, [mode]: new Set(members[mode]) } });
-  }
-
-  function untint() {
-    store.set({ tint: null });
-  }
-
-  /** Parameters that are not at their default, in words. @param {ConstraintRow} row */
-  function paramsInWords(row) {
-    const { kinds, document } = store.get();
-    const params = kinds.find(({ id }) => id === row.kind)?.params ?? [];
-    return params
-      .filter(({ id, default: usual }) => JSON.stringify(row.params[id]) !== JSON.stringify(usual))
-      .map(
-        (param) =>
-          ` · ${param.label.toLowerCase()} ${valueInWords(param, row.params[param.id], document?.units ?? '')}`,
-      )
-      .join('');
+    const members = await actions.members(row);
+    if (members) actions.select(members);
   }
 
   /**
@@ -85,50 +57,33 @@ export function constraintsPanel(place, store, solver, actions) {
    * @param {string} key
    */
   function rowOf(row, key) {
+    const { kinds, document } = store.get();
     const set = (/** @type {{ weight?: number, enabled?: boolean }} */ change) =>
       actions.edit({ type: 'setConstraint', index: row.index, ...change });
     const name = `${row.label} on ${row.on}`;
-    const kind = store.get().kinds.find(({ id }) => id === row.kind)?.label ?? '';
+    const kind = kinds.find(({ id }) => id === row.kind);
     const toggle = element('input', {
       type: 'checkbox',
       role: 'switch',
       'aria-label': `${name}: on`,
       title: row.enabled ? 'On' : 'Off',
+      checked: row.enabled,
       onchange: () => set({ enabled: toggle.checked }),
     });
-    toggle.checked = row.enabled;
-    const weight = element('input', {
-      type: 'number',
-      min: '0',
-      step: 'any',
-      value: String(row.weight),
-      'aria-label': `${name}: weight`,
-      onchange: () => {
-        if (weight.validity.valid && weight.value !== '') set({ weight: weight.valueAsNumber });
-        else weight.value = String(row.weight);
-      },
-    });
-    const remove = element(
-      'button.tiny',
-      {
-        'aria-label': `${name}: remove`,
-        title: 'Remove',
-        onclick: () => {
-          untint();
-          actions.edit({ type: 'removeConstraint', index: row.index });
-        },
-      },
-      icon('close'),
-    );
+    const weight = amountField(`${name}: weight`, (weight) => set({ weight }));
+    weight.show(row.weight);
+    const remove = () => {
+      untint();
+      actions.edit({ type: 'removeConstraint', index: row.index });
+    };
     const worst = element('span.worst.figure', {
       title: 'The largest distance of a vertex from where this wants it',
     });
     const share = element('span.share.figure', { title: 'Its part of the total energy' });
-    shareCells.push(share);
-    worstCells.push(worst);
     const within = element('span');
-    withinCells.push(within);
+    cells.push({ worst, within, share });
     const skipped = row.skipped > 0 ? `, ${groupDigits(row.skipped)} skipped` : '';
+    const params = paramsInWords(row, kind?.params ?? [], document?.units ?? '');
     const details = element('div.details', {
       id: `constraint-${row.index}-details`,
       hidden: !open.has(key),
@@ -143,33 +98,32 @@ export function constraintsPanel(place, store, solver, actions) {
       fill();
       details.scrollIntoView({ block: 'nearest' });
     };
+    const toggleDetails = () => {
+      if (!open.delete(key)) open.add(key);
+      details.hidden = !open.has(key);
+      opener.setAttribute('aria-expanded', String(open.has(key)));
+      if (open.has(key)) actions.reportErrors(show());
+    };
+    const rename = async () => {
+      const { editName } = await renaming();
+      editName(opener, row.name, kind?.label ?? '', (name) => {
+        renamed = row.index;
+        actions.edit({ type: 'renameConstraint', index: row.index, name });
+      });
+    };
     const opener = element(
       'button.name',
       {
         'aria-label': `${name}: parameters`,
         'aria-expanded': String(open.has(key)),
         'aria-controls': details.id,
-        onclick: () => {
-          if (!open.delete(key)) open.add(key);
-          details.hidden = !open.has(key);
-          opener.setAttribute('aria-expanded', String(open.has(key)));
-          if (open.has(key)) actions.reportErrors(show());
-        },
+        onclick: toggleDetails,
+        ondblclick: rename,
+        onkeydown: (/** @type {KeyboardEvent} */ event) => event.key === 'F2' && rename(),
       },
       element('span', row.label),
       icon('chevron'),
     );
-    const rename = async () => {
-      const { editName } = await renaming();
-      editName(opener, row.name, kind, (name) => {
-        renamed = row.index;
-        actions.edit({ type: 'renameConstraint', index: row.index, name });
-      });
-    };
-    opener.addEventListener('dblclick', rename);
-    opener.addEventListener('keydown', (event) => {
-      if (event.key === 'F2') rename();
-    });
     return element(
       'li',
       {
@@ -189,16 +143,20 @@ export function constraintsPanel(place, store, solver, actions) {
       },
       element('span.chip'),
       opener,
-      element('span.buttons', element('label.switch', toggle), remove),
+      element(
+        'span.buttons',
+        element('label.switch', toggle),
+        closeButton(`${name}: remove`, remove, { title: 'Remove' }),
+      ),
       element(
         'span.on',
         element(
           'span',
-          `${row.name && `${kind}, `}${row.on} · ${groupDigits(row.count)}${skipped}${paramsInWords(row)}`,
+          `${row.name && `${kind?.label}, `}${row.on} · ${groupDigits(row.count)}${skipped}${params}`,
         ),
         share,
       ),
-      element('span.measures', element('label', 'weight', weight), worst, within),
+      element('span.measures', element('label', 'weight', weight.field), worst, within),
       details,
     );
   }
@@ -221,18 +179,18 @@ export function constraintsPanel(place, store, solver, actions) {
     moved.hidden = !way;
     document?.constraints.forEach((row, i) => {
       const value = numbers?.worst[i];
-      if (!worstCells[i]) return;
+      if (!cells[i]) return;
+      const { worst, within, share } = cells[i];
       const known = row.enabled && value !== undefined;
       const words = (/** @type {number} */ far) => length(far, document.units, tolerance ?? far);
-      setText(worstCells[i], known ? `worst ${words(lengthOrNothing(value, size))}` : '');
+      setText(worst, known ? `worst ${words(lengthOrNothing(value, size))}` : '');
       const isWithin = known && tolerance !== null && value <= tolerance;
-      const isBeyond = known && tolerance !== null && !isWithin;
       const allowed = limit(tolerance ?? 0, document.units);
       const side = isWithin ? 'within' : 'beyond';
-      setText(withinCells[i], isWithin || isBeyond ? `${side} ${allowed}` : '');
-      setAttribute(withinCells[i], 'class', isWithin ? 'within met' : 'within');
+      setText(within, known && tolerance !== null ? `${side} ${allowed}` : '');
+      setAttribute(within, 'class', isWithin ? 'within met' : 'within');
       const some = known && numbers && energyOrNothing(numbers.energy.total, size) > 0;
-      setText(shareCells[i], some ? `${part(numbers.shares[i])} of energy` : '');
+      setText(share, some ? `${part(numbers.shares[i])} of energy` : '');
     });
   });
 
@@ -241,9 +199,7 @@ export function constraintsPanel(place, store, solver, actions) {
     const rows = JSON.stringify([document.units, document.constraints]);
     if (rows === shown) return;
     shown = rows;
-    worstCells = [];
-    withinCells = [];
-    shareCells = [];
+    cells = [];
     untint();
     const focused = focusedField(place);
     place.replaceChildren(
@@ -265,6 +221,22 @@ export function constraintsPanel(place, store, solver, actions) {
     showNumbers();
   });
   store.subscribe(['numbers', 'tolerance'], showNumbers);
+}
+
+/**
+ * Parameters that are not at their default, in words.
+ * @param {ConstraintRow} row
+ * @param {import("../../solver/messages.js").ParamInfo[]} params
+ * @param {string} units
+ */
+function paramsInWords(row, params, units) {
+  const changed = params.filter(
+    ({ id, default: usual }) => JSON.stringify(row.params[id]) !== JSON.stringify(usual),
+  );
+  const words = changed.map(
+    (param) => `${param.label.toLowerCase()} ${valueInWords(param, row.params[param.id], units)}`,
+  );
+  return words.map((one) => ` · ${one}`).join('');
 }
 
 /** The accessible name of the field that has the focus, to give it back. @param {HTMLElement} place */

@@ -1,5 +1,6 @@
 /** What opens below a row of the list of constraints: what it asks, and its parameters, which act at once. */
 
+import { button } from '../../ui/controls/fields.js';
 import { element } from '../../ui/dom.js';
 import { Parameters } from '../../ui/kinds/parameters.js';
 import { sketch } from '../../ui/kinds/sketch.js';
@@ -29,26 +30,16 @@ export function detailsOf(row, name, store, actions, { select, rename }) {
         },
       ),
   });
+  const duplicate = () => actions.edit({ type: 'duplicateConstraint', index: row.index });
   return [
     sketch(kind.sketch),
     element('p.quiet', kind.summary),
     parameters.element,
     element(
       'div.row-buttons',
-      textButton('Select', `${name}: select what it acts on`, select),
-      textButton('Duplicate', `${name}: duplicate`, () =>
-        actions.edit({ type: 'duplicateConstraint', index: row.index }),
-      ),
-      textButton('Rename', `${name}: rename`, rename),
+      button('Select', select, { 'aria-label': `${name}: select what it acts on` }),
+      button('Duplicate', duplicate, { 'aria-label': `${name}: duplicate` }),
+      button('Rename', rename, { 'aria-label': `${name}: rename` }),
     ),
   ];
-}
-
-/**
- * @param {string} label
- * @param {string} name for those who do not see where it is
- * @param {() => void} onclick
- */
-function textButton(label, name, onclick) {
-  return element('button.bordered', { 'aria-label': name, onclick }, label);
 }

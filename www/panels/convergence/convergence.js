@@ -17,19 +17,18 @@ export class Convergence {
   #plot = null;
   #place;
   #store;
-  #solver;
+  #actions;
   #draw;
   #inSight = false;
 
   /**
    * @param {HTMLElement} place
-   * @param {import("../../store/state.js").Store} store
-   * @param {import("../../solver/solver-client.js").SolverClient} solver
+   * @param {import("../../app/context.js").AppContext} app
    */
-  constructor(place, store, solver) {
+  constructor(place, { store, solver, actions }) {
     this.#place = place;
     this.#store = store;
-    this.#solver = solver;
+    this.#actions = actions;
     this.#draw = throttled(PLOT_EVERY_MS, () => this.#drawNow());
     this.#showNone();
     new IntersectionObserver(([entry]) => {
@@ -50,8 +49,7 @@ export class Convergence {
 
   async #drawNow() {
     if (!this.#inSight || !this.#store.get().model) return;
-    // A solver that has stopped says so itself.
-    const trace = await this.#solver.request({ type: 'trace' }).catch(() => null);
+    const trace = await this.#actions.trace();
     if (!trace) return;
     if (trace.length < 2 * TRACE_WIDTH) return this.#showNone();
     const loading = (this.#plot ??= this.#load());

@@ -1,60 +1,51 @@
 /** What the view shows: what the faces are coloured by, and what is drawn over them. */
 
+import { checkbox, choice, setOptions } from '../../ui/controls/fields.js';
 import { byId, element } from '../../ui/dom.js';
+
+/** @typedef {import("../../solver/messages.js").Measure} Measure */
+
+/** In the order in which they are offered. */
+const TOGGLES = {
+  edges: 'Edges',
+  vertices: 'Vertices',
+  shapes: 'Fitted shapes',
+  outlines: 'Projected shapes',
+  arrows: 'Residual arrows',
+  ghost: 'Original ghost',
+  ground: 'Ground grid',
+  bands: 'Colours in bands',
+  full: 'Full colour map',
+  log: 'Logarithmic scale',
+  gizmo: 'Gizmo',
+  timings: 'Timings',
+};
 
 /**
  * @param {HTMLElement} place
- * @param {import("../../store/state.js").Store} store
+ * @param {import("../../app/context.js").AppContext} app
  */
-export function displayPanel(place, store) {
-  const choice = element('select', {
-    id: 'colour-by',
-    onchange: () => {
-      const measure =
-        /** @type {import("../../solver/messages.js").Measure} */ (choice.value) || null;
-      store.set({ measure, measureChosen: true });
-    },
-  });
-  const toggle = (
-    /** @type {keyof import("../../store/state.js").State["display"]} */ key,
-    /** @type {string} */ label,
-  ) => {
-    const box = element('input', {
-      type: 'checkbox',
-      onchange: () => store.set({ display: { ...store.get().display, [key]: box.checked } }),
-    });
-    store.subscribe(['display'], ({ display }) => (box.checked = display[key]));
-    return element('label', box, label);
-  };
+export function displayPanel(place, { store, actions }) {
+  const colourBy = choice({ id: 'colour-by' }, (measure) =>
+    actions.colourBy(/** @type {Measure} */ (measure) || null),
+  );
   const colourRow = element(
     'div.field-row',
     element('label', { for: 'colour-by' }, 'Colour by'),
-    choice,
+    colourBy,
   );
-  place.replaceChildren(
-    colourRow,
-    element(
-      'div.toggles',
-      toggle('edges', 'Edges'),
-      toggle('vertices', 'Vertices'),
-      toggle('shapes', 'Fitted shapes'),
-      toggle('outlines', 'Projected shapes'),
-      toggle('arrows', 'Residual arrows'),
-      toggle('ghost', 'Original ghost'),
-      toggle('ground', 'Ground grid'),
-      toggle('bands', 'Colours in bands'),
-      toggle('full', 'Full colour map'),
-      toggle('log', 'Logarithmic scale'),
-      toggle('gizmo', 'Gizmo'),
-      toggle('timings', 'Timings'),
-    ),
+  const keys = /** @type {(keyof typeof TOGGLES)[]} */ (Object.keys(TOGGLES));
+  const toggles = keys.map((key) =>
+    checkbox(TOGGLES[key], (checked) => actions.display({ [key]: checked })),
+  );
+  place.replaceChildren(colourRow, element('div.toggles', ...toggles.map(({ label }) => label)));
+
+  store.subscribe(['display'], ({ display }) =>
+    toggles.forEach(({ box }, i) => (box.checked = display[keys[i]])),
   );
   store.subscribe(['measure', 'measures'], ({ measure, measures }) => {
-    if (choice.options.length !== measures.length + 1) {
-      const named = measures.map(({ id, label }) => element('option', { value: id }, label));
-      choice.replaceChildren(element('option', { value: '' }, 'nothing'), ...named);
-    }
-    choice.value = measure ?? '';
+    setOptions(colourBy, [['', 'nothing'], ...measures.map(({ id, label }) => [id, label])]);
+    colourBy.value = measure ?? '';
   });
   // The colours of a flat map go before, and it has controls of its own for them.
   store.subscribe(['flatMap'], ({ flatMap }) => (colourRow.hidden = flatMap !== null));

@@ -1,5 +1,6 @@
 /** The three weights of Eq. 13 in plain words, and the energies as they stand. */
 
+import { amountField } from '../../ui/controls/fields.js';
 import { RENEW_MS, element, setText, throttled } from '../../ui/dom.js';
 import { number } from '../../ui/format.js';
 import { energyOrNothing } from '../../ui/rounding.js';
@@ -30,10 +31,9 @@ const SMOOTHNESS = { surface: 'keep it smooth', displacement: 'keep the change s
 
 /**
  * @param {HTMLElement} place
- * @param {import("../../store/state.js").Store} store
- * @param {import("../../store/actions.js").Actions} actions
+ * @param {import("../../app/context.js").AppContext} app
  */
-export function energiesPanel(place, store, actions) {
+export function energiesPanel(place, { store, actions }) {
   const rows = TERMS.map((term) => termRow(term, actions));
   const presets = weightPresets(actions);
   const handles = element('dd');
@@ -98,17 +98,8 @@ function moreSettings(store, actions) {
  */
 function termRow({ id, label, words }, actions) {
   const send = (/** @type {number} */ weight) => actions.edit({ type: 'setWeights', [id]: weight });
-  let weight = 0;
-  const field = element('input', {
-    type: 'number',
-    min: '0',
-    step: 'any',
-    'aria-label': `${label} weight`,
-    onchange: () => {
-      if (field.validity.valid && field.value !== '') send(field.valueAsNumber);
-      else field.value = String(weight);
-    },
-  });
+  const weight = amountField(`${label} weight`, send);
+  const { field } = weight;
   const slider = element('input', {
     type: 'range',
     min: '0',
@@ -136,10 +127,8 @@ function termRow({ id, label, words }, actions) {
     /** @param {SceneDocument} scene */
     show(scene) {
       const value = scene.weights[id];
-      weight = value;
       setText(explanation, words(scene));
-      if (document.activeElement !== field || Number(field.value) !== value)
-        field.value = String(value);
+      weight.show(value);
       slider.value = String(placeOf(value));
       slider.setAttribute('aria-valuetext', String(value));
     },

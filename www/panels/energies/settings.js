@@ -4,6 +4,7 @@
  */
 
 import './settings.css';
+import { button } from '../../ui/controls/fields.js';
 import { element, setText } from '../../ui/dom.js';
 import { count } from '../../ui/format.js';
 import { Parameters } from '../../ui/kinds/parameters.js';
@@ -74,28 +75,20 @@ function settingRow(setting, store, actions) {
  */
 function holdRow(store, actions) {
   const said = element('p.quiet');
-  const buttons = HOLDS.map(({ label, weight, title }) =>
-    element(
-      'button.bordered',
-      {
-        title,
-        'aria-label': `Closeness of the selection: ${label.toLowerCase()}`,
-        onclick: async () => {
-          const vertices = actions.chosenVertices();
-          const done = await actions.edit({ type: 'holdClose', vertices, weight });
-          if (done !== undefined)
-            actions.setStatus(
-              `Closeness of ${count(vertices.length, 'vertex', 'vertices')}: ${label.toLowerCase()}`,
-            );
-        },
-      },
-      label,
-    ),
+  const hold = async (/** @type {typeof HOLDS[number]} */ { label, weight }) => {
+    const vertices = actions.chosenVertices();
+    if ((await actions.edit({ type: 'holdClose', vertices, weight })) === undefined) return;
+    const whose = count(vertices.length, 'vertex', 'vertices');
+    actions.setStatus(`Closeness of ${whose}: ${label.toLowerCase()}`);
+  };
+  const buttons = HOLDS.map((one) =>
+    button(one.label, () => hold(one), {
+      title: one.title,
+      'aria-label': `Closeness of the selection: ${one.label.toLowerCase()}`,
+    }),
   );
-  const all = element(
-    'button.bordered',
-    { onclick: () => actions.edit({ type: 'holdClose', vertices: null, weight: 1 }) },
-    'Same for all',
+  const all = button('Same for all', () =>
+    actions.edit({ type: 'holdClose', vertices: null, weight: 1 }),
   );
   store.subscribe(['selection', 'document'], ({ selection, document }) => {
     const none = sizeOfSelection(selection) === 0;

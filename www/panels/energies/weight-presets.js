@@ -3,11 +3,13 @@
  * not says so before it is taken.
  */
 
+import { button, choice, setOptions } from '../../ui/controls/fields.js';
 import { element, leave } from '../../ui/dom.js';
 
 /** @typedef {import("../../solver/messages.js").Preset} Preset */
 
 const CUSTOM = 'custom';
+const SMALL = { class: 'small bordered' };
 
 /**
  * @param {import("../../store/actions.js").Actions} actions
@@ -18,7 +20,7 @@ export function weightPresets(actions) {
   let presets = [];
   /** The one whose settings the scene has. @type {string | null} */
   let current = null;
-  const choice = element('select', { 'aria-label': 'Preset', onchange: choose });
+  const select = choice({ 'aria-label': 'Preset' }, choose);
   const warning = element('div.warning', {
     role: 'group',
     'aria-labelledby': 'preset-warning',
@@ -26,42 +28,38 @@ export function weightPresets(actions) {
   });
   const take = (/** @type {Preset} */ { id }) => actions.edit({ type: 'preset', id });
 
-  function choose() {
-    const preset = presets.find(({ id }) => id === choice.value);
+  /** @param {string} chosen */
+  function choose(chosen) {
+    const preset = presets.find(({ id }) => id === chosen);
     if (!preset) return;
     if (!preset.warning) return void take(preset);
     // It is not taken yet.
     showChosen();
     const close = () => leave(warning, () => (warning.hidden = true));
-    const answer = (/** @type {string} */ label, /** @type {() => void} */ action) =>
-      element('button.small.bordered', { onclick: action }, label);
     const useAnyway = () => {
       close();
       take(preset);
     };
     warning.replaceChildren(
       element('p', { id: 'preset-warning' }, `${preset.assumes} ${preset.warning}`),
-      answer('Use anyway', useAnyway),
-      answer('Cancel', close),
+      button('Use anyway', useAnyway, SMALL),
+      button('Cancel', close, SMALL),
     );
     warning.hidden = false;
     warning.querySelector('button')?.focus();
   }
 
-  const showChosen = () => (choice.value = current ?? CUSTOM);
+  const showChosen = () => (select.value = current ?? CUSTOM);
 
   return {
-    element: element('div', element('label.presets', 'Preset', choice), warning),
+    element: element('div', element('label.presets', 'Preset', select), warning),
     show(document) {
-      const isNew = presets.length === 0;
       ({ presets, preset: current } = document);
-      if (isNew)
-        choice.replaceChildren(
-          element('option', { value: CUSTOM, disabled: true }, 'Custom'),
-          ...presets.map(({ id, label, assumes }) =>
-            element('option', { value: id, title: assumes }, label),
-          ),
-        );
+      setOptions(select, [
+        [CUSTOM, 'Custom'],
+        ...presets.map(({ id, label, assumes }) => [id, label, assumes]),
+      ]);
+      select.options[0].disabled = true;
       showChosen();
     },
   };

@@ -2,18 +2,16 @@
 
 import { element } from '../../ui/dom.js';
 import { linkTo } from '../../documents/example-links.js';
-import { messageOf } from '../../solver/messages.js';
 import { withSymbols } from '../../ui/symbols.js';
 
 /** @typedef {import("../../solver/examples.js").Example} Example */
 
 /**
  * @param {HTMLElement} place a section, which is hidden while no example is open
- * @param {import("../../documents/files.js").Files} files
- * @param {import("../../ui/controls/alerts.js").Alerts} alerts
+ * @param {import("../../app/context.js").AppContext} app
  * @param {(shows: import("../../solver/examples.js").Suggestion["shows"]) => void} show
  */
-export function exampleNote(place, files, alerts, show) {
+export function exampleNote(place, { files, actions }, show) {
   /** @param {string} text @param {Example | undefined} to */
   const link = (text, to) => {
     if (!to) return [];
@@ -22,7 +20,7 @@ export function exampleNote(place, files, alerts, show) {
       // The address that is there already leads nowhere.
       if (location.hash !== linkTo(to.id)) return;
       event.preventDefault();
-      files.openExample(to).catch((error) => alerts.error(messageOf(error)));
+      actions.reportErrors(files.openExample(to));
     };
     return [element('a', { href: linkTo(to.id), title: to.title, onclick }, text)];
   };

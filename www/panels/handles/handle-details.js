@@ -19,9 +19,8 @@ const MOST_BESIDE = 8;
 /**
  * @param {import("../../store/state.js").Store} store
  * @param {import("../../store/actions.js").Actions} actions
- * @param {import("../../solver/solver-client.js").SolverClient} solver
  */
-export function handleDetails(store, actions, solver) {
+export function handleDetails(store, actions) {
   /** @type {Handle[]} */
   let chosen = [];
   /** Where handles are to be that the document does not know yet. @type {Map<number, Handle["target"]>} */
@@ -52,21 +51,14 @@ export function handleDetails(store, actions, solver) {
     }
     typed.delete(field);
     show();
-    const send = (/** @type {"start" | "move" | "end"} */ phase, /** @type {Handle[]} */ handles) =>
-      solver.send({
-        type: 'drag',
-        vertices: Uint32Array.from(handles, ({ vertex }) => vertex),
-        targets: Float64Array.from(handles.flatMap(({ target }) => target)),
-        phase,
-      });
     const after = chosen;
-    send('start', before);
-    send('move', after);
+    actions.moveHandles(before, 'start');
+    actions.moveHandles(after, 'move');
     const timer = setTimeout(() => pending?.(), FOLLOW_MS);
     pending = () => {
       clearTimeout(timer);
       pending = null;
-      send('end', after);
+      actions.moveHandles(after, 'end');
     };
     actions.setStatus(
       after.length === 1 ? 'Handle moved' : `${count(after.length, 'handle')} moved`,

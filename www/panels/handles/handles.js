@@ -6,26 +6,22 @@ import { sizeOfSelection } from '../../store/selection.js';
 
 /**
  * @param {HTMLElement} place
- * @param {import("../../store/state.js").Store} store
- * @param {import("../../store/actions.js").Actions} actions
- * @param {import("../../solver/solver-client.js").SolverClient} solver
+ * @param {import("../../app/context.js").AppContext} app
  */
-export function handlesPanel(place, store, actions, solver) {
-  const summary = element('p');
+export function handlesPanel(place, { store, actions }) {
+  const summary = element('p.quiet');
   const button = (
     /** @type {string} */ label,
     /** @type {string} */ title,
-    /** @type {() => void} */ onclick,
-  ) => element('button', { title, onclick }, label);
-  const add = button('Make handle', 'Make the selected vertices handles (H)', () =>
-    actions.addHandles(actions.chosenVertices(), false),
+    /** @type {(vertices: number[]) => void} */ act,
+  ) => element('button', { title, onclick: () => act(actions.chosenVertices()) }, label);
+  const add = button('Make handle', 'Make the selected vertices handles (H)', (vertices) =>
+    actions.addHandles(vertices, false),
   );
-  const fix = button('Fix', 'Hold the selected vertices exactly where they are', () =>
-    actions.addHandles(actions.chosenVertices(), true),
+  const fix = button('Fix', 'Hold the selected vertices exactly where they are', (vertices) =>
+    actions.addHandles(vertices, true),
   );
-  const remove = button('Remove', 'Let the selected handles go (Shift+H)', () =>
-    actions.removeHandles(actions.chosenVertices()),
-  );
+  const remove = button('Remove', 'Let the selected handles go (Shift+H)', actions.removeHandles);
   const row = element('div.handles-row', add, fix, remove);
   place.replaceChildren(summary, row);
   let asked = false;
@@ -34,7 +30,6 @@ export function handlesPanel(place, store, actions, solver) {
     const handles = document?.handles ?? [];
     const fixed = handles.filter((handle) => handle.fixed).length;
     const chosen = sizeOfSelection(selection) > 0;
-    summary.className = 'quiet';
     summary.textContent = wordsFor(handles.length, fixed);
     const pinned = document?.pinned.length ?? 0;
     // Without constraints nothing moves, and that something is pinned would only puzzle.
@@ -42,20 +37,16 @@ export function handlesPanel(place, store, actions, solver) {
       summary.textContent += ` ${count(pinned, 'vertex is', 'vertices are')} fixed automatically, because nothing else holds that part. Add a handle to hold it where you want.`;
     }
     add.disabled = fix.disabled = !chosen;
-    remove.disabled = !handles.some((handle) => isChosen(handle.vertex));
+    const vertices = new Set(actions.chosenVertices());
+    remove.disabled = !handles.some(({ vertex }) => vertices.has(vertex));
     if (remove.disabled || asked) return;
     asked = true;
     actions.reportErrors(
       import('./handle-details.js').then(({ handleDetails }) =>
-        place.append(handleDetails(store, actions, solver)),
+        place.append(handleDetails(store, actions)),
       ),
     );
   });
-
-  /** @param {number} vertex */
-  function isChosen(vertex) {
-    return actions.chosenVertices().includes(vertex);
-  }
 }
 
 /**

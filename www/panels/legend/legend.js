@@ -4,6 +4,7 @@
  */
 
 import { rampOf } from '../../viewport/ramp.js';
+import { checkbox } from '../../ui/controls/fields.js';
 import { element, setAttribute, setText } from '../../ui/dom.js';
 import { groupDigits, number, round } from '../../ui/format.js';
 import {
@@ -21,11 +22,10 @@ import { rangeEnd } from './range-end.js';
 
 /**
  * @param {HTMLElement} place
- * @param {import("../../store/state.js").Store} store
- * @param {import("../../viewport/viewport.js").Viewport} viewport
+ * @param {import("../../app/context.js").AppContext} app
  * @param {() => void} fit
  */
-export function legend(place, store, viewport, fit) {
+export function legend(place, { store, viewport, actions }, fit) {
   const title = element('span');
   const now = bars();
   const before = outline();
@@ -37,24 +37,24 @@ export function legend(place, store, viewport, fit) {
   );
   const tick = element('div.tick');
   const ramp = element('div.ramp', tick);
-  const ends = [rangeEnd('low', ramp, store), rangeEnd('high', ramp, store)];
+  const ends = [rangeEnd('low', ramp, actions), rangeEnd('high', ramp, actions)];
   const unit = element('span.unit');
   const toleranceUnit = element('span');
   const within = element('span.within', { title: 'Faces within the tolerance' });
   const facts = element('p.quiet.facts');
-  const low = field('Colours from', 'low');
-  const high = field('Colours to', 'high');
-  const tolerance = element('input', {
-    type: 'text',
-    inputMode: 'decimal',
-    'aria-label': 'Tolerance',
-    placeholder: 'none',
-    onchange: () => {
-      const value = numberIn(tolerance);
-      setTolerance(value === null ? null : value / unitNow().factor);
-    },
-    onblur: () => show(),
+  const low = field('Colours from', (low) => actions.setRange({ low }));
+  const high = field('Colours to', (high) => actions.setRange({ high }));
+  const tolerance = field('Tolerance', (value) => {
+    const state = store.get();
+    const about = declared(state, state.measure);
+    if (about) actions.setTolerance(about, value);
   });
+  tolerance.placeholder = 'none';
+  const toggle = (
+    /** @type {"full" | "log"} */ key,
+    /** @type {string} */ label,
+    /** @type {string} */ title,
+  ) => checkbox(label, (checked) => actions.display({ [key]: checked }), { title });
   const full = toggle('full', 'Full map', 'Colours for values within the tolerance, too');
   const log = toggle('log', 'Log scale', 'Equal factors are equal steps');
   place.replaceChildren(
@@ -83,46 +83,23 @@ export function legend(place, store, viewport, fit) {
     return about ? unitOf(about, size, state.document?.units ?? '') : { unit: '', factor: 1 };
   }
 
-  /** @param {number | null} value */
-  function setTolerance(value) {
-    const state = store.get();
-    const about = declared(state, state.measure);
-    if (about?.toleranced) store.set({ tolerance: value });
-    else if (about) store.set({ tolerances: { ...state.tolerances, [about.id]: value } });
-  }
-
   /**
-   * An end of the range: empty, it follows from the values again.
+   * A value in the unit of the legend; of an empty field, none.
    * @param {string} name
-   * @param {"low" | "high"} end
+   * @param {(value: number | null) => void} take
    */
-  function field(name, end) {
+  function field(name, take) {
     const input = element('input', {
       type: 'text',
       inputMode: 'decimal',
       'aria-label': name,
       onchange: () => {
         const value = numberIn(input);
-        const { ownRange } = store.get();
-        const entered = value === null ? null : value / unitNow().factor;
-        store.set({ ownRange: { ...ownRange, [end]: entered, top: null } });
+        take(value === null ? null : value / unitNow().factor);
       },
       onblur: () => show(),
     });
     return input;
-  }
-
-  /**
-   * @param {"full" | "log"} key
-   * @param {string} label
-   * @param {string} words
-   */
-  function toggle(key, label, words) {
-    const box = element('input', {
-      type: 'checkbox',
-      onchange: () => store.set({ display: { ...store.get().display, [key]: box.checked } }),
-    });
-    return { box, label: element('label', { title: words }, box, label) };
   }
 
   function show() {

@@ -24,10 +24,10 @@ const KEYS = {
 /**
  * @param {"low" | "high"} end
  * @param {HTMLElement} ramp
- * @param {import("../../store/state.js").Store} store
+ * @param {import("../../store/actions.js").Actions} actions
  * @returns {{ show: (axis: Axis, range: [number, number], words: string) => void }}
  */
-export function rangeEnd(end, ramp, store) {
+export function rangeEnd(end, ramp, actions) {
   const isLow = end === 'low';
   const handle = element('div.range-end', {
     role: 'slider',
@@ -48,13 +48,10 @@ export function rangeEnd(end, ramp, store) {
     const [least, most] = isLow ? [0, other - APART] : [other + APART, 1];
     const value = valueAt(axis, Math.min(Math.max(place, least), most));
     // The axis stays while something moves on it.
-    store.set({ ownRange: { ...store.get().ownRange, [end]: value, top: axis.high } });
+    actions.setRange({ [end]: value, top: axis.high });
   }
 
-  function reset() {
-    const ownRange = { ...store.get().ownRange, [end]: null };
-    store.set({ ownRange: { ...ownRange, top: null } });
-  }
+  const reset = () => actions.setRange({ [end]: null });
 
   handle.addEventListener('pointerdown', (event) => {
     if (event.button !== 0) return;

@@ -1,6 +1,7 @@
 /** The log: what was read from the file, and the messages since the page was opened. */
 
 import '../../ui/styles/lists.css';
+import { button } from '../../ui/controls/fields.js';
 import { element, setText } from '../../ui/dom.js';
 import { count } from '../../ui/format.js';
 import { showElements } from '../../viewport/reveal-elements.js';
@@ -13,7 +14,7 @@ const NAMES = { error: 'Error', notice: 'Notice', status: '' };
  * @param {import("../../app/context.js").AppContext} app
  */
 export function logOf(panel, app) {
-  const { store, solver, alerts, actions } = app;
+  const { store, alerts, actions } = app;
   const file = element('div.import-report');
   // It scrolls, also by keyboard.
   const list = element('ol.log', { 'aria-label': 'Messages', tabindex: 0 });
@@ -23,12 +24,12 @@ export function logOf(panel, app) {
     file,
     element('h3', 'Messages'),
     list,
-    element('p.log-end', element('button.bordered', { onclick: copy }, 'Copy as text'), said),
+    element('p.log-end', button('Copy as text', copy), said),
   );
 
   /** Selects the elements that a problem is about. @param {string} flaw */
   async function select(flaw) {
-    const found = await actions.reportErrors(solver.request({ type: 'flawed', flaw }));
+    const found = await actions.flawed(flaw);
     if (!found) return;
     const some = found.vertices.length + found.edges.length + found.faces.length;
     if (some > 0) showElements(app, found);
@@ -44,20 +45,16 @@ export function logOf(panel, app) {
         element('span.mark', { 'aria-hidden': 'true' }, '!'),
         element('span', message),
         flaw &&
-          element(
-            'button.small.bordered',
-            { 'aria-label': `Select: ${message}`, onclick: () => select(flaw) },
-            'Select',
-          ),
+          button('Select', () => select(flaw), {
+            class: 'small bordered',
+            'aria-label': `Select: ${message}`,
+          }),
       ),
     );
     const notes = model.notes.map((note) => element('li.quiet', note));
-    file.replaceChildren(
-      ...lines.map((line) => element('p', line)),
-      ...(problems.length + notes.length > 0
-        ? [element('ul', { 'aria-label': 'Problems and notes' }, ...problems, ...notes)]
-        : []),
-    );
+    const list = element('ul', { 'aria-label': 'Problems and notes' }, ...problems, ...notes);
+    file.replaceChildren(...lines.map((line) => element('p', line)));
+    if (list.hasChildNodes()) file.append(list);
   });
 
   function showMessages() {

@@ -1,16 +1,16 @@
 /** The model: its name, what it holds, and what was wrong in its file. */
 
+import { button } from '../../ui/controls/fields.js';
 import { element } from '../../ui/dom.js';
 import { count, groupDigits } from '../../ui/format.js';
 import { frameFields } from '../../documents/units-prompt.js';
 
 /**
  * @param {HTMLElement} place
- * @param {import("../../store/state.js").Store} store
- * @param {import("../../store/actions.js").Actions} actions
+ * @param {import("../../app/context.js").AppContext} app
  * @param {() => void} showLog where each problem can be looked at
  */
-export function modelPanel(place, store, actions, showLog) {
+export function modelPanel(place, { store, actions }, showLog) {
   const frame = frameFields(store, actions);
   store.subscribe(['model', 'fileName'], ({ model, fileName }) => {
     if (!model) return;
@@ -69,7 +69,7 @@ function report(model, showLog) {
     problems.length > 0
       ? `${count(problems.length, 'problem')} in the file`
       : count(notes.length, 'note');
-  const more = element('button.small.bordered', { onclick: showLog }, 'Details');
+  const more = button('Details', showLog, { class: 'small bordered' });
   const shown = details(title, [...problems, ...notes], problems.length > 0);
   shown.append(more);
   return [shown];

@@ -4,6 +4,7 @@
  */
 
 import './select-bar.css';
+import { closeButton } from '../../ui/controls/fields.js';
 import { element, icon, setText } from '../../ui/dom.js';
 import { placeMenu } from '../../ui/controls/menu.js';
 import { messageOf } from '../../solver/messages.js';
@@ -26,16 +27,14 @@ const SHAPES = [
 /**
  * @param {HTMLElement} bar
  * @param {HTMLElement} menu
- * @param {import("../../store/state.js").Store} store
- * @param {import("../../store/actions.js").Actions} actions
+ * @param {import("../../app/context.js").AppContext} app
  * @param {import("../../store/mesh-queries.js").Selecting} selecting
- * @param {import("../../ui/controls/alerts.js").Alerts} alerts
  */
-export function selectBar(bar, menu, store, actions, selecting, alerts) {
+export function selectBar(bar, menu, { store, actions, alerts }, selecting) {
   const shapes = SHAPES.map(({ id, label, key, title }) =>
     element(
       'button',
-      { title: `${title} (${key})`, onclick: () => store.set({ tool: 'select', shape: id }) },
+      { title: `${title} (${key})`, onclick: () => actions.useTool({ tool: 'select', shape: id }) },
       icon(id),
       element('span', label),
     ),
@@ -44,7 +43,7 @@ export function selectBar(bar, menu, store, actions, selecting, alerts) {
     'button.toggle',
     {
       title: 'Also select what the surface hides (T)',
-      onclick: () => store.set({ through: !store.get().through }),
+      onclick: () => actions.useTool({ through: !store.get().through }),
     },
     icon('through'),
     element('span', 'Select through'),
@@ -56,7 +55,7 @@ export function selectBar(bar, menu, store, actions, selecting, alerts) {
     step: '2',
     'aria-label': 'Brush radius',
     title: 'Brush radius ([ and ])',
-    oninput: () => store.set({ brush: brush.valueAsNumber }),
+    oninput: () => actions.useTool({ brush: brush.valueAsNumber }),
   });
   const said = element('span.said');
   const opener = element(
@@ -65,15 +64,10 @@ export function selectBar(bar, menu, store, actions, selecting, alerts) {
     said,
     icon('chevron'),
   );
-  const none = element(
-    'button.square',
-    {
-      'aria-label': 'Clear',
-      title: 'Nothing selected (Esc)',
-      onclick: () => actions.selectNothing(),
-    },
-    icon('close'),
-  );
+  const none = closeButton('Clear', actions.selectNothing, {
+    class: 'square',
+    title: 'Nothing selected (Esc)',
+  });
   bar.append(
     element('div.segmented', { role: 'group', 'aria-label': 'Shape of a drag' }, ...shapes),
     through,

@@ -3,7 +3,8 @@
  * and groups by name. What asks something shows its fields in the menu's place.
  */
 
-import { element, icon } from '../../ui/dom.js';
+import { button, closeButton } from '../../ui/controls/fields.js';
+import { element } from '../../ui/dom.js';
 import { count } from '../../ui/format.js';
 import { keyName } from '../../ui/keys.js';
 import { Parameters } from '../../ui/kinds/parameters.js';
@@ -56,8 +57,6 @@ export function fillSelectMenu(menu, store, actions, selecting) {
       }
     };
     // Enter in a field is to press Find, so that no other may submit.
-    const verb = (/** @type {"add" | "remove"} */ combine, /** @type {string} */ label) =>
-      element('button.bordered', { onclick: () => find(combine) }, label);
     const submit = (/** @type {SubmitEvent} */ event) => {
       event.preventDefault();
       find('replace');
@@ -70,7 +69,9 @@ export function fillSelectMenu(menu, store, actions, selecting) {
       parameters.element,
       element(
         'div.verbs',
-        ...(operation.needsSelection ? [] : [verb('remove', 'Take away'), verb('add', 'Add')]),
+        ...(operation.needsSelection
+          ? []
+          : [button('Take away', () => find('remove')), button('Add', () => find('add'))]),
         element('button.primary', { type: 'submit' }, 'Find'),
       ),
     );
@@ -87,6 +88,10 @@ export function fillSelectMenu(menu, store, actions, selecting) {
         combine: combineWith(operation, event),
       });
     };
+    const remove = (/** @type {string} */ name) => {
+      close();
+      actions.edit({ type: 'removeSet', name });
+    };
     const sets = (state.document?.sets ?? []).map(({ name, vertices, faces }) => {
       const size = faces > 0 ? count(faces, 'face') : count(vertices, 'vertex', 'vertices');
       return element(
@@ -97,18 +102,7 @@ export function fillSelectMenu(menu, store, actions, selecting) {
           element('span', name),
           element('span.quiet', size),
         ),
-        element(
-          'button.tiny',
-          {
-            'aria-label': `Remove set ${name}`,
-            title: 'Remove',
-            onclick: async () => {
-              close();
-              await actions.edit({ type: 'removeSet', name });
-            },
-          },
-          icon('close'),
-        ),
+        closeButton(`Remove set ${name}`, () => remove(name), { title: 'Remove' }),
       );
     });
     const groups = (state.model?.groups ?? []).map(({ name, faces }) =>

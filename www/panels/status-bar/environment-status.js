@@ -13,9 +13,9 @@ const SLOW =
 
 /**
  * @param {HTMLElement} numbers the list of the status bar
- * @param {import("../../store/state.js").Store} store
+ * @param {import("../../app/context.js").AppContext} app
  */
-export function environmentStatus(numbers, store) {
+export function environmentStatus(numbers, { store, actions }) {
   const offline = element('div', { hidden: true }, element('dd', 'Offline'));
   const software = element(
     'div.wide.narrow-hidden',
@@ -23,7 +23,7 @@ export function environmentStatus(numbers, store) {
     element('dd', 'Software rendering'),
   );
   numbers.append(software, offline);
-  networkStatus(offline, store);
+  networkStatus(offline, actions);
   store.subscribe(['renderer'], (state) => {
     software.hidden = !(isDrawn(state) && drawsInSoftware());
   });
@@ -32,9 +32,9 @@ export function environmentStatus(numbers, store) {
 /**
  * Says that there is no network, as long as there is none.
  * @param {HTMLElement} place
- * @param {import("../../store/state.js").Store} store
+ * @param {import("../../store/actions.js").Actions} actions
  */
-function networkStatus(place, store) {
+function networkStatus(place, actions) {
   const update = () => {
     const offline = !navigator.onLine;
     if (offline === !place.hidden) return;
@@ -42,7 +42,7 @@ function networkStatus(place, store) {
     const words = `Offline: ${kept ? 'everything still works' : 'what is loaded still works'}`;
     place.hidden = !offline;
     place.title = words;
-    store.set({ status: offline ? words : 'Online again' });
+    actions.setStatus(offline ? words : 'Online again');
   };
   window.addEventListener('online', update);
   window.addEventListener('offline', update);

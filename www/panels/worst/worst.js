@@ -5,6 +5,7 @@
 
 import '../../ui/styles/lists.css';
 import { itemByKey } from '../../ui/controls/arrow-keys.js';
+import { choice, setOptions } from '../../ui/controls/fields.js';
 import { element, setText, throttled } from '../../ui/dom.js';
 import { length } from '../../ui/format.js';
 import {
@@ -30,13 +31,13 @@ const COLOURS = 'colours';
  * @param {import("../../app/context.js").AppContext} app
  */
 export function worstElements(panel, app) {
-  const { store, solver } = app;
+  const { store, actions } = app;
   /** What the rows of the table show. @type {WorstElement[]} */
   let shown = [];
   let inSight = false;
   let asked = 0;
 
-  const by = element('select', { 'aria-label': 'Worst by', onchange: () => ask() });
+  const by = choice({ 'aria-label': 'Worst by' }, () => ask());
   const words = element('p.quiet');
   const body = element('tbody');
   const heading = element('th.figure', { scope: 'col' }, 'Error');
@@ -86,9 +87,7 @@ export function worstElements(panel, app) {
         `Constraint: ${row.label} on ${row.on}`,
       ]),
     ];
-    const before = by.value;
-    by.replaceChildren(...choices.map(([value, text]) => element('option', { value }, text)));
-    if (choices.some(([value]) => value === before)) by.value = before;
+    setOptions(by, choices);
     by.disabled = choices.length === 0;
     ask();
   }
@@ -99,15 +98,9 @@ export function worstElements(panel, app) {
     const about =
       by.value === COLOURS ? declared(state, state.measure ?? measureOfScene(state)) : undefined;
     const turn = ++asked;
-    const request = about
-      ? { measure: about.id, row: null }
-      : { measure: null, row: by.value === '' ? null : Number(by.value) };
-    const found =
-      by.value === ''
-        ? []
-        : await app.actions.reportErrors(
-            solver.request({ type: 'worst', ...request, count: ROWS }),
-          );
+    const row = by.value === '' ? null : Number(by.value);
+    const request = about ? { measure: about.id, row: null } : { measure: null, row };
+    const found = by.value === '' ? [] : await actions.worst(request, ROWS);
     // A later answer may be there already.
     if (found && turn === asked) fill(found, about);
   });

@@ -1,0 +1,51 @@
+/** What the page shows and what is selected: changes that the solver knows nothing of. */
+
+import { NOTHING } from './selection.js';
+
+/** @typedef {import("./state.js").State} State */
+
+/** @param {import("./state.js").Store} store */
+export function createViewActions(store) {
+  return {
+    /** @param {string} status what happened, in words */
+    setStatus: (status) => store.set({ status }),
+
+    /** @param {Partial<State["display"]>} change */
+    display: (change) => store.set({ display: { ...store.get().display, ...change } }),
+
+    /** What the faces are coloured by. @param {State["measure"]} measure */
+    colourBy: (measure) => store.set({ measure, measureChosen: true }),
+
+    /** @param {Partial<State["ownRange"]>} change of the range of the colours */
+    setRange: (change) =>
+      store.set({ ownRange: { ...store.get().ownRange, top: null, ...change } }),
+
+    /**
+     * What may be off, in the unit of the measure.
+     * @param {import("../solver/messages.js").FaceMeasure} measure
+     * @param {number | null} value
+     */
+    setTolerance({ id, toleranced }, value) {
+      if (toleranced) store.set({ tolerance: value });
+      else store.set({ tolerances: { ...store.get().tolerances, [id]: value } });
+    },
+
+    /** @param {State["tint"]} tint */
+    tint: (tint) => store.set({ tint }),
+
+    /** @param {Partial<Pick<State, "tool" | "shape" | "through" | "brush">>} tool */
+    useTool: (tool) => store.set(tool),
+
+    /**
+     * Selects faces where there are any, else edges, else vertices, and nothing else.
+     * @param {{ vertices: Iterable<number>, edges?: Iterable<number>, faces: Iterable<number> }} elements
+     */
+    select({ vertices, edges = [], faces }) {
+      const sets = { faces: new Set(faces), edges: new Set(edges), vertices: new Set(vertices) };
+      const mode = sets.faces.size > 0 ? 'faces' : sets.edges.size > 0 ? 'edges' : 'vertices';
+      store.set({ mode, selection: { ...NOTHING, [mode]: sets[mode] } });
+    },
+
+    selectNothing: () => store.set({ selection: NOTHING }),
+  };
+}
