@@ -60,7 +60,11 @@ export async function runToTheEnd(page) {
 
 /** Clicks a button of the toolbar, which may be behind "More". */
 export async function tool(page, name) {
-  const button = page.getByRole('button', { name, exact: true }).filter({ visible: true });
+  const options = { name, exact: true };
+  const button = page
+    .getByRole('button', options)
+    .or(page.getByRole('switch', options))
+    .filter({ visible: true });
   if (!(await button.isVisible())) {
     await page.getByRole('button', { name: 'More', exact: true }).click();
   }

@@ -25,7 +25,7 @@ import { energiesPanel } from '../panels/energies/energies.js';
 import { exampleNote } from '../panels/example/example.js';
 import { Startup } from './startup.js';
 import { handlesPanel } from '../panels/handles/handles.js';
-import { bindHalfStepButtons } from '../store/half-step.js';
+import { bindHalfStepSwitches } from '../store/half-step.js';
 import { HoldOriginal } from '../features/hold-original.js';
 import { modelPanel } from '../panels/model/model.js';
 import { statusBar } from '../panels/status-bar/status-bar.js';
@@ -134,7 +134,7 @@ for (const button of document.querySelectorAll('[data-command="reset"]'))
 bindButtons(commands, store);
 bindKeys(commands, store);
 bindRunButton(byId('run'), store);
-bindHalfStepButtons(store);
+bindHalfStepSwitches(store);
 /** @type {Window & { earlyPresses?: string[] }} index.html gathers them */
 const early = window;
 runEarlyPresses(commands, store, early.earlyPresses ?? []);

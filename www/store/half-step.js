@@ -1,6 +1,5 @@
-/** The two halves of an iteration (Fig. 4 of the paper): the words for them, and their button. */
+/** The two halves of an iteration (Fig. 4 of the paper): the words for them, and their switch. */
 
-import { setText } from '../ui/dom.js';
 import { groupDigits } from '../ui/format.js';
 
 /**
@@ -34,17 +33,15 @@ export function halfStepTitle({ halfway }) {
 }
 
 /**
- * Its buttons, in the toolbar and in the menu of a phone, say which half is next.
+ * Its switches, in the toolbar and in the menu of a phone, are on between the two halves.
  * @param {import("./state.js").Store} store
  */
-export function bindHalfStepButtons(store) {
-  const buttons = [...document.querySelectorAll('[data-command="half-step"]')];
+export function bindHalfStepSwitches(store) {
+  const switches = [...document.querySelectorAll('[data-command="half-step"]')];
   store.subscribe(['halfway'], ({ halfway }) => {
-    for (const button of buttons) {
-      const label = button.querySelector('span');
-      if (label) setText(label, halfway ? 'Global' : 'Local');
-      const use = button.querySelector('use');
-      use?.setAttribute('href', halfway ? '#icon-global' : '#icon-local');
+    for (const one of switches) {
+      one.setAttribute('aria-checked', String(halfway));
+      one.querySelector('use')?.setAttribute('href', halfway ? '#icon-global' : '#icon-local');
     }
   });
 }

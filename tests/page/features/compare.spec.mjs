@@ -186,13 +186,13 @@ test('a local step fits and moves nothing; the global step moves as a step does'
   const bare = await picture(page);
 
   const status = page.getByRole('status');
-  await tool(page, 'Local');
+  await tool(page, 'Half step');
   await expect(status).toHaveText('Local step done: 384 shapes fitted (square); next: global step');
   expect(await positionOf(page, 100)).toEqual(before);
   // The squares are seen.
   expect(differing(bare, await picture(page), [0, 1])).toBeGreaterThan(1000);
 
-  await tool(page, 'Global');
+  await tool(page, 'Half step');
   await expect(status).toHaveText(/^Global step done: moved to the least-squares answer/);
   expect(await positionOf(page, 100)).toEqual(stepped);
   expect((await state(page)).iteration).toBe(1);
@@ -205,20 +205,20 @@ test('a local step fits and moves nothing; the global step moves as a step does'
 
 test('whatever else is done leaves the half step', async ({ page }) => {
   await openExample(page, 'fig-04-squares', 384);
-  const next = async (name) => {
-    const shown = page.locator('[data-command="half-step"] span').first();
-    await expect(shown).toHaveText(name);
+  const isHalfway = async (checked) => {
+    const shown = page.locator('[data-command="half-step"]').first();
+    await expect(shown).toHaveAttribute('aria-checked', String(checked));
   };
   for (const other of ['Step', 'Reset', 'Undo']) {
-    await tool(page, 'Local');
-    await next('Global');
+    await tool(page, 'Half step');
+    await isHalfway(true);
     await tool(page, other);
-    await next('Local');
+    await isHalfway(false);
   }
-  await tool(page, 'Local');
-  await next('Global');
+  await tool(page, 'Half step');
+  await isHalfway(true);
   await tool(page, 'Run');
-  await next('Local');
+  await isHalfway(false);
   await tool(page, 'Pause');
 });
 
