@@ -1,29 +1,30 @@
 //! The current state as files: OBJ, scene.
 
-use super::state::{Session, grouped};
+use super::state::{RestMesh, SolvedScene, grouped};
 use crate::mesh::{Weld, write_obj};
 use crate::scene::{Scene, UnitsAndUp};
 
-impl Session {
-    /// The current shape as the text of an OBJ file, with the unit and the axis that are known.
-    pub fn obj(&self) -> String {
-        let comments = UnitsAndUp::comments(&self.document.units, self.document.up);
-        comments + &write_obj(&self.mesh, &self.positions())
-    }
+/// The current shape as the text of an OBJ file, with the unit and the axis that are known.
+pub(super) fn obj(scene: &SolvedScene, rest: &RestMesh) -> String {
+    comments(scene) + &write_obj(rest.mesh(), scene.positions())
+}
 
-    /// The same of the mesh as it came, which was welded to the mesh of this session.
-    pub fn obj_as_it_came(&self, weld: &Weld) -> String {
-        let comments = UnitsAndUp::comments(&self.document.units, self.document.up);
-        let positions = weld.as_it_came(&self.mesh.positions, &self.positions());
-        comments + &write_obj(&weld.original, &positions)
-    }
+/// The same of the mesh as it came, which was welded to `rest`.
+pub(super) fn obj_as_it_came(scene: &SolvedScene, rest: &RestMesh, weld: &Weld) -> String {
+    let positions = weld.as_it_came(rest.positions(), scene.positions());
+    comments(scene) + &write_obj(&weld.original, &positions)
+}
 
-    /// The scene as it stands, with current positions when they are not at rest.
-    pub fn scene(&self) -> Scene {
-        let mut scene = self.document.clone();
-        let positions = self.positions();
-        scene.current = (positions != self.mesh.positions).then_some(positions);
-        scene.handles = grouped(self.solver.handles());
-        scene
-    }
+fn comments(scene: &SolvedScene) -> String {
+    let document = scene.document();
+    UnitsAndUp::comments(&document.units, document.up)
+}
+
+/// The document with its handles, and with current positions when they are not at rest.
+pub(super) fn whole_scene(scene: &SolvedScene, rest: &RestMesh) -> Scene {
+    let mut whole = scene.document().clone();
+    let positions = scene.positions();
+    whole.current = (**positions != *rest.positions()).then(|| positions.to_vec());
+    whole.handles = grouped(scene.handles());
+    whole
 }

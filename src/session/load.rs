@@ -2,13 +2,15 @@
 //! checked while the scene that is open is still whole, and then that one can do without its solver,
 //! which is most of what it takes, until the next one is there.
 
-use super::report::check_lesson;
-use super::state::{ResolvedRow, RunState, Session, flat, resolve_rows, solver};
+use super::Session;
+use super::report::{MeasureCache, check_lesson};
+use super::run::{CollapseGuard, Progress};
+use super::state::{ResolvedRow, RestMesh, SolvedScene, flat, resolve_rows};
+use super::undo::{History, Transaction};
 use crate::error::Error;
-use crate::mesh::{BoundingSphere, Mesh, Point, Topology};
+use crate::mesh::{Mesh, Point};
 use crate::scene::Scene;
-use crate::solve::{Handle, SetupCache};
-use std::cell::RefCell;
+use crate::solve::Handle;
 
 impl Session {
     /// Checks the scene against `mesh`, which is what `scene.mesh` stands for, and sets up the solver.
@@ -44,21 +46,23 @@ impl Session {
 
     /// Gives back what can be made again.
     fn suspend(self) -> Suspended {
+        let Session { rest, scene, progress, guard, history, transaction, .. } = self;
+        let (positions, handles) = (scene.positions().to_vec(), scene.handles().to_vec());
+        let past = Past { progress, guard, history, transaction };
         Suspended {
-            positions: self.positions(),
-            handles: self.solver.handles().to_vec(),
-            mesh: self.mesh,
-            document: self.document,
-            run_state: self.run_state,
+            mesh: rest.into_mesh(),
+            document: scene.into_document(),
+            handles,
+            positions,
+            past,
         }
     }
 }
 
 /// A scene that fits its mesh, before its solver is set up.
-pub(super) struct Checked {
+struct Checked {
     scene: Scene,
-    mesh: Mesh,
-    topology: Topology,
+    rest: RestMesh,
     rows: Vec<ResolvedRow>,
 }
 
@@ -67,21 +71,22 @@ impl Checked {
     ///
     /// # Errors
     /// When the scene does not fit the mesh, or a row of constraints is empty.
-    pub(super) fn new(scene: Scene, mesh: Mesh) -> Result<Checked, Error> {
+    fn new(scene: Scene, mesh: Mesh) -> Result<Checked, Error> {
         scene.validate(&mesh)?;
         check_lesson(&scene, &mesh)?;
-        let topology = Topology::new(&mesh);
-        let rows = resolve_rows(&scene, &mesh, &topology)?;
-        Ok(Checked { scene, mesh, topology, rows })
+        let rest = RestMesh::new(mesh);
+        let rows = resolve_rows(&scene, rest.mesh(), rest.topology())?;
+        Ok(Checked { scene, rest, rows })
     }
 
     /// Opens it where the scene starts.
     ///
     /// # Errors
     /// When the system is singular.
-    pub(super) fn open(mut self) -> Result<Session, Error> {
-        let start = self.scene.current.take().unwrap_or_else(|| self.mesh.positions.clone());
-        let handles = flat(&std::mem::take(&mut self.scene.handles), &self.mesh.positions);
+    fn open(mut self) -> Result<Session, Error> {
+        let start = self.scene.current.take();
+        let start = start.unwrap_or_else(|| self.rest.positions().to_vec());
+        let handles = flat(&std::mem::take(&mut self.scene.handles), self.rest.positions());
         self.set_up(handles, &start, None)
     }
 
@@ -94,23 +99,19 @@ impl Checked {
         self,
         handles: Vec<Handle>,
         start: &[Point],
-        run_state: Option<RunState>,
+        past: Option<Past>,
     ) -> Result<Session, Error> {
-        let Checked { scene, mesh, topology, rows } = self;
-        let solver =
-            solver(&scene, &mesh, &topology, &rows, SetupCache::default(), handles, start)?;
-        Ok(Session {
-            diameter: BoundingSphere::of(&mesh.positions).diameter(),
-            run_state: run_state
-                .unwrap_or_else(|| RunState::beginning(solver.energy(), scene.clone())),
-            mesh,
-            topology,
-            document: scene,
-            rows,
-            solver,
-            measured: RefCell::default(),
-            halfway: false,
-        })
+        let Checked { scene, rest, rows } = self;
+        let scene = SolvedScene::new(scene, &rest, rows, handles, start)?;
+        let past = past.unwrap_or_else(|| Past {
+            progress: Progress::new(scene.solver().energy()),
+            guard: CollapseGuard::new(scene.document().clone()),
+            history: History::default(),
+            transaction: None,
+        });
+        let Past { progress, guard, history, transaction } = past;
+        let measured = MeasureCache::default();
+        Ok(Session { rest, scene, progress, guard, history, transaction, measured })
     }
 }
 
@@ -121,7 +122,15 @@ struct Suspended {
     handles: Vec<Handle>,
     /// Current positions, `#V by 3`.
     positions: Vec<Point>,
-    run_state: RunState,
+    past: Past,
+}
+
+/// What has happened in a session since it was opened.
+struct Past {
+    progress: Progress,
+    guard: CollapseGuard,
+    history: History,
+    transaction: Option<Transaction>,
 }
 
 impl Suspended {
@@ -131,6 +140,6 @@ impl Suspended {
     /// When the system is singular, which it was not before.
     fn resume(self) -> Result<Session, Error> {
         let checked = Checked::new(self.document, self.mesh)?;
-        checked.set_up(self.handles, &self.positions, Some(self.run_state))
+        checked.set_up(self.handles, &self.positions, Some(self.past))
     }
 }

@@ -5,34 +5,50 @@
 //!
 //! | file or folder | holds |
 //! |---|---|
-//! | `state` | the session and what it holds |
+//! | `composition` | the session: its parts, and plain access to them |
 //! | `load` | a scene opened, alone or in the place of another |
-//! | `edit` | edits, settings, remedies |
-//! | `undo` | edits made and taken back; drags and runs, one step of undo each |
-//! | `run` | iterations |
+//! | `editing` | edits, undo and redo, and their restoring after a restart |
+//! | `dragging` | drags and runs, one step of undo each |
+//! | `iterating` | iterations, whole and in halves |
+//! | `asking` | what hosts ask: selections, measures, reports, files |
+//! | `handed_in` | the results of a lesson, and their check |
+//! | `remedies` | changes that help where constraints are not met, tried on a copy |
+//! | `state` | the parts: the mesh at rest, and the scene with its solver; how that changes |
+//! | `run` | the parts: progress and the guard against collapse |
+//! | `undo` | the parts: the history, and the drag or run that is under way |
+//! | `edit` | the edits and their effects, settings, previews |
 //! | `selection` | selecting by what the mesh is like |
 //! | `report` | measures, reports, lists of the worst |
 //! | `export` | the current state as OBJ and as a scene |
 
+mod asking;
+mod composition;
+mod dragging;
 mod edit;
+mod editing;
 mod export;
+mod handed_in;
+mod iterating;
 mod load;
+mod remedies;
 mod report;
 mod run;
 mod selection;
 mod state;
 mod undo;
 
-pub use edit::{
-    ConstraintTarget, Edit, NewConstraint, Preview, Remedies, Remedy, SETTINGS, Setting,
-    settings_of,
-};
+pub use composition::Session;
+pub use edit::{ConstraintTarget, Edit, NewConstraint, Preview, SETTINGS, Setting, settings_of};
+pub use handed_in::check_results;
+pub use remedies::{Remedies, Remedy};
 pub use report::{
     ConstraintMap, EnergyReport, FACE_MEASURES, FaceMeasure, GoalWords, MeasureUnit, Moved,
-    Projections, Report, Seconds, Shape, Verdict, WorstElement, ZERO_SIZE_FACES, check_results,
-    flaw_of, goals_in_words,
+    Projections, Report, Seconds, Shape, Verdict, WorstElement, ZERO_SIZE_FACES, flaw_of,
+    goals_in_words,
 };
-pub use run::{FittedCount, HalfStep, Step, max_interactive_faces};
+pub use run::{
+    Collapse, CollapseReason, FittedCount, HalfStep, Step, TraceEntry, max_interactive_faces,
+};
 pub use selection::{Mode, OPERATIONS, Operation, SelectRequest, Selection};
-pub use state::{Collapse, CollapseReason, ResolvedRow, Session, TraceEntry};
+pub use state::ResolvedRow;
 pub use undo::check_targets;

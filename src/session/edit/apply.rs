@@ -1,212 +1,255 @@
-//! The effect of each edit on a state of the document. A failed edit changes nothing.
+//! The effect of each edit on a draft.
 
 use super::closeness_weights::{set_closeness_weight, strengthen_closeness};
-use super::edit_list::Edit;
+use super::constraint_target::ConstraintTarget;
+use super::edit_list::{Edit, NewConstraint};
 use super::settings;
 use crate::constraint::{Kind, KindError, Set};
-use crate::mesh::{Point, counted};
-use crate::scene::{ConstraintSpec, HANDLE_WEIGHT, Hold, PRESETS, Scene, SceneError};
+use crate::mesh::counted;
+use crate::scene::{ConstraintSpec, HANDLE_WEIGHT, Hold, PRESETS, SceneError};
 use crate::session::report::check_lesson;
-use crate::session::state::{Session, Snapshot};
+use crate::session::run::Start;
+use crate::session::state::{Draft, Part, RowValues};
 use crate::solve::{Handle, HandleIndex};
 use serde_json::{Map, Value};
+use std::rc::Rc;
 
-impl Session {
-    /// Applies an edit to a state, and gives its name.
-    pub(crate) fn apply(&self, edit: Edit, state: &mut Snapshot) -> Result<String, SceneError> {
-        let Snapshot { document, handles, positions, iteration, start } = state;
-        let name = match edit {
-            Edit::AddConstraint(new) => {
-                let name = format!("Add {}", new.spec.kind.info().label.to_ascii_lowercase());
-                new.add_to(document);
-                name
-            }
-            Edit::MakePanels { kind } => {
-                let info = document.ask_of_panels(&kind, &self.mesh)?;
-                format!("Make panels {}", info.panels.unwrap_or(info.id))
-            }
-            Edit::RemoveConstraint { index } => {
-                let label = row(document, index)?.kind.info().label.to_ascii_lowercase();
-                document.constraints.remove(index);
-                format!("Remove {label}")
-            }
-            Edit::SetConstraint { index, weight, enabled, params } => {
-                let spec = row(document, index)?;
-                let what = match (enabled, weight, params.is_empty()) {
-                    (Some(true), None, true) => "Switch on",
-                    (Some(false), None, true) => "Switch off",
-                    _ => "Change",
-                };
-                set_params(spec, index, params)?;
-                spec.weight = weight.unwrap_or(spec.weight);
-                spec.enabled = enabled.unwrap_or(spec.enabled);
-                format!("{what} {}", spec.kind.info().label.to_ascii_lowercase())
-            }
-            Edit::DuplicateConstraint { index } => {
-                let copy = row(document, index)?.clone();
-                let label = copy.kind.info().label.to_ascii_lowercase();
-                document.constraints.insert(index + 1, copy);
-                format!("Duplicate {label}")
-            }
-            Edit::RenameConstraint { index, name } => {
-                let spec = row(document, index)?;
-                spec.name = name;
-                format!("Rename {}", spec.kind.info().label.to_ascii_lowercase())
-            }
-            Edit::NameSet { name, set } => {
-                if name.is_empty() || set == Set::default() {
-                    let message = "expected a name and something that it stands for".to_owned();
-                    return Err(SceneError { path: "sets".to_owned(), message });
-                }
-                let words = format!("Save set {name}");
-                document.sets.insert(name, set);
-                words
-            }
-            Edit::RemoveSet { name } => {
-                document.sets.remove(&name);
-                format!("Remove set {name}")
-            }
-            Edit::Set { id, value } => {
-                format!("Change setting: {}", settings::set(document, &id, &value)?)
-            }
-            Edit::HoldClose { vertices, weight } => {
-                match &vertices {
-                    Some(vertices) => {
-                        set_closeness_weight(&mut document.closeness, vertices, weight);
-                    }
-                    None => document.closeness.weights.clear(),
-                }
-                vertices.map_or("Same closeness for all".to_owned(), |vertices| {
-                    format!("Change closeness of {}", of_vertices(vertices.len()))
-                })
-            }
-            Edit::HoldCloser => {
-                strengthen_closeness(document);
-                // From a shape without extent there is no way back.
-                if let Some(start) = start.take() {
-                    positions.clone_from(&start.positions);
-                    *iteration = start.iteration;
-                }
-                "Hold closer".to_owned()
-            }
-            Edit::WeighHandles { vertices, weight } => {
-                if !(weight.is_finite() && weight > 0.0) {
-                    let message = format!("found {weight}, expected a number above 0");
-                    return Err(SceneError { path: "handles.weight".to_owned(), message });
-                }
-                let places = HandleIndex::new(positions.len(), handles);
-                for place in vertices.iter().filter_map(|&vertex| places.get(vertex)) {
-                    handles[place].hold = Hold::Soft { weight };
-                }
-                format!("Weigh {}", counted(vertices.len(), "handle", "handles"))
-            }
-            Edit::SetWeights(weights) => {
-                document.weights = weights;
-                "Change weights".to_owned()
-            }
-            Edit::Preset { id } => {
-                let preset = PRESETS.iter().find(|preset| preset.id == id).ok_or_else(|| {
-                    let message = format!("there is no preset `{id}`");
-                    SceneError { path: "id".to_owned(), message }
-                })?;
-                preset.set(document);
-                format!("Use {}", preset.label)
-            }
-            Edit::SetUnits { units } => {
-                document.units = units;
-                "Change unit".to_owned()
-            }
-            Edit::SetUp { up } => {
-                document.up = up;
-                "Change up axis".to_owned()
-            }
-            Edit::SetLesson(lesson) => {
-                document.lesson = lesson;
-                "Change lesson".to_owned()
-            }
-            Edit::AddHandles { vertices, fixed } => {
-                let hold = if fixed { Hold::Fixed } else { Hold::Soft { weight: HANDLE_WEIGHT } };
-                self.hold(&vertices, hold, handles, positions)?;
-                match fixed {
-                    true => format!("Fix {}", of_vertices(vertices.len())),
-                    false => format!("Make {}", counted(vertices.len(), "handle", "handles")),
-                }
-            }
-            Edit::RemoveHandles { vertices } => {
-                let mut released = vec![false; positions.len()];
-                let known = vertices.iter().filter(|vertex| (**vertex as usize) < positions.len());
-                known.for_each(|&vertex| released[vertex as usize] = true);
-                handles.retain(|handle| !released[handle.vertex as usize]);
-                format!("Release {}", of_vertices(vertices.len()))
-            }
-            Edit::Reset => {
-                positions.clone_from(&self.mesh.positions);
-                *iteration = 0;
-                *start = None;
-                "Reset".to_owned()
-            }
-        };
-        // Also of a row that is renamed or taken away: the scene could not be opened again.
-        check_lesson(document, &self.mesh)?;
-        Ok(name)
-    }
-
-    /// Makes vertices handles where they are; those that are handles already change how they hold.
-    fn hold(
-        &self,
-        vertices: &[u32],
-        hold: Hold,
-        handles: &mut Vec<Handle>,
-        positions: &[Point],
-    ) -> Result<(), SceneError> {
-        let mut places = HandleIndex::new(positions.len(), handles);
-        for &vertex in vertices {
-            let Some(&target) = positions.get(vertex as usize) else {
-                let message =
-                    format!("vertex {vertex} is out of range: the mesh has {}", positions.len());
-                return Err(SceneError { path: "handles".to_owned(), message });
-            };
-            match places.get(vertex) {
-                Some(place) => handles[place].hold = hold,
-                None => {
-                    places.insert(vertex, handles.len());
-                    handles.push(Handle { vertex, target, hold });
-                }
-            }
-        }
-        Ok(())
-    }
+/// The place of a state among the iterations.
+pub(crate) struct Moment {
+    /// Iterations up to it.
+    pub(crate) iteration: u32,
+    /// The shape from which they led to it, since somebody last changed something.
+    pub(crate) start: Option<Rc<Start>>,
 }
 
-fn row(document: &mut Scene, index: usize) -> Result<&mut ConstraintSpec, SceneError> {
-    let count = document.constraints.len();
-    document.constraints.get_mut(index).ok_or_else(|| SceneError {
+/// Makes an edit of a draft, and gives its name.
+///
+/// # Errors
+/// When it names a row, a vertex or a value that there is not; the draft may hold a part of the edit then.
+pub(crate) fn apply(
+    edit: Edit,
+    draft: &mut Draft<'_>,
+    moment: &mut Moment,
+) -> Result<String, SceneError> {
+    let name = match edit {
+        Edit::AddConstraint(new) => add(new, draft),
+        Edit::MakePanels { kind } => {
+            let info = draft.set_rows(|document, mesh| document.ask_of_panels(&kind, mesh))?;
+            format!("Make panels {}", info.panels.unwrap_or(info.id))
+        }
+        Edit::RemoveConstraint { index } => {
+            let label = label_of(row(draft, index)?);
+            draft.put(Part::Row(index, None));
+            format!("Remove {label}")
+        }
+        Edit::SetConstraint { index, weight, enabled, params } => {
+            let spec = row(draft, index)?;
+            let what = match (enabled, weight, params.is_empty()) {
+                (Some(true), None, true) => "Switch on",
+                (Some(false), None, true) => "Switch off",
+                _ => "Change",
+            };
+            let values = RowValues {
+                kind: with_params(&spec.kind, index, params)?,
+                weight: weight.unwrap_or(spec.weight),
+                enabled: enabled.unwrap_or(spec.enabled),
+            };
+            let name = format!("{what} {}", label_of(spec));
+            draft.put(Part::RowValues(index, values));
+            name
+        }
+        Edit::DuplicateConstraint { index } => {
+            let copy = row(draft, index)?.clone();
+            let name = format!("Duplicate {}", label_of(&copy));
+            draft.put(Part::Row(index + 1, Some(copy)));
+            name
+        }
+        Edit::RenameConstraint { index, name } => {
+            let label = label_of(row(draft, index)?);
+            draft.put(Part::RowName(index, name));
+            format!("Rename {label}")
+        }
+        Edit::NameSet { name, set } => {
+            if name.is_empty() || set == Set::default() {
+                let message = "expected a name and something that it stands for".to_owned();
+                return Err(SceneError { path: "sets".to_owned(), message });
+            }
+            let words = format!("Save set {name}");
+            draft.put(Part::Set(name, Some(set)));
+            words
+        }
+        Edit::RemoveSet { name } => {
+            let words = format!("Remove set {name}");
+            draft.put(Part::Set(name, None));
+            words
+        }
+        Edit::Set { id, value } => {
+            let label = draft.set(|document| settings::set(document, &id, &value))?;
+            format!("Change setting: {label}")
+        }
+        Edit::HoldClose { vertices, weight } => {
+            let mut weights = Vec::new();
+            if let Some(vertices) = &vertices {
+                weights.clone_from(&draft.document().closeness.weights);
+                set_closeness_weight(&mut weights, vertices, weight);
+            }
+            draft.put(Part::ClosenessWeights(weights));
+            vertices.map_or("Same closeness for all".to_owned(), |vertices| {
+                format!("Change closeness of {}", of_vertices(vertices.len()))
+            })
+        }
+        Edit::HoldCloser => {
+            draft.set(|document| {
+                strengthen_closeness(document);
+                Ok(())
+            })?;
+            // From a shape without extent there is no way back.
+            if let Some(start) = moment.start.take() {
+                draft.put_positions(Rc::clone(start.positions()));
+                moment.iteration = start.iteration();
+            }
+            "Hold closer".to_owned()
+        }
+        Edit::WeighHandles { vertices, weight } => {
+            if !(weight.is_finite() && weight > 0.0) {
+                let message = format!("found {weight}, expected a number above 0");
+                return Err(SceneError { path: "handles.weight".to_owned(), message });
+            }
+            let mut handles = draft.handles().to_vec();
+            let places = HandleIndex::new(draft.positions().len(), &handles);
+            for place in vertices.iter().filter_map(|&vertex| places.get(vertex)) {
+                handles[place].hold = Hold::Soft { weight };
+            }
+            draft.put_handles(handles);
+            format!("Weigh {}", counted(vertices.len(), "handle", "handles"))
+        }
+        Edit::SetWeights(weights) => {
+            draft.set(|document| {
+                document.weights = weights;
+                Ok(())
+            })?;
+            "Change weights".to_owned()
+        }
+        Edit::Preset { id } => {
+            let preset = PRESETS.iter().find(|preset| preset.id == id).ok_or_else(|| {
+                let message = format!("there is no preset `{id}`");
+                SceneError { path: "id".to_owned(), message }
+            })?;
+            draft.set(|document| {
+                preset.set(document);
+                Ok(())
+            })?;
+            format!("Use {}", preset.label)
+        }
+        Edit::SetUnits { units } => {
+            draft.put(Part::Units(units));
+            "Change unit".to_owned()
+        }
+        Edit::SetUp { up } => {
+            draft.put(Part::Up(up));
+            "Change up axis".to_owned()
+        }
+        Edit::SetLesson(lesson) => {
+            draft.put(Part::Lesson(lesson));
+            "Change lesson".to_owned()
+        }
+        Edit::AddHandles { vertices, fixed } => {
+            let hold = if fixed { Hold::Fixed } else { Hold::Soft { weight: HANDLE_WEIGHT } };
+            draft.put_handles(with_handles(&vertices, hold, draft)?);
+            match fixed {
+                true => format!("Fix {}", of_vertices(vertices.len())),
+                false => format!("Make {}", counted(vertices.len(), "handle", "handles")),
+            }
+        }
+        Edit::RemoveHandles { vertices } => {
+            let mut released = vec![false; draft.positions().len()];
+            let known = vertices.iter().filter(|vertex| (**vertex as usize) < released.len());
+            let known: Vec<usize> = known.map(|&vertex| vertex as usize).collect();
+            known.into_iter().for_each(|vertex| released[vertex] = true);
+            let mut handles = draft.handles().to_vec();
+            handles.retain(|handle| !released[handle.vertex as usize]);
+            draft.put_handles(handles);
+            format!("Release {}", of_vertices(vertices.len()))
+        }
+        Edit::Reset => {
+            draft.put_positions(draft.mesh().positions.as_slice().into());
+            *moment = Moment { iteration: 0, start: None };
+            "Reset".to_owned()
+        }
+    };
+    // Also of a row that is renamed or taken away: the scene could not be opened again.
+    check_lesson(draft.document(), draft.mesh())?;
+    Ok(name)
+}
+
+/// Appends a row, and its set under a name of its own.
+fn add(new: NewConstraint, draft: &mut Draft<'_>) -> String {
+    let NewConstraint { mut spec, set } = new;
+    let name = format!("Add {}", label_of(&spec));
+    let (on, named) = ConstraintTarget { on: spec.on, set }.named_in(&draft.document().sets);
+    spec.on = on;
+    if let Some((name, set)) = named {
+        draft.put(Part::Set(name, Some(set)));
+    }
+    draft.put(Part::Row(draft.document().constraints.len(), Some(spec)));
+    name
+}
+
+/// The handles with `vertices` among them, made where they are; those that are handles already change how
+/// they hold.
+fn with_handles(
+    vertices: &[u32],
+    hold: Hold,
+    draft: &Draft<'_>,
+) -> Result<Vec<Handle>, SceneError> {
+    let (mut handles, positions) = (draft.handles().to_vec(), draft.positions());
+    let mut places = HandleIndex::new(positions.len(), &handles);
+    for &vertex in vertices {
+        let Some(&target) = positions.get(vertex as usize) else {
+            let message =
+                format!("vertex {vertex} is out of range: the mesh has {}", positions.len());
+            return Err(SceneError { path: "handles".to_owned(), message });
+        };
+        match places.get(vertex) {
+            Some(place) => handles[place].hold = hold,
+            None => {
+                places.insert(vertex, handles.len());
+                handles.push(Handle { vertex, target, hold });
+            }
+        }
+    }
+    Ok(handles)
+}
+
+fn row<'a>(draft: &'a Draft<'_>, index: usize) -> Result<&'a ConstraintSpec, SceneError> {
+    let rows = &draft.document().constraints;
+    rows.get(index).ok_or_else(|| SceneError {
         path: format!("constraints[{index}]"),
-        message: format!("there is no such row: the scene has {count}"),
+        message: format!("there is no such row: the scene has {}", rows.len()),
     })
 }
 
-/// Gives a row other values of some parameters.
-fn set_params(
-    spec: &mut ConstraintSpec,
-    index: usize,
-    changed: Map<String, Value>,
-) -> Result<(), SceneError> {
+/// The name of a row's kind inside a sentence.
+fn label_of(row: &ConstraintSpec) -> String {
+    row.kind.info().label.to_ascii_lowercase()
+}
+
+/// The kind of row `index` with other values of some parameters.
+fn with_params(kind: &Kind, index: usize, changed: Map<String, Value>) -> Result<Kind, SceneError> {
     if changed.is_empty() {
-        return Ok(());
+        return Ok(kind.clone());
     }
-    let mut params = spec.kind.params();
+    let mut params = kind.params();
     if let Some(params) = params.as_object_mut() {
         params.extend(changed);
     }
-    spec.kind = Kind::new(spec.kind.info().id, params).map_err(|error| match error {
+    Kind::new(kind.info().id, params).map_err(|error| match error {
         KindError::Params { path, message } => {
             let below = if path.is_empty() { String::new() } else { format!(".{path}") };
             SceneError { path: format!("constraints[{index}]{below}"), message }
         }
         KindError::Unknown => unreachable!("the row has this kind"),
-    })?;
-    Ok(())
+    })
 }
 
 fn of_vertices(count: usize) -> String {

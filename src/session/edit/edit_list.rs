@@ -1,8 +1,7 @@
 //! The edits of the document: each is one step of undo.
 
-use super::constraint_target::ConstraintTarget;
 use crate::constraint::Set;
-use crate::scene::{ConstraintSpec, Lesson, Scene, Up, Weights};
+use crate::scene::{ConstraintSpec, Lesson, Up, Weights};
 use serde_json::{Map, Value};
 
 /// An edit of the document; [`Edit::from_json`] reads one.
@@ -10,7 +9,7 @@ use serde_json::{Map, Value};
 pub enum Edit {
     /// Appends a row of constraints.
     AddConstraint(NewConstraint),
-    /// Asks for one shape of every face that can have it: see [`Scene::ask_of_panels`].
+    /// Asks for one shape of every face that can have it: see [`crate::scene::Scene::ask_of_panels`].
     MakePanels {
         /// The id of the kind.
         kind: String,
@@ -119,15 +118,6 @@ pub enum Edit {
 pub struct NewConstraint {
     /// The row.
     pub spec: ConstraintSpec,
-    /// What [`ConstraintTarget::UNNAMED`] stands for in the selector.
+    /// What [`super::ConstraintTarget::UNNAMED`] stands for in the selector.
     pub set: Option<Set>,
-}
-
-impl NewConstraint {
-    /// Adds the row to `document`, and its set under a name of its own.
-    pub(crate) fn add_to(self, document: &mut Scene) {
-        let NewConstraint { mut spec, set } = self;
-        spec.on = ConstraintTarget { on: spec.on, set }.name_in(document);
-        document.constraints.push(spec);
-    }
 }

@@ -3,14 +3,13 @@
 //! | file | holds |
 //! |---|---|
 //! | `edit_list` | the edits |
-//! | `apply` | what each does to a state |
+//! | `apply` | what each does to a draft |
 //! | `edit_json` | edits and selections from JSON |
 //! | `constraint_target` | where a constraint may be |
 //! | `target_shape` | what that is to the mesh, for the usual kind |
 //! | `preview` | what adding a constraint would make |
 //! | `closeness_weights` | how close single vertices are kept |
 //! | `settings` | the declared settings of a scene |
-//! | `remedies` | changes that help where constraints are not met |
 
 mod apply;
 mod closeness_weights;
@@ -18,12 +17,12 @@ mod constraint_target;
 mod edit_json;
 mod edit_list;
 mod preview;
-mod remedies;
 mod settings;
 mod target_shape;
 
+pub(crate) use apply::{Moment, apply};
 pub use constraint_target::ConstraintTarget;
 pub use edit_list::{Edit, NewConstraint};
 pub use preview::Preview;
-pub use remedies::{Remedies, Remedy};
+pub(crate) use preview::previews;
 pub use settings::{SETTINGS, Setting, settings_of};

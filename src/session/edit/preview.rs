@@ -3,11 +3,11 @@
 use super::constraint_target::ConstraintTarget;
 use super::target_shape::target_shape;
 use crate::constraint::{
-    Centring, Info, KINDS, Selector, TargetShape, USUAL_FOR, resolve as select,
+    Centring, Info, KINDS, Selector, Sets, TargetShape, USUAL_FOR, resolve as select,
 };
 use crate::mesh::{Ragged, Topology};
 use crate::scene::SceneError;
-use crate::session::state::{Session, edges_among};
+use crate::session::state::{RestMesh, edges_among};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -24,33 +24,38 @@ pub struct Preview {
     pub usual: bool,
 }
 
-impl Session {
-    /// What a row of each kind at each place would hold: `#kinds by #places`, kinds in the order of
-    /// [`KINDS`]. None where nothing fits, and where the elements are not those that the kind is
-    /// meant for. Every place is resolved once.
-    ///
-    /// # Errors
-    /// When a place names what is not there.
-    pub fn previews(
-        &self,
-        places: &[ConstraintTarget],
-    ) -> Result<Vec<Vec<Option<Preview>>>, SceneError> {
-        let places: Vec<_> =
-            places.iter().map(|place| self.sizes(place)).collect::<Result<_, _>>()?;
-        let of = |(info, usual_for): (&Info, &&[TargetShape])| {
-            places.iter().map(|sizes| sizes.of(info, usual_for)).collect()
-        };
-        Ok(KINDS.iter().zip(USUAL_FOR).map(of).collect())
-    }
+/// What a row of each kind at each place would hold: `#kinds by #places`, kinds in the order of
+/// [`KINDS`]. None where nothing fits, and where the elements are not those that the kind is
+/// meant for. Every place is resolved once.
+///
+/// # Errors
+/// When a place names what is not there.
+pub(crate) fn previews(
+    places: &[ConstraintTarget],
+    sets: &Sets,
+    rest: &RestMesh,
+) -> Result<Vec<Vec<Option<Preview>>>, SceneError> {
+    let places: Vec<_> =
+        places.iter().map(|place| sizes(place, sets, rest)).collect::<Result<_, _>>()?;
+    let of = |(info, usual_for): (&Info, &&[TargetShape])| {
+        places.iter().map(|sizes| sizes.of(info, usual_for)).collect()
+    };
+    Ok(KINDS.iter().zip(USUAL_FOR).map(of).collect())
+}
 
-    fn sizes<'a>(&self, place: &'a ConstraintTarget) -> Result<Sizes<'a>, SceneError> {
-        let mut document = self.document.clone();
-        let on = place.clone().name_in(&mut document);
-        let selected = select(&on, &self.mesh, &self.topology, &document.sets)
-            .map_err(|error| SceneError { path: "on".to_owned(), message: error.to_string() })?;
-        let shape = target_shape(&on, &selected, &self.mesh, &self.topology);
-        Ok(Sizes::new(&place.on, &selected, shape, &self.topology))
-    }
+fn sizes<'a>(
+    place: &'a ConstraintTarget,
+    sets: &Sets,
+    rest: &RestMesh,
+) -> Result<Sizes<'a>, SceneError> {
+    let (mesh, topology) = (rest.mesh(), rest.topology());
+    let (on, named) = place.clone().named_in(sets);
+    // A selector is about one set at most.
+    let own = named.map(|named| Sets::from([named]));
+    let selected = select(&on, mesh, topology, own.as_ref().unwrap_or(sets))
+        .map_err(|error| SceneError { path: "on".to_owned(), message: error.to_string() })?;
+    let shape = target_shape(&on, &selected, mesh, topology);
+    Ok(Sizes::new(&place.on, &selected, shape, topology))
 }
 
 /// How large the elements of a place are.

@@ -1,28 +1,26 @@
 //! The angles at the corners of the faces, before and after (paper Fig. 7).
 
-use super::face_measure::Shape;
+use super::measuring::{Shape, positions};
 use crate::mesh::angle_histogram;
-use crate::session::state::Session;
+use crate::session::state::{RestMesh, SolvedScene};
 
 /// Bins of equal width from 0 to 180 degrees.
 const ANGLE_BINS: usize = 36;
 
-impl Session {
-    /// Corners of faces by their angles, in bins of five degrees from 0 to 180.
-    pub fn angles(&self, shape: Shape) -> Vec<u32> {
-        angle_histogram(&self.positions_of(shape), &self.mesh.faces, ANGLE_BINS)
-    }
+/// Corners of faces by their angles, in bins of five degrees from 0 to 180.
+pub(crate) fn angles(scene: &SolvedScene, rest: &RestMesh, shape: Shape) -> Vec<u32> {
+    angle_histogram(&positions(scene, rest, shape), &rest.mesh().faces, ANGLE_BINS)
+}
 
-    /// One line per bin: the angles where it begins and ends, and how many corners of the original
-    /// and of the current shape are in it.
-    pub fn angles_csv(&self) -> String {
-        let [original, now] = [Shape::Original, Shape::Now].map(|shape| self.angles(shape));
-        let mut text = "from (°),to (°),original,now\n".to_owned();
-        let width = 180 / ANGLE_BINS;
-        for (bin, (original, now)) in original.iter().zip(&now).enumerate() {
-            let from = bin * width;
-            text.push_str(&format!("{from},{},{original},{now}\n", from + width));
-        }
-        text
+/// One line per bin: the angles where it begins and ends, and how many corners of the original
+/// and of the current shape are in it.
+pub(crate) fn angles_csv(scene: &SolvedScene, rest: &RestMesh) -> String {
+    let [original, now] = [Shape::Original, Shape::Now].map(|shape| angles(scene, rest, shape));
+    let mut text = "from (°),to (°),original,now\n".to_owned();
+    let width = 180 / ANGLE_BINS;
+    for (bin, (original, now)) in original.iter().zip(&now).enumerate() {
+        let from = bin * width;
+        text.push_str(&format!("{from},{},{original},{now}\n", from + width));
     }
+    text
 }

@@ -2,7 +2,7 @@
 
 use crate::math::argsort;
 use crate::mesh::{Mesh, Topology};
-use crate::session::state::Session;
+use crate::session::state::{ResolvedRow, RestMesh};
 
 /// The row that acts on each face and each vertex. Where several do, it is the one with the fewest
 /// vertices, which says the most about each; of those with as many the last.
@@ -14,37 +14,35 @@ pub struct ConstraintMap {
     pub vertices: Vec<Option<u32>>,
 }
 
-impl Session {
-    /// The elements that the enabled rows act on.
-    pub fn acting_rows(&self) -> ConstraintMap {
-        let mesh = &self.mesh;
-        let mut cover = ConstraintCoverage::new(mesh, &self.topology);
-        let rows: Vec<_> = (0..).zip(&self.rows).filter(|(_, row)| row.enabled).collect();
-        let most_vertices_first = argsort(rows.iter().map(|(_, row)| {
-            let mut vertices = row.constraints.members.indices().to_vec();
-            vertices.sort_unstable();
-            vertices.dedup();
-            u64::MAX - vertices.len() as u64
-        }));
-        let mut acting = ConstraintMap {
-            faces: vec![None; mesh.faces.len()],
-            vertices: vec![None; mesh.positions.len()],
-        };
-        for (index, row) in most_vertices_first.into_iter().map(|i| rows[i as usize]) {
-            for members in row.constraints.members.iter() {
-                let faces = cover.faces(members);
-                for &face in faces {
-                    acting.faces[face as usize] = Some(index);
-                }
-                if faces.is_empty() {
-                    for &vertex in members {
-                        acting.vertices[vertex as usize] = Some(index);
-                    }
+/// The elements that the enabled ones of `rows` act on.
+pub(crate) fn acting_rows(rows: &[ResolvedRow], rest: &RestMesh) -> ConstraintMap {
+    let mesh = rest.mesh();
+    let mut cover = ConstraintCoverage::new(mesh, rest.topology());
+    let rows: Vec<_> = (0..).zip(rows).filter(|(_, row)| row.enabled).collect();
+    let most_vertices_first = argsort(rows.iter().map(|(_, row)| {
+        let mut vertices = row.constraints.members.indices().to_vec();
+        vertices.sort_unstable();
+        vertices.dedup();
+        u64::MAX - vertices.len() as u64
+    }));
+    let mut acting = ConstraintMap {
+        faces: vec![None; mesh.faces.len()],
+        vertices: vec![None; mesh.positions.len()],
+    };
+    for (index, row) in most_vertices_first.into_iter().map(|i| rows[i as usize]) {
+        for members in row.constraints.members.iter() {
+            let faces = cover.faces(members);
+            for &face in faces {
+                acting.faces[face as usize] = Some(index);
+            }
+            if faces.is_empty() {
+                for &vertex in members {
+                    acting.vertices[vertex as usize] = Some(index);
                 }
             }
         }
-        acting
     }
+    acting
 }
 
 /// Finds the faces that sets of vertices cover.

@@ -3,12 +3,15 @@
 //!
 //! Which measures there are is declared here, so that hosts name none of them.
 
+use super::measure_cache::MeasureCache;
+use super::measuring::{Measuring, Shape};
+use super::moved::displacements;
+use super::projected::residuals;
 use crate::math::{Vec3, angle, polygon_corners, polygon_sides};
-use crate::mesh::{Measures, Point, diagonal_ratio};
-use crate::session::state::Session;
+use crate::mesh::{Point, diagonal_ratio};
+use crate::session::state::{RestMesh, SolvedScene};
 use serde::Serialize;
 use std::f64::consts::PI;
-use std::rc::Rc;
 
 /// The unit of a measure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -41,7 +44,7 @@ pub struct FaceMeasure {
     /// it has to allow for.
     pub toleranced: bool,
     #[serde(skip)]
-    values: fn(&mut Session, Shape) -> Vec<f64>,
+    values: fn(&mut Measuring<'_>, Shape) -> Vec<f64>,
 }
 
 /// All measures, in the order in which they are offered.
@@ -53,7 +56,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         met: "each panel is flat",
         unit: MeasureUnit::Length,
         toleranced: true,
-        values: |session, shape| session.measures_of(shape).planarity_distances.clone(),
+        values: |model, shape| model.measures(shape).planarity_distances.clone(),
     },
     FaceMeasure {
         id: "diagonals",
@@ -98,7 +101,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         met: "each panel is flat",
         unit: MeasureUnit::Number,
         toleranced: false,
-        values: |session, shape| session.measures_of(shape).e_p.clone(),
+        values: |model, shape| model.measures(shape).e_p.clone(),
     },
     FaceMeasure {
         id: "circularity",
@@ -107,7 +110,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         met: "the corners of each panel lie on a circle",
         unit: MeasureUnit::Length,
         toleranced: true,
-        values: |session, shape| session.measures_of(shape).circularity_distances.clone(),
+        values: |model, shape| model.measures(shape).circularity_distances.clone(),
     },
     FaceMeasure {
         id: "e-c",
@@ -116,7 +119,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         met: "the corners of each panel lie on a circle",
         unit: MeasureUnit::Number,
         toleranced: false,
-        values: |session, shape| session.measures_of(shape).e_c.clone(),
+        values: |model, shape| model.measures(shape).e_c.clone(),
     },
     FaceMeasure {
         id: "residual",
@@ -125,7 +128,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         met: "each panel is as its constraints want it",
         unit: MeasureUnit::Length,
         toleranced: true,
-        values: Session::residuals_of,
+        values: residuals,
     },
     FaceMeasure {
         id: "edges",
@@ -152,7 +155,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         met: "each panel lies on the original",
         unit: MeasureUnit::Length,
         toleranced: false,
-        values: surface_distances,
+        values: worst_surface_distances,
     },
     FaceMeasure {
         id: "displacement",
@@ -161,82 +164,58 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         met: "each panel is where it was",
         unit: MeasureUnit::Length,
         toleranced: false,
-        values: displacements,
+        values: worst_displacements,
     },
 ];
 
-/// Which shape is measured.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Shape {
-    /// The current positions.
-    Now,
-    /// The rest shape: the model as it was opened.
-    Original,
+/// The values of the measure `id`, `#F`, in its unit; not a number where a face has none, as the diagonals
+/// of a triangle. None when no measure is called so.
+pub(crate) fn face_values(model: &mut Measuring<'_>, id: &str, shape: Shape) -> Option<Vec<f64>> {
+    let measure = FACE_MEASURES.iter().find(|measure| measure.id == id)?;
+    Some((measure.values)(model, shape))
 }
 
-impl Session {
-    fn measures_of(&self, shape: Shape) -> Rc<Measures> {
-        match shape {
-            Shape::Now => self.measures(),
-            Shape::Original => {
-                Rc::new(Measures::new(&self.mesh.positions, &self.mesh.faces, self.diameter))
-            }
-        }
+/// The values of the vertices (`#V`) whose largest a face has in the measure `id`, where they change
+/// gradually over the surface: distances to the original. None for every other measure.
+pub(crate) fn corner_values(
+    scene: &SolvedScene,
+    rest: &RestMesh,
+    cache: &MeasureCache,
+    id: &str,
+) -> Option<Vec<f64>> {
+    match id {
+        "surface" => Some(cache.surface_distances(scene, rest).to_vec()),
+        "displacement" => Some(displacements(scene, rest)),
+        _ => None,
     }
+}
 
-    /// Positions, `#V by 3`.
-    pub(crate) fn positions_of(&self, shape: Shape) -> Vec<Point> {
-        match shape {
-            Shape::Now => self.positions(),
-            Shape::Original => self.mesh.positions.clone(),
-        }
-    }
-
-    /// The values of the measure `id`, `#F`, in its unit; not a number where a face has none, as the
-    /// diagonals of a triangle. `None` when no measure is called so.
-    pub fn face_values(&mut self, id: &str) -> Option<Vec<f64>> {
-        self.face_values_of(id, Shape::Now)
-    }
-
-    /// The same of another shape.
-    pub fn face_values_of(&mut self, id: &str, shape: Shape) -> Option<Vec<f64>> {
-        let measure = FACE_MEASURES.iter().find(|measure| measure.id == id)?;
-        Some((measure.values)(self, shape))
-    }
-
-    /// The values of the vertices (`#V`) whose largest a face has in the measure `id`, where they change
-    /// gradually over the surface: distances to what the model was. `None` for every other measure.
-    pub fn corner_values(&self, id: &str) -> Option<Vec<f64>> {
-        match id {
-            "surface" => Some(self.surface_distances(Shape::Now).to_vec()),
-            "displacement" => Some(self.displacements()),
-            _ => None,
-        }
-    }
-
-    /// Per face the largest of what its vertices have.
-    fn worst_corner(&self, value: impl Fn(usize) -> f64) -> Vec<f64> {
-        let worst = |face: &[u32]| face.iter().map(|&v| value(v as usize)).fold(0.0, f64::max);
-        self.mesh.faces.iter().map(worst).collect()
-    }
+/// Per face the largest value of its vertices.
+fn worst_corner(model: &Measuring<'_>, values: &[f64]) -> Vec<f64> {
+    let worst = |face: &[u32]| face.iter().map(|&v| values[v as usize]).fold(0.0, f64::max);
+    model.faces().iter().map(worst).collect()
 }
 
 /// A value of every quad; other faces have none.
-fn of_quads(session: &Session, shape: Shape, value: impl Fn([Vec3<f64>; 4]) -> f64) -> Vec<f64> {
-    let positions = session.positions_of(shape);
+fn of_quads(
+    model: &Measuring<'_>,
+    shape: Shape,
+    value: impl Fn([Vec3<f64>; 4]) -> f64,
+) -> Vec<f64> {
+    let positions = model.positions(shape);
     let of_face = |face: &[u32]| match face {
         &[a, b, c, d] => value([a, b, c, d].map(|v| Vec3::from(positions[v as usize]))),
         _ => f64::NAN,
     };
-    session.mesh.faces.iter().map(of_face).collect()
+    model.faces().iter().map(of_face).collect()
 }
 
-fn diagonals(session: &mut Session, shape: Shape) -> Vec<f64> {
-    of_quads(session, shape, |quad| 100.0 * diagonal_ratio(quad.map(Point::from)))
+fn diagonals(model: &mut Measuring<'_>, shape: Shape) -> Vec<f64> {
+    of_quads(model, shape, |quad| 100.0 * diagonal_ratio(quad.map(Point::from)))
 }
 
-fn diagonals_by_edge(session: &mut Session, shape: Shape) -> Vec<f64> {
-    of_quads(session, shape, |quad| {
+fn diagonals_by_edge(model: &mut Measuring<'_>, shape: Shape) -> Vec<f64> {
+    of_quads(model, shape, |quad| {
         let [a, b, c, d] = quad;
         let mean_diagonal = 0.5 * ((c - a).length() + (d - b).length());
         let distance = diagonal_ratio(quad.map(Point::from)) * mean_diagonal;
@@ -244,8 +223,8 @@ fn diagonals_by_edge(session: &mut Session, shape: Shape) -> Vec<f64> {
     })
 }
 
-fn fourth_corners(session: &mut Session, shape: Shape) -> Vec<f64> {
-    of_quads(session, shape, |quad| {
+fn fourth_corners(model: &mut Measuring<'_>, shape: Shape) -> Vec<f64> {
+    of_quads(model, shape, |quad| {
         let off = |i: usize| {
             let [p, a, b, c] = [0, 1, 2, 3].map(|step| quad[(i + step) % 4]);
             let normal = (b - a).cross(c - a);
@@ -255,10 +234,10 @@ fn fourth_corners(session: &mut Session, shape: Shape) -> Vec<f64> {
     })
 }
 
-fn planarity_by_edge(session: &mut Session, shape: Shape) -> Vec<f64> {
-    let positions = session.positions_of(shape);
-    let measures = session.measures_of(shape);
-    let faces = session.mesh.faces.iter().zip(&measures.planarity_distances);
+fn planarity_by_edge(model: &mut Measuring<'_>, shape: Shape) -> Vec<f64> {
+    let positions = model.positions(shape);
+    let measures = model.measures(shape);
+    let faces = model.faces().iter().zip(&measures.planarity_distances);
     let edge = |face: &[u32]| mean_length(face.iter().map(|&v| Vec3::from(positions[v as usize])));
     faces.map(|(face, distance)| 100.0 * ratio(*distance, edge(face))).collect()
 }
@@ -270,18 +249,18 @@ fn mean_length(corners: impl IntoIterator<Item = Vec3<f64>>) -> f64 {
     sum / corners.len() as f64
 }
 
-fn edge_changes(session: &mut Session, shape: Shape) -> Vec<f64> {
-    let (now, rest) = (session.positions_of(shape), &session.mesh.positions);
+fn edge_changes(model: &mut Measuring<'_>, shape: Shape) -> Vec<f64> {
+    let (now, rest) = (model.positions(shape), model.rest.positions());
     let change = |ends| {
         let before = length(rest, ends);
         100.0 * ratio((length(&now, ends) - before).abs(), before)
     };
     let worst = |face: &[u32]| polygon_sides(face).map(change).fold(0.0, f64::max);
-    session.mesh.faces.iter().map(worst).collect()
+    model.faces().iter().map(worst).collect()
 }
 
-fn angles(session: &mut Session, shape: Shape) -> Vec<f64> {
-    let positions = session.positions_of(shape);
+fn angles(model: &mut Measuring<'_>, shape: Shape) -> Vec<f64> {
+    let positions = model.positions(shape);
     let at = |v: u32| Vec3::from(positions[v as usize]);
     let worst = |face: &[u32]| {
         let regular = 180.0 - 360.0 / face.len() as f64;
@@ -293,21 +272,17 @@ fn angles(session: &mut Session, shape: Shape) -> Vec<f64> {
         };
         polygon_corners(face).map(corner).fold(0.0, f64::max)
     };
-    session.mesh.faces.iter().map(worst).collect()
+    model.faces().iter().map(worst).collect()
 }
 
-fn surface_distances(session: &mut Session, shape: Shape) -> Vec<f64> {
-    let distances = session.surface_distances(shape);
-    session.worst_corner(|v| distances[v])
+fn worst_surface_distances(model: &mut Measuring<'_>, shape: Shape) -> Vec<f64> {
+    worst_corner(model, &model.surface_distances(shape))
 }
 
-fn displacements(session: &mut Session, shape: Shape) -> Vec<f64> {
+fn worst_displacements(model: &mut Measuring<'_>, shape: Shape) -> Vec<f64> {
     match shape {
-        Shape::Now => {
-            let ways = session.displacements();
-            session.worst_corner(|v| ways[v])
-        }
-        Shape::Original => vec![0.0; session.mesh.faces.len()],
+        Shape::Now => worst_corner(model, &displacements(model.scene, model.rest)),
+        Shape::Original => vec![0.0; model.faces().len()],
     }
 }
 
@@ -326,6 +301,7 @@ mod tests {
     use super::*;
     use crate::mesh::Mesh;
     use crate::scene::{MeshSource, Scene};
+    use crate::session::Session;
 
     /// A unit square, two of whose opposite corners are lifted by 0.02, opened from a flat one.
     fn lifted() -> Session {

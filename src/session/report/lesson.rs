@@ -1,13 +1,9 @@
-//! The goals of a lesson on the shape as it is, and the results that a student hands in.
+//! The goals of a lesson, in words and as measured.
 
-use super::face_measure::{FACE_MEASURES, FaceMeasure, MeasureUnit};
-use crate::error::Error;
+use super::face_measure::{FACE_MEASURES, FaceMeasure, MeasureUnit, face_values};
+use super::measuring::{Measuring, Shape};
 use crate::mesh::Mesh;
-use crate::scene::{
-    ClosenessTo, ConstraintSpec, Goal, GoalOf, GoalResult, Lesson, MeshSource, Results, Scene,
-    SceneError,
-};
-use crate::session::state::Session;
+use crate::scene::{ConstraintSpec, Goal, GoalOf, GoalResult, Lesson, Scene, SceneError};
 use serde::Serialize;
 
 /// A goal in words.
@@ -103,84 +99,30 @@ fn goal_in_words(goal: &Goal) -> GoalWords<'_> {
     }
 }
 
-impl Session {
-    /// What each goal of the lesson is on the shape as it is, in their order; empty without a lesson.
-    pub fn goals(&mut self) -> Vec<GoalResult> {
-        let goals = self.document.lesson.as_ref().map(|lesson| lesson.goals.clone());
-        let goals = goals.unwrap_or_default().into_iter();
-        goals
-            .map(|goal| {
-                let value = self.worst_of(&goal.of);
-                GoalResult { met: value.is_some_and(|value| value <= goal.at_most), goal, value }
-            })
-            .collect()
-    }
-
-    /// The largest value; none where nothing has one.
-    fn worst_of(&mut self, of: &GoalOf) -> Option<f64> {
-        match of {
-            GoalOf::Measure(id) => {
-                let values = self.face_values(id)?.into_iter();
-                values.filter(|value| !value.is_nan()).reduce(f64::max)
-            }
-            GoalOf::Constraint(name) => {
-                let specs = self.document.constraints.iter();
-                let enabled = specs.filter(|spec| spec.enabled);
-                let found = enabled.zip(self.solver.found());
-                let called_so = found.filter(|(spec, _)| spec.label() == name);
-                called_so.map(|(_, found)| found.worst_squared.sqrt()).reduce(f64::max)
-            }
-        }
-    }
-
-    /// What `student` hands in at `time`; none without a lesson.
-    pub fn results(&mut self, student: &str, time: &str) -> Option<Results> {
-        self.document.lesson.as_ref()?;
-        let goals = self.goals();
-        let Scene { title, constraints, handles, .. } = self.scene();
-        Some(Results {
-            student: student.to_owned(),
-            title,
-            scene: self.document.fingerprint(&self.mesh),
-            time: time.to_owned(),
-            iterations: self.run_state.iteration,
-            passed: goals.iter().all(|goal| goal.met),
-            goals,
-            constraints,
-            handles,
-            positions: self.positions(),
-        })
-    }
+/// The value of each goal of the lesson on the shape as it is, in their order; empty without a lesson.
+pub(crate) fn goals(model: &mut Measuring<'_>) -> Vec<GoalResult> {
+    let lesson = model.scene.document().lesson.as_ref();
+    let goals = lesson.map(|lesson| lesson.goals.clone()).unwrap_or_default();
+    let result = |goal: Goal| {
+        let value = worst_of(model, &goal.of);
+        GoalResult { met: value.is_some_and(|value| value <= goal.at_most), goal, value }
+    };
+    goals.into_iter().map(result).collect()
 }
 
-/// Measures the shape of `results` with the lesson and the constraints of `scene`, on its `mesh`: what
-/// was handed in is not believed, and neither are constraints that a student changed.
-///
-/// # Errors
-/// When the results are of another scene, or the scene has no lesson.
-pub fn check_results(
-    results: &Results,
-    scene: Scene,
-    mesh: Mesh,
-) -> Result<Vec<GoalResult>, Error> {
-    let at = |path: &str, message: String| SceneError { path: path.to_owned(), message };
-    if scene.lesson.is_none() {
-        return Err(at("", "the scene has no lesson, expected goals to check".to_owned()).into());
+/// The largest value; none where nothing has one.
+fn worst_of(model: &mut Measuring<'_>, of: &GoalOf) -> Option<f64> {
+    match of {
+        GoalOf::Measure(id) => {
+            let values = face_values(model, id, Shape::Now)?.into_iter();
+            values.filter(|value| !value.is_nan()).reduce(f64::max)
+        }
+        GoalOf::Constraint(name) => {
+            let specs = model.scene.document().constraints.iter();
+            let enabled = specs.filter(|spec| spec.enabled);
+            let found = enabled.zip(model.scene.solver().found());
+            let called_so = found.filter(|(spec, _)| spec.label() == name);
+            called_so.map(|(_, found)| found.worst_squared.sqrt()).reduce(f64::max)
+        }
     }
-    let expected = scene.fingerprint(&mesh);
-    if results.scene != expected {
-        let found = &results.scene;
-        let message = format!(
-            "found {found:?}, expected \"{expected}\": the results are of another mesh or lesson"
-        );
-        return Err(at("scene", message).into());
-    }
-    // Nothing may move a vertex: neither handles nor a boundary that is held exactly.
-    let mut still = Scene::new(MeshSource::Inline(Box::default()));
-    still.closeness.to = ClosenessTo::None;
-    still.lesson = scene.lesson;
-    still.sets = scene.sets;
-    still.constraints = scene.constraints;
-    still.current = Some(results.positions.clone());
-    Ok(Session::open(still, mesh)?.goals())
 }

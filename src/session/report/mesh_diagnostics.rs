@@ -1,8 +1,8 @@
 //! Elements of the mesh that have something wrong, so that a host can show which they are.
 
 use crate::math::Vec3;
-use crate::mesh::{ElementsWithProblem, ProblemKind, elements_with_problem};
-use crate::session::state::Session;
+use crate::mesh::{ElementsWithProblem, Point, ProblemKind};
+use crate::session::state::RestMesh;
 
 /// What can be asked for besides the problems of a file: faces without an area, as the shape is now.
 pub const ZERO_SIZE_FACES: &str = "zero-size-faces";
@@ -23,47 +23,38 @@ pub fn flaw_of(kind: ProblemKind) -> Option<&'static str> {
     PROBLEMS.iter().find(|(_, other)| *other == kind).map(|(name, _)| *name)
 }
 
-impl Session {
-    /// The elements with the flaw `name`, of [`flaw_of`] or [`ZERO_SIZE_FACES`]; none for any other name.
-    pub fn elements_with_problem(&self, name: &str) -> Option<ElementsWithProblem> {
-        if name == ZERO_SIZE_FACES {
-            return Some(ElementsWithProblem {
-                faces: self.zero_size_faces(),
-                ..ElementsWithProblem::default()
-            });
-        }
-        let (_, kind) = PROBLEMS.iter().find(|(other, _)| *other == name)?;
-        Some(elements_with_problem(&self.mesh, *kind))
+/// The elements with the problem `name`, of [`flaw_of`] or [`ZERO_SIZE_FACES`], at `positions` (`#V by 3`);
+/// none for any other name.
+pub(crate) fn elements_with_problem(
+    name: &str,
+    positions: &[Point],
+    rest: &RestMesh,
+) -> Option<ElementsWithProblem> {
+    if name == ZERO_SIZE_FACES {
+        return Some(ElementsWithProblem {
+            faces: zero_size_faces(positions, rest),
+            ..ElementsWithProblem::default()
+        });
     }
+    let (_, kind) = PROBLEMS.iter().find(|(other, _)| *other == name)?;
+    Some(crate::mesh::elements_with_problem(rest.mesh(), *kind))
+}
 
-    /// The places in the list of edges of the topology of the edges between these ends.
-    pub fn edges_between(&self, ends: &[[u32; 2]]) -> Vec<u32> {
-        let mut ends = ends.to_vec();
-        ends.sort_unstable();
-        let edges = (0..).zip(self.topology.edges());
-        edges
-            .filter(|(_, [a, b])| ends.binary_search(&[*a.min(b), *a.max(b)]).is_ok())
-            .map(|(index, _)| index)
-            .collect()
-    }
-
-    /// Faces whose corners lie on one line or in one point.
-    fn zero_size_faces(&self) -> Vec<u32> {
-        let positions = self.positions();
-        let at = |v: u32| Vec3::from(positions[v as usize]);
-        let least = ROUNDING * self.diameter;
-        let is_flat = |corners: &[u32]| {
-            let first = at(corners[0]);
-            let ways = corners.iter().map(|&v| at(v) - first);
-            let farthest =
-                ways.clone().max_by(|a, b| a.length_squared().total_cmp(&b.length_squared()));
-            let Some(farthest) = farthest else { return true };
-            let length = farthest.length();
-            ways.clone().all(|way| way.cross(farthest).length() <= least * length)
-        };
-        let faces = (0..).zip(self.mesh.faces.iter());
-        faces.filter(|(_, corners)| is_flat(corners)).map(|(face, _)| face).collect()
-    }
+/// Faces whose corners lie on one line or in one point.
+fn zero_size_faces(positions: &[Point], rest: &RestMesh) -> Vec<u32> {
+    let at = |v: u32| Vec3::from(positions[v as usize]);
+    let least = ROUNDING * rest.diameter();
+    let is_flat = |corners: &[u32]| {
+        let first = at(corners[0]);
+        let ways = corners.iter().map(|&v| at(v) - first);
+        let farthest =
+            ways.clone().max_by(|a, b| a.length_squared().total_cmp(&b.length_squared()));
+        let Some(farthest) = farthest else { return true };
+        let length = farthest.length();
+        ways.clone().all(|way| way.cross(farthest).length() <= least * length)
+    };
+    let faces = (0..).zip(rest.mesh().faces.iter());
+    faces.filter(|(_, corners)| is_flat(corners)).map(|(face, _)| face).collect()
 }
 
 #[cfg(test)]
@@ -71,6 +62,7 @@ mod tests {
     use super::*;
     use crate::mesh::Mesh;
     use crate::scene::{MeshSource, Scene};
+    use crate::session::Session;
 
     /// A square, a triangle on one line, a quad in one point, and a vertex of its own.
     fn session(scale: f64) -> Session {

@@ -1,44 +1,57 @@
-//! Measures and reports of a scene and its shape.
+//! Measures, reports, and lists of what is wrong.
 //!
 //! | file | holds |
 //! |---|---|
-//! | `run_report` | the report of a solved scene |
-//! | `moved` | how far vertices moved, how much edges shrank |
+//! | `run_report` | the report of the command line |
+//! | `moved` | displacements, and the shortest edge |
 //! | `verdict` | how many panels are as asked, within which tolerance |
 //! | `face_measure` | the numbers per face that hosts colour and list |
-//! | `shape_measures` | measures of the current shape, each computed once |
+//! | `measuring` | the shapes that are measured |
+//! | `measure_cache` | measures of the current shape, each computed once |
 //! | `angles` | the angles at the corners of the faces |
 //! | `tables` | errors and energies as CSV |
 //! | `worst` | the elements that are farthest from what is asked of them |
 //! | `projected` | the projections of the constraints, to be drawn |
 //! | `constraint_map` | which row of constraints each face and vertex belongs to |
-//! | `inspect` | members and measure of a row; what is close or fixed otherwise |
-//! | `free` | vertices that nothing acts on |
+//! | `inspect` | members and measure of a row; vertices that are close otherwise, or that nothing acts on |
 //! | `mesh_diagnostics` | elements of the mesh that have a problem |
-//! | `lesson` | the goals of a lesson, and the results that are handed in |
+//! | `lesson` | the goals of a lesson |
 
 mod angles;
 mod constraint_map;
 mod face_measure;
-mod free;
 mod inspect;
 mod lesson;
+mod measure_cache;
+mod measuring;
 mod mesh_diagnostics;
 mod moved;
 mod projected;
 mod run_report;
-mod shape_measures;
 mod tables;
 mod verdict;
 mod worst;
 
+pub(crate) use angles::{angles, angles_csv};
 pub use constraint_map::ConstraintMap;
-pub use face_measure::{FACE_MEASURES, FaceMeasure, MeasureUnit, Shape};
-pub(crate) use lesson::check_lesson;
-pub use lesson::{GoalWords, check_results, goals_in_words};
+pub(crate) use constraint_map::acting_rows;
+pub use face_measure::{FACE_MEASURES, FaceMeasure, MeasureUnit};
+pub(crate) use face_measure::{corner_values, face_values};
+pub(crate) use inspect::{asked_measure, free, held_otherwise, members};
+pub use lesson::{GoalWords, goals_in_words};
+pub(crate) use lesson::{check_lesson, goals};
+pub(crate) use measure_cache::MeasureCache;
+pub(crate) use measuring::Measuring;
+pub use measuring::Shape;
+pub(crate) use mesh_diagnostics::elements_with_problem;
 pub use mesh_diagnostics::{ZERO_SIZE_FACES, flaw_of};
 pub use moved::Moved;
+pub(crate) use moved::shortest_edge;
 pub use projected::Projections;
+pub(crate) use projected::projections;
 pub use run_report::{EnergyReport, Report, Seconds};
+pub(crate) use tables::{convergence_csv, errors_csv};
 pub use verdict::Verdict;
+pub(crate) use verdict::tolerance;
 pub use worst::WorstElement;
+pub(crate) use worst::{worst_constraints, worst_faces};

@@ -1,10 +1,10 @@
 //! The projections of the constraints, to be drawn: the projected points, and the edges of the mesh
 //! between them.
 
-use super::face_measure::Shape;
+use super::measuring::{Measuring, Shape};
 use crate::constraint::{Centring, Projected};
 use crate::mesh::Topology;
-use crate::session::state::Session;
+use crate::session::state::{RestMesh, SolvedScene};
 use crate::solve::{Constraints, rest_projections};
 
 /// Every point of every enabled constraint with its projection. A vertex has a point in each
@@ -22,65 +22,57 @@ pub struct Projections {
     pub outlines: Vec<[u32; 2]>,
 }
 
-impl Session {
-    /// The projections at the current positions.
-    pub fn projections(&mut self) -> Projections {
-        let enabled: Vec<(u32, Centring)> = (0..)
-            .zip(&self.rows)
-            .filter(|(_, row)| row.enabled)
-            .map(|(index, row)| (index, row.constraints.kind.info().centring))
-            .collect();
-        let mut found = Projections::default();
-        let mut among = Among::new(&self.topology);
-        self.solver.projected(|row, points| {
-            let (row, centring) = enabled[row];
-            let first = found.vertices.len() as u32;
-            for (vertex, way) in points {
-                found.vertices.push(*vertex);
-                found.ways.push([way.x, way.y, way.z]);
-                found.rows.push(row);
-            }
-            let own = &found.vertices[first as usize..];
-            match centring {
-                Centring::ByEdge => found
-                    .outlines
-                    .extend((0..own.len() as u32 / 2).map(|k| [first + 2 * k, first + 2 * k + 1])),
-                Centring::Together | Centring::Placed => {
-                    among.edges(own, |ends| found.outlines.push(ends.map(|end| first + end)));
-                }
-            }
-        });
-        found
-    }
-}
-
-impl Session {
-    /// How far each face is from what its constraints want, `#F`, in the unit of the mesh: the largest
-    /// distance of a corner to its projection in any enabled constraint.
-    pub fn residuals(&mut self) -> Vec<f64> {
-        self.residuals_of(Shape::Now)
-    }
-
-    pub(crate) fn residuals_of(&mut self, shape: Shape) -> Vec<f64> {
-        let mut squares = vec![0.0f64; self.mesh.positions.len()];
-        let mut take = |points: &Projected| {
-            for (vertex, way) in points {
-                let worst = &mut squares[*vertex as usize];
-                *worst = worst.max(way.length_squared());
-            }
-        };
-        match shape {
-            Shape::Now => self.solver.projected(|_, points| take(points)),
-            Shape::Original => {
-                let enabled = self.rows.iter().filter(|row| row.enabled);
-                let constraints: Vec<Constraints> =
-                    enabled.map(|row| row.constraints.clone()).collect();
-                rest_projections(&self.mesh, &constraints, take);
+/// The projections at the current positions.
+pub(crate) fn projections(scene: &mut SolvedScene, rest: &RestMesh) -> Projections {
+    let enabled: Vec<(u32, Centring)> = (0..)
+        .zip(scene.rows())
+        .filter(|(_, row)| row.enabled)
+        .map(|(index, row)| (index, row.constraints.kind.info().centring))
+        .collect();
+    let mut found = Projections::default();
+    let mut among = Among::new(rest.topology());
+    scene.projected(|row, points| {
+        let (row, centring) = enabled[row];
+        let first = found.vertices.len() as u32;
+        for (vertex, way) in points {
+            found.vertices.push(*vertex);
+            found.ways.push([way.x, way.y, way.z]);
+            found.rows.push(row);
+        }
+        let own = &found.vertices[first as usize..];
+        match centring {
+            Centring::ByEdge => found
+                .outlines
+                .extend((0..own.len() as u32 / 2).map(|k| [first + 2 * k, first + 2 * k + 1])),
+            Centring::Together | Centring::Placed => {
+                among.edges(own, |ends| found.outlines.push(ends.map(|end| first + end)));
             }
         }
-        let worst = |face: &[u32]| face.iter().fold(0.0, |w: f64, &v| w.max(squares[v as usize]));
-        self.mesh.faces.iter().map(|face| worst(face).sqrt()).collect()
+    });
+    found
+}
+
+/// The distance of each face to where its constraints want it, `#F`, in the unit of the mesh: the largest
+/// distance of a corner to its projection in any enabled constraint.
+pub(super) fn residuals(model: &mut Measuring<'_>, shape: Shape) -> Vec<f64> {
+    let mut squares = vec![0.0f64; model.rest.positions().len()];
+    let mut take = |points: &Projected| {
+        for (vertex, way) in points {
+            let worst = &mut squares[*vertex as usize];
+            *worst = worst.max(way.length_squared());
+        }
+    };
+    match shape {
+        Shape::Now => model.scene.projected(|_, points| take(points)),
+        Shape::Original => {
+            let enabled = model.scene.rows().iter().filter(|row| row.enabled);
+            let constraints: Vec<Constraints> =
+                enabled.map(|row| row.constraints.clone()).collect();
+            rest_projections(model.rest.mesh(), &constraints, take);
+        }
     }
+    let worst = |face: &[u32]| face.iter().fold(0.0, |w: f64, &v| w.max(squares[v as usize]));
+    model.faces().iter().map(|face| worst(face).sqrt()).collect()
 }
 
 /// Finds the edges of the mesh among sets of vertices.

@@ -1,9 +1,10 @@
 //! The report of a solved scene.
 
-use super::moved::Moved;
-use crate::mesh::{Circularity, Planarity};
+use super::moved::{Moved, shortest_edge};
+use crate::mesh::{Circularity, Measures, Planarity};
 use crate::scene::{Accelerator, NamedEnum};
-use crate::session::state::{Session, TraceEntry};
+use crate::session::run::{Progress, TraceEntry};
+use crate::session::state::{RestMesh, SolvedScene};
 use crate::solve::{Energy, IterateSeconds};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -75,47 +76,54 @@ pub struct Seconds {
     pub parts: IterateSeconds,
 }
 
-impl Session {
-    /// The report as of now.
-    pub fn report(&self) -> Report {
+impl Report {
+    /// The report as of now; `collapsed` says whether the shape has.
+    pub(crate) fn of(
+        scene: &SolvedScene,
+        rest: &RestMesh,
+        progress: &Progress,
+        measures: &Measures,
+        collapsed: bool,
+    ) -> Report {
         let mut constraints = BTreeMap::new();
         let mut skipped = 0;
-        for row in self.rows.iter().filter(|row| row.enabled) {
+        for row in scene.rows().iter().filter(|row| row.enabled) {
             *constraints.entry(row.constraints.kind.info().id).or_insert(0) +=
                 row.constraints.members.len();
             skipped += row.skipped;
         }
-        let measures = self.measures();
-        let set_up = self.solver.set_up_seconds();
-        let settings = &self.document.solver;
+        let solver = scene.solver();
+        let set_up = solver.set_up_seconds();
+        let settings = &scene.document().solver;
         // Without steps to learn from there is nothing but the plain iteration.
         let accelerator =
             if settings.window == 0 { Accelerator::None } else { settings.accelerator };
+        let converged = solver.converged() && !collapsed;
         Report {
-            vertices: self.mesh.positions.len(),
-            faces: self.mesh.faces.len(),
+            vertices: rest.positions().len(),
+            faces: rest.mesh().faces.len(),
             constraints,
             skipped,
-            unknowns: self.solver.system().unknowns(),
-            factor_nonzeros: self.solver.system().factor_nonzeros(),
-            iterations: self.run_state.iteration,
-            stopped_by: if self.converged() { "tolerance" } else { "iterations" },
+            unknowns: solver.system().unknowns(),
+            factor_nonzeros: solver.system().factor_nonzeros(),
+            iterations: progress.iteration(),
+            stopped_by: if converged { "tolerance" } else { "iterations" },
             accelerator: accelerator.word(),
-            pinned: self.solver.pinned().to_vec(),
-            energy: EnergyReport { initial: self.run_state.initial, last: self.solver.energy() },
+            pinned: solver.pinned().to_vec(),
+            energy: EnergyReport { initial: progress.initial(), last: solver.energy() },
             planarity: measures.planarity,
             circularity: measures.circularity,
-            moved: self.moved(),
-            shortest_edge: self.shortest_edge(),
+            moved: Moved::of(scene, rest),
+            shortest_edge: shortest_edge(scene, rest),
             seconds: Seconds {
-                load: self.run_state.load_seconds,
+                load: progress.load_seconds(),
                 assemble: set_up.assemble,
                 order: set_up.order,
                 factor: set_up.factor,
-                iterate: self.solver.iterate_seconds().total(),
-                parts: self.solver.iterate_seconds(),
+                iterate: solver.iterate_seconds().total(),
+                parts: solver.iterate_seconds(),
             },
-            trace: self.run_state.trace.as_ref().map(|_| self.trace().to_vec()),
+            trace: progress.trace().map(<[TraceEntry]>::to_vec),
         }
     }
 }

@@ -1,9 +1,11 @@
-//! What a run has come to, in the words of somebody who builds: how many panels are as asked, within
-//! which tolerance, and what it cost.
+//! The result of a run for somebody who builds: how many panels are as asked, within which tolerance, and
+//! how far vertices have moved for it.
 
+use super::face_measure::face_values;
+use super::inspect::{asked_measure, members};
+use super::measuring::{Measuring, Shape};
 use super::moved::Moved;
-use crate::math::Vec3;
-use crate::session::state::Session;
+use crate::session::state::RestMesh;
 use serde::Serialize;
 
 /// How many panels have the shape asked for.
@@ -26,19 +28,20 @@ pub struct Verdict {
     pub moved: Moved,
 }
 
-impl Session {
+impl Verdict {
     /// How near the panels are to what they are asked to be, by the last row that is on and asks it of
     /// single faces: distances up to `tolerance` are within. None where nothing of the kind is asked.
-    pub fn verdict(&mut self, tolerance: f64) -> Option<Verdict> {
-        let rows = self.document.constraints.iter().enumerate().rev();
+    pub(crate) fn of(model: &mut Measuring<'_>, tolerance: f64) -> Option<Verdict> {
+        let document = model.scene.document();
+        let rows = document.constraints.iter().enumerate().rev();
         let mut asking = rows.filter(|(_, row)| row.enabled);
         let (row, info, adjective) = asking.find_map(|(index, row)| {
             let info = row.kind.info();
-            let adjective = info.panels.filter(|_| self.asked_measure(index).is_some())?;
+            let adjective = info.panels.filter(|_| asked_measure(document, index).is_some())?;
             Some((index, info, adjective))
         })?;
-        let [faces, _] = self.members(row);
-        let distances = self.face_values(info.measure?)?;
+        let [faces, _] = members(model.scene.rows().get(row), model.rest);
+        let distances = face_values(model, info.measure?, Shape::Now)?;
         let distance = |face: u32| distances[face as usize];
         let worst_face =
             faces.iter().copied().max_by(|&a, &b| distance(a).total_cmp(&distance(b)))?;
@@ -49,25 +52,17 @@ impl Session {
             within: faces.iter().filter(|&&face| distance(face) <= tolerance).count(),
             worst: distance(worst_face),
             worst_face,
-            moved: self.moved(),
+            moved: Moved::of(model.scene, model.rest),
         })
     }
+}
 
-    /// Mean length of an edge at rest; zero without edges.
-    pub fn mean_edge(&self) -> f64 {
-        let at = |v: u32| Vec3::from(self.mesh.positions[v as usize]);
-        let edges = self.topology.edges();
-        let sum: f64 = edges.iter().map(|&[a, b]| (at(b) - at(a)).length()).sum();
-        sum / edges.len().max(1) as f64
-    }
-
-    /// A tolerance for distances on this mesh: about a thousandth of the mean edge, a number that one
-    /// says (1, 2 or 5 times a power of ten), in the unit of the mesh.
-    pub fn tolerance(&self) -> f64 {
-        match self.mean_edge() {
-            edge if edge > 0.0 => round_number(1e-3 * edge),
-            _ => round_number(1e-3 * self.diameter),
-        }
+/// A tolerance for distances on a mesh: about a thousandth of the mean edge, rounded to 1, 2 or 5 times a
+/// power of ten, in the unit of the mesh.
+pub(crate) fn tolerance(rest: &RestMesh) -> f64 {
+    match rest.mean_edge() {
+        edge if edge > 0.0 => round_number(1e-3 * edge),
+        _ => round_number(1e-3 * rest.diameter()),
     }
 }
 

@@ -1,10 +1,10 @@
 //! The worst elements: a list that says in words and numbers what the colours show.
 
 use super::constraint_map::ConstraintCoverage;
+use super::face_measure::face_values;
+use super::measuring::{Measuring, Shape};
 use crate::constraint::{Element, Selector};
 use crate::math::{argsort, key_of_number};
-use crate::mesh::Group;
-use crate::session::state::Session;
 use serde::Serialize;
 
 /// An element that is far from what is asked of it.
@@ -26,104 +26,98 @@ pub struct WorstElement {
     pub vertices: Vec<u32>,
 }
 
-impl Session {
-    /// The `count` faces with the largest values of the measure `id`, largest first, of equal ones
-    /// the first of the mesh; those without a value are left out. `None` when no measure is called so.
-    pub fn worst_faces(&mut self, id: &str, count: usize) -> Option<Vec<WorstElement>> {
-        let values = self.face_values(id)?;
-        let value = |face: u32| values[face as usize];
-        let descending = argsort(values.iter().map(|&value| !key_of_number(value)));
-        let with_value = descending.into_iter().filter(|&face| !value(face).is_nan());
-        let faces: Vec<u32> = with_value.take(count).collect();
-        let pulling = self.pulling_rows(&faces);
-        let worst = faces.iter().zip(pulling).map(|(&face, row)| WorstElement {
-            element: format!("face {face}"),
-            groups: self.groups_of(&[face]),
-            row,
-            constraint: row
-                .map(|row| self.document.constraints[row].label().to_owned())
-                .unwrap_or_default(),
-            value: value(face),
-            faces: vec![face],
-            vertices: self.mesh.faces.row(face as usize).to_vec(),
-        });
-        Some(worst.collect())
-    }
+/// The `count` faces with the largest values of the measure `id`, largest first, of equal ones
+/// the first of the mesh; those without a value are left out. `None` when no measure is called so.
+pub(crate) fn worst_faces(
+    model: &mut Measuring<'_>,
+    id: &str,
+    count: usize,
+) -> Option<Vec<WorstElement>> {
+    let values = face_values(model, id, Shape::Now)?;
+    let value = |face: u32| values[face as usize];
+    let descending = argsort(values.iter().map(|&value| !key_of_number(value)));
+    let with_value = descending.into_iter().filter(|&face| !value(face).is_nan());
+    let faces: Vec<u32> = with_value.take(count).collect();
+    let pulling = pulling_rows(model, &faces);
+    let worst = faces.iter().zip(pulling).map(|(&face, row)| WorstElement {
+        element: format!("face {face}"),
+        groups: model.rest.groups_of(&[face]),
+        row,
+        constraint: row
+            .map(|row| model.scene.document().constraints[row].label().to_owned())
+            .unwrap_or_default(),
+        value: value(face),
+        faces: vec![face],
+        vertices: model.faces().row(face as usize).to_vec(),
+    });
+    Some(worst.collect())
+}
 
-    /// The `count` constraints of row `index` that are farthest from being met, farthest first: the
-    /// largest distance of a vertex to its projection, in the unit of the mesh. Empty where the row is
-    /// off or is not there.
-    pub fn worst_constraints(&mut self, index: usize, count: usize) -> Vec<WorstElement> {
-        let Some(asked) = self.enabled_rows().position(|row| row == index) else {
-            return Vec::new();
-        };
-        let mut worst: Vec<(f64, Vec<u32>)> = Vec::new();
-        self.solver.projected(|row, points| {
-            if row != asked || count == 0 {
-                return;
-            }
-            let distance = points.iter().fold(0.0, |far: f64, (_, way)| far.max(way.length()));
-            if worst.len() == count && worst[count - 1].0 >= distance {
-                return;
-            }
-            worst.truncate(count - 1);
-            let place = worst.partition_point(|(other, _)| *other >= distance);
-            worst.insert(place, (distance, points.iter().map(|(vertex, _)| *vertex).collect()));
-        });
-        let mut cover = ConstraintCoverage::new(&self.mesh, &self.topology);
-        let spec = &self.document.constraints[index];
-        let element = |(value, vertices): (f64, Vec<u32>)| {
-            let mut faces = cover.faces(&vertices).to_vec();
-            faces.sort_unstable();
-            WorstElement {
-                element: name_of(&spec.on, &faces, &vertices),
-                groups: self.groups_of(&faces),
-                row: Some(index),
-                constraint: spec.label().to_owned(),
-                value,
-                faces,
-                vertices,
-            }
-        };
-        worst.into_iter().map(element).collect()
-    }
-
-    fn enabled_rows(&self) -> impl Iterator<Item = usize> {
-        self.rows.iter().enumerate().filter(|(_, row)| row.enabled).map(|(index, _)| index)
-    }
-
-    /// Of each of these faces the row that has a corner of it farthest from its projection.
-    fn pulling_rows(&mut self, faces: &[u32]) -> Vec<Option<usize>> {
-        let enabled: Vec<usize> = self.enabled_rows().collect();
-        // Which of the faces each vertex is a corner of.
-        let mut corners: Vec<(u32, usize)> = Vec::new();
-        for (place, &face) in faces.iter().enumerate() {
-            corners.extend(self.mesh.faces.row(face as usize).iter().map(|&v| (v, place)));
+/// The `count` constraints of row `index` that are farthest from being met, farthest first: the
+/// largest distance of a vertex to its projection, in the unit of the mesh. Empty where the row is
+/// off or is not there.
+pub(crate) fn worst_constraints(
+    model: &mut Measuring<'_>,
+    index: usize,
+    count: usize,
+) -> Vec<WorstElement> {
+    let Some(asked) = model.scene.enabled_rows().position(|row| row == index) else {
+        return Vec::new();
+    };
+    let mut worst: Vec<(f64, Vec<u32>)> = Vec::new();
+    model.scene.projected(|row, points| {
+        if row != asked || count == 0 {
+            return;
         }
-        corners.sort_unstable();
-        let mut most: Vec<(f64, Option<usize>)> = vec![(0.0, None); faces.len()];
-        self.solver.projected(|row, points| {
-            // A constraint on many vertices may have a corner of any face: look these up in it.
-            for (vertex, way) in points {
-                let first = corners.partition_point(|(corner, _)| corner < vertex);
-                for (_, place) in corners[first..].iter().take_while(|(corner, _)| corner == vertex)
-                {
-                    let far = way.length_squared();
-                    if far > most[*place].0 {
-                        most[*place] = (far, Some(enabled[row]));
-                    }
+        let distance = points.iter().fold(0.0, |far: f64, (_, way)| far.max(way.length()));
+        if worst.len() == count && worst[count - 1].0 >= distance {
+            return;
+        }
+        worst.truncate(count - 1);
+        let place = worst.partition_point(|(other, _)| *other >= distance);
+        worst.insert(place, (distance, points.iter().map(|(vertex, _)| *vertex).collect()));
+    });
+    let mut cover = ConstraintCoverage::new(model.rest.mesh(), model.rest.topology());
+    let spec = &model.scene.document().constraints[index];
+    let element = |(value, vertices): (f64, Vec<u32>)| {
+        let mut faces = cover.faces(&vertices).to_vec();
+        faces.sort_unstable();
+        WorstElement {
+            element: name_of(&spec.on, &faces, &vertices),
+            groups: model.rest.groups_of(&faces),
+            row: Some(index),
+            constraint: spec.label().to_owned(),
+            value,
+            faces,
+            vertices,
+        }
+    };
+    worst.into_iter().map(element).collect()
+}
+
+/// Of each of these faces the row that has a corner of it farthest from its projection.
+fn pulling_rows(model: &mut Measuring<'_>, faces: &[u32]) -> Vec<Option<usize>> {
+    let enabled: Vec<usize> = model.scene.enabled_rows().collect();
+    // Which of the faces each vertex is a corner of.
+    let mut corners: Vec<(u32, usize)> = Vec::new();
+    for (place, &face) in faces.iter().enumerate() {
+        corners.extend(model.faces().row(face as usize).iter().map(|&v| (v, place)));
+    }
+    corners.sort_unstable();
+    let mut most: Vec<(f64, Option<usize>)> = vec![(0.0, None); faces.len()];
+    model.scene.projected(|row, points| {
+        // A constraint on many vertices may have a corner of any face: look these up in it.
+        for (vertex, way) in points {
+            let first = corners.partition_point(|(corner, _)| corner < vertex);
+            for (_, place) in corners[first..].iter().take_while(|(corner, _)| corner == vertex) {
+                let far = way.length_squared();
+                if far > most[*place].0 {
+                    most[*place] = (far, Some(enabled[row]));
                 }
             }
-        });
-        most.into_iter().map(|(_, row)| row).collect()
-    }
-
-    /// The names of the groups that one of `faces` is in, in the order of the file.
-    fn groups_of(&self, faces: &[u32]) -> Vec<String> {
-        let groups = self.mesh.groups.iter();
-        let has_one = |group: &&Group| group.faces.iter().any(|face| faces.contains(face));
-        groups.filter(has_one).map(|group| group.name.clone()).collect()
-    }
+        }
+    });
+    most.into_iter().map(|(_, row)| row).collect()
 }
 
 /// The element that one constraint of a selector acts on.

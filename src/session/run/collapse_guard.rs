@@ -1,80 +1,106 @@
-//! The guard against collapse, while iterations go on: see [`Collapse`].
+//! The guard against collapse while iterations go on: see [`Collapse`]. A scene is solved as its author
+//! meant it, whatever becomes of it, until somebody edits what is asked of it.
 
-use crate::math::Vec3;
-use crate::session::state::{Collapse, Session, Start, areas, diagonal, same_problem};
+use super::collapse::{Collapse, Start};
+use crate::scene::Scene;
+use crate::session::state::{RestMesh, SolvedScene, same_problem};
 use std::rc::Rc;
 
 /// How many iterations go by between two looks.
 const EVERY: u32 = 8;
 
-impl Session {
-    /// How the shape has collapsed since iterating began, if it has.
-    pub fn collapse(&self) -> Option<Collapse> {
-        self.run_state.guard.collapse
+/// The guard of a session.
+pub(crate) struct CollapseGuard {
+    /// The document as it was opened, without handles and positions.
+    opened: Scene,
+    /// The document asks for something else than the one that was opened.
+    armed: bool,
+    /// The run goes on whatever happens.
+    goes_on: bool,
+    /// Where iterating began; none before the first iteration.
+    start: Option<Rc<Start>>,
+    collapse: Option<Collapse>,
+    /// Iterations since the last look.
+    unseen: u32,
+}
+
+impl CollapseGuard {
+    /// That of a session on the document `opened`.
+    pub(crate) fn new(opened: Scene) -> CollapseGuard {
+        let (armed, goes_on, start, collapse, unseen) = (false, false, None, None, 0);
+        CollapseGuard { opened, armed, goes_on, start, collapse, unseen }
     }
 
-    /// Whether the last iteration changed the total by no more than the tolerance; never of a shape
-    /// that has collapsed.
-    pub fn converged(&self) -> bool {
-        self.solver.converged() && self.collapse().is_none()
+    /// How the shape has collapsed since iterating began, if it has.
+    pub(crate) fn collapse(&self) -> Option<Collapse> {
+        self.collapse
+    }
+
+    /// Where iterating began; none before the first iteration.
+    pub(crate) fn start(&self) -> Option<Rc<Start>> {
+        self.start.clone()
     }
 
     /// Watches over the shape from here on, as after an edit.
-    pub fn arm_guard(&mut self) {
-        self.run_state.guard.armed = true;
+    pub(crate) fn arm(&mut self) {
+        self.armed = true;
     }
 
-    /// Before an iteration.
-    pub(crate) fn take_start(&mut self) {
-        let guard = &self.run_state.guard;
-        if guard.start.is_some() || !guard.armed || self.is_dragging() {
+    /// Lets the run go on when the shape collapses, or no longer.
+    pub(crate) fn let_go_on(&mut self, goes_on: bool) {
+        self.goes_on = goes_on;
+    }
+
+    /// The next iteration is where iterating begins, unless the shape has collapsed.
+    pub(crate) fn forget_start(&mut self) {
+        if self.collapse.is_none() {
+            self.start = None;
+        }
+    }
+
+    /// What was asked when the scene was first opened: edits since then arm the guard.
+    pub(crate) fn set_opened(&mut self, opened: Scene) {
+        self.opened = opened;
+    }
+
+    /// Before an iteration that nobody drags in, after `iteration` of them.
+    pub(crate) fn take_start(&mut self, scene: &SolvedScene, rest: &RestMesh, iteration: u32) {
+        if self.start.is_some() || !self.armed {
             return;
         }
-        let positions = self.positions();
-        let handles = self.solver.handles().iter();
-        let ways = handles.map(|handle| {
-            Vec3::from(positions[handle.vertex as usize]) - Vec3::from(handle.target)
-        });
-        let pull = ways.map(|way| way.length_squared()).fold(0.0, f64::max).sqrt();
-        let extent = diagonal(&positions, &self.mesh.faces);
-        let start = Start {
-            diagonal: extent,
-            size: extent.max(diagonal(&self.mesh.positions, &self.mesh.faces)),
-            areas: areas(&positions, &self.mesh.faces),
-            pull,
-            iteration: self.run_state.iteration,
-            positions,
-        };
-        let guard = &mut self.run_state.guard;
-        guard.start = Some(Rc::new(start));
-        guard.unseen = 0;
+        let start = Start::new(scene.positions(), iteration, scene.handles(), rest.mesh());
+        self.start = Some(Rc::new(start));
+        self.unseen = 0;
     }
 
-    /// After an iteration: whether it has collapsed now and the run shall end.
-    pub(crate) fn watch(&mut self) -> bool {
-        let guard = &mut self.run_state.guard;
-        guard.unseen += 1;
-        if guard.unseen < EVERY && !self.solver.converged() {
+    /// After an iteration: whether the shape has collapsed now and the run shall end.
+    pub(crate) fn watch(&mut self, scene: &SolvedScene, rest: &RestMesh, dragging: bool) -> bool {
+        self.unseen += 1;
+        if self.unseen < EVERY && !scene.solver().converged() {
             return false;
         }
-        let before = guard.collapse;
-        self.look();
-        let guard = &self.run_state.guard;
-        before.is_none() && guard.collapse.is_some() && !guard.goes_on
+        let before = self.collapse;
+        self.look(scene, rest, dragging);
+        before.is_none() && self.collapse.is_some() && !self.goes_on
     }
 
-    /// Compares the shape with that at the start.
-    pub(crate) fn look(&mut self) {
-        let start = self.run_state.guard.start.clone().filter(|_| !self.is_dragging());
-        let collapse = start.and_then(|start| start.collapse(&self.positions(), &self.mesh));
-        self.run_state.guard.collapse = collapse;
-        self.run_state.guard.unseen = 0;
+    /// Compares the shape with that at the start; while somebody drags it has not collapsed.
+    pub(crate) fn look(&mut self, scene: &SolvedScene, rest: &RestMesh, dragging: bool) {
+        let start = self.start.as_ref().filter(|_| !dragging);
+        self.collapse = start.and_then(|start| start.collapse(scene.positions(), rest.mesh()));
+        self.unseen = 0;
     }
 
     /// After the document or the shape was replaced: iterations started from `start`.
-    pub(crate) fn start_from(&mut self, start: Option<Rc<Start>>) {
-        self.run_state.guard.armed = !same_problem(&self.document, &self.run_state.guard.opened);
-        self.run_state.guard.start = start;
-        self.look();
+    pub(crate) fn start_from(
+        &mut self,
+        start: Option<Rc<Start>>,
+        scene: &SolvedScene,
+        rest: &RestMesh,
+        dragging: bool,
+    ) {
+        self.armed = !same_problem(scene.document(), &self.opened);
+        self.start = start;
+        self.look(scene, rest, dragging);
     }
 }

@@ -1,10 +1,17 @@
-//! One iteration in its two halves, as in Fig. 4 of the paper: the local step, which fits a shape to
-//! the vertices of every constraint, and the global step, which moves all vertices at once.
+//! The outcome of an iteration, and of its two halves, as in Fig. 4 of the paper: the local step fits a
+//! shape to the vertices of every constraint, the global step moves all vertices at once.
 
-use super::step::Step;
-use crate::error::Error;
-use crate::session::state::Session;
+use crate::session::state::ResolvedRow;
 use serde::Serialize;
+
+/// The outcome of one iteration.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Step {
+    /// Whether the total changed by no more than the tolerance, and the shape has not collapsed.
+    pub converged: bool,
+    /// Whether there is nothing to go on for: the total did not change, or the shape collapsed.
+    pub ended: bool,
+}
 
 /// The outcome of half an iteration.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -34,44 +41,15 @@ pub struct FittedCount {
     pub count: usize,
 }
 
-impl Session {
-    /// The next half of an iteration. Two of them are one [`Session::step`], with the same positions to
-    /// the last bit. The global step is one step of undo.
-    ///
-    /// The local step computes nothing: every state of a session has its projections at hand, because
-    /// its energies are distances to them. It only says so, and [`Session::projections`] shows them.
-    ///
-    /// # Errors
-    /// As [`Session::step`].
-    pub fn half_step(&mut self) -> Result<HalfStep, Error> {
-        if !self.halfway {
-            self.end_run();
-            self.end_drag(true);
-            self.halfway = true;
-            return Ok(HalfStep::Local { fitted: self.fits() });
+/// The constraints of the rows that are on, counted by kind in the order of the rows.
+pub(crate) fn fitted(rows: &[ResolvedRow]) -> Vec<FittedCount> {
+    let mut fitted: Vec<FittedCount> = Vec::new();
+    for row in rows.iter().filter(|row| row.enabled) {
+        let (label, count) = (row.constraints.kind.info().label, row.constraints.members.len());
+        match fitted.iter_mut().find(|fitted| fitted.label == label) {
+            Some(fitted) => fitted.count += count,
+            None => fitted.push(FittedCount { label, count }),
         }
-        self.begin_run();
-        let step = self.step();
-        self.end_run();
-        let Step { converged, .. } = step?;
-        Ok(HalfStep::Global { converged, accelerated: self.solver.accelerated() })
     }
-
-    /// Whether the local step is done and the global step is not. Whatever else changes the shape or
-    /// the scene ends it.
-    pub fn halfway(&self) -> bool {
-        self.halfway
-    }
-
-    fn fits(&self) -> Vec<FittedCount> {
-        let mut fits: Vec<FittedCount> = Vec::new();
-        for row in self.rows.iter().filter(|row| row.enabled) {
-            let (label, count) = (row.constraints.kind.info().label, row.constraints.members.len());
-            match fits.iter_mut().find(|fits| fits.label == label) {
-                Some(fits) => fits.count += count,
-                None => fits.push(FittedCount { label, count }),
-            }
-        }
-        fits
-    }
+    fitted
 }

@@ -1,19 +1,29 @@
-//! Iterating.
+//! Iterating: what a run and its iterations leave behind.
 //!
 //! | file | holds |
 //! |---|---|
-//! | `step` | iterations, and the record of their energies |
-//! | `half_step` | an iteration in its two halves |
-//! | `make_panels` | one press for all panels: the weight raised until they are within a tolerance |
-//! | `collapse_guard` | the guard against a shape that collapses while nobody drags |
+//! | `progress` | the count of iterations, and the record of their energies |
+//! | `trace` | the energies of the iterations |
+//! | `half_step` | the outcome of an iteration, and of its halves |
+//! | `panel_goal` | one press for all panels: the weight raised until they are within a tolerance |
+//! | `collapse` | whether a shape has collapsed since a start |
+//! | `collapse_guard` | the guard against that while nobody drags |
 //! | `interactive_size` | how large a mesh can be that is still dragged smoothly |
 
+mod collapse;
 mod collapse_guard;
 mod half_step;
 mod interactive_size;
-mod make_panels;
-mod step;
+mod panel_goal;
+mod progress;
+mod trace;
 
-pub use half_step::{FittedCount, HalfStep};
+pub(crate) use collapse::Start;
+pub use collapse::{Collapse, CollapseReason};
+pub(crate) use collapse_guard::CollapseGuard;
+pub(crate) use half_step::fitted;
+pub use half_step::{FittedCount, HalfStep, Step};
 pub use interactive_size::max_interactive_faces;
-pub use step::Step;
+pub(crate) use panel_goal::PanelGoal;
+pub(crate) use progress::Progress;
+pub use trace::TraceEntry;

@@ -2,9 +2,10 @@
 
 use super::elements::{Elements, Marks};
 use super::request::{Selection, error};
-use crate::constraint::{Selector, resolve};
+use crate::constraint::{Selector, Sets, resolve};
 use crate::scene::SceneError;
-use crate::session::state::Session;
+use crate::session::report::{Measuring, Shape, face_values};
+use crate::session::state::RestMesh;
 
 impl Elements<'_> {
     /// Faces with that many corners.
@@ -18,39 +19,36 @@ impl Elements<'_> {
     }
 }
 
-impl Session {
-    /// The faces whose error at the current shape is above `tolerance`; `measure` is one of
-    /// [`crate::session::FACE_MEASURES`], and the tolerance in its unit.
-    pub(super) fn with_error_above(
-        &mut self,
-        measure: String,
-        tolerance: f64,
-    ) -> Result<Selection, SceneError> {
-        let errors = self
-            .face_values(&measure)
-            .ok_or_else(|| error("measure", format!("`{measure}` is no error of faces")))?;
-        let above = (0..).zip(errors).filter(|&(_, error)| error > tolerance);
-        Ok(Selection { faces: above.map(|(face, _)| face).collect(), ..Selection::default() })
-    }
+/// The faces whose error at the current shape is above `tolerance`; `measure` is one of
+/// [`crate::session::FACE_MEASURES`], and the tolerance in its unit.
+pub(super) fn with_error_above(
+    model: &mut Measuring<'_>,
+    measure: String,
+    tolerance: f64,
+) -> Result<Selection, SceneError> {
+    let errors = face_values(model, &measure, Shape::Now)
+        .ok_or_else(|| error("measure", format!("`{measure}` is no error of faces")))?;
+    let above = (0..).zip(errors).filter(|&(_, error)| error > tolerance);
+    Ok(Selection { faces: above.map(|(face, _)| face).collect(), ..Selection::default() })
+}
 
-    /// The members of a set, or where there is none of that name, of a group: as they are listed, and
-    /// of the curves of a group their vertices.
-    pub(super) fn named(&self, name: String) -> Result<Selection, SceneError> {
-        if let Some(set) = self.document.sets.get(&name) {
-            let (vertices, faces) = (set.vertices.clone(), set.faces.clone());
-            return Ok(Selection { vertices, faces, ..Selection::default() });
-        }
-        let mut found = Selection::default();
-        for group in self.mesh.groups.iter().filter(|group| group.name == name) {
-            found.faces.extend(&group.faces);
-            let curves = group.curves.iter().map(|&curve| self.mesh.curves.row(curve as usize));
-            found.vertices.extend(curves.flatten());
-        }
-        if found == Selection::default() {
-            let selected =
-                resolve(&Selector::Set(name), &self.mesh, &self.topology, &self.document.sets);
-            selected.map_err(|problem| error("name", problem.to_string()))?;
-        }
-        Ok(found)
+/// The members of a set, or where there is none of that name, of a group: as they are listed, and
+/// of the curves of a group their vertices.
+pub(super) fn named(name: String, sets: &Sets, rest: &RestMesh) -> Result<Selection, SceneError> {
+    if let Some(set) = sets.get(&name) {
+        let (vertices, faces) = (set.vertices.clone(), set.faces.clone());
+        return Ok(Selection { vertices, faces, ..Selection::default() });
     }
+    let mesh = rest.mesh();
+    let mut found = Selection::default();
+    for group in mesh.groups.iter().filter(|group| group.name == name) {
+        found.faces.extend(&group.faces);
+        let curves = group.curves.iter().map(|&curve| mesh.curves.row(curve as usize));
+        found.vertices.extend(curves.flatten());
+    }
+    if found == Selection::default() {
+        let selected = resolve(&Selector::Set(name), mesh, rest.topology(), sets);
+        selected.map_err(|problem| error("name", problem.to_string()))?;
+    }
+    Ok(found)
 }

@@ -18,3 +18,4 @@ mod select;
 
 pub use operation::{OPERATIONS, Operation};
 pub use request::{Mode, SelectRequest, Selection};
+pub(crate) use select::select;

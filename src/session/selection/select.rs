@@ -1,77 +1,77 @@
 //! Carries out a request for a selection.
 
 use super::elements::{self, Elements};
+use super::find::{named, with_error_above};
 use super::operation::{OPERATIONS, Operation};
 use super::request::{Mode, SelectRequest, Selection, error};
 use crate::scene::SceneError;
-use crate::session::state::Session;
+use crate::session::report::{Measuring, free};
 use serde_json::{Map, Value};
 
-impl Session {
-    /// What is selected after `request`, on the current shape; indices ascending.
-    ///
-    /// # Errors
-    /// When it names an operation, a set, or an element that is not there, or when a parameter is not
-    /// a number in its range.
-    pub fn select(&mut self, request: &SelectRequest) -> Result<Selection, SceneError> {
-        let operation =
-            OPERATIONS.iter().find(|operation| operation.id == request.operation).ok_or_else(
-                || error("operation", format!("`{}` is no way to select", request.operation)),
-            )?;
-        self.check(&request.from)?;
-        let mode = match operation.id {
-            // The faces along a boundary have a second ring of vertices, which nobody asked for.
-            "boundary" if request.mode == Mode::Faces => Mode::Edges,
-            _ => operation.gives.unwrap_or(request.mode),
-        };
-        let params = Params { operation, given: &request.params };
-        let found = match operation.id {
-            // These need the session: errors of faces, sets, and what acts on vertices.
-            "error" => {
-                self.with_error_above(params.word("measure")?, params.number("tolerance")?)?
-            }
-            "named" => self.named(params.word("name")?)?,
-            "free" => Selection { vertices: self.free(), ..Selection::default() },
-            _ => Selection::default(),
-        };
-        let positions = self.positions();
-        let elements = Elements::new(&self.mesh, &self.topology);
-        let seeds = elements.marks(mode, &request.from);
-        let marks = match operation.id {
-            "all" => vec![true; elements.count(mode)],
-            "invert" => elements::not(seeds),
-            "grow" => elements.around(mode, &seeds),
-            "shrink" => elements::not(elements.around(mode, &elements::not(seeds))),
-            "to-vertices" | "to-edges" | "to-faces" => seeds,
-            "connected" => elements.connected(mode, &seeds),
-            "boundary" | "boundary-faces" => elements.boundary(mode, &seeds),
-            "loop" => elements.edge_loops(mode, &request.from),
-            "ring" => elements.edge_rings(&seeds),
-            "strip" => elements.strips(&seeds),
-            "flat" => elements.flat_patch(&seeds, params.number("angle")?, &positions),
-            "sides" => elements.with_sides(params.number("sides")?),
-            "valence" => elements.with_valence(params.number("edges")?),
-            "error" | "named" | "free" => elements.marks(mode, &found),
-            id => unreachable!("{id} is declared"),
-        };
-        Ok(elements::selection(mode, &marks))
-    }
+/// What is selected after `request`, on the current shape; indices ascending.
+///
+/// # Errors
+/// When it names an operation, a set, or an element that is not there, or when a parameter is not
+/// a number in its range.
+pub(crate) fn select(
+    model: &mut Measuring<'_>,
+    request: &SelectRequest,
+) -> Result<Selection, SceneError> {
+    let operation =
+        OPERATIONS.iter().find(|operation| operation.id == request.operation).ok_or_else(|| {
+            error("operation", format!("`{}` is no way to select", request.operation))
+        })?;
+    let elements = Elements::new(model.rest.mesh(), model.rest.topology());
+    check(&request.from, &elements)?;
+    let mode = match operation.id {
+        // The faces along a boundary have a second ring of vertices, which nobody asked for.
+        "boundary" if request.mode == Mode::Faces => Mode::Edges,
+        _ => operation.gives.unwrap_or(request.mode),
+    };
+    let params = Params { operation, given: &request.params };
+    let found = match operation.id {
+        // These need more than the mesh: errors of faces, sets, and what acts on vertices.
+        "error" => with_error_above(model, params.word("measure")?, params.number("tolerance")?)?,
+        "named" => named(params.word("name")?, &model.scene.document().sets, model.rest)?,
+        "free" => Selection { vertices: free(model.scene, model.rest), ..Selection::default() },
+        _ => Selection::default(),
+    };
+    let positions = model.scene.positions();
+    let seeds = elements.marks(mode, &request.from);
+    let marks = match operation.id {
+        "all" => vec![true; elements.count(mode)],
+        "invert" => elements::not(seeds),
+        "grow" => elements.around(mode, &seeds),
+        "shrink" => elements::not(elements.around(mode, &elements::not(seeds))),
+        "to-vertices" | "to-edges" | "to-faces" => seeds,
+        "connected" => elements.connected(mode, &seeds),
+        "boundary" | "boundary-faces" => elements.boundary(mode, &seeds),
+        "loop" => elements.edge_loops(mode, &request.from),
+        "ring" => elements.edge_rings(&seeds),
+        "strip" => elements.strips(&seeds),
+        "flat" => elements.flat_patch(&seeds, params.number("angle")?, positions),
+        "sides" => elements.with_sides(params.number("sides")?),
+        "valence" => elements.with_valence(params.number("edges")?),
+        "error" | "named" | "free" => elements.marks(mode, &found),
+        id => unreachable!("{id} is declared"),
+    };
+    Ok(elements::selection(mode, &marks))
+}
 
-    fn check(&self, from: &Selection) -> Result<(), SceneError> {
-        let elements = Elements::new(&self.mesh, &self.topology);
-        for (name, mode, items) in [
-            ("vertices", Mode::Vertices, &from.vertices),
-            ("edges", Mode::Edges, &from.edges),
-            ("faces", Mode::Faces, &from.faces),
-        ] {
-            let count = elements.count(mode);
-            if let Some(item) = items.iter().find(|&&item| item as usize >= count) {
-                let message = format!("{item} is out of range: the mesh has {count}");
-                return Err(error(&format!("from.{name}"), message));
-            }
+/// Checks that every element of a selection is one of the mesh.
+fn check(from: &Selection, elements: &Elements<'_>) -> Result<(), SceneError> {
+    for (name, mode, items) in [
+        ("vertices", Mode::Vertices, &from.vertices),
+        ("edges", Mode::Edges, &from.edges),
+        ("faces", Mode::Faces, &from.faces),
+    ] {
+        let count = elements.count(mode);
+        if let Some(item) = items.iter().find(|&&item| item as usize >= count) {
+            let message = format!("{item} is out of range: the mesh has {count}");
+            return Err(error(&format!("from.{name}"), message));
         }
-        Ok(())
     }
+    Ok(())
 }
 
 /// The parameters of an operation: those given, else their defaults.

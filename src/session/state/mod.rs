@@ -1,42 +1,28 @@
-//! The data of a session.
+//! The scene that is open, and how it changes.
 //!
 //! | file | holds |
 //! |---|---|
-//! | `session` | the session, and plain access to it |
+//! | `rest_mesh` | the mesh as it was opened |
 //! | `rows` | rows of constraints: selectors resolved, elements that do not fit counted |
-//! | `setup` | the solver of a document |
 //! | `handles` | handles as a scene lists them and as the solver has them |
-//! | `same_problem` | whether two documents need different solvers |
-//! | `run_state` | all that outlasts the solver: iterations, trace, history, guard |
-//! | `history` | snapshots, steps of undo and redo |
-//! | `transaction` | a drag or a run that is under way |
-//! | `trace` | the energies of the iterations |
-//! | `collapse` | whether a shape has collapsed since a start |
-//! | `measured` | measures of one shape, kept while it stays |
+//! | `part` | parts of a document that are exchanged with it |
+//! | `scene_change` | the difference of two states: parts, handles, positions |
+//! | `draft` | a change while an edit makes it |
+//! | `solved_scene` | document, resolved rows and solver, kept in step |
 
-mod collapse;
+mod draft;
 mod handles;
-mod history;
-mod measured;
+mod part;
+mod rest_mesh;
 mod rows;
-mod run_state;
-mod same_problem;
-mod session;
-mod setup;
-mod trace;
-mod transaction;
+mod scene_change;
+mod solved_scene;
 
-pub use collapse::{Collapse, CollapseReason};
-pub(crate) use collapse::{Start, areas, diagonal};
+pub(crate) use draft::Draft;
 pub(crate) use handles::{flat, grouped};
-pub(crate) use history::{History, Snapshot};
-pub(crate) use measured::Measured;
+pub(crate) use part::{Part, RowValues, Settings, same_problem};
+pub(crate) use rest_mesh::RestMesh;
 pub use rows::ResolvedRow;
 pub(crate) use rows::{edges_among, resolve_rows};
-pub(crate) use run_state::RunState;
-pub(crate) use same_problem::same_problem;
-pub use session::Session;
-pub(crate) use setup::solver;
-pub(crate) use trace::Trace;
-pub use trace::TraceEntry;
-pub(crate) use transaction::{PanelGoal, Transaction, TransactionKind};
+pub(crate) use scene_change::{SceneChange, same_positions};
+pub(crate) use solved_scene::SolvedScene;

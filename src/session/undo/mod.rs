@@ -2,12 +2,20 @@
 //!
 //! | file | holds |
 //! |---|---|
-//! | `transition` | from one state to another at the least cost: edits, undo, redo |
-//! | `drag_transaction` | drags and runs, one step of undo each |
+//! | `change` | the difference of two states of a session |
+//! | `history` | the steps of undo and redo |
+//! | `transaction` | a drag or a run that is under way, one step of undo in the end |
+//! | `targets` | what may be a target of a handle |
 //! | `saved` | steps of undo and unfinished work as bytes, to go on after a restart |
 
-mod drag_transaction;
+mod change;
+mod history;
 mod saved;
-mod transition;
+mod targets;
+mod transaction;
 
-pub use drag_transaction::check_targets;
+pub(crate) use change::Change;
+pub(crate) use history::History;
+pub(crate) use saved::{SavedState, read_history, read_state, write_history, write_state};
+pub use targets::check_targets;
+pub(crate) use transaction::Transaction;

@@ -5,10 +5,14 @@
 //! nearer to now: most edits leave the positions as they are. Numbers are little-endian and keep all of
 //! their bits; document and handles are a scene file.
 
+use super::change::Change;
+use super::history::{History, NamedStep};
 use crate::error::Error;
-use crate::mesh::{Point, too_far};
+use crate::mesh::{Mesh, Point, too_far};
 use crate::scene::{MeshSource, Scene, SceneError};
-use crate::session::state::{History, Session, Snapshot, flat, grouped};
+use crate::session::state::{Part, SceneChange, SolvedScene, flat, grouped, same_positions};
+use crate::solve::Handle;
+use std::rc::Rc;
 
 /// The first bytes of a history.
 const MAGIC: &[u8] = b"shape-up steps 1";
@@ -19,150 +23,172 @@ const LIMIT_STEPS: usize = 1000;
 const SAME: u8 = 0;
 const OTHER: u8 = 1;
 
-impl Session {
-    /// The steps of undo and redo, for [`Session::restore`]; at most 20 MB of them. They belong to the
-    /// scene as it stands, or as it stood before the run or the drag that goes on.
-    pub fn saved_history(&self) -> Vec<u8> {
-        let now = match &self.run_state.transaction {
-            Some(transaction) => transaction.before.clone(),
-            None => self.snapshot(),
-        };
-        let mut out = MAGIC.to_vec();
-        for steps in self.run_state.history.steps() {
-            let mut near = &now;
-            let mut written = Vec::new();
-            let mut count = 0;
-            for (name, state) in steps.iter().rev().take(LIMIT_STEPS) {
-                let before = written.len();
-                write_bytes(&mut written, name.as_bytes());
-                self.write_state(&mut written, state, Some(near));
-                if out.len() + written.len() > LIMIT_BYTES {
-                    written.truncate(before);
-                    break;
-                }
-                count += 1;
-                near = state;
-            }
-            write_count(&mut out, count);
-            out.extend(written);
-        }
-        out
-    }
+/// A state of a session.
+#[derive(Clone)]
+pub(crate) struct SavedState {
+    /// Without handles and positions.
+    document: Scene,
+    handles: Rc<[Handle]>,
+    /// `#V by 3`.
+    positions: Rc<[Point]>,
+    /// Iterations up to it.
+    iteration: u32,
+}
 
-    /// How far the run or the drag that goes on has come, for [`Session::restore`].
-    pub fn saved_progress(&self) -> Vec<u8> {
-        let mut out = Vec::new();
-        self.write_state(&mut out, &self.snapshot(), None);
-        out
-    }
-
-    /// Goes on where the scene that was just opened stood when it was saved. `history` is of that scene,
-    /// `progress` of a run or a drag that began with it, which becomes a step of undo; either may be empty.
-    ///
-    /// # Errors
-    /// When bytes are damaged or belong to another scene; what can be restored is.
-    pub fn restore(&mut self, history: &[u8], progress: &[u8]) -> Result<(), Error> {
-        let now = self.snapshot();
-        let mut result = Ok(());
-        if !history.is_empty() {
-            let read = self.read_history(&mut Bytes(history), &now);
-            result = read.map(|history| {
-                // What was asked when the scene was first opened: edits since then arm the guard.
-                if let [[(_, first), ..], _] = history.steps() {
-                    self.run_state.guard.opened = first.document.clone();
-                }
-                self.run_state.history = history;
-                self.start_from(None);
-            });
-        }
-        if !progress.is_empty() {
-            let read = self.read_state(&mut Bytes(progress), None);
-            result = result.and(read.and_then(|state| self.resume(state)));
-        }
-        result
-    }
-
-    /// Makes what has happened since the scene was written one step of undo.
-    fn resume(&mut self, state: Snapshot) -> Result<(), Error> {
-        if state.handles == self.solver.handles() {
-            self.begin_run();
-        } else {
-            self.begin_drag();
-        }
-        let resumed = self.go_to(state);
-        self.end_run();
-        self.end_drag(true);
-        resumed
-    }
-
-    /// Appends a state: all of it, or what differs from the one that is `near`.
-    fn write_state(&self, out: &mut Vec<u8>, state: &Snapshot, near: Option<&Snapshot>) {
-        out.extend(state.iteration.to_le_bytes());
-        if near.is_some_and(|n| n.document == state.document && n.handles == state.handles) {
-            out.push(SAME);
-        } else {
-            out.push(OTHER);
-            let scene = Scene {
-                mesh: MeshSource::File("mesh".to_owned()),
-                handles: grouped(&state.handles),
-                ..state.document.clone()
-            };
-            write_bytes(out, scene.to_json(&self.mesh).as_bytes());
-        }
-        if near.is_some_and(|near| same_bits(&near.positions, &state.positions)) {
-            out.push(SAME);
-        } else {
-            out.push(OTHER);
-            write_count(out, state.positions.len());
-            out.extend(state.positions.as_flattened().iter().flat_map(|x| x.to_le_bytes()));
+impl SavedState {
+    /// The state of `scene` after `iteration`.
+    pub(crate) fn of(scene: &SolvedScene, iteration: u32) -> SavedState {
+        SavedState {
+            document: scene.document().clone(),
+            handles: Rc::clone(scene.handles()),
+            positions: Rc::clone(scene.positions()),
+            iteration,
         }
     }
 
-    fn read_history(&self, bytes: &mut Bytes<'_>, now: &Snapshot) -> Result<History, Error> {
-        if bytes.take(MAGIC.len()) != Ok(MAGIC) {
-            return Err(bytes.damaged("the mark of such a list").into());
-        }
-        let mut lists = [Vec::new(), Vec::new()];
-        for list in &mut lists {
-            for _ in 0..bytes.count()? {
-                let name = bytes.text()?.to_owned();
-                let near = list.last().map_or(now, |(_, state)| state);
-                let state = self.read_state(bytes, Some(near))?;
-                list.push((name, state));
-            }
-            list.reverse();
-        }
-        Ok(History::of(lists))
+    /// Goes where `change` leads.
+    pub(crate) fn follow(&mut self, change: &Change) {
+        let SceneChange { handles, positions, .. } = &change.scene;
+        change.scene.clone().exchange_parts(&mut self.document);
+        self.handles = Rc::clone(handles);
+        self.positions = Rc::clone(positions);
+        self.iteration = change.iteration;
     }
 
-    fn read_state(
-        &self,
-        bytes: &mut Bytes<'_>,
-        near: Option<&Snapshot>,
-    ) -> Result<Snapshot, Error> {
-        let iteration = bytes.count()?;
-        let (document, handles) = match (bytes.byte()?, near) {
-            (SAME, Some(near)) => (near.document.clone(), near.handles.clone()),
-            (OTHER, _) => {
-                let mut document = Scene::from_json(bytes.text()?)?;
-                document.validate(&self.mesh)?;
-                let handles = flat(&std::mem::take(&mut document.handles), &self.mesh.positions);
-                (Scene { mesh: self.document.mesh.clone(), ..document }, handles)
-            }
-            _ => return Err(bytes.damaged("a document").into()),
-        };
-        let positions = match (bytes.byte()?, near) {
-            (SAME, Some(near)) => near.positions.clone(),
-            (OTHER, _) => bytes.positions(self.mesh.positions.len())?,
-            _ => return Err(bytes.damaged("positions").into()),
-        };
-        Ok(Snapshot { document, handles, positions, iteration, start: None })
+    /// What leads to the state `to`.
+    pub(crate) fn change_to(&self, to: &SavedState) -> Change {
+        let SavedState { document, handles, positions, iteration } = to;
+        Change {
+            scene: SceneChange {
+                parts: Part::between(&self.document, document),
+                handles: Rc::clone(handles),
+                positions: Rc::clone(positions),
+            },
+            iteration: *iteration,
+            start: None,
+        }
     }
 }
 
-fn same_bits(a: &[Point], b: &[Point]) -> bool {
-    let mut pairs = a.as_flattened().iter().zip(b.as_flattened());
-    a.len() == b.len() && pairs.all(|(a, b)| a.to_bits() == b.to_bits())
+/// The steps of undo and redo of a session on `mesh` that is in the state `now`.
+pub(crate) fn write_history(steps: [&[NamedStep]; 2], now: &SavedState, mesh: &Mesh) -> Vec<u8> {
+    let mut out = MAGIC.to_vec();
+    for steps in steps {
+        let mut near = now.clone();
+        let mut written = Vec::new();
+        let mut count = 0;
+        for (name, change) in steps.iter().rev().take(LIMIT_STEPS) {
+            let before = written.len();
+            let mut state = near.clone();
+            state.follow(change);
+            write_bytes(&mut written, name.as_bytes());
+            write(&mut written, &state, Some(&near), mesh);
+            if out.len() + written.len() > LIMIT_BYTES {
+                written.truncate(before);
+                break;
+            }
+            count += 1;
+            near = state;
+        }
+        write_count(&mut out, count);
+        out.extend(written);
+    }
+    out
+}
+
+/// A state of a session on `mesh`.
+pub(crate) fn write_state(state: &SavedState, mesh: &Mesh) -> Vec<u8> {
+    let mut out = Vec::new();
+    write(&mut out, state, None, mesh);
+    out
+}
+
+/// The steps of undo and redo of a session on `mesh` that is in the state `now`, and the document before
+/// the first of them.
+///
+/// # Errors
+/// When the bytes are damaged or belong to another scene.
+pub(crate) fn read_history(
+    bytes: &[u8],
+    now: &SavedState,
+    mesh: &Mesh,
+) -> Result<(History, Option<Scene>), Error> {
+    let mut bytes = Bytes(bytes);
+    if bytes.take(MAGIC.len()) != Ok(MAGIC) {
+        return Err(bytes.damaged("the mark of such a list").into());
+    }
+    let mut lists = [Vec::new(), Vec::new()];
+    let mut farthest = Vec::new();
+    for list in &mut lists {
+        let mut near = now.clone();
+        for _ in 0..bytes.count()? {
+            let name = bytes.text()?.to_owned();
+            let state = read(&mut bytes, Some(&near), &now.document.mesh, mesh)?;
+            list.push((name, near.change_to(&state)));
+            near = state;
+        }
+        list.reverse();
+        farthest.push(near.document);
+    }
+    let first = farthest.into_iter().next().filter(|_| !lists[0].is_empty());
+    Ok((History::of(lists), first))
+}
+
+/// A state of a session on `mesh` that is in the state `now`.
+///
+/// # Errors
+/// When the bytes are damaged or belong to another scene.
+pub(crate) fn read_state(bytes: &[u8], now: &SavedState, mesh: &Mesh) -> Result<SavedState, Error> {
+    read(&mut Bytes(bytes), None, &now.document.mesh, mesh)
+}
+
+/// Appends a state: all of it, or what differs from the one that is `near`.
+fn write(out: &mut Vec<u8>, state: &SavedState, near: Option<&SavedState>, mesh: &Mesh) {
+    out.extend(state.iteration.to_le_bytes());
+    if near.is_some_and(|n| n.document == state.document && n.handles == state.handles) {
+        out.push(SAME);
+    } else {
+        out.push(OTHER);
+        let scene = Scene {
+            mesh: MeshSource::File("mesh".to_owned()),
+            handles: grouped(&state.handles),
+            ..state.document.clone()
+        };
+        write_bytes(out, scene.to_json(mesh).as_bytes());
+    }
+    if near.is_some_and(|near| same_positions(&near.positions, &state.positions)) {
+        out.push(SAME);
+    } else {
+        out.push(OTHER);
+        write_count(out, state.positions.len());
+        out.extend(state.positions.as_flattened().iter().flat_map(|x| x.to_le_bytes()));
+    }
+}
+
+/// Reads what [`write`] appends; the document has its mesh from `source`.
+fn read(
+    bytes: &mut Bytes<'_>,
+    near: Option<&SavedState>,
+    source: &MeshSource,
+    mesh: &Mesh,
+) -> Result<SavedState, Error> {
+    let iteration = bytes.count()?;
+    let (document, handles) = match (bytes.byte()?, near) {
+        (SAME, Some(near)) => (near.document.clone(), Rc::clone(&near.handles)),
+        (OTHER, _) => {
+            let mut document = Scene::from_json(bytes.text()?)?;
+            document.validate(mesh)?;
+            let handles = flat(&std::mem::take(&mut document.handles), &mesh.positions);
+            (Scene { mesh: source.clone(), ..document }, handles.into())
+        }
+        _ => return Err(bytes.damaged("a document").into()),
+    };
+    let positions = match (bytes.byte()?, near) {
+        (SAME, Some(near)) => Rc::clone(&near.positions),
+        (OTHER, _) => bytes.positions(mesh.positions.len())?.into(),
+        _ => return Err(bytes.damaged("positions").into()),
+    };
+    Ok(SavedState { document, handles, positions, iteration })
 }
 
 fn write_count(out: &mut Vec<u8>, count: usize) {

@@ -91,6 +91,11 @@ impl Solver {
         handles.len() == self.handles.len() && handles.iter().zip(&self.handles).all(alike)
     }
 
+    /// The weights of Eq. 13.
+    pub fn weights(&self) -> Weights {
+        self.energies.weights
+    }
+
     /// Whether other weights leave the energies as they are: those that are zero stay zero.
     pub fn can_reweigh(&self, weights: Weights) -> bool {
         let counts = |weights: Weights| {

@@ -1,11 +1,11 @@
 //! What helps where a run has ended and the constraints are not met: changes that a host offers. Each is
 //! tried on a copy of the session first, so that only those that lower the worst distance are offered.
 
-use super::edit_list::Edit;
+use super::Session;
+use super::edit::Edit;
 use crate::error::Error;
 use crate::mesh::BoundingSphere;
 use crate::scene::ClosenessTo;
-use crate::session::state::Session;
 use serde::Serialize;
 use serde_json::{Value, json};
 
@@ -106,14 +106,6 @@ impl Remedies {
 
     fn far(&self) -> f64 {
         FAR * BoundingSphere::of(&self.session.mesh().positions).diameter()
-    }
-}
-
-impl Session {
-    /// The largest distance of a vertex to its projection over all rows that are on, as the last local
-    /// step found it, in the unit of the mesh.
-    pub fn worst_distance(&self) -> f64 {
-        self.solver.found().map(|row| row.worst_squared).fold(0.0, f64::max).sqrt()
     }
 }
 

@@ -1,14 +1,14 @@
-//! The guard against collapse: iterations that, without anybody dragging, shrink the model to a dot,
-//! crush its faces, or carry it away.
+//! The collapse of a shape: iterations that, without anybody dragging, shrink the model to a dot, crush
+//! its faces, or carry it away.
 //!
-//! A shape is compared with that at the start: where somebody last changed something and iterating
-//! began. A scene is solved as its author meant it, whatever becomes of it, until somebody edits what
-//! is asked of it.
+//! A shape is compared with that at the start: where somebody last changed something and iterating began.
 
 use crate::math::{Vec3, twice_vector_area};
 use crate::mesh::{Mesh, Point, Ragged};
-use crate::scene::Scene;
-use std::{fmt, rc::Rc};
+use crate::solve::Handle;
+use std::fmt;
+use std::mem::size_of_val;
+use std::rc::Rc;
 
 /// The least diagonal of the bounding box, as a part of that at the start.
 const LEAST_DIAGONAL: f64 = 0.5;
@@ -21,13 +21,14 @@ const LOST: f64 = 0.05;
 const MOST_LOST: f64 = 0.1;
 /// Handles that are away from their targets pull: the shape may change by so many times their way more.
 const PER_PULL: f64 = 2.0;
+
 /// A collapse of a shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Collapse {
-    /// In which way.
+    /// Its kind.
     pub reason: CollapseReason,
-    /// Of the diagonal what is left, or the part of the faces that lost their area, or the farthest way
-    /// of a vertex as a part of the diagonal.
+    /// Shrunk: the part of the diagonal that is left. Area: the part of the faces that lost theirs. Moved:
+    /// the largest displacement of a vertex, as a part of the diagonal.
     pub amount: f64,
 }
 
@@ -46,7 +47,7 @@ impl fmt::Display for Collapse {
     }
 }
 
-/// In which way a shape collapsed.
+/// The kind of a collapse.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CollapseReason {
     /// The whole has shrunk.
@@ -57,46 +58,59 @@ pub enum CollapseReason {
     Moved,
 }
 
-/// The guard of a session.
-pub(crate) struct Guard {
-    /// The document as it was opened, without handles and positions.
-    pub(in crate::session) opened: Scene,
-    /// The document asks for something else than the one that was opened.
-    pub(in crate::session) armed: bool,
-    /// The run goes on whatever happens.
-    pub(crate) goes_on: bool,
-    /// Where iterating began; none before the first iteration.
-    pub(crate) start: Option<Rc<Start>>,
-    pub(in crate::session) collapse: Option<Collapse>,
-    /// Iterations since the last look.
-    pub(in crate::session) unseen: u32,
-}
-
-impl Guard {
-    /// That of a session on the document `opened`.
-    pub(crate) fn new(opened: Scene) -> Guard {
-        let (armed, goes_on, start, collapse, unseen) = (false, false, None, None, 0);
-        Guard { opened, armed, goes_on, start, collapse, unseen }
-    }
-}
-
 /// A shape from which iterations started.
 pub(crate) struct Start {
     /// `#V by 3`.
-    pub(crate) positions: Vec<Point>,
-    pub(crate) iteration: u32,
-    pub(in crate::session) diagonal: f64,
+    positions: Rc<[Point]>,
+    iteration: u32,
+    diagonal: f64,
     /// The same, or that at rest where it is greater: after an undo it may start from a dot.
-    pub(in crate::session) size: f64,
+    size: f64,
     /// `#F`.
-    pub(in crate::session) areas: Vec<f64>,
+    areas: Vec<f64>,
     /// The largest distance of a handle from its target.
-    pub(in crate::session) pull: f64,
+    pull: f64,
 }
 
 impl Start {
+    /// The shape `positions` (`#V by 3`) of `rest` after `iteration`, with these handles.
+    pub(crate) fn new(
+        positions: &Rc<[Point]>,
+        iteration: u32,
+        handles: &[Handle],
+        rest: &Mesh,
+    ) -> Start {
+        let ways = handles.iter().map(|handle| {
+            Vec3::from(positions[handle.vertex as usize]) - Vec3::from(handle.target)
+        });
+        let pull = ways.map(|way| way.length_squared()).fold(0.0, f64::max).sqrt();
+        let extent = diagonal(positions, &rest.faces);
+        Start {
+            diagonal: extent,
+            size: extent.max(diagonal(&rest.positions, &rest.faces)),
+            areas: areas(positions, &rest.faces),
+            pull,
+            iteration,
+            positions: Rc::clone(positions),
+        }
+    }
+
+    /// `#V by 3`.
+    pub(crate) fn positions(&self) -> &Rc<[Point]> {
+        &self.positions
+    }
+
+    pub(crate) fn iteration(&self) -> u32 {
+        self.iteration
+    }
+
+    /// The bytes that it holds.
+    pub(crate) fn bytes(&self) -> usize {
+        size_of_val(&*self.positions) + size_of_val(&*self.areas)
+    }
+
     /// How the shape `now`, `#V by 3`, has collapsed since.
-    pub(in crate::session) fn collapse(&self, now: &[Point], mesh: &Mesh) -> Option<Collapse> {
+    pub(crate) fn collapse(&self, now: &[Point], mesh: &Mesh) -> Option<Collapse> {
         let slack = PER_PULL * self.pull;
         let diagonal = diagonal(now, &mesh.faces);
         if diagonal + slack < LEAST_DIAGONAL * self.diagonal {
@@ -109,15 +123,15 @@ impl Start {
         if lost > MOST_LOST && self.pull == 0.0 {
             return Some(Collapse { reason: CollapseReason::Area, amount: lost });
         }
-        let ways = now.iter().zip(&self.positions).map(|(&a, &b)| Vec3::from(a) - Vec3::from(b));
+        let ways = now.iter().zip(&*self.positions).map(|(&a, &b)| Vec3::from(a) - Vec3::from(b));
         let farthest = ways.map(|way| way.length_squared()).fold(0.0, f64::max).sqrt();
         (farthest > FARTHEST * self.size + slack)
             .then(|| Collapse { reason: CollapseReason::Moved, amount: farthest / self.size })
     }
 }
 
-/// Of the bounding box of the vertices of faces; of all vertices where there are no faces.
-pub(crate) fn diagonal(positions: &[Point], faces: &Ragged) -> f64 {
+/// The diagonal of the bounding box of the vertices of faces; of all vertices where there are no faces.
+fn diagonal(positions: &[Point], faces: &Ragged) -> f64 {
     let [mut low, mut high] = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
     let mut enclose = |point: Point| {
         for axis in 0..3 {
@@ -133,8 +147,8 @@ pub(crate) fn diagonal(positions: &[Point], faces: &Ragged) -> f64 {
     (Vec3::from(high) - Vec3::from(low)).length()
 }
 
-/// The lengths of the area vectors of faces: `#F`.
-pub(crate) fn areas(positions: &[Point], faces: &Ragged) -> Vec<f64> {
+/// The lengths of the area vectors of faces, `#F`.
+fn areas(positions: &[Point], faces: &Ragged) -> Vec<f64> {
     let at = |&v: &u32| Vec3::from(positions[v as usize]);
     faces.iter().map(|face| 0.5 * twice_vector_area(face.iter().map(at)).length()).collect()
 }

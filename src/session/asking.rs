@@ -1,0 +1,211 @@
+//! What hosts ask of a session: selections, previews, measures, reports, files.
+
+use super::Session;
+use super::edit::{ConstraintTarget, Preview, previews};
+use super::export;
+use super::report::{
+    self, ConstraintMap, Measuring, Moved, Projections, Report, Shape, Verdict, WorstElement,
+};
+use super::selection::{SelectRequest, Selection, select};
+use crate::mesh::{ElementsWithProblem, Measures, Weld};
+use crate::scene::{GoalResult, Scene, SceneError};
+use std::rc::Rc;
+
+impl Session {
+    /// What is selected after `request`, on the current shape; indices ascending.
+    ///
+    /// # Errors
+    /// When it names an operation, a set, or an element that is not there, or when a parameter is not
+    /// a number in its range.
+    pub fn select(&mut self, request: &SelectRequest) -> Result<Selection, SceneError> {
+        select(&mut self.measuring(), request)
+    }
+
+    /// What a row of each kind at each place would hold: `#kinds by #places`, kinds in the order of
+    /// [`crate::constraint::KINDS`]. None where nothing fits, and where the elements are not those that the
+    /// kind is meant for.
+    ///
+    /// # Errors
+    /// When a place names what is not there.
+    pub fn previews(
+        &self,
+        places: &[ConstraintTarget],
+    ) -> Result<Vec<Vec<Option<Preview>>>, SceneError> {
+        previews(places, &self.document().sets, &self.rest)
+    }
+
+    /// Planarity and circularity of the faces as they are now.
+    pub fn measures(&self) -> Rc<Measures> {
+        self.measured.measures(&self.scene, &self.rest)
+    }
+
+    /// The same of a shape at most so many seconds ago: on large meshes it takes longer than an iteration.
+    pub fn recent_measures(&self, seconds: f64) -> Rc<Measures> {
+        self.measured.recent_measures(&self.scene, &self.rest, seconds)
+    }
+
+    /// The values of the measure `id`, `#F`, in its unit; not a number where a face has none, as the
+    /// diagonals of a triangle. None when no measure is called so.
+    pub fn face_values(&mut self, id: &str) -> Option<Vec<f64>> {
+        self.face_values_of(id, Shape::Now)
+    }
+
+    /// The same of another shape.
+    pub fn face_values_of(&mut self, id: &str, shape: Shape) -> Option<Vec<f64>> {
+        report::face_values(&mut self.measuring(), id, shape)
+    }
+
+    /// The values of the vertices (`#V`) whose largest a face has in the measure `id`, where they change
+    /// gradually over the surface: distances to the original. None for every other measure.
+    pub fn corner_values(&self, id: &str) -> Option<Vec<f64>> {
+        report::corner_values(&self.scene, &self.rest, &self.measured, id)
+    }
+
+    /// The distance of each face to where its constraints want it, `#F`, in the unit of the mesh: the
+    /// largest distance of a corner to its projection in any enabled constraint.
+    pub fn residuals(&mut self) -> Vec<f64> {
+        self.face_values("residual").unwrap_or_default()
+    }
+
+    /// The largest distance of a vertex to its projection over all rows that are on, as the last local
+    /// step found it, in the unit of the mesh.
+    pub fn worst_distance(&self) -> f64 {
+        self.solver().found().map(|row| row.worst_squared).fold(0.0, f64::max).sqrt()
+    }
+
+    /// Distances of the vertices from their rest positions.
+    pub fn moved(&self) -> Moved {
+        Moved::of(&self.scene, &self.rest)
+    }
+
+    /// The least length of an edge as a part of its length at rest; those without a length at rest do
+    /// not count, and without edges it is 1.
+    pub fn shortest_edge(&self) -> f64 {
+        report::shortest_edge(&self.scene, &self.rest)
+    }
+
+    /// Mean length of an edge at rest, in the unit of the mesh; zero without edges.
+    pub fn mean_edge(&self) -> f64 {
+        self.rest.mean_edge()
+    }
+
+    /// A tolerance for distances on this mesh: about a thousandth of the mean edge, rounded to 1, 2 or 5
+    /// times a power of ten, in the unit of the mesh.
+    pub fn tolerance(&self) -> f64 {
+        report::tolerance(&self.rest)
+    }
+
+    /// Corners of faces by their angles, in bins of five degrees from 0 to 180.
+    pub fn angles(&self, shape: Shape) -> Vec<u32> {
+        report::angles(&self.scene, &self.rest, shape)
+    }
+
+    /// How near the panels are to what they are asked to be, by the last row that is on and asks it of
+    /// single faces: distances up to `tolerance` are within. None where nothing of the kind is asked.
+    pub fn verdict(&mut self, tolerance: f64) -> Option<Verdict> {
+        Verdict::of(&mut self.measuring(), tolerance)
+    }
+
+    /// The value of each goal of the lesson on the shape as it is, in their order; empty without a lesson.
+    pub fn goals(&mut self) -> Vec<GoalResult> {
+        report::goals(&mut self.measuring())
+    }
+
+    /// The `count` faces with the largest values of the measure `id`, largest first, of equal ones
+    /// the first of the mesh; those without a value are left out. None when no measure is called so.
+    pub fn worst_faces(&mut self, id: &str, count: usize) -> Option<Vec<WorstElement>> {
+        report::worst_faces(&mut self.measuring(), id, count)
+    }
+
+    /// The `count` constraints of row `index` that are farthest from being met, farthest first: the
+    /// largest distance of a vertex to its projection, in the unit of the mesh. Empty where the row is
+    /// off or is not there.
+    pub fn worst_constraints(&mut self, index: usize, count: usize) -> Vec<WorstElement> {
+        report::worst_constraints(&mut self.measuring(), index, count)
+    }
+
+    /// The projections at the current positions.
+    pub fn projections(&mut self) -> Projections {
+        report::projections(&mut self.scene, &self.rest)
+    }
+
+    /// The elements that the enabled rows act on.
+    pub fn acting_rows(&self) -> ConstraintMap {
+        report::acting_rows(self.rows(), &self.rest)
+    }
+
+    /// The faces and the vertices that row `index` acts on, ascending; a face counts when one of the
+    /// row's constraints has all its corners.
+    pub fn members(&self, index: usize) -> [Vec<u32>; 2] {
+        report::members(self.rows().get(index), &self.rest)
+    }
+
+    /// What row `index` asks of single faces, as the id of a measure: that of its kind, if each of
+    /// its constraints is on one face.
+    pub fn asked_measure(&self, index: usize) -> Option<&'static str> {
+        report::asked_measure(self.document(), index)
+    }
+
+    /// How many vertices are kept close more or less than the others.
+    pub fn held_otherwise(&self) -> usize {
+        report::held_otherwise(self.document(), &self.rest)
+    }
+
+    /// The vertices on which neither a constraint nor closeness, smoothness, or a handle acts, ascending.
+    pub fn free(&self) -> Vec<u32> {
+        report::free(&self.scene, &self.rest)
+    }
+
+    /// The elements with the problem `name`, of [`super::flaw_of`] or [`super::ZERO_SIZE_FACES`]; none for
+    /// any other name.
+    pub fn elements_with_problem(&self, name: &str) -> Option<ElementsWithProblem> {
+        report::elements_with_problem(name, self.scene.positions(), &self.rest)
+    }
+
+    /// The edges between these pairs of vertices, as places in [`crate::mesh::Topology::edges`], ascending.
+    pub fn edges_between(&self, ends: &[[u32; 2]]) -> Vec<u32> {
+        self.rest.edges_between(ends)
+    }
+
+    /// The report as of now.
+    pub fn report(&self) -> Report {
+        let collapsed = self.collapse().is_some();
+        Report::of(&self.scene, &self.rest, &self.progress, &self.measures(), collapsed)
+    }
+
+    /// One line per face, from 0: its corners, the groups that it is in, and every measure of
+    /// [`super::FACE_MEASURES`]; empty where a face has no such value.
+    pub fn errors_csv(&mut self) -> String {
+        report::errors_csv(&mut self.measuring())
+    }
+
+    /// One line per recorded iteration since the scene was opened: the energies, weights included.
+    pub fn convergence_csv(&self) -> String {
+        report::convergence_csv(self.trace(), &self.document().units)
+    }
+
+    /// One line per bin: the angles where it begins and ends, and how many corners of the original
+    /// and of the current shape are in it.
+    pub fn angles_csv(&self) -> String {
+        report::angles_csv(&self.scene, &self.rest)
+    }
+
+    /// The current shape as the text of an OBJ file, with the unit and the axis that are known.
+    pub fn obj(&self) -> String {
+        export::obj(&self.scene, &self.rest)
+    }
+
+    /// The same of the mesh as it came, which was welded to the mesh of this session.
+    pub fn obj_as_it_came(&self, weld: &Weld) -> String {
+        export::obj_as_it_came(&self.scene, &self.rest, weld)
+    }
+
+    /// The scene as it stands, with current positions when they are not at rest.
+    pub fn scene(&self) -> Scene {
+        export::whole_scene(&self.scene, &self.rest)
+    }
+
+    fn measuring(&mut self) -> Measuring<'_> {
+        Measuring { rest: &self.rest, scene: &mut self.scene, cache: &self.measured }
+    }
+}

@@ -1,0 +1,100 @@
+//! The session itself: what it is made of, and plain access to that.
+
+use super::report::MeasureCache;
+use super::run::{Collapse, CollapseGuard, Progress, TraceEntry};
+use super::state::{ResolvedRow, RestMesh, SolvedScene};
+use super::undo::{History, Transaction};
+use crate::mesh::{Mesh, Point, Topology};
+use crate::scene::Scene;
+use crate::solve::Solver;
+
+/// A scene that is open.
+pub struct Session {
+    pub(super) rest: RestMesh,
+    pub(super) scene: SolvedScene,
+    pub(super) progress: Progress,
+    pub(super) guard: CollapseGuard,
+    pub(super) history: History,
+    /// The drag or run that is under way.
+    pub(super) transaction: Option<Transaction>,
+    pub(super) measured: MeasureCache,
+}
+
+impl Session {
+    /// The rest shape.
+    pub fn mesh(&self) -> &Mesh {
+        self.rest.mesh()
+    }
+
+    /// The topology of the mesh.
+    pub fn topology(&self) -> &Topology {
+        self.rest.topology()
+    }
+
+    /// The solver at its current positions.
+    pub fn solver(&self) -> &Solver {
+        self.scene.solver()
+    }
+
+    /// The solver alone, for callers that need energies and gradients only.
+    pub fn into_solver(self) -> Solver {
+        self.scene.into_solver()
+    }
+
+    /// The document without handles and positions, which are the solver's.
+    pub fn document(&self) -> &Scene {
+        self.scene.document()
+    }
+
+    /// The rows of constraints, resolved, in the order of the document.
+    pub fn rows(&self) -> &[ResolvedRow] {
+        self.scene.rows()
+    }
+
+    /// Current positions, `#V by 3`, in the unit of the mesh.
+    pub fn positions(&self) -> Vec<Point> {
+        self.scene.positions().to_vec()
+    }
+
+    /// Iterations from where the scene starts to the current shape; undo takes them back.
+    pub fn iteration(&self) -> u32 {
+        self.progress.iteration()
+    }
+
+    /// The recorded energies that led to the current shape, ascending; none where nothing is recorded.
+    pub fn trace(&self) -> &[TraceEntry] {
+        self.progress.trace().unwrap_or_default()
+    }
+
+    /// Whether the local step is done and the global step is not. Whatever else changes the shape or
+    /// the scene ends it.
+    pub fn halfway(&self) -> bool {
+        self.progress.halfway()
+    }
+
+    /// How the shape has collapsed since iterating began, if it has.
+    pub fn collapse(&self) -> Option<Collapse> {
+        self.guard.collapse()
+    }
+
+    /// Whether the last iteration changed the total by no more than the tolerance; never of a shape
+    /// that has collapsed.
+    pub fn converged(&self) -> bool {
+        self.scene.solver().converged() && self.collapse().is_none()
+    }
+
+    /// Whether a drag has begun and not ended; an edit ends it.
+    pub fn is_dragging(&self) -> bool {
+        self.transaction.as_ref().is_some_and(Transaction::is_drag)
+    }
+
+    /// The names of the steps that undo and redo would take.
+    pub fn undo_and_redo(&self) -> [Option<&str>; 2] {
+        self.history.names()
+    }
+
+    /// Seconds that reading the files took, for the report.
+    pub fn set_load_seconds(&mut self, seconds: f64) {
+        self.progress.set_load_seconds(seconds);
+    }
+}

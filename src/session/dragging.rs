@@ -1,0 +1,118 @@
+//! Drags and runs: many changes that are one step of undo together.
+
+use super::Session;
+use super::edit::Edit;
+use super::run::PanelGoal;
+use super::undo::{Change, Transaction, check_targets};
+use crate::error::Error;
+use crate::mesh::Point;
+use crate::scene::SceneError;
+
+impl Session {
+    /// Begins to drag vertices that are handles; targets move until [`Session::end_drag`].
+    pub fn begin_drag(&mut self) {
+        self.begin(Transaction::drag);
+        self.guard.forget_start();
+    }
+
+    /// Makes vertices handles where they are and begins to drag them: one step of undo together, and
+    /// taking the drag back takes the handles away.
+    ///
+    /// # Errors
+    /// When a vertex is not there; nothing has changed then.
+    pub fn begin_drag_of_new(&mut self, vertices: Vec<u32>) -> Result<(), Error> {
+        self.begin_drag();
+        let made = self.make(Edit::AddHandles { vertices, fixed: false });
+        if made.is_err() {
+            self.transaction = None;
+        }
+        made.map(|_| ())
+    }
+
+    /// Moves the targets of handles, in the unit of the mesh.
+    ///
+    /// # Errors
+    /// As [`check_targets`]; nothing has moved then.
+    pub fn drag(
+        &mut self,
+        targets: impl IntoIterator<Item = (u32, Point)>,
+    ) -> Result<(), SceneError> {
+        let (vertices, targets): (Vec<u32>, Vec<Point>) = targets.into_iter().unzip();
+        check_targets(&vertices, &targets)?;
+        self.scene.move_handles(vertices.into_iter().zip(targets));
+        Ok(())
+    }
+
+    /// Ends a drag: keeps it as one step of undo, or puts everything back.
+    pub fn end_drag(&mut self, keep: bool) {
+        let Some(transaction) = self.transaction.take_if(|t| t.is_drag()) else { return };
+        if keep {
+            if let Some(name) = transaction.name_of_drag(self.scene.handles()) {
+                self.history.push(name, transaction.into_back());
+            }
+        } else {
+            let back = self.exchange(&mut transaction.into_back());
+            back.expect("the state was solvable before");
+        }
+    }
+
+    /// Begins a run: iterations up to [`Session::end_run`] are one step of undo.
+    pub fn begin_run(&mut self) {
+        self.guard.let_go_on(false);
+        if self.transaction.is_none() {
+            self.begin(Transaction::run);
+        }
+    }
+
+    /// Asks one shape of all panels ([`Edit::MakePanels`]) and begins a run that ends with all of them
+    /// within `tolerance` (in the unit of the mesh) where that can be had. It is one step of undo.
+    ///
+    /// # Errors
+    /// As [`Session::edit`].
+    pub fn make_panels(&mut self, kind: &str, tolerance: f64) -> Result<(), Error> {
+        let made = self.edit(Edit::MakePanels { kind: kind.to_owned() })?;
+        self.begin_run();
+        if let Some(transaction) = &mut self.transaction {
+            transaction.aim(PanelGoal::new(tolerance), made);
+        }
+        Ok(())
+    }
+
+    /// Lets the run that has begun go on when the shape collapses.
+    pub fn go_on(&mut self) {
+        self.guard.let_go_on(true);
+    }
+
+    /// Ends a run, at the lowest total that it saw.
+    pub fn end_run(&mut self) {
+        let Some(transaction) = self.transaction.take_if(|t| t.is_run()) else { return };
+        self.scene.settle();
+        self.guard.look(&self.scene, &self.rest, false);
+        // One that collapsed can be taken back alone.
+        let joins = transaction.joins_last() && self.collapse().is_none();
+        match transaction.name_of_run(self.iteration()) {
+            Some(_) if joins => self.history.join(transaction.into_back()),
+            Some(name) => self.history.push(name, transaction.into_back()),
+            None => {}
+        }
+    }
+
+    /// Ends what is under way, as its step of undo.
+    pub(super) fn end_transaction(&mut self) {
+        self.end_run();
+        self.end_drag(true);
+    }
+
+    /// Makes a change of the document a part of what is under way.
+    pub(super) fn include(&mut self, back: Change) {
+        if let Some(transaction) = &mut self.transaction {
+            transaction.include(back.scene);
+        }
+    }
+
+    fn begin(&mut self, kind: impl FnOnce(Change) -> Transaction) {
+        self.end_transaction();
+        self.transaction = Some(kind(self.way_back()));
+        self.progress.leave_half();
+    }
+}

@@ -1,0 +1,104 @@
+//! Iterations, whole and in halves.
+
+use super::Session;
+use super::run::{HalfStep, Step, fitted};
+use super::state::{Part, Settings};
+use super::undo::Transaction;
+use crate::error::Error;
+use crate::scene::Weights;
+
+impl Session {
+    /// One iteration.
+    ///
+    /// # Errors
+    /// When a position leaves the finite numbers; the shape is then that before the step.
+    pub fn step(&mut self) -> Result<Step, Error> {
+        self.progress.leave_half();
+        let dragging = self.is_dragging();
+        if !dragging {
+            self.guard.take_start(&self.scene, &self.rest, self.progress.iteration());
+        }
+        self.scene.step()?;
+        self.progress.advance(self.scene.solver().energy());
+        let collapsed = self.guard.watch(&self.scene, &self.rest, dragging);
+        let ended = self.scene.solver().converged() || collapsed;
+        if ended && !collapsed && self.tighten() {
+            return Ok(Step { converged: false, ended: false });
+        }
+        Ok(Step { converged: self.converged(), ended })
+    }
+
+    /// The next half of an iteration. Two of them are one [`Session::step`], with the same positions to
+    /// the last bit. The global step is one step of undo.
+    ///
+    /// The local step computes nothing: every state of a session has its projections at hand, because
+    /// its energies are distances to them. It only says so, and [`Session::projections`] shows them.
+    ///
+    /// # Errors
+    /// As [`Session::step`].
+    pub fn half_step(&mut self) -> Result<HalfStep, Error> {
+        if !self.halfway() {
+            self.end_transaction();
+            self.progress.begin_half();
+            return Ok(HalfStep::Local { fitted: fitted(self.scene.rows()) });
+        }
+        self.begin_run();
+        let step = self.step();
+        self.end_run();
+        let Step { converged, .. } = step?;
+        Ok(HalfStep::Global { converged, accelerated: self.scene.solver().accelerated() })
+    }
+
+    /// Iterates until the tolerance or the limit of the scene is reached; with `trace` the energies of
+    /// all iterations are recorded.
+    ///
+    /// # Errors
+    /// As [`Session::step`].
+    pub fn solve(&mut self, trace: bool) -> Result<(), Error> {
+        if trace {
+            self.progress.record_all(self.scene.solver().energy());
+        }
+        for _ in 0..self.document().solver.iterations {
+            if self.step()?.ended {
+                break;
+            }
+        }
+        self.scene.settle();
+        Ok(())
+    }
+
+    /// Records the energies of the iterations from here on, this one included. Of some thousands
+    /// there are all; of more, as many at equal distances.
+    pub fn start_trace(&mut self) {
+        self.progress.record(self.scene.solver().energy());
+    }
+
+    /// Watches over the shape from here on, as after an edit.
+    pub fn arm_guard(&mut self) {
+        self.guard.arm();
+    }
+
+    /// Where a run has converged with panels beyond its tolerance: weighs the constraints more, and
+    /// returns whether it did.
+    fn tighten(&mut self) -> bool {
+        let run = self.transaction.as_mut().filter(|transaction| transaction.is_run());
+        let Some(goal) = run.and_then(Transaction::take_goal) else { return false };
+        let Some(verdict) = self.verdict(goal.tolerance()) else { return false };
+        if verdict.within == verdict.panels {
+            return false;
+        }
+        let weights = self.document().weights;
+        let Some((shape, goal)) = goal.raise(weights.shape, verdict.worst) else { return false };
+        let settings = Settings::of(self.document()).with_weights(Weights { shape, ..weights });
+        let mut change = self.way_back();
+        change.scene.parts.push(Part::Settings(settings));
+        if self.exchange(&mut change).is_err() {
+            return false;
+        }
+        self.include(change);
+        if let Some(transaction) = &mut self.transaction {
+            transaction.set_goal(goal);
+        }
+        true
+    }
+}

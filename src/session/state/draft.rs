@@ -1,0 +1,81 @@
+//! A change of a scene while an edit makes it.
+
+use super::part::{Part, Settings};
+use super::scene_change::SceneChange;
+use crate::mesh::{Mesh, Point};
+use crate::scene::{Scene, SceneError};
+use crate::solve::Handle;
+use std::rc::Rc;
+
+/// The document under edit, with the handles and positions that there shall be. Every change of the
+/// document is taken down, so that it can be taken back.
+pub(crate) struct Draft<'a> {
+    pub(super) document: &'a mut Scene,
+    pub(super) mesh: &'a Mesh,
+    pub(super) change: SceneChange,
+}
+
+impl Draft<'_> {
+    pub(crate) fn document(&self) -> &Scene {
+        self.document
+    }
+
+    /// The rest shape.
+    pub(crate) fn mesh(&self) -> &Mesh {
+        self.mesh
+    }
+
+    pub(crate) fn handles(&self) -> &[Handle] {
+        &self.change.handles
+    }
+
+    /// Positions, `#V by 3`.
+    pub(crate) fn positions(&self) -> &[Point] {
+        &self.change.positions
+    }
+
+    /// Replaces a part of the document.
+    pub(crate) fn put(&mut self, mut part: Part) {
+        part.exchange(self.document);
+        self.change.parts.push(part);
+    }
+
+    /// Changes settings, and nothing else of the document.
+    ///
+    /// # Errors
+    /// Those of `set`, which has then set nothing.
+    pub(crate) fn set<T>(
+        &mut self,
+        set: impl FnOnce(&mut Scene) -> Result<T, SceneError>,
+    ) -> Result<T, SceneError> {
+        let before = Settings::of(self.document);
+        let done = set(self.document)?;
+        self.change.parts.push(Part::Settings(before));
+        Ok(done)
+    }
+
+    /// Changes settings and rows of constraints.
+    ///
+    /// # Errors
+    /// Those of `set`, which has then changed nothing.
+    pub(crate) fn set_rows<T>(
+        &mut self,
+        set: impl FnOnce(&mut Scene, &Mesh) -> Result<T, SceneError>,
+    ) -> Result<T, SceneError> {
+        let rows = self.document.constraints.clone();
+        let mesh = self.mesh;
+        let done = self.set(|document| set(document, mesh))?;
+        self.change.parts.push(Part::Rows(rows));
+        Ok(done)
+    }
+
+    /// Replaces all handles.
+    pub(crate) fn put_handles(&mut self, handles: Vec<Handle>) {
+        self.change.handles = handles.into();
+    }
+
+    /// Replaces the positions, `#V by 3`.
+    pub(crate) fn put_positions(&mut self, positions: Rc<[Point]>) {
+        self.change.positions = positions;
+    }
+}

@@ -1,0 +1,245 @@
+//! Parts of a scene that an edit replaces. A part is exchanged with the scene's, and then holds what
+//! takes it back: an edit and its undo move one part, and copy nothing else of the scene.
+
+use crate::constraint::{Kind, Selector, Set, Sets};
+use crate::scene::{
+    BoundaryCloseness, ClosenessTo, ClosenessWeight, ConstraintSpec, Goal, Lesson, Scene,
+    Smoothness, SolverSettings, Up, Weights,
+};
+use std::mem::{size_of_val, swap};
+
+/// One part of a scene, with another value than the scene has.
+#[derive(Clone)]
+pub(crate) enum Part {
+    Units(String),
+    Up(Up),
+    Lesson(Option<Lesson>),
+    Settings(Settings),
+    ClosenessWeights(Vec<ClosenessWeight>),
+    /// A named set; none takes it away.
+    Set(String, Option<Set>),
+    /// The name of a row.
+    RowName(usize, String),
+    /// Kind, weight and switch of a row.
+    RowValues(usize, RowValues),
+    /// A row to be inserted at a place; none removes the row there.
+    Row(usize, Option<ConstraintSpec>),
+    /// All rows.
+    Rows(Vec<ConstraintSpec>),
+}
+
+/// The settings that are numbers and choices.
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) struct Settings {
+    weights: Weights,
+    to: ClosenessTo,
+    boundary: Option<BoundaryCloseness>,
+    smoothness: Smoothness,
+    solver: SolverSettings,
+}
+
+/// What a row of constraints says apart from its name and its vertices.
+#[derive(Clone, PartialEq)]
+pub(crate) struct RowValues {
+    pub(crate) kind: Kind,
+    pub(crate) weight: f64,
+    pub(crate) enabled: bool,
+}
+
+/// How much of a solver is left when a part is exchanged, least first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Effect {
+    /// The solver does not know of the part.
+    Nothing,
+    /// The weights of Eq. 13 alone.
+    Weights,
+    /// Named sets: nothing where no row uses them.
+    Sets,
+    /// Another problem.
+    Problem,
+}
+
+impl Settings {
+    pub(crate) fn of(scene: &Scene) -> Settings {
+        Settings {
+            weights: scene.weights,
+            to: scene.closeness.to,
+            boundary: scene.closeness.boundary,
+            smoothness: scene.smoothness,
+            solver: scene.solver,
+        }
+    }
+
+    pub(crate) fn with_weights(self, weights: Weights) -> Settings {
+        Settings { weights, ..self }
+    }
+
+    fn put_in(self, scene: &mut Scene) {
+        let Settings { weights, to, boundary, smoothness, solver } = self;
+        scene.weights = weights;
+        scene.closeness.to = to;
+        scene.closeness.boundary = boundary;
+        scene.smoothness = smoothness;
+        scene.solver = solver;
+    }
+}
+
+impl Part {
+    /// Puts the part in `scene`, and holds what was there.
+    pub(crate) fn exchange(&mut self, scene: &mut Scene) {
+        match self {
+            Part::Units(units) => swap(units, &mut scene.units),
+            Part::Up(up) => swap(up, &mut scene.up),
+            Part::Lesson(lesson) => swap(lesson, &mut scene.lesson),
+            Part::Settings(settings) => {
+                let before = Settings::of(scene);
+                settings.put_in(scene);
+                *settings = before;
+            }
+            Part::ClosenessWeights(weights) => swap(weights, &mut scene.closeness.weights),
+            Part::Set(name, set) => {
+                *set = match set.take() {
+                    Some(set) => scene.sets.insert(name.clone(), set),
+                    None => scene.sets.remove(name),
+                };
+            }
+            Part::RowName(index, name) => swap(name, &mut scene.constraints[*index].name),
+            Part::RowValues(index, RowValues { kind, weight, enabled }) => {
+                let row = &mut scene.constraints[*index];
+                swap(kind, &mut row.kind);
+                swap(weight, &mut row.weight);
+                swap(enabled, &mut row.enabled);
+            }
+            Part::Row(index, row) => {
+                *row = match row.take() {
+                    Some(row) => {
+                        scene.constraints.insert(*index, row);
+                        None
+                    }
+                    None => Some(scene.constraints.remove(*index)),
+                };
+            }
+            Part::Rows(rows) => swap(rows, &mut scene.constraints),
+        }
+    }
+
+    /// Whether exchanging it would leave `scene` as it is.
+    pub(crate) fn is_in(&self, scene: &Scene) -> bool {
+        match self {
+            Part::Units(units) => *units == scene.units,
+            Part::Up(up) => *up == scene.up,
+            Part::Lesson(lesson) => *lesson == scene.lesson,
+            Part::Settings(settings) => *settings == Settings::of(scene),
+            Part::ClosenessWeights(weights) => *weights == scene.closeness.weights,
+            Part::Set(name, set) => set.as_ref() == scene.sets.get(name),
+            Part::RowName(index, name) => *name == scene.constraints[*index].name,
+            Part::RowValues(index, RowValues { kind, weight, enabled }) => {
+                let row = &scene.constraints[*index];
+                (kind, weight, enabled) == (&row.kind, &row.weight, &row.enabled)
+            }
+            Part::Row(..) => false,
+            Part::Rows(rows) => *rows == scene.constraints,
+        }
+    }
+
+    /// The effect of having been exchanged with `scene`.
+    pub(crate) fn effect(&self, scene: &Scene) -> Effect {
+        match self {
+            Part::Units(_) | Part::Up(_) | Part::Lesson(_) | Part::RowName(..) => Effect::Nothing,
+            Part::Settings(before) => {
+                let now = Settings::of(scene);
+                if *before == now {
+                    Effect::Nothing
+                } else if before.with_weights(now.weights) == now {
+                    Effect::Weights
+                } else {
+                    Effect::Problem
+                }
+            }
+            Part::Set(..) => Effect::Sets,
+            Part::ClosenessWeights(_) | Part::RowValues(..) | Part::Row(..) | Part::Rows(_) => {
+                Effect::Problem
+            }
+        }
+    }
+
+    /// The parts of `to` that are others than those of `from`: exchanged with `from`, they make it `to`.
+    /// Title, mesh, handles and positions are not compared.
+    pub(crate) fn between(from: &Scene, to: &Scene) -> Vec<Part> {
+        let mut parts = vec![
+            Part::Units(to.units.clone()),
+            Part::Up(to.up),
+            Part::Lesson(to.lesson.clone()),
+            Part::Settings(Settings::of(to)),
+            Part::ClosenessWeights(to.closeness.weights.clone()),
+        ];
+        let names =
+            from.sets.keys().chain(to.sets.keys().filter(|name| !from.sets.contains_key(*name)));
+        parts.extend(names.map(|name| Part::Set(name.clone(), to.sets.get(name).cloned())));
+        if are_named_otherwise(&from.constraints, &to.constraints) {
+            let names = to.constraints.iter().map(|row| row.name.clone());
+            parts.extend((0..).zip(names).map(|(index, name)| Part::RowName(index, name)));
+        } else {
+            parts.push(Part::Rows(to.constraints.clone()));
+        }
+        parts.retain(|part| !part.is_in(from));
+        parts
+    }
+
+    /// The bytes that it holds, on the heap too.
+    pub(crate) fn bytes(&self) -> usize {
+        let held = match self {
+            Part::Units(text) | Part::RowName(_, text) => text.len(),
+            Part::Up(_) | Part::Settings(_) | Part::RowValues(..) => 0,
+            Part::Lesson(lesson) => lesson.as_ref().map_or(0, bytes_of_lesson),
+            Part::ClosenessWeights(weights) => {
+                size_of_val(&**weights)
+                    + weights.iter().map(|entry| bytes_of_selector(&entry.on)).sum::<usize>()
+            }
+            Part::Set(name, set) => name.len() + set.as_ref().map_or(0, bytes_of_set),
+            Part::Row(_, row) => row.as_ref().map_or(0, bytes_of_row),
+            Part::Rows(rows) => size_of_val(&**rows) + rows.iter().map(bytes_of_row).sum::<usize>(),
+        };
+        size_of::<Part>() + held
+    }
+}
+
+/// Whether rows differ in their names and in nothing else.
+fn are_named_otherwise(from: &[ConstraintSpec], to: &[ConstraintSpec]) -> bool {
+    let alike = |(a, b): (&ConstraintSpec, &ConstraintSpec)| {
+        (&a.kind, &a.on, a.weight, a.enabled) == (&b.kind, &b.on, b.weight, b.enabled)
+    };
+    from.len() == to.len() && from.iter().zip(to).all(alike)
+}
+
+/// Whether two scenes differ in nothing that the solver knows of.
+pub(crate) fn same_problem(a: &Scene, b: &Scene) -> bool {
+    Settings::of(a) == Settings::of(b)
+        && a.closeness.weights == b.closeness.weights
+        && same_sets(&a.sets, &b.sets)
+        && are_named_otherwise(&a.constraints, &b.constraints)
+}
+
+fn same_sets(a: &Sets, b: &Sets) -> bool {
+    a == b
+}
+
+fn bytes_of_row(row: &ConstraintSpec) -> usize {
+    row.name.len() + bytes_of_selector(&row.on)
+}
+
+fn bytes_of_selector(on: &Selector) -> usize {
+    match on {
+        Selector::Vertices(vertices) => size_of_val(&**vertices),
+        Selector::Set(name) => name.len(),
+        Selector::Each { within, .. } => within.as_ref().map_or(0, String::len),
+    }
+}
+
+fn bytes_of_set(set: &Set) -> usize {
+    size_of_val(&*set.vertices) + size_of_val(&*set.faces)
+}
+
+fn bytes_of_lesson(lesson: &Lesson) -> usize {
+    lesson.text.len() + lesson.goals.len() * size_of::<Goal>()
+}

@@ -1,0 +1,67 @@
+//! The mesh as it was opened, which stays for as long as the session.
+
+use crate::math::Vec3;
+use crate::mesh::{BoundingSphere, Group, Mesh, Point, Topology};
+
+/// A mesh at rest with its topology.
+pub(crate) struct RestMesh {
+    mesh: Mesh,
+    topology: Topology,
+    /// Of the bounding sphere, in the unit of the mesh.
+    diameter: f64,
+}
+
+impl RestMesh {
+    pub(crate) fn new(mesh: Mesh) -> RestMesh {
+        let topology = Topology::new(&mesh);
+        RestMesh { diameter: BoundingSphere::of(&mesh.positions).diameter(), mesh, topology }
+    }
+
+    pub(crate) fn mesh(&self) -> &Mesh {
+        &self.mesh
+    }
+
+    pub(crate) fn into_mesh(self) -> Mesh {
+        self.mesh
+    }
+
+    pub(crate) fn topology(&self) -> &Topology {
+        &self.topology
+    }
+
+    /// Positions at rest, `#V by 3`.
+    pub(crate) fn positions(&self) -> &[Point] {
+        &self.mesh.positions
+    }
+
+    /// Diameter of the bounding sphere, in the unit of the mesh.
+    pub(crate) fn diameter(&self) -> f64 {
+        self.diameter
+    }
+
+    /// Mean length of an edge, in the unit of the mesh; zero without edges.
+    pub(crate) fn mean_edge(&self) -> f64 {
+        let at = |v: u32| Vec3::from(self.mesh.positions[v as usize]);
+        let edges = self.topology.edges();
+        let sum: f64 = edges.iter().map(|&[a, b]| (at(b) - at(a)).length()).sum();
+        sum / edges.len().max(1) as f64
+    }
+
+    /// The names of the groups that one of `faces` is in, in the order of the file.
+    pub(crate) fn groups_of(&self, faces: &[u32]) -> Vec<String> {
+        let groups = self.mesh.groups.iter();
+        let has_one = |group: &&Group| group.faces.iter().any(|face| faces.contains(face));
+        groups.filter(has_one).map(|group| group.name.clone()).collect()
+    }
+
+    /// The edges between these pairs of vertices, as places in [`Topology::edges`], ascending.
+    pub(crate) fn edges_between(&self, ends: &[[u32; 2]]) -> Vec<u32> {
+        let mut ends = ends.to_vec();
+        ends.sort_unstable();
+        let edges = (0..).zip(self.topology.edges());
+        edges
+            .filter(|(_, [a, b])| ends.binary_search(&[*a.min(b), *a.max(b)]).is_ok())
+            .map(|(index, _)| index)
+            .collect()
+    }
+}

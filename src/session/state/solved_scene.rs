@@ -1,0 +1,266 @@
+//! A scene with the solver that is set up for it: its document, its rows resolved, its positions.
+
+use super::draft::Draft;
+use super::part::Effect;
+use super::rest_mesh::RestMesh;
+use super::rows::{ResolvedRow, resolve_rows};
+use super::scene_change::{SceneChange, same_handles, same_positions};
+use crate::constraint::Projected;
+use crate::error::Error;
+use crate::mesh::Point;
+use crate::scene::{Scene, SceneError};
+use crate::solve::{Constraints, Handle, SetupCache, Solver};
+use std::cell::OnceCell;
+use std::rc::Rc;
+
+/// A scene that is solved on a mesh, which is always the same [`RestMesh`].
+pub(crate) struct SolvedScene {
+    /// Without handles and positions: these are the solver's.
+    document: Scene,
+    /// Of each row of the document.
+    rows: Vec<ResolvedRow>,
+    solver: Solver,
+    /// Those of the solver, once somebody has asked for them since they last changed.
+    positions: OnceCell<Rc<[Point]>>,
+    handles: OnceCell<Rc<[Handle]>>,
+}
+
+impl SolvedScene {
+    /// Sets up the solver at the positions `start`, `#V by 3`.
+    ///
+    /// # Errors
+    /// When the system is singular.
+    pub(crate) fn new(
+        document: Scene,
+        rest: &RestMesh,
+        rows: Vec<ResolvedRow>,
+        handles: Vec<Handle>,
+        start: &[Point],
+    ) -> Result<SolvedScene, Error> {
+        let solver = set_up(&document, rest, &rows, SetupCache::default(), handles, start)?;
+        let (positions, handles) = (OnceCell::new(), OnceCell::new());
+        Ok(SolvedScene { document, rows, solver, positions, handles })
+    }
+
+    pub(crate) fn document(&self) -> &Scene {
+        &self.document
+    }
+
+    pub(crate) fn into_document(self) -> Scene {
+        self.document
+    }
+
+    pub(crate) fn rows(&self) -> &[ResolvedRow] {
+        &self.rows
+    }
+
+    /// The places of the rows that are on, which are those that the solver has.
+    pub(crate) fn enabled_rows(&self) -> impl Iterator<Item = usize> {
+        self.rows.iter().enumerate().filter(|(_, row)| row.enabled).map(|(index, _)| index)
+    }
+
+    pub(crate) fn solver(&self) -> &Solver {
+        &self.solver
+    }
+
+    pub(crate) fn into_solver(self) -> Solver {
+        self.solver
+    }
+
+    /// The handles: the same allocation until they change.
+    pub(crate) fn handles(&self) -> &Rc<[Handle]> {
+        self.handles.get_or_init(|| self.solver.handles().into())
+    }
+
+    /// Current positions, `#V by 3`: the same allocation until they change.
+    pub(crate) fn positions(&self) -> &Rc<[Point]> {
+        self.positions.get_or_init(|| self.solver.positions().collect())
+    }
+
+    /// See [`Solver::projected`].
+    pub(crate) fn projected(&mut self, each: impl FnMut(usize, &Projected)) {
+        self.solver.projected(each);
+    }
+
+    /// One iteration.
+    ///
+    /// # Errors
+    /// When a position leaves the finite numbers; the shape is then that before.
+    pub(crate) fn step(&mut self) -> Result<(), Error> {
+        self.positions.take();
+        Ok(self.solver.step()?)
+    }
+
+    /// See [`Solver::settle`].
+    pub(crate) fn settle(&mut self) {
+        self.positions.take();
+        self.solver.settle();
+    }
+
+    /// See [`Solver::move_handles`].
+    pub(crate) fn move_handles(&mut self, targets: impl IntoIterator<Item = (u32, Point)>) {
+        self.solver.move_handles(targets);
+        self.forget();
+    }
+
+    /// The solver has changed.
+    fn forget(&mut self) {
+        self.positions.take();
+        self.handles.take();
+    }
+
+    /// The way back to this state, while nothing has changed.
+    pub(crate) fn way_back(&self) -> SceneChange {
+        SceneChange {
+            parts: Vec::new(),
+            handles: Rc::clone(self.handles()),
+            positions: Rc::clone(self.positions()),
+        }
+    }
+
+    /// Makes the change that `propose` makes of a draft, and gives with its result the way back; none where
+    /// nothing is changed.
+    ///
+    /// # Errors
+    /// Those of `propose`, and as [`SolvedScene::exchange`]; nothing has changed then.
+    pub(crate) fn edit<T>(
+        &mut self,
+        rest: &RestMesh,
+        propose: impl FnOnce(&mut Draft<'_>) -> Result<T, SceneError>,
+    ) -> Result<(T, Option<SceneChange>), Error> {
+        let change = self.way_back();
+        let mut draft = Draft { document: &mut self.document, mesh: rest.mesh(), change };
+        let proposed = propose(&mut draft);
+        let mut change = draft.change;
+        match proposed {
+            Ok(done) => {
+                change.parts.retain(|part| !part.is_in(&self.document));
+                let is_same = change.parts.is_empty()
+                    && same_handles(&change.handles, self.handles())
+                    && same_positions(&change.positions, self.positions());
+                if is_same {
+                    return Ok((done, None));
+                }
+                self.follow(rest, &mut change)?;
+                Ok((done, Some(change)))
+            }
+            Err(error) => {
+                change.exchange_parts(&mut self.document);
+                Err(error.into())
+            }
+        }
+    }
+
+    /// Exchanges a change with the state, which makes of it the way back.
+    ///
+    /// # Errors
+    /// When the document does not fit the mesh, or the system is singular; nothing has changed then.
+    pub(crate) fn exchange(
+        &mut self,
+        rest: &RestMesh,
+        change: &mut SceneChange,
+    ) -> Result<(), Error> {
+        change.exchange_parts(&mut self.document);
+        self.follow(rest, change)
+    }
+
+    /// After the parts of `change` were exchanged: the same for handles and positions, and for what
+    /// follows from the document.
+    fn follow(&mut self, rest: &RestMesh, change: &mut SceneChange) -> Result<(), Error> {
+        let SceneChange { handles, positions, .. } = self.way_back();
+        let new_handles = !same_handles(&change.handles, &handles);
+        let new_positions = !same_positions(&change.positions, &positions);
+        let effect = change.effect(&self.document);
+        if effect == Effect::Nothing && !new_handles && !new_positions {
+            return Ok(());
+        }
+        let to = (
+            new_handles.then(|| change.handles.to_vec()),
+            new_positions.then_some(&*change.positions),
+        );
+        if let Err(error) = self.set_up_again(rest, effect, to) {
+            change.exchange_parts(&mut self.document);
+            return Err(error);
+        }
+        self.forget();
+        let there = std::mem::replace(&mut change.positions, positions);
+        // Not where the solver moved vertices by itself, such as the corners of a boundary.
+        if self
+            .solver
+            .positions()
+            .zip(&*there)
+            .all(|(a, b)| a.map(f64::to_bits) == b.map(f64::to_bits))
+        {
+            self.positions = there.into();
+        }
+        self.handles = std::mem::replace(&mut change.handles, handles).into();
+        Ok(())
+    }
+
+    /// Makes solver and rows those of the document, with these handles and positions (`#V by 3`) where
+    /// there are others, at the least cost.
+    fn set_up_again(
+        &mut self,
+        rest: &RestMesh,
+        effect: Effect,
+        (handles, positions): (Option<Vec<Handle>>, Option<&[Point]>),
+    ) -> Result<(), Error> {
+        let weights = self.document.weights;
+        match effect {
+            Effect::Nothing => match handles {
+                Some(handles) => {
+                    let old = self.solver.handles().to_vec();
+                    if let Err(error) = self.solver.hold(handles, positions) {
+                        self.solver.hold(old, None)?;
+                        return Err(error.into());
+                    }
+                }
+                None => positions.into_iter().for_each(|to| self.solver.set_positions(to)),
+            },
+            Effect::Weights if self.solver.can_reweigh(weights) => {
+                self.document.validate(rest.mesh())?;
+                let (old, old_weights) = (self.solver.handles().to_vec(), self.solver.weights());
+                let handles = handles.unwrap_or_else(|| old.clone());
+                if let Err(error) = self.solver.reweigh(weights, handles, positions) {
+                    self.solver.reweigh(old_weights, old, None)?;
+                    return Err(error.into());
+                }
+            }
+            Effect::Weights | Effect::Sets | Effect::Problem => {
+                self.document.validate(rest.mesh())?;
+                let rows = resolve_rows(&self.document, rest.mesh(), rest.topology())?;
+                // A set that nothing uses needs no other solver.
+                let unused = effect == Effect::Sets
+                    && rows == self.rows
+                    && self.document.closeness.weights.is_empty()
+                    && handles.is_none()
+                    && positions.is_none();
+                if !unused {
+                    let handles = handles.unwrap_or_else(|| self.solver.handles().to_vec());
+                    let positions = positions.unwrap_or_else(|| self.positions());
+                    let cache = self.solver.setup_cache();
+                    self.solver = set_up(&self.document, rest, &rows, cache, handles, positions)?;
+                }
+                self.rows = rows;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Sets up a solver for the enabled rows.
+fn set_up(
+    document: &Scene,
+    rest: &RestMesh,
+    rows: &[ResolvedRow],
+    cache: SetupCache,
+    handles: Vec<Handle>,
+    start: &[Point],
+) -> Result<Solver, Error> {
+    let (mesh, topology) = (rest.mesh(), rest.topology());
+    let constraints: Vec<Constraints> =
+        rows.iter().filter(|row| row.enabled).map(|row| row.constraints.clone()).collect();
+    let closeness_factors = document.closeness.factors(mesh, topology, &document.sets)?;
+    let problem = document.problem(mesh, topology, &constraints, &closeness_factors);
+    Ok(Solver::new(&problem, cache, handles, start)?)
+}

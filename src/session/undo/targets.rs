@@ -1,0 +1,26 @@
+//! What may be a target of a handle.
+
+use crate::mesh::{FARTHEST, Point, too_far};
+use crate::scene::SceneError;
+
+/// Checks that the targets of these vertices are such as a scene file may have.
+///
+/// # Errors
+/// When there is not one target for each vertex, or one is not finite or too far out: the error names its
+/// vertex.
+pub fn check_targets(vertices: &[u32], targets: &[Point]) -> Result<(), SceneError> {
+    let error = |message| Err(SceneError { path: "handles".to_owned(), message });
+    if vertices.len() != targets.len() {
+        let (found, expected) = (targets.len(), vertices.len());
+        return error(format!(
+            "found {found} targets, expected one for each of the {expected} vertices"
+        ));
+    }
+    match too_far(targets) {
+        None => Ok(()),
+        Some(place) => error(format!(
+            "the target of vertex {} is not finite or too far out, expected coordinates from -{FARTHEST:e} to {FARTHEST:e}",
+            vertices[place]
+        )),
+    }
+}

@@ -1,0 +1,98 @@
+//! A drag or a run that is under way: many changes that are one step of undo together.
+
+use super::change::Change;
+use crate::mesh::counted;
+use crate::session::run::PanelGoal;
+use crate::session::state::SceneChange;
+use crate::solve::Handle;
+
+/// A drag or a run that has begun and is not yet a step of undo.
+pub(crate) struct Transaction {
+    kind: Kind,
+    /// The way back to where it began.
+    back: Change,
+    /// It belongs to the step of undo that was made last, and becomes none of its own.
+    joins_last: bool,
+    goal: Option<PanelGoal>,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Kind {
+    Drag,
+    Run,
+}
+
+impl Transaction {
+    /// A drag from where `back` leads.
+    pub(crate) fn drag(back: Change) -> Transaction {
+        Transaction { kind: Kind::Drag, back, joins_last: false, goal: None }
+    }
+
+    /// A run from where `back` leads.
+    pub(crate) fn run(back: Change) -> Transaction {
+        Transaction { kind: Kind::Run, back, joins_last: false, goal: None }
+    }
+
+    pub(crate) fn is_drag(&self) -> bool {
+        self.kind == Kind::Drag
+    }
+
+    pub(crate) fn is_run(&self) -> bool {
+        self.kind == Kind::Run
+    }
+
+    /// The way back to where it began.
+    pub(crate) fn back(&self) -> &Change {
+        &self.back
+    }
+
+    pub(crate) fn into_back(self) -> Change {
+        self.back
+    }
+
+    /// Whether it belongs to the step of undo that was made last.
+    pub(crate) fn joins_last(&self) -> bool {
+        self.joins_last
+    }
+
+    /// Makes it a part of the step that was made last if `joins_last`, and goes on until `goal` is met.
+    pub(crate) fn aim(&mut self, goal: PanelGoal, joins_last: bool) {
+        self.goal = Some(goal);
+        self.joins_last = joins_last;
+    }
+
+    /// The goal, which it no longer has.
+    pub(crate) fn take_goal(&mut self) -> Option<PanelGoal> {
+        self.goal.take()
+    }
+
+    /// Goes on until `goal` is met.
+    pub(crate) fn set_goal(&mut self, goal: PanelGoal) {
+        self.goal = Some(goal);
+    }
+
+    /// The document was changed too while it went on; `back` takes that back.
+    pub(crate) fn include(&mut self, back: SceneChange) {
+        self.back.scene.parts.extend(back.parts);
+    }
+
+    /// The name of the step that a drag becomes, whose handles are `now`; none where no handle has moved.
+    pub(crate) fn name_of_drag(&self, now: &[Handle]) -> Option<String> {
+        let before = &self.back.scene.handles;
+        if before.len() != now.len() {
+            return Some("Make and move handle".to_owned());
+        }
+        match before.iter().zip(now).filter(|(before, now)| before != now).count() {
+            0 => None,
+            1 => Some("Move handle".to_owned()),
+            moved => Some(format!("Move {moved} handles")),
+        }
+    }
+
+    /// The name of the step that a run becomes, up to `iteration`; none where it has not iterated.
+    pub(crate) fn name_of_run(&self, iteration: u32) -> Option<String> {
+        let iterations = iteration - self.back.iteration;
+        let words = counted(iterations as usize, "iteration", "iterations");
+        (iterations > 0).then(|| format!("Run, {words}"))
+    }
+}

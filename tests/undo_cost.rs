@@ -1,0 +1,130 @@
+//! What a step of undo costs: it moves what it changes, copies nothing else of the scene, and the
+//! history is bounded in bytes, whatever they are of.
+//!
+//! Every step held a copy of the whole scene, and going to another one copied it three times more:
+//! renaming a row took as long as two iterations at 100,000 vertices. Only positions were counted towards
+//! the bound.
+
+#[path = "support/grid.rs"]
+mod grid;
+
+use grid::grid;
+use shape_up::constraint::Set;
+use shape_up::mesh::Mesh;
+use shape_up::scene::{ConstraintSpec, Lesson, MeshSource, Scene, Weights};
+use shape_up::session::{Edit, NewConstraint, Session};
+
+fn open(mesh: Mesh) -> Session {
+    let mut scene = Scene::new(MeshSource::File("site.obj".to_owned()));
+    scene.weights = Weights { shape: 1.0, close: 0.1, smooth: 0.1 };
+    let row = ConstraintSpec::from_json(r#"{ "kind": "plane", "on": "faces" }"#);
+    scene.constraints.push(row.expect("the constraint is valid"));
+    Session::open(scene, mesh).expect("the scene is valid")
+}
+
+fn bumpy(side: u32) -> Mesh {
+    grid(side, side, |i, j| [f64::from(i), f64::from(j), f64::from((i * 5 + j * 7) % 4) / 7.0])
+}
+
+fn rename(name: &str) -> Edit {
+    Edit::RenameConstraint { index: 0, name: name.to_owned() }
+}
+
+fn undone(session: &mut Session) -> usize {
+    let mut steps = 0;
+    while session.undo().expect("the state was solvable").is_some() {
+        steps += 1;
+    }
+    steps
+}
+
+#[test]
+fn edits_and_undo_leave_the_rest_of_the_scene_where_it_is() {
+    let mut session = open(bumpy(9));
+    let vertices: Vec<u32> = (0..50).collect();
+    let fixed = Edit::AddHandles { vertices: vec![3], fixed: true };
+    let at = |vertices: Vec<u32>| {
+        let text = format!(r#"{{ "kind": "sphere", "on": {{ "vertices": {vertices:?} }} }}"#);
+        let spec = ConstraintSpec::from_json(&text).expect("the constraint is valid");
+        Edit::AddConstraint(NewConstraint { spec, set: None })
+    };
+    let set = Set { vertices: vertices.clone(), faces: Vec::new() };
+    session.edit(Edit::NameSet { name: "eaves".to_owned(), set }).expect("it is a set");
+    session.edit(Edit::HoldClose { vertices: Some(vertices.clone()), weight: 2.0 }).expect("valid");
+    session.edit(at(vertices)).expect("any vertices may lie on a sphere");
+    let places = |session: &Session| {
+        let document = session.document();
+        let lists = document.closeness.weights.as_ptr() as usize;
+        let rows = document.constraints.as_ptr() as usize;
+        [document.sets["eaves"].vertices.as_ptr() as usize, lists, rows]
+    };
+    let before = places(&session);
+    let edits = [
+        rename("roof"),
+        fixed,
+        Edit::SetWeights(Weights { shape: 3.0, close: 0.1, smooth: 0.1 }),
+        Edit::SetConstraint {
+            index: 0,
+            weight: Some(2.0),
+            enabled: None,
+            params: serde_json::Map::new(),
+        },
+        Edit::SetUnits { units: "m".to_owned() },
+        Edit::Reset,
+    ];
+    session.begin_run();
+    session.step().expect("positions stay finite");
+    session.end_run();
+    for edit in edits {
+        let words = format!("{edit:?}");
+        assert!(session.edit(edit).expect("it can be made"), "{words}");
+        assert_eq!(places(&session), before, "{words}");
+        session.undo().expect("the state was solvable");
+        assert_eq!(places(&session), before, "{words} undone");
+        session.redo().expect("the state was solvable");
+        assert_eq!(places(&session), before, "{words} redone");
+    }
+}
+
+#[test]
+fn what_the_solver_does_not_know_of_leaves_it_converged() {
+    let mut session = open(bumpy(4));
+    session.begin_run();
+    while !session.step().expect("positions stay finite").ended {}
+    session.end_run();
+    assert!(session.converged());
+    session.edit(rename("roof")).expect("the row is there");
+    session.edit(Edit::SetUnits { units: "m".to_owned() }).expect("any unit will do");
+    assert!(session.converged());
+    session.undo().expect("the state was solvable");
+    assert!(session.converged());
+}
+
+#[test]
+fn steps_are_forgotten_by_the_bytes_that_they_hold() {
+    let mut session = open(bumpy(1));
+    for k in 0..100 {
+        let text = format!("{k}").repeat(1 << 20);
+        session.edit(Edit::SetLesson(Some(Lesson { text, goals: Vec::new() }))).expect("valid");
+    }
+    // Lessons of one and of two MB, in 64 MB.
+    let steps = undone(&mut session);
+    assert!((30..=64).contains(&steps), "{steps}");
+    assert_eq!(session.undo_and_redo()[1], Some("Change lesson"));
+    // What is undone holds as much.
+    let mut redone = 0;
+    while session.redo().expect("the state was solvable").is_some() {
+        redone += 1;
+    }
+    assert!((30..=steps).contains(&redone), "{redone}");
+}
+
+#[test]
+fn steps_that_leave_the_shape_as_it_is_do_not_hold_it() {
+    // 252 kB of positions: 266 times that are 64 MB.
+    let mut session = open(bumpy(102));
+    for k in 0..300 {
+        session.edit(rename(&format!("roof {k}"))).expect("the row is there");
+    }
+    assert_eq!(undone(&mut session), 300);
+}
