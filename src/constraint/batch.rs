@@ -4,6 +4,8 @@
 //! `LANES` constraints at a time, centres them (`N_i` of Eq. 5), projects them, and scatters
 //! the gradient `w_i N_i (N_i V_i - P_i)` (Appendix A). The operator sees points and nothing else.
 
+mod points;
+
 use super::declaration::{Arity, Centring};
 use super::fitted::Fitted;
 use super::kinds::{Kind, KindVisitor};
@@ -289,9 +291,7 @@ impl Batch {
         if self.guarded {
             self.keep_nearer(first, centred, projected);
         }
-        // A lane that only pads the last chunk has no weight.
-        let lanes = LANES.min(self.count - chunk * LANES);
-        let counts = Lanes(std::array::from_fn(|lane| f64::from(u8::from(lane < lanes))));
+        let counts = self.counts(chunk);
         let scale = counts * Lanes::splat(scale);
         let mut sum = Lanes::zero();
         let points = centred.iter().zip(projected.iter()).zip(&self.nodes[first..first + n]);

@@ -9,7 +9,9 @@
 //! | `local_frame` | coordinates relative to the centre of the model |
 //! | `assemble` | the normal matrix `Q^T Q` in compressed columns |
 //! | `system` | the linear system of the global step: matrix, factor, and when each is made |
+//! | `parts` | what solvers are made of, made from a problem |
 //! | `solver` | the iteration |
+//! | `exact` | constraints that are met, not weighed |
 //! | `accelerate` | steps that learn from the steps before |
 //! | `setup_cache` | what one solver leaves to the next |
 //! | `rest_projections` | projections at the rest shape, apart from any iteration |
@@ -22,7 +24,9 @@ pub mod clock;
 mod conformal;
 mod energy;
 mod error;
+mod exact;
 mod local_frame;
+mod parts;
 mod problem;
 mod rest_projections;
 mod settings;
@@ -34,6 +38,7 @@ pub use assemble::Terms;
 pub use conformal::{ConformalNorm, ConformalSeconds, ConformalWeights, Parametrization};
 pub use energy::{Constraints, Energy, Handle, HandleIndex, Hold, IterateSeconds};
 pub use error::SolveError;
+pub use exact::{Exact, ExactAnswer, Require, Requirements, SHORTEST_EDGE, Stage, Unmet, Way};
 pub use problem::Problem;
 pub use rest_projections::rest_projections;
 pub use settings::{

@@ -246,6 +246,13 @@ impl System {
         self.seconds.assemble += clock::now() - started;
     }
 
+    /// The values of another matrix of this pattern, `sum_k scales[k] * energies[k] + diag(diagonal)`.
+    pub(super) fn values(&self, scales: &[f64], diagonal: &[f64], fixed: &[bool]) -> UpperTriangle {
+        let mut values = self.analysis.zeros();
+        self.assembler.assemble(scales, diagonal, fixed, &mut values);
+        values
+    }
+
     /// Computes the values of a matrix whose factor is there.
     fn complete(&mut self) {
         if self.state == State::Factored {

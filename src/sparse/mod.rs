@@ -23,11 +23,13 @@
 //! | `simplicial` | the numeric factor of `sprs-ldl` |
 //! | `dense`, `supernodal` | the supernodal numeric factor, and its dense kernels |
 //! | `scalar`, `panels` | the factor in dense panels of either precision, and the triangular sweeps |
+//! | `blocks` | matrices of 3 by 3 blocks in the pattern of a scalar one, and their factor |
 //! | `rank_one` | the factor after one diagonal entry has grown |
 //! | `f32_factor` | panels in single precision, with the scaling that this needs |
 //! | `factor` | the choice between the numeric factors, and the panels that they fill |
 
 mod analysis;
+mod blocks;
 mod dense;
 mod elimination_tree;
 mod f32_factor;
@@ -43,6 +45,7 @@ mod supernodal;
 mod supernodes;
 
 pub(crate) use analysis::SymbolicAnalysis;
+pub(crate) use blocks::BlockMatrix;
 pub(crate) use f32_factor::{F32Factor, F32Row, round};
 pub use factor::Factorization;
 pub(crate) use factor::{Factor, Precision};

@@ -3,6 +3,7 @@
 
 use super::elimination_tree::{NONE, column_heights, elimination_tree};
 use sprs::CsStructureI;
+use std::iter::repeat_n;
 use std::ops::Range;
 
 /// The share of zeros that columns of one supernode may store, of up to 4, 16, 48 and more columns, as
@@ -134,6 +135,33 @@ impl Supernodes {
                 parents[s] = parent;
                 next_sibling[s] = std::mem::replace(&mut first_child[parent as usize], s as u32);
             }
+        }
+    }
+
+    /// Of the factor of the matrix in which every entry of this one is a block of `times` by `times`, given by
+    /// the pattern of its upper triangle: each column becomes `times` columns, one after another. Tree and
+    /// supernodes are the same.
+    pub(crate) fn of_blocks(&self, times: u32, upper: &CsStructureI<u32>) -> Supernodes {
+        let repeated = |indices: &[u32]| -> Vec<u32> {
+            indices.iter().flat_map(|&i| (0..times).map(move |k| times * i + k)).collect()
+        };
+        let ends = |indices: &[u32]| -> Vec<u32> { indices.iter().map(|&i| times * i).collect() };
+        let sizes = (0..self.count()).map(|s| {
+            let wide = times as usize * self.columns(s).len();
+            wide * times as usize * self.rows(s).len() - wide * (wide - 1) / 2
+        });
+        Supernodes {
+            columns: ends(&self.columns),
+            row_starts: ends(&self.row_starts),
+            rows: repeated(&self.rows),
+            parents: self.parents.clone(),
+            lower: Lower::new(upper),
+            components: self
+                .components
+                .iter()
+                .flat_map(|&c| repeat_n(times * c, times as usize))
+                .collect(),
+            nonzeros: sizes.sum(),
         }
     }
 

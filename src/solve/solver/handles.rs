@@ -5,9 +5,10 @@
 
 use super::Solver;
 use crate::mesh::Point;
-use crate::solve::energy::{Handle, HandleIndex, Hold, PositionalConstraints, pins};
+use crate::solve::energy::{Handle, HandleIndex, Hold, PositionalConstraints};
 use crate::solve::error::SolveError;
 use crate::solve::local_frame::relative;
+use crate::solve::parts::{Holding, Nodes};
 use crate::solve::settings::Weights;
 use crate::sparse::Update;
 
@@ -48,31 +49,11 @@ impl Solver {
             }
             return Ok(());
         }
-        let n = self.x.len();
-        let node_of = &self.system.node_of()[..self.n_vertices];
-        let (mut fixed, mut held, mut diagonal) = (vec![false; n], self.held.clone(), vec![0.0; n]);
-        let padding = &self.system.node_of()[self.n_unknowns..];
-        padding.iter().for_each(|&node| fixed[node as usize] = true);
-        if let Some(close) = &self.energies.close {
-            for (node, factor) in close.held() {
-                held[node as usize] = true;
-                diagonal[node as usize] = self.energies.weights.close * factor;
-            }
-        }
-        self.corners.iter().for_each(|&(v, _)| fixed[node_of[v as usize] as usize] = true);
-        for handle in &handles {
-            let node = node_of[handle.vertex as usize] as usize;
-            held[node] = true;
-            match handle.hold {
-                Hold::Soft { weight } => {
-                    diagonal[node] += weight;
-                    fixed[node] = false;
-                }
-                Hold::Fixed => fixed[node] = true,
-            }
-        }
-        self.pinned = pins(node_of, self.system.components(), &held);
-        self.pinned.iter().for_each(|&v| fixed[node_of[v as usize] as usize] = true);
+        let Solver { n_vertices, n_unknowns, held, corners, .. } = self;
+        let nodes = Nodes { n_vertices: *n_vertices, n_unknowns: *n_unknowns, held, corners };
+        let Holding { fixed, diagonal, pinned } =
+            Holding::new(&nodes, &self.system, &self.energies, &handles);
+        self.pinned = pinned;
         let weights = self.energies.weights;
         let precision = self.accelerator.precision();
         self.factored = false;

@@ -15,18 +15,15 @@ mod handles;
 mod step;
 
 use super::accelerate::Acceleration;
-use super::clock;
-use super::energy::{
-    CloseEnergy, Energies, Energy, Handle, HandleIndex, IterateSeconds, PositionalConstraints,
-    RestShape, ShapeEnergy, SmoothEnergy, smooth_terms,
-};
+use super::energy::{Energies, Energy, Handle, HandleIndex, IterateSeconds};
 use super::error::SolveError;
-use super::local_frame::{centre_and_extent, relative, rest_surface};
+use super::local_frame::{relative, rest_surface};
+use super::parts::{Added, Parts};
 use super::problem::Problem;
-use super::settings::{SmoothnessOf, SolverSettings};
+use super::settings::SolverSettings;
 use super::setup_cache::SetupCache;
 use super::system::{SetUpSeconds, System};
-use crate::constraint::{LocalStep, Reference, Row};
+use crate::constraint::{LocalStep, Row};
 use crate::mesh::{Mesh, Point, Surface};
 use std::cell::OnceCell;
 use std::rc::Rc;
@@ -87,73 +84,20 @@ impl Solver {
         handles: Vec<Handle>,
         start: &[Point],
     ) -> Result<Solver, SolveError> {
-        let started = clock::now();
-        let Problem { mesh, constraints, weights, settings, .. } = *problem;
-        let n_vertices = mesh.positions.len();
-        let n_unknowns = problem.n_unknowns();
-        // `sprs-ldl` panics below two unknowns: the rest is padding, and fixed.
-        let n = n_unknowns.max(2);
-        let laplacian = problem.laplacian();
-        let shape_terms = problem.shape_terms();
-        let held = problem.nodes_held_by(&shape_terms, n);
-        let smooth_part = laplacian.as_ref().map(smooth_terms).unwrap_or_default();
-        let before_system = clock::now();
-        let terms = vec![shape_terms, smooth_part];
-        let SetupCache { surface: made, analysis } = cache;
-        let mut system = System::with_order(n, terms, settings.factorization, analysis.as_ref());
-        let after_system = clock::now();
-
-        let (centre, diameter) = centre_and_extent(&mesh.positions);
-        let node_of = &system.node_of()[..n_vertices];
-        let to_rows = |points: &[Point]| {
-            let mut rows = vec![[0.0; 4]; n];
-            for (&point, &node) in points.iter().zip(node_of) {
-                rows[node as usize] = relative(point, centre);
-            }
-            rows
-        };
-        let rest = to_rows(&mesh.positions);
-        let x = to_rows(start);
-        let surface = || Rc::clone(made.get_or_init(|| Rc::new(rest_surface(mesh, centre))));
-        let reference = Reference { surface: &surface };
-        let (close, corners) = if weights.close > 0.0 {
-            let factors = problem.closeness_factors;
-            let rest_shape =
-                RestShape { rest: &rest, node_of, topology: problem.topology, surface: &surface };
-            CloseEnergy::new(problem.closeness_to, problem.boundary_closeness, factors, &rest_shape)
-        } else {
-            Default::default()
-        };
-        let energies = Energies {
-            weights,
-            shape: ShapeEnergy::new(constraints, node_of, &rest, settings.monotone, &reference),
-            smooth: laplacian.map(|laplacian| {
-                let rest = match problem.smoothness.of {
-                    SmoothnessOf::Surface => Vec::new(),
-                    SmoothnessOf::Displacement => rest.clone(),
-                };
-                SmoothEnergy::new(&laplacian, node_of, n, rest)
-            }),
-            close,
-            handles: PositionalConstraints::default(),
-        };
-        let held = {
-            let mut by_node = vec![false; n];
-            held.iter().zip(system.node_of()).for_each(|(&h, &node)| by_node[node as usize] = h);
-            by_node
-        };
-        system.seconds.assemble += before_system - started + clock::now() - after_system;
-
+        let parts = Parts::new(problem, Added::default(), cache);
+        let (n, settings) = (parts.held.len(), problem.settings);
+        let x = parts.to_rows(start);
+        let Parts { centre, extent, n_vertices, n_unknowns, .. } = parts;
         let mut solver = Solver {
             centre,
             n_vertices,
             n_unknowns,
             settings,
-            system,
-            surface: made,
-            energies,
-            held,
-            corners: corners.into_iter().map(|v| (v, mesh.positions[v as usize])).collect(),
+            system: parts.system,
+            surface: parts.surface,
+            energies: parts.energies,
+            held: parts.held,
+            corners: parts.corners,
             handles: Vec::new(),
             handle_index: HandleIndex::new(n_vertices, &[]),
             factored: false,
@@ -167,7 +111,7 @@ impl Solver {
             put: start.to_vec(),
             energy: Energy::default(),
             best: None,
-            rounding: 1e-30 * diameter * diameter * n_vertices as f64,
+            rounding: 1e-30 * extent * extent * n_vertices as f64,
             converged: false,
             accelerated: false,
             seconds: IterateSeconds::default(),

@@ -1,0 +1,85 @@
+//! The constraints of a batch one by one: their points and projections, for solvers that shift points before
+//! they are projected, or project displaced copies of them.
+
+use super::{Batch, centre_as, gather};
+use crate::constraint::{Centring, Row};
+use crate::math::{LANES, Lanes, Vec3};
+
+impl Batch {
+    /// Points of each constraint.
+    pub fn points(&self) -> usize {
+        self.n
+    }
+
+    /// How many constraints there are.
+    pub fn count(&self) -> usize {
+        self.count
+    }
+
+    /// `w_i`, the same for all of them.
+    pub fn weight(&self) -> f64 {
+        self.weight
+    }
+
+    /// One in the lanes of chunk `chunk` that are constraints, zero in those that only pad the last chunk.
+    #[inline(always)]
+    pub fn counts(&self, chunk: usize) -> Lanes {
+        let lanes = LANES.min(self.count - chunk * LANES);
+        Lanes(std::array::from_fn(|lane| f64::from(u8::from(lane < lanes))))
+    }
+
+    /// Which points are centred together.
+    pub fn centring(&self) -> Centring {
+        self.centring
+    }
+
+    /// The nodes of all constraints: chunk by chunk, point by point, one for each lane. The last chunk is padded
+    /// with copies of the last constraint.
+    pub fn nodes(&self) -> &[[u32; LANES]] {
+        &self.nodes
+    }
+
+    /// The nodes of constraint `i`.
+    pub fn nodes_of(&self, i: usize) -> impl ExactSizeIterator<Item = u32> {
+        self.nodes[i / LANES * self.n..][..self.n].iter().map(move |nodes| nodes[i % LANES])
+    }
+
+    /// Writes the centred points of chunk `chunk` at positions `x` to `points`.
+    #[inline(always)]
+    pub fn gather(&self, chunk: usize, x: &[Row], points: &mut [Vec3<Lanes>]) {
+        let nodes = &self.nodes[chunk * self.n..][..points.len()];
+        for (point, nodes) in points.iter_mut().zip(nodes) {
+            *point = gather(x, nodes);
+        }
+        self.centre(points);
+    }
+
+    /// `N_i`: centres what counts together.
+    #[inline(always)]
+    pub fn centre(&self, points: &mut [Vec3<Lanes>]) {
+        centre_as(self.centring, points);
+    }
+
+    /// Projects chunk `chunk`, whose centred points are `v`. The result is not centred.
+    #[inline(always)]
+    pub fn project(&self, chunk: usize, v: &[Vec3<Lanes>], projected: &mut [Vec3<Lanes>]) {
+        let rest = self.rest.get(chunk * self.n..).unwrap_or_default();
+        self.operator.project(&rest[..rest.len().min(self.n)], v, projected);
+    }
+
+    /// What [`Batch::project_copies`] wants of constraint `i`: its rest points in every lane.
+    pub fn rest_of(&self, i: usize) -> Vec<Vec3<Lanes>> {
+        let rest = self.rest.iter().skip(i / LANES * self.n).take(self.n);
+        rest.map(|point| Vec3::splat(point.lane(i % LANES))).collect()
+    }
+
+    /// Projects copies of one constraint, a lane each, whose centred points are `v`.
+    pub fn project_copies(
+        &self,
+        rest: &[Vec3<Lanes>],
+        v: &[Vec3<Lanes>],
+        projected: &mut [Vec3<Lanes>],
+    ) {
+        self.operator.project(rest, v, projected);
+    }
+}

@@ -1,0 +1,158 @@
+//! What has come of it, said as it is.
+
+use super::model::Model;
+use crate::constraint::Row;
+use crate::mesh::Point;
+use serde::Serialize;
+
+/// A constraint that is not met.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Unmet {
+    /// Its row among those of the problem.
+    pub row: usize,
+    /// Its vertices.
+    pub vertices: Vec<u32>,
+    /// The greatest distance of one of them to the shape that fits, in the unit of the mesh.
+    pub distance: f64,
+}
+
+/// How far vertices were moved, in the unit of the mesh.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Way {
+    /// The greatest.
+    pub max: f64,
+    /// The mean over all vertices.
+    pub mean: f64,
+}
+
+/// How well hard constraints are met, and what that cost. Lengths are in the unit of the mesh.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ExactAnswer {
+    /// The greatest distance of a vertex to the shape of a hard constraint, at the positions that are given.
+    pub max_distance: f64,
+    /// Up to this distance a constraint counts as met; those that may be within a distance have that instead.
+    pub tolerance: f64,
+    /// Whether all hard constraints are met.
+    pub met: bool,
+    /// Those that are not, the worst first.
+    pub unmet: Vec<Unmet>,
+    /// The way of the vertices from where it started.
+    pub moved: Way,
+    /// Edges that are as short as they may be, as pairs of vertices.
+    pub on_guard: Vec<[u32; 2]>,
+    /// The least ratio of a guarded edge to its length at rest; none without guard.
+    pub shortest_edge: Option<f64>,
+    /// Iterations of the approach.
+    pub iterations: u32,
+    /// Numeric factors of the scalar matrix.
+    pub refactorizations: u32,
+    /// Numeric factors of the matrix of blocks.
+    pub block_factors: u32,
+    /// Steps of the polish.
+    pub steps: u32,
+    /// Seconds of all of it.
+    pub seconds: f64,
+}
+
+/// A guarded edge counts as being on the guard up to this much above it.
+const ON_GUARD: f64 = 1e-6;
+
+impl Model {
+    /// Positions, `#V by 3`, as they are given to hosts.
+    pub(super) fn positions(&self, x: &[Row]) -> Vec<Point> {
+        let node_of = self.parts.system.node_of();
+        let given = self.put.iter().zip(node_of).map(|(&put, &node)| {
+            let row = x[node as usize];
+            if row == self.start[node as usize] {
+                put
+            } else {
+                std::array::from_fn(|i| row[i] + self.parts.centre[i])
+            }
+        });
+        given.collect()
+    }
+
+    /// The distance up to which a constraint counts as met: what positions can say with their digits, and a little
+    /// more.
+    pub(super) fn tolerance(&self) -> f64 {
+        const OF_THE_SIZE: f64 = 1e-10;
+        const ROUNDINGS: f64 = 8.0;
+        let farthest = self.parts.centre.iter().fold(0.0, |most: f64, c| most.max(c.abs()));
+        (OF_THE_SIZE * self.parts.extent)
+            .max(ROUNDINGS * f64::EPSILON * (farthest + self.parts.extent))
+    }
+
+    /// Measures positions, as they are given; what it cost is for the caller to say.
+    pub(super) fn measure(&self, x: &[Row]) -> ExactAnswer {
+        let positions = self.positions(x);
+        let rounded = self.parts.to_rows(&positions);
+        let mut vertex_of = vec![0; x.len()];
+        for (vertex, &node) in (0..).zip(&self.parts.system.node_of()[..positions.len()]) {
+            vertex_of[node as usize] = vertex;
+        }
+        let tolerance = self.tolerance();
+        let (mut max_distance, mut unmet) = (0.0_f64, Vec::new());
+        for hard in &self.hard.batches {
+            let Some(row) = hard.row else { continue };
+            let most = hard.within.unwrap_or(tolerance);
+            hard.misses(&rounded, |i, miss| {
+                max_distance = max_distance.max(miss.distance);
+                // Written so that NaN is not met.
+                let met = miss.distance <= most;
+                if !met {
+                    let nodes = hard.batch.nodes_of(i);
+                    let vertices = nodes.map(|node| vertex_of[node as usize]).collect();
+                    unmet.push(Unmet { row, vertices, distance: miss.distance });
+                }
+            });
+        }
+        unmet.sort_by(|a: &Unmet, b| b.distance.total_cmp(&a.distance));
+        let (on_guard, shortest_edge) = self.guarded_edges(x);
+        ExactAnswer {
+            max_distance,
+            tolerance,
+            met: unmet.is_empty(),
+            unmet,
+            moved: self.way(x),
+            on_guard,
+            shortest_edge,
+            iterations: 0,
+            refactorizations: 0,
+            block_factors: 0,
+            steps: 0,
+            seconds: 0.0,
+        }
+    }
+
+    fn way(&self, x: &[Row]) -> Way {
+        let mut way = Way::default();
+        for &node in &self.parts.system.node_of()[..self.parts.n_vertices] {
+            let length = distance(x[node as usize], self.start[node as usize]);
+            way.max = way.max.max(length);
+            way.mean += length / self.parts.n_vertices as f64;
+        }
+        way
+    }
+
+    fn guarded_edges(&self, x: &[Row]) -> (Vec<[u32; 2]>, Option<f64>) {
+        let Some((edges, ratio)) = &self.guarded else { return (Vec::new(), None) };
+        let node_of = self.parts.system.node_of();
+        let rest = &self.parts.rest;
+        let (mut on_guard, mut shortest) = (Vec::new(), f64::INFINITY);
+        for &ends in edges {
+            let [a, b] = ends.map(|v| node_of[v as usize] as usize);
+            let (now, before) = (distance(x[a], x[b]), distance(rest[a], rest[b]));
+            if before > 0.0 {
+                shortest = shortest.min(now / before);
+                if now <= (1.0 + ON_GUARD) * ratio * before {
+                    on_guard.push(ends);
+                }
+            }
+        }
+        (on_guard, shortest.is_finite().then_some(shortest))
+    }
+}
+
+fn distance(a: Row, b: Row) -> f64 {
+    (0..3).map(|i| (a[i] - b[i]) * (a[i] - b[i])).sum::<f64>().sqrt()
+}

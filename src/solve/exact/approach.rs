@@ -1,0 +1,145 @@
+//! The first stage: quasi-Newton iterations with shifted projections and a weight of the hard constraints that
+//! grows from round to round. It decides how good the shape is; the polish only ends it.
+
+use super::model::Model;
+use crate::constraint::Row;
+use crate::solve::accelerate::{Acceleration, Iterate};
+use crate::solve::energy::IterateSeconds;
+use crate::solve::error::SolveError;
+use crate::solve::settings::{Accelerator, SolverSettings};
+use crate::sparse::Precision;
+
+/// The weight at the start, beside what makes hard constraints as stiff as the energies.
+const START: f64 = 0.3;
+
+/// Of a round: how much the weight grows, and iterations at most.
+const PATIENT: (f64, u32) = (1.5, 60);
+
+/// The same after so many iterations: it has to end, at the price of some energy.
+const HURRIED: (f64, u32) = (3.0, 20);
+const PATIENCE: u32 = 900;
+
+/// A round ends when an iteration gains less than this part of what is minimised.
+const LEAST_GAIN: f64 = 1e-4;
+
+/// The iteration of the first stage.
+pub(super) struct Approach {
+    accelerator: Acceleration,
+    rho: f64,
+    /// Iterations left in the round; none before the first one.
+    left: u32,
+    /// All iterations so far, and all rounds: numeric factors of the scalar matrix.
+    pub iterations: u32,
+    pub rounds: u32,
+    /// What is minimised, at the positions at hand.
+    merit: f64,
+    gradient: Vec<Row>,
+    previous: (Vec<Row>, Vec<Row>),
+    has_previous: bool,
+    next: Vec<Row>,
+    seconds: IterateSeconds,
+}
+
+impl Approach {
+    pub(super) fn new(model: &Model, settings: &SolverSettings) -> Approach {
+        let n = model.x.len();
+        let quasi_newton = SolverSettings {
+            accelerator: Accelerator::QuasiNewton,
+            window: settings.window.max(5),
+            ..*settings
+        };
+        let [metric, hard] = model.stiffness;
+        let zeros = || vec![[0.0; 4]; n];
+        Approach {
+            accelerator: Acceleration::new(&quasi_newton),
+            rho: if metric > 0.0 { START * metric / hard } else { 1.0 },
+            left: 0,
+            iterations: 0,
+            rounds: 0,
+            merit: 0.0,
+            gradient: zeros(),
+            previous: (zeros(), zeros()),
+            has_previous: false,
+            next: zeros(),
+            seconds: IterateSeconds::default(),
+        }
+    }
+
+    /// One iteration; true when it was the last one of a round.
+    ///
+    /// # Errors
+    /// When the normal matrix is not positive definite.
+    pub(super) fn iterate(&mut self, model: &mut Model) -> Result<bool, SolveError> {
+        if self.left == 0 {
+            self.begin_round(model)?;
+        }
+        self.left -= 1;
+        self.iterations += 1;
+        let before = self.merit;
+        let gains = self.step(model) || {
+            // What was learned misleads: the plain step, as far as single precision has it.
+            self.restore(model);
+            self.forget();
+            self.step(model)
+        };
+        if !gains {
+            self.restore(model);
+        }
+        if !gains || before - self.merit < LEAST_GAIN * before {
+            self.left = 0;
+        }
+        if self.left == 0 {
+            model.hard.update_shifts();
+        }
+        Ok(self.left == 0)
+    }
+
+    fn begin_round(&mut self, model: &mut Model) -> Result<(), SolveError> {
+        let (growth, most) = if self.iterations < PATIENCE { PATIENT } else { HURRIED };
+        self.rho *= growth;
+        model.hard.divide_shifts(growth);
+        let scales = model.scales(self.rho);
+        let (fixed, diagonal) = (model.holding.fixed.clone(), &model.holding.diagonal);
+        let system = &mut model.parts.system;
+        system.set_matrix(Precision::Single, &scales, diagonal, fixed)?;
+        system.prepare()?;
+        (self.left, self.rounds) = (most, self.rounds + 1);
+        self.forget();
+        self.evaluate(model);
+        Ok(())
+    }
+
+    /// Steps and evaluates; false where nothing was gained.
+    fn step(&mut self, model: &mut Model) -> bool {
+        let now = Iterate { x: &model.x, gradient: &self.gradient };
+        let previous = Iterate { x: &self.previous.0, gradient: &self.previous.1 };
+        let previous = self.has_previous.then_some(previous);
+        self.accelerator.propose(now, previous, &mut model.parts.system, &mut self.next);
+        std::mem::swap(&mut self.previous.0, &mut model.x);
+        std::mem::swap(&mut self.previous.1, &mut self.gradient);
+        std::mem::swap(&mut model.x, &mut self.next);
+        self.has_previous = true;
+        let before = self.merit;
+        self.evaluate(model);
+        self.merit < before
+    }
+
+    /// Goes back to the positions before the last step.
+    fn restore(&mut self, model: &mut Model) {
+        model.x.copy_from_slice(&self.previous.0);
+        self.evaluate(model);
+    }
+
+    fn forget(&mut self) {
+        self.accelerator.forget();
+        self.has_previous = false;
+    }
+
+    fn evaluate(&mut self, model: &mut Model) {
+        let Model { parts, hard, x, .. } = model;
+        let energy = parts.energies.evaluate(x, &mut self.gradient, &mut self.seconds);
+        let hard = hard.local_step(x, &mut self.gradient, self.rho);
+        parts.system.clear_fixed(&mut self.gradient);
+        self.merit = energy.total + self.rho * hard;
+    }
+}

@@ -1,0 +1,248 @@
+//! The system of the polish: the metric of the energies for each of x, y and z, and stiff springs across the
+//! normal spaces of hard constraints, which couple them.
+
+use super::model::Model;
+use super::normal_space::{BAND, Differences, Linear};
+use crate::constraint::Row;
+use crate::solve::error::SolveError;
+use crate::solve::system::System;
+use crate::sparse::{BlockMatrix, UpperTriangle};
+
+/// The stiffness of the springs beside that of the metric. The weakest combinations of constraints have 1e-5 of the
+/// stiffness of one alone, and each pass of the multipliers contracts by one over the product.
+const STIFFNESS: f64 = 1e8 / 10.0;
+
+/// What is added to the metric of each node, as a part of the mean: something has to hold what nothing holds.
+const HELD: f64 = 1e-3;
+
+/// The constraints of one batch at the last linearisation.
+struct LinearBatch {
+    points: usize,
+    weight: f64,
+    /// The block node of each point of each constraint.
+    nodes: Vec<u32>,
+    /// `J^T J` of each.
+    normals: Vec<f64>,
+    /// Multipliers.
+    multipliers: Vec<f64>,
+    residuals: Vec<f64>,
+    /// `M (r + dx)` of the last change.
+    images: Vec<f64>,
+}
+
+/// The system of the polish, and the constraints in it.
+pub(super) struct BlockSystem {
+    matrix: BlockMatrix,
+    /// The metric of the energies.
+    metric: UpperTriangle,
+    fixed: Vec<bool>,
+    /// The block node of each vertex.
+    node_of: Vec<u32>,
+    stiffness: f64,
+    batches: Vec<LinearBatch>,
+    /// Room for a gradient.
+    gradient: Vec<Row>,
+}
+
+impl BlockSystem {
+    /// For the hard constraints of `model`.
+    pub(super) fn new(model: &mut Model) -> BlockSystem {
+        let terms = std::mem::take(&mut model.cliques);
+        let parts = &model.parts;
+        let n = parts.n_vertices.max(2);
+        let system =
+            System::with_order(n, terms, Default::default(), Some(parts.system.analysis()));
+        let node_of = system.node_of()[..parts.n_vertices].to_vec();
+        let (mut fixed, mut diagonal) = (vec![true; n], vec![0.0; n]);
+        let [metric, hard] = model.stiffness;
+        // Where there is no energy at all, all ways are equally short.
+        let (held, unit) = if metric > 0.0 { (HELD * metric, metric) } else { (hard, hard) };
+        let mut block_of = vec![u32::MAX; model.x.len()];
+        for (&node, &own) in parts.system.node_of().iter().zip(&node_of) {
+            block_of[node as usize] = own;
+            fixed[own as usize] = model.holding.fixed[node as usize];
+            diagonal[own as usize] = model.holding.diagonal[node as usize] + held;
+        }
+        let metric = system.values(&model.scales(0.0), &diagonal, &fixed);
+        let batches = model.hard.batches.iter().map(|hard| {
+            let (points, count) = (hard.batch.points(), hard.batch.count());
+            let nodes = (0..count).flat_map(|i| hard.batch.nodes_of(i));
+            LinearBatch {
+                points,
+                weight: hard.batch.weight(),
+                nodes: nodes.map(|node| block_of[node as usize]).collect(),
+                normals: vec![0.0; 9 * points * points * count],
+                multipliers: vec![0.0; 3 * points * count],
+                residuals: vec![0.0; 3 * points * count],
+                images: vec![0.0; 3 * points * count],
+            }
+        });
+        BlockSystem {
+            matrix: BlockMatrix::new(system.analysis()),
+            metric,
+            fixed,
+            node_of,
+            stiffness: STIFFNESS * unit / hard,
+            batches: batches.collect(),
+            gradient: vec![[0.0; 4]; n],
+        }
+    }
+
+    /// The block node of each vertex.
+    pub(super) fn node_of(&self) -> &[u32] {
+        &self.node_of
+    }
+
+    /// How many nodes there are.
+    pub(super) fn size(&self) -> usize {
+        self.fixed.len()
+    }
+
+    /// Linearises the constraints at the positions of `model`, and factors.
+    ///
+    /// # Errors
+    /// When the matrix is not positive definite to working precision.
+    pub(super) fn factor(&mut self, model: &Model) -> Result<(), SolveError> {
+        let x = &model.x;
+        self.matrix.set_scalar(&self.metric);
+        for (own, hard) in self.batches.iter_mut().zip(&model.hard.batches) {
+            hard.residuals(x, BAND, &mut own.residuals);
+            let size = 3 * own.points;
+            let mut differences = Differences::new(own.points);
+            let scale = self.stiffness * own.weight;
+            let each =
+                own.residuals.chunks_exact_mut(size).zip(own.normals.chunks_exact_mut(size * size));
+            for (i, (residual, normal)) in each.enumerate() {
+                let linear = Linear { residual, normal: &mut *normal };
+                differences.linearise(hard, i, x, model.parts.extent, linear);
+                if normal.iter().all(|entry| *entry == 0.0) {
+                    continue;
+                }
+                let nodes = &own.nodes[i * own.points..(i + 1) * own.points];
+                for (a, &u) in nodes.iter().enumerate() {
+                    for (b, &v) in nodes.iter().enumerate() {
+                        if u <= v && !self.fixed[u as usize] && !self.fixed[v as usize] {
+                            let at =
+                                |r: usize, c: usize| scale * normal[(3 * a + r) * size + 3 * b + c];
+                            self.matrix.add(u, v, at);
+                        }
+                    }
+                }
+            }
+        }
+        self.matrix.factor(&self.fixed).map_err(|singular| {
+            let node = singular.column as u32 / 3;
+            let vertex = self.node_of.iter().position(|&of| of == node).unwrap_or(0);
+            SolveError::NotPositiveDefinite { vertex: vertex as u32 }
+        })
+    }
+
+    /// The norm of all residuals at positions `x` of the model, which are noted.
+    pub(super) fn residuals(&mut self, model: &Model, x: &[Row]) -> f64 {
+        let batches = self.batches.iter_mut().zip(&model.hard.batches);
+        let squares = batches.map(|(own, hard)| hard.residuals(x, BAND, &mut own.residuals));
+        squares.sum::<f64>().sqrt()
+    }
+
+    /// The least change `dx`, `#nodes`, in the metric of the energies that meets the linearised constraints with the
+    /// residuals at hand.
+    pub(super) fn least_change(&mut self, dx: &mut [Row]) {
+        const PASSES: usize = 7;
+        dx.fill([0.0; 4]);
+        self.batches.iter_mut().for_each(|batch| batch.multipliers.fill(0.0));
+        let before = self.update_images(dx);
+        for pass in 1..=PASSES {
+            let mut gradient = std::mem::take(&mut self.gradient);
+            multiply(&self.metric, dx, &mut gradient);
+            for batch in &self.batches {
+                let scale = self.stiffness * batch.weight;
+                let rows = batch.multipliers.chunks_exact(3).zip(batch.images.chunks_exact(3));
+                for ((multiplier, image), &node) in rows.zip(&batch.nodes) {
+                    for c in 0..3 {
+                        gradient[node as usize][c] += multiplier[c] + scale * image[c];
+                    }
+                }
+            }
+            let fixed = gradient.iter_mut().zip(&self.fixed).filter(|(_, fixed)| **fixed);
+            fixed.for_each(|(row, _)| *row = [0.0; 4]);
+            self.matrix.solve(&mut gradient);
+            for (to, by) in dx.as_flattened_mut().iter_mut().zip(gradient.as_flattened()) {
+                *to -= by;
+            }
+            self.gradient = gradient;
+            let left = self.update_images(dx);
+            for batch in &mut self.batches {
+                let scale = self.stiffness * batch.weight;
+                for (multiplier, image) in batch.multipliers.iter_mut().zip(&batch.images) {
+                    *multiplier += scale * image;
+                }
+            }
+            if pass > 1 && left <= 1e-3 * before {
+                break;
+            }
+        }
+    }
+
+    /// `M (r + dx)` of every constraint; gives the norm of all.
+    fn update_images(&mut self, dx: &[Row]) -> f64 {
+        let mut squares = 0.0;
+        for batch in &mut self.batches {
+            let LinearBatch { points, nodes, normals, residuals, images, .. } = batch;
+            let size = 3 * *points;
+            let mut moved = vec![0.0; size];
+            let each = nodes.chunks_exact(*points).zip(normals.chunks_exact(size * size));
+            let each = each.zip(residuals.chunks_exact(size)).zip(images.chunks_exact_mut(size));
+            for (((nodes, normal), residual), image) in each {
+                if normal[0] == 0.0 && normal.iter().all(|entry| *entry == 0.0) {
+                    image.fill(0.0);
+                    continue;
+                }
+                for (k, &node) in nodes.iter().enumerate() {
+                    for c in 0..3 {
+                        moved[3 * k + c] = residual[3 * k + c] + dx[node as usize][c];
+                    }
+                }
+                for (to, row) in image.iter_mut().zip(normal.chunks_exact(size)) {
+                    *to = row.iter().zip(&moved).map(|(entry, value)| entry * value).sum();
+                    squares += *to * *to;
+                }
+            }
+        }
+        squares.sqrt()
+    }
+
+    /// The norm of the residuals after the last least change, as the linear model has it: what is across the normal
+    /// spaces, which the constraints are held in, and what is not.
+    pub(super) fn predicted(&self) -> f64 {
+        let mut squares = 0.0;
+        for batch in &self.batches {
+            let size = 3 * batch.points;
+            let each =
+                batch.normals.chunks_exact(size * size).zip(batch.residuals.chunks_exact(size));
+            for ((normal, residual), image) in each.zip(batch.images.chunks_exact(size)) {
+                for ((row, own), image) in normal.chunks_exact(size).zip(residual).zip(image) {
+                    let held: f64 = row.iter().zip(residual).map(|(entry, r)| entry * r).sum();
+                    let left = own - held + image;
+                    squares += left * left;
+                }
+            }
+        }
+        squares.sqrt()
+    }
+}
+
+/// `to = matrix * x`, of a symmetric matrix.
+fn multiply(matrix: &UpperTriangle, x: &[Row], to: &mut [Row]) {
+    to.fill([0.0; 4]);
+    for column in 0..matrix.cols() {
+        for place in matrix.indptr().outer_inds_sz(column) {
+            let (row, value) = (matrix.indices()[place] as usize, matrix.data()[place]);
+            for c in 0..3 {
+                to[row][c] += value * x[column][c];
+                if row != column {
+                    to[column][c] += value * x[row][c];
+                }
+            }
+        }
+    }
+}

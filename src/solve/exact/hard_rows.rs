@@ -1,0 +1,226 @@
+//! Hard constraints in batches, with shifted projections: `rho * sum w |z + u - P(z + u)|^2` is the augmented
+//! Lagrangian of `z` being in the set that `P` projects to, where `z = N_i x` and `u` is the shift. Its gradient is
+//! that of the shape energy with `z + u` for `z`, so that the normal matrix of the iteration majorises it too.
+//!
+//! "Within a distance" is the same with a projection that goes only as far as the band around the shape.
+
+use super::requirement::Require;
+use crate::constraint::{Batch, Reference, Row, batches};
+use crate::math::{LANES, Lane, Lanes, Vec3};
+use crate::solve::energy::Constraints;
+
+/// Bands are aimed at from inside: the approach ends on one side of what it aims at.
+const AIM: f64 = 0.9;
+
+/// Hard constraints of one row with the same number of points.
+pub(super) struct HardBatch {
+    /// The row of constraints of the problem; none of the guard.
+    pub row: Option<usize>,
+    /// The width of the band; none where the shape itself is asked for.
+    pub within: Option<f64>,
+    pub batch: Batch,
+    /// `u`, in the layout of the nodes of the batch.
+    shift: Vec<Vec3<Lanes>>,
+    /// `z + u - P(z + u)` of the last local step.
+    residual: Vec<Vec3<Lanes>>,
+}
+
+/// The batches of all hard rows, and of the guard.
+pub(super) struct HardRows {
+    pub batches: Vec<HardBatch>,
+}
+
+/// A row of constraints, its place among those of the problem, and what is asked of it.
+pub(super) type HardRow<'a> = (&'a Constraints, Option<usize>, Require);
+
+/// How far one constraint is from being met.
+#[derive(Clone, Copy)]
+pub(super) struct Miss {
+    /// The greatest distance of a point to the shape that fits.
+    pub distance: f64,
+    /// The same beyond what is allowed.
+    pub excess: f64,
+}
+
+impl HardRows {
+    /// Batches the rows, whose vertices are called `node_of[v]`; `rest` is the rest position of each node.
+    pub(super) fn new(
+        rows: &[HardRow<'_>],
+        node_of: &[u32],
+        rest: &[Row],
+        reference: &Reference<'_>,
+    ) -> HardRows {
+        let mut all = Vec::new();
+        for &(row, index, require) in rows {
+            let mut members = row.members.clone();
+            members.rename(node_of);
+            for batch in batches(&row.kind, &members, rest, row.weight, false, reference) {
+                let zeros = vec![Vec3::zero(); batch.nodes().len()];
+                let within = match require {
+                    Require::Within(distance) => Some(distance),
+                    Require::Soft | Require::Exact => None,
+                };
+                all.push(HardBatch {
+                    row: index,
+                    within,
+                    batch,
+                    shift: zeros.clone(),
+                    residual: zeros,
+                });
+            }
+        }
+        HardRows { batches: all }
+    }
+
+    /// The local step with shifts: adds half the gradient of `rho * E` to `gradient`, and gives `E`.
+    pub(super) fn local_step(&mut self, x: &[Row], gradient: &mut [Row], rho: f64) -> f64 {
+        self.batches.iter_mut().map(|batch| batch.local_step(x, gradient, rho)).sum()
+    }
+
+    /// The multipliers' update, `u := z + u - P(z + u)` of the last local step.
+    pub(super) fn update_shifts(&mut self) {
+        self.batches.iter_mut().for_each(|batch| batch.shift.copy_from_slice(&batch.residual));
+    }
+
+    /// Divides all shifts: `rho * w * u` is the multiplier, which stays where `rho` grows.
+    pub(super) fn divide_shifts(&mut self, by: f64) {
+        let part = Lanes::splat(1.0 / by);
+        for shift in self.batches.iter_mut().flat_map(|batch| &mut batch.shift) {
+            *shift = *shift * part;
+        }
+    }
+
+    /// The greatest excess, that of the guard included.
+    pub(super) fn worst(&self, x: &[Row]) -> f64 {
+        let mut worst = 0.0;
+        for batch in &self.batches {
+            batch.misses(x, |_, miss| worst = Lane::max(miss.excess, worst));
+        }
+        worst
+    }
+}
+
+impl HardBatch {
+    fn local_step(&mut self, x: &[Row], gradient: &mut [Row], rho: f64) -> f64 {
+        let n = self.batch.points();
+        let mut scratch = vec![Vec3::zero(); 2 * n];
+        let mut energy = 0.0;
+        for chunk in 0..self.batch.count().div_ceil(LANES) {
+            let rows = (x, &mut *gradient);
+            energy += match n {
+                2 => self.step_few::<2>(chunk, rows, rho),
+                3 => self.step_few::<3>(chunk, rows, rho),
+                4 => self.step_few::<4>(chunk, rows, rho),
+                _ => self.step_chunk(chunk, scratch.split_at_mut(n), rows, rho),
+            };
+        }
+        energy
+    }
+
+    /// [`HardBatch::step_chunk`] for `N` points.
+    #[inline(never)]
+    fn step_few<const N: usize>(
+        &mut self,
+        chunk: usize,
+        rows: (&[Row], &mut [Row]),
+        rho: f64,
+    ) -> f64 {
+        let (mut points, mut projected) = ([Vec3::zero(); N], [Vec3::zero(); N]);
+        self.step_chunk(chunk, (&mut points, &mut projected), rows, rho)
+    }
+
+    #[inline(always)]
+    fn step_chunk(
+        &mut self,
+        chunk: usize,
+        (points, projected): (&mut [Vec3<Lanes>], &mut [Vec3<Lanes>]),
+        (x, gradient): (&[Row], &mut [Row]),
+        rho: f64,
+    ) -> f64 {
+        let HardBatch { batch, shift, residual, within, .. } = self;
+        let own = chunk * points.len()..(chunk + 1) * points.len();
+        batch.gather(chunk, x, points);
+        points.iter_mut().zip(&shift[own.clone()]).for_each(|(point, shift)| *point += *shift);
+        batch.project(chunk, points, projected);
+        if let Some(distance) = within {
+            stop_at_band(points, projected, AIM * *distance);
+        }
+        batch.centre(projected);
+        let counts = batch.counts(chunk) * Lanes::splat(batch.weight());
+        let scale = counts * Lanes::splat(rho);
+        let mut sum = Lanes::zero();
+        let nodes = &batch.nodes()[own.clone()];
+        for (((point, p), residual), nodes) in
+            points.iter().zip(projected.iter()).zip(&mut residual[own]).zip(nodes)
+        {
+            *residual = *point - *p;
+            sum += residual.length_squared();
+            let scaled = *residual * scale;
+            for lane in 0..LANES {
+                let row = &mut gradient[nodes[lane] as usize];
+                row[0] += scaled.x.lane(lane);
+                row[1] += scaled.y.lane(lane);
+                row[2] += scaled.z.lane(lane);
+            }
+        }
+        let sum = sum * counts;
+        (0..LANES).map(|lane| sum.lane(lane)).sum()
+    }
+
+    /// Writes the residuals at positions `x`, constraint by constraint, three numbers for each point: the way to the
+    /// shape, backwards, or where there is a band what of it is beyond `inside` times its width. Gives the sum of
+    /// squares.
+    pub(super) fn residuals(&self, x: &[Row], inside: f64, to: &mut [f64]) -> f64 {
+        let n = self.batch.points();
+        let (mut points, mut projected) = (vec![Vec3::zero(); n], vec![Vec3::zero(); n]);
+        let mut squares = 0.0;
+        for chunk in 0..self.batch.count().div_ceil(LANES) {
+            self.batch.gather(chunk, x, &mut points);
+            self.batch.project(chunk, &points, &mut projected);
+            match self.within {
+                Some(distance) => stop_at_band(&points, &mut projected, inside * distance),
+                None => self.batch.centre(&mut projected),
+            }
+            let own = &mut to[chunk * LANES * 3 * n..];
+            let lanes = LANES.min(self.batch.count() - chunk * LANES);
+            for (lane, own) in own.chunks_exact_mut(3 * n).take(lanes).enumerate() {
+                for (k, (point, p)) in points.iter().zip(&projected).enumerate() {
+                    let residual = (*point - *p).lane(lane);
+                    own[3 * k..3 * k + 3].copy_from_slice(&[residual.x, residual.y, residual.z]);
+                    squares += residual.length_squared();
+                }
+            }
+        }
+        squares
+    }
+
+    /// Gives `each` how far every constraint is from being met at positions `x`.
+    pub(super) fn misses(&self, x: &[Row], mut each: impl FnMut(usize, Miss)) {
+        let n = self.batch.points();
+        let (mut points, mut projected) = (vec![Vec3::zero(); n], vec![Vec3::zero(); n]);
+        for chunk in 0..self.batch.count().div_ceil(LANES) {
+            self.batch.gather(chunk, x, &mut points);
+            self.batch.project(chunk, &points, &mut projected);
+            let mut worst = Lanes::zero();
+            for (point, p) in points.iter().zip(&projected) {
+                worst = (*point - *p).length_squared().max(worst);
+            }
+            let last = self.batch.count().min((chunk + 1) * LANES);
+            for i in chunk * LANES..last {
+                let distance = worst.lane(i % LANES).sqrt();
+                let excess = distance - self.within.unwrap_or(0.0);
+                each(i, Miss { distance, excess: Lane::max(excess, 0.0) });
+            }
+        }
+    }
+}
+
+/// The projection to the band of this width around a shape: projections go only so far.
+#[inline(always)]
+fn stop_at_band(points: &[Vec3<Lanes>], projected: &mut [Vec3<Lanes>], width: f64) {
+    for (point, p) in points.iter().zip(projected) {
+        let away = *point - *p;
+        let part = Lanes::splat(width) / away.length();
+        *p += away * part.min(Lanes::one());
+    }
+}

@@ -1,0 +1,310 @@
+//! Constraints that are met, not weighed: `min f(x)` subject to `N_i x` in `C_i` for hard rows, where `f` is the
+//! energy of everything else. Both stages need nothing of an operator but its projection `P_i`.
+//!
+//! 1. The approach comes within 1e-5 of the size: the quasi-Newton iteration with shifted projections (the augmented
+//!    Lagrangian of a set constraint) and a weight that grows.
+//! 2. The polish takes least-change Newton steps onto the constraints, and ends at rounding.
+//!
+//! Penalties alone converge like one over the weight, Newton's steps alone wander; both were tried.
+//!
+//! | file | holds |
+//! |---|---|
+//! | `requirement` | what is asked of a row of constraints |
+//! | `guard` | edges that keep a part of their length |
+//! | `hard_rows` | hard constraints with shifted projections |
+//! | `model` | the shape that both stages work on |
+//! | `approach` | the first stage |
+//! | `normal_space` | where a constraint holds, by central differences of its projection |
+//! | `block_system` | the system of the polish |
+//! | `polish` | the second stage |
+//! | `answer` | what has come of it |
+
+mod answer;
+mod approach;
+mod block_system;
+mod guard;
+mod hard_rows;
+mod model;
+mod normal_space;
+mod polish;
+mod requirement;
+
+pub use answer::{ExactAnswer, Unmet, Way};
+pub use requirement::{Require, Requirements, SHORTEST_EDGE};
+
+use super::clock;
+use super::energy::{Energy, Handle, IterateSeconds};
+use super::error::SolveError;
+use super::problem::Problem;
+use super::settings::SolverSettings;
+use super::setup_cache::SetupCache;
+use crate::constraint::Row;
+use crate::mesh::Point;
+use crate::sparse::BlockMatrix;
+use approach::Approach;
+use model::Model;
+use polish::{Polish, Polished};
+
+/// The approach ends at this part of the size, and the polish begins.
+const NEAR: f64 = 1e-5;
+
+/// Where the polish fails the approach goes on, so many times nearer; not below the last.
+const NEARER: f64 = 0.1;
+const NEAREST: f64 = 1e-7;
+
+/// The polish ends at this part of the size.
+const MET: f64 = 1e-12;
+
+/// The factor of the polish takes at most so many bytes; larger problems end with the approach.
+const MOST_BYTES: usize = 400_000_000;
+
+/// Constraints on so many points couple all of them in the system of the polish.
+const MOST_COUPLED: usize = 20_000_000;
+
+/// What a call of [`Exact::step`] has done.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stage {
+    /// An iteration of the approach.
+    Approach,
+    /// The end of a round of the approach: a good place to stop.
+    Round,
+    /// A step of the polish.
+    Polish,
+    /// All is done.
+    Ended,
+}
+
+/// Hard constraints that are being met, step by step.
+pub struct Exact {
+    model: Model,
+    approach: Approach,
+    polish: Option<Polish>,
+    stage: Stage,
+    /// The approach ends when the worst excess is this.
+    near: f64,
+    /// Factors of blocks when this polish began, and where.
+    began: (u32, Vec<Row>),
+    most_iterations: u32,
+    can_polish: bool,
+    /// The least worst excess so far, and where.
+    best: (f64, Vec<Row>),
+    seconds: f64,
+}
+
+impl Exact {
+    /// For a problem whose rows are `requirements.rows`, from the positions `start`, `#V by 3`: best the solution with all
+    /// rows soft. Each vertex has one handle at most.
+    pub fn new(
+        problem: &Problem<'_>,
+        requirements: &Requirements<'_>,
+        handles: &[Handle],
+        start: &[Point],
+        cache: SetupCache,
+    ) -> Exact {
+        let started = clock::now();
+        let settings: SolverSettings = problem.settings;
+        let model = Model::new(problem, requirements, handles, start, cache);
+        let approach = Approach::new(&model, &settings);
+        let worst = model.hard.worst(&model.x);
+        let any_exact =
+            model.hard.batches.iter().any(|hard| hard.row.is_some() && hard.within.is_none());
+        let can_polish = any_exact && polish_fits(problem, requirements, &model);
+        let near = NEAR * model.parts.extent;
+        let mut exact = Exact {
+            best: (worst, model.x.clone()),
+            model,
+            approach,
+            polish: None,
+            stage: Stage::Approach,
+            near,
+            began: (0, Vec::new()),
+            most_iterations: requirements.iterations,
+            can_polish,
+            seconds: 0.0,
+        };
+        if worst <= exact.goal() || exact.model.parts.system.unknowns() == 0 {
+            exact.stage = Stage::Ended;
+        } else if worst <= near && can_polish {
+            exact.begin_polish();
+        }
+        exact.seconds = clock::now() - started;
+        exact
+    }
+
+    /// The excess at which all is done.
+    fn goal(&self) -> f64 {
+        let parts = &self.model.parts;
+        if self.can_polish { (MET * parts.extent).max(0.01 * self.model.tolerance()) } else { 0.0 }
+    }
+
+    /// One iteration of the approach, or one step of the polish; nothing once it has ended.
+    ///
+    /// # Errors
+    /// When a system is not positive definite. The best positions so far stay.
+    pub fn step(&mut self) -> Result<Stage, SolveError> {
+        let started = clock::now();
+        let result = match self.stage {
+            Stage::Approach | Stage::Round => self.approach_step(),
+            Stage::Polish => self.polish_step(),
+            Stage::Ended => Ok(()),
+        };
+        if result.is_err() {
+            self.stage = Stage::Ended;
+        }
+        self.seconds += clock::now() - started;
+        result.map(|()| self.stage)
+    }
+
+    /// All steps.
+    ///
+    /// # Errors
+    /// As [`Exact::step`].
+    pub fn run(&mut self) -> Result<(), SolveError> {
+        while self.step()? != Stage::Ended {}
+        Ok(())
+    }
+
+    /// Ends the approach where it is; the polish tries from there.
+    pub fn hurry(&mut self) {
+        if matches!(self.stage, Stage::Approach | Stage::Round) {
+            self.end_approach();
+        }
+    }
+
+    fn approach_step(&mut self) -> Result<(), SolveError> {
+        self.stage = Stage::Approach;
+        if !self.approach.iterate(&mut self.model)? {
+            return Ok(());
+        }
+        self.stage = Stage::Round;
+        let worst = self.keep_best();
+        let near = if self.can_polish { worst <= self.near } else { self.is_met() };
+        if near || self.approach.iterations >= self.most_iterations {
+            self.end_approach();
+        }
+        Ok(())
+    }
+
+    /// Whether the constraints are met as far as the approach can meet them.
+    fn is_met(&self) -> bool {
+        let near = self.near;
+        let mut met = true;
+        for hard in &self.model.hard.batches {
+            let most = if hard.within.is_some() { 0.0 } else { near };
+            hard.misses(&self.model.x, |_, miss| met &= miss.excess <= most);
+        }
+        met
+    }
+
+    fn end_approach(&mut self) {
+        if self.can_polish {
+            self.begin_polish();
+        } else {
+            self.end();
+        }
+    }
+
+    fn begin_polish(&mut self) {
+        let model = &mut self.model;
+        let polish = self.polish.get_or_insert_with(|| Polish::new(model));
+        polish.restart();
+        self.began = (polish.factors, model.x.clone());
+        self.stage = Stage::Polish;
+    }
+
+    fn polish_step(&mut self) -> Result<(), SolveError> {
+        let Some(polish) = &mut self.polish else { return Ok(()) };
+        let polished = polish.step(&mut self.model, self.began.0)?;
+        let worst = self.keep_best();
+        if worst <= self.goal() {
+            self.end();
+        } else if polished == Polished::Contradicts {
+            self.end();
+        } else if polished == Polished::Ended {
+            self.polish_failed();
+        }
+        Ok(())
+    }
+
+    /// Comes nearer by the approach, if that may go on.
+    fn polish_failed(&mut self) {
+        let nearer = NEARER * self.near;
+        let is_far = self.best.0 > self.model.tolerance();
+        if is_far
+            && self.approach.iterations < self.most_iterations
+            && nearer >= NEAREST * self.model.parts.extent
+        {
+            self.near = nearer;
+            self.model.x.copy_from_slice(&self.began.1);
+            self.stage = Stage::Round;
+        } else {
+            self.end();
+        }
+    }
+
+    /// Notes the positions if they are the best so far; gives their worst excess.
+    fn keep_best(&mut self) -> f64 {
+        let worst = self.model.hard.worst(&self.model.x);
+        // An approach that comes nearer has a better shape too.
+        if worst <= self.best.0 {
+            self.best.0 = worst;
+            self.best.1.copy_from_slice(&self.model.x);
+        }
+        worst
+    }
+
+    fn end(&mut self) {
+        self.stage = Stage::Ended;
+        self.model.x.copy_from_slice(&self.best.1);
+    }
+
+    /// The stage that it is in.
+    pub fn stage(&self) -> Stage {
+        self.stage
+    }
+
+    /// The current positions, `#V by 3`; once it has ended the best ones.
+    pub fn positions(&self) -> Vec<Point> {
+        self.model.positions(&self.model.x)
+    }
+
+    /// How far the worst constraint is from being met at the current positions, in the unit of the mesh.
+    pub fn worst(&self) -> f64 {
+        self.model.hard.worst(&self.model.x)
+    }
+
+    /// The energies of all but the hard rows at the current positions.
+    pub fn energy(&mut self) -> Energy {
+        let mut gradient = vec![[0.0; 4]; self.model.x.len()];
+        let mut seconds = IterateSeconds::default();
+        self.model.parts.energies.evaluate(&self.model.x, &mut gradient, &mut seconds)
+    }
+
+    /// What has come of it at the current positions.
+    pub fn answer(&self) -> ExactAnswer {
+        let polish = self.polish.as_ref();
+        ExactAnswer {
+            iterations: self.approach.iterations,
+            refactorizations: self.approach.rounds,
+            block_factors: polish.map_or(0, |polish| polish.factors),
+            steps: polish.map_or(0, |polish| polish.steps),
+            seconds: self.seconds,
+            ..self.model.measure(&self.model.x)
+        }
+    }
+
+    /// Whether the polish fits in memory; where it does not, constraints are met to 1e-5 of the size only.
+    pub fn can_polish(&self) -> bool {
+        self.can_polish
+    }
+}
+
+/// Whether the system of the polish fits in memory.
+fn polish_fits(problem: &Problem<'_>, requirements: &Requirements<'_>, model: &Model) -> bool {
+    let hard = problem.constraints.iter().zip(requirements.rows).filter(|(_, it)| it.is_hard());
+    let coupled: usize = hard
+        .flat_map(|(row, _)| row.members.iter().map(|members| members.len() * members.len()))
+        .sum();
+    coupled <= MOST_COUPLED
+        && BlockMatrix::bytes(model.parts.system.factor_nonzeros()) <= MOST_BYTES
+}

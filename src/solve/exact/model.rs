@@ -1,0 +1,183 @@
+//! The shape that both stages work on: its energies, its hard constraints, and the system of the global step.
+
+use super::guard::guard;
+use super::hard_rows::{HardBatch, HardRow, HardRows};
+use super::requirement::{Require, Requirements};
+use crate::constraint::{Centring, Reference, Row};
+use crate::mesh::Point;
+use crate::solve::assemble::Terms;
+use crate::solve::energy::{
+    BIG, Constraints, Handle, Hold, PositionalConstraints, extra_unknowns, shape_terms,
+    smooth_terms,
+};
+use crate::solve::local_frame::{relative, rest_surface};
+use crate::solve::parts::{Added, Holding, Parts};
+use crate::solve::problem::Problem;
+use crate::solve::setup_cache::SetupCache;
+use std::rc::Rc;
+
+/// The shape with its energies and hard constraints.
+pub(super) struct Model {
+    pub parts: Parts,
+    pub hard: HardRows,
+    pub holding: Holding,
+    /// `#nodes`: the positions.
+    pub x: Vec<Row>,
+    /// `#nodes`: the positions at the start.
+    pub start: Vec<Row>,
+    /// The positions at the start, `#V by 3`: a vertex that is still there keeps every bit of its coordinates.
+    pub put: Vec<Point>,
+    /// The edges of the guard, and the ratio that they keep.
+    pub guarded: Option<(Vec<[u32; 2]>, f64)>,
+    /// The mean of the diagonal of the metric, and that of the hard constraints, over their nodes.
+    pub stiffness: [f64; 2],
+    /// The terms of soft rows, of smoothness and of hard rows over vertices alone, for the system of blocks.
+    pub cliques: Vec<Terms>,
+}
+
+impl Model {
+    /// Assembles the problem with its `requirements`, at the positions `start`, `#V by 3`.
+    pub(super) fn new(
+        problem: &Problem<'_>,
+        requirements: &Requirements<'_>,
+        handles: &[Handle],
+        start: &[Point],
+        cache: SetupCache,
+    ) -> Model {
+        let rows = problem.constraints.iter().zip(requirements.rows).enumerate();
+        let (mut soft, mut hard, mut places) = (Vec::new(), Vec::new(), Vec::new());
+        for (index, (row, &require)) in rows {
+            if require == Require::Soft {
+                soft.push(row.clone());
+            } else {
+                // What is met needs no weight; a weight only balances what cannot be met.
+                let weight = if row.weight > 0.0 { row.weight } else { 1.0 };
+                hard.push(Constraints { weight, ..row.clone() });
+                places.push((Some(index), require));
+            }
+        }
+        let n_vertices = problem.mesh.positions.len();
+        let first_mean = n_vertices + extra_unknowns(&soft, problem.settings.mean_centring);
+        let ratio = requirements.shortest_edge.filter(|ratio| *ratio > 0.0);
+        let guard = ratio.and_then(|ratio| {
+            let guard = guard(&hard, problem.topology, ratio)?;
+            let ends = guard.members.iter().map(|ends| [ends[0], ends[1]]).collect();
+            hard.push(guard);
+            places.push((None, Require::Exact));
+            Some((ends, ratio))
+        });
+        let soft_problem = Problem { constraints: &soft, ..*problem };
+        let added = Added {
+            terms: Some(shape_terms(&hard, first_mean, true)),
+            unknowns: extra_unknowns(&hard, true),
+            holds: hard.iter().flat_map(Constraints::placed).copied().collect(),
+        };
+        let mut parts = Parts::new(&soft_problem, added, cache);
+        let node_of = &parts.system.node_of()[..n_vertices];
+        let rows: Vec<HardRow<'_>> = hard
+            .iter()
+            .zip(&places)
+            .map(|(row, &(place, require))| (row, place, require))
+            .collect();
+        let (mesh, centre) = (problem.mesh, parts.centre);
+        let surface =
+            || Rc::clone(parts.surface.get_or_init(|| Rc::new(rest_surface(mesh, centre))));
+        let hard_rows =
+            HardRows::new(&rows, node_of, &parts.rest, &Reference { surface: &surface });
+        parts.energies.handles = PositionalConstraints::new(handles, node_of, centre);
+
+        let holding = parts.holding(handles);
+        let mut x = parts.to_rows(start);
+        let mut put = start.to_vec();
+        let fixed = handles.iter().filter(|handle| handle.hold == Hold::Fixed);
+        let is_handle = |v: u32| handles.iter().any(|handle| handle.vertex == v);
+        let corners = parts.corners.iter().copied().filter(|&(v, _)| !is_handle(v));
+        for (vertex, target) in corners.chain(fixed.map(|handle| (handle.vertex, handle.target))) {
+            x[parts.system.node_of()[vertex as usize] as usize] = relative(target, centre);
+            put[vertex as usize] = target;
+        }
+        let laplacian = soft_problem.laplacian();
+        let cliques = vec![
+            without_means(&soft, problem.settings.mean_centring),
+            laplacian.as_ref().map(smooth_terms).unwrap_or_default(),
+            coupled(&hard),
+        ];
+        let mut model = Model {
+            parts,
+            hard: hard_rows,
+            holding,
+            start: x.clone(),
+            x,
+            put,
+            guarded: guard,
+            stiffness: [0.0; 2],
+            cliques,
+        };
+        model.stiffness = model.mean_stiffness();
+        model
+    }
+
+    /// The scales of the energies in the normal matrix, with this weight of the hard constraints.
+    pub(super) fn scales(&self, rho: f64) -> [f64; 3] {
+        let weights = self.parts.energies.weights;
+        [weights.shape, weights.smooth, rho]
+    }
+
+    /// The means of the diagonals of the metric and of the hard constraints, over the free nodes of the latter.
+    fn mean_stiffness(&self) -> [f64; 2] {
+        let Holding { fixed, diagonal, .. } = &self.holding;
+        let system = &self.parts.system;
+        let metric = system.values(&self.scales(0.0), diagonal, fixed);
+        let mut own = vec![0.0; diagonal.len()];
+        for HardBatch { batch, .. } in self.hard.batches.iter().filter(|it| it.row.is_some()) {
+            let share = match batch.centring() {
+                Centring::Together => 1.0 - 1.0 / batch.points() as f64,
+                Centring::ByEdge => 0.5,
+                Centring::Placed => 1.0,
+            };
+            for node in (0..batch.count()).flat_map(|i| batch.nodes_of(i)) {
+                own[node as usize] += batch.weight() * share;
+            }
+        }
+        let (mut sums, mut count) = ([0.0; 2], 0.0);
+        for node in (0..own.len()).filter(|&node| own[node] > 0.0 && !fixed[node]) {
+            sums[0] += metric.data()[metric.indptr().outer_inds_sz(node).end - 1];
+            sums[1] += own[node];
+            count += 1.0;
+        }
+        if count > 0.0 { sums.map(|sum| sum / count) } else { [0.0, 1.0] }
+    }
+}
+
+/// The terms of soft rows without extra unknowns: constraints on many points hold each of them.
+fn without_means(rows: &[Constraints], mean_centring: bool) -> Terms {
+    let is_big = |row: &Constraints, members: &[u32]| {
+        row.kind.info().centring == Centring::Together && members.len() > BIG
+    };
+    let part = |big: bool| {
+        move |row: &Constraints| {
+            let members = row.members.iter().filter(|members| is_big(row, members) == big);
+            Constraints { members: members.collect(), ..row.clone() }
+        }
+    };
+    let small: Vec<Constraints> = rows.iter().map(part(false)).collect();
+    let mut terms = shape_terms(&small, 0, mean_centring);
+    for row in rows.iter().map(part(true)) {
+        row.members.indices().iter().for_each(|&v| terms.push(&[v], [1.0], row.weight, 0.0));
+    }
+    terms
+}
+
+/// Terms that couple all vertices of each constraint, and add nothing.
+fn coupled(rows: &[Constraints]) -> Terms {
+    let mut terms = Terms::default();
+    let mut distinct = Vec::new();
+    for members in rows.iter().flat_map(|row| row.members.iter()) {
+        distinct.clear();
+        distinct.extend_from_slice(members);
+        distinct.sort_unstable();
+        distinct.dedup();
+        terms.push(&distinct, distinct.iter().map(|_| 1.0), 0.0, 0.0);
+    }
+    terms
+}

@@ -1,0 +1,151 @@
+//! The normal space of a constraint, by central differences of its projection alone.
+//!
+//! Where `P` projects to a set, `J = I - DP` at a point of it is zero along the set and nowhere else, and where `P`
+//! is the closest point it is the orthogonal projector to the normal space. `J^T J` is that projector too; where `P`
+//! is another projection to the same set it still has the same kernel, and errors of `J` enter it squared.
+
+use super::hard_rows::HardBatch;
+use crate::constraint::Row;
+use crate::math::{LANES, Lanes, Vec3};
+
+/// The step of the differences, times the root mean square of the points: the rounding and the truncation of a
+/// difference are about the same there.
+const STEP: f64 = 1e-6;
+
+/// An entry of `J` beyond this is no derivative: the projection jumps there.
+const LARGEST: f64 = 10.0;
+
+/// Bands begin to be held this much inside, as a part of their width.
+pub(super) const BAND: f64 = 0.98;
+
+/// One constraint at some positions.
+pub(super) struct Linear<'a> {
+    /// The residual, three numbers for each point.
+    pub residual: &'a mut [f64],
+    /// `J^T J`, row by row.
+    pub normal: &'a mut [f64],
+}
+
+/// Room for the points of one constraint in all lanes.
+pub(super) struct Differences {
+    points: Vec<Vec3<Lanes>>,
+    projected: Vec<Vec3<Lanes>>,
+    /// `J`, column by column.
+    columns: Vec<f64>,
+}
+
+impl Differences {
+    pub(super) fn new(points: usize) -> Differences {
+        Differences {
+            points: vec![Vec3::zero(); points],
+            projected: vec![Vec3::zero(); points],
+            columns: vec![0.0; 9 * points * points],
+        }
+    }
+
+    /// Linearises constraint `i` of a batch at positions `x`, whose residual there is known. `unit` is a length of
+    /// the size of the model, for what has none of its own.
+    pub(super) fn linearise(
+        &mut self,
+        hard: &HardBatch,
+        i: usize,
+        x: &[Row],
+        unit: f64,
+        to: Linear<'_>,
+    ) {
+        to.normal.fill(0.0);
+        if hard.within.is_some() {
+            return across_band(to);
+        }
+        let Differences { points, projected, .. } = self;
+        hard.batch.gather(i / LANES, x, points);
+        points.iter_mut().for_each(|point| *point = Vec3::splat(point.lane(i % LANES)));
+        let rest = hard.batch.rest_of(i);
+        hard.batch.project_copies(&rest, points, projected);
+        hard.batch.centre(projected);
+        let at: Vec<Vec3<f64>> = projected.iter().map(|point| point.lane(0)).collect();
+        let Some(step) = step(&at, unit) else { return along_residual(to) };
+        let size = 3 * at.len();
+        // Lane by lane a displaced copy: forwards and backwards along one coordinate of one point.
+        for first in (0..2 * size).step_by(LANES) {
+            for (point, at) in self.points.iter_mut().zip(&at) {
+                *point = Vec3::splat(*at);
+            }
+            for lane in 0..LANES.min(2 * size - first) {
+                let (k, sign) = ((first + lane) / 2, 1.0 - 2.0 * ((first + lane) % 2) as f64);
+                let moved = moved(at[k / 3], k % 3, sign * step);
+                self.points[k / 3].set_lane(lane, moved);
+            }
+            hard.batch.centre(&mut self.points);
+            hard.batch.project_copies(&rest, &self.points, &mut self.projected);
+            hard.batch.centre(&mut self.projected);
+            for pair in 0..LANES / 2 {
+                let k = first / 2 + pair;
+                if k >= size {
+                    break;
+                }
+                let column = &mut self.columns[k * size..(k + 1) * size];
+                let residuals = self.points.iter().zip(&self.projected).map(|(z, p)| *z - *p);
+                for (to, residual) in column.chunks_exact_mut(3).zip(residuals) {
+                    let change = residual.lane(2 * pair) - residual.lane(2 * pair + 1);
+                    let derivative = change * (0.5 / step);
+                    to.copy_from_slice(&[derivative.x, derivative.y, derivative.z]);
+                }
+            }
+        }
+        // Written so that NaN is no derivative either.
+        if !self.columns.iter().all(|value| value.abs() < LARGEST) {
+            return along_residual(to);
+        }
+        for (a, row) in to.normal.chunks_exact_mut(size).enumerate() {
+            let left = &self.columns[a * size..(a + 1) * size];
+            for (b, entry) in row.iter_mut().enumerate() {
+                let right = &self.columns[b * size..(b + 1) * size];
+                *entry = left.iter().zip(right).map(|(l, r)| l * r).sum();
+            }
+        }
+    }
+}
+
+/// The step of the differences at these points; none where they coincide.
+fn step(at: &[Vec3<f64>], unit: f64) -> Option<f64> {
+    if let [_] = at {
+        return Some(STEP * unit);
+    }
+    let mean = at.iter().fold(Vec3::zero(), |sum, p| sum + *p) * (1.0 / at.len() as f64);
+    let squares: f64 = at.iter().map(|p| (*p - mean).length_squared()).sum();
+    let radius = (squares / at.len() as f64).sqrt();
+    (radius > 1e-9 * unit).then_some(STEP * radius)
+}
+
+fn moved(point: Vec3<f64>, coordinate: usize, by: f64) -> Vec3<f64> {
+    let mut moved: [f64; 3] = point.into();
+    moved[coordinate] += by;
+    moved.into()
+}
+
+/// Where there is no derivative: the direction to the shape.
+fn along_residual(to: Linear<'_>) {
+    let size = to.residual.len();
+    let squared: f64 = to.residual.iter().map(|r| r * r).sum();
+    if squared > 0.0 && squared < f64::INFINITY {
+        for (a, row) in to.normal.chunks_exact_mut(size).enumerate() {
+            for (b, entry) in row.iter_mut().enumerate() {
+                *entry = to.residual[a] * to.residual[b] / squared;
+            }
+        }
+    }
+}
+
+/// A band holds each point that is beyond it along its way to the shape, and no other.
+fn across_band(to: Linear<'_>) {
+    let size = to.residual.len();
+    for (k, away) in to.residual.chunks_exact(3).enumerate() {
+        let squared = away.iter().map(|r| r * r).sum::<f64>();
+        if squared > 0.0 && squared < f64::INFINITY {
+            for (r, c) in (0..3).flat_map(|r| (0..3).map(move |c| (r, c))) {
+                to.normal[(3 * k + r) * size + 3 * k + c] = away[r] * away[c] / squared;
+            }
+        }
+    }
+}

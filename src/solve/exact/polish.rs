@@ -1,0 +1,116 @@
+//! The second stage: steps of least change onto the linearised constraints, with one factor of the system of
+//! blocks for several of them.
+
+use super::block_system::BlockSystem;
+use super::model::Model;
+use crate::constraint::Row;
+use crate::solve::error::SolveError;
+
+/// Factors at most, and steps with one factor at most.
+const MOST_FACTORS: u32 = 12;
+const MOST_STEPS: u32 = 8;
+
+/// A step is halved down to this.
+const SHORTEST: f64 = 0.125;
+
+/// The steps of the second stage.
+pub(super) struct Polish {
+    system: BlockSystem,
+    dx: Vec<Row>,
+    next: Vec<Row>,
+    /// Factors and steps so far.
+    pub factors: u32,
+    pub steps: u32,
+    /// Steps left with the factor at hand.
+    left: u32,
+    /// How often a full step with a fresh factor has gained nothing, as the linear model said.
+    stuck: u32,
+}
+
+/// What a step has come to.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Polished {
+    /// There is another step to take.
+    Goes,
+    /// No step gains any more.
+    Ended,
+    /// The constraints contradict each other.
+    Contradicts,
+}
+
+impl Polish {
+    pub(super) fn new(model: &mut Model) -> Polish {
+        let system = BlockSystem::new(model);
+        let n = system.size();
+        Polish {
+            dx: vec![[0.0; 4]; n],
+            next: model.x.clone(),
+            system,
+            factors: 0,
+            steps: 0,
+            left: 0,
+            stuck: 0,
+        }
+    }
+
+    /// Begins anew from other positions.
+    pub(super) fn restart(&mut self) {
+        (self.left, self.stuck) = (0, 0);
+    }
+
+    /// One step, with a new factor where the last one has served.
+    ///
+    /// # Errors
+    /// When the matrix cannot be factored.
+    pub(super) fn step(&mut self, model: &mut Model, factors: u32) -> Result<Polished, SolveError> {
+        let fresh = self.left == 0;
+        if fresh {
+            if self.factors - factors >= MOST_FACTORS {
+                return Ok(Polished::Ended);
+            }
+            self.system.factor(model)?;
+            self.factors += 1;
+            self.left = MOST_STEPS;
+        }
+        self.left -= 1;
+        self.steps += 1;
+        let before = self.system.residuals(model, &model.x);
+        self.system.least_change(&mut self.dx);
+        let predicted = self.system.predicted();
+        let noise = 1e-14 * model.parts.extent;
+        let (mut t, mut after);
+        t = 1.0;
+        loop {
+            self.displace(model, t);
+            after = self.system.residuals(model, &self.next);
+            let enough = before - 0.1 * t * (before - predicted);
+            if after < enough || after < noise || t <= SHORTEST {
+                break;
+            }
+            t *= 0.5;
+        }
+        if !after.is_finite() {
+            return Ok(Polished::Ended);
+        }
+        std::mem::swap(&mut model.x, &mut self.next);
+        let stands = (after - before).abs() < 1e-3 * before && predicted > 0.9 * before;
+        if fresh && t == 1.0 && stands {
+            self.stuck += 1;
+            if self.stuck == 3 {
+                return Ok(Polished::Contradicts);
+            }
+        }
+        if after > 0.3 * before {
+            self.left = 0;
+        }
+        Ok(Polished::Goes)
+    }
+
+    fn displace(&mut self, model: &Model, t: f64) {
+        self.next.copy_from_slice(&model.x);
+        for (&node, &own) in model.parts.system.node_of().iter().zip(self.system.node_of()) {
+            let (row, by) = (&mut self.next[node as usize], self.dx[own as usize]);
+            (0..3).for_each(|c| row[c] += t * by[c]);
+        }
+    }
+}

@@ -1,0 +1,41 @@
+//! What is asked of a row of constraints, and of the edges meanwhile.
+
+/// How a row of constraints counts.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Require {
+    /// It is weighed against all else.
+    #[default]
+    Soft,
+    /// It is met.
+    Exact,
+    /// No vertex is farther than this from the shape, a length above zero in the unit of the mesh.
+    Within(f64),
+}
+
+impl Require {
+    /// Whether it is met, not weighed.
+    pub fn is_hard(self) -> bool {
+        self != Require::Soft
+    }
+}
+
+/// How long edges stay, as a part of their length at rest, unless the scene says otherwise: without a bound
+/// vertices that coincide would meet most constraints.
+pub const SHORTEST_EDGE: f64 = 0.3;
+
+/// What is to be met, and how.
+#[derive(Clone, Copy, Debug)]
+pub struct Requirements<'a> {
+    /// One for each row of constraints of the problem.
+    pub rows: &'a [Require],
+    /// The least ratio of an edge between vertices of hard constraints to its length at rest, at most one; none
+    /// is no bound.
+    pub shortest_edge: Option<f64>,
+    /// Iterations of the approach at most.
+    pub iterations: u32,
+}
+
+impl Requirements<'_> {
+    /// Iterations of the approach that are enough for every mesh that was tried.
+    pub const ITERATIONS: u32 = 1500;
+}

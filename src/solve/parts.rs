@@ -1,0 +1,196 @@
+//! What solvers are made of: the energies of a problem, the system of their global step, and which of its nodes
+//! are no unknowns.
+
+use super::assemble::Terms;
+use super::clock;
+use super::energy::{
+    CloseEnergy, Energies, Handle, Hold, PositionalConstraints, RestShape, ShapeEnergy,
+    SmoothEnergy, pins, smooth_terms,
+};
+use super::local_frame::{centre_and_extent, relative, rest_surface};
+use super::problem::Problem;
+use super::settings::SmoothnessOf;
+use super::setup_cache::SetupCache;
+use super::system::System;
+use crate::constraint::{Reference, Row};
+use crate::mesh::{Point, Surface};
+use std::cell::OnceCell;
+use std::rc::Rc;
+
+/// A problem that is assembled and ordered, and not yet factored.
+pub(super) struct Parts {
+    /// Coordinates are relative to this.
+    pub centre: Point,
+    /// The diagonal of the bounding box of the rest shape.
+    pub extent: f64,
+    pub n_vertices: usize,
+    /// Vertices and extra unknowns; nodes beyond are padding.
+    pub n_unknowns: usize,
+    /// Over the energies of the shape, of smoothness, and those that were added.
+    pub system: System,
+    /// The rest surface, shared with the next solver; see [`SetupCache`].
+    pub surface: OnceCell<Rc<Surface>>,
+    pub energies: Energies,
+    /// `#nodes`: the rest position of each.
+    pub rest: Vec<Row>,
+    /// Nodes that the shape energy holds in their place.
+    pub held: Vec<bool>,
+    /// Corners of the boundary, if these are fixed, and where.
+    pub corners: Vec<(u32, Point)>,
+}
+
+/// An energy beside those of a problem.
+#[derive(Default)]
+pub(super) struct Added {
+    /// Its terms; extra unknowns are numbered behind those of the problem.
+    pub terms: Option<Terms>,
+    /// How many extra unknowns it has.
+    pub unknowns: usize,
+    /// Vertices that it holds in their place.
+    pub holds: Vec<u32>,
+}
+
+impl Parts {
+    /// Assembles and orders. What another solver on the same mesh left in the `cache` is not made again.
+    pub(super) fn new(problem: &Problem<'_>, added: Added, cache: SetupCache) -> Parts {
+        let started = clock::now();
+        let Problem { mesh, constraints, weights, settings, .. } = *problem;
+        let n_vertices = mesh.positions.len();
+        let n_unknowns = problem.n_unknowns() + added.unknowns;
+        // `sprs-ldl` panics below two unknowns: the rest is padding, and fixed.
+        let n = n_unknowns.max(2);
+        let laplacian = problem.laplacian();
+        let shape_terms = problem.shape_terms();
+        let mut held = problem.nodes_held_by(&shape_terms, n);
+        added.holds.iter().for_each(|&v| held[v as usize] = true);
+        let smooth_part = laplacian.as_ref().map(smooth_terms).unwrap_or_default();
+        let before_system = clock::now();
+        let mut terms = vec![shape_terms, smooth_part];
+        terms.extend(added.terms);
+        let SetupCache { surface: made, analysis } = cache;
+        let mut system = System::with_order(n, terms, settings.factorization, analysis.as_ref());
+        let after_system = clock::now();
+
+        let (centre, extent) = centre_and_extent(&mesh.positions);
+        let node_of = &system.node_of()[..n_vertices];
+        let rest = to_rows(&mesh.positions, node_of, n, centre);
+        let surface = || Rc::clone(made.get_or_init(|| Rc::new(rest_surface(mesh, centre))));
+        let reference = Reference { surface: &surface };
+        let (close, corners) = if weights.close > 0.0 {
+            let factors = problem.closeness_factors;
+            let rest_shape =
+                RestShape { rest: &rest, node_of, topology: problem.topology, surface: &surface };
+            CloseEnergy::new(problem.closeness_to, problem.boundary_closeness, factors, &rest_shape)
+        } else {
+            Default::default()
+        };
+        let energies = Energies {
+            weights,
+            shape: ShapeEnergy::new(constraints, node_of, &rest, settings.monotone, &reference),
+            smooth: laplacian.map(|laplacian| {
+                let rest = match problem.smoothness.of {
+                    SmoothnessOf::Surface => Vec::new(),
+                    SmoothnessOf::Displacement => rest.clone(),
+                };
+                SmoothEnergy::new(&laplacian, node_of, n, rest)
+            }),
+            close,
+            handles: PositionalConstraints::default(),
+        };
+        let held = {
+            let mut by_node = vec![false; n];
+            held.iter().zip(system.node_of()).for_each(|(&h, &node)| by_node[node as usize] = h);
+            by_node
+        };
+        system.seconds.assemble += before_system - started + clock::now() - after_system;
+        Parts {
+            centre,
+            extent,
+            n_vertices,
+            n_unknowns,
+            system,
+            surface: made,
+            energies,
+            rest,
+            held,
+            corners: corners.into_iter().map(|v| (v, mesh.positions[v as usize])).collect(),
+        }
+    }
+
+    /// Positions, `#V by 3`, in terms of nodes.
+    pub(super) fn to_rows(&self, positions: &[Point]) -> Vec<Row> {
+        let node_of = &self.system.node_of()[..self.n_vertices];
+        to_rows(positions, node_of, self.held.len(), self.centre)
+    }
+
+    /// See [`Holding::new`].
+    pub(super) fn holding(&self, handles: &[Handle]) -> Holding {
+        let Parts { n_vertices, n_unknowns, held, corners, .. } = self;
+        let nodes = Nodes { n_vertices: *n_vertices, n_unknowns: *n_unknowns, held, corners };
+        Holding::new(&nodes, &self.system, &self.energies, handles)
+    }
+}
+
+fn to_rows(positions: &[Point], node_of: &[u32], n: usize, centre: Point) -> Vec<Row> {
+    let mut rows = vec![[0.0; 4]; n];
+    for (&point, &node) in positions.iter().zip(node_of) {
+        rows[node as usize] = relative(point, centre);
+    }
+    rows
+}
+
+/// What [`Holding::new`] reads of a solver.
+pub(super) struct Nodes<'a> {
+    pub n_vertices: usize,
+    pub n_unknowns: usize,
+    pub held: &'a [bool],
+    pub corners: &'a [(u32, Point)],
+}
+
+/// How the nodes of a system are held: what handles, closeness and pins add to the normal matrix.
+pub(super) struct Holding {
+    /// `#nodes`: whether it is no unknown.
+    pub fixed: Vec<bool>,
+    /// `#nodes`: what is added to the diagonal.
+    pub diagonal: Vec<f64>,
+    /// Vertices that are fixed because nothing holds their part.
+    pub pinned: Vec<u32>,
+}
+
+impl Holding {
+    /// With these handles.
+    pub(super) fn new(
+        nodes: &Nodes<'_>,
+        system: &System,
+        energies: &Energies,
+        handles: &[Handle],
+    ) -> Holding {
+        let n = nodes.held.len();
+        let node_of = &system.node_of()[..nodes.n_vertices];
+        let (mut fixed, mut held, mut diagonal) =
+            (vec![false; n], nodes.held.to_vec(), vec![0.0; n]);
+        let padding = &system.node_of()[nodes.n_unknowns..];
+        padding.iter().for_each(|&node| fixed[node as usize] = true);
+        if let Some(close) = &energies.close {
+            for (node, factor) in close.held() {
+                held[node as usize] = true;
+                diagonal[node as usize] = energies.weights.close * factor;
+            }
+        }
+        nodes.corners.iter().for_each(|&(v, _)| fixed[node_of[v as usize] as usize] = true);
+        for handle in handles {
+            let node = node_of[handle.vertex as usize] as usize;
+            held[node] = true;
+            match handle.hold {
+                Hold::Soft { weight } => {
+                    diagonal[node] += weight;
+                    fixed[node] = false;
+                }
+                Hold::Fixed => fixed[node] = true,
+            }
+        }
+        let pinned = pins(node_of, system.components(), &held);
+        pinned.iter().for_each(|&v| fixed[node_of[v as usize] as usize] = true);
+        Holding { fixed, diagonal, pinned }
+    }
+}

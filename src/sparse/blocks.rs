@@ -1,0 +1,211 @@
+//! Symmetric matrices whose entries are blocks of 3 by 3, in the pattern of a scalar matrix, and their factor:
+//! where x, y and z of a node are coupled. The order, the tree and the supernodes are those of the scalar matrix
+//! with every node three times, so that nothing is analysed again.
+
+use super::analysis::SymbolicAnalysis;
+use super::matrix::{Row, UpperTriangle};
+use super::panels::Panels;
+use super::pivot::Singular;
+use super::supernodal;
+use super::supernodes::Supernodes;
+use sprs::{CsMatI, CsStructureI};
+use std::rc::Rc;
+
+/// Unknowns of a node.
+const TIMES: u32 = 3;
+
+/// A pivot is accepted that is greater than this part of its diagonal entry: stiff directions and soft ones of a
+/// node differ by up to ten digits.
+const SMALLEST_PIVOT: f64 = 1e-15;
+
+/// A matrix of blocks, and its factor.
+pub(crate) struct BlockMatrix {
+    /// Where the values of each column of blocks start, `#nodes + 1`.
+    starts: Vec<u32>,
+    /// The rows of the upper triangle of the scalar matrix, by columns.
+    rows: Vec<u32>,
+    /// Where the rows of each column start, `#nodes + 1`.
+    columns: Vec<u32>,
+    matrix: UpperTriangle,
+    supernodes: Rc<Supernodes>,
+    pivots: Vec<f64>,
+    panels: Panels<f64>,
+    /// One right-hand side, a row for each unknown.
+    unknowns: Vec<Row>,
+}
+
+impl BlockMatrix {
+    /// In the pattern and the order of `analysis`; zero so far.
+    pub(crate) fn new(analysis: &SymbolicAnalysis) -> BlockMatrix {
+        let scalar = analysis.zeros();
+        let columns = scalar.indptr().raw_storage().to_vec();
+        let rows = scalar.indices();
+        let n = scalar.cols();
+        let (mut starts, mut ends, mut indices) = (vec![0], vec![0], Vec::new());
+        for ends_of in columns.windows(2) {
+            let own = &rows[ends_of[0] as usize..ends_of[1] as usize];
+            for c in 0..TIMES {
+                let above = own.iter().flat_map(|&row| (0..TIMES).map(move |k| TIMES * row + k));
+                indices.extend(above.take(TIMES as usize * (own.len() - 1) + c as usize + 1));
+                ends.push(indices.len() as u32);
+            }
+            starts.push(indices.len() as u32);
+        }
+        let size = TIMES as usize * n;
+        let pattern = CsStructureI::new_csc((size, size), ends, indices, vec![(); last(&starts)]);
+        let supernodes = Rc::new(analysis.supernodes().of_blocks(TIMES, &pattern));
+        let (ends, indices) = (pattern.indptr().raw_storage().to_vec(), pattern.indices().to_vec());
+        BlockMatrix {
+            rows: rows.to_vec(),
+            columns,
+            matrix: CsMatI::new_csc((size, size), ends, indices, vec![0.0; last(&starts)]),
+            starts,
+            panels: Panels::new(Rc::clone(&supernodes)),
+            supernodes,
+            pivots: vec![0.0; size],
+            unknowns: vec![[0.0; 4]; size],
+        }
+    }
+
+    /// How many bytes the factor of such a matrix takes, about: that of the scalar one has `nonzeros`.
+    pub(crate) fn bytes(nonzeros: usize) -> usize {
+        // Factor, fronts that wait, matrix.
+        nonzeros * (TIMES * TIMES) as usize * size_of::<f64>() * 5 / 3
+    }
+
+    /// Becomes the scalar matrix `entries`, in the pattern of the analysis, for each of x, y and z.
+    pub(crate) fn set_scalar(&mut self, entries: &UpperTriangle) {
+        self.matrix.data_mut().fill(0.0);
+        for column in 0..entries.cols() as u32 {
+            let range = entries.indptr().outer_inds_sz(column as usize);
+            for (k, place) in range.enumerate() {
+                let value = entries.data()[place];
+                self.add_at(column, k as u32, |r, c| if r == c { value } else { 0.0 });
+            }
+        }
+    }
+
+    /// Adds `block(row, column)` to the block of two nodes, which the pattern couples, and of which `row` is not
+    /// eliminated after `column`. Of a block on the diagonal the upper triangle counts.
+    pub(crate) fn add(&mut self, row: u32, column: u32, block: impl Fn(usize, usize) -> f64) {
+        let range =
+            self.columns[column as usize] as usize..self.columns[column as usize + 1] as usize;
+        let k = self.rows[range].partition_point(|&other| other < row);
+        self.add_at(column, k as u32, block);
+    }
+
+    /// The same where `row` is entry `k` of the column.
+    #[inline(always)]
+    fn add_at(&mut self, column: u32, k: u32, block: impl Fn(usize, usize) -> f64) {
+        let v = column as usize;
+        let above = self.columns[v + 1] - self.columns[v] - 1;
+        let on_diagonal = k == above;
+        let values = self.matrix.data_mut();
+        for c in 0..TIMES {
+            let start = self.starts[v] + c * TIMES * above + c * (c + 1) / 2 + TIMES * k;
+            let rows = if on_diagonal { c + 1 } else { TIMES };
+            for r in 0..rows {
+                values[(start + r) as usize] += block(r as usize, c as usize);
+            }
+        }
+    }
+
+    /// Factors it. The rows and columns of `fixed` nodes are those of the identity.
+    ///
+    /// # Errors
+    /// When it is not positive definite to working precision.
+    pub(crate) fn factor(&mut self, fixed: &[bool]) -> Result<(), Singular> {
+        let fixed: Vec<bool> = fixed.iter().flat_map(|&fixed| [fixed; TIMES as usize]).collect();
+        let BlockMatrix { supernodes, matrix, pivots, panels, .. } = self;
+        supernodal::factor(supernodes, matrix, &fixed, SMALLEST_PIVOT, pivots, &mut |s, front| {
+            panels.store(s, front);
+        })?;
+        panels.set_pivots(pivots);
+        Ok(())
+    }
+
+    /// Applies the inverse of the factored matrix to `right` in place, a row for each node.
+    pub(crate) fn solve(&mut self, right: &mut [Row]) {
+        for (unknowns, row) in self.unknowns.chunks_exact_mut(TIMES as usize).zip(&*right) {
+            unknowns
+                .iter_mut()
+                .zip(row)
+                .for_each(|(unknown, value)| *unknown = [*value, 0.0, 0.0, 0.0]);
+        }
+        self.panels.solve(&mut self.unknowns);
+        for (unknowns, row) in self.unknowns.chunks_exact(TIMES as usize).zip(right) {
+            row.iter_mut().zip(unknowns).for_each(|(value, unknown)| *value = unknown[0]);
+        }
+    }
+}
+
+fn last(starts: &[u32]) -> usize {
+    starts.last().map_or(0, |&end| end as usize)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::{DMatrix, DVector};
+
+    /// A path and a few more couplings over `n` nodes.
+    fn pattern(n: usize) -> CsStructureI<u32> {
+        let couples = |i: usize, j: usize| i.abs_diff(j) < 2 || (i * j + i + j) % 7 == 0;
+        let (mut ends, mut rows) = (vec![0], Vec::new());
+        for v in 0..n {
+            rows.extend((0..n).filter(|&u| couples(u, v)).map(|u| u as u32));
+            ends.push(rows.len() as u32);
+        }
+        let values = vec![(); rows.len()];
+        CsStructureI::new_csc((n, n), ends, rows, values)
+    }
+
+    #[test]
+    fn it_solves_as_a_dense_matrix_does() {
+        let n = 23;
+        let analysis = SymbolicAnalysis::new(pattern(n));
+        let mut scalar = analysis.zeros();
+        let mut blocks = BlockMatrix::new(&analysis);
+        let mut dense = DMatrix::<f64>::zeros(3 * n, 3 * n);
+        for column in 0..n {
+            for place in scalar.indptr().outer_inds_sz(column) {
+                let row = scalar.indices()[place] as usize;
+                let value = if row == column { 40.0 } else { -1.0 - (row % 3) as f64 };
+                scalar.data_mut()[place] = value;
+                for k in 0..3 {
+                    dense[(3 * row + k, 3 * column + k)] = value;
+                    dense[(3 * column + k, 3 * row + k)] = value;
+                }
+            }
+        }
+        blocks.set_scalar(&scalar);
+        for column in 0..n {
+            for place in scalar.indptr().outer_inds_sz(column) {
+                let row = scalar.indices()[place] as usize;
+                // Symmetric on the diagonal, and not elsewhere.
+                let block = |r: usize, c: usize| {
+                    let skew = if row == column { 0.0 } else { 0.25 * r as f64 };
+                    ((r + c + row + column) % 4) as f64 * 0.5 + skew
+                };
+                blocks.add(row as u32, column as u32, block);
+                for (r, c) in (0..3).flat_map(|r| (0..3).map(move |c| (r, c))) {
+                    dense[(3 * row + r, 3 * column + c)] += block(r, c);
+                    if row != column {
+                        dense[(3 * column + c, 3 * row + r)] += block(r, c);
+                    }
+                }
+            }
+        }
+        blocks.factor(&vec![false; n]).expect("it is positive definite");
+        let mut rows: Vec<Row> =
+            (0..n).map(|v| [v as f64, 1.0 - v as f64, (v % 5) as f64, 0.0]).collect();
+        let right = DVector::from_fn(3 * n, |i, _| rows[i / 3][i % 3]);
+        blocks.solve(&mut rows);
+        let expected = dense.cholesky().expect("it is positive definite").solve(&right);
+        for (v, row) in rows.iter().enumerate() {
+            for k in 0..3 {
+                assert!((row[k] - expected[3 * v + k]).abs() < 1e-12, "{row:?} of node {v}");
+            }
+        }
+    }
+}
