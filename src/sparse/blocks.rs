@@ -3,9 +3,8 @@
 //! with every node three times, so that nothing is analysed again.
 
 use super::analysis::SymbolicAnalysis;
-use super::matrix::{Row, UpperTriangle};
+use super::matrix::{Row, Singular, UpperTriangle};
 use super::panels::Panels;
-use super::pivot::Singular;
 use super::supernodal;
 use super::supernodes::Supernodes;
 use sprs::{CsMatI, CsStructureI};

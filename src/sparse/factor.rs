@@ -2,9 +2,8 @@
 //! precisions that are asked for.
 
 use super::f32_factor::F32Factor;
-use super::matrix::UpperTriangle;
+use super::matrix::{SMALLEST_PIVOT, Singular, UpperTriangle};
 use super::panels::Panels;
-use super::pivot::{SMALLEST_PIVOT, Singular};
 use super::rank_one::Update;
 use super::simplicial::Simplicial;
 use super::supernodal;

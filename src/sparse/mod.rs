@@ -14,12 +14,11 @@
 //!
 //! | file | holds |
 //! |---|---|
-//! | `matrix` | the types of matrices and of right-hand sides |
+//! | `matrix` | the types of matrices and of right-hand sides, and which pivots are positive |
 //! | `order` | the fill-reducing permutation: approximate minimum degree, then a postorder |
 //! | `elimination_tree` | the elimination tree, its postorder, and the column counts of `L` |
 //! | `supernodes` | which columns of `L` have the same rows, and these rows |
 //! | `analysis` | all that follows from the pattern of a matrix: permutation, supernodes, components |
-//! | `pivot` | which pivots a positive definite matrix can have |
 //! | `simplicial` | the numeric factor of `sprs-ldl` |
 //! | `dense`, `supernodal` | the supernodal numeric factor, and its dense kernels |
 //! | `scalar`, `panels` | the factor in dense panels of either precision, and the triangular sweeps |
@@ -37,7 +36,6 @@ mod factor;
 mod matrix;
 mod order;
 mod panels;
-mod pivot;
 mod rank_one;
 mod scalar;
 mod simplicial;

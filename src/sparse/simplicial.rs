@@ -1,8 +1,7 @@
 //! The numeric factor `L D L^T` of the crate `sprs-ldl`: one column after another, up-looking (Davis,
 //! *Algorithm 849: a concise sparse Cholesky factorization package*, 2005).
 
-use super::matrix::UpperTriangle;
-use super::pivot::{Singular, is_positive};
+use super::matrix::{Singular, UpperTriangle, is_positive};
 use sprs::{PermOwnedI, SymmetryCheck};
 use sprs_ldl::{LdlNumeric, LdlSymbolic};
 

@@ -6,8 +6,7 @@
 //! a postorder, so that children lie on top of the stack.
 
 use super::dense::{self, Quad};
-use super::matrix::UpperTriangle;
-use super::pivot::{Singular, is_positive};
+use super::matrix::{Singular, UpperTriangle, is_positive};
 use super::supernodes::Supernodes;
 
 /// A supernode whose columns are factored: panels of four columns each (see [`dense`]).

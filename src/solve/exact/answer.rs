@@ -76,10 +76,13 @@ impl Model {
     /// more.
     pub(super) fn tolerance(&self) -> f64 {
         const OF_THE_SIZE: f64 = 1e-10;
-        const ROUNDINGS: f64 = 8.0;
+        (OF_THE_SIZE * self.parts.extent).max(8.0 * self.rounding())
+    }
+
+    /// About the distance that rounding moves a vertex by, where coordinates are written.
+    pub(super) fn rounding(&self) -> f64 {
         let farthest = self.parts.centre.iter().fold(0.0, |most: f64, c| most.max(c.abs()));
-        (OF_THE_SIZE * self.parts.extent)
-            .max(ROUNDINGS * f64::EPSILON * (farthest + self.parts.extent))
+        f64::EPSILON * (farthest + self.parts.extent)
     }
 
     /// Measures positions, as they are given; what it cost is for the caller to say.

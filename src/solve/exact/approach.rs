@@ -3,6 +3,7 @@
 
 use super::model::Model;
 use crate::constraint::Row;
+use crate::math::Lane;
 use crate::solve::accelerate::{Acceleration, Iterate};
 use crate::solve::energy::IterateSeconds;
 use crate::solve::error::SolveError;
@@ -15,9 +16,14 @@ const START: f64 = 0.3;
 /// Of a round: how much the weight grows, and iterations at most.
 const PATIENT: (f64, u32) = (1.5, 60);
 
-/// The same after so many iterations: it has to end, at the price of some energy.
-const HURRIED: (f64, u32) = (3.0, 20);
-const PATIENCE: u32 = 900;
+/// The same where it has to end, at the price of some energy.
+const HURRIED: (f64, u32) = (3.0, 60);
+
+/// It has to end after so many iterations.
+pub(super) const PATIENCE: u32 = 900;
+
+/// The weight stays below this, beside the same: the metric is in single precision, and has to know the energies.
+const MOST: f64 = 1e5;
 
 /// A round ends when an iteration gains less than this part of what is minimised.
 const LEAST_GAIN: f64 = 1e-4;
@@ -26,6 +32,7 @@ const LEAST_GAIN: f64 = 1e-4;
 pub(super) struct Approach {
     accelerator: Acceleration,
     rho: f64,
+    most: f64,
     /// Iterations left in the round; none before the first one.
     left: u32,
     /// All iterations so far, and all rounds: numeric factors of the scalar matrix.
@@ -49,10 +56,12 @@ impl Approach {
             ..*settings
         };
         let [metric, hard] = model.stiffness;
+        let unit = if metric > 0.0 { metric / hard } else { 1.0 };
         let zeros = || vec![[0.0; 4]; n];
         Approach {
             accelerator: Acceleration::new(&quasi_newton),
-            rho: if metric > 0.0 { START * metric / hard } else { 1.0 },
+            rho: START * unit,
+            most: MOST * unit,
             left: 0,
             iterations: 0,
             rounds: 0,
@@ -96,6 +105,7 @@ impl Approach {
 
     fn begin_round(&mut self, model: &mut Model) -> Result<(), SolveError> {
         let (growth, most) = if self.iterations < PATIENCE { PATIENT } else { HURRIED };
+        let growth = Lane::min(growth, self.most / self.rho);
         self.rho *= growth;
         model.hard.divide_shifts(growth);
         let scales = model.scales(self.rho);

@@ -4,13 +4,17 @@
 use super::model::Model;
 use super::normal_space::{BAND, Differences, Linear};
 use crate::constraint::Row;
+use crate::math::Lane;
 use crate::solve::error::SolveError;
 use crate::solve::system::System;
 use crate::sparse::{BlockMatrix, UpperTriangle};
 
 /// The stiffness of the springs beside that of the metric. The weakest combinations of constraints have 1e-5 of the
 /// stiffness of one alone, and each pass of the multipliers contracts by one over the product.
-const STIFFNESS: f64 = 1e8 / 10.0;
+const STIFFEST: f64 = 1e7;
+
+/// The least stiffness, of steps that are far from least change and short.
+const SOFTEST: f64 = 1e1;
 
 /// What is added to the metric of each node, as a part of the mean: something has to hold what nothing holds.
 const HELD: f64 = 1e-3;
@@ -38,7 +42,9 @@ pub(super) struct BlockSystem {
     fixed: Vec<bool>,
     /// The block node of each vertex.
     node_of: Vec<u32>,
+    /// Of the springs, and at most and at least.
     stiffness: f64,
+    unit: f64,
     batches: Vec<LinearBatch>,
     /// Room for a gradient.
     gradient: Vec<Row>,
@@ -82,7 +88,8 @@ impl BlockSystem {
             metric,
             fixed,
             node_of,
-            stiffness: STIFFNESS * unit / hard,
+            stiffness: STIFFEST * unit / hard,
+            unit: unit / hard,
             batches: batches.collect(),
             gradient: vec![[0.0; 4]; n],
         }
@@ -91,6 +98,17 @@ impl BlockSystem {
     /// The block node of each vertex.
     pub(super) fn node_of(&self) -> &[u32] {
         &self.node_of
+    }
+
+    /// Whether steps meet the linearised constraints.
+    pub(super) fn is_stiffest(&self) -> bool {
+        self.stiffness >= STIFFEST * self.unit
+    }
+
+    /// Makes the springs so many times as stiff, within limits; takes effect with the next factor.
+    pub(super) fn stiffen(&mut self, times: f64) {
+        let [least, most] = [SOFTEST, STIFFEST].map(|stiffness| stiffness * self.unit);
+        self.stiffness = Lane::max(Lane::min(self.stiffness * times, most), least);
     }
 
     /// How many nodes there are.
@@ -147,11 +165,12 @@ impl BlockSystem {
     /// The least change `dx`, `#nodes`, in the metric of the energies that meets the linearised constraints with the
     /// residuals at hand.
     pub(super) fn least_change(&mut self, dx: &mut [Row]) {
-        const PASSES: usize = 7;
+        // Softer springs are for shorter steps: no multipliers then.
+        let passes = if self.is_stiffest() { 7 } else { 1 };
         dx.fill([0.0; 4]);
         self.batches.iter_mut().for_each(|batch| batch.multipliers.fill(0.0));
         let before = self.update_images(dx);
-        for pass in 1..=PASSES {
+        for pass in 1..=passes {
             let mut gradient = std::mem::take(&mut self.gradient);
             multiply(&self.metric, dx, &mut gradient);
             for batch in &self.batches {

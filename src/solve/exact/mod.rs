@@ -41,19 +41,23 @@ use super::setup_cache::SetupCache;
 use crate::constraint::Row;
 use crate::mesh::Point;
 use crate::sparse::BlockMatrix;
-use approach::Approach;
+use approach::{Approach, PATIENCE};
 use model::Model;
 use polish::{Polish, Polished};
 
-/// The approach ends at this part of the size, and the polish begins.
+/// The approach ends at this part of the size, and the polish begins; or at that part, where it was long.
 const NEAR: f64 = 1e-5;
+const NEAR_ENOUGH: f64 = 1e-4;
 
 /// Where the polish fails the approach goes on, so many times nearer; not below the last.
-const NEARER: f64 = 0.1;
+const NEARER: f64 = 0.3;
 const NEAREST: f64 = 1e-7;
 
-/// The polish ends at this part of the size.
-const MET: f64 = 1e-12;
+/// So often the polish is tried in a row.
+const POLISHES: u32 = 2;
+
+/// The polish ends at this part of the diagonal of the bounding box: 1e-12 of the bounding sphere.
+const MET: f64 = 5e-13;
 
 /// The factor of the polish takes at most so many bytes; larger problems end with the approach.
 const MOST_BYTES: usize = 400_000_000;
@@ -86,6 +90,9 @@ pub struct Exact {
     began: (u32, Vec<Row>),
     most_iterations: u32,
     can_polish: bool,
+    /// Approaches that have ended, and polishes after the last one.
+    tries: u32,
+    polishes: u32,
     /// The least worst excess so far, and where.
     best: (f64, Vec<Row>),
     seconds: f64,
@@ -120,9 +127,12 @@ impl Exact {
             began: (0, Vec::new()),
             most_iterations: requirements.iterations,
             can_polish,
+            tries: 0,
+            polishes: 0,
             seconds: 0.0,
         };
-        if worst <= exact.goal() || exact.model.parts.system.unknowns() == 0 {
+        let met = if can_polish { worst <= exact.goal() } else { exact.is_met() };
+        if met || exact.model.holding.fixed.iter().all(|fixed| *fixed) {
             exact.stage = Stage::Ended;
         } else if worst <= near && can_polish {
             exact.begin_polish();
@@ -131,10 +141,9 @@ impl Exact {
         exact
     }
 
-    /// The excess at which all is done.
+    /// The excess at which the polish is done: what coordinates have digits for, at most.
     fn goal(&self) -> f64 {
-        let parts = &self.model.parts;
-        if self.can_polish { (MET * parts.extent).max(0.01 * self.model.tolerance()) } else { 0.0 }
+        (MET * self.model.parts.extent).max(self.model.rounding())
     }
 
     /// One iteration of the approach, or one step of the polish; nothing once it has ended.
@@ -149,7 +158,7 @@ impl Exact {
             Stage::Ended => Ok(()),
         };
         if result.is_err() {
-            self.stage = Stage::Ended;
+            self.end();
         }
         self.seconds += clock::now() - started;
         result.map(|()| self.stage)
@@ -178,6 +187,9 @@ impl Exact {
         }
         self.stage = Stage::Round;
         let worst = self.keep_best();
+        if self.approach.iterations >= PATIENCE && self.tries == 0 {
+            self.near = NEAR_ENOUGH * self.model.parts.extent;
+        }
         let near = if self.can_polish { worst <= self.near } else { self.is_met() };
         if near || self.approach.iterations >= self.most_iterations {
             self.end_approach();
@@ -207,8 +219,9 @@ impl Exact {
     fn begin_polish(&mut self) {
         let model = &mut self.model;
         let polish = self.polish.get_or_insert_with(|| Polish::new(model));
-        polish.restart();
+        polish.restart(false);
         self.began = (polish.factors, model.x.clone());
+        (self.tries, self.polishes) = (self.tries + 1, 1);
         self.stage = Stage::Polish;
     }
 
@@ -216,9 +229,7 @@ impl Exact {
         let Some(polish) = &mut self.polish else { return Ok(()) };
         let polished = polish.step(&mut self.model, self.began.0)?;
         let worst = self.keep_best();
-        if worst <= self.goal() {
-            self.end();
-        } else if polished == Polished::Contradicts {
+        if worst <= self.goal() || polished == Polished::Contradicts {
             self.end();
         } else if polished == Polished::Ended {
             self.polish_failed();
@@ -226,8 +237,17 @@ impl Exact {
         Ok(())
     }
 
-    /// Comes nearer by the approach, if that may go on.
+    /// Tries again from the best positions with steps that gain; then comes nearer by the approach, if that may go on.
     fn polish_failed(&mut self) {
+        if let Some(polish) = &mut self.polish
+            && self.polishes < POLISHES
+        {
+            self.model.x.copy_from_slice(&self.best.1);
+            polish.restart(true);
+            self.began.0 = polish.factors;
+            self.polishes += 1;
+            return;
+        }
         let nearer = NEARER * self.near;
         let is_far = self.best.0 > self.model.tolerance();
         if is_far

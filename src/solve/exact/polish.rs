@@ -10,6 +10,11 @@ use crate::solve::error::SolveError;
 const MOST_FACTORS: u32 = 12;
 const MOST_STEPS: u32 = 8;
 
+/// Where only steps that gain are taken: after one that was cut, the springs are so many times softer, after one
+/// that was not, stiffer.
+const SOFTER: f64 = 30.0;
+const STIFFER: f64 = 10.0;
+
 /// A step is halved down to this.
 const SHORTEST: f64 = 0.125;
 
@@ -25,6 +30,8 @@ pub(super) struct Polish {
     left: u32,
     /// How often a full step with a fresh factor has gained nothing, as the linear model said.
     stuck: u32,
+    /// Whether only steps that gain are taken.
+    damped: bool,
 }
 
 /// What a step has come to.
@@ -50,12 +57,14 @@ impl Polish {
             steps: 0,
             left: 0,
             stuck: 0,
+            damped: false,
         }
     }
 
-    /// Begins anew from other positions.
-    pub(super) fn restart(&mut self) {
-        (self.left, self.stuck) = (0, 0);
+    /// Begins anew from other positions: with bold steps, or with those that gain, which are shorter by softer springs.
+    pub(super) fn restart(&mut self, damped: bool) {
+        (self.left, self.stuck, self.damped) = (0, 0, damped);
+        self.system.stiffen(f64::INFINITY);
     }
 
     /// One step, with a new factor where the last one has served.
@@ -78,29 +87,33 @@ impl Polish {
         self.system.least_change(&mut self.dx);
         let predicted = self.system.predicted();
         let noise = 1e-14 * model.parts.extent;
-        let (mut t, mut after);
-        t = 1.0;
-        loop {
+        let mut t = 1.0;
+        let after = loop {
             self.displace(model, t);
-            after = self.system.residuals(model, &self.next);
+            let after = self.system.residuals(model, &self.next);
             let enough = before - 0.1 * t * (before - predicted);
             if after < enough || after < noise || t <= SHORTEST {
-                break;
+                break after;
             }
             t *= 0.5;
+        };
+        // Written so that NaN gains nothing.
+        let gains = after < before || after < noise;
+        if gains || (!self.damped && after.is_finite()) {
+            std::mem::swap(&mut model.x, &mut self.next);
         }
-        if !after.is_finite() {
-            return Ok(Polished::Ended);
-        }
-        std::mem::swap(&mut model.x, &mut self.next);
-        let stands = (after - before).abs() < 1e-3 * before && predicted > 0.9 * before;
-        if fresh && t == 1.0 && stands {
-            self.stuck += 1;
+        if fresh && t == 1.0 && self.system.is_stiffest() {
+            let stands = (after - before).abs() < 1e-3 * before && predicted > 0.9 * before;
+            self.stuck = if stands { self.stuck + 1 } else { 0 };
             if self.stuck == 3 {
                 return Ok(Polished::Contradicts);
             }
         }
-        if after > 0.3 * before {
+        if self.damped && (!gains || t < 1.0) {
+            self.system.stiffen(1.0 / SOFTER);
+            self.left = 0;
+        } else if after > 0.3 * before || !self.system.is_stiffest() {
+            self.system.stiffen(STIFFER);
             self.left = 0;
         }
         Ok(Polished::Goes)
