@@ -72,6 +72,32 @@ const told = () => ({
   moduleParsed: ({ id }) => assertTold(id),
 });
 
+/**
+ * A style sheet is in the layer of its room, so that a room overrules those below it whatever its
+ * selectors are, and whenever it is loaded; what libraries bring is below all.
+ */
+const LAYERS = ['library', 'ui', 'panels', 'features', 'app', 'pages'];
+/** Tokens that are the same everywhere are written out: they cost nobody a byte. */
+const constants = Object.fromEntries(
+  [
+    ...readFileSync(at('www', 'ui', 'styles', 'base.css'), 'utf8').matchAll(
+      /^\s*(--[\w-]+): (\d+px);/gm,
+    ),
+  ].map(([, name, value]) => [name, value]),
+);
+const layers = {
+  name: 'layers',
+  enforce: 'pre',
+  transform(code, id) {
+    if (!/\.css($|\?)/.test(id)) return null;
+    const room = /\/www\/(\w+)\//.exec(id)?.[1] ?? 'library';
+    if (!LAYERS.includes(room)) throw new Error(`${id}: no layer is that of ${room}/`);
+    // Whichever comes first says the order.
+    const plain = code.replace(/var\((--[\w-]+)\)/g, (use, name) => constants[name] ?? use);
+    return `@layer ${LAYERS.join(', ')};\n@layer ${room} {\n${plain}\n}`;
+  },
+};
+
 /** The pages of the site. */
 const pages = ['index', 'gallery', 'projections', 'licences'];
 
@@ -90,7 +116,7 @@ export default {
   base: './',
   define: { 'import.meta.env.SOLVER_BYTES': String(solverBytes) },
   publicDir: false,
-  plugins: [examples, picture, readingHead, licences, inlineScripts, told()],
+  plugins: [layers, examples, picture, readingHead, licences, inlineScripts, told()],
   build: {
     outDir: at('dist'),
     emptyOutDir: true,
