@@ -15,7 +15,7 @@ import { viewCommands } from '../features/view-tools/view-commands.js';
  * @returns {Command[]}
  */
 export function commandTable(app) {
-  const { store, solver, viewport, pointer, files, actions, alerts, fileInput, help } = app;
+  const { store, viewport, pointer, files, actions, alerts, fileInput, help } = app;
   const hasFaces = (/** @type {State} */ { model }) => (model?.faces ?? 0) > 0;
 
   function fitSelection() {
@@ -107,7 +107,7 @@ export function commandTable(app) {
       action: () =>
         actions.reportErrors(
           import('../features/add-constraint/dialog-add-constraint.js').then(
-            ({ toggleAddConstraint }) => toggleAddConstraint(store, solver, actions),
+            ({ toggleAddConstraint }) => toggleAddConstraint(app),
           ),
         ),
       needsModel: true,
@@ -152,7 +152,7 @@ export function commandTable(app) {
       action: () => store.set({ tool: 'select' }),
       pressed: ({ tool }) => tool === 'select',
     },
-    ...selectCommands(store),
+    ...selectCommands(app),
     {
       id: 'mode-vertices',
       group: 'Tools',

@@ -54,7 +54,7 @@ export function loadWhenNeeded(app, selecting) {
     ({ example }) => example?.experiment,
     () =>
       import('../features/experiment/offer.js').then((it) =>
-        it.offerExperiment(byId('experiment'), store, solver, alerts),
+        it.offerExperiment(byId('experiment'), app),
       ),
   );
   when(

@@ -75,7 +75,7 @@ bindViewKeys(viewport);
 const { fit } = colourFaces(store, solver);
 colourRows(store, solver, actions);
 
-const hold = new HoldOriginal(store, solver);
+const hold = new HoldOriginal(store, actions);
 const app = { store, solver, viewport, files, actions, alerts, hold };
 viewport.once('ready', showLegend);
 modelPanel(byId('model'), app, () => analysis.bring('log'));

@@ -3,15 +3,16 @@
  * them follow or fixes them.
  */
 
-import { element, icon } from '../ui/dom.js';
+import { button, closeButton } from '../ui/controls/fields.js';
+import { element } from '../ui/dom.js';
 import { count } from '../ui/format.js';
-import { NOTHING } from '../store/selection.js';
 
 /** Of their dots, sRGB bytes. @type {[number, number, number]} */
 const COLOUR = [214, 132, 24];
+const SMALL = { class: 'small bordered' };
 
 /** @param {import("../app/context.js").AppContext} app */
-export function watchFreeVertices({ store, solver, actions }) {
+export function watchFreeVertices({ store, actions }) {
   const place = element('div', { 'aria-live': 'polite' });
   document.getElementById('messages')?.append(place);
   /** What is shown of them. @type {import("../store/state.js").Tint | null} */
@@ -21,7 +22,7 @@ export function watchFreeVertices({ store, solver, actions }) {
 
   function clear() {
     place.replaceChildren();
-    if (store.get().tint === tint) store.set({ tint: null });
+    if (store.get().tint === tint) actions.tint(null);
     tint = null;
   }
 
@@ -37,15 +38,15 @@ export function watchFreeVertices({ store, solver, actions }) {
       from: {},
       params: {},
     };
-    const found = await actions.reportErrors(solver.request({ type: 'select', request }));
+    const found = await actions.reportErrors(actions.find(request));
     if (!found || store.get().model !== model || reported !== free) return;
     tint = { vertices: found.vertices, faces: new Uint32Array(0), colour: COLOUR };
-    store.set({ tint });
+    actions.tint(tint);
     place.replaceChildren(message(free, [...found.vertices]));
   });
   // Pointing at a constraint tints what it acts on.
   store.subscribe(['tint'], (now) => {
-    if (tint && !now.tint) store.set({ tint });
+    if (tint && !now.tint) actions.tint(tint);
   });
 
   /**
@@ -53,8 +54,6 @@ export function watchFreeVertices({ store, solver, actions }) {
    * @param {number[]} vertices
    */
   function message(free, vertices) {
-    const button = (/** @type {string} */ label, /** @type {() => unknown} */ onclick) =>
-      element('button.small.bordered', { onclick }, label);
     const stand =
       free === 1
         ? 'vertex stands still: nothing acts on it.'
@@ -63,12 +62,10 @@ export function watchFreeVertices({ store, solver, actions }) {
       'div.message.notice',
       { role: 'group', 'aria-label': 'Vertices that stand still' },
       element('p', `${count(free, stand, stand)}`),
-      button('Let them follow', () => actions.edit({ type: 'preset', id: 'opened' })),
-      button('Fix them', () => actions.addHandles(vertices, true)),
-      button('Select', () => {
-        store.set({ mode: 'vertices', selection: { ...NOTHING, vertices: new Set(vertices) } });
-      }),
-      element('button.tiny', { 'aria-label': 'Close', onclick: clear }, icon('close')),
+      button('Let them follow', () => actions.edit({ type: 'preset', id: 'opened' }), SMALL),
+      button('Fix them', () => actions.addHandles(vertices, true), SMALL),
+      button('Select', () => actions.select({ vertices, faces: [] }), SMALL),
+      closeButton('Close', clear),
     );
   }
 }

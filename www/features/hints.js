@@ -4,7 +4,8 @@
  * when it opens. How well it is solved is said as it is now, also while somebody drags.
  */
 
-import { RENEW_MS, byId, element, icon, leave, setText, throttled } from '../ui/dom.js';
+import { closeButton } from '../ui/controls/fields.js';
+import { RENEW_MS, byId, element, leave, setText, throttled } from '../ui/dom.js';
 import {
   declared,
   measureOfScene,
@@ -33,11 +34,7 @@ export function firstHints(card, store) {
   // index.html hides it then.
   if (recall(KEY) === 'done') return;
   const text = element('p.step');
-  const close = element(
-    'button.tiny',
-    { 'aria-label': 'Dismiss hint', onclick: () => finish() },
-    icon('close'),
-  );
+  const close = closeButton('Dismiss hint', () => finish());
   byId('claim').after(text, close);
   /** Hints that have been followed. */
   let at = 0;

@@ -11,20 +11,18 @@ const LONG_PRESS_MS = 300;
 
 export class HoldOriginal {
   #store;
-  #solver;
+  #actions;
   #isHeld = false;
-  /** Where the vertices of a model were, `#V by 3`. @type {{ model: unknown, positions: Float64Array } | null} */
-  #original = null;
   /** What the status was before. */
   #status = '';
 
   /**
    * @param {import("../store/state.js").Store} store
-   * @param {import("../solver/solver-client.js").SolverClient} solver
+   * @param {import("../store/actions.js").Actions} actions
    */
-  constructor(store, solver) {
+  constructor(store, actions) {
     this.#store = store;
-    this.#solver = solver;
+    this.#actions = actions;
     for (const type of ['keyup', 'blur', 'pointerup', 'pointercancel'])
       window.addEventListener(type, () => this.end());
   }
@@ -37,13 +35,13 @@ export class HoldOriginal {
     this.#status = status;
     try {
       const [positions, values] = await Promise.all([
-        this.#positionsOf(model),
-        measure ? this.#solver.request({ type: 'faceValues', measure, original: true }) : null,
+        this.#actions.originalPositions(),
+        measure ? this.#actions.faceValues(measure, true) : null,
       ]);
       if (!this.#isHeld || this.#store.get().model !== model) return;
-      this.#store.set({ heldOriginal: { positions, values }, status: STATUS });
+      this.#actions.look({ heldOriginal: { positions, values }, status: STATUS });
     } catch (error) {
-      this.#store.set({ status: messageOf(error) });
+      this.#actions.setStatus(messageOf(error));
     }
   }
 
@@ -52,7 +50,7 @@ export class HoldOriginal {
     this.#isHeld = false;
     const { heldOriginal, status } = this.#store.get();
     if (!heldOriginal) return;
-    this.#store.set({ heldOriginal: null, status: status === STATUS ? this.#status : status });
+    this.#actions.look({ heldOriginal: null, status: status === STATUS ? this.#status : status });
   }
 
   /**
@@ -84,14 +82,5 @@ export class HoldOriginal {
     button.addEventListener('keydown', ({ key }) => {
       if (key === ' ' || key === 'Enter') this.begin();
     });
-  }
-
-  /** @param {unknown} model the one that is open */
-  async #positionsOf(model) {
-    const known = this.#original;
-    if (known && known.model === model) return known.positions;
-    const positions = await this.#solver.request({ type: 'originalPositions' });
-    this.#original = { model, positions };
-    return positions;
   }
 }

@@ -5,10 +5,10 @@ const BRUSH_FACTOR = 1.25;
 const BRUSH = [4, 120];
 
 /**
- * @param {import("../store/state.js").Store} store
+ * @param {import("../app/context.js").AppContext} app
  * @returns {import("../app/context.js").Command[]}
  */
-export function selectCommands(store) {
+export function selectCommands({ store, actions }) {
   const shape = (
     /** @type {import("../store/state.js").State["shape"]} */ id,
     /** @type {string} */ label,
@@ -18,7 +18,7 @@ export function selectCommands(store) {
     group: 'Select',
     label,
     keys: [key],
-    action: () => store.set({ tool: 'select', shape: id }),
+    action: () => actions.useTool({ tool: 'select', shape: id }),
   });
   const brush = (
     /** @type {string} */ id,
@@ -32,7 +32,7 @@ export function selectCommands(store) {
     keys: [key],
     action: () => {
       const radius = Math.round(store.get().brush * factor);
-      store.set({ brush: Math.min(Math.max(radius, BRUSH[0]), BRUSH[1]) });
+      actions.useTool({ brush: Math.min(Math.max(radius, BRUSH[0]), BRUSH[1]) });
     },
   });
   return [
@@ -46,7 +46,7 @@ export function selectCommands(store) {
       group: 'Select',
       label: 'Also what the surface hides',
       keys: ['T'],
-      action: () => store.set({ through: !store.get().through }),
+      action: () => actions.useTool({ through: !store.get().through }),
     },
   ];
 }

@@ -5,7 +5,8 @@
  */
 
 import '../ui/styles/lists.css';
-import { element, icon, setText } from '../ui/dom.js';
+import { button, closeButton } from '../ui/controls/fields.js';
+import { element, setText } from '../ui/dom.js';
 import { count, length, limit } from '../ui/format.js';
 import { movedInWords } from '../store/measures.js';
 import { showElements } from '../viewport/reveal-elements.js';
@@ -26,7 +27,7 @@ export function watchConditions(app) {
 
   async function lookForFlatFaces() {
     if (!store.get().model?.faces) return;
-    const found = await solver.request({ type: 'flawed', flaw: ZERO_SIZE }).catch(() => null);
+    const found = await actions.flawed(ZERO_SIZE).catch(() => null);
     const before = flat;
     flat = found?.faces.length ?? 0;
     if (!found || flat === 0 || flat === before) return;
@@ -60,23 +61,22 @@ export function watchConditions(app) {
       return;
     }
     const row = scene.constraints[errors.indexOf(greatest)];
-    const request = { measure: null, row: row.index, count: 1 };
-    const [worst] = await solver.request({ type: 'worst', ...request }).catch(() => []);
+    const [worst] = await actions.worst({ measure: null, row: row.index }, 1).catch(() => []);
     if (!worst || store.get().document !== scene || store.get().running) return;
     const far = length(worst.value, scene.units, allowed);
     const what = `Worst: ${row.label} on ${worst.element}, ${far}; the tolerance is ${most}.`;
     const group = showMessage(
       // The verdict on the panels has said the rest.
       cardOfPanels() ? 'Solved as far as possible.' : `Solved as far as possible. ${what}${cost}`,
-      button('Show it', () => showElements(app, worst)),
+      offer('Show it', () => showElements(app, worst)),
     );
     const waiting = element('p.quiet', 'Looking for what would help …');
     group.append(waiting);
-    const remedies = await solver.request({ type: 'remedies' }).catch(() => []);
+    const remedies = await actions.remedies().catch(() => []);
     const helping = remedies
       .slice(0, MOST_REMEDIES)
       .map(({ label, edit, worst }) =>
-        button(
+        offer(
           `${label}: ${length(worst, scene.units, allowed)}`,
           () => take(edit),
           'To so much the worst distance went when it was tried',
@@ -95,13 +95,12 @@ export function watchConditions(app) {
    * @param {() => unknown} action
    * @param {string} [title]
    */
-  function button(label, action, title = '') {
+  function offer(label, action, title = '') {
     const onclick = () => {
       clear();
       action();
     };
-    const attributes = { type: 'button', class: 'small bordered', title, onclick };
-    return element('button', attributes, label);
+    return button(label, onclick, { class: 'small bordered', title });
   }
 
   /**
@@ -122,8 +121,7 @@ export function watchConditions(app) {
       card.append(group);
     } else {
       group.classList.add('message', 'notice');
-      const cross = { type: 'button', class: 'tiny', 'aria-label': 'Dismiss the verdict' };
-      group.append(element('button', { ...cross, onclick: clear }, icon('close')));
+      group.append(closeButton('Dismiss the verdict', clear));
       place.append(group);
     }
     shown = group;
@@ -137,7 +135,7 @@ export function watchConditions(app) {
 
   /** Makes a change that helps, and goes on. @param {import("../solver/messages.js").Edit} edit */
   async function take(edit) {
-    if ((await actions.edit(edit)) !== undefined) solver.send({ type: 'run' });
+    if ((await actions.edit(edit)) !== undefined) actions.run();
   }
 
   let wasRunning = false;

@@ -1,31 +1,90 @@
-/** Questions to the solver, which change nothing. Those without a note say themselves what went wrong. */
+/** Questions to the solver, which change nothing. Each rejects with what the solver says, or reports it. */
+
+/** @typedef {import("../solver/messages.js").Measure} Measure */
+/** @typedef {"errors" | "convergence" | "angles"} Table */
 
 /**
  * @param {import("../solver/solver-client.js").SolverClient} solver
  * @param {<T>(promise: Promise<T>) => Promise<T | undefined>} reportErrors
  */
 export function createQueries(solver, reportErrors) {
+  /** The shape that was opened. @type {Promise<Float64Array> | null} */
+  let original = null;
+  solver.on('model', () => (original = null));
+
   return {
-    /** What a constraint acts on. @param {import("../solver/messages.js").ConstraintRow} row */
+    /** What a constraint acts on; reports. @param {import("../solver/messages.js").ConstraintRow} row */
     members: ({ index }) => reportErrors(solver.request({ type: 'members', constraint: index })),
 
-    /** The elements that a problem of the file is about. @param {string} flaw */
-    flawed: (flaw) => reportErrors(solver.request({ type: 'flawed', flaw })),
+    /** The elements that a problem of the mesh is about. @param {string} flaw */
+    flawed: (flaw) => solver.request({ type: 'flawed', flaw }),
 
     /**
      * The worst elements by a measure, or of a constraint.
-     * @param {{ measure: import("../solver/messages.js").Measure | null, row: number | null }} about
+     * @param {{ measure: Measure | null, row: number | null }} about
      * @param {number} count
      */
-    worst: (about, count) => reportErrors(solver.request({ type: 'worst', ...about, count })),
+    worst: (about, count) => solver.request({ type: 'worst', ...about, count }),
 
-    /** Corners of faces by their angles, originally and now. */
+    /** Elements by what the mesh is like. @param {import("../solver/messages.js").SelectRequest} request */
+    find: (request) => solver.request({ type: 'select', request }),
+
+    /** What each kind would make at these places. @param {import("../solver/messages.js").Selector[]} places */
+    previews: (places) => reportErrors(solver.request({ type: 'previews', places })),
+
+    /** Corners of faces by their angles, originally and now; reports. */
     angles: () => reportErrors(solver.request({ type: 'angles' })),
 
-    /** The energies of each iteration; null of a solver that has stopped, which says so itself. */
-    trace: () => solver.request({ type: 'trace' }).catch(() => null),
+    /** The energies of each iteration. */
+    trace: () => solver.request({ type: 'trace' }),
 
-    /** A table as CSV; rejects. @param {"errors" | "convergence" | "angles"} table */
+    /** How many panels are within the tolerance. @param {number} tolerance */
+    verdict: (tolerance) => solver.request({ type: 'verdict', tolerance }),
+
+    /** Changes that would bring the worst constraint nearer. */
+    remedies: () => solver.request({ type: 'remedies' }),
+
+    /** Where the vertices were when the model was opened, `#V by 3`: asked once. */
+    originalPositions: () =>
+      (original ??= solver.request({ type: 'originalPositions' }).catch((error) => {
+        original = null;
+        throw error;
+      })),
+
+    /** Values of the faces. @param {Measure} measure @param {boolean} original those that it had when opened */
+    faceValues: (measure, original) => solver.request({ type: 'faceValues', measure, original }),
+
+    /** Values of the vertices, where the measure has any. @param {Measure} measure */
+    cornerValues: (measure) => solver.request({ type: 'cornerValues', measure }),
+
+    /**
+     * A flat map of the shape as it is.
+     * @param {import("../solver/messages.js").MapWeights} weights
+     * @param {import("../solver/messages.js").MapNorm} norm
+     */
+    parametrize: (weights, norm) => solver.request({ type: 'parametrize', weights, norm }),
+
+    /** A table as CSV. @param {Table} table */
     table: (table) => solver.request({ type: 'table', table }),
+
+    /** The text of the scene. */
+    sceneText: () => solver.request({ type: 'scene' }),
+
+    /**
+     * Runs the methods of an example's experiment one after another; their samples come as events.
+     * @param {string} example
+     * @param {import("../solver/messages.js").NamedBytes[]} files its scene and its mesh
+     * @param {number} iterations at most
+     */
+    runExperiment: (example, files, iterations) =>
+      solver.request({ type: 'runExperiment', example, files, iterations }),
+
+    cancelExperiment: () => solver.send({ type: 'cancelExperiment' }),
+
+    /** The samples of the experiment that ran last, as CSV. */
+    experimentCsv: () => solver.request({ type: 'experimentCsv' }),
+
+    /** What is handed in of a lesson. @param {string} student @param {string} time */
+    results: (student, time) => solver.request({ type: 'results', student, time }),
   };
 }

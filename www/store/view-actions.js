@@ -33,8 +33,11 @@ export function createViewActions(store) {
     /** @param {State["tint"]} tint */
     tint: (tint) => store.set({ tint }),
 
-    /** @param {Partial<Pick<State, "tool" | "shape" | "through" | "brush">>} tool */
+    /** @param {Partial<Pick<State, "tool" | "shape" | "through" | "brush" | "tape">>} tool */
     useTool: (tool) => store.set(tool),
+
+    /** What is shown in another way, or beside the model. @param {Partial<Pick<State, "parallel" | "split" | "flatMap" | "heldOriginal" | "status">>} look */
+    look: (look) => store.set(look),
 
     /**
      * Selects faces where there are any, else edges, else vertices, and nothing else.

@@ -28,19 +28,16 @@ let dialog;
 
 /**
  * Opens the dialog, or closes it when it is open.
- * @param {import("../../store/state.js").Store} store
- * @param {import("../../solver/solver-client.js").SolverClient} solver
- * @param {import("../../store/actions.js").Actions} actions
+ * @param {import("../../app/context.js").AppContext} app
  */
-export function toggleAddConstraint(store, solver, actions) {
-  dialog ??= new AddConstraintDialog(byId('add-constraint'), store, solver, actions);
+export function toggleAddConstraint(app) {
+  dialog ??= new AddConstraintDialog(byId('add-constraint'), app);
   return dialog.toggle();
 }
 
 class AddConstraintDialog {
   #dialog;
   #store;
-  #solver;
   #actions;
   #kinds = new KindChoices((kind) => {
     this.#kindId = kind.id;
@@ -78,14 +75,11 @@ class AddConstraintDialog {
 
   /**
    * @param {HTMLDialogElement} dialog
-   * @param {import("../../store/state.js").Store} store
-   * @param {import("../../solver/solver-client.js").SolverClient} solver
-   * @param {import("../../store/actions.js").Actions} actions
+   * @param {import("../../app/context.js").AppContext} app
    */
-  constructor(dialog, store, solver, actions) {
+  constructor(dialog, { store, actions }) {
     this.#dialog = dialog;
     this.#store = store;
-    this.#solver = solver;
     this.#actions = actions;
     dialog.replaceChildren(
       dialogHead(dialog, 'add-constraint-title', 'New constraint'),
@@ -163,8 +157,7 @@ class AddConstraintDialog {
   async #ask() {
     const question = ++this.#question;
     const places = this.#allPlaces();
-    const request = { type: /** @type {const} */ ('previews'), places: places.map(({ on }) => on) };
-    const previews = await this.#actions.reportErrors(this.#solver.request(request));
+    const previews = await this.#actions.previews(places.map(({ on }) => on));
     if (question !== this.#question || !previews) return;
     this.#offers = new Map();
     this.#store.get().kinds.forEach((kind, k) => {
@@ -304,7 +297,7 @@ class AddConstraintDialog {
     );
     if (added === undefined) return;
     this.#dialog.close();
-    if (event.submitter === this.#addAndRun) this.#solver.send({ type: 'run' });
+    if (event.submitter === this.#addAndRun) this.#actions.run();
     const { label } = this.#store.get().kinds.find(({ id }) => id === kind) ?? {};
     this.#actions.setStatus(`Added ${count(offer.preview.constraints, 'constraint')}: ${label}`);
   }

@@ -8,17 +8,17 @@ import { messageOf } from '../../solver/messages.js';
 
 /**
  * @param {HTMLElement} place
- * @param {import("../../store/state.js").Store} store
- * @param {import("../../solver/solver-client.js").SolverClient} solver
- * @param {import("../../ui/controls/alerts.js").Alerts} alerts
+ * @param {import("../../app/context.js").AppContext} app
  */
-export function offerExperiment(place, store, solver, alerts) {
+export function offerExperiment(place, app) {
+  const { store, alerts } = app;
+
   async function open() {
     const { example } = store.get();
     if (!example?.experiment) return;
     try {
       const { ExperimentDialog } = await import('./plots-dialog.js');
-      new ExperimentDialog(example, example.experiment, store, solver).open();
+      new ExperimentDialog(example, example.experiment, app).open();
     } catch (error) {
       alerts.error(`The experiment could not be loaded: ${messageOf(error)}`);
     }

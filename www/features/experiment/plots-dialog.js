@@ -1,5 +1,6 @@
 /** The dialog of an experiment: runs its methods one after another and shows how far each one comes. */
 
+import { button } from '../../ui/controls/fields.js';
 import { element, setText, throttled } from '../../ui/dom.js';
 import { exampleFile } from '../../solver/examples.js';
 import { saveFile } from '../../ui/save-file.js';
@@ -23,6 +24,7 @@ export class ExperimentDialog {
   #experiment;
   #store;
   #solver;
+  #actions;
   #dialog;
   /** @type {Series[]} */
   #series = [];
@@ -36,7 +38,7 @@ export class ExperimentDialog {
   #status = element('p.experiment-status.quiet', { role: 'status' });
   #progress = element('progress', { 'aria-label': 'Progress' });
   #run = element('button.primary', { onclick: () => this.#runOrCancel() }, 'Run all');
-  #csv = element('button.bordered', { onclick: () => this.#saveCsv(), disabled: true }, 'Save CSV');
+  #csv = button('Save CSV', () => this.#saveCsv(), { disabled: true });
   #rows = element('tbody');
   /** @type {Chart[]} */
   #charts = [];
@@ -46,23 +48,18 @@ export class ExperimentDialog {
   /**
    * @param {Example} example
    * @param {Experiment} experiment
-   * @param {import("../../store/state.js").Store} store
-   * @param {import("../../solver/solver-client.js").SolverClient} solver
+   * @param {import("../../app/context.js").AppContext} app
    */
-  constructor(example, experiment, store, solver) {
+  constructor(example, experiment, { store, solver, actions }) {
     this.#example = example;
     this.#experiment = experiment;
     this.#store = store;
     this.#solver = solver;
+    this.#actions = actions;
     this.#limits = { ...experiment.limits };
     this.#most = element('input', {
-      type: 'number',
-      id: 'experiment-iterations',
-      min: 1,
-      max: 100_000,
-      step: 1,
-      required: true,
-      value: experiment.limits.iterations,
+      ...{ type: 'number', id: 'experiment-iterations', min: 1, max: 100_000, step: 1 },
+      ...{ required: true, value: experiment.limits.iterations },
     });
     this.#draw = throttled(DRAW_EVERY_MS, () => this.#drawNow());
     this.#dialog = element(
@@ -119,14 +116,14 @@ export class ExperimentDialog {
   }
 
   #closed() {
-    if (this.#running) this.#solver.send({ type: 'cancelExperiment' });
+    if (this.#running) this.#actions.cancelExperiment();
     this.#stops.forEach((stop) => stop());
     this.#charts.forEach((chart) => chart.destroy());
     this.#dialog.remove();
   }
 
   async #runOrCancel() {
-    if (this.#running) return this.#solver.send({ type: 'cancelExperiment' });
+    if (this.#running) return this.#actions.cancelExperiment();
     if (!this.#most.reportValidity()) return;
     this.#limits.iterations = this.#most.valueAsNumber;
     this.#series = [];
@@ -138,9 +135,7 @@ export class ExperimentDialog {
           bytes: await exampleFile(name),
         })),
       );
-      const iterations = this.#limits.iterations;
-      const { id: example } = this.#example;
-      await this.#solver.request({ type: 'runExperiment', example, files, iterations });
+      await this.#actions.runExperiment(this.#example.id, files, this.#limits.iterations);
     } catch (error) {
       this.#fail(messageOf(error));
     }
@@ -188,7 +183,7 @@ export class ExperimentDialog {
 
   async #saveCsv() {
     try {
-      const text = await this.#solver.request({ type: 'experimentCsv' });
+      const text = await this.#actions.experimentCsv();
       saveFile(`${this.#example.id}.csv`, text, 'text/csv');
     } catch (error) {
       setText(this.#status, `The table could not be saved: ${messageOf(error)}`);

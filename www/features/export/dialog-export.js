@@ -1,6 +1,7 @@
 /** The dialog of Export: what can be taken away, grouped by what it is for. */
 
 import { openDialog } from '../../ui/controls/dialog.js';
+import { checkbox } from '../../ui/controls/fields.js';
 import { element, setText } from '../../ui/dom.js';
 import { messageOf } from '../../solver/messages.js';
 import { pictureOf, pictureSize } from './picture.js';
@@ -14,7 +15,7 @@ const picture = { scale: 2, legend: true, white: false };
 
 /** @param {import("../../app/context.js").AppContext} app */
 export function showExport(app) {
-  const { store, solver, files, viewport } = app;
+  const { store, files, viewport, actions } = app;
   const { model, document: scene, flatMap } = store.get();
   const working = element('p.working.quiet', { 'aria-live': 'polite' });
 
@@ -43,6 +44,9 @@ export function showExport(app) {
     }
   }
 
+  const saveTable = async (/** @type {"errors" | "convergence" | "angles"} */ name) =>
+    files.save(`-${name}.csv`, await actions.table(name), 'text/csv');
+
   const canDraw = isDrawn(store.get());
   const curvesOnly = (model?.faces ?? 0) === 0;
   const squared = scene?.units ? `${scene.units}²` : '';
@@ -57,15 +61,10 @@ export function showExport(app) {
           `The mesh as it is now, in the order of the file${flatMap ? ', with its flat map' : ''}`,
           () => files.exportMesh(),
         ),
-        ...(model?.welded
-          ? [
-              format(
-                'OBJ as it came',
-                'With the vertices of the file, before they were welded',
-                () => files.exportAsItCame(),
-              ),
-            ]
-          : []),
+        model?.welded &&
+          format('OBJ as it came', 'With the vertices of the file, before they were welded', () =>
+            files.exportAsItCame(),
+          ),
         format('3DM', 'For Rhino, with a layer for each group', () => saveForRhino(app)),
         format('Scene', 'The mesh with its constraints, handles and weights', () =>
           files.saveScene(),
@@ -76,26 +75,16 @@ export function showExport(app) {
         format(
           'Errors',
           'CSV: how flat and how round each face is',
-          async () =>
-            files.save(
-              '-errors.csv',
-              await solver.request({ type: 'table', table: 'errors' }),
-              'text/csv',
-            ),
+          () => saveTable('errors'),
           !curvesOnly,
         ),
-        format('Convergence', 'CSV: the energies of each iteration', async () =>
-          files.save('-convergence.csv', await convergence(solver), 'text/csv'),
+        format('Convergence', 'CSV: the energies of each iteration', () =>
+          saveTable('convergence'),
         ),
         format(
           'Angles',
           'CSV: corners of faces by their angles, originally and now',
-          async () =>
-            files.save(
-              '-angles.csv',
-              await solver.request({ type: 'table', table: 'angles' }),
-              'text/csv',
-            ),
+          () => saveTable('angles'),
           !curvesOnly,
         ),
       ),
@@ -113,7 +102,7 @@ export function showExport(app) {
         ),
         format('SVG', 'The plot of the convergence, on white', async () => {
           const title = `${model?.title || files.name}: convergence`;
-          const svg = convergenceSvg(await convergence(solver), title, squared);
+          const svg = convergenceSvg(await actions.table('convergence'), title, squared);
           files.save('-convergence.svg', svg, 'image/svg+xml');
         }),
       ),
@@ -123,23 +112,18 @@ export function showExport(app) {
   /** @type {HTMLElement | null} */ (dialog.querySelector('.format'))?.focus();
 }
 
-/** @param {import("../../solver/solver-client.js").SolverClient} solver */
-function convergence(solver) {
-  return solver.request({ type: 'table', table: 'convergence' });
-}
-
 /** The reader and writer of Rhino's files is large, and comes only for this. @param {import("../../app/context.js").AppContext} app */
-async function saveForRhino({ solver, files }) {
+async function saveForRhino({ actions, files }) {
   if (!(await files.mayExport())) return;
   const { askRhino } = await import('../../documents/rhino/rhino-client.js');
-  const scene = await solver.request({ type: 'scene' });
-  const errors = await solver.request({ type: 'table', table: 'errors' });
+  const scene = await actions.sceneText();
+  const errors = await actions.table('errors');
   files.save('.3dm', await askRhino({ type: 'write', scene, errors }), 'model/vnd.3dm');
 }
 
 /**
  * @param {string} title
- * @param {...(Node)} rows
+ * @param {...import("../../ui/dom.js").Child} rows
  */
 function section(title, ...rows) {
   return element('section', element('h3', title), ...rows);
@@ -153,12 +137,9 @@ function pictureOptions(viewport) {
     setText(size, `${width} × ${height} pixels`);
   };
   const box = (/** @type {"legend" | "white"} */ key, /** @type {string} */ label) => {
-    const input = element('input', {
-      type: 'checkbox',
-      checked: picture[key],
-      onchange: () => (picture[key] = input.checked),
-    });
-    return element('label', input, label);
+    const { box, label: row } = checkbox(label, (checked) => (picture[key] = checked));
+    box.checked = picture[key];
+    return row;
   };
   showSize();
   return element(

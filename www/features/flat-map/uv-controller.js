@@ -7,9 +7,7 @@ import './flat-map.css';
 import { byId } from '../../ui/dom.js';
 import { duration } from '../../ui/format.js';
 import { MapRegion } from './uv-view.js';
-import { messageOf } from '../../solver/messages.js';
 import { flatMapPanel } from './uv-panel.js';
-import { NOTHING, select } from '../../store/selection.js';
 
 /** @typedef {import("../../store/view-modes.js").FlatMap} FlatMap */
 
@@ -20,9 +18,8 @@ let only = null;
 
 export class Parametrize {
   #store;
-  #solver;
   #viewport;
-  #alerts;
+  #actions;
   /** @type {Choices} */
   #choices = {
     weights: 'inverse-area',
@@ -42,11 +39,10 @@ export class Parametrize {
   }
 
   /** @param {import("../../app/context.js").AppContext} app */
-  constructor({ store, solver, viewport, alerts }) {
+  constructor({ store, viewport, actions }) {
     this.#store = store;
-    this.#solver = solver;
     this.#viewport = viewport;
-    this.#alerts = alerts;
+    this.#actions = actions;
     flatMapPanel(byId('flat-map-section'), store, this);
     new MapRegion(byId('flat-map'), store, viewport);
   }
@@ -58,7 +54,7 @@ export class Parametrize {
 
   /** Back to the model alone. */
   close() {
-    this.#store.set({ flatMap: null, status: 'Back to the model' });
+    this.#actions.look({ flatMap: null, status: 'Back to the model' });
   }
 
   /**
@@ -69,15 +65,14 @@ export class Parametrize {
     Object.assign(this.#choices, choices);
     const { flatMap } = this.#store.get();
     if ('weights' in choices || 'norm' in choices) this.flatten();
-    else if (flatMap) this.#store.set({ flatMap: { ...flatMap, ...choices } });
+    else if (flatMap) this.#actions.look({ flatMap: { ...flatMap, ...choices } });
   }
 
   /** Selects the faces that the map turns over, and comes near them on the model and on the map. */
   showFlipped() {
     const { flatMap } = this.#store.get();
     if (!flatMap) return;
-    const selection = select(NOTHING, 'faces', flatMap.found.flippedFaces, 'replace');
-    this.#store.set({ mode: 'faces', selection });
+    this.#actions.select({ vertices: [], faces: flatMap.found.flippedFaces });
     this.#viewport.with((view) => view.showFlipped());
   }
 
@@ -85,20 +80,20 @@ export class Parametrize {
   async flatten() {
     const { model } = this.#store.get();
     const { weights, norm } = this.#choices;
-    this.#store.set({ status: 'Flattening …' });
+    this.#actions.setStatus('Flattening …');
     try {
-      const found = await this.#solver.request({ type: 'parametrize', weights, norm });
+      const found = await this.#actions.parametrize(weights, norm);
       const { model: now, numbers } = this.#store.get();
       const isNewest = weights === this.#choices.weights && norm === this.#choices.norm;
       if (now !== model || !isNewest) return;
       const iteration = numbers?.iteration ?? 0;
-      this.#store.set({
+      this.#actions.look({
         flatMap: { found, iteration, ...this.#choices },
         status: `Flattened in ${duration(1000 * found.seconds)}`,
       });
     } catch (error) {
-      this.#store.set({ status: '' });
-      this.#alerts.error(messageOf(error));
+      this.#actions.setStatus('');
+      await this.#actions.reportErrors(Promise.reject(error));
     }
   }
 }

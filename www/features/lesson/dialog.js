@@ -2,7 +2,8 @@
 
 import './lesson.css';
 import { openDialog } from '../../ui/controls/dialog.js';
-import { element, icon, setText } from '../../ui/dom.js';
+import { button, choice, closeButton } from '../../ui/controls/fields.js';
+import { element, setText } from '../../ui/dom.js';
 import { declared, measureOfScene, toleranceOf } from '../../store/measures.js';
 import { messageOf } from '../../solver/messages.js';
 
@@ -14,7 +15,7 @@ const ERROR_AT = /^goals\[(\d+)\]/;
  * @param {() => unknown} share shows a link to the scene
  */
 export function write(app, share) {
-  const { store, solver, files, actions } = app;
+  const { store, files, actions } = app;
   const state = store.get();
   const scene = state.document;
   if (!scene) return;
@@ -44,30 +45,24 @@ export function write(app, share) {
    * @param {number | null} atMost
    */
   function addGoal(value, atMost) {
-    const of = element(
-      'select',
-      { onchange: showUnit },
-      ...about.map((choice) => element('option', { value: choice.value }, choice.label)),
+    const of = choice(
+      {},
+      () => showUnit(),
+      about.map(({ value, label }) => [value, label]),
     );
-    if (about.some((choice) => choice.value === value)) of.value = value;
+    if (about.some((one) => one.value === value)) of.value = value;
     const most = element('input', { type: 'number', min: '0', step: 'any', required: true });
     if (atMost !== null) most.value = String(atMost);
     const unit = element('span.unit');
-    const remove = element(
-      'button.tiny',
-      {
-        onclick: () => {
-          goals = goals.filter((goal) => goal.of !== of);
-          row.remove();
-          nameGoals();
-          add.focus();
-        },
-      },
-      icon('close'),
-    );
+    const remove = closeButton('', () => {
+      goals = goals.filter((goal) => goal.of !== of);
+      row.remove();
+      nameGoals();
+      add.focus();
+    });
     const row = element('li', 'worst', of, 'at most', most, unit, remove);
     function showUnit() {
-      setText(unit, about.find((choice) => choice.value === of.value)?.unit ?? '');
+      setText(unit, about.find((one) => one.value === of.value)?.unit ?? '');
       nameGoals();
     }
     goals.push({ row, of, most, unit, remove });
@@ -86,17 +81,11 @@ export function write(app, share) {
     });
   }
 
-  const add = element(
-    'button.bordered',
-    {
-      disabled: about.length === 0,
-      onclick: () => {
-        addGoal(first, null);
-        goals.at(-1)?.of.focus();
-      },
-    },
-    'Add goal',
-  );
+  const addEmpty = () => {
+    addGoal(first, null);
+    goals.at(-1)?.of.focus();
+  };
+  const add = button('Add goal', addEmpty, { disabled: about.length === 0 });
   const asked = declared(state, state.measure ?? measureOfScene(state));
   const first = `measure ${asked?.id ?? ''}`;
   for (const { measure, label, atMost } of scene.lesson?.goals ?? []) {
@@ -115,14 +104,13 @@ export function write(app, share) {
         return { [what]: name.join(' '), at_most: most.valueAsNumber };
       }),
     };
-    try {
-      await solver.request({ type: 'edit', edit: { type: 'setLesson', lesson } });
-    } catch (refused) {
+    const kept = await actions.edit({ type: 'setLesson', lesson }, (refused) => {
       const path = refused instanceof Error && 'path' in refused ? String(refused.path) : '';
       setText(error, messageOf(refused));
       goals[Number(ERROR_AT.exec(path)?.[1])]?.most.focus();
-      return;
-    }
+      return true;
+    });
+    if (kept === undefined) return;
     dialog.close();
     actions.setStatus('The scene is a lesson');
     then?.();
@@ -134,11 +122,6 @@ export function write(app, share) {
       actions.setStatus('The scene is no lesson any more');
   }
 
-  const button = (
-    /** @type {string} */ label,
-    /** @type {() => unknown} */ onclick,
-    style = 'bordered',
-  ) => element('button', { class: style, onclick }, label);
   const form = element(
     'form.dialog-body',
     { method: 'dialog' },
@@ -154,7 +137,7 @@ export function write(app, share) {
     error,
     element(
       'div.dialog-buttons',
-      button('Save lesson', () => keep(), 'primary'),
+      button('Save lesson', () => keep(), { class: 'primary' }),
       button('Keep and save the scene', () => keep(() => files.saveScene())),
       button('Keep and make a link', () => keep(share)),
       scene.lesson && button('No lesson any more', forget),

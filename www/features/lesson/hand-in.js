@@ -5,7 +5,7 @@ import { openDialog } from '../../ui/controls/dialog.js';
 import { element } from '../../ui/dom.js';
 
 /** @param {import("../../app/context.js").AppContext} app */
-export function handIn({ store, solver, files, actions }) {
+export function handIn({ store, files, actions }) {
   const name = element('input', {
     type: 'text',
     id: 'student',
@@ -35,7 +35,7 @@ export function handIn({ store, solver, files, actions }) {
   async function save() {
     const student = name.value.trim();
     const time = new Date().toISOString();
-    const text = await actions.reportErrors(solver.request({ type: 'results', student, time }));
+    const text = await actions.reportErrors(actions.results(student, time));
     if (text) files.save('.results.json', text, 'application/json');
   }
 }

@@ -5,7 +5,8 @@
  */
 
 import './make-panels.css';
-import { RENEW_MS, byId, element, icon, leave, setText, throttled } from '../../ui/dom.js';
+import { button, closeButton } from '../../ui/controls/fields.js';
+import { RENEW_MS, byId, element, leave, setText, throttled } from '../../ui/dom.js';
 import { panelButtons } from './buttons.js';
 import { progressWords, verdictWords } from './verdict.js';
 
@@ -42,10 +43,10 @@ export class MakePanels {
     store.subscribe(['model', 'kinds', 'document', 'example'], () => this.#show());
     store.subscribe(['split', 'flatMap'], () => this.#show());
     // The next mesh starts as the first one did.
-    store.subscribe(['model'], ({ model, display }) => {
+    store.subscribe(['model'], ({ model }) => {
       if (!this.#shown || this.#shown === model) return;
       this.#shown = null;
-      store.set({ display: { ...display, shapes: false } });
+      this.#app.actions.display({ shapes: false });
     });
     let wasRunning = false;
     store.subscribe(['running'], ({ running }) => {
@@ -70,8 +71,7 @@ export class MakePanels {
     this.#pressed = this.#underWay = model;
     this.#closed = null;
     const arrived = still.matches ? null : viewport.transition(TRANSITION_MS);
-    const show = (/** @type {boolean} */ shapes) =>
-      store.set({ display: { ...store.get().display, shapes } });
+    const show = (/** @type {boolean} */ shapes) => actions.display({ shapes });
     // They are those of the shape at the end of the way.
     if (arrived) show(false);
     if ((await actions.makePanels(kind.id)) === undefined) {
@@ -136,7 +136,7 @@ export class MakePanels {
     leave(this.#card, show);
     if (what !== 'verdict') return;
     setText(this.#text, '');
-    const hold = element('button.bordered', 'Hold to see the original');
+    const hold = button('Hold to see the original', () => {});
     this.#app.hold.bind(hold);
     this.#card.append(this.#text, hold, this.#cross());
     this.#showVerdict(false);
@@ -152,25 +152,24 @@ export class MakePanels {
       this.#closed = this.#app.store.get().model;
       this.#show();
     };
-    const attributes = { type: 'button', class: 'tiny', 'aria-label': 'Close', onclick: close };
-    return element('button', attributes, icon('close'));
+    return closeButton('Close', close);
   }
 
   /** Says how it stands; and that it has ended. @param {boolean} atEnd */
   async #showVerdict(atEnd) {
     if (this.#shows !== 'verdict' || (this.#isBusy && !atEnd)) return;
-    const { store, solver } = this.#app;
+    const { store, actions } = this.#app;
     const { model, document } = store.get();
     const tolerance = store.get().tolerance ?? model?.tolerance ?? 0;
     this.#isBusy = true;
-    const verdict = await solver.request({ type: 'verdict', tolerance }).catch(() => null);
+    const verdict = await actions.verdict(tolerance).catch(() => null);
     this.#isBusy = false;
     const { running, numbers } = store.get();
     if (!verdict || store.get().model !== model || this.#shows !== 'verdict') return;
     const words = running || this.#isUnderWay() ? progressWords : verdictWords;
     const text = words(verdict, tolerance, document?.units ?? '');
     setText(this.#text, text);
-    if (atEnd && !running && !numbers?.collapse) store.set({ status: text });
+    if (atEnd && !running && !numbers?.collapse) actions.setStatus(text);
   }
 
   /** What is framed is seen whole above the card. */

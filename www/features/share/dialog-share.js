@@ -29,8 +29,8 @@ const LEVELS = [
 const NOT_COPIED = 'This browser does not let the page copy: select the link and copy it yourself.';
 
 /** @param {import("../../app/context.js").AppContext} app */
-export async function share({ store, solver, files }) {
-  const text = await solver.request({ type: 'scene' });
+export async function share({ store, actions, files }) {
+  const text = await actions.sceneText();
   const { numbers } = store.get();
   const { example } = files.origin;
   const run = (numbers?.iteration ?? 0) > 0;

@@ -18,10 +18,10 @@ const STEPS = {
 };
 
 /**
- * @param {import("../../store/state.js").Store} store
+ * @param {import("../../app/context.js").AppContext} app
  * @param {() => string[] | undefined} words what is left and right
  */
-export function splitDivider(store, words) {
+export function splitDivider({ store, actions }, words) {
   const divider = element(
     'div.split-divider',
     {
@@ -38,7 +38,7 @@ export function splitDivider(store, words) {
   /** @param {number} at */
   function moveTo(at) {
     const { split } = store.get();
-    if (split) store.set({ split: { ...split, at: Math.min(Math.max(at, 0), 1) } });
+    if (split) actions.look({ split: { ...split, at: Math.min(Math.max(at, 0), 1) } });
   }
 
   const listen = /** @type {HTMLElement["addEventListener"]} */ (

@@ -3,8 +3,8 @@
  * legends, in which it is chosen what each side shows. Loaded when it is first asked for.
  */
 
-import { byId, element, icon } from '../../ui/dom.js';
-import { messageOf } from '../../solver/messages.js';
+import { closeButton } from '../../ui/controls/fields.js';
+import { byId } from '../../ui/dom.js';
 import { declared, measureOfScene, roundingOf, toleranceOf } from '../../store/measures.js';
 import { splitDivider } from './split-divider.js';
 import { SplitLegend } from './split-legend.js';
@@ -23,12 +23,10 @@ let only = null;
 export class SplitView {
   #store;
   #solver;
-  #alerts;
+  #actions;
   #legends;
   /** Left and right. @type {[Choice, Choice] | null} */
   #choices = null;
-  /** Of the model that is open. @type {Float64Array | null} */
-  #original = null;
   /** Of the original, by measure. @type {Map<string, Float32Array>} */
   #originalValues = new Map();
   /** Upper ends of the ranges, by measure: the same on both sides. @type {Map<string, number>} */
@@ -46,23 +44,20 @@ export class SplitView {
   }
 
   /** @param {import("../../app/context.js").AppContext} app */
-  constructor({ store, solver, viewport, alerts }) {
+  constructor(app) {
+    const { store, solver, viewport, actions } = app;
     this.#store = store;
     this.#solver = solver;
-    this.#alerts = alerts;
+    this.#actions = actions;
     this.#legends = ['Left', 'Right'].map(
       (name, i) => new SplitLegend(name, i, store, viewport, (choice) => this.#choose(i, choice)),
     );
-    const divider = splitDivider(store, () => this.#choices?.map((choice) => this.#words(choice)));
+    const divider = splitDivider(app, () => this.#choices?.map((choice) => this.#words(choice)));
     this.#legends[1].element.firstElementChild?.append(
-      element(
-        'button.tiny',
-        {
-          'aria-label': 'Back to one picture',
-          title: 'Back to one picture (Esc)',
-          onclick: () => store.set({ split: null, status: 'One picture' }),
-        },
-        icon('close'),
+      closeButton(
+        'Back to one picture',
+        () => actions.look({ split: null, status: 'One picture' }),
+        { title: 'Back to one picture (Esc)' },
       ),
     );
     byId('legend').after(divider, ...this.#legends.map((legend) => legend.element));
@@ -73,13 +68,12 @@ export class SplitView {
       });
     });
     store.subscribe(['flatMap'], ({ flatMap }) => {
-      if (flatMap) store.set({ split: null });
+      if (flatMap) actions.look({ split: null });
     });
     store.subscribe(['display', 'tolerance', 'tolerances'], () => this.#update());
     solver.on('frame', () => this.#update());
     solver.on('model', () => {
       this.#choices = null;
-      this.#original = null;
       this.#originalValues.clear();
       this.#tops.clear();
     });
@@ -97,11 +91,11 @@ export class SplitView {
         { measure, original: false },
       ];
     this.#tops.clear();
-    this.#store.set({ flatMap: null });
+    this.#actions.look({ flatMap: null });
     await this.#fetch();
-    this.#store.set({
-      status: `Left: ${this.#words(this.#choices[0])}; right: ${this.#words(this.#choices[1])}`,
-    });
+    this.#actions.setStatus(
+      `Left: ${this.#words(this.#choices[0])}; right: ${this.#words(this.#choices[1])}`,
+    );
   }
 
   /** @param {Choice} choice */
@@ -133,7 +127,7 @@ export class SplitView {
         await this.#fetch();
       }
     } catch (error) {
-      this.#alerts.error(messageOf(error));
+      await this.#actions.reportErrors(Promise.reject(error));
     } finally {
       this.#isBusy = false;
     }
@@ -144,7 +138,7 @@ export class SplitView {
     const choices = this.#choices;
     if (!choices) return;
     const wasOpen = this.#store.get().split !== null;
-    this.#original ??= await this.#solver.request({ type: 'originalPositions' });
+    const original = await this.#actions.originalPositions();
     const [values, corners] = await Promise.all([
       Promise.all(choices.map((choice) => this.#valuesOf(choice))),
       Promise.all(choices.map((choice) => this.#cornersOf(choice))),
@@ -156,7 +150,7 @@ export class SplitView {
     const sides = choices.map((choice, i) => {
       const side = {
         ...choice,
-        positions: choice.original ? (this.#original ?? undefined) : undefined,
+        positions: choice.original ? original : undefined,
         values: values[i],
         corners: corners[i],
         top: this.#tops.get(choice.measure) ?? 1,
@@ -166,7 +160,7 @@ export class SplitView {
       const keys = /** @type {(keyof typeof side)[]} */ (Object.keys(side));
       return before && keys.every((key) => before[key] === side[key]) ? before : side;
     });
-    this.#store.set({
+    this.#actions.look({
       split: { at: split?.at ?? 0.5, sides: /** @type {Split["sides"]} */ (sides) },
     });
   }
@@ -174,14 +168,13 @@ export class SplitView {
   /** @param {Choice} choice */
   async #valuesOf({ measure, original }) {
     const known = this.#originalValues.get(measure);
-    const before =
-      known ?? (await this.#solver.request({ type: 'faceValues', measure, original: true }));
+    const before = known ?? (await this.#actions.faceValues(measure, true));
     this.#originalValues.set(measure, before);
     this.#reach(measure, before);
     if (original) return before;
     const { geometry } = this.#solver;
     if (geometry?.measure === measure && geometry.values) return geometry.values;
-    return this.#solver.request({ type: 'faceValues', measure, original: false });
+    return this.#actions.faceValues(measure, false);
   }
 
   /**
@@ -192,7 +185,7 @@ export class SplitView {
     if (original || !this.#store.get().display.bands) return undefined;
     const { geometry } = this.#solver;
     if (geometry?.measure === measure && geometry.corners) return geometry.corners;
-    return (await this.#solver.request({ type: 'cornerValues', measure })) ?? undefined;
+    return (await this.#actions.cornerValues(measure)) ?? undefined;
   }
 
   /**

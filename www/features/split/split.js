@@ -3,8 +3,6 @@
  * `split-view.js` when they are first asked for.
  */
 
-import { messageOf } from '../../solver/messages.js';
-
 /** @typedef {import("../../store/view-modes.js").Choice} Choice */
 
 /**
@@ -12,7 +10,7 @@ import { messageOf } from '../../solver/messages.js';
  * @param {import("../../app/context.js").AppContext} app
  */
 export function toggleSplit(app) {
-  if (app.store.get().split) app.store.set({ split: null, status: 'One picture' });
+  if (app.store.get().split) app.actions.look({ split: null, status: 'One picture' });
   else splitInto(app);
 }
 
@@ -22,10 +20,6 @@ export function toggleSplit(app) {
  * @param {[Choice, Choice]} [choices] left and right
  */
 export async function splitInto(app, choices) {
-  try {
-    const { SplitView } = await import('./split-view.js');
-    await SplitView.of(app).open(choices);
-  } catch (error) {
-    app.alerts.error(messageOf(error));
-  }
+  const view = import('./split-view.js').then((it) => it.SplitView.of(app).open(choices));
+  await app.actions.reportErrors(view);
 }

@@ -3,7 +3,8 @@
  * opened. The length is written at the tape, the rest in a small table; both follow the mesh.
  */
 
-import { element, icon, setText } from '../../ui/dom.js';
+import { closeButton } from '../../ui/controls/fields.js';
+import { element, setText } from '../../ui/dom.js';
 import { lengthUnit } from '../../ui/format.js';
 
 /** Digits of the distance; its parts have as many decimals. */
@@ -13,6 +14,7 @@ const NAMES = ['Distance', 'dx', 'dy', 'dz'];
 export class Tape {
   #store;
   #viewport;
+  #actions;
   #label = element('div', { id: 'tape-label', 'aria-hidden': 'true', hidden: true });
   #title = element('span');
   /** By row and column. */
@@ -31,15 +33,14 @@ export class Tape {
   /**
    * @param {import("../../store/state.js").Store} store
    * @param {import("../../viewport/viewport.js").Viewport} viewport
+   * @param {import("../../store/actions.js").Actions} actions
    */
-  constructor(store, viewport) {
+  constructor(store, viewport, actions) {
     this.#store = store;
+    this.#actions = actions;
     this.#viewport = viewport;
-    const close = element(
-      'button.tiny',
-      { 'aria-label': 'End measuring', title: 'Esc', onclick: () => store.set({ tape: null }) },
-      icon('close'),
-    );
+    const end = () => actions.useTool({ tape: null });
+    const close = closeButton('End measuring', end, { title: 'Esc' });
     this.#card = element(
       'div.card',
       { id: 'tape', role: 'group', 'aria-label': 'Measuring tape', hidden: true },
@@ -72,9 +73,9 @@ export class Tape {
     if (about === this.#said || rest.length === 0) return;
     this.#said = about;
     const unitOf = document?.units ? ` ${unit}` : '';
-    this.#store.set({
-      status: `Distance ${write(now[0])}${unitOf}, at rest ${write(rest[0])}${unitOf}`,
-    });
+    this.#actions.setStatus(
+      `Distance ${write(now[0])}${unitOf}, at rest ${write(rest[0])}${unitOf}`,
+    );
   }
 
   /** @param {number[]} tape */

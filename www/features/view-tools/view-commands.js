@@ -4,7 +4,6 @@
  */
 
 import { placeMenu } from '../../ui/controls/menu.js';
-import { messageOf } from '../../solver/messages.js';
 
 /** Name, as the view knows it, and a key of the number pad for some; the others are Shift + digit. */
 const VIEWS = [
@@ -24,14 +23,12 @@ const load = () => import('./view-tools.js');
  * @returns {import("../../app/context.js").Command[]}
  */
 export function viewCommands(app) {
-  const { store, alerts } = app;
+  const { store, actions } = app;
   const see = async () => (await load()).Seeing.of(app);
-  const report = (/** @type {Promise<unknown>} */ promise) =>
-    promise.catch((error) => alerts.error(messageOf(error)));
   const enabled = (/** @type {import("../../store/state.js").State} */ { renderer }) =>
     renderer !== 'none';
   store.subscribe(['display', 'parallel', 'tape'], ({ display, parallel, tape }) => {
-    if (display.ghost || display.ground || parallel || tape) report(see());
+    if (display.ghost || display.ground || parallel || tape) actions.reportErrors(see());
   });
   return [
     ...VIEWS.map(([name, ...keys], i) => ({
@@ -39,7 +36,7 @@ export function viewCommands(app) {
       group: 'View',
       label: `View: ${name}`,
       keys: [`Shift+${i + 1}`, ...keys],
-      action: () => void report(see().then((seeing) => seeing.flyTo(name))),
+      action: () => void actions.reportErrors(see().then((seeing) => seeing.flyTo(name))),
       enabled,
     })),
     {
@@ -47,7 +44,7 @@ export function viewCommands(app) {
       group: 'View',
       label: 'Parallel or perspective',
       keys: ['5', 'Numpad5'],
-      action: () => store.set({ parallel: !store.get().parallel }),
+      action: () => actions.look({ parallel: !store.get().parallel }),
       enabled,
       pressed: ({ parallel }) => parallel,
     },
@@ -56,11 +53,8 @@ export function viewCommands(app) {
       group: 'View',
       label: name === 'ghost' ? 'Ghost of the original' : 'Ground grid',
       keys: name === 'ghost' ? ['O'] : [],
-      action: () => {
-        const { display } = store.get();
-        const isShown = display[/** @type {"ghost" | "ground"} */ (name)];
-        store.set({ display: { ...display, [name]: !isShown } });
-      },
+      action: () =>
+        actions.display({ [name]: !store.get().display[/** @type {"ghost" | "ground"} */ (name)] }),
       enabled,
       pressed: (/** @type {import("../../store/state.js").State} */ { display }) =>
         display[/** @type {"ghost" | "ground"} */ (name)],
@@ -73,7 +67,7 @@ export function viewCommands(app) {
       action: () => {
         const { tape, selection } = store.get();
         const chosen = [...selection.vertices];
-        store.set({ tape: tape ? null : chosen.length === 2 ? chosen : [], tool: 'drag' });
+        actions.useTool({ tape: tape ? null : chosen.length === 2 ? chosen : [], tool: 'drag' });
       },
       needsModel: true,
       enabled,

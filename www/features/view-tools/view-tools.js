@@ -20,7 +20,7 @@ let only = null;
 
 export class Seeing {
   #store;
-  #solver;
+  #actions;
   #viewport;
   #tape;
   #bar = element('i');
@@ -41,11 +41,11 @@ export class Seeing {
   }
 
   /** @param {import("../../app/context.js").AppContext} app */
-  constructor({ store, solver, viewport }) {
+  constructor({ store, actions, viewport }) {
     this.#store = store;
-    this.#solver = solver;
+    this.#actions = actions;
     this.#viewport = viewport;
-    this.#tape = new Tape(store, viewport);
+    this.#tape = new Tape(store, viewport, actions);
     viewport.element.after(this.#scale);
     viewport.on('ready', () => this.#handOver());
     viewport.on('drawn', () => this.#show());
@@ -65,7 +65,7 @@ export class Seeing {
    */
   flyTo(name) {
     const { parallel } = this.#store.get();
-    this.#store.set({ status: `View: ${name}${parallel ? ', parallel' : ''}` });
+    this.#actions.setStatus(`View: ${name}${parallel ? ', parallel' : ''}`);
     if (still.matches) return void this.#viewport.with((view) => view.preset(name));
     this.#viewport.with((view) => view.flyTo(name));
     const started = performance.now();
@@ -83,7 +83,7 @@ export class Seeing {
     if (!display.ghost && !display.ground && !tape) return;
     this.#model = model;
     this.#rest = null;
-    const rest = await this.#solver.request({ type: 'originalPositions' });
+    const rest = await this.#actions.originalPositions();
     if (this.#store.get().model !== model) return;
     this.#rest = rest;
     this.#handOver();

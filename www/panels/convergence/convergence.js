@@ -49,7 +49,8 @@ export class Convergence {
 
   async #drawNow() {
     if (!this.#inSight || !this.#store.get().model) return;
-    const trace = await this.#actions.trace();
+    // A solver that has stopped says so itself.
+    const trace = await this.#actions.trace().catch(() => null);
     if (!trace) return;
     if (trace.length < 2 * TRACE_WIDTH) return this.#showNone();
     const loading = (this.#plot ??= this.#load());

@@ -29,7 +29,7 @@ export function logOf(panel, app) {
 
   /** Selects the elements that a problem is about. @param {string} flaw */
   async function select(flaw) {
-    const found = await actions.flawed(flaw);
+    const found = await actions.reportErrors(actions.flawed(flaw));
     if (!found) return;
     const some = found.vertices.length + found.edges.length + found.faces.length;
     if (some > 0) showElements(app, found);

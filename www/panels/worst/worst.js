@@ -100,7 +100,7 @@ export function worstElements(panel, app) {
     const turn = ++asked;
     const row = by.value === '' ? null : Number(by.value);
     const request = about ? { measure: about.id, row: null } : { measure: null, row };
-    const found = by.value === '' ? [] : await actions.worst(request, ROWS);
+    const found = by.value === '' ? [] : await actions.reportErrors(actions.worst(request, ROWS));
     // A later answer may be there already.
     if (found && turn === asked) fill(found, about);
   });

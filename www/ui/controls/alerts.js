@@ -1,6 +1,7 @@
 /** Messages that want to be read: errors and notices, in the page's one `role="alert"`. */
 
-import { element, icon, leave } from '../dom.js';
+import { element, leave } from '../dom.js';
+import { button, closeButton } from './fields.js';
 
 /** What can be done about a message. @typedef {{ label: string, action: () => void }} Offer */
 
@@ -84,18 +85,14 @@ export class Alerts {
   #show(message, kind, offers = []) {
     this.note(message, kind);
     if (this.#stays) return;
-    const close = element(
-      'button.tiny',
-      { 'aria-label': 'Dismiss', onclick: () => this.#clear() },
-      icon('close'),
-    );
+    const close = closeButton('Dismiss', () => this.#clear());
     const text = element('p', message);
     const buttons = offers.map(({ label, action }) => {
       const onclick = () => {
         this.#clear();
         action();
       };
-      return element('button.small.bordered', { onclick }, label);
+      return button(label, onclick, { class: 'small bordered' });
     });
     this.#place.replaceChildren(
       element('div', { class: `message ${kind}` }, text, ...buttons, close),

@@ -1,7 +1,8 @@
 /** Dialogs: a title, the cross that closes them, and what they are about. */
 
 import '../styles/dialog.css';
-import { element, icon } from '../dom.js';
+import { element } from '../dom.js';
+import { closeButton } from './fields.js';
 
 /**
  * The title of a dialog, and the cross that closes it.
@@ -13,11 +14,7 @@ export function dialogHead(dialog, id, title) {
   return element(
     'div.dialog-head',
     element('h2', { id }, title),
-    element(
-      'button.square',
-      { 'aria-label': 'Close', onclick: () => dialog.close() },
-      icon('close'),
-    ),
+    closeButton('Close', () => dialog.close(), { class: 'square' }),
   );
 }
 
