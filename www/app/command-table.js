@@ -2,21 +2,21 @@
 
 import { byId } from '../ui/dom.js';
 import { halfStepTitle } from '../store/half-step.js';
-import { selectCommands } from '../features/select-commands.js';
+import { featureCommands } from './features.js';
 import { isDrawn } from '../store/state.js';
 import { toggleTheme } from './theme.js';
-import { viewCommands } from '../features/view-tools/view-commands.js';
 
 /** @typedef {import("./context.js").Command} Command */
 /** @typedef {import("../store/state.js").State} State */
 
 /**
- * @param {import("./context.js").CommandContext} app
+ * @param {import("./context.js").AppContext} app
+ * @param {import("../viewport/input/pointer.js").PointerInput} pointer
+ * @param {HTMLInputElement} fileInput
  * @returns {Command[]}
  */
-export function commandTable(app) {
-  const { store, viewport, pointer, files, actions, alerts, fileInput, help } = app;
-  const hasFaces = (/** @type {State} */ { model }) => (model?.faces ?? 0) > 0;
+export function commandTable(app, pointer, fileInput) {
+  const { store, viewport, files, actions, alerts } = app;
 
   function fitSelection() {
     const vertices = actions.chosenVertices();
@@ -100,19 +100,6 @@ export function commandTable(app) {
       title: ({ document }) => (document?.redo ? `Redo: ${document.redo}` : 'Nothing to redo'),
     },
     {
-      id: 'add-constraint',
-      group: 'Edit',
-      label: 'Add constraint',
-      keys: [],
-      action: () =>
-        actions.reportErrors(
-          import('../features/add-constraint/dialog-add-constraint.js').then(
-            ({ toggleAddConstraint }) => toggleAddConstraint(app),
-          ),
-        ),
-      needsModel: true,
-    },
-    {
       id: 'add-handles',
       group: 'Edit',
       label: 'Make the selected vertices handles',
@@ -152,7 +139,6 @@ export function commandTable(app) {
       action: () => store.set({ tool: 'select' }),
       pressed: ({ tool }) => tool === 'select',
     },
-    ...selectCommands(app),
     {
       id: 'mode-vertices',
       group: 'Tools',
@@ -214,27 +200,7 @@ export function commandTable(app) {
         store.set({ display: { ...display, edges: !display.edges } });
       },
     },
-    ...viewCommands(app),
-    {
-      id: 'parametrize',
-      group: 'View',
-      label: 'Flatten: a flat map beside the model',
-      keys: ['U'],
-      action: app.flatMap,
-      needsModel: true,
-      enabled: hasFaces,
-      pressed: ({ flatMap }) => flatMap !== null,
-    },
-    {
-      id: 'split',
-      group: 'View',
-      label: 'Split view: original and now, or two measures',
-      keys: ['C'],
-      action: app.split,
-      needsModel: true,
-      enabled: (state) => hasFaces(state) && isDrawn(state),
-      pressed: ({ split }) => split !== null,
-    },
+    ...featureCommands(app),
     {
       id: 'open',
       group: 'File',
@@ -262,46 +228,11 @@ export function commandTable(app) {
         `Save the shape as it is now${flatMap ? ', with its flat map,' : ''} as OBJ`,
     },
     {
-      id: 'export-as',
-      group: 'File',
-      label: 'More formats: Rhino, tables, pictures',
-      keys: ['Ctrl+Shift+E'],
-      action: () =>
-        actions.reportErrors(
-          import('../features/export/dialog-export.js').then(({ showExport }) => showExport(app)),
-        ),
-      needsModel: true,
-    },
-    {
-      id: 'share',
-      group: 'File',
-      label: 'Share a link to the scene',
-      keys: [],
-      action: app.share,
-      needsModel: true,
-    },
-    {
-      id: 'lesson',
-      group: 'File',
-      label: 'Write a lesson: a text, and goals that are checked',
-      keys: [],
-      action: app.lesson,
-      needsModel: true,
-    },
-    {
       id: 'theme',
       group: 'Page',
       label: 'Light or dark',
       keys: [],
       action: () => toggleTheme(store),
-    },
-    {
-      id: 'help',
-      group: 'Page',
-      label: 'This list',
-      keys: ['?', 'F1'],
-      action: () => actions.reportErrors(help()),
-      title: () => 'Mouse and keys',
     },
   ];
 }

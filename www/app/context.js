@@ -23,20 +23,24 @@
  * @property {import("../viewport/viewport.js").Viewport} viewport
  * @property {import("../documents/files.js").Files} files
  * @property {import("../store/actions.js").Actions} actions
+ * @property {import("../store/mesh-queries.js").Selecting} selecting
  * @property {import("../ui/controls/alerts.js").Alerts} alerts
  * @property {import("../features/hold-original.js").HoldOriginal} hold
+ * @property {Command[]} commands those that operations of selecting declare come later
  */
 
 /**
- * @typedef {object} Actors what only commands act on
- * @property {import("../viewport/input/pointer.js").PointerInput} pointer
- * @property {() => void} lesson opens the dialog that writes one
- * @property {() => void} share shows a link to the scene
- * @property {() => void} flatMap shows the flat map, or takes it away
- * @property {() => void} split shows two pictures, or one again
- * @property {HTMLInputElement} fileInput
- * @property {() => Promise<void>} help
+ * What a folder of `features/` or `panels/` says of itself in its `feature.js`.
+ * @typedef {object} Feature
+ * @property {(app: AppContext) => Command[]} [commands]
+ * @property {Part[]} [parts] each comes when it is first needed
  */
-/** @typedef {AppContext & Actors} CommandContext */
+
+/**
+ * @typedef {object} Part
+ * @property {(keyof import("../store/state.js").State)[]} keys what decides whether it is needed
+ * @property {(state: Readonly<import("../store/state.js").State>) => boolean} isNeeded
+ * @property {(app: AppContext) => Promise<unknown>} load
+ */
 
 export {};

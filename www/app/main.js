@@ -12,9 +12,8 @@ import { bindButtons, bindKeys, bindRunButton, runEarlyPresses } from './command
 import { byId } from '../ui/dom.js';
 import { Files } from '../documents/files.js';
 import { animateFirstPicture } from '../viewport/placeholder/placeholder-scene.js';
-import { toggleFlatMap } from '../features/flat-map/flat-map.js';
 import { ended } from '../ui/format.js';
-import { loadWhenNeeded } from './lazy-features.js';
+import { loadFeatures, loadWhenNeeded } from './features.js';
 import { bindHandleKeys } from '../viewport/input/handle-keys.js';
 import { firstHints } from '../features/hints.js';
 import { arrangeForWidth } from './layout.js';
@@ -37,7 +36,7 @@ import { scriptApi } from './script-api.js';
 import { Selecting } from '../store/mesh-queries.js';
 import { NOTHING } from '../store/selection.js';
 import { SolverClient } from '../solver/solver-client.js';
-import { splitInto, toggleSplit } from '../features/split/split.js';
+import { splitInto } from '../features/split/split.js';
 import { createStore } from '../store/state.js';
 import { followTheme } from './theme.js';
 import { bindViewMenu } from '../features/view-tools/view-commands.js';
@@ -63,9 +62,7 @@ const pointer = new PointerInput(store, solver, viewport, region, {
   chosenHandles: actions.chosenHandles,
   showMenu: (at) =>
     actions.reportErrors(
-      import('../features/context-menu.js').then(({ showContextMenu }) =>
-        showContextMenu(at, { store, viewport, actions, selecting, commands }),
-      ),
+      import('../features/selecting/context-menu.js').then((it) => it.showContextMenu(at, app)),
     ),
   fitAll: () => viewport.with((view) => view.fit()),
   doubleClick: (...what) => selecting.doubleClick(...what),
@@ -76,7 +73,8 @@ const { fit } = colourFaces(store, solver);
 colourRows(store, solver, actions);
 
 const hold = new HoldOriginal(store, actions);
-const app = { store, solver, viewport, files, actions, alerts, hold };
+/** @type {import("./context.js").AppContext} */
+const app = { store, solver, viewport, files, actions, selecting, alerts, hold, commands: [] };
 viewport.once('ready', showLegend);
 modelPanel(byId('model'), app, () => analysis.bring('log'));
 constraintsPanel(byId('constraints'), app);
@@ -89,7 +87,17 @@ exampleNote(byId('example-note'), app, ({ split, plot }) => {
   if (plot) analysis.bring(plot);
 });
 store.subscribe(['status'], ({ status }) => status && alerts.note(status));
-loadWhenNeeded(app, selecting);
+loadFeatures(app);
+loadWhenNeeded(app, {
+  keys: ['moved'],
+  isNeeded: ({ moved }) => moved !== null,
+  load: () => import('../viewport/input/drag-label.js').then((it) => it.showMoved(viewport, store)),
+});
+solver.on('collapsed', ({ collapse }) =>
+  actions.reportErrors(
+    import('../documents/collapse.js').then((it) => it.reportCollapse(app, collapse)),
+  ),
+);
 statusBar({ status: byId('status'), hint: byId('hint'), numbers: byId('numbers') }, store);
 firstHints(byId('hint-card'), store);
 arrangeForWidth(store);
@@ -104,31 +112,8 @@ fileInput.addEventListener('change', async () => {
 });
 files.acceptDrops(byId('drop-overlay'));
 
-const share = () =>
-  actions.reportErrors(import('../features/share/dialog-share.js').then(({ share }) => share(app)));
-
-/** @type {import("./context.js").Command[]} */
-const commands = commandTable({
-  store,
-  viewport,
-  pointer,
-  files,
-  actions,
-  alerts,
-  solver,
-  hold,
-  fileInput,
-  lesson: () =>
-    actions.reportErrors(
-      import('../features/lesson/dialog.js').then(({ write }) => write(app, share)),
-    ),
-  share,
-  // What it lists is complete by the time that somebody looks.
-  help: () =>
-    import('../features/help/help.js').then(({ showHelp }) => showHelp(byId('help'), commands)),
-  flatMap: () => toggleFlatMap(app),
-  split: () => toggleSplit(app),
-});
+app.commands = commandTable(app, pointer, fileInput);
+const { commands } = app;
 for (const button of document.querySelectorAll('[data-command="reset"]'))
   if (button instanceof HTMLElement) hold.bind(button, { clicks: true });
 bindButtons(commands, store);
@@ -163,6 +148,8 @@ const offline = () =>
   );
 viewport.on('ready', offline);
 viewport.on('none', offline);
+if (matchMedia('(any-pointer: coarse)').matches)
+  actions.reportErrors(import('../ui/controls/tooltips.js').then((it) => it.tooltipsForTouch()));
 import('../panels/status-bar/environment-status.js').then((module) =>
   module.environmentStatus(byId('numbers'), app),
 );

@@ -3,14 +3,14 @@
  * loaded when it is asked for.
  */
 
-import { element } from '../../ui/dom.js';
+import { byId, element } from '../../ui/dom.js';
 import { messageOf } from '../../solver/messages.js';
 
 /**
- * @param {HTMLElement} place
  * @param {import("../../app/context.js").AppContext} app
  */
-export function offerExperiment(place, app) {
+export function offerExperiment(app) {
+  const place = byId('experiment');
   const { store, alerts } = app;
 
   async function open() {

@@ -12,10 +12,10 @@ const ERROR_AT = /^goals\[(\d+)\]/;
 
 /**
  * @param {import("../../app/context.js").AppContext} app
- * @param {() => unknown} share shows a link to the scene
  */
-export function write(app, share) {
+export function write(app) {
   const { store, files, actions } = app;
+  const share = () => app.commands.find(({ id }) => id === 'share')?.action();
   const state = store.get();
   const scene = state.document;
   if (!scene) return;

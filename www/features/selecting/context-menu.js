@@ -3,17 +3,8 @@
  * selection, to which what was pointed at belongs by then. Loaded when it is first asked for.
  */
 
-import { byId, element } from '../ui/dom.js';
-import { placeMenu } from '../ui/controls/menu.js';
-
-/**
- * @typedef {object} MenuContext
- * @property {import("../store/state.js").Store} store
- * @property {import("../viewport/viewport.js").Viewport} viewport
- * @property {import("../store/actions.js").Actions} actions
- * @property {import("../store/mesh-queries.js").Selecting} selecting
- * @property {import("../app/context.js").Command[]} commands
- */
+import { byId, element } from '../../ui/dom.js';
+import { placeMenu } from '../../ui/controls/menu.js';
 
 /** Where the menu is asked for, in CSS pixels of the page. */
 let place = new DOMRect();
@@ -38,7 +29,7 @@ menu.addEventListener('toggle', (event) => {
 
 /**
  * @param {[number, number]} at in CSS pixels of the page
- * @param {MenuContext} app
+ * @param {import("../../app/context.js").AppContext} app
  */
 export function showContextMenu(at, app) {
   const { store, viewport, actions } = app;
@@ -79,7 +70,7 @@ export function showContextMenu(at, app) {
 
 /**
  * What there is to do, and how, under its headings.
- * @param {MenuContext} app
+ * @param {import("../../app/context.js").AppContext} app
  * @returns {[heading: string, items: Item[]][]}
  */
 function sectionsOf({ store, actions, selecting, commands }) {

@@ -5,12 +5,12 @@ const BRUSH_FACTOR = 1.25;
 const BRUSH = [4, 120];
 
 /**
- * @param {import("../app/context.js").AppContext} app
- * @returns {import("../app/context.js").Command[]}
+ * @param {import("../../app/context.js").AppContext} app
+ * @returns {import("../../app/context.js").Command[]}
  */
-export function selectCommands({ store, actions }) {
+function commands({ store, actions }) {
   const shape = (
-    /** @type {import("../store/state.js").State["shape"]} */ id,
+    /** @type {import("../../store/state.js").State["shape"]} */ id,
     /** @type {string} */ label,
     /** @type {string} */ key,
   ) => ({
@@ -50,3 +50,6 @@ export function selectCommands({ store, actions }) {
     },
   ];
 }
+
+/** @type {import("../../app/context.js").Feature} */
+export default { commands };

@@ -3,19 +3,19 @@
  * them follow or fixes them.
  */
 
-import { button, closeButton } from '../ui/controls/fields.js';
-import { element } from '../ui/dom.js';
-import { count } from '../ui/format.js';
+import { button, closeButton } from '../../ui/controls/fields.js';
+import { element } from '../../ui/dom.js';
+import { count } from '../../ui/format.js';
 
 /** Of their dots, sRGB bytes. @type {[number, number, number]} */
 const COLOUR = [214, 132, 24];
 const SMALL = { class: 'small bordered' };
 
-/** @param {import("../app/context.js").AppContext} app */
+/** @param {import("../../app/context.js").AppContext} app */
 export function watchFreeVertices({ store, actions }) {
   const place = element('div', { 'aria-live': 'polite' });
   document.getElementById('messages')?.append(place);
-  /** What is shown of them. @type {import("../store/state.js").Tint | null} */
+  /** What is shown of them. @type {import("../../store/state.js").Tint | null} */
   let tint = null;
   /** How many there were when it was last said, or closed. */
   let reported = 0;

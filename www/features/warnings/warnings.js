@@ -4,18 +4,18 @@
  * messages, or with the verdict on panels, once each time.
  */
 
-import '../ui/styles/lists.css';
-import { button, closeButton } from '../ui/controls/fields.js';
-import { element, setText } from '../ui/dom.js';
-import { count, length, limit } from '../ui/format.js';
-import { movedInWords } from '../store/measures.js';
-import { showElements } from '../viewport/reveal-elements.js';
+import '../../ui/styles/lists.css';
+import { button, closeButton } from '../../ui/controls/fields.js';
+import { element, setText } from '../../ui/dom.js';
+import { count, length, limit } from '../../ui/format.js';
+import { movedInWords } from '../../store/measures.js';
+import { showElements } from '../../viewport/reveal-elements.js';
 
 const ZERO_SIZE = 'zero-size-faces';
 /** So many changes that help are offered. */
 const MOST_REMEDIES = 3;
 
-/** @param {import("../app/context.js").AppContext} app */
+/** @param {import("../../app/context.js").AppContext} app */
 export function watchConditions(app) {
   const { store, solver, files, alerts, actions } = app;
   const place = element('div', { 'aria-live': 'polite', id: 'conditions' });
@@ -44,7 +44,7 @@ export function watchConditions(app) {
     if (!scene || !numbers || !model) return;
     const allowed = tolerance ?? model.tolerance;
     const isAsked = (
-      /** @type {import("../solver/messages.js").ConstraintRow} */ { enabled, weight },
+      /** @type {import("../../solver/messages.js").ConstraintRow} */ { enabled, weight },
     ) => enabled && weight > 0;
     const errors = scene.constraints.map((row) =>
       isAsked(row) ? (numbers.worst[row.index] ?? 0) : 0,
@@ -133,7 +133,7 @@ export function watchConditions(app) {
     shown = null;
   }
 
-  /** Makes a change that helps, and goes on. @param {import("../solver/messages.js").Edit} edit */
+  /** Makes a change that helps, and goes on. @param {import("../../solver/messages.js").Edit} edit */
   async function take(edit) {
     if ((await actions.edit(edit)) !== undefined) actions.run();
   }

@@ -28,9 +28,8 @@ const SHAPES = [
  * @param {HTMLElement} bar
  * @param {HTMLElement} menu
  * @param {import("../../app/context.js").AppContext} app
- * @param {import("../../store/mesh-queries.js").Selecting} selecting
  */
-export function selectBar(bar, menu, { store, actions, alerts }, selecting) {
+export function selectBar(bar, menu, { store, actions, selecting, alerts }) {
   const shapes = SHAPES.map(({ id, label, key, title }) =>
     element(
       'button',

@@ -1,0 +1,34 @@
+/**
+ * The features of the page. Each registers itself, by a `feature.js` in its folder: nothing here knows
+ * one of them.
+ */
+
+/** @type {Record<string, import("./context.js").Feature>} */
+const FEATURES = import.meta.glob(['../features/*/feature.js', '../panels/*/feature.js'], {
+  eager: true,
+  import: 'default',
+});
+
+/** @param {import("./context.js").AppContext} app */
+export const featureCommands = (app) =>
+  Object.values(FEATURES).flatMap(({ commands }) => commands?.(app) ?? []);
+
+/**
+ * Loads a part the first time that it is needed.
+ * @param {import("./context.js").AppContext} app
+ * @param {import("./context.js").Part} part
+ */
+export function loadWhenNeeded(app, { keys, isNeeded, load }) {
+  let isLoaded = false;
+  app.store.subscribe(keys, (state) => {
+    if (isLoaded || !isNeeded(state)) return;
+    isLoaded = true;
+    app.actions.reportErrors(load(app));
+  });
+}
+
+/** @param {import("./context.js").AppContext} app */
+export function loadFeatures(app) {
+  for (const { parts = [] } of Object.values(FEATURES))
+    parts.forEach((part) => loadWhenNeeded(app, part));
+}

@@ -1,0 +1,16 @@
+/** Export in other formats than OBJ. */
+
+/** @type {import("../../app/context.js").Feature} */
+export default {
+  commands: (app) => [
+    {
+      id: 'export-as',
+      group: 'File',
+      label: 'More formats: Rhino, tables, pictures',
+      keys: ['Ctrl+Shift+E'],
+      action: () =>
+        app.actions.reportErrors(import('./dialog-export.js').then((it) => it.showExport(app))),
+      needsModel: true,
+    },
+  ],
+};

@@ -1,0 +1,22 @@
+/** Lessons: the dialog that writes one, and the panel of the one that the scene has. */
+
+/** @type {import("../../app/context.js").Feature} */
+export default {
+  commands: (app) => [
+    {
+      id: 'lesson',
+      group: 'File',
+      label: 'Write a lesson: a text, and goals that are checked',
+      keys: [],
+      action: () => app.actions.reportErrors(import('./dialog.js').then((it) => it.write(app))),
+      needsModel: true,
+    },
+  ],
+  parts: [
+    {
+      keys: ['document'],
+      isNeeded: ({ document }) => Boolean(document?.lesson),
+      load: (app) => import('./panel.js').then((it) => it.lessonPanel(app)),
+    },
+  ],
+};
