@@ -274,6 +274,6 @@ function newId() {
 }
 
 /** @param {number} time */
-export function timeOf(time) {
+function timeOf(time) {
   return new Date(time).toLocaleTimeString([], { hour: '2-digit', minute: '2-digit' });
 }

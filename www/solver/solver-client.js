@@ -35,7 +35,7 @@ const STEPS_MISSED = 10;
 const LONG_WORK = 3;
 
 /** What a request was refused for; `path` is the place in the scene that is wrong, if there is one. */
-export class Refusal extends Error {
+class Refusal extends Error {
   /**
    * @param {string} message
    * @param {string} path

@@ -22,7 +22,7 @@ const LOG_RANGE = 1e-4;
 const LOG_WITHIN = 0.1;
 
 /** Both ends and the end of the axis follow from the values. @type {import("../store/state.js").OwnRange} */
-export const AUTOMATIC = { low: null, high: null, top: null };
+const AUTOMATIC = { low: null, high: null, top: null };
 
 /** Until there are values. @type {Pick<import("../store/state.js").State, "spread" | "range" | "ownRange">} */
 const NONE = { spread: null, range: [0, 0], ownRange: AUTOMATIC };

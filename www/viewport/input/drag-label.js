@@ -13,7 +13,7 @@ export function showMoved(viewport, store) {
   viewport.element.after(label);
   const write = () => {
     const { moved } = store.get();
-    if (moved) setText(label, movedInWords(moved.by, store.get()));
+    if (moved) setText(label, displacementInWords(moved.by, store.get()));
   };
   const writeSoon = throttled(RENEW_MS, write);
   store.subscribe(['moved'], ({ moved }) => {
@@ -35,7 +35,7 @@ export function showMoved(viewport, store) {
  * @param {number[]} by
  * @param {Readonly<import("../../store/state.js").State>} state
  */
-export function movedInWords(by, { document, size }) {
+function displacementInWords(by, { document, size }) {
   const far = Math.hypot(...by);
   const { unit, factor } = lengthUnit(far, document?.units ?? '');
   const parts = by.flatMap((part, axis) => {
