@@ -19,11 +19,12 @@
 //! | room | holds | knows of |
 //! |---|---|---|
 //! | [`math`] | small vectors in lanes, eigenvectors, closest rotations, fitted circles and spheres | nothing |
+//! | `json` | JSON to serde types with the place of an error, and back to text | nothing |
 //! | [`mesh`] | polygon mesh, files in and out, topology, Laplacian, closest point, error measures | math |
-//! | [`constraint`] | one projection operator per file, the list of kinds, selectors, batches | math, mesh |
+//! | [`constraint`] | one projection operator per file, the list of kinds, selectors, batches | math, json, mesh |
 //! | [`sparse`] | `L D L^T` on the types of sprs: ordering, symbolic analysis, two numeric factors, triangular sweeps | math |
 //! | [`solve`] | energies, assembly, the two-step iteration, accelerators, conformal maps | math, mesh, constraint, sparse |
-//! | [`scene`] | the scene file: serde form and validation; the problem that it poses | math, mesh, constraint, sparse, solve |
+//! | [`scene`] | the scene file: serde form and validation; the problem that it poses | math, json, mesh, constraint, sparse, solve |
 //! | [`error`] | the one error that hosts see | mesh, scene, solve |
 //! | [`example`] | the example scenes, and the generators of their meshes | math, mesh, constraint, scene |
 //! | [`session`] | what every host drives: load, edit, drag, step, undo, report | all above |
@@ -104,6 +105,8 @@ pub mod error;
 pub mod example;
 #[cfg(any(feature = "cli", feature = "solver"))]
 pub mod experiment;
+#[cfg(any(feature = "cli", feature = "solver"))]
+mod json;
 pub mod math;
 #[cfg(any(feature = "cli", feature = "solver"))]
 pub mod mesh;

@@ -173,7 +173,7 @@ const REFUSED: &[(&str, &str, &[&str])] = &[
     (r#", "constraints": [{ "kind": "on-curve", "on": "boundary", "closed": "maybe" }]"#, "constraints[0].closed", &["maybe", "auto", "yes", "no"]),
     (r#", "constraints": [{ "kind": "on-surface", "on": "boundary", "surface": null }]"#, "constraints[0]", &["`surface`", "weight"]),
     (r#", "constraints": [{ "kind": "plane", "on": "faces", "normal": [0, 0, 0] }]"#, "constraints[0].normal", &["found [0, 0, 0]", "[x, y, z], not all zero"]),
-    (r#", "constraints": [{ "kind": "plane", "on": "faces", "along": [0, "1", 0] }]"#, "constraints[0].along[1]", &["\"1\"", "f64"]),
+    (r#", "constraints": [{ "kind": "plane", "on": "faces", "along": [0, "1", 0] }]"#, "constraints[0].along[1]", &["\"1\"", "a number"]),
     (r#", "constraints": [{ "kind": "plane", "on": "faces", "normal": [0, 0, 1], "along": [1, 0, 0] }]"#, "constraints[0]", &["both `normal` and `along`"]),
     (r#", "constraints": [{ "kind": "plane", "on": "faces", "norml": [0, 0, 1] }]"#, "constraints[0]", &["`norml`", "normal, along"]),
     (r#", "constraints": [{ "kind": "line", "on": "faces", "direction": "up" }]"#, "constraints[0].direction", &["\"up\"", "[x, y, z]"]),

@@ -1,6 +1,7 @@
 //! Selectors: which vertices a constraint acts on, orthogonal to its kind.
 
-use serde::Serialize;
+use crate::json::indices;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -8,11 +9,14 @@ use std::fmt;
 pub type Sets = BTreeMap<String, Set>;
 
 /// A named set of vertices and faces.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[serde(default, deny_unknown_fields)]
 pub struct Set {
     /// Indices of vertices.
+    #[serde(deserialize_with = "indices::deserialize")]
     pub vertices: Vec<u32>,
     /// Indices of faces.
+    #[serde(deserialize_with = "indices::deserialize")]
     pub faces: Vec<u32>,
 }
 

@@ -4,9 +4,11 @@ use super::SceneError;
 use crate::constraint::{Selector, Sets, resolve};
 use crate::mesh::{Mesh, Topology};
 use crate::solve::{BoundaryCloseness, ClosenessTo};
+use serde::Deserialize;
 
 /// What vertices are kept close to, and how much each.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[serde(default, deny_unknown_fields)]
 pub struct Closeness {
     /// `c(v)`.
     pub to: ClosenessTo,
@@ -17,7 +19,8 @@ pub struct Closeness {
 }
 
 /// How much more or less some vertices are kept close than the rest.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct ClosenessWeight {
     /// Which: all vertices that it selects.
     pub on: Selector,

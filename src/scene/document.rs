@@ -6,36 +6,50 @@ use super::up::Up;
 use crate::constraint::{Kind, Selector, Sets};
 use crate::mesh::{Mesh, Point};
 use crate::solve::{Hold, Smoothness, SolverSettings, Weights};
+use serde::Deserialize;
 
 /// A scene file, checked for form. Whether its indices and names fit the mesh is checked when a
 /// session opens it.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Scene {
     /// Shown as the name of the model.
+    #[serde(default)]
     pub title: String,
     /// Unit of length, such as `"m"`; empty when not known.
+    #[serde(default)]
     pub units: String,
     /// Which axis points up.
+    #[serde(default)]
     pub up: Up,
     /// The rest shape.
     pub mesh: MeshSource,
     /// Where the iteration starts, `#V by 3`; at rest when absent.
+    #[serde(default)]
     pub current: Option<Vec<Point>>,
     /// Named sets.
+    #[serde(default)]
     pub sets: Sets,
     /// One entry of the list of constraints: a kind on a selector.
+    #[serde(default)]
     pub constraints: Vec<ConstraintSpec>,
     /// Handles.
+    #[serde(default)]
     pub handles: Vec<HandleSpec>,
     /// The weights of Eq. 13.
+    #[serde(default)]
     pub weights: Weights,
     /// The closeness energy, Eq. 11.
+    #[serde(default)]
     pub closeness: Closeness,
     /// The smoothness energy, Eq. 12.
+    #[serde(default)]
     pub smoothness: Smoothness,
     /// How it is solved.
+    #[serde(default)]
     pub solver: SolverSettings,
     /// The exercise that it is.
+    #[serde(default)]
     pub lesson: Option<Lesson>,
 }
 

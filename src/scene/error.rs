@@ -1,5 +1,7 @@
 //! Errors in a scene.
 
+use crate::constraint::{Element, KINDS};
+use crate::json::JsonError;
 use std::fmt;
 
 /// An error in a scene, with its JSON path.
@@ -22,3 +24,48 @@ impl fmt::Display for SceneError {
 }
 
 impl std::error::Error for SceneError {}
+
+impl From<JsonError> for SceneError {
+    fn from(error: JsonError) -> SceneError {
+        let missing = error.missing_key().and_then(expected_of);
+        let JsonError { path, mut message } = error;
+        if let Some(expected) = missing {
+            message = format!("{message}, expected {expected}");
+        } else if let Some(found) = message.strip_suffix("a number")
+            && let Some(expected) = path.rsplit('.').next().and_then(expected_of)
+        {
+            message = found.to_owned() + &expected;
+        }
+        SceneError { path, message }
+    }
+}
+
+/// What the keys hold that must be there, or are numbers of a kind.
+fn expected_of(key: &str) -> Option<String> {
+    let what = match key {
+        "format" | "title" | "student" | "scene" | "time" | "name" | "id" => "a text",
+        "mesh" => "{\"file\": ...} or a mesh",
+        "positions" => "an array of points, or \"file\" with the path of a mesh",
+        "kind" => {
+            let ids: Vec<_> = KINDS.iter().map(|info| info.id).collect();
+            return Some(format!("one of {}", ids.join(", ")));
+        }
+        "on" | "each" => return Some(forms_of_selectors()),
+        "vertices" => "a list of indices",
+        "weight" | "at_most" => "a number from 0",
+        "corners" => "an angle in degrees from 0 to 180",
+        "text" => "what is to be done",
+        "goals" => "an array of goals",
+        "type" => "the type of an edit",
+        "index" => "the index of a row",
+        _ => return None,
+    };
+    Some(what.to_owned())
+}
+
+/// The forms of a selector.
+pub(super) fn forms_of_selectors() -> String {
+    let all = Element::ALL.into_iter().filter_map(Element::word_for_all);
+    let all: Vec<_> = all.map(|word| format!("\"{word}\"")).collect();
+    format!("{}, {{\"each\": ...}}, {{\"set\": NAME}} or {{\"vertices\": LIST}}", all.join(", "))
+}

@@ -44,9 +44,6 @@ pub use document::{ConstraintSpec, HANDLE_WEIGHT, HandleSpec, MeshSource, Scene}
 pub use error::SceneError;
 pub use frame::UnitsAndUp;
 pub use json::{FORMAT, VERSION};
-pub(crate) use json::{
-    JsonCursor, Node, parse, read_constraint, read_indices, read_lesson, read_selector,
-};
 pub use lesson::{Goal, GoalOf, Lesson};
 pub use panels::{PanelOffer, panel_offers};
 pub use presets::{PRESETS, Preset, PresetOffer};

@@ -3,9 +3,11 @@
 use super::document::{ConstraintSpec, HandleSpec, MeshSource, Scene};
 use super::lesson::Goal;
 use crate::mesh::{Mesh, Point};
+use serde::Deserialize;
 
 /// The results of a student: the shape, and the values of the goals.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Results {
     /// Who made it, as the student typed it.
     pub student: String,

@@ -1,8 +1,8 @@
 //! The checks of a scene beyond its form: numbers in range, and indices and names that the mesh has.
 
-use super::json::push_key;
 use super::{ClosenessTo, HandleSpec, Hold, NamedEnum, Scene, SceneError, Weighting};
 use crate::constraint::Selector;
+use crate::json::push_key;
 use crate::mesh::{FARTHEST, Laplacian, Mesh, too_far};
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -2,8 +2,12 @@
 //! read and write them.
 
 use super::{Accelerator, ClosenessTo, Factorization, SmoothnessOf, Up, Weighting};
+use crate::json::found;
 use crate::mesh::GroupKeyword;
 use crate::solve::{ConformalNorm, ConformalWeights};
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde_json::Value;
 
 /// A choice between a few values that have a word each.
 pub trait NamedEnum: Copy + PartialEq + 'static {
@@ -26,6 +30,37 @@ pub trait NamedEnum: Copy + PartialEq + 'static {
         Self::WORDS.iter().map(|(word, _)| *word).collect::<Vec<_>>().join(between)
     }
 }
+
+/// Reads one of the words of `choices`.
+pub(super) fn one_of<'de, T: Copy, D: Deserializer<'de>>(
+    from: D,
+    choices: &[(&str, T)],
+) -> Result<T, D::Error> {
+    let value = Value::deserialize(from)?;
+    let choice = choices.iter().find(|(word, _)| value == *word);
+    choice.map(|&(_, choice)| choice).ok_or_else(|| {
+        let words: Vec<_> = choices.iter().map(|(word, _)| format!("{word:?}")).collect();
+        D::Error::custom(found(&value, &words.join(" or ")))
+    })
+}
+
+macro_rules! by_word {
+    ($($Choice:ty),*) => {$(
+        impl<'de> Deserialize<'de> for $Choice {
+            fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+                one_of(from, Self::WORDS)
+            }
+        }
+
+        impl Serialize for $Choice {
+            fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+                to.serialize_str(self.word())
+            }
+        }
+    )*};
+}
+
+by_word!(Up, ClosenessTo, SmoothnessOf, Weighting, Accelerator, Factorization, GroupKeyword);
 
 impl NamedEnum for Up {
     const WORDS: &'static [(&'static str, Up)] = &[("z", Up::Z), ("y", Up::Y)];

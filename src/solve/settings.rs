@@ -1,9 +1,11 @@
 //! How the energies of a problem are weighed and how it is solved: the choices of scene files.
 
 use crate::sparse::Factorization;
+use serde::{Deserialize, Serialize};
 
 /// `lambda_shape`, `lambda_close`, `lambda_smooth` of Eq. 13.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
 pub struct Weights {
     /// Of `E_shape`, Eq. 4.
     pub shape: f64,
@@ -20,7 +22,8 @@ impl Default for Weights {
 }
 
 /// The quantity `l` and the weights `w` of the smoothness energy (Eq. 12).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
 pub struct Smoothness {
     /// `l_i` of Eq. 12.
     pub of: SmoothnessOf,
@@ -53,7 +56,8 @@ pub enum Weighting {
 }
 
 /// How a scene is solved.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
 pub struct SolverSettings {
     /// Iterations at most.
     pub iterations: u32,
@@ -112,7 +116,8 @@ pub enum ClosenessTo {
 /// Boundary vertices are kept close to the closest point on the rest shape of their own boundary
 /// loop, and corners are fixed at their rest positions. A corner that is a handle is held by that
 /// instead, and is kept close to its rest position.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
 pub struct BoundaryCloseness {
     /// A vertex is a corner where the boundary turns by more than this, in degrees from 0 to 180.
     pub corners: f64,

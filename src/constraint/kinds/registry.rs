@@ -36,7 +36,7 @@ macro_rules! kinds {
             /// When no kind has that id, or a parameter is unknown or out of type.
             pub fn new(id: &str, params: serde_json::Value) -> Result<Kind, KindError> {
                 $(if id == $module::$Kind::INFO.id {
-                    let kind = Kind::$Kind(parameter::read(&params)?);
+                    let kind = Kind::$Kind(crate::json::read(&params)?);
                     parameter::check_ranges($module::$Kind::INFO.params, &kind.params())?;
                     return Ok(kind);
                 })*

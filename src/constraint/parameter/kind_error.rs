@@ -1,5 +1,7 @@
 //! Why a kind with its parameters is refused.
 
+use crate::json::JsonError;
+
 /// Why [`Kind::new`](crate::constraint::Kind::new) gave none.
 #[derive(Clone, Debug, PartialEq)]
 pub enum KindError {
@@ -12,4 +14,10 @@ pub enum KindError {
         /// The fault, and what was expected instead.
         message: String,
     },
+}
+
+impl From<JsonError> for KindError {
+    fn from(JsonError { path, message }: JsonError) -> KindError {
+        KindError::Params { path, message }
+    }
 }

@@ -4,7 +4,6 @@
 //! | file | holds |
 //! |---|---|
 //! | `declaration` | key, unit, default, forms and range of a parameter |
-//! | `read` | from JSON, with the place of an error |
 //! | `range` | whether numbers are in their range |
 //! | `kind_error` | why a kind or a parameter is refused |
 //! | `limits`, `angle_range` | a number or a range; of lengths, of angles |
@@ -17,7 +16,6 @@ mod direction;
 mod kind_error;
 mod limits;
 mod range;
-mod read;
 mod target;
 
 pub(crate) use angle_range::AngleRange;
@@ -26,5 +24,4 @@ pub(crate) use direction::Direction;
 pub use kind_error::KindError;
 pub(crate) use limits::Limits;
 pub(crate) use range::check_ranges;
-pub(crate) use read::read;
 pub(crate) use target::Target;

@@ -1,11 +1,13 @@
 //! One entry of the list of constraints: kind, selector, weight, and the parameters of the kind.
 
-use super::node::JsonCursor;
-use super::parse::parse;
+use super::file::from_json;
 use super::selector;
 use super::text::{field, number, object, text};
-use crate::constraint::{KINDS, Kind, KindError};
+use crate::constraint::{KINDS, Kind, KindError, Selector};
+use crate::json::{JsonError, found, read};
 use crate::scene::{ConstraintSpec, SceneError};
+use serde::de::{Deserialize, Deserializer, Error};
+use serde_json::{Map, Value};
 
 impl ConstraintSpec {
     /// Reads one entry of a scene's list of constraints.
@@ -13,48 +15,70 @@ impl ConstraintSpec {
     /// # Errors
     /// As [`crate::scene::Scene::from_json`].
     pub fn from_json(json: &str) -> Result<ConstraintSpec, SceneError> {
-        read(&JsonCursor::root(&parse(json)?))
+        from_json(json)
+    }
+}
+
+impl<'de> Deserialize<'de> for ConstraintSpec {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<ConstraintSpec, D::Error> {
+        match Value::deserialize(from)? {
+            Value::Object(entries) => spec_of(entries),
+            other => Err(found(&other, "a constraint: an object with \"kind\" and \"on\"")),
+        }
+        .map_err(D::Error::custom)
     }
 }
 
 /// The keys that every constraint has; all others are parameters of its kind.
 const KEYS: [&str; 5] = ["kind", "on", "weight", "enabled", "name"];
 
-pub(crate) fn read(at: &JsonCursor<'_>) -> Result<ConstraintSpec, SceneError> {
-    let entries = at.entries("a constraint: an object with \"kind\" and \"on\"")?;
-    let ids: Vec<_> = KINDS.iter().map(|info| info.id).collect();
-    let what = format!("one of {}", ids.join(", "));
-    let kind = at.need("kind", &what)?;
-    let id = kind.text(&what)?;
-    let own = entries.iter().filter(|(key, _)| !KEYS.contains(key));
-    let params = own.clone().map(|(key, value)| ((*key).to_owned(), value.node.to_value()));
-    let kind = Kind::new(id, super::node::object(params)).map_err(|e| match e {
-        KindError::Unknown => kind.error(format!("unknown kind {id:?}, expected {what}")),
+/// What every constraint has.
+#[derive(serde::Deserialize)]
+struct Common {
+    kind: String,
+    on: Selector,
+    #[serde(default = "one")]
+    weight: f64,
+    #[serde(default = "yes")]
+    enabled: bool,
+    #[serde(default)]
+    name: String,
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+fn yes() -> bool {
+    true
+}
+
+fn spec_of(entries: Map<String, Value>) -> Result<ConstraintSpec, JsonError> {
+    let (mut common, mut params) = (Map::new(), Map::new());
+    for (key, value) in entries {
+        let part = if KEYS.contains(&&*key) { &mut common } else { &mut params };
+        part.insert(key, value);
+    }
+    let Common { kind: id, on, weight, enabled, name } = read(&Value::Object(common))?;
+    let given: Vec<_> = params.keys().cloned().collect();
+    let kind = Kind::new(&id, Value::Object(params)).map_err(|error| match error {
+        KindError::Unknown => {
+            let ids: Vec<_> = KINDS.iter().map(|info| info.id).collect();
+            let message = format!("unknown kind {id:?}, expected one of {}", ids.join(", "));
+            JsonError::new("kind", message)
+        }
         KindError::Params { path, message } => {
-            let known = parameter_keys(id);
-            match own.clone().find(|(key, _)| !known.iter().any(|k| k == key)) {
-                Some((key, _)) => {
-                    let known: Vec<_> =
-                        KEYS.iter().copied().chain(known.iter().map(|k| &**k)).collect();
-                    at.unknown_key(key, &known)
+            let known = parameter_keys(&id);
+            match given.iter().find(|key| !known.contains(key)) {
+                Some(key) => {
+                    let own = known.iter().map(|key| &**key);
+                    JsonError::unknown_key(key, &KEYS.into_iter().chain(own).collect::<Vec<_>>())
                 }
-                None => SceneError { path: join(&at.path(), &path), message },
+                None => JsonError { path, message },
             }
         }
     })?;
-    let on = at.need("on", &selector::what())?;
-    let on = selector::read(&on)?;
-    let mut spec = ConstraintSpec { kind, on, weight: 1.0, enabled: true, name: String::new() };
-    if let Some(weight) = at.get("weight") {
-        spec.weight = weight.number("a number from 0")?;
-    }
-    if let Some(enabled) = at.get("enabled") {
-        spec.enabled = enabled.truth()?;
-    }
-    if let Some(name) = at.get("name") {
-        spec.name = name.text("a name")?.to_owned();
-    }
-    Ok(spec)
+    Ok(ConstraintSpec { kind, on, weight, enabled, name })
 }
 
 /// The keys of the parameters of a kind.
@@ -70,10 +94,10 @@ fn parameter_keys(id: &str) -> Vec<String> {
 }
 
 /// The parameters that a kind has when the scene gives none; empty when some have no default.
-fn default_params(id: &str) -> serde_json::Map<String, serde_json::Value> {
+fn default_params(id: &str) -> Map<String, Value> {
     match Kind::new(id, serde_json::json!({})).map(|kind| kind.params()) {
-        Ok(serde_json::Value::Object(params)) => params,
-        _ => serde_json::Map::new(),
+        Ok(Value::Object(params)) => params,
+        _ => Map::new(),
     }
 }
 
@@ -91,7 +115,7 @@ pub(super) fn write(spec: &ConstraintSpec) -> String {
         fields.push(field("name", text(&spec.name)));
     }
     let defaults = default_params(id);
-    if let serde_json::Value::Object(params) = spec.kind.params() {
+    if let Value::Object(params) = spec.kind.params() {
         for (key, value) in params {
             if defaults.get(&key) != Some(&value) {
                 fields.push(field(&key, value.to_string()));
@@ -99,14 +123,4 @@ pub(super) fn write(spec: &ConstraintSpec) -> String {
         }
     }
     object(fields)
-}
-
-/// A JSON path and one below it.
-fn join(path: &str, below: &str) -> String {
-    match below {
-        "" => path.to_owned(),
-        _ if path.is_empty() => below.to_owned(),
-        _ if below.starts_with('[') => format!("{path}{below}"),
-        _ => format!("{path}.{below}"),
-    }
 }

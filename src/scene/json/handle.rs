@@ -1,39 +1,48 @@
 //! One entry of the list of handles.
 
-use super::indices;
-use super::node::{JsonCursor, read_points};
 use super::text::{field, number, object, points};
-use crate::scene::{HANDLE_WEIGHT, HandleSpec, Hold, SceneError};
+use crate::json::{JsonError, indices};
+use crate::mesh::Point;
+use crate::scene::{HANDLE_WEIGHT, HandleSpec, Hold};
+use serde::de::{Deserialize, Deserializer, Error};
 
-pub(super) fn read(at: &JsonCursor<'_>) -> Result<HandleSpec, SceneError> {
-    at.only_keys(&["vertices", "targets", "weight", "fixed"])?;
-    let list = at.need("vertices", "a list of indices")?;
-    let vertices = indices::read(&list)?;
-    if vertices.is_empty() {
-        return Err(list.error("the list is empty, expected at least one vertex"));
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct HandleFile {
+    #[serde(deserialize_with = "indices::deserialize")]
+    vertices: Vec<u32>,
+    targets: Option<Vec<Point>>,
+    weight: Option<f64>,
+    #[serde(default)]
+    fixed: bool,
+}
+
+impl<'de> Deserialize<'de> for HandleSpec {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<HandleSpec, D::Error> {
+        handle_of(HandleFile::deserialize(from)?).map_err(D::Error::custom)
     }
-    let targets = match at.get("targets") {
-        None => None,
-        Some(targets) => {
-            let points = read_points(&targets)?;
-            if points.len() != vertices.len() {
-                return Err(targets.error(format!(
-                    "found {} targets, expected one for each of the {} vertices",
-                    points.len(),
-                    vertices.len()
-                )));
-            }
-            Some(points)
+}
+
+fn handle_of(file: HandleFile) -> Result<HandleSpec, JsonError> {
+    let HandleFile { vertices, targets, weight, fixed } = file;
+    let error = |path, message: &str| Err(JsonError::new(path, message));
+    if vertices.is_empty() {
+        return error("vertices", "the list is empty, expected at least one vertex");
+    }
+    if let Some(targets) = &targets
+        && targets.len() != vertices.len()
+    {
+        let (found, expected) = (targets.len(), vertices.len());
+        let message =
+            format!("found {found} targets, expected one for each of the {expected} vertices");
+        return error("targets", &message);
+    }
+    let hold = match weight {
+        Some(_) if fixed => {
+            return error("weight", "a fixed handle is met exactly and takes no weight");
         }
-    };
-    let fixed = at.get("fixed").map_or(Ok(false), |fixed| fixed.truth())?;
-    let hold = match at.get("weight") {
-        Some(weight) if fixed => {
-            return Err(weight.error("a fixed handle is met exactly and takes no weight"));
-        }
-        Some(weight) => Hold::Soft { weight: weight.number("a number above 0")? },
-        None if fixed => Hold::Fixed,
-        None => Hold::Soft { weight: HANDLE_WEIGHT },
+        _ if fixed => Hold::Fixed,
+        weight => Hold::Soft { weight: weight.unwrap_or(HANDLE_WEIGHT) },
     };
     Ok(HandleSpec { vertices, targets, hold })
 }

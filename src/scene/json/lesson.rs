@@ -6,32 +6,12 @@
 //!              { "constraint": "Eaves", "at_most": 0.01 } ] }
 //! ```
 
-use super::node::{JsonCursor, Node, read_points};
-use super::parse::{check_format, parse};
+use super::file::{RESULTS, VERSION, from_json};
 use super::text::{field, lines, number, object, point, rows, text};
 use super::{constraint, handle};
+use crate::json::{JsonError, found};
 use crate::scene::{Goal, GoalOf, GoalResult, Lesson, Results, SceneError};
-
-/// The value of `format` in every file of results.
-const FORMAT: &str = "shape-up-results";
-/// The version of the file of results that is read and written.
-const VERSION: u32 = 1;
-
-const GOAL_KEYS: &[&str] = &["measure", "constraint", "at_most"];
-const RESULT_KEYS: &[&str] = &[
-    "format",
-    "version",
-    "student",
-    "title",
-    "scene",
-    "time",
-    "iterations",
-    "passed",
-    "goals",
-    "constraints",
-    "handles",
-    "positions",
-];
+use serde::de::{Deserialize, Deserializer, Error};
 
 impl Lesson {
     /// Reads the `lesson` of a scene.
@@ -39,39 +19,75 @@ impl Lesson {
     /// # Errors
     /// As [`crate::scene::Scene::from_json`].
     pub fn from_json(json: &str) -> Result<Lesson, SceneError> {
-        read(&JsonCursor::root(&parse(json)?))
+        from_json(json)
     }
 }
 
-pub(crate) fn read(at: &JsonCursor<'_>) -> Result<Lesson, SceneError> {
-    at.only_keys(&["text", "goals"])?;
-    let text = at.need("text", "what is to be done")?.text("what is to be done")?.to_owned();
-    let goals = at.need("goals", "an array of goals")?;
-    let items = goals.array("an array of goals")?;
-    if items.is_empty() {
-        return Err(goals.expected("at least one goal"));
-    }
-    let goals = items.iter().map(|goal| read_goal(goal, GOAL_KEYS)).collect::<Result<_, _>>()?;
-    Ok(Lesson { text, goals })
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct LessonFile {
+    text: String,
+    goals: Vec<Goal>,
 }
 
-fn read_goal(at: &JsonCursor<'_>, keys: &[&str]) -> Result<Goal, SceneError> {
-    const WHAT: &str = "{\"measure\": ...} or {\"constraint\": ...}";
-    at.only_keys(keys)?;
-    let of = match (at.get("measure"), at.get("constraint")) {
-        (Some(measure), None) => GoalOf::Measure(measure.text("the id of a measure")?.to_owned()),
-        (None, Some(name)) => GoalOf::Constraint(name.text("the name of a constraint")?.to_owned()),
-        (None, None) => return Err(at.error(format!("the goal is about nothing, expected {WHAT}"))),
-        (Some(_), Some(_)) => {
-            return Err(at.error(format!("the goal is about two, expected {WHAT}")));
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct GoalFile {
+    measure: Option<String>,
+    constraint: Option<String>,
+    at_most: Option<f64>,
+}
+
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ResultFile {
+    measure: Option<String>,
+    constraint: Option<String>,
+    at_most: Option<f64>,
+    value: Option<f64>,
+    met: bool,
+}
+
+impl<'de> Deserialize<'de> for Lesson {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Lesson, D::Error> {
+        let LessonFile { text, goals } = LessonFile::deserialize(from)?;
+        if goals.is_empty() {
+            let message = "found an array of 0, expected at least one goal";
+            return Err(D::Error::custom(JsonError::new("goals", message)));
         }
-    };
-    let at_most = at.need("at_most", "a number from 0")?;
-    let value = at_most.number("a number from 0")?;
-    if value < 0.0 {
-        return Err(at_most.expected("a number from 0"));
+        Ok(Lesson { text, goals })
     }
-    Ok(Goal { of, at_most: value })
+}
+
+impl<'de> Deserialize<'de> for Goal {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Goal, D::Error> {
+        goal_of(GoalFile::deserialize(from)?).map_err(D::Error::custom)
+    }
+}
+
+impl<'de> Deserialize<'de> for GoalResult {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<GoalResult, D::Error> {
+        let ResultFile { measure, constraint, at_most, value, met } =
+            ResultFile::deserialize(from)?;
+        let goal = goal_of(GoalFile { measure, constraint, at_most });
+        Ok(GoalResult { goal: goal.map_err(D::Error::custom)?, value, met })
+    }
+}
+
+fn goal_of(file: GoalFile) -> Result<Goal, JsonError> {
+    const WHAT: &str = "{\"measure\": ...} or {\"constraint\": ...}";
+    let error = |message: String| Err(JsonError::new("", message));
+    let of = match (file.measure, file.constraint) {
+        (Some(id), None) => GoalOf::Measure(id),
+        (None, Some(name)) => GoalOf::Constraint(name),
+        (None, None) => return error(format!("the goal is about nothing, expected {WHAT}")),
+        (Some(_), Some(_)) => return error(format!("the goal is about two, expected {WHAT}")),
+    };
+    let at_most = file.at_most.ok_or_else(|| JsonError::missing_field("at_most"))?;
+    if at_most < 0.0 {
+        return Err(found(&at_most.into(), "a number from 0").below_key("at_most"));
+    }
+    Ok(Goal { of, at_most })
 }
 
 /// The lesson, each goal on a line.
@@ -89,14 +105,6 @@ fn goal_fields(goal: &Goal) -> Vec<String> {
 }
 
 impl Results {
-    /// Reads a file of results.
-    ///
-    /// # Errors
-    /// As [`crate::scene::Scene::from_json`].
-    pub fn from_json(json: &str) -> Result<Results, SceneError> {
-        read_results(&JsonCursor::root(&parse(json)?))
-    }
-
     /// Writes the file that [`Results::from_json`] reads.
     pub fn to_json(&self) -> String {
         let goals = self.goals.iter().map(|result| {
@@ -108,7 +116,7 @@ impl Results {
         let constraints = self.constraints.iter().map(constraint::write).collect();
         let handles = self.handles.iter().map(handle::write).collect();
         let fields = [
-            field("format", text(FORMAT)),
+            field("format", text(RESULTS)),
             field("version", VERSION.to_string()),
             field("student", text(&self.student)),
             field("title", text(&self.title)),
@@ -123,46 +131,4 @@ impl Results {
         ];
         format!("{{\n  {}\n}}\n", fields.join(",\n  "))
     }
-}
-
-fn read_results(at: &JsonCursor<'_>) -> Result<Results, SceneError> {
-    check_format(at, "results: an object", FORMAT, VERSION)?;
-    at.only_keys(RESULT_KEYS)?;
-    let word = |key: &'static str| -> Result<String, SceneError> {
-        Ok(at.need(key, "a text")?.text("a text")?.to_owned())
-    };
-    let goals = at.need("goals", "an array of goals")?;
-    let constraints = at.need("constraints", "an array of constraints")?;
-    let handles = at.need("handles", "an array of handles")?;
-    Ok(Results {
-        student: word("student")?,
-        title: word("title")?,
-        scene: word("scene")?,
-        time: word("time")?,
-        iterations: at.need("iterations", "a count")?.whole("a count")?,
-        passed: at.need("passed", "true or false")?.truth()?,
-        goals: each(&goals, "an array of goals", read_result)?,
-        constraints: each(&constraints, "an array of constraints", constraint::read)?,
-        handles: each(&handles, "an array of handles", handle::read)?,
-        positions: read_points(&at.need("positions", "an array of points [x, y, z]")?)?,
-    })
-}
-
-fn each<T>(
-    at: &JsonCursor<'_>,
-    what: &str,
-    read: impl Fn(&JsonCursor<'_>) -> Result<T, SceneError>,
-) -> Result<Vec<T>, SceneError> {
-    at.array(what)?.iter().map(read).collect()
-}
-
-fn read_result(at: &JsonCursor<'_>) -> Result<GoalResult, SceneError> {
-    const WHAT: &str = "a number, or null where nothing has it";
-    let goal = read_goal(at, &["measure", "constraint", "at_most", "value", "met"])?;
-    let value = at.need("value", WHAT)?;
-    let value = match value.node {
-        Node::Null => None,
-        _ => Some(value.number(WHAT)?),
-    };
-    Ok(GoalResult { goal, value, met: at.need("met", "true or false")?.truth()? })
 }

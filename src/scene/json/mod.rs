@@ -38,36 +38,21 @@
 //!
 //! | file | holds |
 //! |---|---|
-//! | `parse` | from text to a tree |
-//! | `node` | the tree, and typed access that names the place |
-//! | `text` | JSON as text |
-//! | `read`, `write` | the scene |
-//! | `inline_mesh` | a mesh inside the scene |
+//! | `file` | format and version, before what is in the file |
+//! | `mesh` | a mesh inside the scene |
 //! | `constraint`, `selector` | one entry of the list of constraints; the forms of `on` |
 //! | `handle` | one entry of the list of handles |
-//! | `indices` | index lists: arrays or strings of ranges |
-//! | `closeness` | what vertices are kept close to |
 //! | `lesson` | the exercise that a scene is, and the results that are handed in |
+//! | `write` | the scene as text |
+//! | `text` | JSON as text |
 
-mod closeness;
 mod constraint;
+mod file;
 mod handle;
-mod indices;
-mod inline_mesh;
 mod lesson;
-mod node;
-mod parse;
-mod read;
+mod mesh;
 mod selector;
 mod text;
 mod write;
 
-pub(super) use node::push_key;
-pub use read::{FORMAT, VERSION};
-
-pub(crate) use constraint::read as read_constraint;
-pub(crate) use indices::read as read_indices;
-pub(crate) use lesson::read as read_lesson;
-pub(crate) use node::{JsonCursor, Node};
-pub(crate) use parse::parse;
-pub(crate) use selector::read as read_selector;
+pub use file::{FORMAT, VERSION};

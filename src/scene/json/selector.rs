@@ -1,18 +1,14 @@
 //! The forms of `on`: which vertices a constraint acts on.
 
-use super::indices;
-use super::node::{JsonCursor, Node};
-use super::parse::parse;
+use super::file::from_json;
 use super::text::{field, object, text};
 use crate::constraint::{Element, Selector};
+use crate::json::{JsonError, found, indices, read};
 use crate::scene::SceneError;
-
-/// The forms of a selector, for messages.
-pub(super) fn what() -> String {
-    let all = Element::ALL.into_iter().filter_map(Element::word_for_all);
-    let all: Vec<_> = all.map(|word| format!("\"{word}\"")).collect();
-    format!("{}, {{\"each\": ...}}, {{\"set\": NAME}} or {{\"vertices\": LIST}}", all.join(", "))
-}
+use crate::scene::error::forms_of_selectors;
+use crate::scene::words::one_of;
+use serde::de::{Deserialize, Deserializer, Error};
+use serde_json::Value;
 
 /// The radius of an element that does not say its own.
 fn default_radius(element: Element) -> u32 {
@@ -25,51 +21,69 @@ impl Selector {
     /// # Errors
     /// As [`crate::scene::Scene::from_json`].
     pub fn from_json(json: &str) -> Result<Selector, SceneError> {
-        read(&JsonCursor::root(&parse(json)?))
+        from_json(json)
     }
 }
 
-pub(crate) fn read(at: &JsonCursor<'_>) -> Result<Selector, SceneError> {
-    match at.node {
-        Node::Text(word) => {
-            let element = Element::ALL.into_iter().find(|e| e.word_for_all() == Some(word));
-            let element = element.ok_or_else(|| at.expected(&what()))?;
-            Ok(Selector::Each { element, within: None, radius: default_radius(element) })
-        }
-        Node::Object(_) => read_object(at),
-        _ => Err(at.expected(&what())),
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct OfSet {
+    set: String,
+}
+
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct OfVertices {
+    #[serde(deserialize_with = "indices::deserialize")]
+    vertices: Vec<u32>,
+}
+
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct OfEach {
+    each: Element,
+    r#in: Option<String>,
+    radius: Option<u32>,
+}
+
+impl<'de> Deserialize<'de> for Element {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Element, D::Error> {
+        one_of(from, &Element::ALL.map(|element| (element.id(), element)))
     }
 }
 
-fn read_object(at: &JsonCursor<'_>) -> Result<Selector, SceneError> {
-    if let Some(set) = at.get("set") {
-        at.only_keys(&["set"])?;
-        return Ok(Selector::Set(set.text("the name of a set or group")?.to_owned()));
+impl<'de> Deserialize<'de> for Selector {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Selector, D::Error> {
+        selector_of(&Value::deserialize(from)?).map_err(D::Error::custom)
     }
-    if let Some(list) = at.get("vertices") {
-        at.only_keys(&["vertices"])?;
-        let vertices = indices::read(&list)?;
+}
+
+fn selector_of(value: &Value) -> Result<Selector, JsonError> {
+    if value.get("set").is_some() {
+        return read(value).map(|OfSet { set }| Selector::Set(set));
+    }
+    if value.get("vertices").is_some() {
+        let OfVertices { vertices } = read(value)?;
         if vertices.is_empty() {
-            return Err(list.error("the list is empty, expected at least one vertex"));
+            let message = "the list is empty, expected at least one vertex";
+            return Err(JsonError::new("vertices", message));
         }
         return Ok(Selector::Vertices(vertices));
     }
-    at.only_keys(&["each", "in", "radius", "set", "vertices"])?;
-    let element = at.need("each", &what())?.one_of(&Element::ALL.map(|e| (e.id(), e)))?;
-    let within = match at.get("in") {
-        Some(name) => Some(name.text("the name of a set or group")?.to_owned()),
-        None => None,
+    let (element, within, radius) = if value.is_object() {
+        let OfEach { each, r#in: within, radius } = read(value)?;
+        (each, within, radius)
+    } else {
+        let element =
+            Element::ALL.into_iter().find(|e| e.word_for_all().is_some_and(|w| value == w));
+        (element.ok_or_else(|| found(value, &forms_of_selectors()))?, None, None)
     };
-    let radius = match at.get("radius") {
-        Some(radius) => {
-            let what = format!("a whole number from {}", default_radius(element));
-            match radius.whole(&what)? {
-                found if found < default_radius(element) => return Err(radius.expected(&what)),
-                found => found,
-            }
-        }
-        None => default_radius(element),
-    };
+    let least = default_radius(element);
+    let radius = radius.unwrap_or(least);
+    if radius < least {
+        let message = format!("found {radius}, expected a whole number from {least}");
+        return Err(JsonError::new("radius", message));
+    }
     Ok(Selector::Each { element, within, radius })
 }
 

@@ -1,15 +1,19 @@
 //! The edits of the document: each is one step of undo.
 
 use crate::constraint::Set;
+use crate::json::indices::{self, Indices};
 use crate::scene::{ConstraintSpec, Lesson, Up, Weights};
+use serde::{Deserialize, Deserializer};
 use serde_json::{Map, Value};
 
 /// An edit of the document; [`Edit::from_json`] reads one.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(rename_all = "camelCase")]
 pub enum Edit {
     /// Appends a row of constraints.
     AddConstraint(NewConstraint),
     /// Asks for one shape of every face that can have it: see [`crate::scene::Scene::ask_of_panels`].
+    #[serde(skip_deserializing)]
     MakePanels {
         /// The id of the kind.
         kind: String,
@@ -28,6 +32,7 @@ pub enum Edit {
         /// Whether it counts.
         enabled: Option<bool>,
         /// New values of parameters, as in scene files; those that are not here stay.
+        #[serde(default)]
         params: Map<String, Value>,
     },
     /// Adds a row like row `index` after it.
@@ -43,6 +48,7 @@ pub enum Edit {
         name: String,
     },
     /// Gives a set a name, instead of what had that name.
+    #[serde(deserialize_with = "named_set")]
     NameSet {
         /// Not empty.
         name: String,
@@ -64,6 +70,7 @@ pub enum Edit {
     /// Keeps some vertices close more or less than the others.
     HoldClose {
         /// Which vertices; all of them where there is no list.
+        #[serde(default, deserialize_with = "list_or_none")]
         vertices: Option<Vec<u32>>,
         /// A factor of the weight of closeness, not negative; 1 is as the others.
         weight: f64,
@@ -74,6 +81,7 @@ pub enum Edit {
     /// Makes handles soft, with a weight.
     WeighHandles {
         /// Their vertices.
+        #[serde(deserialize_with = "indices::deserialize")]
         vertices: Vec<u32>,
         /// Positive.
         weight: f64,
@@ -96,10 +104,11 @@ pub enum Edit {
         up: Up,
     },
     /// Makes the scene an exercise, or no longer.
-    SetLesson(Option<Lesson>),
+    SetLesson(#[serde(deserialize_with = "lesson")] Option<Lesson>),
     /// Makes vertices handles where they are now; those that are handles already change how they hold.
     AddHandles {
         /// Which vertices.
+        #[serde(deserialize_with = "indices::deserialize")]
         vertices: Vec<u32>,
         /// Fixed or soft.
         fixed: bool,
@@ -107,10 +116,36 @@ pub enum Edit {
     /// Releases vertices.
     RemoveHandles {
         /// Which vertices.
+        #[serde(deserialize_with = "indices::deserialize")]
         vertices: Vec<u32>,
     },
     /// Goes back to the rest shape; constraints, handles and weights stay.
     Reset,
+}
+
+fn list_or_none<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Vec<u32>>, D::Error> {
+    Option::<Indices>::deserialize(from).map(|list| list.map(|Indices(list)| list))
+}
+
+fn named_set<'de, D: Deserializer<'de>>(from: D) -> Result<(String, Set), D::Error> {
+    #[derive(Deserialize)]
+    struct Fields {
+        name: String,
+        #[serde(default, deserialize_with = "indices::deserialize")]
+        vertices: Vec<u32>,
+        #[serde(default, deserialize_with = "indices::deserialize")]
+        faces: Vec<u32>,
+    }
+    Fields::deserialize(from)
+        .map(|Fields { name, vertices, faces }| (name, Set { vertices, faces }))
+}
+
+fn lesson<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Lesson>, D::Error> {
+    #[derive(Deserialize)]
+    struct Fields {
+        lesson: Option<Lesson>,
+    }
+    Fields::deserialize(from).map(|fields| fields.lesson)
 }
 
 /// A row of constraints to be added.

@@ -1,11 +1,12 @@
 //! Selections and requests for them.
 
+use crate::json::indices;
 use crate::scene::{NamedEnum, SceneError};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
 /// The kind of elements that are picked.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Mode {
     /// Vertices.
@@ -22,26 +23,32 @@ impl NamedEnum for Mode {
 }
 
 /// Some vertices, edges and faces.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Selection {
     /// Indices of vertices.
+    #[serde(deserialize_with = "indices::deserialize")]
     pub vertices: Vec<u32>,
     /// Numbers of edges, as in [`crate::mesh::Topology::edges`].
+    #[serde(deserialize_with = "indices::deserialize")]
     pub edges: Vec<u32>,
     /// Indices of faces.
+    #[serde(deserialize_with = "indices::deserialize")]
     pub faces: Vec<u32>,
 }
 
 /// A way to select, from where.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Deserialize)]
 pub struct SelectRequest {
     /// The id of an [`Operation`](super::Operation).
     pub operation: String,
     /// What is picked; the answer is of that kind unless the operation gives another.
     pub mode: Mode,
     /// The current selection.
+    #[serde(default)]
     pub from: Selection,
     /// The parameters that are not at their default.
+    #[serde(default)]
     pub params: Map<String, Value>,
 }
 

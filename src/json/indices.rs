@@ -1,25 +1,80 @@
 //! Index lists: a JSON array, or a string of ranges such as `"0-199,240"` with both ends included.
-//! The order of the list is kept, in and out.
+//! The order of the list is kept, in and out. For serde's `with`.
 
-use super::node::{JsonCursor, Node};
-use crate::scene::SceneError;
+use serde::de::{self, Deserialize, Deserializer, SeqAccess, Unexpected, Visitor};
+use std::cell::Cell;
+use std::fmt;
 
-const WHAT: &str = "a list of indices such as [0, 1, 5] or \"0-1,5\"";
+/// How many indices the ranges of a document may stand for, all together: a few bytes of text stand for
+/// any number, and this many take 64 MiB.
+const MOST_INDICES: usize = 1 << 24;
 
-pub(crate) fn read(at: &JsonCursor<'_>) -> Result<Vec<u32>, SceneError> {
-    match at.node {
-        Node::Array(_) => {
-            at.array(WHAT)?.iter().map(|item| item.whole("an index, counted from 0")).collect()
-        }
-        Node::Text(text) => {
-            read_ranges(text, |count| at.takes_indices(count)).map_err(|message| at.error(message))
-        }
-        _ => Err(at.expected(WHAT)),
+thread_local! {
+    /// How many indices the ranges of the document that is being read may still stand for.
+    static LEFT: Cell<usize> = const { Cell::new(MOST_INDICES) };
+}
+
+/// A document begins, whose ranges count anew.
+pub(crate) fn begin() {
+    LEFT.set(MOST_INDICES);
+}
+
+/// A list as serde reads it.
+pub(crate) struct Indices(pub(crate) Vec<u32>);
+
+pub(crate) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<u32>, D::Error> {
+    Indices::deserialize(from).map(|list| list.0)
+}
+
+impl<'de> Deserialize<'de> for Indices {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Indices, D::Error> {
+        from.deserialize_any(ListVisitor).map(Indices)
     }
 }
 
-/// `takes` tells whether there is room for so many more indices: before they take any.
-fn read_ranges(text: &str, takes: impl Fn(usize) -> bool) -> Result<Vec<u32>, String> {
+struct ListVisitor;
+
+impl<'de> Visitor<'de> for ListVisitor {
+    type Value = Vec<u32>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a list of indices such as [0, 1, 5] or \"0-1,5\"")
+    }
+    fn visit_str<E: de::Error>(self, text: &str) -> Result<Vec<u32>, E> {
+        read_ranges(text).map_err(E::custom)
+    }
+    fn visit_seq<A: SeqAccess<'de>>(self, mut array: A) -> Result<Vec<u32>, A::Error> {
+        let mut indices = Vec::with_capacity(array.size_hint().unwrap_or_default());
+        while let Some(Index(index)) = array.next_element()? {
+            indices.push(index);
+        }
+        Ok(indices)
+    }
+}
+
+struct Index(u32);
+
+impl<'de> Deserialize<'de> for Index {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Index, D::Error> {
+        from.deserialize_u32(IndexVisitor).map(Index)
+    }
+}
+
+struct IndexVisitor;
+
+impl Visitor<'_> for IndexVisitor {
+    type Value = u32;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("an index, counted from 0")
+    }
+    fn visit_u64<E: de::Error>(self, index: u64) -> Result<u32, E> {
+        let small = u32::try_from(index);
+        small.map_err(|_| E::invalid_value(Unexpected::Unsigned(index), &self))
+    }
+}
+
+fn read_ranges(text: &str) -> Result<Vec<u32>, String> {
     let mut indices = Vec::new();
     if text.trim().is_empty() {
         return Ok(indices);
@@ -37,11 +92,10 @@ fn read_ranges(text: &str, takes: impl Fn(usize) -> bool) -> Result<Vec<u32>, St
                 "the range {range:?} runs backwards, expected the smaller index first"
             ));
         }
-        if !takes(((last - first) as usize).saturating_add(1)) {
-            return Err(format!(
-                "with the range {range:?} the lists of the scene are longer than any mesh"
-            ));
-        }
+        let left = LEFT.get().checked_sub(((last - first) as usize).saturating_add(1));
+        LEFT.set(left.ok_or_else(|| {
+            format!("with the range {range:?} the lists of the document are longer than any mesh")
+        })?);
         indices.extend(first..=last);
     }
     Ok(indices)
@@ -55,7 +109,7 @@ fn index(text: &str) -> Option<u32> {
 }
 
 /// The list as JSON: an array, or the string of ranges where that is shorter.
-pub(super) fn write(indices: &[u32]) -> String {
+pub(crate) fn write(indices: &[u32]) -> String {
     let mut ranges = String::new();
     let mut rest = indices;
     while let Some(&first) = rest.first() {
@@ -83,7 +137,8 @@ mod tests {
     use super::*;
 
     fn read(text: &str) -> Result<Vec<u32>, String> {
-        read_ranges(text, |_| true)
+        begin();
+        read_ranges(text)
     }
 
     #[test]

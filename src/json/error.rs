@@ -1,0 +1,138 @@
+//! A fault in a JSON document, with its path.
+
+use super::tree::Tree;
+use serde::de::{self, Unexpected};
+use std::fmt;
+
+/// A fault in a JSON document.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct JsonError {
+    /// JSON path, such as `constraints[2].on.set`; empty for the whole document.
+    pub(crate) path: String,
+    /// The fault, and what was expected instead.
+    pub(crate) message: String,
+}
+
+impl JsonError {
+    pub(crate) fn new(path: impl Into<String>, message: impl Into<String>) -> JsonError {
+        JsonError { path: path.into(), message: message.into() }
+    }
+
+    /// The same fault, seen from one level above.
+    pub(crate) fn below(mut self, mut step: String) -> JsonError {
+        if !(self.path.is_empty() || self.path.starts_with('[')) {
+            step.push('.');
+        }
+        self.path.insert_str(0, &step);
+        self
+    }
+
+    pub(crate) fn below_key(self, key: &str) -> JsonError {
+        let mut step = String::new();
+        push_key(&mut step, key);
+        self.below(step)
+    }
+
+    pub(crate) fn below_index(self, index: usize) -> JsonError {
+        self.below(format!("[{index}]"))
+    }
+
+    pub(super) fn found(found: &str, expected: &str) -> JsonError {
+        JsonError::new("", format!("found {found}, expected {}", plain(expected)))
+    }
+
+    pub(crate) fn unknown_key(key: &str, known: &[&str]) -> JsonError {
+        JsonError::new("", format!("unknown key `{key}`, known here: {}", known.join(", ")))
+    }
+
+    /// The key that an object should have and has not, where that is the fault.
+    pub(crate) fn missing_key(&self) -> Option<&str> {
+        self.message.strip_prefix('`')?.strip_suffix("` is missing")
+    }
+}
+
+/// Stands before and after the path where serde hands an error on as text, as `try_from` does: no path has
+/// this character.
+const MARK: char = '\u{1}';
+
+impl fmt::Display for JsonError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{MARK}{}{MARK}{}", self.path, self.message)
+    }
+}
+
+impl std::error::Error for JsonError {}
+
+impl de::Error for JsonError {
+    fn custom<T: fmt::Display>(message: T) -> JsonError {
+        let text = message.to_string();
+        match text.strip_prefix(MARK).and_then(|text| text.split_once(MARK)) {
+            Some((path, message)) => JsonError::new(path, message),
+            None => JsonError::new("", text),
+        }
+    }
+
+    fn invalid_type(unexpected: Unexpected<'_>, expected: &dyn de::Expected) -> JsonError {
+        let unexpected = match unexpected {
+            Unexpected::Bool(value) => value.to_string(),
+            Unexpected::Unsigned(value) => value.to_string(),
+            Unexpected::Signed(value) => value.to_string(),
+            Unexpected::Float(value) => value.to_string(),
+            Unexpected::Str(value) => Tree::Text(value.to_owned()).describe(),
+            Unexpected::Seq => "an array".to_owned(),
+            Unexpected::Map => "an object".to_owned(),
+            _ => "null".to_owned(),
+        };
+        JsonError::found(&unexpected, &expected.to_string())
+    }
+
+    fn invalid_value(unexpected: Unexpected<'_>, expected: &dyn de::Expected) -> JsonError {
+        JsonError::invalid_type(unexpected, expected)
+    }
+
+    fn invalid_length(length: usize, expected: &dyn de::Expected) -> JsonError {
+        let expected = expected.to_string();
+        JsonError::new("", format!("found an array of {length}, expected {}", plain(&expected)))
+    }
+
+    fn unknown_field(key: &str, known: &'static [&'static str]) -> JsonError {
+        JsonError::unknown_key(key, known)
+    }
+
+    fn missing_field(key: &'static str) -> JsonError {
+        JsonError::new("", format!("`{key}` is missing"))
+    }
+}
+
+/// "found ..., expected ..."
+pub(crate) fn found(value: impl Into<Tree>, expected: &str) -> JsonError {
+    JsonError::found(&value.into().describe(), expected)
+}
+
+/// What serde calls by the names of Rust.
+fn plain(expected: &str) -> &str {
+    match expected {
+        "f64" => "a number",
+        "u32" | "usize" => "a whole number from 0",
+        "a boolean" => "true or false",
+        "a string" => "a text",
+        "a sequence" => "an array",
+        "an array of length 3" => "a point [x, y, z]",
+        "a map" => "an object",
+        _ if expected.starts_with("struct ") => "an object",
+        _ => expected,
+    }
+}
+
+/// Appends a key to a JSON path; one that is not a plain word is quoted.
+pub(crate) fn push_key(path: &mut String, key: &str) {
+    let plain = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
+    if key.is_empty() || !key.chars().all(plain) {
+        path.push_str(&format!("[{key:?}]"));
+    } else {
+        if !path.is_empty() {
+            path.push('.');
+        }
+        path.push_str(key);
+    }
+}

@@ -1,0 +1,23 @@
+//! JSON: text to a tree, a tree to typed values whose errors name their place, and a tree to text.
+//!
+//! Scene files, edits and the parameters of kinds are serde types. They are all read by one deserializer,
+//! so that each of them is compiled once, and by one that tracks the JSON path itself.
+//!
+//! | file | holds |
+//! |---|---|
+//! | `tree` | the tree |
+//! | `parse` | text to a tree |
+//! | `read` | a tree to serde types |
+//! | `error` | a fault with its JSON path |
+//! | `indices` | lists of indices: arrays, or strings of ranges |
+
+mod error;
+pub(crate) mod indices;
+mod parse;
+mod read;
+mod tree;
+
+pub(crate) use error::{JsonError, found, push_key};
+pub(crate) use parse::parse;
+pub(crate) use read::{read, read_tree};
+pub(crate) use tree::Tree;
