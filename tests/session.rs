@@ -7,7 +7,7 @@ use grid::{bumpy, grid};
 use serde_json::Map;
 use shape_up::mesh::Mesh;
 use shape_up::scene::{Accelerator, Hold, MeshSource, Scene, Weights};
-use shape_up::session::{Edit, NewConstraint, Session, check_targets};
+use shape_up::session::{DragPhase, Edit, NewConstraint, Session, check_targets};
 
 fn scene(rest: &str) -> Scene {
     let text = format!(
@@ -574,4 +574,26 @@ fn handles_are_found_by_their_vertex() {
     assert!(time < 10.0 * step, "moving all: {time} s, where three steps take {step} s");
     let time = timed(&mut session, &mut |session| drop(session.undo().expect("it was solvable")));
     assert!(time < 10.0 * step, "undo: {time} s, where three steps take {step} s");
+}
+
+#[test]
+fn a_drag_goes_through_its_phases_and_bad_targets_move_nothing() {
+    let mut session = Session::open(scene(PLANES), bumpy(2)).expect("it is regular");
+    let target = |session: &Session| session.solver().handles().last().map(|handle| handle.target);
+    let (vertex, up) = ([0], |z| [[0.0, 0.0, z]]);
+    session.drag_through(DragPhase::Move, &vertex, &up(9.0)).expect("nobody drags: no error");
+    assert_eq!(session.solver().handles().len(), 0);
+    session.drag_through(DragPhase::Make, &vertex, &up(1.0)).expect("the vertex is there");
+    assert_eq!(target(&session), Some([0.0, 0.0, 1.0]));
+    session.drag_through(DragPhase::Move, &vertex, &up(f64::NAN)).expect_err("no place");
+    session.drag_through(DragPhase::End, &vertex, &[]).expect("it may end where it is");
+    assert_eq!(target(&session), Some([0.0, 0.0, 1.0]));
+    assert_eq!(session.undo_and_redo()[0], Some("Make and move handle"));
+    session.drag_through(DragPhase::Start, &vertex, &up(2.0)).expect("it is a handle");
+    session.drag_through(DragPhase::End, &vertex, &up(f64::NAN)).expect_err("no place");
+    assert_eq!(target(&session), Some([0.0, 0.0, 2.0]), "the move before is kept");
+    assert!(!session.is_dragging());
+    session.drag_through(DragPhase::Start, &vertex, &up(3.0)).expect("it is a handle");
+    session.drag_through(DragPhase::Cancel, &vertex, &[]).expect("it is dragged");
+    assert_eq!(target(&session), Some([0.0, 0.0, 2.0]));
 }

@@ -6,7 +6,7 @@ use glam::{DVec3, Vec2};
 use shape_up::view::appearance::LineKind;
 use shape_up::view::camera::CameraProjection;
 use shape_up::view::gizmo::DragDirection;
-use shape_up::view::state::{Changes, Outline, Taking, ViewState};
+use shape_up::view::state::{Outline, Taking, ViewState};
 
 const CANVAS: Vec2 = Vec2::new(900.0, 600.0);
 
@@ -33,13 +33,13 @@ fn parallel() -> ViewState {
 fn seen_from_above_in_parallel_the_upper_floor_covers_the_lower_one_exactly() {
     let mut state = parallel();
     state.preset("top").unwrap();
-    let eye = state.camera.eye();
+    let eye = state.camera().eye();
     for below in 0..4 {
-        let [a, b] = [below, below + 4].map(|v| eye.project(state.mesh.positions[v]).0);
+        let [a, b] = [below, below + 4].map(|v| eye.project(state.mesh().positions[v]).0);
         assert!((a - b).length() < 1e-2, "{a} {b}");
     }
     // The floor fills the height of the canvas but for the margin.
-    let corner = eye.project(state.mesh.positions[4]).0;
+    let corner = eye.project(state.mesh().positions[4]).0;
     assert!((corner.y - CANVAS.y).abs() < 0.06 * CANVAS.y);
     assert_eq!(state.pick_face(CANVAS * 0.5), Some(1));
     state.preset("bottom").unwrap();
@@ -77,13 +77,13 @@ fn in_parallel_everything_can_be_pointed_at_and_taken_with_a_box() {
 #[test]
 fn in_parallel_a_drag_follows_the_cursor() {
     let mut state = parallel();
-    let at = state.camera.eye().project(state.mesh.positions[5]).0;
+    let at = state.camera().eye().project(state.mesh().positions[5]).0;
     let by = Vec2::new(-80.0, 45.0);
     let to = at + by;
     state.hold_vertex(5, Some(at)).unwrap();
     let way = state.constrain_move(DragDirection::Screen, by).unwrap();
-    let target = state.mesh.exact[5] + way.as_dvec3();
-    let seen = state.camera.eye().project(state.mesh.relative(target)).0;
+    let target = state.mesh().exact[5] + way.as_dvec3();
+    let seen = state.camera().eye().project(state.mesh().relative(target)).0;
     assert!((seen - to).length() < 0.05, "{seen} {to}");
 }
 
@@ -93,11 +93,11 @@ fn in_parallel_a_zoom_holds_what_is_under_the_cursor_and_nothing_is_cut_off() {
     let cursor = state.screen(4).unwrap();
     for _ in 0..30 {
         state.zoom(1.3, cursor);
-        let at = state.camera.eye().project(state.mesh.positions[4]).0;
+        let at = state.camera().eye().project(state.mesh().positions[4]).0;
         assert!((at - cursor).length() < 0.5, "{at} {cursor}");
         let (near, far) = state.depth_range();
-        let eye = state.camera.eye();
-        for &point in &state.mesh.positions {
+        let eye = state.camera().eye();
+        for &point in &state.mesh().positions {
             let (_, depth) = eye.project(point);
             assert!(near < depth && depth < far, "{near} {depth} {far}");
         }
@@ -107,23 +107,23 @@ fn in_parallel_a_zoom_holds_what_is_under_the_cursor_and_nothing_is_cut_off() {
 #[test]
 fn the_parallel_eye_stays_behind_a_mesh_that_grows() {
     let mut state = parallel();
-    let before = state.camera.projection;
+    let before = state.camera().projection;
     let grown: Vec<f64> = floors().into_iter().map(|x| 40.0 * x).collect();
     state.set_positions(&grown).unwrap();
-    let eye = state.camera.eye();
-    assert!(state.mesh.positions.iter().all(|&point| eye.project(point).1 > 0.0));
-    assert_ne!(state.camera.projection, before);
+    let eye = state.camera().eye();
+    assert!(state.mesh().positions.iter().all(|&point| eye.project(point).1 > 0.0));
+    assert_ne!(state.camera().projection, before);
 }
 
 #[test]
 fn back_in_perspective_the_view_is_as_it_was() {
     let mut state = state();
     state.orbit(40.0, 12.0);
-    let before = state.camera;
+    let before = state.camera();
     state.set_parallel(true);
-    assert!(matches!(state.camera.projection, CameraProjection::Parallel { .. }));
+    assert!(matches!(state.camera().projection, CameraProjection::Parallel { .. }));
     state.set_parallel(false);
-    assert_eq!(state.camera, before);
+    assert_eq!(state.camera(), before);
 }
 
 #[test]
@@ -144,7 +144,7 @@ fn the_ghost_stays_where_the_mesh_was() {
     state.set_positions(&away).unwrap();
     state.fit();
     let (_, far) = state.depth_range();
-    let eye = state.camera.eye();
+    let eye = state.camera().eye();
     assert!(ghost.iter().all(|&point| eye.project(point).1 < far));
     assert!(state.set_rest(&[0.0; 3]).is_err());
 }
@@ -153,16 +153,16 @@ fn the_ghost_stays_where_the_mesh_was() {
 fn the_ground_lies_below_and_goes_with_another_mesh() {
     let mut state = state();
     state.set_rest(&floors()).unwrap();
-    state.changes = Changes::default();
+    state.take_changes();
     state.set_surroundings(false, true);
-    assert!(state.changes.view);
-    assert_eq!(state.around.grid_step(), Some(1.0));
+    assert!(state.changes().view);
+    assert_eq!(state.around().grid_step(), Some(1.0));
     let floor = -2.0;
     assert!(state.surrounding_points().all(|point| point.z < floor));
     assert!(state.surrounding_lines().iter().all(|line| line[2] == LineKind::Ground as u32));
     let one = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
     state.set_mesh((vec![0, 3], vec![0, 1, 2]), (vec![], vec![]), &one).unwrap();
-    assert_eq!(state.around.grid_step(), None);
+    assert_eq!(state.around().grid_step(), None);
     assert_eq!(state.surrounding_points().count(), 0);
 }
 
@@ -184,5 +184,5 @@ fn the_tape_measures_now_and_at_rest() {
     assert!(state.set_tape(&[0, 99]).is_err() && state.set_tape(&[0, 1, 2]).is_err());
     let one = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
     state.set_mesh((vec![0, 3], vec![0, 1, 2]), (vec![], vec![]), &one).unwrap();
-    assert!(state.tape.is_empty());
+    assert!(state.tape().is_empty());
 }

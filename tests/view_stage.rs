@@ -62,8 +62,8 @@ fn two_floors() -> ViewState {
 #[test]
 fn a_new_mesh_fills_the_canvas() {
     let state = state(8, bump);
-    let eye = state.camera.eye();
-    let at: Vec<Vec2> = state.mesh.positions.iter().map(|&p| eye.project(p).0).collect();
+    let eye = state.camera().eye();
+    let at: Vec<Vec2> = state.mesh().positions.iter().map(|&p| eye.project(p).0).collect();
     let low = at.iter().copied().reduce(Vec2::min).unwrap();
     let high = at.iter().copied().reduce(Vec2::max).unwrap();
     assert!(low.min_element() > 0.0 && (CANVAS - high).min_element() > 0.0, "{low} {high}");
@@ -74,43 +74,43 @@ fn a_new_mesh_fills_the_canvas() {
 #[test]
 fn an_untouched_view_follows_the_canvas_and_a_touched_one_stays() {
     let mut state = state(8, bump);
-    let first = state.camera;
+    let first = state.camera();
     state.resize(Vec2::new(300.0, 800.0));
-    assert!(state.camera.distance > 1.5 * first.distance);
+    assert!(state.camera().distance > 1.5 * first.distance);
     state.orbit(10.0, 0.0);
-    let turned = state.camera;
+    let turned = state.camera();
     state.resize(CANVAS);
-    assert_eq!(state.camera.distance, turned.distance);
+    assert_eq!(state.camera().distance, turned.distance);
 }
 
 #[test]
 fn the_same_faces_only_move_and_keep_camera_and_marks() {
     let mut state = state(4, bump);
     state.orbit(50.0, 20.0);
-    state.appearance.select(vec![3], vec![], state.counts()).unwrap();
-    let camera = state.camera;
-    state.changes = Changes::default();
+    state.select(vec![3], vec![]).unwrap();
+    let camera = state.camera();
+    state.take_changes();
     let (faces, positions) = sheet(4, DVec3::ZERO, |x, y| 0.5 * bump(x, y));
     state.set_mesh(faces, (vec![], vec![]), &positions).unwrap();
-    assert_eq!(state.camera, camera);
-    assert_eq!(state.appearance.selected_vertices, [3]);
-    assert!(state.changes.positions && !state.changes.mesh);
+    assert_eq!(state.camera(), camera);
+    assert_eq!(state.appearance().selected_vertices, [3]);
+    assert!(state.changes().positions && !state.changes().mesh);
     let (faces, positions) = sheet(5, DVec3::ZERO, bump);
     state.set_mesh(faces, (vec![], vec![]), &positions).unwrap();
-    assert!(state.changes.mesh && state.appearance.selected_vertices.is_empty());
+    assert!(state.changes().mesh && state.appearance().selected_vertices.is_empty());
 }
 
 #[test]
 fn nothing_to_draw_until_something_changes() {
     let mut state = state(4, bump);
-    state.changes = Changes::default();
-    assert!(!state.changes.any());
+    state.take_changes();
+    assert!(!state.changes().any());
     state.zoom(1.2, CANVAS * 0.5);
-    assert!(state.changes.any() && !state.changes.positions);
-    state.changes = Changes::default();
+    assert!(state.changes().any() && !state.changes().positions);
+    state.take_changes();
     state.zoom(f32::NAN, CANVAS * 0.5);
     state.zoom(0.0, CANVAS * 0.5);
-    assert!(!state.changes.any());
+    assert!(!state.changes().any());
 }
 
 #[test]
@@ -132,7 +132,7 @@ fn every_vertex_that_is_shown_can_be_pointed_at() {
 fn the_surface_hides_vertices_but_not_handles() {
     let mut state = two_floors();
     state.preset("top").unwrap();
-    let below = state.camera.eye().project(state.mesh.positions[0]).0;
+    let below = state.camera().eye().project(state.mesh().positions[0]).0;
     assert_eq!(state.screen(0), None);
     assert_eq!(state.pick_vertex(below, 3.0), None);
     state.set_handles(&[0], &[0], &[0.0; 3]).unwrap();
@@ -213,7 +213,7 @@ fn an_edge_is_picked_where_it_is_seen_and_marked_by_its_number() {
     assert_eq!(state.edges_in(&across, TOUCHING), [1]);
     assert!(state.edges_in(&across, WHOLE).is_empty());
     state.select_edges(&[2]).unwrap();
-    assert_eq!(state.appearance.selected_edges, [[6, 11]]);
+    assert_eq!(state.appearance().selected_edges, [[6, 11]]);
     assert!(state.select_edges(&[3]).is_err());
 }
 
@@ -238,14 +238,14 @@ fn a_dragged_vertex_lies_under_the_cursor_and_keeps_its_depth() {
     state.resize(CANVAS);
     state.set_mesh(faces, (vec![], vec![]), &positions).unwrap();
     let vertex = 24;
-    let (before, depth) = state.camera.eye().project(state.mesh.positions[vertex as usize]);
+    let (before, depth) = state.camera().eye().project(state.mesh().positions[vertex as usize]);
     state.hold_vertex(vertex, Some(before)).unwrap();
     assert_eq!(state.constrain_move(DragDirection::Screen, Vec2::ZERO), Some(Vec3::ZERO));
 
     let by = Vec2::new(120.0, -45.0);
     let way = state.constrain_move(DragDirection::Screen, by).unwrap();
-    let target = state.mesh.exact[vertex as usize] + way.as_dvec3();
-    let (after, same_depth) = state.camera.eye().project(state.mesh.relative(target));
+    let target = state.mesh().exact[vertex as usize] + way.as_dvec3();
+    let (after, same_depth) = state.camera().eye().project(state.mesh().relative(target));
     assert!((after - before - by).length() < 0.01, "{after} {before}");
     assert!((same_depth - depth).abs() < 1e-3 * depth);
     assert!(state.hold_vertex(99, None).is_err());
@@ -254,18 +254,17 @@ fn a_dragged_vertex_lies_under_the_cursor_and_keeps_its_depth() {
 #[test]
 fn the_gizmo_is_in_the_middle_of_the_selected_handles() {
     let mut state = state(6, bump);
-    let at = |vertex: usize| state.mesh.exact[vertex];
+    let at = |vertex: usize| state.mesh().exact[vertex];
     let targets = [at(16), at(32) + DVec3::Z, at(0)];
     let numbers: Vec<f64> = targets.iter().flat_map(|target| target.to_array()).collect();
     state.set_handles(&[16, 32, 0], &[0, 0, 1], &numbers).unwrap();
-    let counts = state.counts();
-    state.appearance.select(vec![16, 20, 32], vec![], counts).unwrap();
+    state.select(vec![16, 20, 32], vec![]).unwrap();
     assert!(state.gizmo().is_none(), "it is not wanted yet");
-    state.changes = Default::default();
+    state.take_changes();
     state.want_gizmo(|wanted| wanted.shown = true);
-    assert!(state.changes.view);
-    let middle = state.mesh.relative((targets[0] + targets[1]) * 0.5);
-    let expected = state.camera.eye().project(middle).0;
+    assert!(state.changes().view);
+    let middle = state.mesh().relative((targets[0] + targets[1]) * 0.5);
+    let expected = state.camera().eye().project(middle).0;
     assert!((state.gizmo().unwrap().middle - expected).length() < 1e-2);
 
     let upwards = state.gizmo().unwrap().best(DragDirection::Axis(2)).unwrap();
@@ -274,7 +273,7 @@ fn the_gizmo_is_in_the_middle_of_the_selected_handles() {
     let way = state.constrain_move(DragDirection::Axis(2), Vec2::new(0.0, -50.0)).unwrap();
     assert!(way.x == 0.0 && way.y == 0.0 && way.z > 0.0);
 
-    state.appearance.select(vec![20], vec![], counts).unwrap();
+    state.select(vec![20], vec![]).unwrap();
     assert!(state.gizmo().is_none(), "a selected vertex is no handle");
 }
 
@@ -290,7 +289,7 @@ fn a_zoom_keeps_the_surface_under_the_cursor() {
     for _ in 0..400 {
         state.zoom(1.25, before);
     }
-    assert!(state.camera.distance > 0.0);
+    assert!(state.camera().distance > 0.0);
     let (near, far) = state.depth_range();
     assert!(near > 0.0 && near < far);
 }
@@ -299,9 +298,9 @@ fn a_zoom_keeps_the_surface_under_the_cursor() {
 fn changing_the_vertical_axis_frames_again() {
     let mut state = state(6, bump);
     state.set_up(UpAxis::Y);
-    let eye = state.camera.eye();
+    let eye = state.camera().eye();
     assert_eq!(eye.right.y, 0.0);
-    for &point in &state.mesh.positions {
+    for &point in &state.mesh().positions {
         let (at, depth) = eye.project(point);
         assert!(depth > 0.0 && at.min(CANVAS - at).min_element() > 0.0);
     }
@@ -310,21 +309,21 @@ fn changing_the_vertical_axis_frames_again() {
 #[test]
 fn frames_some_vertices_closely() {
     let mut state = state(20, bump);
-    let whole = state.camera.distance;
+    let whole = state.camera().distance;
     state.fit_vertices(&[0, 1, 21, 22]).unwrap();
-    assert!(state.camera.distance < 0.3 * whole);
+    assert!(state.camera().distance < 0.3 * whole);
     assert!(state.screen(0).is_some());
     assert!(state.fit_vertices(&[9999]).is_err());
-    let before = state.camera;
+    let before = state.camera();
     state.fit_vertices(&[]).unwrap();
-    assert_eq!(state.camera, before);
+    assert_eq!(state.camera(), before);
 }
 
 #[test]
 fn handles_that_do_not_fit_are_refused_and_the_old_ones_stay() {
     let mut state = state(2, bump);
     state.set_handles(&[1, 2], &[0, 2], &[0.0; 6]).unwrap();
-    state.changes = Changes::default();
+    state.take_changes();
     for (vertices, states, targets) in [
         (&[1, 99][..], &[0, 0][..], &[0.0; 6][..]),
         (&[1, 2], &[0], &[0.0; 6]),
@@ -334,20 +333,20 @@ fn handles_that_do_not_fit_are_refused_and_the_old_ones_stay() {
     ] {
         assert!(state.set_handles(vertices, states, targets).is_err());
     }
-    assert_eq!(state.handles.len(), 2);
-    assert!(!state.changes.any());
+    assert_eq!(state.handles().len(), 2);
+    assert!(!state.changes().any());
     // A target that moves is nothing else: the vertices and the dots stay the same.
     state.set_handles(&[1, 2], &[0, 2], &[1.0; 6]).unwrap();
-    assert_eq!(state.changes, Changes { targets: true, ..Changes::default() });
+    assert_eq!(state.changes(), Changes { targets: true, ..Changes::default() });
 }
 
 #[test]
 fn fitted_shapes_come_into_view_coordinates() {
     let mut state = state(2, |_, _| 0.0);
     state.set_shapes(&[0.0, 5.0, 5.0, 1.0, 0.0, 0.0, 1.0, 2.0]).unwrap();
-    assert_eq!(state.shapes, [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 2.0]);
+    assert_eq!(state.shapes(), [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 2.0]);
     state.set_shapes(&[1.0, f32::NAN, 5.0, 1.0, 0.0, 0.0, 1.0, 2.0]).unwrap();
-    assert!(state.shapes.is_empty());
+    assert!(state.shapes().is_empty());
     assert!(state.set_shapes(&[0.0; 7]).is_err());
 }
 
@@ -393,17 +392,15 @@ fn a_flat_map_is_seen_from_above_without_distortion() {
 fn a_flat_map_has_the_marks_and_the_theme_of_the_model() {
     let mut model = state(2, |_, _| 0.0);
     let (mut map, _) = flat_map(&model, &[0.0; 18], &[]).unwrap();
-    map.changes = Changes::default();
-    model.changes = Changes::default();
+    map.take_changes();
+    model.take_changes();
     follow(&mut map, &model);
-    assert!(!map.changes.any());
-    let counts = model.counts();
-    model.appearance.select(vec![], vec![3], counts).unwrap();
-    model.changes.appearance = true;
-    model.dark = true;
+    assert!(!map.changes().any());
+    model.select(vec![], vec![3]).unwrap();
+    model.set_dark(true);
     follow(&mut map, &model);
-    assert!(map.changes.appearance && map.changes.view && map.dark);
-    assert_eq!(map.appearance.bytes(4)[14], 255);
+    assert!(map.changes().appearance && map.changes().view && map.is_dark());
+    assert_eq!(map.appearance().bytes(4)[14], 255);
 }
 
 #[test]
@@ -412,8 +409,8 @@ fn faces_that_a_flat_map_turns_over_are_outlined_on_it_alone() {
     let uv = [0.0; 18];
     let (map, _) = flat_map(&model, &uv, &[0, 1]).unwrap();
     // Two quads with a side between them.
-    assert_eq!(map.flipped, [[0, 1], [0, 3], [1, 2], [1, 4], [2, 5], [3, 4], [4, 5]]);
-    assert!(model.flipped.is_empty());
+    assert_eq!(map.flipped(), [[0, 1], [0, 3], [1, 2], [1, 4], [2, 5], [3, 4], [4, 5]]);
+    assert!(model.flipped().is_empty());
     assert!(flat_map(&model, &uv, &[4]).is_err());
 }
 
@@ -427,9 +424,9 @@ fn what_a_flat_map_turns_over_is_shown_large_and_from_its_front() {
     map.resize(CANVAS);
     model.preset("bottom").unwrap();
     assert_eq!(model.screen(4), None);
-    let (before, small) = (model.camera, map.camera);
+    let (before, small) = (model.camera(), map.camera());
     show_flipped(&mut map, &mut model);
-    assert!(model.camera == before && map.camera == small, "there is nothing to show");
+    assert!(model.camera() == before && map.camera() == small, "there is nothing to show");
 
     let (mut map, _) = flat_map(&model, &uv, &[1]).unwrap();
     map.resize(CANVAS);
@@ -452,7 +449,7 @@ fn a_kept_camera_comes_back_in_another_window_too() {
     let kept = first.camera_numbers();
     let mut second = state(4, bump);
     second.place_camera(&kept);
-    assert_eq!(second.camera, first.camera);
+    assert_eq!(second.camera(), first.camera());
 
     // One that framed everything frames it in a narrower window as well.
     let mut framed = state(4, bump);
@@ -461,13 +458,13 @@ fn a_kept_camera_comes_back_in_another_window_too() {
     narrow.resize(Vec2::new(300.0, 600.0));
     narrow.place_camera(&framed.camera_numbers());
     framed.resize(Vec2::new(300.0, 600.0));
-    assert_eq!(narrow.camera, framed.camera);
+    assert_eq!(narrow.camera(), framed.camera());
 
     // Nonsense changes nothing.
     second.place_camera(&[0.0; 3]);
     second.place_camera(&[f64::NAN; 7]);
     second.place_camera(&[0.0; 7]);
-    assert_eq!(second.camera, first.camera);
+    assert_eq!(second.camera(), first.camera());
 }
 
 #[test]
@@ -482,9 +479,9 @@ fn a_drag_turns_about_what_is_under_the_cursor() {
     let mut other = self::state(6, bump);
     other.pan(80.0, 30.0);
     let middle = |state: &ViewState| {
-        let low = state.mesh.positions.iter().copied().reduce(Vec3::min).unwrap();
-        let high = state.mesh.positions.iter().copied().reduce(Vec3::max).unwrap();
-        state.camera.eye().project((low + high) * 0.5).0
+        let low = state.mesh().positions.iter().copied().reduce(Vec3::min).unwrap();
+        let high = state.mesh().positions.iter().copied().reduce(Vec3::max).unwrap();
+        state.camera().eye().project((low + high) * 0.5).0
     };
     let before = middle(&other);
     other.begin_turn(Vec2::new(2.0, 2.0));

@@ -26,10 +26,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         return Err("the page solves the first example when it opens: it has to converge".into());
     }
     let mut state = pictures::state(&session)?;
-    let faces = session.mesh().faces.len();
     let scale = pictures::scale(&session, greatest);
-    state.appearance.set_values(pictures::values(&session), scale, faces)?;
-    let style = still::style(state.appearance.has_full_map());
+    state.set_face_values(pictures::values(&session), scale)?;
+    let style = still::style(state.appearance().has_full_map());
     let faces = still::spaced(still::from_far_to_near(&state));
     let mut html = format!(
         r#"<div id="first-picture" aria-hidden="true" data-faces="{faces}"><style>{style}</style>"#

@@ -66,17 +66,16 @@ fn picture(example: &Example, folder: &Path) -> std::result::Result<Result, Box<
     state.resize(SIZE);
     let later: &[Point] = if is_map { &[] } else { &end };
     let seen: Vec<_> =
-        start.iter().chain(later).map(|&p| state.mesh.relative(DVec3::from(p))).collect();
+        start.iter().chain(later).map(|&p| state.mesh().relative(DVec3::from(p))).collect();
     let margin = 0.01 * state.size();
-    framing::frame(&mut state.camera, seen.into_iter(), margin);
+    state.move_camera(|camera| framing::frame(camera, seen.into_iter(), margin));
     std::fs::write(folder.join(format!("{}-start.svg", example.id)), thumbnail::svg(&state))?;
     state.set_positions(end.as_flattened())?;
     if is_map {
         state.preset("top")?;
     }
-    let faces = session.mesh().faces.len();
     let scale = pictures::scale(&session, greatest);
-    state.appearance.set_values(pictures::values(&session), scale, faces)?;
+    state.set_face_values(pictures::values(&session), scale)?;
     std::fs::write(folder.join(format!("{}-end.svg", example.id)), thumbnail::svg(&state))?;
 
     let report = session.report();

@@ -4,11 +4,13 @@ use super::Session;
 use super::edit::{ConstraintTarget, Preview, previews};
 use super::export;
 use super::report::{
-    self, ConstraintMap, Measuring, Moved, Projections, Report, Shape, Verdict, WorstElement,
+    self, ConstraintMap, Measuring, Moved, Projections, Report, RowPalette, Shape, Verdict,
+    WorstElement,
 };
 use super::selection::{SelectRequest, Selection, select};
-use crate::mesh::{ElementsWithProblem, Measures, Weld};
-use crate::scene::{GoalResult, Scene, SceneError};
+use crate::mesh::{ElementsWithProblem, Measures, Mesh, Weld, write_obj_with_uv};
+use crate::scene::{GoalResult, MeshSource, Scene, SceneError};
+use crate::solve::{ConformalNorm, ConformalWeights, Parametrization, SolveError};
 use std::rc::Rc;
 
 impl Session {
@@ -134,6 +136,11 @@ impl Session {
         report::acting_rows(self.rows(), &self.rest)
     }
 
+    /// The colours of the rows of constraints.
+    pub fn row_palette(&self) -> RowPalette {
+        RowPalette::of(self.rows())
+    }
+
     /// The faces and the vertices that row `index` acts on, ascending; a face counts when one of the
     /// row's constraints has all its corners.
     pub fn members(&self, index: usize) -> [Vec<u32>; 2] {
@@ -198,6 +205,39 @@ impl Session {
     /// The same of the mesh as it came, which was welded to the mesh of this session.
     pub fn obj_as_it_came(&self, weld: &Weld) -> String {
         export::obj_as_it_came(&self.scene, &self.rest, weld)
+    }
+
+    /// The current shape as OBJ with the texture coordinates `uv` of each vertex, `#V by 2`.
+    ///
+    /// # Errors
+    /// Another number of coordinates than vertices, in words.
+    pub fn obj_with_uv(&self, uv: &[[f64; 2]]) -> Result<String, String> {
+        let vertices = self.rest.positions().len();
+        if uv.len() != vertices {
+            let found = 2 * uv.len();
+            return Err(format!("{found} texture coordinates, expected {}", 2 * vertices));
+        }
+        Ok(write_obj_with_uv(self.mesh(), self.scene.positions(), uv))
+    }
+
+    /// The flat map of the current shape (paper section 4.3, Eq. 14).
+    ///
+    /// # Errors
+    /// As [`Parametrization::new`].
+    pub fn parametrize(
+        &self,
+        weights: ConformalWeights,
+        norm: ConformalNorm,
+    ) -> Result<Parametrization, SolveError> {
+        let shape = Mesh { positions: self.positions(), ..self.mesh().clone() };
+        Parametrization::new(&shape, self.topology(), weights, norm)
+    }
+
+    /// The scene file with the mesh inline, as text.
+    pub fn scene_with_mesh(&self) -> String {
+        let mut scene = self.scene();
+        scene.mesh = MeshSource::Inline(Box::new(self.mesh().clone()));
+        scene.to_json(self.mesh())
     }
 
     /// The scene as it stands, with current positions when they are not at rest.

@@ -6,9 +6,76 @@ use super::run::PanelGoal;
 use super::undo::{Change, Transaction, check_targets};
 use crate::error::Error;
 use crate::mesh::Point;
-use crate::scene::SceneError;
+use crate::scene::{NamedEnum, SceneError};
+
+/// What happens to a drag.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DragPhase {
+    /// It begins, of vertices that are made handles first.
+    Make,
+    /// It begins, of handles.
+    Start,
+    /// It goes on.
+    Move,
+    /// It ends, and is kept.
+    End,
+    /// It ends, and everything is put back.
+    Cancel,
+}
+
+impl NamedEnum for DragPhase {
+    const WORDS: &'static [(&'static str, DragPhase)] = &[
+        ("make", DragPhase::Make),
+        ("start", DragPhase::Start),
+        ("move", DragPhase::Move),
+        ("end", DragPhase::End),
+        ("cancel", DragPhase::Cancel),
+    ];
+}
 
 impl Session {
+    /// Drags vertices through a phase, to `targets`: one for each vertex in the unit of the mesh, or none
+    /// where none moves. What goes on or ends without having begun, because an edit ended it, is no error.
+    ///
+    /// # Errors
+    /// As [`check_targets`]: nothing moves then, an end keeps the move before. Or when a vertex is not there.
+    pub fn drag_through(
+        &mut self,
+        phase: DragPhase,
+        vertices: &[u32],
+        targets: &[Point],
+    ) -> Result<(), Error> {
+        // Before handles are made for them.
+        let checked = if targets.is_empty() { Ok(()) } else { check_targets(vertices, targets) };
+        match phase {
+            DragPhase::Move | DragPhase::End | DragPhase::Cancel if !self.is_dragging() => {
+                return Ok(());
+            }
+            DragPhase::Cancel => {
+                self.end_drag(false);
+                return Ok(());
+            }
+            DragPhase::Make => {
+                checked?;
+                self.begin_drag_of_new(vertices.to_vec())?;
+            }
+            DragPhase::Start => {
+                checked?;
+                self.begin_drag();
+            }
+            DragPhase::Move => checked?,
+            DragPhase::End => {
+                if checked.is_ok() {
+                    self.move_handles(vertices, targets);
+                }
+                self.end_drag(true);
+                return Ok(checked?);
+            }
+        }
+        self.move_handles(vertices, targets);
+        Ok(())
+    }
+
     /// Begins to drag vertices that are handles; targets move until [`Session::end_drag`].
     pub fn begin_drag(&mut self) {
         self.begin(Transaction::drag);
@@ -39,7 +106,7 @@ impl Session {
     ) -> Result<(), SceneError> {
         let (vertices, targets): (Vec<u32>, Vec<Point>) = targets.into_iter().unzip();
         check_targets(&vertices, &targets)?;
-        self.scene.move_handles(vertices.into_iter().zip(targets));
+        self.move_handles(&vertices, &targets);
         Ok(())
     }
 
@@ -95,6 +162,10 @@ impl Session {
             Some(name) => self.history.push(name, transaction.into_back()),
             None => {}
         }
+    }
+
+    fn move_handles(&mut self, vertices: &[u32], targets: &[Point]) {
+        self.scene.move_handles(vertices.iter().copied().zip(targets.iter().copied()));
     }
 
     /// Ends what is under way, as its step of undo.

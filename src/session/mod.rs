@@ -7,6 +7,7 @@
 //! |---|---|
 //! | `composition` | the session: its parts, and plain access to them |
 //! | `load` | a scene opened, alone or in the place of another |
+//! | `opened_file` | a file as somebody opens it: a mesh with its scene, or a scene with its mesh |
 //! | `editing` | edits, undo and redo, and their restoring after a restart |
 //! | `dragging` | drags and runs, one step of undo each |
 //! | `iterating` | iterations, whole and in halves |
@@ -30,6 +31,7 @@ mod export;
 mod handed_in;
 mod iterating;
 mod load;
+mod opened_file;
 mod remedies;
 mod report;
 mod run;
@@ -38,13 +40,15 @@ mod state;
 mod undo;
 
 pub use composition::Session;
+pub use dragging::DragPhase;
 pub use edit::{ConstraintTarget, Edit, NewConstraint, Preview, SETTINGS, Setting, settings_of};
 pub use handed_in::check_results;
+pub use opened_file::{FileReader, Guessed, OpenedFile, is_scene};
 pub use remedies::{Remedies, Remedy};
 pub use report::{
     ConstraintMap, EnergyReport, FACE_MEASURES, FaceMeasure, GoalWords, MeasureUnit, Moved,
-    Projections, Report, Seconds, Shape, Verdict, WorstElement, ZERO_SIZE_FACES, flaw_of,
-    goals_in_words,
+    Projections, Report, RowPalette, Seconds, Shape, Verdict, WorstElement, ZERO_SIZE_FACES,
+    flaw_of, goals_in_words,
 };
 pub use run::{
     Collapse, CollapseReason, FittedCount, HalfStep, Step, TraceEntry, max_interactive_faces,

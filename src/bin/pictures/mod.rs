@@ -22,9 +22,9 @@ pub(crate) fn state(session: &Session) -> Result<ViewState, ViewError> {
 
     let values = values(session);
     let scale = scale(session, greatest(&values));
-    state.appearance.set_values(values, scale, mesh.faces.len())?;
-    if !state.appearance.has_values() {
-        state.appearance.rows = row_colours(session)?;
+    state.set_face_values(values, scale)?;
+    if !state.appearance().has_values() {
+        state.set_row_colours(row_colours(session)?);
     }
 
     let handles = session.solver().handles();

@@ -45,6 +45,31 @@ pub(crate) fn acting_rows(rows: &[ResolvedRow], rest: &RestMesh) -> ConstraintMa
     acting
 }
 
+/// The colours of the rows of constraints, each colour once.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct RowPalette {
+    /// Per row one more than the place of its colour: 0 is left for what has none.
+    pub places: Vec<u8>,
+    /// Red, green and blue from 0 to 255.
+    pub colours: Vec<[u8; 3]>,
+}
+
+impl RowPalette {
+    /// That of these rows, disabled ones included.
+    pub(crate) fn of(rows: &[ResolvedRow]) -> RowPalette {
+        let mut palette = RowPalette::default();
+        for colour in rows.iter().map(|row| row.constraints.kind.info().colour) {
+            let known = palette.colours.iter().position(|other| *other == colour);
+            let place = known.unwrap_or(palette.colours.len());
+            if known.is_none() {
+                palette.colours.push(colour);
+            }
+            palette.places.push(u8::try_from(place + 1).expect("there are fewer than 255 kinds"));
+        }
+        palette
+    }
+}
+
 /// Finds the faces that sets of vertices cover.
 pub(crate) struct ConstraintCoverage<'a> {
     mesh: &'a Mesh,

@@ -33,8 +33,8 @@ mod verdict;
 mod worst;
 
 pub(crate) use angles::{angles, angles_csv};
-pub use constraint_map::ConstraintMap;
 pub(crate) use constraint_map::acting_rows;
+pub use constraint_map::{ConstraintMap, RowPalette};
 pub use face_measure::{FACE_MEASURES, FaceMeasure, MeasureUnit};
 pub(crate) use face_measure::{corner_values, face_values};
 pub(crate) use inspect::{asked_measure, free, held_otherwise, members};

@@ -10,13 +10,13 @@ pub const NUMBERS: usize = 16 + 4 * (5 + 1 + 7 + 2) + 8 + 8 * LINE_KINDS + 12 * 
 
 /// The numbers for a canvas of `width` by `height` pixels.
 pub fn numbers(state: &ViewState, width: u32, height: u32) -> Vec<f32> {
-    let camera = &state.camera;
+    let camera = state.camera();
     let eye = camera.eye();
     let palette = state.palette();
     let ratio = width as f32 / camera.canvas.x;
     let (near, far) = state.depth_range();
     let [_, _, sky] = camera.up.axes();
-    let [r, g, b] = state.tint;
+    let [r, g, b] = state.tint();
 
     let mut numbers = Vec::with_capacity(NUMBERS);
     numbers.extend(camera.clip_from_scene(near, far).to_cols_array());
@@ -33,14 +33,14 @@ pub fn numbers(state: &ViewState, width: u32, height: u32) -> Vec<f32> {
     numbers.extend(palette.sphere);
     numbers.extend(palette.ghost);
     numbers.extend(palette.check);
-    let [begins, ends] = state.appearance.corner_steps().unwrap_or_default();
-    let tolerance = state.appearance.tolerance_in_steps();
-    numbers.extend([state.checks.per_length, begins, ends, tolerance]);
+    let [begins, ends] = state.appearance().corner_steps().unwrap_or_default();
+    let tolerance = state.appearance().tolerance_in_steps();
+    numbers.extend([state.checks().per_length, begins, ends, tolerance]);
     extend_stroke(&mut numbers, &palette.circle, state.circle_pieces());
     let mut strokes = palette.strokes;
-    if state.checks.per_length > 0.0 {
+    if state.checks().per_length > 0.0 {
         strokes[LineKind::Edge as usize].colour = palette.edge_of_checks;
-    } else if state.appearance.has_full_map() {
+    } else if state.appearance().has_full_map() {
         strokes[LineKind::Edge as usize].colour = palette.edge_of_values;
     }
     for stroke in &strokes {

@@ -197,14 +197,14 @@ impl GpuTables {
         state: &ViewState,
         (width, height): (u32, u32),
     ) {
-        let changes = state.changes;
-        let mesh = &state.mesh;
+        let changes = state.changes();
+        let mesh = state.mesh();
         let mut rebind = false;
-        let corners = changes.appearance && state.appearance.corner_steps().is_some();
+        let corners = changes.appearance && state.appearance().corner_steps().is_some();
         let vertices_changed = changes.mesh || changes.positions || corners;
         if vertices_changed || changes.targets || changes.projections {
             let vertices = mesh.positions.len();
-            let count = vertices + state.handles.len() + state.projections.points.len();
+            let count = vertices + state.handles().len() + state.projections().points.len();
             if vertices_changed || !self.positions.holds(count) {
                 rebind |= self.positions.write(device, queue, points(state, 0));
             } else {
@@ -221,19 +221,19 @@ impl GpuTables {
             rebind |= self.face_normals.write(device, queue, flat);
         }
         if changes.mesh || changes.appearance {
-            let appearance = state.appearance.bytes(mesh.faces.len());
+            let appearance = state.appearance().bytes(mesh.faces.len());
             rebind |= self.face_looks.write(device, queue, appearance);
         }
         if changes.mesh || changes.marks {
-            self.write_colours(queue, 1, &state.appearance.rows.palette);
+            self.write_colours(queue, 1, &state.appearance().rows.palette);
         }
         if changes.mesh || changes.checks {
-            let places = state.checks.places.iter();
+            let places = state.checks().places.iter();
             let texels = four_each(places.map(|place| place.extend(0.0).extend(0.0)));
             rebind |= self.places.write(device, queue, texels);
         }
         if changes.projections {
-            self.write_colours(queue, 2, &state.projections.palette);
+            self.write_colours(queue, 2, &state.projections().palette);
         }
         if rebind {
             self.bind(device);
@@ -281,9 +281,9 @@ impl GpuTables {
 
 /// The table of positions from a vertex on: vertices, targets of handles, projected points.
 fn points(state: &ViewState, first: usize) -> Vec<[f32; 4]> {
-    let vertices = state.mesh.positions.iter().enumerate().skip(first);
+    let vertices = state.mesh().positions.iter().enumerate().skip(first);
     // Less than nothing: the fourth number of what lies beside the surface is more.
-    let vertices = vertices.map(|(v, at)| at.extend(-state.appearance.corner_in_steps(v)));
+    let vertices = vertices.map(|(v, at)| at.extend(-state.appearance().corner_in_steps(v)));
     let targets = state.targets().map(|place| place.extend(0.0));
     four_each(vertices.chain(targets).chain(state.projected()))
 }

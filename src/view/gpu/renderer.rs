@@ -8,7 +8,7 @@ use crate::view::gpu::primitive::{
     Circles, Faces, GizmoMarks, Lines, Points, ProjectionLines, Spheres,
 };
 use crate::view::side_by_side::{Region, Split};
-use crate::view::state::{Changes, ViewState};
+use crate::view::state::ViewState;
 use glam::Vec2;
 
 /// All GPU objects of a view.
@@ -64,8 +64,8 @@ impl Renderer {
         ratio: f32,
     ) -> Result<bool, DeviceError> {
         let split = split.filter(|_| map.is_none());
-        let is_new = state.changes.any()
-            || map.as_ref().is_some_and(|map| map.changes.any())
+        let is_new = state.changes().any()
+            || map.as_ref().is_some_and(|map| map.changes().any())
             || split.as_ref().is_some_and(|split| split.has_changes());
         if !is_new {
             return Ok(false);
@@ -77,14 +77,14 @@ impl Renderer {
             Region::halves(css).map(|part| pixels(part, ratio, canvas))
         });
         self.update(state, parts.map_or(canvas, |[[.., width, height], _]| (width, height)));
-        state.changes = Changes::default();
+        state.take_changes();
         if let (Some(map), Some([_, [.., width, height]])) = (&mut map, parts) {
             let (device, queue) = (&self.device.device, &self.device.queue);
             self.map_store.update(device, queue, map, (width, height));
-            if map.changes.mesh || map.changes.marks {
+            if map.changes().mesh || map.changes().marks {
                 self.lines.update_map(device, queue, map);
             }
-            map.changes = Changes::default();
+            map.take_changes();
         }
         let sides = split.map(|split| self.update_sides(split, canvas, ratio));
         let label = wgpu::CommandEncoderDescriptor { label: Some("picture") };
@@ -108,7 +108,7 @@ impl Renderer {
             confine(&mut pass, part);
             pass.set_bind_group(0, self.map_store.group(), &[]);
             self.faces.draw(&mut pass);
-            self.lines.draw(&mut pass, state.display.edges);
+            self.lines.draw(&mut pass, state.display().edges);
             self.lines.draw_flipped(&mut pass);
             // On WebGL2 only what is inside the last rectangle arrives on the canvas.
             confine(&mut pass, [0, 0, canvas.0, canvas.1]);
@@ -127,7 +127,7 @@ impl Renderer {
         state: &ViewState,
         is_original: bool,
     ) {
-        let display = state.display;
+        let display = state.display();
         viewport.draw(pass, &self.faces, &self.lines, display.edges);
         if display.shapes && !is_original {
             self.spheres.draw(pass);
@@ -136,7 +136,7 @@ impl Renderer {
         if !is_original {
             self.projections.draw(pass, display);
         }
-        if display.vertices || state.mesh.is_only_points() {
+        if display.vertices || state.mesh().is_only_points() {
             self.points.draw_vertices(pass);
         }
         self.lines.draw_marks(pass);
@@ -161,7 +161,7 @@ impl Renderer {
             self.sides.get_or_insert_with(|| [(); 2].map(|()| Viewport::new(device, queue, like)));
         for (side, viewport) in split.sides.iter_mut().zip(panes) {
             viewport.update((device, queue), &mut side.state, &self.lines, canvas);
-            side.state.changes = Changes::default();
+            side.state.take_changes();
         }
         let css = Vec2::new(canvas.0 as f32, canvas.1 as f32) / ratio;
         let [left, right] = split.parts(css).map(|part| pixels(part, ratio, canvas));
@@ -170,11 +170,11 @@ impl Renderer {
 
     fn update(&mut self, state: &mut ViewState, size: (u32, u32)) {
         let (device, queue) = (&self.device.device, &self.device.queue);
-        let changes = state.changes;
+        let changes = state.changes();
         self.gizmo.update(device, queue, state);
         if changes.mesh {
-            self.faces.update(device, queue, &state.mesh);
-            self.lines.update_mesh(device, queue, &state.mesh);
+            self.faces.update(device, queue, state.mesh());
+            self.lines.update_mesh(device, queue, state.mesh());
             self.points.update_mesh(device, queue, state);
         }
         self.whole.update((device, queue), state, &self.lines, size);
@@ -188,8 +188,8 @@ impl Renderer {
             self.projections.update(device, queue, state);
         }
         if changes.mesh || changes.shapes {
-            self.circles.update(device, queue, &state.shapes);
-            self.spheres.update(device, queue, &state.shapes);
+            self.circles.update(device, queue, state.shapes());
+            self.spheres.update(device, queue, state.shapes());
         }
     }
 }

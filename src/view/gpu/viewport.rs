@@ -37,7 +37,7 @@ impl Viewport {
     ) {
         self.tables.update(device, queue, state, size);
         self.around.update(device, queue, state, size);
-        if state.changes.mesh || state.changes.appearance {
+        if state.changes().mesh || state.changes().appearance {
             self.bands.write(device, queue, &lines.between_bands(state));
         }
     }

@@ -54,12 +54,9 @@ pub fn flat_map(
     let checks = Checks::new(uv, count)?;
     let flat = checks.places.iter().flat_map(|place| [place.x, place.y, 0.0].map(f64::from));
     let coordinates: Vec<f64> = flat.collect();
-    let mesh = RenderMesh::new(model.mesh.faces.clone(), Lists::default(), &coordinates)?;
-    let mut state = ViewState::default();
-    state.flipped = sides(&mesh.faces, flipped);
-    (state.mesh, state.checks) = (mesh, checks.clone());
-    state.camera.look_from("top").expect("top is a side to look from");
-    Ok((state, checks))
+    let mesh = RenderMesh::new(model.mesh().faces.clone(), Lists::default(), &coordinates)?;
+    let flipped = sides(&mesh.faces, flipped);
+    Ok((ViewState::of_flat_map(mesh, checks.clone(), flipped), checks))
 }
 
 /// The sides of some faces, each once.
@@ -74,19 +71,19 @@ fn sides(faces: &Lists, chosen: &[u32]) -> Vec<[u32; 2]> {
 
 /// Comes near the faces that the map turns over, as near as they are small; on the model from their front.
 pub fn show_flipped(map: &mut ViewState, model: &mut ViewState) {
-    let mut vertices = map.flipped.as_flattened().to_vec();
+    let mut vertices = map.flipped().as_flattened().to_vec();
     vertices.sort_unstable();
     vertices.dedup();
     if vertices.is_empty() {
         return;
     }
-    let normals = vertices.iter().map(|&v| model.mesh.normals.vertices[v as usize]);
+    let normals = vertices.iter().map(|&v| model.mesh().normals.vertices[v as usize]);
     let front: Vec3 = normals.sum();
     if front.length() > 0.0 {
-        model.camera.look_against(front);
+        model.move_camera(|camera| camera.look_against(front));
     }
     for state in [model, map] {
-        let places = vertices.iter().map(|&v| state.mesh.positions[v as usize]);
+        let places = vertices.iter().map(|&v| state.mesh().positions[v as usize]);
         let low = places.clone().fold(Vec3::INFINITY, Vec3::min);
         let high = places.fold(Vec3::NEG_INFINITY, Vec3::max);
         let around = 0.25 * (high - low).length();
@@ -99,15 +96,9 @@ const LEAST_PART: f32 = 1e-4;
 
 /// Brings what the map has in common with the surface up to date.
 pub fn follow(map: &mut ViewState, model: &ViewState) {
-    if map.dark != model.dark || map.display != model.display {
-        (map.dark, map.display) = (model.dark, model.display);
-        map.changes.view = true;
-    }
-    if model.changes.appearance {
-        map.appearance.mark_as(&model.appearance);
-        map.tint = model.tint;
-        map.changes.appearance = true;
-    }
+    map.set_dark(model.is_dark());
+    map.set_display(model.display());
+    map.follow_marks(model);
 }
 
 #[cfg(test)]

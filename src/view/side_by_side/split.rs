@@ -40,14 +40,7 @@ pub struct Colours {
 impl Split {
     /// Both sides show what `model` shows, without colours of values.
     pub fn new(model: &ViewState, at: f32) -> Split {
-        let side = || {
-            let mut state = ViewState::default();
-            state.mesh = model.mesh.clone();
-            state.around = model.around.clone();
-            state.around.changed = true;
-            state.appearance.set_in_bands(model.appearance.is_in_bands());
-            Side { state, is_original: false }
-        };
+        let side = || Side { state: model.beside(), is_original: false };
         let mut split = Split { at: 0.0, sides: [side(), side()] };
         split.move_to(at);
         split
@@ -56,15 +49,14 @@ impl Split {
     /// Shows the values of both sides in bands, or gradually.
     pub fn set_in_bands(&mut self, in_bands: bool) {
         for side in &mut self.sides {
-            side.state.appearance.set_in_bands(in_bands);
-            side.state.changes.appearance = true;
+            side.state.set_in_bands(in_bands);
         }
     }
 
     /// Moves the divider.
     pub fn move_to(&mut self, at: f32) {
         self.at = if at.is_finite() { at.clamp(0.0, 1.0) } else { 0.5 };
-        self.sides[0].state.changes.view = true;
+        self.sides[0].state.view_changed();
     }
 
     /// The parts of the canvas left and right of the divider, which is at a whole pixel.
@@ -83,7 +75,7 @@ impl Split {
 
     /// Whether there is anything new to see.
     pub fn has_changes(&self) -> bool {
-        self.sides.iter().any(|side| side.state.changes.any())
+        self.sides.iter().any(|side| side.state.changes().any())
     }
 }
 
@@ -100,7 +92,7 @@ impl Side {
     ) -> Result<(), ViewError> {
         match coordinates {
             Some(coordinates) => self.state.set_positions(coordinates)?,
-            None => self.take_positions(model),
+            None => self.state.take_positions(model),
         }
         self.is_original = coordinates.is_some();
         Ok(())
@@ -111,54 +103,17 @@ impl Side {
     /// # Errors
     /// Another number of values than faces, or of those of corners than vertices.
     pub fn colour(&mut self, colours: Colours) -> Result<(), ViewError> {
-        let (vertices, faces) = self.state.counts();
         let Colours { values, corners, scale } = colours;
-        self.state.appearance.set_values(values, scale, faces)?;
-        self.state.appearance.set_corners(corners, vertices)?;
-        self.state.changes.appearance = true;
-        Ok(())
-    }
-
-    fn take_positions(&mut self, model: &ViewState) {
-        let (own, other) = (&mut self.state.mesh, &model.mesh);
-        own.exact.clone_from(&other.exact);
-        own.positions.clone_from(&other.positions);
-        own.normals.clone_from(&other.normals);
-        self.state.changes.positions = true;
-        self.take_targets(model);
-    }
-
-    fn take_targets(&mut self, model: &ViewState) {
-        self.state.handles.clone_from(&model.handles);
-        self.state.changes.targets = true;
+        self.state.set_face_values(values, scale)?;
+        self.state.set_corner_values(corners)
     }
 
     fn follow(&mut self, model: &ViewState) {
-        let changes = model.changes;
         if !self.is_original {
-            if changes.positions {
-                self.take_positions(model);
-            } else if changes.targets {
-                self.take_targets(model);
-            }
-            if changes.projections || self.state.projections != model.projections {
-                self.state.projections.clone_from(&model.projections);
-                self.state.changes.projections = true;
-            }
+            self.state.follow_shape(model);
         }
-        if changes.appearance {
-            self.state.appearance.mark_as(&model.appearance);
-            self.state.tint = model.tint;
-            self.state.changes.appearance = true;
-        }
-        let state = &mut self.state;
-        if model.around.changed {
-            state.around.clone_from(&model.around);
-        }
-        state.camera.clone_from(&model.camera);
-        (state.display, state.dark, state.white) = (model.display, model.dark, model.white);
-        state.keep_reach();
-        state.changes.view |= changes.view;
+        self.state.follow_marks(model);
+        self.state.follow_view(model);
     }
 }
 
@@ -198,27 +153,27 @@ mod tests {
         let mut model = model();
         let mut split = Split::new(&model, 0.5);
         let original: Vec<f64> =
-            model.mesh.exact.iter().flat_map(|point| point.to_array()).collect();
-        let before = model.mesh.positions.clone();
+            model.mesh().exact.iter().flat_map(|point| point.to_array()).collect();
+        let before = model.mesh().positions.clone();
         split.sides[0].show(Some(&original), &model).unwrap();
         model.set_positions(&lifted()).unwrap();
         model.orbit(30.0, 10.0);
         split.follow(&model);
         let [left, right] = &split.sides;
-        assert_eq!(left.state.mesh.positions, before);
-        assert_eq!(right.state.mesh.positions, model.mesh.positions);
+        assert_eq!(left.state.mesh().positions, before);
+        assert_eq!(right.state.mesh().positions, model.mesh().positions);
         for side in [left, right] {
-            assert_eq!(side.state.camera.eye().at, model.camera.eye().at);
+            assert_eq!(side.state.camera().eye().at, model.camera().eye().at);
         }
         // Back to the shape as it is.
         split.sides[0].show(None, &model).unwrap();
-        assert_eq!(split.sides[0].state.mesh.positions, model.mesh.positions);
+        assert_eq!(split.sides[0].state.mesh().positions, model.mesh().positions);
     }
 
     #[test]
     fn both_sides_are_in_bands_and_each_has_its_own() {
         let mut model = model();
-        model.appearance.set_in_bands(true);
+        model.set_in_bands(true);
         let mut split = Split::new(&model, 0.5);
         for (side, high) in split.sides.iter_mut().zip([1.0, 30.0]) {
             let corners = Some(vec![0.0, 0.0, 0.0, high]);
@@ -227,14 +182,18 @@ mod tests {
             side.colour(colours).unwrap();
         }
         let steps = |split: &Split| {
-            split.sides.each_ref().map(|side| side.state.appearance.bands().map(|bands| bands.step))
+            split
+                .sides
+                .each_ref()
+                .map(|side| side.state.appearance().bands().map(|bands| bands.step))
         };
         assert_eq!(steps(&split), [Some(0.2), Some(5.0)]);
         // Isolines go through the faces, from the values of the vertices.
         for side in &split.sides {
-            assert!(side.state.appearance.corner_steps().is_some());
+            assert!(side.state.appearance().corner_steps().is_some());
             assert!(
-                side.state.appearance.corner_in_steps(3) > side.state.appearance.corner_in_steps(0)
+                side.state.appearance().corner_in_steps(3)
+                    > side.state.appearance().corner_in_steps(0)
             );
         }
         split.set_in_bands(false);
@@ -253,9 +212,9 @@ mod tests {
         model.set_rest(&low).unwrap();
         model.set_surroundings(true, true);
         split.follow(&model);
-        let eye = model.camera.eye();
+        let eye = model.camera().eye();
         for side in &split.sides {
-            assert!(side.state.around.changed);
+            assert!(side.state.around().changed);
             assert!(side.state.surrounding_points().eq(model.surrounding_points()));
             assert_eq!(side.state.surrounding_lines(), model.surrounding_lines());
             let (near, far) = side.state.depth_range();
@@ -266,15 +225,17 @@ mod tests {
         }
         // A split picture that begins later has them at once.
         let later = Split::new(&model, 0.5);
-        assert_eq!(later.sides[1].state.around.grid_step(), model.around.grid_step());
-        assert!(later.sides[1].state.around.changed);
+        assert_eq!(later.sides[1].state.around().grid_step(), model.around().grid_step());
+        assert!(later.sides[1].state.around().changed);
     }
 
     #[test]
     fn each_side_has_colours_of_its_own() {
         let model = model();
         let mut split = Split::new(&model, 0.5);
-        split.sides.iter_mut().for_each(|side| side.state.changes = Default::default());
+        split.sides.iter_mut().for_each(|side| {
+            side.state.take_changes();
+        });
         assert!(!split.has_changes());
         let colours = |value| Colours {
             values: Some(vec![value]),
@@ -284,12 +245,12 @@ mod tests {
         split.sides[0].colour(colours(0.0)).unwrap();
         split.sides[1].colour(colours(1.0)).unwrap();
         assert!(split.has_changes());
-        let [left, right] = split.sides.each_ref().map(|side| side.state.appearance.bytes(1));
+        let [left, right] = split.sides.each_ref().map(|side| side.state.appearance().bytes(1));
         assert_ne!(left, right);
         // A face within the tolerance keeps the material, as in one picture.
         let scale = ColourScale { tolerance: Some(0.5), ..ColourScale::linear(0.5, 1.0) };
         split.sides[0].colour(Colours { scale, ..colours(0.25) }).unwrap();
-        assert!(!split.sides[0].state.appearance.has_full_map());
+        assert!(!split.sides[0].state.appearance().has_full_map());
         assert!(split.sides[0].colour(Colours { values: Some(vec![]), ..colours(0.0) }).is_err());
         assert!(split.sides[1].show(Some(&[0.0]), &model).is_err());
         assert!(!split.sides[1].is_original);

@@ -9,7 +9,18 @@ impl ViewState {
     /// The gizmo, where it is wanted and a handle is selected: in the middle of the targets of those.
     pub fn gizmo(&self) -> Option<Gizmo> {
         let middle = self.middle_of_chosen().filter(|_| self.gizmo.shown)?;
-        Gizmo::new(&self.camera, middle, self.gizmo.touch)
+        Gizmo::new(&self.viewpoint.camera, middle, self.gizmo.touch)
+    }
+
+    /// What is wanted of the gizmo.
+    pub fn gizmo_state(&self) -> &GizmoState {
+        &self.gizmo
+    }
+
+    /// Where what is held is seen on the canvas when it has gone `by`, in CSS pixels; nothing while nothing
+    /// is held.
+    pub fn held_place(&self, by: Vec3) -> Option<Vec2> {
+        Some(self.gizmo.grip?.place(by))
     }
 
     /// Changes what is wanted of the gizmo, and draws again if that is seen.
@@ -26,16 +37,17 @@ impl ViewState {
     /// A vertex that does not exist.
     pub fn hold_vertex(&mut self, vertex: u32, from: Option<Vec2>) -> Result<(), ViewError> {
         check_indices("held vertex", &[vertex], self.counts().0)?;
-        let held = self.mesh.positions[vertex as usize];
-        let from = from.unwrap_or_else(|| self.camera.eye().project(held).0);
-        self.gizmo.grip = Some(DragConstraint::new(&self.camera, held, from));
+        let held = self.content.mesh.positions[vertex as usize];
+        let from = from.unwrap_or_else(|| self.viewpoint.camera.eye().project(held).0);
+        self.gizmo.grip = Some(DragConstraint::new(&self.viewpoint.camera, held, from));
         Ok(())
     }
 
     /// Takes hold of the gizmo, if there is one, with the pointer at a screen position.
     pub fn hold_gizmo(&mut self, from: Vec2) {
-        self.gizmo.grip =
-            self.middle_of_chosen().map(|held| DragConstraint::new(&self.camera, held, from));
+        self.gizmo.grip = self
+            .middle_of_chosen()
+            .map(|held| DragConstraint::new(&self.viewpoint.camera, held, from));
     }
 
     /// How far what is held goes for a pointer that has gone `by` CSS pixels; see [`DragConstraint::way`].
@@ -45,13 +57,13 @@ impl ViewState {
 
     /// The middle of the targets of the selected handles, relative to the view's centre.
     fn middle_of_chosen(&self) -> Option<Vec3> {
-        let selected = &self.appearance.selected_vertices;
+        let selected = &self.look.appearance.selected_vertices;
         if selected.is_empty() {
             return None;
         }
-        let chosen = self.handles.iter().filter(|handle| selected.contains(&handle.vertex));
+        let chosen = self.content.handles.iter().filter(|handle| selected.contains(&handle.vertex));
         let targets: Vec<DVec3> = chosen.map(|handle| handle.target).collect();
         let sum: DVec3 = targets.iter().sum();
-        (!targets.is_empty()).then(|| self.mesh.relative(sum / targets.len() as f64))
+        (!targets.is_empty()).then(|| self.content.mesh.relative(sum / targets.len() as f64))
     }
 }

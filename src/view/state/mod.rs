@@ -3,6 +3,8 @@
 //! | file | holds |
 //! |---|---|
 //! | `view_state` | the state of a view, and its setters |
+//! | `content`, `look`, `viewpoint` | what it shows, how that looks, from where it is seen |
+//! | `beside` | views beside another one: split pictures, flat maps |
 //! | `parts` | handles, switches, and what has changed since the last picture |
 //! | `navigate` | the camera under the pointer, and framing |
 //! | `pick` | what is under the cursor |
@@ -12,7 +14,10 @@
 //! | `saved_camera` | the camera as numbers, to be kept |
 //! | `tape` | the measuring tape |
 
+mod beside;
+mod content;
 pub mod gizmo_drag;
+mod look;
 pub mod navigate;
 pub mod parts;
 pub mod pick;
@@ -21,6 +26,7 @@ pub mod select_region;
 pub mod surrounding;
 pub mod tape;
 pub mod view_state;
+mod viewpoint;
 
 pub use parts::{Changes, Display, HandleMark, SHAPE_NUMBERS};
 pub use select_region::{Outline, Taking};

@@ -9,34 +9,34 @@ use glam::{Vec2, Vec3};
 impl ViewState {
     /// Sets the size of the canvas in CSS pixels.
     pub fn resize(&mut self, canvas: Vec2) {
-        self.camera.canvas = canvas.max(Vec2::ONE);
+        self.viewpoint.camera.canvas = canvas.max(Vec2::ONE);
         self.refit();
         self.view_changed();
     }
 
     /// Fits again, unless somebody has moved the camera since.
     pub(crate) fn refit(&mut self) {
-        if self.framed {
+        if self.viewpoint.framed {
             self.fit();
         }
     }
 
     /// Whether the camera stands as `fit` left it.
     pub(crate) fn is_framed(&self) -> bool {
-        self.framed
+        self.viewpoint.framed
     }
 
     /// Says whether the camera stands as `fit` would leave it, and lets it.
     pub(crate) fn set_framed(&mut self, framed: bool) {
-        self.framed = framed;
+        self.viewpoint.framed = framed;
         self.refit();
         self.view_changed();
     }
 
     /// Sets the vertical axis.
     pub fn set_up(&mut self, up: UpAxis) {
-        if up != self.camera.up {
-            self.camera.up = up;
+        if up != self.viewpoint.camera.up {
+            self.viewpoint.camera.up = up;
             self.surround();
             self.fit();
         }
@@ -44,8 +44,8 @@ impl ViewState {
 
     /// Turns the camera about the middle of the canvas by a drag in CSS pixels.
     pub fn orbit(&mut self, dx: f32, dy: f32) {
-        self.camera.orbit(dx, dy);
-        self.framed = false;
+        self.viewpoint.camera.orbit(dx, dy);
+        self.viewpoint.framed = false;
         self.view_changed();
     }
 
@@ -54,23 +54,24 @@ impl ViewState {
     pub fn begin_turn(&mut self, cursor: Vec2) {
         let [low, high] = self.bounds();
         let middle = (low + high) * 0.5;
-        let (screen, depth) = self.camera.eye().project(middle);
-        let inside = screen.cmpge(Vec2::ZERO).all() && screen.cmple(self.camera.canvas).all();
-        let otherwise = if inside && depth > 0.0 { middle } else { self.camera.pivot };
-        self.turned_about = self.surface_at(cursor).unwrap_or(otherwise);
+        let (screen, depth) = self.viewpoint.camera.eye().project(middle);
+        let inside =
+            screen.cmpge(Vec2::ZERO).all() && screen.cmple(self.viewpoint.camera.canvas).all();
+        let otherwise = if inside && depth > 0.0 { middle } else { self.viewpoint.camera.pivot };
+        self.viewpoint.turned_about = self.surface_at(cursor).unwrap_or(otherwise);
     }
 
     /// Turns the camera about the point of [`ViewState::begin_turn`], which keeps its place.
     pub fn turn(&mut self, dx: f32, dy: f32) {
-        self.camera.orbit_about(self.turned_about, dx, dy);
-        self.framed = false;
+        self.viewpoint.camera.orbit_about(self.viewpoint.turned_about, dx, dy);
+        self.viewpoint.framed = false;
         self.view_changed();
     }
 
     /// Slides the picture by a drag in CSS pixels.
     pub fn pan(&mut self, dx: f32, dy: f32) {
-        self.camera.pan(dx, dy);
-        self.framed = false;
+        self.viewpoint.camera.pan(dx, dy);
+        self.viewpoint.framed = false;
         self.view_changed();
     }
 
@@ -79,35 +80,36 @@ impl ViewState {
         if !(factor.is_finite() && factor > 0.0) {
             return;
         }
-        let anchor = self.surface_at(cursor).unwrap_or_else(|| self.camera.on_pivot_plane(cursor));
+        let anchor =
+            self.surface_at(cursor).unwrap_or_else(|| self.viewpoint.camera.on_pivot_plane(cursor));
         let size = self.size();
-        self.camera.zoom(factor, anchor, size * 1e-3, size * 50.0);
-        self.framed = false;
+        self.viewpoint.camera.zoom(factor, anchor, size * 1e-3, size * 50.0);
+        self.viewpoint.framed = false;
         self.view_changed();
     }
 
     /// Leaves so much free at the lower edge of the canvas when something is framed, in CSS pixels. What is
     /// framed now moves away from there, and not back.
     pub fn cover(&mut self, pixels: f32) {
-        let is_more = pixels > self.camera.covered;
-        self.camera.covered = pixels;
-        if is_more && self.framed {
+        let is_more = pixels > self.viewpoint.camera.covered;
+        self.viewpoint.camera.covered = pixels;
+        if is_more && self.viewpoint.framed {
             self.fit();
         }
     }
 
     /// The point of the surface under the cursor.
     fn surface_at(&self, cursor: Vec2) -> Option<Vec3> {
-        let hit = pick::pick_face(&self.mesh, &self.camera, cursor)?;
-        let (from, direction) = self.camera.eye().ray(cursor);
+        let hit = pick::pick_face(&self.content.mesh, &self.viewpoint.camera, cursor)?;
+        let (from, direction) = self.viewpoint.camera.eye().ray(cursor);
         Some(from + direction * hit.along)
     }
 
     /// Fills the canvas with the whole model, from where the camera looks now.
     pub fn fit(&mut self) {
         let radius = self.size() * 1e-3;
-        frame(&mut self.camera, self.mesh.used_positions(), radius);
-        self.framed = true;
+        frame(&mut self.viewpoint.camera, self.content.mesh.used_positions(), radius);
+        self.viewpoint.framed = true;
         self.view_changed();
     }
 
@@ -123,9 +125,9 @@ impl ViewState {
 
     /// Fills the canvas with some vertices and so much around them.
     pub(crate) fn come_near(&mut self, vertices: &[u32], around: f32) {
-        let points = vertices.iter().map(|&v| self.mesh.positions[v as usize]);
-        frame(&mut self.camera, points, around);
-        self.framed = false;
+        let points = vertices.iter().map(|&v| self.content.mesh.positions[v as usize]);
+        frame(&mut self.viewpoint.camera, points, around);
+        self.viewpoint.framed = false;
         self.view_changed();
     }
 
@@ -134,7 +136,7 @@ impl ViewState {
     /// # Errors
     /// An unknown name.
     pub fn preset(&mut self, side: &str) -> Result<(), ViewError> {
-        self.camera.look_from(side)?;
+        self.viewpoint.camera.look_from(side)?;
         self.fit();
         Ok(())
     }

@@ -7,35 +7,39 @@ use glam::Vec2;
 impl ViewState {
     /// The visible vertex nearest to the cursor.
     pub fn pick_vertex(&self, at: Vec2, radius: f32) -> Option<u32> {
-        pick::pick_vertex(&self.mesh, &self.camera, at, radius)
+        pick::pick_vertex(&self.content.mesh, &self.viewpoint.camera, at, radius)
     }
 
     /// The handle nearest to the cursor, hidden or not.
     pub fn pick_handle(&self, at: Vec2, radius: f32) -> Option<u32> {
-        let handles = self.handles.iter().map(|handle| handle.vertex);
-        pick::pick_any(&self.mesh, &self.camera, handles, at, radius)
+        let handles = self.content.handles.iter().map(|handle| handle.vertex);
+        pick::pick_any(&self.content.mesh, &self.viewpoint.camera, handles, at, radius)
     }
 
     /// The face under the cursor.
     pub fn pick_face(&self, at: Vec2) -> Option<u32> {
-        pick::pick_face(&self.mesh, &self.camera, at).map(|hit| hit.face)
+        pick::pick_face(&self.content.mesh, &self.viewpoint.camera, at).map(|hit| hit.face)
     }
 
     /// Makes sure that it is known what is in front.
     pub(crate) fn look(&mut self) {
-        self.map.get_or_insert_with(|| DepthMap::new(&self.mesh, &self.camera));
+        self.viewpoint
+            .depth_map
+            .get_or_insert_with(|| DepthMap::new(&self.content.mesh, &self.viewpoint.camera));
     }
 
     /// The depth map, once [`ViewState::look`] has made it.
     pub(crate) fn depth_map(&self) -> Option<&DepthMap> {
-        self.map.as_ref()
+        self.viewpoint.depth_map.as_ref()
     }
 
     /// Where a vertex is on the canvas; `None` when hidden or outside.
     pub fn screen(&self, vertex: u32) -> Option<Vec2> {
-        let point = *self.mesh.positions.get(vertex as usize)?;
-        let (screen, _) = self.camera.eye().project(point);
-        let inside = screen.cmpge(Vec2::ZERO).all() && screen.cmple(self.camera.canvas).all();
-        (inside && pick::visible(&self.mesh, &self.camera, vertex)).then_some(screen)
+        let point = *self.content.mesh.positions.get(vertex as usize)?;
+        let (screen, _) = self.viewpoint.camera.eye().project(point);
+        let inside =
+            screen.cmpge(Vec2::ZERO).all() && screen.cmple(self.viewpoint.camera.canvas).all();
+        (inside && pick::visible(&self.content.mesh, &self.viewpoint.camera, vertex))
+            .then_some(screen)
     }
 }

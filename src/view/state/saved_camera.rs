@@ -9,9 +9,14 @@ pub const CAMERA_NUMBERS: usize = 7;
 impl ViewState {
     /// Where the camera is.
     pub fn camera_numbers(&self) -> [f64; CAMERA_NUMBERS] {
-        let [x, y, z] = (self.camera.pivot.as_dvec3() + self.mesh.centre).to_array();
-        let [distance, turn, tilt] =
-            [self.camera.distance, self.camera.turn, self.camera.tilt].map(f64::from);
+        let [x, y, z] =
+            (self.viewpoint.camera.pivot.as_dvec3() + self.content.mesh.centre).to_array();
+        let [distance, turn, tilt] = [
+            self.viewpoint.camera.distance,
+            self.viewpoint.camera.turn,
+            self.viewpoint.camera.tilt,
+        ]
+        .map(f64::from);
         [x, y, z, distance, turn, tilt, f64::from(u8::from(self.is_framed()))]
     }
 
@@ -25,10 +30,10 @@ impl ViewState {
         if !numbers.iter().all(|number| number.is_finite()) || distance <= 0.0 {
             return;
         }
-        self.camera.pivot = self.mesh.relative(DVec3::new(x, y, z));
-        self.camera.distance = distance as f32;
-        self.camera.turn = turn as f32;
-        self.camera.tilt = tilt as f32;
+        self.viewpoint.camera.pivot = self.content.mesh.relative(DVec3::new(x, y, z));
+        self.viewpoint.camera.distance = distance as f32;
+        self.viewpoint.camera.turn = turn as f32;
+        self.viewpoint.camera.tilt = tilt as f32;
         self.set_framed(framed != 0.0);
     }
 }

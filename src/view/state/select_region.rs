@@ -84,7 +84,7 @@ impl ViewState {
             let expected = ends.len() + 1;
             return Err(ViewError::Length { what: "ends of edges", got: ends.len(), expected });
         }
-        self.edges = edges.to_vec();
+        self.content.edges = edges.to_vec();
         Ok(())
     }
 
@@ -93,8 +93,9 @@ impl ViewState {
     /// # Errors
     /// An edge that is not among those of [`ViewState::set_edges`].
     pub fn select_edges(&mut self, edges: &[u32]) -> Result<(), ViewError> {
-        check_indices("selected edges", edges, self.edges.len())?;
-        self.appearance.selected_edges = edges.iter().map(|&e| self.edges[e as usize]).collect();
+        check_indices("selected edges", edges, self.content.edges.len())?;
+        self.look.appearance.selected_edges =
+            edges.iter().map(|&e| self.content.edges[e as usize]).collect();
         self.changes.marks = true;
         Ok(())
     }
@@ -175,13 +176,13 @@ struct Seen<'a> {
 
 impl<'a> Seen<'a> {
     fn new(state: &'a mut ViewState, through: bool) -> Seen<'a> {
-        let eye = state.camera.eye();
+        let eye = state.viewpoint.camera.eye();
         if !through {
             state.look();
         }
         let state = &*state;
         let map = if through { None } else { state.depth_map() };
-        Seen { mesh: &state.mesh, edges: &state.edges, eye, map }
+        Seen { mesh: &state.content.mesh, edges: &state.content.edges, eye, map }
     }
 
     fn project(&self, point: Vec3) -> (Vec2, f32) {

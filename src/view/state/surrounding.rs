@@ -13,7 +13,7 @@ impl ViewState {
     /// # Errors
     /// Another number of vertices, or a coordinate that is not finite.
     pub fn set_rest(&mut self, coordinates: &[f64]) -> Result<(), ViewError> {
-        let expected = self.mesh.exact.len() * 3;
+        let expected = self.content.mesh.exact.len() * 3;
         if coordinates.len() != expected {
             let got = coordinates.len();
             return Err(ViewError::Length { what: "positions at rest", got, expected });
@@ -44,7 +44,7 @@ impl ViewState {
         let high = around.rest.iter().copied().reduce(DVec3::max);
         around.grid = match (around.ground, low, high) {
             (true, Some(low), Some(high)) => {
-                Ground::new(low, high, self.camera.up, self.mesh.centre)
+                Ground::new(low, high, self.viewpoint.camera.up, self.content.mesh.centre)
             }
             _ => Ground::default(),
         };
@@ -57,7 +57,7 @@ impl ViewState {
     pub fn surrounding_points(&self) -> impl Iterator<Item = Vec3> + '_ {
         let ghost = if self.around.ghost { &self.around.rest[..] } else { &[] };
         let grid = self.around.grid.lines.iter().flatten().copied();
-        ghost.iter().map(|&point| self.mesh.relative(point)).chain(grid)
+        ghost.iter().map(|&point| self.content.mesh.relative(point)).chain(grid)
     }
 
     /// The lines of what is shown: their ends among [`ViewState::surrounding_points`], and their
@@ -67,8 +67,8 @@ impl ViewState {
         let mut first = 0;
         if self.around.ghost && !self.around.rest.is_empty() {
             let kind = LineKind::Ghost as u32;
-            lines.extend(self.mesh.edges.iter().map(|e| [e.ends[0], e.ends[1], kind]));
-            let curves = self.mesh.curves.iter();
+            lines.extend(self.content.mesh.edges.iter().map(|e| [e.ends[0], e.ends[1], kind]));
+            let curves = self.content.mesh.curves.iter();
             lines.extend(curves.flat_map(|c| c.windows(2).map(|ends| [ends[0], ends[1], kind])));
             first = self.around.rest.len() as u32;
         }
@@ -79,11 +79,11 @@ impl ViewState {
 
     /// Perspective or parallel projection; the pivot keeps its place and what lies there its size.
     pub fn set_parallel(&mut self, parallel: bool) {
-        let is_parallel = self.camera.projection != CameraProjection::Perspective;
+        let is_parallel = self.viewpoint.camera.projection != CameraProjection::Perspective;
         if parallel == is_parallel {
             return;
         }
-        self.camera.projection = if parallel {
+        self.viewpoint.camera.projection = if parallel {
             CameraProjection::Parallel { reach: 1.5 * self.reach() }
         } else {
             CameraProjection::Perspective
@@ -94,10 +94,11 @@ impl ViewState {
 
     /// In parallel projection, keeps the eye behind everything.
     pub(crate) fn keep_reach(&mut self) {
-        if let CameraProjection::Parallel { reach } = self.camera.projection {
+        if let CameraProjection::Parallel { reach } = self.viewpoint.camera.projection {
             let needed = self.reach();
             if !(needed..=4.0 * needed).contains(&reach) {
-                self.camera.projection = CameraProjection::Parallel { reach: 1.5 * needed };
+                self.viewpoint.camera.projection =
+                    CameraProjection::Parallel { reach: 1.5 * needed };
             }
         }
     }
@@ -106,7 +107,7 @@ impl ViewState {
     pub fn depth_range(&self) -> (f32, f32) {
         let [mut low, mut high] = self.bounds();
         // Projections lie beside their vertices, and are drawn nearer to the eye by as much.
-        let ways = self.projections.points.iter().map(|point| point.way.length_squared());
+        let ways = self.content.projections.points.iter().map(|point| point.way.length_squared());
         let beside = 2.0 * ways.fold(0.0, f32::max).sqrt();
         (low, high) = (low - beside, high + beside);
         let corners = (0..8).map(|i| {
@@ -114,12 +115,12 @@ impl ViewState {
             Vec3::new(pick(0), pick(1), pick(2))
         });
         let others = self.targets().chain(self.surrounding_points());
-        depth_range(&self.camera, corners.chain(others))
+        depth_range(&self.viewpoint.camera, corners.chain(others))
     }
 
     /// So far from the view's centre anything is drawn, and a little more.
     fn reach(&self) -> f32 {
-        let points = self.mesh.positions.iter().copied();
+        let points = self.content.mesh.positions.iter().copied();
         let all = points.chain(self.targets()).chain(self.surrounding_points());
         let farthest = all.map(Vec3::length_squared).fold(0.0, f32::max).sqrt();
         farthest + 0.1 * self.size()

@@ -2,7 +2,7 @@
 
 use super::view_state::ViewState;
 use crate::view::model::{ViewError, check_indices};
-use glam::DVec3;
+use glam::{DVec3, Vec2};
 
 /// From one vertex to another, in file coordinates and the unit of the file.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,18 +24,32 @@ impl ViewState {
             let got = vertices.len();
             return Err(ViewError::Length { what: "tape", got, expected: 2 });
         }
-        self.changes.marks |= self.tape != vertices;
-        self.tape = vertices.to_vec();
+        self.changes.marks |= self.content.tape != vertices;
+        self.content.tape = vertices.to_vec();
         Ok(())
+    }
+
+    /// The ends of the tape: none, the first, or both.
+    pub fn tape(&self) -> &[u32] {
+        &self.content.tape
+    }
+
+    /// Where the middle of the tape is on the canvas, hidden or not, in CSS pixels; nothing without a tape,
+    /// and where it is behind the eye.
+    pub fn tape_middle(&self) -> Option<Vec2> {
+        let &[from, to] = &self.content.tape[..] else { return None };
+        let [from, to] = [from, to].map(|v| self.content.mesh.positions[v as usize]);
+        let (at, depth) = self.viewpoint.camera.eye().project(0.5 * (from + to));
+        (depth > 0.0).then_some(at)
     }
 
     /// What the tape says; nothing unless it spans two vertices.
     pub fn measured(&self) -> Option<Measured> {
-        let &[from, to] = &self.tape[..] else { return None };
+        let &[from, to] = &self.content.tape[..] else { return None };
         let between = |points: &[DVec3]| points[to as usize] - points[from as usize];
         let rest = self.around.rest();
         Some(Measured {
-            now: between(&self.mesh.exact),
+            now: between(&self.content.mesh.exact),
             rest: (!rest.is_empty()).then(|| between(rest)),
         })
     }

@@ -1,83 +1,41 @@
-//! Everything that a picture shows, and what has changed since the last one.
+//! The state of a view: what is shown, how it looks, from where it is seen; and what has changed of that
+//! since the last picture.
 
-use super::parts::{Changes, Display, HandleMark, SHAPE_NUMBERS};
-use crate::view::appearance::{Appearance, Colour, DARK, DotKind, LIGHT, Palette};
-use crate::view::camera::Camera;
+use super::content::Content;
+use super::look::Look;
+use super::parts::{Changes, HandleMark, SHAPE_NUMBERS};
+use super::viewpoint::Viewpoint;
+use crate::view::appearance::{Appearance, DotKind};
 use crate::view::gizmo::GizmoState;
 use crate::view::model::{
     Checks, Lists, ProjectionMarks, RenderMesh, ViewError, check_indices, read_points,
 };
 use crate::view::overlay::Surroundings;
-use crate::view::picking::DepthMap;
 use glam::{DVec3, Vec3, Vec4};
 
-/// The state of the view.
+/// The state of a view. Its setters note what has changed; whoever draws takes that with
+/// [`ViewState::take_changes`].
 #[derive(Debug)]
 pub struct ViewState {
-    /// The mesh.
-    pub mesh: RenderMesh,
-    /// `#E by 2`: the edges that can be picked and selected.
-    pub edges: Vec<[u32; 2]>,
-    /// The camera.
-    pub camera: Camera,
-    /// Values and marks.
-    pub appearance: Appearance,
-    /// Colour of the tint.
-    pub tint: [f32; 3],
-    /// All handles.
-    pub handles: Vec<HandleMark>,
-    /// Fitted shapes in view coordinates, `SHAPE_NUMBERS` each.
-    pub shapes: Vec<f32>,
-    /// Projected points, outlines, arrows.
-    pub projections: ProjectionMarks,
-    /// The checkerboard of a flat map.
-    pub checks: Checks,
-    /// Sides of the faces that a flat map turns over, by their vertices.
-    pub flipped: Vec<[u32; 2]>,
+    pub(super) content: Content,
+    pub(super) look: Look,
+    pub(super) viewpoint: Viewpoint,
     /// The ghost of the model as it was opened, and the ground.
-    pub around: Surroundings,
-    /// The ends of the measuring tape: none, the first, or both.
-    pub tape: Vec<u32>,
-    /// The parts of the view that are switched on.
-    pub display: Display,
-    /// The state of the gizmo.
-    pub gizmo: GizmoState,
-    /// Dark theme.
-    pub dark: bool,
-    /// White behind everything, for figures, instead of the theme's colour.
-    pub white: bool,
+    pub(super) around: Surroundings,
+    pub(super) gizmo: GizmoState,
     /// Since the last picture.
-    pub changes: Changes,
-    /// The point that a drag turns the camera about.
-    pub(super) turned_about: Vec3,
-    /// Whether the camera stands as `fit` left it, and follows the canvas when that is resized.
-    pub(super) framed: bool,
-    pub(super) map: Option<DepthMap>,
+    pub(super) changes: Changes,
 }
 
 impl Default for ViewState {
     fn default() -> Self {
         ViewState {
-            mesh: RenderMesh::default(),
-            edges: Vec::new(),
-            camera: Camera::default(),
-            appearance: Appearance::default(),
-            tint: [0.2, 0.7, 0.3],
-            handles: Vec::new(),
-            shapes: Vec::new(),
-            projections: ProjectionMarks::default(),
-            checks: Checks::default(),
-            flipped: Vec::new(),
+            content: Content::default(),
+            look: Look::default(),
+            viewpoint: Viewpoint::default(),
             around: Surroundings::default(),
-            tape: Vec::new(),
-            display: Display { edges: true, ..Display::default() },
             gizmo: GizmoState::default(),
-            dark: false,
-            white: false,
             changes: Changes::ALL,
-            turned_about: Vec3::ZERO,
-            framed: true,
-            map: None,
         }
     }
 }
@@ -97,20 +55,15 @@ impl ViewState {
         let count = coordinates.len() / 3;
         let faces = Lists::new("faces", faces.0, faces.1, count)?;
         let curves = Lists::new("curves", curves.0, curves.1, count)?;
-        let same = faces == self.mesh.faces
-            && curves == self.mesh.curves
-            && count == self.mesh.exact.len();
+        let same = faces == self.content.mesh.faces
+            && curves == self.content.mesh.curves
+            && count == self.content.mesh.exact.len();
         if same {
             return self.set_positions(coordinates);
         }
-        self.mesh = RenderMesh::new(faces, curves, coordinates)?;
-        self.edges.clear();
-        self.appearance = Appearance::default();
-        self.handles.clear();
-        self.shapes.clear();
-        self.projections = ProjectionMarks::default();
-        self.checks = Checks::default();
-        self.tape.clear();
+        let mesh = RenderMesh::new(faces, curves, coordinates)?;
+        self.content = Content { mesh, ..Content::default() };
+        self.look.appearance = Appearance::default();
         self.changes = Changes::ALL;
         self.leave_surroundings();
         self.preset("home")
@@ -121,16 +74,16 @@ impl ViewState {
     /// # Errors
     /// Another number of vertices or a coordinate that is not finite.
     pub fn set_positions(&mut self, coordinates: &[f64]) -> Result<(), ViewError> {
-        self.mesh.set_positions(coordinates)?;
+        self.content.mesh.set_positions(coordinates)?;
         self.changes.positions = true;
-        self.map = None;
+        self.viewpoint.forget_depth();
         self.keep_reach();
         Ok(())
     }
 
     /// How many vertices and faces there are.
     pub fn counts(&self) -> (usize, usize) {
-        (self.mesh.positions.len(), self.mesh.faces.len())
+        (self.content.mesh.positions.len(), self.content.mesh.faces.len())
     }
 
     /// Sets all handles; states are 0 soft, 1 fixed, 2 active; targets are #H by 3.
@@ -163,12 +116,12 @@ impl ViewState {
             };
             handles.push(HandleMark { vertex, kind, target });
         }
-        let same = handles.len() == self.handles.len()
+        let same = handles.len() == self.content.handles.len()
             && handles
                 .iter()
-                .zip(&self.handles)
+                .zip(&self.content.handles)
                 .all(|(a, b)| a.vertex == b.vertex && a.kind == b.kind);
-        self.handles = handles;
+        self.content.handles = handles;
         self.changes.marks |= !same;
         self.changes.targets = true;
         Ok(())
@@ -184,12 +137,12 @@ impl ViewState {
             let expected = (rows.len() + 1) * SHAPE_NUMBERS;
             return Err(ViewError::Length { what: "shapes", got: shapes.len(), expected });
         }
-        self.shapes.clear();
+        self.content.shapes.clear();
         for row in rows.iter().filter(|row| row.iter().all(|x| x.is_finite())) {
             let centre = DVec3::new(f64::from(row[1]), f64::from(row[2]), f64::from(row[3]));
-            self.shapes.push(row[0]);
-            self.shapes.extend(self.mesh.relative(centre).to_array());
-            self.shapes.extend(&row[4..]);
+            self.content.shapes.push(row[0]);
+            self.content.shapes.extend(self.content.mesh.relative(centre).to_array());
+            self.content.shapes.extend(&row[4..]);
         }
         self.changes.shapes = true;
         Ok(())
@@ -197,37 +150,91 @@ impl ViewState {
 
     /// Sets the projections of the constraints.
     pub fn set_projections(&mut self, projections: ProjectionMarks) {
-        self.changes.projections |= projections != self.projections;
-        self.projections = projections;
+        self.changes.projections |= projections != self.content.projections;
+        self.content.projections = projections;
     }
 
     /// The projected points relative to the view's centre, each with its distance from its vertex.
     pub fn projected(&self) -> impl Iterator<Item = Vec4> + '_ {
-        self.projections.points.iter().map(|point| {
-            let at = self.mesh.positions[point.vertex as usize] + point.way;
+        self.content.projections.points.iter().map(|point| {
+            let at = self.content.mesh.positions[point.vertex as usize] + point.way;
             at.extend(point.way.length())
         })
     }
 
     /// Pieces that a fitted circle is drawn with: fewer when there are thousands, which are small.
     pub fn circle_pieces(&self) -> u32 {
-        if self.shapes.len() > 1000 * SHAPE_NUMBERS { 32 } else { 96 }
-    }
-
-    /// The colours of the theme.
-    pub fn palette(&self) -> &'static Palette {
-        if self.dark { &DARK } else { &LIGHT }
-    }
-
-    /// The colour behind everything.
-    pub fn background(&self) -> Colour {
-        if self.white { [1.0; 4] } else { self.palette().background }
+        if self.content.shapes.len() > 1000 * SHAPE_NUMBERS { 32 } else { 96 }
     }
 
     /// Says that the next picture differs without new data.
     pub fn view_changed(&mut self) {
         self.changes.view = true;
-        self.map = None;
+        self.viewpoint.forget_depth();
+    }
+
+    /// The changes since the last picture.
+    pub fn changes(&self) -> Changes {
+        self.changes
+    }
+
+    /// The same, and forgets them: a picture of them is made.
+    pub fn take_changes(&mut self) -> Changes {
+        std::mem::take(&mut self.changes)
+    }
+
+    /// The mesh.
+    pub fn mesh(&self) -> &RenderMesh {
+        &self.content.mesh
+    }
+
+    /// All handles.
+    pub fn handles(&self) -> &[HandleMark] {
+        &self.content.handles
+    }
+
+    /// Fitted shapes in view coordinates, [`SHAPE_NUMBERS`] each.
+    pub fn shapes(&self) -> &[f32] {
+        &self.content.shapes
+    }
+
+    /// Projected points, outlines, arrows.
+    pub fn projections(&self) -> &ProjectionMarks {
+        &self.content.projections
+    }
+
+    /// The checkerboard of a flat map.
+    pub fn checks(&self) -> &Checks {
+        &self.content.checks
+    }
+
+    /// Replaces the checkerboard.
+    pub fn set_checks(&mut self, checks: Checks) {
+        self.content.checks = checks;
+        self.changes.checks = true;
+        // Values of faces make room for it.
+        self.changes.appearance = true;
+    }
+
+    /// Draws the checkerboard with so many squares for each unit of length on the map; none with zero.
+    pub fn scale_checks(&mut self, per_length: f32) {
+        self.content.checks.per_length = per_length;
+        self.changes.view = true;
+    }
+
+    /// Sides of the faces that a flat map turns over, by their vertices: `#sides by 2`.
+    pub fn flipped(&self) -> &[[u32; 2]] {
+        &self.content.flipped
+    }
+
+    /// The ghost of the model as it was opened, and the ground.
+    pub fn around(&self) -> &Surroundings {
+        &self.around
+    }
+
+    /// Whether ghost or ground have changed since this was last asked, to be drawn.
+    pub fn take_changed_surroundings(&mut self) -> bool {
+        std::mem::take(&mut self.around.changed)
     }
 
     /// Half the diagonal of the bounding box; 1 where there is none.
@@ -238,13 +245,13 @@ impl ViewState {
     }
 
     pub(crate) fn bounds(&self) -> [Vec3; 2] {
-        let points = self.mesh.used_positions();
+        let points = self.content.mesh.used_positions();
         let low = points.clone().reduce(Vec3::min).unwrap_or_default();
         [low, points.reduce(Vec3::max).unwrap_or_default()]
     }
 
     /// Where each handle should be, relative to the view's centre.
     pub fn targets(&self) -> impl Iterator<Item = Vec3> + '_ {
-        self.handles.iter().map(|handle| self.mesh.relative(handle.target))
+        self.content.handles.iter().map(|handle| self.content.mesh.relative(handle.target))
     }
 }

@@ -11,10 +11,10 @@ pub fn face_colour(state: &ViewState, face: u32, palette: &Palette) -> Vec3 {
     let light = light_on(state, face);
     let modelled = 0.74 + (1.06 - 0.74) * light;
     let plain = rgb(palette.shade).lerp(rgb(palette.material), light);
-    let colour = match state.appearance.colour_of(face as usize) {
+    let colour = match state.appearance().colour_of(face as usize) {
         FaceColour::Plain => plain,
         FaceColour::Row(place) => {
-            let row = Vec3::from(state.appearance.rows.palette[usize::from(place) - 1]);
+            let row = Vec3::from(state.appearance().rows.palette[usize::from(place) - 1]);
             plain.lerp(row * modelled, row_colours::STRENGTH)
         }
         FaceColour::NoValue => rgb(palette.no_value) * modelled,
@@ -30,19 +30,19 @@ fn rgb([r, g, b, _]: Colour) -> Vec3 {
 
 /// From 0 in the shade to 1 in full light.
 fn light_on(state: &ViewState, face: u32) -> f32 {
-    let mesh = &state.mesh;
+    let mesh = state.mesh();
     let corners = mesh.faces.row(face as usize);
     let mean = |values: &[Vec3]| {
         corners.iter().map(|&v| values[v as usize]).sum::<Vec3>() / corners.len().max(1) as f32
     };
-    let Eye { at: eye, right, up, forward, .. } = state.camera.eye();
+    let Eye { at: eye, right, up, forward, .. } = state.camera().eye();
     let to_eye = (eye - mean(&mesh.positions)).normalize();
     let flat = mesh.normals.faces[face as usize];
     let normal = towards(if flat.length_squared() < 0.5 { to_eye } else { flat }, to_eye);
     let soft = towards(mean(&mesh.normals.vertices), normal);
     let bent = (normal + 0.4 * soft).normalize();
     let key = (up * 0.75 - right * 0.62 - forward * 0.45).normalize();
-    let [_, _, sky] = state.camera.up.axes();
+    let [_, _, sky] = state.camera().up.axes();
     let from_key = (bent.dot(key) * 0.8 + 0.2).max(0.0);
     let from_sky = 0.5 + 0.5 * bent.dot(sky);
     let from_eye = bent.dot(to_eye).max(0.0);

@@ -30,17 +30,17 @@ const NEAR: f32 = 0.02;
 /// The stage as an `svg` element of the size of its canvas, with the classes `still` and `class`.
 /// [`style`] has the rest of its looks.
 pub fn svg(state: &ViewState, class: &str) -> String {
-    let [width, height] = state.camera.canvas.round().to_array();
-    let eye = state.camera.eye();
+    let [width, height] = state.camera().canvas.round().to_array();
+    let eye = state.camera().eye();
     let mut svg = format!(
         r#"<svg class="still {class}" viewBox="0 0 {width} {height}" data-eye="{}">"#,
         spaced(rows_for_file(state, &eye).iter().flat_map(|row| row.to_array())),
     );
     let place = |point: Vec3| eye.project(point).0.round();
-    let places: Vec<Vec2> = state.mesh.positions.iter().map(|&point| place(point)).collect();
+    let places: Vec<Vec2> = state.mesh().positions.iter().map(|&point| place(point)).collect();
     let rim = rim_of(state);
     for face in from_far_to_near(state) {
-        let corners = state.mesh.faces.row(face as usize);
+        let corners = state.mesh().faces.row(face as usize);
         let [light, dark] = [LIGHT, DARK]
             .map(|palette| (face_colour(state, face, &palette) * STEPS).round() / STEPS);
         let colour = themed(light.extend(1.0).to_array(), dark.extend(1.0).to_array());
@@ -61,15 +61,15 @@ pub fn svg(state: &ViewState, class: &str) -> String {
 
 /// The edges on the boundary.
 pub(crate) fn rim_of(state: &ViewState) -> BTreeSet<[u32; 2]> {
-    let boundary = state.mesh.edges.iter().filter(|edge| edge.boundary);
+    let boundary = state.mesh().edges.iter().filter(|edge| edge.boundary);
     boundary.map(|edge| edge.ends).collect()
 }
 
 /// Each handle with its target and the line between them.
 fn handles(state: &ViewState, eye: &Eye) -> String {
     let mut svg = String::new();
-    for (handle, target) in state.handles.iter().zip(state.targets()) {
-        let point = state.mesh.positions[handle.vertex as usize];
+    for (handle, target) in state.handles().iter().zip(state.targets()) {
+        let point = state.mesh().positions[handle.vertex as usize];
         let (at, depth) = eye.project(point);
         let [right, down] = [Vec2::X, Vec2::Y].map(|pixel| eye.across(pixel, depth));
         let _ = write!(
@@ -95,7 +95,7 @@ fn handles(state: &ViewState, eye: &Eye) -> String {
 
 /// The eye's rows for points in file coordinates.
 fn rows_for_file(state: &ViewState, eye: &Eye) -> [Vec4; 3] {
-    let centre = state.mesh.centre.as_vec3();
+    let centre = state.mesh().centre.as_vec3();
     eye.rows().map(|row| row.truncate().extend(row.w - row.truncate().dot(centre)))
 }
 
@@ -149,8 +149,8 @@ pub fn style(has_full_map: bool) -> String {
 /// The faces in the order in which they are painted: those whose corners are on average the
 /// farthest first. It depends on where the eye looks, not on where it is.
 pub fn from_far_to_near(state: &ViewState) -> Vec<u32> {
-    let mesh = &state.mesh;
-    let forward = state.camera.eye().forward;
+    let mesh = state.mesh();
+    let forward = state.camera().eye().forward;
     let depth = |corners: &[u32]| {
         let sum: f32 = corners.iter().map(|&v| mesh.positions[v as usize].dot(forward)).sum();
         sum / corners.len().max(1) as f32
@@ -167,9 +167,9 @@ pub(crate) fn sides(corners: &[u32]) -> impl Iterator<Item = [u32; 2]> + '_ {
 
 /// Whether the surface hides the mark on a vertex. The view draws marks in front of what is near.
 pub(crate) fn is_hidden(state: &ViewState, eye: &Eye, vertex: u32) -> bool {
-    let point = state.mesh.positions[vertex as usize];
+    let point = state.mesh().positions[vertex as usize];
     let from = eye.seen_from(point);
-    hidden(&state.mesh, from, vertex, eye.scale_depth((point - from).length()) * NEAR)
+    hidden(state.mesh(), from, vertex, eye.scale_depth((point - from).length()) * NEAR)
 }
 
 /// A line through places, as the data of a path: the first as it is, the others by their steps.

@@ -22,7 +22,7 @@ const DOTS: f32 = 0.62;
 pub fn svg(state: &ViewState) -> String {
     let mut drawing = Drawing::new(state);
     let body = drawing.faces() + &drawing.curves() + &drawing.dots();
-    let [width, height] = (state.camera.canvas * drawing.scale).round().to_array();
+    let [width, height] = (state.camera().canvas * drawing.scale).round().to_array();
     let style = drawing.style();
     let colours = &drawing.colours;
     let colours: String =
@@ -52,9 +52,9 @@ fn letters(number: usize) -> String {
 
 impl<'a> Drawing<'a> {
     fn new(state: &'a ViewState) -> Self {
-        let is_crowd = state.mesh.faces.len() > CROWD;
+        let is_crowd = state.mesh().faces.len() > CROWD;
         let (scale, steps) = if is_crowd { (1.0, 20.0) } else { (2.0, 32.0) };
-        Drawing { state, eye: state.camera.eye(), scale, steps, colours: BTreeMap::new() }
+        Drawing { state, eye: state.camera().eye(), scale, steps, colours: BTreeMap::new() }
     }
 
     /// The class of a colour.
@@ -64,13 +64,13 @@ impl<'a> Drawing<'a> {
     }
 
     fn style(&self) -> String {
-        let appearance = &self.state.appearance;
+        let appearance = self.state.appearance();
         let edge = |palette: &Palette| match appearance.has_full_map() {
             true => palette.edge_of_values,
             false => palette.strokes[LineKind::Edge as usize].colour,
         };
         // Where there are thousands of faces, lines as wide as in the view would be all that is seen.
-        let crowd = (self.state.mesh.faces.len() as f32 / 450.0).sqrt().max(1.0);
+        let crowd = (self.state.mesh().faces.len() as f32 / 450.0).sqrt().max(1.0);
         let stroke = |kind: LineKind| {
             let colour = |palette: &Palette| palette.strokes[kind as usize].colour;
             let width = LIGHT.strokes[kind as usize].width * self.scale * DOTS;
@@ -106,7 +106,7 @@ impl<'a> Drawing<'a> {
                 self.coarse(face_colour(self.state, face, &palette)).extend(1.0).to_array()
             });
             let class = self.class(themed(light, dark));
-            let corners = self.state.mesh.faces.row(face as usize);
+            let corners = self.state.mesh().faces.row(face as usize);
             let outline = line(corners.iter().map(|&v| self.place(v)));
             // Writing to a string cannot fail.
             if class == open {
@@ -133,7 +133,7 @@ impl<'a> Drawing<'a> {
     fn coarse(&self, colour: Vec3) -> Vec3 {
         let coarse = |part: f32| (part * self.steps).round() / self.steps;
         let most = colour.max_element();
-        if self.state.appearance.has_full_map() || most == 0.0 {
+        if self.state.appearance().has_full_map() || most == 0.0 {
             Vec3::from(colour.to_array().map(coarse))
         } else {
             (colour * (coarse(most) / most)).min(Vec3::ONE)
@@ -142,7 +142,7 @@ impl<'a> Drawing<'a> {
 
     /// Whether the back of a face is seen.
     fn is_turned_away(&self, face: u32) -> bool {
-        let mesh = &self.state.mesh;
+        let mesh = self.state.mesh();
         let corner = mesh.faces.row(face as usize)[0];
         let sight = mesh.positions[corner as usize] - self.eye.at;
         mesh.normals.faces[face as usize].dot(sight) > 0.0
@@ -150,7 +150,7 @@ impl<'a> Drawing<'a> {
 
     /// Polylines where there are no faces; those on a surface are seen by its edges.
     fn curves(&self) -> String {
-        let mesh = &self.state.mesh;
+        let mesh = self.state.mesh();
         if !mesh.faces.is_empty() || mesh.curves.is_empty() {
             return String::new();
         }
@@ -165,9 +165,9 @@ impl<'a> Drawing<'a> {
     fn dots(&mut self) -> String {
         let mut svg = self.points();
         let mut marks = String::new();
-        for handle in &self.state.handles {
+        for handle in self.state.handles() {
             let from = self.place(handle.vertex);
-            let to = self.at(self.state.mesh.relative(handle.target));
+            let to = self.at(self.state.mesh().relative(handle.target));
             if from.distance(to) > self.scale {
                 let _ = write!(svg, r#"<path class="P" d="{}"/>"#, line([from, to]));
             }
@@ -183,13 +183,13 @@ impl<'a> Drawing<'a> {
     /// One path of dots for each colour.
     fn points(&mut self) -> String {
         let state = self.state;
-        let rows = &state.appearance.rows;
-        let is_only_points = state.mesh.is_only_points();
+        let rows = &state.appearance().rows;
+        let is_only_points = state.mesh().is_only_points();
         let mut paths: BTreeMap<String, String> = BTreeMap::new();
-        for v in 0..state.mesh.positions.len() as u32 {
+        for v in 0..state.mesh().positions.len() as u32 {
             let row = rows.vertices.get(v as usize).copied().unwrap_or(0);
             let is_seen = is_only_points || row > 0 && !is_hidden(state, &self.eye, v);
-            if !is_seen || state.appearance.has_values() {
+            if !is_seen || state.appearance().has_values() {
                 continue;
             }
             let [light, dark] = [LIGHT, DARK].map(|palette| match row {
@@ -213,7 +213,7 @@ impl<'a> Drawing<'a> {
     }
 
     fn place(&self, vertex: u32) -> Vec2 {
-        self.at(self.state.mesh.positions[vertex as usize])
+        self.at(self.state.mesh().positions[vertex as usize])
     }
 
     fn at(&self, point: Vec3) -> Vec2 {

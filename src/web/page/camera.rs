@@ -23,56 +23,56 @@ impl View {
                 return Err(thrown(ViewError::Word { what: "up", got, known: "z or y" }));
             }
         };
-        self.state.set_up(up);
+        self.model().set_up(up);
         Ok(())
     }
 
     /// Turns the camera about the middle of the canvas.
     pub fn orbit(&mut self, dx: f32, dy: f32) {
-        self.state.orbit(dx, dy);
+        self.model().orbit(dx, dy);
     }
 
     /// Begins to turn the camera by a drag, about what is under the cursor.
     #[wasm_bindgen(js_name = beginTurn)]
     pub fn begin_turn(&mut self, x: f32, y: f32) {
-        self.state.begin_turn(Vec2::new(x, y));
+        self.model().begin_turn(Vec2::new(x, y));
     }
 
     /// Goes on with the drag that `beginTurn` began: what was under the cursor keeps its place.
     pub fn turn(&mut self, dx: f32, dy: f32) {
-        self.state.turn(dx, dy);
+        self.model().turn(dx, dy);
     }
 
     /// Slides the picture by a drag.
     pub fn pan(&mut self, dx: f32, dy: f32) {
-        self.state.pan(dx, dy);
+        self.model().pan(dx, dy);
     }
 
     /// Comes `factor` times nearer (farther when less than one) to what is under the cursor.
     pub fn zoom(&mut self, factor: f32, x: f32, y: f32) {
-        self.state.zoom(factor, Vec2::new(x, y));
+        self.model().zoom(factor, Vec2::new(x, y));
     }
 
     /// Leaves so many CSS pixels free at the lower edge when something is framed. What is framed now moves
     /// away from there, and not back.
     pub fn cover(&mut self, pixels: f32) {
-        self.state.cover(pixels);
+        self.model().cover(pixels);
     }
 
     /// Where the camera is: numbers to be kept. See [`crate::view::state::saved_camera`].
     pub fn camera(&self) -> Vec<f64> {
-        self.state.camera_numbers().to_vec()
+        self.pictures.model().camera_numbers().to_vec()
     }
 
     /// Puts the camera back where `camera` said that it was.
     #[wasm_bindgen(js_name = placeCamera)]
     pub fn place_camera(&mut self, numbers: &[f64]) {
-        self.state.place_camera(numbers);
+        self.model().place_camera(numbers);
     }
 
     /// Fills the canvas with the mesh, from where the camera looks now.
     pub fn fit(&mut self) {
-        self.state.fit();
+        self.model().fit();
     }
 
     /// Fills the canvas with some vertices.
@@ -81,7 +81,7 @@ impl View {
     /// A vertex that does not exist.
     #[wasm_bindgen(js_name = fitVertices)]
     pub fn fit_vertices(&mut self, vertices: &[u32]) -> Result<(), JsValue> {
-        self.state.fit_vertices(vertices).map_err(thrown)
+        self.model().fit_vertices(vertices).map_err(thrown)
     }
 
     /// Looks from `top`, `bottom`, `front`, `back`, `left`, `right`, `isometric` or `home`, and fits.
@@ -89,6 +89,6 @@ impl View {
     /// # Errors
     /// Any other name.
     pub fn preset(&mut self, name: &str) -> Result<(), JsValue> {
-        self.state.preset(name).map_err(thrown)
+        self.model().preset(name).map_err(thrown)
     }
 }

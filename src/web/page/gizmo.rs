@@ -11,7 +11,7 @@ impl View {
     /// Shows the gizmo where a handle is selected, or not; larger for fingers.
     #[wasm_bindgen(js_name = setGizmo)]
     pub fn set_gizmo(&mut self, shown: bool, touch: bool) {
-        self.state.want_gizmo(|wanted| (wanted.shown, wanted.touch) = (shown, touch));
+        self.model().want_gizmo(|wanted| (wanted.shown, wanted.touch) = (shown, touch));
     }
 
     /// Lights up a part of the gizmo: an axis `x`, `y` or `z`, or a plane `xy`, `yz` or `zx`. While
@@ -22,14 +22,14 @@ impl View {
     #[wasm_bindgen(js_name = lightGizmo)]
     pub fn light_gizmo(&mut self, part: Option<String>, held: bool) -> Result<(), JsValue> {
         let lit = part.map(|name| self.way(&name)).transpose()?;
-        self.state.want_gizmo(|wanted| (wanted.lit, wanted.held) = (lit, held));
+        self.model().want_gizmo(|wanted| (wanted.lit, wanted.held) = (lit, held));
         Ok(())
     }
 
     /// The part of the gizmo under the cursor.
     #[wasm_bindgen(js_name = pickGizmo)]
     pub fn pick_gizmo(&self, x: f32, y: f32) -> Option<String> {
-        let way = self.state.gizmo()?.pick(Vec2::new(x, y))?;
+        let way = self.pictures.model().gizmo()?.pick(Vec2::new(x, y))?;
         Some(way.name().to_owned())
     }
 
@@ -40,7 +40,7 @@ impl View {
     #[wasm_bindgen(js_name = gizmoPart)]
     pub fn gizmo_part(&self, part: &str) -> Result<Option<Vec<f64>>, JsValue> {
         let way = self.way(part)?;
-        let at = self.state.gizmo().and_then(|gizmo| gizmo.best(way));
+        let at = self.pictures.model().gizmo().and_then(|gizmo| gizmo.best(way));
         Ok(at.map(|at| vec![f64::from(at.x), f64::from(at.y)]))
     }
 
@@ -56,13 +56,13 @@ impl View {
         y: Option<f32>,
     ) -> Result<(), JsValue> {
         let from = x.zip(y).map(Vec2::from);
-        self.state.hold_vertex(vertex, from).map_err(thrown)
+        self.model().hold_vertex(vertex, from).map_err(thrown)
     }
 
     /// Takes hold of the gizmo, with the cursor at `(x, y)`.
     #[wasm_bindgen(js_name = holdGizmo)]
     pub fn hold_gizmo(&mut self, x: f32, y: f32) {
-        self.state.hold_gizmo(Vec2::new(x, y));
+        self.model().hold_gizmo(Vec2::new(x, y));
     }
 
     /// How far what is held goes when the cursor has gone by `(dx, dy)`: three numbers, or nothing where
@@ -72,18 +72,18 @@ impl View {
     /// Any other way.
     #[wasm_bindgen(js_name = constrainMove)]
     pub fn constrain_move(&self, way: &str, dx: f32, dy: f32) -> Result<Option<Vec<f64>>, JsValue> {
-        let found = self.state.constrain_move(self.way(way)?, Vec2::new(dx, dy));
+        let found = self.pictures.model().constrain_move(self.way(way)?, Vec2::new(dx, dy));
         Ok(found.map(|by| by.as_dvec3().to_array().to_vec()))
     }
 
     /// Where what is held is seen on the canvas when it has gone so far; nothing while nothing is held.
     #[wasm_bindgen(js_name = heldPlace)]
     pub fn held_place(&self, x: f64, y: f64, z: f64) -> Option<Vec<f64>> {
-        let place = self.state.gizmo.grip?.place(DVec3::new(x, y, z).as_vec3());
+        let place = self.pictures.model().held_place(DVec3::new(x, y, z).as_vec3())?;
         Some(vec![f64::from(place.x), f64::from(place.y)])
     }
 
     fn way(&self, name: &str) -> Result<DragDirection, JsValue> {
-        DragDirection::named(name, self.state.camera.up).map_err(thrown)
+        DragDirection::named(name, self.pictures.model().camera().up).map_err(thrown)
     }
 }

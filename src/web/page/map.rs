@@ -2,7 +2,7 @@
 
 use super::view::View;
 use crate::view::appearance::ColourScale;
-use crate::view::side_by_side::{Region, flat_map, show_flipped};
+use crate::view::side_by_side::Region;
 use crate::web::thrown;
 use glam::Vec2;
 use wasm_bindgen::prelude::*;
@@ -17,29 +17,13 @@ impl View {
     /// all stays as it was.
     #[wasm_bindgen(js_name = setMap)]
     pub fn set_map(&mut self, uv: &[f64], flipped: &[u32]) -> Result<(), JsValue> {
-        let (map, checks) = flat_map(&self.state, uv, flipped).map_err(thrown)?;
-        self.state.checks = checks;
-        self.state.changes.checks = true;
-        // The marks of the model are those of the map too.
-        self.state.changes.appearance = true;
-        let first = self.map.replace(map).is_none();
-        self.arrange();
-        if first {
-            self.state.fit();
-        }
-        Ok(())
+        self.pictures.set_map(uv, flipped).map_err(thrown)
     }
 
     /// Takes the flat map away.
     #[wasm_bindgen(js_name = clearMap)]
     pub fn clear_map(&mut self) {
-        if self.map.take().is_none() {
-            return;
-        }
-        self.state.checks = Default::default();
-        self.state.changes.checks = true;
-        self.arrange();
-        self.state.fit();
+        self.pictures.clear_map();
     }
 
     /// Draws a checkerboard with so many squares along the longer side of the map on the model, on the
@@ -57,31 +41,22 @@ impl View {
         low: f32,
         high: f32,
     ) -> Result<(), JsValue> {
-        let Some(map) = &mut self.map else { return Ok(()) };
-        let longest = map.checks.extent().max_element();
-        let per_length = if longest > 0.0 { squares / longest } else { 0.0 };
-        let drawn = |is_drawn: bool| if is_drawn { per_length } else { 0.0 };
-        self.state.checks.per_length = drawn(on_model);
-        map.checks.per_length = drawn(on_map);
-        let (_, faces) = map.counts();
-        map.appearance.set_values(values, ColourScale::linear(low, high), faces).map_err(thrown)?;
-        map.changes.appearance = true;
-        self.state.changes.view = true;
-        Ok(())
+        let scale = ColourScale::linear(low, high);
+        let looks = self.pictures.set_map_looks(squares, [on_model, on_map], values, scale);
+        looks.map_err(thrown)
     }
 
     /// Where the map is on the canvas, CSS pixels: left, top, width, height; nothing without a map.
     #[wasm_bindgen(js_name = mapRegion)]
     pub fn map_region(&self) -> Option<Vec<f32>> {
-        self.map.as_ref()?;
-        let [_, Region { at, size }] = Region::halves(self.canvas_size);
+        let Region { at, size } = self.pictures.map_region()?;
         Some(vec![at.x, at.y, size.x, size.y])
     }
 
     /// Slides the map by a drag.
     #[wasm_bindgen(js_name = panMap)]
     pub fn pan_map(&mut self, dx: f32, dy: f32) {
-        if let Some(map) = &mut self.map {
+        if let Some(map) = self.pictures.map_mut() {
             map.pan(dx, dy);
         }
     }
@@ -89,7 +64,7 @@ impl View {
     /// Makes the map `factor` times larger about a place in its part of the canvas.
     #[wasm_bindgen(js_name = zoomMap)]
     pub fn zoom_map(&mut self, factor: f32, x: f32, y: f32) {
-        if let Some(map) = &mut self.map {
+        if let Some(map) = self.pictures.map_mut() {
             map.zoom(factor, Vec2::new(x, y));
         }
     }
@@ -97,30 +72,14 @@ impl View {
     /// Comes near the faces that the map turns over, on the model and on the map.
     #[wasm_bindgen(js_name = showFlipped)]
     pub fn show_flipped(&mut self) {
-        if let Some(map) = &mut self.map {
-            show_flipped(map, &mut self.state);
-        }
+        self.pictures.show_flipped();
     }
 
     /// Fills its part of the canvas with the map.
     #[wasm_bindgen(js_name = fitMap)]
     pub fn fit_map(&mut self) {
-        if let Some(map) = &mut self.map {
+        if let Some(map) = self.pictures.map_mut() {
             map.fit();
-        }
-    }
-
-    /// Gives the model and its map their parts of the canvas.
-    pub(crate) fn arrange(&mut self) {
-        self.arrive();
-        let whole = Region::whole(self.canvas_size);
-        let [model, map] = match &self.map {
-            Some(_) => Region::halves(self.canvas_size),
-            None => [whole; 2],
-        };
-        self.state.resize(model.size);
-        if let Some(state) = &mut self.map {
-            state.resize(map.size);
         }
     }
 }

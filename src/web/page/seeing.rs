@@ -1,8 +1,7 @@
 //! Ways of seeing beside the plain picture: projection, flights to views, ghost, ground, bands, tape.
 
 use super::view::View;
-use crate::view::appearance::{Appearance, Bands};
-use crate::view::camera::Flight;
+use crate::view::appearance::Bands;
 use crate::view::overlay::scale_bar;
 use crate::web::thrown;
 use wasm_bindgen::prelude::*;
@@ -15,8 +14,7 @@ impl View {
     /// Parallel projection, or perspective.
     #[wasm_bindgen(js_name = setParallel)]
     pub fn set_parallel(&mut self, parallel: bool) {
-        self.arrive();
-        self.state.set_parallel(parallel);
+        self.pictures.set_parallel(parallel);
     }
 
     /// Prepares a flight to a view of `preset`, from where the camera is; `fly` makes it.
@@ -25,29 +23,13 @@ impl View {
     /// A name that `preset` does not know.
     #[wasm_bindgen(js_name = flyTo)]
     pub fn fly_to(&mut self, name: &str) -> Result<(), JsValue> {
-        let from = self.state.camera;
-        self.state.preset(name).map_err(thrown)?;
-        let to = self.state.camera;
-        self.state.camera = from;
-        self.flight = Some(Flight::new(from, to));
-        Ok(())
+        self.pictures.fly_to(name).map_err(thrown)
     }
 
     /// Flies on to `part` of the way, from 0 to 1. Whether the flight goes on: it ends where it
     /// arrives, and when the camera is moved otherwise.
     pub fn fly(&mut self, part: f32) -> bool {
-        let Some(flight) = &mut self.flight else { return false };
-        let goes_on = flight.go(&mut self.state.camera, part);
-        if !goes_on {
-            self.flight = None;
-        }
-        self.state.view_changed();
-        goes_on
-    }
-
-    /// Ends a flight where it leads.
-    pub(crate) fn arrive(&mut self) {
-        self.fly(1.0);
+        self.pictures.fly(part)
     }
 
     /// Takes the positions of the mesh as it was opened, #V by 3: the ghost, the ground and the tape go
@@ -57,38 +39,34 @@ impl View {
     /// Another number of vertices, or a coordinate that is not finite.
     #[wasm_bindgen(js_name = setRest)]
     pub fn set_rest(&mut self, positions: &[f64]) -> Result<(), JsValue> {
-        self.state.set_rest(positions).map_err(thrown)
+        self.model().set_rest(positions).map_err(thrown)
     }
 
     /// Shows or hides the ghost of the mesh as it was opened, and the grid on the ground.
     #[wasm_bindgen(js_name = setSurroundings)]
     pub fn set_surroundings(&mut self, ghost: bool, ground: bool) {
-        self.state.set_surroundings(ghost, ground);
+        self.model().set_surroundings(ghost, ground);
     }
 
     /// From one line of the grid on the ground to the next, in the unit of the file; nothing where there
     /// is no grid.
     #[wasm_bindgen(js_name = gridStep)]
     pub fn grid_step(&self) -> Option<f64> {
-        self.state.around.grid_step()
+        self.pictures.model().around().grid_step()
     }
 
     /// The longest bar of round length that is at most `most` CSS pixels long: its length in the unit
     /// of the file, and how long it is.
     #[wasm_bindgen(js_name = scaleBar)]
     pub fn scale_bar(&self, most: f64) -> Vec<f64> {
-        let bar = scale_bar(&self.state.camera, most);
+        let bar = scale_bar(&self.pictures.model().camera(), most);
         vec![bar.length, bar.pixels]
     }
 
     /// Shows values of faces in bands, or gradually.
     #[wasm_bindgen(js_name = setBands)]
     pub fn set_bands(&mut self, in_bands: bool) {
-        self.state.appearance.set_in_bands(in_bands);
-        self.state.changes.appearance = true;
-        if let Some(split) = &mut self.split {
-            split.set_in_bands(in_bands);
-        }
+        self.pictures.set_in_bands(in_bands);
     }
 
     /// Tells the values of the vertices, #V, whose greatest those of the faces are; null where they are
@@ -98,10 +76,7 @@ impl View {
     /// Another number of values than vertices.
     #[wasm_bindgen(js_name = setCornerValues)]
     pub fn set_corner_values(&mut self, values: Option<Vec<f32>>) -> Result<(), JsValue> {
-        let (vertices, _) = self.state.counts();
-        self.state.appearance.set_corners(values, vertices).map_err(thrown)?;
-        self.state.changes.appearance = true;
-        Ok(())
+        self.model().set_corner_values(values).map_err(thrown)
     }
 
     /// From one limit of the bands to the next, in the unit of the values, or of their logarithm to the
@@ -121,18 +96,13 @@ impl View {
     /// CSS colours of what the range is painted with: one for each band, or evenly over the map.
     #[wasm_bindgen(js_name = rampColours)]
     pub fn ramp_colours(&self, side: Option<usize>) -> Vec<String> {
-        let appearance = self.appearance(side);
+        let appearance = self.pictures.appearance(side);
         let map = appearance.map();
         appearance.bands().map_or_else(|| map.stops(STOPS), |bands| bands.colours(map))
     }
 
     fn bands(&self, side: Option<usize>) -> Option<&Bands> {
-        self.appearance(side).bands()
-    }
-
-    fn appearance(&self, side: Option<usize>) -> &Appearance {
-        let split = side.and_then(|side| self.split.as_ref()?.sides.get(side));
-        &split.map_or(&self.state, |side| &side.state).appearance
+        self.pictures.appearance(side).bands()
     }
 
     /// Spans the measuring tape between two vertices; one is where it begins, none takes it away.
@@ -141,13 +111,13 @@ impl View {
     /// A vertex that does not exist, or more than two.
     #[wasm_bindgen(js_name = setTape)]
     pub fn set_tape(&mut self, vertices: &[u32]) -> Result<(), JsValue> {
-        self.state.set_tape(vertices).map_err(thrown)
+        self.model().set_tape(vertices).map_err(thrown)
     }
 
     /// What the tape spans, in the unit of the file: x, y, z now, and at rest if that is known;
     /// nothing unless it spans two vertices.
     pub fn measured(&self) -> Option<Vec<f64>> {
-        let measured = self.state.measured()?;
+        let measured = self.pictures.model().measured()?;
         let mut numbers = measured.now.to_array().to_vec();
         numbers.extend(measured.rest.iter().flat_map(|rest| rest.to_array()));
         Some(numbers)
@@ -157,9 +127,6 @@ impl View {
     /// it is behind the eye.
     #[wasm_bindgen(js_name = tapeMiddle)]
     pub fn tape_middle(&self) -> Option<Vec<f32>> {
-        let &[from, to] = &self.state.tape[..] else { return None };
-        let [from, to] = [from, to].map(|v| self.state.mesh.positions[v as usize]);
-        let (at, depth) = self.state.camera.eye().project(0.5 * (from + to));
-        (depth > 0.0).then(|| vec![at.x, at.y])
+        self.pictures.model().tape_middle().map(|at| at.to_array().to_vec())
     }
 }

@@ -2,7 +2,7 @@
 
 use super::view::View;
 use crate::view::appearance::ColourScale;
-use crate::view::side_by_side::{Colours, Split};
+use crate::view::side_by_side::Colours;
 use crate::web::thrown;
 use wasm_bindgen::prelude::*;
 
@@ -11,15 +11,7 @@ impl View {
     /// Puts the divider at a part of the width of the canvas, from 0 to 1; begins to show two pictures.
     #[wasm_bindgen(js_name = setSplit)]
     pub fn set_split(&mut self, at: f32) {
-        match &mut self.split {
-            Some(split) => split.move_to(at),
-            None => {
-                self.split = Some(Split::new(&self.state, at));
-                // The marks of the model are those of both sides.
-                self.state.changes.appearance = true;
-                self.state.changes.positions = true;
-            }
-        }
+        self.pictures.set_split(at);
     }
 
     /// What the left side (0) or the right side (1) shows: the shape `original` (#V by 3) or the shape
@@ -39,19 +31,15 @@ impl View {
         high: f32,
         tolerance: Option<f32>,
     ) -> Result<(), JsValue> {
-        let sides = self.split.as_mut().map(|split| &mut split.sides[..]).unwrap_or_default();
-        let Some(side) = sides.get_mut(side) else { return Ok(()) };
-        side.show(original.as_deref(), &self.state).map_err(thrown)?;
         let scale =
             ColourScale { tolerance, ..ColourScale::linear(tolerance.unwrap_or(0.0), high) };
-        side.colour(Colours { values, corners, scale }).map_err(thrown)
+        let colours = Colours { values, corners, scale };
+        self.pictures.set_split_side(side, original.as_deref(), colours).map_err(thrown)
     }
 
     /// Shows one picture again.
     #[wasm_bindgen(js_name = clearSplit)]
     pub fn clear_split(&mut self) {
-        if self.split.take().is_some() {
-            self.state.view_changed();
-        }
+        self.pictures.clear_split();
     }
 }

@@ -4,10 +4,9 @@
 //! of the file. What is thrown is an `Error` whose message is one complete line.
 
 use crate::view::appearance::{ColourMap, ColourScale, RowColours};
-use crate::view::camera::Flight;
 use crate::view::gpu::{Device, DeviceError, Loss, Renderer};
 use crate::view::model::ProjectionMarks;
-use crate::view::side_by_side::{Split, follow};
+use crate::view::side_by_side::Pictures;
 use crate::view::state::{Display, ViewState};
 use crate::web::{log_panics, thrown};
 use glam::Vec2;
@@ -20,17 +19,10 @@ use wgpu::SurfaceTarget;
 #[wasm_bindgen]
 #[derive(Debug)]
 pub struct View {
-    pub(crate) state: ViewState,
-    /// The stage of the flat map beside the model.
-    pub(crate) map: Option<ViewState>,
-    /// Two pictures instead of one.
-    pub(crate) split: Option<Split>,
-    /// On its way to another view.
-    pub(crate) flight: Option<Flight>,
-    /// Size of the canvas in CSS pixels.
-    pub(crate) canvas_size: Vec2,
+    /// What is shown.
+    pub(super) pictures: Pictures,
     pixel_ratio: f32,
-    picture: Renderer,
+    renderer: Renderer,
     backend: &'static str,
     frames: u32,
     canvas: HtmlCanvasElement,
@@ -104,17 +96,10 @@ impl View {
         if backend == "webgpu" {
             wasm_bindgen_futures::spawn_local(tell_loss(device.loss(), canvas.clone()));
         }
-        let picture = Renderer::new(device);
-        let state = ViewState::default();
-        let (canvas_size, pixel_ratio) = (state.camera.canvas, 1.0);
         Ok(View {
-            state,
-            map: None,
-            split: None,
-            flight: None,
-            canvas_size,
-            pixel_ratio,
-            picture,
+            pictures: Pictures::default(),
+            pixel_ratio: 1.0,
+            renderer: Renderer::new(device),
             backend,
             frames: 0,
             canvas,
@@ -130,10 +115,9 @@ impl View {
     /// Sets the size of the canvas in physical pixels; at most what the adapter allows. A view that
     /// nobody has moved since it was fitted is fitted again.
     pub fn resize(&mut self, width: u32, height: u32, device_pixel_ratio: f32) {
-        self.picture.device.resize(width, height);
+        self.renderer.device.resize(width, height);
         self.pixel_ratio = if device_pixel_ratio > 0.0 { device_pixel_ratio } else { 1.0 };
-        self.canvas_size = Vec2::new(width as f32, height as f32) / self.pixel_ratio;
-        self.arrange();
+        self.pictures.resize(Vec2::new(width as f32, height as f32) / self.pixel_ratio);
     }
 
     /// Shows a mesh: rows of faces and of curves as offsets and indices, #V by 3 positions. Another
@@ -152,14 +136,7 @@ impl View {
     ) -> Result<(), JsValue> {
         let faces = (face_offsets, face_indices);
         let curves = (curve_offsets, curve_indices);
-        self.state.set_mesh(faces, curves, positions).map_err(thrown)?;
-        if self.state.checks.places.is_empty() {
-            // Another mesh, and the map is that of the one before.
-            self.clear_map();
-        }
-        // Its sides show the mesh before.
-        self.split = None;
-        Ok(())
+        self.pictures.set_mesh(faces, curves, positions).map_err(thrown)
     }
 
     /// Moves the vertices, #V by 3.
@@ -168,7 +145,7 @@ impl View {
     /// Another number of vertices, or a coordinate that is not finite.
     #[wasm_bindgen(js_name = setPositions)]
     pub fn set_positions(&mut self, positions: &[f64]) -> Result<(), JsValue> {
-        self.state.set_positions(positions).map_err(thrown)
+        self.model().set_positions(positions).map_err(thrown)
     }
 
     /// Colours faces by a value each, from `low` to `high`, evenly or by their logarithm; with a
@@ -185,12 +162,9 @@ impl View {
         tolerance: Option<f32>,
         logarithmic: Option<bool>,
     ) -> Result<(), JsValue> {
-        let (_, faces) = self.state.counts();
         let logarithmic = logarithmic.unwrap_or_default();
         let scale = ColourScale { low, high, tolerance, logarithmic };
-        self.state.appearance.set_values(values, scale, faces).map_err(thrown)?;
-        self.state.changes.appearance = true;
-        Ok(())
+        self.model().set_face_values(values, scale).map_err(thrown)
     }
 
     /// CSS colours of the map from low to high, for a legend.
@@ -202,15 +176,13 @@ impl View {
     /// Light or dark.
     #[wasm_bindgen(js_name = setTheme)]
     pub fn set_theme(&mut self, dark: bool) {
-        self.state.changes.view |= dark != self.state.dark;
-        self.state.dark = dark;
+        self.model().set_dark(dark);
     }
 
     /// White behind everything, or the colour of the theme.
     #[wasm_bindgen(js_name = setWhite)]
     pub fn set_white(&mut self, white: bool) {
-        self.state.changes.view |= white != self.state.white;
-        self.state.white = white;
+        self.model().set_white(white);
     }
 
     /// Switches edges, dots on vertices, fitted shapes, outlines of projected shapes, and arrows to
@@ -224,9 +196,7 @@ impl View {
         outlines: bool,
         arrows: bool,
     ) {
-        let display = Display { edges, vertices, shapes, outlines, arrows };
-        self.state.changes.view |= display != self.state.display;
-        self.state.display = display;
+        self.model().set_display(Display { edges, vertices, shapes, outlines, arrows });
     }
 
     /// Sets all handles: vertices, states (0 soft, 1 fixed, 2 active), and #H by 3 targets.
@@ -240,7 +210,7 @@ impl View {
         states: &[u8],
         targets: &[f64],
     ) -> Result<(), JsValue> {
-        self.state.set_handles(vertices, states, targets).map_err(thrown)
+        self.model().set_handles(vertices, states, targets).map_err(thrown)
     }
 
     /// Marks vertices and faces as selected, and no others.
@@ -249,10 +219,7 @@ impl View {
     /// An index that names nothing.
     #[wasm_bindgen(js_name = setSelection)]
     pub fn set_selection(&mut self, vertices: Vec<u32>, faces: Vec<u32>) -> Result<(), JsValue> {
-        let counts = self.state.counts();
-        self.state.appearance.select(vertices, faces, counts).map_err(thrown)?;
-        (self.state.changes.appearance, self.state.changes.marks) = (true, true);
-        Ok(())
+        self.model().select(vertices, faces).map_err(thrown)
     }
 
     /// Sets the edges that can be picked: two vertices each, numbered in this order. Another mesh has
@@ -262,7 +229,7 @@ impl View {
     /// A vertex that does not exist.
     #[wasm_bindgen(js_name = setEdges)]
     pub fn set_edges(&mut self, ends: &[u32]) -> Result<(), JsValue> {
-        self.state.set_edges(ends).map_err(thrown)
+        self.model().set_edges(ends).map_err(thrown)
     }
 
     /// Marks edges as selected, by their places in `setEdges`, and no others.
@@ -271,7 +238,7 @@ impl View {
     /// An edge that does not exist.
     #[wasm_bindgen(js_name = setSelectedEdges)]
     pub fn set_selected_edges(&mut self, edges: &[u32]) -> Result<(), JsValue> {
-        self.state.select_edges(edges).map_err(thrown)
+        self.model().select_edges(edges).map_err(thrown)
     }
 
     /// Marks the members of a constraint in a colour (each part 0 to 1), and no others.
@@ -287,11 +254,7 @@ impl View {
         green: f32,
         blue: f32,
     ) -> Result<(), JsValue> {
-        let counts = self.state.counts();
-        self.state.appearance.tint(vertices, faces, counts).map_err(thrown)?;
-        self.state.tint = [red, green, blue];
-        (self.state.changes.appearance, self.state.changes.marks) = (true, true);
-        Ok(())
+        self.model().set_tint(vertices, faces, [red, green, blue]).map_err(thrown)
     }
 
     /// Gives faces and vertices the colours of the rows of constraints that act on them: per face (#F)
@@ -307,10 +270,9 @@ impl View {
         vertices: Vec<u8>,
         palette: &[f32],
     ) -> Result<(), JsValue> {
-        let counts = self.state.counts();
-        self.state.appearance.rows =
-            RowColours::new(faces, vertices, palette, counts).map_err(thrown)?;
-        (self.state.changes.appearance, self.state.changes.marks) = (true, true);
+        let counts = self.pictures.model().counts();
+        let rows = RowColours::new(faces, vertices, palette, counts).map_err(thrown)?;
+        self.model().set_row_colours(rows);
         Ok(())
     }
 
@@ -320,7 +282,7 @@ impl View {
     /// A length that is no multiple of eight.
     #[wasm_bindgen(js_name = setShapes)]
     pub fn set_shapes(&mut self, shapes: &[f32]) -> Result<(), JsValue> {
-        self.state.set_shapes(shapes).map_err(thrown)
+        self.model().set_shapes(shapes).map_err(thrown)
     }
 
     /// Sets the projections of the constraints: the vertex of each projected point, the way from the
@@ -338,18 +300,16 @@ impl View {
         outlines: &[u32],
         palette: &[f32],
     ) -> Result<(), JsValue> {
-        let (count, _) = self.state.counts();
+        let (count, _) = self.pictures.model().counts();
         let projections = ProjectionMarks::new(vertices, ways, colours, outlines, palette, count);
-        self.state.set_projections(projections.map_err(thrown)?);
+        self.model().set_projections(projections.map_err(thrown)?);
         Ok(())
     }
 
     /// Whether the next `draw` has something new to show.
     #[wasm_bindgen(js_name = needsDraw)]
     pub fn needs_draw(&self) -> bool {
-        self.state.changes.any()
-            || self.map.as_ref().is_some_and(|map| map.changes.any())
-            || self.split.as_ref().is_some_and(Split::has_changes)
+        self.pictures.has_changes()
     }
 
     /// Draws if anything has changed; returns whether it did.
@@ -357,16 +317,8 @@ impl View {
     /// # Errors
     /// The device is lost; the page makes a new view on a new canvas.
     pub fn draw(&mut self) -> Result<bool, JsValue> {
-        if let Some(map) = &mut self.map {
-            follow(map, &self.state);
-        }
-        if let Some(split) = &mut self.split {
-            split.follow(&self.state);
-        }
-        let drawn = self
-            .picture
-            .draw(&mut self.state, self.map.as_mut(), self.split.as_mut(), self.pixel_ratio)
-            .map_err(thrown)?;
+        let (model, map, split) = self.pictures.to_draw();
+        let drawn = self.renderer.draw(model, map, split, self.pixel_ratio).map_err(thrown)?;
         self.frames += u32::from(drawn);
         Ok(drawn)
     }
@@ -374,5 +326,12 @@ impl View {
     /// Pictures drawn so far.
     pub fn frames(&self) -> u32 {
         self.frames
+    }
+}
+
+impl View {
+    /// The view of the model.
+    pub(super) fn model(&mut self) -> &mut ViewState {
+        self.pictures.model_mut()
     }
 }

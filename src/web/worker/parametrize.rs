@@ -1,9 +1,9 @@
 //! The flat map of the model in the worker (paper section 4.3, Eq. 14).
 
 use super::solver::Solver;
-use crate::mesh::{Histogram, Mesh, write_obj_with_uv};
+use crate::mesh::Histogram;
 use crate::scene::NamedEnum;
-use crate::solve::{ConformalNorm, ConformalWeights, Parametrization, clock};
+use crate::solve::{ConformalNorm, ConformalWeights, clock};
 use crate::web::plain::{indices, narrow, object, plain};
 use crate::web::thrown;
 use js_sys::Float64Array;
@@ -33,8 +33,8 @@ impl Solver {
             return Err(thrown("the mesh has no faces, expected a surface"));
         }
         let started = clock::now();
-        let shape = Mesh { positions: session.positions(), ..session.mesh().clone() };
-        let map = Parametrization::new(&shape, session.topology(), weights, norm)
+        let map = session
+            .parametrize(weights, norm)
             .map_err(|error| thrown(format!("the surface cannot be flattened: {error}")))?;
         let seconds = clock::now() - started;
         let errors = &map.errors;
@@ -64,13 +64,12 @@ impl Solver {
     #[wasm_bindgen(js_name = objWithUv)]
     pub fn obj_with_uv(&self, uv: &[f64]) -> Result<String, JsValue> {
         let session = self.open()?;
-        let (uv, rest) = uv.as_chunks::<2>();
-        let vertices = session.mesh().positions.len();
-        if uv.len() != vertices || !rest.is_empty() {
-            let got = 2 * uv.len() + rest.len();
-            return Err(thrown(format!("{got} texture coordinates, expected {}", 2 * vertices)));
+        let (pairs, rest) = uv.as_chunks::<2>();
+        if !rest.is_empty() {
+            let numbers = uv.len();
+            return Err(thrown(format!("{numbers} texture coordinates, expected pairs of them")));
         }
-        Ok(write_obj_with_uv(session.mesh(), &session.positions(), uv))
+        session.obj_with_uv(pairs).map_err(thrown)
     }
 }
 

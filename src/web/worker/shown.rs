@@ -3,7 +3,7 @@
 
 use super::solver::Solver;
 use crate::constraint::Fitted;
-use crate::session::{Session, Shape};
+use crate::session::{RowPalette, Shape};
 use crate::web::plain::{indices, narrow, object};
 use crate::web::thrown;
 use js_sys::{Float32Array, Uint8Array};
@@ -36,15 +36,15 @@ impl Solver {
     /// one more than the place of its colour in `palette` (`colours`); `outlines` are pairs of points.
     pub fn projections(&mut self) -> Result<JsValue, JsValue> {
         let session = self.open_mut()?;
-        let (places, palette) = colours_of_rows(session);
+        let rows = session.row_palette();
         let found = session.projections();
-        let colours: Vec<u8> = found.rows.iter().map(|&row| places[row as usize]).collect();
+        let colours: Vec<u8> = found.rows.iter().map(|&row| rows.places[row as usize]).collect();
         object([
             ("vertices", indices(&found.vertices)),
             ("ways", narrow(found.ways.as_flattened()).into()),
             ("colours", Uint8Array::from(&colours[..]).into()),
             ("outlines", indices(found.outlines.as_flattened())),
-            ("palette", palette),
+            ("palette", palette(&rows)),
         ])
     }
 
@@ -61,16 +61,15 @@ impl Solver {
     pub fn row_colours(&self) -> Result<JsValue, JsValue> {
         let session = self.open()?;
         let acting = session.acting_rows();
-        let (places, palette) = colours_of_rows(session);
-        let of_rows = |rows: &[Option<u32>]| {
-            let places: Vec<u8> =
-                rows.iter().map(|row| row.map_or(0, |row| places[row as usize])).collect();
-            JsValue::from(Uint8Array::from(&places[..]))
+        let rows = session.row_palette();
+        let of_rows = |of: &[Option<u32>]| {
+            let places = of.iter().map(|row| row.map_or(0, |row| rows.places[row as usize]));
+            JsValue::from(Uint8Array::from(&places.collect::<Vec<u8>>()[..]))
         };
         object([
             ("faces", of_rows(&acting.faces)),
             ("vertices", of_rows(&acting.vertices)),
-            ("palette", palette),
+            ("palette", palette(&rows)),
         ])
     }
 
@@ -94,21 +93,9 @@ fn unknown(measure: &str) -> JsValue {
     thrown(format!("unknown measure {measure:?}"))
 }
 
-/// Per row of constraints one more than the place of its colour in the palette, and the palette:
-/// three parts from 0 to 1 per colour.
-fn colours_of_rows(session: &Session) -> (Vec<u8>, JsValue) {
-    let mut palette: Vec<[u8; 3]> = Vec::new();
-    let colours = session.rows().iter().map(|row| row.constraints.kind.info().colour);
-    let places = colours.map(|colour| {
-        let known = palette.iter().position(|other| *other == colour);
-        let place = known.unwrap_or(palette.len());
-        if known.is_none() {
-            palette.push(colour);
-        }
-        u8::try_from(place + 1).expect("there are fewer than 255 kinds")
-    });
-    let places = places.collect();
-    let parts: Vec<f32> =
-        palette.as_flattened().iter().map(|&part| f32::from(part) / 255.0).collect();
-    (places, Float32Array::from(&parts[..]).into())
+/// Three parts from 0 to 1 per colour.
+fn palette(rows: &RowPalette) -> JsValue {
+    let parts = rows.colours.as_flattened().iter();
+    let parts: Vec<f32> = parts.map(|&part| f32::from(part) / 255.0).collect();
+    Float32Array::from(&parts[..]).into()
 }

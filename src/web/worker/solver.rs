@@ -2,8 +2,7 @@
 
 use super::report::{self, Document, elements, kinds};
 use crate::mesh::Weld;
-use crate::scene::{MeshSource, UnitsAndUp};
-use crate::session::{FACE_MEASURES, Session};
+use crate::session::{FACE_MEASURES, FileReader, Session};
 use crate::solve::clock;
 use crate::web::plain::plain;
 use crate::web::{log_panics, thrown};
@@ -14,15 +13,12 @@ use wasm_bindgen::prelude::*;
 #[wasm_bindgen]
 #[derive(Default)]
 pub struct Solver {
-    pub(crate) session: Option<Session>,
-    /// For the next mesh file that does not state its own.
-    pub(crate) assumed: UnitsAndUp,
-    /// The next mesh file keeps vertices at one place apart.
-    pub(crate) keeps_apart: bool,
+    pub(super) session: Option<Session>,
+    pub(super) files: FileReader,
     /// How the mesh that is open was welded.
-    pub(crate) weld: Option<Weld>,
+    pub(super) weld: Option<Weld>,
     /// Milliseconds that the last step took.
-    pub(crate) step_ms: f64,
+    pub(super) step_ms: f64,
 }
 
 #[wasm_bindgen]
@@ -134,10 +130,7 @@ impl Solver {
 
     /// The scene file with the mesh inline.
     pub fn scene(&self) -> Result<String, JsValue> {
-        let session = self.open()?;
-        let mut scene = session.scene();
-        scene.mesh = MeshSource::Inline(Box::new(session.mesh().clone()));
-        Ok(scene.to_json(session.mesh()))
+        Ok(self.open()?.scene_with_mesh())
     }
 
     /// The current shape as OBJ.
@@ -187,11 +180,11 @@ impl Solver {
         Ok(Uint32Array::from(self.open()?.mesh().curves.indices()))
     }
 
-    pub(crate) fn open(&self) -> Result<&Session, JsValue> {
+    pub(super) fn open(&self) -> Result<&Session, JsValue> {
         self.session.as_ref().ok_or_else(nothing_open)
     }
 
-    pub(crate) fn open_mut(&mut self) -> Result<&mut Session, JsValue> {
+    pub(super) fn open_mut(&mut self) -> Result<&mut Session, JsValue> {
         self.session.as_mut().ok_or_else(nothing_open)
     }
 }

@@ -39,7 +39,7 @@ impl GizmoMarks {
     /// Takes the gizmo as it lies on the screen now.
     pub fn update(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, state: &ViewState) {
         let gizmo = state.gizmo();
-        let corners = gizmo.map(|gizmo| triangles(&gizmo, &state.gizmo, state.palette()));
+        let corners = gizmo.map(|gizmo| triangles(&gizmo, state.gizmo_state(), state.palette()));
         self.corners.write(device, queue, &corners.unwrap_or_default());
     }
 

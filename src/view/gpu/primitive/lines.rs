@@ -65,7 +65,7 @@ impl Lines {
 
     /// The edges between faces whose values are in different bands, as [`Lines::draw_others`] takes them.
     pub fn between_bands(&self, state: &ViewState) -> Vec<[u32; 3]> {
-        let appearance = &state.appearance;
+        let appearance = state.appearance();
         let seams = self.seams.iter().filter(|_| appearance.bands().is_some());
         let parting = seams.filter(|seam| {
             let [a, b] = seam.faces.map(|face| appearance.band_of(face));
@@ -76,10 +76,10 @@ impl Lines {
 
     /// Takes the selected edges and the measuring tape.
     pub fn update_marks(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, state: &ViewState) {
-        let edges = state.appearance.selected_edges.iter();
+        let edges = state.appearance().selected_edges.iter();
         let mut selected: Vec<[u32; 3]> =
             edges.map(|&[a, b]| line(a, b, LineKind::Selected)).collect();
-        if let &[from, to] = &state.tape[..] {
+        if let &[from, to] = state.tape() {
             selected.push(line(from, to, LineKind::Tape));
         }
         self.selected.write(device, queue, &selected);
@@ -87,7 +87,7 @@ impl Lines {
 
     /// Takes the sides of the faces that the flat map `map` turns over.
     pub fn update_map(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, map: &ViewState) {
-        let sides = map.flipped.iter();
+        let sides = map.flipped().iter();
         let flipped: Vec<[u32; 3]> = sides.map(|&[a, b]| line(a, b, LineKind::Flipped)).collect();
         self.flipped.write(device, queue, &flipped);
     }
@@ -101,7 +101,7 @@ impl Lines {
     ) {
         let first = state.counts().0 as u32;
         let pulls: Vec<[u32; 3]> = state
-            .handles
+            .handles()
             .iter()
             .zip(first..)
             .map(|(handle, target)| line(handle.vertex, target, LineKind::Pull))

@@ -51,7 +51,7 @@ impl Points {
 
     /// Takes marks and handles.
     pub fn update_marks(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, state: &ViewState) {
-        let rows = &state.appearance.rows;
+        let rows = &state.appearance().rows;
         let members: Vec<[u32; 3]> =
             rows.dots().map(|(v, place)| [v, DotKind::Member as u32, u32::from(place)]).collect();
         self.members.write(device, queue, &members);
@@ -87,19 +87,20 @@ fn dot(place: u32, kind: DotKind) -> [u32; 3] {
 /// The least important first: later dots lie over earlier ones. Targets come after the vertices in
 /// the table of positions.
 fn marks(state: &ViewState) -> Vec<[u32; 3]> {
-    let appearance = &state.appearance;
+    let appearance = state.appearance();
     let tinted = appearance.tinted_dots().iter();
     let mut dots: Vec<[u32; 3]> = tinted.map(|&v| dot(v, DotKind::Tinted)).collect();
     dots.extend(appearance.selected_vertices.iter().map(|&v| dot(v, DotKind::Selected)));
     let first = state.counts().0 as u32;
-    let soft = state.handles.iter().zip(first..).filter(|(h, _)| h.kind != DotKind::Fixed);
+    let soft = state.handles().iter().zip(first..).filter(|(h, _)| h.kind != DotKind::Fixed);
     dots.extend(soft.map(|(_, target)| dot(target, DotKind::Target)));
     for kind in [DotKind::Fixed, DotKind::Handle, DotKind::Active] {
-        let handles = state.handles.iter().filter(|handle| handle.kind == kind);
+        let handles = state.handles().iter().filter(|handle| handle.kind == kind);
         dots.extend(handles.map(|handle| dot(handle.vertex, kind)));
     }
-    let chosen = state.handles.iter().filter(|h| appearance.selected_vertices.contains(&h.vertex));
+    let chosen =
+        state.handles().iter().filter(|h| appearance.selected_vertices.contains(&h.vertex));
     dots.extend(chosen.map(|handle| dot(handle.vertex, DotKind::Chosen)));
-    dots.extend(state.tape.iter().map(|&end| dot(end, DotKind::Tape)));
+    dots.extend(state.tape().iter().map(|&end| dot(end, DotKind::Tape)));
     dots
 }

@@ -69,10 +69,10 @@ impl ProjectionLines {
 
     /// Takes the projections; their points come after vertices and targets in the table of positions.
     pub fn update(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, state: &ViewState) {
-        let first = (state.counts().0 + state.handles.len()) as u32;
-        let points = &state.projections.points;
+        let first = (state.counts().0 + state.handles().len()) as u32;
+        let points = &state.projections().points;
         let outlines: Vec<[u32; 4]> = state
-            .projections
+            .projections()
             .outlines
             .iter()
             .map(|&[a, b]| {
@@ -81,7 +81,7 @@ impl ProjectionLines {
             .collect();
         self.outlines.write(device, queue, &outlines);
         let places: Vec<Vec3> = state.projected().map(|point| point.truncate()).collect();
-        let faces = ProjectedFaces::new(&state.projections, &places);
+        let faces = ProjectedFaces::new(state.projections(), &places);
         let corners: Vec<Corner> = faces
             .triangles
             .iter()

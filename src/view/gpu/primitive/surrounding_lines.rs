@@ -31,7 +31,7 @@ impl SurroundingLines {
         state: &mut ViewState,
         size: (u32, u32),
     ) {
-        let changed = std::mem::take(&mut state.around.changed);
+        let changed = state.take_changed_surroundings();
         if changed {
             let lines = state.surrounding_lines();
             let is_ghost = |line: &&[u32; 3]| line[2] == LineKind::Ghost as u32;

@@ -2,7 +2,7 @@
 
 use crate::mesh::{Read, Weld};
 use crate::scene::{NamedEnum, PanelOffer, panel_offers};
-use crate::session::{Session, flaw_of};
+use crate::session::{Guessed, Session, flaw_of};
 use serde::Serialize;
 
 /// The summary of a file that was opened.
@@ -35,13 +35,6 @@ struct Welded {
     before: usize,
     after: usize,
     tolerance: f64,
-}
-
-/// Which of these the file does not say.
-#[derive(Serialize)]
-pub(crate) struct Guessed {
-    pub(crate) units: bool,
-    pub(crate) up: bool,
 }
 
 #[derive(Serialize)]

@@ -16,5 +16,5 @@ mod vocabulary;
 
 pub(crate) use document::Document;
 pub(crate) use frame::Frame;
-pub(crate) use loaded::{Guessed, Loaded};
+pub(crate) use loaded::Loaded;
 pub(crate) use vocabulary::{elements, kinds};

@@ -1,0 +1,181 @@
+//! A file that somebody opens, read: a mesh with the scene that keeps it whole, or a scene with its mesh.
+
+use crate::mesh::{Mesh, Read, ReadError, Weld, read};
+use crate::scene::{MeshSource, Scene, SceneError, UnitsAndUp};
+use serde::Serialize;
+
+/// Reads files as somebody opens them.
+#[derive(Default)]
+pub struct FileReader {
+    assumed: UnitsAndUp,
+    keeps_apart: bool,
+}
+
+/// A file that was read.
+pub struct OpenedFile {
+    /// The scene, whose mesh is `mesh`.
+    pub scene: Scene,
+    /// The mesh; welded where its faces had vertices of their own.
+    pub mesh: Mesh,
+    /// How it was welded.
+    pub weld: Option<Weld>,
+    /// What the reader of the mesh said; the mesh itself is not in it.
+    pub said: Read,
+    /// What the file does not say.
+    pub guessed: Guessed,
+}
+
+/// Which of these a file does not say, so that they are guesses.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Guessed {
+    /// The unit of length.
+    pub units: bool,
+    /// The vertical axis.
+    pub up: bool,
+}
+
+impl FileReader {
+    /// What the next mesh file is taken for unless it states otherwise.
+    pub fn assume(&mut self, assumed: UnitsAndUp) {
+        self.assumed = assumed;
+    }
+
+    /// Whether the next mesh file keeps vertices at one place apart: otherwise it is welded where its faces
+    /// have their own.
+    pub fn keep_apart(&mut self, apart: bool) {
+        self.keeps_apart = apart;
+    }
+
+    /// Reads the file `name`: a mesh, or a scene (`.json`) with the mesh file that it names as `companion`.
+    ///
+    /// # Errors
+    /// What is wrong with the file, with its name and the line or the JSON path.
+    pub fn read(
+        &mut self,
+        name: &str,
+        bytes: &[u8],
+        companion: Option<&[u8]>,
+    ) -> Result<OpenedFile, ReadError> {
+        if is_scene(name) {
+            let (scene, mut said) = scene_with_mesh(name, bytes, companion)?;
+            self.keeps_apart = false;
+            let mesh = std::mem::take(&mut said.mesh);
+            // The indices in a scene are those of its mesh as it is: nothing is welded.
+            return Ok(OpenedFile { scene, mesh, weld: None, said, guessed: Guessed::default() });
+        }
+        let stated = UnitsAndUp::stated(bytes).or(std::mem::take(&mut self.assumed));
+        let guessed = Guessed { units: stated.units.is_none(), up: stated.up.is_none() };
+        let mut said = read(name, bytes)?;
+        let mut scene = Scene::opened(name);
+        let units = || UnitsAndUp::guess_units(&said.mesh).to_owned();
+        scene.units = stated.units.unwrap_or_else(units);
+        scene.up = stated.up.unwrap_or_else(|| UnitsAndUp::guess_up(&said.mesh));
+        let apart = std::mem::take(&mut self.keeps_apart);
+        let weld = if apart { None } else { said.weld() };
+        let mesh = std::mem::take(&mut said.mesh);
+        Ok(OpenedFile { scene, mesh, weld, said, guessed })
+    }
+}
+
+impl OpenedFile {
+    /// The scene in a file.
+    ///
+    /// # Errors
+    /// When it is none: the JSON path, what is wrong and what was expected.
+    pub fn scene_in(bytes: &[u8]) -> Result<Scene, SceneError> {
+        let text = std::str::from_utf8(bytes).map_err(|_| SceneError {
+            path: String::new(),
+            message: "a scene is UTF-8 text, and this is not".to_owned(),
+        })?;
+        Scene::from_json(text)
+    }
+}
+
+/// Whether a file of this name is a scene rather than a mesh.
+pub fn is_scene(name: &str) -> bool {
+    name.to_ascii_lowercase().ends_with(".json")
+}
+
+fn scene_with_mesh(
+    name: &str,
+    bytes: &[u8],
+    companion: Option<&[u8]>,
+) -> Result<(Scene, Read), ReadError> {
+    let fault = |message: String| ReadError {
+        file: name.to_owned(),
+        line: None,
+        text: String::new(),
+        message,
+    };
+    let mut scene = OpenedFile::scene_in(bytes).map_err(|error| fault(error.to_string()))?;
+    let said = match std::mem::replace(&mut scene.mesh, MeshSource::File(String::new())) {
+        MeshSource::Inline(mesh) => Read { mesh: *mesh, problems: Vec::new(), notes: Vec::new() },
+        MeshSource::File(path) => {
+            let bytes = companion.ok_or_else(|| {
+                fault(format!("it needs the mesh file {path}: open both files together"))
+            })?;
+            let said = read(&path, bytes)?;
+            scene.mesh = MeshSource::File(path);
+            said
+        }
+    };
+    Ok((scene, said))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Up;
+
+    /// Two squares that have the vertices of their common edge twice.
+    const APART: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\n\
+                         f 1 2 3 4\nf 5 6 7 8\n";
+
+    fn read_mesh(reader: &mut FileReader) -> OpenedFile {
+        reader.read("two.obj", APART.as_bytes(), None).expect("it is a mesh")
+    }
+
+    #[test]
+    fn a_mesh_is_welded_unless_it_shall_be_kept_apart_once() {
+        let mut reader = FileReader::default();
+        reader.keep_apart(true);
+        let vertices =
+            [0, 1].map(|_| read_mesh(&mut reader)).map(|opened| opened.mesh.positions.len());
+        assert_eq!(vertices, [8, 6]);
+    }
+
+    #[test]
+    fn what_a_file_states_goes_before_what_is_assumed_and_that_before_a_guess() {
+        let mut reader = FileReader::default();
+        reader.assume(UnitsAndUp { units: Some("ft".to_owned()), up: None });
+        let opened = read_mesh(&mut reader);
+        assert_eq!(opened.scene.units, "ft");
+        assert_eq!(opened.guessed, Guessed { units: false, up: true });
+        // Once.
+        assert!(read_mesh(&mut reader).guessed.units);
+        reader.assume(UnitsAndUp { units: Some("ft".to_owned()), up: None });
+        let stated = format!("# units: mm\n# up: y\n{APART}");
+        let opened = reader.read("two.obj", stated.as_bytes(), None).expect("it is a mesh");
+        assert_eq!((opened.scene.units.as_str(), opened.scene.up), ("mm", Up::Y));
+        assert_eq!(opened.guessed, Guessed::default());
+    }
+
+    #[test]
+    fn a_scene_keeps_its_vertices_and_needs_its_mesh_file() {
+        let scene =
+            r#"{ "format": "shape-up-scene", "version": 1, "mesh": { "file": "two.obj" } }"#;
+        let mut reader = FileReader::default();
+        let opened = reader.read("a.JSON", scene.as_bytes(), Some(APART.as_bytes()));
+        let opened = opened.expect("both are there");
+        assert_eq!((opened.mesh.positions.len(), opened.weld.is_none()), (8, true));
+        let message = |bytes: &[u8]| {
+            let refused = FileReader::default().read("a.json", bytes, None).map(|_| ());
+            refused.expect_err("something is missing").to_string()
+        };
+        assert_eq!(
+            message(scene.as_bytes()),
+            "a.json: it needs the mesh file two.obj: open both files together"
+        );
+        assert_eq!(message(&[0xff]), "a.json: a scene is UTF-8 text, and this is not");
+    }
+}

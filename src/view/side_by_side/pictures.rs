@@ -1,0 +1,331 @@
+//! All that is shown on one canvas: the model, its flat map beside it, or two pictures of it.
+
+use super::flat_map::{Region, flat_map, follow, show_flipped};
+use super::split::{Colours, Split};
+use crate::view::appearance::{Appearance, ColourScale};
+use crate::view::camera::Flight;
+use crate::view::model::ViewError;
+use crate::view::state::ViewState;
+use glam::Vec2;
+
+/// The view of the model, and what is beside it.
+#[derive(Debug)]
+pub struct Pictures {
+    model: ViewState,
+    map: Option<ViewState>,
+    split: Option<Split>,
+    /// On its way to another view.
+    flight: Option<Flight>,
+    /// Size of the canvas in CSS pixels.
+    canvas: Vec2,
+}
+
+impl Default for Pictures {
+    fn default() -> Self {
+        let model = ViewState::default();
+        Pictures { canvas: model.camera().canvas, model, map: None, split: None, flight: None }
+    }
+}
+
+impl Pictures {
+    /// The view of the model.
+    pub fn model(&self) -> &ViewState {
+        &self.model
+    }
+
+    /// The same, to be changed.
+    pub fn model_mut(&mut self) -> &mut ViewState {
+        &mut self.model
+    }
+
+    /// The view of the flat map, to be moved.
+    pub fn map_mut(&mut self) -> Option<&mut ViewState> {
+        self.map.as_mut()
+    }
+
+    /// Whether there is anything new to see.
+    pub fn has_changes(&self) -> bool {
+        self.model.changes().any()
+            || self.map.as_ref().is_some_and(|map| map.changes().any())
+            || self.split.as_ref().is_some_and(Split::has_changes)
+    }
+
+    /// What is to be drawn, up to date with the model: this, the map and the split picture.
+    pub fn to_draw(&mut self) -> (&mut ViewState, Option<&mut ViewState>, Option<&mut Split>) {
+        if let Some(map) = &mut self.map {
+            follow(map, &self.model);
+        }
+        if let Some(split) = &mut self.split {
+            split.follow(&self.model);
+        }
+        (&mut self.model, self.map.as_mut(), self.split.as_mut())
+    }
+
+    /// Sets the size of the canvas in CSS pixels, and gives the model and its map their parts.
+    pub fn resize(&mut self, canvas: Vec2) {
+        self.canvas = canvas;
+        self.arrange();
+    }
+
+    /// Shows a mesh: see [`ViewState::set_mesh`]. What is beside another mesh than before goes.
+    ///
+    /// # Errors
+    /// Arrays that do not fit together; the old mesh stays.
+    pub fn set_mesh(
+        &mut self,
+        faces: (Vec<u32>, Vec<u32>),
+        curves: (Vec<u32>, Vec<u32>),
+        coordinates: &[f64],
+    ) -> Result<(), ViewError> {
+        self.model.set_mesh(faces, curves, coordinates)?;
+        if self.model.checks().places.is_empty() {
+            self.clear_map();
+        }
+        // Its sides show the mesh before.
+        self.split = None;
+        Ok(())
+    }
+
+    /// Shows the flat map `uv` (#V by 2) of the mesh beside it, in place of one that is shown already, and
+    /// outlines the faces that it turns over.
+    ///
+    /// # Errors
+    /// Another number of places than vertices, one that is not finite, or a face that does not exist; all
+    /// stays as it was.
+    pub fn set_map(&mut self, uv: &[f64], flipped: &[u32]) -> Result<(), ViewError> {
+        let (map, checks) = flat_map(&self.model, uv, flipped)?;
+        self.model.set_checks(checks);
+        let is_first = self.map.replace(map).is_none();
+        self.arrange();
+        if is_first {
+            self.model.fit();
+        }
+        Ok(())
+    }
+
+    /// Takes the flat map away.
+    pub fn clear_map(&mut self) {
+        if self.map.take().is_some() {
+            self.model.set_checks(Default::default());
+            self.arrange();
+            self.model.fit();
+        }
+    }
+
+    /// Draws a checkerboard with so many squares along the longer side of the map, on the model and on the
+    /// map as `drawn` says; and colours the faces of the map by a value each (#F) on a scale.
+    ///
+    /// # Errors
+    /// Another number of values than faces.
+    pub fn set_map_looks(
+        &mut self,
+        squares: f32,
+        [on_model, on_map]: [bool; 2],
+        values: Option<Vec<f32>>,
+        scale: ColourScale,
+    ) -> Result<(), ViewError> {
+        let Some(map) = &mut self.map else { return Ok(()) };
+        let longest = map.checks().extent().max_element();
+        let per_length = if longest > 0.0 { squares / longest } else { 0.0 };
+        let drawn = |is_drawn: bool| if is_drawn { per_length } else { 0.0 };
+        self.model.scale_checks(drawn(on_model));
+        map.scale_checks(drawn(on_map));
+        map.set_face_values(values, scale)
+    }
+
+    /// Where the map is on the canvas; nothing without a map.
+    pub fn map_region(&self) -> Option<Region> {
+        self.map.as_ref()?;
+        let [_, region] = Region::halves(self.canvas);
+        Some(region)
+    }
+
+    /// Comes near the faces that the map turns over, on the model and on the map.
+    pub fn show_flipped(&mut self) {
+        if let Some(map) = &mut self.map {
+            show_flipped(map, &mut self.model);
+        }
+    }
+
+    /// Puts the divider at a part of the width of the canvas, from 0 to 1; begins to show two pictures.
+    pub fn set_split(&mut self, at: f32) {
+        match &mut self.split {
+            Some(split) => split.move_to(at),
+            None => {
+                self.split = Some(Split::new(&self.model, at));
+                // The marks of the model are those of both sides.
+                self.model.show_anew();
+            }
+        }
+    }
+
+    /// What the left side (0) or the right side (1) shows: the shape `original` (#V by 3) or the shape as it
+    /// is, in these colours.
+    ///
+    /// # Errors
+    /// Arrays that do not fit the mesh.
+    pub fn set_split_side(
+        &mut self,
+        side: usize,
+        original: Option<&[f64]>,
+        colours: Colours,
+    ) -> Result<(), ViewError> {
+        let sides = self.split.as_mut().map(|split| &mut split.sides[..]).unwrap_or_default();
+        let Some(side) = sides.get_mut(side) else { return Ok(()) };
+        side.show(original, &self.model)?;
+        side.colour(colours)
+    }
+
+    /// Shows one picture again.
+    pub fn clear_split(&mut self) {
+        if self.split.take().is_some() {
+            self.model.view_changed();
+        }
+    }
+
+    /// Shows values of faces in bands, or gradually.
+    pub fn set_in_bands(&mut self, in_bands: bool) {
+        self.model.set_in_bands(in_bands);
+        if let Some(split) = &mut self.split {
+            split.set_in_bands(in_bands);
+        }
+    }
+
+    /// The values and marks of the model, or of the left (0) or right (1) of two pictures.
+    pub fn appearance(&self, side: Option<usize>) -> &Appearance {
+        let split = side.and_then(|side| self.split.as_ref()?.sides.get(side));
+        split.map_or(&self.model, |side| &side.state).appearance()
+    }
+
+    /// Parallel projection, or perspective.
+    pub fn set_parallel(&mut self, parallel: bool) {
+        self.arrive();
+        self.model.set_parallel(parallel);
+    }
+
+    /// Prepares a flight to a view of [`ViewState::preset`], from where the camera is.
+    ///
+    /// # Errors
+    /// An unknown name.
+    pub fn fly_to(&mut self, side: &str) -> Result<(), ViewError> {
+        self.flight = Some(self.model.flight_to(side)?);
+        Ok(())
+    }
+
+    /// Flies on to `part` of the way, from 0 to 1. Whether the flight goes on: it ends where it arrives,
+    /// and when the camera is moved otherwise.
+    pub fn fly(&mut self, part: f32) -> bool {
+        let Some(flight) = &mut self.flight else { return false };
+        let goes_on = self.model.move_camera(|camera| flight.go(camera, part));
+        if !goes_on {
+            self.flight = None;
+        }
+        goes_on
+    }
+
+    /// Ends a flight where it leads.
+    fn arrive(&mut self) {
+        self.fly(1.0);
+    }
+
+    /// Gives the model and its map their parts of the canvas.
+    fn arrange(&mut self) {
+        self.arrive();
+        let whole = Region::whole(self.canvas);
+        let [model, map] = match &self.map {
+            Some(_) => Region::halves(self.canvas),
+            None => [whole; 2],
+        };
+        self.model.resize(model.size);
+        if let Some(state) = &mut self.map {
+            state.resize(map.size);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const QUAD: [f64; 12] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 0.25];
+    const UV: [f64; 8] = [0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0];
+
+    fn plain() -> Colours {
+        Colours { values: None, corners: None, scale: ColourScale::linear(0.0, 1.0) }
+    }
+
+    /// A quad on a wide canvas.
+    fn quad() -> Pictures {
+        let mut pictures = Pictures::default();
+        pictures.resize(Vec2::new(1000.0, 600.0));
+        let faces = (vec![0, 4], vec![0, 1, 2, 3]);
+        pictures.set_mesh(faces, (vec![0], vec![]), &QUAD).unwrap();
+        pictures
+    }
+
+    fn drawn(pictures: &mut Pictures) {
+        let (model, map, split) = pictures.to_draw();
+        model.take_changes();
+        map.map(ViewState::take_changes);
+        split.map(|split| split.sides.each_mut().map(|side| side.state.take_changes()));
+    }
+
+    #[test]
+    fn a_map_takes_half_of_the_canvas_and_gives_it_back() {
+        let mut pictures = quad();
+        pictures.set_map(&UV, &[]).unwrap();
+        assert_eq!(pictures.model().camera().canvas, Vec2::new(500.0, 600.0));
+        assert_eq!(pictures.map_region().map(|region| region.at.x), Some(500.0));
+        pictures.clear_map();
+        assert_eq!(pictures.model().camera().canvas, Vec2::new(1000.0, 600.0));
+        assert_eq!(pictures.map_region(), None);
+        assert!(pictures.set_map(&UV[2..], &[]).is_err());
+    }
+
+    #[test]
+    fn every_change_asks_for_a_picture_and_nothing_else_does() {
+        let mut pictures = quad();
+        drawn(&mut pictures);
+        assert!(!pictures.has_changes());
+        type Change = fn(&mut Pictures);
+        let changes: [Change; 12] = [
+            |p| p.set_map(&UV, &[0]).unwrap(),
+            |p| p.set_map_looks(8.0, [true, true], None, ColourScale::linear(1.0, 2.0)).unwrap(),
+            |p| p.show_flipped(),
+            |p| p.clear_map(),
+            |p| p.set_split(0.5),
+            |p| p.set_split_side(0, Some(&QUAD), plain()).unwrap(),
+            |p| p.clear_split(),
+            |p| p.set_in_bands(true),
+            |p| p.model_mut().set_dark(true),
+            |p| p.model_mut().select(vec![1], vec![0]).unwrap(),
+            |p| p.model_mut().set_tint(vec![], vec![0], [1.0, 0.0, 0.0]).unwrap(),
+            |p| p.set_parallel(true),
+        ];
+        for (place, change) in changes.into_iter().enumerate() {
+            change(&mut pictures);
+            assert!(pictures.has_changes(), "change {place}");
+            drawn(&mut pictures);
+            assert!(!pictures.has_changes(), "change {place}");
+        }
+        pictures.model_mut().set_dark(true);
+        pictures.clear_map();
+        pictures.clear_split();
+        assert!(!pictures.has_changes(), "all of it was so before");
+    }
+
+    #[test]
+    fn a_flight_ends_where_it_leads() {
+        let mut pictures = quad();
+        let from = pictures.model().camera();
+        pictures.fly_to("top").unwrap();
+        assert_eq!(pictures.model().camera(), from);
+        assert!(pictures.fly(0.5));
+        assert!(!pictures.fly(1.0));
+        let mut there = quad();
+        there.model_mut().preset("top").unwrap();
+        assert_eq!(pictures.model().camera().eye().forward, there.model().camera().eye().forward);
+        assert!(!pictures.fly(0.5), "it has ended");
+        assert!(pictures.fly_to("inside").is_err());
+    }
+}
