@@ -3,48 +3,12 @@
  * the keys, and writes the help.
  */
 
+import { isEnabled, press } from '../store/press.js';
 import { setText } from '../ui/dom.js';
 import { chordOf, digitOf, isTyping, keyName } from '../ui/keys.js';
 import { isSwitchedOff } from '../ui/single-keys.js';
 
 /** @typedef {import("./context.js").Command} Command */
-
-/** Pressed before there was a model. @type {Set<Command>} */
-const waiting = new Set();
-
-/**
- * Does a command, now or as soon as there is a model.
- * @param {Command} command
- * @param {import("../store/state.js").Store} store
- */
-function press(command, store) {
-  const state = store.get();
-  if (command.needsModel && !state.document) {
-    if (waiting.size === 0) store.set({ status: 'Starts when the model is here' });
-    waiting.add(command);
-  } else if (!command.enabled || command.enabled(state)) {
-    command.action();
-  }
-}
-
-/**
- * Does what was pressed before this script was there, and what waits for the model once it is.
- * @param {Command[]} commands
- * @param {import("../store/state.js").Store} store
- * @param {string[]} early names of commands
- */
-export function runEarlyPresses(commands, store, early) {
-  for (const name of early) {
-    const command = commands.find(({ id }) => id === name);
-    if (command) press(command, store);
-  }
-  store.subscribe(['document'], ({ document }) => {
-    if (!document) return;
-    const pressed = [...waiting];
-    waiting.clear();
-    pressed.forEach((command) => press(command, store));
-  });
-}
 
 /**
  * @param {Command[]} commands
@@ -62,7 +26,7 @@ export function bindButtons(commands, store) {
       const title = (command.title ? command.title(state) : command.label) + shortcut;
       // Also what is set to what it was invalidates styles, and is news for who watches the bar.
       if (button.title !== title) button.title = title;
-      const disabled = command.enabled ? !command.enabled(state) : false;
+      const disabled = !isEnabled(command, state);
       if (button.disabled !== disabled) button.disabled = disabled;
       const pressed = command.pressed ? String(command.pressed(state)) : null;
       if (pressed !== button.getAttribute('aria-pressed') && pressed !== null) {

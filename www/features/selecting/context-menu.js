@@ -3,6 +3,7 @@
  * selection, to which what was pointed at belongs by then. Loaded when it is first asked for.
  */
 
+import { isEnabled, press } from '../../store/press.js';
 import { byId, element } from '../../ui/dom.js';
 import { placeMenu } from '../../ui/controls/menu.js';
 
@@ -80,8 +81,12 @@ function sectionsOf({ store, actions, selecting, commands }) {
   const held = new Map(document?.handles.map((handle) => [handle.vertex, handle.fixed]));
   const some = (/** @type {boolean | undefined} */ as) =>
     vertices.some((vertex) => held.get(vertex) === as);
-  const press = (/** @type {string} */ id) => () =>
-    commands.find((command) => command.id === id)?.action();
+  /** @type {(fits: boolean, label: string, id: string) => [boolean, ...Item]} */
+  const offer = (fits, label, id) => {
+    const command = commands.find((known) => known.id === id);
+    if (!command) throw new Error(`no command is called ${id}`);
+    return [fits && isEnabled(command, state), label, () => press(command, store)];
+  };
   const selections = operations
     .filter((operation) => operation.needsSelection && operation.params.length === 0)
     .filter((operation) => selecting.canApply(operation))
@@ -97,10 +102,10 @@ function sectionsOf({ store, actions, selecting, commands }) {
         [some(undefined), 'Make handle', () => actions.addHandles(vertices, false)],
         [some(undefined) || some(false), 'Fix here', () => actions.addHandles(vertices, true)],
         [some(true), 'Make movable', () => actions.addHandles(vertices, false)],
-        [some(true) || some(false), 'Release handle', press('remove-handles')],
+        offer(some(true) || some(false), 'Release handle', 'remove-handles'),
       ],
     ],
-    ['Constraints', [[true, 'Add constraint', press('add-constraint')]]],
+    ['Constraints', [offer(true, 'Add constraint', 'add-constraint')]],
     [
       'Selection',
       [
@@ -111,11 +116,11 @@ function sectionsOf({ store, actions, selecting, commands }) {
     [
       'View',
       [
-        [vertices.length > 0, 'Zoom to selection', press('fit-selection')],
-        [vertices.length === 0, 'Zoom to everything', press('fit-all')],
+        offer(vertices.length > 0, 'Zoom to selection', 'fit-selection'),
+        offer(vertices.length === 0, 'Zoom to everything', 'fit-all'),
       ],
     ],
-    ['Edit', [[Boolean(document?.undo), `Undo: ${document?.undo}`, press('undo')]]],
+    ['Edit', [offer(Boolean(document?.undo), `Undo: ${document?.undo}`, 'undo')]],
   ];
   return sections
     .map(

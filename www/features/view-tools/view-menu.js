@@ -1,5 +1,6 @@
 /** The menu of the views, projection and what is drawn about the model. */
 
+import { isEnabled, press } from '../../store/press.js';
 import { element } from '../../ui/dom.js';
 import { keyName } from '../../ui/keys.js';
 
@@ -18,7 +19,7 @@ export function buildViewMenu(menu, commands, store) {
         class: id,
         title: command.keys.map(keyName).join(', '),
         onclick: () => {
-          command.action();
+          press(command, store);
           if (closes) menu.hidePopover();
         },
       },
@@ -31,6 +32,9 @@ export function buildViewMenu(menu, commands, store) {
       store.subscribe(['parallel', 'display', 'tape'], (state) =>
         made.setAttribute('aria-pressed', `${pressed(state)}`),
       );
+    store.subscribe(store.steady, (state) => {
+      made.disabled = !isEnabled(command, state);
+    });
     return made;
   };
   const sides = commands.flatMap(({ id }) => /^view-(.*)/.exec(id)?.slice(1) ?? []);

@@ -1,0 +1,41 @@
+// Commands are done if they can be, wherever they are pressed: menus did them past that.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { isEnabled, press, runEarlyPresses } from '../../../www/store/press.js';
+import { createStore } from '../../../www/store/state.js';
+
+const command = (done, more = {}) => ({
+  id: 'fit',
+  group: 'View',
+  label: 'Fit',
+  keys: [],
+  action: () => done.push('fit'),
+  ...more,
+});
+
+test('a command that is not enabled is not done', () => {
+  const store = createStore();
+  const done = [];
+  const drawn = command(done, { enabled: ({ renderer }) => renderer !== 'none' });
+  store.set({ renderer: 'none' });
+  assert.equal(isEnabled(drawn, store.get()), false);
+  press(drawn, store);
+  assert.deepEqual(done, []);
+  store.set({ renderer: 'webgl2' });
+  press(drawn, store);
+  assert.deepEqual(done, ['fit']);
+  assert.equal(isEnabled(command(done), store.get()), true);
+});
+
+test('what needs a model waits for it, once', async () => {
+  const store = createStore();
+  const done = [];
+  const waiting = command(done, { needsModel: true });
+  runEarlyPresses([waiting], store, ['fit', 'fit']);
+  assert.deepEqual(done, []);
+  assert.notEqual(store.get().status, '');
+  store.set({ document: /** @type {any} */ ({}) });
+  await Promise.resolve();
+  assert.deepEqual(done, ['fit']);
+});
