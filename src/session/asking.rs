@@ -1,4 +1,4 @@
-//! What hosts ask of a session: selections, previews, measures, reports, files.
+//! The queries of hosts: selections, previews, measures, reports, files.
 
 use super::Session;
 use super::edit::{ConstraintTarget, Preview, previews};
@@ -14,7 +14,7 @@ use crate::solve::{ConformalNorm, ConformalWeights, Parametrization, SolveError}
 use std::rc::Rc;
 
 impl Session {
-    /// What is selected after `request`, on the current shape; indices ascending.
+    /// The selection after `request`, on the current shape; indices ascending.
     ///
     /// # Errors
     /// When it names an operation, a set, or an element that is not there, or when a parameter is not
@@ -23,7 +23,7 @@ impl Session {
         select(&mut self.measuring(), request)
     }
 
-    /// What a row of each kind at each place would hold: `#kinds by #places`, kinds in the order of
+    /// The size of a row of each kind at each place: `#kinds by #places`, kinds in the order of
     /// [`crate::constraint::KINDS`]. None where nothing fits, and where the elements are not those that the
     /// kind is meant for.
     ///
@@ -41,7 +41,7 @@ impl Session {
         self.measured.measures(&self.scene, &self.rest)
     }
 
-    /// The same of a shape at most so many seconds ago: on large meshes it takes longer than an iteration.
+    /// [`Session::measures`] at most `seconds` old: on large meshes measuring takes longer than an iteration.
     pub fn recent_measures(&self, seconds: f64) -> Rc<Measures> {
         self.measured.recent_measures(&self.scene, &self.rest, seconds)
     }
@@ -52,7 +52,7 @@ impl Session {
         self.face_values_of(id, Shape::Now)
     }
 
-    /// The same of another shape.
+    /// [`Session::face_values`] of the current or of the original shape.
     pub fn face_values_of(&mut self, id: &str, shape: Shape) -> Option<Vec<f64>> {
         report::face_values(&mut self.measuring(), id, shape)
     }
@@ -131,7 +131,7 @@ impl Session {
         report::projections(&mut self.scene, &self.rest)
     }
 
-    /// The elements that the enabled rows act on.
+    /// The enabled row that acts on each face and each vertex.
     pub fn acting_rows(&self) -> ConstraintMap {
         report::acting_rows(self.rows(), &self.rest)
     }
@@ -147,8 +147,8 @@ impl Session {
         report::members(self.rows().get(index), &self.rest)
     }
 
-    /// What row `index` asks of single faces, as the id of a measure: that of its kind, if each of
-    /// its constraints is on one face.
+    /// The id of the measure that row `index` brings to zero on single faces: that of its kind, if each of its
+    /// constraints is on one face.
     pub fn asked_measure(&self, index: usize) -> Option<&'static str> {
         report::asked_measure(self.document(), index)
     }
@@ -202,7 +202,7 @@ impl Session {
         export::obj(&self.scene, &self.rest)
     }
 
-    /// The same of the mesh as it came, which was welded to the mesh of this session.
+    /// [`Session::obj`] with the vertices and faces that the file had before it was welded.
     pub fn obj_as_it_came(&self, weld: &Weld) -> String {
         export::obj_as_it_came(&self.scene, &self.rest, weld)
     }

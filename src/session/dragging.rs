@@ -8,7 +8,7 @@ use crate::error::Error;
 use crate::mesh::Point;
 use crate::scene::{NamedEnum, SceneError};
 
-/// What happens to a drag.
+/// The phases of a drag.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DragPhase {
     /// It begins, of vertices that are made handles first.

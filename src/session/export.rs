@@ -9,7 +9,7 @@ pub(super) fn obj(scene: &SolvedScene, rest: &RestMesh) -> String {
     comments(scene) + &write_obj(rest.mesh(), scene.positions())
 }
 
-/// The same of the mesh as it came, which was welded to `rest`.
+/// [`obj`] with the vertices and faces that the file had before it was welded to `rest`.
 pub(super) fn obj_as_it_came(scene: &SolvedScene, rest: &RestMesh, weld: &Weld) -> String {
     let positions = weld.as_it_came(rest.positions(), scene.positions());
     comments(scene) + &write_obj(&weld.original, &positions)

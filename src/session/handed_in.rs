@@ -6,7 +6,7 @@ use crate::mesh::Mesh;
 use crate::scene::{ClosenessTo, GoalResult, MeshSource, Results, Scene, SceneError};
 
 impl Session {
-    /// What `student` hands in at `time`; none without a lesson.
+    /// The results that `student` hands in at `time`; none without a lesson.
     pub fn results(&mut self, student: &str, time: &str) -> Option<Results> {
         self.document().lesson.as_ref()?;
         let goals = self.goals();

@@ -125,7 +125,7 @@ struct Suspended {
     past: Past,
 }
 
-/// What has happened in a session since it was opened.
+/// The parts of a session that outlast its solver.
 struct Past {
     progress: Progress,
     guard: CollapseGuard,

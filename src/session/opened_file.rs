@@ -19,9 +19,9 @@ pub struct OpenedFile {
     pub mesh: Mesh,
     /// How it was welded.
     pub weld: Option<Weld>,
-    /// What the reader of the mesh said; the mesh itself is not in it.
+    /// The problems and notes of the mesh reader; its mesh is empty.
     pub said: Read,
-    /// What the file does not say.
+    /// Unit and axis, where the file does not state them.
     pub guessed: Guessed,
 }
 
@@ -35,7 +35,7 @@ pub struct Guessed {
 }
 
 impl FileReader {
-    /// What the next mesh file is taken for unless it states otherwise.
+    /// Unit and axis of the next mesh file, unless it states its own.
     pub fn assume(&mut self, assumed: UnitsAndUp) {
         self.assumed = assumed;
     }
@@ -49,7 +49,7 @@ impl FileReader {
     /// Reads the file `name`: a mesh, or a scene (`.json`) with the mesh file that it names as `companion`.
     ///
     /// # Errors
-    /// What is wrong with the file, with its name and the line or the JSON path.
+    /// The fault of the file, with its name and the line or the JSON path.
     pub fn read(
         &mut self,
         name: &str,

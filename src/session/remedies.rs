@@ -1,5 +1,5 @@
-//! What helps where a run has ended and the constraints are not met: changes that a host offers. Each is
-//! tried on a copy of the session first, so that only those that lower the worst distance are offered.
+//! Edits to offer where a run has ended and constraints are not met. Each is tried on a copy of the session,
+//! so that only edits that lower the worst distance are offered.
 
 use super::Session;
 use super::edit::Edit;

@@ -46,7 +46,7 @@ pub(super) fn selection(
     object([("vertices", indices(vertices)), ("edges", indices(edges)), ("faces", indices(faces))])
 }
 
-/// What is thrown for an error in a scene or in an entry of one: an Error with its JSON path.
+/// The `Error` for an error in a scene or in an entry of one, with its JSON path as `path`.
 pub(super) fn thrown_at(error: &SceneError) -> JsValue {
     let thrown = thrown(error);
     // An object that was just made takes every property.

@@ -7,7 +7,7 @@ use crate::constraint::{Selector, Set, Sets};
 pub struct ConstraintTarget {
     /// The selector.
     pub on: Selector,
-    /// What [`ConstraintTarget::UNNAMED`] stands for in the selector.
+    /// The set that [`ConstraintTarget::UNNAMED`] names in the selector.
     pub set: Option<Set>,
 }
 

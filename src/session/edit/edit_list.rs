@@ -29,7 +29,7 @@ pub enum Edit {
         index: usize,
         /// New `w_i`.
         weight: Option<f64>,
-        /// Whether it counts.
+        /// Whether it is solved for.
         enabled: Option<bool>,
         /// New values of parameters, as in scene files; those that are not here stay.
         #[serde(default)]
@@ -153,6 +153,6 @@ fn lesson<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Lesson>, D::Error
 pub struct NewConstraint {
     /// The row.
     pub spec: ConstraintSpec,
-    /// What [`super::ConstraintTarget::UNNAMED`] stands for in the selector.
+    /// The set that [`super::ConstraintTarget::UNNAMED`] names in the selector.
     pub set: Option<Set>,
 }

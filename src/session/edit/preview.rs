@@ -11,7 +11,7 @@ use crate::session::state::{RestMesh, edges_among};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// What a row of one kind at one place would hold.
+/// The size of a row of one kind at one target, before it is added.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Preview {
     /// How many constraints.
@@ -24,7 +24,7 @@ pub struct Preview {
     pub usual: bool,
 }
 
-/// What a row of each kind at each place would hold: `#kinds by #places`, kinds in the order of
+/// The size of a row of each kind at each place: `#kinds by #places`, kinds in the order of
 /// [`KINDS`]. None where nothing fits, and where the elements are not those that the kind is
 /// meant for. Every place is resolved once.
 ///

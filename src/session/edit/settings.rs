@@ -188,7 +188,7 @@ pub(crate) fn set(scene: &mut Scene, id: &str, value: &Value) -> Result<&'static
     Ok(setting.param.label)
 }
 
-/// What a value of setting `id` stands for among the words of a choice.
+/// The choice that a value of setting `id` names.
 fn choice<T: NamedEnum>(id: &str, value: &Value) -> Result<T, SceneError> {
     value.as_str().and_then(T::of_word).ok_or_else(|| SceneError {
         path: id.to_owned(),

@@ -1,9 +1,9 @@
-//! What the vertices of a place are to the mesh: loops, chains, patches, panels.
+//! The shape of a target on the mesh: loop, chain, patch, panels.
 
 use crate::constraint::{Element, Selector, TargetShape};
 use crate::mesh::{Mesh, Ragged, Topology};
 
-/// What the rows of vertices that a selector gave are to the mesh. None where nothing is usual.
+/// The shape of the rows of vertices that a selector gave; none where no kind is the usual one for it.
 pub(crate) fn target_shape(
     on: &Selector,
     rows: &Ragged,
@@ -26,7 +26,7 @@ pub(crate) fn target_shape(
     }
 }
 
-/// What distinct vertices are that one constraint acts on together.
+/// The shape of distinct vertices that one constraint acts on together.
 fn together(vertices: &[u32], mesh: &Mesh, topology: &Topology) -> Option<TargetShape> {
     let mut inside = vec![false; mesh.positions.len()];
     vertices.iter().for_each(|&v| inside[v as usize] = true);

@@ -40,8 +40,7 @@ pub struct FaceMeasure {
     pub met: &'static str,
     /// Its unit.
     pub unit: MeasureUnit,
-    /// Whether it is an error that the tolerance of the model applies to: a length that whoever builds
-    /// it has to allow for.
+    /// Whether the fabrication tolerance of the model applies to it, a length.
     pub toleranced: bool,
     #[serde(skip)]
     values: fn(&mut Measuring<'_>, Shape) -> Vec<f64>,

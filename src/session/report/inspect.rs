@@ -1,13 +1,13 @@
-//! What acts on what: members and measure of a row of constraints, vertices that are kept close otherwise
-//! than the rest, vertices that nothing acts on and that stay where they are.
+//! Queries about rows of constraints and vertices: members and measure of a row, vertices with another
+//! closeness weight than the rest, vertices that no energy acts on.
 
 use super::constraint_map::ConstraintCoverage;
 use crate::constraint::{Element, Selector};
 use crate::scene::{ClosenessTo, Scene};
 use crate::session::state::{ResolvedRow, RestMesh, SolvedScene};
 
-/// What row `index` asks of single faces, as the id of a measure: that of its kind, if each of
-/// its constraints is on one face.
+/// The id of the measure that row `index` brings to zero on single faces: that of its kind, if each of its
+/// constraints is on one face.
 pub(crate) fn asked_measure(document: &Scene, index: usize) -> Option<&'static str> {
     let row = document.constraints.get(index)?;
     let of_faces = matches!(row.on, Selector::Each { element: Element::Face, radius: 0, .. });

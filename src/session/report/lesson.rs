@@ -16,7 +16,7 @@ pub struct GoalWords<'a> {
     pub words: &'static str,
     /// The unit of the values.
     pub unit: MeasureUnit,
-    /// How large it may be, in that unit.
+    /// The largest value that meets the goal, in that unit.
     pub at_most: f64,
     /// The id of the measure; none where it is about a constraint.
     pub measure: Option<&'static str>,

@@ -40,7 +40,8 @@ impl MeasureCache {
         Rc::clone(measures.get_or_insert_with(measure))
     }
 
-    /// The same of a shape at most so many seconds ago: on large meshes it takes longer than an iteration.
+    /// [`MeasureCache::measures`] at most `seconds` old: on large meshes measuring takes longer than an
+    /// iteration.
     pub(crate) fn recent_measures(
         &self,
         scene: &SolvedScene,

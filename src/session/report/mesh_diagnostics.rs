@@ -4,7 +4,7 @@ use crate::math::Vec3;
 use crate::mesh::{ElementsWithProblem, Point, ProblemKind};
 use crate::session::state::RestMesh;
 
-/// What can be asked for besides the problems of a file: faces without an area, as the shape is now.
+/// The name of a problem that no file has: faces without an area in the current shape.
 pub const ZERO_SIZE_FACES: &str = "zero-size-faces";
 
 /// A face that is thinner than this part of the size of the mesh has no area but by rounding.

@@ -64,7 +64,7 @@ pub(crate) struct Start {
     positions: Rc<[Point]>,
     iteration: u32,
     diagonal: f64,
-    /// The same, or that at rest where it is greater: after an undo it may start from a dot.
+    /// The greater one of `diagonal` and the diagonal at rest: after an undo it may start from a dot.
     size: f64,
     /// `#F`.
     areas: Vec<f64>,

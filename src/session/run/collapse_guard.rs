@@ -58,7 +58,7 @@ impl CollapseGuard {
         }
     }
 
-    /// What was asked when the scene was first opened: edits since then arm the guard.
+    /// Replaces the document that edits are compared with: another problem than its own arms the guard.
     pub(crate) fn set_opened(&mut self, opened: Scene) {
         self.opened = opened;
     }

@@ -1,4 +1,4 @@
-//! How large a mesh can be that is still worked with at once, told from the pace of a small one.
+//! The largest mesh that can be dragged interactively, estimated from the iterations of a small one.
 
 /// Seconds of an iteration with which a drag is followed thirty times a second.
 const AT_ONCE: f64 = 1.0 / 30.0;

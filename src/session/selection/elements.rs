@@ -105,7 +105,7 @@ impl<'a> Elements<'a> {
         marks
     }
 
-    /// What is marked and what touches it: vertices along an edge, edges and faces at a vertex.
+    /// The marked elements and their neighbours: vertices along an edge, edges and faces at a vertex.
     pub(super) fn around(&self, mode: Mode, marks: &Marks) -> Marks {
         if mode != Mode::Vertices {
             return self.with_corners(mode, &self.corners(mode, marks), false);

@@ -29,7 +29,7 @@ pub struct Operation {
     pub params: &'static [Param],
     /// Keys of the page that do it, as "Ctrl+A".
     pub keys: &'static [&'static str],
-    /// What a double-click on does it.
+    /// The element whose double-click does it.
     pub double_click: Option<Mode>,
 }
 

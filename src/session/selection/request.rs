@@ -42,7 +42,7 @@ pub struct Selection {
 pub struct SelectRequest {
     /// The id of an [`Operation`](super::Operation).
     pub operation: String,
-    /// What is picked; the answer is of that kind unless the operation gives another.
+    /// The kind of element that is picked; the answer is of that kind unless the operation gives another.
     pub mode: Mode,
     /// The current selection.
     #[serde(default)]

@@ -8,7 +8,7 @@ use crate::scene::SceneError;
 use crate::session::report::{Measuring, free};
 use serde_json::{Map, Value};
 
-/// What is selected after `request`, on the current shape; indices ascending.
+/// The selection after `request`, on the current shape; indices ascending.
 ///
 /// # Errors
 /// When it names an operation, a set, or an element that is not there, or when a parameter is not

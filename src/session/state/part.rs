@@ -38,7 +38,7 @@ pub(crate) struct Settings {
     solver: SolverSettings,
 }
 
-/// What a row of constraints says apart from its name and its vertices.
+/// Operator, weight and switch of a row of constraints: all but its name and its selector.
 #[derive(Clone, PartialEq)]
 pub(crate) struct RowValues {
     pub(crate) kind: Kind,

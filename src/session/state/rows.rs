@@ -12,7 +12,7 @@ pub struct ResolvedRow {
     pub constraints: Constraints,
     /// Elements whose number of vertices does not fit the kind.
     pub skipped: usize,
-    /// Whether it counts.
+    /// Whether it is solved for.
     pub enabled: bool,
 }
 

@@ -4,7 +4,7 @@ use crate::session::run::Start;
 use crate::session::state::SceneChange;
 use std::rc::Rc;
 
-/// What leads from the state at hand to another one.
+/// The difference from the current state to another one.
 #[derive(Clone)]
 pub(crate) struct Change {
     pub(crate) scene: SceneChange,

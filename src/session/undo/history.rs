@@ -85,7 +85,7 @@ fn bytes(steps: &[NamedStep]) -> usize {
     (0..steps.len()).map(|place| bytes_of(steps, place)).sum()
 }
 
-/// What a step of a list holds. What steps that follow each other share counts for the later one.
+/// The bytes of one step of a list. Data that consecutive steps share counts for the later one.
 fn bytes_of(steps: &[NamedStep], place: usize) -> usize {
     let (name, change) = &steps[place];
     let next = steps.get(place + 1).map(|(_, change)| change);

@@ -1,5 +1,5 @@
-//! What is saved beside the scene, as bytes, so that a session that is opened again goes on where it
-//! stood: the steps of undo and redo, and how far a run or a drag has come since the scene was written.
+//! Steps of undo and redo, and the progress of a run or a drag since the scene was written, as bytes beside
+//! the scene file, so that a session that is opened again goes on where it stood.
 //!
 //! A state to go to is written as what differs from the state that comes before it in the file, which is
 //! nearer to now: most edits leave the positions as they are. Numbers are little-endian and keep all of
@@ -19,7 +19,7 @@ const MAGIC: &[u8] = b"shape-up steps 1";
 /// More bytes are not saved, nor more steps of either list: those that are farthest from now go first.
 const LIMIT_BYTES: usize = 20_000_000;
 const LIMIT_STEPS: usize = 1000;
-/// What each part of a state begins with.
+/// The first byte of each part of a state: as in the state before it, or written out.
 const SAME: u8 = 0;
 const OTHER: u8 = 1;
 
@@ -55,7 +55,7 @@ impl SavedState {
         self.iteration = change.iteration;
     }
 
-    /// What leads to the state `to`.
+    /// The difference to the state `to`.
     pub(crate) fn change_to(&self, to: &SavedState) -> Change {
         let SavedState { document, handles, positions, iteration } = to;
         Change {

@@ -1,4 +1,4 @@
-//! What may be a target of a handle.
+//! The check of handle targets.
 
 use crate::mesh::{FARTHEST, Point, too_far};
 use crate::scene::SceneError;

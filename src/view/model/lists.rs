@@ -18,7 +18,7 @@ pub enum ViewError {
         what: &'static str,
         /// How many entries it has.
         got: usize,
-        /// How many it should have.
+        /// The expected number.
         expected: usize,
     },
     /// Row offsets that do not start at 0, fall, or end elsewhere than at the end of the indices.

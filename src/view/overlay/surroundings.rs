@@ -1,5 +1,4 @@
-//! What is drawn about the mesh and is not part of it: the ghost of the model as it was opened, and
-//! the grid on the ground. Both are lines between points of their own.
+//! The ghost of the model as it was opened and the grid on the ground: lines between points of their own.
 
 use super::ground::Ground;
 use glam::DVec3;

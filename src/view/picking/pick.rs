@@ -1,4 +1,4 @@
-//! What lies under the cursor. Screen positions are CSS pixels.
+//! Picking under the cursor. Screen positions are CSS pixels.
 
 use super::ray::{Hit, first_hit, hidden};
 use crate::view::camera::Camera;

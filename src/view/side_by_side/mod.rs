@@ -1,4 +1,4 @@
-//! What is on one canvas: a picture, or two.
+//! The contents of one canvas: a picture, or two.
 //!
 //! | file | holds |
 //! |---|---|

@@ -1,4 +1,4 @@
-//! All that is shown on one canvas: the model, its flat map beside it, or two pictures of it.
+//! The contents of one canvas: the model, its flat map beside it, or two pictures of it.
 
 use super::flat_map::{Region, flat_map, follow, show_flipped};
 use super::split::{Colours, Split};
@@ -33,7 +33,7 @@ impl Pictures {
         &self.model
     }
 
-    /// The same, to be changed.
+    /// The view of the model, to be changed.
     pub fn model_mut(&mut self) -> &mut ViewState {
         &mut self.model
     }
@@ -50,7 +50,7 @@ impl Pictures {
             || self.split.as_ref().is_some_and(Split::has_changes)
     }
 
-    /// What is to be drawn, up to date with the model: this, the map and the split picture.
+    /// Model, map and split picture for the renderer, the latter two up to date with the model.
     pub fn to_draw(&mut self) -> (&mut ViewState, Option<&mut ViewState>, Option<&mut Split>) {
         if let Some(map) = &mut self.map {
             follow(map, &self.model);
@@ -159,8 +159,8 @@ impl Pictures {
         }
     }
 
-    /// What the left side (0) or the right side (1) shows: the shape `original` (#V by 3) or the shape as it
-    /// is, in these colours.
+    /// Sets what the left side (0) or the right side (1) shows: the shape `original` (#V by 3) or the current
+    /// shape, in these colours.
     ///
     /// # Errors
     /// Arrays that do not fit the mesh.
@@ -324,7 +324,8 @@ mod tests {
         assert!(!pictures.fly(1.0));
         let mut there = quad();
         there.model_mut().preset("top").unwrap();
-        assert_eq!(pictures.model().camera().eye().forward, there.model().camera().eye().forward);
+        let forward = |pictures: &Pictures| pictures.model().camera().eye().forward;
+        assert!((forward(&pictures) - forward(&there)).length() < 1e-5);
         assert!(!pictures.fly(0.5), "it has ended");
         assert!(pictures.fly_to("inside").is_err());
     }

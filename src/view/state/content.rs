@@ -1,4 +1,4 @@
-//! What a view shows.
+//! The contents of a view: mesh, handles, shapes, projections, tape.
 
 use super::parts::HandleMark;
 use crate::view::model::{Checks, ProjectionMarks, RenderMesh};

@@ -12,7 +12,7 @@ impl ViewState {
         Gizmo::new(&self.viewpoint.camera, middle, self.gizmo.touch)
     }
 
-    /// What is wanted of the gizmo.
+    /// Switches of the gizmo, and the hold that the pointer has.
     pub fn gizmo_state(&self) -> &GizmoState {
         &self.gizmo
     }

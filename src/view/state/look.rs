@@ -1,9 +1,7 @@
 //! How a view looks: colours and marks of faces, theme, switches.
 
 use super::parts::Display;
-use super::view_state::ViewState;
-use crate::view::appearance::{Appearance, Colour, ColourScale, DARK, LIGHT, Palette, RowColours};
-use crate::view::model::ViewError;
+use crate::view::appearance::Appearance;
 
 /// Colours, marks, theme and switches.
 #[derive(Debug)]
@@ -26,122 +24,5 @@ impl Default for Look {
             dark: false,
             white: false,
         }
-    }
-}
-
-impl ViewState {
-    /// Values and marks of faces and vertices.
-    pub fn appearance(&self) -> &Appearance {
-        &self.look.appearance
-    }
-
-    /// The colour of the members of a constraint, three parts from 0 to 1.
-    pub fn tint(&self) -> [f32; 3] {
-        self.look.tint
-    }
-
-    /// The parts of the view that are switched on.
-    pub fn display(&self) -> Display {
-        self.look.display
-    }
-
-    /// Whether the theme is dark.
-    pub fn is_dark(&self) -> bool {
-        self.look.dark
-    }
-
-    /// The colours of the theme.
-    pub fn palette(&self) -> &'static Palette {
-        if self.look.dark { &DARK } else { &LIGHT }
-    }
-
-    /// The colour behind everything.
-    pub fn background(&self) -> Colour {
-        if self.look.white { [1.0; 4] } else { self.palette().background }
-    }
-
-    /// Light or dark.
-    pub fn set_dark(&mut self, dark: bool) {
-        self.changes.view |= dark != self.look.dark;
-        self.look.dark = dark;
-    }
-
-    /// White behind everything, or the colour of the theme.
-    pub fn set_white(&mut self, white: bool) {
-        self.changes.view |= white != self.look.white;
-        self.look.white = white;
-    }
-
-    /// Switches parts of the view on and off.
-    pub fn set_display(&mut self, display: Display) {
-        self.changes.view |= display != self.look.display;
-        self.look.display = display;
-    }
-
-    /// Colours faces by `values` (#F) on a scale; none is the plain material.
-    ///
-    /// # Errors
-    /// Another number of values than faces.
-    pub fn set_face_values(
-        &mut self,
-        values: Option<Vec<f32>>,
-        scale: ColourScale,
-    ) -> Result<(), ViewError> {
-        let (_, faces) = self.counts();
-        self.look.appearance.set_values(values, scale, faces)?;
-        self.changes.appearance = true;
-        Ok(())
-    }
-
-    /// Takes the values of the vertices (#V) whose greatest those of the faces are; bands go through the
-    /// faces then.
-    ///
-    /// # Errors
-    /// Another number of values than vertices.
-    pub fn set_corner_values(&mut self, values: Option<Vec<f32>>) -> Result<(), ViewError> {
-        let (vertices, _) = self.counts();
-        self.look.appearance.set_corners(values, vertices)?;
-        self.changes.appearance = true;
-        Ok(())
-    }
-
-    /// Shows values of faces in bands, or gradually.
-    pub fn set_in_bands(&mut self, in_bands: bool) {
-        self.look.appearance.set_in_bands(in_bands);
-        self.changes.appearance = true;
-    }
-
-    /// Gives faces and vertices the colours of the rows that act on them.
-    pub fn set_row_colours(&mut self, rows: RowColours) {
-        self.look.appearance.rows = rows;
-        (self.changes.appearance, self.changes.marks) = (true, true);
-    }
-
-    /// Marks vertices and faces as selected, and no others.
-    ///
-    /// # Errors
-    /// An index that names nothing.
-    pub fn select(&mut self, vertices: Vec<u32>, faces: Vec<u32>) -> Result<(), ViewError> {
-        let counts = self.counts();
-        self.look.appearance.select(vertices, faces, counts)?;
-        (self.changes.appearance, self.changes.marks) = (true, true);
-        Ok(())
-    }
-
-    /// Marks vertices and faces as members of a constraint, in a colour (each part 0 to 1), and no others.
-    ///
-    /// # Errors
-    /// An index that names nothing.
-    pub fn set_tint(
-        &mut self,
-        vertices: Vec<u32>,
-        faces: Vec<u32>,
-        colour: [f32; 3],
-    ) -> Result<(), ViewError> {
-        let counts = self.counts();
-        self.look.appearance.tint(vertices, faces, counts)?;
-        self.look.tint = colour;
-        (self.changes.appearance, self.changes.marks) = (true, true);
-        Ok(())
     }
 }

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `view_state` | the state of a view, and its setters |
 //! | `content`, `look`, `viewpoint` | what it shows, how that looks, from where it is seen |
+//! | `set_look` | values, marks, theme and switches set |
 //! | `beside` | views beside another one: split pictures, flat maps |
 //! | `parts` | handles, switches, and what has changed since the last picture |
 //! | `navigate` | the camera under the pointer, and framing |
@@ -23,6 +24,7 @@ pub mod parts;
 pub mod pick;
 pub mod saved_camera;
 pub mod select_region;
+mod set_look;
 pub mod surrounding;
 pub mod tape;
 pub mod view_state;

@@ -1,12 +1,35 @@
 //! The camera of a view under the pointer, and framing.
 
 use super::view_state::ViewState;
-use crate::view::camera::{UpAxis, frame};
+use crate::view::camera::{Camera, Flight, UpAxis, frame};
 use crate::view::model::{ViewError, check_indices};
 use crate::view::picking::pick;
 use glam::{Vec2, Vec3};
 
 impl ViewState {
+    /// The camera.
+    pub fn camera(&self) -> Camera {
+        self.viewpoint.camera
+    }
+
+    /// Moves the camera as `to` does.
+    pub fn move_camera<T>(&mut self, to: impl FnOnce(&mut Camera) -> T) -> T {
+        let done = to(&mut self.viewpoint.camera);
+        self.view_changed();
+        done
+    }
+
+    /// The flight from where the camera is to a view of [`ViewState::preset`].
+    ///
+    /// # Errors
+    /// An unknown name.
+    pub fn flight_to(&mut self, side: &str) -> Result<Flight, ViewError> {
+        let from = self.viewpoint.camera;
+        self.preset(side)?;
+        let to = std::mem::replace(&mut self.viewpoint.camera, from);
+        Ok(Flight::new(from, to))
+    }
+
     /// Sets the size of the canvas in CSS pixels.
     pub fn resize(&mut self, canvas: Vec2) {
         self.viewpoint.camera.canvas = canvas.max(Vec2::ONE);

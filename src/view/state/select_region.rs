@@ -1,5 +1,5 @@
-//! What lies inside an outline on the screen: a box, a lasso, a stroke of the brush. Screen
-//! positions are CSS pixels.
+//! Elements inside an outline on the screen: a box, a lasso, a stroke of the brush. Screen positions are CSS
+//! pixels.
 
 use super::view_state::ViewState;
 use crate::math::polygon_sides;

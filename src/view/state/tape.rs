@@ -43,7 +43,7 @@ impl ViewState {
         (depth > 0.0).then_some(at)
     }
 
-    /// What the tape says; nothing unless it spans two vertices.
+    /// The vector along the tape; none unless it spans two vertices.
     pub fn measured(&self) -> Option<Measured> {
         let &[from, to] = &self.content.tape[..] else { return None };
         let between = |points: &[DVec3]| points[to as usize] - points[from as usize];

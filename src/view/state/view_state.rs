@@ -167,7 +167,7 @@ impl ViewState {
         if self.content.shapes.len() > 1000 * SHAPE_NUMBERS { 32 } else { 96 }
     }
 
-    /// Says that the next picture differs without new data.
+    /// Asks for another picture, without new data.
     pub fn view_changed(&mut self) {
         self.changes.view = true;
         self.viewpoint.forget_depth();
@@ -178,7 +178,7 @@ impl ViewState {
         self.changes
     }
 
-    /// The same, and forgets them: a picture of them is made.
+    /// The changes since the last picture, which is made of them now.
     pub fn take_changes(&mut self) -> Changes {
         std::mem::take(&mut self.changes)
     }

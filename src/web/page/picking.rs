@@ -1,4 +1,4 @@
-//! What is under the cursor, what is inside an outline, and where things are on the canvas.
+//! Picking under the cursor and inside an outline, and the places of vertices on the canvas.
 
 use super::view::View;
 use crate::view::state::{Outline, Taking};

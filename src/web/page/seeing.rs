@@ -114,7 +114,7 @@ impl View {
         self.model().set_tape(vertices).map_err(thrown)
     }
 
-    /// What the tape spans, in the unit of the file: x, y, z now, and at rest if that is known;
+    /// The vector along the tape, in the unit of the file: x, y, z now, and at rest if that is known;
     /// nothing unless it spans two vertices.
     pub fn measured(&self) -> Option<Vec<f64>> {
         let measured = self.pictures.model().measured()?;

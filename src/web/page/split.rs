@@ -14,7 +14,7 @@ impl View {
         self.pictures.set_split(at);
     }
 
-    /// What the left side (0) or the right side (1) shows: the shape `original` (#V by 3) or the shape
+    /// Sets what the left side (0) or the right side (1) shows: the shape `original` (#V by 3) or the shape
     /// as it is, with its faces coloured by a value each (#F), and by those of the vertices (#V) whose
     /// greatest they are, where they are such. The colours go from the tolerance, up to which the faces
     /// keep the material, or from 0, to `high`.

@@ -19,7 +19,7 @@ use wgpu::SurfaceTarget;
 #[wasm_bindgen]
 #[derive(Debug)]
 pub struct View {
-    /// What is shown.
+    /// Model, flat map and split pictures, without a GPU.
     pub(super) pictures: Pictures,
     pixel_ratio: f32,
     renderer: Renderer,

@@ -53,7 +53,7 @@ impl ExperimentRun {
         Ok(true)
     }
 
-    /// What was measured since the last call, one entry for each method with something new: `method`, its
+    /// Samples since the last call, one entry for each method with something new: `method`, its
     /// index; `endedBy`, in words, or null; `samples`, per iteration its number, the seconds, and the
     /// quantities of the experiment.
     pub fn news(&mut self) -> Result<Array, JsValue> {

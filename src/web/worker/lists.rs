@@ -1,4 +1,4 @@
-//! What is told of elements: how many panels are as asked, the worst ones, those that have something wrong.
+//! Lists of elements: the verdict on the panels, the worst elements, those with a problem.
 
 use super::solver::Solver;
 use crate::web::plain::{plain, selection};

@@ -1,4 +1,4 @@
-//! What the page asks about the original beside the current shape, and an iteration in its halves.
+//! The original beside the current shape, and an iteration in its halves.
 
 use super::solver::Solver;
 use crate::session::Shape;

@@ -20,7 +20,7 @@ impl Solver {
         })
     }
 
-    /// What the next mesh file is taken for unless it states otherwise, in its own words:
+    /// Unit and axis of the next mesh file unless it states its own, in the words of such a file:
     /// `# units: m`, `# up: y`, a line each.
     pub fn assume(&mut self, comments: &str) {
         self.files.assume(UnitsAndUp::stated(comments.as_bytes()));

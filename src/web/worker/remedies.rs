@@ -1,4 +1,4 @@
-//! What would help where constraints are not met, found beside whatever the worker does.
+//! The search for edits that help where constraints are not met, in slices beside the worker's other work.
 
 use super::solver::Solver;
 use crate::session::Remedies;

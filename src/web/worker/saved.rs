@@ -1,4 +1,4 @@
-//! What the page saves beside the scene, as bytes that only the session reads.
+//! Undo history and unfinished work as bytes, which the page saves beside the scene.
 
 use super::solver::Solver;
 use crate::web::thrown;

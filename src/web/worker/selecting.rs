@@ -1,4 +1,4 @@
-//! What the page selects with, and the settings that it offers: the declared lists, and the answers.
+//! Selections, and the declared lists of operations and settings.
 
 use super::solver::Solver;
 use crate::session::{OPERATIONS, SETTINGS, SelectRequest};
@@ -23,7 +23,7 @@ impl Solver {
         Ok(Uint32Array::from(self.open()?.topology().edges().as_flattened()))
     }
 
-    /// What is selected after an operation: `vertices`, `edges` and `faces`, ascending.
+    /// The selection after an operation: `vertices`, `edges` and `faces`, ascending.
     pub fn select(&mut self, request: JsValue) -> Result<JsValue, JsValue> {
         let request =
             SelectRequest::from_json(&text(&request)?).map_err(|error| thrown_at(&error))?;

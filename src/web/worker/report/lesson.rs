@@ -17,7 +17,7 @@ impl<'a> LessonWords<'a> {
     }
 }
 
-/// What a goal is on the shape as it is.
+/// The value of a goal on the current shape.
 #[derive(Serialize)]
 pub(crate) struct GoalNumbers {
     value: Option<f64>,

@@ -48,7 +48,7 @@ struct Problem {
     message: String,
     count: usize,
     line: Option<usize>,
-    /// What to ask for the elements that have it.
+    /// The name to ask for the elements that have it; none where they are not in the mesh.
     flaw: Option<&'static str>,
 }
 
