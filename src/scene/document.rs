@@ -2,7 +2,6 @@
 
 use super::closeness::Closeness;
 use super::lesson::Lesson;
-use super::up::Up;
 use crate::constraint::{Kind, Selector, Sets};
 use crate::mesh::{Mesh, Point};
 use crate::solve::{Hold, Smoothness, SolverSettings, Weights};
@@ -72,6 +71,16 @@ impl Scene {
             lesson: None,
         }
     }
+}
+
+/// Which axis points up.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Up {
+    /// y, as in most viewers.
+    Y,
+    /// z, as in Rhino.
+    #[default]
+    Z,
 }
 
 /// Where the mesh of a scene comes from.

@@ -6,11 +6,11 @@
 //! | `closeness` | what vertices are kept close to, and how much |
 //! | `lesson` | exercises: a text and goals |
 //! | `results` | what a student hands in |
-//! | `up` | the vertical axis |
 //! | `error` | what is wrong with a scene, with its JSON path |
 //! | `json` | the scene file, version 1, in and out |
 //! | `validate` | the checks that need the mesh |
 //! | `words` | the words for choices, in files and everywhere else |
+//! | `units` | the units of length |
 //! | `frame` | the unit and the vertical axis of a mesh file, stated or guessed |
 //! | `up_guess` | which axis of a mesh likely points up |
 //! | `opened` | the settings of a mesh file that somebody opens |
@@ -29,7 +29,7 @@ mod panels;
 mod presets;
 mod problem;
 mod results;
-mod up;
+mod units;
 mod up_guess;
 mod validate;
 mod words;
@@ -40,7 +40,7 @@ pub use crate::solve::{
 };
 pub use crate::sparse::Factorization;
 pub use closeness::{Closeness, ClosenessWeight};
-pub use document::{ConstraintSpec, HANDLE_WEIGHT, HandleSpec, MeshSource, Scene};
+pub use document::{ConstraintSpec, HANDLE_WEIGHT, HandleSpec, MeshSource, Scene, Up};
 pub use error::SceneError;
 pub use frame::UnitsAndUp;
 pub use json::{FORMAT, VERSION};
@@ -48,5 +48,5 @@ pub use lesson::{Goal, GoalOf, Lesson};
 pub use panels::{PanelOffer, panel_offers};
 pub use presets::{PRESETS, Preset, PresetOffer};
 pub use results::{GoalResult, Results};
-pub use up::Up;
+pub use units::{LengthUnit, UNITS};
 pub use words::NamedEnum;

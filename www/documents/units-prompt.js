@@ -5,6 +5,7 @@
 
 import { element, leave, setText } from '../ui/dom.js';
 import { recall, remember } from '../ui/safe-storage.js';
+import { UNITS } from '../ui/units.js';
 
 /** @typedef {import("../store/state.js").Store} Store */
 /** @typedef {import("../store/actions.js").Actions} Actions */
@@ -12,7 +13,7 @@ import { recall, remember } from '../ui/safe-storage.js';
 /** @typedef {import("../solver/messages.js").Loaded} Loaded */
 
 /** With the empty one for a mesh without a unit. */
-const UNITS = ['m', 'cm', 'mm', 'ft', 'in', ''];
+const SYMBOLS = [...UNITS.map(({ symbol }) => symbol), ''];
 const NO_UNIT = 'no unit';
 const KEY = 'shape-up.frames';
 /** So many files are remembered. */
@@ -107,7 +108,7 @@ export function frameFields(store, actions) {
   store.subscribe(['model'], showGuess);
   store.subscribe(['document'], ({ document }) => {
     if (!document) return;
-    const known = UNITS.includes(document.units) ? UNITS : [document.units, ...UNITS];
+    const known = SYMBOLS.includes(document.units) ? SYMBOLS : [document.units, ...SYMBOLS];
     const options = known.map((unit) => element('option', { value: unit }, unit || NO_UNIT));
     units.replaceChildren(...options);
     units.value = document.units;

@@ -1,5 +1,7 @@
 /** Numbers and units as the page writes them. */
 
+import { METRES } from './number-entry.js';
+
 const DIGITS = 3;
 
 /**
@@ -28,7 +30,7 @@ export function number(value) {
  * @returns {{ unit: string, factor: number }}
  */
 export function lengthUnit(size, units) {
-  if (units === 'm' && Math.abs(size) < 0.1) return { unit: 'mm', factor: 1000 };
+  if (units === 'm' && Math.abs(size) < 0.1) return { unit: 'mm', factor: METRES.m / METRES.mm };
   return { unit: units, factor: 1 };
 }
 

@@ -1,7 +1,9 @@
 /** Lengths as people type them: 1.5, 1/3, 20cm; and +0.5 or +-0.5 to move on from where something is. */
 
-/** @type {Record<string, number>} */
-const METRES = { m: 1, cm: 0.01, mm: 0.001, ft: 0.3048, in: 0.0254 };
+import { UNITS } from './units.js';
+
+/** The length of each unit in metres. @type {Record<string, number>} */
+export const METRES = Object.fromEntries(UNITS.map(({ symbol, metres }) => [symbol, metres]));
 
 const DIGITS = '(?:\\d+[.,]?\\d*|[.,]\\d+)';
 /** What moves on, the number, what it is divided by, its unit. */

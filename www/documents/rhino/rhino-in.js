@@ -4,7 +4,7 @@
  * mesh all closed ones are. Corners that coincide are one vertex: Rhino keeps objects apart.
  */
 
-import { ROLE, UNITS, rhino } from './rhino.js';
+import { NAMES, ROLE, rhino } from './rhino.js';
 
 /** @typedef {import("../../solver/messages.js").NamedBytes} NamedBytes */
 /** @typedef {[number, number, number]} Point */
@@ -31,7 +31,7 @@ export async function meshFromRhino({ name, bytes }) {
       );
     }
     const system = file.settings().modelUnitSystem;
-    const units = Object.keys(UNITS).find((unit) => api.UnitSystem[UNITS[unit]] === system);
+    const units = Object.keys(NAMES).find((unit) => api.UnitSystem[NAMES[unit]] === system);
     const text = objText(faces, curves, units);
     return { name: name.replace(/\.3dm$/i, '.obj'), bytes: new TextEncoder().encode(text) };
   } finally {

@@ -5,7 +5,7 @@
  * up: a scene in which y is up is turned.
  */
 
-import { ROLE, UNITS, rhino } from './rhino.js';
+import { NAMES, ROLE, rhino } from './rhino.js';
 import { byLayer } from './rhino-layers.js';
 
 /** @typedef {[number, number, number]} Point */
@@ -28,7 +28,7 @@ export async function rhinoFile(text, errors) {
 
   const file = new api.File3dm();
   try {
-    const unit = UNITS[scene.units];
+    const unit = NAMES[scene.units];
     file.settings().modelUnitSystem = api.UnitSystem[unit ?? 'None'];
     file.applicationName = 'Shape-Up';
     for (const [name, members] of byLayer(faces.length, groups)) {

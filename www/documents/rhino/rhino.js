@@ -5,6 +5,7 @@
 
 import open from 'rhino3dm/rhino3dm.module.min.js';
 import module from 'rhino3dm/rhino3dm.wasm?url';
+import { UNITS } from '../../ui/units.js';
 
 /** @returns {Promise<typeof import("rhino3dm")["RhinoModule"] | any>} */
 export function rhino() {
@@ -19,10 +20,4 @@ export function rhino() {
 export const ROLE = 'shape-up';
 
 /** The name of each unit here in Rhino. @type {Record<string, string>} */
-export const UNITS = {
-  mm: 'Millimeters',
-  cm: 'Centimeters',
-  m: 'Meters',
-  in: 'Inches',
-  ft: 'Feet',
-};
+export const NAMES = Object.fromEntries(UNITS.map(({ symbol, rhino }) => [symbol, rhino]));
