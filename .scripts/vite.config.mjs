@@ -73,10 +73,11 @@ const told = () => ({
 });
 
 /**
- * A style sheet is in the layer of its room, so that a room overrules those below it whatever its
- * selectors are, and whenever it is loaded; what libraries bring is below all.
+ * A style sheet is in the layer of its room, so that none overrules those above it whatever its
+ * selectors are, and whenever it is loaded. What libraries bring is below all; the frame of the page
+ * is below what fills it.
  */
-const LAYERS = ['library', 'ui', 'panels', 'features', 'app', 'pages'];
+const LAYERS = ['library', 'ui', 'app', 'panels', 'features', 'pages'];
 /** Tokens that are the same everywhere are written out: they cost nobody a byte. */
 const constants = Object.fromEntries(
   [
