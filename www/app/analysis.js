@@ -5,7 +5,6 @@
 import { itemByKey } from '../ui/controls/arrow-keys.js';
 import { byId, element } from '../ui/dom.js';
 import { messageOf } from '../solver/messages.js';
-import { Convergence } from '../panels/convergence/convergence.js';
 
 /** @typedef {import("./context.js").AppContext} AppContext */
 
@@ -13,7 +12,6 @@ import { Convergence } from '../panels/convergence/convergence.js';
  * @typedef {object} Tab
  * @property {string} id
  * @property {string} label
- * @property {boolean} [atOnce] made with the page, because it has to see everything from the start
  * @property {(panel: HTMLElement, app: AppContext) => unknown} make fills its panel; called once
  */
 
@@ -22,8 +20,8 @@ const TABS = [
   {
     id: 'convergence',
     label: 'Convergence',
-    atOnce: true,
-    make: (panel, app) => new Convergence(panel, app),
+    make: async (panel, app) =>
+      new (await import('../panels/convergence/convergence.js')).Convergence(panel, app),
   },
   {
     id: 'angles',
@@ -91,7 +89,8 @@ export function analysisRegion(place, app) {
 
   /** @param {string} id */
   function show(id) {
-    if (!entries.some((entry) => entry.id === id)) return undefined;
+    const entry = entries.find((one) => one.id === id);
+    if (!entry) return undefined;
     shown = id;
     for (const { id: other, panel, button } of entries) {
       const isShown = other === id;
@@ -99,7 +98,7 @@ export function analysisRegion(place, app) {
       button.setAttribute('aria-selected', String(isShown));
       button.tabIndex = isShown ? 0 : -1;
     }
-    return Promise.all(entries.filter((entry) => entry.id === id || entry.atOnce).map(fill));
+    return fill(entry);
   }
   show(TABS[0].id);
   return {

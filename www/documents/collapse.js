@@ -4,15 +4,16 @@
  */
 
 import { openDialog } from '../ui/controls/dialog.js';
+import { button } from '../ui/controls/fields.js';
 import { element } from '../ui/dom.js';
 
 /**
  * @param {import("../app/context.js").AppContext} app
  * @param {string} collapse how, as the end of a sentence
  */
-export function reportCollapse({ store, solver, alerts, actions }, collapse) {
+export function reportCollapse({ alerts, actions }, collapse) {
   const text = `Stopped: ${collapse}.`;
-  store.set({ status: text });
+  actions.setStatus(text);
   alerts.notice(
     text,
     { label: 'Undo', action: () => actions.undo() },
@@ -20,11 +21,10 @@ export function reportCollapse({ store, solver, alerts, actions }, collapse) {
       label: 'Hold closer',
       action: async () => {
         await actions.undo();
-        if ((await actions.edit({ type: 'holdCloser' })) !== undefined)
-          solver.send({ type: 'run' });
+        if ((await actions.edit({ type: 'holdCloser' })) !== undefined) actions.run();
       },
     },
-    { label: 'Go on', action: () => solver.send({ type: 'run', goOn: true }) },
+    { label: 'Go on', action: () => actions.run(true) },
   );
 }
 
@@ -42,8 +42,8 @@ export function askToExport(collapse) {
       element('p', `In the last run ${collapse}. You probably do not want to export this shape.`),
       element(
         'div.dialog-foot',
-        element('button.bordered', { onclick: answer('export') }, 'Export anyway'),
-        element('button.primary', { onclick: answer('') }, 'Cancel'),
+        button('Export anyway', answer('export')),
+        button('Cancel', answer(''), { class: 'primary' }),
       ),
     ),
   );

@@ -4,6 +4,7 @@
  */
 
 import '../ui/styles/waiting.css';
+import { button } from '../ui/controls/fields.js';
 import { byId, element, leave, setText } from '../ui/dom.js';
 import { groupDigits } from '../ui/format.js';
 import { messageOf } from '../solver/messages.js';
@@ -112,6 +113,8 @@ const facesIn = ({ faces }) => (faces > 0 ? ` · ${groupDigits(faces)} faces` : 
  */
 const progress = (read, all) => `${(read / MB).toFixed(1)} of ${(all / MB).toFixed(1)} MB`;
 
+const SMALL = { class: 'small bordered' };
+
 /** What is shown over the view meanwhile. */
 class Card {
   #abort = new AbortController();
@@ -125,7 +128,7 @@ class Card {
     const attributes = { class: 'message notice', role: 'group', 'aria-label': `Opening ${names}` };
     const words = element('div.import', this.#text, this.#bar);
     this.#element = element('div', attributes, words, this.#buttons);
-    this.#buttons.append(this.#button('Cancel', () => this.#abort.abort()));
+    this.#buttons.append(button('Cancel', () => this.#abort.abort(), SMALL));
     this.#element.addEventListener('keydown', (event) => {
       if (event.key !== 'Escape') return;
       event.stopPropagation();
@@ -158,11 +161,11 @@ class Card {
     setText(this.#text, question);
     this.#bar.hidden = true;
     const answer = new Promise((done) => {
-      const button = this.#button(yes, () => done(undefined));
       // Whoever hears the button hears the question.
-      button.setAttribute('aria-describedby', this.#text.id);
-      this.#buttons.prepend(button);
-      button.focus();
+      const described = { ...SMALL, 'aria-describedby': this.#text.id };
+      const go = button(yes, () => done(undefined), described);
+      this.#buttons.prepend(go);
+      go.focus();
     });
     await this.unlessCancelled(answer);
     this.#buttons.firstElementChild?.remove();
@@ -185,13 +188,5 @@ class Card {
 
   remove() {
     leave(this.#element, () => this.#element.remove());
-  }
-
-  /**
-   * @param {string} label
-   * @param {() => void} onclick
-   */
-  #button(label, onclick) {
-    return element('button.small.bordered', { onclick }, label);
   }
 }

@@ -154,7 +154,8 @@ export function createActions(store, solver, alerts) {
       view.select({ vertices: [next], faces: [] });
     },
 
-    run: () => solver.send({ type: 'run' }),
+    /** @param {boolean} [goOn] although the mesh has collapsed */
+    run: (goOn) => solver.send({ type: 'run', goOn }),
 
     /**
      * Sends where handles are moved to.
