@@ -6,7 +6,9 @@ mod random;
 
 use random::Random;
 use shape_up::example::EXAMPLES;
-use shape_up::experiment::{AngleSums, EXPERIMENTS, EndedBy, Experiment, Limits, Run, Series};
+use shape_up::experiment::{
+    AngleSums, COMPARISON, EXPERIMENTS, EndedBy, Experiment, Limits, Run, Series,
+};
 use shape_up::math::Vec3;
 use shape_up::mesh::Point;
 use shape_up::scene::{ClosenessTo, Hold, Weights};
@@ -78,6 +80,36 @@ fn mean_centring_beats_all_but_the_accelerated_solver() {
         let centred = centred.expect("setting up is quicker than that").values[0] / start;
         assert!(centred < 0.2 * last(slow), "{slow} in {given} s: {} and {centred}", last(slow));
     }
+}
+
+/// Any scene has the comparison; a matrix over all coordinates is made where it fits.
+#[test]
+fn whatever_is_open_can_be_compared_with_bfgs_where_it_fits() {
+    let compared = |example: &str, iterations| {
+        let (scene, mesh) =
+            EXAMPLES.iter().find(|e| e.id == example).expect("there is one").build();
+        let limits = Limits { iterations, seconds: f64::INFINITY };
+        let mut run = Run::new(&COMPARISON, scene, mesh, limits);
+        while run.step().expect("positions stay finite") {}
+        let ids = COMPARISON.methods.iter().map(|method| method.id);
+        ids.zip(run.series().to_vec()).collect::<Vec<_>>()
+    };
+    let all = compared("hypar", 200);
+    let last = |id: &str| of(&all, id).samples.last().expect("it has samples").values[0];
+    for (method, series) in &all {
+        println!("{method}: {} {:?} {:e}", series.samples.len(), series.ended_by, last(method));
+        for pair in series.samples.windows(2) {
+            assert!(pair[1].values[0] <= pair[0].values[0] * (1.0 + 1e-12), "{method} rises");
+        }
+    }
+    let lowest = all.iter().map(|(id, _)| last(id)).fold(f64::INFINITY, f64::min);
+    assert!(last("bfgs") <= lowest * (1.0 + 1e-6), "{} and {lowest}", last("bfgs"));
+    assert!(last("bfgs") < last("gradient-descent"));
+
+    let large = compared("fig-05-planar", 1);
+    let bfgs = of(&large, "bfgs");
+    assert_eq!((bfgs.samples.len(), bfgs.ended_by), (0, Some(EndedBy::TooLarge)));
+    assert_eq!(of(&large, "l-bfgs").ended_by, Some(EndedBy::Iterations));
 }
 
 /// Fig. 11: at the same circularity error Shape-Up is smoother, and lets edges shrink further.

@@ -14,7 +14,7 @@ pub struct Experiment {
     pub label: &'static str,
     /// The comparison in one sentence.
     pub summary: &'static str,
-    /// The ids of the examples that it can be run on.
+    /// The ids of the examples that it is made for.
     pub examples: &'static [&'static str],
     /// The quantities measured after every iteration.
     pub quantities: &'static [Quantity],
@@ -56,6 +56,8 @@ pub struct Plot {
     pub quantity: usize,
     /// The quantity along the horizontal axis.
     pub over: Over,
+    /// Whether the lowest value that any method has found is taken off all values.
+    pub above_lowest: bool,
 }
 
 /// The horizontal axis of a plot.
@@ -77,6 +79,8 @@ pub struct MethodInfo {
     pub label: &'static str,
     /// A description in one sentence.
     pub summary: &'static str,
+    /// The largest mesh that it can take, in vertices; none where any will do.
+    pub most_vertices: Option<usize>,
     #[serde(skip)]
     pub(super) start: Start,
 }

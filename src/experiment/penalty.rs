@@ -33,20 +33,22 @@ pub(super) const PENALTY: Experiment = Experiment {
         Quantity { id: "shortest", label: "Shortest edge", unit: Unit::Length },
     ],
     plots: &[
-        Plot { quantity: 0, over: Over::Iterations },
-        Plot { quantity: 2, over: Over::Iterations },
+        Plot { quantity: 0, over: Over::Iterations, above_lowest: false },
+        Plot { quantity: 2, over: Over::Iterations, above_lowest: false },
     ],
     methods: &[
         MethodInfo {
             id: "shape-up",
             label: "Shape-Up",
             summary: "Circles are fitted to the corners, whatever these are: an edge may vanish.",
+            most_vertices: None,
             start: |scene, mesh| Ok(Box::new(Fitted::new(scene, mesh)?)),
         },
         MethodInfo {
             id: "gauss-newton",
             label: "Penalty, Gauss-Newton",
-            summary: "Opposite angles shall sum up to a half turn: their derivatives grow without bound as an edge vanishes.",
+            summary: "Opposite angles shall sum up to a half turn (Liu, Pottmann, Wallner, Yang and Wang, 2006): their derivatives grow without bound as an edge vanishes.",
+            most_vertices: None,
             start: |scene, mesh| Ok(Box::new(Penalised::new(scene, mesh)?)),
         },
     ],

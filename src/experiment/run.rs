@@ -10,7 +10,7 @@ use crate::solve::clock;
 /// The measurements of one method.
 #[derive(Clone, Debug, Default)]
 pub struct Series {
-    /// After each iteration; the first is the start.
+    /// After each iteration; the first is the start. None where the mesh is too large for the method.
     pub samples: Vec<Sample>,
     /// Why it ended, once it has.
     pub ended_by: Option<EndedBy>,
@@ -36,6 +36,8 @@ pub enum EndedBy {
     Iterations,
     /// The limit of time.
     Seconds,
+    /// It has not begun, because the mesh has more vertices than it can take.
+    TooLarge,
 }
 
 impl EndedBy {
@@ -46,6 +48,7 @@ impl EndedBy {
             EndedBy::Stalled => "stalled",
             EndedBy::Iterations => "limit of iterations",
             EndedBy::Seconds => "limit of time",
+            EndedBy::TooLarge => "not run: mesh too large",
         }
     }
 }
@@ -104,6 +107,12 @@ impl Run {
             let Some(info) = self.experiment.methods.get(self.series.len()) else {
                 return Ok(false);
             };
+            let vertices = self.mesh.positions.len();
+            if info.most_vertices.is_some_and(|most| vertices > most) {
+                let ended_by = Some(EndedBy::TooLarge);
+                self.series.push(Series { samples: Vec::new(), ended_by });
+                return Ok(true);
+            }
             let method = (info.start)(&self.scene, &self.mesh)?;
             let first = Sample { seconds: method.set_up_seconds(), values: method.values() };
             let ended_by = (self.limits.iterations == 0).then_some(EndedBy::Iterations);

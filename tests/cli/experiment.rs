@@ -30,3 +30,15 @@ fn a_limit_of_no_iterations_leaves_the_start() {
     assert_eq!(csv.lines().count(), 1 + 2, "{csv}");
     assert!(csv.lines().skip(1).all(|line| line.split(',').nth(1) == Some("0")), "{csv}");
 }
+
+#[test]
+fn any_scene_can_be_compared() {
+    let folder = Folder::new("compared");
+    let table = folder.run(&["experiment", "hypar", "--iterations", "2"]).done();
+    assert!(table.contains("BFGS") && table.contains("Shape-Up, accelerated"), "{table}");
+    folder.run(&["examples", "--out", "."]).done();
+    let asked = ["experiment", "hypar.shapeup.json", "--iterations", "2", "--csv", "all.csv"];
+    folder.run(&asked).done();
+    assert_eq!(folder.read("all.csv").lines().count(), 1 + 6 * 3);
+    folder.run(&["experiment", "hypar.obj"]).refused(&["hypar.obj", "no constraints"]);
+}

@@ -135,7 +135,7 @@ fn a_place_that_cannot_be_written_is_one_line_and_leaves_nothing() {
         assert_eq!(folder.files(), ["roof.obj", "taken"], "{out} {report}");
     }
     folder.run(&["examples", "--out", "roof.obj"]).refused(&["roof.obj"]);
-    folder.run(&["experiment", "canopy"]).refused(&["canopy", "expected fig-10-collapse"]);
+    folder.run(&["experiment", "canapé"]).refused(&["canapé", "cannot"]);
     assert_eq!(folder.read("roof.obj"), ROOF);
 }
 

@@ -28,7 +28,7 @@
  * @property {string} label
  * @property {string} summary
  * @property {{ id: string, label: string, unit: "energy" | "length" | "none" }[]} quantities
- * @property {{ quantity: number, over: "iterations" | "seconds" }[]} plots
+ * @property {{ quantity: number, over: "iterations" | "seconds", above_lowest: boolean }[]} plots
  * @property {{ id: string, label: string, summary: string }[]} methods
  * @property {{ iterations: number, seconds: number }} limits of each method
  */

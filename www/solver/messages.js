@@ -304,8 +304,10 @@
  *   corners, as CSV.
  * - `trace`: the energies of the iterations that led to the current shape; of very many as many as a plot
  *   can show, evenly spaced.
- * - `runExperiment`: starts the experiment of an example, on its files, the scene first; the model that
- *   is open is not touched. `experimentCsv`: what was measured.
+ * - `comparison`: what the experiment on whatever is open declares.
+ * - `runExperiment`: starts the experiment of an example, on its files, the scene first, or the comparison on
+ *   what is open, from its original shape; the model that is open is not touched. `experimentCsv`: what was
+ *   measured.
  * @typedef {{ type: "open", files: NamedBytes[], saved?: Saved, frame?: string,
  *       solved?: boolean, weld?: boolean }
  *   | { type: "edit", edit: Edit }
@@ -333,7 +335,8 @@
  *   | { type: "obj", uv?: Float64Array, asItCame?: boolean }
  *   | { type: "table", table: "errors" | "convergence" | "angles" }
  *   | { type: "trace" }
- *   | { type: "runExperiment", example: string, files: NamedBytes[], iterations?: number, seconds?: number }
+ *   | { type: "comparison" }
+ *   | { type: "runExperiment", of: { example: string, files: NamedBytes[] } | null, iterations: number }
  *   | { type: "experimentCsv" }} Request
  */
 
@@ -366,6 +369,7 @@
  * @property {string} obj
  * @property {string} table
  * @property {Float64Array} trace `#iterations by 6`: iteration, shape, close, smooth, handles, total
+ * @property {import("./examples.js").Experiment} comparison
  * @property {null} runExperiment
  * @property {string} experimentCsv
  */

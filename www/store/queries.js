@@ -70,14 +70,15 @@ export function createQueries(solver, reportErrors) {
     /** The text of the scene. */
     sceneText: () => solver.request({ type: 'scene' }),
 
+    /** What the comparison of methods on whatever is open declares. */
+    comparison: () => solver.request({ type: 'comparison' }),
+
     /**
-     * Runs the methods of an example's experiment one after another; their samples come as events.
-     * @param {string} example
-     * @param {import("../solver/messages.js").NamedBytes[]} files its scene and its mesh
+     * Runs the methods of an experiment one after another; their samples come as events.
+     * @param {Extract<import("../solver/messages.js").Request, { type: "runExperiment" }>["of"]} of
      * @param {number} iterations at most
      */
-    runExperiment: (example, files, iterations) =>
-      solver.request({ type: 'runExperiment', example, files, iterations }),
+    runExperiment: (of, iterations) => solver.request({ type: 'runExperiment', of, iterations }),
 
     cancelExperiment: () => solver.send({ type: 'cancelExperiment' }),
 

@@ -26,13 +26,12 @@ yielding.port1.onmessage = slice;
 /**
  * Starts one; another that is under way ends without a word.
  * @param {Extract<import("../solver/messages.js").Request, { type: "runExperiment" }>} asked
+ * @param {import("../pkg/solver/shape_up.js").Solver} solver with what is open
  * @param {Post} tell
  * @param {(thrown: unknown) => void} onDeath
  */
-export function runExperiment({ example, files, iterations, seconds }, tell, onDeath) {
-  const [scene, mesh] = files;
-  const text = new TextDecoder().decode(scene.bytes);
-  const next = new ExperimentRun(example, text, mesh.name, mesh.bytes, iterations, seconds);
+export function runExperiment({ of, iterations }, solver, tell, onDeath) {
+  const next = of ? runOn(of, iterations) : ExperimentRun.ofOpen(solver, iterations);
   run?.free();
   run = next;
   post = tell;
@@ -41,6 +40,18 @@ export function runExperiment({ example, files, iterations, seconds }, tell, onD
   underWay = true;
   return null;
 }
+
+/**
+ * @param {{ example: string, files: import("../solver/messages.js").NamedBytes[] }} of the scene first
+ * @param {number} iterations
+ */
+function runOn({ example, files: [scene, mesh] }, iterations) {
+  const text = new TextDecoder().decode(scene.bytes);
+  return new ExperimentRun(example, text, mesh.name, mesh.bytes, iterations);
+}
+
+/** What the comparison on whatever is open declares. */
+export const comparison = () => ExperimentRun.declared();
 
 export function cancelExperiment() {
   if (underWay) end('cancelled');

@@ -1,6 +1,6 @@
 /** What the worker does at each message of the page: one entry for each command and each request. */
 
-import { cancelExperiment, experimentCsv, runExperiment } from './experiment.js';
+import { cancelExperiment, comparison, experimentCsv, runExperiment } from './experiment.js';
 import { open } from './open.js';
 import { findRemedies } from './remedies.js';
 import { mostFaces, warmUpWhenQuiet } from './warm-up.js';
@@ -78,7 +78,8 @@ export function requestHandlers(solver, scheduler, post, died) {
     parametrize: ({ weights, norm }) => paused(() => solver.parametrize(weights, norm)),
     table: ({ table }) => solver.table(table),
     trace: () => solver.trace(),
-    runExperiment: (message) => runExperiment(message, post, died),
+    comparison,
+    runExperiment: (message) => runExperiment(message, solver, post, died),
     experimentCsv,
   };
 }

@@ -59,8 +59,8 @@ pub(super) struct Parametrize {
 /// `shape-up experiment`.
 #[derive(Debug, Default, PartialEq)]
 pub(super) struct Experiment {
-    /// The id of an example.
-    pub(super) example: String,
+    /// The id of an example, or a scene file.
+    pub(super) on: PathBuf,
     pub(super) iterations: Option<u32>,
     pub(super) seconds: Option<f64>,
     pub(super) csv: Option<PathBuf>,
@@ -78,7 +78,7 @@ usage: shape-up solve SCENE|MESH [--panels KIND] [--iterations N] [--tolerance T
        shape-up parametrize MESH [--weights {}] [--norm {}]
                 [--out UV.obj] [--report FILE.json]
        shape-up examples [--out DIR]
-       shape-up experiment [EXAMPLE] [--iterations N] [--seconds T] [--csv FILE.csv]
+       shape-up experiment [EXAMPLE|SCENE] [--iterations N] [--seconds T] [--csv FILE.csv]
        shape-up operators
        shape-up --help | --version
 
@@ -92,8 +92,8 @@ A MESH is solved with the settings that keep it whole, a scene with its own.
 RESULTS is what a student hands in of a lesson: check measures its shape with the goals and the
 constraints of the SCENE, and ends with 1 when one is not met.
 parametrize makes a flat map that keeps angles; --out writes the mesh with the map as its vt.
-experiment solves an example of the paper's comparisons by every method, and prints how far each came;
---csv writes all iterations; without an example it lists those that have one. The limits are per method.
+experiment solves a scene by several methods, and prints how far each came; --csv writes all iterations.
+Without a scene it lists the examples that have a comparison of the paper. The limits are per method.
 Exit code: 0 done, 1 the input is at fault, 2 usage, 3 internal.",
         Accelerator::list("|"),
         ConformalWeights::list("|"),
@@ -174,11 +174,11 @@ fn check(mut words: Words) -> Result<Command, String> {
 }
 
 fn experiment(mut words: Words) -> Result<Command, String> {
-    let (mut experiment, mut example) = (Experiment::default(), None);
+    let (mut experiment, mut on) = (Experiment::default(), None);
     while let Some(word) = words.next()? {
         let name = match word {
             Word::File(file) => {
-                one(&mut example, file)?;
+                one(&mut on, file)?;
                 continue;
             }
             Word::Option(name) => name,
@@ -190,13 +190,10 @@ fn experiment(mut words: Words) -> Result<Command, String> {
             _ => return Err(unknown(&Word::Option(name), "experiment")),
         }
     }
-    match example {
-        Some(example) => {
-            experiment.example = example.to_string_lossy().into_owned();
-            Ok(Command::Experiment(experiment))
-        }
+    match on {
+        Some(on) => Ok(Command::Experiment(Experiment { on, ..experiment })),
         None if experiment == Experiment::default() => Ok(Command::Experiments),
-        None => Err("experiment needs the name of an example".to_owned()),
+        None => Err("experiment needs the name of an example, or a scene".to_owned()),
     }
 }
 

@@ -1,11 +1,15 @@
 //! `shape-up experiment`: one of the paper's comparisons, run here and now.
 
 use super::arguments::Experiment as Asked;
+use super::input::{self, Input};
 use super::{Failure, output};
 use shape_up::example::EXAMPLES;
-use shape_up::experiment::{EXPERIMENTS, Experiment, Limits, Run};
+use shape_up::experiment::{COMPARISON, EXPERIMENTS, Experiment, Limits, Run};
+use shape_up::mesh::Mesh;
+use shape_up::scene::Scene;
+use std::path::Path;
 
-/// One line per example that has an experiment.
+/// One line per example that has an experiment of its own.
 pub(super) fn list() -> Result<(), Failure> {
     let lines = EXPERIMENTS.iter().flat_map(|experiment| {
         let line =
@@ -16,26 +20,33 @@ pub(super) fn list() -> Result<(), Failure> {
 }
 
 pub(super) fn run(asked: &Asked) -> Result<(), Failure> {
-    let id = asked.example.as_str();
-    let example = EXAMPLES.iter().find(|example| example.id == id);
-    let (Some(experiment), Some(example)) = (Experiment::of(id), example) else {
-        let known: Vec<_> = EXPERIMENTS.iter().flat_map(|e| e.examples).copied().collect();
-        return Err(Failure::Input(format!(
-            "{id}: there is no experiment on it, expected {}",
-            known.join(" or ")
-        )));
-    };
+    let (experiment, scene, mesh) = problem(&asked.on)?;
     let limits = Limits {
         iterations: asked.iterations.unwrap_or(experiment.limits.iterations),
         seconds: asked.seconds.unwrap_or(experiment.limits.seconds),
     };
-    let (scene, mesh) = example.build();
+    let name = asked.on.display();
     let mut run = Run::new(experiment, scene, mesh, limits);
-    while run.step().map_err(|error| Failure::Input(format!("{id}: {error}")))? {}
+    while run.step().map_err(|error| Failure::Input(format!("{name}: {error}")))? {}
     if let Some(file) = &asked.csv {
         output::write(&[(file, run.csv())])?;
     }
     output::print(&table(&run))
+}
+
+/// An example with the experiment that is made for it, or with the one for all; or a scene of one's own.
+fn problem(on: &Path) -> Result<(&'static Experiment, Scene, Mesh), Failure> {
+    let id = on.to_string_lossy();
+    if let Some(example) = EXAMPLES.iter().find(|example| example.id == id) {
+        let (scene, mesh) = example.build();
+        return Ok((Experiment::of(&id).unwrap_or(&COMPARISON), scene, mesh));
+    }
+    let Input { scene, mesh, .. } = input::read(on)?;
+    if scene.constraints.is_empty() {
+        let message = "it has no constraints, expected a scene with some";
+        return Err(Failure::Input(format!("{id}: {message}")));
+    }
+    Ok((&COMPARISON, scene, mesh))
 }
 
 /// The last numbers of every method.

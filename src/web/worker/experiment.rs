@@ -1,10 +1,12 @@
 //! The face of the experiments in the worker.
 
+use super::solver::Solver;
 use crate::error::Error;
-use crate::experiment::{Experiment, Limits, Run};
+use crate::experiment::{COMPARISON, Experiment, Limits, Run};
 use crate::mesh::read;
 use crate::scene::Scene;
 use crate::solve::clock;
+use crate::web::plain::plain;
 use crate::web::thrown;
 use js_sys::{Array, Float64Array, Object, Reflect};
 use wasm_bindgen::prelude::*;
@@ -15,6 +17,12 @@ pub struct ExperimentRun {
     run: Run,
     /// How many samples of each series the host has been told, and whether that it has ended.
     told: Vec<(usize, bool)>,
+}
+
+impl ExperimentRun {
+    fn of(run: Run) -> ExperimentRun {
+        ExperimentRun { told: vec![(0, false); run.experiment().methods.len()], run }
+    }
 }
 
 #[wasm_bindgen]
@@ -38,8 +46,23 @@ impl ExperimentRun {
         };
         let scene = Scene::from_json(scene).map_err(thrown)?;
         let mesh = read(mesh_name, mesh).map_err(thrown)?.mesh;
-        let run = Run::new(experiment, scene, mesh, limits);
-        Ok(ExperimentRun { told: vec![(0, false); experiment.methods.len()], run })
+        Ok(ExperimentRun::of(Run::new(experiment, scene, mesh, limits)))
+    }
+
+    /// The comparison of methods on what is open, from its original shape. At most so many iterations of
+    /// each method, else as the experiment says.
+    #[wasm_bindgen(js_name = ofOpen)]
+    pub fn of_open(solver: &Solver, iterations: Option<u32>) -> Result<ExperimentRun, JsValue> {
+        let session = solver.open()?;
+        let scene = Scene { current: None, ..session.document().clone() };
+        let limits = COMPARISON.limits;
+        let limits = Limits { iterations: iterations.unwrap_or(limits.iterations), ..limits };
+        Ok(ExperimentRun::of(Run::new(&COMPARISON, scene, session.mesh().clone(), limits)))
+    }
+
+    /// What the comparison on whatever is open declares.
+    pub fn declared() -> Result<JsValue, JsValue> {
+        plain(&COMPARISON)
     }
 
     /// Iterates for about so many milliseconds; false once all methods have ended.

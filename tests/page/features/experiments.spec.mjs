@@ -1,8 +1,9 @@
 // The paper's comparisons, run in the worker: their plots, their table, and that they can be stopped.
 
-import { openExample, showPanel } from '../actions.mjs';
+import { downloaded, openExample, openText, showPanel } from '../actions.mjs';
+import { wavyGrid } from '../meshes.mjs';
 import { decodePng, distinctColours } from '../picture.mjs';
-import { expect, openPage, state, test } from '../support.mjs';
+import { expect, openPage, state, test, waitForState } from '../support.mjs';
 
 test.use({ pixels: false });
 
@@ -23,16 +24,43 @@ const cells = (dialog, method) =>
 /** How many different colours a plot shows; lines bring some of their own. */
 const coloursOf = async (plot) => distinctColours(decodePng(await plot.screenshot()));
 
-test('only an example of a comparison offers one', async ({ page }) => {
+test('methods are compared on whatever has constraints, and the plots are saved', async ({
+  page,
+}) => {
   await openPage(page);
+  await openText(page, 'grid.obj', wavyGrid(6), 49);
   await showPanel(page, 'Model');
   const offer = page.getByRole('button', { name: 'Compare methods' });
-  await expect(offer).toBeHidden();
-  await openExample(page, 'Strip with collapsing edges');
+  await expect(offer).toBeDisabled();
+  await page.getByRole('button', { name: 'Make panels circular' }).first().click();
+  await waitForState(page, (now) => !now.running && now.iteration > 0);
+  const { iteration } = await state(page);
+
   await showPanel(page, 'Model');
-  await expect(offer).toBeVisible();
-  await openExample(page, 'Hypar');
-  await expect(offer).toBeHidden();
+  await offer.click();
+  const dialog = page.getByRole('dialog');
+  await dialog.getByLabel('At most').fill('20');
+  await dialog.getByRole('button', { name: 'Run all' }).click();
+  await expect(dialog.getByRole('status')).toHaveText('All methods have ended.');
+  const energies = {};
+  for (const method of ['accelerated', 'Mean-centred', 'Gradient descent', /^BFGS/]) {
+    energies[method] = parseFloat((await cells(dialog, method))[2]);
+  }
+  expect(energies.accelerated).toBeLessThanOrEqual(energies['Mean-centred']);
+  expect(energies['Mean-centred']).toBeLessThan(energies['Gradient descent']);
+  expect(energies[/^BFGS/]).toBeLessThan(energies['Gradient descent']);
+
+  const table = await downloaded(page, () => dialog.getByRole('button', { name: 'CSV' }).click());
+  expect(table.text).toMatch(/^method,iteration,seconds,energy\naccelerated,0,/);
+  const svg = dialog.getByRole('button', {
+    name: /^Save SVG: Energy above the lowest.*iterations/,
+  });
+  const figure = await downloaded(page, () => svg.click());
+  expect(figure.name).toMatch(/iterations\.svg$/);
+  expect(figure.text.match(/<polyline/g)).toHaveLength(6);
+  await dialog.getByRole('button', { name: 'Close experiment' }).click();
+  // The model that is open was not touched.
+  expect((await state(page)).iteration).toBe(iteration);
 });
 
 test('five methods are run, drawn, tabled and saved', async ({ page }) => {

@@ -3,6 +3,7 @@
 import uPlot from 'uplot';
 import { colourOf } from '../../ui/dom.js';
 import { axesOf } from '../../ui/plot/axes.js';
+import { PRINTED } from '../../ui/plot/lines-svg.js';
 import { COUNTS, decades, powerOfTen } from '../../ui/plot/plot.js';
 
 const HEIGHT = 240;
@@ -15,6 +16,7 @@ const SYSTEM = matchMedia('(prefers-color-scheme: dark)');
  * @property {string[]} names of the methods
  * @property {number | null} x the column that is drawn over; null for the iterations
  * @property {number} y the column that is drawn
+ * @property {boolean} aboveLowest whether the lowest value of all is taken off
  */
 
 export class Chart {
@@ -24,6 +26,8 @@ export class Chart {
   #observer;
   /** @type {uPlot.AlignedData | null} */
   #data = null;
+  /** Per method the places along the horizontal axis and the values. @type {[number[], number[]][]} */
+  #lines = [];
 
   /**
    * @param {HTMLElement} place
@@ -43,17 +47,33 @@ export class Chart {
 
   /** @param {number[][][]} methods the columns of those that have started */
   show(methods) {
-    const { x, y, names } = this.#axes;
-    const tables = names.map((_, k) => {
+    const { x, y, names, aboveLowest } = this.#axes;
+    const all = methods.map((columns) => columns?.[y] ?? []);
+    const lowest = aboveLowest ? all.flat().reduce((a, b) => Math.min(a, b), Infinity) : 0;
+    this.#lines = names.map((_, k) => {
       const columns = methods[k];
-      if (!columns) return /** @type {uPlot.AlignedData} */ ([[], []]);
+      if (!columns) return [[], []];
       const over = x === null ? columns[y].map((_, iteration) => iteration) : columns[x];
+      return [over, columns[y].map((value) => value - lowest)];
+    });
+    const tables = this.#lines.map(([over, values]) => {
       // A logarithm has no zero.
-      const values = columns[y].map((value) => (value > 0 ? value : null));
-      return /** @type {uPlot.AlignedData} */ ([over, values]);
+      const drawn = values.map((value) => (value > 0 ? value : null));
+      return /** @type {uPlot.AlignedData} */ ([over, drawn]);
     });
     this.#data = uPlot.join(tables);
     this.#plot.setData(this.#data);
+  }
+
+  /** What is drawn, in colours that print. @returns {import("../../ui/plot/lines-svg.js").Line[]} */
+  lines() {
+    return this.#lines.map(([x, y], k) => ({
+      label: this.#axes.names[k],
+      colour: PRINTED[k % PRINTED.length],
+      x,
+      y,
+      width: 1.5,
+    }));
   }
 
   /** uPlot paints on a canvas and does not see style sheets. */

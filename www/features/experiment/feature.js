@@ -1,12 +1,21 @@
-/** The experiment that some examples have. */
+/** Comparisons of methods: the experiment that an example has, and the one for any scene. */
 
 /** @type {import("../../app/context.js").Feature} */
 export default {
-  parts: [
+  commands: (app) => [
     {
-      keys: ['example'],
-      isNeeded: ({ example }) => Boolean(example?.experiment),
-      load: (app) => import('./offer.js').then((it) => it.offerExperiment(app)),
+      id: 'compare-methods',
+      group: 'Solver',
+      label: 'Compare methods: how fast each lowers the energy',
+      keys: [],
+      action: () =>
+        app.actions.reportErrors(import('./compare.js').then((it) => it.compareMethods(app))),
+      needsModel: true,
+      enabled: ({ document }) => Boolean(document?.constraints.length),
+      title: ({ document }) =>
+        document?.constraints.length
+          ? 'How fast each of several methods lowers the energy'
+          : 'There is nothing to compare before there are constraints',
     },
   ],
 };

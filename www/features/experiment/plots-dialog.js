@@ -2,15 +2,19 @@
 
 import { button } from '../../ui/controls/fields.js';
 import { element, setText, throttled } from '../../ui/dom.js';
-import { exampleFile } from '../../solver/examples.js';
 import { saveFile } from '../../ui/save-file.js';
 import { groupDigits, length, number } from '../../ui/format.js';
+import { linesSvg } from '../../ui/plot/lines-svg.js';
 import { messageOf } from '../../solver/messages.js';
 import { Chart } from './chart.js';
 import './plots-dialog.css';
 
 /** @typedef {import("../../solver/examples.js").Experiment} Experiment */
-/** @typedef {import("../../documents/files.js").Example} Example */
+
+/**
+ * What it is run on: the files of an example, or null for what is open; and the name for files.
+ * @typedef {{ of: { example: string, files: import("../../solver/messages.js").NamedBytes[] } | null, name: string }} Subject
+ */
 
 /**
  * What a method has done so far: per iteration the seconds, then the quantities.
@@ -20,8 +24,8 @@ import './plots-dialog.css';
 const DRAW_EVERY_MS = 150;
 
 export class ExperimentDialog {
-  #example;
   #experiment;
+  #subject;
   #store;
   #solver;
   #actions;
@@ -46,13 +50,13 @@ export class ExperimentDialog {
   #most;
 
   /**
-   * @param {Example} example
    * @param {Experiment} experiment
+   * @param {Subject} subject
    * @param {import("../../app/context.js").AppContext} app
    */
-  constructor(example, experiment, { store, solver, actions }) {
-    this.#example = example;
+  constructor(experiment, subject, { store, solver, actions }) {
     this.#experiment = experiment;
+    this.#subject = subject;
     this.#store = store;
     this.#solver = solver;
     this.#actions = actions;
@@ -108,11 +112,13 @@ export class ExperimentDialog {
           names: this.#experiment.methods.map((method) => method.label),
           x: plot.over === 'seconds' ? 0 : null,
           y: 1 + plot.quantity,
+          aboveLowest: plot.above_lowest,
         }),
     );
     this.#progress.hidden = true;
     this.#fillTable();
-    setText(this.#status, 'Runs here, on the example as it came. Nothing is stored.');
+    const on = this.#subject.of ? 'on the example as it came' : 'from the original shape';
+    setText(this.#status, `Runs here, ${on}. Nothing is stored.`);
   }
 
   #closed() {
@@ -129,13 +135,7 @@ export class ExperimentDialog {
     this.#series = [];
     this.#setRunning(true);
     try {
-      const files = await Promise.all(
-        [this.#example.scene, this.#example.mesh].map(async (name) => ({
-          name,
-          bytes: await exampleFile(name),
-        })),
-      );
-      await this.#actions.runExperiment(this.#example.id, files, this.#limits.iterations);
+      await this.#actions.runExperiment(this.#subject.of, this.#limits.iterations);
     } catch (error) {
       this.#fail(messageOf(error));
     }
@@ -184,10 +184,19 @@ export class ExperimentDialog {
   async #saveCsv() {
     try {
       const text = await this.#actions.experimentCsv();
-      saveFile(`${this.#example.id}.csv`, text, 'text/csv');
+      saveFile(`${this.#subject.name}.csv`, text, 'text/csv');
     } catch (error) {
       setText(this.#status, `The table could not be saved: ${messageOf(error)}`);
     }
+  }
+
+  /** @param {number} k which plot */
+  #saveSvg(k) {
+    const plot = this.#experiment.plots[k];
+    const title = `${this.#experiment.label}: ${this.#subject.name}`;
+    const words = { title, x: plot.over, y: this.#title(plot) };
+    const text = linesSvg(this.#charts[k].lines(), words);
+    saveFile(`${this.#subject.name} ${plot.over}.svg`, text, 'image/svg+xml');
   }
 
   #drawNow() {
@@ -206,9 +215,15 @@ export class ExperimentDialog {
   }
 
   #figures() {
-    const titles = this.#experiment.plots.map((plot) =>
-      element('figure', element('figcaption', this.#title(plot))),
-    );
+    const titles = this.#experiment.plots.map((plot, k) => {
+      const title = this.#title(plot);
+      const save = element(
+        'button.tiny',
+        { 'aria-label': `Save SVG: ${title}`, onclick: () => this.#saveSvg(k) },
+        'SVG',
+      );
+      return element('figure', element('figcaption', title, save));
+    });
     const key = this.#experiment.methods.map((method, k) =>
       element(
         'li',
@@ -249,7 +264,9 @@ export class ExperimentDialog {
     const { units } = this.#store.get().document ?? { units: '' };
     const rows = this.#experiment.methods.map((method, k) => {
       const series = this.#series[k];
-      const last = series?.columns.map((column) => column.at(-1) ?? 0);
+      // A method that the mesh is too large for has not begun.
+      const begun = series && series.columns[0].length > 0;
+      const last = begun ? series.columns.map((column) => column.at(-1) ?? 0) : null;
       const values = this.#experiment.quantities.map(({ unit }, q) =>
         last ? written(last[1 + q], unit, units) : '',
       );
@@ -269,11 +286,13 @@ export class ExperimentDialog {
   }
 
   /** What a plot shows, with the unit. @param {Experiment["plots"][number]} plot */
-  #title({ quantity, over }) {
+  #title(plot) {
+    const { quantity, over } = plot;
     const { label, unit } = this.#experiment.quantities[quantity];
     const units = this.#store.get().document?.units;
     const written = { energy: ` in ${units}²`, length: ` in ${units}`, none: '' }[unit];
-    return `${label}${units ? written : ''} over ${over}`;
+    const what = plot.above_lowest ? `${label} above the lowest` : label;
+    return `${what}${units ? written : ''} over ${over}`;
   }
 }
 
