@@ -1,7 +1,7 @@
 //! Welding: a mesh whose faces have their own vertices has no edges in common, and what its faces are
 //! asked would tear it apart. Vertices at one place become one.
 
-use crate::math::{Vec3, polygon_sides};
+use crate::math::{Vec3, argsort, key_of_number, polygon_sides};
 use crate::mesh::{GroupKeyword, Mesh, Point, ProblemKind, Read, diagnose, elements_with_problem};
 
 /// Vertices are at one place within this part of the diagonal of the bounding box,
@@ -142,12 +142,11 @@ fn first_at_each_place(positions: &[Point], parts: &[u32], tolerance: f64) -> Ve
     // Adding zero makes one zero of the two.
     let cell = |x: f64| (x / (2.0 * tolerance)).floor() + 0.0;
     let cell_of = |p: Point| p.map(cell);
-    let mut order: Vec<u32> = (0..positions.len() as u32).collect();
     let by_cell = |a: [f64; 3], b: [f64; 3]| {
         a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])).then(a[2].total_cmp(&b[2]))
     };
     let cell_at = |v: u32| cell_of(positions[v as usize]);
-    order.sort_by(|&a, &b| by_cell(cell_at(a), cell_at(b)));
+    let order = sorted_by_cell(positions.iter().copied().map(cell_of).collect());
     let mut first: Vec<u32> = (0..positions.len() as u32).collect();
     for (vertex, &here) in positions.iter().enumerate() {
         let [low, high] = [-tolerance, tolerance].map(|by| here.map(|x| cell(x + by)));
@@ -169,6 +168,17 @@ fn first_at_each_place(positions: &[Point], parts: &[u32], tolerance: f64) -> Ve
         first[vertex] = nearest;
     }
     first
+}
+
+/// The indices of cells, ascending by x, then y, then z, then the index: as the least of these is sorted
+/// first and what is equal keeps its order.
+fn sorted_by_cell(cells: Vec<[f64; 3]>) -> Vec<u32> {
+    let mut order: Vec<u32> = (0..cells.len() as u32).collect();
+    for axis in [2, 1, 0] {
+        let keys = order.iter().map(|&v| key_of_number(cells[v as usize][axis]));
+        order = argsort(keys).into_iter().map(|place| order[place as usize]).collect();
+    }
+    order
 }
 
 /// Whether a face has a corner twice.

@@ -53,12 +53,15 @@ fn check_measure(id: &str, mesh: &Mesh) -> Result<(), String> {
 
 /// One that is switched off is there.
 fn check_constraint(name: &str, scene: &Scene) -> Result<(), String> {
-    let mut labels: Vec<_> = scene.constraints.iter().map(ConstraintSpec::label).collect();
+    let mut labels: Vec<&str> = Vec::new();
+    for label in scene.constraints.iter().map(ConstraintSpec::label) {
+        if !labels.contains(&label) {
+            labels.push(label);
+        }
+    }
     if labels.contains(&name) {
         return Ok(());
     }
-    labels.sort_unstable();
-    labels.dedup();
     let labels: Vec<_> = labels.iter().map(|label| format!("{label:?}")).collect();
     let expected = match &*labels {
         [] => "a constraint, of which there are none".to_owned(),
