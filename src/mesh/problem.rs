@@ -1,6 +1,5 @@
 //! Problems of a mesh or its file that do not stop reading: counted by kind, with the first line of each.
 
-use std::collections::BTreeMap;
 use std::fmt;
 
 /// Kinds of elements of a mesh file.
@@ -129,24 +128,26 @@ pub fn counted(count: usize, one: &str, many: &str) -> String {
     format!("{count} {}", if count == 1 { one } else { many })
 }
 
-/// Problems as they are met.
+/// Problems as they are met: of each kind how many, and the line of the first.
 #[derive(Default)]
-pub(super) struct DiagnosticCounts(BTreeMap<ProblemKind, (usize, Option<usize>)>);
+pub(super) struct DiagnosticCounts(Vec<(ProblemKind, usize, Option<usize>)>);
 
 impl DiagnosticCounts {
     /// Counts one problem. Problems of one kind come in the order of their lines.
     pub(super) fn add(&mut self, kind: ProblemKind, line: Option<usize>) {
-        self.0.entry(kind).or_insert((0, line)).0 += 1;
+        let place = self.0.partition_point(|&(other, ..)| other < kind);
+        match self.0.get_mut(place) {
+            Some((same, count, _)) if *same == kind => *count += 1,
+            _ => self.0.insert(place, (kind, 1, line)),
+        }
     }
 
     /// The problems, by kind; `text` gives the text of a line.
     pub(super) fn problems(self, text: impl Fn(usize) -> String) -> Vec<MeshProblem> {
-        let problem = |(kind, (count, line)): (_, (_, Option<usize>))| MeshProblem {
-            kind,
-            count,
-            line,
-            text: line.map(&text).unwrap_or_default(),
-        };
-        self.0.into_iter().map(problem).collect()
+        let problems = self.0.into_iter();
+        let text = |line: Option<usize>| line.map(&text).unwrap_or_default();
+        problems
+            .map(|(kind, count, line)| MeshProblem { kind, count, line, text: text(line) })
+            .collect()
     }
 }

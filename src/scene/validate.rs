@@ -3,8 +3,9 @@
 use super::{ClosenessTo, HandleSpec, Hold, NamedEnum, Scene, SceneError, Weighting};
 use crate::constraint::Selector;
 use crate::json::push_key;
+use crate::math::argsort;
 use crate::mesh::{FARTHEST, Laplacian, Mesh, too_far};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 /// Accelerators keep so many steps at most, each as large as the mesh.
 const MOST_WINDOW: u32 = 50;
@@ -158,11 +159,14 @@ impl Scene {
     }
 
     fn check_handles(&self, vertices: usize) -> Result<(), SceneError> {
-        let mut held: BTreeMap<u32, usize> = BTreeMap::new();
+        /// Of a vertex without a handle.
+        const FREE: u32 = u32::MAX;
+        let mut held = vec![FREE; vertices];
         for (i, handle) in self.handles.iter().enumerate() {
             check_indices(&format!("handles[{i}].vertices"), "vertex", &handle.vertices, vertices)?;
             for (k, &vertex) in handle.vertices.iter().enumerate() {
-                if let Some(earlier) = held.insert(vertex, i) {
+                let earlier = std::mem::replace(&mut held[vertex as usize], i as u32);
+                if earlier != FREE {
                     return error(
                         &format!("handles[{i}].vertices[{k}]"),
                         format!(
@@ -231,24 +235,25 @@ fn check_handle_numbers(i: usize, handle: &HandleSpec) -> Result<(), SceneError>
 
 /// Every index is below `count`, and none is listed twice.
 fn check_indices(path: &str, what: &str, indices: &[u32], count: usize) -> Result<(), SceneError> {
-    let mut seen = BTreeSet::new();
-    for (k, &index) in indices.iter().enumerate() {
-        if index as usize >= count {
-            return error(
-                &format!("{path}[{k}]"),
-                format!(
-                    "there is no {what} {index}, expected an index below {count}: the mesh has {count}, counted from 0"
-                ),
-            );
-        }
-        if !seen.insert(index) {
-            return error(
-                &format!("{path}[{k}]"),
-                format!("{what} {index} is listed twice, expected it once"),
-            );
-        }
+    if let Some(k) = indices.iter().position(|&index| index as usize >= count) {
+        let index = indices[k];
+        return error(
+            &format!("{path}[{k}]"),
+            format!(
+                "there is no {what} {index}, expected an index below {count}: the mesh has {count}, counted from 0"
+            ),
+        );
     }
-    Ok(())
+    let order = argsort(indices.iter().map(|&index| u64::from(index)));
+    let twice =
+        order.windows(2).filter(|pair| indices[pair[0] as usize] == indices[pair[1] as usize]);
+    match twice.map(|pair| pair[1]).min() {
+        None => Ok(()),
+        Some(k) => error(
+            &format!("{path}[{k}]"),
+            format!("{what} {} is listed twice, expected it once", indices[k as usize]),
+        ),
+    }
 }
 
 fn error(path: &str, message: impl Into<String>) -> Result<(), SceneError> {

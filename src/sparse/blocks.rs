@@ -149,7 +149,7 @@ mod tests {
 
     /// A path and a few more couplings over `n` nodes.
     fn pattern(n: usize) -> CsStructureI<u32> {
-        let couples = |i: usize, j: usize| i.abs_diff(j) < 2 || (i * j + i + j) % 7 == 0;
+        let couples = |i: usize, j: usize| i.abs_diff(j) < 2 || (i * j + i + j).is_multiple_of(7);
         let (mut ends, mut rows) = (vec![0], Vec::new());
         for v in 0..n {
             rows.extend((0..n).filter(|&u| couples(u, v)).map(|u| u as u32));

@@ -55,8 +55,8 @@ fn check_measure(id: &str, mesh: &Mesh) -> Result<(), String> {
 fn check_constraint(name: &str, scene: &Scene) -> Result<(), String> {
     let mut labels: Vec<&str> = Vec::new();
     for label in scene.constraints.iter().map(ConstraintSpec::label) {
-        if !labels.contains(&label) {
-            labels.push(label);
+        if let Err(place) = labels.binary_search(&label) {
+            labels.insert(place, label);
         }
     }
     if labels.contains(&name) {
