@@ -19,9 +19,7 @@ import { firstHints } from '../features/hints.js';
 import { arrangeForWidth } from './layout.js';
 import { messageOf } from '../solver/messages.js';
 import { constraintsPanel } from '../panels/constraints/constraints.js';
-import { displayPanel } from '../panels/display/display.js';
 import { energiesPanel } from '../panels/energies/energies.js';
-import { exampleNote } from '../panels/example/example.js';
 import { Startup } from './startup.js';
 import { handlesPanel } from '../panels/handles/handles.js';
 import { bindHalfStepSwitches } from '../store/half-step.js';
@@ -81,11 +79,20 @@ modelPanel(byId('model'), app, () => analysis.bring('log'));
 constraintsPanel(byId('constraints'), app);
 handlesPanel(byId('handles'), app);
 energiesPanel(byId('energies'), app);
-displayPanel(byId('display'), app);
+actions.reportErrors(
+  import('../panels/display/display.js').then((it) => it.displayPanel(byId('display'), app)),
+);
 const analysis = analysisRegion(byId('analysis'), app);
-exampleNote(byId('example-note'), app, ({ split, plot }) => {
-  if (split) splitInto(app, split);
-  if (plot) analysis.bring(plot);
+loadWhenNeeded(app, {
+  keys: ['example'],
+  isNeeded: ({ example }) => example !== null,
+  load: () =>
+    import('../panels/example/example.js').then((it) =>
+      it.exampleNote(byId('example-note'), app, ({ split, plot }) => {
+        if (split) splitInto(app, split);
+        if (plot) analysis.bring(plot);
+      }),
+    ),
 });
 store.subscribe(['status'], ({ status }) => status && alerts.note(status));
 loadFeatures(app);

@@ -25,7 +25,7 @@ export function exampleNote(place, { files, actions }, show) {
     return [element('a', { href: linkTo(to.id), title: to.title, onclick }, text)];
   };
 
-  files.on('opened', async () => {
+  async function showNote() {
     const { example } = files.origin;
     place.hidden = !example;
     if (!example) return;
@@ -48,5 +48,7 @@ export function exampleNote(place, { files, actions }, show) {
         ...link('Next', all[at + 1]),
       ),
     );
-  });
+  }
+  files.on('opened', showNote);
+  showNote();
 }
