@@ -7,6 +7,7 @@ use serde::Serialize;
 
 /// Whether a kind is offered for all panels of a mesh.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct PanelOffer {
     /// The id of a kind with [`Info::panels`].
     pub kind: &'static str,

@@ -33,6 +33,7 @@ enum Needs {
 
 /// A preset as hosts offer it for a scene.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct PresetOffer {
     /// See [`Preset::id`].
     pub id: &'static str,

@@ -18,6 +18,14 @@
  * count from 0.
  */
 
+// What Rust says of its own types: a field that changes there is an error of types here.
+/** @typedef {import("../pkg/solver/shape_up.js").Moved} Moved */
+/** @typedef {import("../pkg/solver/shape_up.js").PanelOffer} PanelOffer */
+/** @typedef {import("../pkg/solver/shape_up.js").PresetOffer} Preset */
+/** @typedef {import("../pkg/solver/shape_up.js").Preview} Preview */
+/** @typedef {import("../pkg/solver/shape_up.js").Verdict} Verdict */
+/** @typedef {import("../pkg/solver/shape_up.js").WorstElement} WorstElement */
+
 /** @typedef {import("./declarations.js").ElementInfo} ElementInfo */
 /** @typedef {import("./declarations.js").FaceMeasure} FaceMeasure */
 /** @typedef {import("./declarations.js").Form} Form */
@@ -71,18 +79,6 @@
  * @property {{ label: string, words: string, unit: FaceMeasure["unit"], atMost: number, measure: Measure | null }[]} goals
  */
 
-/**
- * An element that is far from what is asked of it.
- * @typedef {object} WorstElement
- * @property {string} element what it is called
- * @property {string[]} groups
- * @property {number | null} row of the constraint that asks most of it
- * @property {string} constraint what that row is called; empty where there is none
- * @property {number} value in the unit of the measure; a length for constraints
- * @property {number[]} faces
- * @property {number[]} vertices
- */
-
 /** @typedef {{ operation: string, mode: PickMode, from: Partial<Record<PickMode, number[]>>, params: Record<string, ParamValue> }} SelectRequest */
 
 /**
@@ -101,7 +97,7 @@
  * @property {{ units: boolean, up: boolean }} guessed which of the two the file does not say
  * @property {number} meanEdge mean length of an edge, 0 without edges
  * @property {number} tolerance for distances on this mesh: a thousandth of the mean edge, rounded to 1, 2 or 5
- * @property {{ kind: string, reason: string | null }[]} panels the kinds that are offered for all panels, and
+ * @property {PanelOffer[]} panels the kinds that are offered for all panels, and
  *   why one means nothing on this mesh
  * @property {{ before: number, after: number, tolerance: number } | null} welded vertices of the file and of the
  *   mesh, where faces had their own and those within the tolerance were made one
@@ -142,11 +138,6 @@
  */
 
 /**
- * Settings that belong together: what they assume, and what this scene lacks of that.
- * @typedef {{ id: string, label: string, assumes: string, warning: string | null }} Preset
- */
-
-/**
  * The document as it stands.
  * @typedef {object} SceneDocument
  * @property {string} title
@@ -183,7 +174,7 @@
  * @property {Energy} energy
  * @property {{ max_distance: number, mean_distance: number, [measure: string]: number }} planarity
  * @property {{ max_distance: number, mean_distance: number, [measure: string]: number }} circularity
- * @property {{ max: number, mean: number }} moved distances of the vertices from where they were in the original
+ * @property {Moved} moved distances of the vertices from where they were in the original
  * @property {number} shortestEdge the least length of an edge as a part of its length in the original
  * @property {number[]} worst per row of the list of constraints: the largest distance of a vertex to its projection
  * @property {number[]} shares per row its part of the total energy, from 0 to 1
@@ -375,10 +366,6 @@
  */
 
 /**
- * What has become of the panels: `within` of them have their worst vertex within the tolerance; `adjective` is what
- * they are then ("flat"), `worst` the distance of the worst vertex, of the face `worstFace`.
- * @typedef {{ kind: string, adjective: string, panels: number, within: number, worst: number, worstFace: number,
- *   moved: Numbers["moved"] }} Verdict
  * A change that helps where constraints are not met: what it does, in words, and the worst distance of a
  * vertex to where its constraints want it when it was tried.
  * @typedef {{ label: string, edit: Edit, worst: number }} Remedy
@@ -389,8 +376,6 @@
  * seconds, and the quantities of the experiment.
  * @typedef {{ method: number, endedBy: string | null, samples: Float64Array }} ExperimentNews
  */
-
-/** `usual`: the kind is what somebody usually wants there. @typedef {{ constraints: number, skipped: number, vertices: number, usual: boolean }} Preview */
 
 /**
  * What half of an iteration did: how many constraints of which kinds were fitted, or how the vertices

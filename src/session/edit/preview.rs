@@ -13,6 +13,7 @@ use std::collections::BTreeMap;
 
 /// The size of a row of one kind at one target, before it is added.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Preview {
     /// How many constraints.
     pub constraints: usize,

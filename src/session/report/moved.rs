@@ -6,6 +6,7 @@ use serde::Serialize;
 
 /// Distances of the vertices from their rest positions, in the unit of the mesh.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Moved {
     /// The largest one.
     pub max: f64,

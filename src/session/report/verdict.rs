@@ -10,6 +10,7 @@ use serde::Serialize;
 
 /// How many panels have the shape asked for.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 #[serde(rename_all = "camelCase")]
 pub struct Verdict {
     /// The id of the kind that they are asked to have.

@@ -9,6 +9,7 @@ use serde::Serialize;
 
 /// An element that is far from what is asked of it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct WorstElement {
     /// Its name: "face 37", "edge 3–4".
     pub element: String,
