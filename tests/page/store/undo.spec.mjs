@@ -23,10 +23,10 @@ test('all that was done is undone step by step, to the start, and done again', a
   await showPanel(page, 'Model');
   await page.getByRole('combobox', { name: 'Unit' }).selectOption('cm');
   await page.getByRole('combobox', { name: 'Up axis' }).selectOption('y');
-  await page.getByRole('switch').click();
-  await expect(page.getByRole('switch')).not.toBeChecked();
-  await page.getByRole('switch').click();
-  await expect(page.getByRole('switch')).toBeChecked();
+  await page.getByRole('switch', { name: /^Plane/ }).click();
+  await expect(page.getByRole('switch', { name: /^Plane/ })).not.toBeChecked();
+  await page.getByRole('switch', { name: /^Plane/ }).click();
+  await expect(page.getByRole('switch', { name: /^Plane/ })).toBeChecked();
   const run = await runToTheEnd(page);
   await tool(page, 'Step');
   await tool(page, 'Reset');
