@@ -322,7 +322,7 @@ fn miss(kind: &Kind, rest: &Mesh, positions: &[Point], members: &[u32]) -> f64 {
         match kind.info().centring {
             Centring::Together => _ = shape_up::math::centre(&mut points),
             Centring::ByEdge => {
-                points.chunks_mut(2).for_each(|ends| _ = shape_up::math::centre(ends))
+                points.chunks_mut(2).for_each(|ends| _ = shape_up::math::centre(ends));
             }
             Centring::Placed => {}
         }

@@ -4,8 +4,8 @@ use shape_up::constraint::{Element, Kind, Selector, Set};
 use shape_up::mesh::{Group, GroupKeyword, Mesh, Ragged};
 use shape_up::scene::{
     Accelerator, BoundaryCloseness, Closeness, ClosenessTo, ClosenessWeight, ConstraintSpec,
-    Factorization, HandleSpec, Hold, MeshSource, Scene, SceneError, Smoothness, SmoothnessOf,
-    SolverSettings, Up, Weighting, Weights,
+    Factorization, HandleSpec, Hold, MeshSource, Require, Scene, SceneError, Smoothness,
+    SmoothnessOf, SolverSettings, Up, Weighting, Weights,
 };
 
 /// Two squares side by side.
@@ -60,7 +60,8 @@ fn everything_the_format_has_is_read() {
                                    { "on": "boundary", "weight": 0 }] },
         "smoothness": { "of": "displacement", "weighting": "uniform" },
         "solver": { "iterations": 7, "tolerance": 0, "accelerator": "none", "window": 0,
-                    "mean_centring": false, "monotone": true, "factorization": "sprs-ldl" }"#,
+                    "mean_centring": false, "monotone": true, "factorization": "sprs-ldl",
+                    "shortest_edge": null }"#,
     ))
     .unwrap();
     assert_eq!((scene.title.as_str(), scene.units.as_str(), scene.up), ("Roof", "m", Up::Y));
@@ -118,14 +119,33 @@ fn everything_the_format_has_is_read() {
             window: 0,
             mean_centring: false,
             monotone: true,
-            factorization: Factorization::SprsLdl
+            factorization: Factorization::SprsLdl,
+            shortest_edge: None
         }
     );
+}
+
+#[test]
+fn a_constraint_says_whether_it_is_weighed_or_met() {
+    let cases = [
+        ("", Require::Soft),
+        (r#", "require": "soft""#, Require::Soft),
+        (r#", "require": "exact""#, Require::Exact),
+        (r#", "require": { "within": 0.005 }"#, Require::Within(0.005)),
+    ];
+    for (words, require) in cases {
+        let entry = format!(r#"{{ "kind": "plane", "on": "faces"{words} }}"#);
+        let spec = ConstraintSpec::from_json(&entry).expect("it is a constraint");
+        assert_eq!(spec.require, require, "{words}");
+    }
 }
 
 /// What is wrong, the JSON path, and words that the message must have.
 #[rustfmt::skip]
 const REFUSED: &[(&str, &str, &[&str])] = &[
+    (r#", "constraints": [{ "kind": "plane", "on": "faces", "require": "hard" }]"#, "constraints[0].require", &["found \"hard\"", "soft", "exact", "within"]),
+    (r#", "constraints": [{ "kind": "plane", "on": "faces", "require": { "within": 0 } }]"#, "constraints[0].require.within", &["found 0", "above 0"]),
+    (r#", "solver": { "shortest_edge": 2 }"#, "solver.shortest_edge", &["found 2", "from 0 to 1"]),
     (r#", "titel": "x""#, "", &["`titel`", "title", "constraints"]),
     (r#", "title": 3"#, "title", &["found 3", "a text"]),
     (r#", "up": "x""#, "up", &["found \"x\"", "\"z\" or \"y\""]),
@@ -319,7 +339,14 @@ fn an_inline_mesh_that_is_none_is_refused_with_its_path() {
 
 fn constraint(id: &str, on: Selector) -> ConstraintSpec {
     let kind = Kind::new(id, serde_json::json!({})).expect("a kind without parameters");
-    ConstraintSpec { kind, on, weight: 1.0, enabled: true, name: String::new() }
+    ConstraintSpec {
+        kind,
+        on,
+        weight: 1.0,
+        enabled: true,
+        name: String::new(),
+        require: Require::Soft,
+    }
 }
 
 #[test]

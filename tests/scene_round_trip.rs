@@ -5,13 +5,24 @@ use shape_up::constraint::{Element, KINDS, Kind, Selector, Set};
 use shape_up::mesh::Mesh;
 use shape_up::scene::{
     Accelerator, BoundaryCloseness, Closeness, ClosenessTo, ClosenessWeight, ConstraintSpec,
-    Factorization, Goal, GoalOf, HandleSpec, Hold, Lesson, MeshSource, NamedEnum, Scene,
+    Factorization, Goal, GoalOf, HandleSpec, Hold, Lesson, MeshSource, NamedEnum, Require, Scene,
     Smoothness, SmoothnessOf, SolverSettings, Up, Weighting, Weights,
 };
 
 fn constraint(id: &str, on: Selector) -> ConstraintSpec {
     let kind = Kind::new(id, serde_json::json!({})).expect("a kind without parameters");
-    ConstraintSpec { kind, on, weight: 1.0, enabled: true, name: String::new() }
+    ConstraintSpec {
+        kind,
+        on,
+        weight: 1.0,
+        enabled: true,
+        name: String::new(),
+        require: Require::Soft,
+    }
+}
+
+fn require() -> impl Strategy<Value = Require> {
+    prop_oneof![Just(Require::Soft), Just(Require::Exact), (1e-9..1e9f64).prop_map(Require::Within)]
 }
 
 fn finite() -> impl Strategy<Value = f64> {
@@ -66,13 +77,14 @@ prop_compose! {
         current in prop::option::of(prop::collection::vec(prop::array::uniform3(finite()), 0..4)),
         sets in prop::collection::btree_map(".{0,6}", (list(9), list(3)), 0..3),
         constraints in prop::collection::vec(
-            (0..KINDS.len(), selector(), not_negative(), any::<bool>(), ".{0,4}"), 0..4),
+            (0..KINDS.len(), selector(), not_negative(), any::<bool>(), ".{0,4}", require()), 0..4),
         handles in prop::collection::vec(handle_spec(), 0..3),
         weights in prop::array::uniform3(not_negative()),
         held in prop::collection::vec((selector(), not_negative()), 0..3),
         corners in prop::option::of(0.0..=180.0f64),
         choices in (0..3usize, 0..2usize, 0..3usize, 0..3usize),
-        solver in (any::<u32>(), not_negative(), 0..=50u32, any::<bool>(), any::<bool>()),
+        solver in (any::<u32>(), not_negative(), 0..=50u32, any::<bool>(), any::<bool>(),
+            prop::option::of(0.0..=1.0f64)),
         lesson in prop::option::of((".{0,9}",
             prop::collection::vec((any::<bool>(), ".{0,5}", not_negative()), 1..3))),
     ) -> Scene {
@@ -84,8 +96,8 @@ prop_compose! {
             current,
             sets: sets.into_iter().map(|(name, (vertices, faces))| (name, Set { vertices, faces }))
                 .collect(),
-            constraints: constraints.into_iter().map(|(kind, on, weight, enabled, name)| ConstraintSpec {
-                weight, enabled, name, ..constraint(KINDS[kind].id, on)
+            constraints: constraints.into_iter().map(|(kind, on, weight, enabled, name, require)| ConstraintSpec {
+                weight, enabled, name, require, ..constraint(KINDS[kind].id, on)
             }).collect(),
             handles,
             weights: Weights { shape: weights[0], close: weights[1], smooth: weights[2] },
@@ -106,6 +118,7 @@ prop_compose! {
                 mean_centring: solver.3,
                 monotone: solver.4,
                 factorization: [Factorization::Auto, Factorization::Supernodal, Factorization::SprsLdl][choices.0 % 3],
+                shortest_edge: solver.5,
             },
             lesson: lesson.map(|(text, goals)| Lesson {
                 text,

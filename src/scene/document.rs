@@ -4,7 +4,7 @@ use super::closeness::Closeness;
 use super::lesson::Lesson;
 use crate::constraint::{Kind, Selector, Sets};
 use crate::mesh::{Mesh, Point};
-use crate::solve::{Hold, Smoothness, SolverSettings, Weights};
+use crate::solve::{Hold, Require, Smoothness, SolverSettings, Weights};
 use serde::Deserialize;
 
 /// A scene file, checked for form. Whether its indices and names fit the mesh is checked when a
@@ -105,6 +105,8 @@ pub struct ConstraintSpec {
     pub enabled: bool,
     /// Its name; empty for the label of its kind.
     pub name: String,
+    /// Whether it is weighed, or met.
+    pub require: Require,
 }
 
 impl ConstraintSpec {

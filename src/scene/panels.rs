@@ -3,6 +3,7 @@
 use super::{ConstraintSpec, Scene, SceneError};
 use crate::constraint::{Centring, Element, Info, KINDS, Kind, KindError, Selector};
 use crate::mesh::Mesh;
+use crate::solve::Require;
 use serde::Serialize;
 
 /// Whether a kind is offered for all panels of a mesh.
@@ -94,6 +95,7 @@ impl Scene {
                 weight: 1.0,
                 enabled: true,
                 name: String::new(),
+                require: Require::Soft,
             });
         }
         let held = self.weights.close > 0.0 || self.weights.smooth > 0.0;

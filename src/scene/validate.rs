@@ -5,6 +5,7 @@ use crate::constraint::Selector;
 use crate::json::push_key;
 use crate::math::argsort;
 use crate::mesh::{FARTHEST, Laplacian, Mesh, too_far};
+use crate::solve::Require;
 use std::collections::BTreeSet;
 
 /// Accelerators keep so many steps at most, each as large as the mesh.
@@ -54,6 +55,12 @@ impl Scene {
         };
         for (i, spec) in self.constraints.iter().enumerate() {
             from_zero(&format!("constraints[{i}].weight"), spec.weight)?;
+            if let Require::Within(length) = spec.require
+                && !(length > 0.0 && length.is_finite())
+            {
+                let path = format!("constraints[{i}].require.within");
+                return error(&path, format!("found {length}, expected a length above 0"));
+            }
         }
         for (i, handle) in self.handles.iter().enumerate() {
             check_handle_numbers(i, handle)?;
@@ -73,6 +80,12 @@ impl Scene {
         from_zero("weights.close", self.weights.close)?;
         from_zero("weights.smooth", self.weights.smooth)?;
         from_zero("solver.tolerance", self.solver.tolerance)?;
+        if let Some(ratio) = self.solver.shortest_edge
+            && !(0.0..=1.0).contains(&ratio)
+        {
+            let message = format!("found {ratio}, expected a number from 0 to 1, or null");
+            return error("solver.shortest_edge", message);
+        }
         if self.solver.window > MOST_WINDOW {
             let found = self.solver.window;
             let message = format!("found {found}, expected a whole number from 0 to {MOST_WINDOW}");

@@ -177,7 +177,14 @@ impl Session {
     /// The report as of now.
     pub fn report(&self) -> Report {
         let collapsed = self.collapse().is_some();
-        Report::of(&self.scene, &self.rest, &self.progress, &self.measures(), collapsed)
+        Report::of(
+            &self.scene,
+            &self.rest,
+            &self.progress,
+            &self.measures(),
+            collapsed,
+            self.exact(),
+        )
     }
 
     /// One line per face, from 0: its corners, the groups that it is in, and every measure of

@@ -1,5 +1,6 @@
 //! The session itself: what it is made of, and plain access to that.
 
+use super::meeting::Met;
 use super::report::MeasureCache;
 use super::run::{Collapse, CollapseGuard, Progress, TraceEntry};
 use super::state::{ResolvedRow, RestMesh, SolvedScene};
@@ -18,6 +19,8 @@ pub struct Session {
     /// The drag or run that is under way.
     pub(super) transaction: Option<Transaction>,
     pub(super) measured: MeasureCache,
+    /// How hard constraints were met, and the shape of which that is true.
+    pub(super) met: Option<Met>,
 }
 
 impl Session {

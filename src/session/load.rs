@@ -111,7 +111,7 @@ impl Checked {
         });
         let Past { progress, guard, history, transaction } = past;
         let measured = MeasureCache::default();
-        Ok(Session { rest, scene, progress, guard, history, transaction, measured })
+        Ok(Session { rest, scene, progress, guard, history, transaction, measured, met: None })
     }
 }
 

@@ -11,6 +11,7 @@
 //! | `editing` | edits, undo and redo, and their restoring after a restart |
 //! | `dragging` | drags and runs, one step of undo each |
 //! | `iterating` | iterations, whole and in halves |
+//! | `meeting` | hard constraints met |
 //! | `asking` | what hosts ask: selections, measures, reports, files |
 //! | `handed_in` | the results of a lesson, and their check |
 //! | `remedies` | changes that help where constraints are not met, tried on a copy |
@@ -31,6 +32,7 @@ mod export;
 mod handed_in;
 mod iterating;
 mod load;
+mod meeting;
 mod opened_file;
 mod remedies;
 mod report;
@@ -46,8 +48,8 @@ pub use handed_in::check_results;
 pub use opened_file::{FileReader, Guessed, OpenedFile, is_scene};
 pub use remedies::{Remedies, Remedy};
 pub use report::{
-    ConstraintMap, EnergyReport, FACE_MEASURES, FaceMeasure, GoalWords, MeasureUnit, Moved,
-    Projections, Report, RowPalette, Seconds, Shape, Verdict, WorstElement, ZERO_SIZE_FACES,
+    ConstraintMap, EnergyReport, ExactReport, FACE_MEASURES, FaceMeasure, GoalWords, MeasureUnit,
+    Moved, Projections, Report, RowPalette, Seconds, Shape, Verdict, WorstElement, ZERO_SIZE_FACES,
     flaw_of, goals_in_words,
 };
 pub use run::{

@@ -38,12 +38,12 @@ pub use assemble::Terms;
 pub use conformal::{ConformalNorm, ConformalSeconds, ConformalWeights, Parametrization};
 pub use energy::{Constraints, Energy, Handle, HandleIndex, Hold, IterateSeconds};
 pub use error::SolveError;
-pub use exact::{Exact, ExactAnswer, Require, Requirements, SHORTEST_EDGE, Stage, Unmet, Way};
+pub use exact::{Exact, ExactAnswer, Require, Requirements, Stage, Unmet, Way};
 pub use problem::Problem;
 pub use rest_projections::rest_projections;
 pub use settings::{
-    Accelerator, BoundaryCloseness, ClosenessTo, Smoothness, SmoothnessOf, SolverSettings,
-    Weighting, Weights,
+    Accelerator, BoundaryCloseness, ClosenessTo, SHORTEST_EDGE, Smoothness, SmoothnessOf,
+    SolverSettings, Weighting, Weights,
 };
 pub use setup_cache::SetupCache;
 pub use solver::Solver;

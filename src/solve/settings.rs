@@ -55,6 +55,10 @@ pub enum Weighting {
     Polygon,
 }
 
+/// What edges keep of their length, unless the scene says otherwise: without a bound vertices that coincide would
+/// meet most constraints.
+pub const SHORTEST_EDGE: f64 = 0.3;
+
 /// How a scene is solved.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
@@ -74,6 +78,9 @@ pub struct SolverSettings {
     pub monotone: bool,
     /// Which numeric phase factors the normal matrix.
     pub factorization: Factorization,
+    /// While hard constraints are met, edges of their faces keep this part of their length at rest, at most one;
+    /// none is no guard.
+    pub shortest_edge: Option<f64>,
 }
 
 impl Default for SolverSettings {
@@ -86,6 +93,7 @@ impl Default for SolverSettings {
             mean_centring: true,
             monotone: false,
             factorization: Factorization::default(),
+            shortest_edge: Some(SHORTEST_EDGE),
         }
     }
 }

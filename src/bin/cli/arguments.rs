@@ -3,7 +3,7 @@
 use lexopt::Arg;
 use shape_up::constraint::KINDS;
 use shape_up::scene::{Accelerator, NamedEnum};
-use shape_up::solve::{ConformalNorm, ConformalWeights};
+use shape_up::solve::{ConformalNorm, ConformalWeights, Require};
 use std::ffi::{OsStr, OsString};
 use std::path::PathBuf;
 
@@ -38,6 +38,8 @@ pub(super) struct Solve {
     pub(super) input: PathBuf,
     /// The id of the kind that is asked of every face.
     pub(super) panels: Option<&'static str>,
+    /// What is asked of all constraints; none leaves it to the scene.
+    pub(super) require: Option<Require>,
     pub(super) iterations: Option<u32>,
     pub(super) tolerance: Option<f64>,
     pub(super) accelerator: Option<Accelerator>,
@@ -70,7 +72,8 @@ pub(super) struct Experiment {
 pub(super) fn usage() -> String {
     format!(
         "\
-usage: shape-up solve SCENE|MESH [--panels KIND] [--iterations N] [--tolerance T]
+usage: shape-up solve SCENE|MESH [--panels KIND] [--exact | --within LENGTH]
+                [--iterations N] [--tolerance T]
                 [--accelerator {}]
                 [--out FILE.obj|FILE.mesh] [--report FILE.json] [--trace]
        shape-up check MESH [--report FILE.json]
@@ -85,6 +88,8 @@ usage: shape-up solve SCENE|MESH [--panels KIND] [--iterations N] [--tolerance T
 A SCENE is a *.json file, a MESH is OBJ, OFF or Medit (.obj, .off, .mesh).
 --panels asks for a KIND of shape on every face that can have it. The kinds are:
  {}
+--exact meets all constraints instead of weighing them; --within meets them up to a LENGTH in the
+unit of the mesh. Without, each constraint of a scene says itself what it is.
 A MESH is solved with the settings that keep it whole, a scene with its own.
 --iterations, --tolerance (0 never stops early) and --accelerator replace the settings of the scene.
 --out writes OBJ, or where the name ends in .mesh, Medit, which has tetrahedra.
@@ -209,6 +214,14 @@ fn solve(mut words: Words) -> Result<Command, String> {
         };
         match name.as_str() {
             "--panels" => solve.panels = Some(words.kind(&name)?),
+            "--exact" => {
+                words.flag(&name)?;
+                require(&mut solve, Require::Exact)?;
+            }
+            "--within" => {
+                let length = words.positive(&name)?;
+                require(&mut solve, Require::Within(length))?;
+            }
             "--trace" => solve.trace = words.flag(&name)?,
             "--out" => solve.out = Some(words.mesh(&name, &["obj", "mesh"])?),
             "--report" => solve.report = Some(words.file(&name)?),
@@ -223,6 +236,14 @@ fn solve(mut words: Words) -> Result<Command, String> {
     solve.input = input.ok_or("solve needs a scene or a mesh file")?;
     not_the_same(&solve.out, &solve.report)?;
     Ok(Command::Solve(solve))
+}
+
+/// Asks something of all constraints, once.
+fn require(solve: &mut Solve, require: Require) -> Result<(), String> {
+    match solve.require.replace(require) {
+        None => Ok(()),
+        _ => Err("solve takes --exact or --within, not both".to_owned()),
+    }
 }
 
 fn parametrize(mut words: Words) -> Result<Command, String> {
@@ -354,6 +375,14 @@ impl Words {
         let value = self.text(name)?;
         let parsed = value.parse().ok().filter(|number: &f64| number.is_finite() && *number >= 0.0);
         parsed.ok_or_else(|| format!("{name} takes a number from 0, found `{value}`"))
+    }
+
+    /// The value of an option that takes a number above zero.
+    fn positive(&mut self, name: &str) -> Result<f64, String> {
+        match self.not_negative(name)? {
+            0.0 => Err(format!("{name} takes a number above 0, found 0")),
+            number => Ok(number),
+        }
     }
 
     /// The value of an option that takes the id of a kind.

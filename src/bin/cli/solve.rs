@@ -5,7 +5,7 @@ use super::{Failure, input, mesh_file, output};
 use shape_up::constraint::describe;
 use shape_up::error::Error;
 use shape_up::mesh::counted;
-use shape_up::session::{Report, Session};
+use shape_up::session::{ExactReport, Report, Session};
 use std::fmt::Write;
 use std::path::Path;
 use std::time::Instant;
@@ -26,6 +26,9 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
     if let Some(kind) = command.panels {
         scene.ask_of_panels(kind, &mesh).map_err(|error| at_input(error.into()))?;
     }
+    if let Some(require) = command.require {
+        scene.constraints.iter_mut().for_each(|row| row.require = require);
+    }
     scene.solver.iterations = command.iterations.unwrap_or(scene.solver.iterations);
     scene.solver.tolerance = command.tolerance.unwrap_or(scene.solver.tolerance);
     scene.solver.accelerator = command.accelerator.unwrap_or(scene.solver.accelerator);
@@ -38,6 +41,7 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
         session.arm_guard();
     }
     session.solve(command.trace).map_err(at_input)?;
+    session.meet().map_err(at_input)?;
     let report = session.report();
     remarks.extend(misfits(&session));
     remarks.extend(session.collapse().map(|collapse| {
@@ -126,6 +130,9 @@ fn summary(input: &Path, report: &Report, remarks: &[String], units: &str) -> St
     ));
     line(format_args!("{}", output::planarity(&report.planarity, units)));
     line(format_args!("{}", output::circularity(&report.circularity, units)));
+    if let Some(exact) = &report.exact {
+        line(format_args!("{}", exact_line(exact, units)));
+    }
     for entry in report.trace.iter().flatten() {
         line(format_args!(
             "iteration {:>4}  total {:e}  shape {:e}  close {:e}  smooth {:e}  handles {:e}",
@@ -138,4 +145,24 @@ fn summary(input: &Path, report: &Report, remarks: &[String], units: &str) -> St
         ));
     }
     text
+}
+
+/// How well hard constraints are met.
+fn exact_line(exact: &ExactReport, units: &str) -> String {
+    let length = |length: f64| {
+        let unit = if units.is_empty() { String::new() } else { format!(" {units}") };
+        format!("{}{unit}", output::short(length))
+    };
+    let met = if exact.met {
+        "met".to_owned()
+    } else {
+        format!("not met by {}", counted(exact.misses, "constraint", "constraints"))
+    };
+    format!(
+        "hard constraints {met}: farthest {}, tolerance {}, moved {} on the way, {} s",
+        length(exact.max_distance),
+        length(exact.tolerance),
+        length(exact.moved.max),
+        output::short(exact.seconds)
+    )
 }

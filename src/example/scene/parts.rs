@@ -2,7 +2,7 @@
 
 use crate::constraint::{Element, Kind, Selector};
 use crate::mesh::{Mesh, Point};
-use crate::scene::{ConstraintSpec, HandleSpec, Hold};
+use crate::scene::{ConstraintSpec, HandleSpec, Hold, Require};
 
 pub(crate) fn each(element: Element) -> Selector {
     Selector::Each { element, within: None, radius: 0 }
@@ -10,7 +10,7 @@ pub(crate) fn each(element: Element) -> Selector {
 
 pub(crate) fn constraint(id: &str, on: Selector, weight: f64) -> ConstraintSpec {
     let kind = Kind::new(id, serde_json::json!({})).expect("the kind is in the list of kinds");
-    ConstraintSpec { kind, on, weight, enabled: true, name: String::new() }
+    ConstraintSpec { kind, on, weight, enabled: true, name: String::new(), require: Require::Soft }
 }
 
 /// Vertices that stay where they are.

@@ -6,6 +6,7 @@ use super::text::{field, number, object, text};
 use crate::constraint::{KINDS, Kind, KindError, Selector};
 use crate::json::{JsonError, found, read};
 use crate::scene::{ConstraintSpec, SceneError};
+use crate::solve::Require;
 use serde::de::{Deserialize, Deserializer, Error};
 use serde_json::{Map, Value};
 
@@ -30,7 +31,7 @@ impl<'de> Deserialize<'de> for ConstraintSpec {
 }
 
 /// The keys that every constraint has; all others are parameters of its kind.
-const KEYS: [&str; 5] = ["kind", "on", "weight", "enabled", "name"];
+const KEYS: [&str; 6] = ["kind", "on", "weight", "enabled", "name", "require"];
 
 /// What every constraint has.
 #[derive(serde::Deserialize)]
@@ -43,6 +44,8 @@ struct Common {
     enabled: bool,
     #[serde(default)]
     name: String,
+    #[serde(default)]
+    require: Require,
 }
 
 fn one() -> f64 {
@@ -59,7 +62,7 @@ fn spec_of(entries: Map<String, Value>) -> Result<ConstraintSpec, JsonError> {
         let part = if KEYS.contains(&&*key) { &mut common } else { &mut params };
         part.insert(key, value);
     }
-    let Common { kind: id, on, weight, enabled, name } = read(&Value::Object(common))?;
+    let Common { kind: id, on, weight, enabled, name, require } = read(&Value::Object(common))?;
     let given: Vec<_> = params.keys().cloned().collect();
     let kind = Kind::new(&id, Value::Object(params)).map_err(|error| match error {
         KindError::Unknown => {
@@ -78,7 +81,28 @@ fn spec_of(entries: Map<String, Value>) -> Result<ConstraintSpec, JsonError> {
             }
         }
     })?;
-    Ok(ConstraintSpec { kind, on, weight, enabled, name })
+    Ok(ConstraintSpec { kind, on, weight, enabled, name, require })
+}
+
+/// What a row that may be off by so much has.
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Within {
+    within: f64,
+}
+
+impl<'de> Deserialize<'de> for Require {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Require, D::Error> {
+        match Value::deserialize(from)? {
+            Value::String(word) if word == "soft" => Ok(Require::Soft),
+            Value::String(word) if word == "exact" => Ok(Require::Exact),
+            Value::Object(entries) => {
+                read(&Value::Object(entries)).map(|Within { within }| Require::Within(within))
+            }
+            other => Err(found(&other, "\"soft\", \"exact\" or { \"within\": LENGTH }")),
+        }
+        .map_err(D::Error::custom)
+    }
 }
 
 /// The keys of the parameters of a kind.
@@ -113,6 +137,13 @@ pub(super) fn write(spec: &ConstraintSpec) -> String {
     }
     if !spec.name.is_empty() {
         fields.push(field("name", text(&spec.name)));
+    }
+    match spec.require {
+        Require::Soft => {}
+        Require::Exact => fields.push(field("require", text("exact"))),
+        Require::Within(length) => {
+            fields.push(field("require", object(vec![field("within", number(length))])));
+        }
     }
     let defaults = default_params(id);
     if let Value::Object(params) = spec.kind.params() {

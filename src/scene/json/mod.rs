@@ -13,12 +13,12 @@
 //! | "mesh" | `{ "file": PATH }`, relative to the scene, or `{ "positions", "faces", "curves", "tets", "groups" }` |
 //! | "current" | `#V by 3`, where the iteration starts; without it, at rest |
 //! | "sets" | `{ NAME: { "vertices": LIST } }` or `{ NAME: { "faces": LIST } }` |
-//! | "constraints" | `kind`, `on`, `weight` (1), `enabled` (true), `name`, and the parameters of the kind |
+//! | "constraints" | `kind`, `on`, `weight` (1), `enabled` (true), `name`, `require` (`"soft"`, `"exact"` or `{ "within": LENGTH }`), and the parameters of the kind |
 //! | "handles" | `vertices`, `targets` (the rest positions), and `weight` (100) or `"fixed": true` |
 //! | "weights" | `shape`, `close`, `smooth`: the weights of Eq. 13, by default 1, 0, 0 |
 //! | "closeness" | `"to"`: `"surface"`, `"rest"` or `"none"`; `"weights"` of single sets; `"boundary"` to its curves |
 //! | "smoothness" | `"of"`: `"surface"` or `"displacement"`; `"weighting"`: `"auto"`, `"uniform"`, `"cotangent"` (triangles) or `"polygon"` (any faces) |
-//! | "solver" | `iterations`, `tolerance`, `accelerator` (`"quasi-newton"`, `"anderson"`, `"none"`), `window`, `mean_centring`, `monotone`, `factorization` (`"auto"`, `"supernodal"`, `"sprs-ldl"`) |
+//! | "solver" | `iterations`, `tolerance`, `accelerator` (`"quasi-newton"`, `"anderson"`, `"none"`), `window`, `mean_centring`, `monotone`, `factorization` (`"auto"`, `"supernodal"`, `"sprs-ldl"`), `shortest_edge` (0 to 1, or null) |
 //! | "lesson" | a text and goals |
 //!
 //! | on | one constraint for |

@@ -113,6 +113,10 @@ fn solver(scene: &Scene, defaults: &Scene) -> Vec<String> {
     if s.factorization != d.factorization {
         fields.push(field("factorization", text(s.factorization.word())));
     }
+    if s.shortest_edge != d.shortest_edge {
+        let ratio = s.shortest_edge.map_or_else(|| "null".to_owned(), number);
+        fields.push(field("shortest_edge", ratio));
+    }
     fields
 }
 

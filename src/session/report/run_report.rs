@@ -1,5 +1,6 @@
 //! The report of a solved scene.
 
+use super::exact_report::ExactReport;
 use super::moved::{Moved, shortest_edge};
 use crate::mesh::{Circularity, Measures, Planarity};
 use crate::scene::{Accelerator, NamedEnum};
@@ -42,6 +43,9 @@ pub struct Report {
     pub moved: Moved,
     /// The least length of an edge as a part of its length at rest.
     pub shortest_edge: f64,
+    /// How well hard constraints are met, where there are some and they were.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub exact: Option<ExactReport>,
     /// Where the time went.
     pub seconds: Seconds,
     /// Every iteration, when a trace was asked for.
@@ -84,6 +88,7 @@ impl Report {
         progress: &Progress,
         measures: &Measures,
         collapsed: bool,
+        exact: Option<&ExactReport>,
     ) -> Report {
         let mut constraints = BTreeMap::new();
         let mut skipped = 0;
@@ -115,6 +120,7 @@ impl Report {
             circularity: measures.circularity,
             moved: Moved::of(scene, rest),
             shortest_edge: shortest_edge(scene, rest),
+            exact: exact.cloned(),
             seconds: Seconds {
                 load: progress.load_seconds(),
                 assemble: set_up.assemble,

@@ -1,5 +1,6 @@
 //! What has come of it, said as it is.
 
+use super::hard_rows::HardBatch;
 use super::model::Model;
 use crate::constraint::Row;
 use crate::mesh::Point;
@@ -30,7 +31,7 @@ pub struct Way {
 pub struct ExactAnswer {
     /// The greatest distance of a vertex to the shape of a hard constraint, at the positions that are given.
     pub max_distance: f64,
-    /// Up to this distance a constraint counts as met; those that may be within a distance have that instead.
+    /// Up to this distance a constraint counts as met; the greatest where constraints have several.
     pub tolerance: f64,
     /// Whether all hard constraints are met.
     pub met: bool,
@@ -94,10 +95,12 @@ impl Model {
             vertex_of[node as usize] = vertex;
         }
         let tolerance = self.tolerance();
+        let allowed = |hard: &HardBatch| hard.within.unwrap_or(tolerance);
+        let rows = || self.hard.batches.iter().filter(|hard| hard.row.is_some());
         let (mut max_distance, mut unmet) = (0.0_f64, Vec::new());
         for hard in &self.hard.batches {
             let Some(row) = hard.row else { continue };
-            let most = hard.within.unwrap_or(tolerance);
+            let most = allowed(hard);
             hard.misses(&rounded, |i, miss| {
                 max_distance = max_distance.max(miss.distance);
                 // Written so that NaN is not met.
@@ -113,7 +116,7 @@ impl Model {
         let (on_guard, shortest_edge) = self.guarded_edges(x);
         ExactAnswer {
             max_distance,
-            tolerance,
+            tolerance: rows().map(allowed).reduce(f64::max).unwrap_or(tolerance),
             met: unmet.is_empty(),
             unmet,
             moved: self.way(x),

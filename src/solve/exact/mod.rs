@@ -30,7 +30,7 @@ mod polish;
 mod requirement;
 
 pub use answer::{ExactAnswer, Unmet, Way};
-pub use requirement::{Require, Requirements, SHORTEST_EDGE};
+pub use requirement::{Require, Requirements};
 
 use super::clock;
 use super::energy::{Energy, Handle, IterateSeconds};

@@ -19,10 +19,6 @@ impl Require {
     }
 }
 
-/// How long edges stay, as a part of their length at rest, unless the scene says otherwise: without a bound
-/// vertices that coincide would meet most constraints.
-pub const SHORTEST_EDGE: f64 = 0.3;
-
 /// What is to be met, and how.
 #[derive(Clone, Copy, Debug)]
 pub struct Requirements<'a> {

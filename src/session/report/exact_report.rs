@@ -1,0 +1,64 @@
+//! How well hard constraints are met, as the report says it.
+
+use crate::solve::{ExactAnswer, Unmet, Way};
+use serde::Serialize;
+
+/// Constraints that are not met are named up to this many.
+const MOST_NAMED: usize = 1000;
+
+/// How well hard constraints are met. Lengths are in the unit of the mesh.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ExactReport {
+    /// The greatest distance of a vertex to the shape of a hard constraint.
+    pub max_distance: f64,
+    /// Up to this distance a constraint counts as met; the greatest where constraints have several.
+    pub tolerance: f64,
+    /// Whether all hard constraints are met.
+    pub met: bool,
+    /// The entries of the scene's list of constraints that are not met.
+    pub unmet: Vec<usize>,
+    /// How many constraints are not met, counted one by one.
+    pub misses: usize,
+    /// The worst of them, by the entry of the list.
+    pub worst: Vec<Unmet>,
+    /// The way from the soft solution.
+    pub moved: Way,
+    /// How many edges are as short as they may be.
+    pub on_guard: usize,
+    /// The least ratio of a guarded edge to its length at rest; none without guard.
+    pub shortest_edge: Option<f64>,
+    /// Iterations of the approach.
+    pub iterations: u32,
+    /// Numeric factors of the scalar matrix.
+    pub refactorizations: u32,
+    /// Numeric factors of the matrix of blocks.
+    pub block_factors: u32,
+    /// Seconds of all of it.
+    pub seconds: f64,
+}
+
+impl ExactReport {
+    /// Of an answer whose rows have these `places` in the scene's list of constraints.
+    pub(crate) fn new(answer: ExactAnswer, places: &[usize]) -> ExactReport {
+        let misses = answer.unmet.len();
+        let mut unmet: Vec<usize> = answer.unmet.iter().map(|miss| places[miss.row]).collect();
+        unmet.sort_unstable();
+        unmet.dedup();
+        let named = answer.unmet.into_iter().take(MOST_NAMED);
+        ExactReport {
+            max_distance: answer.max_distance,
+            tolerance: answer.tolerance,
+            met: answer.met,
+            unmet,
+            misses,
+            worst: named.map(|miss| Unmet { row: places[miss.row], ..miss }).collect(),
+            moved: answer.moved,
+            on_guard: answer.on_guard.len(),
+            shortest_edge: answer.shortest_edge,
+            iterations: answer.iterations,
+            refactorizations: answer.refactorizations,
+            block_factors: answer.block_factors,
+            seconds: answer.seconds,
+        }
+    }
+}

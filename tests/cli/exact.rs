@@ -1,0 +1,73 @@
+//! `shape-up solve` with constraints that are met.
+
+use crate::folder::{Folder, ROOF};
+use serde_json::Value;
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().expect("it is a number")
+}
+
+#[test]
+fn exact_panels_are_still_exact_when_their_file_is_read_again() {
+    let folder = Folder::new("exact");
+    folder.write("roof.obj", ROOF);
+    let asked = ["solve", "roof.obj", "--panels", "circle", "--exact", "--out", "out.obj"];
+    let words = folder.run(&[&asked[..], &["--report", "r.json"]].concat()).done();
+    assert!(words.contains("hard constraints met: "), "{words}");
+    let exact = &folder.json("r.json")["exact"];
+    assert_eq!((&exact["met"], &exact["unmet"]), (&true.into(), &Value::Array(vec![])));
+    assert!(number(&exact["max_distance"]) <= number(&exact["tolerance"]), "{exact}");
+    assert!(exact["refactorizations"].is_u64() && exact["seconds"].is_number(), "{exact}");
+    folder.run(&["check", "out.obj", "--report", "check.json"]).done();
+    let distance = number(&folder.json("check.json")["circularity"]["max_distance"]);
+    assert!(distance <= 1e-12, "{distance}");
+}
+
+#[test]
+fn a_tolerance_is_met_and_moves_less() {
+    let folder = Folder::new("within");
+    folder.write("roof.obj", ROOF);
+    let report = |require: &[&str]| {
+        let asked = [&["solve", "roof.obj", "--panels", "circle", "--report", "r.json"], require];
+        folder.run(&asked.concat()).done();
+        folder.json("r.json")
+    };
+    let (within, exact) = (report(&["--within", "0.01"]), report(&["--exact"]));
+    assert_eq!(within["exact"]["tolerance"], 0.01);
+    assert!(number(&within["exact"]["max_distance"]) <= 0.01, "{within}");
+    assert!(number(&within["moved"]["mean"]) < number(&exact["moved"]["mean"]));
+    assert!(report(&[]).get("exact").is_none(), "nothing was to be met");
+}
+
+#[test]
+fn a_scene_says_what_is_to_be_met_and_is_told_what_cannot_be() {
+    let folder = Folder::new("unmet");
+    folder.write("roof.obj", ROOF);
+    let length = |length: f64| {
+        format!(
+            r#"{{ "kind": "line-segment", "on": {{ "vertices": [0, 1] }}, "length": {length},
+                  "require": "exact" }}"#
+        )
+    };
+    let rows = format!(
+        r#"{{ "format": "shape-up-scene", "version": 1, "mesh": {{ "file": "roof.obj" }},
+              "constraints": [{{ "kind": "plane", "on": "faces", "require": "exact" }}, {}, {}],
+              "weights": {{ "shape": 5, "close": 10, "smooth": 2 }},
+              "closeness": {{ "to": "rest" }} }}"#,
+        length(1.0),
+        length(1.2)
+    );
+    folder.write("two.shapeup.json", rows);
+    let words = folder.run(&["solve", "two.shapeup.json", "--report", "r.json"]).done();
+    assert!(words.contains("hard constraints not met by 2 constraints"), "{words}");
+    assert_eq!(folder.json("r.json")["exact"]["unmet"], serde_json::json!([1, 2]));
+}
+
+#[test]
+fn what_is_to_be_met_is_said_once() {
+    let folder = Folder::new("twice");
+    folder.write("roof.obj", ROOF);
+    folder.run(&["solve", "roof.obj", "--exact", "--within", "1"]).misused("not both");
+    folder.run(&["solve", "roof.obj", "--within", "0"]).misused("above 0");
+    folder.run(&["solve", "roof.obj", "--within"]).misused("needs a value");
+}
