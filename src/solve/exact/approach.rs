@@ -25,6 +25,9 @@ pub(super) const PATIENCE: u32 = 900;
 /// The weight stays below this, beside the same: the metric is in single precision, and has to know the energies.
 const MOST: f64 = 1e5;
 
+/// The approach stands still after so many rounds of at most so many iterations that end at the same distance.
+const STILL: (u32, u32) = (6, 3);
+
 /// A round ends when an iteration gains less than this part of what is minimised.
 const LEAST_GAIN: f64 = 1e-4;
 
@@ -35,6 +38,10 @@ pub(super) struct Approach {
     most: f64,
     /// Iterations left in the round; none before the first one.
     left: u32,
+    in_round: u32,
+    /// Rounds in a row that stood still, and the worst excess after the last one.
+    still: u32,
+    worst: f64,
     /// All iterations so far, and all rounds: numeric factors of the scalar matrix.
     pub iterations: u32,
     pub rounds: u32,
@@ -63,6 +70,9 @@ impl Approach {
             rho: START * unit,
             most: MOST * unit,
             left: 0,
+            in_round: 0,
+            still: 0,
+            worst: 0.0,
             iterations: 0,
             rounds: 0,
             merit: 0.0,
@@ -83,6 +93,7 @@ impl Approach {
             self.begin_round(model)?;
         }
         self.left -= 1;
+        self.in_round += 1;
         self.iterations += 1;
         let before = self.merit;
         let gains = self.step(model) || {
@@ -113,10 +124,23 @@ impl Approach {
         let system = &mut model.parts.system;
         system.set_matrix(Precision::Single, &scales, diagonal, fixed)?;
         system.prepare()?;
-        (self.left, self.rounds) = (most, self.rounds + 1);
+        (self.left, self.in_round, self.rounds) = (most, 0, self.rounds + 1);
         self.forget();
         self.evaluate(model);
         Ok(())
+    }
+
+    /// Whether rounds have come to stand still at the `worst` excess of the last one: constraints contradict each
+    /// other then, and their shifts would grow without end.
+    pub(super) fn stands_still(&mut self, worst: f64) -> bool {
+        let stood = self.in_round <= STILL.1 && (worst - self.worst).abs() <= 1e-3 * worst;
+        self.still = if stood { self.still + 1 } else { 0 };
+        self.worst = worst;
+        if self.still < STILL.0 {
+            return false;
+        }
+        self.still = 0;
+        true
     }
 
     /// Steps and evaluates; false where nothing was gained.

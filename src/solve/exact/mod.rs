@@ -191,7 +191,8 @@ impl Exact {
             self.near = NEAR_ENOUGH * self.model.parts.extent;
         }
         let near = if self.can_polish { worst <= self.near } else { self.is_met() };
-        if near || self.approach.iterations >= self.most_iterations {
+        let stands = self.approach.stands_still(worst);
+        if near || stands || self.approach.iterations >= self.most_iterations {
             self.end_approach();
         }
         Ok(())
@@ -229,7 +230,11 @@ impl Exact {
         let Some(polish) = &mut self.polish else { return Ok(()) };
         let polished = polish.step(&mut self.model, self.began.0)?;
         let worst = self.keep_best();
-        if worst <= self.goal() || polished == Polished::Contradicts {
+        if polished == Polished::Contradicts {
+            // All is met here but what contradicts, which misses by more where something else gives way.
+            self.best.1.copy_from_slice(&self.model.x);
+            self.end();
+        } else if worst <= self.goal() {
             self.end();
         } else if polished == Polished::Ended {
             self.polish_failed();

@@ -15,6 +15,9 @@ const MOST_STEPS: u32 = 8;
 const SOFTER: f64 = 30.0;
 const STIFFER: f64 = 10.0;
 
+/// So many full steps with a fresh factor that gain nothing show a contradiction; by then all else is met.
+const STUCK: u32 = 6;
+
 /// A step is halved down to this.
 const SHORTEST: f64 = 0.125;
 
@@ -105,7 +108,7 @@ impl Polish {
         if fresh && t == 1.0 && self.system.is_stiffest() {
             let stands = (after - before).abs() < 1e-3 * before && predicted > 0.9 * before;
             self.stuck = if stands { self.stuck + 1 } else { 0 };
-            if self.stuck == 3 {
+            if self.stuck == STUCK {
                 return Ok(Polished::Contradicts);
             }
         }
