@@ -11,6 +11,7 @@ mod grid;
 mod hard;
 
 use hard::Case;
+use libm::{cos, sin};
 use shape_up::mesh::{Mesh, read};
 use shape_up::solve::{Exact, Require, Stage, clock};
 
@@ -50,7 +51,7 @@ fn bumps(n: u32, jitter: f64) -> Mesh {
     });
     grid::grid(n - 1, n - 1, |i, j| {
         let (x, y) = (f64::from(i) * edge, f64::from(j) * edge);
-        let height = 0.1 * (3.0 * x).sin() * (4.0 * y).cos() + 0.05 * (7.0 * x * y).sin();
+        let height = 0.1 * sin(3.0 * x) * cos(4.0 * y) + 0.05 * sin(7.0 * x * y);
         let by = |part: f64| 2.0 * part * jitter * edge * (random.borrow_mut())();
         [x + by(1.0), y + by(1.0), height + by(0.5)]
     })
