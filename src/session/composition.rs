@@ -1,8 +1,7 @@
 //! The session itself: what it is made of, and plain access to that.
 
-use super::meeting::Met;
 use super::report::MeasureCache;
-use super::run::{Collapse, CollapseGuard, Progress, TraceEntry};
+use super::run::{Collapse, CollapseGuard, Met, Progress, TraceEntry};
 use super::state::{ResolvedRow, RestMesh, SolvedScene};
 use super::undo::{History, Transaction};
 use crate::mesh::{Mesh, Point, Topology};

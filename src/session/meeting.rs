@@ -1,17 +1,10 @@
 //! Hard constraints met: the shape that has them, and how well.
 
 use super::Session;
-use super::report::ExactReport;
+use super::run::{ExactReport, Met};
 use crate::error::Error;
-use crate::mesh::Point;
 use crate::solve::{Constraints, Exact, Require, Requirements};
 use std::rc::Rc;
-
-/// How hard constraints were met at some positions.
-pub(super) struct Met {
-    positions: Rc<[Point]>,
-    report: ExactReport,
-}
 
 impl Session {
     /// What meets the hard constraints from the current shape on, to be stepped by the host and given to

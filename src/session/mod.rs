@@ -48,12 +48,13 @@ pub use handed_in::check_results;
 pub use opened_file::{FileReader, Guessed, OpenedFile, is_scene};
 pub use remedies::{Remedies, Remedy};
 pub use report::{
-    ConstraintMap, EnergyReport, ExactReport, FACE_MEASURES, FaceMeasure, GoalWords, MeasureUnit,
-    Moved, Projections, Report, RowPalette, Seconds, Shape, Verdict, WorstElement, ZERO_SIZE_FACES,
+    ConstraintMap, EnergyReport, FACE_MEASURES, FaceMeasure, GoalWords, MeasureUnit, Moved,
+    Projections, Report, RowPalette, Seconds, Shape, Verdict, WorstElement, ZERO_SIZE_FACES,
     flaw_of, goals_in_words,
 };
 pub use run::{
-    Collapse, CollapseReason, FittedCount, HalfStep, Step, TraceEntry, max_interactive_faces,
+    Collapse, CollapseReason, ExactReport, FittedCount, HalfStep, Step, TraceEntry,
+    max_interactive_faces,
 };
 pub use selection::{Mode, OPERATIONS, Operation, SelectRequest, Selection};
 pub use state::ResolvedRow;

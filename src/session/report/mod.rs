@@ -5,7 +5,6 @@
 //! | `run_report` | the report of the command line |
 //! | `moved` | displacements, and the shortest edge |
 //! | `verdict` | how many panels are as asked, within which tolerance |
-//! | `exact_report` | how well hard constraints are met |
 //! | `face_measure` | the numbers per face that hosts colour and list |
 //! | `measuring` | the shapes that are measured |
 //! | `measure_cache` | measures of the current shape, each computed once |
@@ -20,7 +19,6 @@
 
 mod angles;
 mod constraint_map;
-mod exact_report;
 mod face_measure;
 mod inspect;
 mod lesson;
@@ -37,7 +35,6 @@ mod worst;
 pub(crate) use angles::{angles, angles_csv};
 pub(crate) use constraint_map::acting_rows;
 pub use constraint_map::{ConstraintMap, RowPalette};
-pub use exact_report::ExactReport;
 pub use face_measure::{FACE_MEASURES, FaceMeasure, MeasureUnit};
 pub(crate) use face_measure::{corner_values, face_values};
 pub(crate) use inspect::{asked_measure, free, held_otherwise, members};

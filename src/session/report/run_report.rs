@@ -1,10 +1,9 @@
 //! The report of a solved scene.
 
-use super::exact_report::ExactReport;
 use super::moved::{Moved, shortest_edge};
 use crate::mesh::{Circularity, Measures, Planarity};
 use crate::scene::{Accelerator, NamedEnum};
-use crate::session::run::{Progress, TraceEntry};
+use crate::session::run::{ExactReport, Progress, TraceEntry};
 use crate::session::state::{RestMesh, SolvedScene};
 use crate::solve::{Energy, IterateSeconds};
 use serde::Serialize;

@@ -9,11 +9,13 @@
 //! | `collapse` | whether a shape has collapsed since a start |
 //! | `collapse_guard` | the guard against that while nobody drags |
 //! | `interactive_size` | how large a mesh can be that is still dragged smoothly |
+//! | `met` | how well hard constraints were met, and where |
 
 mod collapse;
 mod collapse_guard;
 mod half_step;
 mod interactive_size;
+mod met;
 mod panel_goal;
 mod progress;
 mod trace;
@@ -24,6 +26,8 @@ pub(crate) use collapse_guard::CollapseGuard;
 pub(crate) use half_step::fitted;
 pub use half_step::{FittedCount, HalfStep, Step};
 pub use interactive_size::max_interactive_faces;
+pub use met::ExactReport;
+pub(crate) use met::Met;
 pub(crate) use panel_goal::PanelGoal;
 pub(crate) use progress::Progress;
 pub use trace::TraceEntry;

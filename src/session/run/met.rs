@@ -1,7 +1,15 @@
 //! How well hard constraints are met, as the report says it.
 
+use crate::mesh::Point;
 use crate::solve::{ExactAnswer, Unmet, Way};
 use serde::Serialize;
+use std::rc::Rc;
+
+/// How hard constraints were met at some positions.
+pub(crate) struct Met {
+    pub(crate) positions: Rc<[Point]>,
+    pub(crate) report: ExactReport,
+}
 
 /// Constraints that are not met are named up to this many.
 const MOST_NAMED: usize = 1000;
