@@ -211,6 +211,11 @@ const REFUSED: &[(&str, &str, &[&str])] = &[
     (r#", "handles": [{ "targets": [[0, 0, 0]] }]"#, "handles[0]", &["`vertices` is missing"]),
     (r#", "handles": [{ "vertices": [] }]"#, "handles[0].vertices", &["empty"]),
     (r#", "handles": [{ "vertices": [0, 1], "targets": [[0, 0, 0]] }]"#, "handles[0].targets", &["found 1", "2 vertices"]),
+    // A key that may be absent is not null where it is there.
+    (r#", "current": null"#, "current", &["found null"]),
+    (r#", "lesson": null"#, "lesson", &["found null"]),
+    (r#", "closeness": { "boundary": null }"#, "closeness.boundary", &["found null"]),
+    (r#", "handles": [{ "vertices": [0], "weight": null }]"#, "handles[0].weight", &["found null", "number"]),
     (r#", "handles": [{ "vertices": [0], "targets": [[0, null, 0]] }]"#, "handles[0].targets[0][1]", &["found null", "number"]),
     (r#", "handles": [{ "vertices": [0], "weight": 0 }]"#, "handles[0].weight", &["found 0", "above 0"]),
     (r#", "handles": [{ "vertices": [0], "weight": 2, "fixed": true }]"#, "handles[0].weight", &["fixed"]),

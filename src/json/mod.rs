@@ -19,5 +19,5 @@ mod tree;
 
 pub(crate) use error::{JsonError, found, push_key};
 pub(crate) use parse::parse;
-pub(crate) use read::{read, read_tree};
+pub(crate) use read::{present, read, read_tree};
 pub(crate) use tree::Tree;

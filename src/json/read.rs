@@ -8,8 +8,8 @@ use super::error::JsonError;
 use super::tree::Tree;
 use serde::de::value::StrDeserializer;
 use serde::de::{
-    DeserializeOwned, DeserializeSeed, Deserializer, EnumAccess, Error, Expected, IntoDeserializer,
-    MapAccess, SeqAccess, VariantAccess, Visitor,
+    Deserialize, DeserializeOwned, DeserializeSeed, Deserializer, EnumAccess, Error, Expected,
+    IntoDeserializer, MapAccess, SeqAccess, VariantAccess, Visitor,
 };
 use serde_json::{Number, Value};
 
@@ -24,6 +24,13 @@ pub(crate) fn read<T: DeserializeOwned>(value: &Value) -> Result<T, JsonError> {
 /// The same of a document.
 pub(crate) fn read_tree<T: DeserializeOwned>(tree: &Tree) -> Result<T, JsonError> {
     T::deserialize(Reader(tree, None))
+}
+
+/// Of a key that may be absent: what is there has to be a value, which null is not.
+pub(crate) fn present<'de, D: Deserializer<'de>, T: Deserialize<'de>>(
+    from: D,
+) -> Result<Option<T>, D::Error> {
+    T::deserialize(from).map(Some)
 }
 
 const TAG: &str = "type";

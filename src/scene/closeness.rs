@@ -2,6 +2,7 @@
 
 use super::SceneError;
 use crate::constraint::{Selector, Sets, resolve};
+use crate::json::present;
 use crate::mesh::{Mesh, Topology};
 use crate::solve::{BoundaryCloseness, ClosenessTo};
 use serde::Deserialize;
@@ -15,6 +16,7 @@ pub struct Closeness {
     /// `k_v` where it is not 1; of a vertex that several entries select, the last one's.
     pub weights: Vec<ClosenessWeight>,
     /// Whether boundary vertices have the boundary curves for `c(v)`, whatever `to` is.
+    #[serde(default, deserialize_with = "present")]
     pub boundary: Option<BoundaryCloseness>,
 }
 

@@ -3,6 +3,7 @@
 use super::closeness::Closeness;
 use super::lesson::Lesson;
 use crate::constraint::{Kind, Selector, Sets};
+use crate::json::present;
 use crate::mesh::{Mesh, Point};
 use crate::solve::{Hold, Require, Smoothness, SolverSettings, Weights};
 use serde::Deserialize;
@@ -24,7 +25,7 @@ pub struct Scene {
     /// The rest shape.
     pub mesh: MeshSource,
     /// Where the iteration starts, `#V by 3`; at rest when absent.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "present")]
     pub current: Option<Vec<Point>>,
     /// Named sets.
     #[serde(default)]
@@ -48,7 +49,7 @@ pub struct Scene {
     #[serde(default)]
     pub solver: SolverSettings,
     /// The exercise that it is.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "present")]
     pub lesson: Option<Lesson>,
 }
 

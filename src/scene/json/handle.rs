@@ -1,7 +1,7 @@
 //! One entry of the list of handles.
 
 use super::text::{field, number, object, points};
-use crate::json::{JsonError, indices};
+use crate::json::{JsonError, indices, present};
 use crate::mesh::Point;
 use crate::scene::{HANDLE_WEIGHT, HandleSpec, Hold};
 use serde::de::{Deserialize, Deserializer, Error};
@@ -11,7 +11,9 @@ use serde::de::{Deserialize, Deserializer, Error};
 struct HandleFile {
     #[serde(deserialize_with = "indices::deserialize")]
     vertices: Vec<u32>,
+    #[serde(default, deserialize_with = "present")]
     targets: Option<Vec<Point>>,
+    #[serde(default, deserialize_with = "present")]
     weight: Option<f64>,
     #[serde(default)]
     fixed: bool,

@@ -9,7 +9,7 @@
 use super::file::{RESULTS, VERSION, from_json};
 use super::text::{field, lines, number, object, point, rows, text};
 use super::{constraint, handle};
-use crate::json::{JsonError, found};
+use crate::json::{JsonError, found, present};
 use crate::scene::{Goal, GoalOf, GoalResult, Lesson, Results, SceneError};
 use serde::de::{Deserialize, Deserializer, Error};
 
@@ -33,16 +33,22 @@ struct LessonFile {
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 struct GoalFile {
+    #[serde(default, deserialize_with = "present")]
     measure: Option<String>,
+    #[serde(default, deserialize_with = "present")]
     constraint: Option<String>,
+    #[serde(default, deserialize_with = "present")]
     at_most: Option<f64>,
 }
 
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 struct ResultFile {
+    #[serde(default, deserialize_with = "present")]
     measure: Option<String>,
+    #[serde(default, deserialize_with = "present")]
     constraint: Option<String>,
+    #[serde(default, deserialize_with = "present")]
     at_most: Option<f64>,
     value: Option<f64>,
     met: bool,

@@ -6,7 +6,7 @@
 //! out of it as it went in.
 
 use super::text::{field, object, point, rows, text};
-use crate::json::{JsonError, indices, read};
+use crate::json::{JsonError, indices, present, read};
 use crate::mesh::{Group, GroupKeyword, Mesh, Point, Ragged};
 use crate::scene::{MeshSource, NamedEnum};
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
@@ -16,10 +16,15 @@ use std::fmt;
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 struct MeshFile {
+    #[serde(default, deserialize_with = "present")]
     file: Option<String>,
+    #[serde(default, deserialize_with = "present")]
     positions: Option<Vec<Point>>,
+    #[serde(default, deserialize_with = "present")]
     faces: Option<Vec<indices::Indices>>,
+    #[serde(default, deserialize_with = "present")]
     curves: Option<Vec<indices::Indices>>,
+    #[serde(default, deserialize_with = "present")]
     tets: Option<Vec<indices::Indices>>,
     #[serde(default, deserialize_with = "groups")]
     groups: Vec<(String, Value)>,
@@ -32,6 +37,7 @@ struct GroupFile {
     faces: Vec<u32>,
     #[serde(default, deserialize_with = "indices::deserialize")]
     curves: Vec<u32>,
+    #[serde(default, deserialize_with = "present")]
     keyword: Option<GroupKeyword>,
 }
 

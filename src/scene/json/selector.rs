@@ -3,7 +3,7 @@
 use super::file::from_json;
 use super::text::{field, object, text};
 use crate::constraint::{Element, Selector};
-use crate::json::{JsonError, found, indices, read};
+use crate::json::{JsonError, found, indices, present, read};
 use crate::scene::SceneError;
 use crate::scene::error::forms_of_selectors;
 use crate::scene::words::one_of;
@@ -42,7 +42,9 @@ struct OfVertices {
 #[serde(deny_unknown_fields)]
 struct OfEach {
     each: Element,
+    #[serde(default, deserialize_with = "present")]
     r#in: Option<String>,
+    #[serde(default, deserialize_with = "present")]
     radius: Option<u32>,
 }
 
