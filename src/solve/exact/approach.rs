@@ -133,7 +133,10 @@ impl Approach {
     /// Whether rounds have come to stand still at the `worst` excess of the last one: constraints contradict each
     /// other then, and their shifts would grow without end.
     pub(super) fn stands_still(&mut self, worst: f64) -> bool {
-        let stood = self.in_round <= STILL.1 && (worst - self.worst).abs() <= 1e-3 * worst;
+        // Where the weight is still small, hardly anything moves either.
+        let stood = self.rho >= 0.01 * self.most
+            && self.in_round <= STILL.1
+            && (worst - self.worst).abs() <= 1e-3 * worst;
         self.still = if stood { self.still + 1 } else { 0 };
         self.worst = worst;
         if self.still < STILL.0 {
