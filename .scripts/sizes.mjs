@@ -67,13 +67,13 @@ await main(() => {
     !isPlot(path) &&
     !isRhino(path);
   const rows = [
-    row('solver module', [at('www', 'pkg', 'solver', 'shape_up_bg.wasm')], 515 * kB),
+    row('solver module', [at('www', 'pkg', 'solver', 'shape_up_bg.wasm')], 520 * kB),
     row('view, WebGPU', [at('www', 'pkg', 'view-webgpu', 'shape_up_bg.wasm')], 165 * kB),
     row('view, WebGL2', [at('www', 'pkg', 'view-webgl2', 'shape_up_bg.wasm')], 900 * kB),
     row('first visit', [...first], 78 * kB),
     row('first picture', [firstPicture], 14 * kB),
     row('plots', code.filter(isPlot), 30 * kB),
-    row('other dialogs', code.filter(isLater), 66 * kB),
+    row('other dialogs', code.filter(isLater), 70 * kB),
     row('gallery, projections', code.filter(isBeside), 16 * kB),
     row('licences', code.filter(isLicences), 24 * kB),
     row('files of Rhino', filesUnder(at('dist')).filter(isRhino), 1100 * kB),
