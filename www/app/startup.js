@@ -1,6 +1,6 @@
 /**
  * What the page opens with, and what it keeps: a link, the work of last time, or the first example;
- * then the autosave. All but the choice itself comes when it is needed.
+ * and the autosave beside it. All but the choice itself comes when it is needed.
  */
 
 import { messageOf } from '../solver/messages.js';
@@ -43,6 +43,8 @@ export class Startup {
       // No reason to stay without a model.
       lost = error;
     }
+    // What somebody opens and changes as soon as there is a model is saved before the page can go.
+    this.#startAutosave();
     let problem = '';
     const linked = await this.#openLink().catch((error) => {
       problem = messageOf(error);
@@ -51,7 +53,6 @@ export class Startup {
     if (!linked) await this.#openFirst();
     if (problem) this.#alerts.error(problem);
     if (lost) this.#reportUnreadable(lost);
-    this.#startAutosave();
   }
 
   /** The first example, or what to do without it. */

@@ -85,6 +85,17 @@ test('two tabs do not overwrite each other', async ({ page, context }) => {
   }
 });
 
+test('saving is on its way before there is anything to change', async ({ page }) => {
+  // It came after the first example: on a busy machine an edit and a reload were quicker, and all was lost.
+  const asked = page.waitForRequest(/\/autosave-[^/]*\.js$/);
+  await page.route('**/examples/canopy.*', async (route) => {
+    await asked;
+    await route.continue();
+  });
+  await visit(page);
+  expect((await state(page)).vertices).toBeGreaterThan(25);
+});
+
 /** Runs in the page: changes a weight, and does something as soon as the solver has answered. */
 async function editAndThen([weight, then]) {
   const field = document.querySelector('[aria-label="Shape weight"]');
