@@ -10,8 +10,8 @@ import { isTrap } from './wasm-errors.js';
 /** @typedef {import("../solver/messages.js").FromWorker} FromWorker */
 /** @typedef {import("../solver/messages.js").Drag} Drag */
 
-/** Messages wait no longer than that for the end of a slice, where an iteration takes less. */
-const LONGEST_SLICE_MS = 100;
+/** While it iterates, frames take at most this part of the time, but where a drag waits for its answer. */
+const FRAME_PART = 0.25;
 /**
  * A run or a drag says at least so often how far it has come, so that little is lost when the page or the
  * worker dies; telling takes at most so large a part of the time.
@@ -30,8 +30,8 @@ export class Scheduler {
   /** The run goes on whatever becomes of the shape. */
   #goesOn = false;
   #isDragging = false;
-  /** What the last frame took, in milliseconds. */
-  #frameMs = 0;
+  /** Before that time no frame is sent while it iterates. */
+  #nextFrame = 0;
   /** Nothing would change by iterating on; a moved handle or an edit ends it. */
   #isSettled = false;
   /** The newest move of a drag that is not applied yet. @type {Drag | null} */
@@ -213,7 +213,12 @@ export class Scheduler {
       this.#answering = null;
       return /** @type {[number, number]} */ ([time, performance.now() - came]);
     };
-    if (this.frames.send(answers, this.isIterating) && this.#activityDue) this.#sendActivity();
+    const begun = performance.now();
+    if (this.isIterating && !this.#answering && begun < this.#nextFrame) return;
+    if (!this.frames.send(answers, this.isIterating)) return;
+    const ended = performance.now();
+    this.#nextFrame = ended + (ended - begun) * (1 / FRAME_PART - 1);
+    if (this.#activityDue) this.#sendActivity();
   }
 
   /**
@@ -281,11 +286,8 @@ export class Scheduler {
       this.#move = null;
       this.#isSettled = false;
     }
-    // Who drags waits for the answer. Else frames of large meshes take no more than half of the time.
-    const slice = this.#answering
-      ? SLICE_MS / 2
-      : Math.max(SLICE_MS, Math.min(this.#frameMs, LONGEST_SLICE_MS));
-    const until = performance.now() + slice;
+    // Who drags waits for the answer.
+    const until = performance.now() + (this.#answering ? SLICE_MS / 2 : SLICE_MS);
     while (this.isIterating && performance.now() < until) {
       this.#isSettled = this.#solver.step();
       this.frames.due = true;
@@ -297,9 +299,7 @@ export class Scheduler {
     } else if (this.frames.due) {
       this.#progressTimer ||= setTimeout(() => this.#sendProgress(), this.#progressEvery);
     }
-    const begun = performance.now();
     this.sendFrame();
-    this.#frameMs = performance.now() - begun;
     if (collapse) this.#post({ type: 'collapsed', collapse });
   }
 

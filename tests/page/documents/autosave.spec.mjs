@@ -135,6 +135,33 @@ for (const way of ['reload', 'leave', 'close']) {
   });
 }
 
+test('two tabs that are reloaded at the same moment keep an edit each', async ({
+  page,
+  context,
+}) => {
+  const second = await context.newPage();
+  const tabs = [
+    { tab: page, name: 'one.obj', cells: 20, vertices: 441, weight: 3 },
+    { tab: second, name: 'two.obj', cells: 30, vertices: 961, weight: 7 },
+  ];
+  for (const { tab, name, cells, vertices } of tabs) {
+    await visit(tab);
+    await openText(tab, name, wavyGrid(cells), vertices);
+  }
+  await Promise.all(
+    tabs.map(async ({ tab, weight }) => {
+      const loaded = tab.waitForEvent('load');
+      await tab.evaluate(editAndThen, [weight, 'reload']).catch(() => {});
+      await loaded;
+    }),
+  );
+  for (const { tab, name, vertices, weight } of tabs) {
+    await expect(back(tab)).toContainText(name);
+    await waitForState(tab, (now, count) => now.vertices === count, vertices);
+    expect((await sceneOf(tab)).weights.shape).toBe(weight);
+  }
+});
+
 test('an edit is kept that came before the page had settled after a reload', async ({ page }) => {
   // It was taken for what had been kept before.
   await visit(page);

@@ -1,0 +1,65 @@
+// How a run shares the worker's time between iterations and what the page sees of them.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { Scheduler } from '../../../www/worker/scheduler.js';
+
+/** Time passes only when something is done. */
+function clock() {
+  let now = 0;
+  return { now: () => now, pass: (ms) => (now += ms) };
+}
+
+test('a run spends most of its time on iterations, however long a frame takes', async (context) => {
+  // Frames went out whenever the page gave a buffer back: colours that took as long as an iteration halved
+  // the iterations, because the time of those frames was not counted.
+  const time = clock();
+  context.mock.method(performance, 'now', time.now);
+  const [ITERATION, COLOURS, ITERATIONS] = [40, 40, 120];
+  let [iterations, coloured] = [0, 0];
+  const solver = new Proxy(
+    {
+      step() {
+        time.pass(ITERATION);
+        return ++iterations === ITERATIONS;
+      },
+      faceValues() {
+        time.pass(COLOURS);
+        coloured += 1;
+        return new Float32Array(1);
+      },
+      savedHistory: () => new Uint8Array(0),
+      savedProgress: () => new Uint8Array(0),
+    },
+    { get: (methods, name) => methods[name] ?? (() => undefined) },
+  );
+  let ended;
+  const end = new Promise((resolve) => (ended = resolve));
+  const scheduler = new Scheduler(
+    solver,
+    (message) => {
+      // The page is quick: it gives each buffer back at once.
+      if (message.type === 'frame') {
+        queueMicrotask(() => {
+          scheduler.frames.takeBack(message.positions);
+          scheduler.sendFrame();
+        });
+      }
+      if (message.type === 'activity' && !message.running) ended();
+    },
+    assert.fail,
+  );
+  scheduler.begin(false);
+  scheduler.frames.renew(3);
+  scheduler.frames.shown = {
+    measure: 'surface',
+    shapes: false,
+    projections: false,
+    corners: false,
+  };
+  scheduler.run();
+  await end;
+  const part = (coloured * COLOURS) / (coloured * COLOURS + iterations * ITERATION);
+  assert.ok(coloured > 10, `${coloured} frames`);
+  assert.ok(part < 0.3, `frames take ${part} of the time`);
+});
