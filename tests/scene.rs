@@ -3,9 +3,9 @@
 use shape_up::constraint::{Element, Kind, Selector, Set};
 use shape_up::mesh::{Group, GroupKeyword, Mesh, Ragged};
 use shape_up::scene::{
-    Accelerator, BoundaryCloseness, Closeness, ClosenessTo, ClosenessWeight, ConstraintSpec,
-    Factorization, HandleSpec, Hold, MeshSource, Require, Scene, SceneError, Smoothness,
-    SmoothnessOf, SolverSettings, Up, Weighting, Weights,
+    Accelerator, BoundaryCloseness, BoundaryRequire, Closeness, ClosenessTo, ClosenessWeight,
+    ConstraintSpec, Factorization, HandleSpec, Hold, MeshSource, Require, Scene, SceneError,
+    Smoothness, SmoothnessOf, SolverSettings, Up, Weighting, Weights,
 };
 
 /// Two squares side by side.
@@ -55,7 +55,7 @@ fn everything_the_format_has_is_read() {
         "handles": [ { "vertices": [2], "targets": [[1.25, 0.5, 2]], "weight": 10 },
                      { "vertices": "0-1", "fixed": true }, { "vertices": [4] } ],
         "weights": { "shape": 5, "close": 10, "smooth": 2 },
-        "closeness": { "to": "rest", "boundary": { "corners": 30 },
+        "closeness": { "to": "rest", "boundary": { "corners": 30, "require": "exact", "weight": 4 },
                        "weights": [{ "on": { "set": "eaves" }, "weight": 10 },
                                    { "on": "boundary", "weight": 0 }] },
         "smoothness": { "of": "displacement", "weighting": "uniform" },
@@ -103,7 +103,11 @@ fn everything_the_format_has_is_read() {
                 ClosenessWeight { on: Selector::Set("eaves".into()), weight: 10.0 },
                 ClosenessWeight { on: each(Element::Boundary, None, 0), weight: 0.0 },
             ],
-            boundary: Some(BoundaryCloseness { corners: 30.0 }),
+            boundary: Some(BoundaryCloseness {
+                corners: 30.0,
+                require: BoundaryRequire::Exact,
+                weight: 4.0,
+            }),
         }
     );
     assert_eq!(
@@ -420,7 +424,10 @@ const UNFIT: &[Unfit] = &[
         s.closeness.weights.push(ClosenessWeight { on, weight: f64::INFINITY });
     }),
     ("closeness.boundary.corners", |s| {
-        s.closeness.boundary = Some(BoundaryCloseness { corners: f64::NAN });
+        s.closeness.boundary = Some(BoundaryCloseness { corners: f64::NAN, ..Default::default() });
+    }),
+    ("closeness.boundary.weight", |s| {
+        s.closeness.boundary = Some(BoundaryCloseness { weight: -1.0, ..Default::default() });
     }),
     ("handles[0].vertices[0]", |s| s.handles.push(handle(&[6]))),
     ("handles[1].vertices[0]", |s| s.handles = vec![handle(&[1, 2]), handle(&[2])]),

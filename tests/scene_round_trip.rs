@@ -4,9 +4,9 @@ use proptest::prelude::*;
 use shape_up::constraint::{Element, KINDS, Kind, Selector, Set};
 use shape_up::mesh::Mesh;
 use shape_up::scene::{
-    Accelerator, BoundaryCloseness, Closeness, ClosenessTo, ClosenessWeight, ConstraintSpec,
-    Factorization, Goal, GoalOf, HandleSpec, Hold, Lesson, MeshSource, NamedEnum, Require, Scene,
-    Smoothness, SmoothnessOf, SolverSettings, Up, Weighting, Weights,
+    Accelerator, BoundaryCloseness, BoundaryRequire, Closeness, ClosenessTo, ClosenessWeight,
+    ConstraintSpec, Factorization, Goal, GoalOf, HandleSpec, Hold, Lesson, MeshSource, NamedEnum,
+    Require, Scene, Smoothness, SmoothnessOf, SolverSettings, Up, Weighting, Weights,
 };
 
 fn constraint(id: &str, on: Selector) -> ConstraintSpec {
@@ -104,7 +104,11 @@ prop_compose! {
             closeness: Closeness {
                 to: [ClosenessTo::Surface, ClosenessTo::Rest, ClosenessTo::None][choices.0],
                 weights: held.into_iter().map(|(on, weight)| ClosenessWeight { on, weight }).collect(),
-                boundary: corners.map(|corners| BoundaryCloseness { corners }),
+                boundary: corners.map(|corners| BoundaryCloseness {
+                    corners,
+                    require: if up { BoundaryRequire::Exact } else { BoundaryRequire::Soft },
+                    weight: weights[0],
+                }),
             },
             smoothness: Smoothness {
                 of: [SmoothnessOf::Surface, SmoothnessOf::Displacement][choices.1],

@@ -27,7 +27,9 @@ mod ragged;
 mod topology;
 
 pub use bounds::{BoundingSphere, FARTHEST, too_far};
-pub use closest::{BoundaryCurve, BoundaryCurves, ClosestPointCache, Surface};
+pub use closest::{
+    BoundaryCurve, BoundaryCurves, BoundaryPiece, ClosestPointCache, Polyline, Surface,
+};
 pub use diagnostics::{ElementsWithProblem, diagnose, elements_with_problem};
 pub use edit::Weld;
 pub use io::{Decimal, Read, ReadError, read, write_medit, write_obj, write_obj_with_uv};

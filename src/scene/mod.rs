@@ -35,8 +35,8 @@ mod validate;
 mod words;
 
 pub use crate::solve::{
-    Accelerator, BoundaryCloseness, ClosenessTo, Hold, Require, Smoothness, SmoothnessOf,
-    SolverSettings, Weighting, Weights,
+    Accelerator, BoundaryCloseness, BoundaryRequire, ClosenessTo, Hold, Require, Smoothness,
+    SmoothnessOf, SolverSettings, Weighting, Weights,
 };
 pub use crate::sparse::Factorization;
 pub use closeness::{Closeness, ClosenessWeight};

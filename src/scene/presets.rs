@@ -1,7 +1,10 @@
 //! Settings that belong together: weights, what is kept close to what, what is smoothed. Weights alone,
 //! taken from a figure of the paper, may shrink a mesh to a dot.
 
-use super::{BoundaryCloseness, ClosenessTo, Scene, Smoothness, SmoothnessOf, Weighting, Weights};
+use super::{
+    BoundaryCloseness, BoundaryRequire, ClosenessTo, Scene, Smoothness, SmoothnessOf, Weighting,
+    Weights,
+};
 use crate::mesh::Topology;
 use serde::Serialize;
 
@@ -48,7 +51,8 @@ pub struct PresetOffer {
 const OF_DISPLACEMENT: Smoothness =
     Smoothness { of: SmoothnessOf::Displacement, weighting: Weighting::Uniform };
 const OF_SURFACE: Smoothness = Smoothness { of: SmoothnessOf::Surface, weighting: Weighting::Auto };
-const ON_ITS_CURVE: Option<BoundaryCloseness> = Some(BoundaryCloseness { corners: 45.0 });
+const ON_ITS_CURVE: Option<BoundaryCloseness> =
+    Some(BoundaryCloseness { corners: 45.0, require: BoundaryRequire::Exact, weight: 1.0 });
 
 /// All presets, that of a mesh that is opened first.
 pub const PRESETS: &[Preset] = &[

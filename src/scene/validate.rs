@@ -76,6 +76,9 @@ impl Scene {
                 format!("found {}, expected an angle in degrees from 0 to 180", boundary.corners),
             );
         }
+        if let Some(boundary) = self.closeness.boundary {
+            from_zero("closeness.boundary.weight", boundary.weight)?;
+        }
         from_zero("weights.shape", self.weights.shape)?;
         from_zero("weights.close", self.weights.close)?;
         from_zero("weights.smooth", self.weights.smooth)?;

@@ -1,7 +1,9 @@
 //! The words for choices: one list for each, by which scene files, the command line and every host
 //! read and write them.
 
-use super::{Accelerator, ClosenessTo, Factorization, SmoothnessOf, Up, Weighting};
+use super::{
+    Accelerator, BoundaryRequire, ClosenessTo, Factorization, SmoothnessOf, Up, Weighting,
+};
 use crate::json::found;
 use crate::mesh::GroupKeyword;
 use crate::solve::{ConformalNorm, ConformalWeights};
@@ -60,7 +62,16 @@ macro_rules! by_word {
     )*};
 }
 
-by_word!(Up, ClosenessTo, SmoothnessOf, Weighting, Accelerator, Factorization, GroupKeyword);
+by_word!(
+    Up,
+    ClosenessTo,
+    BoundaryRequire,
+    SmoothnessOf,
+    Weighting,
+    Accelerator,
+    Factorization,
+    GroupKeyword
+);
 
 impl NamedEnum for Up {
     const WORDS: &'static [(&'static str, Up)] = &[("z", Up::Z), ("y", Up::Y)];
@@ -72,6 +83,11 @@ impl NamedEnum for ClosenessTo {
         ("rest", ClosenessTo::Rest),
         ("none", ClosenessTo::None),
     ];
+}
+
+impl NamedEnum for BoundaryRequire {
+    const WORDS: &'static [(&'static str, BoundaryRequire)] =
+        &[("soft", BoundaryRequire::Soft), ("exact", BoundaryRequire::Exact)];
 }
 
 impl NamedEnum for SmoothnessOf {

@@ -117,13 +117,25 @@ pub(super) struct Assembler {
     energies: Vec<Terms>,
     occurrences: Vec<Occurrences>,
     n: usize,
+    /// `#nodes`: whether it is apart, without entries in common with those that are not.
+    apart: Vec<bool>,
 }
 
 impl Assembler {
     /// For the terms of several energies over `n` nodes.
     pub(super) fn new(n: usize, energies: Vec<Terms>) -> Self {
         let occurrences = energies.iter().map(|terms| Occurrences::new(n, terms)).collect();
-        Assembler { energies, occurrences, n }
+        Assembler { energies, occurrences, n, apart: vec![false; n] }
+    }
+
+    /// Sets these nodes apart: entries between them and others become zero.
+    pub(super) fn set_apart(&mut self, nodes: impl Iterator<Item = u32>) {
+        nodes.for_each(|node| self.apart[node as usize] = true);
+    }
+
+    /// `#nodes`: which nodes are apart.
+    pub(super) fn apart(&self) -> &[bool] {
+        &self.apart
     }
 
     /// Replaces `a` of every term of an energy, an entry for each entry of its nodes.
@@ -165,7 +177,8 @@ impl Assembler {
                     let factor = scale * outer * terms.a[entry as usize];
                     let first = terms.nodes.offsets()[t as usize] as usize;
                     for (k, &u) in terms.nodes.row(t as usize).iter().enumerate() {
-                        if u as usize <= v && !fixed[u as usize] {
+                        let couples = !fixed[u as usize] && self.apart[u as usize] == self.apart[v];
+                        if u as usize <= v && couples {
                             values[slot[u as usize] as usize] += factor * terms.a[first + k];
                         }
                     }

@@ -9,6 +9,7 @@
 //! | `local_frame` | coordinates relative to the centre of the model |
 //! | `assemble` | the normal matrix `Q^T Q` in compressed columns |
 //! | `system` | the linear system of the global step: matrix, factor, and when each is made |
+//! | `gliding` | boundary vertices that are on their curve exactly |
 //! | `parts` | what solvers are made of, made from a problem |
 //! | `solver` | the iteration |
 //! | `exact` | constraints that are met, not weighed |
@@ -25,6 +26,7 @@ mod conformal;
 mod energy;
 mod error;
 mod exact;
+mod gliding;
 mod local_frame;
 mod parts;
 mod problem;
@@ -42,8 +44,8 @@ pub use exact::{Exact, ExactAnswer, Require, Requirements, Stage, Unmet, Way};
 pub use problem::Problem;
 pub use rest_projections::rest_projections;
 pub use settings::{
-    Accelerator, BoundaryCloseness, ClosenessTo, SHORTEST_EDGE, Smoothness, SmoothnessOf,
-    SolverSettings, Weighting, Weights,
+    Accelerator, BoundaryCloseness, BoundaryRequire, ClosenessTo, SHORTEST_EDGE, Smoothness,
+    SmoothnessOf, SolverSettings, Weighting, Weights,
 };
 pub use setup_cache::SetupCache;
 pub use solver::Solver;

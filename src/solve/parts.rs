@@ -7,13 +7,15 @@ use super::energy::{
     CloseEnergy, Energies, Handle, Hold, PositionalConstraints, RestShape, ShapeEnergy,
     SmoothEnergy, pins, smooth_terms,
 };
+use super::gliding::Gliding;
 use super::local_frame::{centre_and_extent, relative, rest_surface};
 use super::problem::Problem;
-use super::settings::SmoothnessOf;
+use super::settings::{BoundaryRequire, SmoothnessOf};
 use super::setup_cache::SetupCache;
 use super::system::System;
 use crate::constraint::{Reference, Row};
 use crate::mesh::{Point, Surface};
+use std::borrow::Cow;
 use std::cell::OnceCell;
 use std::rc::Rc;
 
@@ -37,6 +39,8 @@ pub(super) struct Parts {
     pub held: Vec<bool>,
     /// Corners of the boundary, if these are fixed, and where.
     pub corners: Vec<(u32, Point)>,
+    /// The other boundary vertices, if they are on their curves exactly.
+    pub gliding: Option<Gliding>,
 }
 
 /// An energy beside those of a problem.
@@ -76,14 +80,32 @@ impl Parts {
         let rest = to_rows(&mesh.positions, node_of, n, centre);
         let surface = || Rc::clone(made.get_or_init(|| Rc::new(rest_surface(mesh, centre))));
         let reference = Reference { surface: &surface };
-        let (close, corners) = if weights.close > 0.0 {
-            let factors = problem.closeness_factors;
+        let (mut boundary, mut factors) =
+            (problem.boundary_closeness, Cow::Borrowed(problem.closeness_factors));
+        let exact = boundary.take_if(|boundary| boundary.require == BoundaryRequire::Exact);
+        let gliding = exact.map(|exact| {
+            let around_centre = |p: &Point| std::array::from_fn(|i| p[i] - centre[i]);
+            let positions: Vec<Point> = mesh.positions.iter().map(around_centre).collect();
+            let released = |v: u32| problem.closeness_factors[v as usize] == 0.0;
+            let (gliding, corners) =
+                Gliding::new((&positions, centre), problem.topology, exact, released, node_of);
+            let factors = factors.to_mut();
+            let on_curves = gliding.vertices().map(|(v, _)| v).chain(corners.iter().copied());
+            on_curves.for_each(|v| factors[v as usize] = 0.0);
+            (gliding, corners)
+        });
+        let (close, mut corners) = if weights.close > 0.0 {
             let rest_shape =
                 RestShape { rest: &rest, node_of, topology: problem.topology, surface: &surface };
-            CloseEnergy::new(problem.closeness_to, problem.boundary_closeness, factors, &rest_shape)
+            CloseEnergy::new(problem.closeness_to, boundary, &factors, &rest_shape)
         } else {
             Default::default()
         };
+        let gliding = gliding.map(|(gliding, found)| {
+            corners = found;
+            gliding
+        });
+        let nodes: Vec<u32> = gliding.iter().flat_map(Gliding::vertices).map(|(_, n)| n).collect();
         let energies = Energies {
             weights,
             shape: ShapeEnergy::new(constraints, node_of, &rest, settings.monotone, &reference),
@@ -97,6 +119,7 @@ impl Parts {
             close,
             handles: PositionalConstraints::default(),
         };
+        system.set_apart(nodes.into_iter());
         let held = {
             let mut by_node = vec![false; n];
             held.iter().zip(system.node_of()).for_each(|(&h, &node)| by_node[node as usize] = h);
@@ -114,6 +137,7 @@ impl Parts {
             rest,
             held,
             corners: corners.into_iter().map(|v| (v, mesh.positions[v as usize])).collect(),
+            gliding,
         }
     }
 
@@ -125,8 +149,14 @@ impl Parts {
 
     /// See [`Holding::new`].
     pub(super) fn holding(&self, handles: &[Handle]) -> Holding {
-        let Parts { n_vertices, n_unknowns, held, corners, .. } = self;
-        let nodes = Nodes { n_vertices: *n_vertices, n_unknowns: *n_unknowns, held, corners };
+        let Parts { n_vertices, n_unknowns, held, corners, gliding, .. } = self;
+        let nodes = Nodes {
+            n_vertices: *n_vertices,
+            n_unknowns: *n_unknowns,
+            held,
+            corners,
+            exact: gliding.is_some(),
+        };
         Holding::new(&nodes, &self.system, &self.energies, handles)
     }
 }
@@ -145,6 +175,8 @@ pub(super) struct Nodes<'a> {
     pub n_unknowns: usize,
     pub held: &'a [bool],
     pub corners: &'a [(u32, Point)],
+    /// Whether the boundary is on its curves exactly: corners are then not for soft handles.
+    pub exact: bool,
 }
 
 /// How the nodes of a system are held: what handles, closeness and pins add to the normal matrix.
@@ -177,7 +209,8 @@ impl Holding {
                 diagonal[node as usize] = energies.weights.close * factor;
             }
         }
-        nodes.corners.iter().for_each(|&(v, _)| fixed[node_of[v as usize] as usize] = true);
+        let corners = nodes.corners.iter().map(|&(v, _)| node_of[v as usize] as usize);
+        corners.clone().for_each(|corner| fixed[corner] = true);
         for handle in handles {
             let node = node_of[handle.vertex as usize] as usize;
             held[node] = true;
@@ -189,8 +222,24 @@ impl Holding {
                 Hold::Fixed => fixed[node] = true,
             }
         }
+        if nodes.exact {
+            corners.for_each(|corner| fixed[corner] = true);
+            hold_both_sides(system, &mut held);
+        }
         let pinned = pins(node_of, system.components(), &held);
         pinned.iter().for_each(|&v| fixed[node_of[v as usize] as usize] = true);
         Holding { fixed, diagonal, pinned }
+    }
+}
+
+/// A component that is partly on the boundary is regular: neither part of the matrix has all of its nodes.
+fn hold_both_sides(system: &System, held: &mut [bool]) {
+    let (components, apart) = (system.components(), system.apart());
+    let mut sides = vec![[false; 2]; components.len()];
+    for (&component, &apart) in components.iter().zip(apart) {
+        sides[component as usize][usize::from(apart)] = true;
+    }
+    for (&component, held) in components.iter().zip(held) {
+        *held |= sides[component as usize] == [true; 2];
     }
 }

@@ -121,18 +121,32 @@ pub enum ClosenessTo {
     None,
 }
 
-/// Boundary vertices are kept close to the closest point on the rest shape of their own boundary
-/// loop, and corners are fixed at their rest positions. A corner that is a handle is held by that
-/// instead, and is kept close to its rest position.
+/// Boundary vertices stay on the rest shape of their own boundary loop, or close to its closest point, and corners at
+/// their rest positions. A corner that is a handle is held by that instead, and is kept close to its rest position.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct BoundaryCloseness {
     /// A vertex is a corner where the boundary turns by more than this, in degrees from 0 to 180.
     pub corners: f64,
+    /// Whether vertices are on the curve or close to it.
+    pub require: BoundaryRequire,
+    /// Where that is soft: a factor of `k_v` for boundary vertices, not negative.
+    pub weight: f64,
 }
 
 impl Default for BoundaryCloseness {
     fn default() -> Self {
-        BoundaryCloseness { corners: 45.0 }
+        BoundaryCloseness { corners: 45.0, require: BoundaryRequire::Soft, weight: 1.0 }
     }
+}
+
+/// What is asked of boundary vertices.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum BoundaryRequire {
+    /// They are kept close to their curve, weighed against all else.
+    #[default]
+    Soft,
+    /// They glide on their curve and nowhere else; corners are fixed. A soft handle pulls them along it, and corners
+    /// not at all; a fixed handle has its vertex where it says.
+    Exact,
 }

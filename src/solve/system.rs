@@ -138,6 +138,16 @@ impl System {
         self.analysis.place_of()
     }
 
+    /// Sets these nodes apart, before anything is factored: in the matrix they have no couplings with the others.
+    pub(super) fn set_apart(&mut self, nodes: impl Iterator<Item = u32>) {
+        self.assembler.set_apart(nodes);
+    }
+
+    /// `#nodes`: which nodes are apart.
+    pub(super) fn apart(&self) -> &[bool] {
+        self.assembler.apart()
+    }
+
     /// A number for each node, which all nodes of its connected component share.
     pub fn components(&self) -> &[u32] {
         self.analysis.components()

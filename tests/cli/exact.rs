@@ -71,3 +71,32 @@ fn what_is_to_be_met_is_said_once() {
     folder.run(&["solve", "roof.obj", "--within", "0"]).misused("above 0");
     folder.run(&["solve", "roof.obj", "--within"]).misused("needs a value");
 }
+
+#[test]
+fn a_boundary_is_held_exactly_or_nearly() {
+    let folder = Folder::new("boundary");
+    folder.write("roof.obj", ROOF);
+    let off = |boundary: &[&str]| {
+        let asked = ["solve", "roof.obj", "--panels", "circle", "--out", "out.obj"];
+        folder.run(&[&asked[..], boundary].concat()).done();
+        let read = |name: &str| shape_up::mesh::read(name, folder.read(name).as_bytes()).unwrap();
+        let (rest, now) = (read("roof.obj").mesh.positions, read("out.obj").mesh.positions);
+        // Each vertex of the border but the corner is on two straight segments, between these.
+        let segments = [[0, 1], [1, 2], [2, 5], [5, 8], [8, 7], [7, 6], [6, 3], [3, 0]];
+        let distance = |p: [f64; 3]| {
+            let to = |[a, b]: [usize; 2]| {
+                let (a, along) = (rest[a], |i: usize| rest[b][i] - rest[a][i]);
+                let dot = |f: &dyn Fn(usize) -> f64| (0..3).map(|i| f(i) * along(i)).sum::<f64>();
+                let t = (dot(&|i| p[i] - a[i]) / dot(&along)).clamp(0.0, 1.0);
+                (0..3).map(|i| (p[i] - a[i] - t * along(i)).powi(2)).sum::<f64>().sqrt()
+            };
+            segments.map(to).into_iter().fold(f64::INFINITY, f64::min)
+        };
+        [0, 1, 2, 3, 5, 6, 7, 8].map(|v| distance(now[v])).into_iter().fold(0.0, f64::max)
+    };
+    let [free, nearly, exact] =
+        [off(&[]), off(&["--boundary", "100000"]), off(&["--boundary", "exact"])];
+    assert!(exact <= 1e-15, "{exact}");
+    assert!(exact < nearly && nearly < free, "{nearly} {free}");
+    folder.run(&["solve", "roof.obj", "--boundary", "tight"]).misused("`exact` or a weight");
+}

@@ -2,7 +2,7 @@
 
 use lexopt::Arg;
 use shape_up::constraint::KINDS;
-use shape_up::scene::{Accelerator, NamedEnum};
+use shape_up::scene::{Accelerator, BoundaryCloseness, BoundaryRequire, NamedEnum};
 use shape_up::solve::{ConformalNorm, ConformalWeights, Require};
 use std::ffi::{OsStr, OsString};
 use std::path::PathBuf;
@@ -40,6 +40,8 @@ pub(super) struct Solve {
     pub(super) panels: Option<&'static str>,
     /// What is asked of all constraints; none leaves it to the scene.
     pub(super) require: Option<Require>,
+    /// How the boundary is held; none leaves it to the scene.
+    pub(super) boundary: Option<BoundaryCloseness>,
     pub(super) iterations: Option<u32>,
     pub(super) tolerance: Option<f64>,
     pub(super) accelerator: Option<Accelerator>,
@@ -73,7 +75,7 @@ pub(super) fn usage() -> String {
     format!(
         "\
 usage: shape-up solve SCENE|MESH [--panels KIND] [--exact | --within LENGTH]
-                [--iterations N] [--tolerance T]
+                [--boundary exact|WEIGHT] [--iterations N] [--tolerance T]
                 [--accelerator {}]
                 [--out FILE.obj|FILE.mesh] [--report FILE.json] [--trace]
        shape-up check MESH [--report FILE.json]
@@ -90,6 +92,8 @@ A SCENE is a *.json file, a MESH is OBJ, OFF or Medit (.obj, .off, .mesh).
  {}
 --exact meets all constraints instead of weighing them; --within meets them up to a LENGTH in the
 unit of the mesh. Without, each constraint of a scene says itself what it is.
+--boundary exact holds boundary vertices on their curve, where they glide, and its corners; a WEIGHT
+holds them near it.
 A MESH is solved with the settings that keep it whole, a scene with its own.
 --iterations, --tolerance (0 never stops early) and --accelerator replace the settings of the scene.
 --out writes OBJ, or where the name ends in .mesh, Medit, which has tetrahedra.
@@ -222,6 +226,7 @@ fn solve(mut words: Words) -> Result<Command, String> {
                 let length = words.positive(&name)?;
                 require(&mut solve, Require::Within(length))?;
             }
+            "--boundary" => solve.boundary = Some(words.boundary(&name)?),
             "--trace" => solve.trace = words.flag(&name)?,
             "--out" => solve.out = Some(words.mesh(&name, &["obj", "mesh"])?),
             "--report" => solve.report = Some(words.file(&name)?),
@@ -375,6 +380,18 @@ impl Words {
         let value = self.text(name)?;
         let parsed = value.parse().ok().filter(|number: &f64| number.is_finite() && *number >= 0.0);
         parsed.ok_or_else(|| format!("{name} takes a number from 0, found `{value}`"))
+    }
+
+    /// The value of an option that says how a boundary is held.
+    fn boundary(&mut self, name: &str) -> Result<BoundaryCloseness, String> {
+        let value = self.text(name)?;
+        let held = BoundaryCloseness::default();
+        if value == BoundaryRequire::Exact.word() {
+            return Ok(BoundaryCloseness { require: BoundaryRequire::Exact, ..held });
+        }
+        let weight = value.parse().ok().filter(|weight: &f64| weight.is_finite() && *weight > 0.0);
+        let expected = || format!("{name} takes `exact` or a weight above 0, found `{value}`");
+        weight.map(|weight| BoundaryCloseness { weight, ..held }).ok_or_else(expected)
     }
 
     /// The value of an option that takes a number above zero.

@@ -29,6 +29,7 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
     if let Some(require) = command.require {
         scene.constraints.iter_mut().for_each(|row| row.require = require);
     }
+    scene.closeness.boundary = command.boundary.or(scene.closeness.boundary);
     scene.solver.iterations = command.iterations.unwrap_or(scene.solver.iterations);
     scene.solver.tolerance = command.tolerance.unwrap_or(scene.solver.tolerance);
     scene.solver.accelerator = command.accelerator.unwrap_or(scene.solver.accelerator);

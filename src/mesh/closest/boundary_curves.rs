@@ -21,6 +21,17 @@ pub struct BoundaryCurve {
     pub polyline: Surface,
     /// Its vertices without the corners, along the loop.
     pub vertices: Vec<u32>,
+    /// What lies between corners, in order.
+    pub pieces: Vec<BoundaryPiece>,
+}
+
+/// A part of a boundary loop from corner to corner; all of it where it has none.
+#[derive(Clone, Debug)]
+pub struct BoundaryPiece {
+    /// Its vertices with both ends; the first one again at the end where it is closed.
+    pub vertices: Vec<u32>,
+    /// Whether it is a loop without a corner.
+    pub closed: bool,
 }
 
 impl BoundaryCurves {
@@ -51,6 +62,7 @@ impl BoundaryCurves {
             let curve = Mesh { curves: Ragged::from_iter([polyline]), ..Mesh::default() };
             BoundaryCurve {
                 polyline: Surface::new(positions, &curve),
+                pieces: pieces(one, is_closed(one, topology), &is_corner),
                 vertices: one.iter().copied().filter(|&v| !is_corner[v as usize]).collect(),
             }
         });
@@ -58,6 +70,22 @@ impl BoundaryCurves {
         let corners = (0..).zip(&is_corner).filter(|(_, corner)| **corner).map(|(v, _)| v);
         BoundaryCurves { curves, corners: corners.collect() }
     }
+}
+
+/// The pieces of a loop between its corners.
+fn pieces(one: &[u32], closed: bool, is_corner: &[bool]) -> Vec<BoundaryPiece> {
+    let n = one.len();
+    let corners: Vec<usize> = (0..n).filter(|&k| is_corner[one[k] as usize]).collect();
+    let part = |from: usize, to: usize, closed: bool| BoundaryPiece {
+        vertices: (from..=to).map(|k| one[k % n]).collect(),
+        closed,
+    };
+    let Some(&first) = corners.first() else { return vec![part(0, n, true)] };
+    let mut ends = corners;
+    if closed {
+        ends.push(first + n);
+    }
+    ends.windows(2).map(|ends| part(ends[0], ends[1], false)).collect()
 }
 
 /// Whether a row of the boundary loops comes back to its first vertex.

@@ -6,7 +6,9 @@ use super::{constraint, handle, lesson, mesh as inline_mesh, selector};
 use crate::constraint::Set;
 use crate::json::indices;
 use crate::mesh::Mesh;
-use crate::scene::{Closeness, ClosenessTo, ClosenessWeight, MeshSource, NamedEnum, Scene, Up};
+use crate::scene::{
+    BoundaryRequire, Closeness, ClosenessTo, ClosenessWeight, MeshSource, NamedEnum, Scene, Up,
+};
 
 impl Scene {
     /// Writes the scene as a file: `mesh` goes inline where [`Scene::mesh`] is inline. What has its
@@ -149,7 +151,14 @@ fn write_closeness(closeness: &Closeness) -> Vec<String> {
     }
     if let Some(boundary) = closeness.boundary {
         // Also the default: it says what the corners are.
-        fields.push(field("boundary", object(vec![field("corners", number(boundary.corners))])));
+        let mut entries = vec![field("corners", number(boundary.corners))];
+        if boundary.require != BoundaryRequire::default() {
+            entries.push(field("require", text(boundary.require.word())));
+        }
+        if boundary.weight != 1.0 {
+            entries.push(field("weight", number(boundary.weight)));
+        }
+        fields.push(field("boundary", object(entries)));
     }
     fields
 }

@@ -3,8 +3,8 @@
 
 use crate::constraint::{Form, Param, ParamValue};
 use crate::scene::{
-    Accelerator, BoundaryCloseness, ClosenessTo, NamedEnum, Scene, SceneError, SmoothnessOf,
-    Weighting,
+    Accelerator, BoundaryCloseness, BoundaryRequire, ClosenessTo, NamedEnum, Scene, SceneError,
+    SmoothnessOf, Weighting,
 };
 use serde::Serialize;
 use serde_json::{Map, Value, json};
@@ -25,6 +25,17 @@ const NEAR: &str = "Close to the original";
 const SMOOTH: &str = "Smoothness";
 const SOLVER: &str = "Solver";
 const OFF: Form = Form::Word("off");
+
+/// How the boundary is held.
+type BoundaryHold = Option<BoundaryRequire>;
+
+impl NamedEnum for BoundaryHold {
+    const WORDS: &'static [(&'static str, BoundaryHold)] = &[
+        ("off", None),
+        ("exactly", Some(BoundaryRequire::Exact)),
+        ("nearly", Some(BoundaryRequire::Soft)),
+    ];
+}
 
 /// A switch.
 impl NamedEnum for bool {
@@ -51,6 +62,17 @@ const fn words(
     Param { id, label, unit: "", default: ParamValue::Word(default), forms, range: [0.0, 0.0] }
 }
 
+const fn number(
+    id: &'static str,
+    label: &'static str,
+    unit: &'static str,
+    default: f64,
+    most: f64,
+) -> Param {
+    let default = ParamValue::Number(default);
+    Param { id, label, unit, default, forms: &[Form::Number], range: [0.0, most] }
+}
+
 /// All settings, in the order in which hosts list them.
 pub const SETTINGS: &[Setting] = &[
     Setting {
@@ -59,15 +81,23 @@ pub const SETTINGS: &[Setting] = &[
         group: NEAR,
     },
     Setting {
-        param: Param {
-            id: "boundary",
-            label: "Boundary stays on its curve",
-            unit: "degrees",
-            default: ParamValue::Word("off"),
-            forms: &[OFF, Form::Number],
-            range: [0.0, 180.0],
-        },
-        summary: "Boundary vertices glide along their own boundary curve; where it turns by more than this angle they are corners, which stay.",
+        param: words(
+            "boundary",
+            "Boundary stays on its curve",
+            "off",
+            const { &forms::<BoundaryHold, 3>() },
+        ),
+        summary: "Boundary vertices glide along their own curve, and corners stay: exactly is at all times, whatever else pulls; nearly is weighed against the rest.",
+        group: NEAR,
+    },
+    Setting {
+        param: number("boundary-weight", "Nearly: weight", "", 1.0, 1e12),
+        summary: "How many times as near to its curve the boundary is kept as other vertices to the original.",
+        group: NEAR,
+    },
+    Setting {
+        param: number("corners", "Corners turn by more than", "degrees", 45.0, 180.0),
+        summary: "Where the boundary turns by more than this angle its vertices are corners.",
         group: NEAR,
     },
     Setting {
@@ -91,26 +121,12 @@ pub const SETTINGS: &[Setting] = &[
         group: SOLVER,
     },
     Setting {
-        param: Param {
-            id: "window",
-            label: "Steps remembered",
-            unit: "",
-            default: ParamValue::Number(5.0),
-            forms: &[Form::Number],
-            range: [0.0, 50.0],
-        },
+        param: number("window", "Steps remembered", "", 5.0, 50.0),
         summary: "How many earlier steps the accelerator looks at; with 0 it does nothing.",
         group: SOLVER,
     },
     Setting {
-        param: Param {
-            id: "tolerance",
-            label: "Stopping threshold",
-            unit: "",
-            default: ParamValue::Number(1e-9),
-            forms: &[Form::Number],
-            range: [0.0, 1.0],
-        },
+        param: number("tolerance", "Stopping threshold", "", 1e-9, 1.0),
         summary: "The run stops when the total energy changes by less than this part of itself; with 0 it goes on.",
         group: SOLVER,
     },
@@ -128,11 +144,13 @@ pub const SETTINGS: &[Setting] = &[
 
 /// The value of every setting in `scene`, by id.
 pub fn settings_of(scene: &Scene) -> Map<String, Value> {
-    let boundary = scene.closeness.boundary;
+    let boundary = scene.closeness.boundary.unwrap_or_default();
     let solver = scene.solver;
     let values = [
         ("closeness", json!(scene.closeness.to.word())),
-        ("boundary", boundary.map_or(json!("off"), |boundary| json!(boundary.corners))),
+        ("boundary", json!(scene.closeness.boundary.map(|it| it.require).word())),
+        ("boundary-weight", json!(boundary.weight)),
+        ("corners", json!(boundary.corners)),
         ("smoothness", json!(scene.smoothness.of.word())),
         ("weighting", json!(scene.smoothness.weighting.word())),
         ("accelerator", json!(solver.accelerator.word())),
@@ -166,10 +184,12 @@ pub(crate) fn set(scene: &mut Scene, id: &str, value: &Value) -> Result<&'static
     match id {
         "closeness" => scene.closeness.to = choice(id, value)?,
         "boundary" => {
-            let off = value.as_str() == Some("off");
-            scene.closeness.boundary =
-                if off { None } else { Some(BoundaryCloseness { corners: number()? }) };
+            let held = scene.closeness.boundary.unwrap_or_default();
+            let hold: BoundaryHold = choice(id, value)?;
+            scene.closeness.boundary = hold.map(|require| BoundaryCloseness { require, ..held });
         }
+        "boundary-weight" => scene.closeness.boundary.get_or_insert_default().weight = number()?,
+        "corners" => scene.closeness.boundary.get_or_insert_default().corners = number()?,
         "smoothness" => scene.smoothness.of = choice(id, value)?,
         "weighting" => scene.smoothness.weighting = choice(id, value)?,
         "accelerator" => scene.solver.accelerator = choice(id, value)?,
@@ -237,7 +257,8 @@ mod tests {
     fn what_a_setting_cannot_be_is_refused_at_its_place() {
         for (id, value) in [
             ("closeness", json!("roof")),
-            ("boundary", json!(181)),
+            ("boundary", json!(45)),
+            ("corners", json!(181)),
             ("window", json!(2.5)),
             ("tolerance", json!(-1)),
             ("monotone", json!(true)),

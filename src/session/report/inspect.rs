@@ -3,7 +3,7 @@
 
 use super::constraint_map::ConstraintCoverage;
 use crate::constraint::{Element, Selector};
-use crate::scene::{ClosenessTo, Scene};
+use crate::scene::{BoundaryRequire, ClosenessTo, Scene};
 use crate::session::state::{ResolvedRow, RestMesh, SolvedScene};
 
 /// The id of the measure that row `index` brings to zero on single faces: that of its kind, if each of its
@@ -59,13 +59,14 @@ pub(crate) fn free(scene: &SolvedScene, rest: &RestMesh) -> Vec<u32> {
         act_on(rest.topology().edges().as_flattened());
     }
     let closeness = &document.closeness;
-    if weights.close > 0.0 {
+    let exact = closeness.boundary.is_some_and(|it| it.require == BoundaryRequire::Exact);
+    if weights.close > 0.0 || exact {
         let factors = closeness.factors(rest.mesh(), rest.topology(), &document.sets);
         let factors = factors.expect("the document was resolved when it was taken over");
         let mut hold = |vertex: u32| {
             acted_on[vertex as usize] |= factors[vertex as usize] > 0.0;
         };
-        if closeness.to != ClosenessTo::None {
+        if closeness.to != ClosenessTo::None && weights.close > 0.0 {
             (0..count as u32).for_each(&mut hold);
         } else if closeness.boundary.is_some() {
             let loops = rest.topology().boundary_loops();

@@ -91,14 +91,19 @@ impl CloseEnergy {
                     [x, y, z]
                 })
                 .collect();
-            let boundary =
-                BoundaryCurves::new(&positions, topology, cosine(boundary.corners / 360.0));
+            let BoundaryCloseness { corners: angle, weight, .. } = boundary;
+            let boundary = BoundaryCurves::new(&positions, topology, cosine(angle / 360.0));
+            let times = |mut target: SurfaceTarget| {
+                target.factor *= weight;
+                target
+            };
             let mut take = |v: &u32| !std::mem::replace(&mut elsewhere[*v as usize], true);
             corners = boundary.corners.into_iter().filter(&mut take).collect();
             energy.points.extend(corners.iter().copied().map(at_point));
             for curve in boundary.curves {
-                let vertices =
-                    curve.vertices.into_iter().filter(&mut take).map(on_surface).collect();
+                let vertices = curve.vertices.into_iter().filter(&mut take);
+                let vertices = vertices.map(on_surface).map(times);
+                let vertices = vertices.filter(|target| target.factor > 0.0).collect();
                 energy.surfaces.push(SurfaceTargets::new(Rc::new(curve.polyline), vertices));
             }
         }

@@ -86,8 +86,13 @@ impl Model {
             HardRows::new(&rows, node_of, &parts.rest, &Reference { surface: &surface });
         parts.energies.handles = PositionalConstraints::new(handles, node_of, centre);
 
-        let holding = parts.holding(handles);
+        let mut holding = parts.holding(handles);
         let mut x = parts.to_rows(start);
+        if let Some(gliding) = &mut parts.gliding {
+            // What is on the boundary stays in its place on the curve meanwhile.
+            gliding.place(&mut x, handles);
+            gliding.vertices().for_each(|(_, node)| holding.fixed[node as usize] = true);
+        }
         let mut put = start.to_vec();
         let fixed = handles.iter().filter(|handle| handle.hold == Hold::Fixed);
         let is_handle = |v: u32| handles.iter().any(|handle| handle.vertex == v);

@@ -49,8 +49,14 @@ impl Solver {
             }
             return Ok(());
         }
-        let Solver { n_vertices, n_unknowns, held, corners, .. } = self;
-        let nodes = Nodes { n_vertices: *n_vertices, n_unknowns: *n_unknowns, held, corners };
+        let Solver { n_vertices, n_unknowns, held, corners, gliding, .. } = self;
+        let nodes = Nodes {
+            n_vertices: *n_vertices,
+            n_unknowns: *n_unknowns,
+            held,
+            corners,
+            exact: gliding.is_some(),
+        };
         let Holding { fixed, diagonal, pinned } =
             Holding::new(&nodes, &self.system, &self.energies, &handles);
         self.pinned = pinned;
@@ -138,7 +144,8 @@ impl Solver {
     /// Evaluates with the handles that were `added` to the others. Where these hold their vertices where
     /// they are, the projections at hand stay good.
     fn begin_holding(&mut self, added: &[Handle]) {
-        if added.iter().any(|handle| handle.target != self.position(handle.vertex)) {
+        let stay = added.iter().all(|handle| handle.target == self.position(handle.vertex));
+        if !stay || self.gliding.is_some() {
             self.retarget();
             return;
         }
@@ -162,13 +169,19 @@ impl Solver {
         let node_of = &self.system.node_of()[..self.n_vertices];
         let fixed = self.handles.iter().filter(|handle| handle.hold == Hold::Fixed);
         let fixed = fixed.map(|handle| (handle.vertex, handle.target));
-        let is_handle = |v: u32| self.handle_index.get(v).is_some();
-        let corners = self.corners.iter().copied().filter(|&(v, _)| !is_handle(v));
+        let exact = self.gliding.is_some();
+        let releases = |handle: &Handle| !exact || handle.hold == Hold::Fixed;
+        let handle = |v: u32| self.handle_index.get(v).map(|place| &self.handles[place]);
+        let corners =
+            self.corners.iter().copied().filter(|&(v, _)| !handle(v).is_some_and(releases));
         for (vertex, target) in corners.chain(fixed) {
             self.x[node_of[vertex as usize] as usize] = relative(target, self.centre);
             self.put[vertex as usize] = target;
         }
         self.energies.handles = PositionalConstraints::new(&self.handles, node_of, self.centre);
+        if let Some(gliding) = &mut self.gliding {
+            gliding.place(&mut self.x, &self.handles);
+        }
         self.evaluate();
         self.start_anew();
     }

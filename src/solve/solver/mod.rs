@@ -17,6 +17,7 @@ mod step;
 use super::accelerate::Acceleration;
 use super::energy::{Energies, Energy, Handle, HandleIndex, IterateSeconds};
 use super::error::SolveError;
+use super::gliding::Gliding;
 use super::local_frame::{relative, rest_surface};
 use super::parts::{Added, Parts};
 use super::problem::Problem;
@@ -43,6 +44,8 @@ pub struct Solver {
     held: Vec<bool>,
     /// Corners of the boundary, if these are fixed, and where.
     corners: Vec<(u32, Point)>,
+    /// The other boundary vertices, if they are on their curves exactly.
+    gliding: Option<Gliding>,
     handles: Vec<Handle>,
     handle_index: HandleIndex,
     /// Whether the factor is that of these handles.
@@ -98,6 +101,7 @@ impl Solver {
             energies: parts.energies,
             held: parts.held,
             corners: parts.corners,
+            gliding: parts.gliding,
             handles: Vec::new(),
             handle_index: HandleIndex::new(n_vertices, &[]),
             factored: false,
@@ -145,6 +149,9 @@ impl Solver {
     fn evaluate(&mut self) {
         self.energy = self.energies.evaluate(&self.x, &mut self.gradient, &mut self.seconds);
         self.system.clear_fixed(&mut self.gradient);
+        if let Some(gliding) = &mut self.gliding {
+            gliding.constrain(&mut self.gradient);
+        }
     }
 
     /// Current positions, `#V by 3`.
@@ -167,7 +174,7 @@ impl Solver {
         self.energy
     }
     /// The gradient of the total energy at the current positions (Appendix A), `#V by 3`; zero where
-    /// vertices are fixed.
+    /// vertices are fixed, along the boundary where they are on it exactly.
     pub fn gradient(&self) -> impl ExactSizeIterator<Item = Point> {
         let half = |&node: &u32| self.gradient[node as usize];
         self.system.node_of()[..self.n_vertices]

@@ -5,7 +5,11 @@ use super::Solver;
 use crate::constraint::Row;
 use crate::solve::accelerate::Iterate;
 use crate::solve::clock;
+use crate::solve::energy::Energy;
 use crate::solve::error::SolveError;
+
+/// A step along curves is halved so often at most; then it stays where it was.
+const SHORTENED: u32 = 12;
 
 impl Solver {
     /// One iteration: step II from the projections at hand, then step I at the new positions.
@@ -21,6 +25,9 @@ impl Solver {
         self.system.prepare()?;
         let before = self.energy;
         let started = clock::now();
+        if let Some(gliding) = &self.gliding {
+            gliding.to_unknowns(&mut self.x, &mut self.gradient);
+        }
         let now = Iterate { x: &self.x, gradient: &self.gradient };
         let previous = Iterate { x: &self.previous.0, gradient: &self.previous.1 };
         let learned = self.has_previous;
@@ -30,17 +37,21 @@ impl Solver {
         std::mem::swap(&mut self.previous.1, &mut self.gradient);
         std::mem::swap(&mut self.x, &mut self.next);
         self.has_previous = true;
+        self.glide();
         self.seconds.global += clock::now() - started;
         self.evaluate();
         // Without a step to learn from, a proposal is the plain step in fewer digits.
         self.accelerated = accelerated && learned;
+        // Written so that NaN falls back too.
+        let falls = |energy: Energy| energy.total < before.total;
+        if accelerated && !falls(self.energy) {
+            self.accelerated = false;
+            self.take_plain_step();
+        }
+        if self.gliding.is_some() && !falls(self.energy) {
+            self.shorten_step(before.total);
+        }
         if accelerated {
-            // Written so that NaN falls back too.
-            let falls = self.energy.total < before.total;
-            if !falls {
-                self.accelerated = false;
-                self.take_plain_step();
-            }
             self.keep_best(before.total);
         }
         self.stop_non_finite()?;
@@ -55,9 +66,33 @@ impl Solver {
         let started = clock::now();
         let previous = Iterate { x: &self.previous.0, gradient: &self.previous.1 };
         previous.plain_step(&mut self.system, &mut self.x);
+        self.glide();
         self.seconds.global += clock::now() - started;
         self.energies.shape.take_back();
         self.evaluate();
+    }
+
+    /// Puts vertices on their curves at the unknowns that a step has come to.
+    fn glide(&mut self) {
+        if let Some(gliding) = &mut self.gliding {
+            gliding.put_on_curves(&mut self.x);
+        }
+    }
+
+    /// Where vertices are on curves the plain step is no upper bound: halves it until the total falls.
+    fn shorten_step(&mut self, before: f64) {
+        for k in (0..SHORTENED).rev() {
+            if let Some(gliding) = &self.gliding {
+                let (x, gradient) = &self.previous;
+                gliding.shorten((x, gradient), &mut self.x, if k == 0 { 0.0 } else { 0.5 });
+            }
+            self.glide();
+            self.energies.shape.take_back();
+            self.evaluate();
+            if self.energy.total < before {
+                break;
+            }
+        }
     }
 
     /// With operators that are not exact even the plain step can raise the total in a late digit.
@@ -73,6 +108,7 @@ impl Solver {
             && total < self.energy.total
         {
             self.x = x;
+            self.glide();
             self.forget();
             self.evaluate();
         }
@@ -89,6 +125,7 @@ impl Solver {
         let node = self.x.iter().position(|row| !finite(row)).unwrap_or(0) as u32;
         let vertex = self.system.node_of()[..self.n_vertices].iter().position(|&of| of == node);
         self.x.copy_from_slice(&self.previous.0);
+        self.glide();
         self.forget();
         self.evaluate();
         Err(SolveError::NotFinite { vertex: vertex.unwrap_or(0) as u32 })

@@ -1,0 +1,153 @@
+//! Boundary vertices that are on their curve exactly: their unknown is the length along it. In terms of unknowns
+//! their rows hold that length and the slope of the energy along the curve; everything that steps works on these.
+//!
+//! In the metric they are apart from the other nodes: the coordinates of these and lengths along a curve have no
+//! couplings that are the same for all three coordinates.
+
+use super::energy::{Handle, Hold};
+use super::settings::BoundaryCloseness;
+use crate::constraint::Row;
+use crate::math::{Vec3, cosine};
+use crate::mesh::{BoundaryCurves, Point, Polyline, Topology};
+
+/// The boundary vertices of a solver, but corners, with their curves.
+pub(super) struct Gliding {
+    curves: Vec<Polyline>,
+    vertices: Vec<Glider>,
+    /// Differences of coordinates below this are rounding.
+    rounding: f64,
+}
+
+struct Glider {
+    vertex: u32,
+    node: u32,
+    curve: u32,
+    /// How far along.
+    s: f64,
+    /// The slope of half the energy along the curve where it falls, else 0.
+    slope: f64,
+    /// Whether a fixed handle has it instead.
+    taken: bool,
+}
+
+impl Gliding {
+    /// On the boundary of the shape at `positions` (`#V by 3`), and its corners. Vertices that are `released` are as
+    /// those inside. `node_of` is the node of each vertex. Coordinates are relative to `centre`.
+    pub(super) fn new(
+        (positions, centre): (&[Point], Point),
+        topology: &Topology,
+        boundary: BoundaryCloseness,
+        released: impl Fn(u32) -> bool,
+        node_of: &[u32],
+    ) -> (Gliding, Vec<u32>) {
+        let found = BoundaryCurves::new(positions, topology, cosine(boundary.corners / 360.0));
+        let largest = positions.as_flattened().iter().chain(&centre);
+        let largest = largest.fold(0.0, |largest: f64, coordinate| largest.max(coordinate.abs()));
+        let rounding = 8.0 * f64::EPSILON * largest;
+        let mut gliding = Gliding { curves: Vec::new(), vertices: Vec::new(), rounding };
+        let mut is_corner = vec![false; positions.len()];
+        found.corners.iter().for_each(|&v| is_corner[v as usize] = true);
+        for piece in found.curves.into_iter().flat_map(|curve| curve.pieces) {
+            let points = piece.vertices.iter().map(|&v| positions[v as usize]);
+            let curve = Polyline::new(points, piece.closed);
+            let own = if piece.closed { piece.vertices.len() - 1 } else { piece.vertices.len() };
+            for (k, &vertex) in piece.vertices[..own].iter().enumerate() {
+                if !is_corner[vertex as usize] && !released(vertex) {
+                    gliding.vertices.push(Glider {
+                        vertex,
+                        node: node_of[vertex as usize],
+                        curve: gliding.curves.len() as u32,
+                        s: curve.length_to(k),
+                        slope: 0.0,
+                        taken: false,
+                    });
+                }
+            }
+            gliding.curves.push(curve);
+        }
+        (gliding, found.corners.into_iter().filter(|&v| !released(v)).collect())
+    }
+
+    /// The vertices and their nodes.
+    pub(super) fn vertices(&self) -> impl Iterator<Item = (u32, u32)> {
+        self.vertices.iter().map(|glider| (glider.vertex, glider.node))
+    }
+
+    /// Puts the vertices onto their curves, each at the closest point, but those that have a fixed handle.
+    pub(super) fn place(&mut self, x: &mut [Row], handles: &[Handle]) {
+        let fixed = |v: u32| handles.iter().any(|it| it.vertex == v && it.hold == Hold::Fixed);
+        for glider in &mut self.vertices {
+            glider.taken = fixed(glider.vertex);
+            let row = &mut x[glider.node as usize];
+            let curve = &self.curves[glider.curve as usize];
+            if glider.taken || curve.point(glider.s) == row[..3] {
+                continue;
+            }
+            glider.s = curve.closest([row[0], row[1], row[2]], glider.s);
+            let on_curve = at(curve, glider.s);
+            // Positions that come back keep their last bit.
+            if row.iter().zip(&on_curve).any(|(a, b)| (a - b).abs() > self.rounding) {
+                *row = on_curve;
+            }
+        }
+    }
+
+    /// Leaves of the gradient what is along the curves, where the energy falls along them.
+    pub(super) fn constrain(&mut self, gradient: &mut [Row]) {
+        for glider in self.vertices.iter_mut().filter(|glider| !glider.taken) {
+            let row = &mut gradient[glider.node as usize];
+            let g = Vec3::new(row[0], row[1], row[2]);
+            let [back, on] = self.curves[glider.curve as usize].directions(glider.s);
+            let slope = |way: Option<Vec3<f64>>| way.map_or(0.0, |way| g.dot(way));
+            // At a vertex of the curve it can fall on both sides, or on none.
+            let (rising, falling) = (slope(back).max(0.0), slope(on).min(0.0));
+            let (slope, way) = if rising > -falling { (rising, back) } else { (falling, on) };
+            glider.slope = slope;
+            let along = way.unwrap_or(Vec3::zero()) * slope;
+            *row = [along.x, along.y, along.z, 0.0];
+        }
+    }
+
+    /// Positions and their gradient in terms of unknowns.
+    pub(super) fn to_unknowns(&self, x: &mut [Row], gradient: &mut [Row]) {
+        for glider in self.vertices.iter().filter(|glider| !glider.taken) {
+            x[glider.node as usize] = [glider.s, 0.0, 0.0, 0.0];
+            gradient[glider.node as usize] = [glider.slope, 0.0, 0.0, 0.0];
+        }
+    }
+
+    /// The way back for the positions: lengths that leave their curve end at its end.
+    pub(super) fn put_on_curves(&mut self, x: &mut [Row]) {
+        for glider in self.vertices.iter_mut().filter(|glider| !glider.taken) {
+            let (curve, row) = (&self.curves[glider.curve as usize], &mut x[glider.node as usize]);
+            // A length that is no number stays one, to be found at the end of the step.
+            if row[0].is_finite() {
+                glider.s = curve.bounded(row[0]);
+                *row = at(curve, glider.s);
+            }
+        }
+    }
+
+    /// In terms of unknowns: `to` is `part` of the way from `before` to where the vertices are now, `x` but for these.
+    /// Those that would climb along their curve stay; so the way descends where it does for all other nodes.
+    pub(super) fn shorten(&self, before: (&[Row], &[Row]), x: &mut [Row], part: f64) {
+        for glider in self.vertices.iter().filter(|glider| !glider.taken) {
+            x[glider.node as usize][..3].copy_from_slice(&[glider.s, 0.0, 0.0]);
+        }
+        for (to, before) in x.as_flattened_mut().iter_mut().zip(before.0.as_flattened()) {
+            *to = before + part * (*to - before);
+        }
+        for glider in self.vertices.iter().filter(|glider| !glider.taken) {
+            let node = glider.node as usize;
+            let (start, slope) = (before.0[node][0], before.1[node][0]);
+            if (x[node][0] - start) * slope >= 0.0 {
+                x[node][0] = start;
+            }
+        }
+    }
+}
+
+fn at(curve: &Polyline, s: f64) -> Row {
+    let [x, y, z] = curve.point(s);
+    [x, y, z, 0.0]
+}
