@@ -166,7 +166,7 @@ export function commandTable(app, pointer, fileInput) {
     {
       id: 'nothing',
       group: 'Tools',
-      label: 'Undo the drag, close, select nothing',
+      label: 'Cancel the drag, close, clear the selection',
       keys: ['Escape'],
       action: escape,
     },

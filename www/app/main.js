@@ -156,8 +156,7 @@ const offline = () =>
   );
 viewport.on('ready', offline);
 viewport.on('none', offline);
-if (matchMedia('(any-pointer: coarse)').matches)
-  actions.reportErrors(import('../ui/controls/tooltips.js').then((it) => it.tooltipsForTouch()));
+actions.reportErrors(import('../ui/controls/tooltips.js').then((it) => it.tooltips()));
 import('../panels/status-bar/environment-status.js').then((module) =>
   module.environmentStatus(byId('numbers'), app),
 );

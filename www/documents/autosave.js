@@ -250,7 +250,7 @@ export async function take(work, how) {
   const { text, history, progress } = await contentsOf(work.id);
   if (typeof text !== 'string') {
     await releaseWork(work);
-    throw new Unreadable(work, text, 'what was kept of it is damaged');
+    throw new Unreadable(work, text, 'its saved copy is damaged');
   }
   const bytes = (/** @type {unknown} */ value) => (value instanceof Uint8Array ? value : null);
   const { iteration } = work;

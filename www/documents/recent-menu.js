@@ -36,7 +36,7 @@ function noEntry() {
   return element(
     'p.quiet',
     { role: 'menuitem', 'aria-disabled': 'true', tabindex: '-1' },
-    'Nothing else yet. What you open or change is kept in this browser, and listed here.',
+    'Nothing else yet. What you open or change is saved in this browser and listed here.',
   );
 }
 

@@ -21,7 +21,7 @@ const START = 'This is the original. Press Run.';
 
 /** @param {string} now what is true of every panel */
 const hints = (now) => [
-  `${now} Drag a blue handle: it is solved again as you drag.`,
+  `${now} Drag a blue handle: the shape is solved again as you drag.`,
   'Press Reset to see the original.',
   'Your turn: open a mesh of your own, or try another example.',
 ];

@@ -53,7 +53,7 @@ export async function listOfExamples() {
  */
 export async function exampleFile(name) {
   const response = await fetch(new URL(name, FOLDER)).catch(() => {
-    throw new Error('The examples could not be fetched. Is there a network?');
+    throw new Error('The examples could not be fetched. Check the network.');
   });
   if (!response.ok)
     throw new Error(`The example file ${name} could not be fetched (${response.status}).`);

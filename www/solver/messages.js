@@ -466,6 +466,6 @@ export function messageOf(thrown) {
   return /preload CSS|imported module|importing a module|HTTP status code|Failed to fetch|NetworkError when|^Load failed/i.test(
     message,
   )
-    ? 'A part of the page could not be fetched. Is there a network?'
+    ? 'A part of the page could not be fetched. Check the network.'
     : message;
 }

@@ -15,7 +15,7 @@ export function explainNoPicture(reason) {
   const notice = byId('no-picture');
   notice.replaceChildren(
     element('p', `No 3D view: ${cause} Everything else works: the panels, Run, and Export.`),
-    element('details', element('summary', 'What the browser says'), element('p', reason)),
+    element('details', element('summary', 'Message of the browser'), element('p', reason)),
   );
   notice.hidden = false;
   byId('view-buttons').hidden = true;

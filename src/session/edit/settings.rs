@@ -117,7 +117,7 @@ pub const SETTINGS: &[Setting] = &[
             "quasi-newton",
             const { &forms::<Accelerator, 3>() },
         ),
-        summary: "How steps are lengthened by what earlier ones found; none is the plain iteration of the paper.",
+        summary: "How earlier steps speed up the next ones; none is the plain iteration of the paper.",
         group: SOLVER,
     },
     Setting {
@@ -132,7 +132,7 @@ pub const SETTINGS: &[Setting] = &[
     },
     Setting {
         param: words("mean-centring", "Mean centring", "on", &[Form::Word("on"), OFF]),
-        summary: "Shapes are compared about their middles, so that they move freely; off is the slow way, for comparison.",
+        summary: "Shapes are fitted about the means of their points, so that they move freely; off is slower, for comparison.",
         group: SOLVER,
     },
     Setting {

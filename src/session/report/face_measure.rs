@@ -123,8 +123,8 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
     FaceMeasure {
         id: "residual",
         label: "Constraints",
-        words: "largest distance of a face’s corners to where their constraints want them",
-        met: "each panel is as its constraints want it",
+        words: "largest distance of a face’s corners to the shapes of their constraints",
+        met: "each panel meets its constraints",
         unit: MeasureUnit::Length,
         toleranced: true,
         values: residuals,

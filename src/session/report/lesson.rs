@@ -94,7 +94,7 @@ fn goal_in_words(goal: &Goal) -> GoalWords<'_> {
         }
         GoalOf::Constraint(name) => GoalWords {
             label: name,
-            words: "largest distance of a vertex to where this constraint wants it",
+            words: "largest distance of a vertex to the shape of this constraint",
             unit: MeasureUnit::Length,
             at_most: goal.at_most,
             measure: None,

@@ -79,14 +79,14 @@ pub const OPERATIONS: &[Operation] = &[
     Operation {
         id: "all",
         label: "All",
-        summary: "Everything of what is picked.",
+        summary: "All vertices, edges or faces.",
         keys: &["Ctrl+A"],
         ..PLAIN
     },
     Operation {
         id: "invert",
         label: "Invert",
-        summary: "What is not selected, instead of what is.",
+        summary: "Swaps what is selected and what is not.",
         keys: &["Ctrl+I"],
         ..PLAIN
     },
@@ -249,7 +249,7 @@ pub const OPERATIONS: &[Operation] = &[
     },
     Operation {
         id: "free",
-        label: "Nothing acts on",
+        label: "Free vertices",
         summary: "Vertices without constraint, closeness, smoothness or handle, which stay where they are.",
         group: FIND,
         gives: Some(Mode::Vertices),

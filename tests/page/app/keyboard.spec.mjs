@@ -58,6 +58,17 @@ async function walkTo(page, name) {
 const press = (page, ...keys) =>
   keys.reduce((before, key) => before.then(() => page.keyboard.press(key)), Promise.resolve());
 
+test('a button without a name says what it does where the focus rests on it', async ({ page }) => {
+  await openBars(page);
+  await tabTo(page, /^Open/);
+  await walkTo(page, /^More formats/);
+  const tip = page.getByRole('tooltip');
+  await expect(tip).toHaveText(/Rhino/);
+  await expect(tip).toBeInViewport({ ratio: 1 });
+  await page.keyboard.press('Tab');
+  await expect(tip.filter({ hasText: /Rhino/ })).toBeHidden();
+});
+
 test('a mesh of one’s own, from its file to its export, by keys only', async ({ page }) => {
   await openBars(page);
   await waitForState(page, (now) => now.renderer !== 'none');

@@ -262,7 +262,7 @@ test('a part of the page that cannot be fetched is told of in plain words', asyn
   await page.route('**/split-view*', (route) => route.abort());
   await page.getByRole('application', { name: '3D view' }).focus();
   await page.keyboard.press('c');
-  const words = 'A part of the page could not be fetched. Is there a network?';
+  const words = 'A part of the page could not be fetched. Check the network.';
   await expect(page.getByRole('alert')).toHaveText(words);
   expect(complaints.filter((text) => !text.includes('net::ERR_FAILED'))).toEqual([]);
   complaints.length = 0;

@@ -35,7 +35,7 @@ async function write(page) {
   await showPanel(page, 'Model');
   await page.getByRole('button', { name: 'Write a lesson' }).click();
   const dialog = page.getByRole('dialog', { name: 'Lesson' });
-  await dialog.getByLabel('What is to be done').fill(WORDS);
+  await dialog.getByLabel('Task').fill(WORDS);
   await worst(dialog, 1).selectOption({ label: 'Planarity' });
   await most(dialog, 'Goal 1: planarity at most, m').fill('0.005');
   await dialog.getByRole('button', { name: 'Add goal' }).click();
@@ -57,7 +57,7 @@ async function download(page, action) {
 test('a lesson is written, met, handed in and checked', async ({ page }) => {
   const dialog = await write(page);
   const saved = await download(page, () =>
-    dialog.getByRole('button', { name: 'Keep and save the scene' }).click(),
+    dialog.getByRole('button', { name: 'Lesson as a scene file' }).click(),
   );
   expect(JSON.parse(saved.text).lesson).toEqual({
     text: WORDS,
@@ -119,7 +119,7 @@ test('a lesson is written, met, handed in and checked', async ({ page }) => {
 test('a lesson comes through a link, and is undone', async ({ page, context }) => {
   await context.grantPermissions(['clipboard-read', 'clipboard-write']);
   const dialog = await write(page);
-  await dialog.getByRole('button', { name: 'Keep and make a link' }).click();
+  await dialog.getByRole('button', { name: 'Lesson as a link' }).click();
   const share = page.getByRole('dialog', { name: 'Share' });
   const link = await share.getByRole('textbox', { name: 'Link' }).inputValue();
   await share.getByRole('button', { name: 'Close' }).click();
@@ -157,7 +157,7 @@ test('a lesson without an end is not kept, and one can be taken away', async ({ 
   await showPanel(page, 'Model');
   await expect(goals(page)).toHaveCount(1);
   await page.getByRole('button', { name: 'Write a lesson' }).click();
-  await expect(dialog.getByLabel('What is to be done')).toHaveValue(WORDS);
-  await dialog.getByRole('button', { name: 'No lesson any more' }).click();
+  await expect(dialog.getByLabel('Task')).toHaveValue(WORDS);
+  await dialog.getByRole('button', { name: 'Remove lesson' }).click();
   await expect(lesson(page)).toBeHidden();
 });

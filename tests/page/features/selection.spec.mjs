@@ -262,7 +262,7 @@ test('by valence, by sides and by error; what is wrong is said at its field', as
   await expect.poll(async () => (await counts(page))[2]).toBeGreaterThan(9);
 
   await selectBy(page, 'By number of sides…');
-  await menu.getByRole('button', { name: 'Take away' }).click();
+  await menu.getByRole('button', { name: 'Subtract' }).click();
   await expect.poll(() => counts(page)).toEqual([0, 0, 0]);
 });
 

@@ -129,7 +129,7 @@ test('the selection is held more than the rest, and all alike again', async ({ p
   await page.getByRole('button', { name: 'Closeness of the selection: more' }).click();
   const weights = async () => (await sceneOf(page)).closeness?.weights;
   await expect.poll(weights).toEqual([{ on: { vertices: [MIDDLE] }, weight: 10 }]);
-  await expect(page.getByText('1 vertex has another closeness.')).toBeVisible();
+  await expect(page.getByText('1 vertex has its own closeness.')).toBeVisible();
   await page.getByRole('button', { name: 'Same for all' }).click();
   await expect.poll(weights).toBeUndefined();
 });

@@ -19,7 +19,7 @@ export async function askRhino(request, cancelled) {
         'refused' in data ? reject(new Error(data.refused)) : resolve(data.value);
       worker.onerror = (event) => {
         event.preventDefault();
-        reject(new Error('The part for .3dm files could not be fetched. Is there a network?'));
+        reject(new Error('The part for .3dm files could not be fetched. Check the network.'));
       };
       cancelled?.addEventListener('abort', () => reject(new Error('It was cancelled.')));
       worker.postMessage(request);

@@ -10,7 +10,7 @@ import { UNITS } from '../../ui/units.js';
 /** @returns {Promise<typeof import("rhino3dm")["RhinoModule"] | any>} */
 export function rhino() {
   return open({ locateFile: () => module }).catch((/** @type {unknown} */ error) => {
-    throw new Error('What reads and writes .3dm files could not be loaded. Is there a network?', {
+    throw new Error('The part for .3dm files could not be loaded. Check the network.', {
       cause: error,
     });
   });

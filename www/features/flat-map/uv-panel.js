@@ -32,7 +32,7 @@ export function flatMapPanel(place, store, control) {
     { onclick: () => control.showFlipped() },
     'Show flipped faces',
   );
-  showFlipped.title = 'Select them on the model, and come nearer on both';
+  showFlipped.title = 'Select them on the model, and zoom to them on both';
   flipped.append(
     element('p.quiet', 'Outlined in red on the map: there it folds over itself.'),
     showFlipped,

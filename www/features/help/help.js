@@ -25,7 +25,7 @@ const POINTER = [
 const VIEW_KEYS = [
   ['Arrows', 'orbit, when the view has the focus'],
   ['PgUp PgDn', 'zoom'],
-  ['Enter', 'take the selected handles up: arrows move them, Enter leaves, Esc puts back'],
+  ['Enter', 'move the selected handles by arrow keys; Enter accepts, Esc cancels'],
   ['X Y Z', 'while a handle is dragged: along that axis'],
   ['Shift Ctrl', 'while a handle is dragged: at its height, above its place'],
   ['Alt + drag', 'a vertex: make it a handle and move it'],

@@ -119,13 +119,13 @@ export function write(app) {
   async function forget() {
     dialog.close();
     if ((await actions.edit({ type: 'setLesson', lesson: null })) !== undefined)
-      actions.setStatus('The scene is no lesson any more');
+      actions.setStatus('Lesson removed');
   }
 
   const form = element(
     'form.dialog-body',
     { method: 'dialog' },
-    element('label', { for: 'lesson-words' }, 'What is to be done'),
+    element('label', { for: 'lesson-words' }, 'Task'),
     text,
     element('h3', 'Goals'),
     list,
@@ -138,9 +138,9 @@ export function write(app) {
     element(
       'div.dialog-buttons',
       button('Save lesson', () => keep(), { class: 'primary' }),
-      button('Keep and save the scene', () => keep(() => files.saveScene())),
-      button('Keep and make a link', () => keep(share)),
-      scene.lesson && button('No lesson any more', forget),
+      button('Lesson as a scene file', () => keep(() => files.saveScene())),
+      button('Lesson as a link', () => keep(share)),
+      scene.lesson && button('Remove lesson', forget),
     ),
   );
   // Enter in a field of a goal is not the end of the dialog.

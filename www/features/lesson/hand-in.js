@@ -25,7 +25,7 @@ export function handIn({ store, files, actions }) {
     ),
     element(
       'p.quiet',
-      'It is only saved on this computer: send it as you send other work. Whoever gets it can measure the shape again.',
+      'It is only saved on this computer: send it as you send other work. The recipient can measure the shape again.',
     ),
     element('div.dialog-buttons', element('button.primary', { type: 'submit' }, 'Save the file')),
   );

@@ -110,7 +110,7 @@ function sectionsOf({ store, actions, selecting, commands }) {
       'Selection',
       [
         ...selections.map((item) => /** @type {[boolean, ...Item]} */ ([true, ...item])),
-        [vertices.length > 0, 'Select nothing', actions.selectNothing],
+        [vertices.length > 0, 'Clear selection', actions.selectNothing],
       ],
     ],
     [

@@ -79,10 +79,10 @@ export function watchConditions(app) {
         offer(
           `${label}: ${length(worst, scene.units, allowed)}`,
           () => take(edit),
-          'To so much the worst distance went when it was tried',
+          'The worst distance when this was tried',
         ),
       );
-    if (helping.length === 0) setText(waiting, 'Nothing that was tried brings it nearer.');
+    if (helping.length === 0) setText(waiting, 'No change that was tried lowers it.');
     else waiting.replaceWith(...helping);
   }
 

@@ -77,7 +77,7 @@ export function constraintsPanel(place, { store, actions }) {
       actions.edit({ type: 'removeConstraint', index: row.index });
     };
     const worst = element('span.worst.figure', {
-      title: 'The largest distance of a vertex from where this wants it',
+      title: 'The largest distance of a vertex to the shape of this constraint',
     });
     const share = element('span.share.figure', { title: 'Its part of the total energy' });
     const within = element('span');

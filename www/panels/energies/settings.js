@@ -12,10 +12,10 @@ import { sizeOfSelection } from '../../store/selection.js';
 
 /** What the buttons give the selected vertices, as factors of the weight of closeness. */
 const HOLDS = [
-  { label: 'More', weight: 10, title: 'Ten times as near to the original as the others' },
-  { label: 'Less', weight: 0.1, title: 'A tenth as near to the original as the others' },
+  { label: 'More', weight: 10, title: 'Ten times the closeness of the others' },
+  { label: 'Less', weight: 0.1, title: 'A tenth of the closeness of the others' },
   { label: 'Release', weight: 0, title: 'Nothing keeps them near the original' },
-  { label: 'Default', weight: 1, title: 'As near to the original as the others' },
+  { label: 'Default', weight: 1, title: 'The same closeness as the others' },
 ];
 
 /**
@@ -99,7 +99,7 @@ function holdRow(store, actions) {
       ? 'Select vertices to keep them closer to the original, or less close, than the others.'
       : '';
     const others =
-      held > 0 ? `${count(held, 'vertex has', 'vertices have')} another closeness.` : '';
+      held > 0 ? `${count(held, 'vertex has its', 'vertices have their')} own closeness.` : '';
     setText(said, [words, others].filter(Boolean).join(' '));
   });
   return element(

@@ -18,10 +18,10 @@ export function handlesPanel(place, { store, actions }) {
   const add = button('Make handle', 'Make the selected vertices handles (H)', (vertices) =>
     actions.addHandles(vertices, false),
   );
-  const fix = button('Fix', 'Hold the selected vertices exactly where they are', (vertices) =>
+  const fix = button('Fix', 'Fix the selected vertices where they are', (vertices) =>
     actions.addHandles(vertices, true),
   );
-  const remove = button('Remove', 'Let the selected handles go (Shift+H)', actions.removeHandles);
+  const remove = button('Remove', 'Release the selected handles (Shift+H)', actions.removeHandles);
   const row = element('div.handles-row', add, fix, remove);
   place.replaceChildren(summary, row);
   let asked = false;

@@ -33,7 +33,7 @@ export function logOf(panel, app) {
     if (!found) return;
     const some = found.vertices.length + found.edges.length + found.faces.length;
     if (some > 0) showElements(app, found);
-    else actions.setStatus('None is left');
+    else actions.setStatus('None left');
   }
 
   store.subscribe(['model', 'document'], ({ model, document }) => {

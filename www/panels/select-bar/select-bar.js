@@ -65,7 +65,7 @@ export function selectBar(bar, menu, { store, actions, selecting, alerts }) {
   );
   const none = closeButton('Clear', actions.selectNothing, {
     class: 'square',
-    title: 'Nothing selected (Esc)',
+    title: 'Clear the selection (Esc)',
   });
   bar.append(
     element('div.segmented', { role: 'group', 'aria-label': 'Shape of a drag' }, ...shapes),

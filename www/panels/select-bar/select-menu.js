@@ -71,7 +71,7 @@ export function fillSelectMenu(menu, store, actions, selecting) {
         'div.verbs',
         ...(operation.needsSelection
           ? []
-          : [button('Take away', () => find('remove')), button('Add', () => find('add'))]),
+          : [button('Subtract', () => find('remove')), button('Add', () => find('add'))]),
         element('button.primary', { type: 'submit' }, 'Find'),
       ),
     );

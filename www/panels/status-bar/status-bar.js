@@ -115,13 +115,13 @@ function hintOf(state) {
   const { model, document, tool, shape, mode, running, converged, selection, dragged, renderer } =
     state;
   if (!model || !document) return '';
-  if (dragged.length > 0) return 'Release to leave it there · Esc puts it back';
+  if (dragged.length > 0) return 'Release to place it · Esc cancels';
   if (document.constraints.length === 0)
     return 'Add a constraint to say what shape its parts should take';
   if (document.handles.some(({ vertex }) => selection.vertices.has(vertex)))
     return 'Drag the handle, an arrow or a square · Enter moves it by arrow keys';
   if (sizeOfSelection(selection) > 0) {
-    return 'H makes handles of the selection · Add constraint can use it · Esc selects nothing';
+    return 'H makes handles of the selection · Add constraint can use it · Esc clears the selection';
   }
   if (renderer === 'none') return 'Run, Export and the panels work without the picture';
   if (tool === 'select')

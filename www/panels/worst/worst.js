@@ -116,7 +116,7 @@ export function worstElements(panel, app) {
     const tolerance = about ? toleranceOf(state, about) : state.tolerance;
     const moved = movedInWords(state);
     shown = found;
-    const what = about?.words ?? 'largest distance of a vertex to where the constraint wants it';
+    const what = about?.words ?? 'largest distance of a vertex to the shape of its constraint';
     const nothing = 'No constraints, or nothing has a value.';
     const said = `The ${what}.${moved && ` Moved ${moved}.`}`;
     setText(words, found.length === 0 ? nothing : said);
@@ -136,7 +136,7 @@ export function worstElements(panel, app) {
       setText(button, worst.element);
       setText(value, text);
       setText(constraint, [worst.constraint, ...worst.groups].filter(Boolean).join(' · ') || '–');
-      button.title = 'Select it and move the camera to it';
+      button.title = 'Select and zoom to it';
     });
   }
 

@@ -1,12 +1,13 @@
-/** What a button is called that shows no name, for fingers: resting on one shows its tooltip. */
+/** Tooltips without a mouse: a finger that rests on a control shows its own, and so does the keyboard's focus. */
 
 import { element } from '../dom.js';
 
-/** A finger that rests so long asks, in milliseconds. */
+/** So long a finger or the focus rests, in milliseconds. */
 const REST_MS = 500;
 const GAP = 6;
+const WITH_TOOLTIP = 'button[title], label[title]';
 
-export function tooltipsForTouch() {
+export function tooltips() {
   const tip = element('div', { id: 'tooltip', role: 'tooltip', popover: 'manual' });
   document.body.append(tip);
   let timer = 0;
@@ -22,22 +23,41 @@ export function tooltipsForTouch() {
     tip.style.top = `${above > 0 ? above : bottom + GAP}px`;
   }
 
+  /** @param {Element} target */
+  function showLater(target) {
+    const control = target.closest(WITH_TOOLTIP);
+    if (control instanceof HTMLElement) timer = window.setTimeout(() => show(control), REST_MS);
+  }
+
   const hide = () => {
     clearTimeout(timer);
     if (tip.matches(':popover-open')) tip.hidePopover();
   };
-  document.addEventListener('keydown', hide);
+  // Fields that were clicked are :focus-visible too.
+  let byKey = false;
+  // Before the key moves the focus.
+  const keyDown = () => {
+    hide();
+    byKey = true;
+  };
+  document.addEventListener('keydown', keyDown, { capture: true });
   document.addEventListener('pointerdown', ({ pointerType, target }) => {
     hide();
+    byKey = false;
     if (pointerType !== 'touch' || !(target instanceof Element)) return;
-    const control = target.closest('button[title], label[title]');
-    if (control instanceof HTMLElement) timer = window.setTimeout(() => show(control), REST_MS);
+    showLater(target);
+  });
+  document.addEventListener('focusin', ({ target }) => {
+    if (byKey && target instanceof Element) showLater(target);
+  });
+  document.addEventListener('focusout', () => {
+    if (byKey) hide();
   });
   for (const name of ['pointerup', 'pointercancel'])
     document.addEventListener(name, () => clearTimeout(timer));
-  // Who asked what it does has not pressed it. What was shown stays until the next touch.
+  // A finger that asked what it does has not pressed it. What was shown stays until the next touch.
   const leaveAlone = (/** @type {Event} */ event) => {
-    if (!tip.matches(':popover-open')) return;
+    if (byKey || !tip.matches(':popover-open')) return;
     event.preventDefault();
     event.stopPropagation();
   };

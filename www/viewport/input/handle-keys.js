@@ -36,7 +36,7 @@ export function bindHandleKeys(viewport, store, solver, actions) {
     viewport.view.holdVertex(vertex);
     drag = new HandleDrag(store, solver, viewport.constrainMove, vertex);
     at = [0, 0];
-    actions.setStatus('Handle taken up: arrows move it, Enter leaves it, Esc puts it back');
+    actions.setStatus('Moving the handle by arrow keys: Enter accepts, Esc cancels');
     return true;
   }
 
@@ -45,7 +45,7 @@ export function bindHandleKeys(viewport, store, solver, actions) {
     if (keep) drag?.end();
     else drag?.cancel();
     drag = null;
-    actions.setStatus(keep ? 'Handle moved' : 'Handle put back');
+    actions.setStatus(keep ? 'Handle moved' : 'Move cancelled');
     return true;
   }
 
