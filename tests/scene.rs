@@ -98,6 +98,7 @@ fn everything_the_format_has_is_read() {
     assert_eq!(
         scene.closeness,
         Closeness {
+            target: None,
             to: ClosenessTo::Rest,
             weights: vec![
                 ClosenessWeight { on: Selector::Set("eaves".into()), weight: 10.0 },

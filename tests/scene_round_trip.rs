@@ -103,6 +103,7 @@ prop_compose! {
             weights: Weights { shape: weights[0], close: weights[1], smooth: weights[2] },
             closeness: Closeness {
                 to: [ClosenessTo::Surface, ClosenessTo::Rest, ClosenessTo::None][choices.0],
+                target: None,
                 weights: held.into_iter().map(|(on, weight)| ClosenessWeight { on, weight }).collect(),
                 boundary: corners.map(|corners| BoundaryCloseness {
                     corners,

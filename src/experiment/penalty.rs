@@ -157,7 +157,8 @@ impl Penalised {
                 "the penalty method smooths positions, expected \"surface\"",
             ));
         }
-        if scene.closeness.to == ClosenessTo::Surface && scene.weights.close > 0.0 {
+        let gliding = matches!(scene.closeness.to, ClosenessTo::Surface | ClosenessTo::Target);
+        if gliding && scene.weights.close > 0.0 {
             return Err(wrong(
                 "closeness.to",
                 "the penalty method keeps vertices close to points, expected \"rest\" or \"none\"",

@@ -2,22 +2,41 @@
 
 use super::SceneError;
 use crate::constraint::{Selector, Sets, resolve};
-use crate::json::present;
 use crate::mesh::{Mesh, Topology};
 use crate::solve::{BoundaryCloseness, ClosenessTo};
 use serde::Deserialize;
+use std::rc::Rc;
 
 /// What vertices are kept close to, and how much each.
-#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
-#[serde(default, deny_unknown_fields)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Closeness {
     /// `c(v)`.
     pub to: ClosenessTo,
+    /// Another surface: that of [`ClosenessTo::Target`].
+    pub target: Option<Target>,
     /// `k_v` where it is not 1; of a vertex that several entries select, the last one's.
     pub weights: Vec<ClosenessWeight>,
     /// Whether boundary vertices have the boundary curves for `c(v)`, whatever `to` is.
-    #[serde(default, deserialize_with = "present")]
     pub boundary: Option<BoundaryCloseness>,
+}
+
+/// Another surface than that of the scene, in the same coordinates.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Target {
+    /// A mesh file beside the scene: path relative to it. It has to be read before the scene is opened.
+    File(String),
+    /// Its mesh.
+    Mesh(Rc<Mesh>),
+}
+
+impl Target {
+    /// The mesh, if it was read.
+    pub fn mesh(&self) -> Option<&Rc<Mesh>> {
+        match self {
+            Target::File(_) => None,
+            Target::Mesh(mesh) => Some(mesh),
+        }
+    }
 }
 
 /// How much more or less some vertices are kept close than the rest.

@@ -39,7 +39,7 @@ pub use crate::solve::{
     SmoothnessOf, SolverSettings, Weighting, Weights,
 };
 pub use crate::sparse::Factorization;
-pub use closeness::{Closeness, ClosenessWeight};
+pub use closeness::{Closeness, ClosenessWeight, Target};
 pub use document::{ConstraintSpec, HANDLE_WEIGHT, HandleSpec, MeshSource, Scene, Up};
 pub use error::SceneError;
 pub use frame::UnitsAndUp;

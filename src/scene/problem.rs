@@ -1,5 +1,6 @@
 //! The problem that a scene poses to the solver.
 
+use super::closeness::Target;
 use super::document::Scene;
 use crate::mesh::{Mesh, Topology};
 use crate::solve::{Constraints, Problem};
@@ -8,7 +9,7 @@ impl Scene {
     /// The problem on `mesh`, which is what [`Scene::mesh`] stands for, with these `constraints`: its rows that
     /// are enabled, resolved. `closeness_factors` are those of [`crate::scene::Closeness::factors`], `#V`.
     pub fn problem<'a>(
-        &self,
+        &'a self,
         mesh: &'a Mesh,
         topology: &'a Topology,
         constraints: &'a [Constraints],
@@ -20,6 +21,7 @@ impl Scene {
             constraints,
             weights: self.weights,
             closeness_to: self.closeness.to,
+            closeness_target: self.closeness.target.as_ref().and_then(Target::mesh),
             boundary_closeness: self.closeness.boundary,
             closeness_factors,
             smoothness: self.smoothness,

@@ -1,6 +1,6 @@
 //! The checks of a scene beyond its form: numbers in range, and indices and names that the mesh has.
 
-use super::{ClosenessTo, HandleSpec, Hold, NamedEnum, Scene, SceneError, Weighting};
+use super::{ClosenessTo, HandleSpec, Hold, NamedEnum, Scene, SceneError, Target, Weighting};
 use crate::constraint::Selector;
 use crate::json::push_key;
 use crate::math::argsort;
@@ -44,7 +44,27 @@ impl Scene {
                 "the mesh has no faces, so it has no surface to be close to, expected \"rest\" or \"none\"",
             );
         }
-        Ok(())
+        self.check_target()
+    }
+
+    fn check_target(&self) -> Result<(), SceneError> {
+        let at_mesh = |message: String| error("closeness.to.mesh", message);
+        match (self.closeness.to, &self.closeness.target) {
+            (ClosenessTo::Target, None) => error(
+                "closeness.to",
+                "there is no other surface, expected { \"mesh\": ... } with one",
+            ),
+            (ClosenessTo::Target, Some(Target::File(path))) => at_mesh(format!(
+                "the mesh file {path} was not read, expected the mesh itself in the scene"
+            )),
+            (_, Some(Target::Mesh(mesh))) => {
+                if mesh.faces.is_empty() && mesh.curves.is_empty() {
+                    return at_mesh("it has neither faces nor curves to be close to".to_owned());
+                }
+                Ok(())
+            }
+            _ => Ok(()),
+        }
     }
 
     /// The checks that need no mesh: every number is finite and in its range.

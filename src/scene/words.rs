@@ -82,6 +82,7 @@ impl NamedEnum for ClosenessTo {
         ("surface", ClosenessTo::Surface),
         ("rest", ClosenessTo::Rest),
         ("none", ClosenessTo::None),
+        ("target", ClosenessTo::Target),
     ];
 }
 

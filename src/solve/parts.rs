@@ -14,7 +14,7 @@ use super::settings::{BoundaryRequire, SmoothnessOf};
 use super::setup_cache::SetupCache;
 use super::system::System;
 use crate::constraint::{Reference, Row};
-use crate::mesh::{Point, Surface};
+use crate::mesh::{Mesh, Point, Surface};
 use std::borrow::Cow;
 use std::cell::OnceCell;
 use std::rc::Rc;
@@ -32,6 +32,8 @@ pub(super) struct Parts {
     pub system: System,
     /// The rest surface, shared with the next solver; see [`SetupCache`].
     pub surface: OnceCell<Rc<Surface>>,
+    /// Another surface to be close to, for the same.
+    pub target: Option<(Rc<Mesh>, Rc<Surface>)>,
     pub energies: Energies,
     /// `#nodes`: the rest position of each.
     pub rest: Vec<Row>,
@@ -56,7 +58,7 @@ pub(super) struct Added {
 
 impl Parts {
     /// Assembles and orders. What another solver on the same mesh left in the `cache` is not made again.
-    pub(super) fn new(problem: &Problem<'_>, added: Added, cache: SetupCache) -> Parts {
+    pub(super) fn new(problem: &Problem<'_>, added: Added, mut cache: SetupCache) -> Parts {
         let started = clock::now();
         let Problem { mesh, constraints, weights, settings, .. } = *problem;
         let n_vertices = mesh.positions.len();
@@ -71,13 +73,16 @@ impl Parts {
         let before_system = clock::now();
         let mut terms = vec![shape_terms, smooth_part];
         terms.extend(added.terms);
-        let SetupCache { surface: made, analysis } = cache;
-        let mut system = System::with_order(n, terms, settings.factorization, analysis.as_ref());
+        let mut system =
+            System::with_order(n, terms, settings.factorization, cache.analysis.as_ref());
         let after_system = clock::now();
 
         let (centre, extent) = centre_and_extent(&mesh.positions);
         let node_of = &system.node_of()[..n_vertices];
         let rest = to_rows(&mesh.positions, node_of, n, centre);
+        let target = problem.closeness_target.filter(|_| weights.close > 0.0);
+        let target = target.map(|target| cache.surface_of(target, centre));
+        let SetupCache { surface: made, target: cached, .. } = cache;
         let surface = || Rc::clone(made.get_or_init(|| Rc::new(rest_surface(mesh, centre))));
         let reference = Reference { surface: &surface };
         let (mut boundary, mut factors) =
@@ -95,8 +100,13 @@ impl Parts {
             (gliding, corners)
         });
         let (close, mut corners) = if weights.close > 0.0 {
-            let rest_shape =
-                RestShape { rest: &rest, node_of, topology: problem.topology, surface: &surface };
+            let rest_shape = RestShape {
+                rest: &rest,
+                node_of,
+                topology: problem.topology,
+                surface: &surface,
+                target,
+            };
             CloseEnergy::new(problem.closeness_to, boundary, &factors, &rest_shape)
         } else {
             Default::default()
@@ -133,6 +143,7 @@ impl Parts {
             n_unknowns,
             system,
             surface: made,
+            target: cached,
             energies,
             rest,
             held,

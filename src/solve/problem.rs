@@ -6,6 +6,7 @@ use super::settings::{
     BoundaryCloseness, ClosenessTo, Smoothness, SolverSettings, Weighting, Weights,
 };
 use crate::mesh::{Laplacian, Mesh, Topology};
+use std::rc::Rc;
 
 /// A shape, the constraints on its vertices, and the weights of Eq. 13.
 pub struct Problem<'a> {
@@ -19,6 +20,8 @@ pub struct Problem<'a> {
     pub weights: Weights,
     /// `c(v)` of Eq. 11: the target of each vertex.
     pub closeness_to: ClosenessTo,
+    /// The surface of [`ClosenessTo::Target`].
+    pub closeness_target: Option<&'a Rc<Mesh>>,
     /// Where it is there, boundary vertices have the boundary curves for `c(v)`.
     pub boundary_closeness: Option<BoundaryCloseness>,
     /// `k_v` of each vertex, `#V`: factors of the weight of closeness.

@@ -119,6 +119,8 @@ pub enum ClosenessTo {
     Rest,
     /// Nothing.
     None,
+    /// The closest point on another surface.
+    Target,
 }
 
 /// Boundary vertices stay on the rest shape of their own boundary loop, or close to its closest point, and corners at

@@ -1,7 +1,8 @@
 //! The part of a solver that depends on the mesh and the pattern of its matrix alone, for the next solver
 //! on the same mesh.
 
-use crate::mesh::Surface;
+use super::local_frame::rest_surface;
+use crate::mesh::{Mesh, Point, Surface};
 use crate::sparse::SymbolicAnalysis;
 use std::cell::OnceCell;
 use std::rc::Rc;
@@ -12,4 +13,17 @@ pub struct SetupCache {
     /// Relative to the centre of the model; made when it is first asked for.
     pub(super) surface: OnceCell<Rc<Surface>>,
     pub(super) analysis: Option<Rc<SymbolicAnalysis>>,
+    /// Another surface to be close to, relative to the same centre.
+    pub(super) target: Option<(Rc<Mesh>, Rc<Surface>)>,
+}
+
+impl SetupCache {
+    /// The surface of `target`, made where it is not that of the solver before.
+    pub(super) fn surface_of(&mut self, target: &Rc<Mesh>, centre: Point) -> Rc<Surface> {
+        let known = self.target.take().filter(|(mesh, _)| Rc::ptr_eq(mesh, target));
+        let (mesh, surface) =
+            known.unwrap_or_else(|| (Rc::clone(target), Rc::new(rest_surface(target, centre))));
+        self.target = Some((mesh, Rc::clone(&surface)));
+        surface
+    }
 }

@@ -30,6 +30,9 @@ import { rememberedFrame } from './units-prompt.js';
 
 const IS_RHINO = /\.3dm$/i;
 
+/** What is dropped below this part of the window is fitted to, where a model is open. */
+const FIT_FROM = 0.8;
+
 /** Bytes from which on it takes a while to read a file. */
 const LARGE = 2_000_000;
 
@@ -239,6 +242,7 @@ export class Files extends Emitter {
     window.addEventListener('dragover', (event) => {
       if (!carriesFiles(event)) return;
       event.preventDefault();
+      overlay.classList.toggle('fits', Boolean(this.#store.get().document));
       overlay.hidden = false;
     });
     window.addEventListener('dragleave', (event) => {
@@ -250,6 +254,11 @@ export class Files extends Emitter {
       event.preventDefault();
       const { files, items } = /** @type {DataTransfer} */ (event.dataTransfer);
       // A folder looks like a file that cannot be read.
+      const [file] = files;
+      if (this.#store.get().document && event.clientY > FIT_FROM * window.innerHeight && file) {
+        import('./fit-to.js').then(({ fitTo }) => fitTo(file, this.#solver, this.#alerts));
+        return;
+      }
       const folders = [...items]
         .map((item) => item.webkitGetAsEntry())
         .flatMap((entry) => (entry?.isDirectory ? [entry.name] : []));

@@ -48,6 +48,7 @@
  * One edit of the document; each is one step of undo.
  * @typedef {{ type: "addConstraint", kind: string, params: Record<string, ParamValue>, on: Selector, weight: number }
  *   | { type: "holdCloser" }
+ *   | { type: "fitTo", name: string, text: string }
  *   | { type: "removeConstraint", index: number }
  *   | { type: "setConstraint", index: number, weight?: number, enabled?: boolean, params?: Record<string, ParamValue> }
  *   | { type: "setWeights", shape?: number, close?: number, smooth?: number }
@@ -146,7 +147,7 @@
  * @property {ConstraintRow[]} constraints
  * @property {Handle[]} handles
  * @property {Weights} weights
- * @property {"surface" | "rest" | "none"} closeness
+ * @property {"surface" | "rest" | "none" | "target"} closeness
  * @property {{ of: "surface" | "displacement", weighting: string }} smoothness
  * @property {Record<string, ParamValue>} settings of every declared one its value
  * @property {string | null} preset the one whose settings the scene has

@@ -2,7 +2,7 @@
 
 use super::Failure;
 use shape_up::mesh::{self, Mesh, Read, Weld};
-use shape_up::scene::{MeshSource, Scene, UnitsAndUp};
+use shape_up::scene::{MeshSource, Scene, Target, UnitsAndUp};
 use std::fs::File;
 use std::io::{self, Read as _};
 use std::path::Path;
@@ -42,30 +42,39 @@ pub(super) fn read(path: &Path) -> Result<Input, Failure> {
     let at = |message: String| Failure::Input(format!("{}: {message}", path.display()));
     let text = String::from_utf8(bytes(path)?)
         .map_err(|_| at("the file is not UTF-8 text, expected a scene in JSON".to_owned()))?;
-    let scene = Scene::from_json(&text).map_err(|error| at(error.to_string()))?;
+    let mut scene = Scene::from_json(&text).map_err(|error| at(error.to_string()))?;
+    if let Some(Target::File(file)) = &scene.closeness.target {
+        let read = named_mesh(path, "closeness.to.mesh.file", file)?;
+        scene.closeness.target = Some(Target::Mesh(read.mesh.into()));
+    }
     match &scene.mesh {
         MeshSource::Inline(mesh) => {
             Ok(Input { mesh: (**mesh).clone(), remarks: Vec::new(), scene, weld: None })
         }
         MeshSource::File(file) => {
-            let beside = path.parent().unwrap_or(Path::new("")).join(file);
-            let unread = |why: String| {
-                at(format!(
-                    "mesh.file: cannot read {}: {why}, expected a mesh file beside the scene",
-                    beside.display()
-                ))
-            };
-            // A scene comes from anywhere: what it names may be a device without an end.
-            let about = std::fs::metadata(&beside).map_err(|error| unread(error.to_string()))?;
-            if !about.is_file() {
-                return Err(unread("it is no regular file".to_owned()));
-            }
-            let bytes = read_whole(&beside).map_err(|error| unread(error.to_string()))?;
-            let read = mesh::read(&beside.to_string_lossy(), &bytes)
-                .map_err(|error| Failure::Input(error.to_string()))?;
+            let read = named_mesh(path, "mesh.file", file)?;
             Ok(Input { remarks: remarks(&read), mesh: read.mesh, scene, weld: None })
         }
     }
+}
+
+/// Reads the mesh file that a scene names at `place`.
+fn named_mesh(scene: &Path, place: &str, file: &str) -> Result<Read, Failure> {
+    let beside = scene.parent().unwrap_or(Path::new("")).join(file);
+    let unread = |why: String| {
+        Failure::Input(format!(
+            "{}: {place}: cannot read {}: {why}, expected a mesh file beside the scene",
+            scene.display(),
+            beside.display()
+        ))
+    };
+    // A scene comes from anywhere: what it names may be a device without an end.
+    let about = std::fs::metadata(&beside).map_err(|error| unread(error.to_string()))?;
+    if !about.is_file() {
+        return Err(unread("it is no regular file".to_owned()));
+    }
+    let bytes = read_whole(&beside).map_err(|error| unread(error.to_string()))?;
+    mesh::read(&beside.to_string_lossy(), &bytes).map_err(|error| Failure::Input(error.to_string()))
 }
 
 /// Reads a mesh file to be measured: one whose numbers can be squared.

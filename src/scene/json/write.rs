@@ -2,13 +2,11 @@
 
 use super::file::{FORMAT, VERSION};
 use super::text::{field, lines, number, object, point, rows, text};
-use super::{constraint, handle, lesson, mesh as inline_mesh, selector};
+use super::{closeness, constraint, handle, lesson, mesh as inline_mesh};
 use crate::constraint::Set;
 use crate::json::indices;
 use crate::mesh::Mesh;
-use crate::scene::{
-    BoundaryRequire, Closeness, ClosenessTo, ClosenessWeight, MeshSource, NamedEnum, Scene, Up,
-};
+use crate::scene::{MeshSource, NamedEnum, Scene, Up};
 
 impl Scene {
     /// Writes the scene as a file: `mesh` goes inline where [`Scene::mesh`] is inline. What has its
@@ -75,7 +73,7 @@ fn write(scene: &Scene, mesh: &Mesh) -> String {
         .map(|(key, value, _)| field(key, number(value)))
         .collect(),
     );
-    add("closeness", write_closeness(&scene.closeness));
+    add("closeness", closeness::write(&scene.closeness));
     let mut smoothness = Vec::new();
     if scene.smoothness.of != defaults.smoothness.of {
         smoothness.push(field("of", text(scene.smoothness.of.word())));
@@ -131,34 +129,4 @@ fn write_set(set: &Set) -> String {
         fields.push(field("faces", indices::write(&set.faces)));
     }
     object(fields)
-}
-
-/// The fields that are not the default.
-fn write_closeness(closeness: &Closeness) -> Vec<String> {
-    let mut fields = Vec::new();
-    if closeness.to != ClosenessTo::default() {
-        fields.push(field("to", text(closeness.to.word())));
-    }
-    if !closeness.weights.is_empty() {
-        let entry = |entry: &ClosenessWeight| {
-            object(vec![
-                field("on", selector::write(&entry.on)),
-                field("weight", number(entry.weight)),
-            ])
-        };
-        let entries: Vec<_> = closeness.weights.iter().map(entry).collect();
-        fields.push(field("weights", format!("[{}]", entries.join(", "))));
-    }
-    if let Some(boundary) = closeness.boundary {
-        // Also the default: it says what the corners are.
-        let mut entries = vec![field("corners", number(boundary.corners))];
-        if boundary.require != BoundaryRequire::default() {
-            entries.push(field("require", text(boundary.require.word())));
-        }
-        if boundary.weight != 1.0 {
-            entries.push(field("weight", number(boundary.weight)));
-        }
-        fields.push(field("boundary", object(entries)));
-    }
-    fields
 }

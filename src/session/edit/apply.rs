@@ -5,8 +5,8 @@ use super::constraint_target::ConstraintTarget;
 use super::edit_list::{Edit, NewConstraint};
 use super::settings;
 use crate::constraint::{Kind, KindError, Set};
-use crate::mesh::counted;
-use crate::scene::{ConstraintSpec, HANDLE_WEIGHT, Hold, PRESETS, SceneError};
+use crate::mesh::{counted, read};
+use crate::scene::{ClosenessTo, ConstraintSpec, HANDLE_WEIGHT, Hold, PRESETS, SceneError, Target};
 use crate::session::report::check_lesson;
 use crate::session::run::Start;
 use crate::session::state::{Draft, Part, RowValues};
@@ -97,6 +97,16 @@ pub(crate) fn apply(
             vertices.map_or("Same closeness for all".to_owned(), |vertices| {
                 format!("Change closeness of {}", of_vertices(vertices.len()))
             })
+        }
+        Edit::FitTo { name, text } => {
+            let read = read(&name, text.as_bytes())
+                .map_err(|error| SceneError { path: String::new(), message: error.to_string() })?;
+            draft.set(|document| {
+                document.closeness.to = ClosenessTo::Target;
+                document.closeness.target = Some(Target::Mesh(read.mesh.into()));
+                Ok(())
+            })?;
+            format!("Fit to {name}")
         }
         Edit::HoldCloser => {
             draft.set(|document| {

@@ -78,6 +78,13 @@ pub enum Edit {
     /// Goes back to where iterating began, if the shape has collapsed since, and holds all vertices
     /// closer to where they were.
     HoldCloser,
+    /// Keeps vertices close to the surface of a mesh file instead of the original.
+    FitTo {
+        /// The name of the file.
+        name: String,
+        /// What is in it, OBJ or OFF.
+        text: String,
+    },
     /// Makes handles soft, with a weight.
     WeighHandles {
         /// Their vertices.

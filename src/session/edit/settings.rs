@@ -76,8 +76,8 @@ const fn number(
 /// All settings, in the order in which hosts list them.
 pub const SETTINGS: &[Setting] = &[
     Setting {
-        param: words("closeness", "Stay near", "surface", const { &forms::<ClosenessTo, 3>() }),
-        summary: "The original surface lets vertices glide along it; rest holds each where it was; none holds nothing.",
+        param: words("closeness", "Stay near", "surface", const { &forms::<ClosenessTo, 4>() }),
+        summary: "The original surface lets vertices glide along it; rest holds each where it was; none holds nothing; target is another surface, which a file brings.",
         group: NEAR,
     },
     Setting {

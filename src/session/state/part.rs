@@ -4,7 +4,7 @@
 use crate::constraint::{Kind, Selector, Set, Sets};
 use crate::scene::{
     BoundaryCloseness, ClosenessTo, ClosenessWeight, ConstraintSpec, Goal, Lesson, Scene,
-    Smoothness, SolverSettings, Up, Weights,
+    Smoothness, SolverSettings, Target, Up, Weights,
 };
 use std::mem::{size_of_val, swap};
 
@@ -29,10 +29,11 @@ pub(crate) enum Part {
 }
 
 /// The settings that are numbers and choices.
-#[derive(Clone, Copy, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub(crate) struct Settings {
     weights: Weights,
     to: ClosenessTo,
+    target: Option<Target>,
     boundary: Option<BoundaryCloseness>,
     smoothness: Smoothness,
     solver: SolverSettings,
@@ -64,6 +65,7 @@ impl Settings {
         Settings {
             weights: scene.weights,
             to: scene.closeness.to,
+            target: scene.closeness.target.clone(),
             boundary: scene.closeness.boundary,
             smoothness: scene.smoothness,
             solver: scene.solver,
@@ -75,9 +77,10 @@ impl Settings {
     }
 
     fn put_in(self, scene: &mut Scene) {
-        let Settings { weights, to, boundary, smoothness, solver } = self;
+        let Settings { weights, to, target, boundary, smoothness, solver } = self;
         scene.weights = weights;
         scene.closeness.to = to;
+        scene.closeness.target = target;
         scene.closeness.boundary = boundary;
         scene.smoothness = smoothness;
         scene.solver = solver;
@@ -93,8 +96,7 @@ impl Part {
             Part::Lesson(lesson) => swap(lesson, &mut scene.lesson),
             Part::Settings(settings) => {
                 let before = Settings::of(scene);
-                settings.put_in(scene);
-                *settings = before;
+                std::mem::replace(settings, before).put_in(scene);
             }
             Part::ClosenessWeights(weights) => swap(weights, &mut scene.closeness.weights),
             Part::Set(name, set) => {
@@ -150,7 +152,7 @@ impl Part {
                 let now = Settings::of(scene);
                 if *before == now {
                     Effect::Nothing
-                } else if before.with_weights(now.weights) == now {
+                } else if before.clone().with_weights(now.weights) == now {
                     Effect::Weights
                 } else {
                     Effect::Problem

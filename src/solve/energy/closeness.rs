@@ -57,6 +57,8 @@ pub(crate) struct RestShape<'a> {
     pub topology: &'a Topology,
     /// Gives the rest surface, which is made when it is first asked for.
     pub surface: &'a dyn Fn() -> Rc<Surface>,
+    /// The surface of [`ClosenessTo::Target`].
+    pub target: Option<Rc<Surface>>,
 }
 
 impl CloseEnergy {
@@ -69,7 +71,7 @@ impl CloseEnergy {
         factors: &[f64],
         rest_shape: &RestShape<'_>,
     ) -> (Option<CloseEnergy>, Vec<u32>) {
-        let RestShape { rest, node_of, topology, surface } = *rest_shape;
+        let &RestShape { rest, node_of, topology, surface, ref target } = rest_shape;
         let on_surface = |v: u32| SurfaceTarget {
             node: node_of[v as usize],
             warm: Surface::COLD,
@@ -111,11 +113,13 @@ impl CloseEnergy {
         match to {
             ClosenessTo::None => {}
             ClosenessTo::Rest => energy.points.extend(others.map(at_point)),
-            ClosenessTo::Surface => {
+            ClosenessTo::Surface | ClosenessTo::Target => {
                 let vertices: Vec<SurfaceTarget> = others.map(on_surface).collect();
                 let order = argsort(vertices.iter().map(|target| u64::from(target.node)));
                 let vertices = order.into_iter().map(|i| vertices[i as usize]).collect();
-                energy.surfaces.push(SurfaceTargets::new(surface(), vertices));
+                let other = target.as_ref().filter(|_| to == ClosenessTo::Target);
+                let on = other.map_or_else(surface, Rc::clone);
+                energy.surfaces.push(SurfaceTargets::new(on, vertices));
             }
         }
         let any = energy.held().next().is_some();

@@ -39,6 +39,7 @@ pub struct Solver {
     system: System,
     /// The rest surface, shared with the next solver; see [`SetupCache`].
     surface: OnceCell<Rc<Surface>>,
+    target: Option<(Rc<Mesh>, Rc<Surface>)>,
     energies: Energies,
     /// Nodes that the shape energy holds in their place.
     held: Vec<bool>,
@@ -98,6 +99,7 @@ impl Solver {
             settings,
             system: parts.system,
             surface: parts.surface,
+            target: parts.target,
             energies: parts.energies,
             held: parts.held,
             corners: parts.corners,
@@ -216,7 +218,7 @@ impl Solver {
     /// For the next solver on the same mesh.
     pub fn setup_cache(&self) -> SetupCache {
         let analysis = Some(Rc::clone(self.system.analysis()));
-        SetupCache { surface: self.surface.clone(), analysis }
+        SetupCache { surface: self.surface.clone(), analysis, target: self.target.clone() }
     }
     /// Seconds of setting up: terms and matrix, ordering and analysis, the last numeric factor.
     pub fn set_up_seconds(&self) -> SetUpSeconds {

@@ -78,10 +78,12 @@ test('settings come from the declared list, act, and are undone', async ({ page 
   await expect(page.getByText('stay near the original')).toBeVisible();
   const boundary = page.getByRole('combobox', { name: /Boundary stays on its curve/ });
   await boundary.selectOption('exactly');
-  await expect.poll(async () => (await sceneOf(page)).closeness?.boundary).toEqual({
-    corners: 45,
-    require: 'exact',
-  });
+  await expect
+    .poll(async () => (await sceneOf(page)).closeness?.boundary)
+    .toEqual({
+      corners: 45,
+      require: 'exact',
+    });
   await page.getByRole('combobox', { name: /^Accelerator/ }).selectOption('anderson');
   await expect.poll(async () => (await sceneOf(page)).solver?.accelerator).toBe('anderson');
   // Cotangents are for triangles: it is said, and the field shows what is.

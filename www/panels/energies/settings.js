@@ -33,6 +33,7 @@ export function settingsPanel(place, store, actions) {
   place.replaceChildren(
     element('h3', first ?? ''),
     ...inGroup(first),
+    fitRow(actions),
     holdRow(store, actions),
     ...others.flatMap((group) => [element('h3', group), ...inGroup(group)]),
   );
@@ -66,6 +67,34 @@ function settingRow(setting, store, actions) {
     show: (/** @type {Record<string, import("../../solver/messages.js").ParamValue>} */ values) =>
       parameters.restore(values),
   };
+}
+
+/**
+ * Another surface to be close to.
+ * @param {import("../../store/actions.js").Actions} actions
+ */
+function fitRow(actions) {
+  const input = element('input', {
+    type: 'file',
+    accept: '.obj,.off,.mesh',
+    'aria-label': 'Fit to another surface',
+    onchange: async () => {
+      const [file] = input.files ?? [];
+      if (!file) return;
+      const text = await file.text();
+      input.value = '';
+      const done = await actions.edit({ type: 'fitTo', name: file.name, text });
+      if (done !== undefined) actions.setStatus(`Vertices stay near ${file.name}`);
+    },
+  });
+  return element(
+    'div.setting',
+    element('label.button', 'Fit to another surface …', input),
+    element(
+      'p.quiet',
+      'A second file in the same coordinates: the mesh comes to lie on its surface.',
+    ),
+  );
 }
 
 /**
