@@ -69,6 +69,7 @@ impl Case {
             constraints: &self.rows,
             weights: self.weights,
             closeness_to: ClosenessTo::Rest,
+            closeness_target: None,
             boundary_closeness: None,
             closeness_factors: &self.factors,
             smoothness: Smoothness {

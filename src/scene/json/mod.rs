@@ -41,6 +41,7 @@
 //! | `file` | format and version, before what is in the file |
 //! | `mesh` | a mesh inside the scene |
 //! | `constraint`, `selector` | one entry of the list of constraints; the forms of `on` |
+//! | `closeness` | what vertices are kept close to |
 //! | `handle` | one entry of the list of handles |
 //! | `lesson` | the exercise that a scene is, and the results that are handed in |
 //! | `write` | the scene as text |
