@@ -67,7 +67,7 @@ await main(() => {
     !isPlot(path) &&
     !isRhino(path);
   const rows = [
-    row('solver module', [at('www', 'pkg', 'solver', 'shape_up_bg.wasm')], 520 * kB),
+    row('solver module', [at('www', 'pkg', 'solver', 'shape_up_bg.wasm')], 565 * kB),
     row('view, WebGPU', [at('www', 'pkg', 'view-webgpu', 'shape_up_bg.wasm')], 165 * kB),
     row('view, WebGL2', [at('www', 'pkg', 'view-webgl2', 'shape_up_bg.wasm')], 900 * kB),
     row('first visit', [...first], 78 * kB),

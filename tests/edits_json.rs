@@ -33,13 +33,20 @@ fn every_edit_is_read_with_its_fields() {
             Edit::SetConstraint {
                 index: 1,
                 weight: None,
+                require: None,
                 enabled: Some(false),
                 params: serde_json::Map::new(),
             },
         ),
         (
             json!({ "type": "setConstraint", "index": 1, "weight": 0.5, "params": params }),
-            Edit::SetConstraint { index: 1, weight: Some(0.5), enabled: None, params },
+            Edit::SetConstraint {
+                index: 1,
+                weight: Some(0.5),
+                require: None,
+                enabled: None,
+                params,
+            },
         ),
         (
             json!({ "type": "duplicateConstraint", "index": 0 }),

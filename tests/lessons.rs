@@ -55,6 +55,7 @@ fn a_goal_on_a_constraint_is_not_met_by_taking_it_away() {
     let off = |enabled| Edit::SetConstraint {
         index: 0,
         weight: None,
+        require: None,
         enabled: Some(enabled),
         params: Default::default(),
     };

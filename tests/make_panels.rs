@@ -10,6 +10,7 @@ use grid::grid;
 use shape_up::mesh::{BoundingSphere, Mesh};
 use shape_up::scene::Scene;
 use shape_up::session::{Session, Verdict};
+use shape_up::solve::Require;
 
 /// With the weights of a mesh that somebody opens.
 fn session(mesh: Mesh, more: &str) -> Session {
@@ -57,67 +58,81 @@ fn a_press_brings_all_panels_of_real_meshes_within_the_tolerance() {
                 "{file} {kind}: {within} of {panels}, worst {worst:.2e}, moved {:.3} (soft {:.3}), mean {:.3} (soft {:.3}), {iterations} iterations",
                 moved.max, cheaper.max, moved.mean, cheaper.mean
             );
+            let shortest = session.shortest_edge();
+            assert!(shortest >= 0.3 * (1.0 - 1e-3), "{file} {kind}: {shortest}");
             assert_eq!(within, panels, "{file} {kind}: worst {worst:e}");
-            // It costs little more than to be nearly there.
+            // It costs not much more than to be nearly there, although edges keep their length.
             let size = BoundingSphere::of(&session.mesh().positions).diameter();
-            assert!(moved.mean < 1.4 * cheaper.mean + 1e-3 * size, "{file} {kind}");
+            assert!(moved.mean < 2.0 * cheaper.mean + 1e-3 * size, "{file} {kind}");
         }
     }
 }
 
 #[test]
-fn a_press_is_one_step_of_undo_weights_included() {
+fn a_press_is_one_step_of_undo() {
     let mut session = wave();
     let before = session.scene();
     session.make_panels("plane", 1e-3).expect("it has quads");
     run(&mut session);
-    assert!(session.document().weights.shape > 1000.0);
+    assert_eq!(session.document().constraints[0].require, Require::Within(1e-3));
     let after = session.scene();
     assert_eq!(session.undo().expect("solvable").as_deref(), Some("Make panels flat"));
     assert_eq!(session.scene(), before);
     assert_eq!(session.undo().expect("solvable"), None);
     session.redo().expect("solvable");
     assert_eq!(session.scene(), after);
+    let exact = session.exact().expect("it was met");
+    assert!(exact.met && exact.max_distance <= 1e-3, "{exact:?}");
 }
 
 #[test]
-fn a_press_on_what_is_asked_already_makes_a_step_of_its_run_alone() {
+fn a_press_on_what_is_met_already_changes_nothing() {
+    let mut session = wave();
+    session.make_panels("plane", 1e-3).expect("it has quads");
+    run(&mut session);
+    let after = session.scene();
+    session.make_panels("plane", 1e-3).expect("it has quads");
+    run(&mut session);
+    assert_eq!(session.scene(), after);
+    session.undo().expect("solvable");
+    assert_eq!(session.undo().expect("solvable"), None);
+}
+
+#[test]
+fn a_press_changes_no_weight_and_without_tolerance_requires_nothing() {
     let mut session = wave();
     session.make_panels("plane", f64::INFINITY).expect("it has quads");
     run(&mut session);
-    session.make_panels("plane", 1e-3).expect("it has quads");
-    run(&mut session);
-    let [undo, _] = session.undo_and_redo();
-    assert!(undo.is_some_and(|name| name.starts_with("Run, ")), "{undo:?}");
-}
-
-#[test]
-fn where_panels_are_within_the_tolerance_no_weight_changes() {
-    let mut session = wave();
+    assert_eq!(session.document().constraints[0].require, Require::Soft);
     session.make_panels("plane", 1.0).expect("it has quads");
     run(&mut session);
     assert_eq!(session.document().weights.shape, 1000.0);
 }
 
 #[test]
-fn what_cannot_be_had_ends_with_what_was_reached() {
-    // Four fixed corners out of a plane: no weight helps.
+fn what_cannot_be_had_ends_with_what_was_reached_and_says_so() {
+    // Four fixed corners out of a plane.
     let fixed = r#", "handles": [{ "vertices": [0, 1, 2, 3], "fixed": true }]"#;
     let mesh = grid(1, 1, |i, j| [f64::from(i), f64::from(j), f64::from(i * j)]);
     let mut session = session(mesh, fixed);
     session.make_panels("plane", 1e-3).expect("it has a quad");
     run(&mut session);
     assert_eq!(verdict(&mut session).within, 0);
-    assert!(session.document().weights.shape <= 1e6, "{}", session.document().weights.shape);
+    let exact = session.exact().expect("it was tried");
+    assert_eq!((exact.met, exact.unmet, exact.misses), (false, vec![0], 1));
 }
 
 #[test]
-fn an_edit_or_a_drag_ends_the_press() {
+fn a_drag_ends_the_press_and_its_end_meets_again_in_the_same_step() {
     let mut session = wave();
-    session.make_panels("plane", 1e-6).expect("it has quads");
+    session.make_panels("plane", 1e-3).expect("it has quads");
     session.begin_drag_of_new(vec![0]).expect("it is there");
+    assert!(!session.is_running() && session.exact().is_none());
+    session.drag([(0, [-0.5, -0.5, 0.5])]).expect("it is a handle");
+    (0..20).for_each(|_| assert!(!session.step().expect("it stays finite").ended));
     session.end_drag(true);
-    session.begin_run();
+    assert!(session.is_running());
     run(&mut session);
-    assert_eq!(session.document().weights.shape, 1000.0);
+    assert!(session.exact().is_some_and(|exact| exact.met));
+    assert_eq!(session.undo_and_redo()[0], Some("Make and move handle"));
 }

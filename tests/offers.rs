@@ -135,7 +135,7 @@ fn length(session: &Session) -> Value {
 
 fn set(params: Value) -> Edit {
     let Value::Object(params) = params else { panic!("parameters are an object") };
-    Edit::SetConstraint { index: 0, weight: None, enabled: None, params }
+    Edit::SetConstraint { index: 0, weight: None, require: None, enabled: None, params }
 }
 
 #[test]

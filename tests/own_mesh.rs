@@ -12,6 +12,7 @@ use shape_up::math::Vec3;
 use shape_up::mesh::{Mesh, Point, Topology};
 use shape_up::scene::{Scene, UnitsAndUp, Up, panel_offers};
 use shape_up::session::{Edit, Session};
+use shape_up::solve::Require;
 
 /// How far a mesh may move, and the largest and the mean way, in per cent of the diagonal of its
 /// bounding box, and how far its worst panel may be off, as a part of it: what these settings gave when
@@ -36,7 +37,7 @@ const WANTED: &[(&str, [f64; 3], [f64; 3])] = &[
 /// A mesh whose panels are asked for `kind`, after the press.
 fn pressed(mesh: Mesh, kind: &str) -> Session {
     let mut session = Session::open(Scene::opened("own.obj"), mesh).unwrap();
-    session.edit(Edit::MakePanels { kind: kind.to_owned() }).unwrap();
+    session.edit(Edit::MakePanels { kind: kind.to_owned(), within: None }).unwrap();
     session
 }
 
@@ -77,13 +78,13 @@ fn the_press_is_one_step_and_a_choice_between_shapes() {
         rows.map(|row| (row.kind.info().id, row.enabled)).collect::<Vec<_>>()
     };
     assert_eq!(rows(&session), [("plane", true)]);
-    session.edit(Edit::MakePanels { kind: "circle".to_owned() }).unwrap();
+    session.edit(Edit::MakePanels { kind: "circle".to_owned(), within: None }).unwrap();
     assert_eq!(rows(&session), [("plane", false), ("circle", true)]);
     assert_eq!(session.verdict(1.0).unwrap().adjective, "circular");
-    session.edit(Edit::MakePanels { kind: "plane".to_owned() }).unwrap();
+    session.edit(Edit::MakePanels { kind: "plane".to_owned(), within: None }).unwrap();
     assert_eq!(rows(&session), [("plane", true), ("circle", false)]);
     // What is none of the choice stays.
-    session.edit(Edit::MakePanels { kind: "rectangle".to_owned() }).unwrap();
+    session.edit(Edit::MakePanels { kind: "rectangle".to_owned(), within: None }).unwrap();
     assert_eq!(rows(&session), [("plane", true), ("circle", false), ("rectangle", true)]);
     assert_eq!(session.undo().unwrap().as_deref(), Some("Make panels rectangle"));
     assert_eq!(session.undo().unwrap().as_deref(), Some("Make panels flat"));
@@ -97,13 +98,13 @@ fn a_scene_that_would_not_keep_its_mesh_whole_gets_the_weights_that_do() {
     scene.closeness = Default::default();
     scene.smoothness = Default::default();
     let mesh = grid::bumpy(4);
-    scene.ask_of_panels("circle", &mesh).unwrap();
+    scene.ask_of_panels("circle", Require::Soft, &mesh).unwrap();
     assert_eq!(scene.weights, opened.weights);
     assert_eq!((scene.closeness, scene.smoothness), (opened.closeness, opened.smoothness));
     // Weights that somebody chose stay.
     let mut own = Scene::opened("own.obj");
     own.weights.close = 10.0;
-    own.ask_of_panels("circle", &mesh).unwrap();
+    own.ask_of_panels("circle", Require::Soft, &mesh).unwrap();
     assert_eq!(own.weights.close, 10.0);
 }
 
@@ -126,7 +127,7 @@ fn where_it_means_nothing_the_press_is_refused_in_words() {
         ("plane", &Mesh::default(), "There are no panels."),
         ("beauty", &triangles, "found `beauty`, expected "),
     ] {
-        let refused = scene.ask_of_panels(kind, mesh).unwrap_err();
+        let refused = scene.ask_of_panels(kind, Require::Soft, mesh).unwrap_err();
         assert!(refused.message.contains(words), "{refused}");
         assert_eq!(scene, Scene::opened("own.obj"));
     }

@@ -99,11 +99,23 @@ fn every_edit_is_undone_and_redone() {
     let start = (session.scene(), session.positions());
     let edits = [
         new("circle", "\"faces\""),
-        Edit::SetConstraint { index: 1, weight: Some(2.0), enabled: None, params: Map::new() },
+        Edit::SetConstraint {
+            index: 1,
+            weight: Some(2.0),
+            require: None,
+            enabled: None,
+            params: Map::new(),
+        },
         Edit::AddHandles { vertices: vec![0, 4], fixed: true },
         Edit::AddHandles { vertices: vec![24, 4], fixed: false },
         Edit::SetWeights(Weights { shape: 5.0, close: 1.0, smooth: 0.5 }),
-        Edit::SetConstraint { index: 0, weight: None, enabled: Some(false), params: Map::new() },
+        Edit::SetConstraint {
+            index: 0,
+            weight: None,
+            require: None,
+            enabled: Some(false),
+            params: Map::new(),
+        },
         Edit::RemoveHandles { vertices: vec![0] },
         Edit::RemoveConstraint { index: 0 },
         Edit::Reset,
@@ -176,7 +188,13 @@ fn a_refused_edit_leaves_everything_as_it_was() {
         (Edit::RemoveConstraint { index: 7 }, "constraints[7]"),
         (Edit::AddHandles { vertices: vec![99], fixed: true }, "99"),
         (
-            Edit::SetConstraint { index: 0, weight: Some(-1.0), enabled: None, params: Map::new() },
+            Edit::SetConstraint {
+                index: 0,
+                weight: Some(-1.0),
+                require: None,
+                enabled: None,
+                params: Map::new(),
+            },
             "weight",
         ),
         (Edit::SetWeights(Weights { shape: f64::NAN, close: 0.0, smooth: 0.0 }), "weights.shape"),

@@ -56,6 +56,7 @@ fn a_face_shows_the_row_that_says_the_most_about_it() {
     let off = |index| Edit::SetConstraint {
         index,
         weight: None,
+        require: None,
         enabled: Some(false),
         params: Default::default(),
     };

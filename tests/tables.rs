@@ -96,6 +96,7 @@ fn an_edit_changes_the_energies_of_the_iteration_that_it_is_made_at() {
         .edit(Edit::SetConstraint {
             index: 0,
             weight: Some(2.0),
+            require: None,
             enabled: None,
             params: Default::default(),
         })

@@ -73,19 +73,21 @@ fn deed() -> impl Strategy<Value = Deed> {
         (0..3usize, 0.1..9.0).prop_map(|(index, weight)| Edit::SetConstraint {
             index,
             weight: Some(weight),
+            require: None,
             enabled: None,
             params: Map::new(),
         }),
         (0..3usize, any::<bool>()).prop_map(|(index, on)| Edit::SetConstraint {
             index,
             weight: None,
+            require: None,
             enabled: Some(on),
             params: Map::new(),
         }),
         (0..3usize, 0.2..2.0).prop_map(|(index, length)| {
             let params = json!({ "length": length }).as_object().cloned();
             let params = params.expect("it is an object");
-            Edit::SetConstraint { index, weight: None, enabled: None, params }
+            Edit::SetConstraint { index, weight: None, require: None, enabled: None, params }
         }),
         (0.1..9.0, 0.1..9.0, 0.0..9.0)
             .prop_map(|(shape, close, smooth)| Edit::SetWeights(Weights { shape, close, smooth })),
@@ -181,8 +183,13 @@ fn an_edit_that_changes_nothing_is_no_step() {
     session.edit(new("plane", "\"faces\"")).expect("faces can be planes");
     session.edit(Edit::AddHandles { vertices: vec![6], fixed: true }).expect("it is there");
     let before = everything(&session);
-    let same =
-        |weight| Edit::SetConstraint { index: 0, weight, enabled: Some(true), params: Map::new() };
+    let same = |weight| Edit::SetConstraint {
+        index: 0,
+        weight,
+        require: None,
+        enabled: Some(true),
+        params: Map::new(),
+    };
     let document = session.document().clone();
     let nothing = [
         Edit::Reset,

@@ -66,6 +66,7 @@ fn edits_and_undo_leave_the_rest_of_the_scene_where_it_is() {
         Edit::SetConstraint {
             index: 0,
             weight: Some(2.0),
+            require: None,
             enabled: None,
             params: serde_json::Map::new(),
         },

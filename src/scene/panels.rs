@@ -50,14 +50,19 @@ fn fitting(info: &Info, mesh: &Mesh) -> usize {
 }
 
 impl Scene {
-    /// Asks for the shape `kind` of every face of `mesh` that can have it. Such a row that is there is
-    /// switched on, instead of one more. Between kinds that are offered for all panels it is a choice:
+    /// Asks for the shape `kind` of every face of `mesh` that can have it, as is required. Such a row that is
+    /// there is switched on, instead of one more, and stays exact if it is. Between kinds that are offered for all panels it is a choice:
     /// rows of the others on all faces are switched off. A scene whose weights would not keep the mesh
     /// whole gets those of one that is opened. Gives the declaration of the kind.
     ///
     /// # Errors
     /// When there is no such kind, or no face can have it.
-    pub fn ask_of_panels(&mut self, kind: &str, mesh: &Mesh) -> Result<&'static Info, SceneError> {
+    pub fn ask_of_panels(
+        &mut self,
+        kind: &str,
+        require: Require,
+        mesh: &Mesh,
+    ) -> Result<&'static Info, SceneError> {
         let error = |message: String| SceneError { path: "panels".to_owned(), message };
         let kind = Kind::new(kind, serde_json::json!({})).map_err(|failed| match failed {
             KindError::Unknown => error(format!("found `{kind}`, expected {}", known())),
@@ -83,6 +88,9 @@ impl Scene {
             let other = row.kind.info();
             if other.id == info.id {
                 row.enabled = row.enabled || !found;
+                if require.is_hard() && row.require != Require::Exact {
+                    row.require = require;
+                }
                 found = true;
             } else if info.panels.is_some() && other.panels.is_some() {
                 row.enabled = false;
@@ -95,7 +103,7 @@ impl Scene {
                 weight: 1.0,
                 enabled: true,
                 name: String::new(),
-                require: Require::Soft,
+                require,
             });
         }
         let held = self.weights.close > 0.0 || self.weights.smooth > 0.0;

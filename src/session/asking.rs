@@ -4,13 +4,12 @@ use super::Session;
 use super::edit::{ConstraintTarget, Preview, previews};
 use super::export;
 use super::report::{
-    self, ConstraintMap, Measuring, Moved, Projections, Report, RowPalette, Shape, Verdict,
-    WorstElement,
+    self, ConstraintMap, Measuring, Projections, Report, RowPalette, Shape, Verdict, WorstElement,
 };
 use super::selection::{SelectRequest, Selection, select};
 use crate::mesh::{ElementsWithProblem, Measures, Mesh, Weld, write_obj_with_uv};
 use crate::scene::{GoalResult, MeshSource, Scene, SceneError};
-use crate::solve::{ConformalNorm, ConformalWeights, Parametrization, SolveError};
+use crate::solve::{ConformalNorm, ConformalWeights, Moved, Parametrization, SolveError};
 use std::rc::Rc;
 
 impl Session {
@@ -77,7 +76,7 @@ impl Session {
 
     /// Distances of the vertices from their rest positions.
     pub fn moved(&self) -> Moved {
-        Moved::of(&self.scene, &self.rest)
+        report::moved(&self.scene, &self.rest)
     }
 
     /// The least length of an edge as a part of its length at rest; those without a length at rest do

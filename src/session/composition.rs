@@ -1,7 +1,7 @@
 //! The session itself: what it is made of, and plain access to that.
 
 use super::report::MeasureCache;
-use super::run::{Collapse, CollapseGuard, Met, Progress, TraceEntry};
+use super::run::{Collapse, CollapseGuard, Meeting, Met, Progress, TraceEntry};
 use super::state::{ResolvedRow, RestMesh, SolvedScene};
 use super::undo::{History, Transaction};
 use crate::mesh::{Mesh, Point, Topology};
@@ -20,6 +20,8 @@ pub struct Session {
     pub(super) measured: MeasureCache,
     /// How hard constraints were met, and the shape of which that is true.
     pub(super) met: Option<Met>,
+    /// What the run that is under way is meeting.
+    pub(super) meeting: Option<Meeting>,
 }
 
 impl Session {
@@ -79,10 +81,10 @@ impl Session {
         self.guard.collapse()
     }
 
-    /// Whether the last iteration changed the total by no more than the tolerance; never of a shape
-    /// that has collapsed.
+    /// Whether the last iteration changed the total by no more than the tolerance, or hard constraints are
+    /// met; never of a shape that has collapsed.
     pub fn converged(&self) -> bool {
-        self.scene.solver().converged() && self.collapse().is_none()
+        (self.scene.solver().converged() || self.is_met()) && self.collapse().is_none()
     }
 
     /// Whether a drag has begun and not ended; an edit ends it.

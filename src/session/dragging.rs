@@ -2,7 +2,6 @@
 
 use super::Session;
 use super::edit::Edit;
-use super::run::PanelGoal;
 use super::undo::{Change, Transaction, check_targets};
 use crate::error::Error;
 use crate::mesh::Point;
@@ -110,12 +109,17 @@ impl Session {
         Ok(())
     }
 
-    /// Ends a drag: keeps it as one step of undo, or puts everything back.
+    /// Ends a drag: keeps it as one step of undo, or puts everything back. Where constraints are hard, a run begins
+    /// that meets them again, in the same step of undo.
     pub fn end_drag(&mut self, keep: bool) {
         let Some(transaction) = self.transaction.take_if(|t| t.is_drag()) else { return };
         if keep {
             if let Some(name) = transaction.name_of_drag(self.scene.handles()) {
                 self.history.push(name, transaction.into_back());
+                if self.has_hard_rows() {
+                    self.begin_run();
+                    self.join_last();
+                }
             }
         } else {
             let back = self.exchange(&mut transaction.into_back());
@@ -131,18 +135,34 @@ impl Session {
         }
     }
 
-    /// Asks one shape of all panels ([`Edit::MakePanels`]) and begins a run that ends with all of them
-    /// within `tolerance` (in the unit of the mesh) where that can be had. It is one step of undo.
+    /// Asks one shape of all panels ([`Edit::MakePanels`]), within `tolerance` (in the unit of the mesh, infinite
+    /// for none), and begins a run. It is one step of undo.
     ///
     /// # Errors
     /// As [`Session::edit`].
     pub fn make_panels(&mut self, kind: &str, tolerance: f64) -> Result<(), Error> {
-        let made = self.edit(Edit::MakePanels { kind: kind.to_owned() })?;
+        let within = tolerance.is_finite().then_some(tolerance);
+        self.edit_and_run(Edit::MakePanels { kind: kind.to_owned(), within })
+    }
+
+    /// Makes an edit and begins a run, one step of undo together.
+    ///
+    /// # Errors
+    /// As [`Session::edit`].
+    pub fn edit_and_run(&mut self, edit: Edit) -> Result<(), Error> {
+        let made = self.edit(edit)?;
         self.begin_run();
-        if let Some(transaction) = &mut self.transaction {
-            transaction.aim(PanelGoal::new(tolerance), made);
+        if made {
+            self.join_last();
         }
         Ok(())
+    }
+
+    /// Makes what is under way a part of the step of undo that was made last.
+    fn join_last(&mut self) {
+        if let Some(transaction) = &mut self.transaction {
+            transaction.join_last();
+        }
     }
 
     /// Lets the run that has begun go on when the shape collapses.
@@ -150,10 +170,18 @@ impl Session {
         self.guard.let_go_on(true);
     }
 
-    /// Ends a run, at the lowest total that it saw.
+    /// Whether a run has begun and not ended.
+    pub fn is_running(&self) -> bool {
+        self.transaction.as_ref().is_some_and(Transaction::is_run)
+    }
+
+    /// Ends a run, at the lowest total that it saw, or at the best shape for its hard constraints.
     pub fn end_run(&mut self) {
+        let met = self.end_meeting().expect("the state was solvable before");
         let Some(transaction) = self.transaction.take_if(|t| t.is_run()) else { return };
-        self.scene.settle();
+        if !met && !self.is_met() {
+            self.scene.settle();
+        }
         self.guard.look(&self.scene, &self.rest, false);
         // One that collapsed can be taken back alone.
         let joins = transaction.joins_last() && self.collapse().is_none();

@@ -2,18 +2,21 @@
 
 use super::Session;
 use super::run::{HalfStep, Step, fitted};
-use super::state::{Part, Settings};
-use super::undo::Transaction;
 use crate::error::Error;
-use crate::scene::Weights;
 
 impl Session {
-    /// One iteration.
+    /// One iteration. In a run, hard constraints are met after all else has converged.
     ///
     /// # Errors
     /// When a position leaves the finite numbers; the shape is then that before the step.
     pub fn step(&mut self) -> Result<Step, Error> {
         self.progress.leave_half();
+        if let Some(step) = self.meeting_step()? {
+            return Ok(step);
+        }
+        if self.is_met() {
+            return Ok(Step { converged: self.converged(), ended: true });
+        }
         let dragging = self.is_dragging();
         if !dragging {
             self.guard.take_start(&self.scene, &self.rest, self.progress.iteration());
@@ -22,7 +25,7 @@ impl Session {
         self.progress.advance(self.scene.solver().energy());
         let collapsed = self.guard.watch(&self.scene, &self.rest, dragging);
         let ended = self.scene.solver().converged() || collapsed;
-        if ended && !collapsed && self.tighten() {
+        if ended && !collapsed && self.is_running() && self.begin_meeting()? {
             return Ok(Step { converged: false, ended: false });
         }
         Ok(Step { converged: self.converged(), ended })
@@ -76,29 +79,5 @@ impl Session {
     /// Watches over the shape from here on, as after an edit.
     pub fn arm_guard(&mut self) {
         self.guard.arm();
-    }
-
-    /// Where a run has converged with panels beyond its tolerance: weighs the constraints more, and
-    /// returns whether it did.
-    fn tighten(&mut self) -> bool {
-        let run = self.transaction.as_mut().filter(|transaction| transaction.is_run());
-        let Some(goal) = run.and_then(Transaction::take_goal) else { return false };
-        let Some(verdict) = self.verdict(goal.tolerance()) else { return false };
-        if verdict.within == verdict.panels {
-            return false;
-        }
-        let weights = self.document().weights;
-        let Some((shape, goal)) = goal.raise(weights.shape, verdict.worst) else { return false };
-        let settings = Settings::of(self.document()).with_weights(Weights { shape, ..weights });
-        let mut change = self.way_back();
-        change.scene.parts.push(Part::Settings(settings));
-        if self.exchange(&mut change).is_err() {
-            return false;
-        }
-        self.include(change);
-        if let Some(transaction) = &mut self.transaction {
-            transaction.set_goal(goal);
-        }
-        true
     }
 }

@@ -111,7 +111,17 @@ impl Checked {
         });
         let Past { progress, guard, history, transaction } = past;
         let measured = MeasureCache::default();
-        Ok(Session { rest, scene, progress, guard, history, transaction, measured, met: None })
+        Ok(Session {
+            rest,
+            scene,
+            progress,
+            guard,
+            history,
+            transaction,
+            measured,
+            met: None,
+            meeting: None,
+        })
     }
 }
 

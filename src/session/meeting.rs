@@ -1,10 +1,11 @@
-//! Hard constraints met: the shape that has them, and how well.
+//! Hard constraints met. A run iterates with them as soft ones until that has converged, and then meets them: the
+//! same call goes on, one iteration or one step at a time, and shows the way now and then.
 
 use super::Session;
-use super::run::{ExactReport, Met};
+use super::run::{ExactReport, Meeting, Met, Step};
 use crate::error::Error;
-use crate::solve::{Constraints, Exact, Require, Requirements};
-use std::rc::Rc;
+use crate::mesh::Point;
+use crate::solve::{Constraints, Exact, Require, Requirements, exact_tolerance};
 
 impl Session {
     /// What meets the hard constraints from the current shape on, to be stepped by the host and given to
@@ -13,10 +14,18 @@ impl Session {
     /// # Errors
     /// When a set of the scene is not there.
     pub fn meeting(&self) -> Result<Option<Exact>, Error> {
+        self.meeting_with(|require| require)
+    }
+
+    /// [`Session::meeting`] with something else required of the rows that are on.
+    pub(super) fn meeting_with(
+        &self,
+        instead: impl Fn(Require) -> Require,
+    ) -> Result<Option<Exact>, Error> {
         let document = self.document();
         let places: Vec<usize> = self.scene.enabled_rows().collect();
         let requires: Vec<Require> =
-            places.iter().map(|&row| document.constraints[row].require).collect();
+            places.iter().map(|&row| instead(document.constraints[row].require)).collect();
         if !requires.iter().any(|require| require.is_hard()) {
             return Ok(None);
         }
@@ -40,13 +49,8 @@ impl Session {
     /// # Errors
     /// When the system would be singular; nothing has changed then.
     pub fn accept(&mut self, exact: &Exact) -> Result<(), Error> {
-        let mut change = self.way_back();
-        change.scene.positions = exact.positions().into();
-        self.exchange(&mut change)?;
-        self.include(change);
-        let places: Vec<usize> = self.scene.enabled_rows().collect();
-        let report = ExactReport::new(exact.answer(), &places);
-        self.met = Some(Met { positions: Rc::clone(self.scene.positions()), report });
+        self.go_to(&exact.positions())?;
+        self.note_met(exact);
         Ok(())
     }
 
@@ -62,8 +66,101 @@ impl Session {
     }
 
     /// How well the hard constraints are met; none while nobody has met those of the current shape.
-    pub fn exact(&self) -> Option<&ExactReport> {
-        let met = self.met.as_ref()?;
-        Rc::ptr_eq(&met.positions, self.scene.positions()).then_some(&met.report)
+    pub fn exact(&self) -> Option<ExactReport> {
+        if let Some(met) = self.met_here() {
+            return Some(met.report.clone());
+        }
+        let document = self.document();
+        let rows = self.scene.enabled_rows().zip(self.solver().found());
+        let tolerance = exact_tolerance(self.rest.positions());
+        let (mut most, mut allowed, mut met) = (0.0_f64, None, true);
+        for (row, found) in rows {
+            let within = match document.constraints[row].require {
+                Require::Soft => continue,
+                Require::Exact => tolerance,
+                Require::Within(length) => length,
+            };
+            let worst = found.worst_squared.sqrt();
+            // Written so that NaN is not met.
+            met &= worst <= within;
+            most = most.max(worst);
+            allowed = Some(within.max(allowed.unwrap_or(0.0)));
+        }
+        allowed.filter(|_| met).map(|tolerance| ExactReport::of_what_is_met(most, tolerance))
+    }
+
+    /// Whether some constraints that are on are hard.
+    pub fn has_hard_rows(&self) -> bool {
+        let rows = &self.document().constraints;
+        self.scene.enabled_rows().any(|row| rows[row].require.is_hard())
+    }
+
+    /// Whether the run that goes on is meeting hard constraints.
+    pub fn is_meeting(&self) -> bool {
+        self.meeting.is_some()
+    }
+
+    /// What was met, if that is the current shape.
+    fn met_here(&self) -> Option<&Met> {
+        self.met.as_ref().filter(|met| met.is_of(&self.scene))
+    }
+
+    /// Whether hard constraints were met here as well as they can be, and nothing has changed since.
+    pub(super) fn is_met(&self) -> bool {
+        self.met_here().is_some_and(|met| met.is_all(&self.scene))
+    }
+
+    /// Begins to meet the hard constraints, where there are some.
+    pub(super) fn begin_meeting(&mut self) -> Result<bool, Error> {
+        self.scene.settle();
+        let Some(exact) = self.meeting()? else { return Ok(false) };
+        self.meeting = Some(Meeting::new(exact));
+        Ok(true)
+    }
+
+    /// One iteration or step of what a run is meeting; none where it is not.
+    pub(super) fn meeting_step(&mut self) -> Result<Option<Step>, Error> {
+        let Some(meeting) = &mut self.meeting else { return Ok(None) };
+        let ended = meeting.step();
+        if ended != Ok(false) {
+            self.progress.count();
+            self.end_meeting()?;
+            ended?;
+            return Ok(Some(Step { converged: self.converged(), ended: true }));
+        }
+        match meeting.due_positions() {
+            Some(positions) => {
+                self.scene.show(&positions);
+                self.progress.advance(self.scene.solver().energy());
+            }
+            None => self.progress.count(),
+        }
+        Ok(Some(Step { converged: false, ended: false }))
+    }
+
+    /// Ends what a run is meeting, with the best shape so far; whether there was anything.
+    pub(super) fn end_meeting(&mut self) -> Result<bool, Error> {
+        let Some((exact, ended)) = self.meeting.take().map(Meeting::end) else { return Ok(false) };
+        self.accept(&exact)?;
+        if let Some(met) = self.met.as_mut().filter(|_| !ended) {
+            met.interrupt();
+        }
+        Ok(true)
+    }
+
+    /// Goes to other positions, `#V by 3`, as a part of the run that is under way.
+    fn go_to(&mut self, positions: &[Point]) -> Result<(), Error> {
+        let mut change = self.way_back();
+        change.scene.positions = positions.into();
+        self.exchange(&mut change)?;
+        self.include(change);
+        Ok(())
+    }
+
+    /// Notes that the current shape is that of `exact`.
+    pub(super) fn note_met(&mut self, exact: &Exact) {
+        let places: Vec<usize> = self.scene.enabled_rows().collect();
+        let report = ExactReport::new(exact.answer(), &places);
+        self.met = Some(Met::new(&self.scene, report));
     }
 }

@@ -12,6 +12,7 @@
 //! | `dragging` | drags and runs, one step of undo each |
 //! | `iterating` | iterations, whole and in halves |
 //! | `meeting` | hard constraints met |
+//! | `exact_trial` | what it would cost to be exact |
 //! | `asking` | what hosts ask: selections, measures, reports, files |
 //! | `handed_in` | the results of a lesson, and their check |
 //! | `remedies` | changes that help where constraints are not met, tried on a copy |
@@ -28,6 +29,7 @@ mod composition;
 mod dragging;
 mod edit;
 mod editing;
+mod exact_trial;
 mod export;
 mod handed_in;
 mod iterating;
@@ -41,16 +43,18 @@ mod selection;
 mod state;
 mod undo;
 
+pub use crate::solve::Moved;
 pub use composition::Session;
 pub use dragging::DragPhase;
 pub use edit::{ConstraintTarget, Edit, NewConstraint, Preview, SETTINGS, Setting, settings_of};
+pub use exact_trial::{ExactOffer, ExactTrial, Price};
 pub use handed_in::check_results;
 pub use opened_file::{FileReader, Guessed, OpenedFile, is_scene};
 pub use remedies::{Remedies, Remedy};
 pub use report::{
-    ConstraintMap, EnergyReport, FACE_MEASURES, FaceMeasure, GoalWords, MeasureUnit, Moved,
-    Projections, Report, RowPalette, Seconds, Shape, Verdict, WorstElement, ZERO_SIZE_FACES,
-    flaw_of, goals_in_words,
+    ConstraintMap, EnergyReport, FACE_MEASURES, FaceMeasure, GoalWords, MeasureUnit, Projections,
+    Report, RowPalette, Seconds, Shape, Verdict, WorstElement, ZERO_SIZE_FACES, flaw_of,
+    goals_in_words,
 };
 pub use run::{
     Collapse, CollapseReason, ExactReport, FittedCount, HalfStep, Step, TraceEntry,

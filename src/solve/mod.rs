@@ -40,7 +40,7 @@ pub use assemble::Terms;
 pub use conformal::{ConformalNorm, ConformalSeconds, ConformalWeights, Parametrization};
 pub use energy::{Constraints, Energy, Handle, HandleIndex, Hold, IterateSeconds};
 pub use error::SolveError;
-pub use exact::{Exact, ExactAnswer, Require, Requirements, Stage, Unmet, Way};
+pub use exact::{Exact, ExactAnswer, Moved, Require, Requirements, Stage, Unmet, exact_tolerance};
 pub use problem::Problem;
 pub use rest_projections::rest_projections;
 pub use settings::{

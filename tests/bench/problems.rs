@@ -233,7 +233,7 @@ fn iterations(
     for k in 0..edits {
         let weight = Some(1.0 + 0.5 * (k + 1) as f64);
         let params = serde_json::Map::new();
-        let set = Edit::SetConstraint { index: 0, weight, enabled: None, params };
+        let set = Edit::SetConstraint { index: 0, weight, require: None, enabled: None, params };
         let edited = timed(|| edit(&mut session, set)).1;
         change.push(edited + step(&mut session).total);
     }

@@ -54,6 +54,7 @@ export function scriptApi(store, solver, viewport, files) {
         planarity: numbers?.planarity ?? null,
         circularity: numbers?.circularity ?? null,
         moved: numbers?.moved ?? null,
+        exact: numbers?.exact ?? null,
         constraints,
         handles: handlesNow(state),
         selection: {

@@ -19,6 +19,8 @@
  */
 
 // What Rust says of its own types: a field that changes there is an error of types here.
+/** @typedef {import("../pkg/solver/shape_up.js").ExactOffer} ExactOffer */
+/** @typedef {import("../pkg/solver/shape_up.js").ExactReport} ExactReport */
 /** @typedef {import("../pkg/solver/shape_up.js").Moved} Moved */
 /** @typedef {import("../pkg/solver/shape_up.js").PanelOffer} PanelOffer */
 /** @typedef {import("../pkg/solver/shape_up.js").PresetOffer} Preset */
@@ -45,12 +47,18 @@
  */
 
 /**
+ * How a row of constraints counts: it is weighed, met, or met within a length, as in a scene file.
+ * @typedef {"soft" | "exact" | { within: number }} Require
+ */
+
+/**
  * One edit of the document; each is one step of undo.
  * @typedef {{ type: "addConstraint", kind: string, params: Record<string, ParamValue>, on: Selector, weight: number }
  *   | { type: "holdCloser" }
  *   | { type: "fitTo", name: string, text: string }
  *   | { type: "removeConstraint", index: number }
- *   | { type: "setConstraint", index: number, weight?: number, enabled?: boolean, params?: Record<string, ParamValue> }
+ *   | { type: "setConstraint", index: number, weight?: number, enabled?: boolean, require?: Require,
+ *       params?: Record<string, ParamValue> }
  *   | { type: "setWeights", shape?: number, close?: number, smooth?: number }
  *   | { type: "preset", id: string }
  *   | { type: "setUnits", units: string }
@@ -126,6 +134,7 @@
  * @property {number} skipped
  * @property {number} weight
  * @property {boolean} enabled
+ * @property {Require} require
  * @property {Measure | null} measure what it asks of single faces, if it is on faces
  * @property {Record<string, ParamValue>} params
  */
@@ -179,6 +188,7 @@
  * @property {number} shortestEdge the least length of an edge as a part of its length in the original
  * @property {number[]} worst per row of the list of constraints: the largest distance of a vertex to its projection
  * @property {number[]} shares per row its part of the total energy, from 0 to 1
+ * @property {ExactReport | null} exact how well hard constraints are met; null while nobody has met those of this shape
  * @property {{ value: number | null, met: boolean }[]} goals of the lesson; null where nothing has a value
  * @property {number} stepMs
  */
@@ -278,7 +288,11 @@
  *   `frame` what a mesh file is taken for that does not say its unit and axis: `# units: m`, `# up: y`;
  *   `weld: false` leaves a mesh file whose faces have their own vertices as it came; `solved` runs before anything is shown: only for what is known to converge soon.
  * - `edit`, `undo`, `redo`, `step`; `halfStep`: the local step, or the global step after it.
- * - `makePanels`: asks one shape of all panels, and runs until they are within the tolerance.
+ * - `makePanels`: asks one shape of all panels, within the tolerance, and runs. `editAndRun`: makes an edit
+ *   and runs. Either is one step of undo.
+ * - `exactOffer`: what it would cost to be exact instead of within a distance, tried beside all else; ends early,
+ *   with null, when something changes. `makeExact`: takes the exact shape that was tried, if it is still of the
+ *   current one.
  * - `members`: what a constraint acts on. `rowColours`: the colours of all of them. `previews`: what
  *   adding one of each kind at each of some places would make. `select`: what is selected then.
  * - `worst`: the worst faces by a measure, or the worst constraints of a row. `flawed`: the elements
@@ -304,6 +318,9 @@
  *       solved?: boolean, weld?: boolean }
  *   | { type: "edit", edit: Edit }
  *   | { type: "makePanels", kind: string, tolerance: number }
+ *   | { type: "editAndRun", edit: Edit }
+ *   | { type: "exactOffer" }
+ *   | { type: "makeExact" }
  *   | { type: "undo" }
  *   | { type: "redo" }
  *   | { type: "step" }
@@ -338,6 +355,9 @@
  * @property {Loaded} open
  * @property {null} edit
  * @property {null} makePanels
+ * @property {null} editAndRun
+ * @property {ExactOffer | null} exactOffer
+ * @property {boolean} makeExact whether it was done
  * @property {string | null} undo the name of what was undone
  * @property {string | null} redo the name of what was redone
  * @property {boolean} step whether it has converged

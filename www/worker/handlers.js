@@ -1,6 +1,7 @@
 /** What the worker does at each message of the page: one entry for each command and each request. */
 
 import { cancelExperiment, comparison, experimentCsv, runExperiment } from './experiment.js';
+import { exactOffer, makeExact } from './exact-trial.js';
 import { open } from './open.js';
 import { findRemedies } from './remedies.js';
 import { mostFaces, warmUpWhenQuiet } from './warm-up.js';
@@ -50,6 +51,12 @@ export function requestHandlers(solver, scheduler, post, died) {
       scheduler.runFor(() => solver.makePanels(kind, tolerance));
       return null;
     },
+    editAndRun({ edit }) {
+      scheduler.runFor(() => solver.editAndRun(edit));
+      return null;
+    },
+    exactOffer: () => exactOffer(solver),
+    makeExact: () => paused(() => scheduler.betweenRuns(() => makeExact(solver))),
     undo: () => paused(() => scheduler.betweenRuns(() => solver.undo() ?? null)),
     redo: () => paused(() => scheduler.betweenRuns(() => solver.redo() ?? null)),
     step: () => paused(() => scheduler.step()),

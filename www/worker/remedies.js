@@ -4,40 +4,21 @@
  */
 
 import { RemedyTrials } from '../pkg/solver/shape_up.js';
+import { inTurns } from './trials.js';
 
-/** How long it tries before other messages have their turn, in milliseconds. */
-const SLICE_MS = 12;
 /** How long it tries at most: whoever waits longer does not wait. */
 const MOST_MS = 4000;
 
 /** @typedef {import("../solver/messages.js").Remedy} Remedy */
 
-let turn = 0;
-
-/** Something else is asked. */
-export function stopTrials() {
-  turn += 1;
-}
-
 /**
  * @param {import("../pkg/solver/shape_up.js").Solver} solver
  * @returns {Promise<Remedy[]>} those found until then, the greatest help first
  */
-export function findRemedies(solver) {
-  const mine = ++turn;
-  const until = performance.now() + MOST_MS;
+export async function findRemedies(solver) {
   const trials = new RemedyTrials(solver);
-  return new Promise((resolve, reject) => {
-    const goOn = () => {
-      try {
-        const isOver = mine !== turn || performance.now() > until;
-        if (!isOver && trials.advance(SLICE_MS)) return void setTimeout(goOn);
-        resolve(trials.found());
-        trials.free();
-      } catch (error) {
-        reject(error);
-      }
-    };
-    setTimeout(goOn);
-  });
+  await inTurns(trials, MOST_MS);
+  const found = trials.found();
+  trials.free();
+  return found;
 }

@@ -181,6 +181,9 @@ export class Scheduler {
       this.#isDragging = false;
       this.#solver.drag(vertices, targets, phase);
       if (this.#isRunning) this.#solver.beginRun();
+      // What has to be met is met again where it ends.
+      this.#isRunning = this.#solver.isRunning();
+      this.#activityDue = true;
       this.changed();
     }
     this.#isSettled = false;

@@ -7,8 +7,8 @@ import init, { Solver } from '../pkg/solver/shape_up.js';
 import { messageOf } from '../solver/messages.js';
 import { fetchModule } from './fetch-wasm.js';
 import { commandHandlers, requestHandlers } from './handlers.js';
-import { stopTrials } from './remedies.js';
 import { Scheduler } from './scheduler.js';
+import { stopTrials } from './trials.js';
 import { disturb } from './warm-up.js';
 import { isTrap } from './wasm-errors.js';
 
@@ -18,7 +18,14 @@ import { isTrap } from './wasm-errors.js';
 
 /** What makes it useless to try what would help the shape as it is. @type {Set<ToWorker["type"]>} */
 const CHANGES = new Set([
-  .../** @type {ToWorker["type"][]} */ (['run', 'drag', 'open', 'edit', 'makePanels']),
+  .../** @type {ToWorker["type"][]} */ ([
+    'run',
+    'drag',
+    'open',
+    'edit',
+    'editAndRun',
+    'makePanels',
+  ]),
   .../** @type {ToWorker["type"][]} */ (['undo', 'redo', 'step', 'halfStep']),
 ]);
 

@@ -6,6 +6,7 @@ use shape_up::constraint::describe;
 use shape_up::error::Error;
 use shape_up::mesh::counted;
 use shape_up::session::{ExactReport, Report, Session};
+use shape_up::solve::Require;
 use std::fmt::Write;
 use std::path::Path;
 use std::time::Instant;
@@ -24,7 +25,7 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
         Failure::Input(format!("{}: {message}", command.input.display()))
     };
     if let Some(kind) = command.panels {
-        scene.ask_of_panels(kind, &mesh).map_err(|error| at_input(error.into()))?;
+        scene.ask_of_panels(kind, Require::Soft, &mesh).map_err(|error| at_input(error.into()))?;
     }
     if let Some(require) = command.require {
         scene.constraints.iter_mut().for_each(|row| row.require = require);

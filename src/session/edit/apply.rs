@@ -10,7 +10,7 @@ use crate::scene::{ClosenessTo, ConstraintSpec, HANDLE_WEIGHT, Hold, PRESETS, Sc
 use crate::session::report::check_lesson;
 use crate::session::run::Start;
 use crate::session::state::{Draft, Part, RowValues};
-use crate::solve::{Handle, HandleIndex};
+use crate::solve::{Handle, HandleIndex, Require};
 use serde_json::{Map, Value};
 use std::rc::Rc;
 
@@ -33,8 +33,10 @@ pub(crate) fn apply(
 ) -> Result<String, SceneError> {
     let name = match edit {
         Edit::AddConstraint(new) => add(new, draft),
-        Edit::MakePanels { kind } => {
-            let info = draft.set_rows(|document, mesh| document.ask_of_panels(&kind, mesh))?;
+        Edit::MakePanels { kind, within } => {
+            let require = within.map_or(Require::Soft, Require::Within);
+            let info =
+                draft.set_rows(|document, mesh| document.ask_of_panels(&kind, require, mesh))?;
             format!("Make panels {}", info.panels.unwrap_or(info.id))
         }
         Edit::RemoveConstraint { index } => {
@@ -42,19 +44,23 @@ pub(crate) fn apply(
             draft.put(Part::Row(index, None));
             format!("Remove {label}")
         }
-        Edit::SetConstraint { index, weight, enabled, params } => {
+        Edit::SetConstraint { index, weight, enabled, require, params } => {
             let spec = row(draft, index)?;
-            let what = match (enabled, weight, params.is_empty()) {
-                (Some(true), None, true) => "Switch on",
-                (Some(false), None, true) => "Switch off",
-                _ => "Change",
+            let label = label_of(spec);
+            let name = match (enabled, weight, require, params.is_empty()) {
+                (Some(true), None, None, true) => format!("Switch on {label}"),
+                (Some(false), None, None, true) => format!("Switch off {label}"),
+                (None, None, Some(Require::Soft), true) => format!("Make {label} soft"),
+                (None, None, Some(Require::Exact), true) => format!("Make {label} exact"),
+                (None, None, Some(Require::Within(_)), true) => format!("Bring {label} within"),
+                _ => format!("Change {label}"),
             };
             let values = RowValues {
                 kind: with_params(&spec.kind, index, params)?,
                 weight: weight.unwrap_or(spec.weight),
                 enabled: enabled.unwrap_or(spec.enabled),
+                require: require.unwrap_or(spec.require),
             };
-            let name = format!("{what} {}", label_of(spec));
             draft.put(Part::RowValues(index, values));
             name
         }

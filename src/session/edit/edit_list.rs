@@ -3,6 +3,7 @@
 use crate::constraint::Set;
 use crate::json::indices::{self, Indices};
 use crate::scene::{ConstraintSpec, Lesson, Up, Weights};
+use crate::solve::Require;
 use serde::{Deserialize, Deserializer};
 use serde_json::{Map, Value};
 
@@ -17,6 +18,8 @@ pub enum Edit {
     MakePanels {
         /// The id of the kind.
         kind: String,
+        /// The tolerance that they have to be within; none weighs them.
+        within: Option<f64>,
     },
     /// Removes row `index`.
     RemoveConstraint {
@@ -31,6 +34,8 @@ pub enum Edit {
         weight: Option<f64>,
         /// Whether it is solved for.
         enabled: Option<bool>,
+        /// Whether it is weighed, or met: as in scene files.
+        require: Option<Require>,
         /// New values of parameters, as in scene files; those that are not here stay.
         #[serde(default)]
         params: Map<String, Value>,

@@ -140,6 +140,18 @@ pub const SETTINGS: &[Setting] = &[
         summary: "Keep an old projection where the new one is farther, so that the energy never rises with kinds that are not exact.",
         group: SOLVER,
     },
+    Setting {
+        param: Param {
+            id: "shortest-edge",
+            label: "Shortest edge",
+            unit: "",
+            default: ParamValue::Number(0.3),
+            forms: &[Form::Number, OFF],
+            range: [0.0, 1.0],
+        },
+        summary: "Edges keep at least this part of their length while exact constraints are met; without a bound they may vanish.",
+        group: SOLVER,
+    },
 ];
 
 /// The value of every setting in `scene`, by id.
@@ -158,6 +170,7 @@ pub fn settings_of(scene: &Scene) -> Map<String, Value> {
         ("tolerance", json!(solver.tolerance)),
         ("mean-centring", json!(solver.mean_centring.word())),
         ("monotone", json!(solver.monotone.word())),
+        ("shortest-edge", solver.shortest_edge.map_or(json!("off"), |ratio| json!(ratio))),
     ];
     let mut settings = Map::new();
     // Collecting them would bring a sort along.
@@ -203,6 +216,10 @@ pub(crate) fn set(scene: &mut Scene, id: &str, value: &Value) -> Result<&'static
         "tolerance" => scene.solver.tolerance = number()?,
         "mean-centring" => scene.solver.mean_centring = choice(id, value)?,
         "monotone" => scene.solver.monotone = choice(id, value)?,
+        "shortest-edge" => {
+            let off = value.as_str() == Some("off");
+            scene.solver.shortest_edge = if off { None } else { Some(number()?) };
+        }
         _ => unreachable!("{id} is declared"),
     }
     Ok(setting.param.label)

@@ -2,25 +2,11 @@
 
 use crate::math::Vec3;
 use crate::session::state::{RestMesh, SolvedScene};
-use serde::Serialize;
+use crate::solve::Moved;
 
 /// Distances of the vertices from their rest positions, in the unit of the mesh.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
-pub struct Moved {
-    /// The largest one.
-    pub max: f64,
-    /// Their mean.
-    pub mean: f64,
-}
-
-impl Moved {
-    /// Those of the current shape.
-    pub(crate) fn of(scene: &SolvedScene, rest: &RestMesh) -> Moved {
-        let ways = displacements(scene, rest);
-        let max = ways.iter().copied().fold(0.0, f64::max);
-        Moved { max, mean: ways.iter().sum::<f64>() / ways.len().max(1) as f64 }
-    }
+pub(crate) fn moved(scene: &SolvedScene, rest: &RestMesh) -> Moved {
+    Moved::of(displacements(scene, rest).into_iter())
 }
 
 /// The least length of an edge as a part of its length at rest; those without a length at rest do not

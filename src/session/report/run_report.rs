@@ -1,11 +1,11 @@
 //! The report of a solved scene.
 
-use super::moved::{Moved, shortest_edge};
+use super::moved::{moved, shortest_edge};
 use crate::mesh::{Circularity, Measures, Planarity};
 use crate::scene::{Accelerator, NamedEnum};
 use crate::session::run::{ExactReport, Progress, TraceEntry};
 use crate::session::state::{RestMesh, SolvedScene};
-use crate::solve::{Energy, IterateSeconds};
+use crate::solve::{Energy, IterateSeconds, Moved};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -87,7 +87,7 @@ impl Report {
         progress: &Progress,
         measures: &Measures,
         collapsed: bool,
-        exact: Option<&ExactReport>,
+        exact: Option<ExactReport>,
     ) -> Report {
         let mut constraints = BTreeMap::new();
         let mut skipped = 0;
@@ -117,9 +117,9 @@ impl Report {
             energy: EnergyReport { initial: progress.initial(), last: solver.energy() },
             planarity: measures.planarity,
             circularity: measures.circularity,
-            moved: Moved::of(scene, rest),
+            moved: moved(scene, rest),
             shortest_edge: shortest_edge(scene, rest),
-            exact: exact.cloned(),
+            exact,
             seconds: Seconds {
                 load: progress.load_seconds(),
                 assemble: set_up.assemble,

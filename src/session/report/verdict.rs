@@ -4,8 +4,9 @@
 use super::face_measure::face_values;
 use super::inspect::{asked_measure, members};
 use super::measuring::{Measuring, Shape};
-use super::moved::Moved;
+use super::moved::moved;
 use crate::session::state::RestMesh;
+use crate::solve::Moved;
 use serde::Serialize;
 
 /// How many panels have the shape asked for.
@@ -53,7 +54,7 @@ impl Verdict {
             within: faces.iter().filter(|&&face| distance(face) <= tolerance).count(),
             worst: distance(worst_face),
             worst_face,
-            moved: Moved::of(model.scene, model.rest),
+            moved: moved(model.scene, model.rest),
         })
     }
 }

@@ -1,14 +1,50 @@
 //! How well hard constraints are met, as the report says it.
 
 use crate::mesh::Point;
-use crate::solve::{ExactAnswer, Unmet, Way};
+use crate::scene::Scene;
+use crate::session::state::{SolvedScene, same_problem};
+use crate::solve::{ExactAnswer, Handle, Moved, Unmet};
 use serde::Serialize;
 use std::rc::Rc;
 
-/// How hard constraints were met at some positions.
+/// How hard constraints were met at some positions of a scene.
 pub(crate) struct Met {
-    pub(crate) positions: Rc<[Point]>,
+    positions: Rc<[Point]>,
+    handles: Rc<[Handle]>,
+    document: Scene,
+    /// It was not interrupted.
+    is_whole: bool,
     pub(crate) report: ExactReport,
+}
+
+impl Met {
+    /// Of the scene as it is.
+    pub(crate) fn new(scene: &SolvedScene, report: ExactReport) -> Met {
+        Met {
+            positions: Rc::clone(scene.positions()),
+            handles: Rc::clone(scene.handles()),
+            document: scene.document().clone(),
+            is_whole: true,
+            report,
+        }
+    }
+
+    /// It was interrupted: there is more to gain.
+    pub(crate) fn interrupt(&mut self) {
+        self.is_whole = false;
+    }
+
+    /// Whether that is true of the scene as it is.
+    pub(crate) fn is_of(&self, scene: &SolvedScene) -> bool {
+        Rc::ptr_eq(&self.positions, scene.positions())
+            && same_problem(&self.document, scene.document())
+    }
+
+    /// Whether the scene as it is has nothing to gain.
+    pub(crate) fn is_all(&self, scene: &SolvedScene) -> bool {
+        self.is_whole
+            && (Rc::ptr_eq(&self.handles, scene.handles()) || self.handles == *scene.handles())
+    }
 }
 
 /// Constraints that are not met are named up to this many.
@@ -16,6 +52,7 @@ const MOST_NAMED: usize = 1000;
 
 /// How well hard constraints are met. Lengths are in the unit of the mesh.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct ExactReport {
     /// The greatest distance of a vertex to the shape of a hard constraint.
     pub max_distance: f64,
@@ -30,7 +67,7 @@ pub struct ExactReport {
     /// The worst of them, by the entry of the list.
     pub worst: Vec<Unmet>,
     /// The way from the soft solution.
-    pub moved: Way,
+    pub moved: Moved,
     /// How many edges are as short as they may be.
     pub on_guard: usize,
     /// The least ratio of a guarded edge to its length at rest; none without guard.
@@ -46,6 +83,25 @@ pub struct ExactReport {
 }
 
 impl ExactReport {
+    /// Of a shape that was found met: nothing was done for it.
+    pub(crate) fn of_what_is_met(max_distance: f64, tolerance: f64) -> ExactReport {
+        ExactReport {
+            max_distance,
+            tolerance,
+            met: true,
+            unmet: Vec::new(),
+            misses: 0,
+            worst: Vec::new(),
+            moved: Moved::default(),
+            on_guard: 0,
+            shortest_edge: None,
+            iterations: 0,
+            refactorizations: 0,
+            block_factors: 0,
+            seconds: 0.0,
+        }
+    }
+
     /// Of an answer whose rows have these `places` in the scene's list of constraints.
     pub(crate) fn new(answer: ExactAnswer, places: &[usize]) -> ExactReport {
         let misses = answer.unmet.len();

@@ -5,18 +5,18 @@
 //! | `progress` | the count of iterations, and the record of their energies |
 //! | `trace` | the energies of the iterations |
 //! | `half_step` | the outcome of an iteration, and of its halves |
-//! | `panel_goal` | one press for all panels: the weight raised until they are within a tolerance |
 //! | `collapse` | whether a shape has collapsed since a start |
 //! | `collapse_guard` | the guard against that while nobody drags |
 //! | `interactive_size` | how large a mesh can be that is still dragged smoothly |
+//! | `meeting` | hard constraints that a run is meeting |
 //! | `met` | how well hard constraints were met, and where |
 
 mod collapse;
 mod collapse_guard;
 mod half_step;
 mod interactive_size;
+mod meeting;
 mod met;
-mod panel_goal;
 mod progress;
 mod trace;
 
@@ -26,8 +26,8 @@ pub(crate) use collapse_guard::CollapseGuard;
 pub(crate) use half_step::fitted;
 pub use half_step::{FittedCount, HalfStep, Step};
 pub use interactive_size::max_interactive_faces;
+pub(crate) use meeting::Meeting;
 pub use met::ExactReport;
 pub(crate) use met::Met;
-pub(crate) use panel_goal::PanelGoal;
 pub(crate) use progress::Progress;
 pub use trace::TraceEntry;

@@ -52,6 +52,12 @@ impl Progress {
         self.load_seconds = seconds;
     }
 
+    /// One more iteration, whose energies nobody has asked for.
+    pub(crate) fn count(&mut self) {
+        self.halfway = false;
+        self.iteration += 1;
+    }
+
     /// One more iteration, with the energies after it.
     pub(crate) fn advance(&mut self, energy: Energy) {
         self.halfway = false;

@@ -6,6 +6,7 @@ use crate::scene::{
     BoundaryCloseness, ClosenessTo, ClosenessWeight, ConstraintSpec, Goal, Lesson, Scene,
     Smoothness, SolverSettings, Target, Up, Weights,
 };
+use crate::solve::Require;
 use std::mem::{size_of_val, swap};
 
 /// One part of a scene, with another value than the scene has.
@@ -20,7 +21,7 @@ pub(crate) enum Part {
     Set(String, Option<Set>),
     /// The name of a row.
     RowName(usize, String),
-    /// Kind, weight and switch of a row.
+    /// Kind, weight, switch and requirement of a row.
     RowValues(usize, RowValues),
     /// A row to be inserted at a place; none removes the row there.
     Row(usize, Option<ConstraintSpec>),
@@ -39,12 +40,13 @@ pub(crate) struct Settings {
     solver: SolverSettings,
 }
 
-/// Operator, weight and switch of a row of constraints: all but its name and its selector.
+/// Operator, weight, switch and requirement of a row of constraints: all but its name and its selector.
 #[derive(Clone, PartialEq)]
 pub(crate) struct RowValues {
     pub(crate) kind: Kind,
     pub(crate) weight: f64,
     pub(crate) enabled: bool,
+    pub(crate) require: Require,
 }
 
 /// How much of a solver is left when a part is exchanged, least first.
@@ -58,6 +60,13 @@ pub(crate) enum Effect {
     Sets,
     /// Another problem.
     Problem,
+}
+
+impl RowValues {
+    pub(crate) fn of(row: &ConstraintSpec) -> RowValues {
+        let ConstraintSpec { kind, weight, enabled, require, .. } = row;
+        RowValues { kind: kind.clone(), weight: *weight, enabled: *enabled, require: *require }
+    }
 }
 
 impl Settings {
@@ -106,11 +115,12 @@ impl Part {
                 };
             }
             Part::RowName(index, name) => swap(name, &mut scene.constraints[*index].name),
-            Part::RowValues(index, RowValues { kind, weight, enabled }) => {
+            Part::RowValues(index, RowValues { kind, weight, enabled, require }) => {
                 let row = &mut scene.constraints[*index];
                 swap(kind, &mut row.kind);
                 swap(weight, &mut row.weight);
                 swap(enabled, &mut row.enabled);
+                swap(require, &mut row.require);
             }
             Part::Row(index, row) => {
                 *row = match row.take() {
@@ -135,10 +145,7 @@ impl Part {
             Part::ClosenessWeights(weights) => *weights == scene.closeness.weights,
             Part::Set(name, set) => set.as_ref() == scene.sets.get(name),
             Part::RowName(index, name) => *name == scene.constraints[*index].name,
-            Part::RowValues(index, RowValues { kind, weight, enabled }) => {
-                let row = &scene.constraints[*index];
-                (kind, weight, enabled) == (&row.kind, &row.weight, &row.enabled)
-            }
+            Part::RowValues(index, values) => *values == RowValues::of(&scene.constraints[*index]),
             Part::Row(..) => false,
             Part::Rows(rows) => *rows == scene.constraints,
         }
@@ -209,7 +216,8 @@ impl Part {
 /// Whether rows differ in their names and in nothing else.
 fn are_named_otherwise(from: &[ConstraintSpec], to: &[ConstraintSpec]) -> bool {
     let alike = |(a, b): (&ConstraintSpec, &ConstraintSpec)| {
-        (&a.kind, &a.on, a.weight, a.enabled) == (&b.kind, &b.on, b.weight, b.enabled)
+        let values = |row: &ConstraintSpec| (row.weight, row.enabled, row.require);
+        (&a.kind, &a.on, values(a)) == (&b.kind, &b.on, values(b))
     };
     from.len() == to.len() && from.iter().zip(to).all(alike)
 }

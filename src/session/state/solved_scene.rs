@@ -97,6 +97,12 @@ impl SolvedScene {
         self.solver.settle();
     }
 
+    /// Shows other positions, `#V by 3`.
+    pub(crate) fn show(&mut self, positions: &[Point]) {
+        self.positions.take();
+        self.solver.set_positions(positions);
+    }
+
     /// See [`Solver::move_handles`].
     pub(crate) fn move_handles(&mut self, targets: impl IntoIterator<Item = (u32, Point)>) {
         self.solver.move_handles(targets);

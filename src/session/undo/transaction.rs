@@ -2,7 +2,6 @@
 
 use super::change::Change;
 use crate::mesh::counted;
-use crate::session::run::PanelGoal;
 use crate::session::state::SceneChange;
 use crate::solve::Handle;
 
@@ -13,7 +12,6 @@ pub(crate) struct Transaction {
     back: Change,
     /// It belongs to the step of undo that was made last, and becomes none of its own.
     joins_last: bool,
-    goal: Option<PanelGoal>,
 }
 
 #[derive(Clone, Copy, PartialEq)]
@@ -25,12 +23,12 @@ enum Kind {
 impl Transaction {
     /// A drag from where `back` leads.
     pub(crate) fn drag(back: Change) -> Transaction {
-        Transaction { kind: Kind::Drag, back, joins_last: false, goal: None }
+        Transaction { kind: Kind::Drag, back, joins_last: false }
     }
 
     /// A run from where `back` leads.
     pub(crate) fn run(back: Change) -> Transaction {
-        Transaction { kind: Kind::Run, back, joins_last: false, goal: None }
+        Transaction { kind: Kind::Run, back, joins_last: false }
     }
 
     pub(crate) fn is_drag(&self) -> bool {
@@ -55,20 +53,9 @@ impl Transaction {
         self.joins_last
     }
 
-    /// Makes it a part of the step that was made last if `joins_last`, and goes on until `goal` is met.
-    pub(crate) fn aim(&mut self, goal: PanelGoal, joins_last: bool) {
-        self.goal = Some(goal);
-        self.joins_last = joins_last;
-    }
-
-    /// The goal, which it no longer has.
-    pub(crate) fn take_goal(&mut self) -> Option<PanelGoal> {
-        self.goal.take()
-    }
-
-    /// Goes on until `goal` is met.
-    pub(crate) fn set_goal(&mut self, goal: PanelGoal) {
-        self.goal = Some(goal);
+    /// Makes it a part of the step that was made last.
+    pub(crate) fn join_last(&mut self) {
+        self.joins_last = true;
     }
 
     /// The document was changed too while it went on; `back` takes that back.

@@ -3,11 +3,14 @@
 use super::hard_rows::HardBatch;
 use super::model::Model;
 use crate::constraint::Row;
+use crate::math::Lane;
 use crate::mesh::Point;
+use crate::solve::local_frame::centre_and_extent;
 use serde::Serialize;
 
 /// A constraint that is not met.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Unmet {
     /// Its row among those of the problem.
     pub row: usize,
@@ -19,11 +22,22 @@ pub struct Unmet {
 
 /// How far vertices were moved, in the unit of the mesh.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-pub struct Way {
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+pub struct Moved {
     /// The greatest.
     pub max: f64,
     /// The mean over all vertices.
     pub mean: f64,
+}
+
+impl Moved {
+    /// Of vertices that have moved so far each.
+    pub fn of(lengths: impl ExactSizeIterator<Item = f64>) -> Moved {
+        let count = lengths.len().max(1) as f64;
+        let (max, sum) =
+            lengths.fold((0.0, 0.0), |(max, sum), way| (Lane::max(way, max), sum + way));
+        Moved { max, mean: sum / count }
+    }
 }
 
 /// How well hard constraints are met, and what that cost. Lengths are in the unit of the mesh.
@@ -38,7 +52,7 @@ pub struct ExactAnswer {
     /// Those that are not, the worst first.
     pub unmet: Vec<Unmet>,
     /// The way of the vertices from where it started.
-    pub moved: Way,
+    pub moved: Moved,
     /// Edges that are as short as they may be, as pairs of vertices.
     pub on_guard: Vec<[u32; 2]>,
     /// The least ratio of a guarded edge to its length at rest; none without guard.
@@ -73,17 +87,14 @@ impl Model {
         given.collect()
     }
 
-    /// The distance up to which a constraint counts as met: what positions can say with their digits, and a little
-    /// more.
+    /// See [`exact_tolerance`].
     pub(super) fn tolerance(&self) -> f64 {
-        const OF_THE_SIZE: f64 = 1e-10;
-        (OF_THE_SIZE * self.parts.extent).max(8.0 * self.rounding())
+        tolerance_of(self.parts.centre, self.parts.extent)
     }
 
     /// About the distance that rounding moves a vertex by, where coordinates are written.
     pub(super) fn rounding(&self) -> f64 {
-        let farthest = self.parts.centre.iter().fold(0.0, |most: f64, c| most.max(c.abs()));
-        f64::EPSILON * (farthest + self.parts.extent)
+        rounding_of(self.parts.centre, self.parts.extent)
     }
 
     /// Measures positions, as they are given; what it cost is for the caller to say.
@@ -119,7 +130,7 @@ impl Model {
             tolerance: rows().map(allowed).reduce(f64::max).unwrap_or(tolerance),
             met: unmet.is_empty(),
             unmet,
-            moved: self.way(x),
+            moved: self.moved(x),
             on_guard,
             shortest_edge,
             iterations: 0,
@@ -130,14 +141,9 @@ impl Model {
         }
     }
 
-    fn way(&self, x: &[Row]) -> Way {
-        let mut way = Way::default();
-        for &node in &self.parts.system.node_of()[..self.parts.n_vertices] {
-            let length = distance(x[node as usize], self.start[node as usize]);
-            way.max = way.max.max(length);
-            way.mean += length / self.parts.n_vertices as f64;
-        }
-        way
+    fn moved(&self, x: &[Row]) -> Moved {
+        let nodes = self.parts.system.node_of()[..self.parts.n_vertices].iter();
+        Moved::of(nodes.map(|&node| distance(x[node as usize], self.start[node as usize])))
     }
 
     fn guarded_edges(&self, x: &[Row]) -> (Vec<[u32; 2]>, Option<f64>) {
@@ -157,6 +163,23 @@ impl Model {
         }
         (on_guard, shortest.is_finite().then_some(shortest))
     }
+}
+
+/// The distance up to which exact constraints on a mesh with these positions at rest count as met, in its unit: what
+/// positions can say with their digits, and a little more.
+pub fn exact_tolerance(rest: &[Point]) -> f64 {
+    let (centre, extent) = centre_and_extent(rest);
+    tolerance_of(centre, extent)
+}
+
+fn tolerance_of(centre: Point, extent: f64) -> f64 {
+    const OF_THE_SIZE: f64 = 1e-10;
+    (OF_THE_SIZE * extent).max(8.0 * rounding_of(centre, extent))
+}
+
+fn rounding_of(centre: Point, extent: f64) -> f64 {
+    let farthest = centre.iter().fold(0.0, |most: f64, c| most.max(c.abs()));
+    f64::EPSILON * (farthest + extent)
 }
 
 fn distance(a: Row, b: Row) -> f64 {

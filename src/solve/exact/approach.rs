@@ -67,7 +67,8 @@ impl Approach {
         let zeros = || vec![[0.0; 4]; n];
         Approach {
             accelerator: Acceleration::new(&quasi_newton),
-            rho: START * unit,
+            // From a soft solution with a greater weight there is no way back to a small one.
+            rho: Lane::max(START * unit, 0.05 * model.parts.energies.weights.shape),
             most: MOST * unit,
             left: 0,
             in_round: 0,

@@ -19,10 +19,16 @@ const SOFTEST: f64 = 1e1;
 /// What is added to the metric of each node, as a part of the mean: something has to hold what nothing holds.
 const HELD: f64 = 1e-3;
 
+/// Bands that are thinner than this part of the size are taken for the shape itself: across them steps are as good as
+/// Newton's.
+const THIN: f64 = 1e-4;
+
 /// The constraints of one batch at the last linearisation.
 struct LinearBatch {
     points: usize,
     weight: f64,
+    /// The width of the band that points are held in.
+    band: Option<f64>,
     /// The block node of each point of each constraint.
     nodes: Vec<u32>,
     /// `J^T J` of each.
@@ -76,6 +82,7 @@ impl BlockSystem {
             LinearBatch {
                 points,
                 weight: hard.batch.weight(),
+                band: hard.wide(THIN * model.parts.extent).map(|width| BAND * width),
                 nodes: nodes.map(|node| block_of[node as usize]).collect(),
                 normals: vec![0.0; 9 * points * points * count],
                 multipliers: vec![0.0; 3 * points * count],
@@ -124,7 +131,7 @@ impl BlockSystem {
         let x = &model.x;
         self.matrix.set_scalar(&self.metric);
         for (own, hard) in self.batches.iter_mut().zip(&model.hard.batches) {
-            hard.residuals(x, BAND, &mut own.residuals);
+            hard.residuals(x, own.band, &mut own.residuals);
             let size = 3 * own.points;
             let mut differences = Differences::new(own.points);
             let scale = self.stiffness * own.weight;
@@ -132,7 +139,7 @@ impl BlockSystem {
                 own.residuals.chunks_exact_mut(size).zip(own.normals.chunks_exact_mut(size * size));
             for (i, (residual, normal)) in each.enumerate() {
                 let linear = Linear { residual, normal: &mut *normal };
-                differences.linearise(hard, i, x, model.parts.extent, linear);
+                differences.linearise((hard, own.band), i, x, model.parts.extent, linear);
                 if normal.iter().all(|entry| *entry == 0.0) {
                     continue;
                 }
@@ -158,7 +165,7 @@ impl BlockSystem {
     /// The norm of all residuals at positions `x` of the model, which are noted.
     pub(super) fn residuals(&mut self, model: &Model, x: &[Row]) -> f64 {
         let batches = self.batches.iter_mut().zip(&model.hard.batches);
-        let squares = batches.map(|(own, hard)| hard.residuals(x, BAND, &mut own.residuals));
+        let squares = batches.map(|(own, hard)| hard.residuals(x, own.band, &mut own.residuals));
         squares.sum::<f64>().sqrt()
     }
 

@@ -109,7 +109,6 @@ impl HardBatch {
             let rows = (x, &mut *gradient);
             energy += match n {
                 2 => self.step_few::<2>(chunk, rows, rho),
-                3 => self.step_few::<3>(chunk, rows, rho),
                 4 => self.step_few::<4>(chunk, rows, rho),
                 _ => self.step_chunk(chunk, scratch.split_at_mut(n), rows, rho),
             };
@@ -167,18 +166,23 @@ impl HardBatch {
         (0..LANES).map(|lane| sum.lane(lane)).sum()
     }
 
+    /// The width of the band that the polish holds points in. It takes a band that is thinner than `thin` for the
+    /// shape itself: its steps go to the middle then, and end when they are inside.
+    pub(super) fn wide(&self, thin: f64) -> Option<f64> {
+        self.within.filter(|width| *width > thin)
+    }
+
     /// Writes the residuals at positions `x`, constraint by constraint, three numbers for each point: the way to the
-    /// shape, backwards, or where there is a band what of it is beyond `inside` times its width. Gives the sum of
-    /// squares.
-    pub(super) fn residuals(&self, x: &[Row], inside: f64, to: &mut [f64]) -> f64 {
+    /// shape, backwards, or what of it is beyond the `band`. Gives the sum of squares.
+    pub(super) fn residuals(&self, x: &[Row], band: Option<f64>, to: &mut [f64]) -> f64 {
         let n = self.batch.points();
         let (mut points, mut projected) = (vec![Vec3::zero(); n], vec![Vec3::zero(); n]);
         let mut squares = 0.0;
         for chunk in 0..self.batch.count().div_ceil(LANES) {
             self.batch.gather(chunk, x, &mut points);
             self.batch.project(chunk, &points, &mut projected);
-            match self.within {
-                Some(distance) => stop_at_band(&points, &mut projected, inside * distance),
+            match band {
+                Some(width) => stop_at_band(&points, &mut projected, width),
                 None => self.batch.centre(&mut projected),
             }
             let own = &mut to[chunk * LANES * 3 * n..];

@@ -29,7 +29,7 @@ mod normal_space;
 mod polish;
 mod requirement;
 
-pub use answer::{ExactAnswer, Unmet, Way};
+pub use answer::{ExactAnswer, Moved, Unmet, exact_tolerance};
 pub use requirement::{Require, Requirements};
 
 use super::clock;
@@ -113,9 +113,7 @@ impl Exact {
         let model = Model::new(problem, requirements, handles, start, cache);
         let approach = Approach::new(&model, &settings);
         let worst = model.hard.worst(&model.x);
-        let any_exact =
-            model.hard.batches.iter().any(|hard| hard.row.is_some() && hard.within.is_none());
-        let can_polish = any_exact && polish_fits(problem, requirements, &model);
+        let can_polish = polish_fits(problem, requirements, &model);
         let near = NEAR * model.parts.extent;
         let mut exact = Exact {
             best: (worst, model.x.clone()),
@@ -131,8 +129,8 @@ impl Exact {
             polishes: 0,
             seconds: 0.0,
         };
-        let met = if can_polish { worst <= exact.goal() } else { exact.is_met() };
-        if met || exact.model.holding.fixed.iter().all(|fixed| *fixed) {
+        let goal = if can_polish { exact.goal() } else { near };
+        if exact.is_met(goal) || exact.model.holding.fixed.iter().all(|fixed| *fixed) {
             exact.stage = Stage::Ended;
         } else if worst <= near && can_polish {
             exact.begin_polish();
@@ -180,6 +178,14 @@ impl Exact {
         }
     }
 
+    /// Ends it where it is, with the best positions so far.
+    pub fn stop(&mut self) {
+        if self.stage != Stage::Ended {
+            self.keep_best();
+            self.end();
+        }
+    }
+
     fn approach_step(&mut self) -> Result<(), SolveError> {
         self.stage = Stage::Approach;
         if !self.approach.iterate(&mut self.model)? {
@@ -190,17 +196,18 @@ impl Exact {
         if self.approach.iterations >= PATIENCE && self.tries == 0 {
             self.near = NEAR_ENOUGH * self.model.parts.extent;
         }
-        let near = if self.can_polish { worst <= self.near } else { self.is_met() };
+        let near = if self.can_polish { worst <= self.near } else { self.is_met(self.near) };
         let stands = self.approach.stands_still(worst);
-        if near || stands || self.approach.iterations >= self.most_iterations {
+        if self.is_met(self.goal()) {
+            self.end();
+        } else if near || stands || self.approach.iterations >= self.most_iterations {
             self.end_approach();
         }
         Ok(())
     }
 
-    /// Whether the constraints are met as far as the approach can meet them.
-    fn is_met(&self) -> bool {
-        let near = self.near;
+    /// Whether the constraints are met, those that are to be exact up to `near`.
+    fn is_met(&self, near: f64) -> bool {
         let mut met = true;
         for hard in &self.model.hard.batches {
             let most = if hard.within.is_some() { 0.0 } else { near };
@@ -229,12 +236,12 @@ impl Exact {
     fn polish_step(&mut self) -> Result<(), SolveError> {
         let Some(polish) = &mut self.polish else { return Ok(()) };
         let polished = polish.step(&mut self.model, self.began.0)?;
-        let worst = self.keep_best();
+        self.keep_best();
         if polished == Polished::Contradicts {
             // All is met here but what contradicts, which misses by more where something else gives way.
             self.best.1.copy_from_slice(&self.model.x);
             self.end();
-        } else if worst <= self.goal() {
+        } else if self.is_met(self.goal()) {
             self.end();
         } else if polished == Polished::Ended {
             self.polish_failed();

@@ -43,18 +43,18 @@ impl Differences {
         }
     }
 
-    /// Linearises constraint `i` of a batch at positions `x`, whose residual there is known. `unit` is a length of
+    /// Linearises constraint `i` of a batch, or of a band around its shapes, at positions `x`, whose residual there is known. `unit` is a length of
     /// the size of the model, for what has none of its own.
     pub(super) fn linearise(
         &mut self,
-        hard: &HardBatch,
+        (hard, band): (&HardBatch, Option<f64>),
         i: usize,
         x: &[Row],
         unit: f64,
         to: Linear<'_>,
     ) {
         to.normal.fill(0.0);
-        if hard.within.is_some() {
+        if band.is_some() {
             return across_band(to);
         }
         let Differences { points, projected, .. } = self;

@@ -17,11 +17,20 @@ impl Solver {
         session.edit(edit).map(|_| ()).map_err(refused)
     }
 
-    /// Asks one shape of all panels and begins a run until they are within `tolerance`: see
+    /// Asks one shape of all panels, within `tolerance`, and begins a run: see
     /// [`crate::session::Session::make_panels`].
     #[wasm_bindgen(js_name = makePanels)]
     pub fn make_panels(&mut self, kind: &str, tolerance: f64) -> Result<(), JsValue> {
         self.open_mut()?.make_panels(kind, tolerance).map_err(refused)
+    }
+
+    /// Makes an edit and begins a run, one step of undo together.
+    #[wasm_bindgen(js_name = editAndRun)]
+    pub fn edit_and_run(&mut self, edit: JsValue) -> Result<(), JsValue> {
+        let session = self.open_mut()?;
+        let edit = Edit::from_json(&text(&edit)?, session.document());
+        let edit = edit.map_err(|error| thrown_at(&error))?;
+        session.edit_and_run(edit).map_err(refused)
     }
 
     /// How many constraints a row of each kind would hold at each of the places, which are selectors as

@@ -9,7 +9,7 @@
 //! | `selecting`, `lists`, `lesson` | selections and settings, lists of elements, goals |
 //! | `saved` | steps of undo and unfinished work as bytes, to go on after a restart |
 //! | `parametrize`, `experiment` | the flat map, the paper's comparisons |
-//! | `remedies` | what would help where constraints are not met |
+//! | `trials` | what would help where constraints are not met, and what it would cost to be exact |
 //! | `measure` | what benchmarks ask |
 
 mod drag;
@@ -21,11 +21,11 @@ mod measure;
 mod original;
 mod parametrize;
 mod reading;
-pub mod remedies;
 mod report;
 mod saved;
 mod selecting;
 mod shown;
 mod solver;
+pub mod trials;
 
 pub use solver::Solver;

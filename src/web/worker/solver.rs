@@ -94,6 +94,12 @@ impl Solver {
         Ok(())
     }
 
+    /// Whether a run has begun and not ended: the end of a drag may begin one.
+    #[wasm_bindgen(js_name = isRunning)]
+    pub fn is_running(&self) -> Result<bool, JsValue> {
+        Ok(self.open()?.is_running())
+    }
+
     /// The iteration of the current state.
     pub fn iteration(&self) -> Result<u32, JsValue> {
         Ok(self.open()?.iteration())

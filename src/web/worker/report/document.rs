@@ -4,8 +4,9 @@ use super::lesson::LessonWords;
 use crate::constraint::describe;
 use crate::scene::{Hold, NamedEnum, PRESETS, Preset, PresetOffer};
 use crate::session::{Session, settings_of};
+use crate::solve::Require;
 use serde::Serialize;
-use serde_json::Value;
+use serde_json::{Value, json};
 
 /// The document as it stands.
 #[derive(Serialize)]
@@ -55,6 +56,8 @@ struct ConstraintRow<'a> {
     skipped: usize,
     weight: f64,
     enabled: bool,
+    /// As in a scene file.
+    require: Value,
     measure: Option<&'static str>,
     params: Value,
 }
@@ -80,6 +83,15 @@ struct SmoothnessWords {
     weighting: &'static str,
 }
 
+/// As in a scene file.
+fn require(require: Require) -> Value {
+    match require {
+        Require::Soft => "soft".into(),
+        Require::Exact => "exact".into(),
+        Require::Within(length) => json!({ "within": length }),
+    }
+}
+
 impl<'a> Document<'a> {
     /// The document of `session`.
     pub(crate) fn new(session: &'a Session) -> Self {
@@ -101,6 +113,7 @@ impl<'a> Document<'a> {
                     skipped: row.skipped,
                     weight: spec.weight,
                     enabled: spec.enabled,
+                    require: require(spec.require),
                     measure: session.asked_measure(index),
                     params: spec.kind.params(),
                 }

@@ -3,7 +3,7 @@
 use super::lesson::GoalNumbers;
 use crate::constraint::LocalStep;
 use crate::mesh::{Circularity, Planarity};
-use crate::session::{Moved, Session};
+use crate::session::{ExactReport, Moved, Session};
 use crate::solve::Energy;
 use serde::Serialize;
 
@@ -29,11 +29,22 @@ pub(crate) struct Frame {
     shares: Vec<f64>,
     /// Of each goal of the lesson.
     goals: Vec<GoalNumbers>,
+    /// How well hard constraints are met; none while they are not.
+    exact: Option<ExactReport>,
     step_ms: f64,
 }
 
 /// How old measures may be while it iterates, in seconds.
 const RENEWED: f64 = 0.5;
+
+/// How many constraints that are not met are named.
+const NAMED: usize = 100;
+
+fn exact(session: &Session) -> Option<ExactReport> {
+    let mut exact = session.exact()?;
+    exact.worst.truncate(NAMED);
+    Some(exact)
+}
 
 impl Frame {
     /// The state of `session`, whose last step took `step_ms`; see [`Session::recent_measures`].
@@ -59,6 +70,7 @@ impl Frame {
             worst: rows.iter().map(|row| row.worst_squared.sqrt()).collect(),
             shares: rows.iter().map(share).collect(),
             goals,
+            exact: exact(session),
             step_ms,
         }
     }

@@ -1,0 +1,117 @@
+//! What it would cost to be exact, tried from the current shape on without touching it.
+
+use super::Session;
+use super::state::{Part, RowValues};
+use crate::error::Error;
+use crate::math::Vec3;
+use crate::mesh::Point;
+use crate::solve::{Exact, ExactAnswer, Moved, Require, Stage};
+use serde::Serialize;
+use std::rc::Rc;
+
+/// A trial of being exact instead of within a distance, one step after the other.
+pub struct ExactTrial {
+    exact: Exact,
+    /// The shape that it began from, and that at rest, `#V by 3`.
+    from: Rc<[Point]>,
+    rest: Vec<Point>,
+    before: Price,
+}
+
+/// What a shape costs.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct Price {
+    /// The energies of all that is weighed, without what is met.
+    pub energy: f64,
+    /// The way from the original.
+    pub moved: Moved,
+}
+
+/// What it costs to be exact. Lengths are in the unit of the mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "camelCase")]
+pub struct ExactOffer {
+    /// Whether all that is required can be met.
+    pub met: bool,
+    /// How many constraints cannot.
+    pub misses: usize,
+    /// The greatest distance that is left.
+    pub max_distance: f64,
+    /// The shape as it is.
+    pub before: Price,
+    /// The exact shape.
+    pub after: Price,
+    /// The way from the one to the other.
+    pub moved: Moved,
+}
+
+impl Session {
+    /// Tries to meet exactly what is met within a distance; none where there is no such row of constraints.
+    ///
+    /// # Errors
+    /// As [`Session::meeting`].
+    pub fn exact_trial(&self) -> Result<Option<ExactTrial>, Error> {
+        if self.rows_within().next().is_none() {
+            return Ok(None);
+        }
+        let exact = |require| match require {
+            Require::Within(_) => Require::Exact,
+            other => other,
+        };
+        let Some(mut exact) = self.meeting_with(exact)? else { return Ok(None) };
+        let before = Price { energy: exact.energy().total, moved: self.moved() };
+        let from = Rc::clone(self.scene.positions());
+        let rest = self.rest.positions().to_vec();
+        Ok(Some(ExactTrial { exact, from, rest, before }))
+    }
+
+    /// Takes the exact shape of a trial and requires it, one step of undo; whether the trial was of the current shape.
+    ///
+    /// # Errors
+    /// When the system would be singular; nothing has changed then.
+    pub fn make_exact(&mut self, trial: &ExactTrial) -> Result<bool, Error> {
+        self.end_transaction();
+        if !Rc::ptr_eq(&trial.from, self.scene.positions()) {
+            return Ok(false);
+        }
+        let rows: Vec<usize> = self.rows_within().collect();
+        let values = |&row: &usize| {
+            let now = RowValues::of(&self.document().constraints[row]);
+            Part::RowValues(row, RowValues { require: Require::Exact, ..now })
+        };
+        let mut change = self.way_back();
+        change.scene.parts = rows.iter().map(values).collect();
+        change.scene.positions = trial.exact.positions().into();
+        self.exchange(&mut change)?;
+        self.history.push("Make exact".to_owned(), change);
+        self.note_met(&trial.exact);
+        Ok(true)
+    }
+
+    fn rows_within(&self) -> impl Iterator<Item = usize> {
+        let rows = &self.document().constraints;
+        self.scene.enabled_rows().filter(|&row| matches!(rows[row].require, Require::Within(_)))
+    }
+}
+
+impl ExactTrial {
+    /// Goes on by one step; whether there is more to do.
+    ///
+    /// # Errors
+    /// As [`Exact::step`].
+    pub fn step(&mut self) -> Result<bool, Error> {
+        Ok(self.exact.step()? != Stage::Ended)
+    }
+
+    /// What it costs, as of now.
+    pub fn offer(&mut self) -> ExactOffer {
+        let ExactAnswer { met, unmet, max_distance, moved, .. } = self.exact.answer();
+        let ways = self.exact.positions();
+        let ways = ways.iter().zip(&self.rest);
+        let ways = ways.map(|(&now, &rest)| (Vec3::from(now) - Vec3::from(rest)).length());
+        let after = Price { energy: self.exact.energy().total, moved: Moved::of(ways) };
+        ExactOffer { met, misses: unmet.len(), max_distance, before: self.before, after, moved }
+    }
+}
