@@ -24,7 +24,8 @@
 //! | [`constraint`] | one projection operator per file, the list of kinds, selectors, batches | math, json, mesh |
 //! | [`sparse`] | `L D L^T` on the types of sprs: ordering, symbolic analysis, two numeric factors, triangular sweeps | math |
 //! | [`solve`] | energies, assembly, the two-step iteration, accelerators, conformal maps | math, mesh, constraint, sparse |
-//! | [`scene`] | the scene file: serde form and validation; the problem that it poses | math, json, mesh, constraint, sparse, solve |
+//! | [`fabricate`] | parts to be cut: panels on sheets, offsets, the build check, files for machines | math, mesh, sparse |
+//! | [`scene`] | the scene file: serde form and validation; the problem that it poses | math, json, mesh, constraint, sparse, solve, fabricate |
 //! | [`error`] | the one error that hosts see | mesh, scene, solve |
 //! | [`example`] | the example scenes, and the generators of their meshes | math, mesh, constraint, scene |
 //! | [`session`] | what every host drives: load, edit, drag, step, undo, report | all above |
@@ -105,10 +106,12 @@ pub mod error;
 pub mod example;
 #[cfg(any(feature = "cli", feature = "solver"))]
 pub mod experiment;
+#[cfg(any(feature = "cli", feature = "solver", feature = "build"))]
+pub mod fabricate;
 #[cfg(any(feature = "cli", feature = "solver"))]
 mod json;
 pub mod math;
-#[cfg(any(feature = "cli", feature = "solver"))]
+#[cfg(any(feature = "cli", feature = "solver", feature = "build"))]
 pub mod mesh;
 #[cfg(any(feature = "cli", feature = "solver"))]
 pub mod scene;
@@ -116,9 +119,9 @@ pub mod scene;
 pub mod session;
 #[cfg(any(feature = "cli", feature = "solver"))]
 pub mod solve;
-#[cfg(any(feature = "cli", feature = "solver"))]
+#[cfg(any(feature = "cli", feature = "solver", feature = "build"))]
 pub mod sparse;
 #[cfg(feature = "view")]
 pub mod view;
-#[cfg(all(target_arch = "wasm32", any(feature = "solver", feature = "view")))]
+#[cfg(all(target_arch = "wasm32", any(feature = "solver", feature = "view", feature = "build")))]
 pub mod web;

@@ -1,0 +1,266 @@
+//! All parts of one shape: panels with joints and names on sheets, and the offset.
+
+use super::fault::Fault;
+use super::file::{Drawing, places};
+use super::offset::{Axes, OffsetCheck, OffsetKind, check, node_axes};
+use super::panel::{
+    FlatPanel, Point2, Types, inset, is_simple, lay_flat, panel_names, panel_types, rotated,
+    smallest_box,
+};
+use super::settings::BuildSettings;
+use super::sheet::{CutPart, Layout, SheetSize, label, lay_out};
+use super::surface::PanelSurface;
+use crate::mesh::Mesh;
+
+/// The unit of the mesh.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LengthInMetres {
+    /// Its symbol.
+    pub symbol: String,
+    /// Its length in metres.
+    pub metres: f64,
+}
+
+/// A panel that is cut, in mm of the sheet, turned so that its smallest box lies along x.
+#[derive(Clone, Debug)]
+pub struct CutPanel {
+    /// The panel without the joint.
+    pub whole: Vec<Point2>,
+    /// The turn from the plane of the panel, as cosine and sine.
+    pub turn: Point2,
+    /// The size of its smallest box, with the joint taken off.
+    pub size: [f64; 2],
+    /// Which of [`Build::parts`] it is.
+    pub part: usize,
+}
+
+/// A panel that is not cut, and why.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct NotCut {
+    /// Which.
+    pub panel: u32,
+    /// In words.
+    pub why: &'static str,
+}
+
+/// A shape as parts.
+#[derive(Clone, Debug)]
+pub struct Build {
+    /// What was asked for.
+    pub settings: BuildSettings,
+    /// The unit of the mesh.
+    pub unit: LengthInMetres,
+    /// The panels as a surface.
+    pub surface: PanelSurface,
+    /// The name of each panel.
+    pub names: Vec<String>,
+    /// Each panel in its plane, in the unit of the mesh; none without area.
+    pub flat: Vec<Option<FlatPanel>>,
+    /// Each panel as it is cut.
+    pub cut: Vec<Option<CutPanel>>,
+    /// The panels that are not cut.
+    pub not_cut: Vec<NotCut>,
+    /// What is cut.
+    pub parts: Vec<CutPart>,
+    /// Names of neighbours without room, and panels whose own name is too small to be read well.
+    pub dropped_names: usize,
+    /// See `dropped_names`.
+    pub small_names: usize,
+    /// Where the parts are.
+    pub layout: Layout,
+    /// Panels that are alike.
+    pub types: Types,
+    /// The node axes of the offset with their check; none where the surface has no outside.
+    pub offset: Option<(Axes, OffsetCheck)>,
+    /// Sentences on what is not offered.
+    pub faults: Vec<Fault>,
+}
+
+impl Build {
+    /// Makes all parts of a mesh at its `positions`.
+    ///
+    /// # Errors
+    /// A mesh without faces, or a setting out of its range.
+    pub fn new(
+        mesh: &Mesh,
+        settings: &BuildSettings,
+        unit: LengthInMetres,
+    ) -> Result<Build, Fault> {
+        settings.check().map_err(|(key, message)| Fault(format!("build.{key}: {message}")))?;
+        let surface = PanelSurface::new(mesh)?;
+        let names = panel_names(&surface, settings.names);
+        let flat: Vec<_> = (0..surface.faces.len() as u32).map(|f| lay_flat(&surface, f)).collect();
+        let to_building = 1000.0 * unit.metres;
+        let types = panel_types(&flat, settings.alike / to_building, settings.mirror);
+        let mut build = Build {
+            settings: settings.clone(),
+            surface,
+            names,
+            flat,
+            cut: Vec::new(),
+            not_cut: Vec::new(),
+            parts: Vec::new(),
+            dropped_names: 0,
+            small_names: 0,
+            layout: Layout::default(),
+            types,
+            offset: None,
+            faults: Vec::new(),
+            unit,
+        };
+        build.cut_panels();
+        build.lay_out();
+        build.offset();
+        Ok(build)
+    }
+
+    /// Millimetres of the building in a unit of the mesh.
+    pub fn building(&self) -> f64 {
+        1000.0 * self.unit.metres
+    }
+
+    /// Millimetres of the sheet in a unit of the mesh.
+    pub fn model(&self) -> f64 {
+        self.building() / self.settings.scale
+    }
+
+    /// The distance of the offset and the depth of beams, in the unit of the mesh.
+    pub fn distance(&self) -> f64 {
+        self.settings.distance.unwrap_or_else(|| 0.2 * self.surface.mean_edge())
+    }
+
+    fn cut_panels(&mut self) {
+        let model = self.model();
+        let by = 0.5 * (self.settings.joint * model - self.settings.kerf);
+        for f in 0..self.flat.len() {
+            let found = self.cut_panel(f, model, by);
+            self.cut.push(match found {
+                Ok((cut, part)) => {
+                    self.parts.push(part);
+                    Some(cut)
+                }
+                Err(why) => {
+                    self.not_cut.push(NotCut { panel: f as u32, why });
+                    None
+                }
+            });
+        }
+    }
+
+    fn cut_panel(
+        &mut self,
+        f: usize,
+        model: f64,
+        by: f64,
+    ) -> Result<(CutPanel, CutPart), &'static str> {
+        let flat = self.flat[f].as_ref().ok_or("it has no area")?;
+        let scaled: Vec<Point2> =
+            flat.corners.iter().map(|corner| corner.map(|x| x * model)).collect();
+        if !is_simple(&scaled) && inset(&scaled, 0.0).is_none_or(|clean| !is_simple(&clean)) {
+            return Err("laid flat it crosses itself");
+        }
+        let outline = inset(&scaled, by).ok_or("it is too small for the joint")?;
+        let (turn, size) = smallest_box(&outline);
+        let turned =
+            |points: &[Point2]| points.iter().map(|&p| rotated(p, turn)).collect::<Vec<_>>();
+        let (whole, outline) = (turned(&scaled), turned(&outline));
+        let mut part = CutPart {
+            name: self.names[f].clone(),
+            panel: Some(f as u32),
+            outline,
+            ..CutPart::default()
+        };
+        if !self.settings.outlines_only {
+            let sides = self.surface.sides.row(f);
+            let across = |&e: &u32| {
+                let other = self.surface.edges[e as usize].across(f as u32)?;
+                Some(self.names[other as usize].clone())
+            };
+            let neighbours: Vec<_> = sides.iter().map(across).collect();
+            let labels = label(&part.outline, &part.name, &neighbours);
+            part.engraved = labels.lines;
+            self.dropped_names += labels.dropped;
+            self.small_names += usize::from(labels.small);
+        }
+        // A corner that coincides with the next one is no corner of the part.
+        part.outline.dedup();
+        while part.outline.len() > 1 && part.outline.first() == part.outline.last() {
+            part.outline.pop();
+        }
+        Ok((CutPanel { whole, turn, size, part: self.parts.len() }, part))
+    }
+
+    fn lay_out(&mut self) {
+        let BuildSettings { sheet, margin, gap, order, .. } = self.settings;
+        let sheet = SheetSize { size: sheet, margin, gap };
+        self.layout = lay_out(&self.parts, sheet, order);
+    }
+
+    fn offset(&mut self) {
+        if let Some(fault) = &self.surface.one_sided {
+            self.faults.push(fault.clone());
+            return;
+        }
+        let folded = self.surface.folded_over();
+        if !folded.is_empty() {
+            self.faults.push(Fault::folded_over(&folded));
+            return;
+        }
+        self.offset = match self.settings.kind {
+            Some(kind) => Some(self.offset_of(kind)),
+            // A box or a mesh with holes is no case for corners: the smaller errors win.
+            None => [OffsetKind::Face, OffsetKind::Corner]
+                .map(|kind| self.offset_of(kind))
+                .into_iter()
+                .min_by(|(_, a), (_, b)| a.worst_error().total_cmp(&b.worst_error())),
+        };
+    }
+
+    /// The axes of one kind, and their check.
+    pub fn offset_of(&self, kind: OffsetKind) -> (Axes, OffsetCheck) {
+        let distance = self.distance();
+        let limits = self.settings.limits;
+        let tolerance = 0.1 * limits.warp.min(limits.distance) / self.building();
+        let axes = node_axes(&self.surface, kind, self.settings.follow, distance, tolerance);
+        let found = check(&self.surface, &axes.axes, kind, distance);
+        (axes, found)
+    }
+
+    /// The sheets as lines.
+    pub fn drawings(&self) -> Vec<Drawing> {
+        let BuildSettings { sheet, margin, outlines_only, .. } = self.settings;
+        let count = self.layout.sheets.len();
+        let digits = count.to_string().len().max(2);
+        self.layout
+            .sheets
+            .iter()
+            .zip(1..)
+            .map(|(own, number)| {
+                let name = format!("sheet-{number:0digits$}");
+                let title = self.title(number, count);
+                Drawing::new(name, title, sheet, margin, own, &self.parts, outlines_only)
+            })
+            .collect()
+    }
+
+    /// What is printed on a sheet: both units where they meet.
+    fn title(&self, number: usize, count: usize) -> String {
+        let scale = places(self.settings.scale, 6);
+        // Only letters that every program reads.
+        let plain = |text: &str| {
+            text.chars().filter(|c| c.is_ascii_graphic() || *c == ' ').collect::<String>()
+        };
+        let [width, height] = self.settings.sheet.map(|size| places(size, 3));
+        let material = plain(&self.settings.material);
+        let thickness = match self.settings.thickness > 0.0 {
+            true => format!("{} MM ", places(self.settings.thickness, 3)),
+            false => String::new(),
+        };
+        let material = format!("{thickness}{material}").trim().to_ascii_uppercase();
+        let material = if material.is_empty() { material } else { format!(", {material}") };
+        format!(
+            "SHEET {number}/{count}, SCALE 1:{scale}, MODEL IN {}, SHEET {width} X {height} MM{material}",
+            plain(&self.unit.symbol).to_ascii_uppercase()
+        )
+    }
+}

@@ -1,0 +1,54 @@
+//! What a mesh or a setting has that stands in the way of building it, and what is offered all the same.
+
+use std::fmt;
+
+/// One sentence: what is the matter, and what is offered and what is not.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Fault(pub String);
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for Fault {}
+
+impl Fault {
+    /// Nothing can be cut of points and curves.
+    pub(super) fn no_panels(has_curves: bool) -> Fault {
+        let what = if has_curves { "curves" } else { "points" };
+        Fault(format!(
+            "the model has {what} and no faces, expected a surface of panels: there is nothing to cut"
+        ))
+    }
+
+    /// The surface has one side only, such as a Moebius strip.
+    pub(super) fn one_sided([a, b]: [u32; 2]) -> Fault {
+        Fault(format!(
+            "the surface has one side only (seen at the edge of vertices {a} and {b}), so that it has no outside: panels can be cut, offsets and beams are not offered"
+        ))
+    }
+
+    /// Edges of more than two panels.
+    pub(super) fn crowded_edges(edges: usize) -> Fault {
+        let edges = match edges {
+            1 => "1 edge has".to_owned(),
+            many => format!("{many} edges have"),
+        };
+        Fault(format!(
+            "{edges} more than two panels, so that the surface has no outside there: panels can be cut, offsets and beams are not offered"
+        ))
+    }
+
+    /// Panels that are folded over.
+    pub(super) fn folded_over(panels: &[u32]) -> Fault {
+        let what = match panels {
+            [one] => format!("panel {one} is folded over"),
+            many => format!("{} panels are folded over (the first is {})", many.len(), many[0]),
+        };
+        Fault(format!(
+            "{what}, their outside is turned against that of their corners: panels can be cut, offsets and beams are not offered"
+        ))
+    }
+}

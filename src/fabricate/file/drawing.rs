@@ -1,0 +1,94 @@
+//! A sheet as lines, each with its role: what all formats write.
+
+use crate::fabricate::panel::Point2;
+use crate::fabricate::sheet::{CutPart, Role, Sheet, strokes, text_width};
+
+/// A polyline of a sheet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DrawnLine {
+    /// What it is for.
+    pub role: Role,
+    /// Its points in mm from the lower left corner of the sheet.
+    pub points: Vec<Point2>,
+    /// Whether the last point leads to the first, which is not repeated: so it is for outlines, and for nothing
+    /// else.
+    pub closed: bool,
+    /// The name of its part; empty for the sheet's own lines.
+    pub part: String,
+    /// The panel that the part is.
+    pub panel: Option<u32>,
+}
+
+/// A sheet with all its lines, in the order of [`Role::ALL`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drawing {
+    /// Its name, such as `sheet-01`.
+    pub name: String,
+    /// What is printed on it: scale, unit, material, number.
+    pub title: String,
+    /// Width and height in mm.
+    pub size: [f64; 2],
+    /// Its lines.
+    pub lines: Vec<DrawnLine>,
+}
+
+/// The height of the title in mm; the margin has room for it, or it is left out.
+const TITLE: f64 = 2.5;
+
+impl Drawing {
+    /// Draws a sheet. `outlines_only` leaves out everything else.
+    pub fn new(
+        name: String,
+        title: String,
+        size: [f64; 2],
+        margin: f64,
+        sheet: &Sheet,
+        parts: &[CutPart],
+        outlines_only: bool,
+    ) -> Drawing {
+        let mut drawing = Drawing { name, title, size, lines: Vec::new() };
+        if !outlines_only {
+            drawing.frame(margin);
+        }
+        for role in Role::ALL {
+            for place in &sheet.places {
+                let part = &parts[place.part];
+                let put = |points: &Vec<Point2>| points.iter().map(|&p| place.put(p)).collect();
+                let (lines, closed): (&[Vec<Point2>], bool) = match role {
+                    Role::Cut => (std::slice::from_ref(&part.outline), true),
+                    _ if outlines_only => continue,
+                    Role::Engrave => (&part.engraved, false),
+                    Role::Fold => (&part.folds, false),
+                    Role::Sheet => continue,
+                };
+                drawing.lines.extend(lines.iter().map(|points| DrawnLine {
+                    role,
+                    points: put(points),
+                    closed,
+                    part: part.name.clone(),
+                    panel: part.panel,
+                }));
+            }
+        }
+        drawing
+    }
+
+    /// The edge of the sheet, and its title in the margin.
+    fn frame(&mut self, margin: f64) {
+        let [width, height] = self.size;
+        let corners = vec![[0.0, 0.0], [width, 0.0], [width, height], [0.0, height], [0.0, 0.0]];
+        self.add(corners);
+        let long = text_width(&self.title, TITLE);
+        if margin >= TITLE + 1.5 && long <= width - 2.0 * margin {
+            let centre = [margin + 0.5 * long, 0.5 * margin];
+            for stroke in strokes(&self.title, TITLE, centre, [1.0, 0.0]) {
+                self.add(stroke);
+            }
+        }
+    }
+
+    fn add(&mut self, points: Vec<Point2>) {
+        let (role, closed, part, panel) = (Role::Sheet, false, String::new(), None);
+        self.lines.push(DrawnLine { role, points, closed, part, panel });
+    }
+}

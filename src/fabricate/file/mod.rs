@@ -1,0 +1,24 @@
+//! Sheets and lists as files. Everything is in mm of the sheet, y upwards but in SVG.
+//!
+//! | file | holds |
+//! |---|---|
+//! | `drawing` | the lines of a sheet by their roles |
+//! | `svg` | SVG: mm, one path per part, no transforms |
+//! | `dxf` | DXF: R2000, or R12 for old machines |
+//! | `pdf` | PDF 1:1, a page per sheet, with layers and a ruler |
+//! | `csv` | tables of panels, edges, nodes, types, and a summary |
+//! | `number` | numbers with so many places |
+
+mod csv;
+mod drawing;
+mod dxf;
+mod number;
+mod pdf;
+mod svg;
+
+pub use csv::{Cell, Table};
+pub use drawing::{Drawing, DrawnLine};
+pub use dxf::dxf;
+pub(super) use number::places;
+pub use pdf::pdf;
+pub use svg::svg;

@@ -1,0 +1,31 @@
+//! Numbers as text with a point and without exponents.
+
+/// With at most so many places, none that are zeros at the end, and no `-0`.
+pub(in crate::fabricate) fn places(value: f64, most: usize) -> String {
+    let text = format!("{value:.most$}");
+    let text = match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.'),
+        false => &text,
+    };
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}
+
+/// With exactly six places.
+pub(super) fn six(value: f64) -> String {
+    let text = format!("{value:.6}");
+    if text == "-0.000000" { "0.000000".to_owned() } else { text }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_plain() {
+        assert_eq!(places(1200.0, 3), "1200");
+        assert_eq!(places(-1e-9, 3), "0");
+        assert_eq!(places(1.2346, 3), "1.235");
+        assert_eq!(places(1e9 + 0.5, 3), "1000000000.5");
+        assert_eq!([six(-1e-9), six(2.0)], ["0.000000", "2.000000"]);
+    }
+}

@@ -1,0 +1,49 @@
+//! SVG: width, height and viewBox in mm, so that no reader guesses the size of a pixel; absolute coordinates
+//! without transforms, styles or references, which simple readers ignore; a group for each layer, as Inkscape
+//! has them.
+
+use super::drawing::Drawing;
+use super::number::places;
+use crate::fabricate::sheet::Role;
+
+/// Writes a sheet.
+pub fn svg(drawing: &Drawing) -> String {
+    let [width, height] = drawing.size.map(|size| places(size, 6));
+    let mut text = format!(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" width=\"{width}mm\" height=\"{height}mm\" viewBox=\"0 0 {width} {height}\">\n<title>{}</title>\n",
+        escaped(&drawing.title)
+    );
+    for role in Role::ALL {
+        let mut lines = drawing.lines.iter().filter(|line| line.role == role).peekable();
+        if lines.peek().is_none() {
+            continue;
+        }
+        let (layer, [r, g, b]) = (role.layer(), role.rgb());
+        text += &format!(
+            "<g id=\"{layer}\" inkscape:groupmode=\"layer\" inkscape:label=\"{layer}\" fill=\"none\" stroke=\"#{r:02X}{g:02X}{b:02X}\" stroke-width=\"0.1\">\n"
+        );
+        for line in lines {
+            let points = line.points.iter().enumerate().map(|(k, &[x, y])| {
+                let letter = if k == 0 { 'M' } else { 'L' };
+                let y = drawing.size[1] - y;
+                format!("{letter}{},{}", places(x, 6), places(y, 6))
+            });
+            let path = points.collect::<String>();
+            let part = escaped(&line.part);
+            match role {
+                Role::Cut => {
+                    text += &format!(
+                        "<path id=\"{part}\" d=\"{path}Z\"><title>{part}</title></path>\n"
+                    );
+                }
+                _ => text += &format!("<path d=\"{path}\"/>\n"),
+            }
+        }
+        text += "</g>\n";
+    }
+    text + "</svg>\n"
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}

@@ -1,0 +1,45 @@
+//! From a shape to parts that can be cut: panels laid flat and laid out on sheets, and the numbers that say
+//! whether offsets, beams and panels fit.
+//!
+//! Lengths of the building are in the unit of the mesh until they are on a sheet, where everything is in mm.
+//! Distances are positive outwards; outside is where the area vectors of the panels point. Two scales in one
+//! number are the classic mistake: only `build` multiplies by the scale, once.
+//!
+//! ```text
+//! mesh -> surface -> panel -> sheet -> file
+//!            \-> offset -> report
+//! ```
+//!
+//! | file or folder | holds |
+//! |---|---|
+//! | `settings` | what is asked once: scale, sheet, joint, distance; presets |
+//! | `fault` | what stands in the way, and what is offered all the same |
+//! | `surface` | the panels with an outside, edges with the panels on their two sides |
+//! | `panel` | panels laid flat, the joint, names, types |
+//! | `offset` | node axes, exact or fitted, and the check of an offset |
+//! | `sheet` | parts, letters, labels, the layout on sheets |
+//! | `file` | SVG, DXF, PDF, CSV |
+//! | `build` | all of it for one shape |
+//! | `report` | the build check and its numbers |
+//! | `tables` | lists of panels, edges, nodes and types |
+//! | `output` | all files of a build |
+
+mod build;
+mod fault;
+pub mod file;
+pub mod offset;
+mod output;
+pub mod panel;
+mod report;
+mod settings;
+pub mod sheet;
+mod surface;
+mod tables;
+
+pub use build::{Build, CutPanel, LengthInMetres, NotCut};
+pub use fault::Fault;
+pub use offset::OffsetKind;
+pub use output::BuildFile;
+pub use report::{BuildReport, CheckRow, Choice, OffsetReport, Worst};
+pub use settings::{BuildPreset, BuildSettings, CheckLimits, Dxf, PRESETS};
+pub use surface::{Edge, PanelSurface};

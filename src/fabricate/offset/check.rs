@@ -1,0 +1,170 @@
+//! Whether an offset can be built: how far beams are from flat, panels from flat, distances from what is
+//! asked for, axes from upright, and up to which distance no edge turns round.
+
+use super::kind::OffsetKind;
+use super::system::across_edge;
+use crate::fabricate::panel::plane_distance;
+use crate::fabricate::surface::PanelSurface;
+use crate::math::Vec3;
+
+/// The numbers of one beam.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct BeamCheck {
+    /// The largest distance of its four corners to their least-squares plane.
+    pub warp: f64,
+    /// The angle between `P_e n_i` and `P_e n_j`.
+    pub twist_deg: f64,
+    /// The least and the greatest height of its two ends.
+    pub height: [f64; 2],
+}
+
+/// The numbers of an offset by the distance `d`, lengths in the unit of the mesh. Where a number is that of
+/// one element, its index is beside it.
+#[derive(Clone, Debug, Default)]
+pub struct OffsetCheck {
+    /// The greatest beam warp, and its edge.
+    pub warp: f64,
+    /// See `warp`.
+    pub warp_edge: u32,
+    /// The greatest beam twist.
+    pub twist_deg: f64,
+    /// How far the distance is from what is asked for at worst: `d (|n| - 1)`, `d (n . N_f - 1)` at a corner,
+    /// `d (|P_e n| - 1)`; and the vertex.
+    pub distance_error: f64,
+    /// See `distance_error`.
+    pub distance_vertex: u32,
+    /// The least and the greatest distance of corners, of panels at their corners, and of beams.
+    pub corner_distance: [f64; 2],
+    /// See `corner_distance`.
+    pub face_distance: [f64; 2],
+    /// See `corner_distance`.
+    pub edge_distance: [f64; 2],
+    /// The largest angle between a node axis and `N_i`, and its vertex.
+    pub lean_deg: f64,
+    /// See `lean_deg`.
+    pub lean_vertex: u32,
+    /// The mean of that angle.
+    pub mean_lean_deg: f64,
+    /// How far the panels of the offset are from flat at worst, and which is.
+    pub offset_flatness: f64,
+    /// See `offset_flatness`.
+    pub offset_panel: u32,
+    /// The distances, inwards and outwards, before an edge of the offset turns round; none without limit.
+    pub safe_distance: [Option<f64>; 2],
+    /// The numbers of every beam, by edges.
+    pub beams: Vec<BeamCheck>,
+}
+
+/// Checks the offset with these axes, `#V`, by `distance`.
+pub fn check(
+    surface: &PanelSurface,
+    axes: &[Vec3<f64>],
+    kind: OffsetKind,
+    distance: f64,
+) -> OffsetCheck {
+    let empty = [f64::INFINITY, f64::NEG_INFINITY];
+    let mut found = OffsetCheck {
+        corner_distance: empty,
+        face_distance: empty,
+        edge_distance: empty,
+        ..OffsetCheck::default()
+    };
+    let widen = |range: &mut [f64; 2], value: f64| {
+        *range = [range[0].min(value), range[1].max(value)];
+    };
+    let mut errors = Worst::default();
+    let (mut warp, mut lean) = (Worst::default(), Worst::default());
+    let mut slopes: [f64; 2] = [0.0; 2];
+    for (edge, e) in surface.edges.iter().zip(0..) {
+        let t = surface.direction(edge);
+        let [n, m] = edge.ends.map(|v| axes[v as usize]);
+        let (p, q) = (across_edge(n, t), across_edge(m, t));
+        let heights = [p.length(), q.length()].map(|height| height * distance.abs());
+        for (height, v) in heights.into_iter().zip(edge.ends) {
+            widen(&mut found.edge_distance, height);
+            if kind == OffsetKind::Edge {
+                errors.add(height - distance.abs(), v);
+            }
+        }
+        let twist = libm::atan2(p.cross(q).length(), p.dot(q)).to_degrees();
+        found.twist_deg = found.twist_deg.max(twist);
+        let beam = BeamCheck {
+            warp: beam_warp(surface, edge.ends, axes, distance),
+            twist_deg: twist,
+            height: [heights[0].min(heights[1]), heights[0].max(heights[1])],
+        };
+        warp.add(beam.warp, e);
+        found.beams.push(beam);
+        let length = surface.length(edge);
+        if length > 0.0 {
+            // An edge of the offset is l (1 - d k) long.
+            let k = -t.dot(m - n) / length;
+            widen(&mut slopes, k);
+        }
+    }
+    for (face, f) in surface.faces.iter().zip(0..) {
+        let normal = surface.normal(f);
+        for &v in face.iter().filter(|_| normal != Vec3::zero()) {
+            let height = distance * normal.dot(axes[v as usize]);
+            widen(&mut found.face_distance, height);
+            if kind == OffsetKind::Face {
+                errors.add(height - distance, v);
+            }
+        }
+    }
+    let mut used = 0;
+    for (v, (axis, normal)) in (0..).zip(axes.iter().zip(&surface.normals)) {
+        if *normal == Vec3::zero() {
+            continue;
+        }
+        used += 1;
+        let length = distance.abs() * axis.length();
+        widen(&mut found.corner_distance, length);
+        if kind == OffsetKind::Corner {
+            errors.add(length - distance.abs(), v);
+        }
+        let angle = libm::atan2(axis.cross(*normal).length(), axis.dot(*normal)).to_degrees();
+        found.mean_lean_deg += angle;
+        lean.add(angle, v);
+    }
+    found.mean_lean_deg /= f64::from(used.max(1));
+    (found.warp, found.warp_edge) = (warp.value.abs(), warp.element);
+    (found.lean_deg, found.lean_vertex) = (lean.value, lean.element);
+    (found.distance_error, found.distance_vertex) = (errors.value.abs(), errors.element);
+    let inverse = |k: f64| (k != 0.0).then(|| 1.0 / k).filter(|limit| limit.is_finite());
+    found.safe_distance = [inverse(slopes[0]), inverse(slopes[1])];
+    (found.offset_flatness, found.offset_panel) = flatness(surface, axes, distance);
+    found
+}
+
+/// The largest of some values, by size, with its element.
+#[derive(Default)]
+struct Worst {
+    value: f64,
+    element: u32,
+}
+
+impl Worst {
+    fn add(&mut self, value: f64, element: u32) {
+        if value.abs() > self.value.abs() {
+            *self = Worst { value, element };
+        }
+    }
+}
+
+/// The largest distance of the corners of a beam to their least-squares plane.
+fn beam_warp(surface: &PanelSurface, [i, j]: [u32; 2], axes: &[Vec3<f64>], depth: f64) -> f64 {
+    let (v, w) = (surface.at(i), surface.at(j));
+    let corners = [v, w, w + axes[j as usize] * depth, v + axes[i as usize] * depth];
+    plane_distance(&corners)
+}
+
+/// The panel of the offset that is farthest from flat: its distance, and which it is.
+fn flatness(surface: &PanelSurface, axes: &[Vec3<f64>], distance: f64) -> (f64, u32) {
+    let mut worst = Worst::default();
+    for (face, f) in surface.faces.iter().zip(0..) {
+        let corner = |&v: &u32| surface.at(v) + axes[v as usize] * distance;
+        worst.add(plane_distance(&face.iter().map(corner).collect::<Vec<_>>()), f);
+    }
+    (worst.value, worst.element)
+}

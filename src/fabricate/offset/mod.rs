@@ -1,0 +1,26 @@
+//! Offsets: a node axis `n_i` for every vertex, such that the mesh `v_i + d n_i` has parallel edges and keeps
+//! its distance. It is then a parallel mesh (Combescure transform), and every strip
+//! `v_i, v_j, v_j + d n_j, v_i + d n_i` is a flat beam for every `d`.
+//!
+//! Sources: Liu, Pottmann, Wallner, Yang, Wang, *Geometric modeling with conical meshes and developable
+//! surfaces* (2006); Pottmann, Liu, Wallner, Bobenko, Wang, *Geometry of multi-layer freeform structures for
+//! architecture* (2007), which has the three kinds of offsets.
+//!
+//! | file | holds |
+//! |---|---|
+//! | `kind` | what keeps its distance: corners, panels or beams |
+//! | `system` | the sparse system of 3 by 3 blocks of one step |
+//! | `axes` | node axes: an exact pass, else the least-squares fit |
+//! | `closing` | why corner offsets are not exact: panels that do not close, holes that turn |
+//! | `check` | the numbers that say whether it can be built |
+
+mod axes;
+mod check;
+mod closing;
+mod kind;
+mod system;
+
+pub use axes::{Axes, exact, fit, node_axes};
+pub use check::{BeamCheck, OffsetCheck, check};
+pub use closing::{Closing, closing};
+pub use kind::OffsetKind;

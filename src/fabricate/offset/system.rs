@@ -1,0 +1,125 @@
+//! The symmetric system of 3 by 3 blocks, in the pattern of the edges, of one step of the solve for axes.
+
+use crate::fabricate::surface::PanelSurface;
+use crate::math::Vec3;
+use crate::sparse::{BlockMatrix, SymbolicAnalysis, UpperTriangle};
+use sprs::CsStructureI;
+
+/// `A n = b` with a block of `A` for each vertex and each edge. What is added to it is a square form: the
+/// matrix has `c c'` for every term `(c . n - 1)^2`, the right-hand side `c`.
+pub(super) struct System {
+    analysis: SymbolicAnalysis,
+    zeros: UpperTriangle,
+    matrix: BlockMatrix,
+    /// Vertices of no panel: their axis is zero.
+    excluded: Vec<bool>,
+    right: Vec<Vec3<f64>>,
+}
+
+impl System {
+    /// In the pattern of the edges of `surface`.
+    pub(super) fn new(surface: &PanelSurface) -> System {
+        let n = surface.positions.len();
+        let mut near: Vec<Vec<u32>> = (0..n as u32).map(|v| vec![v]).collect();
+        for edge in &surface.edges {
+            let [i, j] = edge.ends;
+            near[i as usize].push(j);
+            near[j as usize].push(i);
+        }
+        let (mut columns, mut rows) = (vec![0], Vec::new());
+        for mut row in near {
+            row.sort_unstable();
+            rows.append(&mut row);
+            columns.push(rows.len() as u32);
+        }
+        let values = vec![(); rows.len()];
+        let analysis = SymbolicAnalysis::new(CsStructureI::new_csc((n, n), columns, rows, values));
+        let mut used = vec![false; n];
+        surface.faces.indices().iter().for_each(|&v| used[v as usize] = true);
+        System {
+            zeros: analysis.zeros(),
+            matrix: BlockMatrix::new(&analysis),
+            analysis,
+            excluded: used.iter().map(|used| !used).collect(),
+            right: vec![Vec3::zero(); n],
+        }
+    }
+
+    /// Vertices of no panel.
+    pub(super) fn is_excluded(&self, v: usize) -> bool {
+        self.excluded[v]
+    }
+
+    /// Begins with `A = mu I` and `b = mu` times `near`, `#V` vectors.
+    pub(super) fn begin(&mut self, mu: f64, near: &[Vec3<f64>]) {
+        self.matrix.set_scalar(&self.zeros);
+        for &place in self.analysis.place_of() {
+            self.matrix.add(place, place, |r, c| if r == c { mu } else { 0.0 });
+        }
+        self.aim(mu, near);
+    }
+
+    /// Makes the right-hand side `mu` times `near`.
+    pub(super) fn aim(&mut self, mu: f64, near: &[Vec3<f64>]) {
+        self.right.iter_mut().zip(near).for_each(|(right, near)| *right = *near * mu);
+    }
+
+    /// Adds a block at a vertex.
+    pub(super) fn add(&mut self, v: u32, block: [[f64; 3]; 3]) {
+        let place = self.analysis.place_of()[v as usize];
+        self.matrix.add(place, place, |r, c| block[r][c]);
+    }
+
+    /// Adds a symmetric block between two vertices.
+    pub(super) fn couple(&mut self, i: u32, j: u32, block: [[f64; 3]; 3]) {
+        let [p, q] = [i, j].map(|v| self.analysis.place_of()[v as usize]);
+        self.matrix.add(p.min(q), p.max(q), |r, c| block[r][c]);
+    }
+
+    /// Adds to the right-hand side of a vertex.
+    pub(super) fn pull(&mut self, v: u32, by: Vec3<f64>) {
+        self.right[v as usize] += by;
+    }
+
+    /// Factors what has been added. False where rounding makes it singular.
+    pub(super) fn factor(&mut self) -> bool {
+        let n = self.analysis.size();
+        let excluded: Vec<bool> =
+            (0..n).map(|k| self.excluded[self.analysis.unknown_at(k) as usize]).collect();
+        self.matrix.factor(&excluded).is_ok()
+    }
+
+    /// The solution for the right-hand side, `#V` vectors.
+    pub(super) fn solve(&mut self) -> Vec<Vec3<f64>> {
+        let mut rows = vec![[0.0; 4]; self.right.len()];
+        for (v, (right, &place)) in self.right.iter().zip(self.analysis.place_of()).enumerate() {
+            if !self.excluded[v] {
+                rows[place as usize] = [right.x, right.y, right.z, 0.0];
+            }
+        }
+        self.matrix.solve(&mut rows);
+        let at = |&place: &u32| {
+            let [x, y, z, _] = rows[place as usize];
+            Vec3::new(x, y, z)
+        };
+        self.analysis.place_of().iter().map(at).collect()
+    }
+}
+
+/// `c c'`.
+pub(super) fn outer(c: Vec3<f64>) -> [[f64; 3]; 3] {
+    let c = [c.x, c.y, c.z];
+    c.map(|row| c.map(|column| row * column))
+}
+
+/// `a I + b c c'`.
+pub(super) fn identity_and_outer(a: f64, b: f64, c: Vec3<f64>) -> [[f64; 3]; 3] {
+    let mut block = outer(c).map(|row| row.map(|entry| b * entry));
+    (0..3).for_each(|k| block[k][k] += a);
+    block
+}
+
+/// `P_e x`.
+pub(super) fn across_edge(x: Vec3<f64>, t: Vec3<f64>) -> Vec3<f64> {
+    x - t * x.dot(t)
+}

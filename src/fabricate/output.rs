@@ -1,0 +1,36 @@
+//! What a build is as files: drawings of the sheets, and tables.
+
+use super::build::Build;
+use super::file::{dxf, pdf, svg};
+use super::tables;
+
+/// A file to be written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct BuildFile {
+    /// Its name, without folders.
+    pub name: String,
+    /// What is in it: ASCII, but for names of units and materials in tables.
+    pub text: String,
+}
+
+impl Build {
+    /// All files: a drawing of each sheet in two formats, all sheets as PDF, the tables.
+    pub fn files(&self) -> Vec<BuildFile> {
+        let drawings = self.drawings();
+        let mut files = Vec::new();
+        let mut add = |name: String, text: String| files.push(BuildFile { name, text });
+        for drawing in &drawings {
+            let layers = !self.settings.outlines_only;
+            add(format!("{}.svg", drawing.name), svg(drawing));
+            let text = dxf(drawing, self.settings.dxf, layers);
+            add(format!("{}.dxf", drawing.name), text);
+        }
+        if !drawings.is_empty() {
+            add("sheets.pdf".to_owned(), pdf(&drawings));
+        }
+        for (name, text) in tables::all(self) {
+            add(name.to_owned(), text);
+        }
+        files
+    }
+}

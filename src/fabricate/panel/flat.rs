@@ -1,0 +1,71 @@
+//! A panel laid flat: its corners in its least-squares plane, counterclockwise seen from outside.
+
+use super::plane::Plane;
+use super::polygon::Point2;
+use crate::fabricate::surface::PanelSurface;
+use crate::math::Vec3;
+
+/// A panel in its plane. All lengths are in the unit of the mesh.
+#[derive(Clone, Debug)]
+pub struct FlatPanel {
+    /// Its corners, in the order of the surface.
+    pub corners: Vec<Point2>,
+    /// Where the origin of the plane is, about the centre of the box, and its two axes: a corner `(x, y)`
+    /// goes back to `origin + x axes[0] + y axes[1]`.
+    pub origin: Vec3<f64>,
+    /// See `origin`.
+    pub axes: [Vec3<f64>; 2],
+    /// The largest distance of a corner to the plane.
+    pub flatness: f64,
+    /// The largest change of a distance between two corners.
+    pub flattening_error: f64,
+}
+
+/// Of more corners than this only neighbours, and those across, are compared.
+const MOST_CORNERS: usize = 200;
+
+/// Lays a panel flat; none where it has no area.
+pub fn lay_flat(surface: &PanelSurface, panel: u32) -> Option<FlatPanel> {
+    let outside = surface.normal(panel);
+    if outside == Vec3::zero() {
+        return None;
+    }
+    let face = surface.faces.row(panel as usize);
+    let points: Vec<Vec3<f64>> = face.iter().map(|&v| surface.at(v)).collect();
+    let plane = Plane::of(&points);
+    let normal = if plane.normal.dot(outside) < 0.0 { -plane.normal } else { plane.normal };
+    // x runs along the first edge.
+    let mut along = (1..points.len()).map(|k| points[k] - points[0]);
+    let x = along.find_map(|step| (step - normal * step.dot(normal)).length_and_direction().1)?;
+    let axes = [x, normal.cross(x)];
+    let flat = |point: &Vec3<f64>| {
+        let step = *point - plane.centre;
+        [step.dot(axes[0]), step.dot(axes[1])]
+    };
+    let corners: Vec<Point2> = points.iter().map(flat).collect();
+    let flattening_error = largest_change(&points, &corners);
+    Some(FlatPanel {
+        corners,
+        origin: plane.centre,
+        axes,
+        flatness: plane.distance,
+        flattening_error,
+    })
+}
+
+fn largest_change(points: &[Vec3<f64>], corners: &[Point2]) -> f64 {
+    let n = points.len();
+    let change = |i: usize, j: usize| {
+        let [x, y] = [corners[i][0] - corners[j][0], corners[i][1] - corners[j][1]];
+        ((points[i] - points[j]).length() - (x * x + y * y).sqrt()).abs()
+    };
+    let mut largest: f64 = 0.0;
+    for i in 0..n {
+        if n > MOST_CORNERS {
+            largest = largest.max(change(i, (i + 1) % n)).max(change(i, (i + n / 2) % n));
+        } else {
+            (i + 1..n).for_each(|j| largest = largest.max(change(i, j)));
+        }
+    }
+    largest
+}

@@ -1,0 +1,25 @@
+//! Single panels: laid flat, with the joint taken off, named, sorted into types.
+//!
+//! | file | holds |
+//! |---|---|
+//! | `plane` | least-squares planes |
+//! | `polygon` | polygons in the plane: area, hull, where a label fits |
+//! | `flat` | a panel laid flat, and what that changes |
+//! | `inset` | the joint taken off |
+//! | `name` | short, stable names of panels |
+//! | `alike` | panels that are the same within a tolerance |
+
+mod alike;
+mod flat;
+mod inset;
+mod name;
+mod plane;
+mod polygon;
+
+pub use alike::{Types, panel_types};
+pub use flat::{FlatPanel, lay_flat};
+pub use inset::inset;
+pub use name::{Names, panel_names};
+pub(super) use plane::plane_distance;
+pub use polygon::{Point2, area, hull, is_simple, perimeter, roomiest_point, smallest_box};
+pub(super) use polygon::{direction_of, distance_to_outline, is_inside, rotated};

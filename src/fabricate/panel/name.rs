@@ -1,0 +1,100 @@
+//! Names: short, stable, the same on every sheet and in every list.
+//!
+//! `P12` is face 12 of the file, counted from 0 as everywhere. On a mesh that is one grid of quads names by row
+//! and column may be asked for (`C-07`), because builders read rows.
+
+use crate::fabricate::surface::PanelSurface;
+use serde::{Deserialize, Serialize};
+
+/// How panels are named.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+pub enum Names {
+    /// By the index of the face.
+    #[default]
+    Index,
+    /// By row and column, where the mesh is one grid of quads; else by the index.
+    Rows,
+}
+
+/// The names of all panels.
+pub fn panel_names(surface: &PanelSurface, names: Names) -> Vec<String> {
+    let grid = match names {
+        Names::Rows => grid_places(surface),
+        Names::Index => None,
+    };
+    match grid {
+        Some(places) => {
+            let columns = places.iter().map(|place| place[1]).max().unwrap_or(0) + 1;
+            let digits = columns.to_string().len().max(2);
+            let name =
+                |&[row, column]: &[u32; 2]| format!("{}-{:0digits$}", letters(row), column + 1);
+            places.iter().map(name).collect()
+        }
+        None => (0..surface.faces.len()).map(|f| format!("P{f}")).collect(),
+    }
+}
+
+/// A, B, ..., Z, AA, AB, ...
+fn letters(row: u32) -> String {
+    let mut rest = row + 1;
+    let mut name = String::new();
+    while rest > 0 {
+        rest -= 1;
+        name.insert(0, char::from(b'A' + (rest % 26) as u8));
+        rest /= 26;
+    }
+    name
+}
+
+/// Row and column of each face, where all are quads of one connected grid; none elsewhere.
+fn grid_places(surface: &PanelSurface) -> Option<Vec<[u32; 2]>> {
+    if surface.faces.iter().any(|face| face.len() != 4) {
+        return None;
+    }
+    // Where each face is, and which of its sides leads to the next column.
+    let mut found: Vec<Option<([i64; 2], usize)>> = vec![None; surface.faces.len()];
+    *found.first_mut()? = Some(([0, 0], 1));
+    let (mut queue, mut next) = (vec![0_u32], 0);
+    const STEPS: [[i64; 2]; 4] = [[0, 1], [1, 0], [0, -1], [-1, 0]];
+    while let Some(&f) = queue.get(next) {
+        next += 1;
+        let (place, ahead) = found[f as usize]?;
+        let sides = surface.sides.row(f as usize);
+        for (k, step) in STEPS.iter().enumerate() {
+            let e = *sides.get((ahead + k) % 4)?;
+            let Some(across) = surface.edges[e as usize].across(f) else { continue };
+            let back = surface.sides.row(across as usize).iter().position(|&side| side == e)?;
+            // There the same edge leads back: two sides after it, on in the same direction.
+            let own = ([place[0] + step[0], place[1] + step[1]], (back + 2 + 4 - k) % 4);
+            match found[across as usize] {
+                None => {
+                    found[across as usize] = Some(own);
+                    queue.push(across);
+                }
+                Some(other) if other != own => return None,
+                Some(_) => {}
+            }
+        }
+    }
+    let places: Vec<[i64; 2]> =
+        found.into_iter().map(|found| found.map(|(place, _)| place)).collect::<Option<_>>()?;
+    let mut sorted = places.clone();
+    sorted.sort_unstable();
+    if sorted.windows(2).any(|pair| pair[0] == pair[1]) {
+        return None;
+    }
+    let low = [0, 1].map(|k| places.iter().map(|place| place[k]).min().unwrap_or(0));
+    Some(places.iter().map(|place| [0, 1].map(|k| (place[k] - low[k]) as u32)).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::letters;
+
+    #[test]
+    fn rows_are_lettered_as_in_a_table() {
+        assert_eq!([0, 25, 26, 701, 702].map(letters), ["A", "Z", "AA", "ZZ", "AAA"]);
+    }
+}

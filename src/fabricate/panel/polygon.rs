@@ -1,0 +1,237 @@
+//! Polygons in the plane, counterclockwise.
+
+/// A point of the plane.
+pub type Point2 = [f64; 2];
+
+pub(super) fn minus([a, b]: Point2, [c, d]: Point2) -> Point2 {
+    [a - c, b - d]
+}
+
+pub(super) fn cross([a, b]: Point2, [c, d]: Point2) -> f64 {
+    a * d - b * c
+}
+
+pub(super) fn dot([a, b]: Point2, [c, d]: Point2) -> f64 {
+    a * c + b * d
+}
+
+pub(super) fn length([a, b]: Point2) -> f64 {
+    (a * a + b * b).sqrt()
+}
+
+/// The sides of a polygon.
+pub(super) fn sides(polygon: &[Point2]) -> impl Iterator<Item = [Point2; 2]> + '_ {
+    crate::math::polygon_sides(polygon)
+}
+
+/// The signed area, positive counterclockwise.
+pub fn area(polygon: &[Point2]) -> f64 {
+    let Some(&first) = polygon.first() else { return 0.0 };
+    // About a corner: far from the origin the products would cost digits.
+    let twice: f64 = sides(polygon).map(|[p, q]| cross(minus(p, first), minus(q, first))).sum();
+    0.5 * twice
+}
+
+/// The length of the outline.
+pub fn perimeter(polygon: &[Point2]) -> f64 {
+    sides(polygon).map(|[p, q]| length(minus(q, p))).sum()
+}
+
+/// The unit vector from one point to another; x where they coincide.
+pub(in crate::fabricate) fn direction_of(from: Point2, to: Point2) -> Point2 {
+    let step = minus(to, from);
+    let l = length(step);
+    if l > 0.0 { [step[0] / l, step[1] / l] } else { [1.0, 0.0] }
+}
+
+/// A point turned by the angle whose cosine and sine are `turn`.
+pub(in crate::fabricate) fn rotated([x, y]: Point2, [c, s]: Point2) -> Point2 {
+    [c * x - s * y, s * x + c * y]
+}
+
+/// Whether no two sides cross or touch but neighbours at their corner.
+pub fn is_simple(polygon: &[Point2]) -> bool {
+    let all: Vec<[Point2; 2]> = sides(polygon).collect();
+    let n = all.len();
+    let turns_left =
+        |k: usize| cross(minus(all[k][1], all[k][0]), minus(all[(k + 1) % n][1], all[k][1])) > 0.0;
+    // Sides that turn left all the way, once, make a convex polygon.
+    let wraps = |k: usize| {
+        let (a, b) = (minus(all[k][1], all[k][0]), minus(all[(k + 1) % n][1], all[k][1]));
+        (a[1] < 0.0) != (b[1] < 0.0)
+    };
+    if (0..n).all(turns_left) && (0..n).filter(|&k| wraps(k)).count() == 2 {
+        return true;
+    }
+    for i in 0..n {
+        for j in i + 1..n {
+            let neighbours = j == i + 1 || (i == 0 && j == n - 1);
+            if !neighbours && cross_each_other(all[i], all[j]) {
+                return false;
+            }
+        }
+    }
+    true
+}
+
+fn cross_each_other([a, b]: [Point2; 2], [c, d]: [Point2; 2]) -> bool {
+    let side = |p: Point2, q: Point2, r: Point2| cross(minus(q, p), minus(r, p));
+    let (u, v) = (side(a, b, c), side(a, b, d));
+    let (w, x) = (side(c, d, a), side(c, d, b));
+    u * v <= 0.0 && w * x <= 0.0 && !(u == 0.0 && v == 0.0 && !overlap([a, b], [c, d]))
+}
+
+/// Whether two segments on one line have a point in common.
+fn overlap([a, b]: [Point2; 2], [c, d]: [Point2; 2]) -> bool {
+    let axis = minus(b, a);
+    let at = |p: Point2| dot(minus(p, a), axis);
+    let (low, high) = (at(c).min(at(d)), at(c).max(at(d)));
+    low <= at(b) && high >= 0.0
+}
+
+/// The convex hull, counterclockwise, by Andrew's monotone chain.
+pub fn hull(points: &[Point2]) -> Vec<Point2> {
+    let mut sorted = points.to_vec();
+    sorted.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    sorted.dedup();
+    if sorted.len() < 3 {
+        return sorted;
+    }
+    let chain = |points: &mut dyn Iterator<Item = Point2>| {
+        let mut chain: Vec<Point2> = Vec::new();
+        for point in points {
+            while let [.., p, q] = chain[..]
+                && cross(minus(q, p), minus(point, p)) <= 0.0
+            {
+                chain.pop();
+            }
+            chain.push(point);
+        }
+        chain.pop();
+        chain
+    };
+    let mut all = chain(&mut sorted.iter().copied());
+    all.extend(chain(&mut sorted.iter().rev().copied()));
+    all
+}
+
+/// The turn, as cosine and sine, that gives the polygon the box of least area, wider than high; and the
+/// width and height of that box. One side of it lies along an edge of the hull.
+pub fn smallest_box(polygon: &[Point2]) -> (Point2, [f64; 2]) {
+    let hull = hull(polygon);
+    let mut best: Option<(f64, Point2, [f64; 2])> = None;
+    for [p, q] in sides(&hull) {
+        let [c, s] = direction_of(p, q);
+        let turn = [c, -s];
+        let [width, height] = extent(&hull, turn);
+        let (turn, size) = match width >= height {
+            true => (turn, [width, height]),
+            false => ([s, c], [height, width]),
+        };
+        // A tie goes to the first edge, whatever rounding says.
+        if best.is_none_or(|(area, ..)| width * height < area * (1.0 - 1e-9)) {
+            best = Some((width * height, turn, size));
+        }
+    }
+    best.map_or(([1.0, 0.0], [0.0; 2]), |(_, turn, size)| (turn, size))
+}
+
+fn extent(points: &[Point2], turn: Point2) -> [f64; 2] {
+    let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    for point in points {
+        let point = rotated(*point, turn);
+        for k in 0..2 {
+            low[k] = low[k].min(point[k]);
+            high[k] = high[k].max(point[k]);
+        }
+    }
+    [high[0] - low[0], high[1] - low[1]]
+}
+
+/// Whether a point is inside, by the crossings of a ray.
+pub(in crate::fabricate) fn is_inside(polygon: &[Point2], [x, y]: Point2) -> bool {
+    let crosses = |&[p, q]: &[Point2; 2]| {
+        (p[1] > y) != (q[1] > y) && x < p[0] + (y - p[1]) / (q[1] - p[1]) * (q[0] - p[0])
+    };
+    sides(polygon).filter(crosses).count() % 2 == 1
+}
+
+/// The distance of a point to the outline.
+pub(in crate::fabricate) fn distance_to_outline(polygon: &[Point2], point: Point2) -> f64 {
+    let to = |[p, q]: [Point2; 2]| {
+        let (along, at) = (minus(q, p), minus(point, p));
+        let squared = dot(along, along);
+        let share = if squared > 0.0 { (dot(at, along) / squared).clamp(0.0, 1.0) } else { 0.0 };
+        length(minus(at, [share * along[0], share * along[1]]))
+    };
+    sides(polygon).map(to).fold(f64::INFINITY, f64::min)
+}
+
+/// The point inside that is farthest from the outline, and how far that is: a grid, refined about its best
+/// point. For labels, so that a hundredth is enough.
+pub fn roomiest_point(polygon: &[Point2]) -> (Point2, f64) {
+    const STEPS: i32 = 4;
+    let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    for point in polygon {
+        for k in 0..2 {
+            low[k] = low[k].min(point[k]);
+            high[k] = high[k].max(point[k]);
+        }
+    }
+    let mut centre = [0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])];
+    let mut half = [0.5 * (high[0] - low[0]), 0.5 * (high[1] - low[1])];
+    let room = |point: Point2| match is_inside(polygon, point) {
+        true => distance_to_outline(polygon, point),
+        false => -distance_to_outline(polygon, point),
+    };
+    let mut best = (centre, room(centre));
+    for _ in 0..6 {
+        for i in -STEPS..=STEPS {
+            for j in -STEPS..=STEPS {
+                let share = |k: i32, half: f64| f64::from(k) / f64::from(STEPS) * half;
+                let point = [centre[0] + share(i, half[0]), centre[1] + share(j, half[1])];
+                let found = room(point);
+                // The middle wins a tie: a label stays where it is.
+                if found > best.1 * (1.0 + 1e-9) + f64::MIN_POSITIVE {
+                    best = (point, found);
+                }
+            }
+        }
+        centre = best.0;
+        half = half.map(|half| 0.4 * half);
+    }
+    (best.0, best.1.max(0.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const NOTCHED: [Point2; 5] = [[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [2.0, 1.0], [0.0, 3.0]];
+
+    #[test]
+    fn area_outline_and_hull_of_a_notched_polygon() {
+        assert_eq!(area(&NOTCHED), 8.0);
+        assert_eq!(perimeter(&NOTCHED), 10.0 + 2.0 * 8.0_f64.sqrt());
+        assert_eq!(hull(&NOTCHED).len(), 4);
+        assert!(is_simple(&NOTCHED));
+        assert!(!is_simple(&[[0.0, 0.0], [2.0, 2.0], [2.0, 0.0], [0.0, 2.0]]));
+    }
+
+    #[test]
+    fn the_smallest_box_of_a_turned_rectangle_is_the_rectangle() {
+        let turn = [0.8, 0.6];
+        let turned = [[0.0, 0.0], [5.0, 0.0], [5.0, 2.0], [0.0, 2.0]].map(|p| rotated(p, turn));
+        let (back, [width, height]) = smallest_box(&turned);
+        assert!((width - 5.0).abs() < 1e-12 && (height - 2.0).abs() < 1e-12);
+        assert!((back[0].abs() - 0.8).abs() < 1e-12 && (back[1].abs() - 0.6).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_label_goes_where_there_is_room() {
+        let (point, room) = roomiest_point(&NOTCHED);
+        assert!(is_inside(&NOTCHED, point) && room > 0.75, "{point:?} {room}");
+        let square = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]];
+        assert_eq!(roomiest_point(&square), ([1.0, 1.0], 1.0));
+    }
+}

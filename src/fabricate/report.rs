@@ -1,0 +1,406 @@
+//! The build check: five numbers with units and limits, each with the element that is worst, and the numbers
+//! behind them. Lengths are in mm: of the building, but for what is on the sheet.
+
+use super::build::Build;
+use super::offset::{OffsetCheck, OffsetKind, closing};
+use super::panel::{area, panel_types, perimeter};
+use serde::Serialize;
+
+/// A number of the build check.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+pub struct CheckRow {
+    /// Its name in files.
+    pub id: &'static str,
+    /// Its name for people.
+    pub label: &'static str,
+    /// Its value; none where it does not apply.
+    pub value: Option<f64>,
+    /// The value that it should not pass; none of the safe distance inwards where there is no limit.
+    pub limit: Option<f64>,
+    /// `mm` or `deg`.
+    pub unit: &'static str,
+    /// Whether it is within the limit; none where there is no value.
+    pub met: Option<bool>,
+    /// The element that is worst: the ends of an edge, a vertex or a panel.
+    pub worst: Worst,
+}
+
+/// An element of the mesh.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+pub enum Worst {
+    /// None.
+    #[default]
+    None,
+    /// A vertex.
+    Vertex(u32),
+    /// The ends of an edge.
+    Edge([u32; 2]),
+    /// A face.
+    Panel(u32),
+}
+
+/// What one kind of offset would have for errors, before it is chosen.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+pub struct Choice {
+    /// Which.
+    pub kind: OffsetKind,
+    /// Whether it is exact.
+    pub exact: bool,
+    /// The beam warp in mm of the building.
+    pub warp_mm: f64,
+    /// The distance error in mm of the building.
+    pub distance_error_mm: f64,
+}
+
+/// The offset.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+pub struct OffsetReport {
+    /// What keeps its distance.
+    pub kind: OffsetKind,
+    /// Whether it does so exactly; else the axes are the least-squares fit.
+    pub exact: bool,
+    /// Why not; empty where it is.
+    pub why_not: String,
+    /// The distance, positive outwards.
+    pub distance_mm: f64,
+    /// The largest distance of a beam's corners to its plane.
+    pub warp_mm: f64,
+    /// The largest angle between the two ends of a beam.
+    pub twist_deg: f64,
+    /// How far the distance is from what was asked for at worst.
+    pub distance_error_mm: f64,
+    /// The largest angle between a node axis and the normal of the surface: of all nodes, and of inner ones,
+    /// which are judged (at the rim of a coarse mesh it is large and harmless).
+    pub lean_deg: f64,
+    /// See `lean_deg`.
+    pub inner_lean_deg: f64,
+    /// How far the panels of the offset are from flat.
+    pub offset_flatness_mm: f64,
+    /// The distances, inwards and outwards, at which an edge of the offset has no length; null without limit.
+    pub safe_distance_mm: [Option<f64>; 2],
+    /// Heights of beams.
+    pub beam_height_mm: [f64; 2],
+    /// Of corner offsets: the largest turn around a panel, panels with an odd number of edges, and the turn around
+    /// each rim (null where it has an odd number of edges).
+    pub closing_panel_deg: f64,
+    /// See `closing_panel_deg`.
+    pub odd_panels: usize,
+    /// See `closing_panel_deg`.
+    pub closing_rims_deg: Vec<Option<f64>>,
+}
+
+/// The report of a build.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+pub struct BuildReport {
+    /// How many there are.
+    pub panels: usize,
+    /// How many there are.
+    pub edges: usize,
+    /// How many vertices panels have.
+    pub nodes: usize,
+    /// Connected parts of the surface.
+    pub components: usize,
+    /// Panels that were turned to run as their neighbours do.
+    pub turned: usize,
+    /// The unit of the mesh.
+    pub unit: String,
+    /// The model is one to so many.
+    pub scale: f64,
+    /// Sheets in use.
+    pub sheets: usize,
+    /// The size of a sheet.
+    pub sheet_mm: [f64; 2],
+    /// Panels on sheets.
+    pub placed: usize,
+    /// The share of the area of the sheets that parts cover.
+    pub used: f64,
+    /// The names of panels that are larger than a sheet.
+    pub too_large: Vec<String>,
+    /// Panels that cannot be cut, each with the reason.
+    pub not_cut: Vec<String>,
+    /// The area of all parts on sheets.
+    pub cut_area_mm2: f64,
+    /// The length of their outlines.
+    pub cut_length_mm: f64,
+    /// The gap between panels on the sheet.
+    pub joint_mm: f64,
+    /// The least joint, on the sheet, that keeps panels of the thickness from touching when they are laid outside
+    /// of the surface; null where nothing closes. And the same inside.
+    pub least_joint_mm: [Option<f64>; 2],
+    /// Names of neighbours that have no room on their panel.
+    pub dropped_names: usize,
+    /// Panels whose own name is smaller than 2 mm.
+    pub small_names: usize,
+    /// Types of panels.
+    pub types: usize,
+    /// How many types there are at each tolerance in mm of the building.
+    pub types_curve: Vec<[f64; 2]>,
+    /// The largest change of a distance between corners when panels are laid flat.
+    pub flattening_error_mm: f64,
+    /// The smallest and the greatest fold, positive for ridges; null without inner edges.
+    pub fold_deg: Option<[f64; 2]>,
+    /// The offset; null where it is not offered.
+    pub offset: Option<OffsetReport>,
+    /// The five numbers of the card.
+    pub check: Vec<CheckRow>,
+    /// What is not offered, and why.
+    pub problems: Vec<String>,
+}
+
+impl OffsetCheck {
+    /// What kinds are compared by.
+    pub(super) fn worst_error(&self) -> f64 {
+        self.warp.max(self.distance_error)
+    }
+}
+
+impl Build {
+    /// All numbers.
+    pub fn report(&self) -> BuildReport {
+        let building = self.building();
+        let on_sheets: Vec<usize> = self
+            .layout
+            .sheets
+            .iter()
+            .flat_map(|sheet| sheet.places.iter().map(|place| place.part))
+            .collect();
+        let sum = |of: fn(&[[f64; 2]]) -> f64| {
+            on_sheets.iter().map(|&part| of(&self.parts[part].outline)).sum::<f64>()
+        };
+        let cut_area_mm2 = sum(area);
+        let [width, height] = self.settings.sheet;
+        let sheets = self.layout.sheets.len();
+        let folds = || self.surface.edges.iter().filter_map(|edge| self.surface.fold(edge));
+        let fold_deg = (folds().next().is_some()).then(|| {
+            let low = folds().fold(f64::INFINITY, f64::min);
+            [low, folds().fold(f64::NEG_INFINITY, f64::max)].map(f64::to_degrees)
+        });
+        let errors = self.flat.iter().flatten().map(|flat| flat.flattening_error);
+        let offset = self.offset_report();
+        let mut nodes: Vec<u32> = self.surface.faces.indices().to_vec();
+        nodes.sort_unstable();
+        nodes.dedup();
+        BuildReport {
+            panels: self.names.len(),
+            edges: self.surface.edges.len(),
+            nodes: nodes.len(),
+            components: self.surface.parts,
+            turned: self.surface.turned,
+            unit: self.unit.symbol.clone(),
+            scale: self.settings.scale,
+            sheets,
+            sheet_mm: self.settings.sheet,
+            placed: on_sheets.len(),
+            used: if sheets > 0 { cut_area_mm2 / (sheets as f64 * width * height) } else { 0.0 },
+            too_large: self
+                .layout
+                .too_large
+                .iter()
+                .map(|&part| self.parts[part].name.clone())
+                .collect(),
+            not_cut: self
+                .not_cut
+                .iter()
+                .map(|not| format!("{}: {}", self.names[not.panel as usize], not.why))
+                .collect(),
+            cut_area_mm2,
+            cut_length_mm: sum(perimeter),
+            joint_mm: self.settings.joint * self.model(),
+            least_joint_mm: [1.0, -1.0].map(|side| self.least_joint(side)),
+            dropped_names: self.dropped_names,
+            small_names: self.small_names,
+            types: self.types.leaders.len(),
+            types_curve: self.types_curve(),
+            flattening_error_mm: errors.fold(0.0, f64::max) * building,
+            fold_deg,
+            check: self.check_rows(offset.as_ref()),
+            offset,
+            problems: self.faults.iter().map(|fault| fault.0.clone()).collect(),
+        }
+    }
+
+    /// What every kind would have for errors; none where offsets are not offered.
+    pub fn choices(&self) -> Vec<Choice> {
+        if self.offset.is_none() {
+            return Vec::new();
+        }
+        let building = self.building();
+        let choice = |kind| {
+            let (axes, check) = self.offset_of(kind);
+            let warp_mm = check.warp * building;
+            Choice {
+                kind,
+                exact: axes.exact,
+                warp_mm,
+                distance_error_mm: check.distance_error * building,
+            }
+        };
+        OffsetKind::ALL.map(choice).into()
+    }
+
+    /// Panels of a thickness `T` on one side close towards each other over an edge of fold `theta` on that side:
+    /// the joint has to be `2 T sin(|theta|/2) / cos(theta/2)`.
+    fn least_joint(&self, side: f64) -> Option<f64> {
+        let folds = self.surface.edges.iter().filter_map(|edge| self.surface.fold(edge));
+        let closing = folds.map(|fold| fold * side).filter(|fold| *fold < 0.0);
+        let steepest = closing.fold(0.0, f64::min);
+        let half_turns = -steepest / std::f64::consts::TAU * 0.5;
+        let (sine, cosine) = (crate::math::sine(half_turns), crate::math::cosine(half_turns));
+        (steepest < 0.0 && cosine > 1e-6).then(|| 2.0 * self.settings.thickness * sine / cosine)
+    }
+
+    fn types_curve(&self) -> Vec<[f64; 2]> {
+        // Above this many panels the curve would take longer than everything else.
+        const MOST_PANELS: usize = 2000;
+        if self.flat.len() > MOST_PANELS {
+            return vec![[self.settings.alike, self.types.leaders.len() as f64]];
+        }
+        let building = self.building();
+        let mirror = self.settings.mirror;
+        let at = |tolerance: f64| {
+            let types = panel_types(&self.flat, tolerance / building, mirror);
+            [tolerance, types.leaders.len() as f64]
+        };
+        [0.1, 0.3, 1.0, 3.0, 10.0, 30.0].map(at).into()
+    }
+
+    fn offset_report(&self) -> Option<OffsetReport> {
+        let (axes, check) = self.offset.as_ref()?;
+        let building = self.building();
+        let closing = closing(&self.surface);
+        let mut is_rim = vec![false; self.surface.positions.len()];
+        for edge in self.surface.edges.iter().filter(|edge| edge.is_rim()) {
+            edge.ends.iter().for_each(|&v| is_rim[v as usize] = true);
+        }
+        let inner_lean = (0..is_rim.len()).filter(|&v| !is_rim[v]).map(|v| {
+            let (axis, normal) = (axes.axes[v], self.surface.normals[v]);
+            libm::atan2(axis.cross(normal).length(), axis.dot(normal)).to_degrees()
+        });
+        // A vertex of no panel has no angle.
+        let inner_lean_deg = inner_lean.filter(|angle| angle.is_finite()).fold(0.0, f64::max);
+        let why_not = if axes.exact { String::new() } else { self.why_not(axes.kind, &closing) };
+        Some(OffsetReport {
+            kind: axes.kind,
+            exact: axes.exact,
+            why_not,
+            distance_mm: self.distance() * building,
+            warp_mm: check.warp * building,
+            twist_deg: check.twist_deg,
+            distance_error_mm: check.distance_error * building,
+            lean_deg: check.lean_deg,
+            inner_lean_deg,
+            offset_flatness_mm: check.offset_flatness * building,
+            safe_distance_mm: check.safe_distance.map(|limit| limit.map(|limit| limit * building)),
+            beam_height_mm: check.edge_distance.map(|height| height * building),
+            closing_panel_deg: closing.panel_deg,
+            odd_panels: closing.odd_panels,
+            closing_rims_deg: closing.rims_deg,
+        })
+    }
+
+    fn why_not(&self, kind: OffsetKind, closing: &super::offset::Closing) -> String {
+        /// Turns below this are rounding or a tolerance of the solver.
+        const CLOSED: f64 = 0.01;
+        match kind {
+            OffsetKind::Corner if closing.odd_panels > 0 => format!(
+                "corners: {} panels have an odd number of edges and do not close",
+                closing.odd_panels
+            ),
+            OffsetKind::Corner if closing.panel_deg > CLOSED => format!(
+                "corners: around panel {} an axis is turned by {:.2} degrees: its corners are not on a circle",
+                self.names[closing.panel as usize], closing.panel_deg
+            ),
+            OffsetKind::Corner => {
+                let turns = closing.rims_deg.iter().flatten();
+                let worst = turns.copied().fold(0.0, f64::max);
+                if closing.rims_deg.contains(&None) || worst > CLOSED {
+                    format!(
+                        "corners: around a hole an axis is turned by {worst:.2} degrees, so that no axes close around all holes"
+                    )
+                } else {
+                    "corners: the exact axes lean too far".to_owned()
+                }
+            }
+            OffsetKind::Face => {
+                "panels: around some vertex the planes of the panels touch no common cone"
+                    .to_owned()
+            }
+            OffsetKind::Edge => {
+                "beams: the shape is not parallel to one whose edges touch a sphere".to_owned()
+            }
+        }
+    }
+
+    /// The card.
+    fn check_rows(&self, offset: Option<&OffsetReport>) -> Vec<CheckRow> {
+        let limits = self.settings.limits;
+        let row = |id, label, value: Option<f64>, limit: f64, unit, worst| CheckRow {
+            id,
+            label,
+            value,
+            limit: Some(limit),
+            unit,
+            met: value.map(|value| value <= limit),
+            worst: if value.is_some() { worst } else { Worst::None },
+        };
+        let check = self.offset.as_ref().map(|(_, check)| check);
+        let of = |get: fn(&OffsetReport) -> f64| offset.map(get);
+        let edge = check.map_or(Worst::None, |check| {
+            self.surface
+                .edges
+                .get(check.warp_edge as usize)
+                .map_or(Worst::None, |e| Worst::Edge(e.ends))
+        });
+        let vertex = |get: fn(&OffsetCheck) -> u32| {
+            check.map_or(Worst::None, |check| Worst::Vertex(get(check)))
+        };
+        let flatness = self.flat.iter().zip(0..).filter_map(|(flat, f)| Some((flat.as_ref()?, f)));
+        let flattest = flatness
+            .max_by(|(a, f), (b, g)| a.flatness.total_cmp(&b.flatness).then(u32::cmp(g, f)));
+        let value = flattest.map(|(flat, _)| flat.flatness * self.building());
+        let panel = flattest.map_or(Worst::None, |(_, f)| Worst::Panel(f));
+        vec![
+            row("beam_warp", "Beam warp", of(|o| o.warp_mm), limits.warp, "mm", edge),
+            row(
+                "distance_error",
+                "Distance error",
+                of(|o| o.distance_error_mm),
+                limits.distance,
+                "mm",
+                vertex(|check| check.distance_vertex),
+            ),
+            row(
+                "lean",
+                "Lean",
+                of(|o| o.inner_lean_deg),
+                limits.lean,
+                "deg",
+                vertex(|check| check.lean_vertex),
+            ),
+            self.safe_distance_row(offset),
+            row("panel_flatness", "Panel flatness", value, limits.flatness, "mm", panel),
+        ]
+    }
+
+    /// The limit of the distance on the side to which it goes.
+    fn safe_distance_row(&self, offset: Option<&OffsetReport>) -> CheckRow {
+        let side = offset.map(|offset| usize::from(offset.distance_mm > 0.0));
+        let limit = offset.zip(side).and_then(|(offset, side)| offset.safe_distance_mm[side]);
+        let value = offset.map(|offset| offset.distance_mm);
+        CheckRow {
+            id: "safe_distance",
+            label: "Safe distance",
+            value,
+            limit,
+            unit: "mm",
+            met: value.map(|value| limit.is_none_or(|limit| value.abs() < limit.abs())),
+            worst: Worst::None,
+        }
+    }
+}

@@ -1,0 +1,250 @@
+//! The panels as a surface with an outside: faces that run round the same way, area vectors, edges with the
+//! panels on their two sides.
+//!
+//! Everything is computed about the centre of the box, so that site coordinates cost no digits.
+
+use super::fault::Fault;
+use crate::math::{Vec3, polygon_sides, twice_vector_area};
+use crate::mesh::{Mesh, Ragged, Topology, components};
+
+/// An edge of the surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Edge {
+    /// The vertices `i < j`.
+    pub ends: [u32; 2],
+    /// The panel that runs from `i` to `j`, and the one that runs back. At the rim one of them; where
+    /// more than two panels meet, none.
+    pub panels: [Option<u32>; 2],
+}
+
+impl Edge {
+    /// The panel across, seen from one of its panels.
+    pub fn across(&self, panel: u32) -> Option<u32> {
+        match self.panels {
+            [Some(left), right] if left == panel => right,
+            [left, _] => left,
+        }
+    }
+
+    /// Whether it has one panel.
+    pub fn is_rim(&self) -> bool {
+        matches!(self.panels, [Some(_), None] | [None, Some(_)])
+    }
+}
+
+/// The panels of a mesh, oriented.
+#[derive(Clone, Debug)]
+pub struct PanelSurface {
+    /// `#V by 3`, about the centre of the box.
+    pub positions: Vec<Vec3<f64>>,
+    /// The centre of the box.
+    pub centre: Vec3<f64>,
+    /// The corners of each panel, counterclockwise seen from outside.
+    pub faces: Ragged,
+    /// The sides of faces, each once, by their ends.
+    pub edges: Vec<Edge>,
+    /// The edge of each side of each panel: from its corner of that place to the next one.
+    pub sides: Ragged,
+    /// Area vectors: half the sum of the cross products of consecutive corners (Newell).
+    pub areas: Vec<Vec3<f64>>,
+    /// `N_i`, unit sum of the area vectors of the panels at a vertex; zero at a vertex without any.
+    pub normals: Vec<Vec3<f64>>,
+    /// The rims, as loops of vertices.
+    pub rims: Ragged,
+    /// How many connected parts.
+    pub parts: usize,
+    /// How many panels ran the other way than most of their part, and were turned.
+    pub turned: usize,
+    /// Why the surface has no outside; none where it has one.
+    pub one_sided: Option<Fault>,
+}
+
+impl PanelSurface {
+    /// Orients the panels of a mesh.
+    ///
+    /// # Errors
+    /// A mesh without faces: points and curves have no panels.
+    pub fn new(mesh: &Mesh) -> Result<PanelSurface, Fault> {
+        if mesh.faces.is_empty() {
+            return Err(Fault::no_panels(!mesh.curves.is_empty()));
+        }
+        let only_faces = Mesh {
+            positions: mesh.positions.clone(),
+            faces: mesh.faces.clone(),
+            ..Mesh::default()
+        };
+        let topology = Topology::new(&only_faces);
+        let (turned, one_sided) = orientation(&mesh.faces, &topology);
+        let mut faces = Ragged::new();
+        for (face, &turned) in mesh.faces.iter().zip(&turned) {
+            match turned {
+                false => faces.push(face),
+                true => {
+                    let back = face[1..].iter().rev().copied();
+                    faces.push(&[face[0]].into_iter().chain(back).collect::<Vec<_>>());
+                }
+            }
+        }
+        let (positions, centre) = about_the_centre(&mesh.positions);
+        let at = |v: u32| positions[v as usize];
+        let areas: Vec<_> =
+            faces.iter().map(|face| twice_vector_area(face.iter().map(|&v| at(v))) * 0.5).collect();
+        let mut normals = vec![Vec3::zero(); positions.len()];
+        for (face, area) in faces.iter().zip(&areas) {
+            face.iter().for_each(|&v| normals[v as usize] += *area);
+        }
+        normals.iter_mut().for_each(|normal| *normal = unit(*normal));
+        let mut sides = Ragged::new();
+        let mut edges: Vec<Edge> =
+            topology.edges().iter().map(|&ends| Edge { ends, panels: [None; 2] }).collect();
+        for (f, face) in faces.iter().enumerate() {
+            let of_face: Vec<u32> =
+                polygon_sides(face).filter_map(|[a, b]| topology.edge(a, b)).collect();
+            for (&e, [a, b]) in of_face.iter().zip(polygon_sides(face)) {
+                if topology.edge_faces().row(e as usize).len() <= 2 {
+                    let side = usize::from(a > b);
+                    edges[e as usize].panels[side].get_or_insert(f as u32);
+                }
+            }
+            sides.push(&of_face);
+        }
+        Ok(PanelSurface {
+            rims: topology.boundary_loops().clone(),
+            parts: count_parts(&positions, &faces),
+            turned: turned.iter().filter(|&&turned| turned).count(),
+            positions,
+            centre,
+            faces,
+            edges,
+            sides,
+            areas,
+            normals,
+            one_sided,
+        })
+    }
+
+    /// Where a vertex is, about the centre of the box.
+    pub fn at(&self, v: u32) -> Vec3<f64> {
+        self.positions[v as usize]
+    }
+
+    /// From the first to the second end.
+    pub fn along(&self, edge: &Edge) -> Vec3<f64> {
+        self.at(edge.ends[1]) - self.at(edge.ends[0])
+    }
+
+    /// The length of an edge.
+    pub fn length(&self, edge: &Edge) -> f64 {
+        self.along(edge).length()
+    }
+
+    /// `t_e`: the unit vector along an edge; zero for one without length.
+    pub fn direction(&self, edge: &Edge) -> Vec3<f64> {
+        unit(self.along(edge))
+    }
+
+    /// The mean length of the edges.
+    pub fn mean_edge(&self) -> f64 {
+        let total: f64 = self.edges.iter().map(|edge| self.length(edge)).sum();
+        total / self.edges.len().max(1) as f64
+    }
+
+    /// `N_f`: the unit normal of a panel; zero for one without area.
+    pub fn normal(&self, panel: u32) -> Vec3<f64> {
+        unit(self.areas[panel as usize])
+    }
+
+    /// The fold of an edge in radians, positive where it is a ridge seen from outside: 180 degrees minus
+    /// the dihedral angle. None at the rim.
+    pub fn fold(&self, edge: &Edge) -> Option<f64> {
+        let [Some(left), Some(right)] = edge.panels else { return None };
+        let (n, m) = (self.normal(left), self.normal(right));
+        Some(libm::atan2(self.direction(edge).dot(n.cross(m)), n.dot(m)))
+    }
+
+    /// The panels that are folded over at a corner: their normal and that of the vertex point to different
+    /// sides, so that every offset is meaningless there.
+    pub fn folded_over(&self) -> Vec<u32> {
+        let over = |f: &u32| {
+            let area = self.areas[*f as usize];
+            self.faces.row(*f as usize).iter().any(|&v| area.dot(self.normals[v as usize]) < 0.0)
+        };
+        (0..self.faces.len() as u32).filter(over).collect()
+    }
+}
+
+/// The unit vector; zero where there is no direction.
+pub(super) fn unit(v: Vec3<f64>) -> Vec3<f64> {
+    v.length_and_direction().1.unwrap_or(Vec3::zero())
+}
+
+fn about_the_centre(positions: &[[f64; 3]]) -> (Vec<Vec3<f64>>, Vec3<f64>) {
+    let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+    for point in positions {
+        for k in 0..3 {
+            low[k] = low[k].min(point[k]);
+            high[k] = high[k].max(point[k]);
+        }
+    }
+    let centre = Vec3::from(std::array::from_fn(|k| 0.5 * low[k] + 0.5 * high[k]));
+    (positions.iter().map(|&point| Vec3::from(point) - centre).collect(), centre)
+}
+
+fn count_parts(positions: &[Vec3<f64>], faces: &Ragged) -> usize {
+    let labels = components(positions.len(), faces.iter());
+    let mut used: Vec<u32> = faces.iter().map(|face| labels[face[0] as usize]).collect();
+    used.sort_unstable();
+    used.dedup();
+    used.len()
+}
+
+/// Which faces have to be turned so that neighbours run through their edge in different directions, and why
+/// that is not possible. In each part the fewer are turned.
+fn orientation(faces: &Ragged, topology: &Topology) -> (Vec<bool>, Option<Fault>) {
+    let mut state: Vec<Option<bool>> = vec![None; faces.len()];
+    let mut contradiction = None;
+    let ascends = |f: u32, [a, b]: [u32; 2]| {
+        polygon_sides(faces.row(f as usize)).any(|[p, q]| p == a && q == b)
+    };
+    let crowded = topology.edge_faces().iter().filter(|faces| faces.len() > 2).count();
+    for first in 0..faces.len() as u32 {
+        if state[first as usize].is_some() {
+            continue;
+        }
+        state[first as usize] = Some(false);
+        let mut part = vec![first];
+        let mut next = 0;
+        while let Some(&f) = part.get(next) {
+            next += 1;
+            let turned = state[f as usize] == Some(true);
+            for [a, b] in polygon_sides(faces.row(f as usize)) {
+                let Some(e) = topology.edge(a, b) else { continue };
+                let ends = topology.edges()[e as usize];
+                let &[g, h] = topology.edge_faces().row(e as usize) else { continue };
+                let other = if g == f { h } else { g };
+                if other == f {
+                    continue;
+                }
+                let needed = turned ^ (ascends(f, ends) == ascends(other, ends));
+                match state[other as usize] {
+                    None => {
+                        state[other as usize] = Some(needed);
+                        part.push(other);
+                    }
+                    Some(found) if found != needed => contradiction = Some(ends),
+                    Some(_) => {}
+                }
+            }
+        }
+        let turned = part.iter().filter(|&&f| state[f as usize] == Some(true)).count();
+        if 2 * turned > part.len() {
+            part.iter().for_each(|&f| state[f as usize] = state[f as usize].map(|own| !own));
+        }
+    }
+    let fault = match (contradiction, crowded) {
+        (Some(ends), _) => Some(Fault::one_sided(ends)),
+        (None, 0) => None,
+        (None, edges) => Some(Fault::crowded_edges(edges)),
+    };
+    (state.into_iter().map(|turned| turned == Some(true)).collect(), fault)
+}

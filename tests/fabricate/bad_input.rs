@@ -1,0 +1,169 @@
+//! Meshes that cannot be built, or not all of it: a sentence each, and what is possible all the same.
+
+use super::grid::grid;
+use super::identities::revolution;
+use super::{build, metres, shared};
+use shape_up::fabricate::{Build, BuildSettings, OffsetKind};
+use shape_up::mesh::{Mesh, Ragged};
+
+fn faces(faces: &[&[u32]], positions: &[[f64; 3]]) -> Mesh {
+    let mut mesh = Mesh { positions: positions.to_vec(), ..Mesh::default() };
+    faces.iter().for_each(|face| mesh.faces.push(face));
+    mesh
+}
+
+#[test]
+fn points_and_curves_have_no_panels() {
+    let points = Mesh { positions: vec![[0.0; 3], [1.0; 3]], ..Mesh::default() };
+    let mut curves = points.clone();
+    curves.curves.push(&[0, 1]);
+    for (mesh, what) in [(points, "points"), (curves, "curves"), (Mesh::default(), "points")] {
+        let fault = Build::new(&mesh, &BuildSettings::default(), metres()).unwrap_err();
+        assert!(fault.0.contains(what) && fault.0.contains("expected"), "{fault}");
+    }
+}
+
+#[test]
+fn faces_that_run_the_other_way_are_turned() {
+    let mesh = revolution(6, 4);
+    let mut mixed = Mesh { faces: Ragged::new(), ..mesh.clone() };
+    for (face, f) in mesh.faces.iter().zip(0..) {
+        let own = face.iter().copied();
+        let turned: Vec<u32> = if f % 5 == 2 { own.rev().collect() } else { own.collect() };
+        mixed.faces.push(&turned);
+    }
+    let (own, found) =
+        (build(&mesh, &BuildSettings::default()), build(&mixed, &BuildSettings::default()));
+    assert_eq!((own.surface.turned, found.surface.turned), (0, 5));
+    assert_eq!(found.report().offset.unwrap().kind, own.report().offset.unwrap().kind);
+    assert!(found.faults.is_empty());
+}
+
+#[test]
+fn a_moebius_strip_is_cut_and_has_no_offset() {
+    let n = 8;
+    let mut mesh = grid(n, 1, |i, j| {
+        let turns = f64::from(i) / f64::from(n);
+        let (c, s) = (shape_up::math::cosine(turns), shape_up::math::sine(turns));
+        let (d, u) = (shape_up::math::cosine(0.5 * turns), shape_up::math::sine(0.5 * turns));
+        let w = f64::from(j) - 0.5;
+        [(3.0 + w * d) * c, (3.0 + w * d) * s, w * u]
+    });
+    // The last column is the first one, upside down.
+    let mut faces = Ragged::new();
+    for face in mesh.faces.iter() {
+        let glued = |v: u32| match v {
+            8 => 9,
+            17 => 0,
+            v => v,
+        };
+        faces.push(&face.iter().map(|&v| glued(v)).collect::<Vec<_>>());
+    }
+    mesh.faces = faces;
+    let made = build(&mesh, &BuildSettings::default());
+    assert_eq!(made.parts.len(), 8);
+    assert!(
+        made.offset.is_none() && made.faults[0].0.contains("one side only"),
+        "{:?}",
+        made.faults
+    );
+    assert!(made.report().check[0].value.is_none());
+}
+
+#[test]
+fn panels_that_are_folded_over_leave_no_offset() {
+    let mut mesh = grid(3, 3, |i, j| [f64::from(i), f64::from(j), 0.0]);
+    // An inner vertex beyond its neighbour.
+    mesh.positions[5] = [2.6, 2.5, 0.0];
+    let made = build(&mesh, &BuildSettings::default());
+    assert!(made.offset.is_none() && made.faults[0].0.contains("folded over"), "{:?}", made.faults);
+    assert_eq!(made.parts.len(), 9);
+}
+
+#[test]
+fn a_panel_that_crosses_itself_is_not_cut_and_named() {
+    let bow = [[0.0; 3], [2.0, 0.0, 0.0], [0.5, 1.0, 0.0], [2.0, 1.0, 0.0]];
+    let report = build(&faces(&[&[0, 1, 2, 3]], &bow), &BuildSettings::default()).report();
+    assert_eq!(
+        (report.placed, report.not_cut),
+        (0, vec!["P0: laid flat it crosses itself".into()])
+    );
+}
+
+#[test]
+fn an_edge_of_three_panels_leaves_no_offset() {
+    let positions = [[0.0; 3], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [-1.0, 0.1, 0.0], [0.1, 1.0, 0.0]];
+    let mesh = faces(&[&[0, 1, 2], &[0, 1, 3], &[0, 1, 4]], &positions);
+    let made = build(&mesh, &BuildSettings::default());
+    assert!(made.offset.is_none() && made.faults[0].0.contains("more than two panels"));
+    assert_eq!(made.parts.len(), 3);
+}
+
+#[test]
+fn edges_and_panels_without_size_are_survived() {
+    let mut mesh = grid(3, 3, |i, j| [f64::from(i), f64::from(j), 0.1 * f64::from(i * i)]);
+    mesh.positions[6] = mesh.positions[5];
+    let made = build(&mesh, &BuildSettings { joint: 0.01, ..BuildSettings::default() });
+    assert_eq!(made.names.len(), 9);
+    let report = made.report();
+    assert!(serde_json::to_string(&report).is_ok());
+    // Nothing at all has a size.
+    let flat = faces(&[&[0, 1, 2]], &[[1.0; 3]; 3]);
+    let report = build(&flat, &BuildSettings::default()).report();
+    assert_eq!((report.placed, report.not_cut.len(), report.sheets), (0, 1, 0));
+}
+
+#[test]
+fn several_parts_and_triangles_are_built() {
+    let mut mesh = grid(2, 2, |i, j| [f64::from(i), f64::from(j), 0.1 * f64::from(i * j)]);
+    let n = mesh.positions.len() as u32;
+    mesh.positions.extend([[9.0, 0.0, 0.0], [10.0, 0.0, 0.0], [9.0, 1.0, 0.5], [50.0; 3]]);
+    mesh.faces.push(&[n, n + 1, n + 2]);
+    for kind in OffsetKind::ALL {
+        let made = build(&mesh, &BuildSettings { kind: Some(kind), ..BuildSettings::default() });
+        let report = made.report();
+        assert_eq!((report.components, report.nodes, report.placed), (2, 12, 5));
+        // A vertex of no panel has no axis.
+        let axes = &made.offset.as_ref().unwrap().0.axes;
+        assert_eq!(<[f64; 3]>::from(axes[n as usize + 3]), [0.0; 3]);
+    }
+}
+
+#[test]
+fn settings_out_of_range_are_named() {
+    let mesh = grid(1, 1, |i, j| [f64::from(i), f64::from(j), 0.0]);
+    for (settings, key) in [
+        (BuildSettings { scale: 0.0, ..BuildSettings::default() }, "build.scale"),
+        (BuildSettings { joint: f64::NAN, ..BuildSettings::default() }, "build.joint"),
+        (BuildSettings { distance: Some(0.0), ..BuildSettings::default() }, "build.distance"),
+        (BuildSettings { margin: 200.0, ..BuildSettings::default() }, "build.margin"),
+    ] {
+        let fault = Build::new(&mesh, &settings, metres()).unwrap_err();
+        assert!(fault.0.starts_with(key) && fault.0.contains("expected"), "{fault}");
+    }
+}
+
+#[test]
+fn real_and_awkward_meshes_are_built_without_a_panic() {
+    for folder in ["meshes", "meshes/awkward"] {
+        let Some(path) = shared::path(folder) else { return };
+        let files = std::fs::read_dir(path).unwrap().map(|entry| entry.unwrap().path());
+        for path in files.filter(|path| path.is_file()) {
+            let bytes = std::fs::read(&path).unwrap();
+            // The largest take longer than they tell.
+            if bytes.len() > 150_000 {
+                continue;
+            }
+            let Ok(read) = shape_up::mesh::read(&path.to_string_lossy(), &bytes) else { continue };
+            if shape_up::mesh::too_far(&read.mesh.positions).is_some() {
+                continue;
+            }
+            let own = BuildSettings { kind: Some(OffsetKind::Face), ..BuildSettings::default() };
+            if let Ok(made) = Build::new(&read.mesh, &own, metres()) {
+                let text = serde_json::to_string(&made.report()).unwrap();
+                assert!(!text.contains("NaN"), "{}", path.display());
+                assert!(made.files().iter().all(|file| !file.text.contains("NaN")));
+            }
+        }
+    }
+}

@@ -1,0 +1,295 @@
+//! Files, read back by other readers: what they hold is what was built, in mm.
+
+use super::grid::grid;
+use super::identities::revolution;
+use super::{build, dxf, metres};
+use shape_up::fabricate::file::{self, svg};
+use shape_up::fabricate::panel::area;
+use shape_up::fabricate::sheet::Order;
+use shape_up::fabricate::{Build, BuildSettings, Dxf};
+use shape_up::mesh::Mesh;
+
+/// A vault in metres, 1:10 on several sheets.
+fn vault() -> Mesh {
+    revolution(9, 7)
+}
+
+fn settings() -> BuildSettings {
+    BuildSettings { joint: 0.01, scale: 10.0, sheet: [300.0, 200.0], ..BuildSettings::default() }
+}
+
+/// The texts of the files with this ending.
+fn texts(build: &Build, ending: &str) -> Vec<String> {
+    let files = build.files().into_iter().filter(|file| file.name.ends_with(ending));
+    files.map(|file| file.text).collect()
+}
+
+fn area_of_parts(build: &Build) -> f64 {
+    build.parts.iter().map(|part| area(&part.outline)).sum()
+}
+
+fn assert_areas(found: f64, build: &Build) {
+    let expected = area_of_parts(build);
+    assert!((found - expected).abs() <= 1e-6 * expected, "{found} {expected}");
+}
+
+/// The layer of an outline, and its corners.
+type Outline = (String, Vec<[f64; 2]>);
+
+/// The closed polylines of a DXF, and how many are open.
+fn polylines(text: &str) -> (Vec<Outline>, usize) {
+    assert_eq!(dxf::variable(text, "$INSUNITS"), "4", "mm");
+    assert_eq!(dxf::variable(text, "$MEASUREMENT"), "1", "metric");
+    let (closed, open): (Vec<_>, Vec<_>) =
+        dxf::polylines(text).into_iter().partition(|line| line.is_closed);
+    (closed.into_iter().map(|line| (line.layer, line.points)).collect(), open.len())
+}
+
+#[test]
+fn a_dxf_of_either_version_has_one_closed_outline_for_each_panel_in_mm() {
+    for version in [Dxf::R2000, Dxf::R12] {
+        let made = build(&vault(), &BuildSettings { dxf: version, ..settings() });
+        let texts = texts(&made, ".dxf");
+        assert!(texts.len() > 1 && texts.len() == made.layout.sheets.len());
+        let mut outlines = Vec::new();
+        for text in &texts {
+            assert!(text.is_ascii() && !text.contains("NaN"), "{version:?}");
+            let mut handles = dxf::handles(text);
+            let count = handles.len();
+            handles.sort();
+            handles.dedup();
+            assert_eq!(handles.len(), count, "every handle is there once");
+            let (closed, open) = polylines(text);
+            assert!(open > 0, "names are open lines");
+            outlines.extend(closed);
+        }
+        assert_eq!(outlines.len(), made.names.len());
+        assert!(outlines.iter().all(|(layer, _)| layer == "CUT"));
+        assert_areas(outlines.iter().map(|(_, points)| area(points)).sum(), &made);
+    }
+}
+
+#[test]
+fn outlines_only_are_on_layer_0_and_nothing_else_is_there() {
+    let made = build(&vault(), &BuildSettings { outlines_only: true, ..settings() });
+    for text in texts(&made, ".dxf") {
+        let (closed, open) = polylines(&text);
+        assert_eq!(open, 0);
+        assert!(closed.iter().all(|(layer, _)| layer == "0"));
+    }
+}
+
+#[test]
+fn an_svg_is_in_mm_and_names_every_panel_once() {
+    let made = build(&vault(), &settings());
+    let (mut names, mut sum) = (Vec::new(), 0.0);
+    for text in texts(&made, ".svg") {
+        let document = roxmltree::Document::parse(&text).expect("it is XML");
+        let root = document.root_element();
+        assert_eq!(
+            ["width", "height", "viewBox"].map(|key| root.attribute(key)),
+            [Some("300mm"), Some("200mm"), Some("0 0 300 200")]
+        );
+        let group = |id: &str| root.children().find(|node| node.attribute("id") == Some(id));
+        assert!(group("ENGRAVE").is_some());
+        for path in group("CUT").unwrap().children().filter(|node| node.is_element()) {
+            names.push(path.attribute("id").unwrap().to_owned());
+            let line = path.attribute("d").unwrap();
+            assert!(line.starts_with('M') && line.ends_with('Z'));
+            let points = line.trim_matches(['M', 'Z']).split('L').map(|pair| {
+                let (x, y) = pair.split_once(',').unwrap();
+                // y is downwards.
+                [x.parse::<f64>().unwrap(), 200.0 - y.parse::<f64>().unwrap()]
+            });
+            sum += area(&points.collect::<Vec<_>>());
+        }
+    }
+    names.sort();
+    let mut expected = made.names.clone();
+    expected.sort();
+    assert_eq!(names, expected);
+    assert_areas(sum, &made);
+}
+
+#[test]
+fn a_pdf_has_a_page_for_each_sheet_at_one_to_one() {
+    let made = build(&vault(), &settings());
+    let [text] = &texts(&made, ".pdf")[..] else { panic!("there is one") };
+    let document = lopdf::Document::load_mem(text.as_bytes()).expect("it is PDF");
+    let pages = document.get_pages();
+    assert_eq!(pages.len(), made.layout.sheets.len());
+    let (mut sum, mut closed) = (0.0, 0);
+    for page in pages.values() {
+        let own = document.get_dictionary(*page).unwrap();
+        let media: Vec<f32> = own
+            .get(b"MediaBox")
+            .and_then(lopdf::Object::as_array)
+            .unwrap()
+            .iter()
+            .map(|number| number.as_float().unwrap())
+            .collect();
+        assert!((media[2] - 300.0 * 72.0 / 25.4).abs() < 1e-3, "{media:?}");
+        let content = document.get_and_decode_page_content(*page).unwrap();
+        let mut points: Vec<[f64; 2]> = Vec::new();
+        let mut scale = 0.0;
+        for operation in &content.operations {
+            let number = |k: usize| f64::from(operation.operands[k].as_float().unwrap());
+            match &*operation.operator {
+                "cm" => scale = number(0),
+                "m" => points = vec![[number(0), number(1)]],
+                "l" => points.push([number(0), number(1)]),
+                "s" => {
+                    closed += 1;
+                    sum += area(&points) * (scale * 25.4 / 72.0) * (scale * 25.4 / 72.0);
+                }
+                _ => {}
+            }
+        }
+    }
+    assert_eq!(closed, made.names.len());
+    assert_areas(sum, &made);
+}
+
+#[test]
+fn tables_have_a_row_for_each_and_areas_that_add_up() {
+    let made = build(&vault(), &settings());
+    let files = made.files();
+    let rows = |name: &str| -> Vec<Vec<String>> {
+        let file = files.iter().find(|file| file.name == name).unwrap();
+        assert!(file.text.ends_with("\r\n"));
+        let lines = file.text.trim_end().split("\r\n");
+        lines.map(|line| line.split(',').map(str::to_owned).collect()).collect()
+    };
+    let panels = rows("panels.csv");
+    assert_eq!(panels.len(), 1 + made.names.len());
+    assert!(panels.iter().all(|row| row.len() == panels[0].len()));
+    let column = panels[0].iter().position(|name| name == "area_mm2").unwrap();
+    assert_areas(panels[1..].iter().map(|row| row[column].parse::<f64>().unwrap()).sum(), &made);
+    assert_eq!(rows("edges.csv").len(), 1 + made.surface.edges.len());
+    assert_eq!(rows("nodes.csv").len(), 1 + made.surface.positions.len());
+}
+
+#[test]
+fn every_name_is_once_on_its_panel_and_every_inner_edge_is_named_from_both_sides() {
+    // Panels that have room for all names.
+    let mesh = grid(4, 3, |i, j| [f64::from(i), f64::from(j), 0.1 * f64::from(i * j)]);
+    let made = build(&mesh, &BuildSettings { sheet: [900.0, 900.0], scale: 10.0, ..settings() });
+    assert_eq!((made.dropped_names, made.small_names), (0, 0));
+    let inner = made.surface.edges.iter().filter(|edge| !edge.is_rim()).count();
+    let mut named = 0;
+    for (f, name) in made.names.iter().enumerate() {
+        let sides = made.surface.sides.row(f);
+        let neighbours: Vec<_> = sides
+            .iter()
+            .map(|&e| made.surface.edges[e as usize].across(f as u32))
+            .map(|across| across.map(|g| made.names[g as usize].clone()))
+            .collect();
+        let cut = made.cut[f].as_ref().unwrap();
+        let outline = &made.parts[cut.part].outline;
+        let labels = shape_up::fabricate::sheet::label(outline, name, &neighbours);
+        let mut texts = labels.texts.clone();
+        assert_eq!(texts.remove(0), *name);
+        let mut expected: Vec<_> = neighbours.into_iter().flatten().collect();
+        named += texts.len();
+        expected.sort();
+        texts.sort();
+        assert_eq!(texts, expected);
+    }
+    assert_eq!(named, 2 * inner);
+}
+
+#[test]
+fn engraved_lines_stay_inside_of_their_outline() {
+    let made = build(&vault(), &settings());
+    for part in &made.parts {
+        for point in part.engraved.iter().flatten() {
+            assert!(is_inside(&part.outline, *point), "{}", part.name);
+        }
+    }
+}
+
+/// Convex, counterclockwise.
+fn is_inside(outline: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
+    (0..outline.len()).all(|k| {
+        let ([a, b], [c, d]) = (outline[k], outline[(k + 1) % outline.len()]);
+        (c - a) * (y - b) - (d - b) * (x - a) > 0.0
+    })
+}
+
+#[test]
+fn parts_lie_on_their_sheet_and_keep_the_gap() {
+    for order in [Order::Size, Order::Names] {
+        let own = BuildSettings { order, ..settings() };
+        let made = build(&vault(), &own);
+        assert!(made.layout.too_large.is_empty());
+        for sheet in &made.layout.sheets {
+            let outlines: Vec<Vec<[f64; 2]>> = sheet
+                .places
+                .iter()
+                .map(|place| made.parts[place.part].outline.iter().map(|&p| place.put(p)).collect())
+                .collect();
+            let (low, high) = (own.margin - 1e-9, own.sheet.map(|size| size - own.margin + 1e-9));
+            for [x, y] in outlines.iter().flatten() {
+                assert!(*x >= low && *y >= low && *x <= high[0] && *y <= high[1]);
+            }
+            for (i, a) in outlines.iter().enumerate() {
+                for b in &outlines[..i] {
+                    assert!(distance(a, b) >= own.gap - 1e-9, "{order:?}");
+                }
+            }
+        }
+        if order == Order::Names {
+            let all = made.layout.sheets.iter().flat_map(|sheet| &sheet.places);
+            let parts: Vec<usize> = all.map(|place| place.part).collect();
+            assert!(parts.windows(2).all(|pair| pair[0] < pair[1]), "names stay in order");
+        }
+    }
+}
+
+/// The distance of two convex polygons that do not overlap; negative where no edge of either separates them.
+fn distance(a: &[[f64; 2]], b: &[[f64; 2]]) -> f64 {
+    let corner_to_side = |p: [f64; 2], a: [f64; 2], b: [f64; 2]| {
+        let (s, t) = ([b[0] - a[0], b[1] - a[1]], [p[0] - a[0], p[1] - a[1]]);
+        let share = ((s[0] * t[0] + s[1] * t[1]) / (s[0] * s[0] + s[1] * s[1])).clamp(0.0, 1.0);
+        let off = [t[0] - share * s[0], t[1] - share * s[1]];
+        (off[0] * off[0] + off[1] * off[1]).sqrt()
+    };
+    let between = |a: &[[f64; 2]], b: &[[f64; 2]]| {
+        let sides = (0..b.len()).map(|k| (b[k], b[(k + 1) % b.len()]));
+        let all =
+            sides.flat_map(|(p, q)| a.iter().map(move |&corner| corner_to_side(corner, p, q)));
+        all.fold(f64::INFINITY, f64::min)
+    };
+    let inside = a.iter().any(|&p| is_inside(b, p)) || b.iter().any(|&p| is_inside(a, p));
+    if inside { -1.0 } else { between(a, b).min(between(b, a)) }
+}
+
+#[test]
+fn a_panel_that_is_larger_than_the_sheet_is_named_and_not_scaled() {
+    let mesh =
+        grid(2, 1, |i, j| [f64::from(i) * if i == 2 { 3.0 } else { 1.0 }, f64::from(j), 0.0]);
+    let own = BuildSettings {
+        scale: 10.0,
+        sheet: [200.0, 120.0],
+        joint: 0.0,
+        ..BuildSettings::default()
+    };
+    let report = build(&mesh, &own).report();
+    assert_eq!(report.too_large, ["P1"]);
+    assert_eq!((report.placed, report.panels), (1, 2));
+    assert!((report.cut_area_mm2 - 1e4).abs() < 1e-6);
+}
+
+#[test]
+fn the_unit_of_the_mesh_and_the_scale_decide_the_size_on_the_sheet() {
+    let mesh = grid(1, 1, |i, j| [1000.0 * f64::from(i), 1000.0 * f64::from(j), 0.0]);
+    let mut unit = metres();
+    (unit.symbol, unit.metres) = ("mm".to_owned(), 0.001);
+    let own = BuildSettings { scale: 10.0, ..BuildSettings::default() };
+    let made = Build::new(&mesh, &own, unit).unwrap();
+    assert!((area(&made.parts[0].outline) - 1e4).abs() < 1e-6);
+    let drawings = made.drawings();
+    assert!(drawings[0].title.contains("SCALE 1:10") && drawings[0].title.contains("MODEL IN MM"));
+    assert!(svg(&drawings[0]).contains(&drawings[0].title));
+    assert!(file::pdf(&drawings).is_ascii());
+}

@@ -1,0 +1,207 @@
+//! What has to hold of offsets and panels whatever the mesh, with the bounds up to which it does.
+
+use super::grid::grid;
+use super::{build, shared};
+use shape_up::fabricate::offset::{check, closing, exact, fit};
+use shape_up::fabricate::panel::{area, lay_flat};
+use shape_up::fabricate::{BuildSettings, OffsetKind, PanelSurface};
+use shape_up::math::{Vec3, cosine, sine};
+use shape_up::mesh::{Mesh, Ragged};
+
+/// Quads of a surface of revolution about z: each is an isosceles trapezium, with its corners on a circle, and
+/// the four around a vertex touch a cone.
+pub(crate) fn revolution(around: u32, rows: u32) -> Mesh {
+    grid(around, rows, |i, j| {
+        let turns = f64::from(i) / 24.0;
+        let s = f64::from(j) / f64::from(rows);
+        let radius = 2.0 - 0.9 * s * s + 0.2 * s;
+        [radius * cosine(turns), radius * sine(turns), 1.7 * s + 0.3 * s * s * s]
+    })
+}
+
+/// The same with every position moved by `map`.
+fn moved(mesh: &Mesh, map: impl Fn([f64; 3]) -> [f64; 3]) -> Mesh {
+    Mesh { positions: mesh.positions.iter().map(|&p| map(p)).collect(), ..mesh.clone() }
+}
+
+/// An inversion keeps circles: no symmetry is left.
+fn inverted(mesh: &Mesh) -> Mesh {
+    moved(mesh, |[x, y, z]| {
+        let [x, y, z] = [x + 4.0, y + 1.0, z + 2.5];
+        let scale = 10.0 / (x * x + y * y + z * z);
+        [x * scale, y * scale, z * scale]
+    })
+}
+
+#[test]
+fn corners_of_circular_quads_keep_their_distance_exactly() {
+    for mesh in [revolution(9, 7), inverted(&revolution(9, 7))] {
+        let surface = PanelSurface::new(&mesh).unwrap();
+        let axes = exact(&surface, OffsetKind::Corner);
+        for distance in [0.3, -0.2] {
+            let found = check(&surface, &axes, OffsetKind::Corner, distance);
+            assert!(found.distance_error < 1e-11, "{}", found.distance_error);
+            assert!(found.warp < 1e-10, "{}", found.warp);
+        }
+        let zeros = closing(&surface).eigenvalues.map(|value| value < 1e-18);
+        assert_eq!(zeros, [true; 3], "a simply connected circular mesh has exact axes");
+    }
+}
+
+#[test]
+fn panels_of_a_conical_mesh_keep_their_distance_exactly_and_so_does_the_offset_of_the_offset() {
+    let mesh = revolution(11, 6);
+    let surface = PanelSurface::new(&mesh).unwrap();
+    let axes = exact(&surface, OffsetKind::Face);
+    let found = check(&surface, &axes, OffsetKind::Face, 0.25);
+    assert!(found.distance_error < 1e-11 && found.warp < 1e-10, "{found:?}");
+    let offset = |mesh: &Mesh, axes: &[Vec3<f64>], d: f64| {
+        let mut mesh = mesh.clone();
+        for (position, axis) in mesh.positions.iter_mut().zip(axes) {
+            *position = (Vec3::from(*position) + *axis * d).into();
+        }
+        mesh
+    };
+    let once = offset(&mesh, &axes, 0.1);
+    let of_once = exact(&PanelSurface::new(&once).unwrap(), OffsetKind::Face);
+    let (twice, direct) = (offset(&once, &of_once, 0.15), offset(&mesh, &axes, 0.25));
+    for (a, b) in twice.positions.iter().zip(&direct.positions) {
+        assert!((Vec3::from(*a) - Vec3::from(*b)).length() < 1e-6);
+    }
+}
+
+#[test]
+fn three_flat_panels_at_every_vertex_have_an_exact_offset_of_panels() {
+    let Some(mesh) = shared::mesh("gc_dodecahedron_poly.obj") else { return };
+    // Any affine image of flat panels has flat panels.
+    let mesh = moved(&mesh, |[x, y, z]| [1.3 * x + 0.2 * y, y - 0.4 * z, 0.7 * z + 0.1 * x]);
+    let surface = PanelSurface::new(&mesh).unwrap();
+    let found = check(&surface, &exact(&surface, OffsetKind::Face), OffsetKind::Face, 0.2);
+    // The file has seven digits.
+    assert!(found.distance_error < 1e-6 && found.warp < 1e-6, "{found:?}");
+}
+
+#[test]
+fn axes_do_not_depend_on_place_size_numbering_or_first_corners() {
+    let mesh =
+        moved(&inverted(&revolution(7, 5)), |[x, y, z]| [x, y, z + 0.01 * (9.0 * x * y).abs()]);
+    let n = mesh.positions.len();
+    for kind in OffsetKind::ALL {
+        let own = fit(&PanelSurface::new(&mesh).unwrap(), kind, 0.01);
+        for scale in [1e-3, 1.0, 1e3] {
+            // A turn by a right angle about z, moved, scaled.
+            let other = moved(&mesh, |[x, y, z]| [scale * (5.0 - y), scale * (x - 3.0), scale * z]);
+            let found = fit(&PanelSurface::new(&other).unwrap(), kind, 0.01);
+            for (a, b) in own.iter().zip(&found) {
+                assert!((Vec3::new(-a.y, a.x, a.z) - *b).length() < 1e-9, "{kind:?} {scale}");
+            }
+        }
+        let renamed: Vec<u32> = (0..n as u32).map(|v| (v * 7 + 3) % n as u32).collect();
+        let mut other = Mesh { positions: mesh.positions.clone(), ..Mesh::default() };
+        (0..n).for_each(|v| other.positions[renamed[v] as usize] = mesh.positions[v]);
+        for (face, f) in mesh.faces.iter().zip(0..) {
+            let turned = (0..face.len()).map(|k| face[(k + f) % face.len()]);
+            other.faces.push(&turned.map(|v| renamed[v as usize]).collect::<Vec<_>>());
+        }
+        let found = fit(&PanelSurface::new(&other).unwrap(), kind, 0.01);
+        for (v, axis) in own.iter().enumerate() {
+            assert!((*axis - found[renamed[v] as usize]).length() < 1e-9, "{kind:?} {v}");
+        }
+    }
+}
+
+#[test]
+fn reversing_all_faces_negates_the_axes() {
+    let mesh = revolution(6, 4);
+    let mut other = Mesh { faces: Ragged::new(), ..mesh.clone() };
+    mesh.faces.iter().for_each(|face| {
+        other.faces.push(&face.iter().rev().copied().collect::<Vec<_>>());
+    });
+    for kind in OffsetKind::ALL {
+        let [a, b] = [&mesh, &other].map(|mesh| fit(&PanelSurface::new(mesh).unwrap(), kind, 0.01));
+        for (a, b) in a.iter().zip(&b) {
+            assert!((*a + *b).length() < 1e-12, "{kind:?}");
+        }
+    }
+}
+
+#[test]
+fn inside_the_safe_distance_no_edge_is_turned_and_outside_one_is() {
+    let mesh = inverted(&revolution(9, 7));
+    let surface = PanelSurface::new(&mesh).unwrap();
+    let axes = fit(&surface, OffsetKind::Corner, 0.01);
+    let turned = |d: f64| {
+        let at = |v: u32| surface.at(v) + axes[v as usize] * d;
+        let is_turned = |[i, j]: [u32; 2]| (at(j) - at(i)).dot(surface.at(j) - surface.at(i)) < 0.0;
+        surface.edges.iter().filter(|edge| is_turned(edge.ends)).count()
+    };
+    let safe = check(&surface, &axes, OffsetKind::Corner, 0.1).safe_distance;
+    assert!(safe.iter().flatten().count() > 0);
+    for limit in safe.into_iter().flatten() {
+        assert_eq!(turned(limit * (1.0 - 1e-9)), 0);
+        assert!(turned(limit * (1.0 + 1e-9)) >= 1);
+    }
+}
+
+#[test]
+fn the_area_of_an_offset_panel_is_a_polynomial_of_the_distance() {
+    let mesh = inverted(&revolution(5, 4));
+    let surface = PanelSurface::new(&mesh).unwrap();
+    let axes = exact(&surface, OffsetKind::Corner);
+    for (face, f) in surface.faces.iter().zip(0..) {
+        let n = surface.normal(f);
+        let k = face.len();
+        let sum = |a: &dyn Fn(usize) -> Vec3<f64>, b: &dyn Fn(usize) -> Vec3<f64>| {
+            (0..k).map(|i| a(i).cross(b((i + 1) % k)).dot(n)).sum::<f64>()
+        };
+        let p = |i: usize| surface.at(face[i]);
+        let s = |i: usize| axes[face[i] as usize];
+        let (of_p, mixed, of_s) =
+            (0.5 * sum(&p, &p), 0.25 * (sum(&p, &s) + sum(&s, &p)), 0.5 * sum(&s, &s));
+        for d in [0.1, -0.2] {
+            let q = |i: usize| p(i) + s(i) * d;
+            let found = 0.5 * sum(&q, &q);
+            assert!((found - (of_p + 2.0 * d * mixed + d * d * of_s)).abs() < 1e-10);
+        }
+    }
+}
+
+#[test]
+fn every_flat_part_goes_back_to_its_place_in_space() {
+    let mesh = moved(&inverted(&revolution(9, 7)), |[x, y, z]| [x + 5e4, y - 2e4, z]);
+    let settings = BuildSettings { joint: 0.0, scale: 20.0, ..BuildSettings::default() };
+    let made = build(&mesh, &settings);
+    assert!(made.not_cut.is_empty() && made.layout.too_large.is_empty());
+    let mut parts = 0;
+    for sheet in &made.layout.sheets {
+        for place in &sheet.places {
+            let part = &made.parts[place.part];
+            let f = part.panel.unwrap() as usize;
+            let (flat, cut) = (made.flat[f].as_ref().unwrap(), made.cut[f].as_ref().unwrap());
+            let back = |[x, y]: [f64; 2], [c, s]: [f64; 2]| [c * x + s * y, c * y - s * x];
+            for (&corner, &v) in part.outline.iter().zip(made.surface.faces.row(f)) {
+                let [x, y] = place.put(corner);
+                let on_sheet = [x - place.offset[0], y - place.offset[1]];
+                let own = back(back(on_sheet, place.turn), cut.turn).map(|x| x / made.model());
+                let point = flat.origin + flat.axes[0] * own[0] + flat.axes[1] * own[1];
+                assert!((point - surface_point(&made, v)).length() < 1e-9, "{}", part.name);
+            }
+            parts += 1;
+        }
+    }
+    assert_eq!(parts, mesh.faces.len());
+}
+
+fn surface_point(made: &shape_up::fabricate::Build, v: u32) -> Vec3<f64> {
+    made.surface.at(v)
+}
+
+#[test]
+fn flat_panels_keep_their_corner_distances_areas_and_angles() {
+    let surface = PanelSurface::new(&revolution(9, 7)).unwrap();
+    for f in 0..surface.faces.len() as u32 {
+        let flat = lay_flat(&surface, f).unwrap();
+        assert!(flat.flattening_error < 1e-11);
+        assert!((area(&flat.corners) - surface.areas[f as usize].length()).abs() < 1e-11);
+    }
+}

@@ -1,0 +1,28 @@
+//! From a shape to parts: against an independent implementation, the identities of offsets and panels, files that
+//! are read back by other readers, and meshes that cannot be built.
+
+#![allow(clippy::unwrap_used, reason = "a helper that fails here fails its test")]
+
+#[path = "../support/grid.rs"]
+mod grid;
+#[path = "../support/shared.rs"]
+mod shared;
+
+mod bad_input;
+mod dxf;
+mod expected;
+mod files;
+mod identities;
+
+use shape_up::fabricate::{Build, BuildSettings, LengthInMetres};
+use shape_up::mesh::Mesh;
+
+/// The unit of a mesh in metres.
+pub(crate) fn metres() -> LengthInMetres {
+    LengthInMetres { symbol: "m".to_owned(), metres: 1.0 }
+}
+
+/// A build of a mesh in metres.
+pub(crate) fn build(mesh: &Mesh, settings: &BuildSettings) -> Build {
+    Build::new(mesh, settings, metres()).expect("it can be built")
+}
