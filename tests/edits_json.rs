@@ -78,6 +78,15 @@ fn every_edit_is_read_with_its_fields() {
         (json!({ "type": "setUp", "up": "y" }), Edit::SetUp { up: Up::Y }),
         (json!({ "type": "setLesson", "lesson": null }), Edit::SetLesson(None)),
         (
+            json!({ "type": "setBuild", "build": { "scale": 20 } }),
+            Edit::SetBuild {
+                build: Box::new(shape_up::fabricate::BuildSettings {
+                    scale: 20.0,
+                    ..Default::default()
+                }),
+            },
+        ),
+        (
             json!({ "type": "addHandles", "vertices": vertices, "fixed": true }),
             Edit::AddHandles { vertices: vertices.clone(), fixed: true },
         ),

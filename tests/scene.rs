@@ -219,6 +219,13 @@ const REFUSED: &[(&str, &str, &[&str])] = &[
     // A key that may be absent is not null where it is there.
     (r#", "current": null"#, "current", &["found null"]),
     (r#", "lesson": null"#, "lesson", &["found null"]),
+    (r#", "build": null"#, "build", &["found null"]),
+    (r#", "build": { "kind": "corners" }"#, "build.kind", &["corners", "corner", "face", "edge"]),
+    (r#", "build": { "scale": 0 }"#, "build.scale", &["found 0", "above 0"]),
+    (r#", "build": { "joint": -1 }"#, "build.joint", &["found -1", "from 0"]),
+    (r#", "build": { "sheet": [600] }"#, "build.sheet", &["1", "expected"]),
+    (r#", "build": { "sheet": [600, "400"] }"#, "build.sheet[1]", &["\"400\"", "number"]),
+    (r#", "build": { "limits": { "wrap": 1 } }"#, "build.limits", &["`wrap`", "warp"]),
     (r#", "closeness": { "boundary": null }"#, "closeness.boundary", &["found null"]),
     (r#", "handles": [{ "vertices": [0], "weight": null }]"#, "handles[0].weight", &["found null", "number"]),
     (r#", "handles": [{ "vertices": [0], "targets": [[0, null, 0]] }]"#, "handles[0].targets[0][1]", &["found null", "number"]),

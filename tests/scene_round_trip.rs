@@ -2,6 +2,7 @@
 
 use proptest::prelude::*;
 use shape_up::constraint::{Element, KINDS, Kind, Selector, Set};
+use shape_up::fabricate::{BuildSettings, CheckLimits, Dxf, OffsetKind};
 use shape_up::mesh::Mesh;
 use shape_up::scene::{
     Accelerator, BoundaryCloseness, BoundaryRequire, Closeness, ClosenessTo, ClosenessWeight,
@@ -87,6 +88,7 @@ prop_compose! {
             prop::option::of(0.0..=1.0f64)),
         lesson in prop::option::of((".{0,9}",
             prop::collection::vec((any::<bool>(), ".{0,5}", not_negative()), 1..3))),
+        build in prop::option::of((0..4usize, 1e-3..1e3f64, ".{0,5}", any::<bool>())),
     ) -> Scene {
         Scene {
             title: texts.0,
@@ -132,6 +134,17 @@ prop_compose! {
                     at_most,
                 }).collect(),
             }),
+            build: build.map(|(kind, length, material, flag)| Box::new(BuildSettings {
+                kind: OffsetKind::ALL.get(kind).copied(),
+                distance: flag.then_some(-length),
+                joint: length,
+                material,
+                sheet: [100.0 * length + 50.0, 60.0],
+                mirror: flag,
+                dxf: if flag { Dxf::R12 } else { Dxf::R2000 },
+                limits: CheckLimits { lean: length, ..CheckLimits::default() },
+                ..BuildSettings::default()
+            })),
         }
     }
 }

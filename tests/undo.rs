@@ -9,6 +9,7 @@ use grid::grid;
 use proptest::prelude::*;
 use serde_json::{Map, json};
 use shape_up::constraint::{Form, Set};
+use shape_up::fabricate::BuildSettings;
 use shape_up::mesh::Mesh;
 use shape_up::scene::{ConstraintSpec, Goal, GoalOf, Lesson, MeshSource, Scene, Up, Weights};
 use shape_up::session::{Edit, NewConstraint, SETTINGS, Session};
@@ -109,6 +110,9 @@ fn deed() -> impl Strategy<Value = Deed> {
         vertices().prop_map(|vertices| Edit::RemoveHandles { vertices }),
         (0..3usize, "[a-c]{0,2}").prop_map(|(index, name)| Edit::RenameConstraint { index, name }),
         any::<bool>().prop_map(|is_one| Edit::SetLesson(is_one.then(lesson))),
+        (1.0..3.0f64).prop_map(|scale| Edit::SetBuild {
+            build: Box::new(BuildSettings { scale: scale.round(), ..BuildSettings::default() }),
+        }),
         Just(Edit::Reset),
     ];
     prop_oneof![

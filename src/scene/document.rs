@@ -3,6 +3,7 @@
 use super::closeness::Closeness;
 use super::lesson::Lesson;
 use crate::constraint::{Kind, Selector, Sets};
+use crate::fabricate::BuildSettings;
 use crate::json::present;
 use crate::mesh::{Mesh, Point};
 use crate::solve::{Hold, Require, Smoothness, SolverSettings, Weights};
@@ -51,6 +52,9 @@ pub struct Scene {
     /// The exercise that it is.
     #[serde(default, deserialize_with = "present")]
     pub lesson: Option<Lesson>,
+    /// What is to be made of the shape.
+    #[serde(default, deserialize_with = "present")]
+    pub build: Option<Box<BuildSettings>>,
 }
 
 impl Scene {
@@ -70,6 +74,7 @@ impl Scene {
             smoothness: Smoothness::default(),
             solver: SolverSettings::default(),
             lesson: None,
+            build: None,
         }
     }
 }

@@ -109,6 +109,9 @@ impl Scene {
             let message = format!("found {ratio}, expected a number from 0 to 1, or null");
             return error("solver.shortest_edge", message);
         }
+        if let Some(build) = &self.build {
+            build.check().or_else(|(key, message)| error(&format!("build.{key}"), message))?;
+        }
         if self.solver.window > MOST_WINDOW {
             let found = self.solver.window;
             let message = format!("found {found}, expected a whole number from 0 to {MOST_WINDOW}");

@@ -20,6 +20,7 @@
 //! | "smoothness" | `"of"`: `"surface"` or `"displacement"`; `"weighting"`: `"auto"`, `"uniform"`, `"cotangent"` (triangles) or `"polygon"` (any faces) |
 //! | "solver" | `iterations`, `tolerance`, `accelerator` (`"quasi-newton"`, `"anderson"`, `"none"`), `window`, `mean_centring`, `monotone`, `factorization` (`"auto"`, `"supernodal"`, `"sprs-ldl"`), `shortest_edge` (0 to 1, or null) |
 //! | "lesson" | a text and goals |
+//! | "build" | what is to be made of the shape: `kind`, `distance`, `follow`, `joint`, `scale`, `sheet`, ... ([`crate::fabricate::BuildSettings`]) |
 //!
 //! | on | one constraint for |
 //! |---|---|

@@ -4,9 +4,11 @@ use super::file::{FORMAT, VERSION};
 use super::text::{field, lines, number, object, point, rows, text};
 use super::{closeness, constraint, handle, lesson, mesh as inline_mesh};
 use crate::constraint::Set;
+use crate::fabricate::BuildSettings;
 use crate::json::indices;
 use crate::mesh::Mesh;
 use crate::scene::{MeshSource, NamedEnum, Scene, Up};
+use serde_json::{Map, Value};
 
 impl Scene {
     /// Writes the scene as a file: `mesh` goes inline where [`Scene::mesh`] is inline. What has its
@@ -86,7 +88,21 @@ fn write(scene: &Scene, mesh: &Mesh) -> String {
     if let Some(lesson) = &scene.lesson {
         fields.push(field("lesson", lesson::write(lesson)));
     }
+    if let Some(build) = &scene.build {
+        fields.push(field("build", object(write_build(build))));
+    }
     format!("{{\n  {}\n}}\n", fields.join(",\n  "))
+}
+
+/// The settings of a build that are not the default.
+fn write_build(build: &BuildSettings) -> Vec<String> {
+    let values = |settings: &BuildSettings| match serde_json::to_value(settings) {
+        Ok(Value::Object(values)) => values,
+        _ => Map::new(),
+    };
+    let defaults = values(&BuildSettings::default());
+    let own = values(build).into_iter().filter(|(key, value)| defaults.get(key) != Some(value));
+    own.map(|(key, value)| field(&key, value.to_string())).collect()
 }
 
 fn solver(scene: &Scene, defaults: &Scene) -> Vec<String> {

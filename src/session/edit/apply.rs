@@ -169,6 +169,14 @@ pub(crate) fn apply(
             draft.put(Part::Lesson(lesson));
             "Change lesson".to_owned()
         }
+        Edit::SetBuild { build } => {
+            build.check().map_err(|(key, message)| {
+                let path = format!("build.{key}");
+                SceneError { path, message }
+            })?;
+            draft.put(Part::Build(Some(build)));
+            "Change build settings".to_owned()
+        }
         Edit::AddHandles { vertices, fixed } => {
             let hold = if fixed { Hold::Fixed } else { Hold::Soft { weight: HANDLE_WEIGHT } };
             draft.put_handles(with_handles(&vertices, hold, draft)?);

@@ -1,6 +1,7 @@
 //! The edits of the document: each is one step of undo.
 
 use crate::constraint::Set;
+use crate::fabricate::BuildSettings;
 use crate::json::indices::{self, Indices};
 use crate::scene::{ConstraintSpec, Lesson, Up, Weights};
 use crate::solve::Require;
@@ -117,6 +118,11 @@ pub enum Edit {
     },
     /// Makes the scene an exercise, or no longer.
     SetLesson(#[serde(deserialize_with = "lesson")] Option<Lesson>),
+    /// Says what is to be made of the shape.
+    SetBuild {
+        /// All settings; those that are left out get their defaults.
+        build: Box<BuildSettings>,
+    },
     /// Makes vertices handles where they are now; those that are handles already change how they hold.
     AddHandles {
         /// Which vertices.

@@ -2,6 +2,7 @@
 //! takes it back: an edit and its undo move one part, and copy nothing else of the scene.
 
 use crate::constraint::{Kind, Selector, Set, Sets};
+use crate::fabricate;
 use crate::scene::{
     BoundaryCloseness, ClosenessTo, ClosenessWeight, ConstraintSpec, Goal, Lesson, Scene,
     Smoothness, SolverSettings, Target, Up, Weights,
@@ -15,6 +16,7 @@ pub(crate) enum Part {
     Units(String),
     Up(Up),
     Lesson(Option<Lesson>),
+    Build(Option<Box<fabricate::BuildSettings>>),
     Settings(Settings),
     ClosenessWeights(Vec<ClosenessWeight>),
     /// A named set; none takes it away.
@@ -103,6 +105,7 @@ impl Part {
             Part::Units(units) => swap(units, &mut scene.units),
             Part::Up(up) => swap(up, &mut scene.up),
             Part::Lesson(lesson) => swap(lesson, &mut scene.lesson),
+            Part::Build(build) => swap(build, &mut scene.build),
             Part::Settings(settings) => {
                 let before = Settings::of(scene);
                 std::mem::replace(settings, before).put_in(scene);
@@ -141,6 +144,7 @@ impl Part {
             Part::Units(units) => *units == scene.units,
             Part::Up(up) => *up == scene.up,
             Part::Lesson(lesson) => *lesson == scene.lesson,
+            Part::Build(build) => *build == scene.build,
             Part::Settings(settings) => *settings == Settings::of(scene),
             Part::ClosenessWeights(weights) => *weights == scene.closeness.weights,
             Part::Set(name, set) => set.as_ref() == scene.sets.get(name),
@@ -154,7 +158,9 @@ impl Part {
     /// The effect of having been exchanged with `scene`.
     pub(crate) fn effect(&self, scene: &Scene) -> Effect {
         match self {
-            Part::Units(_) | Part::Up(_) | Part::Lesson(_) | Part::RowName(..) => Effect::Nothing,
+            Part::Units(_) | Part::Up(_) | Part::Lesson(_) | Part::Build(_) | Part::RowName(..) => {
+                Effect::Nothing
+            }
             Part::Settings(before) => {
                 let now = Settings::of(scene);
                 if *before == now {
@@ -179,6 +185,7 @@ impl Part {
             Part::Units(to.units.clone()),
             Part::Up(to.up),
             Part::Lesson(to.lesson.clone()),
+            Part::Build(to.build.clone()),
             Part::Settings(Settings::of(to)),
             Part::ClosenessWeights(to.closeness.weights.clone()),
         ];
@@ -201,6 +208,9 @@ impl Part {
             Part::Units(text) | Part::RowName(_, text) => text.len(),
             Part::Up(_) | Part::Settings(_) | Part::RowValues(..) => 0,
             Part::Lesson(lesson) => lesson.as_ref().map_or(0, bytes_of_lesson),
+            Part::Build(build) => {
+                build.as_ref().map_or(0, |_| size_of::<fabricate::BuildSettings>())
+            }
             Part::ClosenessWeights(weights) => {
                 size_of_val(&**weights)
                     + weights.iter().map(|entry| bytes_of_selector(&entry.on)).sum::<usize>()
