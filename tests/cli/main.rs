@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a helper that fails here fails its test")]
 
+mod build;
 mod exact;
 mod experiment;
 mod faults;

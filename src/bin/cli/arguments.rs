@@ -2,6 +2,7 @@
 
 use lexopt::Arg;
 use shape_up::constraint::KINDS;
+use shape_up::fabricate::OffsetKind;
 use shape_up::scene::{Accelerator, BoundaryCloseness, BoundaryRequire, NamedEnum};
 use shape_up::solve::{ConformalNorm, ConformalWeights, Require};
 use std::ffi::{OsStr, OsString};
@@ -11,6 +12,7 @@ use std::path::PathBuf;
 #[derive(Debug, PartialEq)]
 pub(super) enum Command {
     Solve(Solve),
+    Build(Build),
     Check {
         mesh: PathBuf,
         report: Option<PathBuf>,
@@ -50,6 +52,21 @@ pub(super) struct Solve {
     pub(super) trace: bool,
 }
 
+/// `shape-up build`: what is not given is that of the scene.
+#[derive(Debug, Default, PartialEq)]
+pub(super) struct Build {
+    /// A scene or a mesh.
+    pub(super) input: PathBuf,
+    pub(super) kind: Option<OffsetKind>,
+    pub(super) distance: Option<f64>,
+    pub(super) joint: Option<f64>,
+    pub(super) scale: Option<f64>,
+    pub(super) sheet: Option<[f64; 2]>,
+    /// A folder.
+    pub(super) out: Option<PathBuf>,
+    pub(super) report: Option<PathBuf>,
+}
+
 /// `shape-up parametrize`.
 #[derive(Debug, Default, PartialEq)]
 pub(super) struct Parametrize {
@@ -78,6 +95,8 @@ usage: shape-up solve SCENE|MESH [--panels KIND] [--exact | --within LENGTH]
                 [--boundary exact|WEIGHT] [--iterations N] [--tolerance T]
                 [--accelerator {}]
                 [--out FILE.obj|FILE.mesh] [--report FILE.json] [--trace]
+       shape-up build SCENE|MESH [--kind {}] [--distance D] [--joint J]
+                [--scale S] [--sheet WxH] [--out DIR] [--report FILE.json]
        shape-up check MESH [--report FILE.json]
        shape-up check RESULTS --scene SCENE
        shape-up parametrize MESH [--weights {}] [--norm {}]
@@ -98,6 +117,10 @@ A MESH is solved with the settings that keep it whole, a scene with its own.
 --iterations, --tolerance (0 never stops early) and --accelerator replace the settings of the scene.
 --out writes OBJ, or where the name ends in .mesh, Medit, which has tetrahedra.
 --trace records the energies of every iteration, in the report and on standard output.
+build lays the panels flat on sheets and checks whether offsets and beams can be built; --out is the folder
+for drawings of the sheets (SVG, DXF, PDF) and tables (CSV). D, negative inwards, and the joint J between
+panels are lengths in the unit of the mesh; the model is 1:S; a sheet is W by H mm. The rest, and what is
+not given, is the `build` of the scene.
 RESULTS is what a student hands in of a lesson: check measures its shape with the goals and the
 constraints of the SCENE, and ends with 1 when one is not met.
 parametrize makes a flat map that keeps angles; --out writes the mesh with the map as its vt.
@@ -105,6 +128,7 @@ experiment solves a scene by several methods, and prints how far each came; --cs
 Without a scene it lists the examples that have a comparison of the paper. The limits are per method.
 Exit code: 0 done, 1 the input is at fault, 2 usage, 3 internal.",
         Accelerator::list("|"),
+        OffsetKind::ALL.map(OffsetKind::word).join("|"),
         ConformalWeights::list("|"),
         ConformalNorm::list("|"),
         kinds(),
@@ -139,6 +163,7 @@ pub(super) fn parse(arguments: Vec<OsString>) -> Result<Command, String> {
     };
     match command.as_str() {
         "solve" => solve(words),
+        "build" => build(words),
         "check" => check(words),
         "parametrize" => parametrize(words),
         "examples" => {
@@ -159,7 +184,7 @@ pub(super) fn parse(arguments: Vec<OsString>) -> Result<Command, String> {
         "help" => Ok(Command::Help),
         "--version" | "-V" => Ok(Command::Version),
         _ => Err(format!(
-            "unknown command `{command}`, expected solve, check, parametrize, examples, experiment or operators"
+            "unknown command `{command}`, expected solve, build, check, parametrize, examples, experiment or operators"
         )),
     }
 }
@@ -241,6 +266,32 @@ fn solve(mut words: Words) -> Result<Command, String> {
     solve.input = input.ok_or("solve needs a scene or a mesh file")?;
     not_the_same(&solve.out, &solve.report)?;
     Ok(Command::Solve(solve))
+}
+
+fn build(mut words: Words) -> Result<Command, String> {
+    let (mut build, mut input) = (Build::default(), None);
+    while let Some(word) = words.next()? {
+        let name = match word {
+            Word::File(file) => {
+                one(&mut input, file)?;
+                continue;
+            }
+            Word::Option(name) => name,
+        };
+        match name.as_str() {
+            "--kind" => build.kind = Some(words.offset_kind(&name)?),
+            "--distance" => build.distance = Some(words.distance(&name)?),
+            "--joint" => build.joint = Some(words.not_negative(&name)?),
+            "--scale" => build.scale = Some(words.positive(&name)?),
+            "--sheet" => build.sheet = Some(words.sheet(&name)?),
+            "--out" => build.out = Some(words.file(&name)?),
+            "--report" => build.report = Some(words.file(&name)?),
+            _ => return Err(unknown(&Word::Option(name), "build")),
+        }
+    }
+    build.input = input.ok_or("build needs a scene or a mesh file")?;
+    not_the_same(&build.out, &build.report)?;
+    Ok(Command::Build(build))
 }
 
 /// Asks something of all constraints, once.
@@ -400,6 +451,35 @@ impl Words {
             0.0 => Err(format!("{name} takes a number above 0, found 0")),
             number => Ok(number),
         }
+    }
+
+    /// The value of an option that takes a length of either sign that is not zero.
+    fn distance(&mut self, name: &str) -> Result<f64, String> {
+        let value = self.text(name)?;
+        let parsed = value.parse().ok().filter(|number: &f64| number.is_finite() && *number != 0.0);
+        parsed.ok_or_else(|| format!("{name} takes a number that is not 0, found `{value}`"))
+    }
+
+    /// The value of an option that takes a width and a height.
+    fn sheet(&mut self, name: &str) -> Result<[f64; 2], String> {
+        let value = self.text(name)?;
+        let sides = value.split_once(['x', 'X']).and_then(|(width, height)| {
+            let side =
+                |text: &str| text.parse().ok().filter(|side: &f64| side.is_finite() && *side > 0.0);
+            Some([side(width)?, side(height)?])
+        });
+        sides.ok_or_else(|| {
+            format!("{name} takes a width and a height in mm, such as 1200x600, found `{value}`")
+        })
+    }
+
+    /// The value of an option that takes a kind of offset.
+    fn offset_kind(&mut self, name: &str) -> Result<OffsetKind, String> {
+        let value = self.text(name)?;
+        OffsetKind::ALL.into_iter().find(|kind| kind.word() == value).ok_or_else(|| {
+            let words = OffsetKind::ALL.map(OffsetKind::word).join(" or ");
+            format!("{name} takes {words}, found `{value}`")
+        })
     }
 
     /// The value of an option that takes the id of a kind.

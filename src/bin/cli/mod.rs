@@ -6,10 +6,11 @@
 //! | `input` | mesh and scene files in |
 //! | `output` | files and standard output, whole or not at all |
 //! | `mesh_file` | a solved mesh as a file, by the ending of its name |
-//! | `solve`, `check`, `parametrize`, `examples`, `experiment` | the commands of these names |
+//! | `solve`, `build`, `check`, `parametrize`, `examples`, `experiment` | the commands of these names |
 //! | `results` | `check` of what a student hands in |
 
 mod arguments;
+mod build;
 mod check;
 mod examples;
 mod experiment;
@@ -63,6 +64,7 @@ pub(crate) fn run(arguments: Vec<OsString>) -> ExitCode {
 fn perform(command: Command) -> Result<(), Failure> {
     match command {
         Command::Solve(solve) => solve::solve(&solve),
+        Command::Build(build) => build::build(&build),
         Command::Check { mesh, report } => check::check(&mesh, report.as_deref()),
         Command::CheckResults { results, scene } => results::check(&results, &scene),
         Command::Parametrize(parametrize) => parametrize::parametrize(&parametrize),

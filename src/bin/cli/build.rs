@@ -1,0 +1,114 @@
+//! `shape-up build`: panels on sheets, the build check, and their files.
+
+use super::{Failure, arguments, input, output};
+use shape_up::fabricate::{Build, BuildReport, BuildSettings, CheckRow, LengthInMetres};
+use shape_up::mesh::Mesh;
+use shape_up::scene::{Scene, UNITS};
+use std::path::{Path, PathBuf};
+
+pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {
+    let input::Input { scene, mesh, mut remarks, .. } = input::read(&asked.input)?;
+    let at = |message: String| Failure::Input(format!("{}: {message}", asked.input.display()));
+    scene.validate(&mesh).map_err(|error| at(error.to_string()))?;
+    let settings = settings(asked, &scene);
+    let mesh = match scene.current {
+        Some(positions) => Mesh { positions, ..mesh },
+        None => mesh,
+    };
+    let unit = UNITS.iter().find(|unit| unit.symbol == scene.units).unwrap_or_else(|| {
+        let what = match &*scene.units {
+            "" => "the file says no unit".to_owned(),
+            own => format!("the unit {own:?} is not known"),
+        };
+        remarks.push(format!("{what}: lengths are taken as m"));
+        &UNITS[0]
+    });
+    let unit = LengthInMetres { symbol: unit.symbol.to_owned(), metres: unit.metres };
+    let build = Build::new(&mesh, &settings, unit).map_err(|fault| at(fault.to_string()))?;
+    let report = build.report();
+    let mut files: Vec<(PathBuf, String)> = Vec::new();
+    if let Some(folder) = &asked.out {
+        std::fs::create_dir_all(folder).map_err(|error| {
+            Failure::Input(format!(
+                "{}: cannot be made: {error}, expected the name of a folder",
+                folder.display()
+            ))
+        })?;
+        files.extend(build.files().into_iter().map(|file| (folder.join(file.name), file.text)));
+    }
+    if let Some(path) = &asked.report {
+        let text = serde_json::to_string_pretty(&report).expect("a report is plain data");
+        files.push((path.clone(), text + "\n"));
+    }
+    let files: Vec<(&Path, String)> =
+        files.iter().map(|(path, text)| (path.as_path(), text.clone())).collect();
+    output::write(&files)?;
+    let names = files.iter().map(|(path, _)| format!("{}\n", path.display()));
+    output::print(&(words(&report, &remarks) + &names.collect::<String>()))
+}
+
+/// Those of the scene, but for what is asked.
+fn settings(asked: &arguments::Build, scene: &Scene) -> BuildSettings {
+    let own = scene.build.as_deref().cloned().unwrap_or_default();
+    BuildSettings {
+        kind: asked.kind.or(own.kind),
+        distance: asked.distance.or(own.distance),
+        joint: asked.joint.unwrap_or(own.joint),
+        scale: asked.scale.unwrap_or(own.scale),
+        sheet: asked.sheet.unwrap_or(own.sheet),
+        ..own
+    }
+}
+
+fn words(report: &BuildReport, remarks: &[String]) -> String {
+    let BuildReport { panels, placed, sheets, scale, types, .. } = report;
+    let [width, height] = report.sheet_mm;
+    let used = 100.0 * report.used;
+    let mut lines = vec![format!(
+        "{placed} of {panels} panels on {sheets} sheets of {width} x {height} mm, {used:.0} % covered, scale 1:{scale}, unit {}",
+        report.unit
+    )];
+    lines.push(format!("types of panels {types}"));
+    if let Some(offset) = &report.offset {
+        let how = if offset.exact { "exact" } else { "least-squares fit" };
+        lines.push(format!(
+            "offset of {}s, {how}, {} mm",
+            offset.kind.word(),
+            output::short(offset.distance_mm)
+        ));
+        lines.extend((!offset.exact).then(|| format!("not exact: {}", offset.why_not)));
+    }
+    lines.extend(report.check.iter().map(check_line));
+    for (what, names) in
+        [("larger than the sheet", &report.too_large), ("not cut", &report.not_cut)]
+    {
+        if !names.is_empty() {
+            lines.push(format!("{what}: {}", names.join(", ")));
+        }
+    }
+    if report.dropped_names + report.small_names > 0 {
+        lines.push(format!(
+            "names without room: {} of neighbours left out, {} smaller than 2 mm",
+            report.dropped_names, report.small_names
+        ));
+    }
+    lines.extend(report.problems.iter().map(|problem| format!("problem: {problem}")));
+    lines.extend(remarks.iter().map(|remark| format!("note: {remark}")));
+    lines.join("\n") + "\n"
+}
+
+fn check_line(row: &CheckRow) -> String {
+    let number = |value: Option<f64>| value.map_or("-".to_owned(), output::short);
+    let met = match row.met {
+        Some(true) => "met",
+        Some(false) => "NOT MET",
+        None => "not offered",
+    };
+    format!(
+        "{:<15} {} {}, limit {}: {met}",
+        row.label,
+        number(row.value),
+        row.unit,
+        number(row.limit)
+    )
+}

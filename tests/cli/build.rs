@@ -1,0 +1,86 @@
+//! `shape-up build`.
+
+use crate::folder::{Folder, ROOF};
+
+#[test]
+fn sheets_tables_and_a_report_are_written_whole() {
+    let folder = Folder::new("build");
+    folder.write("roof.obj", ROOF);
+    let asked = ["build", "roof.obj", "--kind", "face", "--distance", "-0.1", "--joint", "0.02"];
+    let rest = ["--scale=20", "--sheet=1200x600", "--out", "parts", "--report", "r.json"];
+    let words = folder.run(&[&asked[..], &rest[..]].concat()).done();
+    assert!(words.contains("4 of 4 panels on 1 sheets of 1200 x 600 mm"), "{words}");
+    assert!(words.contains("no unit"), "{words}");
+    let report = folder.json("r.json");
+    assert_eq!(report["offset"]["kind"], "face");
+    assert_eq!(report["offset"]["distance_mm"], -100.0);
+    assert_eq!(report["joint_mm"], 1.0);
+    assert_eq!(report["check"].as_array().map(Vec::len), Some(5));
+    let mut names: Vec<_> = std::fs::read_dir(folder.0.join("parts"))
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    let expected = [
+        "edges.csv",
+        "nodes.csv",
+        "panels.csv",
+        "sheet-01.dxf",
+        "sheet-01.svg",
+        "sheets.pdf",
+        "summary.csv",
+        "types.csv",
+    ];
+    assert_eq!(names, expected);
+}
+
+#[test]
+fn the_scene_says_what_the_command_line_does_not() {
+    let folder = Folder::new("build-scene");
+    let scene = r#"{ "format": "shape-up-scene", "version": 1, "units": "mm", "mesh": { "file": "roof.obj" },
+        "current": [[0,0,0],[1,0,0],[2,0,0],[0,1,0],[1,1,0],[2,1,0],[0,2,0],[1,2,0],[2,2,0]],
+        "build": { "kind": "corner", "distance": 2, "scale": 0.01, "sheet": [500, 400] } }"#;
+    folder.write("roof.obj", ROOF).write("s.shapeup.json", scene);
+    folder.run(&["build", "s.shapeup.json", "--distance", "0.5", "--report", "r.json"]).done();
+    let report = folder.json("r.json");
+    assert_eq!(report["unit"], "mm");
+    assert_eq!(report["sheet_mm"], serde_json::json!([500.0, 400.0]));
+    assert_eq!(
+        (&report["offset"]["kind"], &report["offset"]["distance_mm"]),
+        (&"corner".into(), &0.5.into())
+    );
+    // Four squares of 1 mm, a hundred times as large on the sheet: the current shape is built.
+    let area = report["cut_area_mm2"].as_f64().unwrap();
+    assert!((area - 4e4).abs() < 1e-6, "{area}");
+    assert_eq!(folder.files(), ["r.json", "roof.obj", "s.shapeup.json"]);
+}
+
+#[test]
+fn what_cannot_be_built_or_asked_is_refused_in_one_line() {
+    let folder = Folder::new("build-faults");
+    folder.write("points.obj", "v 0 0 0\nv 1 0 0\n").write("roof.obj", ROOF);
+    folder.run(&["build", "points.obj", "--out", "parts"]).refused(&["points.obj", "no faces"]);
+    assert_eq!(folder.files(), ["points.obj", "roof.obj"]);
+    let scene = |build: &str| {
+        format!(
+            r#"{{ "format": "shape-up-scene", "version": 1, "mesh": {{ "file": "roof.obj" }}, "build": {build} }}"#
+        )
+    };
+    for (build, words) in [
+        (r#"{ "scale": 0 }"#, ["build.scale", "expected a number above 0"]),
+        (r#"{ "scale": "1:50" }"#, ["build.scale", "expected a number"]),
+        (r#"{ "kind": "corners" }"#, ["build.kind", "corner"]),
+        (r#"{ "shet": [1, 2] }"#, ["build", "unknown key `shet`"]),
+        (r#"{ "sheet": [1200] }"#, ["build.sheet", "expected"]),
+    ] {
+        folder.write("s.shapeup.json", scene(build));
+        folder.run(&["build", "s.shapeup.json"]).refused(&words);
+    }
+    for asked in
+        [["--kind", "corners"], ["--sheet", "1200"], ["--distance", "0"], ["--scale", "-1"]]
+    {
+        let ended = folder.run(&["build", "roof.obj", asked[0], asked[1]]);
+        assert_eq!(ended.code, Some(2), "{ended:?}");
+        assert!(ended.err.contains(asked[0]), "{ended:?}");
+    }
+}
