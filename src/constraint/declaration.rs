@@ -6,6 +6,7 @@ use serde::Serialize;
 
 /// The declaration of a kind: everything that hosts show or check without knowing it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Info {
     /// The id in scene files and on the command line.
     pub id: &'static str,
@@ -50,6 +51,7 @@ impl Info {
 
 /// How many vertices a constraint takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 #[serde(rename_all = "kebab-case")]
 pub enum Arity {
     /// This many or more.
@@ -79,6 +81,7 @@ impl std::fmt::Display for Arity {
 
 /// Which points of a constraint are centred together: `N_i` of Eq. 5 takes the mean of these.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 #[serde(rename_all = "kebab-case")]
 pub enum Centring {
     /// All of them: the shape may be anywhere.

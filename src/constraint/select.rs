@@ -22,6 +22,7 @@ pub struct Set {
 
 /// The elements of a mesh that can carry one constraint each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 #[serde(rename_all = "kebab-case")]
 pub enum Element {
     /// The corners of a face.

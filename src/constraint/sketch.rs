@@ -13,6 +13,7 @@ use std::rc::Rc;
 
 /// A drawing in the unit square, `x` to the right and `y` downwards.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Sketch {
     /// The sample as it is given, `#P by 2`.
     pub points: Vec<[f64; 2]>,

@@ -27,6 +27,7 @@ pub struct OpenedFile {
 
 /// Which of these a file does not say, so that they are guesses.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Guessed {
     /// The unit of length.
     pub units: bool,

@@ -22,10 +22,12 @@ const MOST_FACTOR: f64 = 1000.0;
 
 /// A change that lowers the worst distance.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Remedy {
     /// The change, in words.
     pub label: String,
     /// The edit, as [`Edit::from_json`] reads it.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "any"))]
     pub edit: Value,
     /// The worst distance of a vertex to its projection when it was tried, in the unit of the mesh.
     pub worst: f64,

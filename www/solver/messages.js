@@ -19,14 +19,30 @@
  */
 
 // What Rust says of its own types: a field that changes there is an error of types here.
+/** @typedef {import("../pkg/solver/shape_up.js").ConstraintRow} ConstraintRow */
+/** @typedef {import("../pkg/solver/shape_up.js").Energy} Energy */
 /** @typedef {import("../pkg/solver/shape_up.js").ExactOffer} ExactOffer */
 /** @typedef {import("../pkg/solver/shape_up.js").ExactReport} ExactReport */
+/** @typedef {import("../pkg/solver/shape_up.js").Frame} Numbers */
+/** @typedef {import("../pkg/solver/shape_up.js").HalfStep} Half */
+/** @typedef {import("../pkg/solver/shape_up.js").HandleRow} Handle */
+/** @typedef {import("../pkg/solver/shape_up.js").LessonWords} LessonWords */
 /** @typedef {import("../pkg/solver/shape_up.js").Moved} Moved */
 /** @typedef {import("../pkg/solver/shape_up.js").PanelOffer} PanelOffer */
 /** @typedef {import("../pkg/solver/shape_up.js").PresetOffer} Preset */
 /** @typedef {import("../pkg/solver/shape_up.js").Preview} Preview */
+/** @typedef {import("../pkg/solver/shape_up.js").Problem} Problem */
+/** @typedef {import("../pkg/solver/shape_up.js").Document} SceneDocument */
 /** @typedef {import("../pkg/solver/shape_up.js").Verdict} Verdict */
+/** @typedef {import("../pkg/solver/shape_up.js").Weights} Weights */
 /** @typedef {import("../pkg/solver/shape_up.js").WorstElement} WorstElement */
+
+/**
+ * What was opened: from `files`; `undoLost` says why the steps of undo that were saved with it are gone, and
+ * is empty when they are not.
+ * @typedef {import("../pkg/solver/shape_up.js").Loaded & { files: string[], undoLost: string }} Loaded
+ */
+/** @typedef {Omit<import("../pkg/solver/shape_up.js").Remedy, "edit"> & { edit: Edit }} Remedy */
 
 /** @typedef {import("./declarations.js").ElementInfo} ElementInfo */
 /** @typedef {import("./declarations.js").FaceMeasure} FaceMeasure */
@@ -81,117 +97,7 @@
  * @typedef {{ text: string, goals: { measure?: Measure, constraint?: string, at_most: number }[] }} Lesson
  */
 
-/**
- * A lesson as it stands: `measure` is null for a goal about constraints, `label` their name.
- * @typedef {object} LessonWords
- * @property {string} text
- * @property {{ label: string, words: string, unit: FaceMeasure["unit"], atMost: number, measure: Measure | null }[]} goals
- */
-
 /** @typedef {{ operation: string, mode: PickMode, from: Partial<Record<PickMode, number[]>>, params: Record<string, ParamValue> }} SelectRequest */
-
-/**
- * What was read from a file.
- * @typedef {object} Loaded
- * @property {string} name the file's name
- * @property {string[]} files names of those that it was read from
- * @property {string} title
- * @property {number} vertices
- * @property {number} faces
- * @property {number} curves
- * @property {number} tets
- * @property {{ name: string, faces: number }[]} groups
- * @property {string} units
- * @property {"y" | "z"} up
- * @property {{ units: boolean, up: boolean }} guessed which of the two the file does not say
- * @property {number} meanEdge mean length of an edge, 0 without edges
- * @property {number} tolerance for distances on this mesh: a thousandth of the mean edge, rounded to 1, 2 or 5
- * @property {PanelOffer[]} panels the kinds that are offered for all panels, and
- *   why one means nothing on this mesh
- * @property {{ before: number, after: number, tolerance: number } | null} welded vertices of the file and of the
- *   mesh, where faces had their own and those within the tolerance were made one
- * @property {Problem[]} problems
- * @property {string[]} notes
- * @property {string} undoLost why the steps of undo that were saved with it are gone; empty when they are not
- */
-
-/**
- * Something wrong in a file that could be survived: a sentence that says how often and where first;
- * `line` is the first of `count`; `flaw` what to ask for the elements that have it.
- * @typedef {{ message: string, count: number, line: number | null, flaw: string | null }} Problem
- */
-
-/**
- * A row of the list of constraints.
- * @typedef {object} ConstraintRow
- * @property {number} index
- * @property {string} kind
- * @property {string} label its name, or what its kind is called
- * @property {string} name empty when it has none
- * @property {[number, number, number]} colour sRGB bytes
- * @property {string} on in words
- * @property {number} count
- * @property {number} skipped
- * @property {number} weight
- * @property {boolean} enabled
- * @property {Require} require
- * @property {Measure | null} measure what it asks of single faces, if it is on faces
- * @property {Record<string, ParamValue>} params
- */
-
-/**
- * @typedef {{ vertex: number, target: [number, number, number], weight: number, fixed: boolean }} Handle
- */
-
-/**
- * @typedef {{ shape: number, close: number, smooth: number }} Weights
- */
-
-/**
- * The document as it stands.
- * @typedef {object} SceneDocument
- * @property {string} title
- * @property {string} units
- * @property {"y" | "z"} up
- * @property {ConstraintRow[]} constraints
- * @property {Handle[]} handles
- * @property {Weights} weights
- * @property {"surface" | "rest" | "none" | "target"} closeness
- * @property {{ of: "surface" | "displacement", weighting: string }} smoothness
- * @property {Record<string, ParamValue>} settings of every declared one its value
- * @property {string | null} preset the one whose settings the scene has
- * @property {Preset[]} presets
- * @property {number} free vertices that nothing acts on: no constraint, closeness, smoothness or handle
- * @property {{ name: string, vertices: number, faces: number }[]} sets
- * @property {number} heldOtherwise vertices that are kept close more or less than the others
- * @property {string | null} undo what Undo would take back
- * @property {string | null} redo what Redo would do again
- * @property {LessonWords | null} lesson
- * @property {number[]} pinned vertices that were pinned because nothing else holds their part
- */
-
-/**
- * @typedef {{ shape: number, close: number, smooth: number, handles: number, total: number }} Energy
- */
-
-/**
- * The numbers of one state of the iteration.
- * @typedef {object} Numbers
- * @property {number} iteration
- * @property {boolean} converged
- * @property {string | null} collapse how the shape has collapsed since iterating began, as the end of a sentence
- * @property {boolean} halfway the local step is done, the global step is next
- * @property {Energy} energy
- * @property {{ max_distance: number, mean_distance: number, [measure: string]: number }} planarity
- * @property {{ max_distance: number, mean_distance: number, [measure: string]: number }} circularity
- * @property {Moved} moved distances of the vertices from where they were in the original
- * @property {number} shortestEdge the least length of an edge as a part of its length in the original
- * @property {number[]} worst per row of the list of constraints: the largest distance of a vertex to its projection
- * @property {number[]} shares per row its part of the total energy, from 0 to 1
- * @property {ExactReport | null} exact how well hard constraints are met; null while nobody has met those of this shape
- * @property {{ value: number | null, met: boolean }[]} goals of the lesson; null where nothing has a value
- * @property {number} stepMs
- */
 
 /**
  * The connectivity of the mesh, sent once.
@@ -365,7 +271,7 @@
  * @property {Float32Array} faceValues `#F`; not a number where a face has none
  * @property {Float32Array | undefined} cornerValues `#V`
  * @property {Float64Array} originalPositions `#V by 3`
- * @property {{ original: number[], now: number[] }} angles corners in bins of equal width from 0 to 180 degrees
+ * @property {import("../pkg/solver/shape_up.js").Angles} angles
  * @property {{ faces: Uint32Array, vertices: Uint32Array }} members
  * @property {RowColours} rowColours
  * @property {(Preview | null)[][]} previews `#kinds by #places`, null where nothing fits
@@ -387,22 +293,9 @@
  */
 
 /**
- * A change that helps where constraints are not met: what it does, in words, and the worst distance of a
- * vertex to where its constraints want it when it was tried.
- * @typedef {{ label: string, edit: Edit, worst: number }} Remedy
- */
-
-/**
  * What a method of an experiment has done: its index, why it ended, and per iteration its number, the
  * seconds, and the quantities of the experiment.
  * @typedef {{ method: number, endedBy: string | null, samples: Float64Array }} ExperimentNews
- */
-
-/**
- * What half of an iteration did: how many constraints of which kinds were fitted, or how the vertices
- * moved.
- * @typedef {{ half: "local", fitted: { label: string, count: number }[] }
- *   | { half: "global", converged: boolean, accelerated: boolean }} Half
  */
 
 /** @typedef {Command | (Request & { id: number })} ToWorker */

@@ -24,8 +24,8 @@ export function open(solver, scheduler, post, { files, saved, frame = '', solved
   const loaded = {
     ...solver.load(main.name, main.bytes, companion?.bytes ?? null),
     files: companion ? [main.name, companion.name] : [main.name],
+    undoLost: saved ? restore(solver, saved) : '',
   };
-  loaded.undoLost = saved ? restore(solver, saved) : '';
   scheduler.begin(solved ?? false);
   const positions = scheduler.frames.renew(loaded.vertices);
   const connectivity = {

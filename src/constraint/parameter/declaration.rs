@@ -4,12 +4,17 @@ use serde::Serialize;
 
 /// The declaration of a parameter of a kind.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Param {
     /// The key in scene files.
     pub id: &'static str,
     /// The name on the page.
     pub label: &'static str,
     /// `"length"`, `"area"`, `"volume"`, `"degrees"`, or empty for a plain number.
+    #[cfg_attr(
+        target_arch = "wasm32",
+        tsify(type = "\"length\" | \"area\" | \"volume\" | \"degrees\" | \"\"")
+    )]
     pub unit: &'static str,
     /// The value when the key is absent.
     pub default: ParamValue,
@@ -21,6 +26,7 @@ pub struct Param {
 
 /// A form that the value of a parameter may have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 #[serde(rename_all = "kebab-case")]
 pub enum Form {
     /// One number.
@@ -37,6 +43,7 @@ pub enum Form {
 
 /// The value of a parameter, as in JSON.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 #[serde(untagged)]
 pub enum ParamValue {
     /// See [`Form::Number`].

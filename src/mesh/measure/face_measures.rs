@@ -7,6 +7,7 @@ use serde::Serialize;
 
 /// How planar the faces are.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Planarity {
     /// The largest distance of a vertex to the least-squares plane of its face, units of the mesh.
     pub max_distance: f64,
@@ -24,6 +25,7 @@ pub struct Planarity {
 
 /// How circular the faces are.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Circularity {
     /// The largest distance of a vertex to the fitted circle of its face, units of the mesh.
     pub max_distance: f64,

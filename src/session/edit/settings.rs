@@ -11,6 +11,7 @@ use serde_json::{Map, Value, json};
 
 /// A declared setting.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Setting {
     /// Id, name and forms, as those of a parameter of a kind.
     #[serde(flatten)]

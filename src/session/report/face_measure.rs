@@ -15,6 +15,7 @@ use std::f64::consts::PI;
 
 /// The unit of a measure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 #[serde(rename_all = "kebab-case")]
 pub enum MeasureUnit {
     /// The unit of the mesh.
@@ -29,6 +30,7 @@ pub enum MeasureUnit {
 
 /// A measure of faces: never negative, and 0 is best.
 #[derive(Clone, Copy, Debug, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct FaceMeasure {
     /// Its name in messages.
     pub id: &'static str,

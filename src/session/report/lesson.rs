@@ -8,6 +8,7 @@ use serde::Serialize;
 
 /// A goal in words.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 #[serde(rename_all = "camelCase")]
 pub struct GoalWords<'a> {
     /// The label of the measure, or the name of the constraint.

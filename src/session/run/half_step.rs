@@ -15,6 +15,7 @@ pub struct Step {
 
 /// The outcome of half an iteration.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 #[serde(tag = "half", rename_all = "camelCase")]
 pub enum HalfStep {
     /// The local step: shapes are fitted, nothing has moved.
@@ -34,6 +35,7 @@ pub enum HalfStep {
 
 /// Constraints of one kind.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct FittedCount {
     /// The kind's name for people.
     pub label: &'static str,

@@ -7,6 +7,7 @@ use serde::Serialize;
 
 /// The declaration of a way to select.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 #[serde(rename_all = "camelCase")]
 pub struct Operation {
     /// The id in a request.

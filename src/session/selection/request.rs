@@ -7,6 +7,7 @@ use serde_json::{Map, Value};
 
 /// The kind of elements that are picked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 #[serde(rename_all = "kebab-case")]
 pub enum Mode {
     /// Vertices.

@@ -26,6 +26,7 @@ use serde::Serialize;
 
 /// The energies at one iterate, in squared units of the mesh: unweighted parts, weighted total.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Energy {
     /// `E_shape`, Eq. 4, with the weights `w_i`.
     pub shape: f64,

@@ -35,6 +35,7 @@ impl Solver {
 
     /// How many constraints a row of each kind would hold at each of the places, which are selectors as
     /// in an edit: `#kinds by #places`, null where nothing fits.
+    #[wasm_bindgen(unchecked_return_type = "(Preview | null)[][]")]
     pub fn previews(&self, places: JsValue) -> Result<JsValue, JsValue> {
         let places =
             ConstraintTarget::all_from_json(&text(&places)?).map_err(|error| thrown_at(&error))?;

@@ -8,19 +8,20 @@ use wasm_bindgen::prelude::*;
 #[wasm_bindgen]
 impl Solver {
     /// The `count` worst faces by a measure.
-    #[wasm_bindgen(js_name = worstFaces)]
+    #[wasm_bindgen(js_name = worstFaces, unchecked_return_type = "WorstElement[]")]
     pub fn worst_faces(&mut self, measure: &str, count: usize) -> Result<JsValue, JsValue> {
         let worst = self.open_mut()?.worst_faces(measure, count);
         plain(&worst.ok_or_else(|| thrown(format!("unknown measure {measure:?}")))?)
     }
 
     /// The `count` worst constraints of a row.
-    #[wasm_bindgen(js_name = worstConstraints)]
+    #[wasm_bindgen(js_name = worstConstraints, unchecked_return_type = "WorstElement[]")]
     pub fn worst_constraints(&mut self, row: usize, count: usize) -> Result<JsValue, JsValue> {
         plain(&self.open_mut()?.worst_constraints(row, count))
     }
 
     /// How many panels are as asked within a tolerance, units of the mesh; null where none is asked.
+    #[wasm_bindgen(unchecked_return_type = "Verdict | null")]
     pub fn verdict(&mut self, tolerance: f64) -> Result<JsValue, JsValue> {
         plain(&self.open_mut()?.verdict(tolerance))
     }

@@ -9,6 +9,7 @@ use wasm_bindgen::prelude::*;
 
 /// Corners of faces by their angles, in bins of equal width from 0 to 180 degrees.
 #[derive(Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 struct Angles {
     original: Vec<u32>,
     now: Vec<u32>,
@@ -17,7 +18,7 @@ struct Angles {
 #[wasm_bindgen]
 impl Solver {
     /// The next half of an iteration: what was fitted, or how the vertices moved.
-    #[wasm_bindgen(js_name = halfStep)]
+    #[wasm_bindgen(js_name = halfStep, unchecked_return_type = "HalfStep")]
     pub fn half_step(&mut self) -> Result<JsValue, JsValue> {
         let half = self.open_mut()?.half_step().map_err(thrown)?;
         serde_wasm_bindgen::to_value(&half).map_err(thrown)
@@ -30,6 +31,7 @@ impl Solver {
     }
 
     /// The angles at the corners of the faces, of the original and now.
+    #[wasm_bindgen(unchecked_return_type = "Angles")]
     pub fn angles(&self) -> Result<JsValue, JsValue> {
         let session = self.open()?;
         let [original, now] = [Shape::Original, Shape::Now].map(|shape| session.angles(shape));

@@ -35,6 +35,7 @@ impl Solver {
 
     /// Opens a mesh, or a scene with the mesh file that it names as `companion`. The model that is
     /// open stays when this one is refused.
+    #[wasm_bindgen(unchecked_return_type = "Loaded")]
     pub fn load(
         &mut self,
         name: &str,

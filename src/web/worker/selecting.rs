@@ -9,11 +9,13 @@ use wasm_bindgen::prelude::*;
 #[wasm_bindgen]
 impl Solver {
     /// The declared ways to select.
+    #[wasm_bindgen(unchecked_return_type = "Operation[]")]
     pub fn operations(&self) -> Result<JsValue, JsValue> {
         plain(&OPERATIONS)
     }
 
     /// The declared settings of a scene.
+    #[wasm_bindgen(unchecked_return_type = "Setting[]")]
     pub fn settings(&self) -> Result<JsValue, JsValue> {
         plain(&SETTINGS)
     }

@@ -31,21 +31,25 @@ impl Solver {
     }
 
     /// The list of kinds.
+    #[wasm_bindgen(unchecked_return_type = "KindWords[]")]
     pub fn kinds(&self) -> Result<JsValue, JsValue> {
         plain(&kinds())
     }
 
     /// The elements that can carry one constraint each.
+    #[wasm_bindgen(unchecked_return_type = "ElementWords[]")]
     pub fn elements(&self) -> Result<JsValue, JsValue> {
         plain(&elements())
     }
 
     /// The measures of faces.
+    #[wasm_bindgen(unchecked_return_type = "FaceMeasure[]")]
     pub fn measures(&self) -> Result<JsValue, JsValue> {
         plain(&FACE_MEASURES)
     }
 
     /// The document: constraints, handles, weights, what can be undone.
+    #[wasm_bindgen(unchecked_return_type = "Document")]
     pub fn document(&self) -> Result<JsValue, JsValue> {
         plain(&Document::new(self.open()?))
     }
@@ -117,6 +121,7 @@ impl Solver {
 
     /// The numbers of the current state; while it is `iterating`, how planar and circular the faces are may
     /// be those of half a second before.
+    #[wasm_bindgen(unchecked_return_type = "Frame")]
     pub fn frame(&mut self, iterating: bool) -> Result<JsValue, JsValue> {
         let step_ms = self.step_ms;
         plain(&report::Frame::new(self.open_mut()?, step_ms, iterating))

@@ -36,6 +36,7 @@ impl RemedyTrials {
     }
 
     /// Those that help, the greatest help first.
+    #[wasm_bindgen(unchecked_return_type = "Remedy[]")]
     pub fn found(&self) -> Result<JsValue, JsValue> {
         plain(&self.remedies.found())
     }
@@ -70,6 +71,7 @@ impl ExactTrials {
     }
 
     /// What it costs; null where nothing is asked within a distance.
+    #[wasm_bindgen(unchecked_return_type = "ExactOffer | null")]
     pub fn offer(&mut self) -> Result<JsValue, JsValue> {
         plain(&self.trial.as_mut().map(ExactTrial::offer))
     }

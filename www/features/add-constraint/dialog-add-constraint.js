@@ -19,7 +19,7 @@ import { Parameters } from '../../ui/kinds/parameters.js';
 /**
  * Where a constraint could be. `element` is the one that it goes through; one within the selection
  * is only for kinds that are meant for that element.
- * @typedef {{ id: string, label: string, on: Selector, element?: string, within?: boolean }} Place
+ * @typedef {{ id: string, label: string, on: Selector, element?: import("../../solver/declarations.js").ElementInfo["id"], within?: boolean }} Place
  */
 /** @typedef {{ place: Place, preview: Preview }} Offer */
 
@@ -163,7 +163,8 @@ class AddConstraintDialog {
     this.#store.get().kinds.forEach((kind, k) => {
       const offers = places.flatMap((place, p) => {
         const preview = previews[k][p];
-        if (!preview || (place.within && !kind.elements.includes(place.element ?? ''))) return [];
+        if (!preview || (place.within && !(place.element && kind.elements.includes(place.element))))
+          return [];
         return [{ place, preview }];
       });
       if (offers.length > 0) this.#offers.set(kind.id, offers);

@@ -10,16 +10,23 @@ use serde_json::{Value, json};
 
 /// The document as it stands.
 #[derive(Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub(crate) struct Document<'a> {
     title: &'a str,
     units: &'a str,
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "\"y\" | \"z\""))]
     up: &'static str,
     constraints: Vec<ConstraintRow<'a>>,
     handles: Vec<HandleRow>,
     weights: Weights,
+    #[cfg_attr(
+        target_arch = "wasm32",
+        tsify(type = "\"surface\" | \"rest\" | \"none\" | \"target\"")
+    )]
     closeness: &'static str,
     smoothness: SmoothnessWords,
     /// Of every declared setting its value.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "Record<string, ParamValue>"))]
     settings: serde_json::Map<String, Value>,
     /// The id of the preset whose settings it has.
     preset: Option<&'static str>,
@@ -30,13 +37,17 @@ pub(crate) struct Document<'a> {
     /// Vertices that are kept close more or less than the others.
     #[serde(rename = "heldOtherwise")]
     held_otherwise: usize,
+    /// The name of the step that Undo takes back.
     undo: Option<&'a str>,
+    /// The name of the step that Redo does again.
     redo: Option<&'a str>,
+    /// Vertices that were fixed because nothing else holds their part.
     pinned: &'a [u32],
     lesson: Option<LessonWords<'a>>,
 }
 
 #[derive(Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 struct NamedSet<'a> {
     name: &'a str,
     vertices: usize,
@@ -44,25 +55,35 @@ struct NamedSet<'a> {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 struct ConstraintRow<'a> {
     index: usize,
     kind: &'static str,
     /// Its name, or what its kind is called.
     label: &'a str,
+    /// Empty when it has none.
     name: &'a str,
+    /// sRGB bytes.
     colour: [u8; 3],
+    /// Its selector in words.
     on: String,
+    /// How many constraints.
     count: usize,
+    /// Elements whose number of vertices does not fit the kind.
     skipped: usize,
     weight: f64,
     enabled: bool,
     /// As in a scene file.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "\"soft\" | \"exact\" | { within: number }"))]
     require: Value,
+    /// The id of the measure of single faces that it is about, if it is on faces.
     measure: Option<&'static str>,
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "Record<string, ParamValue>"))]
     params: Value,
 }
 
 #[derive(Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 struct HandleRow {
     vertex: u32,
     target: [f64; 3],
@@ -71,6 +92,7 @@ struct HandleRow {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 struct Weights {
     shape: f64,
     close: f64,
@@ -78,7 +100,9 @@ struct Weights {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 struct SmoothnessWords {
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "\"surface\" | \"displacement\""))]
     of: &'static str,
     weighting: &'static str,
 }

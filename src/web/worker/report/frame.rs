@@ -9,6 +9,7 @@ use serde::Serialize;
 
 /// The numbers of one state of the iteration.
 #[derive(Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 #[serde(rename_all = "camelCase")]
 pub(crate) struct Frame {
     iteration: u32,

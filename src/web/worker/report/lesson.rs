@@ -6,6 +6,7 @@ use serde::Serialize;
 
 /// The exercise that the scene is.
 #[derive(Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub(crate) struct LessonWords<'a> {
     text: &'a str,
     goals: Vec<GoalWords<'a>>,
@@ -19,6 +20,7 @@ impl<'a> LessonWords<'a> {
 
 /// The value of a goal on the current shape.
 #[derive(Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub(crate) struct GoalNumbers {
     value: Option<f64>,
     met: bool,

@@ -7,6 +7,7 @@ use serde::Serialize;
 
 /// The summary of a file that was opened.
 #[derive(Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub(crate) struct Loaded {
     name: String,
     title: String,
@@ -16,14 +17,18 @@ pub(crate) struct Loaded {
     tets: usize,
     groups: Vec<Group>,
     units: String,
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "\"y\" | \"z\""))]
     up: &'static str,
+    /// Which of unit and axis the file does not say.
     guessed: Guessed,
     /// Mean length of an edge at rest; zero without edges.
     #[serde(rename = "meanEdge")]
     mean_edge: f64,
     /// For distances, in the unit of the mesh.
     tolerance: f64,
+    /// The kinds that are offered for all panels.
     panels: Vec<PanelOffer>,
+    /// None where nothing was welded.
     welded: Option<Welded>,
     problems: Vec<Problem>,
     notes: Vec<String>,
@@ -31,6 +36,7 @@ pub(crate) struct Loaded {
 
 /// How many vertices the file has and the mesh has, and within which distance they are at one place.
 #[derive(Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 struct Welded {
     before: usize,
     after: usize,
@@ -38,15 +44,20 @@ struct Welded {
 }
 
 #[derive(Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 struct Group {
     name: String,
     faces: usize,
 }
 
+/// Something wrong in a file that could be survived.
 #[derive(Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 struct Problem {
+    /// One sentence: how often, and where first.
     message: String,
     count: usize,
+    /// The line of the first one.
     line: Option<usize>,
     /// The name to ask for the elements that have it; none where they are not in the mesh.
     flaw: Option<&'static str>,

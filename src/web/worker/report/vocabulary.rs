@@ -6,8 +6,10 @@ use serde_json::Value;
 
 /// An element that can carry one constraint each.
 #[derive(Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 #[serde(rename_all = "camelCase")]
 pub(crate) struct ElementWords {
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "Element"))]
     id: &'static str,
     label: &'static str,
     face_based: bool,
@@ -26,6 +28,7 @@ pub(crate) fn elements() -> Vec<ElementWords> {
 
 /// A kind with its drawing.
 #[derive(Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub(crate) struct KindWords {
     #[serde(flatten)]
     info: &'static Info,
