@@ -1,8 +1,10 @@
 //! What each example states of itself, measured when it is solved with its own settings.
 
+use shape_up::constraint::Selector;
 use shape_up::example::{EXAMPLES, Example};
 use shape_up::math::Vec3;
-use shape_up::mesh::{MapErrors, Mesh, Point, QuasiConformal, Topology, angle_histogram};
+use shape_up::mesh::{MapErrors, Mesh, Point, QuasiConformal, Surface, Topology, angle_histogram};
+use shape_up::scene::{Scene, Target};
 use shape_up::session::{Report, Session};
 use shape_up::solve::{ConformalNorm, ConformalWeights, Parametrization};
 
@@ -17,6 +19,7 @@ struct Run {
     totals: Vec<f64>,
     mesh: Mesh,
     positions: Vec<Point>,
+    scene: Scene,
     /// Of the lesson, if it is one.
     goals_met: usize,
 }
@@ -24,6 +27,7 @@ struct Run {
 impl Run {
     fn of(example: &Example) -> Run {
         let (scene, mesh) = example.build();
+        let original = scene.clone();
         let mut session = Session::open(scene, mesh).expect("the example fits its mesh");
         let worst = |session: &Session| -> Vec<f64> {
             session.solver().found().map(|found| found.worst_squared.sqrt()).collect()
@@ -38,6 +42,7 @@ impl Run {
             totals: session.trace().iter().map(|entry| entry.energy.total).collect(),
             mesh: session.mesh().clone(),
             positions: session.positions(),
+            scene: original,
             goals_met: session.goals().iter().filter(|goal| goal.met).count(),
         }
     }
@@ -98,6 +103,25 @@ impl Run {
         ]
     }
 
+    /// The greatest distance from the surface that the scene is fitted to, before and after.
+    fn off_the_other_surface(&self) -> [f64; 2] {
+        let target = self
+            .scene
+            .closeness
+            .target
+            .as_ref()
+            .and_then(Target::mesh)
+            .expect("there is another surface");
+        let surface = Surface::new(&target.positions, target);
+        [&self.mesh.positions, &self.positions].map(|positions| {
+            let off = positions.iter().map(|&p| {
+                let closest = Vec3::from(surface.closest(p, &mut { Surface::COLD }));
+                (closest - p.into()).length()
+            });
+            off.fold(0.0, f64::max)
+        })
+    }
+
     /// How wide the stretched sheet is at its middle, where it was 18 m wide.
     fn width_at_middle(&self) -> f64 {
         let middle = |&v: &usize| self.mesh.positions[v][0].abs() < 0.1;
@@ -113,6 +137,26 @@ fn volume(mesh: &Mesh, positions: &[Point]) -> f64 {
         .iter()
         .flat_map(|face| (1..face.len() - 1).map(move |k| [face[0], face[k], face[k + 1]]));
     fans.map(|[a, b, c]| at(a).dot(at(b).cross(at(c)))).sum::<f64>() / 6.0
+}
+
+/// How far a sheet of 25 by 17 vertices is from its mirror image, at most.
+fn halves_apart(positions: &[Point]) -> f64 {
+    let apart = |k: usize| {
+        let ([x, y, z], [u, v, w]) = (positions[k], positions[k / 25 * 25 + 24 - k % 25]);
+        Vec3::new(x + u, y - v, z - w).length()
+    };
+    (0..positions.len()).map(apart).fold(0.0, f64::max)
+}
+
+/// Where the sheet comes to when each of its constraints has the vertices of one column.
+fn with_own_vertices(run: &Run) -> Vec<Point> {
+    let mut scene = run.scene.clone();
+    for (i, row) in (1..).zip(&mut scene.constraints) {
+        row.on = Selector::Vertices((0..17).map(|j| j * 25 + i).collect());
+    }
+    let mut session = Session::open(scene, run.mesh.clone()).expect("it is the same sheet");
+    session.solve(false).expect("positions stay finite");
+    session.positions()
 }
 
 /// What is measured of an example, with the bounds that its statement names.
@@ -256,6 +300,23 @@ const STATEMENTS: &[Statement] = &[
             ("worst pane", run.after.planarity.max_distance, 0.001..0.003),
             ("goals met", run.goals_met as f64, 0.0..0.5),
         ]
+    }),
+    ("limits-choice", |run| {
+        vec![
+            ("exchanged", halves_apart(&run.positions), 1.4..1.6),
+            ("own", halves_apart(&with_own_vertices(run)), 0.0..0.001),
+        ]
+    }),
+    ("other-registration", |run| {
+        let [before, after] = run.off_the_other_surface();
+        vec![
+            ("vertices before", before, 2.0..3.0),
+            ("vertices", after, 0.0..0.03),
+            ("e_p", run.e_p()[1], 0.0..2e-8),
+        ]
+    }),
+    ("other-transfer", |run| {
+        vec![("rings before", run.worst[0][0], 0.8..0.83), ("rings", run.worst[0][1], 0.0..0.01)]
     }),
 ];
 

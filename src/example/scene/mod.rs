@@ -14,8 +14,10 @@
 //! | `strip` | Fig. 11: edges that collapse |
 //! | `curves_and_points` | curves on a mesh, points without faces |
 //! | `exercise` | a lesson to hand in |
+//! | `beyond` | a limit of section 5, and other uses of section 6 |
 //! | `parts` | constraints and handles, as these files write them |
 
+mod beyond;
 mod curves_and_points;
 mod deformation;
 mod exercise;
@@ -63,4 +65,7 @@ pub const EXAMPLES: &[Example] = &[
     curves_and_points::SLABS,
     curves_and_points::POINTS,
     exercise::GLASS_ROOF,
+    beyond::CHOICE,
+    beyond::FIT,
+    beyond::TRANSFER,
 ];

@@ -1,0 +1,113 @@
+//! What section 5 states as a limit, and what section 6 names as other uses.
+
+use super::parts::{constraint, each, fixed, moved};
+use crate::constraint::{Element, Selector};
+use crate::example::Example;
+use crate::example::model::{Patch, Tower};
+use crate::mesh::{Mesh, Ragged};
+use crate::scene::{ClosenessTo, Scene, Smoothness, SmoothnessOf, Target, Weighting, Weights};
+
+pub(super) const CHOICE: Example = Example {
+    id: "limits-choice",
+    title: "Two vertices exchanged",
+    summary: "Drag the two handles alike: every line across is an arc of its own vertices, but on the right two neighbouring lines have exchanged one, and the surface answers otherwise.",
+    statement: "Both halves start as mirror images and are pulled alike; with two vertices exchanged between two constraints they end up to 1.5 m from that, and without the exchange to a millimetre.",
+    ending: "obj",
+    make: choice,
+};
+
+pub(super) const FIT: Example = Example {
+    id: "other-registration",
+    title: "Panels fitted to another surface",
+    summary: "Rough panels near a surface that is not their own, of triangles: run, and they come to lie on it and become flat.",
+    statement: "Vertices that are up to 3 m from the other surface come within 3 cm of it, and the mean planarity error e_p falls below 2e-8.",
+    ending: "obj",
+    make: fit,
+};
+
+pub(super) const TRANSFER: Example = Example {
+    id: "other-transfer",
+    title: "A tower takes the pose of another",
+    summary: "The upright tower is asked for the shapes of one that leans, ring by ring: they turn and grow as they like, and so the pose goes over.",
+    statement: "Rings that are up to 83 cm from the shapes of the other pose come within 1 cm of them.",
+    ending: "obj",
+    make: transfer,
+};
+
+/// The panels of the sheet of [`CHOICE`], along x and along y.
+const SHEET: [usize; 2] = [24, 16];
+
+/// A flat sheet of square panels, one metre wide.
+fn flat(panels: [usize; 2]) -> Mesh {
+    Patch { panels, width: 1.0, shear: 0.0, jitter: 0.0, rise: 0.0 }.mesh()
+}
+
+fn choice(scene: &mut Scene) -> Mesh {
+    let mesh = flat(SHEET);
+    let row = SHEET[0] + 1;
+    let at = |i: usize, j: usize| (j * row + i) as u32;
+    scene.constraints = (1..SHEET[0])
+        .map(|i| {
+            let own = |j: usize| match (i, j) {
+                (17, 5) => at(18, 5),
+                (18, 5) => at(17, 5),
+                _ => at(i, j),
+            };
+            constraint("circle", Selector::Vertices((0..=SHEET[1]).map(own).collect()), 1.0)
+        })
+        .collect();
+    let sides = (0..row).flat_map(|i| [at(i, 0), at(i, SHEET[1])]).collect();
+    let raised = moved(&mesh, vec![at(6, 8), at(18, 8)], |[x, y, _]| [x, y, 4.0]);
+    scene.handles = vec![fixed(sides), raised];
+    scene.weights = Weights { shape: 10.0, close: 0.0, smooth: 1.0 };
+    scene.closeness.to = ClosenessTo::None;
+    scene.smoothness = Smoothness { of: SmoothnessOf::Displacement, weighting: Weighting::Uniform };
+    scene.solver.iterations = 500;
+    mesh
+}
+
+fn fit(scene: &mut Scene) -> Mesh {
+    let mut quads = flat([26, 18]);
+    for [x, y, z] in &mut quads.positions {
+        let [across, along] = [*x / 13.0, *y / 9.0];
+        *z = 1.0 - 2.0 * across * across + 1.2 * across * along - 1.5 * along * along;
+    }
+    let corners = quads.faces.iter();
+    let triangles = corners.flat_map(|f| [[f[0], f[1], f[2]], [f[0], f[2], f[3]]]);
+    let triangles = Ragged::from_iter(triangles);
+    let surface = Mesh { positions: quads.positions, faces: triangles, ..Mesh::default() };
+    scene.closeness.to = ClosenessTo::Target;
+    scene.closeness.target = Some(Target::Mesh(surface.into()));
+    scene.constraints = vec![constraint("plane", each(Element::Face), 1.0)];
+    scene.weights = Weights { shape: 10.0, close: 1.0, smooth: 0.02 };
+    scene.smoothness = Smoothness { of: SmoothnessOf::Displacement, weighting: Weighting::Uniform };
+    scene.solver.iterations = 500;
+    let mut rough = flat([22, 15]);
+    for (k, [_, _, z]) in rough.positions.iter_mut().enumerate() {
+        *z = 0.1 * (7 * k % 5) as f64;
+    }
+    rough
+}
+
+fn transfer(scene: &mut Scene) -> Mesh {
+    let tower = Tower { meridians: 32, rows: 20, ..Tower::default() };
+    let upright = tower.mesh();
+    scene.current = Some(upright.positions.clone());
+    // Its rest shape leans over; what holds its foot is the same.
+    let mut posed = upright;
+    for [x, y, z] in &mut posed.positions {
+        let above = (*z - 5.0).max(0.0);
+        *x += 0.012 * above * above;
+        *y -= 0.0001 * above * above * above;
+    }
+    scene.constraints = vec![constraint(
+        "similar",
+        Selector::Each { element: Element::Ring, within: None, radius: 1 },
+        1.0,
+    )];
+    scene.handles = vec![fixed((0..2).flat_map(|k| tower.ring(k)).collect())];
+    scene.weights = Weights { shape: 1.0, close: 0.0, smooth: 0.0 };
+    scene.closeness.to = ClosenessTo::None;
+    scene.solver.iterations = 1000;
+    posed
+}
