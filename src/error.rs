@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// What can go wrong between a file and a solved mesh. All of it is the input's fault: a broken
+/// The errors between a file and a solved mesh. All of it is the input's fault: a broken
 /// internal contract panics instead.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Error {

@@ -20,7 +20,7 @@ const SIZE: Vec2 = Vec2::new(432.0, 312.0);
 /// Width of a bin of the histograms of angles: five degrees.
 const BINS: usize = 36;
 
-/// What was measured of an example.
+/// The measurements of an example.
 #[derive(Serialize)]
 struct Result {
     id: &'static str,

@@ -29,7 +29,7 @@ pub struct Info {
     /// The error measure of a face (`"planarity"` or `"circularity"`) that says how far faces are
     /// from the shape, when they are what it acts on. None where no measure of a face does.
     pub measure: Option<&'static str>,
-    /// What panels are that have the shape ("flat"), of kinds that hosts offer for all panels by one
+    /// The adjective for panels that have the shape ("flat"), of kinds that hosts offer for all panels by one
     /// press. Such a kind has a `measure` of faces, and every triangle meets it.
     pub panels: Option<&'static str>,
     /// The colour of its members on the page, as sRGB bytes.

@@ -93,7 +93,7 @@ impl KindVisitor for ReadsRest {
     }
 }
 
-/// What is projected: a figure of about unit size and a disturbed copy of it.
+/// The sample that is projected: a figure of about unit size and a disturbed copy of it.
 struct Sample {
     /// `#P`.
     rest: Vec<Vec3<f64>>,
@@ -108,7 +108,7 @@ struct Sample {
 /// Open arities get this many points.
 const MANY: usize = 8;
 
-/// What each point of the figure is disturbed by.
+/// The displacement of each point of the figure.
 const DISTURBANCE: [[f64; 3]; 8] = [
     [0.12, -0.18, 0.26],
     [-0.24, 0.14, -0.28],

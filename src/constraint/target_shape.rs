@@ -1,7 +1,7 @@
-//! What the vertices of a place are to the mesh, as far as it decides which kind is usually wanted
+//! The role of the vertices of a place in the mesh, as far as it decides which kind is usually wanted
 //! there.
 
-/// What the vertices of a place are to the mesh. A kind names those that it is the usual choice for
+/// The role of the vertices of a place in the mesh. A kind names those that it is the usual choice for
 /// in [`Projection::USUAL_FOR`](super::Projection::USUAL_FOR); hosts choose it beforehand there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TargetShape {

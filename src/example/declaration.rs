@@ -12,7 +12,7 @@ pub struct Example {
     pub title: &'static str,
     /// A hint of what to look for, in one sentence.
     pub summary: &'static str,
-    /// What is measured when it is solved with its own settings, in one sentence; tests check it.
+    /// The result when it is solved with its own settings, in one sentence; tests check it.
     pub statement: &'static str,
     /// How the name of its mesh file ends: `obj`, or `mesh` (Medit) where there are tetrahedra.
     pub(super) ending: &'static str,

@@ -1,4 +1,4 @@
-//! What some examples offer to look at: hosts show a button for each, and name none of them.
+//! Views that some examples suggest: hosts show a button for each, and name none of them.
 
 use serde::Serialize;
 

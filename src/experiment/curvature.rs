@@ -1,4 +1,4 @@
-//! What a descent method has learned about the curvature from its steps.
+//! The curvature that a descent method estimates from its steps.
 
 use std::collections::VecDeque;
 

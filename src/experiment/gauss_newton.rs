@@ -7,7 +7,7 @@ use crate::math::{Vec3, polygon_sides};
 use crate::mesh::{Laplacian, Point};
 use crate::solve::{System, Terms};
 
-/// What is added to the diagonal, as a part of its mean: the normal matrix of Gauss-Newton may be
+/// The regularisation of the diagonal, as a part of its mean: the normal matrix of Gauss-Newton may be
 /// singular.
 const DAMPING: f64 = 1e-6;
 /// Steps that are tried, each half as long as the one before.
@@ -101,7 +101,7 @@ impl GaussNewton {
         Penalties { circles: self.length * self.length * circles, close, smooth: smooth.sum() }
     }
 
-    /// What is minimised, for a weight of the circles.
+    /// The objective for a weight of the circles.
     pub(super) fn total(&self, circles: f64, penalties: Penalties) -> f64 {
         let [close, smooth] = self.weights;
         circles * penalties.circles + close * penalties.close + smooth * penalties.smooth

@@ -76,7 +76,7 @@ impl Run {
         self.experiment
     }
 
-    /// What has been measured so far, of each method that has started.
+    /// The measurements so far, of each method that has started.
     pub fn series(&self) -> &[Series] {
         &self.series
     }

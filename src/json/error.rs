@@ -109,7 +109,7 @@ pub(crate) fn found(value: impl Into<Tree>, expected: &str) -> JsonError {
     JsonError::found(&value.into().describe(), expected)
 }
 
-/// What serde calls by the names of Rust.
+/// The serde messages that name Rust types.
 fn plain(expected: &str) -> &str {
     match expected {
         "f64" => "a number",

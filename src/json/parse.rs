@@ -15,7 +15,7 @@ const MOST_LEVELS: usize = 128;
 /// The document as a tree, with or without a byte order mark before it.
 ///
 /// # Errors
-/// What is not JSON, or an object with the same key twice: with line and column.
+/// Text that is not JSON, or an object with the same key twice: with line and column.
 pub(crate) fn parse(text: &str) -> Result<Tree, JsonError> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let mut parser = Parser { text, at: 0, level: 0 };
@@ -87,7 +87,7 @@ impl Parser<'_> {
         format!("expected {what}{end}")
     }
 
-    /// What stands between brackets, separated by commas.
+    /// The comma-separated entries between brackets.
     fn items(&mut self, close: u8, mut item: impl FnMut(&mut Self) -> Parsed<()>) -> Parsed<()> {
         if self.level == MOST_LEVELS {
             return Err("recursion: arrays and objects are too deep in each other".to_owned());

@@ -16,7 +16,7 @@ use serde_json::{Number, Value};
 /// Reads a value.
 ///
 /// # Errors
-/// What does not fit, with the path below `value`.
+/// A value that does not fit, with its path below `value`.
 pub(crate) fn read<T: DeserializeOwned>(value: &Value) -> Result<T, JsonError> {
     read_tree(&value.into())
 }

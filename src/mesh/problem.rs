@@ -50,7 +50,7 @@ pub enum ProblemKind {
 }
 
 impl ProblemKind {
-    /// What is counted, as singular and plural, and what is the matter with it.
+    /// The element that is counted, as singular and plural, and its defect.
     fn words(self) -> (&'static str, &'static str, &'static str) {
         use ProblemKind::*;
         let (one, many) = match self {

@@ -1,4 +1,4 @@
-//! What vertices are kept close to, and how much: `close = sum_v k_v |v - c(v)|^2` (Eq. 11).
+//! The closeness of vertices: to which points, and with which factors: `close = sum_v k_v |v - c(v)|^2` (Eq. 11).
 
 use super::SceneError;
 use crate::constraint::{Selector, Sets, resolve};
@@ -7,7 +7,7 @@ use crate::solve::{BoundaryCloseness, ClosenessTo};
 use serde::Deserialize;
 use std::rc::Rc;
 
-/// What vertices are kept close to, and how much each.
+/// The closeness of vertices: to which points, and the factor of each vertex.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Closeness {
     /// `c(v)`.

@@ -52,7 +52,7 @@ pub struct Scene {
     /// The exercise that it is.
     #[serde(default, deserialize_with = "present")]
     pub lesson: Option<Lesson>,
-    /// What is to be made of the shape.
+    /// How the shape is to be built.
     #[serde(default, deserialize_with = "present")]
     pub build: Option<Box<BuildSettings>>,
 }

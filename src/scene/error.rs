@@ -40,7 +40,7 @@ impl From<JsonError> for SceneError {
     }
 }
 
-/// What the keys hold that must be there, or are numbers of a kind.
+/// The expected values of keys that are required, or are numbers of a kind.
 fn expected_of(key: &str) -> Option<String> {
     let what = match key {
         "format" | "title" | "student" | "scene" | "time" | "name" | "id" => "a text",

@@ -19,7 +19,7 @@ pub struct UnitsAndUp {
 }
 
 impl UnitsAndUp {
-    /// What the comments at the beginning of a mesh file state: `# units: m`, `# up: y`.
+    /// Unit and up axis as stated by the comments at the beginning of a mesh file: `# units: m`, `# up: y`.
     pub fn stated(file: &[u8]) -> UnitsAndUp {
         let mut frame = UnitsAndUp::default();
         for line in file.split(|&byte| byte == b'\n') {

@@ -15,7 +15,7 @@ pub struct Preset {
     pub id: &'static str,
     /// Its name for people.
     pub label: &'static str,
-    /// What it does, and what it takes for given.
+    /// Its effect, and what it assumes of the mesh.
     pub assumes: &'static str,
     needs: Needs,
     weights: Weights,
@@ -24,7 +24,7 @@ pub struct Preset {
     smoothness: Smoothness,
 }
 
-/// What has to be there for a preset to keep a mesh whole.
+/// The requirement for a preset to keep a mesh whole.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Needs {
     Nothing,
@@ -44,7 +44,7 @@ pub struct PresetOffer {
     pub label: &'static str,
     /// See [`Preset::assumes`].
     pub assumes: &'static str,
-    /// What this scene lacks of that, and what follows.
+    /// The part of that which this scene lacks, and the consequence.
     pub warning: Option<&'static str>,
 }
 

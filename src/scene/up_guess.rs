@@ -7,7 +7,7 @@ use super::{UnitsAndUp, Up};
 use crate::math::{Vec3, twice_vector_area};
 use crate::mesh::{Mesh, Point};
 
-/// What a surface covers along its axis, at least, as a part of its area.
+/// The least area that a surface covers as seen along its axis, as a part of its own area.
 const COVERS: f64 = 0.05;
 /// How many times as much as along the other axis.
 const CLEARLY: f64 = 2.0;
@@ -15,13 +15,13 @@ const CLEARLY: f64 = 2.0;
 const ALONG: f64 = 0.9;
 /// Faces this near to the lowest point, as a part of the height, are on the ground.
 const GROUND: f64 = 0.03;
-/// What a closed shape has on the ground at least, as a part of its area: so that it is built, or that it
+/// The least area that a closed shape has on the ground, as a part of its own: so that it is built, or that it
 /// stands.
 const BUILT: f64 = 0.03;
 const STANDS: f64 = 0.015;
 /// Vertices this near to the lowest one, as a part of the height, stand on the ground.
 const TOUCHES: f64 = 1e-3;
-/// What lies has a height of at most this part of both its other sides.
+/// A shape lies flat where its height is at most this part of both its other sides.
 const LYING: f64 = 0.5;
 /// A figure is less wide across than this part of both its other sides.
 const ACROSS: f64 = 0.8;

@@ -1,4 +1,4 @@
-//! What solvers are made of: the energies of a problem, the system of their global step, and which of its nodes
+//! The parts of a solver: the energies of a problem, the system of their global step, and which of its nodes
 //! are no unknowns.
 
 use super::assemble::Terms;
@@ -180,7 +180,7 @@ fn to_rows(positions: &[Point], node_of: &[u32], n: usize, centre: Point) -> Vec
     rows
 }
 
-/// What [`Holding::new`] reads of a solver.
+/// The input of [`Holding::new`].
 pub(super) struct Nodes<'a> {
     pub n_vertices: usize,
     pub n_unknowns: usize,

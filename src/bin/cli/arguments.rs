@@ -8,7 +8,7 @@ use shape_up::solve::{ConformalNorm, ConformalWeights, Require};
 use std::ffi::{OsStr, OsString};
 use std::path::PathBuf;
 
-/// What is asked for.
+/// The command with its arguments.
 #[derive(Debug, PartialEq)]
 pub(super) enum Command {
     Solve(Solve),
@@ -40,7 +40,7 @@ pub(super) struct Solve {
     pub(super) input: PathBuf,
     /// The id of the kind that is asked of every face.
     pub(super) panels: Option<&'static str>,
-    /// What is asked of all constraints; none leaves it to the scene.
+    /// The requirement for all constraints; none leaves it to the scene.
     pub(super) require: Option<Require>,
     /// How the boundary is held; none leaves it to the scene.
     pub(super) boundary: Option<BoundaryCloseness>,

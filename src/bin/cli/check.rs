@@ -8,7 +8,7 @@ use shape_up::mesh::{
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// What `--report` writes, beside what `check` prints.
+/// The report that `--report` writes.
 #[derive(Serialize)]
 struct Check {
     vertices: usize,

@@ -33,9 +33,9 @@ struct Entry<'a> {
     weights: [f64; 3],
     /// The comparison that can be run on it.
     experiment: Option<&'static Experiment>,
-    /// What there is to look at.
+    /// The description of the example.
     suggestions: &'static [Suggestion],
-    /// What a student is to reach, where it is a lesson.
+    /// The task of a lesson.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     goals: Vec<GoalWords<'a>>,
 }

@@ -16,7 +16,7 @@ pub(super) struct Input {
     pub(super) mesh: Mesh,
     /// How the mesh file was welded.
     pub(super) weld: Option<Weld>,
-    /// What the mesh file has wrong that could be survived, and what was found out about it.
+    /// The problems of the mesh file that could be survived, and notes about it.
     pub(super) remarks: Vec<String>,
 }
 
@@ -87,7 +87,7 @@ pub(super) fn read_mesh(path: &Path) -> Result<Read, Failure> {
     Ok(read)
 }
 
-/// What the reader has to say of a mesh, one line each.
+/// The problems and notes of the mesh reader, one line each.
 pub(super) fn remarks(read: &Read) -> Vec<String> {
     read.problems.iter().map(ToString::to_string).chain(read.notes.iter().cloned()).collect()
 }

@@ -18,7 +18,7 @@ pub(super) fn text(path: &Path, session: &Session, weld: Option<&Weld>) -> Strin
     }
 }
 
-/// What of the mesh the format of `path` does not have: none where all of it is written.
+/// The parts of the mesh that the format of `path` cannot hold: none where all of it is written.
 pub(super) fn left_out(path: &Path, mesh: &Mesh) -> Option<String> {
     let larger = mesh.faces.iter().filter(|face| face.len() > 4).count();
     let (format, parts) = if is_medit(path) {

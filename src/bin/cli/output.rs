@@ -1,4 +1,4 @@
-//! What goes out: files written whole or not at all, and text on standard output.
+//! Output: files written whole or not at all, and text on standard output.
 
 use super::Failure;
 use shape_up::mesh::{Circularity, Planarity};
@@ -43,13 +43,13 @@ pub(super) fn write(files: &[(&Path, String)]) -> Result<(), Failure> {
 
 /// A file that is written and not yet in its place.
 struct Complete<'a> {
-    /// What the command line calls it.
+    /// Its option on the command line.
     path: &'a Path,
     beside: PathBuf,
     place: PathBuf,
 }
 
-/// What a path leads to.
+/// The kind of place that a path leads to.
 enum Place {
     /// A file, there or not: behind all links, so that these stay.
     File {

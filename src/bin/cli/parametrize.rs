@@ -7,7 +7,7 @@ use shape_up::mesh::{QuasiConformal, Topology, counted, write_obj_with_uv};
 use shape_up::solve::{ConformalNorm, ConformalSeconds, Parametrization, clock};
 use std::path::Path;
 
-/// What `--report` writes, beside what is printed.
+/// The report that `--report` writes.
 #[derive(Serialize)]
 struct Report {
     vertices: usize,

@@ -63,7 +63,7 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
     output::print(&summary(&command.input, &report, &remarks, &units))
 }
 
-/// What each row of constraints left out.
+/// The elements that each row of constraints skipped.
 fn misfits(session: &Session) -> impl Iterator<Item = String> {
     let rows = session.document().constraints.iter().zip(session.rows());
     rows.filter(|(_, row)| row.enabled && row.skipped > 0).map(|(spec, row)| {

@@ -7,7 +7,7 @@ use shape_up::view::camera::UpAxis;
 use shape_up::view::model::ViewError;
 use shape_up::view::state::ViewState;
 
-/// What the page shows of a scene when it is opened: handles, and faces in the colours of what the
+/// The view of a scene as the page opens it: handles, and faces in the colours of what the
 /// first row of constraints asks of them, or where that has no measure, in the colours of the rows.
 pub(crate) fn state(session: &Session) -> Result<ViewState, ViewError> {
     let mesh = session.mesh();

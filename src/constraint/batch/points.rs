@@ -67,7 +67,7 @@ impl Batch {
         self.operator.project(&rest[..rest.len().min(self.n)], v, projected);
     }
 
-    /// What [`Batch::project_copies`] wants of constraint `i`: its rest points in every lane.
+    /// The input of [`Batch::project_copies`] for constraint `i`: its rest points in every lane.
     pub fn rest_of(&self, i: usize) -> Vec<Vec3<Lanes>> {
         let rest = self.rest.iter().skip(i / LANES * self.n).take(self.n);
         rest.map(|point| Vec3::splat(point.lane(i % LANES))).collect()

@@ -158,7 +158,7 @@ fn step(v: &[Vec3<f64>; 5], x: &[Vec3<f64>; 5]) -> [Vec3<f64>; 5] {
     Angles::of(x).nearest(v, x)
 }
 
-/// What may be the closest points to `v` that have the shape; at least one has it.
+/// Candidates for the closest points to `v` that have the shape; at least one has it.
 fn candidates(v: &[Vec3<f64>; 5]) -> Vec<[Vec3<f64>; 5]> {
     let has_shape = |x: &[Vec3<f64>; 5]| {
         let angles = Angles::of(x);

@@ -118,7 +118,7 @@ impl Projection for Symmetry {
     }
 }
 
-/// What a vertex is: without a partner, the least of those that are images of each other, or one of
+/// The role of a vertex: without a partner, the least of those that are images of each other, or one of
 /// the others.
 const FREE: f64 = 0.0;
 const LEAST: f64 = 1.0;

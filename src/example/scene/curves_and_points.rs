@@ -1,4 +1,4 @@
-//! What is not a polygon: curves on a mesh (paper section 4.1), and points without faces.
+//! Models without polygons: curves on a mesh (paper section 4.1), and points without faces.
 
 use super::parts::{constraint, fixed};
 use crate::constraint::{Element, Selector, Set};

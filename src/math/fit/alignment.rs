@@ -133,7 +133,7 @@ fn within_range<S: Lane>(product: S) -> S {
     S::splat(1e80).if_greater(product, not_tiny, S::zero())
 }
 
-/// What the greatest `tr(R^T H)` depends on.
+/// The invariants of `H` that the greatest `tr(R^T H)` depends on.
 #[derive(Clone, Copy)]
 struct Invariants<S> {
     /// The columns of the cofactor matrix.

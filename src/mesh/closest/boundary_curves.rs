@@ -21,7 +21,7 @@ pub struct BoundaryCurve {
     pub polyline: Surface,
     /// Its vertices without the corners, along the loop.
     pub vertices: Vec<u32>,
-    /// What lies between corners, in order.
+    /// The pieces between corners, in order.
     pub pieces: Vec<BoundaryPiece>,
 }
 

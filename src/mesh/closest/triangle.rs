@@ -17,7 +17,7 @@ use crate::mesh::Point;
 pub(crate) struct Planes {
     /// Unit normals: of the triangle and side ab; of the sides bc and ca.
     normals: [Vec3<Pair>; 2],
-    /// What is added to the inner product with the normal.
+    /// The offset of the plane along the normal.
     offsets: [Pair; 2],
 }
 

@@ -10,7 +10,7 @@ use crate::mesh::{ElementKind, counted};
 
 /// The first word of a file.
 pub(crate) struct Header<'a> {
-    /// What each vertex has beside its position.
+    /// The attributes of each vertex beside its position.
     variant: &'a str,
     /// The number of vertices, where it is glued to the word as in `OFF8`.
     glued: &'a str,

@@ -33,7 +33,7 @@ impl<'de> Deserialize<'de> for ConstraintSpec {
 /// The keys that every constraint has; all others are parameters of its kind.
 const KEYS: [&str; 6] = ["kind", "on", "weight", "enabled", "name", "require"];
 
-/// What every constraint has.
+/// The keys of every constraint.
 #[derive(serde::Deserialize)]
 struct Common {
     kind: String,
@@ -84,7 +84,7 @@ fn spec_of(entries: Map<String, Value>) -> Result<ConstraintSpec, JsonError> {
     Ok(ConstraintSpec { kind, on, weight, enabled, name, require })
 }
 
-/// What a row that may be off by so much has.
+/// The value of a row that is met within a length.
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Within {

@@ -1,6 +1,6 @@
 //! The scene file, version 1, as JSON in and out; the README shows one.
 //!
-//! What is wrong is named by its JSON path, with what was found and what was expected. Here the
+//! An error names its JSON path, with what was found and what was expected. Here the
 //! form is checked; whether indices and names fit the mesh is checked by `validate`.
 //!
 //! # The file

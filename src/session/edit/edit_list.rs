@@ -88,7 +88,7 @@ pub enum Edit {
     FitTo {
         /// The name of the file.
         name: String,
-        /// What is in it, OBJ or OFF.
+        /// Its text, OBJ or OFF.
         text: String,
     },
     /// Makes handles soft, with a weight.

@@ -5,7 +5,7 @@ const AT_ONCE: f64 = 1.0 / 30.0;
 /// A face of a large mesh costs this many times as much as one of a small mesh: the factor has more
 /// entries per vertex, and nothing stays in the cache. Measured from 361 to 49,729 faces.
 const GROWTH: f64 = 2.0;
-/// What is said of any machine: fewer faces than the first are always worked with at once, more than
+/// The limits on any machine: fewer faces than the first are always worked with at once, more than
 /// the second fill its memory first.
 const BOUNDS: [f64; 2] = [1e4, 5e5];
 

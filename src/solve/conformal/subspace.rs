@@ -72,7 +72,7 @@ pub(super) fn smallest(
     map.iter().flatten().all(|value| value.is_finite()).then_some(map)
 }
 
-/// What the new vectors are of the old ones: entry `i` of vector `j` is the factor of vector `i`, all real
+/// The new vectors in terms of the old ones: entry `i` of vector `j` is the factor of vector `i`, all real
 /// parts before all imaginary ones.
 type Mix = [[f64; REAL]; VECTORS];
 /// A Hermitian matrix `H` as the real one `[Re H, -Im H; Im H, Re H]`, which has each of its eigenvalues

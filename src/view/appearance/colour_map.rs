@@ -1,7 +1,7 @@
 //! The perceptually uniform colour maps of errors, which also read to colour-blind eyes: viridis (van
 //! der Walt and Smith 2015) for all values, and a map of our own for those beyond a tolerance.
 //!
-//! What is within the tolerance has the colour of the material, light or dark. So the second map
+//! Values within the tolerance have the colour of the material, light or dark. So the second map
 //! begins pale, but where it differs from every grey, and ends before it is dark: a shape that is
 //! nearly as asked is calm, and the worst faces are seen on both themes. It goes along straight lines
 //! of Oklab (Ottosson 2020) at an even speed.

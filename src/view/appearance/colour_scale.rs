@@ -34,7 +34,7 @@ impl ColourScale {
         [self.low, self.high].map(|end| self.along(exact(end)))
     }
 
-    /// What is proportional to the place of a value in the range: the value itself or its logarithm to
+    /// The quantity that is proportional to the place of a value in the range: the value itself or its logarithm to
     /// the base 10. What is not a number stays none.
     pub fn coordinate(&self, value: f32) -> f64 {
         self.along(f64::from(value))

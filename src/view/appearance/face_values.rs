@@ -1,4 +1,4 @@
-//! What a face looks like beside its shape: its value on the colour map, whether it is selected,
+//! The appearance of a face beside its shape: its value on the colour map, whether it is selected,
 //! the colour of the row of constraints that acts on it, whether it is a member of the one that is
 //! pointed at. Four bytes per face.
 

@@ -32,7 +32,7 @@ pub struct Dot {
     pub square: f32,
 }
 
-/// What a line stands for; its number is its place in [`Palette::strokes`].
+/// The meaning of a line; its number is its place in [`Palette::strokes`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LineKind {
     /// Between two faces.
@@ -61,7 +61,7 @@ pub enum LineKind {
     Flipped = 11,
 }
 
-/// What a dot stands for; its number is its place in [`Palette::dots`].
+/// The meaning of a dot; its number is its place in [`Palette::dots`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DotKind {
     /// A vertex.
@@ -123,7 +123,7 @@ pub struct Palette {
     pub ghost: Colour,
     /// Arrows of the gizmo along x, y, z, and squares across them.
     pub axes: [Colour; 3],
-    /// What parts the gizmo from whatever is below.
+    /// The rim that sets the gizmo off from its background.
     pub axis_casing: Colour,
 }
 

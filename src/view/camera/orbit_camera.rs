@@ -40,7 +40,7 @@ impl UpAxis {
 /// How depth acts on size.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum CameraProjection {
-    /// What is farther away is smaller.
+    /// Objects farther away are smaller.
     #[default]
     Perspective,
     /// Everything has the size that it has at the pivot's depth in perspective; lines of sight are

@@ -10,7 +10,7 @@ use glam::{Vec2, Vec3};
 
 /// The sine of the angle below which an axis points at the eye, or a plane is seen from its side.
 const EDGE_ON: f32 = 0.1;
-/// What is dragged stays within this many times its own depth.
+/// The largest distance of a drag, in depths of the dragged point.
 const FARTHEST: f32 = 20.0;
 
 /// The axis or plane that a drag keeps to, in the file's coordinates.

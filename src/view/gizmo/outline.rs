@@ -1,4 +1,4 @@
-//! What the gizmo looks like: arrows with the letters of their axes, and squares, as triangles.
+//! The shape of the gizmo: arrows with the letters of their axes, and squares, as triangles.
 //!
 //! Each part has a casing below it, so that it is seen on any mesh. The part under the pointer is
 //! heavier; while it is held, the others step back.
@@ -14,11 +14,11 @@ const OUTLINE: f32 = 1.6;
 const LETTER: f32 = 1.7;
 /// The casing on each side.
 const CASING: f32 = 1.3;
-/// What lights up is so much wider.
+/// The factor of width of a highlighted part.
 const LIT: f32 = 1.6;
 /// Opacity of the inside of a square, and of one that is lit.
 const FILL: [f32; 2] = [0.32, 0.72];
-/// What is not held is so much fainter.
+/// The factor of opacity of parts that are not dragged.
 const STEPPED_BACK: f32 = 0.22;
 /// Length and half width of an arrow's head.
 const HEAD: Vec2 = Vec2::new(13.0, 5.0);

@@ -11,7 +11,7 @@ use glam::{Vec2, Vec3};
 /// An arrow is gone where the sine of its angle with the line of sight is the first, and whole from
 /// the second on; so is a square, by the cosine of the angle of its normal.
 const FADING: [f32; 2] = [0.2, 0.38];
-/// What is less strong than this cannot be taken.
+/// A part fainter than this cannot be grabbed.
 const TAKEN_FROM: f32 = 0.5;
 
 /// Sizes in CSS pixels, of what is seen from the front.

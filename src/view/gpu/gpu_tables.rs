@@ -1,4 +1,4 @@
-//! What vertex shaders pull from: tables of four numbers per vertex or face. They are textures
+//! Tables that vertex shaders pull from, of four numbers per vertex or face. They are textures
 //! because WebGL2 has no storage buffers. Each table is written at once, in whole rows: it is the
 //! number of writes that costs time, not their size.
 

@@ -203,7 +203,7 @@ fn pixels(part: Region, ratio: f32, (width, height): (u32, u32)) -> [u32; 4] {
     [left, top, right.saturating_sub(left).max(1), bottom.saturating_sub(top).max(1)]
 }
 
-/// What is drawn from now on is drawn in a part of the canvas.
+/// Restricts drawing to a part of the canvas from here on.
 fn confine(pass: &mut wgpu::RenderPass<'_>, [left, top, width, height]: [u32; 4]) {
     let [x, y, w, h] = [left, top, width, height].map(|side| side as f32);
     pass.set_viewport(x, y, w, h, 0.0, 1.0);

@@ -1,4 +1,4 @@
-//! What the GPU has of a stage that is seen by itself: its tables, what is drawn about its mesh, and
+//! The GPU resources of one picture: its tables, what is drawn about its mesh, and
 //! the lines that part its bands of values. The whole canvas is one pane; a split picture has two,
 //! which share the mesh's faces and edges.
 

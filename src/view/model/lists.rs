@@ -44,7 +44,7 @@ pub enum ViewError {
     },
     /// A word that is none of those known here.
     Word {
-        /// What the word chooses.
+        /// The choice that the word is for.
         what: &'static str,
         /// The word.
         got: String,

@@ -19,7 +19,7 @@ pub struct DepthMap {
     height: usize,
     /// Pixels per CSS pixel.
     scale: f32,
-    /// What grows towards the eye and is linear on the screen: one over the depth, in parallel
+    /// A depth that grows towards the eye and is linear on the screen: one over the depth, in parallel
     /// projection minus the depth. Less than any where there is nothing.
     nearness: Vec<f32>,
     faces: Vec<u32>,

@@ -24,7 +24,7 @@ use std::fmt::{Display, Write};
 const STEPS: f32 = 64.0;
 /// Opacity of what the surface hides, as in the shaders of lines and dots.
 const BEHIND: f32 = 0.38;
-/// What hides a mark by less than this part of its distance from the eye does not hide it.
+/// A surface in front of a handle by less than this part of its distance from the eye does not hide it.
 const NEAR: f32 = 0.02;
 
 /// The stage as an `svg` element of the size of its canvas, with the classes `still` and `class`.

@@ -60,7 +60,7 @@ impl ExperimentRun {
         Ok(ExperimentRun::of(Run::new(&COMPARISON, scene, session.mesh().clone(), limits)))
     }
 
-    /// What the comparison on whatever is open declares.
+    /// The declaration of the comparison on whatever is open.
     pub fn declared() -> Result<JsValue, JsValue> {
         plain(&COMPARISON)
     }

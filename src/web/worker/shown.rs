@@ -1,4 +1,4 @@
-//! What the view shows of the session: values of faces and vertices, fitted shapes, projections, and what
+//! Arrays of the session that the view draws: values of faces and vertices, fitted shapes, projections, and what
 //! rows of constraints act on.
 
 use super::solver::Solver;

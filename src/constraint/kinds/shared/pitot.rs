@@ -21,7 +21,7 @@ use crate::math::{Lane, Vec3, centre};
 struct Newton<S> {
     /// The sides of `v`.
     w: [Vec3<S>; 4],
-    /// What the sums of opposite sides shall differ by.
+    /// The required difference between the sums of opposite sides.
     difference: S,
     /// One, or minus one where a side points the other way than `w0 - q` and so on.
     signs: [S; 4],
@@ -29,7 +29,7 @@ struct Newton<S> {
     q: Vec3<S>,
 }
 
-/// What `p` and `q` say of the sides of `x`.
+/// The sides of `x` as `p` and `q` give them.
 struct Sides<S> {
     /// Directions, and lengths of `w0 - q`, `w1 + p`, `w2 - q`, `w3 + p`.
     n: [Vec3<S>; 4],
@@ -202,7 +202,7 @@ fn approach(v: &[Vec3<f64>], mut x: [Vec3<f64>; 4]) -> [Vec3<f64>; 2] {
     ends
 }
 
-/// What may be the closest points to `v`.
+/// Candidates for the closest points to `v`.
 fn candidates(v: &[Vec3<f64>]) -> Vec<[Vec3<f64>; 4]> {
     let at_first = difference(v);
     let mut found = Vec::new();
