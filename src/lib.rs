@@ -91,6 +91,10 @@
 //! | `w_ij`, `l_i` (Eq. 12) | edge weight; the position or the displacement that is smoothed |
 //! | `e_p`, `e_c` (Fig. 5) | planarity and circularity error: mean squared distance |
 //!
+//! # The paper, row by row
+//!
+//! See [`capabilities`].
+//!
 //! # Conventions
 //!
 //! Arrays state their shape as in `#V by 3`. Indices are 0-based everywhere but in files that
@@ -125,3 +129,7 @@ pub mod sparse;
 pub mod view;
 #[cfg(all(target_arch = "wasm32", any(feature = "solver", feature = "view", feature = "build")))]
 pub mod web;
+
+#[cfg(doc)]
+#[doc = include_str!("capabilities.md")]
+pub mod capabilities {}
