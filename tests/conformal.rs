@@ -8,7 +8,7 @@ mod shared;
 
 use grid::grid;
 use shape_up::mesh::{Mesh, Topology};
-use shape_up::solve::{ConformalNorm, ConformalWeights, Parametrization};
+use shape_up::solve::{ConformalNorm, ConformalWeights, FewerFlips, Parametrization};
 
 const WEIGHTS: [(&str, ConformalWeights); 3] = [
     ("one", ConformalWeights::One),
@@ -203,4 +203,19 @@ fn a_polygon_of_many_corners_is_mapped_in_time_that_grows_with_them() {
     assert!(started.elapsed().as_secs() < 30, "it took {:?}", started.elapsed());
     assert_eq!((found.parts, found.errors.flipped), (1, 0));
     assert!(found.errors.quasi_conformal.mean < 1.01, "{:?}", found.errors.quasi_conformal);
+}
+
+#[test]
+fn where_faces_are_turned_over_settings_are_offered_that_turn_fewer() {
+    let Some(mesh) = shared::mesh("halftunnel.off") else { return };
+    let topology = Topology::new(&mesh);
+    let flipped = |weights, norm| {
+        let map = Parametrization::new(&mesh, &topology, weights, norm);
+        map.expect("the mesh has a map").errors.flipped
+    };
+    let now = flipped(ConformalWeights::default(), ConformalNorm::default());
+    let offered = FewerFlips::of(&mesh, &topology, now).expect("there are better settings");
+    assert!(now > 0 && offered.flipped < now, "{now} {offered:?}");
+    assert_eq!(flipped(offered.weights, offered.norm), offered.flipped);
+    assert_eq!(FewerFlips::of(&mesh, &topology, offered.flipped), None, "there are no fewer");
 }

@@ -37,7 +37,9 @@ mod solver;
 mod system;
 
 pub use assemble::Terms;
-pub use conformal::{ConformalNorm, ConformalSeconds, ConformalWeights, Parametrization};
+pub use conformal::{
+    ConformalNorm, ConformalSeconds, ConformalWeights, FewerFlips, Parametrization,
+};
 pub use energy::{Constraints, Energy, Handle, HandleIndex, Hold, IterateSeconds};
 pub use error::SolveError;
 pub use exact::{Exact, ExactAnswer, Moved, Require, Requirements, Stage, Unmet, exact_tolerance};

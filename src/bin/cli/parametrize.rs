@@ -4,7 +4,8 @@ use super::arguments::Parametrize;
 use super::{Failure, input, output};
 use serde::Serialize;
 use shape_up::mesh::{QuasiConformal, Topology, counted, write_obj_with_uv};
-use shape_up::solve::{ConformalNorm, ConformalSeconds, Parametrization, clock};
+use shape_up::scene::NamedEnum;
+use shape_up::solve::{ConformalNorm, ConformalSeconds, FewerFlips, Parametrization, clock};
 use std::path::Path;
 
 /// The report that `--report` writes.
@@ -77,6 +78,18 @@ pub(super) fn parametrize(asked: &Parametrize) -> Result<(), Failure> {
         format!("flipped          {}", report.flipped),
         format!("seconds          {}", output::short(report.seconds.total)),
     ];
+    if report.flipped > 0 {
+        let faces = counted(report.flipped, "face", "faces");
+        let better = FewerFlips::of(mesh, &topology, report.flipped).map_or(
+            "and so many or more with all weights and norms: cut the mesh open or into parts"
+                .to_owned(),
+            |better| {
+                let FewerFlips { weights, norm, flipped, .. } = better;
+                format!("--weights {} --norm {} turns {flipped}", weights.word(), norm.word())
+            },
+        );
+        lines.push(format!("warning: {faces} turned over; {better}"));
+    }
     if report.left_out > 0 {
         let faces = counted(report.left_out, "face", "faces");
         lines.push(format!(

@@ -10,12 +10,15 @@
 //! |---|---|
 //! | `weights` | the choices: how polygons are weighed, and what is normalised |
 //! | `face` | the terms of one polygon |
+//! | `offer` | what to ask for where a map turns faces over |
 //! | `subspace` | the smallest eigenvector, by inverse iteration |
 
 mod face;
+mod offer;
 mod subspace;
 mod weights;
 
+pub use offer::FewerFlips;
 pub use weights::{ConformalNorm, ConformalWeights};
 
 use super::assemble::Terms;
