@@ -7,8 +7,8 @@ import { outputOf, run, say } from './run.mjs';
 import { wasmBindgen } from './setup-bindgen.mjs';
 import { filesUnder, unlessUnchanged } from './stamp.mjs';
 
-/** The Cargo features that are modules: the worker's, and the page's for each backend. */
-export const modules = ['solver', 'view-webgpu', 'view-webgl2'];
+/** The Cargo features that are modules: the worker's, that of parts, and the page's for each backend. */
+export const modules = ['solver', 'build', 'view-webgpu', 'view-webgl2'];
 
 /**
  * What the compiler is told beside the profile. Without a limit it copies functions into their callers
@@ -23,11 +23,16 @@ export const sizeFlags = [
 /** The rooms of `src/` that a view is compiled from; `src/lib.rs` says so. */
 const isOfView = (path) => /^src\/(lib\.rs|math\/|view\/|web\/(mod\.rs|page\/))/.test(path);
 
+/** The rooms that the module of parts is compiled from. */
+const isOfBuild = (path) =>
+  /^src\/(lib\.rs|math\/|mesh\/|sparse\/|fabricate\/|web\/(mod|build)\.rs)/.test(path);
+
 /** The sources of a module: an edit of the solver compiles no view anew, which takes minutes. */
 function sourcesOf(feature) {
   const paths = filesUnder(at('src'));
-  if (!feature.startsWith('view')) return paths;
-  return paths.filter((path) => isOfView(relative(root, path)));
+  if (feature === 'solver') return paths;
+  const isPart = feature === 'build' ? isOfBuild : isOfView;
+  return paths.filter((path) => isPart(relative(root, path)));
 }
 
 /** Builds one of them into `www/pkg/<feature>/`. */

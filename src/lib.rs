@@ -65,6 +65,12 @@
 //! 4. `Session::end_run` keeps the iterate of least energy and makes one step of undo of the run.
 //! 5. `Session::report` measures the shape ([`mesh`], `measure`); `session/export` writes OBJ or the scene.
 //!
+//! # From a shape to parts
+//!
+//! [`fabricate`] takes a mesh and settings (the key `build` of a scene), and knows nothing of solvers. The command
+//! line calls it with the shape of a scene; the page loads it as a module of its own, in a worker of its own
+//! (`www/features/build`), so that the solver stays small. Both write the same bytes.
+//!
 //! # Two numeric factors
 //!
 //! The normal matrix is a [`sprs::CsMatI`], and `sprs-ldl` factors it up to
@@ -116,6 +122,10 @@ pub mod fabricate;
 mod json;
 pub mod math;
 #[cfg(any(feature = "cli", feature = "solver", feature = "build"))]
+#[cfg_attr(
+    not(any(feature = "cli", feature = "solver")),
+    allow(dead_code, unused_imports, reason = "the module of parts uses some of it")
+)]
 pub mod mesh;
 #[cfg(any(feature = "cli", feature = "solver"))]
 pub mod scene;
@@ -124,6 +134,10 @@ pub mod session;
 #[cfg(any(feature = "cli", feature = "solver"))]
 pub mod solve;
 #[cfg(any(feature = "cli", feature = "solver", feature = "build"))]
+#[cfg_attr(
+    not(any(feature = "cli", feature = "solver")),
+    allow(dead_code, unused_imports, reason = "the module of parts uses some of it")
+)]
 pub mod sparse;
 #[cfg(feature = "view")]
 pub mod view;

@@ -309,11 +309,11 @@ impl Build {
         const CLOSED: f64 = 0.01;
         match kind {
             OffsetKind::Corner if closing.odd_panels > 0 => format!(
-                "corners: {} panels have an odd number of edges and do not close",
+                "{} panels have an odd number of edges and do not close",
                 closing.odd_panels
             ),
             OffsetKind::Corner if closing.panel_deg > CLOSED => format!(
-                "corners: around panel {} an axis is turned by {:.2} degrees: its corners are not on a circle",
+                "around panel {} an axis is turned by {:.2} degrees: its corners are not on a circle",
                 self.names[closing.panel as usize], closing.panel_deg
             ),
             OffsetKind::Corner => {
@@ -321,18 +321,17 @@ impl Build {
                 let worst = turns.copied().fold(0.0, f64::max);
                 if closing.rims_deg.contains(&None) || worst > CLOSED {
                     format!(
-                        "corners: around a hole an axis is turned by {worst:.2} degrees, so that no axes close around all holes"
+                        "around a hole an axis is turned by {worst:.2} degrees, so that no axes close around all holes"
                     )
                 } else {
-                    "corners: the exact axes lean too far".to_owned()
+                    "the exact axes lean too far".to_owned()
                 }
             }
             OffsetKind::Face => {
-                "panels: around some vertex the planes of the panels touch no common cone"
-                    .to_owned()
+                "around some vertex the planes of the panels touch no common cone".to_owned()
             }
             OffsetKind::Edge => {
-                "beams: the shape is not parallel to one whose edges touch a sphere".to_owned()
+                "the shape is not parallel to one whose edges touch a sphere".to_owned()
             }
         }
     }

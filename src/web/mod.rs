@@ -1,12 +1,16 @@
-//! wasm-bindgen faces: one for the worker (feature `solver`), one for the page (feature `view`).
+//! wasm-bindgen faces: one for the worker (feature `solver`), one for the page (feature `view`), one for what
+//! is built of a shape (feature `build`).
 //!
 //! | file or folder | holds |
 //! |---|---|
 //! | `worker` | the face of the solver |
 //! | `page` | the face of the view |
+//! | `build` | the face of sheets and the build check |
 //! | `plain` | between Rust and JavaScript |
 //! | `warm_up` | what makes the first steps fast |
 
+#[cfg(feature = "build")]
+pub mod build;
 #[cfg(feature = "view")]
 pub mod page;
 #[cfg(feature = "solver")]
@@ -21,6 +25,13 @@ use wasm_bindgen::JsValue;
 /// The error that a host sees: `{ message }`, one line that says all.
 fn thrown(error: impl std::fmt::Display) -> JsValue {
     js_sys::Error::new(&error.to_string()).into()
+}
+
+/// As a plain object: maps become objects, absent values null.
+#[cfg(any(feature = "solver", feature = "build"))]
+fn plain_object(value: &impl serde::Serialize) -> Result<JsValue, JsValue> {
+    let serializer = serde_wasm_bindgen::Serializer::json_compatible();
+    value.serialize(&serializer).map_err(thrown)
 }
 
 /// Writes panics to the console: the host sees only "unreachable" otherwise.

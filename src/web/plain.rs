@@ -3,14 +3,9 @@
 use super::thrown;
 use crate::scene::SceneError;
 use js_sys::{Float32Array, Uint32Array};
-use serde::Serialize;
 use wasm_bindgen::JsValue;
 
-/// As a plain object: maps become objects, absent values null.
-pub(super) fn plain(value: &impl Serialize) -> Result<JsValue, JsValue> {
-    let serializer = serde_wasm_bindgen::Serializer::json_compatible();
-    value.serialize(&serializer).map_err(thrown)
-}
+pub(super) use super::plain_object as plain;
 
 /// A plain object of the page as JSON.
 pub(super) fn text(value: &JsValue) -> Result<String, JsValue> {

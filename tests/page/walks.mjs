@@ -348,6 +348,15 @@ export const walks = {
       leave: (page) => page.getByRole('button', { name: 'Back to the model' }).click(),
     },
     {
+      name: 'parts and sheets',
+      reach: async (page) => {
+        await showPanel(page, 'Model');
+        await page.getByRole('button', { name: 'Build', exact: true }).click();
+        await waitForState(page, (now) => now.build !== null);
+      },
+      leave: (page) => page.getByRole('button', { name: 'Close parts' }).click(),
+    },
+    {
       name: 'a lesson whose goals are missed',
       reach: async (page) => {
         await openExample(page, 'Lesson: a glass roof of flat panes');

@@ -66,6 +66,7 @@ export function scriptApi(store, solver, viewport, files) {
         threads: 1,
         last_step_ms: numbers?.stepMs ?? 0,
         problems: model?.problems ?? [],
+        build: state.build,
       };
     },
 

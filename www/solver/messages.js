@@ -88,6 +88,7 @@
  *   | { type: "set", id: string, value: ParamValue }
  *   | { type: "holdClose", vertices: number[] | null, weight: number }
  *   | { type: "setLesson", lesson: Lesson | null }
+ *   | { type: "setBuild", build: Partial<BuildSettings> }
  *   | { type: "weighHandles", vertices: number[], weight: number }
  *   | { type: "reset" }} Edit
  */
@@ -366,6 +367,26 @@ export const TRACE_WIDTH = 6;
  * @typedef {{ type: "read", file: NamedBytes } | { type: "write", scene: string, errors: string }} RhinoRequest
  * @typedef {{ read: NamedBytes, write: Uint8Array<ArrayBuffer> }} RhinoReplies
  * @typedef {{ value: RhinoReplies[keyof RhinoReplies] } | { refused: string }} RhinoAnswer
+ */
+
+/** All of them: a scene has those that are not the default. @typedef {Required<import("../pkg/build/shape_up.js").BuildSettings>} BuildSettings */
+/** @typedef {import("../pkg/build/shape_up.js").BuildPreset} BuildPreset */
+/** @typedef {import("../pkg/build/shape_up.js").BuildReport} BuildReport */
+/** @typedef {import("../pkg/build/shape_up.js").CheckRow} CheckRow */
+/** @typedef {import("../pkg/build/shape_up.js").Choice} BuildChoice */
+/** @typedef {import("../pkg/build/shape_up.js").SheetPicture} SheetPicture */
+
+/**
+ * What the worker that makes parts is asked. `build` makes them of a shape (positions `#V by 3`) in a unit of so
+ * many metres, and draws so many `sheets` at most; the others are about what was built last.
+ * @typedef {{ type: "offers" } | { type: "choices" } | { type: "zip" }
+ *   | { type: "build", positions: Float64Array, offsets: Uint32Array, indices: Uint32Array,
+ *       settings: BuildSettings, symbol: string, metres: number, sheets: number }} BuildRequest
+ * @typedef {object} BuildReplies
+ * @property {{ presets: BuildPreset[], defaults: BuildSettings }} offers
+ * @property {{ report: BuildReport, sheets: SheetPicture[] }} build
+ * @property {BuildChoice[]} choices
+ * @property {Uint8Array<ArrayBuffer>} zip
  */
 
 /**

@@ -56,6 +56,7 @@
  * @property {number[] | null} tape the ends of the measuring tape that are chosen, while there is one
  * @property {import("./view-modes.js").FlatMap | null} flatMap what is shown beside the model
  * @property {import("./view-modes.js").Split | null} split two pictures in place of one
+ * @property {import("../solver/messages.js").BuildReport | null} build what the panel of parts shows; null while it is closed
  * @property {HeldOriginal | null} heldOriginal shown in place of the current shape while somebody holds
  * @property {boolean} dark
  * @property {"webgpu" | "webgl2" | "none" | "starting"} renderer
@@ -143,6 +144,7 @@ const INITIAL = {
   flatMap: null,
   split: null,
   heldOriginal: null,
+  build: null,
   dark: false,
   renderer: 'starting',
   saved: '',

@@ -36,7 +36,7 @@ export function createViewActions(store) {
     /** @param {Partial<Pick<State, "tool" | "shape" | "through" | "brush" | "tape">>} tool */
     useTool: (tool) => store.set(tool),
 
-    /** What is shown in another way, or beside the model. @param {Partial<Pick<State, "parallel" | "split" | "flatMap" | "heldOriginal" | "status">>} look */
+    /** What is shown in another way, or beside the model. @param {Partial<Pick<State, "parallel" | "split" | "flatMap" | "heldOriginal" | "build" | "status">>} look */
     look: (look) => store.set(look),
 
     /**

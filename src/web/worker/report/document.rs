@@ -44,6 +44,9 @@ pub(crate) struct Document<'a> {
     /// Vertices that were fixed because nothing else holds their part.
     pinned: &'a [u32],
     lesson: Option<LessonWords<'a>>,
+    /// What is to be made of the shape.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "Required<BuildSettings> | null"))]
+    build: Option<Value>,
 }
 
 #[derive(Serialize)]
@@ -188,6 +191,7 @@ impl<'a> Document<'a> {
             redo,
             pinned: session.solver().pinned(),
             lesson: scene.lesson.as_ref().map(LessonWords::new),
+            build: scene.build.as_deref().and_then(|build| serde_json::to_value(build).ok()),
         }
     }
 }

@@ -1,0 +1,120 @@
+//! Sheets and the build check for the page: a module of its own, which is loaded when it is first asked for.
+
+use super::{log_panics, plain_object as plain, thrown};
+use crate::fabricate::file::svg;
+use crate::fabricate::{Build, BuildPreset, BuildSettings, LengthInMetres, PRESETS};
+use crate::mesh::{Mesh, Ragged};
+use serde::Serialize;
+use wasm_bindgen::prelude::*;
+
+/// What the form of the settings is made from.
+#[derive(Serialize)]
+struct Offers {
+    presets: &'static [BuildPreset],
+    defaults: BuildSettings,
+}
+
+/// A sheet as the page shows it.
+#[derive(Serialize, tsify::Tsify)]
+struct SheetPicture {
+    name: String,
+    svg: String,
+    /// Of every outline, in the order of the picture, its panel.
+    panels: Vec<u32>,
+}
+
+/// A file as the page saves it.
+#[derive(Serialize)]
+struct File {
+    name: String,
+    text: String,
+}
+
+/// The presets and the defaults.
+///
+/// # Errors
+/// None: they are plain data.
+#[wasm_bindgen(js_name = buildOffers)]
+pub fn build_offers() -> Result<JsValue, JsValue> {
+    log_panics();
+    plain(&Offers { presets: &PRESETS, defaults: BuildSettings::default() })
+}
+
+/// The parts of a shape.
+#[wasm_bindgen]
+pub struct Builder {
+    build: Build,
+}
+
+#[wasm_bindgen]
+impl Builder {
+    /// Makes the parts of a mesh of `positions`, `#V by 3`, and faces: face `f` has the corners from
+    /// `offsets[f]` to `offsets[f + 1]` of `indices`. `settings` as in the key `build` of a scene; the unit of
+    /// the mesh is called `symbol` and so many `metres` long.
+    ///
+    /// # Errors
+    /// A mesh without faces, or a setting out of its range, in one sentence.
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        positions: &[f64],
+        offsets: &[u32],
+        indices: &[u32],
+        settings: JsValue,
+        symbol: String,
+        metres: f64,
+    ) -> Result<Builder, JsValue> {
+        let settings: BuildSettings = serde_wasm_bindgen::from_value(settings).map_err(thrown)?;
+        let mut faces = Ragged::new();
+        offsets
+            .windows(2)
+            .for_each(|ends| faces.push(&indices[ends[0] as usize..ends[1] as usize]));
+        let points = positions.chunks_exact(3).map(|point| [point[0], point[1], point[2]]);
+        let mesh = Mesh { positions: points.collect(), faces, ..Mesh::default() };
+        let build = Build::new(&mesh, &settings, LengthInMetres { symbol, metres });
+        Ok(Builder { build: build.map_err(thrown)? })
+    }
+
+    /// All numbers, as the report of the command line has them.
+    ///
+    /// # Errors
+    /// None: they are plain data.
+    pub fn report(&self) -> Result<JsValue, JsValue> {
+        plain(&self.build.report())
+    }
+
+    /// The sheets from `first`, `count` of them at most: `name`, `svg`, and the `panels` of its outlines.
+    ///
+    /// # Errors
+    /// None: they are plain data.
+    pub fn sheets(&self, first: usize, count: usize) -> Result<JsValue, JsValue> {
+        let drawings = self.build.drawings();
+        let own = drawings.iter().skip(first).take(count).map(|drawing| SheetPicture {
+            name: drawing.name.clone(),
+            svg: svg(drawing),
+            panels: drawing
+                .lines
+                .iter()
+                .filter(|line| line.closed)
+                .filter_map(|line| line.panel)
+                .collect(),
+        });
+        plain(&own.collect::<Vec<_>>())
+    }
+
+    /// What each kind of offset would have for errors.
+    ///
+    /// # Errors
+    /// None: they are plain data.
+    pub fn choices(&self) -> Result<JsValue, JsValue> {
+        plain(&self.build.choices())
+    }
+
+    /// All files: `name` and `text`.
+    ///
+    /// # Errors
+    /// None: they are plain data.
+    pub fn files(&self) -> Result<JsValue, JsValue> {
+        let files = self.build.files().into_iter();
+        plain(&files.map(|file| File { name: file.name, text: file.text }).collect::<Vec<_>>())
+    }
+}

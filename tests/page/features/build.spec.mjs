@@ -1,0 +1,121 @@
+// From a mesh to drawings on disk: what the panel of parts shows, and what it saves.
+
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import DxfParser from 'dxf-parser';
+import { strFromU8, unzipSync } from 'fflate';
+import { program } from '../../../.scripts/programs.mjs';
+import { downloaded, openText, saved, showPanel } from '../actions.mjs';
+import { wavyGrid } from '../meshes.mjs';
+import { expect, openPage, sceneOf, state, test, waitForState } from '../support.mjs';
+
+test.use({ pixels: false });
+
+const FACES = 16;
+const panel = (page) => page.getByRole('region', { name: 'Parts and sheets' });
+
+async function openBuild(page) {
+  await showPanel(page, 'Model');
+  await page.getByRole('button', { name: 'Build', exact: true }).click();
+  await expect(panel(page)).toBeVisible();
+  return (await waitForState(page, (now) => now.build !== null)).build;
+}
+
+/** Types a number into a field, and leaves it. */
+async function setField(page, label, value) {
+  await panel(page).getByLabel(label).fill(String(value));
+  await panel(page).getByLabel(label).press('Tab');
+}
+
+const areaOf = (points) =>
+  points.reduce((sum, { x, y }, k) => {
+    const next = points[(k + 1) % points.length];
+    return sum + (x * next.y - y * next.x) / 2;
+  }, 0);
+
+/** The files in an archive, by their names. */
+const filesOf = (bytes) =>
+  Object.fromEntries(
+    Object.entries(unzipSync(bytes)).map(([name, content]) => [name, strFromU8(content)]),
+  );
+
+test('panels made circular become drawings in mm, the same as those of the command line', async ({
+  page,
+}) => {
+  await openPage(page);
+  await openText(page, 'roof.obj', `# units: m\n${wavyGrid(4)}`, 25);
+  await page.getByRole('button', { name: 'Make panels circular' }).click();
+  await waitForState(page, (now) => now.iteration > 0 && !now.running);
+  const first = await openBuild(page);
+  expect(first.panels).toBe(FACES);
+  await setField(page, 'Joint', 0.02);
+  await waitForState(page, (now) => now.build?.joint_mm > 0);
+  await setField(page, 'Sheet width, mm', 200);
+  await waitForState(page, (now) => now.build?.sheet_mm[0] === 200);
+  await expect(panel(page).getByRole('img')).toHaveCount((await state(page)).build.sheets);
+
+  const { build } = await state(page);
+  const archive = await downloaded(page, () =>
+    panel(page).getByRole('button', { name: 'Save drawings' }).click(),
+  );
+  expect(archive.name).toBe('roof-parts.zip');
+  const files = filesOf(archive.bytes);
+  const drawings = Object.keys(files).filter((name) => name.endsWith('.dxf'));
+  expect(drawings).toHaveLength(build.sheets);
+  const outlines = drawings.flatMap((name) => {
+    const drawing = new DxfParser().parseSync(files[name]);
+    expect(drawing.header.$INSUNITS, 'mm').toBe(4);
+    return drawing.entities.filter(({ shape }) => shape);
+  });
+  expect(outlines.map(({ layer }) => layer)).toEqual(Array(FACES).fill('CUT'));
+  const area = outlines.reduce((sum, { vertices }) => sum + areaOf(vertices), 0);
+  expect(area / build.cut_area_mm2).toBeCloseTo(1, 6);
+
+  // The command line makes the same bytes of the scene, and the same numbers.
+  const scene = await saved(page, 'Save scene');
+  const folder = mkdtempSync(join(tmpdir(), 'shape-up-'));
+  try {
+    const [input, report] = ['roof.shapeup.json', 'report.json'].map((name) => join(folder, name));
+    writeFileSync(input, scene.text);
+    execFileSync(program('shape-up'), ['build', input, '--out', folder, '--report', report]);
+    expect(JSON.parse(readFileSync(report, 'utf8'))).toEqual(build);
+    for (const [name, text] of Object.entries(files))
+      expect(readFileSync(join(folder, name), 'utf8') === text, name).toBe(true);
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+});
+
+test('settings belong to the scene, and are taken back; parts and panels are chosen together', async ({
+  page,
+}) => {
+  await openPage(page);
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  await openBuild(page);
+  const before = (await sceneOf(page)).build;
+  await panel(page).getByLabel('Material').selectOption({ index: 2 });
+  await waitForState(page, (now) => now.build?.scale === 20);
+  expect((await sceneOf(page)).build).toEqual({
+    material: 'plywood',
+    scale: 20,
+    sheet: [600, 400],
+    thickness: 3,
+  });
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await waitForState(page, (now) => now.build?.scale === 50);
+  expect((await sceneOf(page)).build).toEqual(before);
+
+  await panel(page).locator('.cut path').nth(3).click();
+  const { selection } = await waitForState(page, (now) => now.selection.faces.length === 1);
+  await expect(panel(page).locator('.cut path.chosen')).toHaveAttribute(
+    'data-panel',
+    String(selection.faces[0]),
+  );
+  await panel(page).getByRole('button', { name: 'Panel flatness' }).click();
+  await waitForState(page, (now) => now.selection.faces.length === 1);
+  await panel(page).getByLabel('Material').press('Escape');
+  await expect(panel(page)).toBeHidden();
+  expect((await state(page)).build).toBe(null);
+});

@@ -1,0 +1,143 @@
+/** The docked panel: settings, the build check, sheets, and their files. */
+
+import './build-panel.css';
+import { button, closeButton } from '../../ui/controls/fields.js';
+import { byId, element, leave } from '../../ui/dom.js';
+import { showElements } from '../../viewport/reveal-elements.js';
+import { checkCard, sheetsInWords, warnings } from './check-card.js';
+import { LiveBuild, MOST_LIVE_VERTICES, MOST_SHEETS } from './live-build.js';
+import { settingsForm } from './settings-form.js';
+import { sheetPictures } from './sheet-pictures.js';
+
+/** @typedef {import("../../solver/messages.js").BuildReport} BuildReport */
+/** @typedef {import("../../solver/messages.js").BuildSettings} BuildSettings */
+
+/** The colour of the panel that is pointed at on a sheet. @type {[number, number, number]} */
+const POINTED = [230, 120, 20];
+
+/** @type {{ toggle: () => void } | null} */
+let only = null;
+
+/** @param {import("../../app/context.js").AppContext} app */
+export async function toggleBuild(app) {
+  only ??= await buildPanel(app);
+  only.toggle();
+}
+
+/** @param {import("../../app/context.js").AppContext} app */
+async function buildPanel(app) {
+  const { store, actions, files } = app;
+  const live = new LiveBuild(app, show, refuse);
+  const offers = await live.offers();
+  const form = settingsForm(offers, change);
+  const check = checkCard(showWorst);
+  const pictures = sheetPictures({
+    point: (panel) =>
+      actions.tint(
+        panel === null
+          ? null
+          : { faces: Uint32Array.of(panel), vertices: new Uint32Array(0), colour: POINTED },
+      ),
+    choose: (panel) => actions.select({ vertices: [], faces: [panel] }),
+  });
+  const words = element('p', { 'aria-live': 'polite' });
+  const notes = element('div');
+  const save = button('Save drawings and tables', saveAll, { class: 'primary' });
+  const panel = element(
+    'section',
+    { id: 'parts-panel', 'aria-labelledby': 'heading-parts', hidden: true },
+    element(
+      'div.heading-row',
+      element('h2', { id: 'heading-parts' }, 'Parts and sheets'),
+      words,
+      save,
+      closeButton('Close parts and sheets', close),
+    ),
+    element(
+      'div.parts-columns',
+      form.form,
+      element('div.parts-check', check.card, notes),
+      pictures.place,
+    ),
+  );
+  byId('main').after(panel);
+
+  /** @param {BuildReport} report @param {import("../../solver/messages.js").SheetPicture[]} sheets */
+  function show(report, sheets) {
+    if (panel.hidden) return;
+    actions.look({ build: report });
+    words.textContent = sheetsInWords(report);
+    check.update(report);
+    notes.replaceChildren(...warnings(report).map((line) => element('p.notice', line)));
+    pictures.show(sheets, Math.max(0, report.sheets - MOST_SHEETS));
+    pictures.mark(store.get().selection.faces);
+    save.disabled = false;
+    offerKinds();
+  }
+
+  /** Says what each kind of offset would have for errors, when the shape is at rest. */
+  async function offerKinds() {
+    const { running, model } = store.get();
+    if (!running && (model?.vertices ?? 0) <= MOST_LIVE_VERTICES) form.offer(await live.choices());
+  }
+
+  /** @param {string} why */
+  function refuse(why) {
+    words.textContent = '';
+    notes.replaceChildren(element('p.notice', why));
+    pictures.show([], 0);
+    save.disabled = true;
+  }
+
+  /** @param {Partial<BuildSettings>} own */
+  function change(own) {
+    const build = { ...store.get().document?.build, ...own };
+    actions.edit({ type: 'setBuild', build });
+  }
+
+  /** @param {import("../../solver/messages.js").CheckRow["worst"]} worst */
+  function showWorst(worst) {
+    if (worst === 'none') return;
+    if ('panel' in worst) showElements(app, { vertices: [], faces: [worst.panel] });
+    else showElements(app, { vertices: 'edge' in worst ? worst.edge : [worst.vertex], faces: [] });
+  }
+
+  async function saveAll() {
+    const bytes = await actions.reportErrors(live.zip());
+    if (bytes) files.save('-parts.zip', bytes, 'application/zip');
+  }
+
+  function close() {
+    leave(panel, () => (panel.hidden = true));
+    delete document.body.dataset.parts;
+    actions.tint(null);
+    actions.look({ build: null });
+  }
+
+  store.subscribe(['document', 'numbers', 'running', 'model'], ({ document: scene, model }) => {
+    if (panel.hidden) return;
+    if (!model?.faces) return close();
+    if (!scene) return;
+    form.show(live.settings(), live.unit().symbol);
+    live.update();
+  });
+  store.subscribe(['selection'], ({ selection }) => {
+    if (!panel.hidden) pictures.mark(selection.faces);
+  });
+  panel.addEventListener('keydown', (event) => {
+    if (event.key !== 'Escape') return;
+    event.stopPropagation();
+    close();
+  });
+
+  return {
+    toggle() {
+      if (!panel.hidden) return close();
+      panel.hidden = false;
+      document.body.dataset.parts = 'open';
+      form.show(live.settings(), live.unit().symbol);
+      live.again();
+      panel.querySelector('select')?.focus();
+    },
+  };
+}

@@ -1,0 +1,44 @@
+/**
+ * The worker of the panel: makes parts of shapes, one request after another. Its module is one of its own,
+ * so that whoever only shapes does not wait for it.
+ */
+
+import { zipSync, strToU8 } from 'fflate';
+import init, { Builder, buildOffers } from '../../pkg/build/shape_up.js';
+import { messageOf } from '../../solver/messages.js';
+
+/** @typedef {import("../../solver/messages.js").BuildRequest} BuildRequest */
+/** @typedef {import("../../solver/messages.js").BuildReplies} BuildReplies */
+
+const ready = init();
+/** What was built last. @type {Builder | null} */
+let builder = null;
+
+/** @type {{ [Type in keyof BuildReplies]: (request: Extract<BuildRequest, { type: Type }>) => BuildReplies[Type] }} */
+const ANSWERS = {
+  offers: () => buildOffers(),
+  build({ positions, offsets, indices, settings, symbol, metres, sheets }) {
+    builder?.free();
+    builder = null;
+    builder = new Builder(positions, offsets, indices, settings, symbol, metres);
+    return { report: builder.report(), sheets: builder.sheets(0, sheets) };
+  },
+  choices: () => builder?.choices() ?? [],
+  zip() {
+    /** @type {{ name: string, text: string }[]} */
+    const files = builder?.files() ?? [];
+    return zipSync(Object.fromEntries(files.map(({ name, text }) => [name, strToU8(text)])));
+  },
+};
+
+/** @param {MessageEvent<{ id: number, request: BuildRequest }>} message */
+onmessage = async ({ data: { id, request } }) => {
+  try {
+    await ready;
+    const answer = /** @type {(request: BuildRequest) => unknown} */ (ANSWERS[request.type]);
+    const value = answer(request);
+    postMessage({ id, value }, value instanceof Uint8Array ? [value.buffer] : []);
+  } catch (error) {
+    postMessage({ id, refused: messageOf(error) });
+  }
+};

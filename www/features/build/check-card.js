@@ -1,0 +1,89 @@
+/** The build check: five numbers with their limits, the worst element of each a click away. */
+
+import { element } from '../../ui/dom.js';
+import { count, groupDigits } from '../../ui/format.js';
+
+/** @typedef {import("../../solver/messages.js").BuildReport} BuildReport */
+/** @typedef {import("../../solver/messages.js").CheckRow} CheckRow */
+
+const KEEPS = { corner: 'Corners keep', face: 'Panels keep', edge: 'Beams keep' };
+/** Lengths are rounded to this many millimetres. */
+const LEAST_MM = 0.01;
+
+/**
+ * @param {(worst: CheckRow["worst"]) => void} show an element of the mesh
+ */
+export function checkCard(show) {
+  const words = element('p.quiet');
+  const list = element('ul.check-rows');
+  const problems = element('div');
+  const card = element('div.check-card', list, words, problems);
+  return {
+    card,
+    /** @param {BuildReport} report */
+    update(report) {
+      list.replaceChildren(...report.check.map((row) => checkRow(row, show)));
+      const { offset } = report;
+      const how = offset?.exact ? 'exactly' : 'as nearly as can be';
+      const kept =
+        offset && `${KEEPS[offset.kind]} a distance of ${mm(offset.distance_mm)} mm ${how}`;
+      words.textContent = kept ? `${kept}${offset.why_not && `; ${offset.why_not}`}.` : '';
+      problems.replaceChildren(...report.problems.map((problem) => element('p.notice', problem)));
+    },
+  };
+}
+
+/**
+ * @param {CheckRow} row
+ * @param {(worst: CheckRow["worst"]) => void} show
+ */
+function checkRow({ label, value, limit, unit, met, worst }, show) {
+  const unitWords = unit === 'deg' ? '°' : ' mm';
+  const state = met === null ? 'none' : met ? 'met' : 'missed';
+  const figure = value === null ? 'not offered' : `${mm(value)}${unitWords}`;
+  const bound = limit === null ? 'no limit' : `limit ${mm(limit)}${unitWords}`;
+  const parts = [
+    element('span.mark', { 'aria-hidden': 'true' }, { none: '–', met: '✓', missed: '✗' }[state]),
+    element('span.label', label),
+    element('span.figure', figure),
+    element('span.quiet', met === false ? `${bound}, not met` : bound),
+  ];
+  const title = 'Show where it is worst';
+  const inside =
+    worst === 'none'
+      ? element('div', ...parts)
+      : element('button', { title, onclick: () => show(worst) }, ...parts);
+  return element('li', { 'data-state': state }, inside);
+}
+
+/** What became of the panels, in a line. @param {BuildReport} report */
+export function sheetsInWords({ sheets, placed, panels, used, types }) {
+  const all = placed === panels ? count(panels, 'panel') : `${placed} of ${count(panels, 'panel')}`;
+  const share = `${Math.round(100 * used)} % covered`;
+  return `${all} on ${count(sheets, 'sheet')}, ${share}, ${count(types, 'type')} of panels`;
+}
+
+/** What is not on the sheets, or hard to read. @param {BuildReport} report */
+export function warnings({
+  too_large: large,
+  not_cut: uncut,
+  dropped_names: dropped,
+  small_names: small,
+}) {
+  const some = (/** @type {string[]} */ names) =>
+    names.length > 6
+      ? `${names.slice(0, 6).join(', ')} and ${names.length - 6} more`
+      : names.join(', ');
+  return [
+    large.length > 0 && `Larger than the sheet: ${some(large)}. They are left out, never scaled.`,
+    uncut.length > 0 && `Not cut: ${some(uncut)}.`,
+    dropped > 0 && `${groupDigits(dropped)} names of neighbours have no room.`,
+    small > 0 && `${count(small, 'panel')} with a name smaller than 2 mm.`,
+  ].filter((line) => line !== false);
+}
+
+/** @param {number} value in mm or degrees */
+function mm(value) {
+  if (Math.abs(value) < LEAST_MM) return value === 0 ? '0' : `< ${LEAST_MM}`;
+  return Math.abs(value) >= 100 ? String(Math.round(value)) : String(Number(value.toPrecision(3)));
+}
