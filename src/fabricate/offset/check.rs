@@ -131,7 +131,9 @@ pub fn check(
     (found.warp, found.warp_edge) = (warp.value.abs(), warp.element);
     (found.lean_deg, found.lean_vertex) = (lean.value, lean.element);
     (found.distance_error, found.distance_vertex) = (errors.value.abs(), errors.element);
-    let inverse = |k: f64| (k != 0.0).then(|| 1.0 / k).filter(|limit| limit.is_finite());
+    // So many edges away there is no limit: what is left of k is rounding.
+    let far = 1e6 * surface.mean_edge();
+    let inverse = |k: f64| (k != 0.0).then(|| 1.0 / k).filter(|limit| limit.abs() < far);
     found.safe_distance = [inverse(slopes[0]), inverse(slopes[1])];
     (found.offset_flatness, found.offset_panel) = flatness(surface, axes, distance);
     found
