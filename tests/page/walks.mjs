@@ -248,6 +248,18 @@ export const walks = {
       leave: hidePanels,
     },
     {
+      name: 'parts and sheets',
+      reach: async (page) => {
+        await showPanel(page, 'Model');
+        await page.getByRole('button', { name: 'Build', exact: true }).click();
+        await waitForState(page, (now) => now.build !== null);
+      },
+      leave: async (page) => {
+        await page.getByRole('button', { name: 'Close parts' }).click();
+        await hidePanels(page);
+      },
+    },
+    {
       name: 'a selection and its menu',
       reach: async (page) => {
         await selectAllFaces(page);
@@ -346,15 +358,6 @@ export const walks = {
         await expect(page.getByRole('heading', { name: 'Flat map' })).toBeVisible();
       },
       leave: (page) => page.getByRole('button', { name: 'Back to the model' }).click(),
-    },
-    {
-      name: 'parts and sheets',
-      reach: async (page) => {
-        await showPanel(page, 'Model');
-        await page.getByRole('button', { name: 'Build', exact: true }).click();
-        await waitForState(page, (now) => now.build !== null);
-      },
-      leave: (page) => page.getByRole('button', { name: 'Close parts' }).click(),
     },
     {
       name: 'a lesson whose goals are missed',

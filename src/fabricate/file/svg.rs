@@ -2,7 +2,7 @@
 //! without transforms, styles or references, which simple readers ignore; a group for each layer, as Inkscape
 //! has them.
 
-use super::drawing::Drawing;
+use super::drawing::{Drawing, DrawnLine};
 use super::number::places;
 use crate::fabricate::sheet::Role;
 
@@ -22,14 +22,11 @@ pub fn svg(drawing: &Drawing) -> String {
         text += &format!(
             "<g id=\"{layer}\" inkscape:groupmode=\"layer\" inkscape:label=\"{layer}\" fill=\"none\" stroke=\"#{r:02X}{g:02X}{b:02X}\" stroke-width=\"0.1\">\n"
         );
-        for line in lines {
-            let points = line.points.iter().enumerate().map(|(k, &[x, y])| {
-                let letter = if k == 0 { 'M' } else { 'L' };
-                let y = drawing.size[1] - y;
-                format!("{letter}{},{}", places(x, 6), places(y, 6))
-            });
-            let path = points.collect::<String>();
-            let part = escaped(&line.part);
+        let lines: Vec<_> = lines.collect();
+        // The names on a part are one path: programs and pages have less to hold.
+        for own in lines.chunk_by(|a, b| role != Role::Cut && a.part == b.part) {
+            let path: String = own.iter().map(|line| path(line, drawing.size[1])).collect();
+            let part = escaped(&own[0].part);
             match role {
                 Role::Cut => {
                     text += &format!(
@@ -42,6 +39,15 @@ pub fn svg(drawing: &Drawing) -> String {
         text += "</g>\n";
     }
     text + "</svg>\n"
+}
+
+/// The points of a line on a sheet of this height, y downwards.
+fn path(line: &DrawnLine, height: f64) -> String {
+    let points = line.points.iter().enumerate().map(|(k, &[x, y])| {
+        let letter = if k == 0 { 'M' } else { 'L' };
+        format!("{letter}{},{}", places(x, 6), places(height - y, 6))
+    });
+    points.collect()
 }
 
 fn escaped(text: &str) -> String {
