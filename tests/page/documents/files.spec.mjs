@@ -92,6 +92,40 @@ test('a file dropped on the window opens, and a scene with its mesh beside it', 
   await expect(page.getByRole('alert')).toBeEmpty();
 });
 
+test('a second file is fitted to: dropped at the bottom of the window, or chosen in the settings', async ({
+  page,
+}) => {
+  await openPage(page);
+  await openText(page, 'grid.obj', wavyGrid(3), 16);
+  const raised = 'v -50 -50 9\nv 50 -50 9\nv 50 50 9\nv -50 50 9\nf 1 2 3 4\n';
+  const closeness = async () =>
+    await page.evaluate(() => window.shapeUp.scene().closeness?.to?.mesh?.positions?.length);
+  const data = await page.evaluateHandle((text) => {
+    const transfer = new DataTransfer();
+    transfer.items.add(new File([text], 'raised.obj'));
+    return transfer;
+  }, raised);
+  await page.dispatchEvent('footer', 'dragover', { dataTransfer: data });
+  const fit = page.getByText('Fit to this');
+  await expect(fit).toBeVisible();
+  const { y, height } = await fit.boundingBox();
+  await page.dispatchEvent('footer', 'drop', { dataTransfer: data, clientY: y + height / 2 });
+  await expect.poll(closeness).toBe(4);
+  await expect(fit).toBeHidden();
+  expect((await state(page)).vertices).toBe(16);
+  await page.keyboard.press('Control+z');
+  await expect.poll(closeness).toBeUndefined();
+
+  await showPanel(page, 'Energies and display');
+  await page.getByText('More settings').click();
+  const input = page.getByLabel('Fit to another surface');
+  await input.setInputFiles(file('broken.obj', 'v 0 0 0\n'));
+  await expect(page.getByRole('alert')).toContainText('neither faces nor curves');
+  await input.setInputFiles(file('raised.obj', raised));
+  await expect.poll(closeness).toBe(4);
+  await expect(page.getByText('come to lie on the other surface')).toBeVisible();
+});
+
 test('of what is dropped together one model is taken, and it is said what is not', async ({
   page,
 }) => {
