@@ -67,11 +67,12 @@ impl Session {
         Ok(Some(ExactTrial { exact, from, rest, before }))
     }
 
-    /// Takes the exact shape of a trial and requires it, one step of undo; whether the trial was of the current shape.
+    /// Takes the exact shape of a trial and requires it, as a step of undo or as a part of the last one; whether the
+    /// trial was of the current shape.
     ///
     /// # Errors
     /// When the system would be singular; nothing has changed then.
-    pub fn make_exact(&mut self, trial: &ExactTrial) -> Result<bool, Error> {
+    pub fn make_exact(&mut self, trial: &ExactTrial, joins_last: bool) -> Result<bool, Error> {
         self.end_transaction();
         if !Rc::ptr_eq(&trial.from, self.scene.positions()) {
             return Ok(false);
@@ -85,7 +86,10 @@ impl Session {
         change.scene.parts = rows.iter().map(values).collect();
         change.scene.positions = trial.exact.positions().into();
         self.exchange(&mut change)?;
-        self.history.push("Make exact".to_owned(), change);
+        match joins_last {
+            true => self.history.join(change),
+            false => self.history.push("Make exact".to_owned(), change),
+        }
         self.note_met(&trial.exact);
         Ok(true)
     }

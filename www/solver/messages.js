@@ -199,7 +199,7 @@
  *   and runs. Either is one step of undo.
  * - `exactOffer`: what it would cost to be exact instead of within a distance, tried beside all else; ends early,
  *   with null, when something changes. `makeExact`: takes the exact shape that was tried, if it is still of the
- *   current one.
+ *   current one, as a step of undo or a part of the last one.
  * - `members`: what a constraint acts on. `rowColours`: the colours of all of them. `previews`: what
  *   adding one of each kind at each of some places would make. `select`: what is selected then.
  * - `worst`: the worst faces by a measure, or the worst constraints of a row. `flawed`: the elements
@@ -227,7 +227,7 @@
  *   | { type: "makePanels", kind: string, tolerance: number }
  *   | { type: "editAndRun", edit: Edit }
  *   | { type: "exactOffer" }
- *   | { type: "makeExact" }
+ *   | { type: "makeExact", joins: boolean }
  *   | { type: "undo" }
  *   | { type: "redo" }
  *   | { type: "step" }

@@ -44,15 +44,6 @@ export function createActions(store, solver, alerts) {
   }
 
   /**
-   * Makes an edit and runs, one step of undo together.
-   * @param {import("../solver/messages.js").Edit} edit
-   * @param {(error: unknown) => boolean} [showError]
-   */
-  function editAndRun(edit, showError) {
-    return attempt({ type: 'editAndRun', edit }, showError);
-  }
-
-  /**
    * Asks one shape of all panels, and runs until they are within the tolerance.
    * @param {string} kind
    * @returns {Promise<null | undefined>}
@@ -63,7 +54,7 @@ export function createActions(store, solver, alerts) {
   }
 
   /**
-   * @param {import("../solver/messages.js").Request & { type: "edit" | "editAndRun" | "makePanels" }} request
+   * @param {import("../solver/messages.js").Request & { type: "edit" | "makePanels" }} request
    * @param {(error: unknown) => boolean} [showError]
    * @returns {Promise<null | undefined>} undefined where it was refused
    */
@@ -116,7 +107,6 @@ export function createActions(store, solver, alerts) {
     ...view,
     ...createQueries(solver, reportErrors),
     edit,
-    editAndRun,
     makePanels,
     reportErrors,
     connectivity,
@@ -144,9 +134,6 @@ export function createActions(store, solver, alerts) {
     async reset() {
       if ((await edit({ type: 'reset' })) !== undefined) setStatus('Back to the original');
     },
-
-    /** Takes the exact shape of the last offer. */
-    makeExact: () => reportErrors(solver.request({ type: 'makeExact' })),
 
     async undo() {
       const what = await reportErrors(solver.request({ type: 'undo' }));

@@ -41,9 +41,6 @@ export function createQueries(solver, reportErrors) {
     /** How many panels are within the tolerance. @param {number} tolerance */
     verdict: (tolerance) => solver.request({ type: 'verdict', tolerance }),
 
-    /** What it would cost to be exact instead of within a distance. */
-    exactOffer: () => solver.request({ type: 'exactOffer' }),
-
     /** Changes that would bring the worst constraint nearer. */
     remedies: () => solver.request({ type: 'remedies' }),
 

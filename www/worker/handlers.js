@@ -1,9 +1,9 @@
 /** What the worker does at each message of the page: one entry for each command and each request. */
 
 import { cancelExperiment, comparison, experimentCsv, runExperiment } from './experiment.js';
-import { exactOffer, makeExact } from './exact-trial.js';
 import { open } from './open.js';
 import { findRemedies } from './remedies.js';
+import { inTurns } from './trials.js';
 import { mostFaces, warmUpWhenQuiet } from './warm-up.js';
 
 /**
@@ -55,8 +55,11 @@ export function requestHandlers(solver, scheduler, post, died) {
       scheduler.runFor(() => solver.editAndRun(edit));
       return null;
     },
-    exactOffer: () => exactOffer(solver),
-    makeExact: () => paused(() => scheduler.betweenRuns(() => makeExact(solver))),
+    async exactOffer() {
+      solver.tryExact();
+      return (await inTurns(solver)) ? solver.offer() : null;
+    },
+    makeExact: ({ joins }) => paused(() => scheduler.betweenRuns(() => solver.accept(joins))),
     undo: () => paused(() => scheduler.betweenRuns(() => solver.undo() ?? null)),
     redo: () => paused(() => scheduler.betweenRuns(() => solver.redo() ?? null)),
     step: () => paused(() => scheduler.step()),

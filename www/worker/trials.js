@@ -12,10 +12,10 @@ export function stopTrials() {
 
 /**
  * @param {{ advance: (milliseconds: number) => boolean }} trial
- * @param {number} most how long it tries at most, in milliseconds
+ * @param {number} [most] how long it tries at most, in milliseconds
  * @returns {Promise<boolean>} whether it came to its end
  */
-export function inTurns(trial, most) {
+export function inTurns(trial, most = Infinity) {
   const mine = ++turn;
   const until = performance.now() + most;
   return new Promise((resolve, reject) => {

@@ -158,7 +158,9 @@ fn exact_line(exact: &ExactReport, units: &str) -> String {
     let met = if exact.met {
         "met".to_owned()
     } else {
-        format!("not met by {}", counted(exact.misses, "constraint", "constraints"))
+        let misses = counted(exact.misses, "constraint", "constraints");
+        let why = if exact.contradiction { ", which contradict each other" } else { "" };
+        format!("not met by {misses}{why}")
     };
     format!(
         "hard constraints {met}: farthest {}, tolerance {}, moved {} on the way, {} s",

@@ -60,6 +60,8 @@ pub struct ExactReport {
     pub tolerance: f64,
     /// Whether all hard constraints are met.
     pub met: bool,
+    /// Whether those that are not contradict each other.
+    pub contradiction: bool,
     /// The entries of the scene's list of constraints that are not met.
     pub unmet: Vec<usize>,
     /// How many constraints are not met, counted one by one.
@@ -89,6 +91,7 @@ impl ExactReport {
             max_distance,
             tolerance,
             met: true,
+            contradiction: false,
             unmet: Vec::new(),
             misses: 0,
             worst: Vec::new(),
@@ -113,6 +116,7 @@ impl ExactReport {
             max_distance: answer.max_distance,
             tolerance: answer.tolerance,
             met: answer.met,
+            contradiction: answer.contradiction,
             unmet,
             misses,
             worst: named.map(|miss| Unmet { row: places[miss.row], ..miss }).collect(),

@@ -49,6 +49,8 @@ pub struct ExactAnswer {
     pub tolerance: f64,
     /// Whether all hard constraints are met.
     pub met: bool,
+    /// Whether those that are not contradict each other: all else is met then, and no step brings them nearer.
+    pub contradiction: bool,
     /// Those that are not, the worst first.
     pub unmet: Vec<Unmet>,
     /// The way of the vertices from where it started.
@@ -129,6 +131,7 @@ impl Model {
             max_distance,
             tolerance: rows().map(allowed).reduce(f64::max).unwrap_or(tolerance),
             met: unmet.is_empty(),
+            contradiction: false,
             unmet,
             moved: self.moved(x),
             on_guard,

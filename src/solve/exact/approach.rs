@@ -13,8 +13,10 @@ use crate::sparse::Precision;
 /// The weight at the start, beside what makes hard constraints as stiff as the energies.
 const START: f64 = 0.3;
 
-/// Of a round: how much the weight grows, and iterations at most.
+/// Of a round: how much the weight grows, and iterations at most; and where a tolerance is enough, which takes less
+/// time and hardly more energy.
 const PATIENT: (f64, u32) = (1.5, 60);
+const QUICK: (f64, u32) = (1.5, 30);
 
 /// The same where it has to end, at the price of some energy.
 const HURRIED: (f64, u32) = (3.0, 60);
@@ -36,6 +38,7 @@ pub(super) struct Approach {
     accelerator: Acceleration,
     rho: f64,
     most: f64,
+    patient: (f64, u32),
     /// Iterations left in the round; none before the first one.
     left: u32,
     in_round: u32,
@@ -64,12 +67,15 @@ impl Approach {
         };
         let [metric, hard] = model.stiffness;
         let unit = if metric > 0.0 { metric / hard } else { 1.0 };
+        let is_exact =
+            model.hard.batches.iter().any(|hard| hard.row.is_some() && hard.within.is_none());
         let zeros = || vec![[0.0; 4]; n];
         Approach {
             accelerator: Acceleration::new(&quasi_newton),
             // From a soft solution with a greater weight there is no way back to a small one.
             rho: Lane::max(START * unit, 0.05 * model.parts.energies.weights.shape),
             most: MOST * unit,
+            patient: if is_exact { PATIENT } else { QUICK },
             left: 0,
             in_round: 0,
             still: 0,
@@ -116,7 +122,7 @@ impl Approach {
     }
 
     fn begin_round(&mut self, model: &mut Model) -> Result<(), SolveError> {
-        let (growth, most) = if self.iterations < PATIENCE { PATIENT } else { HURRIED };
+        let (growth, most) = if self.iterations < PATIENCE { self.patient } else { HURRIED };
         let growth = Lane::min(growth, self.most / self.rho);
         self.rho *= growth;
         model.hard.divide_shifts(growth);

@@ -90,6 +90,7 @@ pub struct Exact {
     began: (u32, Vec<Row>),
     most_iterations: u32,
     can_polish: bool,
+    contradicts: bool,
     /// Approaches that have ended, and polishes after the last one.
     tries: u32,
     polishes: u32,
@@ -125,6 +126,7 @@ impl Exact {
             began: (0, Vec::new()),
             most_iterations: requirements.iterations,
             can_polish,
+            contradicts: false,
             tries: 0,
             polishes: 0,
             seconds: 0.0,
@@ -198,6 +200,7 @@ impl Exact {
         }
         let near = if self.can_polish { worst <= self.near } else { self.is_met(self.near) };
         let stands = self.approach.stands_still(worst);
+        self.contradicts |= stands;
         if self.is_met(self.goal()) {
             self.end();
         } else if near || stands || self.approach.iterations >= self.most_iterations {
@@ -238,6 +241,7 @@ impl Exact {
         let polished = polish.step(&mut self.model, self.began.0)?;
         self.keep_best();
         if polished == Polished::Contradicts {
+            self.contradicts = true;
             // All is met here but what contradicts, which misses by more where something else gives way.
             self.best.1.copy_from_slice(&self.model.x);
             self.end();
@@ -315,13 +319,15 @@ impl Exact {
     /// What has come of it at the current positions.
     pub fn answer(&self) -> ExactAnswer {
         let polish = self.polish.as_ref();
+        let measured = self.model.measure(&self.model.x);
         ExactAnswer {
             iterations: self.approach.iterations,
             refactorizations: self.approach.rounds,
             block_factors: polish.map_or(0, |polish| polish.factors),
             steps: polish.map_or(0, |polish| polish.steps),
             seconds: self.seconds,
-            ..self.model.measure(&self.model.x)
+            contradiction: self.contradicts && !measured.met,
+            ..measured
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::report::{self, Document, elements, kinds};
 use crate::mesh::Weld;
-use crate::session::{FACE_MEASURES, FileReader, Session};
+use crate::session::{ExactTrial, FACE_MEASURES, FileReader, Session};
 use crate::solve::clock;
 use crate::web::plain::plain;
 use crate::web::{log_panics, thrown};
@@ -19,6 +19,8 @@ pub struct Solver {
     pub(super) weld: Option<Weld>,
     /// Milliseconds that the last step took.
     pub(super) step_ms: f64,
+    /// What it would cost to be exact, tried.
+    pub(super) trial: Option<ExactTrial>,
 }
 
 #[wasm_bindgen]

@@ -42,23 +42,16 @@ impl RemedyTrials {
     }
 }
 
-/// A trial of being exact, from the shape that is open on.
-#[wasm_bindgen(js_name = ExactTrials)]
-pub struct ExactTrials {
-    trial: Option<ExactTrial>,
-}
-
-#[wasm_bindgen(js_class = ExactTrials)]
-impl ExactTrials {
-    /// Begins; `solver` is only read now.
-    #[wasm_bindgen(constructor)]
-    pub fn new(solver: &Solver) -> Result<ExactTrials, JsValue> {
-        log_panics();
-        let trial = solver.open()?.exact_trial().map_err(thrown)?;
-        Ok(ExactTrials { trial })
+#[wasm_bindgen]
+impl Solver {
+    /// Begins to try what it would cost to be exact, from the shape that is open on.
+    #[wasm_bindgen(js_name = tryExact)]
+    pub fn try_exact(&mut self) -> Result<(), JsValue> {
+        self.trial = self.open()?.exact_trial().map_err(thrown)?;
+        Ok(())
     }
 
-    /// Goes on for about so many milliseconds; whether there is more to do.
+    /// Goes on with that for about so many milliseconds; whether there is more to do.
     pub fn advance(&mut self, milliseconds: f64) -> Result<bool, JsValue> {
         let Some(trial) = &mut self.trial else { return Ok(false) };
         let until = clock::now() + 1e-3 * milliseconds;
@@ -71,14 +64,14 @@ impl ExactTrials {
     }
 
     /// What it costs; null where nothing is asked within a distance.
-    #[wasm_bindgen(unchecked_return_type = "ExactOffer | null")]
     pub fn offer(&mut self) -> Result<JsValue, JsValue> {
         plain(&self.trial.as_mut().map(ExactTrial::offer))
     }
 
-    /// Takes the exact shape; whether it was of the current shape still.
-    pub fn accept(&self, solver: &mut Solver) -> Result<bool, JsValue> {
-        let Some(trial) = &self.trial else { return Ok(false) };
-        solver.open_mut()?.make_exact(trial).map_err(thrown)
+    /// Takes the exact shape, as a step of undo or as a part of the last one; whether it was of the current shape
+    /// still.
+    pub fn accept(&mut self, joins: bool) -> Result<bool, JsValue> {
+        let Some(trial) = self.trial.take() else { return Ok(false) };
+        self.open_mut()?.make_exact(&trial, joins).map_err(thrown)
     }
 }

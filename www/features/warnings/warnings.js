@@ -11,6 +11,9 @@ import { count, length, limit } from '../../ui/format.js';
 import { movedInWords } from '../../store/measures.js';
 import { showElements } from '../../viewport/reveal-elements.js';
 
+/** @param {import("../../solver/messages.js").ConstraintRow} row */
+const isHard = ({ enabled, require }) => enabled && require !== 'soft';
+
 const ZERO_SIZE = 'zero-size-faces';
 /** So many changes that help are offered. */
 const MOST_REMEDIES = 3;
@@ -43,6 +46,10 @@ export function watchConditions(app) {
     const { document: scene, numbers, model, tolerance } = store.get();
     if (!scene || !numbers || !model) return;
     const allowed = tolerance ?? model.tolerance;
+    if (numbers.exact && scene.constraints.some(isHard)) {
+      const { showExact } = await import('./exact-verdict.js');
+      return showExact(app, { showMessage, offer, hasCard: () => cardOfPanels() !== null });
+    }
     const isAsked = (
       /** @type {import("../../solver/messages.js").ConstraintRow} */ { enabled, weight },
     ) => enabled && weight > 0;

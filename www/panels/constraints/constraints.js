@@ -19,7 +19,7 @@ const renaming = () => import('./rename.js');
  * @param {HTMLElement} place
  * @param {import("../../app/context.js").AppContext} app
  */
-export function constraintsPanel(place, { store, actions }) {
+export function constraintsPanel(place, { store, actions, solver }) {
   /** What the iteration says of each row. @type {{ worst: HTMLElement, within: HTMLElement, share: HTMLElement }[]} */
   let cells = [];
   const moved = element('p.quiet', { title: 'How far the vertices are from where they were' });
@@ -90,7 +90,9 @@ export function constraintsPanel(place, { store, actions }) {
     });
     const fill = () => {
       const own = { select: () => selectMembers(row), rename: () => rename() };
-      details.replaceChildren(...(rowDetails?.detailsOf(row, name, store, actions, own) ?? []));
+      details.replaceChildren(
+        ...(rowDetails?.detailsOf(row, name, store, actions, solver, own) ?? []),
+      );
     };
     if (open.has(key)) fill();
     const show = async () => {
@@ -224,7 +226,7 @@ export function constraintsPanel(place, { store, actions }) {
 }
 
 /**
- * Parameters that are not at their default, in words.
+ * What is required, and parameters that are not at their default, in words.
  * @param {ConstraintRow} row
  * @param {import("../../solver/messages.js").ParamInfo[]} params
  * @param {string} units
@@ -236,6 +238,7 @@ function paramsInWords(row, params, units) {
   const words = changed.map(
     (param) => `${param.label.toLowerCase()} ${valueInWords(param, row.params[param.id], units)}`,
   );
+  if (row.require !== 'soft') words.unshift(row.require === 'exact' ? 'exact' : 'within');
   return words.map((one) => ` · ${one}`).join('');
 }
 

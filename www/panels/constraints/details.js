@@ -4,6 +4,8 @@ import { button } from '../../ui/controls/fields.js';
 import { element } from '../../ui/dom.js';
 import { Parameters } from '../../ui/kinds/parameters.js';
 import { sketch } from '../../ui/kinds/sketch.js';
+import { exactActions } from '../../store/exact-actions.js';
+import { requirementOf } from './requirement.js';
 
 /** @typedef {import("../../solver/messages.js").ConstraintRow} ConstraintRow */
 
@@ -12,10 +14,11 @@ import { sketch } from '../../ui/kinds/sketch.js';
  * @param {string} name
  * @param {import("../../store/state.js").Store} store
  * @param {import("../../store/actions.js").Actions} actions
+ * @param {import("../../solver/solver-client.js").SolverClient} solver
  * @param {{ select: () => void, rename: () => void }} own what only the list can do
  * @returns {Node[]}
  */
-export function detailsOf(row, name, store, actions, { select, rename }) {
+export function detailsOf(row, name, store, actions, solver, { select, rename }) {
   const { kinds, model } = store.get();
   const kind = kinds.find(({ id }) => id === row.kind);
   if (!kind || !model) return [];
@@ -34,6 +37,7 @@ export function detailsOf(row, name, store, actions, { select, rename }) {
   return [
     sketch(kind.sketch),
     element('p.quiet', kind.summary),
+    requirementOf(row, name, store, exactActions(solver, actions)),
     parameters.element,
     element(
       'div.row-buttons',

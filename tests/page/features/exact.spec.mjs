@@ -1,0 +1,77 @@
+// Constraints that are met: from a tolerance to exact, kept so by a drag, and what cannot be met.
+
+import { openText, showPanel } from '../actions.mjs';
+import { quadScene, wavyGrid } from '../meshes.mjs';
+import { expect, openPage, screenOf, test, waitForState } from '../support.mjs';
+
+test.use({ pixels: false });
+
+const N = 6;
+const VERTICES = (N + 1) ** 2;
+
+const exact = (page) => page.evaluate(() => window.shapeUp.state().exact);
+const verdict = (page) => page.getByRole('group', { name: 'Verdict' });
+
+test('panels within a tolerance are made exact at a price, and a drag keeps them exact', async ({
+  page,
+}) => {
+  await openPage(page);
+  await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
+  const press = page.getByRole('button', { name: 'Make panels circular', exact: true });
+  await press.click();
+  await waitForState(page, (now) => !now.running && now.exact?.met);
+  // It moves on by more than the tolerance, so somebody decides; or by less, and it is done.
+  const make = verdict(page).getByRole('button', { name: 'Make exact' });
+  const made = verdict(page).getByText(/Made exact as well/);
+  await expect(make.or(made)).toBeVisible();
+  if (await make.isVisible()) {
+    await expect(page.getByRole('table', { name: 'What exact would cost' })).toBeVisible();
+    await make.click();
+  }
+  await waitForState(page, (now) => now.exact?.met && now.exact.max_distance < 1e-8);
+  const before = await exact(page);
+  expect(before.tolerance).toBeLessThan(1e-8);
+
+  const [x, y] = await screenOf(page, 0);
+  await page.keyboard.down('Alt');
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x - 20, y - 30, { steps: 4 });
+  await page.mouse.up();
+  await page.keyboard.up('Alt');
+  const after = await waitForState(
+    page,
+    (now) => !now.running && now.handles.length === 1 && now.exact?.met,
+  );
+  expect(after.exact.max_distance).toBeLessThan(1e-8);
+  // One step with the drag.
+  await page.getByRole('button', { name: 'Undo', exact: true }).click();
+  const undone = await waitForState(page, (now) => now.handles.length === 0);
+  expect(undone.exact.max_distance).toBeLessThan(1e-8);
+});
+
+test('what contradicts is named, and one click makes it soft', async ({ page }) => {
+  await openPage(page);
+  const scene = JSON.parse(quadScene(N));
+  delete scene.current;
+  const length = (length) => ({
+    ...{ kind: 'line-segment', on: { vertices: [0, 1] }, length, require: 'exact' },
+    name: `Length ${length}`,
+  });
+  scene.constraints = [length(0.5), length(0.8)];
+  await openText(page, 'lengths.shapeup.json', JSON.stringify(scene), VERTICES);
+  await page.getByRole('button', { name: 'Run', exact: true }).click();
+  const unmet = await waitForState(page, (now) => !now.running && now.exact);
+  expect(unmet.exact).toMatchObject({ met: false, contradiction: true, unmet: [0, 1] });
+  await expect(verdict(page)).toContainText('2 of 2 cannot be met together');
+  await verdict(page).getByRole('button', { name: 'Make Length 0.8 soft' }).click();
+  await waitForState(page, (now) => !now.running && now.exact?.met);
+
+  // The row says it, and can be changed there.
+  await showPanel(page, 'Model');
+  await page.getByRole('button', { name: /^Length 0\.5 on .*: parameters/ }).click();
+  const required = page.getByRole('combobox', { name: /^Length 0\.5 on .*: required/ });
+  await expect(required).toHaveValue('exact');
+  await required.selectOption('within');
+  await expect(page.getByRole('spinbutton', { name: /: within$/ })).toBeVisible();
+});

@@ -1,0 +1,178 @@
+/**
+ * How a run ended that had something to meet: what it took, what exactness would cost where a tolerance is met, and
+ * what cannot be met together.
+ */
+
+import './exact-verdict.css';
+import { element } from '../../ui/dom.js';
+import { count, groupDigits, length, limit, number } from '../../ui/format.js';
+import { exactActions } from '../../store/exact-actions.js';
+import { showElements } from '../../viewport/reveal-elements.js';
+
+/** @typedef {import("../../solver/messages.js").ConstraintRow} ConstraintRow */
+/** @typedef {import("../../solver/messages.js").ExactOffer} ExactOffer */
+/** @typedef {import("../../solver/messages.js").ExactReport} ExactReport */
+
+/** The colour of what cannot be met. @type {[number, number, number]} */
+const UNMET = [214, 40, 57];
+
+/**
+ * Where it is told.
+ * @typedef {object} Told
+ * @property {(text: string, ...buttons: HTMLElement[]) => HTMLElement} showMessage
+ * @property {(label: string, action: () => unknown, title?: string) => HTMLElement} offer a button
+ * @property {() => boolean} hasCard the verdict on the panels is told there already
+ */
+
+/**
+ * @param {import("../../app/context.js").AppContext} app
+ * @param {Told} told
+ */
+export async function showExact(app, told) {
+  const { store } = app;
+  const { numbers, document: scene } = store.get();
+  if (!numbers?.exact || !scene) return;
+  if (!numbers.exact.met) return showUnmet(app, told, numbers.exact);
+  const hard = scene.constraints.filter(({ enabled, require }) => enabled && require !== 'soft');
+  if (hard.every(({ require }) => require === 'exact')) return showMet(app, told, numbers.exact);
+  await showCost(app, told);
+}
+
+/** @param {import("../../app/context.js").AppContext} app @param {Told} told @param {ExactReport} exact */
+function showMet({ store }, { showMessage, hasCard }, { max_distance, on_guard, shortest_edge }) {
+  const { document: scene, numbers } = store.get();
+  if (!scene || !numbers) return;
+  const units = scene.units;
+  const guarded =
+    on_guard > 0
+      ? ` ${count(on_guard, 'edge')} as short as allowed, ${number(shortest_edge ?? 0)} of the length before.`
+      : '';
+  const { max, mean } = numbers.moved;
+  const moved = hasCard()
+    ? ''
+    : ` Moved at most ${length(max, units)}, ${length(mean, units)} on average.`;
+  showMessage(`Exact: farthest ${length(max_distance, units)}.${moved}${guarded}`);
+}
+
+/** What exactness would cost. @param {import("../../app/context.js").AppContext} app @param {Told} told */
+async function showCost({ store, solver, actions }, { showMessage, offer, hasCard }) {
+  const { document: scene, model, tolerance, numbers } = store.get();
+  if (!scene || !model || !numbers?.exact) return;
+  const exact = exactActions(solver, actions);
+  const { units } = scene;
+  const met = hasCard()
+    ? ''
+    : `All constraints are met within ${limit(numbers.exact.tolerance, units)}. `;
+  const group = showMessage(`${met}Looking at what exact would cost …`);
+  const cost = await exact.offer().catch(() => null);
+  if (!group.isConnected || !cost) return group.remove();
+  const allowed = tolerance ?? model.tolerance;
+  if (cost.met && cost.moved.max <= allowed) {
+    if (await exact.accept(true)) {
+      showMessage(`${met}Made exact as well: farthest ${length(cost.maxDistance, units)}.`);
+    }
+    return;
+  }
+  if (!cost.met) {
+    const constraints = count(cost.misses, 'constraint');
+    showMessage(`${met}Exactly, ${constraints} could not be met together.`);
+    return;
+  }
+  showMessage(
+    `${met}Exact, it would move by up to ${length(cost.moved.max, units)} more.`,
+    offer('Make exact', () => exact.accept(false), 'Takes the shape in the right column'),
+  ).append(table(cost, numbers.exact.max_distance, units));
+}
+
+/** @param {ExactOffer} cost @param {number} distance @param {string} units */
+function table({ before, after, maxDistance }, distance, units) {
+  /** @type {[string, string, string][]} */
+  const rows = [
+    ['Farthest', length(distance, units), length(maxDistance, units, distance)],
+    ['Moved at most', length(before.moved.max, units), length(after.moved.max, units)],
+    ['on average', length(before.moved.mean, units), length(after.moved.mean, units)],
+    ['Energy', number(before.energy), number(after.energy)],
+  ];
+  const row = (/** @type {[string, string, string]} */ [name, now, then]) =>
+    element(
+      'tr',
+      element('th', { scope: 'row' }, name),
+      element('td.figure', now),
+      element('td.figure', then),
+    );
+  const heads = ['', 'Now', 'Exact'].map((name) => element('th', { scope: 'col' }, name));
+  return element(
+    'table.cost',
+    { 'aria-label': 'What exact would cost' },
+    element('thead', element('tr', ...heads)),
+    element('tbody', ...rows.map(row)),
+  );
+}
+
+/**
+ * What cannot be met together: selected and coloured, with what would solve it.
+ * @param {import("../../app/context.js").AppContext} app
+ * @param {Told} told
+ * @param {ExactReport} exact
+ */
+function showUnmet(app, { showMessage, offer }, exact) {
+  const { unmet, misses, worst, max_distance, tolerance, contradiction } = exact;
+  const { store, solver, actions } = app;
+  const { document: scene } = store.get();
+  if (!scene) return;
+  const { units } = scene;
+  const { require } = exactActions(solver, actions);
+  const rows = unmet.flatMap((index) => scene.constraints[index] ?? []);
+  const hard = scene.constraints.filter(({ enabled, require }) => enabled && require !== 'soft');
+  const all = hard.reduce((sum, row) => sum + row.count, 0);
+  const elements = elementsOf(
+    app,
+    worst.map(({ vertices }) => vertices),
+  );
+  const show = () => {
+    showElements(app, elements);
+    actions.tint({ ...elements, colour: UNMET });
+  };
+  const far = length(max_distance, units, tolerance);
+  const change = (/** @type {ConstraintRow} */ row) => [
+    offer(`Make ${row.label} soft`, () => require(row.index, 'soft')),
+    offer(`${row.label} within ${limit(wider(max_distance), units)}`, () =>
+      require(row.index, { within: wider(max_distance) }),
+    ),
+  ];
+  const where = rows.map(({ label, on }) => `${label} on ${on}`).join(', ');
+  const many = `${groupDigits(misses)} of ${groupDigits(all)}`;
+  const [cannot, closest] = contradiction
+    ? ['cannot be met together', 'The smallest miss is']
+    : ['are not met yet', 'The farthest is off by'];
+  showMessage(
+    `${many} ${cannot}: ${where}. ${closest} ${far}.`,
+    offer('Show them', show),
+    ...rows.slice(0, 2).flatMap(change),
+  );
+  show();
+}
+
+/** A length that is said, a little above this one. @param {number} value */
+const wider = (value) => Number((1.1 * value).toPrecision(2));
+
+/**
+ * The faces that these constraints are on, or else their vertices.
+ * @param {import("../../app/context.js").AppContext} app
+ * @param {number[][]} constraints the vertices of each
+ */
+function elementsOf({ solver }, constraints) {
+  const vertices = Uint32Array.from(new Set(constraints.flat()));
+  const faces = [];
+  const { faceOffsets, faceIndices } = solver.geometry?.connectivity ?? {};
+  if (faceOffsets && faceIndices) {
+    const key = (/** @type {Iterable<number>} */ list) => [...list].sort((a, b) => a - b).join();
+    const wanted = new Set(constraints.map(key));
+    for (let face = 0; face + 1 < faceOffsets.length; face++) {
+      const corners = faceIndices.subarray(faceOffsets[face], faceOffsets[face + 1]);
+      if (wanted.has(key(corners))) faces.push(face);
+    }
+  }
+  const none = new Uint32Array(0);
+  return { faces: Uint32Array.from(faces), vertices: faces.length > 0 ? none : vertices };
+}

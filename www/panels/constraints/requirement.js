@@ -1,0 +1,45 @@
+/** How a row of constraints counts: weighed, met within a length, or met. What is chosen acts at once. */
+
+import { amountField, choice } from '../../ui/controls/fields.js';
+import { element } from '../../ui/dom.js';
+import { lengthUnit } from '../../ui/format.js';
+
+/** @typedef {import("../../solver/messages.js").Require} Require */
+
+const OPTIONS = [
+  ['soft', 'Soft', 'Weighed against all else'],
+  ['within', 'Within', 'No vertex is farther from the shape than this'],
+  ['exact', 'Exact', 'Met to the last digit, as near to the original as can be'],
+];
+
+/**
+ * @param {import("../../solver/messages.js").ConstraintRow} row
+ * @param {string} name
+ * @param {import("../../store/state.js").Store} store
+ * @param {ReturnType<typeof import("../../store/exact-actions.js").exactActions>} actions
+ */
+export function requirementOf({ index, require }, name, store, actions) {
+  const { tolerance, model, document } = store.get();
+  const usual = tolerance ?? model?.tolerance ?? 0;
+  const length = typeof require === 'object' ? require.within : usual;
+  const { unit, factor } = lengthUnit(length, document?.units ?? '');
+  const ask = (/** @type {Require} */ require) => actions.require(index, require);
+  const within = amountField(`${name}: within`, (value) => ask({ within: value / factor }));
+  within.show(Number((length * factor).toPrecision(6)));
+  const required = typeof require === 'object' ? 'within' : require;
+  const select = choice(
+    {
+      'aria-label': `${name}: required`,
+      title: OPTIONS.find(([id]) => id === required)?.[2] ?? '',
+    },
+    (value) => ask(value === 'within' ? { within: length } : /** @type {Require} */ (value)),
+    OPTIONS,
+  );
+  select.value = required;
+  return element(
+    'label.requirement',
+    'Required',
+    select,
+    ...(required === 'within' ? [within.field, element('span', unit)] : []),
+  );
+}
