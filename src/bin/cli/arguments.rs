@@ -117,10 +117,10 @@ A MESH is solved with the settings that keep it whole, a scene with its own.
 --iterations, --tolerance (0 never stops early) and --accelerator replace the settings of the scene.
 --out writes OBJ, or where the name ends in .mesh, Medit, which has tetrahedra.
 --trace records the energies of every iteration, in the report and on standard output.
-build lays the panels flat on sheets and checks whether offsets and beams can be built; --out is the folder
-for drawings of the sheets (SVG, DXF, PDF) and tables (CSV). D, negative inwards, and the joint J between
-panels are lengths in the unit of the mesh; the model is 1:S; a sheet is W by H mm. The rest, and what is
-not given, is the `build` of the scene.
+build lays the panels flat on sheets and checks whether offsets and beams can be built; --out is the
+folder for drawings of the sheets (SVG, DXF, PDF) and tables (CSV). D, negative inwards, and the joint J
+between panels are lengths in the unit of the mesh; the model is 1:S; a sheet is W by H mm. What is not
+given is as in the `build` of the scene.
 RESULTS is what a student hands in of a lesson: check measures its shape with the goals and the
 constraints of the SCENE, and ends with 1 when one is not met.
 parametrize makes a flat map that keeps angles; --out writes the mesh with the map as its vt.
