@@ -109,8 +109,9 @@ fn settings_act_on_the_solver_and_are_undone() {
 #[test]
 fn the_boundary_stays_on_its_curve_when_it_is_told_to() {
     let mut session = session();
-    let set = Edit::Set { id: "boundary".to_owned(), value: json!(60) };
-    session.edit(set).expect("it is declared");
+    for (id, value) in [("corners", json!(60)), ("boundary", json!("exactly"))] {
+        session.edit(Edit::Set { id: id.to_owned(), value }).expect("it is declared");
+    }
     run(&mut session);
     for corner in [0, 5, 30, 35] {
         assert_eq!(distance(&session, corner), 0.0, "a corner stays");
