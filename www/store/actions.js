@@ -4,7 +4,6 @@
  */
 
 import { count, ended } from '../ui/format.js';
-import { halfStepWords } from './half-step.js';
 import { messageOf } from '../solver/messages.js';
 import { createQueries } from './queries.js';
 import { selectedVertices } from './selection.js';
@@ -127,8 +126,10 @@ export function createActions(store, solver, alerts) {
 
     /** The local step, or the global step after it. */
     async halfStep() {
+      const words = import('./half-step-words.js');
       const done = await reportErrors(solver.request({ type: 'halfStep' }));
-      if (done) setStatus(halfStepWords(done));
+      const loaded = await reportErrors(words);
+      if (done && loaded) setStatus(loaded.halfStepWords(done));
     },
 
     async reset() {

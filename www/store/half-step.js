@@ -1,29 +1,4 @@
-/** The two halves of an iteration (Fig. 4 of the paper): the words for them, and their switch. */
-
-import { groupDigits } from '../ui/format.js';
-
-/**
- * What a half has done, and what comes next.
- * @param {import("../solver/messages.js").Half} done
- */
-export function halfStepWords(done) {
-  if (done.half === 'local') {
-    const all = done.fitted.reduce((sum, { count }) => sum + count, 0);
-    const one = done.fitted.length === 1;
-    const kinds = done.fitted.map(
-      ({ label, count }) => `${one ? '' : `${groupDigits(count)} `}${label.toLowerCase()}`,
-    );
-    const fitted =
-      all > 0
-        ? `${groupDigits(all)} ${all === 1 ? 'shape' : 'shapes'} fitted (${kinds.join(', ')})`
-        : 'nothing to fit';
-    return `Local step done: ${fitted}; next: global step`;
-  }
-  const where = done.accelerated ? 'beyond the' : 'to the';
-  const why = done.accelerated ? ', because steps are accelerated' : '';
-  const next = done.converged ? 'converged' : 'next: local step';
-  return `Global step done: moved ${where} least-squares answer${why}; ${next}`;
-}
+/** The switch between the two halves of an iteration (Fig. 4 of the paper). */
 
 /** @param {{ halfway: boolean }} state */
 export function halfStepTitle({ halfway }) {

@@ -1,6 +1,9 @@
 /** Numbers and units as the page writes them. */
 
-import { METRES } from './number-entry.js';
+import { UNITS } from './units.js';
+
+/** The length of each unit in metres. @type {Record<string, number>} */
+export const METRES = Object.fromEntries(UNITS.map(({ symbol, metres }) => [symbol, metres]));
 
 const DIGITS = 3;
 

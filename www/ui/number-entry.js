@@ -1,9 +1,6 @@
 /** Lengths as people type them: 1.5, 1/3, 20cm; and +0.5 or +-0.5 to move on from where something is. */
 
-import { UNITS } from './units.js';
-
-/** The length of each unit in metres. @type {Record<string, number>} */
-export const METRES = Object.fromEntries(UNITS.map(({ symbol, metres }) => [symbol, metres]));
+import { METRES } from './format.js';
 
 const DIGITS = '(?:\\d+[.,]?\\d*|[.,]\\d+)';
 /** What moves on, the number, what it is divided by, its unit. */
