@@ -394,7 +394,7 @@ impl Build {
         let value = offset.map(|offset| offset.distance_mm);
         CheckRow {
             id: "safe_distance",
-            label: "Safe distance",
+            label: "Offset distance",
             value,
             limit,
             unit: "mm",

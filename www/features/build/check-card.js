@@ -24,9 +24,9 @@ export function checkCard(show) {
     update(report) {
       list.replaceChildren(...report.check.map((row) => checkRow(row, show)));
       const { offset } = report;
-      const how = offset?.exact ? 'exactly' : 'as nearly as can be';
+      const how = offset?.exact ? 'exactly' : 'as nearly as possible';
       const kept =
-        offset && `${KEEPS[offset.kind]} a distance of ${mm(offset.distance_mm)} mm ${how}`;
+        offset && `${KEEPS[offset.kind]} a distance of ${length(offset.distance_mm)} ${how}`;
       words.textContent = kept ? `${kept}${offset.why_not && `; ${offset.why_not}`}.` : '';
       problems.replaceChildren(...report.problems.map((problem) => element('p.notice', problem)));
     },
@@ -38,10 +38,10 @@ export function checkCard(show) {
  * @param {(worst: CheckRow["worst"]) => void} show
  */
 function checkRow({ label, value, limit, unit, met, worst }, show) {
-  const unitWords = unit === 'deg' ? '°' : ' mm';
+  const inWords = (/** @type {number} */ size) => (unit === 'deg' ? `${mm(size)}°` : length(size));
   const state = met === null ? 'none' : met ? 'met' : 'missed';
-  const figure = value === null ? 'not offered' : `${mm(value)}${unitWords}`;
-  const bound = limit === null ? 'no limit' : `limit ${mm(limit)}${unitWords}`;
+  const figure = value === null ? 'not offered' : inWords(value);
+  const bound = limit === null ? 'no limit' : `limit ${inWords(limit)}`;
   const parts = [
     element('span.mark', { 'aria-hidden': 'true' }, { none: '–', met: '✓', missed: '✗' }[state]),
     element('span.label', label),
@@ -80,6 +80,11 @@ export function warnings({
     dropped > 0 && `${groupDigits(dropped)} names of neighbours have no room.`,
     small > 0 && `${count(small, 'panel')} with a name smaller than 2 mm.`,
   ].filter((line) => line !== false);
+}
+
+/** A length of the building, from 10 m on in metres. @param {number} size in mm */
+function length(size) {
+  return Math.abs(size) < 1e4 ? `${mm(size)} mm` : `${mm(size / 1000)} m`;
 }
 
 /** @param {number} value in mm or degrees */

@@ -19,7 +19,7 @@ const wordChoice = (key, change, options) =>
   choice({ id: `parts-${key}` }, (word) => change({ [key]: word || null }), options);
 
 const KINDS = [
-  ['', 'What errs less'],
+  ['', 'Smaller error'],
   ['corner', 'Corners'],
   ['face', 'Panels'],
   ['edge', 'Beams'],
