@@ -2,7 +2,9 @@
 //!
 //! | file | holds |
 //! |---|---|
-//! | `arguments` | the words of the command line, and the usage |
+//! | `arguments` | the commands with their arguments |
+//! | `words` | files, options and their values one by one |
+//! | `usage` | how the program is called |
 //! | `input` | mesh and scene files in |
 //! | `output` | files and standard output, whole or not at all |
 //! | `mesh_file` | a solved mesh as a file, by the ending of its name |
@@ -20,6 +22,8 @@ mod output;
 mod parametrize;
 mod results;
 mod solve;
+mod usage;
+mod words;
 
 use arguments::Command;
 use std::ffi::OsString;
@@ -55,7 +59,7 @@ pub(crate) fn run(arguments: Vec<OsString>) -> ExitCode {
             ExitCode::from(1)
         }
         Err(Failure::Usage(message)) => {
-            eprintln!("shape-up: {}\n\n{}", one_line(&message), arguments::usage());
+            eprintln!("shape-up: {}\n\n{}", one_line(&message), usage::usage());
             ExitCode::from(2)
         }
     }
@@ -76,7 +80,7 @@ fn perform(command: Command) -> Result<(), Failure> {
             let kinds = serde_json::to_string_pretty(shape_up::constraint::KINDS);
             output::print(&(kinds.expect("declarations are plain data") + "\n"))
         }
-        Command::Help => output::print(&(arguments::usage() + "\n")),
+        Command::Help => output::print(&(usage::usage() + "\n")),
         Command::Version => output::print(concat!("shape-up ", env!("CARGO_PKG_VERSION"), "\n")),
     }
 }

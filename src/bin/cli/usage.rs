@@ -1,0 +1,69 @@
+//! How the program is called, in words.
+
+use shape_up::constraint::KINDS;
+use shape_up::fabricate::OffsetKind;
+use shape_up::scene::{Accelerator, NamedEnum};
+use shape_up::solve::{ConformalNorm, ConformalWeights};
+
+/// How the program is called.
+pub(super) fn usage() -> String {
+    format!(
+        "\
+usage: shape-up solve SCENE|MESH [--panels KIND] [--exact | --within LENGTH]
+                [--boundary exact|WEIGHT] [--iterations N] [--tolerance T]
+                [--accelerator {}]
+                [--out FILE.obj|FILE.mesh] [--report FILE.json] [--trace]
+       shape-up build SCENE|MESH [--kind {}] [--distance D] [--joint J]
+                [--scale S] [--sheet WxH] [--out DIR] [--report FILE.json]
+       shape-up check MESH [--report FILE.json]
+       shape-up check RESULTS --scene SCENE
+       shape-up parametrize MESH [--weights {}] [--norm {}]
+                [--out UV.obj] [--report FILE.json]
+       shape-up examples [--out DIR]
+       shape-up experiment [EXAMPLE|SCENE] [--iterations N] [--seconds T] [--csv FILE.csv]
+       shape-up operators
+       shape-up --help | --version
+
+A SCENE is a *.json file, a MESH is OBJ, OFF or Medit (.obj, .off, .mesh).
+--panels asks for a KIND of shape on every face that can have it. The kinds are:
+ {}
+--exact meets all constraints instead of weighing them; --within meets them up to a LENGTH in the
+unit of the mesh. Without, each constraint of a scene says itself what it is.
+--boundary exact holds boundary vertices on their curve, where they glide, and its corners; a WEIGHT
+holds them near it.
+A MESH is solved with the settings that keep it whole, a scene with its own.
+--iterations, --tolerance (0 never stops early) and --accelerator replace the settings of the scene.
+--out writes OBJ, or where the name ends in .mesh, Medit, which has tetrahedra.
+--trace records the energies of every iteration, in the report and on standard output.
+build lays the panels flat on sheets and checks whether offsets and beams can be built; --out is the
+folder for drawings of the sheets (SVG, DXF, PDF) and tables (CSV). D, negative inwards, and the joint J
+between panels are lengths in the unit of the mesh; the model is 1:S; a sheet is W by H mm. What is not
+given is as in the `build` of the scene.
+RESULTS is what a student hands in of a lesson: check measures its shape with the goals and the
+constraints of the SCENE, and ends with 1 when one is not met.
+parametrize makes a flat map that keeps angles; --out writes the mesh with the map as its vt.
+experiment solves a scene by several methods, and prints how far each came; --csv writes all iterations.
+Without a scene it lists the examples that have a comparison of the paper. The limits are per method.
+Exit code: 0 done, 1 the input is at fault, 2 usage, 3 internal.",
+        Accelerator::list("|"),
+        OffsetKind::ALL.map(OffsetKind::word).join("|"),
+        ConformalWeights::list("|"),
+        ConformalNorm::list("|"),
+        kinds(),
+    )
+}
+
+/// The ids of the kinds, in lines under each other.
+fn kinds() -> String {
+    const WIDTH: usize = 96;
+    let mut lines = vec![String::new()];
+    for info in KINDS {
+        if lines[lines.len() - 1].len() + info.id.len() > WIDTH {
+            lines.push(String::new());
+        }
+        let line = lines.last_mut().expect("there is a line");
+        line.push(' ');
+        line.push_str(info.id);
+    }
+    lines.join("\n ")
+}

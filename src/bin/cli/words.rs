@@ -1,0 +1,164 @@
+//! Files and options of a command line one by one, and the values of options by their types.
+
+use lexopt::Arg;
+use shape_up::constraint::KINDS;
+use shape_up::fabricate::OffsetKind;
+use shape_up::scene::{BoundaryCloseness, BoundaryRequire, NamedEnum};
+use std::ffi::{OsStr, OsString};
+use std::path::PathBuf;
+
+/// The arguments of a command, one after another.
+pub(super) struct Words {
+    parser: lexopt::Parser,
+    /// The options so far: none is given twice.
+    seen: Vec<String>,
+}
+
+pub(super) enum Word {
+    File(OsString),
+    /// The name with its dashes.
+    Option(String),
+}
+
+impl Words {
+    pub(super) fn new(arguments: Vec<OsString>) -> Words {
+        Words { parser: lexopt::Parser::from_args(arguments), seen: Vec::new() }
+    }
+
+    /// The next one; none at the end.
+    pub(super) fn next(&mut self) -> Result<Option<Word>, String> {
+        let name = match self.parser.next().map_err(|error| error.to_string())? {
+            None => return Ok(None),
+            Some(Arg::Value(file)) => return Ok(Some(Word::File(file))),
+            Some(Arg::Long(name)) => format!("--{name}"),
+            Some(Arg::Short(letter)) => format!("-{letter}"),
+        };
+        if self.seen.contains(&name) {
+            return Err(format!("{name} is given twice"));
+        }
+        self.seen.push(name.clone());
+        Ok(Some(Word::Option(name)))
+    }
+
+    /// True, of an option that takes no value.
+    pub(super) fn flag(&mut self, name: &str) -> Result<bool, String> {
+        match self.parser.optional_value() {
+            None => Ok(true),
+            Some(value) => {
+                Err(format!("{name} takes no value, found `{}`", value.to_string_lossy()))
+            }
+        }
+    }
+
+    /// The value of an option: behind its `=`, or the next word.
+    fn value(&mut self, name: &str) -> Result<OsString, String> {
+        let present = |v: &OsString| !v.is_empty() && !v.as_encoded_bytes().starts_with(b"--");
+        let value = self.parser.value().ok().filter(present);
+        value.ok_or_else(|| format!("{name} needs a value"))
+    }
+
+    /// The value of an option that takes the name of a file.
+    pub(super) fn file(&mut self, name: &str) -> Result<PathBuf, String> {
+        self.value(name).map(PathBuf::from)
+    }
+
+    /// The value of an option that takes the name of a mesh file to be written, of one of the `formats`.
+    /// An ending that no mesh format has is no matter.
+    pub(super) fn mesh(&mut self, name: &str, formats: &[&str]) -> Result<PathBuf, String> {
+        let path = self.file(name)?;
+        let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
+        let is = |format: &&str| ending.as_deref() == Some(format);
+        if ["obj", "off", "mesh"].iter().any(is) && !formats.iter().any(is) {
+            let formats: Vec<_> = formats.iter().map(|format| format!(".{format}")).collect();
+            let known = formats.join(" or ");
+            return Err(format!("{name} writes {known}, found `{}`", path.display()));
+        }
+        Ok(path)
+    }
+
+    /// The value of an option that takes a whole number.
+    pub(super) fn iterations(&mut self, name: &str) -> Result<u32, String> {
+        let value = self.text(name)?;
+        value.parse().map_err(|_| format!("{name} takes a whole number from 0, found `{value}`"))
+    }
+
+    /// The value of an option that takes a number that is not negative.
+    pub(super) fn not_negative(&mut self, name: &str) -> Result<f64, String> {
+        let value = self.text(name)?;
+        let parsed = value.parse().ok().filter(|number: &f64| number.is_finite() && *number >= 0.0);
+        parsed.ok_or_else(|| format!("{name} takes a number from 0, found `{value}`"))
+    }
+
+    /// The value of an option that says how a boundary is held.
+    pub(super) fn boundary(&mut self, name: &str) -> Result<BoundaryCloseness, String> {
+        let value = self.text(name)?;
+        let held = BoundaryCloseness::default();
+        if value == BoundaryRequire::Exact.word() {
+            return Ok(BoundaryCloseness { require: BoundaryRequire::Exact, ..held });
+        }
+        let weight = value.parse().ok().filter(|weight: &f64| weight.is_finite() && *weight > 0.0);
+        let expected = || format!("{name} takes `exact` or a weight above 0, found `{value}`");
+        weight.map(|weight| BoundaryCloseness { weight, ..held }).ok_or_else(expected)
+    }
+
+    /// The value of an option that takes a number above zero.
+    pub(super) fn positive(&mut self, name: &str) -> Result<f64, String> {
+        match self.not_negative(name)? {
+            0.0 => Err(format!("{name} takes a number above 0, found 0")),
+            number => Ok(number),
+        }
+    }
+
+    /// The value of an option that takes a length of either sign that is not zero.
+    pub(super) fn distance(&mut self, name: &str) -> Result<f64, String> {
+        let value = self.text(name)?;
+        let parsed = value.parse().ok().filter(|number: &f64| number.is_finite() && *number != 0.0);
+        parsed.ok_or_else(|| format!("{name} takes a number that is not 0, found `{value}`"))
+    }
+
+    /// The value of an option that takes a width and a height.
+    pub(super) fn sheet(&mut self, name: &str) -> Result<[f64; 2], String> {
+        let value = self.text(name)?;
+        let sides = value.split_once(['x', 'X']).and_then(|(width, height)| {
+            let side =
+                |text: &str| text.parse().ok().filter(|side: &f64| side.is_finite() && *side > 0.0);
+            Some([side(width)?, side(height)?])
+        });
+        sides.ok_or_else(|| {
+            format!("{name} takes a width and a height in mm, such as 1200x600, found `{value}`")
+        })
+    }
+
+    /// The value of an option that takes a kind of offset.
+    pub(super) fn offset_kind(&mut self, name: &str) -> Result<OffsetKind, String> {
+        let value = self.text(name)?;
+        OffsetKind::ALL.into_iter().find(|kind| kind.word() == value).ok_or_else(|| {
+            let words = OffsetKind::ALL.map(OffsetKind::word).join(" or ");
+            format!("{name} takes {words}, found `{value}`")
+        })
+    }
+
+    /// The value of an option that takes the id of a kind.
+    pub(super) fn kind(&mut self, name: &str) -> Result<&'static str, String> {
+        let value = self.text(name)?;
+        let known: Vec<_> = KINDS.iter().map(|info| info.id).collect();
+        known
+            .iter()
+            .copied()
+            .find(|id| *id == value)
+            .ok_or_else(|| format!("{name} takes {}, found `{value}`", known.join(" or ")))
+    }
+
+    /// The value of an option that takes one of some words.
+    pub(super) fn one_of<T: NamedEnum>(&mut self, name: &str) -> Result<T, String> {
+        let value = self.text(name)?;
+        let expected = || format!("{name} takes {}, found `{value}`", T::list(" or "));
+        T::of_word(&value).ok_or_else(expected)
+    }
+
+    fn text(&mut self, name: &str) -> Result<String, String> {
+        let value = self.value(name)?;
+        let text = |value: &OsStr| value.to_str().map(str::to_owned);
+        text(&value).ok_or_else(|| format!("the value of {name} is not UTF-8 text"))
+    }
+}
