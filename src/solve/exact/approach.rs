@@ -67,15 +67,13 @@ impl Approach {
         };
         let [metric, hard] = model.stiffness;
         let unit = if metric > 0.0 { metric / hard } else { 1.0 };
-        let is_exact =
-            model.hard.batches.iter().any(|hard| hard.row.is_some() && hard.within.is_none());
         let zeros = || vec![[0.0; 4]; n];
         Approach {
             accelerator: Acceleration::new(&quasi_newton),
             // From a soft solution with a greater weight there is no way back to a small one.
             rho: Lane::max(START * unit, 0.05 * model.parts.energies.weights.shape),
             most: MOST * unit,
-            patient: if is_exact { PATIENT } else { QUICK },
+            patient: if model.hard.any_exact() { PATIENT } else { QUICK },
             left: 0,
             in_round: 0,
             still: 0,

@@ -90,6 +90,11 @@ impl HardRows {
         }
     }
 
+    /// Whether some row is to be exact; the guard is none.
+    pub(super) fn any_exact(&self) -> bool {
+        self.batches.iter().any(|hard| hard.row.is_some() && hard.within.is_none())
+    }
+
     /// The greatest excess, that of the guard included.
     pub(super) fn worst(&self, x: &[Row]) -> f64 {
         let mut worst = 0.0;

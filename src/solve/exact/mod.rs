@@ -53,8 +53,9 @@ const NEAR_ENOUGH: f64 = 1e-4;
 const NEARER: f64 = 0.3;
 const NEAREST: f64 = 1e-7;
 
-/// So often the polish is tried in a row.
+/// So often the polish is tried in a row. Where a tolerance is enough, coming nearer is quicker than a second try.
 const POLISHES: u32 = 2;
+const POLISHES_WITHIN: u32 = 1;
 
 /// The polish ends at this part of the diagonal of the bounding box: 1e-12 of the bounding sphere.
 const MET: f64 = 5e-13;
@@ -94,6 +95,7 @@ pub struct Exact {
     /// Approaches that have ended, and polishes after the last one.
     tries: u32,
     polishes: u32,
+    most_polishes: u32,
     /// The least worst excess so far, and where.
     best: (f64, Vec<Row>),
     seconds: f64,
@@ -115,6 +117,7 @@ impl Exact {
         let approach = Approach::new(&model, &settings);
         let worst = model.hard.worst(&model.x);
         let can_polish = polish_fits(problem, requirements, &model);
+        let most_polishes = if model.hard.any_exact() { POLISHES } else { POLISHES_WITHIN };
         let near = NEAR * model.parts.extent;
         let mut exact = Exact {
             best: (worst, model.x.clone()),
@@ -129,6 +132,7 @@ impl Exact {
             contradicts: false,
             tries: 0,
             polishes: 0,
+            most_polishes,
             seconds: 0.0,
         };
         let goal = if can_polish { exact.goal() } else { near };
@@ -256,7 +260,7 @@ impl Exact {
     /// Tries again from the best positions with steps that gain; then comes nearer by the approach, if that may go on.
     fn polish_failed(&mut self) {
         if let Some(polish) = &mut self.polish
-            && self.polishes < POLISHES
+            && self.polishes < self.most_polishes
         {
             self.model.x.copy_from_slice(&self.best.1);
             polish.restart(true);
