@@ -18,10 +18,15 @@ export const LESSONS = 'Lessons';
 
 /**
  * @param {number | null} figure
- * @param {boolean} isFirst nothing comes before
+ * @param {"first" | "figure" | "lesson"} after what comes before
  */
-export function headingOf(figure, isFirst) {
-  if (figure === null) return isFirst ? 'To begin with' : 'Curves and points';
+export function headingOf(figure, after) {
+  if (figure === null)
+    return {
+      first: 'To begin with',
+      figure: 'Curves and points',
+      lesson: 'Limits and other uses',
+    }[after];
   const title = TITLES[figure];
   return title ? `Figure ${figure}: ${title}` : `Figure ${figure}`;
 }

@@ -56,7 +56,8 @@ function build(examples, results) {
   examples.forEach((example, at) => {
     const before = examples[at - 1];
     if (!before || example.figure !== before.figure || !example.goals !== !before.goals) {
-      const heading = example.goals ? LESSONS : headingOf(example.figure, at === 0);
+      const after = before ? (before.goals ? 'lesson' : 'figure') : 'first';
+      const heading = example.goals ? LESSONS : headingOf(example.figure, after);
       sections.push(section(heading, `heading-${at}`));
     }
     const made = card(
@@ -125,7 +126,7 @@ function figuresOf(examples) {
   const numbers = [
     ...new Set(examples.flatMap((one) => (one.figure === null ? [] : [one.figure]))),
   ];
-  return numbers.map((number) => [String(number), headingOf(number, false)]);
+  return numbers.map((number) => [String(number), headingOf(number, 'figure')]);
 }
 
 /**
