@@ -48,6 +48,8 @@ use polish::{Polish, Polished};
 /// The approach ends at this part of the size, and the polish begins; or at that part, where it was long.
 const NEAR: f64 = 1e-5;
 const NEAR_ENOUGH: f64 = 1e-4;
+/// Where a tolerance is enough: the polish fails from farther away.
+const NEAR_ENOUGH_WITHIN: f64 = 3e-5;
 
 /// Where the polish fails the approach goes on, so many times nearer; not below the last.
 const NEARER: f64 = 0.3;
@@ -200,7 +202,9 @@ impl Exact {
         self.stage = Stage::Round;
         let worst = self.keep_best();
         if self.approach.iterations >= PATIENCE && self.tries == 0 {
-            self.near = NEAR_ENOUGH * self.model.parts.extent;
+            let any_exact = self.model.hard.any_exact();
+            let enough = if any_exact { NEAR_ENOUGH } else { NEAR_ENOUGH_WITHIN };
+            self.near = enough * self.model.parts.extent;
         }
         let near = if self.can_polish { worst <= self.near } else { self.is_met(self.near) };
         let stands = self.approach.stands_still(worst);
