@@ -127,12 +127,11 @@ pub(super) fn parse(arguments: Vec<OsString>) -> Result<Command, String> {
 
 fn check(mut words: Words) -> Result<Command, String> {
     let (mut mesh, mut report, mut scene) = (None, None, None);
-    while let Some(word) = words.next()? {
-        match word {
-            Word::File(file) => one(&mut mesh, file)?,
-            Word::Option(name) if name == "--report" => report = Some(words.file(&name)?),
-            Word::Option(name) if name == "--scene" => scene = Some(words.file(&name)?),
-            word => return Err(unknown(&word, "check")),
+    while let Some(name) = words.option(&mut mesh)? {
+        match name.as_str() {
+            "--report" => report = Some(words.file(&name)?),
+            "--scene" => scene = Some(words.file(&name)?),
+            _ => return Err(unknown(&Word::Option(name), "check")),
         }
     }
     let file = mesh.ok_or("check needs a mesh file")?;
@@ -145,14 +144,7 @@ fn check(mut words: Words) -> Result<Command, String> {
 
 fn experiment(mut words: Words) -> Result<Command, String> {
     let (mut experiment, mut on) = (Experiment::default(), None);
-    while let Some(word) = words.next()? {
-        let name = match word {
-            Word::File(file) => {
-                one(&mut on, file)?;
-                continue;
-            }
-            Word::Option(name) => name,
-        };
+    while let Some(name) = words.option(&mut on)? {
         match name.as_str() {
             "--iterations" => experiment.iterations = Some(words.iterations(&name)?),
             "--seconds" => experiment.seconds = Some(words.not_negative(&name)?),
@@ -169,14 +161,7 @@ fn experiment(mut words: Words) -> Result<Command, String> {
 
 fn solve(mut words: Words) -> Result<Command, String> {
     let (mut solve, mut input) = (Solve::default(), None);
-    while let Some(word) = words.next()? {
-        let name = match word {
-            Word::File(file) => {
-                one(&mut input, file)?;
-                continue;
-            }
-            Word::Option(name) => name,
-        };
+    while let Some(name) = words.option(&mut input)? {
         match name.as_str() {
             "--panels" => solve.panels = Some(words.kind(&name)?),
             "--exact" => {
@@ -206,14 +191,7 @@ fn solve(mut words: Words) -> Result<Command, String> {
 
 fn build(mut words: Words) -> Result<Command, String> {
     let (mut build, mut input) = (Build::default(), None);
-    while let Some(word) = words.next()? {
-        let name = match word {
-            Word::File(file) => {
-                one(&mut input, file)?;
-                continue;
-            }
-            Word::Option(name) => name,
-        };
+    while let Some(name) = words.option(&mut input)? {
         match name.as_str() {
             "--kind" => build.kind = Some(words.offset_kind(&name)?),
             "--distance" => build.distance = Some(words.distance(&name)?),
@@ -240,14 +218,7 @@ fn require(solve: &mut Solve, require: Require) -> Result<(), String> {
 
 fn parametrize(mut words: Words) -> Result<Command, String> {
     let (mut parametrize, mut mesh) = (Parametrize::default(), None);
-    while let Some(word) = words.next()? {
-        let name = match word {
-            Word::File(file) => {
-                one(&mut mesh, file)?;
-                continue;
-            }
-            Word::Option(name) => name,
-        };
+    while let Some(name) = words.option(&mut mesh)? {
         match name.as_str() {
             "--weights" => {
                 parametrize.weights = words.one_of(&name)?;
@@ -279,16 +250,4 @@ fn unknown(word: &Word, command: &str) -> String {
         Word::Option(name) => name.into(),
     };
     format!("{command} does not take `{word}`")
-}
-
-fn one(place: &mut Option<PathBuf>, file: OsString) -> Result<(), String> {
-    if file.is_empty() {
-        return Err("the name of a file is empty".to_owned());
-    }
-    match place.replace(file.into()) {
-        None => Ok(()),
-        Some(first) => {
-            Err(format!("expected one file, found a second after `{}`", first.display()))
-        }
-    }
 }

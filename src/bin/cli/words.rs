@@ -40,6 +40,17 @@ impl Words {
         Ok(Some(Word::Option(name)))
     }
 
+    /// The next option of a command that takes one file; the file goes to its place.
+    pub(super) fn option(&mut self, place: &mut Option<PathBuf>) -> Result<Option<String>, String> {
+        loop {
+            match self.next()? {
+                None => return Ok(None),
+                Some(Word::Option(name)) => return Ok(Some(name)),
+                Some(Word::File(file)) => one(place, file)?,
+            }
+        }
+    }
+
     /// True, of an option that takes no value.
     pub(super) fn flag(&mut self, name: &str) -> Result<bool, String> {
         match self.parser.optional_value() {
@@ -160,5 +171,17 @@ impl Words {
         let value = self.value(name)?;
         let text = |value: &OsStr| value.to_str().map(str::to_owned);
         text(&value).ok_or_else(|| format!("the value of {name} is not UTF-8 text"))
+    }
+}
+
+fn one(place: &mut Option<PathBuf>, file: OsString) -> Result<(), String> {
+    if file.is_empty() {
+        return Err("the name of a file is empty".to_owned());
+    }
+    match place.replace(file.into()) {
+        None => Ok(()),
+        Some(first) => {
+            Err(format!("expected one file, found a second after `{}`", first.display()))
+        }
     }
 }
