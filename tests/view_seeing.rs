@@ -186,3 +186,28 @@ fn the_tape_measures_now_and_at_rest() {
     state.set_mesh((vec![0, 3], vec![0, 1, 2]), (vec![], vec![]), &one).unwrap();
     assert!(state.tape().is_empty());
 }
+
+#[test]
+fn a_layer_is_joined_to_the_surface_and_what_fails_is_drawn_over_it() {
+    let mut state = state();
+    let above: Vec<f64> =
+        floors().chunks(3).flat_map(|point| [point[0], point[1], point[2] + 1.0]).collect();
+    state.set_layer(&above, &[0, 1], vec![3]).unwrap();
+    let points: Vec<_> = state.layer_points().collect();
+    let lines = state.layer_lines();
+    let of = |kind: LineKind| lines.iter().filter(move |line| line[2] == kind as u32);
+    assert_eq!(of(LineKind::Layer).count(), 8 + 8, "edges of the layer, and posts");
+    // The beam of an edge with its four sides, and a post.
+    assert_eq!(of(LineKind::Failed).count(), 4 + 1);
+    assert!(lines[..16].iter().all(|line| line[2] == LineKind::Layer as u32));
+    for line in lines.iter().filter(|line| line[1] == line[0] + 8) {
+        let post = points[line[0] as usize] - points[line[1] as usize];
+        assert!((post.length() - 1.0).abs() < 1e-6);
+    }
+    assert!(state.set_layer(&above[..9], &[], vec![]).is_err());
+    assert!(state.set_layer(&above, &[0, 8], vec![]).is_err());
+    assert_eq!(state.layer_lines().len(), lines.len(), "what does not fit changes nothing");
+    // Another mesh has no layer of the one before.
+    state.set_mesh((vec![0, 3], vec![0, 1, 2]), (vec![], vec![]), &floors()[..9]).unwrap();
+    assert!(state.layer_lines().is_empty());
+}

@@ -20,13 +20,18 @@
 //! | `sheet` | parts, letters, labels, the layout on sheets |
 //! | `file` | SVG, DXF, PDF, CSV |
 //! | `build` | all of it for one shape |
-//! | `report` | the build check and its numbers |
+//! | `check_card` | the build check: five numbers with their limits, and what is not within them |
+//! | `layer` | the offset as points, and the sides of parts that fail, for the view |
+//! | `tighten` | what a solver could do about it |
+//! | `report` | all numbers |
 //! | `tables` | lists of panels, edges, nodes and types |
 //! | `output` | all files of a build |
 
 mod build;
+mod check_card;
 mod fault;
 pub mod file;
+mod layer;
 pub mod offset;
 mod output;
 pub mod panel;
@@ -35,11 +40,14 @@ mod settings;
 pub mod sheet;
 mod surface;
 mod tables;
+mod tighten;
 
 pub use build::{Build, CutPanel, LengthInMetres, NotCut};
+pub use check_card::{CheckRow, Failed, Worst};
 pub use fault::Fault;
 pub use offset::OffsetKind;
 pub use output::BuildFile;
-pub use report::{BuildReport, CheckRow, Choice, OffsetReport, Worst};
+pub use report::{BuildReport, Choice, OffsetReport};
 pub use settings::{BuildPreset, BuildSettings, CheckLimits, Dxf, PRESETS};
 pub use surface::{Edge, PanelSurface};
+pub use tighten::{PanelRemedy, Tighten};

@@ -1,46 +1,11 @@
-//! The build check: five numbers with units and limits, each with the element that is worst, and the numbers
-//! behind them. Lengths are in mm: of the building, but for what is on the sheet.
+//! All numbers of a build. Lengths are in mm: of the building, but for what is on the sheet.
 
 use super::build::Build;
+use super::check_card::CheckRow;
 use super::offset::{OffsetCheck, OffsetKind, closing};
 use super::panel::{area, panel_types, perimeter};
+use super::tighten::Tighten;
 use serde::Serialize;
-
-/// A number of the build check.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
-pub struct CheckRow {
-    /// Its name in files.
-    pub id: &'static str,
-    /// Its name for people.
-    pub label: &'static str,
-    /// Its value; none where it does not apply.
-    pub value: Option<f64>,
-    /// The value that it should not pass; none of the safe distance inwards where there is no limit.
-    pub limit: Option<f64>,
-    /// `mm` or `deg`.
-    pub unit: &'static str,
-    /// Whether it is within the limit; none where there is no value.
-    pub met: Option<bool>,
-    /// The element that is worst: the ends of an edge, a vertex or a panel.
-    pub worst: Worst,
-}
-
-/// An element of the mesh.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
-pub enum Worst {
-    /// None.
-    #[default]
-    None,
-    /// A vertex.
-    Vertex(u32),
-    /// The ends of an edge.
-    Edge([u32; 2]),
-    /// A face.
-    Panel(u32),
-}
 
 /// What one kind of offset would have for errors, before it is chosen.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -108,6 +73,8 @@ pub struct BuildReport {
     pub components: usize,
     /// Panels that were turned to run as their neighbours do.
     pub turned: usize,
+    /// The mean length of its edges.
+    pub mean_edge_mm: f64,
     /// The unit of the mesh.
     pub unit: String,
     /// The model is one to so many.
@@ -149,6 +116,8 @@ pub struct BuildReport {
     pub offset: Option<OffsetReport>,
     /// The five numbers of the card.
     pub check: Vec<CheckRow>,
+    /// What would help against those that are not within their limits.
+    pub tighten: Tighten,
     /// What is not offered, and why.
     pub problems: Vec<String>,
 }
@@ -183,6 +152,7 @@ impl Build {
         });
         let errors = self.flat.iter().flatten().map(|flat| flat.flattening_error);
         let offset = self.offset_report();
+        let check = self.check_rows();
         let mut nodes: Vec<u32> = self.surface.faces.indices().to_vec();
         nodes.sort_unstable();
         nodes.dedup();
@@ -192,6 +162,7 @@ impl Build {
             nodes: nodes.len(),
             components: self.surface.parts,
             turned: self.surface.turned,
+            mean_edge_mm: self.surface.mean_edge() * building,
             unit: self.unit.symbol.clone(),
             scale: self.settings.scale,
             sheets,
@@ -219,7 +190,8 @@ impl Build {
             types_curve: self.types_curve(),
             flattening_error_mm: errors.fold(0.0, f64::max) * building,
             fold_deg,
-            check: self.check_rows(offset.as_ref()),
+            tighten: self.tighten(&check),
+            check,
             offset,
             problems: self.faults.iter().map(|fault| fault.0.clone()).collect(),
         }
@@ -274,16 +246,6 @@ impl Build {
         let (axes, check) = self.offset.as_ref()?;
         let building = self.building();
         let closing = closing(&self.surface);
-        let mut is_rim = vec![false; self.surface.positions.len()];
-        for edge in self.surface.edges.iter().filter(|edge| edge.is_rim()) {
-            edge.ends.iter().for_each(|&v| is_rim[v as usize] = true);
-        }
-        let inner_lean = (0..is_rim.len()).filter(|&v| !is_rim[v]).map(|v| {
-            let (axis, normal) = (axes.axes[v], self.surface.normals[v]);
-            libm::atan2(axis.cross(normal).length(), axis.dot(normal)).to_degrees()
-        });
-        // A vertex of no panel has no angle.
-        let inner_lean_deg = inner_lean.filter(|angle| angle.is_finite()).fold(0.0, f64::max);
         let why_not = if axes.exact { String::new() } else { self.why_not(axes.kind, &closing) };
         Some(OffsetReport {
             kind: axes.kind,
@@ -294,7 +256,7 @@ impl Build {
             twist_deg: check.twist_deg,
             distance_error_mm: check.distance_error * building,
             lean_deg: check.lean_deg,
-            inner_lean_deg,
+            inner_lean_deg: check.inner_lean_deg,
             offset_flatness_mm: check.offset_flatness * building,
             safe_distance_mm: check.safe_distance.map(|limit| limit.map(|limit| limit * building)),
             beam_height_mm: check.edge_distance.map(|height| height * building),
@@ -333,73 +295,6 @@ impl Build {
             OffsetKind::Edge => {
                 "the shape is not parallel to one whose edges touch a sphere".to_owned()
             }
-        }
-    }
-
-    /// The card.
-    fn check_rows(&self, offset: Option<&OffsetReport>) -> Vec<CheckRow> {
-        let limits = self.settings.limits;
-        let row = |id, label, value: Option<f64>, limit: f64, unit, worst| CheckRow {
-            id,
-            label,
-            value,
-            limit: Some(limit),
-            unit,
-            met: value.map(|value| value <= limit),
-            worst: if value.is_some() { worst } else { Worst::None },
-        };
-        let check = self.offset.as_ref().map(|(_, check)| check);
-        let of = |get: fn(&OffsetReport) -> f64| offset.map(get);
-        let edge = check.map_or(Worst::None, |check| {
-            self.surface
-                .edges
-                .get(check.warp_edge as usize)
-                .map_or(Worst::None, |e| Worst::Edge(e.ends))
-        });
-        let vertex = |get: fn(&OffsetCheck) -> u32| {
-            check.map_or(Worst::None, |check| Worst::Vertex(get(check)))
-        };
-        let flatness = self.flat.iter().zip(0..).filter_map(|(flat, f)| Some((flat.as_ref()?, f)));
-        let flattest = flatness
-            .max_by(|(a, f), (b, g)| a.flatness.total_cmp(&b.flatness).then(u32::cmp(g, f)));
-        let value = flattest.map(|(flat, _)| flat.flatness * self.building());
-        let panel = flattest.map_or(Worst::None, |(_, f)| Worst::Panel(f));
-        vec![
-            row("beam_warp", "Beam warp", of(|o| o.warp_mm), limits.warp, "mm", edge),
-            row(
-                "distance_error",
-                "Distance error",
-                of(|o| o.distance_error_mm),
-                limits.distance,
-                "mm",
-                vertex(|check| check.distance_vertex),
-            ),
-            row(
-                "lean",
-                "Lean",
-                of(|o| o.inner_lean_deg),
-                limits.lean,
-                "deg",
-                vertex(|check| check.lean_vertex),
-            ),
-            self.safe_distance_row(offset),
-            row("panel_flatness", "Panel flatness", value, limits.flatness, "mm", panel),
-        ]
-    }
-
-    /// The limit of the distance on the side to which it goes.
-    fn safe_distance_row(&self, offset: Option<&OffsetReport>) -> CheckRow {
-        let side = offset.map(|offset| usize::from(offset.distance_mm > 0.0));
-        let limit = offset.zip(side).and_then(|(offset, side)| offset.safe_distance_mm[side]);
-        let value = offset.map(|offset| offset.distance_mm);
-        CheckRow {
-            id: "safe_distance",
-            label: "Offset distance",
-            value,
-            limit,
-            unit: "mm",
-            met: value.map(|value| limit.is_none_or(|limit| value.abs() < limit.abs())),
-            worst: Worst::None,
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Sheets and the build check for the page: a module of its own, which is loaded when it is first asked for.
 
 use super::{log_panics, plain_object as plain, thrown};
-use crate::fabricate::file::svg;
+use crate::fabricate::file::{path, svg};
 use crate::fabricate::{Build, BuildPreset, BuildSettings, LengthInMetres, PRESETS};
 use crate::mesh::{Mesh, Ragged};
 use serde::Serialize;
@@ -21,6 +21,8 @@ struct SheetPicture {
     svg: String,
     /// Of every outline, in the order of the picture, its panel.
     panels: Vec<u32>,
+    /// A path along the sides, and to the corners, of panels where beams and nodes are not within a limit.
+    failed: String,
 }
 
 /// A file as the page saves it.
@@ -88,7 +90,10 @@ impl Builder {
     /// None: they are plain data.
     pub fn sheets(&self, first: usize, count: usize) -> Result<JsValue, JsValue> {
         let drawings = self.build.drawings();
-        let own = drawings.iter().skip(first).take(count).map(|drawing| SheetPicture {
+        let failed = self.build.failed_sides(&self.build.failed());
+        let shown = drawings.iter().zip(&failed).skip(first).take(count);
+        let own = shown.map(|(drawing, failed)| SheetPicture {
+            failed: failed.iter().map(|line| path(line, drawing.size[1])).collect(),
             name: drawing.name.clone(),
             svg: svg(drawing),
             panels: drawing
@@ -99,6 +104,36 @@ impl Builder {
                 .collect(),
         });
         plain(&own.collect::<Vec<_>>())
+    }
+
+    /// Where the offset has the vertices, `#V by 3`; nothing where offsets are not offered.
+    pub fn layer(&self) -> Option<Vec<f64>> {
+        self.build.layer().map(|points| points.into_iter().flatten().collect())
+    }
+
+    /// Takes another distance with the same axes and parts.
+    #[wasm_bindgen(js_name = moveLayer)]
+    pub fn move_layer(&mut self, distance: f64) {
+        self.build.move_layer(distance);
+    }
+
+    /// Panels that are not within a limit.
+    #[wasm_bindgen(js_name = failedPanels)]
+    pub fn failed_panels(&self) -> Vec<u32> {
+        self.build.failed().panels
+    }
+
+    /// Edges whose beams are not within a limit, by their ends: two numbers each.
+    #[wasm_bindgen(js_name = failedEdges)]
+    pub fn failed_edges(&self) -> Vec<u32> {
+        let ends = |&e: &u32| self.build.surface.edges[e as usize].ends;
+        self.build.failed().edges.iter().flat_map(ends).collect()
+    }
+
+    /// Vertices whose axes are not within a limit.
+    #[wasm_bindgen(js_name = failedNodes)]
+    pub fn failed_nodes(&self) -> Vec<u32> {
+        self.build.failed().nodes
     }
 
     /// What each kind of offset would have for errors.

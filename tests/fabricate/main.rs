@@ -9,6 +9,7 @@ mod grid;
 mod shared;
 
 mod bad_input;
+mod check;
 mod dxf;
 mod expected;
 mod files;

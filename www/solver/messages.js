@@ -377,14 +377,22 @@ export const TRACE_WIDTH = 6;
 /** @typedef {import("../pkg/build/shape_up.js").SheetPicture} SheetPicture */
 
 /**
+ * The offset as the view shows it: its points `#V by 3`, edges (two vertices each), vertices and panels that are
+ * not within a limit.
+ * @typedef {{ points: Float64Array, edges: Uint32Array, vertices: Uint32Array, panels: Uint32Array }} OffsetLayer
+ */
+
+/**
  * What the worker that makes parts is asked. `build` makes them of a shape (positions `#V by 3`) in a unit of so
- * many metres, and draws so many `sheets` at most; the others are about what was built last.
- * @typedef {{ type: "offers" } | { type: "choices" } | { type: "zip" }
+ * many metres, and draws so many `sheets` at most; the others are about what was built last. `moveLayer` gives its
+ * offset another distance.
+ * @typedef {{ type: "offers" } | { type: "choices" } | { type: "zip" } | { type: "moveLayer", distance: number }
  *   | { type: "build", positions: Float64Array, offsets: Uint32Array, indices: Uint32Array,
  *       settings: BuildSettings, symbol: string, metres: number, sheets: number }} BuildRequest
  * @typedef {object} BuildReplies
  * @property {{ presets: BuildPreset[], defaults: BuildSettings }} offers
- * @property {{ report: BuildReport, sheets: SheetPicture[] }} build
+ * @property {{ report: BuildReport, sheets: SheetPicture[], layer: OffsetLayer }} build
+ * @property {{ report: BuildReport, layer: OffsetLayer } | null} moveLayer
  * @property {BuildChoice[]} choices
  * @property {Uint8Array<ArrayBuffer>} zip
  */

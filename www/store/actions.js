@@ -45,11 +45,13 @@ export function createActions(store, solver, alerts) {
   /**
    * Asks one shape of all panels, and runs until they are within the tolerance.
    * @param {string} kind
+   * @param {number} [within] another tolerance than what is shown goes by, in the unit of the mesh
    * @returns {Promise<null | undefined>}
    */
-  function makePanels(kind) {
-    const { tolerance, model } = store.get();
-    return attempt({ type: 'makePanels', kind, tolerance: tolerance ?? model?.tolerance ?? 0 });
+  function makePanels(kind, within) {
+    const { tolerance: own, model } = store.get();
+    const tolerance = within ?? own ?? model?.tolerance ?? 0;
+    return attempt({ type: 'makePanels', kind, tolerance });
   }
 
   /**

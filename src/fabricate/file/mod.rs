@@ -21,4 +21,4 @@ pub use drawing::{Drawing, DrawnLine};
 pub use dxf::dxf;
 pub(super) use number::places;
 pub use pdf::pdf;
-pub use svg::svg;
+pub use svg::{path, svg};

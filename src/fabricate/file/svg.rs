@@ -2,8 +2,9 @@
 //! without transforms, styles or references, which simple readers ignore; a group for each layer, as Inkscape
 //! has them.
 
-use super::drawing::{Drawing, DrawnLine};
+use super::drawing::Drawing;
 use super::number::places;
+use crate::fabricate::panel::Point2;
 use crate::fabricate::sheet::Role;
 
 /// Writes a sheet.
@@ -25,7 +26,7 @@ pub fn svg(drawing: &Drawing) -> String {
         let lines: Vec<_> = lines.collect();
         // The names on a part are one path: programs and pages have less to hold.
         for own in lines.chunk_by(|a, b| role != Role::Cut && a.part == b.part) {
-            let path: String = own.iter().map(|line| path(line, drawing.size[1])).collect();
+            let path: String = own.iter().map(|line| path(&line.points, drawing.size[1])).collect();
             let part = escaped(&own[0].part);
             match role {
                 Role::Cut => {
@@ -41,13 +42,15 @@ pub fn svg(drawing: &Drawing) -> String {
     text + "</svg>\n"
 }
 
-/// The points of a line on a sheet of this height, y downwards.
-fn path(line: &DrawnLine, height: f64) -> String {
-    let points = line.points.iter().enumerate().map(|(k, &[x, y])| {
+/// The points of a line on a sheet of this height, y downwards, as a part of a path. One point alone is a line
+/// without length.
+pub fn path(points: &[Point2], height: f64) -> String {
+    let end = if points.len() == 1 { "h0" } else { "" };
+    let points = points.iter().enumerate().map(|(k, &[x, y])| {
         let letter = if k == 0 { 'M' } else { 'L' };
         format!("{letter}{},{}", places(x, 6), places(height - y, 6))
     });
-    points.collect()
+    points.collect::<String>() + end
 }
 
 fn escaped(text: &str) -> String {

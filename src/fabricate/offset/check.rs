@@ -16,6 +16,19 @@ pub struct BeamCheck {
     pub twist_deg: f64,
     /// The least and the greatest height of its two ends.
     pub height: [f64; 2],
+    /// Its edge is `l (1 - d k)` long in the offset by `d`; this is `k`, zero for an edge without length.
+    pub shrinking: f64,
+}
+
+/// The numbers of one node.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct NodeCheck {
+    /// The largest of its distance errors, without sign.
+    pub distance_error: f64,
+    /// The angle between its axis and `N_i`; zero at a vertex of no panel.
+    pub lean_deg: f64,
+    /// Whether its lean is judged: at the rim of a coarse mesh it is large and harmless.
+    pub is_inner: bool,
 }
 
 /// The numbers of an offset by the distance `d`, lengths in the unit of the mesh. Where a number is that of
@@ -43,6 +56,10 @@ pub struct OffsetCheck {
     pub lean_deg: f64,
     /// See `lean_deg`.
     pub lean_vertex: u32,
+    /// The same of inner vertices, whose lean is judged.
+    pub inner_lean_deg: f64,
+    /// See `inner_lean_deg`.
+    pub inner_lean_vertex: u32,
     /// The mean of that angle.
     pub mean_lean_deg: f64,
     /// How far the panels of the offset are from flat at worst, and which is.
@@ -53,6 +70,8 @@ pub struct OffsetCheck {
     pub safe_distance: [Option<f64>; 2],
     /// The numbers of every beam, by edges.
     pub beams: Vec<BeamCheck>,
+    /// The numbers of every node, by vertices.
+    pub nodes: Vec<NodeCheck>,
 }
 
 /// Checks the offset with these axes, `#V`, by `distance`.
@@ -67,13 +86,18 @@ pub fn check(
         corner_distance: empty,
         face_distance: empty,
         edge_distance: empty,
+        nodes: vec![NodeCheck { is_inner: true, ..NodeCheck::default() }; axes.len()],
         ..OffsetCheck::default()
     };
+    for edge in surface.edges.iter().filter(|edge| edge.is_rim()) {
+        edge.ends.iter().for_each(|&v| found.nodes[v as usize].is_inner = false);
+    }
     let widen = |range: &mut [f64; 2], value: f64| {
         *range = [range[0].min(value), range[1].max(value)];
     };
     let mut errors = Worst::default();
-    let (mut warp, mut lean) = (Worst::default(), Worst::default());
+    let (mut warp, mut lean, mut inner_lean) =
+        (Worst::default(), Worst::default(), Worst::default());
     let mut slopes: [f64; 2] = [0.0; 2];
     for (edge, e) in surface.edges.iter().zip(0..) {
         let t = surface.direction(edge);
@@ -83,24 +107,22 @@ pub fn check(
         for (height, v) in heights.into_iter().zip(edge.ends) {
             widen(&mut found.edge_distance, height);
             if kind == OffsetKind::Edge {
-                errors.add(height - distance.abs(), v);
+                errors.add_of_node(height - distance.abs(), v, &mut found.nodes);
             }
         }
         let twist = libm::atan2(p.cross(q).length(), p.dot(q)).to_degrees();
         found.twist_deg = found.twist_deg.max(twist);
+        let length = surface.length(edge);
+        let k = if length > 0.0 { -t.dot(m - n) / length } else { 0.0 };
+        widen(&mut slopes, k);
         let beam = BeamCheck {
             warp: beam_warp(surface, edge.ends, axes, distance),
             twist_deg: twist,
             height: [heights[0].min(heights[1]), heights[0].max(heights[1])],
+            shrinking: k,
         };
         warp.add(beam.warp, e);
         found.beams.push(beam);
-        let length = surface.length(edge);
-        if length > 0.0 {
-            // An edge of the offset is l (1 - d k) long.
-            let k = -t.dot(m - n) / length;
-            widen(&mut slopes, k);
-        }
     }
     for (face, f) in surface.faces.iter().zip(0..) {
         let normal = surface.normal(f);
@@ -108,7 +130,7 @@ pub fn check(
             let height = distance * normal.dot(axes[v as usize]);
             widen(&mut found.face_distance, height);
             if kind == OffsetKind::Face {
-                errors.add(height - distance, v);
+                errors.add_of_node(height - distance, v, &mut found.nodes);
             }
         }
     }
@@ -121,15 +143,21 @@ pub fn check(
         let length = distance.abs() * axis.length();
         widen(&mut found.corner_distance, length);
         if kind == OffsetKind::Corner {
-            errors.add(length - distance.abs(), v);
+            errors.add_of_node(length - distance.abs(), v, &mut found.nodes);
         }
         let angle = libm::atan2(axis.cross(*normal).length(), axis.dot(*normal)).to_degrees();
         found.mean_lean_deg += angle;
         lean.add(angle, v);
+        let node = &mut found.nodes[v as usize];
+        node.lean_deg = angle;
+        if node.is_inner {
+            inner_lean.add(angle, v);
+        }
     }
     found.mean_lean_deg /= f64::from(used.max(1));
     (found.warp, found.warp_edge) = (warp.value.abs(), warp.element);
     (found.lean_deg, found.lean_vertex) = (lean.value, lean.element);
+    (found.inner_lean_deg, found.inner_lean_vertex) = (inner_lean.value, inner_lean.element);
     (found.distance_error, found.distance_vertex) = (errors.value.abs(), errors.element);
     // So many edges away there is no limit: what is left of k is rounding.
     let far = 1e6 * surface.mean_edge();
@@ -151,6 +179,13 @@ impl Worst {
         if value.abs() > self.value.abs() {
             *self = Worst { value, element };
         }
+    }
+
+    /// The same of a distance error, which is noted at its node too.
+    fn add_of_node(&mut self, error: f64, v: u32, nodes: &mut [NodeCheck]) {
+        self.add(error, v);
+        let worst = &mut nodes[v as usize].distance_error;
+        *worst = worst.max(error.abs());
     }
 }
 

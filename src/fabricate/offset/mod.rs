@@ -21,6 +21,6 @@ mod kind;
 mod system;
 
 pub use axes::{Axes, exact, fit, node_axes};
-pub use check::{BeamCheck, OffsetCheck, check};
+pub use check::{BeamCheck, NodeCheck, OffsetCheck, check};
 pub use closing::{Closing, closing};
 pub use kind::OffsetKind;

@@ -59,6 +59,10 @@ pub enum LineKind {
     Band = 10,
     /// A side of a face that the flat map turns over.
     Flipped = 11,
+    /// Of the layer beside the surface; the shader knows its number.
+    Layer = 12,
+    /// Of the layer, where it cannot be built.
+    Failed = 13,
 }
 
 /// The meaning of a dot; its number is its place in [`Palette::dots`].
@@ -87,7 +91,7 @@ pub enum DotKind {
 }
 
 /// How many kinds of lines there are.
-pub const LINE_KINDS: usize = 12;
+pub const LINE_KINDS: usize = 14;
 /// How many kinds of dots there are.
 pub const DOT_KINDS: usize = 10;
 
@@ -121,6 +125,8 @@ pub struct Palette {
     pub sphere: Colour,
     /// The surface of the ghost; the opacity is that of a face seen face on.
     pub ghost: Colour,
+    /// The surface of the layer, likewise.
+    pub layer: Colour,
     /// Arrows of the gizmo along x, y, z, and squares across them.
     pub axes: [Colour; 3],
     /// The rim that sets the gizmo off from its background.
@@ -174,6 +180,8 @@ pub const LIGHT: Palette = Palette {
         seen_through(0.75, TAPE, 2.2),
         stroke([0.05, 0.06, 0.09, 0.85], 1.8),
         stroke([0.84, 0.16, 0.20, 1.0], 2.6),
+        seen_through(0.26, [0.40, 0.22, 0.70, 0.80], 1.2),
+        seen_through(0.45, [0.84, 0.16, 0.20, 1.0], 2.8),
     ],
     edge_of_values: [1.0, 1.0, 1.0, 0.40],
     check: [0.20, 0.26, 0.36, 0.94],
@@ -193,6 +201,7 @@ pub const LIGHT: Palette = Palette {
     circle: stroke([0.10, 0.36, 0.72, 0.75], 1.2),
     sphere: [0.10, 0.36, 0.72, 1.0],
     ghost: [0.00, 0.50, 0.50, 0.13],
+    layer: [0.46, 0.28, 0.78, 0.12],
     axes: [[0.82, 0.14, 0.18, 1.0], [0.10, 0.52, 0.16, 1.0], [0.14, 0.30, 0.86, 1.0]],
     axis_casing: [1.0, 1.0, 1.0, 0.85],
 };
@@ -217,6 +226,8 @@ pub const DARK: Palette = Palette {
         seen_through(0.75, [1.0, 0.42, 0.62, 1.0], 2.2),
         stroke([0.02, 0.02, 0.03, 0.9], 1.8),
         stroke([1.0, 0.40, 0.38, 1.0], 2.6),
+        seen_through(0.26, [0.74, 0.62, 1.0, 0.75], 1.2),
+        seen_through(0.45, [1.0, 0.40, 0.38, 1.0], 2.8),
     ],
     edge_of_values: [1.0, 1.0, 1.0, 0.34],
     check: [0.125, 0.145, 0.185, 0.95],
@@ -236,6 +247,7 @@ pub const DARK: Palette = Palette {
     circle: stroke([0.52, 0.76, 1.0, 0.75], 1.2),
     sphere: [0.52, 0.76, 1.0, 1.0],
     ghost: [0.38, 0.86, 0.82, 0.13],
+    layer: [0.74, 0.62, 1.0, 0.13],
     axes: [[1.0, 0.42, 0.42, 1.0], [0.45, 0.86, 0.42, 1.0], [0.48, 0.68, 1.0, 1.0]],
     axis_casing: [0.05, 0.06, 0.08, 0.80],
 };

@@ -1,15 +1,15 @@
 //! The numbers that every shader reads: camera, canvas, colours. The order is that of `Scene` in
 //! `shaders/scene.wgsl`, all of it in groups of four.
 
-use crate::view::appearance::{DOT_KINDS, Dot, DotKind, LINE_KINDS, LineKind, Stroke};
+use crate::view::appearance::{Colour, DOT_KINDS, Dot, DotKind, LINE_KINDS, LineKind, Stroke};
 use crate::view::state::ViewState;
 use glam::{Vec3, Vec4};
 
 /// How many numbers there are.
 pub const NUMBERS: usize = 16 + 4 * (5 + 1 + 7 + 2) + 8 + 8 * LINE_KINDS + 12 * DOT_KINDS;
 
-/// The numbers for a canvas of `width` by `height` pixels.
-pub fn numbers(state: &ViewState, width: u32, height: u32) -> Vec<f32> {
+/// The numbers for a canvas of `width` by `height` pixels, with a veil of this colour.
+pub fn numbers(state: &ViewState, veil: Colour, (width, height): (u32, u32)) -> Vec<f32> {
     let camera = state.camera();
     let eye = camera.eye();
     let palette = state.palette();
@@ -31,7 +31,7 @@ pub fn numbers(state: &ViewState, width: u32, height: u32) -> Vec<f32> {
     }
     numbers.extend([r, g, b, TINT_STRENGTH]);
     numbers.extend(palette.sphere);
-    numbers.extend(palette.ghost);
+    numbers.extend(veil);
     numbers.extend(palette.check);
     let [begins, ends] = state.appearance().corner_steps().unwrap_or_default();
     let tolerance = state.appearance().tolerance_in_steps();
@@ -70,6 +70,6 @@ mod tests {
 
     #[test]
     fn there_are_as_many_numbers_as_the_shaders_read() {
-        assert_eq!(numbers(&ViewState::default(), 800, 400).len(), NUMBERS);
+        assert_eq!(numbers(&ViewState::default(), [0.0; 4], (800, 400)).len(), NUMBERS);
     }
 }

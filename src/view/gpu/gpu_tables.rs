@@ -3,7 +3,7 @@
 //! number of writes that costs time, not their size.
 
 use super::globals::{NUMBERS, numbers};
-use crate::view::appearance::{ColourMap, TEXELS, row_colours};
+use crate::view::appearance::{Colour, ColourMap, TEXELS, row_colours};
 use crate::view::state::ViewState;
 use glam::{Vec3, Vec4};
 
@@ -195,7 +195,7 @@ impl GpuTables {
         device: &wgpu::Device,
         queue: &wgpu::Queue,
         state: &ViewState,
-        (width, height): (u32, u32),
+        size: (u32, u32),
     ) {
         let changes = state.changes();
         let mesh = state.mesh();
@@ -238,24 +238,27 @@ impl GpuTables {
         if rebind {
             self.bind(device);
         }
-        let numbers = numbers(state, width, height);
+        let numbers = numbers(state, state.palette().ghost, size);
         queue.write_buffer(&self.globals, 0, bytemuck::cast_slice(&numbers));
     }
 
-    /// Writes points in place of those of a mesh, and the globals, which are those of `stage`.
+    /// Writes points in place of those of a mesh, and the globals, which are those of `stage` with a veil of this
+    /// colour.
     pub fn update_points(
         &mut self,
         device: &wgpu::Device,
         queue: &wgpu::Queue,
         state: &ViewState,
-        points: Option<impl Iterator<Item = Vec3>>,
-        (width, height): (u32, u32),
+        points: Option<Vec<Vec3>>,
+        veil: Colour,
+        size: (u32, u32),
     ) {
-        let points = points.map(|points| four_each(points.map(|point| point.extend(0.0))));
+        let points =
+            points.map(|points| four_each(points.into_iter().map(|point| point.extend(0.0))));
         if points.is_some_and(|points| self.positions.write(device, queue, points)) {
             self.bind(device);
         }
-        let numbers = numbers(state, width, height);
+        let numbers = numbers(state, veil, size);
         queue.write_buffer(&self.globals, 0, bytemuck::cast_slice(&numbers));
     }
 

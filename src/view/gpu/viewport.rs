@@ -13,6 +13,7 @@ pub struct Viewport {
     /// The tables of the stage.
     pub tables: GpuTables,
     around: SurroundingLines,
+    layer: SurroundingLines,
     bands: VertexBuffer,
 }
 
@@ -22,6 +23,7 @@ impl Viewport {
         Viewport {
             tables: like.beside(device, queue),
             around: SurroundingLines::new(device, queue, like),
+            layer: SurroundingLines::new(device, queue, like),
             bands: VertexBuffer::new(device),
         }
     }
@@ -36,13 +38,19 @@ impl Viewport {
         size: (u32, u32),
     ) {
         self.tables.update(device, queue, state, size);
-        self.around.update(device, queue, state, size);
+        let changed = state.take_changed_surroundings();
+        let new =
+            changed.then(|| (state.surrounding_lines(), state.surrounding_points().collect()));
+        self.around.update((device, queue), state, new, state.palette().ghost, size);
+        let changed = state.take_changed_layer();
+        let new = changed.then(|| (state.layer_lines(), state.layer_points().collect()));
+        self.layer.update((device, queue), state, new, state.palette().layer, size);
         if state.changes().mesh || state.changes().appearance {
             self.bands.write(device, queue, &lines.between_bands(state));
         }
     }
 
-    /// Draws the surface, what is about it, and its edges; leaves the group of the tables bound.
+    /// Draws the surface, what is about it, its edges, and the layer beside it; leaves the group of the tables bound.
     pub fn draw(
         &self,
         pass: &mut wgpu::RenderPass<'_>,
@@ -55,5 +63,6 @@ impl Viewport {
         self.around.draw(pass, faces, lines, &self.tables);
         lines.draw(pass, show_edges);
         lines.draw_others(pass, &self.bands, 0);
+        self.layer.draw(pass, faces, lines, &self.tables);
     }
 }

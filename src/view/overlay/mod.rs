@@ -1,15 +1,18 @@
-//! The surroundings of the mesh.
+//! What is drawn beside the mesh.
 //!
 //! | file | holds |
 //! |---|---|
 //! | `surroundings` | the ghost of the original, and the ground |
 //! | `ground` | the grid on the ground |
+//! | `layer` | a layer beside the surface |
 //! | `scale_bar` | a bar of a round length |
 
 pub mod ground;
+pub mod layer;
 pub mod scale_bar;
 pub mod surroundings;
 
 pub use ground::Ground;
+pub use layer::ShownLayer;
 pub use scale_bar::scale_bar;
 pub use surroundings::Surroundings;

@@ -1,6 +1,8 @@
-//! The contents of a view: mesh, handles, shapes, projections, tape.
+//! The contents of a view: mesh, handles, shapes, projections, tape; and how they look: colours and marks of faces,
+//! theme, switches.
 
-use super::parts::HandleMark;
+use super::parts::{Display, HandleMark};
+use crate::view::appearance::Appearance;
 use crate::view::model::{Checks, ProjectionMarks, RenderMesh};
 
 /// The mesh and what is marked on it.
@@ -18,4 +20,28 @@ pub(super) struct Content {
     pub(super) flipped: Vec<[u32; 2]>,
     /// The ends of the measuring tape: none, the first, or both.
     pub(super) tape: Vec<u32>,
+}
+
+/// Colours, marks, theme and switches.
+#[derive(Debug)]
+pub(super) struct Look {
+    pub(super) appearance: Appearance,
+    /// The colour of the members of a constraint, three parts from 0 to 1.
+    pub(super) tint: [f32; 3],
+    pub(super) display: Display,
+    pub(super) dark: bool,
+    /// White behind everything, for figures, instead of the theme's colour.
+    pub(super) white: bool,
+}
+
+impl Default for Look {
+    fn default() -> Self {
+        Look {
+            appearance: Appearance::default(),
+            tint: [0.2, 0.7, 0.3],
+            display: Display { edges: true, ..Display::default() },
+            dark: false,
+            white: false,
+        }
+    }
 }

@@ -3,7 +3,7 @@
 //! | file | holds |
 //! |---|---|
 //! | `view_state` | the state of a view, and its setters |
-//! | `content`, `look`, `viewpoint` | what it shows, how that looks, from where it is seen |
+//! | `content`, `viewpoint` | what it shows, how that looks, and from where it is seen |
 //! | `set_look` | values, marks, theme and switches set |
 //! | `beside` | views beside another one: split pictures, flat maps |
 //! | `parts` | handles, switches, and what has changed since the last picture |
@@ -12,13 +12,14 @@
 //! | `select_region` | what is inside an outline |
 //! | `gizmo_drag` | what is dragged with the gizmo |
 //! | `surrounding` | the ghost and the ground of a view, and how deep it is |
+//! | `layer` | the layer beside the surface |
 //! | `saved_camera` | the camera as numbers, to be kept |
 //! | `tape` | the measuring tape |
 
 mod beside;
 mod content;
 pub mod gizmo_drag;
-mod look;
+mod layer;
 pub mod navigate;
 pub mod parts;
 pub mod pick;

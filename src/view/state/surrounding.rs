@@ -114,14 +114,15 @@ impl ViewState {
             let pick = |axis: usize| if i >> axis & 1 == 0 { low[axis] } else { high[axis] };
             Vec3::new(pick(0), pick(1), pick(2))
         });
-        let others = self.targets().chain(self.surrounding_points());
+        let others = self.targets().chain(self.surrounding_points()).chain(self.layer_points());
         depth_range(&self.viewpoint.camera, corners.chain(others))
     }
 
     /// So far from the view's centre anything is drawn, and a little more.
     fn reach(&self) -> f32 {
         let points = self.content.mesh.positions.iter().copied();
-        let all = points.chain(self.targets()).chain(self.surrounding_points());
+        let others = self.targets().chain(self.surrounding_points()).chain(self.layer_points());
+        let all = points.chain(others);
         let farthest = all.map(Vec3::length_squared).fold(0.0, f32::max).sqrt();
         farthest + 0.1 * self.size()
     }

@@ -1,8 +1,8 @@
 //! The state of a view: what is shown, how it looks, from where it is seen; and what has changed of that
 //! since the last picture.
 
-use super::content::Content;
-use super::look::Look;
+use super::content::{Content, Look};
+
 use super::parts::{Changes, HandleMark, SHAPE_NUMBERS};
 use super::viewpoint::Viewpoint;
 use crate::view::appearance::{Appearance, DotKind};
@@ -10,7 +10,7 @@ use crate::view::gizmo::GizmoState;
 use crate::view::model::{
     Checks, Lists, ProjectionMarks, RenderMesh, ViewError, check_indices, read_points,
 };
-use crate::view::overlay::Surroundings;
+use crate::view::overlay::{ShownLayer, Surroundings};
 use glam::{DVec3, Vec3, Vec4};
 
 /// The state of a view. Its setters note what has changed; whoever draws takes that with
@@ -22,6 +22,8 @@ pub struct ViewState {
     pub(super) viewpoint: Viewpoint,
     /// The ghost of the model as it was opened, and the ground.
     pub(super) around: Surroundings,
+    /// The layer beside the surface.
+    pub(super) layer: ShownLayer,
     pub(super) gizmo: GizmoState,
     /// Since the last picture.
     pub(super) changes: Changes,
@@ -34,6 +36,7 @@ impl Default for ViewState {
             look: Look::default(),
             viewpoint: Viewpoint::default(),
             around: Surroundings::default(),
+            layer: ShownLayer { changed: true, ..ShownLayer::default() },
             gizmo: GizmoState::default(),
             changes: Changes::ALL,
         }
@@ -65,6 +68,7 @@ impl ViewState {
         self.content = Content { mesh, ..Content::default() };
         self.look.appearance = Appearance::default();
         self.changes = Changes::ALL;
+        self.layer = ShownLayer { changed: true, ..ShownLayer::default() };
         self.leave_surroundings();
         self.preset("home")
     }

@@ -1,4 +1,4 @@
-//! Ways of seeing beside the plain picture: projection, flights to views, ghost, ground, bands, tape.
+//! Ways of seeing beside the plain picture: projection, flights to views, ghost, ground, layer, bands, tape.
 
 use super::view::View;
 use crate::view::appearance::Bands;
@@ -46,6 +46,21 @@ impl View {
     #[wasm_bindgen(js_name = setSurroundings)]
     pub fn set_surroundings(&mut self, ghost: bool, ground: bool) {
         self.model().set_surroundings(ghost, ground);
+    }
+
+    /// Shows a layer beside the surface: #V by 3, or nothing for none; with the edges that fail, two vertices
+    /// each, and the vertices that do.
+    ///
+    /// # Errors
+    /// Arrays that do not fit the mesh; the layer stays.
+    #[wasm_bindgen(js_name = setLayer)]
+    pub fn set_layer(
+        &mut self,
+        points: &[f64],
+        failed_edges: &[u32],
+        failed_vertices: Vec<u32>,
+    ) -> Result<(), JsValue> {
+        self.model().set_layer(points, failed_edges, failed_vertices).map_err(thrown)
     }
 
     /// From one line of the grid on the ground to the next, in the unit of the file; nothing where there

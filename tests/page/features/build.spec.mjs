@@ -88,6 +88,36 @@ test('panels made circular become drawings in mm, the same as those of the comma
   }
 });
 
+test('what fails is red on the sheet at once, and one press makes it fit', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'roof.obj', `# units: m\n${wavyGrid(4)}`, 25);
+  const before = await openBuild(page);
+  const missed = ({ check }) => check.filter(({ met }) => !met).map(({ id }) => id);
+  const flatness = before.check.find(({ id }) => id === 'panel_flatness');
+  expect(flatness.failed).toBeGreaterThan(0);
+  await expect(panel(page).locator('.cut path.failed')).toHaveCount(flatness.failed);
+
+  // The slider shows the check of another distance before it is let go.
+  const slider = panel(page).getByLabel('Distance');
+  const safe = before.offset.safe_distance_mm.map(Math.abs);
+  expect(Math.abs(await slider.getAttribute('max')) * 1000).toBeLessThan(safe[1]);
+  await slider.press('End');
+  const far = await waitForState(page, (now) => now.build?.offset.distance_mm > 1000);
+  expect(far.build.check.find(({ id }) => id === 'safe_distance').met).toBe(true);
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await waitForState(page, (now) => now.build?.offset.distance_mm < 1000);
+
+  await panel(page).getByRole('button', { name: 'Tighten' }).click();
+  const { build } = await waitForState(
+    page,
+    (now) => !now.running && now.build?.check.every(({ met }) => met),
+  );
+  expect(missed(build)).toEqual([]);
+  await expect(panel(page).locator('.cut path.failed')).toHaveCount(0);
+  await expect(panel(page).getByRole('button', { name: 'Corners' })).toContainText('exact');
+  await expect(panel(page).getByRole('button', { name: 'Tighten' })).toBeDisabled();
+});
+
 test('settings belong to the scene, and are taken back; parts and panels are chosen together', async ({
   page,
 }) => {

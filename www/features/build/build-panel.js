@@ -6,11 +6,15 @@ import { byId, element, leave } from '../../ui/dom.js';
 import { showElements } from '../../viewport/reveal-elements.js';
 import { checkCard, sheetsInWords, warnings } from './check-card.js';
 import { LiveBuild, MOST_LIVE_VERTICES, MOST_SHEETS } from './live-build.js';
+import { newest } from './newest.js';
+import { offsetLayer } from './offset-layer.js';
 import { settingsForm } from './settings-form.js';
 import { sheetPictures } from './sheet-pictures.js';
+import { thicknessForm } from './thickness.js';
 
 /** @typedef {import("../../solver/messages.js").BuildReport} BuildReport */
 /** @typedef {import("../../solver/messages.js").BuildSettings} BuildSettings */
+/** @typedef {import("../../solver/messages.js").BuildReplies["build"]} Built */
 
 /** The colour of the panel that is pointed at on a sheet. @type {[number, number, number]} */
 const POINTED = [230, 120, 20];
@@ -30,7 +34,12 @@ async function buildPanel(app) {
   const live = new LiveBuild(app, show, refuse);
   const offers = await live.offers();
   const form = settingsForm(offers, change);
-  const check = checkCard(showWorst);
+  const check = checkCard(showWorst, tighten);
+  const thickness = thicknessForm({ tryDistance: (distance) => tried.ask(distance), change });
+  const layer = offsetLayer(app);
+  const tried = newest((/** @type {number} */ distance) =>
+    actions.reportErrors(live.moveLayer(distance).then(showOffset)),
+  );
   const pictures = sheetPictures({
     point: (panel) =>
       actions.tint(
@@ -56,20 +65,29 @@ async function buildPanel(app) {
     element(
       'div.parts-columns',
       form.form,
-      element('div.parts-check', check.card, notes),
+      element('div.parts-check', thickness.place, check.card, notes),
       pictures.place,
     ),
   );
   byId('main').after(panel);
 
-  /** @param {BuildReport} report @param {import("../../solver/messages.js").SheetPicture[]} sheets */
-  function show(report, sheets) {
+  /** What depends on the distance. @param {Omit<Built, "sheets"> | null} built */
+  function showOffset(built) {
+    if (panel.hidden || !built) return;
+    const { metres } = live.unit();
+    check.update(built.report, store.get(), metres);
+    thickness.update(built.report, live.settings(), metres);
+    layer.show(built.layer);
+  }
+
+  /** @param {Built} built */
+  function show({ report, sheets, layer }) {
     if (panel.hidden) return;
     actions.look({ build: report });
     words.textContent = sheetsInWords(report);
-    check.update(report);
+    showOffset({ report, layer });
     notes.replaceChildren(...warnings(report).map((line) => element('p.notice', line)));
-    pictures.show(sheets, Math.max(0, report.sheets - MOST_SHEETS));
+    pictures.show(sheets, new Set(layer.panels), Math.max(0, report.sheets - MOST_SHEETS));
     pictures.mark(store.get().selection.faces);
     save.disabled = false;
     offerKinds();
@@ -78,14 +96,16 @@ async function buildPanel(app) {
   /** Says what each kind of offset would have for errors, when the shape is at rest. */
   async function offerKinds() {
     const { running, model } = store.get();
-    if (!running && (model?.vertices ?? 0) <= MOST_LIVE_VERTICES) form.offer(await live.choices());
+    if (!running && (model?.vertices ?? 0) <= MOST_LIVE_VERTICES)
+      thickness.offer(await live.choices());
   }
 
   /** @param {string} why */
   function refuse(why) {
     words.textContent = '';
     notes.replaceChildren(element('p.notice', why));
-    pictures.show([], 0);
+    pictures.show([], new Set(), 0);
+    layer.show(null);
     save.disabled = true;
   }
 
@@ -102,6 +122,11 @@ async function buildPanel(app) {
     else showElements(app, { vertices: 'edge' in worst ? worst.edge : [worst.vertex], faces: [] });
   }
 
+  /** @param {BuildReport["tighten"]["remedies"][number]} remedy */
+  function tighten({ constraint, within }) {
+    return actions.makePanels(constraint, within);
+  }
+
   async function saveAll() {
     const bytes = await actions.reportErrors(live.zip());
     if (bytes) files.save('-parts.zip', bytes, 'application/zip');
@@ -110,6 +135,7 @@ async function buildPanel(app) {
   function close() {
     leave(panel, () => (panel.hidden = true));
     delete document.body.dataset.parts;
+    layer.show(null);
     actions.tint(null);
     actions.look({ build: null });
   }

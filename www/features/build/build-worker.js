@@ -14,6 +14,14 @@ const ready = init();
 /** What was built last. @type {Builder | null} */
 let builder = null;
 
+/** @param {Builder} builder @returns {import("../../solver/messages.js").OffsetLayer} */
+const layerOf = (builder) => ({
+  points: builder.layer() ?? new Float64Array(0),
+  edges: builder.failedEdges(),
+  vertices: builder.failedNodes(),
+  panels: builder.failedPanels(),
+});
+
 /** @type {{ [Type in keyof BuildReplies]: (request: Extract<BuildRequest, { type: Type }>) => BuildReplies[Type] }} */
 const ANSWERS = {
   offers: () => buildOffers(),
@@ -21,7 +29,12 @@ const ANSWERS = {
     builder?.free();
     builder = null;
     builder = new Builder(positions, offsets, indices, settings, symbol, metres);
-    return { report: builder.report(), sheets: builder.sheets(0, sheets) };
+    return { report: builder.report(), sheets: builder.sheets(0, sheets), layer: layerOf(builder) };
+  },
+  moveLayer({ distance }) {
+    if (!builder) return null;
+    builder.moveLayer(distance);
+    return { report: builder.report(), layer: layerOf(builder) };
   },
   choices: () => builder?.choices() ?? [],
   zip() {

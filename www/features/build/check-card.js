@@ -1,10 +1,12 @@
 /** The build check: five numbers with their limits, the worst element of each a click away. */
 
-import { element } from '../../ui/dom.js';
+import { button } from '../../ui/controls/fields.js';
+import { element, setText } from '../../ui/dom.js';
 import { count, groupDigits } from '../../ui/format.js';
 
 /** @typedef {import("../../solver/messages.js").BuildReport} BuildReport */
 /** @typedef {import("../../solver/messages.js").CheckRow} CheckRow */
+/** @typedef {BuildReport["tighten"]["remedies"][number]} Remedy */
 
 const KEEPS = { corner: 'Corners keep', face: 'Panels keep', edge: 'Beams keep' };
 /** Lengths are rounded to this many millimetres. */
@@ -12,21 +14,46 @@ const LEAST_MM = 0.01;
 
 /**
  * @param {(worst: CheckRow["worst"]) => void} show an element of the mesh
+ * @param {(remedy: Remedy) => void} tighten
  */
-export function checkCard(show) {
+export function checkCard(show, tighten) {
   const words = element('p.quiet');
   const list = element('ul.check-rows');
   const problems = element('div');
-  const card = element('div.check-card', list, words, problems);
+  /** What is offered now. @type {Remedy | undefined} */
+  let remedy;
+  const reason = element('p.quiet', { id: 'tighten-reason' });
+  const press = button('Tighten', () => remedy && tighten(remedy), {
+    'aria-describedby': 'tighten-reason',
+  });
+  const card = element(
+    'div.check-card',
+    list,
+    element('div.tighten', press, reason),
+    words,
+    problems,
+  );
   return {
     card,
-    /** @param {BuildReport} report */
-    update(report) {
+    /**
+     * @param {BuildReport} report
+     * @param {Pick<import("../../store/state.js").State, "model" | "kinds">} state
+     * @param {number} metres of the unit of the mesh
+     */
+    update(report, { model, kinds }, metres) {
+      const { remedies, otherwise } = report.tighten;
+      remedy = remedies.find(({ constraint }) =>
+        model?.panels.some(({ kind, reason }) => kind === constraint && !reason),
+      );
+      press.disabled = !remedy;
+      const panels = kinds.find(({ id }) => id === remedy?.constraint)?.panels;
+      const within = remedy && millimetres(1000 * metres * remedy.within);
+      setText(reason, remedy ? `Makes all panels ${panels} within ${within}` : otherwise);
       list.replaceChildren(...report.check.map((row) => checkRow(row, show)));
       const { offset } = report;
       const how = offset?.exact ? 'exactly' : 'as nearly as possible';
       const kept =
-        offset && `${KEEPS[offset.kind]} a distance of ${length(offset.distance_mm)} ${how}`;
+        offset && `${KEEPS[offset.kind]} a distance of ${millimetres(offset.distance_mm)} ${how}`;
       words.textContent = kept ? `${kept}${offset.why_not && `; ${offset.why_not}`}.` : '';
       problems.replaceChildren(...report.problems.map((problem) => element('p.notice', problem)));
     },
@@ -37,16 +64,18 @@ export function checkCard(show) {
  * @param {CheckRow} row
  * @param {(worst: CheckRow["worst"]) => void} show
  */
-function checkRow({ label, value, limit, unit, met, worst }, show) {
-  const inWords = (/** @type {number} */ size) => (unit === 'deg' ? `${mm(size)}°` : length(size));
+function checkRow({ label, value, limit, unit, met, worst, failed }, show) {
+  const inWords = (/** @type {number} */ size) =>
+    unit === 'deg' ? `${mm(size)}°` : millimetres(size);
   const state = met === null ? 'none' : met ? 'met' : 'missed';
   const figure = value === null ? 'not offered' : inWords(value);
-  const bound = limit === null ? 'no limit' : `limit ${inWords(limit)}`;
+  const bound = limit === null ? 'no limit' : `≤ ${inWords(limit)}`;
   const parts = [
     element('span.mark', { 'aria-hidden': 'true' }, { none: '–', met: '✓', missed: '✗' }[state]),
     element('span.label', label),
     element('span.figure', figure),
-    element('span.quiet', met === false ? `${bound}, not met` : bound),
+    element('span.quiet.bound', bound),
+    failed > 0 && element('span.quiet.missed', `not met by ${groupDigits(failed)}`),
   ];
   const title = 'Show where it is worst';
   const inside =
@@ -83,7 +112,7 @@ export function warnings({
 }
 
 /** A length of the building, from 10 m on in metres. @param {number} size in mm */
-function length(size) {
+export function millimetres(size) {
   return Math.abs(size) < 1e4 ? `${mm(size)} mm` : `${mm(size / 1000)} m`;
 }
 

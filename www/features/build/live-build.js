@@ -4,8 +4,7 @@ import { messageOf } from '../../solver/messages.js';
 import { UNITS } from '../../ui/units.js';
 import { BuildClient } from './build-client.js';
 
-/** @typedef {import("../../solver/messages.js").BuildReport} BuildReport */
-/** @typedef {import("../../solver/messages.js").SheetPicture} SheetPicture */
+/** @typedef {import("../../solver/messages.js").BuildReplies["build"]} Built */
 /** @typedef {import("../../solver/messages.js").BuildSettings} BuildSettings */
 
 /** Larger meshes are built when they have come to rest. */
@@ -22,14 +21,14 @@ export class LiveBuild {
   #key = '';
   /** @type {BuildSettings | null} */
   #defaults = null;
-  /** @type {(report: BuildReport, sheets: SheetPicture[]) => void} */
+  /** @type {(built: Built) => void} */
   #show;
   /** @type {(why: string) => void} */
   #refuse;
 
   /**
    * @param {import("../../app/context.js").AppContext} app
-   * @param {(report: BuildReport, sheets: SheetPicture[]) => void} show
+   * @param {(built: Built) => void} show
    * @param {(why: string) => void} refuse
    */
   constructor(app, show, refuse) {
@@ -91,11 +90,15 @@ export class LiveBuild {
     const shape = { positions, offsets, indices, symbol, metres };
     try {
       const request = { type: /** @type {const} */ ('build'), ...shape, settings };
-      const { report, sheets } = await this.#client.ask({ ...request, sheets: MOST_SHEETS });
-      this.#show(report, sheets);
+      this.#show(await this.#client.ask({ ...request, sheets: MOST_SHEETS }));
     } catch (error) {
       this.#refuse(messageOf(error));
     }
+  }
+
+  /** The offset at another distance, while somebody tries some. @param {number} distance in the unit of the mesh */
+  moveLayer(distance) {
+    return this.#client.ask({ type: 'moveLayer', distance });
   }
 
   /** What each kind of offset would have for errors. */

@@ -1,6 +1,6 @@
-/** What is asked once: material, scale, sheet, joint, and how the parts keep their distance. */
+/** What is asked once: material, scale, sheet, joint, names, files. */
 
-import { checkbox, choice, setOptions } from '../../ui/controls/fields.js';
+import { checkbox, choice } from '../../ui/controls/fields.js';
 import { element } from '../../ui/dom.js';
 
 /** @typedef {import("../../solver/messages.js").BuildSettings} BuildSettings */
@@ -11,19 +11,13 @@ const valuesOf = ({ material, thickness, scale, sheet }) => ({ material, thickne
 
 /**
  * A list of words of which a setting is one.
- * @param {"kind" | "order" | "names" | "dxf"} key
+ * @param {"order" | "names" | "dxf"} key
  * @param {(change: Partial<BuildSettings>) => void} change
  * @param {string[][]} options
  */
 const wordChoice = (key, change, options) =>
-  choice({ id: `parts-${key}` }, (word) => change({ [key]: word || null }), options);
+  choice({ id: `parts-${key}` }, (word) => change({ [key]: word }), options);
 
-const KINDS = [
-  ['', 'Smaller error'],
-  ['corner', 'Corners'],
-  ['face', 'Panels'],
-  ['edge', 'Beams'],
-];
 const ORDERS = [
   ['size', 'Fewest sheets'],
   ['names', 'As they are named'],
@@ -56,19 +50,11 @@ export function settingsForm({ presets }, change) {
     change({ sheet: [width.field.valueAsNumber, own] }),
   );
   const joint = number('parts-joint', (joint) => change({ joint }), true);
-  const distance = element('input', {
-    ...{ id: 'parts-distance', type: 'number', step: 'any', placeholder: 'edge / 5' },
-    onchange: () => {
-      const value = distance.valueAsNumber;
-      change({ distance: Number.isNaN(value) || value === 0 ? null : value });
-    },
-  });
-  const kind = wordChoice('kind', change, KINDS);
   const order = wordChoice('order', change, ORDERS);
   const names = wordChoice('names', change, NAMES);
   const dxf = wordChoice('dxf', change, DXF);
   const only = checkbox('Outlines only, without names', (own) => change({ outlines_only: own }));
-  const units = [element('span'), element('span')];
+  const unitOfJoint = element('span');
 
   const form = element(
     'div.parts-settings',
@@ -77,9 +63,7 @@ export function settingsForm({ presets }, change) {
     row('Thickness, mm', 'parts-thickness', thickness.field),
     row('Sheet width, mm', 'parts-width', width.field),
     row('Sheet height, mm', 'parts-height', height.field),
-    row(['Joint', units[0]], 'parts-joint', joint.field),
-    row(['Distance', units[1]], 'parts-distance', distance),
-    row('Offset of', 'parts-kind', kind),
+    row(['Joint', unitOfJoint], 'parts-joint', joint.field),
     element(
       'details',
       element('summary', 'Names and files'),
@@ -91,17 +75,6 @@ export function settingsForm({ presets }, change) {
   );
   return {
     form,
-    /** Says what each kind would have for errors. @param {import("../../solver/messages.js").BuildChoice[]} choices */
-    offer(choices) {
-      const words = new Map(choices.map((one) => [one.kind, errorsInWords(one)]));
-      setOptions(
-        kind,
-        KINDS.map(([word, label]) => [
-          word,
-          [label, words.get(/** @type {any} */ (word))].filter(Boolean).join(': '),
-        ]),
-      );
-    },
     /**
      * @param {BuildSettings} settings
      * @param {string} unit of the mesh
@@ -121,21 +94,13 @@ export function settingsForm({ presets }, change) {
       width.show(settings.sheet[0]);
       height.show(settings.sheet[1]);
       joint.show(settings.joint);
-      if (document.activeElement !== distance) distance.value = String(settings.distance ?? '');
-      kind.value = settings.kind ?? '';
       order.value = settings.order;
       names.value = settings.names;
       dxf.value = settings.dxf;
       only.box.checked = settings.outlines_only;
-      for (const place of units) place.textContent = `, ${unit}`;
+      unitOfJoint.textContent = `, ${unit}`;
     },
   };
-}
-
-/** @param {import("../../solver/messages.js").BuildChoice} choice */
-function errorsInWords({ exact, warp_mm: warp, distance_error_mm: distance }) {
-  if (exact) return 'exact';
-  return `${Number(Math.max(warp, distance).toPrecision(2))} mm off`;
 }
 
 /**

@@ -26,11 +26,12 @@ export function sheetPictures({ point, choose }) {
     place,
     /**
      * @param {SheetPicture[]} sheets
+     * @param {ReadonlySet<number>} failed panels that are not within their limit
      * @param {number} more that are not shown
      */
-    show(sheets, more) {
+    show(sheets, failed, more) {
       outlines = new Map();
-      const figures = sheets.map(({ name, svg, panels }) => {
+      const figures = sheets.map(({ name, svg, panels, failed: sides }) => {
         const picture = new DOMParser().parseFromString(svg, 'image/svg+xml').documentElement;
         for (const attribute of ['width', 'height']) picture.removeAttribute(attribute);
         picture.setAttribute('role', 'img');
@@ -38,6 +39,7 @@ export function sheetPictures({ point, choose }) {
         const cut = picture.querySelectorAll('#CUT > path');
         cut.forEach((outline, k) => {
           outline.setAttribute('data-panel', String(panels[k]));
+          outline.classList.toggle('failed', failed.has(panels[k]));
           outlines.set(panels[k], outline);
         });
         // What lies above would take the pointer.
@@ -46,6 +48,12 @@ export function sheetPictures({ point, choose }) {
           group.removeAttribute('id');
         }
         for (const outline of cut) outline.removeAttribute('id');
+        if (sides) {
+          const marks = document.createElementNS(picture.namespaceURI, 'path');
+          marks.setAttribute('class', 'failed-sides');
+          marks.setAttribute('d', sides);
+          picture.append(marks);
+        }
         return element('figure', picture, element('figcaption', name));
       });
       const rest = more > 0 ? [element('p.quiet', `and ${more} more`)] : [];

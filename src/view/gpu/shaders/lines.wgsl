@@ -26,7 +26,7 @@ fn corner_of_line(
     out.ends = vec4f(quad.start, quad.end);
     out.colour = stroke.colour;
     out.style = vec2f(half_width, stroke.size.w);
-    if kind == 0u || kind == GHOST {
+    if kind == 0u || kind == GHOST || kind == LAYER {
         // Where panels are only a few pixels wide, their edges fade instead of filling everything.
         let length_on_screen = distance(quad.start, quad.end) / ratio;
         out.colour.a *= clamp(length_on_screen / 7.0, 0.12, 1.0);
@@ -40,6 +40,7 @@ fn line_colour(in: Corner) -> vec4f {
 }
 
 const GHOST: u32 = 7u;
+const LAYER: u32 = 12u;
 
 @fragment
 fn in_front(in: Corner) -> @location(0) vec4f {

@@ -31,7 +31,7 @@ struct Scene {
     selected: vec4f,
     tint: vec4f,
     sphere: vec4f,
-    // The surface of the ghost.
+    // The surface of the ghost, or of the layer.
     ghost: vec4f,
     // Colour of the dark squares of the checkerboard; its opacity is how much is mixed into a face.
     check: vec4f,
@@ -39,7 +39,7 @@ struct Scene {
     // in steps, how many steps from a limit the range begins and ends, and where the tolerance is, else 0.
     checks: vec4f,
     circle: Stroke,
-    strokes: array<Stroke, 12>,
+    strokes: array<Stroke, 14>,
     dots: array<Dot, 10>,
 }
 

@@ -1,0 +1,56 @@
+//! The offset as points in space, and where on the sheets something is not within a limit.
+
+use super::build::Build;
+use super::check_card::Failed;
+use super::offset::check;
+use super::panel::Point2;
+use super::sheet::Sheet;
+
+impl Build {
+    /// `#V by 3`: where the offset has the vertices, in the coordinates of the mesh; vertices of no panel stay.
+    /// None where offsets are not offered.
+    pub fn layer(&self) -> Option<Vec<[f64; 3]>> {
+        let (axes, _) = self.offset.as_ref()?;
+        let distance = self.distance();
+        let points = self.surface.positions.iter().zip(&axes.axes);
+        Some(points.map(|(v, n)| (*v + self.surface.centre + *n * distance).into()).collect())
+    }
+
+    /// Takes another distance with the same axes and the same parts, which do not depend on it. The choice of
+    /// the axes may: it is made anew by the next build.
+    pub fn move_layer(&mut self, distance: f64) {
+        self.settings.distance = Some(distance);
+        if let Some((axes, found)) = &mut self.offset {
+            *found = check(&self.surface, &axes.axes, axes.kind, distance);
+        }
+    }
+
+    /// By sheets: the sides of panels whose beams fail, and as one point each their corners at nodes that fail; in
+    /// mm of the sheet.
+    pub fn failed_sides(&self, failed: &Failed) -> Vec<Vec<Vec<Point2>>> {
+        let listed = |count: usize, list: &[u32]| {
+            let mut is_listed = vec![false; count];
+            list.iter().for_each(|&k| is_listed[k as usize] = true);
+            is_listed
+        };
+        let edges = listed(self.surface.edges.len(), &failed.edges);
+        let nodes = listed(self.surface.positions.len(), &failed.nodes);
+        let of_sheet = |sheet: &Sheet| {
+            let mut found = Vec::new();
+            for place in &sheet.places {
+                let Some(f) = self.parts[place.part].panel else { continue };
+                let f = f as usize;
+                let Some(cut) = &self.cut[f] else { continue };
+                let corner = |k: usize| place.put(cut.whole[k % cut.whole.len()]);
+                let sides = self.surface.sides.row(f).iter().enumerate();
+                let failed = sides.filter(|(_, e)| edges[**e as usize]);
+                found.extend(failed.map(|(k, _)| vec![corner(k), corner(k + 1)]));
+                let corners = self.surface.faces.row(f).iter().enumerate();
+                let failed = corners.filter(|(_, v)| nodes[**v as usize]);
+                found.extend(failed.map(|(k, _)| vec![corner(k)]));
+            }
+            found
+        };
+        self.layout.sheets.iter().map(of_sheet).collect()
+    }
+}

@@ -1,0 +1,64 @@
+//! What a solver could do about numbers of the build check that are not within their limits.
+
+use super::build::Build;
+use super::check_card::CheckRow;
+use super::offset::OffsetKind;
+use serde::Serialize;
+
+/// Beams and offsets are as good as panels are; these have to be so much better than the limit.
+const PART: f64 = 0.1;
+
+/// A shape for all panels.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+pub struct PanelRemedy {
+    /// The constraint that all panels have to meet, by the name that scenes have for it.
+    pub constraint: &'static str,
+    /// How nearly, in the unit of the mesh.
+    pub within: f64,
+}
+
+/// What would help.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+pub struct Tighten {
+    /// The first that panels of the mesh can have is the one to take.
+    pub remedies: Vec<PanelRemedy>,
+    /// Why there is none, or what helps where panels can have none of them.
+    pub otherwise: &'static str,
+}
+
+impl Build {
+    /// What would help against the numbers of the card that are not within their limits.
+    pub(super) fn tighten(&self, rows: &[CheckRow]) -> Tighten {
+        let limit = |id: &str| {
+            let row = rows.iter().find(|row| row.id == id && row.met == Some(false));
+            row.and_then(|row| row.limit)
+        };
+        let is_missed = |id: &str| rows.iter().any(|row| row.id == id && row.met == Some(false));
+        let flatness = limit("panel_flatness");
+        let of_offset = [limit("beam_warp"), limit("distance_error")].into_iter().flatten();
+        let of_offset = of_offset.reduce(f64::min);
+        let asks =
+            |constraint, within: f64| PanelRemedy { constraint, within: within / self.building() };
+        let corners = self.settings.kind.is_none_or(|kind| kind == OffsetKind::Corner);
+        let mut remedies = Vec::new();
+        if let Some(of_offset) = of_offset.filter(|_| corners) {
+            // Panels with their corners on circles are flat, too.
+            remedies.push(asks("circle", flatness.unwrap_or(f64::INFINITY).min(PART * of_offset)));
+        }
+        remedies.extend(flatness.map(|flatness| asks("plane", flatness)));
+        let otherwise = if of_offset.is_some() && !corners {
+            "Let corners keep the distance: circular panels make their offset exact."
+        } else if is_missed("safe_distance") {
+            "A smaller distance keeps edges from turning round."
+        } else if is_missed("lean") {
+            "Axes that follow the surface more lean less."
+        } else if rows.iter().all(|row| row.met != Some(false)) {
+            "Every number is within its limit."
+        } else {
+            "These panels can be made neither circular nor flat."
+        };
+        Tighten { remedies, otherwise }
+    }
+}

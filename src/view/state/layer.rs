@@ -1,0 +1,82 @@
+//! The layer beside the surface of a view.
+
+use super::view_state::ViewState;
+use crate::view::appearance::LineKind;
+use crate::view::model::{ViewError, check_indices, read_points};
+use crate::view::overlay::ShownLayer;
+use glam::Vec3;
+
+impl ViewState {
+    /// Shows a layer: #V by 3 in file coordinates, or nothing for none; with the edges that fail, by their ends,
+    /// and the vertices whose posts do.
+    ///
+    /// # Errors
+    /// Another number of vertices, a coordinate that is not finite, or a vertex that does not exist; the layer
+    /// stays.
+    pub fn set_layer(
+        &mut self,
+        coordinates: &[f64],
+        failed_edges: &[u32],
+        failed_vertices: Vec<u32>,
+    ) -> Result<(), ViewError> {
+        let count = self.content.mesh.exact.len();
+        if !coordinates.is_empty() && coordinates.len() != 3 * count {
+            let (got, expected) = (coordinates.len(), 3 * count);
+            return Err(ViewError::Length { what: "points of the layer", got, expected });
+        }
+        let (ends, rest) = failed_edges.as_chunks::<2>();
+        if !rest.is_empty() {
+            let (got, expected) = (failed_edges.len(), failed_edges.len() + 1);
+            return Err(ViewError::Length { what: "edges of the layer", got, expected });
+        }
+        check_indices("edges of the layer", failed_edges, count)?;
+        check_indices("vertices of the layer", &failed_vertices, count)?;
+        let points = read_points(coordinates)?;
+        self.layer =
+            ShownLayer { points, failed_edges: ends.to_vec(), failed_vertices, changed: true };
+        self.keep_reach();
+        self.view_changed();
+        Ok(())
+    }
+
+    /// Whether the layer, or the surface below it, has changed since this was last asked, to be drawn.
+    pub fn take_changed_layer(&mut self) -> bool {
+        let below = self.changes.positions && !self.layer.points.is_empty();
+        std::mem::take(&mut self.layer.changed) || below
+    }
+
+    /// The points of the layer relative to the view's centre, then those of the surface.
+    pub fn layer_points(&self) -> impl Iterator<Item = Vec3> + '_ {
+        let points = &self.layer.points;
+        let below = self.content.mesh.positions.iter().take(points.len());
+        points.iter().map(|&point| self.content.mesh.relative(point)).chain(below.copied())
+    }
+
+    /// Its lines: their ends among [`ViewState::layer_points`], and their [`LineKind`]. Those that fail are last,
+    /// over the others.
+    pub fn layer_lines(&self) -> Vec<[u32; 3]> {
+        let count = self.layer.points.len() as u32;
+        if count == 0 {
+            return Vec::new();
+        }
+        let post = |v: u32, kind: LineKind| [v, count + v, kind as u32];
+        let mut is_used = vec![false; count as usize];
+        let mut lines = Vec::new();
+        for edge in &self.content.mesh.edges {
+            let [a, b] = edge.ends;
+            lines.push([a, b, LineKind::Layer as u32]);
+            is_used[a as usize] = true;
+            is_used[b as usize] = true;
+        }
+        let used = (0..count).filter(|&v| is_used[v as usize]);
+        lines.extend(used.map(|v| post(v, LineKind::Layer)));
+        for &[a, b] in &self.layer.failed_edges {
+            let kind = LineKind::Failed as u32;
+            lines.extend([[a, b, kind], [count + a, count + b, kind]]);
+            lines.extend([a, b].map(|v| post(v, LineKind::Failed)));
+        }
+        let failed = self.layer.failed_vertices.iter();
+        lines.extend(failed.map(|&v| post(v, LineKind::Failed)));
+        lines
+    }
+}

@@ -1,0 +1,139 @@
+//! The build check: what fails, where it is worst, and what would help.
+
+use super::build;
+use super::grid::grid;
+use super::identities::revolution;
+use shape_up::fabricate::{BuildSettings, CheckLimits, CheckRow, OffsetKind, Worst};
+use shape_up::math::Vec3;
+use shape_up::mesh::Mesh;
+
+/// Quads that are neither flat nor circular.
+fn wavy() -> Mesh {
+    grid(8, 8, |i, j| {
+        let (x, y) = (f64::from(i), f64::from(j));
+        [x, y, 0.05 * x * x + 0.02 * x * y * (1.0 + 0.1 * y) + 0.2 * f64::from((7 * i + 5 * j) % 4)]
+    })
+}
+
+fn row(rows: &[CheckRow], id: &str) -> CheckRow {
+    rows.iter().find(|row| row.id == id).unwrap().clone()
+}
+
+#[test]
+fn what_fails_is_listed_and_the_worst_of_it_is_named() {
+    let own = BuildSettings { kind: Some(OffsetKind::Corner), ..BuildSettings::default() };
+    let made = build(&wavy(), &own);
+    let check = made.report().check;
+    let failed = made.failed();
+    let flatness = row(&check, "panel_flatness");
+    assert_eq!(flatness.met, Some(false));
+    assert_eq!(flatness.failed, failed.panels.len());
+    let Worst::Panel(worst) = flatness.worst else { panic!("{:?}", flatness.worst) };
+    assert!(failed.panels.contains(&worst));
+    let flat = |f: u32| made.flat[f as usize].as_ref().unwrap().flatness;
+    assert!((1000.0 * flat(worst) - flatness.value.unwrap()).abs() < 1e-12);
+    for f in 0..made.flat.len() as u32 {
+        assert_eq!(failed.panels.contains(&f), 1000.0 * flat(f) > flatness.limit.unwrap());
+    }
+    let warp = row(&check, "beam_warp");
+    let Worst::Edge(ends) = warp.worst else { panic!("{:?}", warp.worst) };
+    let edge = made.surface.edges.iter().position(|edge| edge.ends == ends).unwrap();
+    let (_, found) = made.offset.as_ref().unwrap();
+    assert!((1000.0 * found.beams[edge].warp - warp.value.unwrap()).abs() < 1e-12);
+
+    // Limits that nothing reaches leave nothing.
+    let limits = CheckLimits { warp: 1e9, distance: 1e9, lean: 180.0, flatness: 1e9 };
+    let made = build(&wavy(), &BuildSettings { limits, ..own });
+    assert_eq!(made.failed(), shape_up::fabricate::Failed::default());
+    assert!(made.report().tighten.remedies.is_empty());
+}
+
+#[test]
+fn the_lean_that_is_judged_is_that_of_an_inner_node() {
+    let made = build(&wavy(), &BuildSettings::default());
+    let lean = row(&made.report().check, "lean");
+    let (axes, _) = made.offset.as_ref().unwrap();
+    let angle = |v: usize| {
+        let (axis, normal) = (axes.axes[v], made.surface.normals[v]);
+        libm::atan2(axis.cross(normal).length(), axis.dot(normal)).to_degrees()
+    };
+    let Worst::Vertex(worst) = lean.worst else { panic!("{:?}", lean.worst) };
+    let on_rim = |v: u32| made.surface.edges.iter().any(|e| e.is_rim() && e.ends.contains(&v));
+    assert!(!on_rim(worst));
+    assert!((angle(worst as usize) - lean.value.unwrap()).abs() < 1e-9);
+    assert!(
+        (0..axes.axes.len()).any(|v| angle(v) > lean.value.unwrap()),
+        "one of the rim is larger"
+    );
+}
+
+#[test]
+fn past_the_safe_distance_the_edges_that_turn_round_fail() {
+    let far = |distance| BuildSettings { distance: Some(distance), ..BuildSettings::default() };
+    let mesh = revolution(9, 7);
+    let safe = build(&mesh, &far(-0.1)).report().offset.unwrap().safe_distance_mm[0].unwrap();
+    for (part, turned) in [(0.999, false), (1.001, true)] {
+        let made = build(&mesh, &far(1e-3 * part * safe));
+        let check = row(&made.report().check, "safe_distance");
+        assert_eq!((check.met, check.failed > 0), (Some(!turned), turned));
+        let (axes, layer) = (&made.offset.as_ref().unwrap().0, made.layer().unwrap());
+        for (e, edge) in (0..).zip(&made.surface.edges) {
+            let [a, b] = edge.ends.map(|v| Vec3::from(layer[v as usize]));
+            let turns = (b - a).dot(made.surface.direction(edge)) < 0.0;
+            assert!(!turns || made.failed().edges.contains(&e), "{e} {:?}", axes.kind);
+        }
+    }
+}
+
+#[test]
+fn moving_the_layer_gives_the_check_of_that_distance() {
+    let own = |distance| BuildSettings {
+        kind: Some(OffsetKind::Corner),
+        distance: Some(distance),
+        ..BuildSettings::default()
+    };
+    let mut moved = build(&wavy(), &own(0.1));
+    moved.move_layer(0.35);
+    let direct = build(&wavy(), &own(0.35));
+    assert_eq!(moved.report(), direct.report());
+    assert_eq!(moved.layer(), direct.layer());
+}
+
+#[test]
+fn circles_are_asked_for_where_corners_keep_the_distance_and_planes_for_flatness() {
+    let kinds = |kind| {
+        let own = BuildSettings { kind, ..BuildSettings::default() };
+        let tighten = build(&wavy(), &own).report().tighten;
+        tighten.remedies.into_iter().map(|one| one.constraint).collect::<Vec<_>>()
+    };
+    assert_eq!(kinds(None), ["circle", "plane"]);
+    assert_eq!(kinds(Some(OffsetKind::Corner)), ["circle", "plane"]);
+    assert_eq!(kinds(Some(OffsetKind::Face)), ["plane"]);
+    let all_met = build(&revolution(9, 7), &BuildSettings::default()).report();
+    assert!(all_met.tighten.remedies.is_empty());
+}
+
+#[test]
+fn sides_that_fail_are_on_the_sheet_with_their_panel() {
+    let limits = CheckLimits { warp: 0.1, lean: 5.0, ..CheckLimits::default() };
+    let made = build(&wavy(), &BuildSettings { limits, ..BuildSettings::default() });
+    let failed = made.failed();
+    assert!(!failed.edges.is_empty() && !failed.nodes.is_empty(), "{failed:?}");
+    let sides: usize =
+        made.failed_sides(&failed).iter().flatten().filter(|line| line.len() == 2).count();
+    let panels = |&e: &u32| made.surface.edges[e as usize].panels.iter().flatten().count();
+    assert_eq!(sides, failed.edges.iter().map(panels).sum::<usize>());
+    for (sheet, lines) in made.layout.sheets.iter().zip(made.failed_sides(&failed)) {
+        let corners: Vec<[f64; 2]> = sheet
+            .places
+            .iter()
+            .flat_map(|place| {
+                made.cut[place.part].as_ref().unwrap().whole.iter().map(|&p| place.put(p))
+            })
+            .collect();
+        let near = |p: &[f64; 2]| {
+            corners.iter().any(|q| (p[0] - q[0]).abs().max((p[1] - q[1]).abs()) < 1e-9)
+        };
+        assert!(lines.iter().flatten().all(near));
+    }
+}

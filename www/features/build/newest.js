@@ -1,0 +1,20 @@
+/**
+ * One question at a time, and then the newest: those between are never asked.
+ * @template Question
+ * @param {(question: Question) => Promise<unknown>} answer
+ */
+export function newest(answer) {
+  /** @type {Question[]} */
+  let waiting = [];
+  let isBusy = false;
+  return {
+    /** @param {Question} question */
+    async ask(question) {
+      waiting = [question];
+      if (isBusy) return;
+      isBusy = true;
+      for (let next = waiting.pop(); next !== undefined; next = waiting.pop()) await answer(next);
+      isBusy = false;
+    },
+  };
+}

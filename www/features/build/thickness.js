@@ -1,0 +1,125 @@
+/**
+ * How thick it is built: a slider that ends where an edge of the offset would turn round, what keeps that distance
+ * with the error that each choice would have, and how far axes follow the surface.
+ */
+
+import { element, setText } from '../../ui/dom.js';
+import { millimetres } from './check-card.js';
+
+/** @typedef {import("../../solver/messages.js").BuildReport} BuildReport */
+/** @typedef {import("../../solver/messages.js").BuildSettings} BuildSettings */
+/** @typedef {import("../../solver/messages.js").BuildChoice} BuildChoice */
+
+/** @type {{ kind: BuildChoice["kind"], label: string, title: string }[]} */
+const KINDS = [
+  {
+    kind: 'corner',
+    label: 'Corners',
+    title: 'Nodes keep their distance: exact on circular panels',
+  },
+  { kind: 'face', label: 'Panels', title: 'Planes of panels keep their distance: one thickness' },
+  { kind: 'edge', label: 'Beams', title: 'Beams are all equally high' },
+];
+/** So many mean edges far the slider goes where nothing limits it. */
+const FAR = 2;
+/** It ends so little before the distance at which an edge has no length. */
+const INSIDE = 0.99;
+/** The least weight of following is ten to this. */
+const LEAST_FOLLOW = -5;
+
+/**
+ * @param {object} on
+ * @param {(distance: number) => void} on.tryDistance while the slider is dragged; in the unit of the mesh
+ * @param {(change: Partial<BuildSettings>) => void} on.change
+ */
+export function thicknessForm({ tryDistance, change }) {
+  /** Millimetres of the building in a unit of the mesh. */
+  let scale = 1000;
+  const slider = element('input', {
+    ...{ type: 'range', id: 'parts-distance', step: 'any' },
+    oninput: () => tryDistance(slider.valueAsNumber),
+    onchange: () => {
+      if (slider.valueAsNumber !== 0) change({ distance: slider.valueAsNumber });
+    },
+  });
+  const figure = element('output', { for: 'parts-distance' });
+  const ends = element('p.quiet');
+  const buttons = KINDS.map(({ kind, label, title }) => {
+    const error = element('span.quiet');
+    const one = element(
+      'button.bordered',
+      { title, onclick: () => change({ kind: one.ariaPressed === 'true' ? null : kind }) },
+      element('span', label),
+      error,
+    );
+    return { kind, one, error };
+  });
+  const follow = element('input', {
+    ...{ type: 'range', id: 'parts-follow', min: String(LEAST_FOLLOW), max: '0', step: '0.5' },
+    title: 'More: axes are more upright. Less: beams are flatter.',
+    onchange: () => change({ follow: Number((10 ** follow.valueAsNumber).toPrecision(2)) }),
+  });
+  const followRow = element(
+    'div.field-row',
+    element('label', { for: 'parts-follow' }, 'Follow the surface'),
+    follow,
+  );
+  const keepsId = 'parts-keeps';
+  const place = element(
+    'div.thickness',
+    element('div.heading', element('label', { for: 'parts-distance' }, 'Distance'), figure),
+    slider,
+    ends,
+    element('span', { id: keepsId }, 'Kept by'),
+    element(
+      'div.kinds',
+      { role: 'group', 'aria-labelledby': keepsId },
+      ...buttons.map(({ one }) => one),
+    ),
+    followRow,
+  );
+
+  return {
+    place,
+    /**
+     * @param {BuildReport} report
+     * @param {BuildSettings} settings
+     * @param {number} metres of the unit of the mesh
+     */
+    update({ offset, mean_edge_mm: edge }, settings, metres) {
+      place.hidden = !offset;
+      if (!offset) return;
+      scale = 1000 * metres;
+      const far = FAR * edge;
+      const [inwards, outwards] = offset.safe_distance_mm;
+      const low = Math.max(-far, INSIDE * (inwards ?? -Infinity));
+      const high = Math.min(far, INSIDE * (outwards ?? Infinity));
+      slider.min = String(low / scale);
+      slider.max = String(high / scale);
+      setText(figure, millimetres(offset.distance_mm));
+      slider.setAttribute('aria-valuetext', figure.textContent ?? '');
+      if (!slider.matches(':active')) slider.value = String(offset.distance_mm / scale);
+      const side = (/** @type {number | null} */ limit, /** @type {string} */ way) =>
+        limit === null ? `any distance ${way}` : `${millimetres(Math.abs(limit))} ${way}`;
+      setText(ends, `Safe up to ${side(inwards, 'inwards')}, ${side(outwards, 'outwards')}.`);
+      for (const { kind, one } of buttons) {
+        one.ariaPressed = String(kind === settings.kind);
+        one.classList.toggle('proposed', settings.kind === null && kind === offset.kind);
+      }
+      followRow.hidden = offset.exact;
+      if (document.activeElement !== follow) follow.value = String(Math.log10(settings.follow));
+    },
+    /** Says what each kind would have for errors. @param {BuildChoice[]} choices */
+    offer(choices) {
+      for (const { kind, error } of buttons) {
+        const own = choices.find((choice) => choice.kind === kind);
+        setText(error, own ? errorInWords(own) : '');
+      }
+    },
+  };
+}
+
+/** @param {BuildChoice} choice */
+function errorInWords({ exact, warp_mm: warp, distance_error_mm: distance }) {
+  return exact ? 'exact' : `± ${millimetres(Number(Math.max(warp, distance).toPrecision(2)))}`;
+}
