@@ -1,5 +1,6 @@
 //! All parts of one shape: panels with joints and names on sheets, and the offset.
 
+use super::beam::{Frame, FrameSize};
 use super::fault::Fault;
 use super::file::{Drawing, places};
 use super::offset::{Axes, OffsetCheck, OffsetKind, check, node_axes};
@@ -7,7 +8,8 @@ use super::panel::{
     FlatPanel, Point2, Types, inset, is_simple, lay_flat, panel_names, panel_types, rotated,
     smallest_box,
 };
-use super::settings::BuildSettings;
+use super::paper::{PaperModel, PaperSize, PaperStyle, drawn};
+use super::settings::{BuildSettings, Product};
 use super::sheet::{CutPart, Layout, SheetSize, label, lay_out};
 use super::surface::PanelSurface;
 use crate::mesh::Mesh;
@@ -34,11 +36,11 @@ pub struct CutPanel {
     pub part: usize,
 }
 
-/// A panel that is not cut, and why.
+/// A part that is not cut, and why.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NotCut {
-    /// Which.
-    pub panel: u32,
+    /// Its name.
+    pub part: String,
     /// In words.
     pub why: &'static str,
 }
@@ -56,9 +58,9 @@ pub struct Build {
     pub names: Vec<String>,
     /// Each panel in its plane, in the unit of the mesh; none without area.
     pub flat: Vec<Option<FlatPanel>>,
-    /// Each panel as it is cut.
+    /// Each panel as it is cut; none where another product is made.
     pub cut: Vec<Option<CutPanel>>,
-    /// The panels that are not cut.
+    /// The parts that are not cut.
     pub not_cut: Vec<NotCut>,
     /// What is cut.
     pub parts: Vec<CutPart>,
@@ -70,10 +72,24 @@ pub struct Build {
     pub layout: Layout,
     /// Panels that are alike.
     pub types: Types,
+    /// The beams, where fins are made and the surface has an outside.
+    pub frame: Option<Frame>,
+    /// The paper model, where one is made.
+    pub paper: Option<PaperModel>,
     /// The node axes of the offset with their check; none where the surface has no outside.
     pub offset: Option<(Axes, OffsetCheck)>,
     /// Sentences on what is not offered.
     pub faults: Vec<Fault>,
+}
+
+/// The name of a vertex as a node.
+pub(super) fn node_name(vertex: u32) -> String {
+    format!("N{vertex}")
+}
+
+/// The name of the beam along the edge between two vertices.
+pub(super) fn beam_name([a, b]: [u32; 2]) -> String {
+    format!("B{a}-{b}")
 }
 
 impl Build {
@@ -104,13 +120,19 @@ impl Build {
             small_names: 0,
             layout: Layout::default(),
             types,
+            frame: None,
+            paper: None,
             offset: None,
             faults: Vec::new(),
             unit,
         };
-        build.cut_panels();
-        build.lay_out();
         build.offset();
+        match settings.product {
+            Product::Panels => build.cut_panels(),
+            Product::Fins => build.cut_fins(),
+            Product::Paper => build.cut_paper(),
+        }
+        build.lay_out();
         Ok(build)
     }
 
@@ -129,30 +151,27 @@ impl Build {
         self.settings.distance.unwrap_or_else(|| 0.2 * self.surface.mean_edge())
     }
 
+    /// The width of beams as prisms, in the unit of the mesh.
+    pub fn beam_width(&self) -> f64 {
+        self.settings.beam_width.unwrap_or_else(|| 0.05 * self.surface.mean_edge())
+    }
+
     fn cut_panels(&mut self) {
         let model = self.model();
         let by = 0.5 * (self.settings.joint * model - self.settings.kerf);
         for f in 0..self.flat.len() {
-            let found = self.cut_panel(f, model, by);
-            self.cut.push(match found {
-                Ok((cut, part)) => {
-                    self.parts.push(part);
-                    Some(cut)
-                }
+            let found = match self.cut_panel(f, model, by) {
+                Ok(cut) => Some(cut),
                 Err(why) => {
-                    self.not_cut.push(NotCut { panel: f as u32, why });
+                    self.not_cut.push(NotCut { part: self.names[f].clone(), why });
                     None
                 }
-            });
+            };
+            self.cut.push(found);
         }
     }
 
-    fn cut_panel(
-        &mut self,
-        f: usize,
-        model: f64,
-        by: f64,
-    ) -> Result<(CutPanel, CutPart), &'static str> {
+    fn cut_panel(&mut self, f: usize, model: f64, by: f64) -> Result<CutPanel, &'static str> {
         let flat = self.flat[f].as_ref().ok_or("it has no area")?;
         let scaled: Vec<Point2> =
             flat.corners.iter().map(|corner| corner.map(|x| x * model)).collect();
@@ -164,30 +183,94 @@ impl Build {
         let turned =
             |points: &[Point2]| points.iter().map(|&p| rotated(p, turn)).collect::<Vec<_>>();
         let (whole, outline) = (turned(&scaled), turned(&outline));
-        let mut part = CutPart {
+        let panels = vec![f as u32];
+        let cut = CutPanel { whole, turn, size, part: self.parts.len() };
+        self.parts.push(CutPart {
             name: self.names[f].clone(),
-            panel: Some(f as u32),
+            panels,
             outline,
             ..CutPart::default()
+        });
+        let across = |&e: &u32| {
+            let other = self.surface.edges[e as usize].across(f as u32)?;
+            Some(self.names[other as usize].clone())
         };
-        if !self.settings.outlines_only {
-            let sides = self.surface.sides.row(f);
-            let across = |&e: &u32| {
-                let other = self.surface.edges[e as usize].across(f as u32)?;
-                Some(self.names[other as usize].clone())
-            };
-            let neighbours: Vec<_> = sides.iter().map(across).collect();
-            let labels = label(&part.outline, &part.name, &neighbours);
-            part.engraved = labels.lines;
-            self.dropped_names += labels.dropped;
-            self.small_names += usize::from(labels.small);
-        }
+        let neighbours: Vec<_> = self.surface.sides.row(f).iter().map(across).collect();
+        self.write_names(&neighbours);
         // A corner that coincides with the next one is no corner of the part.
-        part.outline.dedup();
-        while part.outline.len() > 1 && part.outline.first() == part.outline.last() {
-            part.outline.pop();
+        if let Some(CutPart { outline, .. }) = self.parts.last_mut() {
+            outline.dedup();
+            while outline.len() > 1 && outline.first() == outline.last() {
+                outline.pop();
+            }
         }
-        Ok((CutPanel { whole, turn, size, part: self.parts.len() }, part))
+        Ok(cut)
+    }
+
+    fn cut_fins(&mut self) {
+        let Some((axes, _)) = &self.offset else { return };
+        let model = self.model();
+        let size = FrameSize {
+            height: self.distance(),
+            width: self.beam_width(),
+            thickness: self.settings.thickness / model,
+        };
+        let BuildSettings { alike_deg, mirror, kerf, .. } = self.settings;
+        let frame = Frame::new(&self.surface, &axes.axes, size, alike_deg, mirror);
+        for (e, fin) in frame.fins.iter().enumerate() {
+            let edge = &self.surface.edges[e];
+            let name = beam_name(edge.ends);
+            let fin = fin.as_ref().map_err(|why| *why).and_then(|fin| {
+                let scaled = fin.outline.map(|corner| corner.map(|x| x * model));
+                let outline =
+                    if kerf > 0.0 { inset(&scaled, -0.5 * kerf) } else { Some(scaled.into()) };
+                Ok((fin, outline.ok_or("it is too small for the kerf")?))
+            });
+            match fin {
+                Ok((fin, outline)) => {
+                    let [one, other] = fin.ends.map(|v| Some(node_name(v)));
+                    let panels = edge.panels.into_iter().flatten().collect();
+                    let part = CutPart { name, panels, outline, ..CutPart::default() };
+                    self.parts.push(part);
+                    self.write_names([None, one, None, other].as_slice());
+                }
+                Err(why) => self.not_cut.push(NotCut { part: name, why }),
+            }
+        }
+        self.frame = Some(frame);
+    }
+
+    fn cut_paper(&mut self) {
+        let BuildSettings { sheet, margin, pieces, tab, print_inside, outlines_only, .. } =
+            self.settings;
+        let room = sheet.map(|side| side - 2.0 * margin);
+        let size = PaperSize { model: self.model(), room, tab };
+        let model = PaperModel::new(&self.surface, &self.flat, pieces, size);
+        let style = PaperStyle { inside: print_inside, names: !outlines_only };
+        for number in 0..model.pieces.len() {
+            let (part, dropped, small) = drawn(&model, number, &self.names, style);
+            self.parts.push(part);
+            self.dropped_names += dropped;
+            self.small_names += small;
+        }
+        for &(panel, why) in &model.without {
+            self.not_cut.push(NotCut { part: self.names[panel as usize].clone(), why });
+        }
+        if model.is_without_quads {
+            self.faults.push(Fault::no_strips());
+        }
+        self.paper = Some(model);
+    }
+
+    /// Engraves on the last part its name, and these beside its edges.
+    fn write_names(&mut self, beside: &[Option<String>]) {
+        let Some(part) = self.parts.last_mut().filter(|_| !self.settings.outlines_only) else {
+            return;
+        };
+        let labels = label(&part.outline, &part.name, beside, true);
+        part.engraved = labels.lines;
+        self.dropped_names += labels.dropped;
+        self.small_names += usize::from(labels.small);
     }
 
     fn lay_out(&mut self) {

@@ -26,7 +26,7 @@ impl Fault {
     /// The surface has one side only, such as a Moebius strip.
     pub(super) fn one_sided([a, b]: [u32; 2]) -> Fault {
         Fault(format!(
-            "the surface has one side only (seen at the edge of vertices {a} and {b}), so that it has no outside: panels can be cut, offsets and beams are not offered"
+            "the surface has one side only (seen at the edge of vertices {a} and {b}), so that it has no outside: panels can be cut and folded, offsets and beams are not offered"
         ))
     }
 
@@ -37,8 +37,16 @@ impl Fault {
             many => format!("{many} edges have"),
         };
         Fault(format!(
-            "{edges} more than two panels, so that the surface has no outside there: panels can be cut, offsets and beams are not offered"
+            "{edges} more than two panels, so that the surface has no outside there: panels can be cut and folded, offsets and beams are not offered"
         ))
+    }
+
+    /// Strips follow quads.
+    pub(super) fn no_strips() -> Fault {
+        Fault(
+            "the surface has no panels of four edges, which strips follow: nets are made instead"
+                .to_owned(),
+        )
     }
 
     /// Panels that are folded over.
@@ -48,7 +56,7 @@ impl Fault {
             many => format!("{} panels are folded over (the first is {})", many.len(), many[0]),
         };
         Fault(format!(
-            "{what}, their outside is turned against that of their corners: panels can be cut, offsets and beams are not offered"
+            "{what}, their outside is turned against that of their corners: panels can be cut and folded, offsets and beams are not offered"
         ))
     }
 }

@@ -16,8 +16,8 @@ impl Build {
         Some(points.map(|(v, n)| (*v + self.surface.centre + *n * distance).into()).collect())
     }
 
-    /// Takes another distance with the same axes and the same parts, which do not depend on it. The choice of
-    /// the axes may: it is made anew by the next build.
+    /// Takes another distance with the same axes. Their choice may depend on it, and fins do: both are made anew by
+    /// the next build.
     pub fn move_layer(&mut self, distance: f64) {
         self.settings.distance = Some(distance);
         if let Some((axes, found)) = &mut self.offset {
@@ -38,9 +38,10 @@ impl Build {
         let of_sheet = |sheet: &Sheet| {
             let mut found = Vec::new();
             for place in &sheet.places {
-                let Some(f) = self.parts[place.part].panel else { continue };
-                let f = f as usize;
-                let Some(cut) = &self.cut[f] else { continue };
+                let Some(&panel) = self.parts[place.part].panels.first() else { continue };
+                let f = panel as usize;
+                // Panels are cut where they are the product.
+                let Some(Some(cut)) = self.cut.get(f) else { continue };
                 let corner = |k: usize| place.put(cut.whole[k % cut.whole.len()]);
                 let sides = self.surface.sides.row(f).iter().enumerate();
                 let failed = sides.filter(|(_, e)| edges[**e as usize]);

@@ -7,7 +7,7 @@
 //!
 //! ```text
 //! mesh -> surface -> panel -> sheet -> file
-//!            \-> offset -> report
+//!            \-> offset -> beam -> report
 //! ```
 //!
 //! | file or folder | holds |
@@ -17,6 +17,8 @@
 //! | `surface` | the panels with an outside, edges with the panels on their two sides |
 //! | `panel` | panels laid flat, the joint, names, types |
 //! | `offset` | node axes, exact or fitted, and the check of an offset |
+//! | `beam` | beams along the edges: nodes, fins, prisms |
+//! | `paper` | paper models: nets and strips with folds and tabs |
 //! | `sheet` | parts, letters, labels, the layout on sheets |
 //! | `file` | SVG, DXF, PDF, CSV |
 //! | `build` | all of it for one shape |
@@ -24,9 +26,11 @@
 //! | `layer` | the offset as points, and the sides of parts that fail, for the view |
 //! | `tighten` | what a solver could do about it |
 //! | `report` | all numbers |
-//! | `tables` | lists of panels, edges, nodes and types |
+//! | `tables` | lists of panels, beams, pieces, edges, nodes and types |
+//! | `solids` | panels, offset and beams in space |
 //! | `output` | all files of a build |
 
+pub mod beam;
 mod build;
 mod check_card;
 mod fault;
@@ -35,9 +39,11 @@ mod layer;
 pub mod offset;
 mod output;
 pub mod panel;
+pub mod paper;
 mod report;
 mod settings;
 pub mod sheet;
+mod solids;
 mod surface;
 mod tables;
 mod tighten;
@@ -47,7 +53,8 @@ pub use check_card::{CheckRow, Failed, Worst};
 pub use fault::Fault;
 pub use offset::OffsetKind;
 pub use output::BuildFile;
-pub use report::{BuildReport, Choice, OffsetReport};
-pub use settings::{BuildPreset, BuildSettings, CheckLimits, Dxf, PRESETS};
+pub use paper::Pieces;
+pub use report::{BuildReport, Choice, FrameReport, OffsetReport, PaperReport};
+pub use settings::{BuildPreset, BuildSettings, CheckLimits, Dxf, PRESETS, Page, Product};
 pub use surface::{Edge, PanelSurface};
 pub use tighten::{PanelRemedy, Tighten};

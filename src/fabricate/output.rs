@@ -1,8 +1,10 @@
-//! What a build is as files: drawings of the sheets, and tables.
+//! What a build is as files: drawings of the sheets, tables, solids.
 
 use super::build::Build;
 use super::file::{dxf, pdf, svg};
+use super::solids::solids;
 use super::tables;
+use crate::mesh::write_obj;
 
 /// A file to be written.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -26,10 +28,13 @@ impl Build {
             add(format!("{}.dxf", drawing.name), text);
         }
         if !drawings.is_empty() {
-            add("sheets.pdf".to_owned(), pdf(&drawings));
+            add("sheets.pdf".to_owned(), pdf(&drawings, self.settings.page.size()));
         }
         for (name, text) in tables::all(self) {
             add(name.to_owned(), text);
+        }
+        if let Some(solids) = solids(self) {
+            add("beams.obj".to_owned(), write_obj(&solids, &solids.positions));
         }
         files
     }

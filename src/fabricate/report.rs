@@ -4,8 +4,11 @@ use super::build::Build;
 use super::check_card::CheckRow;
 use super::offset::{OffsetCheck, OffsetKind, closing};
 use super::panel::{area, panel_types, perimeter};
+use super::paper::{Glue, Joint, PaperModel};
+use super::settings::Product;
 use super::tighten::Tighten;
 use serde::Serialize;
+use std::collections::BTreeSet;
 
 /// What one kind of offset would have for errors, before it is chosen.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -59,10 +62,52 @@ pub struct OffsetReport {
     pub closing_rims_deg: Vec<Option<f64>>,
 }
 
+/// The beams and the nodes between them.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+pub struct FrameReport {
+    /// Nodes with beams.
+    pub nodes: usize,
+    /// Types of nodes, whose angles differ by no more than `alike_deg`.
+    pub node_types: usize,
+    /// See `node_types`.
+    pub alike_deg: f64,
+    /// By how much a fin is cut back at an end, at most, on the sheet.
+    pub cut_back_mm: f64,
+    /// The largest change of a distance between corners when fins are laid flat.
+    pub flattening_error_mm: f64,
+    /// The largest step between the upper faces of neighbouring prisms, and its vertex.
+    pub node_step_mm: f64,
+    /// See `node_step_mm`.
+    pub node_step_vertex: u32,
+    /// Beams whose mitres leave nothing of a prism.
+    pub without_prism: usize,
+}
+
+/// The paper model.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+pub struct PaperReport {
+    /// Edges and creases that are folded to a ridge, seen from outside.
+    pub ridges: usize,
+    /// Those that are folded to a valley.
+    pub valleys: usize,
+    /// Edges that are glued.
+    pub tabs: usize,
+    /// Edges that are cut and have no room for a tab, by the names of their panels.
+    pub without_tab: Vec<String>,
+    /// Panels that are not flat, and creased along their diagonals.
+    pub creased: usize,
+}
+
 /// The report of a build.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct BuildReport {
+    /// What is made.
+    pub product: Product,
+    /// Parts that can be cut: panels, fins, or pieces of paper.
+    pub parts: usize,
     /// How many there are.
     pub panels: usize,
     /// How many there are.
@@ -83,13 +128,13 @@ pub struct BuildReport {
     pub sheets: usize,
     /// The size of a sheet.
     pub sheet_mm: [f64; 2],
-    /// Panels on sheets.
+    /// Parts on sheets.
     pub placed: usize,
     /// The share of the area of the sheets that parts cover.
     pub used: f64,
-    /// The names of panels that are larger than a sheet.
+    /// The names of parts that are larger than a sheet.
     pub too_large: Vec<String>,
-    /// Panels that cannot be cut, each with the reason.
+    /// Parts that cannot be cut, each with the reason.
     pub not_cut: Vec<String>,
     /// The area of all parts on sheets.
     pub cut_area_mm2: f64,
@@ -100,9 +145,9 @@ pub struct BuildReport {
     /// The least joint, on the sheet, that keeps panels of the thickness from touching when they are laid outside
     /// of the surface; null where nothing closes. And the same inside.
     pub least_joint_mm: [Option<f64>; 2],
-    /// Names of neighbours that have no room on their panel.
+    /// Names of neighbours that have no room on their part.
     pub dropped_names: usize,
-    /// Panels whose own name is smaller than 2 mm.
+    /// Parts whose own name is smaller than 2 mm.
     pub small_names: usize,
     /// Types of panels.
     pub types: usize,
@@ -114,6 +159,10 @@ pub struct BuildReport {
     pub fold_deg: Option<[f64; 2]>,
     /// The offset; null where it is not offered.
     pub offset: Option<OffsetReport>,
+    /// Beams and nodes; null where they are not made.
+    pub frame: Option<FrameReport>,
+    /// The paper model; null where another product is made.
+    pub paper: Option<PaperReport>,
     /// The five numbers of the card.
     pub check: Vec<CheckRow>,
     /// What would help against those that are not within their limits.
@@ -157,6 +206,8 @@ impl Build {
         nodes.sort_unstable();
         nodes.dedup();
         BuildReport {
+            product: self.settings.product,
+            parts: self.parts.len() + self.not_cut.len(),
             panels: self.names.len(),
             edges: self.surface.edges.len(),
             nodes: nodes.len(),
@@ -175,11 +226,7 @@ impl Build {
                 .iter()
                 .map(|&part| self.parts[part].name.clone())
                 .collect(),
-            not_cut: self
-                .not_cut
-                .iter()
-                .map(|not| format!("{}: {}", self.names[not.panel as usize], not.why))
-                .collect(),
+            not_cut: self.not_cut.iter().map(|not| format!("{}: {}", not.part, not.why)).collect(),
             cut_area_mm2,
             cut_length_mm: sum(perimeter),
             joint_mm: self.settings.joint * self.model(),
@@ -190,6 +237,8 @@ impl Build {
             types_curve: self.types_curve(),
             flattening_error_mm: errors.fold(0.0, f64::max) * building,
             fold_deg,
+            frame: self.frame_report(),
+            paper: self.paper_report(),
             tighten: self.tighten(&check),
             check,
             offset,
@@ -240,6 +289,48 @@ impl Build {
             [tolerance, types.leaders.len() as f64]
         };
         [0.1, 0.3, 1.0, 3.0, 10.0, 30.0].map(at).into()
+    }
+
+    fn frame_report(&self) -> Option<FrameReport> {
+        let frame = self.frame.as_ref()?;
+        let fins = || frame.fins.iter().flatten();
+        let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
+        let (step, node_step_vertex) = frame.largest_step().unwrap_or_default();
+        Some(FrameReport {
+            nodes: frame.nodes.iter().flatten().count(),
+            node_types: frame.types.leaders.len(),
+            alike_deg: self.settings.alike_deg,
+            cut_back_mm: largest(&mut fins().flat_map(|fin| fin.cut_back)) * self.model(),
+            flattening_error_mm: largest(&mut fins().map(|fin| fin.flattening_error))
+                * self.building(),
+            node_step_mm: step * self.building(),
+            node_step_vertex,
+            without_prism: frame.prisms.iter().filter(|prism| prism.is_none()).count(),
+        })
+    }
+
+    fn paper_report(&self) -> Option<PaperReport> {
+        let PaperModel { net, glue, .. } = self.paper.as_ref()?;
+        let folds = || {
+            let joints = net.joints.iter().zip(&net.folded);
+            joints.filter(|(_, folded)| **folded).map(|(joint, _)| joint.fold)
+        };
+        let creased: BTreeSet<u32> = (net.joints.iter())
+            .filter(|joint| joint.edge.is_none())
+            .map(|joint| net.facets[joint.sides[0].0 as usize].panel)
+            .collect();
+        let without_tab =
+            net.joints.iter().zip(glue).filter(|(_, glue)| matches!(glue, Glue::Bare));
+        let panels = |joint: &Joint| {
+            joint.sides.map(|(f, _)| &*self.names[net.facets[f as usize].panel as usize]).join("/")
+        };
+        Some(PaperReport {
+            ridges: folds().filter(|fold| *fold > 0.0).count(),
+            valleys: folds().filter(|fold| *fold < 0.0).count(),
+            tabs: glue.iter().filter(|glue| matches!(glue, Glue::Tab(_))).count(),
+            without_tab: without_tab.map(|(joint, _)| panels(joint)).collect(),
+            creased: creased.len(),
+        })
     }
 
     fn offset_report(&self) -> Option<OffsetReport> {

@@ -2,6 +2,7 @@
 
 use super::offset::OffsetKind;
 use super::panel::Names;
+use super::paper::Pieces;
 use super::sheet::Order;
 use serde::{Deserialize, Serialize};
 
@@ -11,6 +12,8 @@ use serde::{Deserialize, Serialize};
 #[serde(default, deny_unknown_fields)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct BuildSettings {
+    /// What is made of the shape.
+    pub product: Product,
     /// What keeps its distance in the offset; null proposes the kind with the smaller errors.
     pub kind: Option<OffsetKind>,
     /// The distance of the offset and the depth of beams, positive outwards; null takes a fifth of the mean edge.
@@ -43,10 +46,50 @@ pub struct BuildSettings {
     pub mirror: bool,
     /// Outlines alone, without names, on layer 0: some shops ask for that.
     pub outlines_only: bool,
+    /// The width of beams as prisms; null takes a twentieth of the mean edge.
+    pub beam_width: Option<f64>,
+    /// Nodes whose angles differ by no more are of one type, in degrees.
+    pub alike_deg: f64,
+    /// What a paper model is made of.
+    pub pieces: Pieces,
+    /// The height of tabs on paper; 0 makes none.
+    pub tab: f64,
+    /// Whether paper is printed on the side that will be inside: mirrored, with names that can be read.
+    pub print_inside: bool,
+    /// The pages of the PDF: larger sheets are tiled.
+    pub page: Page,
     /// Which DXF is written.
     pub dxf: Dxf,
     /// Limits of the build check.
     pub limits: CheckLimits,
+}
+
+/// What is made of a shape.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+pub enum Product {
+    /// Single panels.
+    #[default]
+    Panels,
+    /// Beams along the edges, as flat fins, with the nodes between them.
+    Fins,
+    /// Strips and nets of paper, folded and glued.
+    Paper,
+}
+
+impl Product {
+    /// All of them.
+    pub const ALL: [Product; 3] = [Product::Panels, Product::Fins, Product::Paper];
+
+    /// Its word in files and on the command line.
+    pub fn word(self) -> &'static str {
+        match self {
+            Product::Panels => "panels",
+            Product::Fins => "fins",
+            Product::Paper => "paper",
+        }
+    }
 }
 
 /// A version of DXF.
@@ -59,6 +102,43 @@ pub enum Dxf {
     R2000,
     /// AC1009, for old machines.
     R12,
+}
+
+/// The pages of a PDF.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+pub enum Page {
+    /// As large as the sheets.
+    #[default]
+    Sheet,
+    /// 210 x 297 mm.
+    A4,
+    /// 297 x 420 mm.
+    A3,
+}
+
+impl Page {
+    /// All of them.
+    pub const ALL: [Page; 3] = [Page::Sheet, Page::A4, Page::A3];
+
+    /// Its word in files and on the command line.
+    pub fn word(self) -> &'static str {
+        match self {
+            Page::Sheet => "sheet",
+            Page::A4 => "a4",
+            Page::A3 => "a3",
+        }
+    }
+
+    /// Its shorter and its longer side in mm; none where it is as large as the sheet.
+    pub fn size(self) -> Option<[f64; 2]> {
+        match self {
+            Page::Sheet => None,
+            Page::A4 => Some([210.0, 297.0]),
+            Page::A3 => Some([297.0, 420.0]),
+        }
+    }
 }
 
 /// Above which a number of the build check is not met. Lengths in mm of the building.
@@ -87,6 +167,7 @@ impl Default for BuildSettings {
     fn default() -> BuildSettings {
         let BuildPreset { material, thickness, scale, sheet, .. } = PRESETS[0];
         BuildSettings {
+            product: Product::Panels,
             kind: None,
             distance: None,
             follow: 0.01,
@@ -103,6 +184,12 @@ impl Default for BuildSettings {
             alike: 1.0,
             mirror: false,
             outlines_only: false,
+            beam_width: None,
+            alike_deg: 0.5,
+            pieces: Pieces::Nets,
+            tab: 8.0,
+            print_inside: false,
+            page: Page::Sheet,
             dxf: Dxf::R2000,
             limits: CheckLimits::default(),
         }
@@ -126,7 +213,7 @@ pub struct BuildPreset {
 }
 
 /// What people build with most often.
-pub const PRESETS: [BuildPreset; 4] = [
+pub const PRESETS: [BuildPreset; 5] = [
     BuildPreset {
         label: "Card model 1:50, A3",
         material: "card",
@@ -155,6 +242,13 @@ pub const PRESETS: [BuildPreset; 4] = [
         scale: 1.0,
         sheet: [3210.0, 2250.0],
     },
+    BuildPreset {
+        label: "Paper 1:100, A4",
+        material: "paper",
+        thickness: 0.2,
+        scale: 100.0,
+        sheet: [297.0, 210.0],
+    },
 ];
 
 impl BuildSettings {
@@ -176,6 +270,9 @@ impl BuildSettings {
             ("gap", self.gap, false),
             ("kerf", self.kerf, false),
             ("alike", self.alike, false),
+            ("tab", self.tab, false),
+            ("alike_deg", self.alike_deg, false),
+            ("beam_width", self.beam_width.unwrap_or(1.0), true),
             ("limits.warp", self.limits.warp, false),
             ("limits.distance", self.limits.distance, false),
             ("limits.lean", self.limits.lean, false),

@@ -19,8 +19,8 @@ struct Offers {
 struct SheetPicture {
     name: String,
     svg: String,
-    /// Of every outline, in the order of the picture, its panel.
-    panels: Vec<u32>,
+    /// Of every outline, in the order of the picture, its panels.
+    panels: Vec<Vec<u32>>,
     /// A path along the sides, and to the corners, of panels where beams and nodes are not within a limit.
     failed: String,
 }
@@ -84,7 +84,7 @@ impl Builder {
         plain(&self.build.report())
     }
 
-    /// The sheets from `first`, `count` of them at most: `name`, `svg`, and the `panels` of its outlines.
+    /// The sheets from `first`, `count` of them at most: `name`, `svg`, and the `panels` of each of its outlines.
     ///
     /// # Errors
     /// None: they are plain data.
@@ -100,7 +100,7 @@ impl Builder {
                 .lines
                 .iter()
                 .filter(|line| line.closed)
-                .filter_map(|line| line.panel)
+                .map(|line| line.panels.clone())
                 .collect(),
         });
         plain(&own.collect::<Vec<_>>())

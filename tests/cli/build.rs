@@ -35,6 +35,35 @@ fn sheets_tables_and_a_report_are_written_whole() {
 }
 
 #[test]
+fn fins_and_paper_models_are_made_on_demand() {
+    let folder = Folder::new("build-products");
+    folder.write("roof.obj", ROOF);
+    let names = |out: &str| -> Vec<String> {
+        let files = std::fs::read_dir(folder.0.join(out)).unwrap();
+        let mut names: Vec<_> =
+            files.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+        names.sort();
+        names
+    };
+    let fins = ["build", "roof.obj", "--product", "fins", "--thickness", "3", "--out", "fins"];
+    let words = folder.run(&fins).done();
+    assert!(
+        words.contains("12 of 12 fins on 1 sheets") && words.contains("types of nodes"),
+        "{words}"
+    );
+    for name in ["beams.csv", "beams.obj", "fins.csv", "node-beams.csv", "node-types.csv"] {
+        assert!(names("fins").iter().any(|own| own == name), "{name}");
+    }
+    let paper =
+        ["build", "roof.obj", "--product=paper", "--pieces=strips", "--page=a4", "--out=paper"];
+    let words = folder.run(&paper).done();
+    assert!(words.contains("2 of 2 pieces of paper") && words.contains("tabs 2"), "{words}");
+    for name in ["joins.csv", "pieces.csv", "sheets.pdf"] {
+        assert!(names("paper").iter().any(|own| own == name), "{name}");
+    }
+}
+
+#[test]
 fn the_scene_says_what_the_command_line_does_not() {
     let folder = Folder::new("build-scene");
     let scene = r#"{ "format": "shape-up-scene", "version": 1, "units": "mm", "mesh": { "file": "roof.obj" },
@@ -76,9 +105,15 @@ fn what_cannot_be_built_or_asked_is_refused_in_one_line() {
         folder.write("s.shapeup.json", scene(build));
         folder.run(&["build", "s.shapeup.json"]).refused(&words);
     }
-    for asked in
-        [["--kind", "corners"], ["--sheet", "1200"], ["--distance", "0"], ["--scale", "-1"]]
-    {
+    for asked in [
+        ["--kind", "corners"],
+        ["--product", "boxes"],
+        ["--pieces", "bits"],
+        ["--page", "a5"],
+        ["--sheet", "1200"],
+        ["--distance", "0"],
+        ["--scale", "-1"],
+    ] {
         let ended = folder.run(&["build", "roof.obj", asked[0], asked[1]]);
         assert_eq!(ended.code, Some(2), "{ended:?}");
         assert!(ended.err.contains(asked[0]), "{ended:?}");

@@ -2,9 +2,11 @@
 
 use super::shared;
 use serde_json::Value;
+use shape_up::fabricate::beam::{end_cuts, nodes};
 use shape_up::fabricate::offset::{OffsetCheck, check, closing, exact, fit};
 use shape_up::fabricate::panel::{area, inset, lay_flat, panel_types};
 use shape_up::fabricate::{OffsetKind, PanelSurface};
+use shape_up::math::Vec3;
 use shape_up::mesh::Mesh;
 
 const CASES: [&str; 4] = ["circular", "conical", "dodecahedron", "halftunnel"];
@@ -155,12 +157,44 @@ fn node_axes_and_the_build_check_agree() {
                     let found: [f64; 3] = axes[sample["vertex"].as_u64().unwrap() as usize].into();
                     (0..3).for_each(|k| close(found[k], &sample["n"][k], per_axis, &what));
                 }
+                for own in list(&own["nodes"]) {
+                    compare_node(&surface, &axes, own, &expected["inputs"], tolerance, &what);
+                }
                 compare(&check(&surface, &axes, kind, distance), &own["report"], tolerance, &what);
                 compared += 1;
             }
         }
     }
     assert_eq!(compared, 11);
+}
+
+/// The beams around a node, from the first of the expected ones on, and the steps of their prisms.
+fn compare_node(
+    surface: &PanelSurface,
+    axes: &[Vec3<f64>],
+    expected: &Value,
+    inputs: &Value,
+    tolerance: f64,
+    what: &str,
+) {
+    let v = expected["vertex"].as_u64().unwrap() as usize;
+    let node = nodes(surface, axes)[v].clone().unwrap();
+    let cuts = end_cuts(surface, axes, &node, number(&inputs["beam_width"]));
+    let ring: Vec<u32> = serde_json::from_value(expected["ring"].clone()).unwrap();
+    let n = node.spokes.len();
+    let first = node.spokes.iter().position(|spoke| spoke.to == ring[0]).unwrap();
+    for (k, &to) in ring.iter().enumerate() {
+        let what = format!("{what}, node {v}, beam {k}");
+        let spoke = &node.spokes[(first + k) % n];
+        assert_eq!(spoke.to, to, "{what}");
+        let azimuth = spoke.azimuth_deg - node.spokes[first].azimuth_deg;
+        let azimuth = if azimuth < 0.0 { azimuth + 360.0 } else { azimuth };
+        close(azimuth, &expected["azimuth_deg"][k], 1e-4, &what);
+        close(spoke.elevation_deg, &expected["elevation_deg"][k], 1e-4, &what);
+        if expected["mitre_step"][k].is_number() {
+            close(cuts[(first + k) % n].step, &expected["mitre_step"][k], tolerance, &what);
+        }
+    }
 }
 
 fn compare(found: &OffsetCheck, expected: &Value, tolerance: f64, what: &str) {

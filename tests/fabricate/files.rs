@@ -186,7 +186,7 @@ fn every_name_is_once_on_its_panel_and_every_inner_edge_is_named_from_both_sides
             .collect();
         let cut = made.cut[f].as_ref().unwrap();
         let outline = &made.parts[cut.part].outline;
-        let labels = shape_up::fabricate::sheet::label(outline, name, &neighbours);
+        let labels = shape_up::fabricate::sheet::label(outline, name, &neighbours, true);
         let mut texts = labels.texts.clone();
         assert_eq!(texts.remove(0), *name);
         let mut expected: Vec<_> = neighbours.into_iter().flatten().collect();
@@ -291,5 +291,5 @@ fn the_unit_of_the_mesh_and_the_scale_decide_the_size_on_the_sheet() {
     let drawings = made.drawings();
     assert!(drawings[0].title.contains("SCALE 1:10") && drawings[0].title.contains("MODEL IN MM"));
     assert!(svg(&drawings[0]).contains(&drawings[0].title));
-    assert!(file::pdf(&drawings).is_ascii());
+    assert!(file::pdf(&drawings, None).is_ascii());
 }

@@ -176,7 +176,7 @@ fn every_flat_part_goes_back_to_its_place_in_space() {
     for sheet in &made.layout.sheets {
         for place in &sheet.places {
             let part = &made.parts[place.part];
-            let f = part.panel.unwrap() as usize;
+            let f = part.panels[0] as usize;
             let (flat, cut) = (made.flat[f].as_ref().unwrap(), made.cut[f].as_ref().unwrap());
             let back = |[x, y]: [f64; 2], [c, s]: [f64; 2]| [c * x + s * y, c * y - s * x];
             for (&corner, &v) in part.outline.iter().zip(made.surface.faces.row(f)) {

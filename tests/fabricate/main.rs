@@ -9,11 +9,13 @@ mod grid;
 mod shared;
 
 mod bad_input;
+mod beams;
 mod check;
 mod dxf;
 mod expected;
 mod files;
 mod identities;
+mod paper;
 
 use shape_up::fabricate::{Build, BuildSettings, LengthInMetres};
 use shape_up::mesh::Mesh;

@@ -1,7 +1,7 @@
 //! The commands with their arguments.
 
 use super::words::{Word, Words};
-use shape_up::fabricate::OffsetKind;
+use shape_up::fabricate::{OffsetKind, Page, Pieces, Product};
 use shape_up::scene::{Accelerator, BoundaryCloseness};
 use shape_up::solve::{ConformalNorm, ConformalWeights, Require};
 use std::ffi::OsString;
@@ -56,6 +56,11 @@ pub(super) struct Solve {
 pub(super) struct Build {
     /// A scene or a mesh.
     pub(super) input: PathBuf,
+    pub(super) product: Option<Product>,
+    pub(super) pieces: Option<Pieces>,
+    pub(super) page: Option<Page>,
+    pub(super) material: Option<String>,
+    pub(super) thickness: Option<f64>,
     pub(super) kind: Option<OffsetKind>,
     pub(super) distance: Option<f64>,
     pub(super) joint: Option<f64>,
@@ -193,7 +198,16 @@ fn build(mut words: Words) -> Result<Command, String> {
     let (mut build, mut input) = (Build::default(), None);
     while let Some(name) = words.option(&mut input)? {
         match name.as_str() {
-            "--kind" => build.kind = Some(words.offset_kind(&name)?),
+            "--product" => {
+                build.product = Some(words.word_of(&name, Product::ALL, Product::word)?);
+            }
+            "--pieces" => build.pieces = Some(words.word_of(&name, Pieces::ALL, Pieces::word)?),
+            "--page" => build.page = Some(words.word_of(&name, Page::ALL, Page::word)?),
+            "--material" => build.material = Some(words.text(&name)?),
+            "--thickness" => build.thickness = Some(words.not_negative(&name)?),
+            "--kind" => {
+                build.kind = Some(words.word_of(&name, OffsetKind::ALL, OffsetKind::word)?)
+            }
             "--distance" => build.distance = Some(words.distance(&name)?),
             "--joint" => build.joint = Some(words.not_negative(&name)?),
             "--scale" => build.scale = Some(words.positive(&name)?),

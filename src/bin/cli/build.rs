@@ -1,7 +1,9 @@
 //! `shape-up build`: panels on sheets, the build check, and their files.
 
 use super::{Failure, arguments, input, output};
-use shape_up::fabricate::{Build, BuildReport, BuildSettings, CheckRow, LengthInMetres};
+use shape_up::fabricate::{
+    Build, BuildReport, BuildSettings, CheckRow, FrameReport, LengthInMetres, PaperReport, Product,
+};
 use shape_up::mesh::Mesh;
 use shape_up::scene::{Scene, UNITS};
 use std::path::{Path, PathBuf};
@@ -51,6 +53,11 @@ pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {
 fn settings(asked: &arguments::Build, scene: &Scene) -> BuildSettings {
     let own = scene.build.as_deref().cloned().unwrap_or_default();
     BuildSettings {
+        product: asked.product.unwrap_or(own.product),
+        pieces: asked.pieces.unwrap_or(own.pieces),
+        page: asked.page.unwrap_or(own.page),
+        material: asked.material.clone().unwrap_or(own.material),
+        thickness: asked.thickness.unwrap_or(own.thickness),
         kind: asked.kind.or(own.kind),
         distance: asked.distance.or(own.distance),
         joint: asked.joint.unwrap_or(own.joint),
@@ -61,14 +68,20 @@ fn settings(asked: &arguments::Build, scene: &Scene) -> BuildSettings {
 }
 
 fn words(report: &BuildReport, remarks: &[String]) -> String {
-    let BuildReport { panels, placed, sheets, scale, types, .. } = report;
+    let BuildReport { product, parts, placed, sheets, scale, types, .. } = report;
+    let product = match product {
+        Product::Paper => "pieces of paper",
+        own => own.word(),
+    };
     let [width, height] = report.sheet_mm;
     let used = 100.0 * report.used;
     let mut lines = vec![format!(
-        "{placed} of {panels} panels on {sheets} sheets of {width} x {height} mm, {used:.0} % covered, scale 1:{scale}, unit {}",
+        "{placed} of {parts} {product} on {sheets} sheets of {width} x {height} mm, {used:.0} % covered, scale 1:{scale}, unit {}",
         report.unit
     )];
     lines.push(format!("types of panels {types}"));
+    lines.extend(report.frame.as_ref().map(frame_line));
+    lines.extend(report.paper.as_ref().map(paper_line));
     if let Some(offset) = &report.offset {
         let how = if offset.exact { "exact" } else { "least-squares fit" };
         lines.push(format!(
@@ -95,6 +108,33 @@ fn words(report: &BuildReport, remarks: &[String]) -> String {
     lines.extend(report.problems.iter().map(|problem| format!("problem: {problem}")));
     lines.extend(remarks.iter().map(|remark| format!("note: {remark}")));
     lines.join("\n") + "\n"
+}
+
+fn frame_line(frame: &FrameReport) -> String {
+    format!(
+        "nodes {}, types of nodes {} within {} degrees; fins cut back by up to {} mm; steps between prisms up to {} mm",
+        frame.nodes,
+        frame.node_types,
+        frame.alike_deg,
+        output::short(frame.cut_back_mm),
+        output::short(frame.node_step_mm)
+    )
+}
+
+fn paper_line(paper: &PaperReport) -> String {
+    const MOST: usize = 8;
+    let bare = &paper.without_tab;
+    let bare = match (bare.len(), bare[..bare.len().min(MOST)].join(", ")) {
+        (0, _) => String::new(),
+        (n, some) if n > MOST => {
+            format!("; no room for a tab between {some} and {} more", n - MOST)
+        }
+        (_, all) => format!("; no room for a tab between {all}"),
+    };
+    format!(
+        "ridges {}, valleys {}, tabs {}, panels creased {}{bare}",
+        paper.ridges, paper.valleys, paper.tabs, paper.creased
+    )
 }
 
 fn check_line(row: &CheckRow) -> String {

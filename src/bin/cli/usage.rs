@@ -1,7 +1,7 @@
 //! How the program is called, in words.
 
 use shape_up::constraint::KINDS;
-use shape_up::fabricate::OffsetKind;
+use shape_up::fabricate::{OffsetKind, Page, Pieces, Product};
 use shape_up::scene::{Accelerator, NamedEnum};
 use shape_up::solve::{ConformalNorm, ConformalWeights};
 
@@ -13,8 +13,10 @@ usage: shape-up solve SCENE|MESH [--panels KIND] [--exact | --within LENGTH]
                 [--boundary exact|WEIGHT] [--iterations N] [--tolerance T]
                 [--accelerator {}]
                 [--out FILE.obj|FILE.mesh] [--report FILE.json] [--trace]
-       shape-up build SCENE|MESH [--kind {}] [--distance D] [--joint J]
-                [--scale S] [--sheet WxH] [--out DIR] [--report FILE.json]
+       shape-up build SCENE|MESH [--product {}] [--kind {}]
+                [--distance D] [--joint J] [--scale S] [--material NAME]
+                [--thickness T] [--sheet WxH] [--pieces {}]
+                [--page {}] [--out DIR] [--report FILE.json]
        shape-up check MESH [--report FILE.json]
        shape-up check RESULTS --scene SCENE
        shape-up parametrize MESH [--weights {}] [--norm {}]
@@ -35,10 +37,11 @@ A MESH is solved with the settings that keep it whole, a scene with its own.
 --iterations, --tolerance (0 never stops early) and --accelerator replace the settings of the scene.
 --out writes OBJ, or where the name ends in .mesh, Medit, which has tetrahedra.
 --trace records the energies of every iteration, in the report and on standard output.
-build lays the panels flat on sheets and checks whether offsets and beams can be built; --out is the
-folder for drawings of the sheets (SVG, DXF, PDF) and tables (CSV). D, negative inwards, and the joint J
-between panels are lengths in the unit of the mesh; the model is 1:S; a sheet is W by H mm. What is not
-given is as in the `build` of the scene.
+build lays panels, fins along the edges, or a paper model of strips or nets flat on sheets, and checks
+whether offsets and beams can be built; --out is the folder for drawings of the sheets (SVG, DXF, PDF),
+tables (CSV) and, with fins, the beams as solids (OBJ). D, negative inwards, and the joint J between
+panels are lengths in the unit of the mesh; the model is 1:S; the material is T mm thick, a sheet W by
+H mm; the PDF is tiled to a --page. What is not given is as in the `build` of the scene.
 RESULTS is what a student hands in of a lesson: check measures its shape with the goals and the
 constraints of the SCENE, and ends with 1 when one is not met.
 parametrize makes a flat map that keeps angles; --out writes the mesh with the map as its vt.
@@ -46,7 +49,10 @@ experiment solves a scene by several methods, and prints how far each came; --cs
 Without a scene it lists the examples that have a comparison of the paper. The limits are per method.
 Exit code: 0 done, 1 the input is at fault, 2 usage, 3 internal.",
         Accelerator::list("|"),
+        Product::ALL.map(Product::word).join("|"),
         OffsetKind::ALL.map(OffsetKind::word).join("|"),
+        Pieces::ALL.map(Pieces::word).join("|"),
+        Page::ALL.map(Page::word).join("|"),
         ConformalWeights::list("|"),
         ConformalNorm::list("|"),
         kinds(),

@@ -2,7 +2,6 @@
 
 use lexopt::Arg;
 use shape_up::constraint::KINDS;
-use shape_up::fabricate::OffsetKind;
 use shape_up::scene::{BoundaryCloseness, BoundaryRequire, NamedEnum};
 use std::ffi::{OsStr, OsString};
 use std::path::PathBuf;
@@ -140,13 +139,17 @@ impl Words {
         })
     }
 
-    /// The value of an option that takes a kind of offset.
-    pub(super) fn offset_kind(&mut self, name: &str) -> Result<OffsetKind, String> {
+    /// The value of an option that takes the `word` of one of `all`.
+    pub(super) fn word_of<T: Copy, const N: usize>(
+        &mut self,
+        name: &str,
+        all: [T; N],
+        word: fn(T) -> &'static str,
+    ) -> Result<T, String> {
         let value = self.text(name)?;
-        OffsetKind::ALL.into_iter().find(|kind| kind.word() == value).ok_or_else(|| {
-            let words = OffsetKind::ALL.map(OffsetKind::word).join(" or ");
-            format!("{name} takes {words}, found `{value}`")
-        })
+        all.into_iter()
+            .find(|one| word(*one) == value)
+            .ok_or_else(|| format!("{name} takes {}, found `{value}`", all.map(word).join(" or ")))
     }
 
     /// The value of an option that takes the id of a kind.
@@ -167,7 +170,8 @@ impl Words {
         T::of_word(&value).ok_or_else(expected)
     }
 
-    fn text(&mut self, name: &str) -> Result<String, String> {
+    /// The value of an option that takes any text.
+    pub(super) fn text(&mut self, name: &str) -> Result<String, String> {
         let value = self.value(name)?;
         let text = |value: &OsStr| value.to_str().map(str::to_owned);
         text(&value).ok_or_else(|| format!("the value of {name} is not UTF-8 text"))

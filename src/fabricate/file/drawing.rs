@@ -15,8 +15,16 @@ pub struct DrawnLine {
     pub closed: bool,
     /// The name of its part; empty for the sheet's own lines.
     pub part: String,
-    /// The panel that the part is.
-    pub panel: Option<u32>,
+    /// Of an outline, the panels of its part.
+    pub panels: Vec<u32>,
+}
+
+impl DrawnLine {
+    /// A line that belongs to no part.
+    pub(super) fn of_sheet(points: Vec<Point2>) -> DrawnLine {
+        let (role, closed) = (Role::Sheet, false);
+        DrawnLine { role, points, closed, part: String::new(), panels: Vec::new() }
+    }
 }
 
 /// A sheet with all its lines, in the order of [`Role::ALL`].
@@ -58,7 +66,8 @@ impl Drawing {
                     Role::Cut => (std::slice::from_ref(&part.outline), true),
                     _ if outlines_only => continue,
                     Role::Engrave => (&part.engraved, false),
-                    Role::Fold => (&part.folds, false),
+                    Role::Fold => (&part.ridges, false),
+                    Role::Valley => (&part.valleys, false),
                     Role::Sheet => continue,
                 };
                 drawing.lines.extend(lines.iter().map(|points| DrawnLine {
@@ -66,7 +75,7 @@ impl Drawing {
                     points: put(points),
                     closed,
                     part: part.name.clone(),
-                    panel: part.panel,
+                    panels: if closed { part.panels.clone() } else { Vec::new() },
                 }));
             }
         }
@@ -88,7 +97,6 @@ impl Drawing {
     }
 
     fn add(&mut self, points: Vec<Point2>) {
-        let (role, closed, part, panel) = (Role::Sheet, false, String::new(), None);
-        self.lines.push(DrawnLine { role, points, closed, part, panel });
+        self.lines.push(DrawnLine::of_sheet(points));
     }
 }

@@ -5,7 +5,8 @@
 //! | `drawing` | the lines of a sheet by their roles |
 //! | `svg` | SVG: mm, one path per part, no transforms |
 //! | `dxf` | DXF: R2000, or R12 for old machines |
-//! | `pdf` | PDF 1:1, a page per sheet, with layers and a ruler |
+//! | `tiles` | sheets larger than a page, tiled |
+//! | `pdf` | PDF 1:1, a page per sheet or tiled, with layers and a ruler |
 //! | `csv` | tables of panels, edges, nodes, types, and a summary |
 //! | `number` | numbers with so many places |
 
@@ -15,6 +16,7 @@ mod dxf;
 mod number;
 mod pdf;
 mod svg;
+mod tiles;
 
 pub use csv::{Cell, Table};
 pub use drawing::{Drawing, DrawnLine};

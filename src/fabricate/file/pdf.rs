@@ -3,6 +3,8 @@
 
 use super::drawing::{Drawing, DrawnLine};
 use super::number::places;
+use super::tiles::{FREE, OVERLAP, Tile, tiles};
+use crate::fabricate::panel::Point2;
 use crate::fabricate::sheet::{Role, strokes, text_width};
 
 /// Points of PDF in a mm.
@@ -10,43 +12,46 @@ const POINTS: f64 = 72.0 / 25.4;
 /// The height of the words beside the ruler, in mm.
 const WORDS: f64 = 2.0;
 
-/// Writes all sheets as pages.
-pub fn pdf(drawings: &[Drawing]) -> String {
+/// Writes all sheets: each a page of its size, or on as many of the size `page` (shorter and longer side in mm) as it
+/// takes.
+pub fn pdf(drawings: &[Drawing], page: Option<[f64; 2]>) -> String {
     let layers = Role::ALL.len();
-    // Objects: catalogue, list of pages, layers, then a page and its content for each sheet.
-    let first_page = 3 + layers;
-    let mut objects: Vec<String> = Vec::new();
-    let references = |numbers: &mut dyn Iterator<Item = usize>| {
-        numbers.map(|number| format!("{number} 0 R")).collect::<Vec<_>>().join(" ")
+    let references = |numbers: &[usize]| {
+        numbers.iter().map(|number| format!("{number} 0 R")).collect::<Vec<_>>().join(" ")
     };
-    let of_layers = references(&mut (3..first_page));
-    objects.push(
+    let of_layers: Vec<usize> = (3..3 + layers).collect();
+    let properties: Vec<String> =
+        of_layers.iter().enumerate().map(|(k, number)| format!("/L{k} {number} 0 R")).collect();
+    let (of_layers, properties) = (references(&of_layers), properties.join(" "));
+    // Catalogue, list of pages, layers; then of each sheet its content, and of each of its pages three objects.
+    let mut objects = vec![
         format!(
             "<< /Type /Catalog /Pages 2 0 R /ViewerPreferences << /PrintScaling /None >> /OCProperties << /OCGs [{of_layers}] /D << /Order [{of_layers}] >> >> >>"
         ),
-    );
-    let pages = references(&mut (0..drawings.len()).map(|k| first_page + 2 * k));
-    objects.push(format!("<< /Type /Pages /Kids [{pages}] /Count {} >>", drawings.len()));
+        String::new(),
+    ];
     for role in Role::ALL {
         objects.push(format!("<< /Type /OCG /Name ({}) >>", role.layer()));
     }
-    let properties: Vec<String> = (0..layers).map(|k| format!("/L{k} {} 0 R", 3 + k)).collect();
-    let properties = properties.join(" ");
-    for (k, drawing) in drawings.iter().enumerate() {
-        let [width, height] = drawing.size.map(|size| places(size * POINTS, 6));
-        let content = first_page + 2 * k + 1;
-        objects.push(
-            format!(
-                "<< /Type /Page /Parent 2 0 R /MediaBox [0 0 {width} {height}] /Resources << /Properties << {properties} >> >> /Contents {content} 0 R >>"
-            ),
-        );
-        let stream = page(drawing);
-        let length = stream.len();
-        objects.push(format!("<< /Length {length} >>\nstream\n{stream}\nendstream"));
+    let mut kids = Vec::new();
+    for drawing in drawings {
+        objects.push(stream(&content(&drawing.lines)));
+        let shared = objects.len();
+        for tile in tiles(drawing.size, page) {
+            let (before, after) = around(drawing, &tile);
+            objects.extend([stream(&before), stream(&after)]);
+            let contents = references(&[objects.len() - 1, shared, objects.len()]);
+            let [width, height] = tile.page.map(|size| places(size * POINTS, 6));
+            objects.push(
+                format!(
+                    "<< /Type /Page /Parent 2 0 R /MediaBox [0 0 {width} {height}] /Resources << /Properties << {properties} >> >> /Contents [{contents}] >>"
+                ),
+            );
+            kids.push(objects.len());
+        }
     }
-    let mut file = "%PDF-1.5
-"
-    .to_owned();
+    objects[1] = format!("<< /Type /Pages /Kids [{}] /Count {} >>", references(&kids), kids.len());
+    let mut file = "%PDF-1.5\n".to_owned();
     let mut starts = Vec::new();
     for (object, number) in objects.iter().zip(1..) {
         starts.push(file.len());
@@ -61,20 +66,76 @@ pub fn pdf(drawings: &[Drawing]) -> String {
     file + &format!("trailer\n<< /Size {count} /Root 1 0 R >>\nstartxref\n{table}\n%%EOF\n")
 }
 
-/// The operators of a page.
-fn page(drawing: &Drawing) -> String {
-    let scale = places(POINTS, 9);
-    let mut text = format!("{scale} 0 0 {scale} 0 0 cm\n0.1 w 1 J 1 j\n");
-    let ruler = ruler(drawing);
+fn stream(text: &str) -> String {
+    format!("<< /Length {} >>\nstream\n{text}\nendstream", text.len())
+}
+
+/// The operators for some lines, layer by layer.
+fn content(lines: &[DrawnLine]) -> String {
+    let mut text = String::new();
     for (k, role) in Role::ALL.into_iter().enumerate() {
-        let own = drawing.lines.iter().filter(|line| line.role == role);
-        let of_ruler = ruler.iter().filter(|_| role == Role::Sheet);
+        let mut own = lines.iter().filter(|line| line.role == role).peekable();
+        if own.peek().is_none() {
+            continue;
+        }
         let [r, g, b] = role.rgb().map(|part| places(f64::from(part) / 255.0, 3));
         text += &format!("/OC /L{k} BDC\n{r} {g} {b} RG\n");
-        own.chain(of_ruler).for_each(|line| path(&mut text, line));
+        own.for_each(|line| path(&mut text, line));
         text += "EMC\n";
     }
     text
+}
+
+/// What comes before the content of a sheet on one of its pages, and after it: the unit, the part that is seen, a
+/// ruler, and marks for cutting.
+fn around(drawing: &Drawing, tile: &Tile) -> (String, String) {
+    let scale = places(POINTS, 9);
+    let mut before = format!("{scale} 0 0 {scale} 0 0 cm\n0.1 w 1 J 1 j\n");
+    let mut lines = ruler(tile.page);
+    let mut after = String::new();
+    if let Some([place, counts]) = tile.place {
+        let [width, height] = tile.page.map(|size| size - 2.0 * FREE);
+        let [x, y] = tile.origin.map(|at| places(-at, 6));
+        before += &format!(
+            "q {FREE} {FREE} {} {} re W n\n1 0 0 1 {x} {y} cm\n",
+            places(width, 6),
+            places(height, 6)
+        );
+        after += "Q\n";
+        lines.extend(marks(drawing, tile.page, place, counts));
+    }
+    let lines: Vec<_> = lines.into_iter().map(DrawnLine::of_sheet).collect();
+    (before, after + &content(&lines))
+}
+
+/// The frame that a page is cut along, ticks where the next page begins, and which page it is.
+fn marks(
+    drawing: &Drawing,
+    page: [f64; 2],
+    [column, row]: [u32; 2],
+    [columns, rows]: [u32; 2],
+) -> Vec<Vec<Point2>> {
+    let [right, top] = page.map(|size| size - FREE);
+    let mut lines =
+        vec![vec![[FREE, FREE], [right, FREE], [right, top], [FREE, top], [FREE, FREE]]];
+    let tick = 4.0;
+    if column + 1 < columns {
+        let x = right - OVERLAP;
+        lines.extend([vec![[x, FREE], [x, FREE + tick]], vec![[x, top - tick], [x, top]]]);
+    }
+    if row + 1 < rows {
+        let y = top - OVERLAP;
+        lines.extend([vec![[FREE, y], [FREE + tick, y]], vec![[right - tick, y], [right, y]]]);
+    }
+    let words = format!(
+        "{}, COLUMN {} OF {columns}, ROW {} OF {rows} FROM BELOW",
+        drawing.name,
+        column + 1,
+        row + 1
+    );
+    let centre = [FREE + 0.5 * text_width(&words, WORDS), 0.5 * FREE];
+    lines.extend(strokes(&words, WORDS, centre, [1.0, 0.0]));
+    lines
 }
 
 fn path(text: &mut String, line: &DrawnLine) {
@@ -85,9 +146,8 @@ fn path(text: &mut String, line: &DrawnLine) {
     *text += if line.closed { "s\n" } else { "S\n" };
 }
 
-/// A ruler at the upper edge, 100 mm long where the sheet is that wide, with what it is for.
-fn ruler(drawing: &Drawing) -> Vec<DrawnLine> {
-    let [width, height] = drawing.size;
+/// A ruler at the upper edge of a page, 100 mm long where the page is that wide, with what it is for.
+fn ruler([width, height]: [f64; 2]) -> Vec<Vec<Point2>> {
     let tens = ((width - 10.0) / 10.0).floor().clamp(0.0, 10.0);
     let words = format!("{} MM. PRINT AT 100 %", places(10.0 * tens, 0));
     let y = height - 1.0;
@@ -101,9 +161,5 @@ fn ruler(drawing: &Drawing) -> Vec<DrawnLine> {
     if from + long < width {
         lines.extend(strokes(&words, WORDS, [from + 0.5 * long, height - 1.8], [1.0, 0.0]));
     }
-    let line = |points| {
-        let (role, closed, part, panel) = (Role::Sheet, false, String::new(), None);
-        DrawnLine { role, points, closed, part, panel }
-    };
-    lines.into_iter().map(line).collect()
+    lines
 }

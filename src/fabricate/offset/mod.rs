@@ -24,3 +24,4 @@ pub use axes::{Axes, exact, fit, node_axes};
 pub use check::{BeamCheck, NodeCheck, OffsetCheck, check};
 pub use closing::{Closing, closing};
 pub use kind::OffsetKind;
+pub(super) use system::across_edge;

@@ -120,6 +120,6 @@ pub(super) fn identity_and_outer(a: f64, b: f64, c: Vec3<f64>) -> [[f64; 3]; 3] 
 }
 
 /// `P_e x`.
-pub(super) fn across_edge(x: Vec3<f64>, t: Vec3<f64>) -> Vec3<f64> {
+pub(in crate::fabricate) fn across_edge(x: Vec3<f64>, t: Vec3<f64>) -> Vec3<f64> {
     x - t * x.dot(t)
 }

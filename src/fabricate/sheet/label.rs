@@ -1,4 +1,4 @@
-//! Names inside an outline: its own in the middle, with an arrow to edge 0, and along each edge that of the
+//! Names inside an outline: its own in the middle, an arrow to edge 0 where it is asked for, and along each edge that of the
 //! neighbour. What does not fit is made smaller, down to a height that can still be read, and then left out
 //! and counted.
 
@@ -86,8 +86,13 @@ impl Box2 {
 }
 
 /// Labels for an outline in mm: its `name`, and for each of its edges the name of the neighbour there, if
-/// any. Edge `k` goes from corner `k` to the next one.
-pub fn label(outline: &[Point2], name: &str, neighbours: &[Option<String>]) -> Labels {
+/// any. Edge `k` goes from corner `k` to the next one; an arrow to edge 0 is there where it is asked for.
+pub fn label(
+    outline: &[Point2],
+    name: &str,
+    neighbours: &[Option<String>],
+    with_arrow: bool,
+) -> Labels {
     let mut labels = Labels::default();
     let (centre, radius) = roomiest_point(outline);
     if radius <= 0.0 {
@@ -123,7 +128,9 @@ pub fn label(outline: &[Point2], name: &str, neighbours: &[Option<String>]) -> L
     labels.lines.extend(strokes(name, height, centre, own.along));
     labels.texts.push(name.to_owned());
     let mut taken = vec![own];
-    arrow(outline, &mut labels, &mut taken, height, radius);
+    if with_arrow {
+        arrow(outline, &mut labels, &mut taken, height, radius);
+    }
     for (k, neighbour) in neighbours.iter().enumerate() {
         let Some(neighbour) = neighbour else { continue };
         if !beside_edge(outline, k, neighbour, wanted.min(height), &mut labels, &mut taken) {
@@ -199,7 +206,7 @@ fn arrow(outline: &[Point2], labels: &mut Labels, taken: &mut Vec<Box2>, height:
 }
 
 /// The direction or its opposite, whichever does not put letters on their heads.
-fn upright([c, s]: Point2) -> Point2 {
+pub(in crate::fabricate) fn upright([c, s]: Point2) -> Point2 {
     if c < -1e-9 || (c.abs() <= 1e-9 && s < 0.0) { [-c, -s] } else { [c, s] }
 }
 

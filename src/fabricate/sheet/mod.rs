@@ -12,6 +12,7 @@ mod layout;
 mod lettering;
 mod part;
 
+pub(super) use label::upright;
 pub use label::{Labels, label};
 pub use layout::{Layout, Order, Place, Sheet, SheetSize, lay_out};
 pub use lettering::{strokes, text_width};

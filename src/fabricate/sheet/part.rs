@@ -7,8 +7,10 @@ use crate::fabricate::panel::Point2;
 pub enum Role {
     /// Cut through.
     Cut,
-    /// Scored or folded.
+    /// Scored: a fold that is a ridge seen from the printed side.
     Fold,
+    /// Scored from the other side: a fold that is a valley. Drawn as dashes.
+    Valley,
     /// Names, as strokes.
     Engrave,
     /// The edge of the sheet and its title: not to be cut.
@@ -17,13 +19,14 @@ pub enum Role {
 
 impl Role {
     /// All of them, in the order in which a machine should work: names, folds, then outlines.
-    pub const ALL: [Role; 4] = [Role::Sheet, Role::Engrave, Role::Fold, Role::Cut];
+    pub const ALL: [Role; 5] = [Role::Sheet, Role::Engrave, Role::Fold, Role::Valley, Role::Cut];
 
     /// The name of its layer.
     pub fn layer(self) -> &'static str {
         match self {
             Role::Cut => "CUT",
             Role::Fold => "FOLD",
+            Role::Valley => "VALLEY",
             Role::Engrave => "ENGRAVE",
             Role::Sheet => "SHEET",
         }
@@ -34,6 +37,7 @@ impl Role {
         match self {
             Role::Cut => 1,
             Role::Fold => 5,
+            Role::Valley => 6,
             Role::Engrave => 7,
             Role::Sheet => 8,
         }
@@ -44,6 +48,7 @@ impl Role {
         match self {
             Role::Cut => [255, 0, 0],
             Role::Fold => [0, 0, 255],
+            Role::Valley => [255, 0, 255],
             Role::Engrave => [0, 0, 0],
             Role::Sheet => [128, 128, 128],
         }
@@ -55,12 +60,14 @@ impl Role {
 pub struct CutPart {
     /// Its name, different from all others.
     pub name: String,
-    /// The panel that it is, where it is one.
-    pub panel: Option<u32>,
+    /// The panels that it is made of, or that it lies between.
+    pub panels: Vec<u32>,
     /// The closed outline that is cut, counterclockwise; the first corner is not repeated.
     pub outline: Vec<Point2>,
     /// Engraved polylines.
     pub engraved: Vec<Vec<Point2>>,
-    /// Folded or scored polylines.
-    pub folds: Vec<Vec<Point2>>,
+    /// Folds that are ridges seen from the printed side.
+    pub ridges: Vec<Vec<Point2>>,
+    /// Folds that are valleys, each dash a line.
+    pub valleys: Vec<Vec<Point2>>,
 }

@@ -140,7 +140,7 @@ test('settings belong to the scene, and are taken back; parts and panels are cho
   await panel(page).locator('.cut path').nth(3).click();
   const { selection } = await waitForState(page, (now) => now.selection.faces.length === 1);
   await expect(panel(page).locator('.cut path.chosen')).toHaveAttribute(
-    'data-panel',
+    'data-panels',
     String(selection.faces[0]),
   );
   await panel(page).getByRole('button', { name: 'Panel flatness' }).click();
@@ -148,4 +148,29 @@ test('settings belong to the scene, and are taken back; parts and panels are cho
   await panel(page).getByLabel('Material').press('Escape');
   await expect(panel(page)).toBeHidden();
   expect((await state(page)).build).toBe(null);
+});
+
+test('fins and a paper model are made of the same shape, and saved', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'roof.obj', `# units: m\n${wavyGrid(4)}`, 25);
+  await openBuild(page);
+  const made = async (product) => {
+    await panel(page).getByLabel('Make').selectOption(product);
+    const { build } = await waitForState(page, (now, own) => now.build?.product === own, product);
+    await expect(panel(page).locator('.cut path')).toHaveCount(build.placed);
+    const archive = await downloaded(page, () =>
+      panel(page).getByRole('button', { name: 'Save drawings' }).click(),
+    );
+    return { build, files: Object.keys(filesOf(archive.bytes)) };
+  };
+  const fins = await made('fins');
+  expect(fins.build.parts).toBe(40);
+  expect(fins.files).toEqual(expect.arrayContaining(['fins.csv', 'node-types.csv', 'beams.obj']));
+  const paper = await made('paper');
+  expect(paper.build.paper.tabs).toBeGreaterThan(0);
+  expect(paper.files).toEqual(expect.arrayContaining(['pieces.csv', 'joins.csv', 'sheets.pdf']));
+  // A piece chooses its panels.
+  await panel(page).locator('.cut path').first().click();
+  await waitForState(page, (now) => now.selection.faces.length > 0);
+  await expect(panel(page).locator('.cut path.chosen')).toHaveCount(1);
 });

@@ -16,7 +16,7 @@ import { thicknessForm } from './thickness.js';
 /** @typedef {import("../../solver/messages.js").BuildSettings} BuildSettings */
 /** @typedef {import("../../solver/messages.js").BuildReplies["build"]} Built */
 
-/** The colour of the panel that is pointed at on a sheet. @type {[number, number, number]} */
+/** The colour of the panels of the part that is pointed at on a sheet. @type {[number, number, number]} */
 const POINTED = [230, 120, 20];
 
 /** @type {{ toggle: () => void } | null} */
@@ -41,13 +41,14 @@ async function buildPanel(app) {
     actions.reportErrors(live.moveLayer(distance).then(showOffset)),
   );
   const pictures = sheetPictures({
-    point: (panel) =>
+    point: (panels) =>
       actions.tint(
-        panel === null
-          ? null
-          : { faces: Uint32Array.of(panel), vertices: new Uint32Array(0), colour: POINTED },
+        panels && {
+          ...{ faces: Uint32Array.from(panels), vertices: new Uint32Array(0) },
+          colour: POINTED,
+        },
       ),
-    choose: (panel) => actions.select({ vertices: [], faces: [panel] }),
+    choose: (panels) => actions.select({ vertices: [], faces: panels }),
   });
   const words = element('p', { 'aria-live': 'polite' });
   const notes = element('div');

@@ -86,10 +86,15 @@ function checkRow({ label, value, limit, unit, met, worst, failed }, show) {
 }
 
 /** What became of the panels, in a line. @param {BuildReport} report */
-export function sheetsInWords({ sheets, placed, panels, used, types }) {
-  const all = placed === panels ? count(panels, 'panel') : `${placed} of ${count(panels, 'panel')}`;
-  const share = `${Math.round(100 * used)} % covered`;
-  return `${all} on ${count(sheets, 'sheet')}, ${share}, ${count(types, 'type')} of panels`;
+export function sheetsInWords({ product, sheets, placed, parts, used, types, frame, paper }) {
+  const noun = { panels: 'panel', fins: 'fin', paper: 'piece' }[product];
+  const all = placed === parts ? count(parts, noun) : `${placed} of ${count(parts, noun)}`;
+  const words = [`${all} on ${count(sheets, 'sheet')}`, `${Math.round(100 * used)} % covered`];
+  if (product === 'panels') words.push(`${count(types, 'type')} of panels`);
+  if (frame)
+    words.push(`${count(frame.node_types, 'type')} of nodes within ${frame.alike_deg}\u00b0`);
+  if (paper) words.push(`${count(paper.tabs, 'tab')}`);
+  return words.join(', ');
 }
 
 /** What is not on the sheets, or hard to read. @param {BuildReport} report */
@@ -98,7 +103,10 @@ export function warnings({
   not_cut: uncut,
   dropped_names: dropped,
   small_names: small,
+  paper,
 }) {
+  const bare = paper?.without_tab ?? [];
+  const creased = paper?.creased ?? 0;
   const some = (/** @type {string[]} */ names) =>
     names.length > 6
       ? `${names.slice(0, 6).join(', ')} and ${names.length - 6} more`
@@ -107,7 +115,9 @@ export function warnings({
     large.length > 0 && `Larger than the sheet: ${some(large)}. They are left out, never scaled.`,
     uncut.length > 0 && `Not cut: ${some(uncut)}.`,
     dropped > 0 && `${groupDigits(dropped)} names of neighbours have no room.`,
-    small > 0 && `${count(small, 'panel')} with a name smaller than 2 mm.`,
+    small > 0 && `${count(small, 'part')} with a name smaller than 2 mm.`,
+    bare.length > 0 && `No room for a tab between ${some(bare)}.`,
+    creased > 0 && `${count(creased, 'panel')} not flat, creased along a diagonal.`,
   ].filter((line) => line !== false);
 }
 

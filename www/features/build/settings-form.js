@@ -11,13 +11,28 @@ const valuesOf = ({ material, thickness, scale, sheet }) => ({ material, thickne
 
 /**
  * A list of words of which a setting is one.
- * @param {"order" | "names" | "dxf"} key
+ * @param {"product" | "pieces" | "page" | "order" | "names" | "dxf"} key
  * @param {(change: Partial<BuildSettings>) => void} change
  * @param {string[][]} options
  */
 const wordChoice = (key, change, options) =>
   choice({ id: `parts-${key}` }, (word) => change({ [key]: word }), options);
 
+const PRODUCTS = [
+  ['panels', 'Panels'],
+  ['fins', 'Fins along the edges'],
+  ['paper', 'Paper model'],
+];
+const PIECES = [
+  ['nets', 'Nets'],
+  ['strips', 'Strips'],
+  ['across', 'Strips, other way'],
+];
+const PAGES = [
+  ['sheet', 'As the sheet'],
+  ['a4', 'A4'],
+  ['a3', 'A3'],
+];
 const ORDERS = [
   ['size', 'Fewest sheets'],
   ['names', 'As they are named'],
@@ -50,26 +65,45 @@ export function settingsForm({ presets }, change) {
     change({ sheet: [width.field.valueAsNumber, own] }),
   );
   const joint = number('parts-joint', (joint) => change({ joint }), true);
+  const product = wordChoice('product', change, PRODUCTS);
+  const pieces = wordChoice('pieces', change, PIECES);
+  const page = wordChoice('page', change, PAGES);
+  const tab = number('parts-tab', (tab) => change({ tab }), true);
+  const alike = number('parts-alike', (own) => change({ alike_deg: own }), true);
+  const inside = checkbox('Print on the inside', (own) => change({ print_inside: own }));
   const order = wordChoice('order', change, ORDERS);
   const names = wordChoice('names', change, NAMES);
   const dxf = wordChoice('dxf', change, DXF);
   const only = checkbox('Outlines only, without names', (own) => change({ outlines_only: own }));
   const unitOfJoint = element('span');
+  /** What is shown of one product only. @type {HTMLElement[]} */
+  const onlyOf = [];
+  const of = (/** @type {string} */ product, /** @type {HTMLElement} */ own) => {
+    own.dataset.of = product;
+    onlyOf.push(own);
+    return own;
+  };
 
   const form = element(
     'div.parts-settings',
+    row('Make', 'parts-product', product),
+    of('paper', row('Pieces', 'parts-pieces', pieces)),
+    of('paper', row('Tabs, mm', 'parts-tab', tab.field)),
+    of('paper', inside.label),
     row('Material', 'parts-preset', preset),
     row('Scale 1 :', 'parts-scale', scale.field),
     row('Thickness, mm', 'parts-thickness', thickness.field),
     row('Sheet width, mm', 'parts-width', width.field),
     row('Sheet height, mm', 'parts-height', height.field),
-    row(['Joint', unitOfJoint], 'parts-joint', joint.field),
+    of('panels', row(['Joint', unitOfJoint], 'parts-joint', joint.field)),
+    of('fins', row('Nodes alike, °', 'parts-alike', alike.field)),
     element(
       'details',
       element('summary', 'Names and files'),
       row('Order', 'parts-order', order),
       row('Names', 'parts-names', names),
       row('Drawings', 'parts-dxf', dxf),
+      row('Pages of the PDF', 'parts-page', page),
       only.label,
     ),
   );
@@ -89,6 +123,13 @@ export function settingsForm({ presets }, change) {
       );
       preset.value = own < 0 ? '' : String(own);
       preset.options[0].hidden = own >= 0;
+      product.value = settings.product;
+      for (const own of onlyOf) own.hidden = own.dataset.of !== settings.product;
+      pieces.value = settings.pieces;
+      page.value = settings.page;
+      tab.show(settings.tab);
+      alike.show(settings.alike_deg);
+      inside.box.checked = settings.print_inside;
       scale.show(settings.scale);
       thickness.show(settings.thickness);
       width.show(settings.sheet[0]);

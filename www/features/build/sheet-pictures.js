@@ -5,22 +5,20 @@ import { element } from '../../ui/dom.js';
 /** @typedef {import("../../solver/messages.js").SheetPicture} SheetPicture */
 
 /**
- * @param {{ point: (panel: number | null) => void, choose: (panel: number) => void }} on
+ * @param {{ point: (panels: number[] | null) => void, choose: (panels: number[]) => void }} on
  */
 export function sheetPictures({ point, choose }) {
   const place = element('div.sheets', { tabindex: '0', role: 'group', 'aria-label': 'Sheets' });
-  /** The outlines of each panel. @type {Map<number, Element>} */
+  /** The outlines of parts, each with its panels. @type {Map<Element, number[]>} */
   let outlines = new Map();
   /** @param {Event} event */
-  const panelAt = ({ target }) => {
-    const panel = target instanceof Element && target.getAttribute('data-panel');
-    return panel ? Number(panel) : null;
-  };
-  place.addEventListener('pointerover', (event) => point(panelAt(event)));
+  const panelsAt = ({ target }) =>
+    (target instanceof Element ? outlines.get(target) : undefined) ?? null;
+  place.addEventListener('pointerover', (event) => point(panelsAt(event)));
   place.addEventListener('pointerleave', () => point(null));
   place.addEventListener('click', (event) => {
-    const panel = panelAt(event);
-    if (panel !== null) choose(panel);
+    const panels = panelsAt(event);
+    if (panels) choose(panels);
   });
   return {
     place,
@@ -38,9 +36,12 @@ export function sheetPictures({ point, choose }) {
         picture.setAttribute('aria-label', name);
         const cut = picture.querySelectorAll('#CUT > path');
         cut.forEach((outline, k) => {
-          outline.setAttribute('data-panel', String(panels[k]));
-          outline.classList.toggle('failed', failed.has(panels[k]));
-          outlines.set(panels[k], outline);
+          outline.setAttribute('data-panels', panels[k].join(' '));
+          outline.classList.toggle(
+            'failed',
+            panels[k].some((panel) => failed.has(panel)),
+          );
+          outlines.set(outline, panels[k]);
         });
         // What lies above would take the pointer.
         for (const group of picture.querySelectorAll('g')) {
@@ -59,13 +60,14 @@ export function sheetPictures({ point, choose }) {
       const rest = more > 0 ? [element('p.quiet', `and ${more} more`)] : [];
       place.replaceChildren(...figures, ...rest);
     },
-    /** Marks the parts of these panels. @param {ReadonlySet<number>} panels */
+    /** Marks the parts of which all panels are among these. @param {ReadonlySet<number>} panels */
     mark(panels) {
-      for (const [panel, outline] of outlines)
-        outline.classList.toggle('chosen', panels.has(panel));
-      const [first] = panels;
-      if (panels.size === 1)
-        outlines.get(first)?.scrollIntoView({ block: 'nearest', inline: 'nearest' });
+      const chosen = [...outlines].filter(([outline, own]) => {
+        const is = own.length > 0 && own.every((panel) => panels.has(panel));
+        outline.classList.toggle('chosen', is);
+        return is;
+      });
+      if (chosen.length === 1) chosen[0][0].scrollIntoView({ block: 'nearest', inline: 'nearest' });
     },
   };
 }

@@ -1,0 +1,103 @@
+//! Fins: beams cut from flat sheet. In the plane along the edge and the upward direction `b` of the beam the outline
+//! is `(0, 0), (l, 0), (l + h t.n_j, h b.n_j), (h t.n_i, h b.n_i)`, each end moved back parallel to its axis so that
+//! the plates of a node do not meet.
+
+use super::node::Node;
+use crate::fabricate::offset::across_edge;
+use crate::fabricate::panel::{Point2, is_simple};
+use crate::fabricate::surface::{PanelSurface, unit};
+use crate::math::Vec3;
+
+/// A fin in its plane, in the unit of the mesh.
+#[derive(Clone, Debug)]
+pub struct Fin {
+    /// Counterclockwise, the edge first: that of the surface, the end at `sides[1]`, the side away from the surface,
+    /// the other end.
+    pub outline: [Point2; 4],
+    /// The nodes at sides 1 and 3 of the outline.
+    pub ends: [u32; 2],
+    /// By how much each end, of the first and the second node of the edge, is cut back along the edge.
+    pub cut_back: [f64; 2],
+    /// The angle between the edge and the axis at its first and its second node, on the side of the fin, in degrees.
+    pub end_deg: [f64; 2],
+    /// The largest change of a distance between corners when the fin is laid flat.
+    pub flattening_error: f64,
+}
+
+/// How far from the axis the plate of beam `k` has to end so that plates of this thickness do not meet: half the
+/// thickness over the tangent of half the smaller angle to a neighbour.
+pub fn cut_back(node: &Node, k: usize, thickness: f64) -> f64 {
+    let gaps: Vec<f64> = node.gaps_deg().collect();
+    let n = gaps.len();
+    let smaller = gaps[k].min(gaps[(k + n - 1) % n]);
+    match smaller < 180.0 {
+        true => 0.5 * thickness / libm::tan(0.5 * smaller.to_radians()),
+        false => 0.0,
+    }
+}
+
+/// The fin of an edge between its two nodes, so high in the unit of the mesh, negative inwards; plates are so thick.
+///
+/// # Errors
+/// Why there is none, in words.
+pub fn fin(
+    surface: &PanelSurface,
+    axes: &[Vec3<f64>],
+    nodes: [&Node; 2],
+    edge: u32,
+    height: f64,
+    thickness: f64,
+) -> Result<Fin, &'static str> {
+    let own = &surface.edges[edge as usize];
+    let (t, length) = (surface.direction(own), surface.length(own));
+    let tilted = own.ends.map(|v| axes[v as usize]);
+    let b = unit(across_edge(tilted[0] + tilted[1], t));
+    if t == Vec3::zero() || b == Vec3::zero() {
+        return Err("its edge has no length");
+    }
+    // Each axis in the plane of the fin.
+    let flat = tilted.map(|n| [n.dot(t), n.dot(b)]);
+    let mut back = [0.0; 2];
+    for k in 0..2 {
+        let place = nodes[k].place(edge).ok_or("its edge has no length")?;
+        let [x, y] = flat[k];
+        let sine = y / (x * x + y * y).sqrt();
+        if sine <= 1e-3 {
+            return Err("an axis lies along it");
+        }
+        back[k] = cut_back(nodes[k], place, thickness) / sine;
+    }
+    let base = [[back[0], 0.0], [length - back[1], 0.0]];
+    let top = [0, 1].map(|k| [base[k][0] + height * flat[k][0], height * flat[k][1]]);
+    if base[1][0] <= base[0][0] || top[1][0] <= top[0][0] {
+        return Err("the nodes leave nothing of it");
+    }
+    let [i, j] = own.ends;
+    let (outline, ends) = match height > 0.0 {
+        true => ([base[0], base[1], top[1], top[0]], [j, i]),
+        false => ([base[1], base[0], top[0], top[1]], [i, j]),
+    };
+    if !is_simple(&outline) {
+        return Err("laid flat it crosses itself");
+    }
+    let spatial = [0, 1].map(|k| surface.at(own.ends[k]));
+    let corners = [
+        (spatial[0], [0.0, 0.0]),
+        (spatial[1], [length, 0.0]),
+        (spatial[1] + tilted[1] * height, [length + height * flat[1][0], height * flat[1][1]]),
+        (spatial[0] + tilted[0] * height, [height * flat[0][0], height * flat[0][1]]),
+    ];
+    let mut flattening_error: f64 = 0.0;
+    for (k, (p, [x, y])) in corners.iter().enumerate() {
+        for (q, [u, v]) in &corners[..k] {
+            let on_sheet = ((x - u) * (x - u) + (y - v) * (y - v)).sqrt();
+            flattening_error = flattening_error.max(((*p - *q).length() - on_sheet).abs());
+        }
+    }
+    let side = height.signum();
+    let end_deg = [
+        libm::atan2(flat[0][1], side * flat[0][0]).to_degrees(),
+        libm::atan2(flat[1][1], -side * flat[1][0]).to_degrees(),
+    ];
+    Ok(Fin { outline, ends, cut_back: back, end_deg, flattening_error })
+}

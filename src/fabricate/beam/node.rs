@@ -1,0 +1,110 @@
+//! The beams around a node.
+
+use crate::fabricate::surface::{PanelSurface, unit};
+use crate::math::{Vec3, angle};
+
+/// A beam, seen from one of its nodes.
+#[derive(Clone, Copy, Debug)]
+pub struct Spoke {
+    /// Its edge.
+    pub edge: u32,
+    /// The node at its other end.
+    pub to: u32,
+    /// The unit vector along it, away from the node.
+    pub along: Vec3<f64>,
+    /// Its angle about the axis, in degrees, counterclockwise seen from outside, from the first beam.
+    pub azimuth_deg: f64,
+    /// How far it rises above the plane across the axis, in degrees.
+    pub elevation_deg: f64,
+}
+
+/// A vertex with beams.
+#[derive(Clone, Debug)]
+pub struct Node {
+    /// Which.
+    pub vertex: u32,
+    /// The unit vector along its axis, outwards.
+    pub axis: Vec3<f64>,
+    /// Its beams, counterclockwise seen from outside. At the rim the first has no panel on its right; inside it
+    /// leads to the vertex that comes first in the file.
+    pub spokes: Vec<Spoke>,
+}
+
+impl Node {
+    /// The angle in degrees from each beam to the next one; their sum is 360.
+    pub fn gaps_deg(&self) -> impl Iterator<Item = f64> + '_ {
+        let n = self.spokes.len();
+        (0..n).map(move |k| match k + 1 < n {
+            true => self.spokes[k + 1].azimuth_deg - self.spokes[k].azimuth_deg,
+            false => 360.0 - self.spokes[k].azimuth_deg,
+        })
+    }
+
+    /// The place of a beam among those of the node.
+    pub fn place(&self, edge: u32) -> Option<usize> {
+        self.spokes.iter().position(|spoke| spoke.edge == edge)
+    }
+}
+
+/// The nodes of a surface with these axes, `#V`; none at a vertex without an axis or without an edge that has a
+/// length.
+pub fn nodes(surface: &PanelSurface, axes: &[Vec3<f64>]) -> Vec<Option<Node>> {
+    let mut edges: Vec<Vec<u32>> = vec![Vec::new(); axes.len()];
+    for (edge, e) in surface.edges.iter().zip(0..) {
+        if surface.direction(edge) != Vec3::zero() {
+            edge.ends.iter().for_each(|&v| edges[v as usize].push(e));
+        }
+    }
+    (0..).zip(edges).map(|(v, edges)| node(surface, axes[v as usize], v, &edges)).collect()
+}
+
+fn node(surface: &PanelSurface, axis: Vec3<f64>, v: u32, edges: &[u32]) -> Option<Node> {
+    let axis = unit(axis);
+    if axis == Vec3::zero() || edges.is_empty() {
+        return None;
+    }
+    let spoke = |&e: &u32| {
+        let edge = &surface.edges[e as usize];
+        let away = edge.ends[0] == v;
+        let to = edge.ends[usize::from(away)];
+        let along = surface.direction(edge) * if away { 1.0 } else { -1.0 };
+        // Seen from here: the panel on the left, and the one on the right.
+        let [left, right] = if away { edge.panels } else { [edge.panels[1], edge.panels[0]] };
+        (Spoke { edge: e, to, along, azimuth_deg: 0.0, elevation_deg: 0.0 }, left, right)
+    };
+    let found: Vec<_> = edges.iter().map(spoke).collect();
+    let first = found
+        .iter()
+        .min_by_key(|(spoke, left, right)| (left.is_none() || right.is_some(), spoke.to))?;
+    let start = first.0.along;
+    let across = start - axis * start.dot(axis);
+    let x = unit(if across == Vec3::zero() {
+        axis.cross(Vec3::new(axis.y, axis.z, axis.x))
+    } else {
+        across
+    });
+    let y = axis.cross(x);
+    let first_edge = first.0.edge;
+    let mut spokes: Vec<Spoke> = found.into_iter().map(|(spoke, ..)| spoke).collect();
+    for spoke in &mut spokes {
+        let (c, s) = (spoke.along.dot(x), spoke.along.dot(y));
+        let rise = spoke.along.dot(axis);
+        spoke.elevation_deg = libm::atan2(rise, (c * c + s * s).sqrt()).to_degrees();
+        let turn = libm::atan2(s, c).to_degrees();
+        spoke.azimuth_deg = match turn {
+            _ if spoke.edge == first_edge => 0.0,
+            turn if turn < 0.0 => turn + 360.0,
+            turn => turn,
+        };
+    }
+    spokes.sort_by(|a, b| {
+        let key = |spoke: &Spoke| spoke.edge != first_edge;
+        key(a).cmp(&key(b)).then(a.azimuth_deg.total_cmp(&b.azimuth_deg)).then(a.to.cmp(&b.to))
+    });
+    Some(Node { vertex: v, axis, spokes })
+}
+
+/// The angle between two unit vectors, in degrees.
+pub(super) fn degrees_between(a: Vec3<f64>, b: Vec3<f64>) -> f64 {
+    angle(a.dot(b), a.cross(b).length()).to_degrees()
+}

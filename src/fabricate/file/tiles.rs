@@ -1,0 +1,79 @@
+//! Sheets larger than a page of paper, tiled: pages overlap by 10 mm, with a frame along which they are cut.
+
+/// What printers leave free at the edges of a page, in mm.
+pub(super) const FREE: f64 = 5.0;
+/// By how much neighbouring pages overlap, in mm.
+pub(super) const OVERLAP: f64 = 10.0;
+
+/// A page with a part of a sheet.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Tile {
+    /// Its width and height in mm.
+    pub(super) page: [f64; 2],
+    /// The point of the sheet at its lower left corner.
+    pub(super) origin: [f64; 2],
+    /// Its column and row, and how many there are; none where the whole sheet is on it.
+    pub(super) place: Option<[[u32; 2]; 2]>,
+}
+
+/// The pages of a sheet, upright or lying, whichever takes fewer; column by column from the lower left.
+pub(super) fn tiles(sheet: [f64; 2], page: Option<[f64; 2]>) -> Vec<Tile> {
+    let whole = |page| vec![Tile { page, origin: [0.0; 2], place: None }];
+    let Some([short, long]) = page else { return whole(sheet) };
+    let both = [[short, long], [long, short]];
+    // A sheet and a page of one standard are the same up to rounding.
+    let holds = |page: &[f64; 2]| (0..2).all(|k| sheet[k] <= page[k] + 0.1);
+    if let Some(page) = both.into_iter().find(holds) {
+        return whole(page);
+    }
+    let count = |page: [f64; 2]| {
+        [0, 1].map(|k| {
+            let used = page[k] - 2.0 * FREE;
+            let more = (sheet[k] - used) / (used - OVERLAP);
+            if more > 0.0 { 1 + more.ceil() as u32 } else { 1 }
+        })
+    };
+    let pages = |page: [f64; 2]| count(page).map(u64::from).iter().product::<u64>();
+    let page = if pages(both[0]) <= pages(both[1]) { both[0] } else { both[1] };
+    let counts = count(page);
+    let mut all = Vec::new();
+    for column in 0..counts[0] {
+        for row in 0..counts[1] {
+            let place = [column, row];
+            let origin =
+                [0, 1].map(|k| f64::from(place[k]) * (page[k] - 2.0 * FREE - OVERLAP) - FREE);
+            all.push(Tile { page, origin, place: Some([place, counts]) });
+        }
+    }
+    all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_point_of_a_sheet_is_on_a_page_and_a_sheet_that_fits_is_on_one() {
+        for sheet in [[420.0, 297.0], [600.0, 400.0], [1200.0, 600.0], [150.0, 500.0]] {
+            let all = tiles(sheet, Some([210.0, 297.0]));
+            assert!(all.len() > 1);
+            for point in [
+                [0.0, 0.0],
+                sheet,
+                [0.37 * sheet[0], 0.61 * sheet[1]],
+                [200.0_f64.min(sheet[0]), 287.0],
+            ] {
+                let shows = |tile: &Tile| {
+                    (0..2).all(|k| {
+                        let at = point[k] - tile.origin[k];
+                        at >= FREE - 1e-9 && at <= tile.page[k] - FREE + 1e-9
+                    })
+                };
+                assert!(all.iter().any(shows), "{sheet:?} {point:?}");
+            }
+        }
+        assert_eq!(tiles([420.0, 297.0], Some([210.0, 297.0])).len(), 4);
+        let [own] = &tiles([420.0, 297.0], Some([297.0, 420.0]))[..] else { panic!("it fits") };
+        assert_eq!((own.page, own.origin), ([420.0, 297.0], [0.0, 0.0]));
+    }
+}

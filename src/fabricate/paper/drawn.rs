@@ -1,0 +1,189 @@
+//! A piece as a part to be cut: its outline with tabs, folds, and names on panels and on tabs.
+
+use super::model::{Glue, PaperModel};
+use super::net::OutlineSide;
+use crate::fabricate::panel::{Point2, direction_of, rotated, smallest_box};
+use crate::fabricate::sheet::{CutPart, label, strokes, text_width, upright};
+
+/// Dashes of a valley are so long, in mm, and gaps between them this part of it.
+const DASH: f64 = 2.5;
+/// See [`DASH`].
+const GAP: f64 = 0.6;
+/// Names on tabs are at most so high, in mm, and at least; lower ones go onto the panel.
+const TALLEST: f64 = 3.5;
+/// See [`TALLEST`].
+const LEAST: f64 = 1.8;
+/// Folds of less, in radians, are none: nothing is scored between two panels of one plane.
+const FLAT: f64 = 1e-3;
+
+/// How pieces are printed.
+#[derive(Clone, Copy, Debug)]
+pub struct PaperStyle {
+    /// On the side that will be inside: mirrored, and ridges are valleys.
+    pub inside: bool,
+    /// Whether names are printed.
+    pub names: bool,
+}
+
+/// The piece of this number with the names of panels, and how many of the names of neighbours have no room, and how
+/// many panels have a name that is too small to be read well.
+pub fn drawn(
+    model: &PaperModel,
+    number: usize,
+    names: &[String],
+    style: PaperStyle,
+) -> (CutPart, usize, usize) {
+    let (net, piece) = (&model.net, model.pieces[number]);
+    let mirrored = |[x, y]: Point2| if style.inside { [-x, y] } else { [x, y] };
+    let outline = net.outline(piece).unwrap_or_default();
+    let tab_on = |side: &OutlineSide| model.tabs(piece).find(|tab| tab.side == *side);
+    let mut points: Vec<Point2> = Vec::new();
+    for side in &outline {
+        let [p, _] = net.ends((side.facet, side.side));
+        points.push(mirrored(p));
+        if let Some(tab) = tab_on(side) {
+            points.extend(tab.corners[1..3].iter().map(|&corner| mirrored(corner)));
+        }
+    }
+    if style.inside {
+        points.reverse();
+    }
+    points.dedup();
+    let (turn, _) = smallest_box(&points);
+    let put = |point: Point2| rotated(mirrored(point), turn);
+    let mut part = CutPart {
+        name: format!("S{}", number + 1),
+        outline: points.into_iter().map(|point| rotated(point, turn)).collect(),
+        ..CutPart::default()
+    };
+    for &f in &net.pieces[piece as usize] {
+        for k in 0..net.facets[f as usize].corners.len() as u32 {
+            let Some(joint) = net.facets[f as usize].joints[k as usize] else { continue };
+            let fold = net.joints[joint as usize].fold;
+            let is_drawn = match model.glue[joint as usize] {
+                // Once, from the first of its sides.
+                Glue::Folded => net.joints[joint as usize].sides[0] == (f, k) && fold.abs() > FLAT,
+                Glue::Tab(tab) => tab.side == OutlineSide { facet: f, side: k },
+                Glue::Bare => false,
+            };
+            if !is_drawn {
+                continue;
+            }
+            let [p, q] = net.ends((f, k)).map(put);
+            match (fold >= 0.0) != style.inside {
+                true => part.ridges.push(vec![p, q]),
+                false => part.valleys.extend(dashes(p, q)),
+            }
+        }
+    }
+    let mut panels: Vec<u32> =
+        net.pieces[piece as usize].iter().map(|&f| net.facets[f as usize].panel).collect();
+    panels.dedup();
+    let (mut dropped, mut small) = (0, 0);
+    if style.names {
+        for &panel in &panels {
+            for own in name_places(model, piece, panel) {
+                let mut sides: Vec<(Point2, Option<String>)> =
+                    own.iter().map(|&side| named_side(model, names, side, &put)).collect();
+                if style.inside {
+                    // Counterclockwise again: each name stays with its side.
+                    sides.reverse();
+                    let last = sides.len() - 1;
+                    let moved: Vec<_> =
+                        (0..=last).map(|k| sides[(k + 1) % (last + 1)].1.clone()).collect();
+                    sides.iter_mut().zip(moved).for_each(|(side, name)| side.1 = name);
+                }
+                let (polygon, beside): (Vec<Point2>, Vec<_>) = sides.into_iter().unzip();
+                let labels = label(&polygon, &names[panel as usize], &beside, false);
+                part.engraved.extend(labels.lines);
+                dropped += labels.dropped;
+                small += usize::from(labels.small);
+            }
+        }
+        for tab in model.tabs(piece) {
+            if let Some((height, name)) = tab_name(model, names, tab.side) {
+                let corners = tab.corners.map(put);
+                let centre = [0, 1].map(|x| 0.25 * corners.iter().map(|p| p[x]).sum::<f64>());
+                let along = upright(direction_of(corners[0], corners[3]));
+                part.engraved.extend(strokes(&name, height, centre, along));
+            }
+        }
+    }
+    part.panels = panels;
+    (part, dropped, small)
+}
+
+/// Where the names of a panel go: round all of it where it is in one piece, else round each of its facets.
+fn name_places(model: &PaperModel, piece: u32, panel: u32) -> Vec<Vec<OutlineSide>> {
+    let net = &model.net;
+    let sides = |f: u32| (0..net.facets[f as usize].corners.len() as u32).map(move |k| (f, k));
+    let is_own = |f: &u32| net.facets[*f as usize].panel == panel;
+    let own: Vec<u32> = net.pieces[piece as usize].iter().copied().filter(is_own).collect();
+    let mut of_panel: Vec<(u32, OutlineSide)> = own
+        .iter()
+        .flat_map(|&f| sides(f))
+        .filter_map(|(facet, side)| {
+            let of_panel = net.facets[facet as usize].panel_sides[side as usize]?;
+            Some((of_panel, OutlineSide { facet, side }))
+        })
+        .collect();
+    of_panel.sort_by_key(|(side, _)| *side);
+    let all = (0..net.facets.len() as u32).filter(is_own).count();
+    match own.len() == all {
+        true => vec![of_panel.into_iter().map(|(_, side)| side).collect()],
+        false => own
+            .iter()
+            .map(|&f| sides(f).map(|(facet, side)| OutlineSide { facet, side }).collect())
+            .collect(),
+    }
+}
+
+/// The start of a side on the sheet, and the name of the neighbour beside it: where the side is cut, and has no tab
+/// with that name on it.
+fn named_side(
+    model: &PaperModel,
+    names: &[String],
+    side: OutlineSide,
+    put: &impl Fn(Point2) -> Point2,
+) -> (Point2, Option<String>) {
+    let net = &model.net;
+    let start = put(net.ends((side.facet, side.side))[0]);
+    let name = net.across((side.facet, side.side)).and_then(|(joint, (g, _))| {
+        let is_on_tab = match model.glue[joint as usize] {
+            Glue::Folded => true,
+            Glue::Tab(tab) => tab.side == side && tab_name(model, names, side).is_some(),
+            Glue::Bare => false,
+        };
+        (!is_on_tab).then(|| names[net.facets[g as usize].panel as usize].clone())
+    });
+    (start, name)
+}
+
+/// The height and the text of the name on the tab of a side; none where it has no room.
+fn tab_name(model: &PaperModel, names: &[String], side: OutlineSide) -> Option<(f64, String)> {
+    let (joint, (g, _)) = model.net.across((side.facet, side.side))?;
+    let Glue::Tab(tab) = model.glue[joint as usize] else { return None };
+    let name = names[model.net.facets[g as usize].panel as usize].clone();
+    let [p, a, b, q] = tab.corners;
+    let length = |p: Point2, q: Point2| {
+        ((p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1])).sqrt()
+    };
+    let middle = 0.5 * (length(p, q) + length(a, b));
+    let height = (0.55 * tab.height).min(TALLEST).min(0.8 * middle / text_width(&name, 1.0));
+    (height >= LEAST).then_some((height, name))
+}
+
+/// A dashed line that begins and ends with a dash: as lines of their own, which every program keeps.
+fn dashes(p: Point2, q: Point2) -> Vec<Vec<Point2>> {
+    let [x, y] = [q[0] - p[0], q[1] - p[1]];
+    let length = (x * x + y * y).sqrt();
+    let count = ((length / DASH + GAP) / (1.0 + GAP) + 0.5).floor().max(1.0);
+    let dash = 1.0 / (count + (count - 1.0) * GAP);
+    let at = |share: f64| [p[0] + share * x, p[1] + share * y];
+    (0..count as u32)
+        .map(|k| {
+            let from = f64::from(k) * dash * (1.0 + GAP);
+            vec![at(from), at(from + dash)]
+        })
+        .collect()
+}

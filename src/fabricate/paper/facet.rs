@@ -1,0 +1,198 @@
+//! Facets: flat polygons in mm. A flat panel is one; a panel that is not flat is creased into triangles, so that
+//! all lengths are kept. Between two facets there is a joint, which is folded or glued.
+
+use super::triangles::{triangles, turn};
+use crate::fabricate::panel::{FlatPanel, Point2, is_simple};
+use crate::fabricate::surface::{PanelSurface, unit};
+use crate::math::Vec3;
+
+/// Panels whose corner distances change by more, in mm on the sheet, when they are laid flat are creased.
+const FLAT: f64 = 0.02;
+
+/// A flat facet of a panel.
+#[derive(Clone, Debug)]
+pub struct Facet {
+    /// Its panel.
+    pub panel: u32,
+    /// Its corners in mm, counterclockwise seen from outside.
+    pub corners: Vec<Point2>,
+    /// The vertices of its corners.
+    pub vertices: Vec<u32>,
+    /// Of each side, from its corner to the next one: which side of the panel it is; none of a crease.
+    pub panel_sides: Vec<Option<u32>>,
+    /// Of each side its joint; none at the rim.
+    pub joints: Vec<Option<u32>>,
+    /// The same area as convex polygons.
+    pub convex: Vec<Vec<Point2>>,
+    /// Its normal, outwards.
+    normal: Vec3<f64>,
+}
+
+/// What is between two facets.
+#[derive(Clone, Copy, Debug)]
+pub struct Joint {
+    /// The facets and the sides of them.
+    pub sides: [(u32, u32); 2],
+    /// The fold in radians, positive where it is a ridge seen from outside.
+    pub fold: f64,
+    /// The edge of the surface; none of a crease.
+    pub edge: Option<u32>,
+}
+
+/// The facets of panels and their joints; a unit of the mesh is `model` mm. Beside them why panels have none.
+pub(super) fn facets(
+    surface: &PanelSurface,
+    flat: &[Option<FlatPanel>],
+    model: f64,
+) -> (Vec<Facet>, Vec<Joint>, Vec<(u32, &'static str)>) {
+    let (mut facets, mut joints, mut without) = (Vec::new(), Vec::new(), Vec::new());
+    // The facets of each panel.
+    let mut of_panels = vec![0..0; flat.len()];
+    for (panel, f) in flat.iter().zip(0..) {
+        let first = facets.len();
+        match panel {
+            None => without.push((f, "it has no area")),
+            Some(panel) if !is_simple(&distinct(&panel.corners)) => {
+                without.push((f, "laid flat it crosses itself"));
+            }
+            Some(panel) if panel.flattening_error * model <= FLAT => {
+                facets.push(whole(surface, f, panel, model));
+            }
+            Some(panel) => creased(&mut facets, surface, f, panel, model),
+        }
+        of_panels[f as usize] = first..facets.len();
+        for (a, b) in pairs(first..facets.len()) {
+            if let Some(sides) = crease(&facets, [a, b]) {
+                add(&mut facets, &mut joints, surface, sides, None);
+            }
+        }
+    }
+    for (edge, e) in surface.edges.iter().zip(0..) {
+        let [Some(left), Some(right)] = edge.panels else { continue };
+        if left == right || surface.length(edge) == 0.0 {
+            continue;
+        }
+        let side = |panel: u32, from: u32, to: u32| {
+            of_panels[panel as usize].clone().find_map(|f| {
+                let own = &facets[f];
+                let n = own.vertices.len();
+                let is_it = |&k: &usize| {
+                    own.panel_sides[k].is_some()
+                        && own.vertices[k] == from
+                        && own.vertices[(k + 1) % n] == to
+                };
+                Some((f, (0..n).find(is_it)?))
+            })
+        };
+        let [i, j] = edge.ends;
+        if let (Some(a), Some(b)) = (side(left, i, j), side(right, j, i)) {
+            add(&mut facets, &mut joints, surface, [a, b], Some(e));
+        }
+    }
+    (facets, joints, without)
+}
+
+/// Corners that differ from the next one.
+fn distinct(corners: &[Point2]) -> Vec<Point2> {
+    let n = corners.len();
+    (0..n).filter(|&k| corners[k] != corners[(k + 1) % n]).map(|k| corners[k]).collect()
+}
+
+fn pairs(range: std::ops::Range<usize>) -> impl Iterator<Item = (usize, usize)> {
+    range.clone().flat_map(move |a| (range.start..a).map(move |b| (b, a)))
+}
+
+fn whole(surface: &PanelSurface, f: u32, panel: &FlatPanel, model: f64) -> Facet {
+    let corners: Vec<Point2> =
+        panel.corners.iter().map(|corner| corner.map(|x| x * model)).collect();
+    let n = corners.len();
+    let is_convex =
+        (0..n).all(|k| turn(corners[k], corners[(k + 1) % n], corners[(k + 2) % n]) >= 0.0);
+    let convex = match is_convex {
+        true => vec![corners.clone()],
+        false => {
+            triangles(&corners).into_iter().map(|own| own.map(|k| corners[k]).into()).collect()
+        }
+    };
+    Facet {
+        panel: f,
+        vertices: surface.faces.row(f as usize).to_vec(),
+        panel_sides: (0..n as u32).map(Some).collect(),
+        joints: vec![None; n],
+        convex,
+        corners,
+        normal: surface.normal(f),
+    }
+}
+
+fn creased(facets: &mut Vec<Facet>, surface: &PanelSurface, f: u32, panel: &FlatPanel, model: f64) {
+    let face = surface.faces.row(f as usize);
+    let n = face.len();
+    for own in triangles(&panel.corners) {
+        let at = own.map(|k| surface.at(face[k]));
+        let (b, c) = (at[1] - at[0], at[2] - at[0]);
+        let (length, along) = (b.length(), unit(b));
+        let across = c - along * c.dot(along);
+        let normal = unit(b.cross(c));
+        // A triangle without area has nothing to fold.
+        if normal == Vec3::zero() {
+            continue;
+        }
+        let corners: Vec<Point2> = vec![
+            [0.0, 0.0],
+            [length * model, 0.0],
+            [c.dot(along) * model, across.length() * model],
+        ];
+        let side = |k: usize| {
+            let (from, to) = (own[k], own[(k + 1) % 3]);
+            ((from + 1) % n == to).then_some(from as u32)
+        };
+        facets.push(Facet {
+            panel: f,
+            vertices: own.map(|k| face[k]).into(),
+            panel_sides: (0..3).map(side).collect(),
+            joints: vec![None; 3],
+            convex: vec![corners.clone()],
+            corners,
+            normal,
+        });
+    }
+}
+
+/// The sides that two facets of a panel have in common, where they have one.
+fn crease(facets: &[Facet], [a, b]: [usize; 2]) -> Option<[(usize, usize); 2]> {
+    let ends = |f: usize, k: usize| {
+        let own = &facets[f].vertices;
+        [own[k], own[(k + 1) % own.len()]]
+    };
+    let creases = |f: usize| {
+        (0..facets[f].vertices.len()).filter(move |&k| facets[f].panel_sides[k].is_none())
+    };
+    creases(a).find_map(|i| {
+        let [p, q] = ends(a, i);
+        Some([(a, i), (b, creases(b).find(|&j| ends(b, j) == [q, p])?)])
+    })
+}
+
+fn add(
+    facets: &mut [Facet],
+    joints: &mut Vec<Joint>,
+    surface: &PanelSurface,
+    sides: [(usize, usize); 2],
+    edge: Option<u32>,
+) {
+    let number = joints.len() as u32;
+    for (f, k) in sides {
+        facets[f].joints[k] = Some(number);
+    }
+    let sides = sides.map(|(f, k)| (f as u32, k as u32));
+    joints.push(Joint { sides, fold: fold(surface, facets, sides), edge });
+}
+
+fn fold(surface: &PanelSurface, facets: &[Facet], [(f, k), (g, _)]: [(u32, u32); 2]) -> f64 {
+    let (own, other) = (&facets[f as usize], &facets[g as usize]);
+    let k = k as usize;
+    let next = own.vertices[(k + 1) % own.vertices.len()];
+    let t = unit(surface.at(next) - surface.at(own.vertices[k]));
+    libm::atan2(t.dot(own.normal.cross(other.normal)), own.normal.dot(other.normal))
+}

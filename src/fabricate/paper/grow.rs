@@ -1,0 +1,108 @@
+//! Pieces grow by joints that are folded: one joins two pieces where they fit on the sheet together, do not overlap,
+//! and leave room for the tabs of the edges that stay open between them.
+
+use super::motion::Motion;
+use super::net::{Net, OutlineSide};
+use super::overlap::{SAME, meet};
+use super::tab::tab;
+use crate::fabricate::panel::{Point2, smallest_box};
+
+impl Net {
+    /// Folds a joint where that is possible: the pieces on its two sides become one. `room` is what a piece may
+    /// measure without its tabs, which are up to `tab_height` high.
+    pub(super) fn fold(&mut self, joint: u32, room: [f64; 2], tab_height: f64) -> bool {
+        let [mut still, mut moving] = self.joints[joint as usize].sides;
+        if self.piece_of[still.0 as usize] == self.piece_of[moving.0 as usize] {
+            return false;
+        }
+        let size =
+            |net: &Net, side: (u32, u32)| net.pieces[net.piece_of[side.0 as usize] as usize].len();
+        if size(self, still) < size(self, moving) {
+            (still, moving) = (moving, still);
+        }
+        let [a, b] = [still, moving].map(|side| self.piece_of[side.0 as usize]);
+        let [p, q] = self.ends(still);
+        let motion = Motion::between(self.ends(moving), [q, p]);
+        let moved = self.pieces[b as usize].clone();
+        let before: Vec<Motion> = moved.iter().map(|&f| self.places[f as usize]).collect();
+        for &f in &moved {
+            self.places[f as usize] = motion.after(&self.places[f as usize]);
+        }
+        let welded = self.welded(joint, &moved, a);
+        let mut is_good = self.fits([a, b], room) && !self.overlap([a, b]);
+        if is_good {
+            welded.iter().for_each(|&j| self.folded[j as usize] = true);
+            moved.iter().for_each(|&f| self.piece_of[f as usize] = a);
+            self.pieces[a as usize].extend(&moved);
+            self.pieces[b as usize].clear();
+            is_good = self.has_room_for_tabs(a, &moved, tab_height);
+            if !is_good {
+                let kept = self.pieces[a as usize].len() - moved.len();
+                self.pieces[a as usize].truncate(kept);
+                self.pieces[b as usize].clone_from(&moved);
+                moved.iter().for_each(|&f| self.piece_of[f as usize] = b);
+                welded.iter().for_each(|&j| self.folded[j as usize] = false);
+            }
+        }
+        if !is_good {
+            moved.iter().zip(before).for_each(|(&f, place)| self.places[f as usize] = place);
+        }
+        is_good
+    }
+
+    /// The joint, and all others between the moved facets and the piece whose two sides lie on each other.
+    fn welded(&self, joint: u32, moved: &[u32], piece: u32) -> Vec<u32> {
+        let mut found = vec![joint];
+        for &f in moved {
+            for k in 0..self.facets[f as usize].corners.len() as u32 {
+                let Some((other, there)) = self.across((f, k)) else { continue };
+                if other == joint || self.piece_of[there.0 as usize] != piece {
+                    continue;
+                }
+                let ([p, q], [r, s]) = (self.ends((f, k)), self.ends(there));
+                let near =
+                    |p: Point2, q: Point2| (p[0] - q[0]).abs() < SAME && (p[1] - q[1]).abs() < SAME;
+                if near(p, s) && near(q, r) {
+                    found.push(other);
+                }
+            }
+        }
+        found
+    }
+
+    fn fits(&self, pieces: [u32; 2], [width, height]: [f64; 2]) -> bool {
+        let all = pieces.iter().flat_map(|&piece| &self.pieces[piece as usize]);
+        let points: Vec<Point2> = all.flat_map(|&f| self.corners(f)).collect();
+        let (_, size) = smallest_box(&points);
+        let [long, short] = [width.max(height), width.min(height)];
+        size[0] <= long && size[1] <= short
+    }
+
+    fn overlap(&self, [a, b]: [u32; 2]) -> bool {
+        let (own, other) = (self.convex(a), self.convex(b));
+        own.iter().any(|p| other.iter().any(|q| meet(p, q)))
+    }
+
+    /// Whether a piece is one closed line, and every edge that stays open inside of it, with its two sides on
+    /// the piece, can have a tab on one of them.
+    fn has_room_for_tabs(&self, piece: u32, moved: &[u32], tab_height: f64) -> bool {
+        let Some(outline) = self.outline(piece) else { return false };
+        let convex = self.convex(piece);
+        outline.iter().all(|own| {
+            if tab_height <= 0.0 || !moved.contains(&own.facet) {
+                return true;
+            }
+            let Some((_, there)) = self.across((own.facet, own.side)) else { return true };
+            if self.piece_of[there.0 as usize] != piece {
+                return true;
+            }
+            let at = |(facet, side): (u32, u32)| {
+                outline.iter().position(|other| *other == OutlineSide { facet, side })
+            };
+            [(own.facet, own.side), there]
+                .into_iter()
+                .filter_map(at)
+                .any(|k| tab(self, &outline, k, &convex, tab_height).is_some())
+        })
+    }
+}

@@ -1,0 +1,112 @@
+//! A paper model: pieces with their folds and tabs.
+
+use super::facet::facets;
+use super::net::Net;
+use super::strip::{Pieces, foldable};
+use super::tab::{Tab, tab};
+use crate::fabricate::panel::{FlatPanel, Point2};
+use crate::fabricate::surface::PanelSurface;
+
+/// Sizes in mm.
+#[derive(Clone, Copy, Debug)]
+pub struct PaperSize {
+    /// Millimetres of the sheet in a unit of the mesh.
+    pub model: f64,
+    /// What a piece may measure, with its tabs.
+    pub room: [f64; 2],
+    /// The height of tabs; 0 makes none.
+    pub tab: f64,
+}
+
+/// What becomes of a joint.
+#[derive(Clone, Copy, Debug)]
+pub enum Glue {
+    /// It is folded.
+    Folded,
+    /// It is cut, and one of its sides has a tab.
+    Tab(Tab),
+    /// It is cut, and no tab has room on either side.
+    Bare,
+}
+
+/// A paper model.
+#[derive(Clone, Debug)]
+pub struct PaperModel {
+    /// Facets, joints and where they lie.
+    pub net: Net,
+    /// What becomes of each joint.
+    pub glue: Vec<Glue>,
+    /// The pieces of the net that have facets, by the first of those.
+    pub pieces: Vec<u32>,
+    /// Panels without facets, and why.
+    pub without: Vec<(u32, &'static str)>,
+    /// Whether strips were asked for where there are no quads, and nets are made instead.
+    pub is_without_quads: bool,
+}
+
+impl PaperModel {
+    /// The paper model of a surface whose panels are laid `flat`.
+    pub fn new(
+        surface: &PanelSurface,
+        flat: &[Option<FlatPanel>],
+        pieces: Pieces,
+        size: PaperSize,
+    ) -> PaperModel {
+        let (facets, joints, without) = facets(surface, flat, size.model);
+        let order = foldable(surface, &joints, pieces);
+        let is_without_quads = order.is_none();
+        let order = order.or_else(|| foldable(surface, &joints, Pieces::Nets)).unwrap_or_default();
+        let mut net = Net::new(facets, joints);
+        let room = size.room.map(|side| side - 2.0 * size.tab);
+        for joint in order {
+            net.fold(joint, room, size.tab);
+        }
+        let mut pieces: Vec<u32> =
+            (0..net.pieces.len() as u32).filter(|&p| !net.pieces[p as usize].is_empty()).collect();
+        net.pieces.iter_mut().for_each(|own| own.sort_unstable());
+        pieces.sort_by_key(|&piece| net.pieces[piece as usize][0]);
+        let glue = glue(&net, &pieces, size.tab);
+        PaperModel { net, glue, pieces, without, is_without_quads }
+    }
+
+    /// The tabs of a piece.
+    pub fn tabs(&self, piece: u32) -> impl Iterator<Item = &Tab> {
+        self.glue.iter().filter_map(move |glue| match glue {
+            Glue::Tab(tab) if self.net.piece_of[tab.side.facet as usize] == piece => Some(tab),
+            _ => None,
+        })
+    }
+}
+
+/// Tabs on the piece that comes first, else on the other side.
+fn glue(net: &Net, pieces: &[u32], tab_height: f64) -> Vec<Glue> {
+    let mut place = vec![0; net.pieces.len()];
+    pieces.iter().enumerate().for_each(|(k, &piece)| place[piece as usize] = k);
+    let outlines: Vec<_> =
+        pieces.iter().map(|&piece| net.outline(piece).unwrap_or_default()).collect();
+    let mut taken: Vec<Vec<Vec<Point2>>> = pieces.iter().map(|&piece| net.convex(piece)).collect();
+    let mut found = Vec::new();
+    for (joint, &folded) in net.joints.iter().zip(&net.folded) {
+        if folded {
+            found.push(Glue::Folded);
+            continue;
+        }
+        let mut sides =
+            joint.sides.map(|side| (place[net.piece_of[side.0 as usize] as usize], side));
+        sides.sort_unstable();
+        let own =
+            sides.into_iter().filter(|_| tab_height > 0.0).find_map(|(piece, (facet, side))| {
+                let outline = &outlines[piece];
+                let k = outline.iter().position(|own| (own.facet, own.side) == (facet, side))?;
+                Some((piece, tab(net, outline, k, &taken[piece], tab_height)?))
+            });
+        found.push(match own {
+            Some((piece, tab)) => {
+                taken[piece].push(tab.corners.into());
+                Glue::Tab(tab)
+            }
+            None => Glue::Bare,
+        });
+    }
+    found
+}

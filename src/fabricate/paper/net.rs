@@ -1,0 +1,105 @@
+//! Facets placed in the plane, piece by piece.
+
+use super::facet::{Facet, Joint};
+use super::motion::Motion;
+use crate::fabricate::panel::Point2;
+
+/// A side of the outline of a piece.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct OutlineSide {
+    /// The facet.
+    pub facet: u32,
+    /// Its side.
+    pub side: u32,
+}
+
+/// All pieces.
+#[derive(Clone, Debug)]
+pub struct Net {
+    /// The facets.
+    pub facets: Vec<Facet>,
+    /// The joints between them.
+    pub joints: Vec<Joint>,
+    /// Which joints are folded; the others are glued.
+    pub folded: Vec<bool>,
+    /// Where each facet is in the plane of its piece.
+    pub places: Vec<Motion>,
+    /// The piece of each facet.
+    pub piece_of: Vec<u32>,
+    /// The facets of each piece; empty of one that became part of another.
+    pub pieces: Vec<Vec<u32>>,
+}
+
+impl Net {
+    /// Every facet a piece of its own.
+    pub(super) fn new(facets: Vec<Facet>, joints: Vec<Joint>) -> Net {
+        let n = facets.len();
+        Net {
+            folded: vec![false; joints.len()],
+            places: vec![Motion { turn: [1.0, 0.0], shift: [0.0; 2] }; n],
+            piece_of: (0..n as u32).collect(),
+            pieces: (0..n as u32).map(|f| vec![f]).collect(),
+            facets,
+            joints,
+        }
+    }
+
+    /// The corners of a facet in its piece.
+    pub fn corners(&self, f: u32) -> Vec<Point2> {
+        let place = self.places[f as usize];
+        self.facets[f as usize].corners.iter().map(|&p| place.put(p)).collect()
+    }
+
+    /// The ends of a side in its piece.
+    pub fn ends(&self, (f, k): (u32, u32)) -> [Point2; 2] {
+        let own = &self.facets[f as usize].corners;
+        let place = self.places[f as usize];
+        [k as usize, (k as usize + 1) % own.len()].map(|k| place.put(own[k]))
+    }
+
+    /// The convex polygons of a piece.
+    pub(super) fn convex(&self, piece: u32) -> Vec<Vec<Point2>> {
+        let of_facet = |&f: &u32| {
+            let place = self.places[f as usize];
+            let convex = self.facets[f as usize].convex.iter();
+            convex.map(move |own| own.iter().map(|&p| place.put(p)).collect())
+        };
+        self.pieces[piece as usize].iter().flat_map(of_facet).collect()
+    }
+
+    /// The other side of the joint of a side.
+    pub fn across(&self, own: (u32, u32)) -> Option<(u32, (u32, u32))> {
+        let joint = self.facets[own.0 as usize].joints[own.1 as usize]?;
+        let [a, b] = self.joints[joint as usize].sides;
+        Some((joint, if a == own { b } else { a }))
+    }
+
+    /// The outline of a piece, counterclockwise; none where it is not one closed line.
+    pub fn outline(&self, piece: u32) -> Option<Vec<OutlineSide>> {
+        let is_open = |f: u32, k: u32| {
+            self.facets[f as usize].joints[k as usize].is_none_or(|j| !self.folded[j as usize])
+        };
+        let sides = |f: u32| self.facets[f as usize].corners.len() as u32;
+        let own = &self.pieces[piece as usize];
+        let count: usize =
+            own.iter().map(|&f| (0..sides(f)).filter(|&k| is_open(f, k)).count()).sum();
+        let first = own.iter().find_map(|&f| Some((f, (0..sides(f)).find(|&k| is_open(f, k))?)))?;
+        let (mut f, mut k) = first;
+        let mut outline = Vec::with_capacity(count);
+        loop {
+            outline.push(OutlineSide { facet: f, side: k });
+            k = (k + 1) % sides(f);
+            while !is_open(f, k) {
+                let (_, (g, i)) = self.across((f, k))?;
+                (f, k) = (g, (i + 1) % sides(g));
+            }
+            if (f, k) == first {
+                break;
+            }
+            if outline.len() == count {
+                return None;
+            }
+        }
+        (outline.len() == count).then_some(outline)
+    }
+}

@@ -1,0 +1,44 @@
+//! Whether convex polygons meet, by their separating axes.
+
+use crate::fabricate::panel::{Point2, direction_of};
+
+/// What stays free between parts of a piece that have no corner in common, in mm: scissors go between them.
+const CLEARANCE: f64 = 0.5;
+/// Corners that are so near are the same, in mm.
+pub(super) const SAME: f64 = 0.05;
+/// Parts with a common corner may overlap by what a panel that counts as flat is off, in mm.
+const ROUNDING: f64 = 0.02;
+
+/// Whether two convex polygons, counterclockwise, overlap; or come too near where they have no common corner.
+pub(super) fn meet(a: &[Point2], b: &[Point2]) -> bool {
+    let boxes = [a, b].map(|polygon| {
+        let range = |k: usize| {
+            let values = polygon.iter().map(|point| point[k]);
+            [values.clone().fold(f64::INFINITY, f64::min), values.fold(f64::NEG_INFINITY, f64::max)]
+        };
+        [range(0), range(1)]
+    });
+    let is_far = (0..2).any(|k| {
+        boxes[0][k][1] + CLEARANCE < boxes[1][k][0] || boxes[1][k][1] + CLEARANCE < boxes[0][k][0]
+    });
+    if is_far {
+        return false;
+    }
+    let near = |p: Point2, q: Point2| (p[0] - q[0]).abs() < SAME && (p[1] - q[1]).abs() < SAME;
+    let share = a.iter().any(|&p| b.iter().any(|&q| near(p, q)));
+    let allowed = if share { ROUNDING } else { -CLEARANCE };
+    deepest(a, b) > allowed && deepest(b, a) > allowed
+}
+
+/// How deep the second polygon reaches behind the side of the first that it reaches behind least.
+fn deepest(a: &[Point2], b: &[Point2]) -> f64 {
+    let behind = |k: usize| {
+        let (p, q) = (a[k], a[(k + 1) % a.len()]);
+        if p == q {
+            return f64::INFINITY;
+        }
+        let [c, s] = direction_of(p, q);
+        b.iter().map(|r| c * (r[1] - p[1]) - s * (r[0] - p[0])).fold(f64::NEG_INFINITY, f64::max)
+    };
+    (0..a.len()).map(behind).fold(f64::INFINITY, f64::min)
+}

@@ -1,0 +1,125 @@
+//! In which order joints are folded: whatever comes first decides the shape of the pieces.
+
+use super::facet::Joint;
+use crate::fabricate::surface::PanelSurface;
+use serde::{Deserialize, Serialize};
+
+/// What a paper model is made of.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+pub enum Pieces {
+    /// Nets: the flattest edges are folded first.
+    #[default]
+    Nets,
+    /// Strips of quads, in the direction that leads through the first side of the first face.
+    Strips,
+    /// Strips of quads, in the other direction.
+    Across,
+}
+
+impl Pieces {
+    /// All of them.
+    pub const ALL: [Pieces; 3] = [Pieces::Nets, Pieces::Strips, Pieces::Across];
+
+    /// Its word in files and on the command line.
+    pub fn word(self) -> &'static str {
+        match self {
+            Pieces::Nets => "nets",
+            Pieces::Strips => "strips",
+            Pieces::Across => "across",
+        }
+    }
+}
+
+/// The joints that may be folded, in order: creases first. None where strips are asked for and there are no quads.
+pub(super) fn foldable(
+    surface: &PanelSurface,
+    joints: &[Joint],
+    pieces: Pieces,
+) -> Option<Vec<u32>> {
+    let (mut creases, mut of_edges): (Vec<u32>, Vec<u32>) =
+        (0..joints.len() as u32).partition(|&j| joints[j as usize].edge.is_none());
+    match pieces {
+        Pieces::Nets => of_edges.sort_by(|&a, &b| {
+            let fold = |j: u32| joints[j as usize].fold.abs();
+            fold(a).total_cmp(&fold(b)).then(a.cmp(&b))
+        }),
+        Pieces::Strips | Pieces::Across => {
+            let along = strips(surface, usize::from(pieces == Pieces::Across))?;
+            let mut of_edge = vec![None; surface.edges.len()];
+            for j in of_edges {
+                if let Some(edge) = joints[j as usize].edge {
+                    of_edge[edge as usize] = Some(j);
+                }
+            }
+            of_edges = along.into_iter().filter_map(|edge| of_edge[edge as usize]).collect();
+        }
+    }
+    creases.extend(of_edges);
+    Some(creases)
+}
+
+/// The edges that strips of quads cross, strip after strip; the strip through the first quad of a part leads through
+/// its side `first`. None without quads. Where the mesh is no grid the direction turns at some edge, and a strip
+/// ends there.
+fn strips(surface: &PanelSurface, first: usize) -> Option<Vec<u32>> {
+    let faces = surface.faces.len();
+    let is_quad = |f: u32| surface.faces.row(f as usize).len() == 4;
+    let sides = |f: u32| surface.sides.row(f as usize);
+    let beyond = |f: u32, k: usize| {
+        let e = *sides(f).get(k)?;
+        let g = surface.edges[e as usize].across(f).filter(|&g| g != f && is_quad(g))?;
+        Some((e, g, sides(g).iter().position(|&side| side == e)?))
+    };
+    // Of each quad, which pair of its sides the strip crosses.
+    let mut crossed: Vec<Option<usize>> = vec![None; faces];
+    for start in (0..faces as u32).filter(|&f| is_quad(f)) {
+        if crossed[start as usize].is_some() {
+            continue;
+        }
+        crossed[start as usize] = Some(first);
+        let mut queue = std::collections::VecDeque::from([(start, first)]);
+        while let Some((f, own)) = queue.pop_front() {
+            for k in 0..4 {
+                let Some((_, g, back)) = beyond(f, k) else { continue };
+                if crossed[g as usize].is_none() {
+                    let there = (back + usize::from(k % 2 != own)) % 2;
+                    crossed[g as usize] = Some(there);
+                    queue.push_back((g, there));
+                }
+            }
+        }
+    }
+    crossed.iter().flatten().next()?;
+    // The next quad of the strip through side `k` of a quad, and the side that leads on.
+    let ahead = |f: u32, k: usize| {
+        let (e, g, back) = beyond(f, k)?;
+        (crossed[g as usize] == Some(back % 2)).then_some((e, g, (back + 2) % 4))
+    };
+    let mut is_seen = vec![false; faces];
+    let mut edges = Vec::new();
+    for start in 0..faces as u32 {
+        let Some(own) = crossed[start as usize].filter(|_| !is_seen[start as usize]) else {
+            continue;
+        };
+        // Back to its end, or all the way round.
+        let (mut f, mut k) = (start, own);
+        while let Some((_, g, on)) = ahead(f, k) {
+            if g == start {
+                break;
+            }
+            (f, k) = (g, on);
+        }
+        k = (k + 2) % 4;
+        is_seen[f as usize] = true;
+        while let Some((e, g, on)) = ahead(f, k) {
+            if std::mem::replace(&mut is_seen[g as usize], true) {
+                break;
+            }
+            edges.push(e);
+            (f, k) = (g, on);
+        }
+    }
+    Some(edges)
+}

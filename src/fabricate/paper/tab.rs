@@ -1,0 +1,96 @@
+//! Tabs: trapezia on one of the two edges of a cut pair, cut down until they lie behind the neighbour, where they
+//! cannot be seen, and outside of everything else on the piece.
+
+use super::motion::Motion;
+use super::net::{Net, OutlineSide};
+use super::overlap::meet;
+use crate::fabricate::panel::{Point2, direction_of, distance_to_outline, is_inside};
+
+/// A tab lower than this holds nothing, in mm.
+const LEAST: f64 = 2.0;
+/// The steepest angle at its base, in degrees.
+const STEEPEST: f64 = 45.0;
+/// The shortest side away from the piece, as a share of the edge.
+const TOP: f64 = 0.25;
+/// How far it stays inside of the neighbour, in mm.
+const HIDDEN: f64 = 0.3;
+
+/// A tab.
+#[derive(Clone, Copy, Debug)]
+pub struct Tab {
+    /// The side that it is on.
+    pub side: OutlineSide,
+    /// Its corners, counterclockwise: from the start of the side, outwards, along, and back to its end.
+    pub corners: [Point2; 4],
+    /// Its height in mm.
+    pub height: f64,
+}
+
+/// The highest tab, at most `most`, on a side of the outline of a piece that keeps clear of `taken`, convex polygons
+/// counterclockwise; none where less than 2 mm remain, or at the rim.
+pub(super) fn tab(
+    net: &Net,
+    outline: &[OutlineSide],
+    k: usize,
+    taken: &[Vec<Point2>],
+    most: f64,
+) -> Option<Tab> {
+    let n = outline.len();
+    let side = outline[k];
+    let (joint, there) = net.across((side.facet, side.side))?;
+    let ends = |side: OutlineSide| net.ends((side.facet, side.side));
+    let [p, q] = ends(side);
+    let length = distance(p, q);
+    // The neighbour, unfolded over the edge: behind it the tab is hidden.
+    let of_neighbour = &net.facets[there.0 as usize].corners;
+    let m = of_neighbour.len();
+    let [i, j] = [there.1 as usize, (there.1 as usize + 1) % m];
+    let unfolded = Motion::between([of_neighbour[i], of_neighbour[j]], [q, p]);
+    let neighbour: Vec<Point2> = of_neighbour.iter().map(|&corner| unfolded.put(corner)).collect();
+    // There the side runs from q to p.
+    let inside_q = angle(q, p, neighbour[(i + m - 1) % m]);
+    let inside_p = angle(p, neighbour[(j + 1) % m], q);
+    // What is free beside the piece is shared with the tab of the next side.
+    let share = |other: OutlineSide| {
+        let same = net.across((other.facet, other.side)).is_some_and(|(own, _)| own == joint);
+        if same { 0.9 } else { 0.48 }
+    };
+    let (before, after) = (outline[(k + n - 1) % n], outline[(k + 1) % n]);
+    let free_p = share(before) * (360.0 - angle(p, q, ends(before)[0]));
+    let free_q = share(after) * (360.0 - angle(q, ends(after)[1], p));
+    let base = [inside_p.min(2.0 * free_p), inside_q.min(2.0 * free_q)]
+        .map(|most| (0.5 * most).min(STEEPEST));
+    if base.iter().any(|angle| *angle < 1.0) {
+        return None;
+    }
+    let along = direction_of(p, q);
+    let outwards = [along[1], -along[0]];
+    let slopes = base.map(|angle| 1.0 / libm::tan(angle.to_radians()));
+    let mut height = most.min((1.0 - TOP) * length / (slopes[0] + slopes[1]));
+    while height >= LEAST {
+        let top = |from: Point2, shift: f64| {
+            [0, 1].map(|x| from[x] + shift * along[x] + height * outwards[x])
+        };
+        let corners = [p, top(p, height * slopes[0]), top(q, -height * slopes[1]), q];
+        let is_hidden = corners[1..3].iter().all(|&corner| {
+            is_inside(&neighbour, corner) && distance_to_outline(&neighbour, corner) >= HIDDEN
+        });
+        let is_whole = !(0..m).any(|c| c != i && c != j && is_inside(&corners, neighbour[c]));
+        if is_hidden && is_whole && !taken.iter().any(|other| meet(&corners, other)) {
+            return Some(Tab { side, corners, height });
+        }
+        height *= 0.85;
+    }
+    None
+}
+
+/// The angle at a point, counterclockwise from one other point to a second, in degrees from 0 to 360.
+fn angle(at: Point2, from: Point2, to: Point2) -> f64 {
+    let ([a, b], [c, d]) = (direction_of(at, from), direction_of(at, to));
+    let degrees = libm::atan2(a * d - b * c, a * c + b * d).to_degrees();
+    if degrees < 0.0 { degrees + 360.0 } else { degrees }
+}
+
+fn distance([a, b]: Point2, [c, d]: Point2) -> f64 {
+    ((a - c) * (a - c) + (b - d) * (b - d)).sqrt()
+}

@@ -1,0 +1,161 @@
+//! Fins, prisms with their end cuts, the beams around each node, types of nodes.
+
+use super::places;
+use crate::fabricate::beam::Frame;
+use crate::fabricate::build::{Build, beam_name, node_name};
+use crate::fabricate::file::{Cell, Table};
+use crate::fabricate::panel::area;
+
+/// All of them by the names of their files.
+pub(super) fn all(build: &Build, frame: &Frame) -> Vec<(&'static str, String)> {
+    vec![
+        ("fins.csv", fins(build, frame)),
+        ("beams.csv", prisms(build, frame)),
+        ("node-beams.csv", around_nodes(build, frame)),
+        ("node-types.csv", types(frame)),
+    ]
+}
+
+fn fins(build: &Build, frame: &Frame) -> String {
+    let mut table = Table::new(&[
+        "name",
+        "node_a",
+        "node_b",
+        "cut_back_a_mm",
+        "cut_back_b_mm",
+        "end_a_deg",
+        "end_b_deg",
+        "area_mm2",
+        "flattening_error_mm",
+        "sheet",
+        "x_mm",
+        "y_mm",
+        "turn_deg",
+    ]);
+    let (places, model) = (places(build), build.model());
+    let mut part = 0;
+    for (edge, fin) in build.surface.edges.iter().zip(&frame.fins) {
+        let Ok(fin) = fin else { continue };
+        let name = beam_name(edge.ends);
+        // One that the kerf leaves nothing of is no part.
+        if build.parts.get(part).is_none_or(|part| part.name != name) {
+            continue;
+        }
+        let place = places[part];
+        let [a, b] = edge.ends.map(node_name);
+        table.row([
+            Cell::from(&*name),
+            Cell::from(&*a),
+            Cell::from(&*b),
+            Cell::from(fin.cut_back[0] * model),
+            Cell::from(fin.cut_back[1] * model),
+            Cell::from(fin.end_deg[0]),
+            Cell::from(fin.end_deg[1]),
+            Cell::from(area(&build.parts[part].outline)),
+            Cell::from(fin.flattening_error * model),
+            place.map_or(Cell::None, |(sheet, _)| Cell::from(sheet)),
+            Cell::from(place.map(|(_, place)| place.offset[0])),
+            Cell::from(place.map(|(_, place)| place.offset[1])),
+            Cell::from(place.map(|(_, place)| place.turn_deg())),
+        ]);
+        part += 1;
+    }
+    table.into_text()
+}
+
+/// The list for the saw: of each beam its lengths, and at both ends the cuts and the step to the next beam.
+fn prisms(build: &Build, frame: &Frame) -> String {
+    let ends = ["a", "b"].map(|end| {
+        ["mitre_left", "mitre_right", "tilt"]
+            .map(|what| format!("{what}_{end}_deg"))
+            .into_iter()
+            .chain([format!("step_{end}_mm")])
+    });
+    let ends: Vec<String> = ends.into_iter().flatten().collect();
+    let lengths = ["node_to_node_mm", "left_mm", "right_mm", "height_mm", "width_mm"];
+    let columns = ["name", "node_a", "node_b"].into_iter().chain(lengths);
+    let columns: Vec<&str> = columns.chain(ends.iter().map(|name| &**name)).collect();
+    let mut table = Table::new(&columns);
+    let building = build.building();
+    for (e, (edge, prism)) in build.surface.edges.iter().zip(&frame.prisms).enumerate() {
+        let name = beam_name(edge.ends);
+        let [a, b] = edge.ends.map(node_name);
+        let length = build.surface.length(edge) * building;
+        let of_prism = |k: usize| prism.as_ref().map(|prism| prism.lengths[k] * building);
+        let height = build.offset.as_ref().map(|(_, check)| check.beams[e].height[1] * building);
+        let mut row = vec![
+            Cell::from(&*name),
+            Cell::from(&*a),
+            Cell::from(&*b),
+            Cell::from(length),
+            Cell::from(of_prism(0)),
+            Cell::from(of_prism(1)),
+            Cell::from(height),
+            Cell::from(build.beam_width() * building),
+        ];
+        for (v, side) in edge.ends.into_iter().zip([[0, 1], [1, 0]]) {
+            let node = frame.nodes[v as usize].as_ref();
+            let cut =
+                node.and_then(|node| node.place(e as u32)).map(|k| &frame.cuts[v as usize][k]);
+            // Left and right are those seen from the first node.
+            row.extend(side.map(|side: usize| Cell::from(cut.map(|cut| cut.mitre_deg[side]))));
+            row.push(Cell::from(cut.map(|cut| cut.tilt_deg)));
+            row.push(Cell::from(cut.map(|cut| cut.step * building)));
+        }
+        table.row(row);
+    }
+    table.into_text()
+}
+
+fn around_nodes(build: &Build, frame: &Frame) -> String {
+    let mut table = Table::new(&[
+        "node",
+        "type",
+        "beams",
+        "number",
+        "beam",
+        "azimuth_deg",
+        "elevation_deg",
+        "cut_back_mm",
+    ]);
+    for node in frame.nodes.iter().flatten() {
+        let v = node.vertex;
+        let kind = frame.types.of_nodes[v as usize].map(type_name).unwrap_or_default();
+        for (spoke, number) in node.spokes.iter().zip(1..) {
+            let edge = &build.surface.edges[spoke.edge as usize];
+            let fin = frame.fins[spoke.edge as usize].as_ref().ok();
+            let end = usize::from(edge.ends[1] == v);
+            table.row([
+                Cell::from(&*node_name(v)),
+                Cell::from(&*kind),
+                Cell::from(node.spokes.len()),
+                Cell::Count(number),
+                Cell::from(&*beam_name(edge.ends)),
+                Cell::from(spoke.azimuth_deg),
+                Cell::from(spoke.elevation_deg),
+                Cell::from(fin.map(|fin| fin.cut_back[end] * build.model())),
+            ]);
+        }
+    }
+    table.into_text()
+}
+
+fn types(frame: &Frame) -> String {
+    let mut table = Table::new(&["type", "count", "beams", "first_node", "worst_difference_deg"]);
+    for (k, &leader) in frame.types.leaders.iter().enumerate() {
+        let beams = frame.nodes[leader as usize].as_ref().map_or(0, |node| node.spokes.len());
+        table.row([
+            Cell::from(&*type_name(k as u32)),
+            Cell::from(frame.types.counts[k] as usize),
+            Cell::from(beams),
+            Cell::from(&*node_name(leader)),
+            Cell::from(frame.types.worst_deg[k]),
+        ]);
+    }
+    table.into_text()
+}
+
+/// The name of a type of nodes.
+fn type_name(number: u32) -> String {
+    format!("NT{}", number + 1)
+}

@@ -1,0 +1,73 @@
+//! Lists of what is made, and a summary. Lengths of parts are at the scale of the model; those of edges, nodes and
+//! prisms are of the building. Every column says its unit.
+//!
+//! | file | holds |
+//! |---|---|
+//! | `panels` | panels that are cut, and their types |
+//! | `beams` | fins, prisms with their end cuts, the beams around each node, types of nodes |
+//! | `paper` | pieces of a paper model, and what becomes of every edge |
+//! | `shape` | edges and nodes of the shape |
+
+mod beams;
+mod panels;
+mod paper;
+mod shape;
+
+use super::build::Build;
+use super::file::{Cell, Table};
+use super::settings::Product;
+use super::sheet::Place;
+
+/// All tables by the names of their files.
+pub(super) fn all(build: &Build) -> Vec<(&'static str, String)> {
+    let mut tables = match (build.settings.product, &build.frame) {
+        (Product::Panels, _) => {
+            vec![("panels.csv", panels::panels(build)), ("types.csv", panels::types(build))]
+        }
+        (Product::Fins, Some(frame)) => beams::all(build, frame),
+        (Product::Paper, _) => paper::all(build),
+        (Product::Fins, None) => Vec::new(),
+    };
+    tables.extend([
+        ("edges.csv", shape::edges(build)),
+        ("nodes.csv", shape::nodes(build)),
+        ("summary.csv", summary(build)),
+    ]);
+    tables
+}
+
+/// Where each part is: the number of the sheet, and the place on it.
+fn places(build: &Build) -> Vec<Option<(usize, Place)>> {
+    let mut places: Vec<Option<(usize, Place)>> = vec![None; build.parts.len()];
+    for (sheet, number) in build.layout.sheets.iter().zip(1..) {
+        sheet.places.iter().for_each(|place| places[place.part] = Some((number, *place)));
+    }
+    places
+}
+
+fn summary(build: &Build) -> String {
+    let report = build.report();
+    let mut table = Table::new(&["what", "value", "unit"]);
+    let mut row = |what: &str, value: Cell<'_>, unit: &str| {
+        table.row([Cell::from(what), value, Cell::from(unit)]);
+    };
+    row("program", Cell::from(concat!("shape-up ", env!("CARGO_PKG_VERSION"))), "");
+    row("scale, 1 to", Cell::from(build.settings.scale), "");
+    row("unit of the model", Cell::from(&*build.unit.symbol), "");
+    row("panels", Cell::from(report.panels), "");
+    row("product", Cell::from(report.product.word()), "");
+    row("parts on sheets", Cell::from(report.placed), "");
+    row("sheets", Cell::from(report.sheets), "");
+    row("sheet width", Cell::from(build.settings.sheet[0]), "mm");
+    row("sheet height", Cell::from(build.settings.sheet[1]), "mm");
+    row("area of parts", Cell::from(report.cut_area_mm2), "mm2");
+    row("length of cuts", Cell::from(report.cut_length_mm), "mm");
+    row("joint on the sheet", Cell::from(build.settings.joint * build.model()), "mm");
+    row("types of panels", Cell::from(report.types), "");
+    row("types alike within, building", Cell::from(build.settings.alike), "mm");
+    for check in &report.check {
+        row(check.label, Cell::from(check.value), check.unit);
+        row(&format!("{}, limit", check.label), Cell::from(check.limit), check.unit);
+    }
+    table.into_text()
+}

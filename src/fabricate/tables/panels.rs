@@ -1,0 +1,73 @@
+//! Panels that are cut, and their types.
+
+use super::places;
+use crate::fabricate::build::Build;
+use crate::fabricate::file::{Cell, Table};
+use crate::fabricate::panel::{area, perimeter, rotated};
+
+/// The name of a type of panels.
+fn type_name(number: u32) -> String {
+    format!("T{}", number + 1)
+}
+
+pub(super) fn panels(build: &Build) -> String {
+    let mut table = Table::new(&[
+        "name",
+        "type",
+        "corners",
+        "area_mm2",
+        "perimeter_mm",
+        "width_mm",
+        "height_mm",
+        "flatness_mm",
+        "flattening_error_mm",
+        "sheet",
+        "x_mm",
+        "y_mm",
+        "turn_deg",
+    ]);
+    let places = places(build);
+    let model = build.model();
+    for (f, name) in build.names.iter().enumerate() {
+        let kind = build.types.of_panels[f].map(type_name).unwrap_or_default();
+        let corners = build.surface.faces.row(f).len();
+        let flat = build.flat[f].as_ref();
+        let cut = build.cut[f].as_ref();
+        let outline = cut.map(|cut| &build.parts[cut.part].outline[..]);
+        let place = cut.and_then(|cut| places[cut.part].map(|place| (cut, place)));
+        // The turn from the plane of the panel, which its first edge is along.
+        let turn = place.map(|(cut, (_, place))| {
+            let [c, s] = rotated(cut.turn, place.turn);
+            libm::atan2(s, c).to_degrees()
+        });
+        table.row([
+            Cell::from(&**name),
+            Cell::from(&*kind),
+            Cell::from(corners),
+            Cell::from(outline.map(area)),
+            Cell::from(outline.map(perimeter)),
+            Cell::from(cut.map(|cut| cut.size[0])),
+            Cell::from(cut.map(|cut| cut.size[1])),
+            Cell::from(flat.map(|flat| flat.flatness * model)),
+            Cell::from(flat.map(|flat| flat.flattening_error * model)),
+            place.map_or(Cell::None, |(_, (sheet, _))| Cell::from(sheet)),
+            Cell::from(place.map(|(_, (_, place))| place.offset[0])),
+            Cell::from(place.map(|(_, (_, place))| place.offset[1])),
+            Cell::from(turn),
+        ]);
+    }
+    table.into_text()
+}
+
+pub(super) fn types(build: &Build) -> String {
+    let mut table = Table::new(&["type", "count", "first_panel", "worst_difference_mm"]);
+    for (k, &leader) in build.types.leaders.iter().enumerate() {
+        table.row([
+            Cell::from(&*type_name(k as u32)),
+            Cell::from(build.types.counts[k] as usize),
+            Cell::from(&*build.names[leader as usize]),
+            Cell::from(build.types.worst[k] * build.building()),
+        ]);
+    }
+    table.into_text()
+}

@@ -1,0 +1,95 @@
+//! Pieces of a paper model, and what becomes of every edge.
+
+use super::places;
+use crate::fabricate::build::{Build, beam_name};
+use crate::fabricate::file::{Cell, Table};
+use crate::fabricate::panel::area;
+use crate::fabricate::paper::{Glue, PaperModel};
+
+/// Both by the names of their files.
+pub(super) fn all(build: &Build) -> Vec<(&'static str, String)> {
+    let Some(model) = &build.paper else { return Vec::new() };
+    vec![("pieces.csv", pieces(build, model)), ("joins.csv", joins(build, model))]
+}
+
+fn pieces(build: &Build, model: &PaperModel) -> String {
+    let columns =
+        ["name", "panels", "tabs", "area_mm2", "sheet", "x_mm", "y_mm", "turn_deg", "names"];
+    let mut table = Table::new(&columns);
+    let places = places(build);
+    for (k, part) in build.parts.iter().enumerate() {
+        let place = places[k];
+        let names: Vec<&str> =
+            part.panels.iter().map(|&panel| &*build.names[panel as usize]).collect();
+        table.row([
+            Cell::from(&*part.name),
+            Cell::from(part.panels.len()),
+            Cell::from(model.tabs(model.pieces[k]).count()),
+            Cell::from(area(&part.outline)),
+            place.map_or(Cell::None, |(sheet, _)| Cell::from(sheet)),
+            Cell::from(place.map(|(_, place)| place.offset[0])),
+            Cell::from(place.map(|(_, place)| place.offset[1])),
+            Cell::from(place.map(|(_, place)| place.turn_deg())),
+            Cell::from(&*names.join(" ")),
+        ]);
+    }
+    table.into_text()
+}
+
+/// Seen from outside, whichever side is printed.
+fn joins(build: &Build, model: &PaperModel) -> String {
+    let columns = [
+        "edge",
+        "panel_a",
+        "panel_b",
+        "piece_a",
+        "piece_b",
+        "join",
+        "fold",
+        "fold_deg",
+        "tab_on",
+        "tab_mm",
+        "length_a_mm",
+        "length_b_mm",
+    ];
+    let mut table = Table::new(&columns);
+    let net = &model.net;
+    let mut number = vec![0; net.pieces.len()];
+    model.pieces.iter().zip(1..).for_each(|(&piece, k)| number[piece as usize] = k);
+    for (joint, glue) in net.joints.iter().zip(&model.glue) {
+        let name = joint
+            .edge
+            .map_or("crease".to_owned(), |edge| beam_name(build.surface.edges[edge as usize].ends));
+        let panel = |k: usize| net.facets[joint.sides[k].0 as usize].panel as usize;
+        let piece =
+            |k: usize| format!("S{}", number[net.piece_of[joint.sides[k].0 as usize] as usize]);
+        let (pieces, panels) = ([piece(0), piece(1)], [0, 1].map(|k| &*build.names[panel(k)]));
+        let (join, tab) = match glue {
+            Glue::Folded => ("folded", None),
+            Glue::Tab(tab) => ("tab", Some(tab)),
+            Glue::Bare => ("no tab", None),
+        };
+        let tab_on =
+            tab.map(|tab| panels[usize::from((tab.side.facet, tab.side.side) != joint.sides[0])]);
+        let fold = if joint.fold >= 0.0 { "ridge" } else { "valley" };
+        let length = |k: usize| {
+            let [p, q] = net.ends(joint.sides[k]);
+            ((p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1])).sqrt()
+        };
+        table.row([
+            Cell::from(&*name),
+            Cell::from(panels[0]),
+            Cell::from(panels[1]),
+            Cell::from(&*pieces[0]),
+            Cell::from(&*pieces[1]),
+            Cell::from(join),
+            Cell::from(fold),
+            Cell::from(joint.fold.to_degrees()),
+            Cell::from(tab_on.unwrap_or_default()),
+            Cell::from(tab.map(|tab| tab.height)),
+            Cell::from(length(0)),
+            Cell::from(length(1)),
+        ]);
+    }
+    table.into_text()
+}

@@ -1,0 +1,65 @@
+//! Edges and nodes of the shape.
+
+use crate::fabricate::build::{Build, beam_name, node_name};
+use crate::fabricate::file::{Cell, Table};
+
+pub(super) fn edges(build: &Build) -> String {
+    let mut table = Table::new(&[
+        "name",
+        "node_a",
+        "node_b",
+        "panel_left",
+        "panel_right",
+        "length_mm",
+        "fold_deg",
+        "beam_height_mm",
+        "warp_mm",
+        "twist_deg",
+    ]);
+    let building = build.building();
+    for (e, edge) in build.surface.edges.iter().enumerate() {
+        let [a, b] = edge.ends;
+        let name = beam_name(edge.ends);
+        let (a, b) = (node_name(a), node_name(b));
+        let panel = |panel: Option<u32>| panel.map_or("", |panel| &*build.names[panel as usize]);
+        let beam = build.offset.as_ref().map(|(_, check)| check.beams[e]);
+        table.row([
+            Cell::from(&*name),
+            Cell::from(&*a),
+            Cell::from(&*b),
+            Cell::from(panel(edge.panels[0])),
+            Cell::from(panel(edge.panels[1])),
+            Cell::from(build.surface.length(edge) * building),
+            Cell::from(build.surface.fold(edge).map(f64::to_degrees)),
+            Cell::from(beam.map(|beam| beam.height[1] * building)),
+            Cell::from(beam.map(|beam| beam.warp * building)),
+            Cell::from(beam.map(|beam| beam.twist_deg)),
+        ]);
+    }
+    table.into_text()
+}
+
+pub(super) fn nodes(build: &Build) -> String {
+    let mut table =
+        Table::new(&["name", "x_mm", "y_mm", "z_mm", "edges", "axis_x", "axis_y", "axis_z"]);
+    let building = build.building();
+    let mut degrees = vec![0_usize; build.surface.positions.len()];
+    for edge in &build.surface.edges {
+        edge.ends.iter().for_each(|&v| degrees[v as usize] += 1);
+    }
+    for (v, degree) in degrees.into_iter().enumerate().filter(|(_, degree)| *degree > 0) {
+        let at = (build.surface.positions[v] + build.surface.centre) * building;
+        let axis = build.offset.as_ref().map(|(axes, _)| axes.axes[v]);
+        table.row([
+            Cell::from(&*node_name(v as u32)),
+            Cell::from(at.x),
+            Cell::from(at.y),
+            Cell::from(at.z),
+            Cell::from(degree),
+            Cell::from(axis.map(|axis| axis.x)),
+            Cell::from(axis.map(|axis| axis.y)),
+            Cell::from(axis.map(|axis| axis.z)),
+        ]);
+    }
+    table.into_text()
+}

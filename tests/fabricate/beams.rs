@@ -1,0 +1,196 @@
+//! Fins, prisms and nodes.
+
+use super::grid::grid;
+use super::identities::revolution;
+use super::{build, dxf};
+use shape_up::fabricate::beam::{cut_back, node_types};
+use shape_up::fabricate::panel::area;
+use shape_up::fabricate::{Build, BuildSettings, OffsetKind, Product};
+use shape_up::math::Vec3;
+use shape_up::mesh::Mesh;
+
+fn settings() -> BuildSettings {
+    BuildSettings {
+        product: Product::Fins,
+        kind: Some(OffsetKind::Face),
+        distance: Some(0.2),
+        scale: 10.0,
+        thickness: 3.0,
+        sheet: [600.0, 400.0],
+        ..BuildSettings::default()
+    }
+}
+
+fn cube() -> Mesh {
+    let mut mesh = Mesh::default();
+    let sign = |bit: u32| if bit == 0 { -1.0 } else { 1.0 };
+    mesh.positions = (0..8).map(|v| [sign(v & 1), sign(v & 2), sign(v & 4)]).collect();
+    for face in [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]]
+    {
+        mesh.faces.push(&face);
+    }
+    mesh
+}
+
+#[test]
+fn fins_of_an_exact_offset_are_flat_and_as_long_as_the_nodes_leave_them() {
+    for distance in [0.2, -0.15] {
+        let made =
+            build(&revolution(9, 7), &BuildSettings { distance: Some(distance), ..settings() });
+        let frame = made.frame.as_ref().unwrap();
+        assert_eq!(frame.fins.len(), made.surface.edges.len());
+        let axes = &made.offset.as_ref().unwrap().0.axes;
+        for (fin, edge) in frame.fins.iter().zip(&made.surface.edges) {
+            let fin = fin.as_ref().unwrap();
+            assert!(fin.flattening_error < 1e-9);
+            let (t, length) = (made.surface.direction(edge), made.surface.length(edge));
+            let slopes = edge.ends.map(|v| axes[v as usize].dot(t));
+            let height = distance * (axes[edge.ends[0] as usize] - t * slopes[0]).length();
+            // A trapezium between the two cuts.
+            let base = length - fin.cut_back[0] - fin.cut_back[1];
+            let top = base + distance * (slopes[1] - slopes[0]);
+            let expected = 0.5 * (base + top) * height.abs();
+            assert!((area(&fin.outline) - expected).abs() < 1e-9, "{}", area(&fin.outline));
+        }
+    }
+}
+
+#[test]
+fn plates_of_a_node_touch_and_do_not_meet() {
+    let made = build(&revolution(9, 7), &settings());
+    let thickness = 0.03;
+    for node in made.frame.as_ref().unwrap().nodes.iter().flatten() {
+        let n = node.spokes.len();
+        let across = |v: Vec3<f64>| v - node.axis * v.dot(node.axis);
+        let mut least = f64::INFINITY;
+        for k in 0..n {
+            let own = across(node.spokes[k].along);
+            let own = own * (1.0 / own.length());
+            for other in [(k + 1) % n, (k + n - 1) % n].map(|k| across(node.spokes[k].along)) {
+                if own.dot(other) < -0.99 * other.length() {
+                    continue;
+                }
+                // The corner of the plate on the side of its neighbour, and the middle of that one.
+                let other = other * (1.0 / other.length());
+                let side = node.axis.cross(own);
+                let side = side * side.dot(other).signum();
+                let corner = own * cut_back(node, k, thickness) + side * (0.5 * thickness);
+                let off = (corner - other * corner.dot(other)).length();
+                assert!(off >= 0.5 * thickness - 1e-12, "{off}");
+                least = least.min(off);
+            }
+        }
+        assert!(least - 0.5 * thickness < 1e-12 || n < 3, "no longer than needed: {least}");
+    }
+}
+
+#[test]
+fn mitres_of_neighbours_meet_in_planes_through_the_axis_and_edge_offsets_have_no_step() {
+    let made = build(&cube(), &BuildSettings { kind: Some(OffsetKind::Edge), ..settings() });
+    let frame = made.frame.as_ref().unwrap();
+    assert!(frame.largest_step().unwrap().0 < 1e-12);
+    for (node, cuts) in frame.nodes.iter().flatten().zip(&frame.cuts) {
+        let n = cuts.len();
+        for k in 0..n {
+            let (left, right) = (cuts[k].corners[0], cuts[(k + 1) % n].corners[1]);
+            assert!((left - right).length() < 1e-12 && left.dot(node.axis).abs() < 1e-12);
+            assert!((cuts[k].mitre_deg[0] - 60.0).abs() < 1e-9, "three beams, 120 degrees apart");
+        }
+    }
+}
+
+#[test]
+fn prisms_are_closed_flat_and_as_large_as_they_should_be() {
+    let made = build(&revolution(9, 7), &BuildSettings { beam_width: Some(0.02), ..settings() });
+    let frame = made.frame.as_ref().unwrap();
+    let faces = shape_up::fabricate::beam::Prism::faces();
+    for (prism, edge) in frame.prisms.iter().zip(&made.surface.edges) {
+        let corners = prism.as_ref().unwrap().corners;
+        let mut volume = 0.0;
+        for face in &faces {
+            let at = |k: usize| corners[face[k] as usize];
+            let normal = (1..face.len() - 1)
+                .map(|k| (at(k) - at(0)).cross(at(k + 1) - at(0)))
+                .fold(Vec3::zero(), |sum, n| sum + n);
+            let unit = normal * (1.0 / normal.length());
+            for k in 1..face.len() {
+                assert!((at(k) - at(0)).dot(unit).abs() < 1e-10);
+            }
+            volume += at(0).dot(normal) / 6.0;
+        }
+        let height = made.offset.as_ref().unwrap().1.edge_distance;
+        let length = made.surface.length(edge);
+        let (low, high) = (0.5 * length * 0.02 * height[0], 1.5 * length * 0.02 * height[1]);
+        assert!(volume > low && volume < high, "{volume} {low} {high}");
+    }
+}
+
+#[test]
+fn nodes_of_a_surface_of_revolution_have_a_type_for_each_row_and_rim() {
+    let made = build(&revolution(9, 7), &settings());
+    let frame = made.frame.as_ref().unwrap();
+    // Eight rings of nodes; on each, those inside are alike, and the two at the ends are mirror images.
+    assert_eq!(node_types(&frame.nodes, 1e-6, true).leaders.len(), 16);
+    assert_eq!(node_types(&frame.nodes, 1e-6, false).leaders.len(), 24);
+    let all = node_types(&frame.nodes, 360.0, false);
+    assert_eq!(all.leaders.len(), 3, "two, three and four beams");
+    assert_eq!(all.counts.iter().sum::<u32>(), 80);
+    for node in frame.nodes.iter().flatten() {
+        assert!((node.gaps_deg().sum::<f64>() - 360.0).abs() < 1e-9);
+    }
+}
+
+fn text(build: &Build, name: &str) -> String {
+    build.files().into_iter().find(|file| file.name == name).unwrap().text
+}
+
+#[test]
+fn fins_are_on_the_sheets_and_in_lists() {
+    let made = build(&revolution(5, 4), &settings());
+    let edges = made.surface.edges.len();
+    let report = made.report();
+    assert_eq!((report.parts, report.placed, report.not_cut.len()), (edges, edges, 0));
+    let files = made.files();
+    let outlines = files
+        .iter()
+        .filter(|file| file.name.ends_with(".dxf"))
+        .flat_map(|file| dxf::polylines(&file.text))
+        .filter(|line| line.is_closed);
+    let sum: f64 = outlines.map(|line| area(&line.points)).sum();
+    let expected: f64 = made.parts.iter().map(|part| area(&part.outline)).sum();
+    assert!((sum - expected).abs() < 1e-6 * expected);
+    let rows = |name: &str| text(&made, name).lines().count() - 1;
+    assert_eq!((rows("fins.csv"), rows("beams.csv")), (edges, edges));
+    assert_eq!(rows("node-beams.csv"), 2 * edges);
+    let solids = text(&made, "beams.obj");
+    assert_eq!(solids.lines().filter(|line| line.starts_with("g B")).count(), edges);
+    let read = shape_up::mesh::read("beams.obj", solids.as_bytes()).unwrap();
+    assert_eq!(read.mesh.faces.len(), 2 * made.surface.faces.len() + 8 * edges);
+    for name in ["fins.csv", "beams.csv", "node-beams.csv", "node-types.csv", "beams.obj"] {
+        assert!(!text(&made, name).contains("NaN"), "{name}");
+    }
+}
+
+#[test]
+fn what_is_no_fin_is_named_and_the_rest_is_cut() {
+    let mut mesh = grid(3, 3, |i, j| [f64::from(i), f64::from(j), 0.1 * f64::from(i * i)]);
+    mesh.positions[6] = mesh.positions[5];
+    let report = build(&mesh, &settings()).report();
+    assert_eq!(report.not_cut, ["B5-6: its edge has no length"]);
+    assert_eq!(report.placed + 1, report.edges);
+    // Plates as thick as edges are long.
+    let report = build(&mesh, &BuildSettings { thickness: 120.0, ..settings() }).report();
+    assert!(report.not_cut.iter().any(|line| line.contains("the nodes leave nothing of it")));
+    assert!(!serde_json::to_string(&report).unwrap().contains("NaN"));
+}
+
+#[test]
+fn without_an_outside_there_are_no_fins_and_it_says_so() {
+    let positions = [[0.0; 3], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [-1.0, 0.1, 0.0], [0.1, 1.0, 0.0]];
+    let mut mesh = Mesh { positions: positions.to_vec(), ..Mesh::default() };
+    [[0, 1, 2], [0, 1, 3], [0, 1, 4]].iter().for_each(|face| mesh.faces.push(face));
+    let made = build(&mesh, &settings());
+    assert!(made.parts.is_empty() && made.report().problems[0].contains("beams are not offered"));
+    let names: Vec<_> = made.files().into_iter().map(|file| file.name).collect();
+    assert_eq!(names, ["edges.csv", "nodes.csv", "summary.csv"]);
+}

@@ -1,0 +1,365 @@
+//! Paper models: nothing overlaps, tabs hide, folds and lengths are those of the shape.
+
+use super::grid::grid;
+use super::identities::revolution;
+use super::{build, shared};
+use shape_up::fabricate::panel::{Point2, area};
+use shape_up::fabricate::paper::{Glue, PaperModel};
+use shape_up::fabricate::{Build, BuildSettings, Page, Pieces, Product};
+use shape_up::mesh::Mesh;
+
+fn settings(pieces: Pieces) -> BuildSettings {
+    BuildSettings { product: Product::Paper, pieces, scale: 20.0, ..BuildSettings::default() }
+}
+
+fn model(build: &Build) -> &PaperModel {
+    build.paper.as_ref().unwrap()
+}
+
+/// A pyramid of panels that are not flat, with ridges and valleys.
+fn waves() -> Mesh {
+    grid(6, 5, |i, j| {
+        let [x, y] = [f64::from(i), f64::from(j)];
+        [x, y, 0.35 * f64::from((i + j) % 2) + 0.05 * x * y]
+    })
+}
+
+fn dodecahedron() -> Option<Mesh> {
+    shared::mesh("gc_dodecahedron_poly.obj")
+}
+
+/// All that is looked at: flat quads in both directions, panels that are not flat, a closed surface, triangles.
+fn cases() -> Vec<(&'static str, Mesh, Pieces)> {
+    let mut cases = vec![
+        ("nets", revolution(9, 7), Pieces::Nets),
+        ("closed rings", revolution(24, 5), Pieces::Nets),
+        ("strips", revolution(9, 7), Pieces::Strips),
+        ("across", revolution(24, 5), Pieces::Across),
+        ("creased nets", waves(), Pieces::Nets),
+        ("creased strips", waves(), Pieces::Strips),
+        ("a plane", grid(5, 4, |i, j| [f64::from(i), f64::from(j), 0.0]), Pieces::Nets),
+    ];
+    if let Some(mesh) = dodecahedron() {
+        cases.push(("pentagons", mesh, Pieces::Nets));
+    }
+    for name in ["halftunnel.off", "compas_hypar.obj"] {
+        if let Some(mesh) = shared::mesh(name) {
+            cases.push((name, mesh.clone(), Pieces::Strips));
+            cases.push((name, mesh, Pieces::Nets));
+        }
+    }
+    cases
+}
+
+/// The scale at which a mean edge is 30 mm.
+fn scale(mesh: &Mesh) -> f64 {
+    let made = build(mesh, &BuildSettings::default());
+    made.surface.mean_edge() * 1000.0 / 30.0
+}
+
+fn made(mesh: &Mesh, pieces: Pieces) -> Build {
+    build(mesh, &BuildSettings { scale: scale(mesh), ..settings(pieces) })
+}
+
+/// The area that two polygons have in common, of which the second is convex, by clipping (Sutherland, Hodgman).
+fn common_area(polygon: &[Point2], convex: &[Point2]) -> f64 {
+    let mut left = polygon.to_vec();
+    for k in 0..convex.len() {
+        let (p, q) = (convex[k], convex[(k + 1) % convex.len()]);
+        let side = |r: Point2| (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+        let mut next = Vec::new();
+        for i in 0..left.len() {
+            let (a, b) = (left[i], left[(i + 1) % left.len()]);
+            let (s, t) = (side(a), side(b));
+            if s >= 0.0 {
+                next.push(a);
+            }
+            if (s > 0.0 && t < 0.0) || (s < 0.0 && t > 0.0) {
+                let share = s / (s - t);
+                next.push([0, 1].map(|x| a[x] + share * (b[x] - a[x])));
+            }
+        }
+        left = next;
+    }
+    area(&left)
+}
+
+/// The facets and the tabs of a piece.
+fn polygons(model: &PaperModel, piece: u32) -> Vec<Vec<Point2>> {
+    let facets = model.net.pieces[piece as usize].iter();
+    let mut all: Vec<Vec<Point2>> = facets.map(|&f| model.net.corners(f)).collect();
+    all.extend(model.tabs(piece).map(|tab| tab.corners.to_vec()));
+    all
+}
+
+#[test]
+fn no_piece_overlaps_itself_and_its_outline_holds_its_facets_and_tabs() {
+    for (name, mesh, pieces) in cases() {
+        let made = made(&mesh, pieces);
+        let model = model(&made);
+        assert_eq!(made.parts.len(), model.pieces.len(), "{name}");
+        for (part, &piece) in made.parts.iter().zip(&model.pieces) {
+            let all = polygons(model, piece);
+            for (i, a) in all.iter().enumerate() {
+                for b in &all[..i] {
+                    // Panels that count as flat are up to 0.02 mm off; an edge is 30 mm long.
+                    assert!(
+                        common_area(a, b) < 0.5,
+                        "{name}, {}: {}",
+                        part.name,
+                        common_area(a, b)
+                    );
+                }
+            }
+            let expected: f64 = all.iter().map(|own| area(own)).sum();
+            let found = area(&part.outline);
+            assert!(
+                (found - expected).abs() < 1e-3 * expected,
+                "{name}, {}: {found} {expected}",
+                part.name
+            );
+            assert!(!crosses_itself(&part.outline), "{name}, {}", part.name);
+        }
+    }
+}
+
+/// Whether two sides cross that are not neighbours.
+fn crosses_itself(polygon: &[Point2]) -> bool {
+    let n = polygon.len();
+    let side = |p: Point2, q: Point2, r: Point2| {
+        (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
+    };
+    (0..n).any(|i| {
+        (i + 2..n).filter(|&j| (j + 1) % n != i).any(|j| {
+            let ([a, b], [c, d]) =
+                ([polygon[i], polygon[i + 1]], [polygon[j], polygon[(j + 1) % n]]);
+            side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
+        })
+    })
+}
+
+#[test]
+fn flat_panels_meet_at_their_hinges_and_cut_pairs_are_equally_long() {
+    for (mesh, pieces) in [(revolution(9, 7), Pieces::Nets), (revolution(24, 5), Pieces::Across)] {
+        let made = made(&mesh, pieces);
+        let model = model(&made);
+        for (joint, folded) in model.net.joints.iter().zip(&model.net.folded) {
+            let [[p, q], [r, s]] = joint.sides.map(|side| model.net.ends(side));
+            let distance =
+                |a: Point2, b: Point2| ((a[0] - b[0]).powi(2) + (a[1] - b[1]).powi(2)).sqrt();
+            assert!((distance(p, q) - distance(r, s)).abs() < 1e-9);
+            if *folded {
+                assert!(distance(p, s) < 1e-9 && distance(q, r) < 1e-9);
+            }
+            let edge = &made.surface.edges[joint.edge.unwrap() as usize];
+            assert!((joint.fold - made.surface.fold(edge).unwrap()).abs() < 1e-12);
+        }
+    }
+}
+
+#[test]
+fn tabs_hide_behind_the_neighbour() {
+    for (name, mesh, pieces) in cases() {
+        let made = made(&mesh, pieces);
+        let model = model(&made);
+        let mut tabs = 0;
+        for (joint, glue) in model.net.joints.iter().zip(&model.glue) {
+            let Glue::Tab(tab) = glue else { continue };
+            tabs += 1;
+            let own = (tab.side.facet, tab.side.side);
+            let other = if joint.sides[0] == own { joint.sides[1] } else { joint.sides[0] };
+            // In the frame of the edge, the tab away from its piece and the neighbour away from the edge.
+            let [p, q] = model.net.ends(own);
+            let [r, s] = model.net.ends(other);
+            let frame = |at: Point2, to: Point2| {
+                let length = ((to[0] - at[0]).powi(2) + (to[1] - at[1]).powi(2)).sqrt();
+                let [c, d] = [(to[0] - at[0]) / length, (to[1] - at[1]) / length];
+                move |[x, y]: Point2| {
+                    let [x, y] = [x - at[0], y - at[1]];
+                    [c * x + d * y, d * x - c * y]
+                }
+            };
+            // The frame is a mirror.
+            let back = |points: &[Point2], to_frame: &dyn Fn(Point2) -> Point2| -> Vec<Point2> {
+                points.iter().rev().map(|&point| to_frame(point)).collect()
+            };
+            let tab = back(&tab.corners, &frame(p, q));
+            let neighbour = back(&model.net.corners(other.0), &frame(s, r));
+            let height = tab[1][1];
+            assert!(height >= 2.0 - 1e-9, "{name}: {height}");
+            let inside = common_area(&neighbour, &tab);
+            assert!((inside - area(&tab)).abs() < 0.5, "{name}: {inside} {}", area(&tab));
+        }
+        assert!(tabs > 0 || name == "a plane", "{name}");
+    }
+}
+
+#[test]
+fn every_inner_edge_is_folded_or_glued_and_flat_quads_leave_no_edge_bare() {
+    for (name, mesh, pieces) in cases() {
+        let made = made(&mesh, pieces);
+        let report = made.report().paper.unwrap();
+        let inner = made.surface.edges.iter().filter(|edge| !edge.is_rim()).count();
+        let of_edges = model(&made).net.joints.iter().filter(|joint| joint.edge.is_some()).count();
+        assert_eq!(of_edges, inner, "{name}");
+        let bare = report.without_tab.len();
+        println!("{name}: {} pieces, {report:?}", made.parts.len());
+        assert!(20 * bare <= inner, "{name}: {bare} of {inner}");
+        assert!(made.layout.too_large.is_empty(), "{name}");
+    }
+}
+
+#[test]
+fn strips_of_a_ring_are_its_rows_and_its_columns() {
+    let mesh = revolution(9, 7);
+    let own = BuildSettings { scale: 40.0, ..settings(Pieces::Strips) };
+    let (one, other) =
+        (build(&mesh, &own), build(&mesh, &BuildSettings { pieces: Pieces::Across, ..own }));
+    let mut counts = [one.parts.len(), other.parts.len()];
+    counts.sort_unstable();
+    assert_eq!(counts, [7, 9]);
+    let panels = |made: &Build| made.parts.iter().map(|part| part.panels.len()).collect::<Vec<_>>();
+    assert!(panels(&one).iter().all(|n| n * one.parts.len() == 63), "{:?}", panels(&one));
+    assert!(panels(&other).iter().all(|n| n * other.parts.len() == 63), "{:?}", panels(&other));
+}
+
+#[test]
+fn a_long_strip_is_split_at_the_page_and_every_piece_lies_on_it() {
+    let mesh = revolution(24, 5);
+    let own = BuildSettings { sheet: [297.0, 210.0], scale: 8.0, ..settings(Pieces::Strips) };
+    let made = build(&mesh, &own);
+    assert!(made.layout.too_large.is_empty() && made.layout.sheets.len() > 1);
+    assert!(made.parts.iter().map(|part| part.panels.len()).sum::<usize>() == mesh.faces.len());
+    for sheet in &made.layout.sheets {
+        for place in &sheet.places {
+            for [x, y] in made.parts[place.part].outline.iter().map(|&p| place.put(p)) {
+                assert!(
+                    x >= 5.0 - 1e-9 && y >= 5.0 - 1e-9 && x <= 292.0 + 1e-9 && y <= 205.0 + 1e-9
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_plane_is_one_piece_without_folds_or_slits() {
+    let mesh = grid(5, 4, |i, j| [f64::from(i), f64::from(j), 0.0]);
+    let made = build(&mesh, &settings(Pieces::Nets));
+    assert_eq!(
+        (made.parts.len(), made.parts[0].ridges.len(), made.parts[0].valleys.len()),
+        (1, 0, 0)
+    );
+    assert!((area(&made.parts[0].outline) - 20.0 * 2500.0).abs() < 1e-6);
+}
+
+#[test]
+fn printed_on_the_inside_a_sheet_is_mirrored_and_ridges_are_valleys() {
+    let mesh = revolution(9, 7);
+    let own = settings(Pieces::Strips);
+    let (outside, inside) =
+        (build(&mesh, &own), build(&mesh, &BuildSettings { print_inside: true, ..own }));
+    for (a, b) in outside.parts.iter().zip(&inside.parts) {
+        assert!((area(&a.outline) - area(&b.outline)).abs() < 1e-9);
+        assert_eq!(b.valleys.is_empty(), a.ridges.is_empty());
+        assert_eq!(a.valleys.is_empty(), b.ridges.is_empty());
+    }
+    assert_eq!(outside.report().paper, inside.report().paper, "the model is the same");
+}
+
+#[test]
+fn names_lie_on_their_panels_and_their_tabs() {
+    for print_inside in [false, true] {
+        let made =
+            build(&revolution(6, 4), &BuildSettings { print_inside, ..settings(Pieces::Nets) });
+        assert_eq!((made.dropped_names, made.small_names), (0, 0));
+        for part in &made.parts {
+            for &[x, y] in part.engraved.iter().flatten() {
+                let inside = (0..part.outline.len()).filter(|&k| {
+                    let (p, q) = (part.outline[k], part.outline[(k + 1) % part.outline.len()]);
+                    (p[1] > y) != (q[1] > y)
+                        && x < p[0] + (y - p[1]) / (q[1] - p[1]) * (q[0] - p[0])
+                });
+                assert_eq!(inside.count() % 2, 1, "{}", part.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_pdf_is_tiled_to_the_page() {
+    let own = BuildSettings { page: Page::A4, ..settings(Pieces::Nets) };
+    let made = build(&revolution(9, 7), &own);
+    let files = made.files();
+    let text = &files.iter().find(|file| file.name == "sheets.pdf").unwrap().text;
+    let document = lopdf::Document::load_mem(text.as_bytes()).expect("it is PDF");
+    // A3 on A4, with overlap and margins.
+    assert_eq!(document.get_pages().len(), 4 * made.layout.sheets.len());
+    let whole = BuildSettings { sheet: [297.0, 210.0], ..own };
+    let made = build(&revolution(9, 7), &whole);
+    let files = made.files();
+    let text = &files.iter().find(|file| file.name == "sheets.pdf").unwrap().text;
+    let document = lopdf::Document::load_mem(text.as_bytes()).unwrap();
+    assert_eq!(document.get_pages().len(), made.layout.sheets.len());
+}
+
+#[test]
+fn tables_tell_what_becomes_of_every_edge() {
+    let made = build(&revolution(9, 7), &settings(Pieces::Strips));
+    let files = made.files();
+    let rows =
+        |name: &str| files.iter().find(|file| file.name == name).unwrap().text.lines().count() - 1;
+    let inner = made.surface.edges.iter().filter(|edge| !edge.is_rim()).count();
+    assert_eq!((rows("pieces.csv"), rows("joins.csv")), (made.parts.len(), inner));
+}
+
+#[test]
+fn what_cannot_be_folded_is_told_and_the_rest_is_made() {
+    // No quads.
+    let mut triangles = Mesh { positions: revolution(6, 4).positions, ..Mesh::default() };
+    for face in revolution(6, 4).faces.iter() {
+        triangles.faces.push(&[face[0], face[1], face[2]]);
+        triangles.faces.push(&[face[0], face[2], face[3]]);
+    }
+    let made = build(&triangles, &settings(Pieces::Strips));
+    assert!(made.report().problems.iter().any(|problem| problem.contains("nets are made instead")));
+    assert!(made.report().placed > 0);
+    // A panel that crosses itself, beside one that does not, and one without area.
+    let mut mesh = Mesh::default();
+    mesh.positions =
+        vec![[0.0; 3], [2.0, 0.0, 0.0], [0.5, 1.0, 0.0], [2.0, 1.0, 0.0], [3.0, 0.0, 0.0]];
+    [&[0, 1, 2, 3][..], &[1, 4, 3], &[4, 4, 4]].iter().for_each(|face| mesh.faces.push(face));
+    let report = build(&mesh, &settings(Pieces::Nets)).report();
+    assert_eq!((report.placed, report.not_cut.len()), (1, 2), "{:?}", report.not_cut);
+    // Three panels at an edge, and no tabs at all.
+    let positions = [[0.0; 3], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [-1.0, 0.1, 0.0], [0.1, 1.0, 0.0]];
+    let mut mesh = Mesh { positions: positions.to_vec(), ..Mesh::default() };
+    [[0, 1, 2], [0, 1, 3], [0, 1, 4]].iter().for_each(|face| mesh.faces.push(face));
+    let report = build(&mesh, &BuildSettings { tab: 0.0, ..settings(Pieces::Nets) }).report();
+    assert_eq!(report.placed, 3);
+}
+
+#[test]
+fn real_and_awkward_meshes_are_folded_without_a_panic() {
+    for folder in ["meshes", "meshes/awkward"] {
+        let Some(path) = shared::path(folder) else { return };
+        let files = std::fs::read_dir(path).unwrap().map(|entry| entry.unwrap().path());
+        for path in files.filter(|path| path.is_file()) {
+            let bytes = std::fs::read(&path).unwrap();
+            if bytes.len() > 60_000 {
+                continue;
+            }
+            let Ok(read) = shape_up::mesh::read(&path.to_string_lossy(), &bytes) else { continue };
+            if shape_up::mesh::too_far(&read.mesh.positions).is_some() {
+                continue;
+            }
+            for product in [Product::Fins, Product::Paper] {
+                let own = BuildSettings { product, ..settings(Pieces::Strips) };
+                if let Ok(made) = Build::new(&read.mesh, &own, super::metres()) {
+                    let text = serde_json::to_string(&made.report()).unwrap();
+                    assert!(!text.contains("NaN"), "{}", path.display());
+                    assert!(made.files().iter().all(|file| !file.text.contains("NaN")));
+                }
+            }
+        }
+    }
+}
