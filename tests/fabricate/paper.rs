@@ -324,9 +324,9 @@ fn what_cannot_be_folded_is_told_and_the_rest_is_made() {
     assert!(made.report().problems.iter().any(|problem| problem.contains("nets are made instead")));
     assert!(made.report().placed > 0);
     // A panel that crosses itself, beside one that does not, and one without area.
-    let mut mesh = Mesh::default();
-    mesh.positions =
+    let positions =
         vec![[0.0; 3], [2.0, 0.0, 0.0], [0.5, 1.0, 0.0], [2.0, 1.0, 0.0], [3.0, 0.0, 0.0]];
+    let mut mesh = Mesh { positions, ..Mesh::default() };
     [&[0, 1, 2, 3][..], &[1, 4, 3], &[4, 4, 4]].iter().for_each(|face| mesh.faces.push(face));
     let report = build(&mesh, &settings(Pieces::Nets)).report();
     assert_eq!((report.placed, report.not_cut.len()), (1, 2), "{:?}", report.not_cut);

@@ -206,7 +206,7 @@ fn build(mut words: Words) -> Result<Command, String> {
             "--material" => build.material = Some(words.text(&name)?),
             "--thickness" => build.thickness = Some(words.not_negative(&name)?),
             "--kind" => {
-                build.kind = Some(words.word_of(&name, OffsetKind::ALL, OffsetKind::word)?)
+                build.kind = Some(words.word_of(&name, OffsetKind::ALL, OffsetKind::word)?);
             }
             "--distance" => build.distance = Some(words.distance(&name)?),
             "--joint" => build.joint = Some(words.not_negative(&name)?),

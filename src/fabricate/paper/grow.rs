@@ -2,12 +2,12 @@
 //! and leave room for the tabs of the edges that stay open between them.
 
 use super::motion::Motion;
-use super::net::{Net, OutlineSide};
+use super::net::{OutlineSide, PaperNet};
 use super::overlap::{SAME, meet};
 use super::tab::tab;
 use crate::fabricate::panel::{Point2, smallest_box};
 
-impl Net {
+impl PaperNet {
     /// Folds a joint where that is possible: the pieces on its two sides become one. `room` is what a piece may
     /// measure without its tabs, which are up to `tab_height` high.
     pub(super) fn fold(&mut self, joint: u32, room: [f64; 2], tab_height: f64) -> bool {
@@ -15,8 +15,9 @@ impl Net {
         if self.piece_of[still.0 as usize] == self.piece_of[moving.0 as usize] {
             return false;
         }
-        let size =
-            |net: &Net, side: (u32, u32)| net.pieces[net.piece_of[side.0 as usize] as usize].len();
+        let size = |net: &PaperNet, side: (u32, u32)| {
+            net.pieces[net.piece_of[side.0 as usize] as usize].len()
+        };
         if size(self, still) < size(self, moving) {
             (still, moving) = (moving, still);
         }

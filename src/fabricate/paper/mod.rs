@@ -29,6 +29,6 @@ pub use drawn::{PaperStyle, drawn};
 pub use facet::{Facet, Joint};
 pub use model::{Glue, PaperModel, PaperSize};
 pub use motion::Motion;
-pub use net::{Net, OutlineSide};
+pub use net::{OutlineSide, PaperNet};
 pub use strip::Pieces;
 pub use tab::Tab;

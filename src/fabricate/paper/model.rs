@@ -1,7 +1,7 @@
 //! A paper model: pieces with their folds and tabs.
 
 use super::facet::facets;
-use super::net::Net;
+use super::net::PaperNet;
 use super::strip::{Pieces, foldable};
 use super::tab::{Tab, tab};
 use crate::fabricate::panel::{FlatPanel, Point2};
@@ -33,7 +33,7 @@ pub enum Glue {
 #[derive(Clone, Debug)]
 pub struct PaperModel {
     /// Facets, joints and where they lie.
-    pub net: Net,
+    pub net: PaperNet,
     /// What becomes of each joint.
     pub glue: Vec<Glue>,
     /// The pieces of the net that have facets, by the first of those.
@@ -56,7 +56,7 @@ impl PaperModel {
         let order = foldable(surface, &joints, pieces);
         let is_without_quads = order.is_none();
         let order = order.or_else(|| foldable(surface, &joints, Pieces::Nets)).unwrap_or_default();
-        let mut net = Net::new(facets, joints);
+        let mut net = PaperNet::new(facets, joints);
         let room = size.room.map(|side| side - 2.0 * size.tab);
         for joint in order {
             net.fold(joint, room, size.tab);
@@ -79,7 +79,7 @@ impl PaperModel {
 }
 
 /// Tabs on the piece that comes first, else on the other side.
-fn glue(net: &Net, pieces: &[u32], tab_height: f64) -> Vec<Glue> {
+fn glue(net: &PaperNet, pieces: &[u32], tab_height: f64) -> Vec<Glue> {
     let mut place = vec![0; net.pieces.len()];
     pieces.iter().enumerate().for_each(|(k, &piece)| place[piece as usize] = k);
     let outlines: Vec<_> =

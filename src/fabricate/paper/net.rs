@@ -15,7 +15,7 @@ pub struct OutlineSide {
 
 /// All pieces.
 #[derive(Clone, Debug)]
-pub struct Net {
+pub struct PaperNet {
     /// The facets.
     pub facets: Vec<Facet>,
     /// The joints between them.
@@ -30,11 +30,11 @@ pub struct Net {
     pub pieces: Vec<Vec<u32>>,
 }
 
-impl Net {
+impl PaperNet {
     /// Every facet a piece of its own.
-    pub(super) fn new(facets: Vec<Facet>, joints: Vec<Joint>) -> Net {
+    pub(super) fn new(facets: Vec<Facet>, joints: Vec<Joint>) -> PaperNet {
         let n = facets.len();
-        Net {
+        PaperNet {
             folded: vec![false; joints.len()],
             places: vec![Motion { turn: [1.0, 0.0], shift: [0.0; 2] }; n],
             piece_of: (0..n as u32).collect(),

@@ -2,7 +2,7 @@
 //! cannot be seen, and outside of everything else on the piece.
 
 use super::motion::Motion;
-use super::net::{Net, OutlineSide};
+use super::net::{OutlineSide, PaperNet};
 use super::overlap::meet;
 use crate::fabricate::panel::{Point2, direction_of, distance_to_outline, is_inside};
 
@@ -29,7 +29,7 @@ pub struct Tab {
 /// The highest tab, at most `most`, on a side of the outline of a piece that keeps clear of `taken`, convex polygons
 /// counterclockwise; none where less than 2 mm remain, or at the rim.
 pub(super) fn tab(
-    net: &Net,
+    net: &PaperNet,
     outline: &[OutlineSide],
     k: usize,
     taken: &[Vec<Point2>],

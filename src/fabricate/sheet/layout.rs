@@ -67,6 +67,17 @@ pub struct Layout {
     pub too_large: Vec<usize>,
 }
 
+impl Layout {
+    /// Of each of so many parts the number of its sheet, from 1, and its place there.
+    pub fn places(&self, parts: usize) -> Vec<Option<(usize, Place)>> {
+        let mut places = vec![None; parts];
+        for (sheet, number) in self.sheets.iter().zip(1..) {
+            sheet.places.iter().for_each(|place| places[place.part] = Some((number, *place)));
+        }
+        places
+    }
+}
+
 /// A row of boxes on a sheet.
 struct Shelf {
     sheet: usize,

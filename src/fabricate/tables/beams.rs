@@ -1,6 +1,5 @@
 //! Fins, prisms with their end cuts, the beams around each node, types of nodes.
 
-use super::places;
 use crate::fabricate::beam::Frame;
 use crate::fabricate::build::{Build, beam_name, node_name};
 use crate::fabricate::file::{Cell, Table};
@@ -32,7 +31,7 @@ fn fins(build: &Build, frame: &Frame) -> String {
         "y_mm",
         "turn_deg",
     ]);
-    let (places, model) = (places(build), build.model());
+    let (places, model) = (build.layout.places(build.parts.len()), build.model());
     let mut part = 0;
     for (edge, fin) in build.surface.edges.iter().zip(&frame.fins) {
         let Ok(fin) = fin else { continue };

@@ -16,7 +16,6 @@ mod shape;
 use super::build::Build;
 use super::file::{Cell, Table};
 use super::settings::Product;
-use super::sheet::Place;
 
 /// All tables by the names of their files.
 pub(super) fn all(build: &Build) -> Vec<(&'static str, String)> {
@@ -34,15 +33,6 @@ pub(super) fn all(build: &Build) -> Vec<(&'static str, String)> {
         ("summary.csv", summary(build)),
     ]);
     tables
-}
-
-/// Where each part is: the number of the sheet, and the place on it.
-fn places(build: &Build) -> Vec<Option<(usize, Place)>> {
-    let mut places: Vec<Option<(usize, Place)>> = vec![None; build.parts.len()];
-    for (sheet, number) in build.layout.sheets.iter().zip(1..) {
-        sheet.places.iter().for_each(|place| places[place.part] = Some((number, *place)));
-    }
-    places
 }
 
 fn summary(build: &Build) -> String {

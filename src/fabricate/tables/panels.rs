@@ -1,6 +1,5 @@
 //! Panels that are cut, and their types.
 
-use super::places;
 use crate::fabricate::build::Build;
 use crate::fabricate::file::{Cell, Table};
 use crate::fabricate::panel::{area, perimeter, rotated};
@@ -26,7 +25,7 @@ pub(super) fn panels(build: &Build) -> String {
         "y_mm",
         "turn_deg",
     ]);
-    let places = places(build);
+    let places = build.layout.places(build.parts.len());
     let model = build.model();
     for (f, name) in build.names.iter().enumerate() {
         let kind = build.types.of_panels[f].map(type_name).unwrap_or_default();

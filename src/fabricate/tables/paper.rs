@@ -1,6 +1,5 @@
 //! Pieces of a paper model, and what becomes of every edge.
 
-use super::places;
 use crate::fabricate::build::{Build, beam_name};
 use crate::fabricate::file::{Cell, Table};
 use crate::fabricate::panel::area;
@@ -16,7 +15,7 @@ fn pieces(build: &Build, model: &PaperModel) -> String {
     let columns =
         ["name", "panels", "tabs", "area_mm2", "sheet", "x_mm", "y_mm", "turn_deg", "names"];
     let mut table = Table::new(&columns);
-    let places = places(build);
+    let places = build.layout.places(build.parts.len());
     for (k, part) in build.parts.iter().enumerate() {
         let place = places[k];
         let names: Vec<&str> =
