@@ -13,6 +13,7 @@
 //! | `parts` | what solvers are made of, made from a problem |
 //! | `solver` | the iteration |
 //! | `exact` | constraints that are met, not weighed |
+//! | `variation` | ways to change a shape while they stay met |
 //! | `accelerate` | steps that learn from the steps before |
 //! | `setup_cache` | what one solver leaves to the next |
 //! | `rest_projections` | projections at the rest shape, apart from any iteration |
@@ -35,6 +36,7 @@ mod settings;
 mod setup_cache;
 mod solver;
 mod system;
+mod variation;
 
 pub use assemble::Terms;
 pub use conformal::{
@@ -52,3 +54,4 @@ pub use settings::{
 pub use setup_cache::SetupCache;
 pub use solver::Solver;
 pub use system::{SetUpSeconds, System};
+pub use variation::{Reached, SLIDE, ShapeSpace, Variation};

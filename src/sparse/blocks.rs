@@ -123,6 +123,11 @@ impl BlockMatrix {
         Ok(())
     }
 
+    /// Applies the inverse of the factored matrix to four right-hand sides in place, a row for each unknown.
+    pub(crate) fn solve_columns(&self, right: &mut [Row]) {
+        self.panels.solve(right);
+    }
+
     /// Applies the inverse of the factored matrix to `right` in place, a row for each node.
     pub(crate) fn solve(&mut self, right: &mut [Row]) {
         for (unknowns, row) in self.unknowns.chunks_exact_mut(TIMES as usize).zip(&*right) {

@@ -5,7 +5,7 @@ use shape_up::constraint::{Element, Kind, Selector, Sets, resolve};
 use shape_up::mesh::{BoundingSphere, Mesh, Point, Topology};
 use shape_up::solve::{
     ClosenessTo, Constraints, Exact, Handle, Problem, Require, Requirements, SHORTEST_EDGE,
-    SetupCache, Smoothness, SmoothnessOf, Solver, SolverSettings, Weighting, Weights,
+    SetupCache, ShapeSpace, Smoothness, SmoothnessOf, Solver, SolverSettings, Weighting, Weights,
 };
 
 /// A mesh with rows of constraints.
@@ -104,6 +104,18 @@ impl Case {
             iterations: Requirements::ITERATIONS,
         };
         Exact::new(&self.problem(), &requirements, &self.handles, start, SetupCache::default())
+    }
+
+    /// The ways to change a shape where all is met.
+    pub(crate) fn shape_space(&self, shape: &[Point]) -> ShapeSpace {
+        let requirements = Requirements {
+            rows: &self.requires,
+            shortest_edge: self.shortest_edge,
+            iterations: Requirements::ITERATIONS,
+        };
+        let (problem, cache) = (self.problem(), SetupCache::default());
+        let space = ShapeSpace::new(&problem, &requirements, &self.handles, shape, cache);
+        space.expect("its systems are regular")
     }
 
     /// The diameter of the bounding sphere.

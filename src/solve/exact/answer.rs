@@ -76,7 +76,7 @@ const ON_GUARD: f64 = 1e-6;
 
 impl Model {
     /// Positions, `#V by 3`, as they are given to hosts.
-    pub(super) fn positions(&self, x: &[Row]) -> Vec<Point> {
+    pub(in crate::solve) fn positions(&self, x: &[Row]) -> Vec<Point> {
         let node_of = self.parts.system.node_of();
         let given = self.put.iter().zip(node_of).map(|(&put, &node)| {
             let row = x[node as usize];
@@ -90,17 +90,17 @@ impl Model {
     }
 
     /// See [`exact_tolerance`].
-    pub(super) fn tolerance(&self) -> f64 {
+    pub(in crate::solve) fn tolerance(&self) -> f64 {
         tolerance_of(self.parts.centre, self.parts.extent)
     }
 
     /// About the distance that rounding moves a vertex by, where coordinates are written.
-    pub(super) fn rounding(&self) -> f64 {
+    pub(in crate::solve) fn rounding(&self) -> f64 {
         rounding_of(self.parts.centre, self.parts.extent)
     }
 
     /// Measures positions, as they are given; what it cost is for the caller to say.
-    pub(super) fn measure(&self, x: &[Row]) -> ExactAnswer {
+    pub(in crate::solve) fn measure(&self, x: &[Row]) -> ExactAnswer {
         let positions = self.positions(x);
         let rounded = self.parts.to_rows(&positions);
         let mut vertex_of = vec![0; x.len()];

@@ -16,9 +16,6 @@ const STIFFEST: f64 = 1e7;
 /// The least stiffness, of steps that are far from least change and short.
 const SOFTEST: f64 = 1e1;
 
-/// What is added to the metric of each node, as a part of the mean: something has to hold what nothing holds.
-const HELD: f64 = 1e-3;
-
 /// Bands that are thinner than this part of the size are taken for the shape itself: across them steps are as good as
 /// Newton's.
 const THIN: f64 = 1e-4;
@@ -41,7 +38,7 @@ struct LinearBatch {
 }
 
 /// The system of the polish, and the constraints in it.
-pub(super) struct BlockSystem {
+pub(in crate::solve) struct BlockSystem {
     matrix: BlockMatrix,
     /// The metric of the energies.
     metric: UpperTriangle,
@@ -57,8 +54,9 @@ pub(super) struct BlockSystem {
 }
 
 impl BlockSystem {
-    /// For the hard constraints of `model`.
-    pub(super) fn new(model: &mut Model) -> BlockSystem {
+    /// For the hard constraints of `model`. So much is added to the metric of each node, as a part of the mean:
+    /// something has to hold what nothing holds.
+    pub(in crate::solve) fn new(model: &mut Model, held: f64) -> BlockSystem {
         let terms = std::mem::take(&mut model.cliques);
         let parts = &model.parts;
         let n = parts.n_vertices.max(2);
@@ -68,7 +66,7 @@ impl BlockSystem {
         let (mut fixed, mut diagonal) = (vec![true; n], vec![0.0; n]);
         let [metric, hard] = model.stiffness;
         // Where there is no energy at all, all ways are equally short.
-        let (held, unit) = if metric > 0.0 { (HELD * metric, metric) } else { (hard, hard) };
+        let (held, unit) = if metric > 0.0 { (held * metric, metric) } else { (hard, hard) };
         let mut block_of = vec![u32::MAX; model.x.len()];
         for (&node, &own) in parts.system.node_of().iter().zip(&node_of) {
             block_of[node as usize] = own;
@@ -103,35 +101,41 @@ impl BlockSystem {
     }
 
     /// The block node of each vertex.
-    pub(super) fn node_of(&self) -> &[u32] {
+    pub(in crate::solve) fn node_of(&self) -> &[u32] {
         &self.node_of
     }
 
     /// Whether steps meet the linearised constraints.
-    pub(super) fn is_stiffest(&self) -> bool {
+    pub(in crate::solve) fn is_stiffest(&self) -> bool {
         self.stiffness >= STIFFEST * self.unit
     }
 
     /// Makes the springs so many times as stiff, within limits; takes effect with the next factor.
-    pub(super) fn stiffen(&mut self, times: f64) {
+    pub(in crate::solve) fn stiffen(&mut self, times: f64) {
         let [least, most] = [SOFTEST, STIFFEST].map(|stiffness| stiffness * self.unit);
         self.stiffness = Lane::max(Lane::min(self.stiffness * times, most), least);
     }
 
     /// How many nodes there are.
-    pub(super) fn size(&self) -> usize {
+    pub(in crate::solve) fn size(&self) -> usize {
         self.fixed.len()
     }
 
-    /// Linearises the constraints at the positions of `model`, and factors.
+    /// Linearises the constraints at the positions of `model`, and factors. Bands hold what is beyond them, or, where
+    /// they do not count, like the shapes that they are around.
     ///
     /// # Errors
     /// When the matrix is not positive definite to working precision.
-    pub(super) fn factor(&mut self, model: &Model) -> Result<(), SolveError> {
+    pub(in crate::solve) fn factor(
+        &mut self,
+        model: &Model,
+        bands: bool,
+    ) -> Result<(), SolveError> {
         let x = &model.x;
         self.matrix.set_scalar(&self.metric);
         for (own, hard) in self.batches.iter_mut().zip(&model.hard.batches) {
-            hard.residuals(x, own.band, &mut own.residuals);
+            let band = own.band.filter(|_| bands);
+            hard.residuals(x, band, &mut own.residuals);
             let size = 3 * own.points;
             let mut differences = Differences::new(own.points);
             let scale = self.stiffness * own.weight;
@@ -139,7 +143,7 @@ impl BlockSystem {
                 own.residuals.chunks_exact_mut(size).zip(own.normals.chunks_exact_mut(size * size));
             for (i, (residual, normal)) in each.enumerate() {
                 let linear = Linear { residual, normal: &mut *normal };
-                differences.linearise((hard, own.band), i, x, model.parts.extent, linear);
+                differences.linearise((hard, band), i, x, model.parts.extent, linear);
                 if normal.iter().all(|entry| *entry == 0.0) {
                     continue;
                 }
@@ -162,8 +166,40 @@ impl BlockSystem {
         })
     }
 
+    /// Whether each node is no unknown.
+    pub(in crate::solve) fn fixed(&self) -> &[bool] {
+        &self.fixed
+    }
+
+    /// Applies the inverse of the factored matrix to four right-hand sides in place, a row for each unknown: x, y and
+    /// z of every node.
+    pub(in crate::solve) fn solve(&self, right: &mut [Row]) {
+        self.matrix.solve_columns(right);
+    }
+
+    /// What of a displacement, `#nodes`, is across the normal spaces: three numbers for each point of each constraint.
+    pub(in crate::solve) fn across(&mut self, displacement: &[Row]) -> Vec<f64> {
+        self.batches.iter_mut().for_each(|batch| batch.residuals.fill(0.0));
+        self.update_images(displacement);
+        self.batches.iter().flat_map(|batch| &batch.images).copied().collect()
+    }
+
+    /// Makes a displacement, `#nodes`, tangent to the constraints by the least change.
+    pub(in crate::solve) fn make_tangent(&mut self, displacement: &mut [Row]) {
+        for batch in &mut self.batches {
+            for (residual, &node) in batch.residuals.chunks_exact_mut(3).zip(&batch.nodes) {
+                residual.copy_from_slice(&displacement[node as usize][..3]);
+            }
+        }
+        let mut change = vec![[0.0; 4]; displacement.len()];
+        self.least_change(&mut change);
+        for (to, by) in displacement.as_flattened_mut().iter_mut().zip(change.as_flattened()) {
+            *to += by;
+        }
+    }
+
     /// The norm of all residuals at positions `x` of the model, which are noted.
-    pub(super) fn residuals(&mut self, model: &Model, x: &[Row]) -> f64 {
+    pub(in crate::solve) fn residuals(&mut self, model: &Model, x: &[Row]) -> f64 {
         let batches = self.batches.iter_mut().zip(&model.hard.batches);
         let squares = batches.map(|(own, hard)| hard.residuals(x, own.band, &mut own.residuals));
         squares.sum::<f64>().sqrt()
@@ -171,7 +207,7 @@ impl BlockSystem {
 
     /// The least change `dx`, `#nodes`, in the metric of the energies that meets the linearised constraints with the
     /// residuals at hand.
-    pub(super) fn least_change(&mut self, dx: &mut [Row]) {
+    pub(in crate::solve) fn least_change(&mut self, dx: &mut [Row]) {
         // Softer springs are for shorter steps: no multipliers then.
         let passes = if self.is_stiffest() { 7 } else { 1 };
         dx.fill([0.0; 4]);
@@ -239,7 +275,7 @@ impl BlockSystem {
 
     /// The norm of the residuals after the last least change, as the linear model has it: what is across the normal
     /// spaces, which the constraints are held in, and what is not.
-    pub(super) fn predicted(&self) -> f64 {
+    pub(in crate::solve) fn predicted(&self) -> f64 {
         let mut squares = 0.0;
         for batch in &self.batches {
             let size = 3 * batch.points;

@@ -13,7 +13,7 @@ use crate::solve::energy::Constraints;
 const AIM: f64 = 0.9;
 
 /// Hard constraints of one row with the same number of points.
-pub(super) struct HardBatch {
+pub(in crate::solve) struct HardBatch {
     /// The row of constraints of the problem; none of the guard.
     pub row: Option<usize>,
     /// The width of the band; none where the shape itself is asked for.
@@ -26,16 +26,16 @@ pub(super) struct HardBatch {
 }
 
 /// The batches of all hard rows, and of the guard.
-pub(super) struct HardRows {
+pub(in crate::solve) struct HardRows {
     pub batches: Vec<HardBatch>,
 }
 
 /// A row of constraints, its place among those of the problem, and what is asked of it.
-pub(super) type HardRow<'a> = (&'a Constraints, Option<usize>, Require);
+pub(in crate::solve) type HardRow<'a> = (&'a Constraints, Option<usize>, Require);
 
 /// How far one constraint is from being met.
 #[derive(Clone, Copy)]
-pub(super) struct Miss {
+pub(in crate::solve) struct Miss {
     /// The greatest distance of a point to the shape that fits.
     pub distance: f64,
     /// The same beyond what is allowed.
@@ -44,7 +44,7 @@ pub(super) struct Miss {
 
 impl HardRows {
     /// Batches the rows, whose vertices are called `node_of[v]`; `rest` is the rest position of each node.
-    pub(super) fn new(
+    pub(in crate::solve) fn new(
         rows: &[HardRow<'_>],
         node_of: &[u32],
         rest: &[Row],
@@ -73,17 +73,22 @@ impl HardRows {
     }
 
     /// The local step with shifts: adds half the gradient of `rho * E` to `gradient`, and gives `E`.
-    pub(super) fn local_step(&mut self, x: &[Row], gradient: &mut [Row], rho: f64) -> f64 {
+    pub(in crate::solve) fn local_step(
+        &mut self,
+        x: &[Row],
+        gradient: &mut [Row],
+        rho: f64,
+    ) -> f64 {
         self.batches.iter_mut().map(|batch| batch.local_step(x, gradient, rho)).sum()
     }
 
     /// The multipliers' update, `u := z + u - P(z + u)` of the last local step.
-    pub(super) fn update_shifts(&mut self) {
+    pub(in crate::solve) fn update_shifts(&mut self) {
         self.batches.iter_mut().for_each(|batch| batch.shift.copy_from_slice(&batch.residual));
     }
 
     /// Divides all shifts: `rho * w * u` is the multiplier, which stays where `rho` grows.
-    pub(super) fn divide_shifts(&mut self, by: f64) {
+    pub(in crate::solve) fn divide_shifts(&mut self, by: f64) {
         let part = Lanes::splat(1.0 / by);
         for shift in self.batches.iter_mut().flat_map(|batch| &mut batch.shift) {
             *shift = *shift * part;
@@ -91,12 +96,12 @@ impl HardRows {
     }
 
     /// Whether some row is to be exact; the guard is none.
-    pub(super) fn any_exact(&self) -> bool {
+    pub(in crate::solve) fn any_exact(&self) -> bool {
         self.batches.iter().any(|hard| hard.row.is_some() && hard.within.is_none())
     }
 
     /// The greatest excess, that of the guard included.
-    pub(super) fn worst(&self, x: &[Row]) -> f64 {
+    pub(in crate::solve) fn worst(&self, x: &[Row]) -> f64 {
         let mut worst = 0.0;
         for batch in &self.batches {
             batch.misses(x, |_, miss| worst = Lane::max(miss.excess, worst));
@@ -173,13 +178,13 @@ impl HardBatch {
 
     /// The width of the band that the polish holds points in. It takes a band that is thinner than `thin` for the
     /// shape itself: its steps go to the middle then, and end when they are inside.
-    pub(super) fn wide(&self, thin: f64) -> Option<f64> {
+    pub(in crate::solve) fn wide(&self, thin: f64) -> Option<f64> {
         self.within.filter(|width| *width > thin)
     }
 
     /// Writes the residuals at positions `x`, constraint by constraint, three numbers for each point: the way to the
     /// shape, backwards, or what of it is beyond the `band`. Gives the sum of squares.
-    pub(super) fn residuals(&self, x: &[Row], band: Option<f64>, to: &mut [f64]) -> f64 {
+    pub(in crate::solve) fn residuals(&self, x: &[Row], band: Option<f64>, to: &mut [f64]) -> f64 {
         let n = self.batch.points();
         let (mut points, mut projected) = (vec![Vec3::zero(); n], vec![Vec3::zero(); n]);
         let mut squares = 0.0;
@@ -204,7 +209,7 @@ impl HardBatch {
     }
 
     /// Gives `each` how far every constraint is from being met at positions `x`.
-    pub(super) fn misses(&self, x: &[Row], mut each: impl FnMut(usize, Miss)) {
+    pub(in crate::solve) fn misses(&self, x: &[Row], mut each: impl FnMut(usize, Miss)) {
         let n = self.batch.points();
         let (mut points, mut projected) = (vec![Vec3::zero(); n], vec![Vec3::zero(); n]);
         for chunk in 0..self.batch.count().div_ceil(LANES) {

@@ -21,12 +21,12 @@
 
 mod answer;
 mod approach;
-mod block_system;
+pub(super) mod block_system;
 mod guard;
 mod hard_rows;
-mod model;
+pub(super) mod model;
 mod normal_space;
-mod polish;
+pub(super) mod polish;
 mod requirement;
 
 pub use answer::{ExactAnswer, Moved, Unmet, exact_tolerance};
@@ -51,6 +51,9 @@ const NEAR_ENOUGH: f64 = 1e-4;
 /// Where a tolerance is enough: the polish fails from farther away.
 const NEAR_ENOUGH_WITHIN: f64 = 3e-5;
 
+/// See [`Polish::new`].
+const HELD: f64 = 1e-3;
+
 /// Where the polish fails the approach goes on, so many times nearer; not below the last.
 const NEARER: f64 = 0.3;
 const NEAREST: f64 = 1e-7;
@@ -58,9 +61,6 @@ const NEAREST: f64 = 1e-7;
 /// So often the polish is tried in a row. Where a tolerance is enough, coming nearer is quicker than a second try.
 const POLISHES: u32 = 2;
 const POLISHES_WITHIN: u32 = 1;
-
-/// The polish ends at this part of the diagonal of the bounding box: 1e-12 of the bounding sphere.
-const MET: f64 = 5e-13;
 
 /// The factor of the polish takes at most so many bytes; larger problems end with the approach.
 const MOST_BYTES: usize = 400_000_000;
@@ -137,19 +137,14 @@ impl Exact {
             most_polishes,
             seconds: 0.0,
         };
-        let goal = if can_polish { exact.goal() } else { near };
-        if exact.is_met(goal) || exact.model.holding.fixed.iter().all(|fixed| *fixed) {
+        let goal = if can_polish { exact.model.goal() } else { near };
+        if exact.model.is_met(goal) || exact.model.holding.fixed.iter().all(|fixed| *fixed) {
             exact.stage = Stage::Ended;
         } else if worst <= near && can_polish {
             exact.begin_polish();
         }
         exact.seconds = clock::now() - started;
         exact
-    }
-
-    /// The excess at which the polish is done: what coordinates have digits for, at most.
-    fn goal(&self) -> f64 {
-        (MET * self.model.parts.extent).max(self.model.rounding())
     }
 
     /// One iteration of the approach, or one step of the polish; nothing once it has ended.
@@ -206,25 +201,15 @@ impl Exact {
             let enough = if any_exact { NEAR_ENOUGH } else { NEAR_ENOUGH_WITHIN };
             self.near = enough * self.model.parts.extent;
         }
-        let near = if self.can_polish { worst <= self.near } else { self.is_met(self.near) };
+        let near = if self.can_polish { worst <= self.near } else { self.model.is_met(self.near) };
         let stands = self.approach.stands_still(worst);
         self.contradicts |= stands;
-        if self.is_met(self.goal()) {
+        if self.model.is_met(self.model.goal()) {
             self.end();
         } else if near || stands || self.approach.iterations >= self.most_iterations {
             self.end_approach();
         }
         Ok(())
-    }
-
-    /// Whether the constraints are met, those that are to be exact up to `near`.
-    fn is_met(&self, near: f64) -> bool {
-        let mut met = true;
-        for hard in &self.model.hard.batches {
-            let most = if hard.within.is_some() { 0.0 } else { near };
-            hard.misses(&self.model.x, |_, miss| met &= miss.excess <= most);
-        }
-        met
     }
 
     fn end_approach(&mut self) {
@@ -237,7 +222,7 @@ impl Exact {
 
     fn begin_polish(&mut self) {
         let model = &mut self.model;
-        let polish = self.polish.get_or_insert_with(|| Polish::new(model));
+        let polish = self.polish.get_or_insert_with(|| Polish::new(model, HELD));
         polish.restart(false);
         self.began = (polish.factors, model.x.clone());
         (self.tries, self.polishes) = (self.tries + 1, 1);
@@ -253,7 +238,7 @@ impl Exact {
             // All is met here but what contradicts, which misses by more where something else gives way.
             self.best.1.copy_from_slice(&self.model.x);
             self.end();
-        } else if self.is_met(self.goal()) {
+        } else if self.model.is_met(self.model.goal()) {
             self.end();
         } else if polished == Polished::Ended {
             self.polish_failed();

@@ -16,8 +16,11 @@ use crate::solve::problem::Problem;
 use crate::solve::setup_cache::SetupCache;
 use std::rc::Rc;
 
+/// The polish ends at this part of the diagonal of the bounding box: 1e-12 of the bounding sphere.
+const MET: f64 = 5e-13;
+
 /// The shape with its energies and hard constraints.
-pub(super) struct Model {
+pub(in crate::solve) struct Model {
     pub parts: Parts,
     pub hard: HardRows,
     pub holding: Holding,
@@ -37,7 +40,7 @@ pub(super) struct Model {
 
 impl Model {
     /// Assembles the problem with its `requirements`, at the positions `start`, `#V by 3`.
-    pub(super) fn new(
+    pub(in crate::solve) fn new(
         problem: &Problem<'_>,
         requirements: &Requirements<'_>,
         handles: &[Handle],
@@ -122,8 +125,23 @@ impl Model {
         model
     }
 
+    /// The excess at which the polish is done: what coordinates have digits for, at most.
+    pub(in crate::solve) fn goal(&self) -> f64 {
+        (MET * self.parts.extent).max(self.rounding())
+    }
+
+    /// Whether the constraints are met, those that are to be exact up to `near`.
+    pub(in crate::solve) fn is_met(&self, near: f64) -> bool {
+        let mut met = true;
+        for hard in &self.hard.batches {
+            let most = if hard.within.is_some() { 0.0 } else { near };
+            hard.misses(&self.x, |_, miss| met &= miss.excess <= most);
+        }
+        met
+    }
+
     /// The scales of the energies in the normal matrix, with this weight of the hard constraints.
-    pub(super) fn scales(&self, rho: f64) -> [f64; 3] {
+    pub(in crate::solve) fn scales(&self, rho: f64) -> [f64; 3] {
         let weights = self.parts.energies.weights;
         [weights.shape, weights.smooth, rho]
     }

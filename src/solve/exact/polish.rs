@@ -22,8 +22,8 @@ const STUCK: u32 = 6;
 const SHORTEST: f64 = 0.125;
 
 /// The steps of the second stage.
-pub(super) struct Polish {
-    system: BlockSystem,
+pub(in crate::solve) struct Polish {
+    pub system: BlockSystem,
     dx: Vec<Row>,
     next: Vec<Row>,
     /// Factors and steps so far.
@@ -39,7 +39,7 @@ pub(super) struct Polish {
 
 /// What a step has come to.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Polished {
+pub(in crate::solve) enum Polished {
     /// There is another step to take.
     Goes,
     /// No step gains any more.
@@ -49,8 +49,9 @@ pub(super) enum Polished {
 }
 
 impl Polish {
-    pub(super) fn new(model: &mut Model) -> Polish {
-        let system = BlockSystem::new(model);
+    /// See [`BlockSystem::new`].
+    pub(in crate::solve) fn new(model: &mut Model, held: f64) -> Polish {
+        let system = BlockSystem::new(model, held);
         let n = system.size();
         Polish {
             dx: vec![[0.0; 4]; n],
@@ -65,7 +66,7 @@ impl Polish {
     }
 
     /// Begins anew from other positions: with bold steps, or with those that gain, which are shorter by softer springs.
-    pub(super) fn restart(&mut self, damped: bool) {
+    pub(in crate::solve) fn restart(&mut self, damped: bool) {
         (self.left, self.stuck, self.damped) = (0, 0, damped);
         self.system.stiffen(f64::INFINITY);
     }
@@ -74,13 +75,17 @@ impl Polish {
     ///
     /// # Errors
     /// When the matrix cannot be factored.
-    pub(super) fn step(&mut self, model: &mut Model, factors: u32) -> Result<Polished, SolveError> {
+    pub(in crate::solve) fn step(
+        &mut self,
+        model: &mut Model,
+        factors: u32,
+    ) -> Result<Polished, SolveError> {
         let fresh = self.left == 0;
         if fresh {
             if self.factors - factors >= MOST_FACTORS {
                 return Ok(Polished::Ended);
             }
-            self.system.factor(model)?;
+            self.system.factor(model, true)?;
             self.factors += 1;
             self.left = MOST_STEPS;
         }

@@ -1,0 +1,25 @@
+//! The shape space of a shape whose hard constraints are met: its softest ways to change while they stay met
+//! (the tangent space of Yang, Yang, Pottmann, Mitra 2011, by projections alone), and the way back onto the
+//! constraints from a step along them.
+//!
+//! The energy is that of smoothness of the displacement, and a little of the displacement itself. One factor of the
+//! system of blocks serves all modes; a step takes another one, and a few triangular sweeps.
+//!
+//! | file | holds |
+//! |---|---|
+//! | `vectors` | a few vectors over all unknowns |
+//! | `motions` | translations, rotations and scaling, which are no variations |
+//! | `subspace` | the iteration for the softest directions |
+//! | `mirror` | planes of symmetry |
+//! | `modes` | the modes that are shown |
+//! | `shape_space` | the modes of a shape, and steps along them |
+
+mod mirror;
+mod modes;
+mod motions;
+mod shape_space;
+mod subspace;
+mod vectors;
+
+pub use modes::{SLIDE, Variation};
+pub use shape_space::{Reached, ShapeSpace};

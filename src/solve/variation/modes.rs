@@ -1,0 +1,134 @@
+//! The modes that are shown: the softest directions, tangent, of the symmetry of the shape, each to its better side.
+
+use super::mirror::Mirror;
+use super::subspace::Subspace;
+use super::vectors::{COUNT, MODES, Products, principal};
+use crate::constraint::Row;
+use crate::math::{Vec3, argsort, key_of_number};
+use crate::mesh::Point;
+use crate::solve::exact::block_system::BlockSystem;
+
+/// Coefficients of modes go this far to either side, as a part of the size.
+pub const SLIDE: f64 = 0.1;
+
+/// A direction that loses more of its length where it is made tangent is none of the shape space.
+const TANGENT: f64 = 0.5;
+
+/// A mode counts as symmetric, or as antisymmetric, up to this.
+const ALMOST: f64 = 0.99;
+
+/// A way to change a shape.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Variation {
+    /// `#V by 3`: the displacement, whose longest row has the size of the model. A coefficient of a hundredth moves
+    /// the vertex that goes farthest by a hundredth of the size.
+    pub displacement: Vec<Point>,
+    /// How stiff the shape is against it, for comparison with other modes.
+    pub stiffness: f64,
+    /// The least and the greatest coefficient with which the constraints can be met, from [`SLIDE`] below zero to that
+    /// above; none while it is not known.
+    pub range: Option<[f64; 2]>,
+}
+
+/// The modes of a subspace, `#nodes` each, of length one, the softest first, with their stiffness.
+pub(super) fn modes(
+    system: &mut BlockSystem,
+    mut subspace: Subspace,
+    mirrors: &[Mirror],
+) -> Vec<(Vec<Row>, f64)> {
+    let mut compliances = subspace.compliances;
+    let parities = symmetrise(&mut subspace, &mut compliances, mirrors);
+    let mut modes = Vec::new();
+    for k in 0..MODES {
+        let mut mode = subspace.vectors.get(k);
+        if compliances[k] <= 0.0 || squared(&mode) < 0.5 {
+            continue;
+        }
+        let definite = mirrors.iter().zip(&parities).filter(|(_, parity)| parity[k].abs() > ALMOST);
+        for (mirror, parity) in definite {
+            let image = mirror.of(&mode);
+            for (row, image) in mode.iter_mut().zip(image) {
+                (0..3).for_each(|c| row[c] = 0.5 * (row[c] + parity[k].signum() * image[c]));
+            }
+        }
+        system.make_tangent(&mut mode);
+        let length = squared(&mode).sqrt();
+        // Written so that NaN is no mode.
+        if length > TANGENT {
+            mode.as_flattened_mut().iter_mut().for_each(|value| *value /= length);
+            modes.push((mode, 1.0 / compliances[k]));
+        }
+    }
+    let order = argsort(modes.iter().map(|(_, stiffness)| key_of_number(*stiffness)));
+    order.iter().map(|&k| std::mem::take(&mut modes[k as usize])).collect()
+}
+
+/// Turns the vectors of a subspace so that each is symmetric or antisymmetric about every mirror, where they can be;
+/// gives how much, from -1 to 1, for each mirror. Nothing is turned, and none given, where the constraints are not
+/// symmetric.
+fn symmetrise(
+    subspace: &mut Subspace,
+    compliances: &mut [f64; COUNT],
+    mirrors: &[Mirror],
+) -> Vec<[f64; COUNT]> {
+    let vectors = &subspace.vectors;
+    let images: Vec<Products> = mirrors
+        .iter()
+        .map(|mirror| {
+            let mut image = vectors.clone();
+            (0..COUNT).for_each(|k| image.set(k, &mirror.of(&vectors.get(k))));
+            vectors.products(&image)
+        })
+        .collect();
+    if images.is_empty() {
+        return Vec::new();
+    }
+    // What commutes is diagonal together, also where compliances are equal.
+    let mut sum: Products = [[0.0; COUNT]; COUNT];
+    (0..COUNT).for_each(|k| sum[k][k] = compliances[k]);
+    let mut weight = 0.1 * compliances[MODES - 1];
+    for image in &images {
+        for (to, from) in sum.as_flattened_mut().iter_mut().zip(image.as_flattened()) {
+            *to += weight * from;
+        }
+        weight *= 0.37;
+    }
+    let (_, factors) = principal(&sum);
+    let along = |matrix: &Products, k: usize| -> f64 {
+        let row = |i: usize| (0..COUNT).map(|j| matrix[i][j] * factors[k][j]).sum::<f64>();
+        (0..COUNT).map(|i| factors[k][i] * row(i)).sum()
+    };
+    let parities: Vec<[f64; COUNT]> =
+        images.iter().map(|image| std::array::from_fn(|k| along(image, k))).collect();
+    let is_definite = |k: &usize| parities.iter().all(|parity| parity[*k].abs() > ALMOST);
+    // Of modes of equal compliance the last one may be without the others.
+    if (0..MODES).filter(is_definite).count() < MODES / 2 {
+        return Vec::new();
+    }
+    let mut own: Products = [[0.0; COUNT]; COUNT];
+    (0..COUNT).for_each(|k| own[k][k] = compliances[k]);
+    *compliances = std::array::from_fn(|k| along(&own, k));
+    subspace.vectors.mix(&factors);
+    parities
+}
+
+fn squared(mode: &[Row]) -> f64 {
+    mode.as_flattened().iter().map(|value| value * value).sum()
+}
+
+/// Whether the vertex that goes farthest goes outwards: along its normal, or away from the centre.
+pub(super) fn goes_outwards(displacement: &[Point], normals: &[Vec3<f64>], at: &[Point]) -> bool {
+    let n = at.len() as f64;
+    let centre = at.iter().fold(Vec3::zero(), |sum, &p| sum + Vec3::from(p) * (1.0 / n));
+    let lengths = || displacement.iter().map(|&d| Vec3::from(d).length());
+    let longest = lengths().fold(0.0, f64::max);
+    // The first of those that go almost as far: mirror images go equally far.
+    let Some(v) = lengths().position(|length| length >= 0.999 * longest) else { return true };
+    let way = Vec3::from(displacement[v]);
+    let along = way.dot(normals[v]);
+    if along.abs() > 0.1 * longest {
+        along > 0.0
+    } else {
+        way.dot(Vec3::from(at[v]) - centre) >= 0.0
+    }
+}

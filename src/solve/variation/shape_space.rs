@@ -1,0 +1,303 @@
+//! The modes of a shape, and steps along them: added up, and brought back onto the constraints.
+
+use super::mirror::Mirror;
+use super::modes::{SLIDE, Variation, goes_outwards, modes};
+use super::motions::kept_motions;
+use super::subspace::Subspace;
+use crate::constraint::Row;
+use crate::math::{Vec3, twice_vector_area};
+use crate::mesh::{Mesh, Point};
+use crate::solve::error::SolveError;
+use crate::solve::exact::model::Model;
+use crate::solve::exact::polish::{Polish, Polished};
+use crate::solve::{
+    Constraints, ExactAnswer, Handle, Hold, Problem, Require, Requirements, SetupCache, Smoothness,
+    SmoothnessOf, Weighting, Weights,
+};
+use std::collections::VecDeque;
+
+/// See [`Polish::new`]: little, so that soft modes differ.
+const HELD: f64 = 1e-5;
+
+/// Factors of a step at most, and of one that is only tried to find the range of a mode.
+const MOST_FACTORS: u32 = 8;
+const MOST_FACTORS_TRIED: u32 = 3;
+
+/// The end of a range is found to a part of [`SLIDE`] by halving so often.
+const HALVINGS: u32 = 3;
+
+/// A step that is not possible is tried again with these parts of it.
+const SHORTER: [f64; 4] = [1.0, 0.75, 0.5, 0.25];
+
+/// Constraints bring a step back by no more than this part of its way: beyond, it goes elsewhere.
+const MOST_BACK: f64 = 0.5;
+
+/// A shape whose hard constraints are met, and its softest ways to change.
+pub struct ShapeSpace {
+    model: Model,
+    polish: Polish,
+    /// `#V by 3`: the shape.
+    shape: Vec<Point>,
+    /// The normals of the vertices, of any length.
+    normals: Vec<Vec3<f64>>,
+    subspace: Option<Subspace>,
+    modes: Vec<Variation>,
+    untried: VecDeque<Trial>,
+}
+
+/// The end of the range of a mode that is to be found.
+struct Trial {
+    mode: usize,
+    side: usize,
+    /// The coefficients, without their sign, that are known to be possible, and not to be.
+    between: [f64; 2],
+    halvings: u32,
+}
+
+/// A step along some modes.
+#[derive(Clone, Debug)]
+pub struct Reached {
+    /// `#V by 3`.
+    pub positions: Vec<Point>,
+    /// The part of the step that was taken; the rest is not possible.
+    pub part: f64,
+    /// How well the constraints are met; what has moved is the way from the shape.
+    pub answer: ExactAnswer,
+}
+
+impl ShapeSpace {
+    /// Of the positions `shape`, `#V by 3`, where the hard rows of `problem` are met; its weights and soft rows do not
+    /// count. Fixed handles stay, soft ones do not count. What is required within a distance is kept as it is for the
+    /// directions, and within the distance for the steps.
+    ///
+    /// # Errors
+    /// When the system is not positive definite.
+    pub fn new(
+        problem: &Problem<'_>,
+        requirements: &Requirements<'_>,
+        handles: &[Handle],
+        shape: &[Point],
+        cache: SetupCache,
+    ) -> Result<ShapeSpace, SolveError> {
+        let rows = problem.constraints.iter().zip(requirements.rows);
+        let (constraints, requires): (Vec<Constraints>, Vec<Require>) = rows
+            .filter(|(_, require)| require.is_hard())
+            .map(|(row, it)| (row.clone(), *it))
+            .unzip();
+        let problem = Problem {
+            constraints: &constraints,
+            weights: Weights { shape: 0.0, close: 0.0, smooth: 1.0 },
+            smoothness: Smoothness {
+                of: SmoothnessOf::Displacement,
+                weighting: Weighting::Uniform,
+            },
+            ..*problem
+        };
+        let requirements = Requirements { rows: &requires, ..*requirements };
+        let is_fixed = |handle: &&Handle| handle.hold == Hold::Fixed;
+        let mut held: Vec<Handle> = handles.iter().filter(is_fixed).copied().collect();
+        held.extend(alone(&problem, &held, shape));
+        let mut model = Model::new(&problem, &requirements, &held, shape, cache);
+        let mut polish = Polish::new(&mut model, HELD);
+        polish.restart(false);
+        polish.system.factor(&model, false)?;
+        let mut at = vec![[0.0; 4]; polish.system.size()];
+        let nodes = polish.system.node_of().to_vec();
+        for (&own, &node) in nodes.iter().zip(model.parts.system.node_of()) {
+            at[own as usize] = model.x[node as usize];
+        }
+        let motions = kept_motions(&mut polish.system, &at, &nodes);
+        let subspace = Subspace::new(&polish.system, motions);
+        Ok(ShapeSpace {
+            normals: normals(problem.mesh, shape),
+            shape: shape.to_vec(),
+            subspace: Some(subspace),
+            modes: Vec::new(),
+            untried: VecDeque::new(),
+            model,
+            polish,
+        })
+    }
+
+    /// Goes on to find the modes, or, once they are found, their ranges, by one iteration or one trial; whether there
+    /// is more to do.
+    ///
+    /// # Errors
+    /// When a system is not positive definite.
+    pub fn step(&mut self) -> Result<bool, SolveError> {
+        match &mut self.subspace {
+            Some(subspace) => {
+                if !subspace.iterate(&self.polish.system) {
+                    self.find_modes();
+                }
+            }
+            None => self.try_range()?,
+        }
+        Ok(self.subspace.is_some() || !self.untried.is_empty())
+    }
+
+    /// The modes, the softest first; none while they are not found. There are fewer than eight where the shape has
+    /// fewer ways to change.
+    pub fn modes(&self) -> &[Variation] {
+        &self.modes
+    }
+
+    /// Whether the modes are found; their ranges may not be.
+    pub fn has_modes(&self) -> bool {
+        self.subspace.is_none()
+    }
+
+    /// The shape, `#V by 3`, plus the modes times these coefficients, where they are not brought back yet.
+    pub fn towards(&self, coefficients: &[f64]) -> Vec<Point> {
+        let mut positions = self.shape.clone();
+        for (mode, coefficient) in self.modes.iter().zip(coefficients).filter(|(_, c)| **c != 0.0) {
+            for (point, way) in positions.iter_mut().zip(&mode.displacement) {
+                (0..3).for_each(|c| point[c] += coefficient * way[c]);
+            }
+        }
+        positions
+    }
+
+    /// Goes along the modes with these coefficients, and back onto the constraints; as far as it is possible.
+    ///
+    /// # Errors
+    /// When a system is not positive definite.
+    pub fn go(&mut self, coefficients: &[f64]) -> Result<Reached, SolveError> {
+        let mut reached = 0.0;
+        if coefficients.iter().any(|coefficient| *coefficient != 0.0) {
+            for part in SHORTER {
+                let shorter: Vec<f64> = coefficients.iter().map(|c| part * c).collect();
+                if self.bring_back(&shorter, MOST_FACTORS)? {
+                    reached = part;
+                    break;
+                }
+            }
+        }
+        if reached == 0.0 {
+            self.model.x.copy_from_slice(&self.model.start);
+        }
+        Ok(Reached {
+            positions: self.model.positions(&self.model.x),
+            part: reached,
+            answer: self.model.measure(&self.model.x),
+        })
+    }
+
+    /// How well the constraints are met at other positions, `#V by 3`.
+    pub fn measure(&self, positions: &[Point]) -> ExactAnswer {
+        self.model.measure(&self.model.parts.to_rows(positions))
+    }
+
+    fn find_modes(&mut self) {
+        let Some(subspace) = self.subspace.take() else { return };
+        let system = &mut self.polish.system;
+        let nodes = system.node_of().to_vec();
+        let mut at = vec![[0.0; 4]; system.size()];
+        for (&own, &node) in nodes.iter().zip(self.model.parts.system.node_of()) {
+            at[own as usize] = self.model.x[node as usize];
+        }
+        let size = self.model.parts.extent;
+        let mirrors = Mirror::all(&at, &nodes, size);
+        for (mode, stiffness) in modes(system, subspace, &mirrors) {
+            let rows = nodes.iter().map(|&node| mode[node as usize]);
+            let mut displacement: Vec<Point> = rows.map(|[x, y, z, _]| [x, y, z]).collect();
+            let lengths = displacement.iter().map(|&d| Vec3::from(d).length());
+            let longest = lengths.fold(0.0, f64::max);
+            let outwards = goes_outwards(&displacement, &self.normals, &self.shape);
+            let scale = if outwards { size / longest } else { -size / longest };
+            displacement.as_flattened_mut().iter_mut().for_each(|value| *value *= scale);
+            self.modes.push(Variation { displacement, stiffness, range: None });
+        }
+        let trials = (0..self.modes.len()).flat_map(|mode| [1, 0].map(|side| (mode, side)));
+        let untried = trials.map(|(mode, side)| Trial {
+            mode,
+            side,
+            between: [0.0, 2.0 * SLIDE],
+            halvings: 0,
+        });
+        self.untried = untried.collect();
+    }
+
+    /// Tries how far a mode goes to one side.
+    fn try_range(&mut self) -> Result<(), SolveError> {
+        let Some(mut trial) = self.untried.pop_front() else { return Ok(()) };
+        let middle = 0.5 * (trial.between[0] + trial.between[1]);
+        let mut coefficients = vec![0.0; self.modes.len()];
+        coefficients[trial.mode] = if trial.side == 1 { middle } else { -middle };
+        let possible = self.bring_back(&coefficients, MOST_FACTORS_TRIED)?;
+        trial.between[usize::from(!possible)] = middle;
+        trial.halvings += 1;
+        if (possible && middle == SLIDE) || trial.halvings > HALVINGS {
+            let range = self.modes[trial.mode].range.get_or_insert([f64::NAN; 2]);
+            range[trial.side] = if trial.side == 1 { trial.between[0] } else { -trial.between[0] };
+        } else {
+            self.untried.push_front(trial);
+        }
+        Ok(())
+    }
+
+    /// Goes along the modes and back onto the constraints, with so many factors at most; whether it got there.
+    fn bring_back(&mut self, coefficients: &[f64], factors: u32) -> Result<bool, SolveError> {
+        let there = self.model.parts.to_rows(&self.towards(coefficients));
+        let model = &mut self.model;
+        let goal = model.goal();
+        let fixed = model.holding.fixed.iter().zip(&there).enumerate();
+        for (node, (_, row)) in fixed.filter(|(_, (fixed, _))| !**fixed) {
+            model.x[node] = *row;
+        }
+        let from: Vec<Row> = model.x.clone();
+        let polish = &mut self.polish;
+        polish.restart(false);
+        let began = polish.factors;
+        while !model.is_met(goal) {
+            let goes = match polish.step(model, began) {
+                Ok(polished) => polished == Polished::Goes,
+                // A step too far may leave what can be factored.
+                Err(SolveError::NotPositiveDefinite { .. }) => false,
+                Err(error) => return Err(error),
+            };
+            if !goes || polish.factors - began > factors {
+                return Ok(false);
+            }
+        }
+        let farthest = |a: &[Row], b: &[Row]| {
+            let away = a
+                .iter()
+                .zip(b)
+                .map(|(a, b)| (0..3).map(|c| (a[c] - b[c]) * (a[c] - b[c])).sum::<f64>());
+            away.fold(0.0, f64::max).sqrt()
+        };
+        let (way, back) = (farthest(&from, &model.start), farthest(&from, &model.x));
+        // Written so that NaN is not possible.
+        Ok(back <= MOST_BACK * way + goal)
+    }
+}
+
+/// Handles for the vertices that neither a face nor a constraint has: nothing is asked of them.
+fn alone<'a>(
+    problem: &'a Problem<'_>,
+    held: &[Handle],
+    shape: &'a [Point],
+) -> impl Iterator<Item = Handle> + use<'a> {
+    let mut free = vec![true; shape.len()];
+    held.iter().for_each(|handle| free[handle.vertex as usize] = false);
+    for row in problem.constraints {
+        row.members.indices().iter().for_each(|&v| free[v as usize] = false);
+    }
+    let neighbours = problem.topology.neighbours();
+    (0..).zip(shape).filter_map(move |(vertex, &target)| {
+        let is_alone = free[vertex as usize] && neighbours.row(vertex as usize).is_empty();
+        is_alone.then_some(Handle { vertex, target, hold: Hold::Fixed })
+    })
+}
+
+/// Normals of the vertices, each as long as twice the area around it.
+fn normals(mesh: &Mesh, shape: &[Point]) -> Vec<Vec3<f64>> {
+    let mut normals = vec![Vec3::zero(); shape.len()];
+    for face in mesh.faces.iter() {
+        let corners: Vec<Vec3<f64>> = face.iter().map(|&v| shape[v as usize].into()).collect();
+        let area = twice_vector_area(corners.into_iter());
+        face.iter().for_each(|&v| normals[v as usize] += area);
+    }
+    normals.iter().map(|normal| normal.length_and_direction().1.unwrap_or(Vec3::zero())).collect()
+}
