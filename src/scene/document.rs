@@ -7,7 +7,8 @@ use crate::fabricate::BuildSettings;
 use crate::json::present;
 use crate::mesh::{Mesh, Point};
 use crate::solve::{Hold, Require, Smoothness, SolverSettings, Weights};
-use serde::Deserialize;
+use serde::{Deserialize, Deserializer};
+use std::rc::Rc;
 
 /// A scene file, checked for form. Whether its indices and names fit the mesh is checked when a
 /// session opens it.
@@ -55,6 +56,9 @@ pub struct Scene {
     /// How the shape is to be built.
     #[serde(default, deserialize_with = "present")]
     pub build: Option<Box<BuildSettings>>,
+    /// Shapes that were kept.
+    #[serde(default)]
+    pub variants: Variants,
 }
 
 impl Scene {
@@ -75,8 +79,45 @@ impl Scene {
             solver: SolverSettings::default(),
             lesson: None,
             build: None,
+            variants: Variants::default(),
         }
     }
+}
+
+/// Shapes that were kept, to compare them and to go back to them.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Variants {
+    /// In the order in which they were kept, [`Variants::MOST`] at most.
+    pub kept: Vec<Variant>,
+    /// The one that closeness and smoothness hold the shape to; none for the rest shape.
+    #[serde(default, deserialize_with = "present")]
+    pub design: Option<usize>,
+}
+
+/// A shape that was kept.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Variant {
+    /// Its name.
+    pub name: String,
+    /// `#V by 3`.
+    #[serde(deserialize_with = "shared")]
+    pub positions: Rc<[Point]>,
+}
+
+impl Variants {
+    /// No more are kept.
+    pub const MOST: usize = 12;
+
+    /// The shape that is held to instead of the rest shape, `#V by 3`.
+    pub fn design_positions(&self) -> Option<&[Point]> {
+        self.design.and_then(|index| self.kept.get(index)).map(|variant| &*variant.positions)
+    }
+}
+
+fn shared<'de, D: Deserializer<'de>>(from: D) -> Result<Rc<[Point]>, D::Error> {
+    Vec::deserialize(from).map(Rc::from)
 }
 
 /// Which axis points up.

@@ -17,6 +17,7 @@ impl Scene {
     ) -> Problem<'a> {
         Problem {
             mesh,
+            design: self.variants.design_positions(),
             topology,
             constraints,
             weights: self.weights,

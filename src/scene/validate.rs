@@ -1,6 +1,9 @@
 //! The checks of a scene beyond its form: numbers in range, and indices and names that the mesh has.
 
-use super::{ClosenessTo, HandleSpec, Hold, NamedEnum, Scene, SceneError, Target, Weighting};
+use super::{
+    ClosenessTo, HandleSpec, Hold, NamedEnum, Scene, SceneError, Target, Variant, Variants,
+    Weighting,
+};
 use crate::constraint::Selector;
 use crate::json::push_key;
 use crate::math::argsort;
@@ -31,6 +34,7 @@ impl Scene {
                 ),
             );
         }
+        self.check_variants(vertices)?;
         self.check_sets(mesh)?;
         self.check_selectors(mesh)?;
         self.check_handles(vertices)?;
@@ -45,6 +49,37 @@ impl Scene {
             );
         }
         self.check_target()
+    }
+
+    fn check_variants(&self, vertices: usize) -> Result<(), SceneError> {
+        let Variants { kept, design } = &self.variants;
+        let count = kept.len();
+        if count > Variants::MOST {
+            let most = Variants::MOST;
+            return error("variants.kept", format!("found {count}, expected {most} at most"));
+        }
+        for (i, Variant { positions, .. }) in kept.iter().enumerate() {
+            let found = positions.len();
+            let path = format!("variants.kept[{i}].positions");
+            if found != vertices {
+                return error(
+                    &path,
+                    format!(
+                        "found {found} positions, expected one for each of the {vertices} vertices"
+                    ),
+                );
+            }
+            if let Some(vertex) = too_far(positions) {
+                return error(&format!("{path}[{vertex}]"), "the position is too far out");
+            }
+        }
+        match design.filter(|index| *index >= count) {
+            Some(index) => error(
+                "variants.design",
+                format!("found {index}, expected the place of one of the {count} that are kept"),
+            ),
+            None => Ok(()),
+        }
     }
 
     fn check_target(&self) -> Result<(), SceneError> {

@@ -130,6 +130,7 @@ impl Session {
     /// Begins a run: iterations up to [`Session::end_run`] are one step of undo.
     pub fn begin_run(&mut self) {
         self.guard.let_go_on(false);
+        self.leave_variation();
         if self.transaction.is_none() {
             self.begin(Transaction::run);
         }
@@ -200,6 +201,7 @@ impl Session {
     pub(super) fn end_transaction(&mut self) {
         self.end_run();
         self.end_drag(true);
+        self.leave_variation();
     }
 
     /// Makes a change of the document a part of what is under way.
@@ -209,7 +211,7 @@ impl Session {
         }
     }
 
-    fn begin(&mut self, kind: impl FnOnce(Change) -> Transaction) {
+    pub(super) fn begin(&mut self, kind: impl FnOnce(Change) -> Transaction) {
         self.end_transaction();
         self.transaction = Some(kind(self.way_back()));
         self.progress.leave_half();

@@ -5,7 +5,9 @@ use super::Session;
 use super::run::{ExactReport, Meeting, Met, Step};
 use crate::error::Error;
 use crate::mesh::Point;
-use crate::solve::{Constraints, Exact, Require, Requirements, exact_tolerance};
+use crate::solve::{
+    Constraints, Exact, Handle, Problem, Require, Requirements, SetupCache, exact_tolerance,
+};
 
 impl Session {
     /// What meets the hard constraints from the current shape on, to be stepped by the host and given to
@@ -22,6 +24,16 @@ impl Session {
         &self,
         instead: impl Fn(Require) -> Require,
     ) -> Result<Option<Exact>, Error> {
+        self.with_requirements(instead, Exact::new)
+    }
+
+    /// Poses the problem with something else required of the rows that are on, from the current shape on; none where
+    /// nothing is hard then.
+    pub(super) fn with_requirements<T>(
+        &self,
+        instead: impl Fn(Require) -> Require,
+        make: impl FnOnce(&Problem<'_>, &Requirements<'_>, &[Handle], &[Point], SetupCache) -> T,
+    ) -> Result<Option<T>, Error> {
         let document = self.document();
         let places: Vec<usize> = self.scene.enabled_rows().collect();
         let requires: Vec<Require> =
@@ -41,7 +53,7 @@ impl Session {
         };
         let (handles, start) = (self.scene.handles(), self.scene.positions());
         let cache = self.solver().setup_cache();
-        Ok(Some(Exact::new(&problem, &requirements, handles, start, cache)))
+        Ok(Some(make(&problem, &requirements, handles, start, cache)))
     }
 
     /// Takes the shape that was found, as a part of the run that is under way.
@@ -70,6 +82,14 @@ impl Session {
         if let Some(met) = self.met_here() {
             return Some(met.report.clone());
         }
+        self.hard_distance()
+            .filter(|(_, _, met)| *met)
+            .map(|(most, tolerance, _)| ExactReport::of_what_is_met(most, tolerance))
+    }
+
+    /// The greatest distance to what is hard at the current positions, the greatest that is allowed, and whether all
+    /// are as allowed; none where nothing is hard.
+    pub(super) fn hard_distance(&self) -> Option<(f64, f64, bool)> {
         let document = self.document();
         let rows = self.scene.enabled_rows().zip(self.solver().found());
         let tolerance = exact_tolerance(self.rest.positions());
@@ -86,7 +106,7 @@ impl Session {
             most = most.max(worst);
             allowed = Some(within.max(allowed.unwrap_or(0.0)));
         }
-        allowed.filter(|_| met).map(|tolerance| ExactReport::of_what_is_met(most, tolerance))
+        allowed.map(|tolerance| (most, tolerance, met))
     }
 
     /// Whether some constraints that are on are hard.

@@ -13,6 +13,8 @@
 //! | `iterating` | iterations, whole and in halves |
 //! | `meeting` | hard constraints met |
 //! | `exact_trial` | what it would cost to be exact |
+//! | `variations` | ways to change the shape while hard constraints stay met: shown, brought back, kept |
+//! | `variant_table` | the numbers of the shapes that were kept |
 //! | `asking` | what hosts ask: selections, measures, reports, files |
 //! | `handed_in` | the results of a lesson, and their check |
 //! | `remedies` | changes that help where constraints are not met, tried on a copy |
@@ -42,6 +44,8 @@ mod run;
 mod selection;
 mod state;
 mod undo;
+mod variant_table;
+mod variations;
 
 pub use crate::solve::Moved;
 pub use composition::Session;
@@ -63,3 +67,5 @@ pub use run::{
 pub use selection::{Mode, OPERATIONS, Operation, SelectRequest, Selection};
 pub use state::ResolvedRow;
 pub use undo::check_targets;
+pub use variant_table::VariantRow;
+pub use variations::Variations;

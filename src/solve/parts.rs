@@ -80,6 +80,8 @@ impl Parts {
         let (centre, extent) = centre_and_extent(&mesh.positions);
         let node_of = &system.node_of()[..n_vertices];
         let rest = to_rows(&mesh.positions, node_of, n, centre);
+        let design = problem.design.map(|design| to_rows(design, node_of, n, centre));
+        let held_to = design.as_deref().unwrap_or(&rest);
         let target = problem.closeness_target.filter(|_| weights.close > 0.0);
         let target = target.map(|target| cache.surface_of(target, centre));
         let SetupCache { surface: made, target: cached, .. } = cache;
@@ -100,11 +102,15 @@ impl Parts {
             (gliding, corners)
         });
         let (close, mut corners) = if weights.close > 0.0 {
+            let of_design = problem.design.map(|design| {
+                let mesh = Mesh { positions: design.to_vec(), ..mesh.clone() };
+                move || Rc::new(rest_surface(&mesh, centre))
+            });
             let rest_shape = RestShape {
-                rest: &rest,
+                rest: held_to,
                 node_of,
                 topology: problem.topology,
-                surface: &surface,
+                surface: of_design.as_ref().map_or(&surface as &dyn Fn() -> _, |it| it),
                 target,
             };
             CloseEnergy::new(problem.closeness_to, boundary, &factors, &rest_shape)
@@ -122,7 +128,7 @@ impl Parts {
             smooth: laplacian.map(|laplacian| {
                 let rest = match problem.smoothness.of {
                     SmoothnessOf::Surface => Vec::new(),
-                    SmoothnessOf::Displacement => rest.clone(),
+                    SmoothnessOf::Displacement => held_to.to_vec(),
                 };
                 SmoothEnergy::new(&laplacian, node_of, n, rest)
             }),

@@ -5,13 +5,15 @@ use super::energy::{Constraints, extra_unknowns, shape_terms};
 use super::settings::{
     BoundaryCloseness, ClosenessTo, Smoothness, SolverSettings, Weighting, Weights,
 };
-use crate::mesh::{Laplacian, Mesh, Topology};
+use crate::mesh::{Laplacian, Mesh, Point, Topology};
 use std::rc::Rc;
 
 /// A shape, the constraints on its vertices, and the weights of Eq. 13.
 pub struct Problem<'a> {
     /// The rest shape `V'`; lengths of everything else are in its unit.
     pub mesh: &'a Mesh,
+    /// What closeness and smoothness hold the shape to, `#V by 3`, where that is not the rest shape.
+    pub design: Option<&'a [Point]>,
     /// The topology of `mesh`.
     pub topology: &'a Topology,
     /// Every row of constraints, resolved.

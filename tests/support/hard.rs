@@ -65,6 +65,7 @@ impl Case {
     pub(crate) fn problem(&self) -> Problem<'_> {
         Problem {
             mesh: &self.mesh,
+            design: None,
             topology: &self.topology,
             constraints: &self.rows,
             weights: self.weights,

@@ -7,7 +7,7 @@ use crate::constraint::Set;
 use crate::fabricate::BuildSettings;
 use crate::json::indices;
 use crate::mesh::Mesh;
-use crate::scene::{MeshSource, NamedEnum, Scene, Up};
+use crate::scene::{MeshSource, NamedEnum, Scene, Up, Variants};
 use serde_json::{Map, Value};
 
 impl Scene {
@@ -91,7 +91,20 @@ fn write(scene: &Scene, mesh: &Mesh) -> String {
     if let Some(build) = &scene.build {
         fields.push(field("build", object(write_build(build))));
     }
+    if !scene.variants.kept.is_empty() {
+        fields.push(field("variants", object(write_variants(&scene.variants))));
+    }
     format!("{{\n  {}\n}}\n", fields.join(",\n  "))
+}
+
+fn write_variants(variants: &Variants) -> Vec<String> {
+    let kept = variants.kept.iter().map(|variant| {
+        let positions = rows(variant.positions.iter().map(point), "");
+        object(vec![field("name", text(&variant.name)), field("positions", positions)])
+    });
+    let mut fields = vec![field("kept", lines('[', kept.collect(), ']'))];
+    fields.extend(variants.design.map(|index| field("design", index.to_string())));
+    fields
 }
 
 /// The settings of a build that are not the default.

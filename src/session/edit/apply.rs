@@ -3,10 +3,12 @@
 use super::closeness_weights::{set_closeness_weight, strengthen_closeness};
 use super::constraint_target::ConstraintTarget;
 use super::edit_list::{Edit, NewConstraint};
-use super::settings;
+use super::{settings, variants};
 use crate::constraint::{Kind, KindError, Set};
 use crate::mesh::{counted, read};
-use crate::scene::{ClosenessTo, ConstraintSpec, HANDLE_WEIGHT, Hold, PRESETS, SceneError, Target};
+use crate::scene::{
+    ClosenessTo, ConstraintSpec, HANDLE_WEIGHT, Hold, PRESETS, SceneError, Target, Variants,
+};
 use crate::session::report::check_lesson;
 use crate::session::run::Start;
 use crate::session::state::{Draft, Part, RowValues};
@@ -177,6 +179,10 @@ pub(crate) fn apply(
             draft.put(Part::Build(Some(build)));
             "Change build settings".to_owned()
         }
+        Edit::KeepVariant { start } => variants::keep(start, draft)?,
+        Edit::GoToVariant { index } => variants::go_to(index, draft)?,
+        Edit::RenameVariant { index, name } => variants::rename(index, name, draft)?,
+        Edit::RemoveVariant { index } => variants::remove(index, draft)?,
         Edit::AddHandles { vertices, fixed } => {
             let hold = if fixed { Hold::Fixed } else { Hold::Soft { weight: HANDLE_WEIGHT } };
             draft.put_handles(with_handles(&vertices, hold, draft)?);
@@ -197,6 +203,8 @@ pub(crate) fn apply(
         }
         Edit::Reset => {
             draft.put_positions(draft.mesh().positions.as_slice().into());
+            let kept = draft.document().variants.kept.clone();
+            draft.put(Part::Variants(Variants { kept, design: None }));
             *moment = Moment { iteration: 0, start: None };
             "Reset".to_owned()
         }

@@ -3,10 +3,12 @@
 use crate::constraint::Set;
 use crate::fabricate::BuildSettings;
 use crate::json::indices::{self, Indices};
+use crate::mesh::Point;
 use crate::scene::{ConstraintSpec, Lesson, Up, Weights};
 use crate::solve::Require;
 use serde::{Deserialize, Deserializer};
 use serde_json::{Map, Value};
+use std::rc::Rc;
 
 /// An edit of the document; [`Edit::from_json`] reads one.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -122,6 +124,29 @@ pub enum Edit {
     SetBuild {
         /// All settings; those that are left out get their defaults.
         build: Box<BuildSettings>,
+    },
+    /// Keeps the current shape among the variants, and makes it the design.
+    #[serde(skip_deserializing)]
+    KeepVariant {
+        /// The shape that it is a variant of, `#V by 3`: the first one that is kept.
+        start: Rc<[Point]>,
+    },
+    /// Goes to variant `index`, and makes it the design.
+    GoToVariant {
+        /// Which one.
+        index: usize,
+    },
+    /// Gives variant `index` another name.
+    RenameVariant {
+        /// Which one.
+        index: usize,
+        /// Its name.
+        name: String,
+    },
+    /// Takes variant `index` out of those that are kept.
+    RemoveVariant {
+        /// Which one; not the design.
+        index: usize,
     },
     /// Makes vertices handles where they are now; those that are handles already change how they hold.
     AddHandles {

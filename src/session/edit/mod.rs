@@ -9,6 +9,7 @@
 //! | `target_shape` | what that is to the mesh, for the usual kind |
 //! | `preview` | what adding a constraint would make |
 //! | `closeness_weights` | how close single vertices are kept |
+//! | `variants` | shapes that were kept |
 //! | `settings` | the declared settings of a scene |
 
 mod apply;
@@ -19,6 +20,7 @@ mod edit_list;
 mod preview;
 mod settings;
 mod target_shape;
+mod variants;
 
 pub(crate) use apply::{Moment, apply};
 pub use constraint_target::ConstraintTarget;

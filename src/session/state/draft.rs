@@ -34,6 +34,11 @@ impl Draft<'_> {
         &self.change.positions
     }
 
+    /// The same, shared.
+    pub(crate) fn shared_positions(&self) -> Rc<[Point]> {
+        Rc::clone(&self.change.positions)
+    }
+
     /// Replaces a part of the document.
     pub(crate) fn put(&mut self, mut part: Part) {
         part.exchange(self.document);

@@ -5,7 +5,7 @@ use crate::constraint::{Kind, Selector, Set, Sets};
 use crate::fabricate;
 use crate::scene::{
     BoundaryCloseness, ClosenessTo, ClosenessWeight, ConstraintSpec, Goal, Lesson, Scene,
-    Smoothness, SolverSettings, Target, Up, Weights,
+    Smoothness, SolverSettings, Target, Up, Variants, Weights,
 };
 use crate::solve::Require;
 use std::mem::{size_of_val, swap};
@@ -17,6 +17,7 @@ pub(crate) enum Part {
     Up(Up),
     Lesson(Option<Lesson>),
     Build(Option<Box<fabricate::BuildSettings>>),
+    Variants(Variants),
     Settings(Settings),
     ClosenessWeights(Vec<ClosenessWeight>),
     /// A named set; none takes it away.
@@ -106,6 +107,7 @@ impl Part {
             Part::Up(up) => swap(up, &mut scene.up),
             Part::Lesson(lesson) => swap(lesson, &mut scene.lesson),
             Part::Build(build) => swap(build, &mut scene.build),
+            Part::Variants(variants) => swap(variants, &mut scene.variants),
             Part::Settings(settings) => {
                 let before = Settings::of(scene);
                 std::mem::replace(settings, before).put_in(scene);
@@ -145,6 +147,7 @@ impl Part {
             Part::Up(up) => *up == scene.up,
             Part::Lesson(lesson) => *lesson == scene.lesson,
             Part::Build(build) => *build == scene.build,
+            Part::Variants(variants) => *variants == scene.variants,
             Part::Settings(settings) => *settings == Settings::of(scene),
             Part::ClosenessWeights(weights) => *weights == scene.closeness.weights,
             Part::Set(name, set) => set.as_ref() == scene.sets.get(name),
@@ -161,6 +164,10 @@ impl Part {
             Part::Units(_) | Part::Up(_) | Part::Lesson(_) | Part::Build(_) | Part::RowName(..) => {
                 Effect::Nothing
             }
+            Part::Variants(before) => match same_design(before, &scene.variants) {
+                true => Effect::Nothing,
+                false => Effect::Problem,
+            },
             Part::Settings(before) => {
                 let now = Settings::of(scene);
                 if *before == now {
@@ -186,6 +193,7 @@ impl Part {
             Part::Up(to.up),
             Part::Lesson(to.lesson.clone()),
             Part::Build(to.build.clone()),
+            Part::Variants(to.variants.clone()),
             Part::Settings(Settings::of(to)),
             Part::ClosenessWeights(to.closeness.weights.clone()),
         ];
@@ -211,6 +219,8 @@ impl Part {
             Part::Build(build) => {
                 build.as_ref().map_or(0, |_| size_of::<fabricate::BuildSettings>())
             }
+            // Lists that follow each other share their shapes.
+            Part::Variants(variants) => size_of_val(&*variants.kept),
             Part::ClosenessWeights(weights) => {
                 size_of_val(&**weights)
                     + weights.iter().map(|entry| bytes_of_selector(&entry.on)).sum::<usize>()
@@ -236,8 +246,13 @@ fn are_named_otherwise(from: &[ConstraintSpec], to: &[ConstraintSpec]) -> bool {
 pub(crate) fn same_problem(a: &Scene, b: &Scene) -> bool {
     Settings::of(a) == Settings::of(b)
         && a.closeness.weights == b.closeness.weights
+        && same_design(&a.variants, &b.variants)
         && same_sets(&a.sets, &b.sets)
         && are_named_otherwise(&a.constraints, &b.constraints)
+}
+
+fn same_design(a: &Variants, b: &Variants) -> bool {
+    a.design_positions() == b.design_positions()
 }
 
 fn same_sets(a: &Sets, b: &Sets) -> bool {

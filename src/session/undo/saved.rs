@@ -9,7 +9,7 @@ use super::change::Change;
 use super::history::{History, NamedStep};
 use crate::error::Error;
 use crate::mesh::{Mesh, Point, too_far};
-use crate::scene::{MeshSource, Scene, SceneError};
+use crate::scene::{MeshSource, Scene, SceneError, Variants};
 use crate::session::state::{Part, SceneChange, SolvedScene, flat, grouped, same_positions};
 use crate::solve::Handle;
 use std::rc::Rc;
@@ -22,6 +22,8 @@ const LIMIT_STEPS: usize = 1000;
 /// The first byte of each part of a state: as in the state before it, or written out.
 const SAME: u8 = 0;
 const OTHER: u8 = 1;
+/// Of a document: written out, but with the variants of the state before it.
+const SAME_VARIANTS: u8 = 2;
 
 /// A state of a session.
 #[derive(Clone)]
@@ -148,8 +150,12 @@ fn write(out: &mut Vec<u8>, state: &SavedState, near: Option<&SavedState>, mesh:
     if near.is_some_and(|n| n.document == state.document && n.handles == state.handles) {
         out.push(SAME);
     } else {
-        out.push(OTHER);
+        let variants = &state.document.variants;
+        let known = near.is_some_and(|n| n.document.variants == *variants);
+        out.push(if known { SAME_VARIANTS } else { OTHER });
+        let variants = if known { Variants::default() } else { variants.clone() };
         let scene = Scene {
+            variants,
             mesh: MeshSource::File("mesh".to_owned()),
             handles: grouped(&state.handles),
             ..state.document.clone()
@@ -175,8 +181,11 @@ fn read(
     let iteration = bytes.count()?;
     let (document, handles) = match (bytes.byte()?, near) {
         (SAME, Some(near)) => (near.document.clone(), Rc::clone(&near.handles)),
-        (OTHER, _) => {
+        (written @ (OTHER | SAME_VARIANTS), _) => {
             let mut document = Scene::from_json(bytes.text()?)?;
+            if let Some(near) = near.filter(|_| written == SAME_VARIANTS) {
+                document.variants = near.document.variants.clone();
+            }
             document.validate(mesh)?;
             let handles = flat(&std::mem::take(&mut document.handles), &mesh.positions);
             (Scene { mesh: source.clone(), ..document }, handles.into())

@@ -18,6 +18,7 @@ pub(crate) struct Transaction {
 enum Kind {
     Drag,
     Run,
+    Variation,
 }
 
 impl Transaction {
@@ -29,6 +30,15 @@ impl Transaction {
     /// A run from where `back` leads.
     pub(crate) fn run(back: Change) -> Transaction {
         Transaction { kind: Kind::Run, back, joins_last: false }
+    }
+
+    /// A shape that is shown and not kept, instead of the one that `back` leads to.
+    pub(crate) fn variation(back: Change) -> Transaction {
+        Transaction { kind: Kind::Variation, back, joins_last: false }
+    }
+
+    pub(crate) fn is_variation(&self) -> bool {
+        self.kind == Kind::Variation
     }
 
     pub(crate) fn is_drag(&self) -> bool {

@@ -98,6 +98,11 @@ impl ShapeSpace {
         let mut held: Vec<Handle> = handles.iter().filter(is_fixed).copied().collect();
         held.extend(alone(&problem, &held, shape));
         let mut model = Model::new(&problem, &requirements, &held, shape, cache);
+        // The little that is added to the metric holds them: the shape goes where it likes.
+        for &vertex in &model.holding.pinned {
+            let node = model.parts.system.node_of()[vertex as usize];
+            model.holding.fixed[node as usize] = false;
+        }
         let mut polish = Polish::new(&mut model, HELD);
         polish.restart(false);
         polish.system.factor(&model, false)?;

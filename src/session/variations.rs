@@ -1,0 +1,140 @@
+//! Ways to change the shape while its hard constraints stay met: shown while somebody tries them, brought back onto the
+//! constraints, and kept or left.
+
+use super::Session;
+use super::edit::Edit;
+use super::run::{ExactReport, Met};
+use super::undo::{Change, Transaction};
+use crate::error::Error;
+use crate::mesh::Point;
+use crate::solve::{ExactAnswer, ShapeSpace, Variation};
+use std::rc::Rc;
+
+/// The ways to change a shape of a session.
+pub struct Variations {
+    space: ShapeSpace,
+    /// The shape, `#V by 3`.
+    from: Rc<[Point]>,
+    /// What was reached last, if that is what is shown.
+    reached: Option<ExactAnswer>,
+}
+
+impl Variations {
+    /// Goes on to find them and their ranges; whether there is more to do.
+    ///
+    /// # Errors
+    /// As [`ShapeSpace::step`].
+    pub fn step(&mut self) -> Result<bool, Error> {
+        Ok(self.space.step()?)
+    }
+
+    /// Whether they are found; their ranges may not be.
+    pub fn are_found(&self) -> bool {
+        self.space.has_modes()
+    }
+
+    /// Those that are found, the softest first.
+    pub fn modes(&self) -> &[Variation] {
+        self.space.modes()
+    }
+}
+
+impl Session {
+    /// The ways to change the current shape; none where no constraint is hard, or some are not met.
+    ///
+    /// # Errors
+    /// When a set of the scene is not there, or the system is singular.
+    pub fn variations(&self) -> Result<Option<Variations>, Error> {
+        if !self.exact().is_some_and(|exact| exact.met) {
+            return Ok(None);
+        }
+        let Some(space) = self.with_requirements(|require| require, ShapeSpace::new)? else {
+            return Ok(None);
+        };
+        let from = Rc::clone(self.scene.positions());
+        Ok(Some(Variations { space: space?, from, reached: None }))
+    }
+
+    /// Shows the shape plus the variations times these coefficients, before it is brought back onto the constraints;
+    /// whether the variations are of the shape that is open.
+    pub fn show_variation(&mut self, variations: &mut Variations, coefficients: &[f64]) -> bool {
+        if !self.begin_variation(variations) {
+            return false;
+        }
+        self.scene.show(&variations.space.towards(coefficients));
+        variations.reached = None;
+        true
+    }
+
+    /// Goes there and back onto the constraints, as far as it is possible: gives the part of the way, or none where
+    /// the variations are not of the shape that is open.
+    ///
+    /// # Errors
+    /// As [`ShapeSpace::go`].
+    pub fn reach_variation(
+        &mut self,
+        variations: &mut Variations,
+        coefficients: &[f64],
+    ) -> Result<Option<f64>, Error> {
+        if !self.begin_variation(variations) {
+            return Ok(None);
+        }
+        let reached = variations.space.go(coefficients)?;
+        self.scene.show(&reached.positions);
+        self.note_reached(&reached.answer);
+        variations.reached = Some(reached.answer);
+        Ok(Some(reached.part))
+    }
+
+    /// Keeps what was reached last: it is the design from here on, and one of the variants. One step of undo; whether
+    /// there was anything to keep.
+    ///
+    /// # Errors
+    /// When there is no room among the variants; it is shown still then.
+    pub fn keep_variation(&mut self, variations: &mut Variations) -> Result<bool, Error> {
+        let Some(answer) = variations.reached.take() else { return Ok(false) };
+        let Some(transaction) = self.transaction.take_if(|it| it.is_variation()) else {
+            return Ok(false);
+        };
+        let start = Rc::clone(&variations.from);
+        match self.make(Edit::KeepVariant { start }) {
+            Ok(Some((name, mut change))) => {
+                change.scene.positions = transaction.into_back().scene.positions;
+                self.history.push(name, change);
+                self.note_reached(&answer);
+                Ok(true)
+            }
+            Ok(None) => Ok(false),
+            Err(error) => {
+                (self.transaction, variations.reached) = (Some(transaction), Some(answer));
+                Err(error)
+            }
+        }
+    }
+
+    /// Goes back from a variation that is shown and not kept.
+    pub fn leave_variation(&mut self) {
+        let Some(transaction) = self.transaction.take_if(|it| it.is_variation()) else { return };
+        let mut back: Change = transaction.into_back();
+        self.exchange(&mut back).expect("the state was solvable before");
+    }
+
+    fn begin_variation(&mut self, variations: &Variations) -> bool {
+        let shown = self.transaction.as_ref().filter(|it| it.is_variation());
+        if let Some(transaction) = shown {
+            return Rc::ptr_eq(&transaction.back().scene.positions, &variations.from);
+        }
+        if !Rc::ptr_eq(self.scene.positions(), &variations.from) {
+            return false;
+        }
+        self.begin(Transaction::variation);
+        true
+    }
+
+    fn note_reached(&mut self, answer: &ExactAnswer) {
+        let rows = &self.document().constraints;
+        let hard = self.scene.enabled_rows().filter(|&row| rows[row].require.is_hard());
+        let places: Vec<usize> = hard.collect();
+        self.met = Some(Met::new(&self.scene, ExactReport::new(answer.clone(), &places)));
+    }
+}
