@@ -26,7 +26,7 @@ pub struct Scene {
     pub up: Up,
     /// The rest shape.
     pub mesh: MeshSource,
-    /// Where the iteration starts, `#V by 3`; at rest when absent.
+    /// Where the iteration starts, `#V by 3`; at the design, or at rest, when absent.
     #[serde(default, deserialize_with = "present")]
     pub current: Option<Vec<Point>>,
     /// Named sets.

@@ -20,6 +20,8 @@ pub struct Session {
     pub(super) measured: MeasureCache,
     /// How hard constraints were met, and the shape of which that is true.
     pub(super) met: Option<Met>,
+    /// The same of the shape before the variation that is shown.
+    pub(super) met_before: Option<Met>,
     /// What the run that is under way is meeting.
     pub(super) meeting: Option<Meeting>,
 }

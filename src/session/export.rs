@@ -20,11 +20,12 @@ fn comments(scene: &SolvedScene) -> String {
     UnitsAndUp::comments(&document.units, document.up)
 }
 
-/// The document with its handles, and with current positions when they are not at rest.
+/// The document with its handles, and with current positions when they are neither the design nor at rest.
 pub(super) fn whole_scene(scene: &SolvedScene, rest: &RestMesh) -> Scene {
     let mut whole = scene.document().clone();
     let positions = scene.positions();
-    whole.current = (**positions != *rest.positions()).then(|| positions.to_vec());
+    let design = whole.variants.design_positions().unwrap_or(rest.positions());
+    whole.current = (**positions != *design).then(|| positions.to_vec());
     whole.handles = grouped(scene.handles());
     whole
 }

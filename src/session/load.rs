@@ -85,7 +85,8 @@ impl Checked {
     /// When the system is singular.
     fn open(mut self) -> Result<Session, Error> {
         let start = self.scene.current.take();
-        let start = start.unwrap_or_else(|| self.rest.positions().to_vec());
+        let design = self.scene.variants.design_positions().unwrap_or(self.rest.positions());
+        let start = start.unwrap_or_else(|| design.to_vec());
         let handles = flat(&std::mem::take(&mut self.scene.handles), self.rest.positions());
         self.set_up(handles, &start, None)
     }
@@ -120,6 +121,7 @@ impl Checked {
             transaction,
             measured,
             met: None,
+            met_before: None,
             meeting: None,
         })
     }

@@ -3,6 +3,8 @@
 use super::Session;
 use crate::error::Error;
 use crate::math::twice_vector_area;
+use crate::mesh::Point;
+use crate::scene::{Variant, Variants};
 use crate::solve::Moved;
 use serde::Serialize;
 use std::rc::Rc;
@@ -31,41 +33,63 @@ pub struct VariantRow {
 }
 
 impl Session {
-    /// The numbers of every variant, with panels beyond `tolerance` counted. What is shown and not kept is left.
+    /// The numbers of every variant, with panels beyond `tolerance` counted.
     ///
     /// # Errors
     /// Never in practice: positions alone do not make the system singular.
     pub fn variant_table(&mut self, tolerance: f64) -> Result<Vec<VariantRow>, Error> {
-        self.end_transaction();
-        let variants = self.document().variants.clone();
         let here = Rc::clone(self.scene.positions());
-        let mut table = Vec::new();
-        for (index, variant) in variants.kept.into_iter().enumerate() {
-            let mut change = self.scene.way_back();
-            change.positions = variant.positions;
-            self.scene.exchange(&self.rest, &mut change)?;
-            let now = self.scene.positions();
-            let is_current = **now == *here;
-            let corners = |face: &[u32]| face.iter().map(|&v| now[v as usize].into()).collect();
-            let area = |face: &[u32]| {
-                let corners: Vec<_> = corners(face);
-                0.5 * twice_vector_area(corners).length()
-            };
-            let area = self.mesh().faces.iter().map(area).sum();
-            let verdict = self.verdict(tolerance);
-            let (panels, within) = verdict.map_or((0, 0), |it| (it.panels, it.within));
-            table.push(VariantRow {
-                name: variant.name,
-                is_design: variants.design == Some(index),
-                is_current,
-                distance: self.hard_distance().map(|(most, _, _)| most),
-                moved: self.moved(),
-                area,
-                panels,
-                beyond: panels - within,
-            });
-            self.scene.exchange(&self.rest, &mut change)?;
-        }
-        Ok(table)
+        let Variants { kept, design } = self.document().variants.clone();
+        let rows = kept.into_iter().enumerate().map(|(index, Variant { name, positions })| {
+            let is_current = *positions == *here;
+            self.at(positions, |session| {
+                let verdict = session.verdict(tolerance);
+                let (panels, within) = verdict.map_or((0, 0), |it| (it.panels, it.within));
+                VariantRow {
+                    name,
+                    is_design: design == Some(index),
+                    is_current,
+                    distance: session.hard_distance().map(|(most, _, _)| most),
+                    moved: session.moved(),
+                    area: session.area(),
+                    panels,
+                    beyond: panels - within,
+                }
+            })
+        });
+        rows.collect()
+    }
+
+    /// The values of the measure `id` of the faces of variant `index`, as [`Session::face_values`]; none where it is
+    /// not there.
+    ///
+    /// # Errors
+    /// As [`Session::variant_table`].
+    pub fn variant_values(&mut self, index: usize, id: &str) -> Result<Option<Vec<f64>>, Error> {
+        let Some(variant) = self.document().variants.kept.get(index) else { return Ok(None) };
+        let positions = Rc::clone(&variant.positions);
+        self.at(positions, |session| session.face_values(id))
+    }
+
+    /// What `ask` gives at other positions, `#V by 3`; the current ones stay.
+    fn at<T>(
+        &mut self,
+        positions: Rc<[Point]>,
+        ask: impl FnOnce(&mut Session) -> T,
+    ) -> Result<T, Error> {
+        let mut change = self.scene.way_back();
+        change.positions = positions;
+        self.scene.exchange(&self.rest, &mut change)?;
+        let answer = ask(self);
+        self.scene.exchange(&self.rest, &mut change)?;
+        Ok(answer)
+    }
+
+    fn area(&self) -> f64 {
+        let now = self.scene.positions();
+        let faces = self.mesh().faces.iter();
+        let twice =
+            faces.map(|face| twice_vector_area(face.iter().map(|&v| now[v as usize].into())));
+        twice.map(|area| 0.5 * area.length()).sum()
     }
 }

@@ -117,6 +117,7 @@ impl Session {
         let Some(transaction) = self.transaction.take_if(|it| it.is_variation()) else { return };
         let mut back: Change = transaction.into_back();
         self.exchange(&mut back).expect("the state was solvable before");
+        self.met = self.met_before.take();
     }
 
     fn begin_variation(&mut self, variations: &Variations) -> bool {
@@ -128,6 +129,7 @@ impl Session {
             return false;
         }
         self.begin(Transaction::variation);
+        self.met_before = self.met.take();
         true
     }
 

@@ -26,6 +26,7 @@
  * @property {import("../store/mesh-queries.js").Selecting} selecting
  * @property {import("../ui/controls/alerts.js").Alerts} alerts
  * @property {import("../features/hold-original.js").HoldOriginal} hold
+ * @property {(choices: [import("../store/view-modes.js").Choice, import("../store/view-modes.js").Choice]) => Promise<void>} showSides two pictures, left and right
  * @property {Command[]} commands those that operations of selecting declare come later
  */
 

@@ -73,7 +73,10 @@ colourRows(store, solver, actions);
 
 const hold = new HoldOriginal(store, actions);
 /** @type {import("./context.js").AppContext} */
-const app = { store, solver, viewport, files, actions, selecting, alerts, hold, commands: [] };
+const app = {
+  ...{ store, solver, viewport, files, actions, selecting, alerts, hold, commands: [] },
+  showSides: (choices) => splitInto(app, choices),
+};
 viewport.once('ready', showLegend);
 modelPanel(byId('model'), app, () => analysis.bring('log'));
 constraintsPanel(byId('constraints'), app);
@@ -89,7 +92,7 @@ loadWhenNeeded(app, {
   load: () =>
     import('../panels/example/example.js').then((it) =>
       it.exampleNote(byId('example-note'), app, ({ split, plot }) => {
-        if (split) splitInto(app, split);
+        if (split) app.showSides(split);
         if (plot) analysis.bring(plot);
       }),
     ),

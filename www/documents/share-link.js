@@ -8,7 +8,8 @@
  * | `#scene=CODE` | a scene with its mesh |
  *
  * `&run` iterates after opening. CODE is the text of a scene without its current positions, deflated,
- * in base64url: what was solved is solved again, so that no rounded result stands beside its errors.
+ * in base64url: what was solved is solved again, so that no rounded result stands beside its errors. A design that
+ * was kept is in the scene: it is where the scene starts.
  */
 
 /** @typedef {import("./files.js").Example} Example */
@@ -50,7 +51,9 @@ export function readLink(hash) {
  */
 export async function writeLink(text, example, original, run) {
   const scene = withoutPositions(text);
-  const end = run ? '&run' : '';
+  // What was kept is as exact as it was.
+  const isKept = scene.variants?.design !== undefined && !JSON.parse(text).current;
+  const end = run && !isKept ? '&run' : '';
   if (!example) return `#scene=${await pack(JSON.stringify(scene))}${end}`;
   const edits = { ...scene, mesh: { file: example.mesh } };
   const before = original && { ...withoutPositions(original), mesh: { file: example.mesh } };

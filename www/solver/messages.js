@@ -33,6 +33,8 @@
 /** @typedef {import("../pkg/solver/shape_up.js").Preview} Preview */
 /** @typedef {import("../pkg/solver/shape_up.js").Problem} Problem */
 /** @typedef {import("../pkg/solver/shape_up.js").Document} SceneDocument */
+/** @typedef {import("../pkg/solver/shape_up.js").VariantRow} VariantRow */
+/** @typedef {import("../pkg/solver/shape_up.js").VariationProgress} VariationProgress */
 /** @typedef {import("../pkg/solver/shape_up.js").Verdict} Verdict */
 /** @typedef {import("../pkg/solver/shape_up.js").Weights} Weights */
 /** @typedef {import("../pkg/solver/shape_up.js").WorstElement} WorstElement */
@@ -90,6 +92,8 @@
  *   | { type: "setLesson", lesson: Lesson | null }
  *   | { type: "setBuild", build: Partial<BuildSettings> }
  *   | { type: "weighHandles", vertices: number[], weight: number }
+ *   | { type: "goToVariant", index: number }
+ *   | { type: "removeVariant", index: number }
  *   | { type: "reset" }} Edit
  */
 
@@ -200,6 +204,11 @@
  * - `exactOffer`: what it would cost to be exact instead of within a distance, tried beside all else; ends early,
  *   with null, when something changes. `makeExact`: takes the exact shape that was tried, if it is still of the
  *   current one, as a step of undo or a part of the last one.
+ * - `findVariations`: begins to look for ways to change a shape that is exact; `advanceVariations` goes on for a
+ *   slice. `variation`: the way of every vertex for a coefficient of one. `showVariation`: shows the shape plus the
+ *   variations times their coefficients; `reachVariation` brings it back onto the constraints; `keepVariation` makes
+ *   that the design, one step of undo; `leaveVariation` goes back from it.
+ * - `variantTable`, `variantPositions`: of the shapes that were kept; `faceValues` of a `variant` too.
  * - `members`: what a constraint acts on. `rowColours`: the colours of all of them. `previews`: what
  *   adding one of each kind at each of some places would make. `select`: what is selected then.
  * - `worst`: the worst faces by a measure, or the worst constraints of a row. `flawed`: the elements
@@ -228,11 +237,20 @@
  *   | { type: "editAndRun", edit: Edit }
  *   | { type: "exactOffer" }
  *   | { type: "makeExact", joins: boolean }
+ *   | { type: "findVariations" }
+ *   | { type: "advanceVariations" }
+ *   | { type: "variation", index: number }
+ *   | { type: "showVariation", coefficients: Float64Array }
+ *   | { type: "reachVariation", coefficients: Float64Array }
+ *   | { type: "keepVariation" }
+ *   | { type: "leaveVariation" }
+ *   | { type: "variantTable", tolerance: number }
+ *   | { type: "variantPositions", index: number }
  *   | { type: "undo" }
  *   | { type: "redo" }
  *   | { type: "step" }
  *   | { type: "halfStep" }
- *   | { type: "faceValues", measure: Measure, original: boolean }
+ *   | { type: "faceValues", measure: Measure, original: boolean, variant?: number }
  *   | { type: "cornerValues", measure: Measure }
  *   | { type: "originalPositions" }
  *   | { type: "angles" }
@@ -265,6 +283,15 @@
  * @property {null} editAndRun
  * @property {ExactOffer | null} exactOffer
  * @property {boolean} makeExact whether it was done
+ * @property {boolean} findVariations whether there can be any
+ * @property {VariationProgress} advanceVariations
+ * @property {Float32Array} variation `#V by 3`
+ * @property {boolean} showVariation whether they are of the shape that is open
+ * @property {number | null} reachVariation the part of the way; null where they are of another shape
+ * @property {boolean} keepVariation whether there was anything to keep
+ * @property {null} leaveVariation
+ * @property {VariantRow[]} variantTable
+ * @property {Float64Array} variantPositions `#V by 3`
  * @property {string | null} undo the name of what was undone
  * @property {string | null} redo the name of what was redone
  * @property {boolean} step whether it has converged

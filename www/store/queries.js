@@ -51,8 +51,14 @@ export function createQueries(solver, reportErrors) {
         throw error;
       })),
 
-    /** Values of the faces. @param {Measure} measure @param {boolean} original those that it had when opened */
-    faceValues: (measure, original) => solver.request({ type: 'faceValues', measure, original }),
+    /**
+     * Values of the faces.
+     * @param {Measure} measure
+     * @param {boolean} original those that it had when opened
+     * @param {number} [variant] those of a shape that was kept
+     */
+    faceValues: (measure, original, variant) =>
+      solver.request({ type: 'faceValues', measure, original, variant }),
 
     /** Values of the vertices, where the measure has any. @param {Measure} measure */
     cornerValues: (measure) => solver.request({ type: 'cornerValues', measure }),

@@ -17,8 +17,13 @@
  */
 
 /**
- * What a side shows: the original or the current shape, coloured by a measure.
- * @typedef {{ measure: import("../solver/messages.js").Measure, original: boolean }} Choice
+ * What a side shows: the original, the current shape, or one that was kept, coloured by a measure.
+ * @typedef {{ measure: import("../solver/messages.js").Measure, original: boolean, variant?: KeptShape }} Choice
+ */
+
+/**
+ * A shape that was kept.
+ * @typedef {{ index: number, name: string, positions: Float64Array }} KeptShape
  */
 
 /**

@@ -26,7 +26,7 @@ const CHANGES = new Set([
     'editAndRun',
     'makePanels',
   ]),
-  .../** @type {ToWorker["type"][]} */ (['undo', 'redo', 'step', 'halfStep']),
+  .../** @type {ToWorker["type"][]} */ (['undo', 'redo', 'step', 'halfStep', 'findVariations']),
 ]);
 
 /** Messages that came before the solver was there. @type {ToWorker[]} */

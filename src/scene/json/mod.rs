@@ -11,7 +11,7 @@
 //! | key | holds |
 //! |---|---|
 //! | "mesh" | `{ "file": PATH }`, relative to the scene, or `{ "positions", "faces", "curves", "tets", "groups" }` |
-//! | "current" | `#V by 3`, where the iteration starts; without it, at rest |
+//! | "current" | `#V by 3`, where the iteration starts; without it, at the design of `variants`, or at rest |
 //! | "sets" | `{ NAME: { "vertices": LIST } }` or `{ NAME: { "faces": LIST } }` |
 //! | "constraints" | `kind`, `on`, `weight` (1), `enabled` (true), `name`, `require` (`"soft"`, `"exact"` or `{ "within": LENGTH }`), and the parameters of the kind |
 //! | "handles" | `vertices`, `targets` (the rest positions), and `weight` (100) or `"fixed": true` |

@@ -181,7 +181,6 @@ pub(crate) fn apply(
         }
         Edit::KeepVariant { start } => variants::keep(start, draft)?,
         Edit::GoToVariant { index } => variants::go_to(index, draft)?,
-        Edit::RenameVariant { index, name } => variants::rename(index, name, draft)?,
         Edit::RemoveVariant { index } => variants::remove(index, draft)?,
         Edit::AddHandles { vertices, fixed } => {
             let hold = if fixed { Hold::Fixed } else { Hold::Soft { weight: HANDLE_WEIGHT } };

@@ -136,13 +136,6 @@ pub enum Edit {
         /// Which one.
         index: usize,
     },
-    /// Gives variant `index` another name.
-    RenameVariant {
-        /// Which one.
-        index: usize,
-        /// Its name.
-        name: String,
-    },
     /// Takes variant `index` out of those that are kept.
     RemoveVariant {
         /// Which one; not the design.

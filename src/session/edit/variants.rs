@@ -42,26 +42,6 @@ pub(super) fn go_to(index: usize, draft: &mut Draft<'_>) -> Result<String, Scene
     Ok(format!("Go to {name}"))
 }
 
-/// Gives one another name.
-///
-/// # Errors
-/// When it is not there, or the name is empty.
-pub(super) fn rename(
-    index: usize,
-    name: String,
-    draft: &mut Draft<'_>,
-) -> Result<String, SceneError> {
-    let words = format!("Rename {}", variant(index, draft)?.name);
-    if name.trim().is_empty() {
-        let path = format!("variants.kept[{index}].name");
-        return Err(SceneError { path, message: "expected a name".to_owned() });
-    }
-    let mut variants = draft.document().variants.clone();
-    variants.kept[index].name = name;
-    draft.put(Part::Variants(variants));
-    Ok(words)
-}
-
 /// Takes one out.
 ///
 /// # Errors

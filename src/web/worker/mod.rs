@@ -9,7 +9,7 @@
 //! | `selecting`, `lists`, `lesson` | selections and settings, lists of elements, goals |
 //! | `saved` | steps of undo and unfinished work as bytes, to go on after a restart |
 //! | `parametrize`, `experiment` | the flat map, the paper's comparisons |
-//! | `trials` | what would help where constraints are not met, and what it would cost to be exact |
+//! | `trials` | what would help where constraints are not met, what it would cost to be exact, and variations |
 //! | `measure` | what benchmarks ask |
 
 mod drag;

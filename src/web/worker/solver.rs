@@ -2,7 +2,7 @@
 
 use super::report::{self, Document, elements, kinds};
 use crate::mesh::Weld;
-use crate::session::{ExactTrial, FACE_MEASURES, FileReader, Session};
+use crate::session::{ExactTrial, FACE_MEASURES, FileReader, Session, Variations};
 use crate::solve::clock;
 use crate::web::plain::plain;
 use crate::web::{log_panics, thrown};
@@ -21,6 +21,8 @@ pub struct Solver {
     pub(super) step_ms: f64,
     /// What it would cost to be exact, tried.
     pub(super) trial: Option<ExactTrial>,
+    /// Ways to change the shape.
+    pub(super) variations: Option<Variations>,
 }
 
 #[wasm_bindgen]

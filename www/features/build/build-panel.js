@@ -2,7 +2,8 @@
 
 import './build-panel.css';
 import { button, closeButton } from '../../ui/controls/fields.js';
-import { byId, element, leave } from '../../ui/dom.js';
+import { dock, undock } from '../../ui/controls/docked.js';
+import { element } from '../../ui/dom.js';
 import { showElements } from '../../viewport/reveal-elements.js';
 import { checkCard, sheetsInWords, warnings } from './check-card.js';
 import { LiveBuild, MOST_LIVE_VERTICES, MOST_SHEETS } from './live-build.js';
@@ -54,7 +55,7 @@ async function buildPanel(app) {
   const notes = element('div');
   const save = button('Save drawings and tables', saveAll, { class: 'primary' });
   const panel = element(
-    'section',
+    'section.docked',
     { id: 'parts-panel', 'aria-labelledby': 'heading-parts', hidden: true },
     element(
       'div.heading-row',
@@ -70,7 +71,6 @@ async function buildPanel(app) {
       pictures.place,
     ),
   );
-  byId('main').after(panel);
 
   /** What depends on the distance. @param {Omit<Built, "sheets"> | null} built */
   function showOffset(built) {
@@ -134,8 +134,7 @@ async function buildPanel(app) {
   }
 
   function close() {
-    leave(panel, () => (panel.hidden = true));
-    delete document.body.dataset.parts;
+    undock(panel);
     layer.show(null);
     actions.tint(null);
     actions.look({ build: null });
@@ -160,8 +159,7 @@ async function buildPanel(app) {
   return {
     toggle() {
       if (!panel.hidden) return close();
-      panel.hidden = false;
-      document.body.dataset.parts = 'open';
+      dock(panel, close);
       form.show(live.settings(), live.unit().symbol);
       live.again();
       panel.querySelector('select')?.focus();

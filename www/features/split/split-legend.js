@@ -4,6 +4,7 @@
  */
 
 import { rampOf } from '../../viewport/ramp.js';
+import { setOptions } from '../../ui/controls/fields.js';
 import { element, setText } from '../../ui/dom.js';
 import { groupDigits } from '../../ui/format.js';
 import { declared, movedInWords, toleranceOf, unitOf, valueInWords } from '../../store/measures.js';
@@ -12,6 +13,9 @@ import { countsOf, greatestOf } from '../../ui/plot/histogram.js';
 import { axisOf, placeOn } from '../../ui/plot/value-axis.js';
 
 /** @typedef {import("../../store/view-modes.js").Choice} Choice */
+
+/** The option of a shape that was kept. */
+const KEPT = 'kept';
 
 export class SplitLegend {
   #side;
@@ -43,15 +47,10 @@ export class SplitLegend {
       'aria-label': `${name}: coloured by`,
       onchange: () => choose({ measure: this.#measure.value }),
     });
-    this.#shape = element(
-      'select',
-      {
-        'aria-label': `${name}: shape`,
-        onchange: () => choose({ original: this.#shape.value === 'original' }),
-      },
-      element('option', { value: 'original' }, 'Original'),
-      element('option', { value: 'now' }, 'Now'),
-    );
+    this.#shape = element('select', {
+      'aria-label': `${name}: shape`,
+      onchange: () => choose({ original: this.#shape.value === 'original', variant: undefined }),
+    });
     this.element = element(
       'div',
       {
@@ -83,7 +82,9 @@ export class SplitLegend {
     }
     this.#measure.value = about.id;
     this.#measure.title = about.words;
-    this.#shape.value = side.original ? 'original' : 'now';
+    const kept = side.variant ? [[KEPT, side.variant.name]] : [];
+    setOptions(this.#shape, [['original', 'Original'], ['now', 'Now'], ...kept]);
+    this.#shape.value = side.variant ? KEPT : side.original ? 'original' : 'now';
 
     const axis = axisOf(0, side.top, false);
     drawBars(this.#bars, countsOf(side.values, axis));
@@ -105,7 +106,7 @@ export class SplitLegend {
     const { mean, faces } = meanOf(side.values);
     const worst = words(greatestOf(side.values));
     setText(this.#top, words(side.top));
-    const moved = side.original ? '' : movedInWords(state);
+    const moved = side.original || side.variant ? '' : movedInWords(state);
     setText(this.#facts, `mean ${words(mean)}, worst ${worst}${moved && ` · moved ${moved}`}`);
     const outlined = before && original ? `; originally up to ${words(greatestOf(original))}` : '';
     this.#histogram.ariaLabel = `${groupDigits(faces)} faces between 0 and ${worst}${outlined}`;

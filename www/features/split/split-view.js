@@ -78,7 +78,10 @@ export class SplitView {
       this.#tops.clear();
     });
     // An edit may ask for something else of the faces.
-    solver.on('document', () => this.#originalValues.clear());
+    solver.on('document', () => {
+      this.#originalValues.clear();
+      this.#leaveLost();
+    });
   }
 
   /** @param {[Choice, Choice]} [choices] left and right; else those before, or the original and now */
@@ -99,9 +102,9 @@ export class SplitView {
   }
 
   /** @param {Choice} choice */
-  #words({ measure, original }) {
+  #words({ measure, original, variant }) {
     const label = declared(this.#store.get(), measure)?.label ?? measure;
-    return `${label}, ${original ? 'original' : 'now'}`;
+    return `${label}, ${variant?.name ?? (original ? 'original' : 'now')}`;
   }
 
   /**
@@ -113,6 +116,14 @@ export class SplitView {
     const changed = this.#choices.map((old, i) => (i === which ? { ...old, ...choice } : old));
     this.#choices = /** @type {[Choice, Choice]} */ (changed);
     this.#update();
+  }
+
+  /** A side shows the current shape where the one that was kept is kept no more, or is called otherwise. */
+  #leaveLost() {
+    const names = this.#store.get().document?.variants ?? [];
+    this.#choices?.forEach(({ variant }, i) => {
+      if (variant && names[variant.index] !== variant.name) this.#choose(i, { variant: undefined });
+    });
   }
 
   /** Brings both sides up to date; while that is under way, once more after it. */
@@ -150,7 +161,7 @@ export class SplitView {
     const sides = choices.map((choice, i) => {
       const side = {
         ...choice,
-        positions: choice.original ? original : undefined,
+        positions: choice.variant?.positions ?? (choice.original ? original : undefined),
         values: values[i],
         corners: corners[i],
         top: this.#tops.get(choice.measure) ?? 1,
@@ -166,7 +177,10 @@ export class SplitView {
   }
 
   /** @param {Choice} choice */
-  async #valuesOf({ measure, original }) {
+  async #valuesOf({ measure, original, variant }) {
+    if (variant) {
+      return this.#actions.faceValues(measure, false, variant.index);
+    }
     const known = this.#originalValues.get(measure);
     const before = known ?? (await this.#actions.faceValues(measure, true));
     this.#originalValues.set(measure, before);
@@ -181,8 +195,8 @@ export class SplitView {
    * What bands go through faces by. The original has not moved: there they are in one band.
    * @param {Choice} choice
    */
-  async #cornersOf({ measure, original }) {
-    if (original || !this.#store.get().display.bands) return undefined;
+  async #cornersOf({ measure, original, variant }) {
+    if (original || variant || !this.#store.get().display.bands) return undefined;
     const { geometry } = this.#solver;
     if (geometry?.measure === measure && geometry.corners) return geometry.corners;
     return (await this.#actions.cornerValues(measure)) ?? undefined;

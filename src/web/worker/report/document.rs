@@ -47,6 +47,10 @@ pub(crate) struct Document<'a> {
     /// What is to be made of the shape.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "Required<BuildSettings> | null"))]
     build: Option<Value>,
+    /// The names of the shapes that were kept.
+    variants: Vec<&'a str>,
+    /// Which of them is the design.
+    design: Option<usize>,
 }
 
 #[derive(Serialize)]
@@ -191,6 +195,8 @@ impl<'a> Document<'a> {
             redo,
             pinned: session.solver().pinned(),
             lesson: scene.lesson.as_ref().map(LessonWords::new),
+            variants: scene.variants.kept.iter().map(|variant| &*variant.name).collect(),
+            design: scene.variants.design,
             build: scene.build.as_deref().and_then(|build| serde_json::to_value(build).ok()),
         }
     }

@@ -1,0 +1,20 @@
+/** The button that opens the variations, among those of the model. */
+
+import { button } from '../../ui/controls/fields.js';
+
+/** @param {import("../../app/context.js").AppContext} app */
+export function offerVariations(app) {
+  const { store, actions } = app;
+  const open = button('Variations', () =>
+    actions.reportErrors(import('./variations-panel.js').then((it) => it.toggleVariations(app))),
+  );
+  document.querySelector('#model-panel button[data-command="build"]')?.after(open);
+  store.subscribe(['document', 'numbers', 'running'], ({ document: scene, numbers, running }) => {
+    const isHard = scene?.constraints.some((row) => row.enabled && row.require !== 'soft');
+    open.hidden = !isHard && !scene?.variants.length;
+    open.disabled = running || !(numbers?.exact?.met || scene?.variants.length);
+    open.title = open.disabled
+      ? 'Once all constraints that have to be met are met'
+      : 'Other shapes that are as exact as this one';
+  });
+}

@@ -1,0 +1,125 @@
+/** The shapes that were kept: a strip of pictures, and their numbers in a table. */
+
+import { closeButton } from '../../ui/controls/fields.js';
+import { element } from '../../ui/dom.js';
+import { groupDigits, length, number } from '../../ui/format.js';
+import { measureOfScene } from '../../store/measures.js';
+import { isDrawn } from '../../store/state.js';
+import { variationActions } from '../../store/variation-actions.js';
+import { drawShape } from './thumbnail.js';
+
+/** @typedef {import("../../solver/messages.js").VariantRow} VariantRow */
+
+/** @param {import("../../app/context.js").AppContext} app */
+export function keptStrip(app) {
+  const { store, solver, actions } = app;
+  const ways = variationActions(solver, actions);
+  const strip = element('div.kept-strip', { role: 'group', 'aria-label': 'Kept' });
+  const body = element('tbody');
+  const table = element(
+    'table.kept-table',
+    { 'aria-label': 'Kept shapes compared' },
+    element(
+      'thead',
+      element(
+        'tr',
+        ...COLUMNS.map(([name, title]) => element('th', { scope: 'col', title }, name)),
+      ),
+    ),
+    body,
+  );
+  const empty = element('p.quiet', 'What you keep is shown here, to compare and to go back to.');
+  const place = element('div.kept', element('h3', 'Kept'), empty, strip, table);
+  let asked = 0;
+
+  async function update() {
+    const mine = ++asked;
+    const { document: scene, model, tolerance } = store.get();
+    const { connectivity } = solver.geometry ?? {};
+    if (!scene || !model || !connectivity) return;
+    const { variants, units, up } = scene;
+    empty.hidden = variants.length > 0;
+    strip.hidden = table.hidden = variants.length === 0;
+    if (variants.length === 0) return strip.replaceChildren();
+    const allowed = tolerance ?? model.tolerance;
+    const rows = await ways.table(allowed);
+    /** @type {Float64Array[]} */
+    const shapes = [];
+    for (const index of rows.keys()) shapes.push(await ways.positions(index));
+    // It has changed meanwhile.
+    if (mine !== asked) return;
+    const cards = rows.map((row, index) => card(row, index, shapes[index]));
+    strip.replaceChildren(...cards.map(({ place }) => place));
+    cards.forEach(({ canvas }, index) => drawShape(canvas, connectivity, shapes[index], { up }));
+    strip.querySelector('[aria-current]')?.scrollIntoView({ block: 'nearest', inline: 'nearest' });
+    body.replaceChildren(...rows.map((row) => numbers(row, units, allowed)));
+  }
+
+  /** @param {VariantRow} row @param {number} index @param {Float64Array} positions */
+  function card({ name, isCurrent, isDesign }, index, positions) {
+    const canvas = element('canvas', { 'aria-hidden': 'true' });
+    const go = element(
+      'button.kept-picture',
+      {
+        title: isCurrent ? 'This one is open' : `Go to ${name}`,
+        onclick: () => actions.edit({ type: 'goToVariant', index }),
+      },
+      canvas,
+      element('span', name),
+    );
+    if (isCurrent) go.setAttribute('aria-current', 'true');
+    const beside = element(
+      'button.small',
+      {
+        'aria-label': `Show ${name} beside the open shape`,
+        title: `${name} beside the open shape`,
+        onclick: () => compare({ index, name, positions }),
+        hidden: isCurrent || !isDrawn(store.get()),
+      },
+      'Beside',
+    );
+    const remove = closeButton(
+      `Take ${name} away`,
+      () => actions.edit({ type: 'removeVariant', index }),
+      { hidden: isDesign },
+    );
+    return { canvas, place: element('div.kept-card', go, element('div', beside, remove)) };
+  }
+
+  /** @param {import("../../store/view-modes.js").KeptShape} variant */
+  function compare(variant) {
+    const state = store.get();
+    const measure = state.measure ?? measureOfScene(state) ?? state.measures[0].id;
+    app.showSides([
+      { measure, original: false, variant },
+      { measure, original: false },
+    ]);
+  }
+
+  return { place, update: () => actions.reportErrors(update()) };
+}
+
+/** Heads and explanations of the table. */
+const COLUMNS = [
+  ['', ''],
+  ['Farthest', 'The greatest distance of a vertex to what has to be met'],
+  ['Moved', 'At most, from the model that was opened'],
+  ['Area', 'Of all faces'],
+  ['Beyond', 'Panels beyond the tolerance'],
+];
+
+/** @param {VariantRow} row @param {string} units @param {number} allowed */
+function numbers({ name, isCurrent, distance, moved, area, panels, beyond }, units, allowed) {
+  const cells = [
+    distance === null ? '–' : length(distance, units, allowed),
+    length(moved.max, units),
+    units ? `${number(area)} ${units}²` : number(area),
+    panels > 0 ? `${groupDigits(beyond)} of ${groupDigits(panels)}` : '–',
+  ];
+  return element(
+    'tr',
+    isCurrent ? { 'aria-current': 'true' } : {},
+    element('th', { scope: 'row' }, name),
+    ...cells.map((words) => element('td.figure', words)),
+  );
+}

@@ -1,0 +1,116 @@
+/** Small pictures of shapes: faces from far to near, shaded, and coloured by how far their corners go. */
+
+import { colourOf } from '../../ui/dom.js';
+
+/** @typedef {import("../../solver/messages.js").Connectivity} Connectivity */
+
+/** Pixels of the picture for one of CSS. */
+const DENSITY = 2;
+/** The part of the picture that the shape fills. */
+const FILLED = 0.92;
+/** Where it is seen from: turned about the vertical axis, then from above, in radians. */
+const TURN = 0.6;
+const ABOVE = 0.5;
+
+/**
+ * @param {HTMLCanvasElement} canvas
+ * @param {Connectivity} connectivity
+ * @param {ArrayLike<number>} positions `#V by 3`
+ * @param {{ up: "y" | "z", ways?: ArrayLike<number> }} options `ways`: how far vertices have gone, `#V by 3`
+ */
+export function drawShape(canvas, { faceOffsets, faceIndices }, positions, { up, ways }) {
+  const { clientWidth: width, clientHeight: height } = canvas;
+  const context = canvas.getContext('2d');
+  if (!context || width === 0) return;
+  canvas.width = DENSITY * width;
+  canvas.height = DENSITY * height;
+  const { points, scale, centre } = seen(positions, up, canvas);
+  const goes = ways ? farGone(ways) : null;
+  const plain = channels(colourOf(canvas, '--material'));
+  const accent = channels(colourOf(canvas, '--accent'));
+  const faces = faceOffsets.length - 1;
+  const depths = new Float32Array(faces);
+  for (let face = 0; face < faces; face++) {
+    const [from, to] = [faceOffsets[face], faceOffsets[face + 1]];
+    for (let k = from; k < to; k++) depths[face] += points[3 * faceIndices[k] + 2] / (to - from);
+  }
+  const order = Uint32Array.from(depths.keys()).sort((a, b) => depths[a] - depths[b]);
+  context.lineWidth = DENSITY / 4;
+  for (const face of order) {
+    const corners = faceIndices.subarray(faceOffsets[face], faceOffsets[face + 1]);
+    const light = 0.55 + 0.45 * facing(points, corners);
+    let part = 0;
+    if (goes) for (const v of corners) part += goes[v] / corners.length;
+    const colour = plain.map((value, c) => light * (value + part * (accent[c] - value)));
+    context.fillStyle = context.strokeStyle = `rgb(${colour.map(Math.round).join(' ')})`;
+    context.beginPath();
+    for (const v of corners) {
+      context.lineTo(
+        canvas.width / 2 + scale * (points[3 * v] - centre[0]),
+        canvas.height / 2 - scale * (points[3 * v + 1] - centre[1]),
+      );
+    }
+    context.closePath();
+    context.fill();
+    // Over the seams between neighbours.
+    context.stroke();
+  }
+}
+
+/**
+ * Positions as they are seen: to the right, up, and towards whoever looks.
+ * @param {ArrayLike<number>} positions
+ * @param {"y" | "z"} up
+ * @param {{ width: number, height: number }} size
+ */
+function seen(positions, up, { width, height }) {
+  const points = new Float32Array(positions.length);
+  const [low, high] = [
+    [Infinity, Infinity],
+    [-Infinity, -Infinity],
+  ];
+  const [sine, cosine] = [Math.sin(TURN), Math.cos(TURN)];
+  for (let i = 0; i < positions.length; i += 3) {
+    const x = positions[i];
+    const [back, top] =
+      up === 'z' ? [positions[i + 1], positions[i + 2]] : [-positions[i + 2], positions[i + 1]];
+    const right = cosine * x + sine * back;
+    const far = -sine * x + cosine * back;
+    points[i] = right;
+    points[i + 1] = Math.cos(ABOVE) * top + Math.sin(ABOVE) * far;
+    points[i + 2] = Math.sin(ABOVE) * top - Math.cos(ABOVE) * far;
+    for (let c = 0; c < 2; c++) {
+      low[c] = Math.min(low[c], points[i + c]);
+      high[c] = Math.max(high[c], points[i + c]);
+    }
+  }
+  const scale =
+    FILLED * Math.min(width / (high[0] - low[0] || 1), height / (high[1] - low[1] || 1));
+  return { points, scale, centre: low.map((value, c) => (value + high[c]) / 2) };
+}
+
+/** How far vertices go, of those that go farthest. @param {ArrayLike<number>} ways */
+function farGone(ways) {
+  const lengths = new Float32Array(ways.length / 3);
+  let most = 0;
+  for (let v = 0; v < lengths.length; v++) {
+    lengths[v] = Math.hypot(ways[3 * v], ways[3 * v + 1], ways[3 * v + 2]);
+    most = Math.max(most, lengths[v]);
+  }
+  return lengths.map((value) => value / (most || 1));
+}
+
+/** How much a face faces whoever looks, from 0 to 1. @param {Float32Array} points @param {Uint32Array} corners */
+function facing(points, corners) {
+  let [x, y, z] = [0, 0, 0];
+  corners.forEach((v, k) => {
+    const [a, b] = [3 * v, 3 * corners[(k + 1) % corners.length]];
+    x += points[a + 1] * points[b + 2] - points[a + 2] * points[b + 1];
+    y += points[a + 2] * points[b] - points[a] * points[b + 2];
+    z += points[a] * points[b + 1] - points[a + 1] * points[b];
+  });
+  return Math.abs(z) / (Math.hypot(x, y, z) || 1);
+}
+
+/** @param {string} colour as CSS computes it */
+const channels = (colour) => (colour.match(/[\d.]+/g) ?? []).slice(0, 3).map(Number);

@@ -1,0 +1,186 @@
+/** The docked panel: ways to change the shape while it stays exact, each with a slider, and the shapes that were kept. */
+
+import './variations.css';
+import { button, closeButton } from '../../ui/controls/fields.js';
+import { dock, undock } from '../../ui/controls/docked.js';
+import { element, setText } from '../../ui/dom.js';
+import { variationActions } from '../../store/variation-actions.js';
+import { keptStrip } from './kept-strip.js';
+import { variationCard } from './variation-card.js';
+
+const NONE = 'The shape is not exact: there is nothing to vary.';
+const HINT = 'Move a slider; several add up. The darker part of a slider is possible.';
+
+/** @type {{ toggle: () => void } | null} */
+let only = null;
+
+/** @param {import("../../app/context.js").AppContext} app */
+export function toggleVariations(app) {
+  only ??= variationsPanel(app);
+  only.toggle();
+}
+
+/** @param {import("../../app/context.js").AppContext} app */
+function variationsPanel(app) {
+  const { store, solver, actions } = app;
+  const ways = variationActions(solver, actions);
+  /** @type {ReturnType<typeof variationCard>[]} */
+  let cards = [];
+  /** A search that goes on; another number ends it. */
+  let search = 0;
+  /** What the sliders say is not shown yet. */
+  let isDue = false;
+  let isBusy = false;
+  /** A slider was let go: the shape is brought back where it stands. */
+  let isReleased = false;
+  /** The document that the variations belong to, and the theme of their pictures. @type {unknown[]} */
+  let searched = [];
+
+  const words = element('p', { 'aria-live': 'polite' });
+  const grid = element('div.variation-cards');
+  const back = button('Back', leave, { title: 'All sliders to the middle', disabled: true });
+  const keep = button('Keep', keepIt, {
+    class: 'primary',
+    title: 'Makes this the design',
+    disabled: true,
+  });
+  const kept = keptStrip(app);
+  const panel = element(
+    'section.docked',
+    { id: 'variations-panel', 'aria-labelledby': 'heading-variations', hidden: true },
+    element(
+      'div.heading-row',
+      element('h2', { id: 'heading-variations' }, 'Variations'),
+      words,
+      back,
+      keep,
+      closeButton('Close variations', close),
+    ),
+    element('div.variation-columns', grid, kept.place),
+  );
+
+  /** Looks for the ways to change the shape that is open. */
+  async function find() {
+    const mine = ++search;
+    const { connectivity } = solver.geometry ?? {};
+    cards = [];
+    grid.replaceChildren();
+    setText(words, 'Looking for ways to change the shape …');
+    searched = [store.get().document, store.get().dark];
+    if (!connectivity || !(await ways.find())) {
+      if (mine === search) setText(words, NONE);
+      return;
+    }
+    let progress = await ways.advance();
+    while (mine === search && progress.found === null) progress = await ways.advance();
+    if (mine !== search) return;
+    const shape = solver.geometry?.positions.slice() ?? new Float64Array(0);
+    for (let index = 0; index < (progress.found ?? 0); index++) {
+      const way = await ways.way(index);
+      if (mine !== search) return;
+      const card = variationCard(index, progress.slide, change, release);
+      cards.push(card);
+      grid.append(card.place);
+      card.draw(connectivity, shape, way, store.get().document?.up ?? 'z');
+    }
+    setText(words, cards.length > 0 ? HINT : 'There is no way to change it and stay exact.');
+    while (mine === search) {
+      cards.forEach((card, k) => card.showRange(progress.ranges[k]));
+      if (!progress.more) break;
+      // Whoever moves a slider comes first.
+      while (isBusy && mine === search) await new Promise((resolve) => setTimeout(resolve, 50));
+      if (mine === search) progress = await ways.advance();
+    }
+  }
+
+  const coefficients = () => Float64Array.from(cards, (card) => card.value());
+  const isMoved = () => cards.some((card) => card.value() !== 0);
+
+  /** A slider moves: the way is shown at once. */
+  function change() {
+    isReleased = false;
+    update();
+  }
+
+  /** A slider is let go: the shape becomes exact again. */
+  function release() {
+    isReleased = true;
+    update();
+  }
+
+  /** Shows what the sliders say; while that is under way, once more after it. */
+  async function update() {
+    isDue = true;
+    keep.disabled = true;
+    back.disabled = !isMoved();
+    if (isBusy) return;
+    isBusy = true;
+    try {
+      while (isDue) {
+        isDue = false;
+        if (isReleased) await reach();
+        else await ways.show(coefficients());
+      }
+    } catch (error) {
+      await actions.reportErrors(Promise.reject(error));
+    } finally {
+      isBusy = false;
+    }
+  }
+
+  async function reach() {
+    const asked = coefficients();
+    const part = await ways.reach(asked);
+    if (part === null || isDue) return;
+    if (part < 1) cards.forEach((card, k) => card.set(part * asked[k]));
+    setText(words, part < 1 ? 'As far as it is possible: beyond, it is not exact.' : HINT);
+    back.disabled = keep.disabled = !isMoved();
+  }
+
+  async function keepIt() {
+    keep.disabled = true;
+    const done = await ways.keep();
+    if (done) actions.setStatus('Kept: this is the design now');
+    else keep.disabled = !isMoved();
+  }
+
+  /** Goes back to the shape that the sliders start from. */
+  function leave() {
+    cards.forEach((card) => card.set(0));
+    back.disabled = keep.disabled = true;
+    isReleased = false;
+    return ways.leave();
+  }
+
+  function close() {
+    search++;
+    if (isMoved()) leave();
+    undock(panel);
+  }
+
+  store.subscribe(
+    ['document', 'running', 'model', 'dark'],
+    ({ document: scene, running, model, dark }) => {
+      if (panel.hidden) return;
+      if (!model?.faces || !scene) return close();
+      kept.update();
+      // Every edit and every step of undo may have changed the shape, and with it the ways.
+      if (!running && (scene !== searched[0] || dark !== searched[1])) actions.reportErrors(find());
+    },
+  );
+  panel.addEventListener('keydown', (event) => {
+    if (event.key !== 'Escape') return;
+    event.stopPropagation();
+    close();
+  });
+
+  return {
+    toggle() {
+      if (!panel.hidden) return close();
+      dock(panel, close);
+      kept.update();
+      actions.reportErrors(find());
+      keep.focus();
+    },
+  };
+}
