@@ -7,6 +7,7 @@ mod hard;
 
 use grid::grid;
 use hard::Case;
+use libm::{cos, sin};
 use shape_up::math::Vec3;
 use shape_up::mesh::{Mesh, Point};
 use shape_up::solve::{Handle, Hold, Require, SLIDE, ShapeSpace};
@@ -16,8 +17,8 @@ fn torus(n: u32) -> Mesh {
     grid(n, n, |i, j| {
         let angle = |k: u32, range: f64| range * (f64::from(k) / f64::from(n) - 0.5);
         let (a, b) = (angle(i, 1.6), angle(j, 1.2));
-        let radius = 3.0 + b.cos();
-        [radius * a.sin(), b.sin(), radius * a.cos()]
+        let radius = 3.0 + cos(b);
+        [radius * sin(a), sin(b), radius * cos(a)]
     })
 }
 

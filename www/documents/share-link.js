@@ -51,9 +51,7 @@ export function readLink(hash) {
  */
 export async function writeLink(text, example, original, run) {
   const scene = withoutPositions(text);
-  // What was kept is as exact as it was.
-  const isKept = scene.variants?.design !== undefined && !JSON.parse(text).current;
-  const end = run && !isKept ? '&run' : '';
+  const end = run ? '&run' : '';
   if (!example) return `#scene=${await pack(JSON.stringify(scene))}${end}`;
   const edits = { ...scene, mesh: { file: example.mesh } };
   const before = original && { ...withoutPositions(original), mesh: { file: example.mesh } };

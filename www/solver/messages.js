@@ -204,11 +204,8 @@
  * - `exactOffer`: what it would cost to be exact instead of within a distance, tried beside all else; ends early,
  *   with null, when something changes. `makeExact`: takes the exact shape that was tried, if it is still of the
  *   current one, as a step of undo or a part of the last one.
- * - `findVariations`: begins to look for ways to change a shape that is exact; `advanceVariations` goes on for a
- *   slice. `variation`: the way of every vertex for a coefficient of one. `showVariation`: shows the shape plus the
- *   variations times their coefficients; `reachVariation` brings it back onto the constraints; `keepVariation` makes
- *   that the design, one step of undo; `leaveVariation` goes back from it.
- * - `variantTable`, `variantPositions`: of the shapes that were kept; `faceValues` of a `variant` too.
+ * - `variations`: other shapes that are as exact, and those that were kept; see {@link VariationAsk}. `faceValues` can
+ *   be of one that was kept, a `variant`.
  * - `members`: what a constraint acts on. `rowColours`: the colours of all of them. `previews`: what
  *   adding one of each kind at each of some places would make. `select`: what is selected then.
  * - `worst`: the worst faces by a measure, or the worst constraints of a row. `flawed`: the elements
@@ -237,15 +234,7 @@
  *   | { type: "editAndRun", edit: Edit }
  *   | { type: "exactOffer" }
  *   | { type: "makeExact", joins: boolean }
- *   | { type: "findVariations" }
- *   | { type: "advanceVariations" }
- *   | { type: "variation", index: number }
- *   | { type: "showVariation", coefficients: Float64Array }
- *   | { type: "reachVariation", coefficients: Float64Array }
- *   | { type: "keepVariation" }
- *   | { type: "leaveVariation" }
- *   | { type: "variantTable", tolerance: number }
- *   | { type: "variantPositions", index: number }
+ *   | { type: "variations", ask: VariationAsk }
  *   | { type: "undo" }
  *   | { type: "redo" }
  *   | { type: "step" }
@@ -275,6 +264,31 @@
  */
 
 /**
+ * `find` begins to look for ways to change a shape that is exact, `advance` goes on for a slice, `way` is that of every
+ * vertex for a coefficient of one. `show`: the shape plus the ways times their coefficients; `reach` brings that back
+ * onto the constraints, `keep` makes it the design, one step of undo, `leave` goes back from it. `table` and
+ * `positions` are of the shapes that were kept.
+ * @typedef {{ what: "find" } | { what: "advance" } | { what: "way", index: number }
+ *   | { what: "show", coefficients: Float64Array } | { what: "reach", coefficients: Float64Array }
+ *   | { what: "keep" } | { what: "leave" }
+ *   | { what: "table", tolerance: number } | { what: "positions", index: number }} VariationAsk
+ */
+
+/**
+ * What each of these is answered with.
+ * @typedef {object} VariationAnswers
+ * @property {boolean} find whether there can be any
+ * @property {VariationProgress} advance
+ * @property {Float32Array} way `#V by 3`
+ * @property {boolean} show whether they are of the shape that is open
+ * @property {number | null} reach the part of the way; null where they are of another shape
+ * @property {boolean} keep whether there was anything to keep
+ * @property {undefined} leave
+ * @property {VariantRow[]} table
+ * @property {Float64Array} positions `#V by 3`
+ */
+
+/**
  * What each request is answered with.
  * @typedef {object} Replies
  * @property {Loaded} open
@@ -283,15 +297,7 @@
  * @property {null} editAndRun
  * @property {ExactOffer | null} exactOffer
  * @property {boolean} makeExact whether it was done
- * @property {boolean} findVariations whether there can be any
- * @property {VariationProgress} advanceVariations
- * @property {Float32Array} variation `#V by 3`
- * @property {boolean} showVariation whether they are of the shape that is open
- * @property {number | null} reachVariation the part of the way; null where they are of another shape
- * @property {boolean} keepVariation whether there was anything to keep
- * @property {null} leaveVariation
- * @property {VariantRow[]} variantTable
- * @property {Float64Array} variantPositions `#V by 3`
+ * @property {unknown} variations as `VariationAnswers` says
  * @property {string | null} undo the name of what was undone
  * @property {string | null} redo the name of what was redone
  * @property {boolean} step whether it has converged

@@ -1,6 +1,5 @@
 /** What the worker does at each message of the page: one entry for each command and each request. */
 
-import { SLICE_MS } from '../solver/messages.js';
 import { cancelExperiment, comparison, experimentCsv, runExperiment } from './experiment.js';
 import { open } from './open.js';
 import { findRemedies } from './remedies.js';
@@ -41,13 +40,6 @@ export function requestHandlers(solver, scheduler, post, died) {
     scheduler.pause();
     return action();
   };
-  /** @template T @param {() => T} action after which another shape is shown */
-  const shows = (action) => {
-    const result = action();
-    scheduler.frames.due = true;
-    scheduler.sendFrame();
-    return result;
-  };
   return {
     open: (message) => open(solver, scheduler, post, message),
     edit({ edit }) {
@@ -68,19 +60,8 @@ export function requestHandlers(solver, scheduler, post, died) {
       return (await inTurns(solver)) ? solver.offer() : null;
     },
     makeExact: ({ joins }) => paused(() => scheduler.betweenRuns(() => solver.accept(joins))),
-    findVariations: () => paused(() => solver.findVariations()),
-    advanceVariations: () => solver.advanceVariations(SLICE_MS),
-    variation: ({ index }) => solver.variation(index),
-    showVariation: ({ coefficients }) => shows(() => solver.showVariation(coefficients)),
-    reachVariation: ({ coefficients }) => shows(() => solver.reachVariation(coefficients) ?? null),
-    keepVariation: () => scheduler.betweenRuns(() => solver.keepVariation()),
-    leaveVariation: () =>
-      shows(() => {
-        solver.leaveVariation();
-        return null;
-      }),
-    variantTable: ({ tolerance }) => solver.variantTable(tolerance),
-    variantPositions: ({ index }) => solver.variantPositions(index),
+    variations: ({ ask }) =>
+      import('./variations.js').then((it) => it.answer(solver, scheduler, ask)),
     undo: () => paused(() => scheduler.betweenRuns(() => solver.undo() ?? null)),
     redo: () => paused(() => scheduler.betweenRuns(() => solver.redo() ?? null)),
     step: () => paused(() => scheduler.step()),

@@ -26,7 +26,7 @@ const CHANGES = new Set([
     'editAndRun',
     'makePanels',
   ]),
-  .../** @type {ToWorker["type"][]} */ (['undo', 'redo', 'step', 'halfStep', 'findVariations']),
+  .../** @type {ToWorker["type"][]} */ (['undo', 'redo', 'step', 'halfStep']),
 ]);
 
 /** Messages that came before the solver was there. @type {ToWorker[]} */

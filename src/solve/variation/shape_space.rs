@@ -301,7 +301,7 @@ fn normals(mesh: &Mesh, shape: &[Point]) -> Vec<Vec3<f64>> {
     let mut normals = vec![Vec3::zero(); shape.len()];
     for face in mesh.faces.iter() {
         let corners: Vec<Vec3<f64>> = face.iter().map(|&v| shape[v as usize].into()).collect();
-        let area = twice_vector_area(corners.into_iter());
+        let area = twice_vector_area(corners);
         face.iter().for_each(|&v| normals[v as usize] += area);
     }
     normals.iter().map(|normal| normal.length_and_direction().1.unwrap_or(Vec3::zero())).collect()

@@ -2,7 +2,6 @@
 
 import './build-panel.css';
 import { button, closeButton } from '../../ui/controls/fields.js';
-import { dock, undock } from '../../ui/controls/docked.js';
 import { element } from '../../ui/dom.js';
 import { showElements } from '../../viewport/reveal-elements.js';
 import { checkCard, sheetsInWords, warnings } from './check-card.js';
@@ -33,6 +32,7 @@ export async function toggleBuild(app) {
 async function buildPanel(app) {
   const { store, actions, files } = app;
   const live = new LiveBuild(app, show, refuse);
+  const { dock, undock } = await app.docked();
   const offers = await live.offers();
   const form = settingsForm(offers, change);
   const check = checkCard(showWorst, tighten);

@@ -33,7 +33,10 @@ export async function share({ store, actions, files }) {
   const text = await actions.sceneText();
   const { numbers } = store.get();
   const { example } = files.origin;
-  const run = (numbers?.iteration ?? 0) > 0;
+  const { variants, current } = JSON.parse(text);
+  // A design that was kept is as exact as it was.
+  const isKept = variants?.design !== undefined && !current;
+  const run = (numbers?.iteration ?? 0) > 0 && !isKept;
   const fragment = await writeLink(text, example, files.original, run);
   const link = new URL(fragment, location.href.split('#')[0]).href;
   const found = LEVELS.find(({ most }) => link.length <= most);

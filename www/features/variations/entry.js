@@ -8,7 +8,7 @@ export function offerVariations(app) {
   const open = button('Variations', () =>
     actions.reportErrors(import('./variations-panel.js').then((it) => it.toggleVariations(app))),
   );
-  document.querySelector('#model-panel button[data-command="build"]')?.after(open);
+  document.querySelector('#model-panel button[data-command="build"]')?.after(' ', open);
   store.subscribe(['document', 'numbers', 'running'], ({ document: scene, numbers, running }) => {
     const isHard = scene?.constraints.some((row) => row.enabled && row.require !== 'soft');
     open.hidden = !isHard && !scene?.variants.length;

@@ -4,9 +4,8 @@
 export default {
   parts: [
     {
-      keys: ['document'],
-      isNeeded: ({ document }) =>
-        document?.constraints.some(({ require }) => require !== 'soft') === true,
+      keys: ['numbers'],
+      isNeeded: ({ numbers }) => Boolean(numbers?.exact),
       load: (app) => import('./entry.js').then((it) => it.offerVariations(app)),
     },
   ],

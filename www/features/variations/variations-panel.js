@@ -2,26 +2,28 @@
 
 import './variations.css';
 import { button, closeButton } from '../../ui/controls/fields.js';
-import { dock, undock } from '../../ui/controls/docked.js';
 import { element, setText } from '../../ui/dom.js';
 import { variationActions } from '../../store/variation-actions.js';
 import { keptStrip } from './kept-strip.js';
 import { variationCard } from './variation-card.js';
 
 const NONE = 'The shape is not exact: there is nothing to vary.';
-const HINT = 'Move a slider; several add up. The darker part of a slider is possible.';
+const HINT = 'Move a slider; several add up. The line under it shows how far it can go.';
 
 /** @type {{ toggle: () => void } | null} */
 let only = null;
 
 /** @param {import("../../app/context.js").AppContext} app */
-export function toggleVariations(app) {
-  only ??= variationsPanel(app);
+export async function toggleVariations(app) {
+  only ??= variationsPanel(app, await app.docked());
   only.toggle();
 }
 
-/** @param {import("../../app/context.js").AppContext} app */
-function variationsPanel(app) {
+/**
+ * @param {import("../../app/context.js").AppContext} app
+ * @param {import("../../app/context.js").Docked} docked
+ */
+function variationsPanel(app, { dock, undock }) {
   const { store, solver, actions } = app;
   const ways = variationActions(solver, actions);
   /** @type {ReturnType<typeof variationCard>[]} */

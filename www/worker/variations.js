@@ -1,0 +1,39 @@
+/** Other shapes that are as exact, as the page asks for them: they come when somebody first does. */
+
+import { SLICE_MS } from '../solver/messages.js';
+
+/**
+ * @param {import("../pkg/solver/shape_up.js").Solver} solver
+ * @param {import("./scheduler.js").Scheduler} scheduler
+ * @param {import("../solver/messages.js").VariationAsk} ask
+ */
+export function answer(solver, scheduler, ask) {
+  /** @template T @param {() => T} action after which another shape is shown */
+  const shows = (action) => {
+    const result = action();
+    scheduler.frames.due = true;
+    scheduler.sendFrame();
+    return result;
+  };
+  switch (ask.what) {
+    case 'find':
+      scheduler.pause();
+      return shows(() => solver.findVariations());
+    case 'advance':
+      return solver.advanceVariations(SLICE_MS);
+    case 'way':
+      return solver.variation(ask.index);
+    case 'show':
+      return shows(() => solver.showVariation(ask.coefficients));
+    case 'reach':
+      return shows(() => solver.reachVariation(ask.coefficients) ?? null);
+    case 'keep':
+      return scheduler.betweenRuns(() => solver.keepVariation());
+    case 'leave':
+      return shows(() => solver.leaveVariation());
+    case 'table':
+      return solver.variantTable(ask.tolerance);
+    case 'positions':
+      return solver.variantPositions(ask.index);
+  }
+}
