@@ -10,8 +10,9 @@ export const ROOMS = {
   viewport: ['ui', 'solver', 'store'],
   documents: ['ui', 'solver', 'store', 'viewport'],
   panels: ['ui', 'solver', 'store', 'viewport', 'documents'],
-  features: ['ui', 'solver', 'store', 'viewport', 'documents'],
-  app: ['ui', 'solver', 'store', 'viewport', 'documents', 'panels', 'features'],
+  docked: ['ui'],
+  features: ['ui', 'solver', 'store', 'viewport', 'documents', 'docked'],
+  app: ['ui', 'solver', 'store', 'viewport', 'documents', 'panels', 'docked', 'features'],
   pages: ['ui', 'solver', 'store', 'documents', 'features'],
 };
 

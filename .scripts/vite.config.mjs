@@ -77,7 +77,7 @@ const told = () => ({
  * selectors are, and whenever it is loaded. What libraries bring is below all; the frame of the page
  * is below what fills it.
  */
-const LAYERS = ['library', 'ui', 'app', 'panels', 'features', 'pages'];
+const LAYERS = ['library', 'ui', 'app', 'panels', 'docked', 'features', 'pages'];
 /** Tokens that are the same everywhere are written out: they cost nobody a byte. */
 const constants = Object.fromEntries(
   [

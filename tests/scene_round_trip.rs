@@ -7,7 +7,8 @@ use shape_up::mesh::Mesh;
 use shape_up::scene::{
     Accelerator, BoundaryCloseness, BoundaryRequire, Closeness, ClosenessTo, ClosenessWeight,
     ConstraintSpec, Factorization, Goal, GoalOf, HandleSpec, Hold, Lesson, MeshSource, NamedEnum,
-    Require, Scene, Smoothness, SmoothnessOf, SolverSettings, Up, Weighting, Weights,
+    Require, Scene, Smoothness, SmoothnessOf, SolverSettings, Up, Variant, Variants, Weighting,
+    Weights,
 };
 
 fn constraint(id: &str, on: Selector) -> ConstraintSpec {
@@ -89,8 +90,16 @@ prop_compose! {
         lesson in prop::option::of((".{0,9}",
             prop::collection::vec((any::<bool>(), ".{0,5}", not_negative()), 1..3))),
         build in prop::option::of((0..4usize, 1e-3..1e3f64, ".{0,5}", any::<bool>())),
+        kept in prop::collection::vec(
+            (".{0,4}", prop::collection::vec(prop::array::uniform3(finite()), 0..4)), 0..3),
     ) -> Scene {
         Scene {
+            variants: Variants {
+                design: kept.len().checked_sub(1),
+                kept: kept.into_iter()
+                    .map(|(name, positions)| Variant { name, positions: positions.into() })
+                    .collect(),
+            },
             title: texts.0,
             units: texts.1,
             up: if up { Up::Y } else { Up::Z },

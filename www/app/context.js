@@ -27,15 +27,7 @@
  * @property {import("../ui/controls/alerts.js").Alerts} alerts
  * @property {import("../features/hold-original.js").HoldOriginal} hold
  * @property {(choices: [import("../store/view-modes.js").Choice, import("../store/view-modes.js").Choice]) => Promise<void>} showSides two pictures, left and right
- * @property {() => Promise<Docked>} docked the place under the view
  * @property {Command[]} commands those that operations of selecting declare come later
- */
-
-/**
- * The place under the view, where one panel of class `docked` is open at a time; the panel that was open is closed.
- * @typedef {object} Docked
- * @property {(panel: HTMLElement, close: () => void) => void} dock
- * @property {(panel: HTMLElement) => void} undock
  */
 
 /**

@@ -76,7 +76,6 @@ const hold = new HoldOriginal(store, actions);
 const app = {
   ...{ store, solver, viewport, files, actions, selecting, alerts, hold, commands: [] },
   showSides: (choices) => splitInto(app, choices),
-  docked: () => import('../features/docked/docked.js'),
 };
 viewport.once('ready', showLegend);
 modelPanel(byId('model'), app, () => analysis.bring('log'));

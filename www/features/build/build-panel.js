@@ -1,6 +1,7 @@
 /** The docked panel: settings, the build check, sheets, and their files. */
 
 import './build-panel.css';
+import { dock, undock } from '../../docked/docked.js';
 import { button, closeButton } from '../../ui/controls/fields.js';
 import { element } from '../../ui/dom.js';
 import { showElements } from '../../viewport/reveal-elements.js';
@@ -32,7 +33,6 @@ export async function toggleBuild(app) {
 async function buildPanel(app) {
   const { store, actions, files } = app;
   const live = new LiveBuild(app, show, refuse);
-  const { dock, undock } = await app.docked();
   const offers = await live.offers();
   const form = settingsForm(offers, change);
   const check = checkCard(showWorst, tighten);

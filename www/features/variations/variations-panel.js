@@ -1,6 +1,7 @@
 /** The docked panel: ways to change the shape while it stays exact, each with a slider, and the shapes that were kept. */
 
 import './variations.css';
+import { dock, undock } from '../../docked/docked.js';
 import { button, closeButton } from '../../ui/controls/fields.js';
 import { element, setText } from '../../ui/dom.js';
 import { variationActions } from '../../store/variation-actions.js';
@@ -14,16 +15,15 @@ const HINT = 'Move a slider; several add up. The line under it shows how far it 
 let only = null;
 
 /** @param {import("../../app/context.js").AppContext} app */
-export async function toggleVariations(app) {
-  only ??= variationsPanel(app, await app.docked());
+export function toggleVariations(app) {
+  only ??= variationsPanel(app);
   only.toggle();
 }
 
 /**
  * @param {import("../../app/context.js").AppContext} app
- * @param {import("../../app/context.js").Docked} docked
  */
-function variationsPanel(app, { dock, undock }) {
+function variationsPanel(app) {
   const { store, solver, actions } = app;
   const ways = variationActions(solver, actions);
   /** @type {ReturnType<typeof variationCard>[]} */

@@ -1,7 +1,7 @@
 /** The place under the view, where one panel is open at a time. */
 
 import './docked.css';
-import { byId, leave } from '../../ui/dom.js';
+import { byId, leave } from '../ui/dom.js';
 
 /** Closes the panel that is open. @type {(() => void) | null} */
 let closeOpen = null;
