@@ -59,6 +59,24 @@ fn what_is_done_to_one_side_of_a_symmetric_roof_is_done_to_the_others() {
     }
 }
 
+#[test]
+fn a_symmetry_says_how_many_vertices_have_an_image() {
+    let found = |mirror: &str, on: &str| {
+        let row = format!(
+            r#""constraints": [{{ "kind": "plane", "on": "faces" }},
+                 {{ "kind": "symmetry", "on": {{ "vertices": "{on}" }}, "mirror": {mirror} }}]"#
+        );
+        let rows = solved(&square(), &row).report().unpaired;
+        rows.iter()
+            .map(|row| (row.constraint, row.paired.vertices, row.paired.of))
+            .collect::<Vec<_>>()
+    };
+    // All, a side without its middle and one vertex more, and a direction in which nothing is alike.
+    assert_eq!(found("[1, 0, 0]", "0-80"), []);
+    assert_eq!(found("[1, 0, 0]", "0-3,5-8,20"), [(1, 8, 9)]);
+    assert_eq!(found("[1, 0.2, 0]", "0-3,5-9"), [(1, 0, 9)]);
+}
+
 /// The vertices on the border of the square.
 fn is_border(v: usize) -> bool {
     [v % 9, v / 9].iter().any(|&k| k == 0 || k == 8)

@@ -255,6 +255,8 @@ fn a_model_is_flattened_and_exported_with_its_map() {
     assert!(errors.iter().any(|&error| (f64::from(error) - max).abs() < 1e-6));
     assert_eq!([number(&map, "parts"), number(&map, "closedParts")], [1.0, 0.0]);
     assert_eq!(number(&map, "flipped"), 0.0);
+    assert!(solver.fewer_flips(0).expect("there is a model").is_null());
+    assert_eq!(number(&solver.fewer_flips(1).expect("there is a model"), "flipped"), 0.0);
     let histogram = get(&map, "histogram").unchecked_into::<Uint32Array>().to_vec();
     assert_eq!(histogram.iter().sum::<u32>(), 2);
     assert!(number(&map, "seconds") >= number(&map, "secondsOf.factor"));

@@ -41,6 +41,13 @@ pub trait Projection: Clone + PartialEq + std::fmt::Debug + 'static {
         let _ = rest;
     }
 
+    /// How many points of one constraint it acts on, where the centred rest points decide that: those that
+    /// have a partner among them. None where it acts on all.
+    fn paired(&self, rest: &[Vec3<f64>]) -> Option<usize> {
+        let _ = rest;
+        None
+    }
+
     /// The closed form, for one constraint or for several side by side: writes the closest points
     /// that have the shape to `projected`. False when it is not accurate in every lane; what it
     /// wrote is then not used. `v` are the points, centred as [`Info::centring`] says, `rest` the

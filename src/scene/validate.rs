@@ -39,15 +39,6 @@ impl Scene {
         self.check_selectors(mesh)?;
         self.check_handles(vertices)?;
         self.check_weighting(mesh)?;
-        if self.closeness.to == ClosenessTo::Surface
-            && self.weights.close > 0.0
-            && mesh.faces.is_empty()
-        {
-            return error(
-                "closeness.to",
-                "the mesh has no faces, so it has no surface to be close to, expected \"rest\" or \"none\"",
-            );
-        }
         self.check_target()
     }
 

@@ -9,7 +9,9 @@ use super::report::{
 use super::selection::{SelectRequest, Selection, select};
 use crate::mesh::{ElementsWithProblem, Measures, Mesh, Weld, write_obj_with_uv};
 use crate::scene::{GoalResult, MeshSource, Scene, SceneError};
-use crate::solve::{ConformalNorm, ConformalWeights, Moved, Parametrization, SolveError};
+use crate::solve::{
+    ConformalNorm, ConformalWeights, FewerFlips, Moved, Parametrization, SolveError,
+};
 use std::rc::Rc;
 
 impl Session {
@@ -235,8 +237,17 @@ impl Session {
         weights: ConformalWeights,
         norm: ConformalNorm,
     ) -> Result<Parametrization, SolveError> {
-        let shape = Mesh { positions: self.positions(), ..self.mesh().clone() };
-        Parametrization::new(&shape, self.topology(), weights, norm)
+        Parametrization::new(&self.current_shape(), self.topology(), weights, norm)
+    }
+
+    /// The weights and norm whose flat map of the current shape turns fewer than `flipped` faces over; see
+    /// [`FewerFlips::of`].
+    pub fn fewer_flips(&self, flipped: usize) -> Option<FewerFlips> {
+        FewerFlips::of(&self.current_shape(), self.topology(), flipped)
+    }
+
+    fn current_shape(&self) -> Mesh {
+        Mesh { positions: self.positions(), ..self.mesh().clone() }
     }
 
     /// The scene file with the mesh inline, as text.

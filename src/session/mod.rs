@@ -57,7 +57,7 @@ pub use opened_file::{FileReader, Guessed, OpenedFile, is_scene};
 pub use remedies::{Remedies, Remedy};
 pub use report::{
     ConstraintMap, EnergyReport, FACE_MEASURES, FaceMeasure, GoalWords, MeasureUnit, Projections,
-    Report, RowPalette, Seconds, Shape, Verdict, WorstElement, ZERO_SIZE_FACES, flaw_of,
+    Report, RowPalette, Seconds, Shape, Unpaired, Verdict, WorstElement, ZERO_SIZE_FACES, flaw_of,
     goals_in_words,
 };
 pub use run::{
@@ -65,7 +65,7 @@ pub use run::{
     max_interactive_faces,
 };
 pub use selection::{Mode, OPERATIONS, Operation, SelectRequest, Selection};
-pub use state::ResolvedRow;
+pub use state::{Paired, ResolvedRow};
 pub use undo::check_targets;
 pub use variant_table::VariantRow;
 pub use variations::Variations;

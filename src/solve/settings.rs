@@ -112,7 +112,7 @@ pub enum Accelerator {
 /// `c(v)`: what a vertex is kept close to.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ClosenessTo {
-    /// The closest point on the rest surface.
+    /// The closest point on the rest surface; without faces on its curves, and without these among its points.
     #[default]
     Surface,
     /// The vertex's own rest position.

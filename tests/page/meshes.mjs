@@ -18,6 +18,23 @@ export function wavyGrid(n) {
   return `${lines.join('\n')}\n`;
 }
 
+/** A tube of 12 by 4 quads, open at both ends: the text of an OBJ file. */
+export function tube() {
+  const [around, along] = [12, 4];
+  const lines = [];
+  for (let v = 0; v < around * (along + 1); v++) {
+    const angle = (2 * Math.PI * v) / around;
+    const height = (3 * Math.floor(v / around)) / along;
+    lines.push(`v ${Math.cos(angle).toFixed(6)} ${Math.sin(angle).toFixed(6)} ${height}`);
+  }
+  for (let f = 0; f < around * along; f++) {
+    const below = f + 1;
+    const next = f % around === around - 1 ? below + 1 - around : below + 1;
+    lines.push(`f ${below} ${next} ${next + around} ${below + around}`);
+  }
+  return `${lines.join('\n')}\n`;
+}
+
 /** A number from -1 to 1 for each seed, the same on every machine. */
 const noise = (seed) => ((seed * 7919 + 104729) % 2003) / 1001.5 - 1;
 

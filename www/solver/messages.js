@@ -152,6 +152,15 @@
  * @property {Record<"assemble" | "order" | "factor" | "iterate", number>} secondsOf
  */
 
+/**
+ * Settings whose flat map turns fewer triangles over.
+ * @typedef {object} FewerFlips
+ * @property {MapWeights} weights
+ * @property {MapNorm} norm
+ * @property {number} flipped triangles that the map turns over
+ * @property {number} mean error, weighted by area
+ */
+
 /** What a polygon counts, and what is kept from shrinking to a point: the words of the command line. */
 /** @typedef {"inverse-area" | "one" | "lscm"} MapWeights */
 /** @typedef {"boundary" | "vertices"} MapNorm */
@@ -217,6 +226,7 @@
  *   vertices, where they have any. `originalPositions`: where the vertices of the original are. `angles`:
  *   of the corners of the faces.
  * - `parametrize`: ends a run. Refused where there is no face, or no area.
+ * - `fewerFlips`: ends a run; the settings whose map turns fewest over, of those that turn fewer than `flipped`.
  * - `scene`, `obj`, `table`: the texts of the files; an `obj` `asItCame` has the vertices and faces of a file
  *   that was welded, one with `uv` (`#V by 2`) has them as texture
  *   coordinates; a `table` has the errors of the faces, the energies of the iterations, or the angles of the
@@ -255,6 +265,7 @@
  *   | { type: "results", student: string, time: string }
  *   | { type: "scene" }
  *   | { type: "parametrize", weights: MapWeights, norm: MapNorm }
+ *   | { type: "fewerFlips", flipped: number }
  *   | { type: "obj", uv?: Float64Array, asItCame?: boolean }
  *   | { type: "table", table: "errors" | "convergence" | "angles" }
  *   | { type: "trace" }
@@ -317,6 +328,7 @@
  * @property {number} mostFaces
  * @property {string} results
  * @property {Parametrization} parametrize
+ * @property {FewerFlips | null} fewerFlips
  * @property {string} scene
  * @property {string} obj
  * @property {string} table

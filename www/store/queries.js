@@ -70,6 +70,12 @@ export function createQueries(solver, reportErrors) {
      */
     parametrize: (weights, norm) => solver.request({ type: 'parametrize', weights, norm }),
 
+    /**
+     * The settings of the flat map that turns fewest triangles over; null where none turns fewer than `flipped`.
+     * @param {number} flipped
+     */
+    fewerFlips: (flipped) => solver.request({ type: 'fewerFlips', flipped }),
+
     /** A table as CSV. @param {Table} table */
     table: (table) => solver.request({ type: 'table', table }),
 

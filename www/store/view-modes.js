@@ -11,6 +11,7 @@
  * @property {import("../solver/messages.js").MapWeights} weights that it was made with
  * @property {import("../solver/messages.js").MapNorm} norm that it was made with
  * @property {number} iteration of the shape that was flattened
+ * @property {import("../solver/messages.js").FewerFlips | "searching" | "none" | null} fewer settings that turn fewer triangles over; null where nobody has looked
  * @property {Look} onModel
  * @property {Look} onMap
  * @property {number} squares along the longer side of the map

@@ -90,6 +90,7 @@ export function requestHandlers(solver, scheduler, post, died) {
       return uv ? solver.objWithUv(uv) : solver.obj();
     },
     parametrize: ({ weights, norm }) => paused(() => solver.parametrize(weights, norm)),
+    fewerFlips: ({ flipped }) => paused(() => solver.fewerFlips(flipped)),
     table: ({ table }) => solver.table(table),
     trace: () => solver.trace(),
     comparison,

@@ -5,7 +5,7 @@ use super::{Failure, input, mesh_file, output};
 use shape_up::constraint::describe;
 use shape_up::error::Error;
 use shape_up::mesh::counted;
-use shape_up::session::{ExactReport, Report, Session};
+use shape_up::session::{ExactReport, Report, Session, Unpaired};
 use shape_up::solve::Require;
 use std::fmt::Write;
 use std::path::Path;
@@ -46,6 +46,7 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
     session.meet().map_err(at_input)?;
     let report = session.report();
     remarks.extend(misfits(&session));
+    remarks.extend(report.unpaired.iter().map(|row| unpaired(*row, &session)));
     remarks.extend(session.collapse().map(|collapse| {
         format!("stopped: {collapse}. A larger weight of closeness keeps it nearer to its shape")
     }));
@@ -76,6 +77,22 @@ fn misfits(session: &Session) -> impl Iterator<Item = String> {
             info.takes()
         )
     })
+}
+
+/// A row of constraints that acts on vertices in pairs, and not all of them have a partner.
+fn unpaired(row: Unpaired, session: &Session) -> String {
+    let spec = &session.document().constraints[row.constraint];
+    let (of, on) = (row.paired.of, describe(&spec.on));
+    let free = if row.paired.vertices == 0 {
+        "it does nothing; see its parameters"
+    } else {
+        "the others are free"
+    };
+    format!(
+        "{} on {on}: {} of {of} vertices have an image at rest, {free}",
+        spec.kind.info().id,
+        row.paired.vertices
+    )
 }
 
 fn summary(input: &Path, report: &Report, remarks: &[String], units: &str) -> String {

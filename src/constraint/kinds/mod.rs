@@ -19,6 +19,7 @@ use super::declaration::Info;
 use super::parameter::{self, KindError};
 use super::projection::Projection;
 use super::target_shape::TargetShape;
+use crate::math::Vec3;
 
 kinds! {
     line::Line,

@@ -66,6 +66,12 @@ macro_rules! kinds {
                     .expect("parameters are plain numbers, strings and arrays")
             }
 
+            /// How many points of one constraint it acts on, of those that are at `rest`, where these decide
+            /// that: see [`Projection::paired`].
+            pub fn paired(&self, rest: &[Vec3<f64>]) -> Option<usize> {
+                match self { $(Kind::$Kind(p) => p.paired(rest)),* }
+            }
+
             /// Calls `visitor` with the operator itself.
             pub fn visit<V: KindVisitor>(&self, visitor: V) -> V::Output {
                 match self { $(Kind::$Kind(p) => visitor.visit(p)),* }

@@ -103,6 +103,10 @@ impl Projection for Symmetry {
         }
     }
 
+    fn paired(&self, rest: &[Vec3<f64>]) -> Option<usize> {
+        Some(self.group().pairs(rest, TOLERANCE).iter().flatten().count())
+    }
+
     fn closed_form<S: Lane>(
         &self,
         rest: &[Vec3<S>],

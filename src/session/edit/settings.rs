@@ -78,7 +78,7 @@ const fn number(
 pub const SETTINGS: &[Setting] = &[
     Setting {
         param: words("closeness", "Stay near", "surface", const { &forms::<ClosenessTo, 4>() }),
-        summary: "The original surface lets vertices glide along it; rest holds each where it was; none holds nothing; target is another surface, which a file brings.",
+        summary: "The original surface lets vertices glide along it, or along the curves of a file without faces; rest holds each where it was; none holds nothing; target is another surface, which a file brings.",
         group: NEAR,
     },
     Setting {

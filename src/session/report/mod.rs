@@ -48,7 +48,7 @@ pub use mesh_diagnostics::{ZERO_SIZE_FACES, flaw_of};
 pub(crate) use moved::{moved, shortest_edge};
 pub use projected::Projections;
 pub(crate) use projected::projections;
-pub use run_report::{EnergyReport, Report, Seconds};
+pub use run_report::{EnergyReport, Report, Seconds, Unpaired};
 pub(crate) use tables::{convergence_csv, errors_csv};
 pub use verdict::Verdict;
 pub(crate) use verdict::tolerance;

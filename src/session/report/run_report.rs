@@ -4,7 +4,7 @@ use super::moved::{moved, shortest_edge};
 use crate::mesh::{Circularity, Measures, Planarity};
 use crate::scene::{Accelerator, NamedEnum};
 use crate::session::run::{ExactReport, Progress, TraceEntry};
-use crate::session::state::{RestMesh, SolvedScene};
+use crate::session::state::{Paired, RestMesh, SolvedScene};
 use crate::solve::{Energy, IterateSeconds, Moved};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -20,6 +20,9 @@ pub struct Report {
     pub constraints: BTreeMap<&'static str, usize>,
     /// Elements whose number of vertices does not fit their kind.
     pub skipped: usize,
+    /// Rows of constraints that leave vertices free, as these have no partner at rest.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub unpaired: Vec<Unpaired>,
     /// Unknowns of the linear system, the extra ones of big constraints included; each is x, y and z.
     pub unknowns: usize,
     /// Nonzeros of `L` with its diagonal.
@@ -50,6 +53,16 @@ pub struct Report {
     /// Every iteration, when a trace was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub trace: Option<Vec<TraceEntry>>,
+}
+
+/// A row of constraints that acts on vertices in pairs, and not all of them have a partner.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Unpaired {
+    /// Which row of the scene.
+    pub constraint: usize,
+    /// How many have a partner.
+    #[serde(flatten)]
+    pub paired: Paired,
 }
 
 /// Energies at the input and now.
@@ -91,10 +104,13 @@ impl Report {
     ) -> Report {
         let mut constraints = BTreeMap::new();
         let mut skipped = 0;
-        for row in scene.rows().iter().filter(|row| row.enabled) {
+        let mut unpaired = Vec::new();
+        for (constraint, row) in scene.rows().iter().enumerate().filter(|(_, row)| row.enabled) {
             *constraints.entry(row.constraints.kind.info().id).or_insert(0) +=
                 row.constraints.members.len();
             skipped += row.skipped;
+            let paired = row.paired.filter(|paired| paired.vertices < paired.of);
+            unpaired.extend(paired.map(|paired| Unpaired { constraint, paired }));
         }
         let solver = scene.solver();
         let set_up = solver.set_up_seconds();
@@ -108,6 +124,7 @@ impl Report {
             faces: rest.mesh().faces.len(),
             constraints,
             skipped,
+            unpaired,
             unknowns: solver.system().unknowns(),
             factor_nonzeros: solver.system().factor_nonzeros(),
             iterations: progress.iteration(),

@@ -22,7 +22,7 @@ pub(crate) use draft::Draft;
 pub(crate) use handles::{flat, grouped};
 pub(crate) use part::{Part, RowValues, same_problem};
 pub(crate) use rest_mesh::RestMesh;
-pub use rows::ResolvedRow;
+pub use rows::{Paired, ResolvedRow};
 pub(crate) use rows::{edges_among, resolve_rows};
 pub(crate) use scene_change::{SceneChange, same_positions};
 pub(crate) use solved_scene::SolvedScene;

@@ -1,9 +1,11 @@
 //! Rows of constraints with their vertices.
 
 use crate::constraint::{Centring, resolve};
+use crate::math::{Vec3, centre};
 use crate::mesh::{Mesh, Ragged, Topology};
 use crate::scene::{ConstraintSpec, Scene, SceneError};
 use crate::solve::Constraints;
+use serde::Serialize;
 
 /// A row of the list of constraints with the vertices that it acts on.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,6 +16,32 @@ pub struct ResolvedRow {
     pub skipped: usize,
     /// Whether it is solved for.
     pub enabled: bool,
+    /// Of a kind that acts on vertices in pairs, how many have a partner at rest.
+    pub paired: Option<Paired>,
+}
+
+/// Vertices that have a partner at rest, such as an image in a mirror: the others are free.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+pub struct Paired {
+    /// How many have one; a vertex counts in each constraint that it is in.
+    pub vertices: usize,
+    /// Of so many.
+    pub of: usize,
+}
+
+impl Paired {
+    /// Of all constraints of a row; none where the kind acts on every vertex.
+    fn of(constraints: &Constraints, mesh: &Mesh) -> Option<Paired> {
+        let mut vertices = 0;
+        for members in constraints.members.iter() {
+            let mut rest: Vec<_> =
+                members.iter().map(|&v| Vec3::from(mesh.positions[v as usize])).collect();
+            centre(&mut rest);
+            vertices += constraints.kind.paired(&rest)?;
+        }
+        Some(Paired { vertices, of: constraints.members.indices().len() })
+    }
 }
 
 /// All constraints have at most so many vertices, counted in each of them: a few words of a scene could
@@ -73,11 +101,10 @@ fn row(
             )
         });
     }
-    Ok(ResolvedRow {
-        skipped: selected.len() - members.len(),
-        constraints: Constraints { kind: spec.kind.clone(), weight: spec.weight, members },
-        enabled: spec.enabled,
-    })
+    let skipped = selected.len() - members.len();
+    let constraints = Constraints { kind: spec.kind.clone(), weight: spec.weight, members };
+    let paired = Paired::of(&constraints, mesh);
+    Ok(ResolvedRow { constraints, skipped, enabled: spec.enabled, paired })
 }
 
 /// The edges of the mesh between `members`, one end after the other, in the order of the smaller end

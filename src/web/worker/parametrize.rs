@@ -3,7 +3,7 @@
 use super::solver::Solver;
 use crate::mesh::Histogram;
 use crate::scene::NamedEnum;
-use crate::solve::{ConformalNorm, ConformalWeights, clock};
+use crate::solve::{ConformalNorm, ConformalWeights, FewerFlips, clock};
 use crate::web::plain::{indices, narrow, object, plain};
 use crate::web::thrown;
 use js_sys::Float64Array;
@@ -55,6 +55,25 @@ impl Solver {
             ("seconds", seconds.into()),
             ("secondsOf", plain(&map.seconds)?),
         ])
+    }
+
+    /// The weights and norm whose flat map of the current shape turns fewest triangles over, of those that
+    /// turn fewer than `flipped`: `weights`, `norm`, `flipped` and `mean`, as [`Solver::parametrize`] has them. Null
+    /// where all turn as many. It makes every map that there is.
+    ///
+    /// # Errors
+    /// No model is open.
+    #[wasm_bindgen(js_name = fewerFlips)]
+    pub fn fewer_flips(&self, flipped: usize) -> Result<JsValue, JsValue> {
+        match self.open()?.fewer_flips(flipped) {
+            None => Ok(JsValue::NULL),
+            Some(FewerFlips { weights, norm, flipped, mean }) => object([
+                ("weights", weights.word().into()),
+                ("norm", norm.word().into()),
+                ("flipped", (flipped as f64).into()),
+                ("mean", mean.into()),
+            ]),
+        }
     }
 
     /// The current shape as OBJ with the texture coordinates `uv` (`#V by 2`) of each vertex.

@@ -6,7 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { program } from '../../../.scripts/programs.mjs';
 import { openExample, openText, runToTheEnd, saved, showPanel } from '../actions.mjs';
-import { box, wavyGrid } from '../meshes.mjs';
+import { box, tube, wavyGrid } from '../meshes.mjs';
 import { decodePng, differingBytes } from '../picture.mjs';
 import { drawn, expect, openPage, screenOf, test, waitForState } from '../support.mjs';
 
@@ -185,4 +185,17 @@ test('faces that the map turns over are outlined, counted, and found on the mode
   await expect(page.getByRole('status')).toHaveText(/^\d faces? selected$/);
   // Both stay marked: the outlines are the map's own, and longer now that they are nearer.
   await expect.poll(red).toBeGreaterThan(150);
+});
+
+test('a map that folds offers the settings that fold less', async ({ page }) => {
+  await openPage(page);
+  // Two boundary loops: with the settings that are first taken it folds, with others it does not.
+  await openText(page, 'tube.obj', tube(), 60);
+  await parametrize(page);
+  await expect(value(page, 'Flipped triangles')).not.toHaveText('0');
+  await expect(page.getByText(/^Weight .* turns none over, mean error/)).toBeVisible();
+  await page.getByRole('button', { name: 'Use these settings' }).click();
+  await expect(value(page, 'Flipped triangles')).toHaveText('0');
+  await expect(page.getByLabel('Weight of a polygon')).toHaveValue('one');
+  await expect(page.getByRole('button', { name: 'Use these settings' })).toBeHidden();
 });

@@ -11,6 +11,9 @@ import { flatMapPanel } from './uv-panel.js';
 
 /** @typedef {import("../../store/view-modes.js").FlatMap} FlatMap */
 
+/** Other settings are tried at once where a map takes at most so many seconds. */
+const QUICK = 0.3;
+
 /** What can be chosen. @typedef {Pick<FlatMap, "weights" | "norm" | "onModel" | "onMap" | "squares">} Choices */
 
 /** @type {Parametrize | null} */
@@ -76,6 +79,24 @@ export class Parametrize {
     this.#viewport.with((view) => view.showFlipped());
   }
 
+  /** Looks for settings that turn fewer triangles over, of the shape as it is now. */
+  async lookForFewer() {
+    const { flatMap } = this.#store.get();
+    if (!flatMap) return;
+    const { found } = flatMap;
+    /** @param {FlatMap["fewer"]} fewer */
+    const show = (fewer) => {
+      const now = this.#store.get().flatMap;
+      if (now?.found === found) this.#actions.look({ flatMap: { ...now, fewer } });
+    };
+    show('searching');
+    const fewer = this.#actions.fewerFlips(found.flipped).catch((error) => {
+      show(null);
+      throw error;
+    });
+    await this.#actions.reportErrors(fewer.then((better) => show(better ?? 'none')));
+  }
+
   /** Makes the map of the shape as it is now. */
   async flatten() {
     const { model } = this.#store.get();
@@ -88,9 +109,12 @@ export class Parametrize {
       if (now !== model || !isNewest) return;
       const iteration = numbers?.iteration ?? 0;
       this.#actions.look({
-        flatMap: { found, iteration, ...this.#choices },
+        flatMap: { found, iteration, fewer: null, ...this.#choices },
         status: `Flattened in ${duration(1000 * found.seconds)}`,
       });
+      // Without a boundary every map folds over itself.
+      const isOpen = found.closedParts < found.parts;
+      if (found.flipped > 0 && isOpen && found.seconds < QUICK) await this.lookForFewer();
     } catch (error) {
       this.#actions.setStatus('');
       await this.#actions.reportErrors(Promise.reject(error));

@@ -33,9 +33,11 @@ export function flatMapPanel(place, store, control) {
     'Show flipped faces',
   );
   showFlipped.title = 'Select them on the model, and zoom to them on both';
+  const fewer = element('div', { 'aria-live': 'polite' });
   flipped.append(
     element('p.quiet', 'Outlined in red on the map: there it folds over itself.'),
     showFlipped,
+    fewer,
   );
   const notice = element('p.notice');
   const again = element('button.small', { onclick: () => control.flatten() }, 'Flatten again');
@@ -87,6 +89,7 @@ export function flatMapPanel(place, store, control) {
     const isStale = state.numbers?.iteration !== flatMap.iteration;
     showFacts(facts, found);
     flipped.hidden = found.flipped === 0;
+    fewer.replaceChildren(...fewerParts(flatMap, control));
     setText(notice, [isStale ? STALE : '', closedWords(found)].filter(Boolean).join(' '));
     notice.hidden = !notice.textContent;
     again.hidden = !isStale;
@@ -100,6 +103,36 @@ export function flatMapPanel(place, store, control) {
     squaresRow.hidden = flatMap.onModel !== 'checks' && flatMap.onMap !== 'checks';
     looks.hidden = state.renderer === 'none';
   });
+}
+
+/**
+ * Which settings turn fewer triangles over, and a button that takes them, or looks for them.
+ * @param {FlatMap} flatMap
+ * @param {import("./uv-controller.js").Parametrize} control
+ */
+function fewerParts({ fewer, found }, control) {
+  // Without a boundary there is nothing that helps.
+  if (found.flipped === 0 || found.closedParts === found.parts) return [];
+  const small = (/** @type {string} */ label, /** @type {() => void} */ onclick) =>
+    element('button.small.bordered', { onclick }, label);
+  if (fewer === null) {
+    return [small('Look for settings that turn fewer over', () => control.lookForFewer())];
+  }
+  if (fewer === 'searching') return [element('p.quiet', 'Trying the other settings …')];
+  if (fewer === 'none') {
+    const words = 'No other setting turns fewer over. Cut the surface open, or into parts.';
+    return [element('p.quiet', words)];
+  }
+  const { weights, norm, flipped, mean } = fewer;
+  const [weight, over] = [WEIGHTS[weights][0], NORMS[norm][0]];
+  const turned = flipped === 0 ? 'none' : groupDigits(flipped);
+  return [
+    element(
+      'p.quiet',
+      `Weight ${weight} with the norm over ${over} turns ${turned} over, mean error ${ratio(mean)}.`,
+    ),
+    small('Use these settings', () => control.choose({ weights, norm })),
+  ];
 }
 
 const LEFT_OUT = 'Faces without area, or on the same vertices as another';

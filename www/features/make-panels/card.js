@@ -110,7 +110,7 @@ export class MakePanels {
     // Two pictures, and a map beside the model, have legends of their own in its place.
     const hasRoom = !split && !flatMap;
     const rows = document?.constraints.length ?? 0;
-    const offers = (model?.panels.length ?? 0) > 0;
+    const offers = Boolean(model?.faces && model.panels.length > 0);
     if (!offers || !document || !hasRoom || this.#closed === model) this.#turnTo('nothing');
     else if (this.#pressed === model && rows > 0) this.#turnTo('verdict');
     else this.#turnTo(rows === 0 && !example ? 'offer' : 'nothing');

@@ -10,6 +10,11 @@ export default {
     },
     {
       keys: ['document'],
+      isNeeded: ({ document }) => Boolean(document?.constraints.some(({ paired }) => paired)),
+      load: (app) => import('./unpaired.js').then((it) => it.watchUnpaired(app)),
+    },
+    {
+      keys: ['document'],
       isNeeded: ({ document }) => Boolean(document?.free && document.constraints.length > 0),
       load: (app) => import('./free-vertices.js').then((it) => it.watchFreeVertices(app)),
     },

@@ -3,7 +3,7 @@
 use super::lesson::LessonWords;
 use crate::constraint::describe;
 use crate::scene::{Hold, NamedEnum, PRESETS, Preset, PresetOffer};
-use crate::session::{Session, settings_of};
+use crate::session::{Paired, Session, settings_of};
 use crate::solve::Require;
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -78,6 +78,8 @@ struct ConstraintRow<'a> {
     count: usize,
     /// Elements whose number of vertices does not fit the kind.
     skipped: usize,
+    /// Of a kind that acts on vertices in pairs, how many have a partner at rest.
+    paired: Option<Paired>,
     weight: f64,
     enabled: bool,
     /// As in a scene file.
@@ -142,6 +144,7 @@ impl<'a> Document<'a> {
                     on: describe(&spec.on),
                     count: row.constraints.members.len(),
                     skipped: row.skipped,
+                    paired: row.paired,
                     weight: spec.weight,
                     enabled: spec.enabled,
                     require: require(spec.require),

@@ -1,0 +1,47 @@
+/**
+ * Constraints that act on vertices in pairs, such as a symmetry, say how many of them found a partner: the
+ * others are free, and where none has one the constraint does nothing.
+ */
+
+import { closeButton } from '../../ui/controls/fields.js';
+import { element } from '../../ui/dom.js';
+import { groupDigits } from '../../ui/format.js';
+
+/** @param {import("../../app/context.js").AppContext} app */
+export function watchUnpaired({ store }) {
+  const place = element('div', { 'aria-live': 'polite' });
+  document.getElementById('messages')?.append(place);
+  /** What was said last, or closed. */
+  let said = '';
+
+  store.subscribe(['document'], (state) => {
+    const words = (state.document?.constraints ?? []).filter(isPartly).map(sentence);
+    if (words.join() === said) return;
+    said = words.join();
+    place.replaceChildren(
+      ...(words.length > 0
+        ? [
+            element(
+              'div.message.notice',
+              { role: 'group', 'aria-label': 'Vertices without an image' },
+              element('p', words.join(' ')),
+              closeButton('Close', () => place.replaceChildren()),
+            ),
+          ]
+        : []),
+    );
+  });
+}
+
+/** @param {import("../../solver/messages.js").ConstraintRow} row */
+const isPartly = ({ enabled, paired }) => enabled && paired && paired.vertices < paired.of;
+
+/** @param {import("../../solver/messages.js").ConstraintRow} row */
+function sentence({ label, on, paired }) {
+  const { vertices = 0, of = 0 } = paired ?? {};
+  const what = `${label} on ${on}`;
+  const all = groupDigits(of);
+  return vertices === 0
+    ? `${what}: none of the ${all} vertices has an image among the others, so it does nothing. See the direction of its mirror or axis.`
+    : `${what}: ${groupDigits(vertices)} of ${all} vertices have an image; the others are free.`;
+}
