@@ -4,7 +4,7 @@
 mod grid;
 
 use grid::grid;
-use shape_up::math::Vec3;
+use shape_up::math::{Vec3, cosine, sine};
 use shape_up::mesh::{Mesh, Point, Surface, Topology, hinges, stars};
 use shape_up::scene::Scene;
 use shape_up::session::Session;
@@ -107,6 +107,63 @@ fn a_border_glides_along_its_sides_while_the_inside_is_pulled() {
     for corner in [0, 8, 72, 80] {
         assert!(distance(found[corner], mesh.positions[corner]) < 0.01, "{:?}", found[corner]);
     }
+}
+
+/// A ring of `n` vertices on the unit circle around another ring, in a strip of quads.
+fn annulus(n: u32) -> Mesh {
+    let mut mesh = grid(n, 1, |i, j| {
+        let (turn, radius) = (f64::from(i % n) / f64::from(n), 1.0 - 0.4 * f64::from(j));
+        [radius * cosine(turn), radius * sine(turn), 0.0]
+    });
+    // The last column is the first one.
+    let around = |v: u32| v / (n + 1) * (n + 1) + v % (n + 1) % n;
+    let faces = mesh.faces.iter().map(|face| face.iter().map(|&v| around(v)).collect::<Vec<_>>());
+    mesh.faces = faces.collect();
+    mesh
+}
+
+#[test]
+fn a_rim_glides_on_the_spline_through_its_vertices() {
+    let n = 16;
+    let mesh = annulus(n);
+    let rim = (0..n as usize).filter(|v| *v != 0);
+    let glided = |between: &str| {
+        let on = format!(r#"{{ "vertices": "0-{}" }}"#, n - 1);
+        let row = format!(
+            r#""constraints": [{{ "kind": "on-curve", "on": {on}, "closed": "yes", "between": "{between}" }}],
+               "handles": [{{ "vertices": [0], "targets": [[0.96, 0.4, 0]] }},
+                           {{ "vertices": "17-32", "fixed": true }}],
+               "weights": {{ "shape": 1000, "smooth": 1 }}"#
+        );
+        solved(&mesh, &row).positions()
+    };
+    // The farthest from the circle that the rim is on at rest, of those that have moved along it.
+    let off = |found: &[Point]| {
+        let away = rim.clone().map(|v| (Vec3::from(found[v]).length() - 1.0).abs());
+        away.fold(0.0, f64::max)
+    };
+    let [straight, spline] = ["straight", "spline"].map(glided);
+    assert!(distance(spline[1], mesh.positions[1]) > 0.1, "it glides: {:?}", spline[1]);
+    // Sides of a polygon with 16 corners are up to 0.019 inside the circle, cubics through them 2e-4.
+    let [straight, spline] = [off(&straight), off(&spline)];
+    assert!(spline < 3e-3 && straight > 5.0 * spline, "{straight} {spline}");
+}
+
+#[test]
+fn a_spline_keeps_its_corners_and_is_straight_between_two_of_them() {
+    // An L of five vertices: a corner in the middle, a straight side, and a side of one segment.
+    let places = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [3.0, 0.0], [3.0, 2.0]];
+    let positions: Vec<Point> = places.iter().map(|[x, y]| [*x, *y, 0.0]).collect();
+    let curve: Vec<u32> = (0..5).collect();
+    let mesh = Mesh { positions, curves: [curve].into_iter().collect(), ..Mesh::default() };
+    let row = r#""constraints": [{ "kind": "on-curve", "on": "curves", "between": "spline" }],
+                 "handles": [{ "vertices": [1], "targets": [[1.6, 0.5, 0.3]], "weight": 0.01 }]"#;
+    let found = solved(&mesh, row).positions();
+    for v in [0, 2, 3, 4] {
+        assert!(distance(found[v], mesh.positions[v]) < 1e-9, "{v}: {:?}", found[v]);
+    }
+    let [x, y, z] = found[1];
+    assert!(x > 1.5 && y.abs() < 0.01 && z.abs() < 0.01, "{:?}", found[1]);
 }
 
 #[test]

@@ -7,6 +7,7 @@ mod grid;
 #[path = "support/shared.rs"]
 mod shared;
 
+use shape_up::math::{cosine, sine};
 use shape_up::mesh::{Mesh, Topology};
 use shape_up::scene::{PRESETS, Preset, Scene};
 use shape_up::session::{Edit, Session};
@@ -78,9 +79,9 @@ fn presets_of_the_paper_keep_real_meshes_whole_when_they_do_not_warn() {
 /// Points near a sphere of radius 5, on a spiral around it.
 fn spiral() -> Vec<[f64; 3]> {
     let point = |k: u32| {
-        let (turn, t) = (0.7 * f64::from(k), f64::from(k) / 20.0 - 1.0);
+        let (turn, t) = (0.11 * f64::from(k), f64::from(k) / 20.0 - 1.0);
         let radius = (25.0 - 20.0 * t * t).sqrt() + 0.02 * f64::from(7 * k % 5);
-        [radius * turn.cos(), radius * turn.sin(), 4.5 * t]
+        [radius * cosine(turn), radius * sine(turn), 4.5 * t]
     };
     (0..40).map(point).collect()
 }

@@ -9,11 +9,13 @@
 //! | `polygon` | sides and corners of polygons, regular polygons |
 //! | `angle`, `turns` | angles between directions; sine and cosine |
 //! | `cube_root` | the cube root |
+//! | `cubic` | a segment of a cubic curve, and its closest point |
 //! | `argsort` | sorting by keys that are whole numbers |
 
 mod angle;
 mod argsort;
 mod cube_root;
+mod cubic;
 mod eigen;
 mod fit;
 mod polygon;
@@ -23,6 +25,7 @@ mod vector;
 pub use angle::angle;
 pub use argsort::{argsort, key_of_number, key_of_pair};
 pub use cube_root::cube_root;
+pub use cubic::Cubic;
 pub use eigen::{Eigenvector, PrincipalAxes, Scatter, SingularValues, Symmetric3, symmetric_eigen};
 pub use fit::{
     Alignment, CircleFit, OrthogonalPair, PrincipalCircle, PrincipalRound, Round, RoundWithin,

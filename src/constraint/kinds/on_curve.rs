@@ -1,9 +1,9 @@
 //! On curve (an application of paper section 4.2, where vertices slide along feature curves): the
-//! closest point of a polyline that stays in its place.
+//! closest point of a polyline, or of a spline through its vertices, that stays in its place.
 
 use crate::constraint::kinds::shared::separate_lanes;
 use crate::constraint::{Arity, Centring, Element, Form, Info, Param, ParamValue, Projection};
-use crate::math::{Lane, Vec3, cosine};
+use crate::math::{Cubic, Lane, Vec3, cosine};
 use serde::{Deserialize, Serialize};
 
 /// The vertices glide along the polyline that they make at rest, in the order in which they are
@@ -16,6 +16,11 @@ use serde::{Deserialize, Serialize};
 ///
 /// Each vertex goes to the closest point of its piece, and to one of them where several are equally
 /// close.
+///
+/// Between the rest places the curve is straight, or a `spline`: one cubic for each segment, which goes on
+/// in the same direction in the next one of its piece. The direction at a place is that of the parabola through it
+/// and its two neighbours, in the centripetal parameter, with which it has no loops between them (Yuksel,
+/// Schaefer, Keyser 2011); where a piece ends, that of the parabola through the last three places.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct OnCurve {
@@ -23,6 +28,15 @@ pub struct OnCurve {
     corners: f64,
     /// Whether the last vertex is followed by the first.
     closed: Closed,
+    /// The curve between rest places.
+    between: Between,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+enum Between {
+    Straight,
+    Spline,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -35,7 +49,7 @@ enum Closed {
 
 impl Default for OnCurve {
     fn default() -> Self {
-        OnCurve { corners: 45.0, closed: Closed::Auto }
+        OnCurve { corners: 45.0, closed: Closed::Auto, between: Between::Straight }
     }
 }
 
@@ -70,6 +84,14 @@ impl Projection for OnCurve {
                 unit: "",
                 default: ParamValue::Word("auto"),
                 forms: &[Form::Word("auto"), Form::Word("yes"), Form::Word("no")],
+                range: [f64::NEG_INFINITY, f64::INFINITY],
+            },
+            Param {
+                id: "between",
+                label: "Between vertices",
+                unit: "",
+                default: ParamValue::Word("straight"),
+                forms: &[Form::Word("straight"), Form::Word("spline")],
                 range: [f64::NEG_INFINITY, f64::INFINITY],
             },
         ],
@@ -124,7 +146,8 @@ struct Curve<P> {
     at: P,
     n: usize,
     closed: bool,
-    /// The length of its longest segment.
+    is_spline: bool,
+    /// No segment is longer.
     longest: f64,
     /// The cosine of the least turn of a corner.
     cosine: f64,
@@ -142,7 +165,17 @@ impl<P: Fn(usize) -> Vec3<f64>> Curve<P> {
         };
         let longest = if closed { longest.max(gap) } else { longest };
         let cosine = cosine(operator.corners / 360.0);
-        Curve { at, n, closed, longest, cosine }
+        let is_spline = operator.between == Between::Spline;
+        let mut curve = Curve { at, n, closed, is_spline, longest, cosine };
+        if is_spline {
+            let lengths = (0..curve.segments()).map(|i| curve.cubic(i).length_bound());
+            curve.longest = lengths.fold(0.0, f64::max);
+        }
+        curve
+    }
+
+    fn segments(&self) -> usize {
+        if self.closed { self.n } else { self.n - 1 }
     }
 
     fn size(&self) -> f64 {
@@ -163,8 +196,7 @@ impl<P: Fn(usize) -> Vec3<f64>> Curve<P> {
 
     /// Calls `place` for each vertex, with what gives the closest point of its piece.
     fn glide(&self, mut place: impl FnMut(usize, &dyn Fn(Vec3<f64>) -> Vec3<f64>)) {
-        let n = self.n;
-        let segments = if self.closed { n } else { n - 1 };
+        let (n, segments) = (self.n, self.segments());
         let Some(first) = (0..n).find(|&i| self.is_kept(i)) else {
             (0..n).for_each(|i| place(i, &|v| self.closest(0, segments, i, v)));
             return;
@@ -188,14 +220,10 @@ impl<P: Fn(usize) -> Vec3<f64>> Curve<P> {
     fn closest(&self, start: usize, end: usize, near: usize, v: Vec3<f64>) -> Vec3<f64> {
         let mut best = ((self.at)(near % self.n), f64::INFINITY);
         let mut consider = |segment: usize| {
-            let (a, b) = ((self.at)(segment % self.n), (self.at)((segment + 1) % self.n));
-            let side = b - a;
-            let squared = side.length_squared();
-            let along = if squared > 0.0 { (v - a).dot(side) / squared } else { 0.0 };
-            let point = match along {
-                along if along <= 0.0 => a,
-                along if along >= 1.0 => b,
-                along => a + side * along,
+            let point = if self.is_spline {
+                self.cubic(segment).closest(v)
+            } else {
+                closest_of_segment(self.ends(segment), v)
             };
             let distance = (v - point).length();
             if distance < best.1 {
@@ -215,5 +243,51 @@ impl<P: Fn(usize) -> Vec3<f64>> Curve<P> {
             segment = (segment - 1).saturating_sub(skipped).max(start);
         }
         best.0
+    }
+
+    fn ends(&self, segment: usize) -> [Vec3<f64>; 2] {
+        [(self.at)(segment % self.n), (self.at)((segment + 1) % self.n)]
+    }
+
+    /// A segment of the spline.
+    fn cubic(&self, segment: usize) -> Cubic {
+        let (n, ends) = (self.n, self.ends(segment));
+        let (first, second) = (segment % n, (segment + 1) % n);
+        let chord = ends[1] - ends[0];
+        let step = chord.length().sqrt();
+        // By the next place beyond an end, and how far it is; none where the piece ends.
+        let beyond = |end: usize, other: usize| {
+            let chord =
+                if end == first { ends[0] - (self.at)(other) } else { (self.at)(other) - ends[1] };
+            let other_step = chord.length().sqrt();
+            (!self.is_kept(end) && other_step > 0.0).then_some((chord, other_step))
+        };
+        let derivative = |(other, other_step): (Vec3<f64>, f64)| {
+            let (own, all) = (chord * (1.0 / step), step + other_step);
+            (own * (other_step / all) + other * (step / (other_step * all))) * step
+        };
+        if step == 0.0 {
+            return Cubic::hermite(ends, [Vec3::zero(); 2]);
+        }
+        let before = beyond(first, (first + n - 1) % n).map(derivative);
+        let after = beyond(second, (second + 1) % n).map(derivative);
+        let of_parabola =
+            |other: Option<Vec3<f64>>| other.map_or(chord, |other| chord * 2.0 - other);
+        let [start, end] = [
+            before.unwrap_or_else(|| of_parabola(after)),
+            after.unwrap_or_else(|| of_parabola(before)),
+        ];
+        Cubic::hermite(ends, [start, end])
+    }
+}
+
+fn closest_of_segment([a, b]: [Vec3<f64>; 2], v: Vec3<f64>) -> Vec3<f64> {
+    let side = b - a;
+    let squared = side.length_squared();
+    let along = if squared > 0.0 { (v - a).dot(side) / squared } else { 0.0 };
+    match along {
+        along if along <= 0.0 => a,
+        along if along >= 1.0 => b,
+        along => a + side * along,
     }
 }
