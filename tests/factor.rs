@@ -172,3 +172,15 @@ fn a_refused_weight_leaves_everything_as_it_was() {
     );
     check_as_opened_anew(&mut session, 5, "after the refusal");
 }
+
+#[test]
+fn at_the_upper_end_a_global_step_reads_few_numbers_for_each_vertex() {
+    // What a global step takes is the time to read the factor once forward and once back: its numbers are the
+    // bound of the interactive rate that no load of the machine changes. 78.6 for each vertex here.
+    let mesh =
+        grid(169, 169, |i, j| [f64::from(i), f64::from(j), f64::from((i * 5 + j * 7) % 4) / 8.0]);
+    let vertices = mesh.positions.len();
+    let session = Session::open(scene(CIRCLES), mesh).expect("it is regular");
+    let numbers = session.report().factor_nonzeros;
+    assert!(vertices == 28_900 && numbers <= 80 * vertices, "{numbers} for {vertices}");
+}
