@@ -83,18 +83,23 @@ pub fn drawn(
     if style.names {
         for &panel in &panels {
             for own in name_places(model, piece, panel) {
-                let mut sides: Vec<(Point2, Option<String>)> =
-                    own.iter().map(|&side| named_side(model, names, side, &put)).collect();
+                let sides = own.iter().map(|&side| named_side(model, names, side, &put));
+                let (mut polygon, mut beside): (Vec<Point2>, Vec<_>) = sides.unzip();
                 if style.inside {
                     // Counterclockwise again: each name stays with its side.
-                    sides.reverse();
-                    let last = sides.len() - 1;
-                    let moved: Vec<_> =
-                        (0..=last).map(|k| sides[(k + 1) % (last + 1)].1.clone()).collect();
-                    sides.iter_mut().zip(moved).for_each(|(side, name)| side.1 = name);
+                    polygon.reverse();
+                    beside.reverse();
+                    beside.rotate_left(1);
                 }
-                let (polygon, beside): (Vec<Point2>, Vec<_>) = sides.into_iter().unzip();
-                let labels = label(&polygon, &names[panel as usize], &beside, false);
+                let name = &names[panel as usize];
+                let mut labels = label(&polygon, name, &beside, false);
+                // The first panel also says which piece it is, where that costs nothing else.
+                if part.engraved.is_empty() {
+                    let both = label(&polygon, &format!("{}: {name}", part.name), &beside, false);
+                    if !both.small && both.dropped == labels.dropped {
+                        labels = both;
+                    }
+                }
                 part.engraved.extend(labels.lines);
                 dropped += labels.dropped;
                 small += usize::from(labels.small);
