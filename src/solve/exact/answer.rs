@@ -1,5 +1,6 @@
 //! What has come of it, said as it is.
 
+use super::guard;
 use super::hard_rows::HardBatch;
 use super::model::Model;
 use crate::constraint::Row;
@@ -71,8 +72,9 @@ pub struct ExactAnswer {
     pub seconds: f64,
 }
 
-/// A guarded edge counts as being on the guard up to this much above it.
-const ON_GUARD: f64 = 1e-6;
+/// A guarded edge counts as being on the guard up to this much above it: the guard aims a little higher where a
+/// tolerance is enough.
+const ON_GUARD: f64 = 2.0 * guard::LONGER;
 
 impl Model {
     /// Positions, `#V by 3`, as they are given to hosts.

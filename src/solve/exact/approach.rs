@@ -13,15 +13,41 @@ use crate::sparse::Precision;
 /// The weight at the start, beside what makes hard constraints as stiff as the energies.
 const START: f64 = 0.3;
 
-/// Of a round: how much the weight grows, and iterations at most; and where a tolerance is enough, which takes less
-/// time and hardly more energy.
-const PATIENT: (f64, u32) = (1.5, 60);
-const QUICK: (f64, u32) = (1.5, 30);
+/// The rounds of the approach.
+#[derive(Clone, Copy)]
+struct Rounds {
+    /// The weight grows so many times from one to the next.
+    growth: f64,
+    /// Iterations of one at most.
+    most: u32,
+    /// One ends when an iteration gains less than this part of what is minimised.
+    least_gain: f64,
+}
 
-/// The same where it has to end, at the price of some energy.
-const HURRIED: (f64, u32) = (3.0, 60);
+/// The rounds of an approach at first, and those after `patience` iterations, which have to end, at the price of
+/// some energy.
+struct Schedule {
+    patient: Rounds,
+    patience: u32,
+    hurried: Rounds,
+}
 
-/// It has to end after so many iterations.
+/// Where some rows are to be exact.
+const TO_THE_SHAPE: Schedule = Schedule {
+    patient: Rounds { growth: 1.5, most: 60, least_gain: 1e-4 },
+    patience: PATIENCE,
+    hurried: Rounds { growth: 3.0, most: 60, least_gain: 1e-4 },
+};
+
+/// Where a tolerance is enough: short rounds come into a band by themselves, without a polish. Growth by 1.5 costs
+/// twice the energy of growth by 1.2 then.
+const INTO_BANDS: Schedule = Schedule {
+    patient: Rounds { growth: 1.3, most: 25, least_gain: 3e-4 },
+    patience: 500,
+    hurried: Rounds { growth: 1.2, most: 10, least_gain: 1e-3 },
+};
+
+/// After so many iterations an approach to the shape has to end.
 pub(super) const PATIENCE: u32 = 900;
 
 /// The weight stays below this, beside the same: the metric is in single precision, and has to know the energies.
@@ -30,15 +56,13 @@ const MOST: f64 = 1e5;
 /// The approach stands still after so many rounds of at most so many iterations that end at the same distance.
 const STILL: (u32, u32) = (6, 3);
 
-/// A round ends when an iteration gains less than this part of what is minimised.
-const LEAST_GAIN: f64 = 1e-4;
-
 /// The iteration of the first stage.
 pub(super) struct Approach {
     accelerator: Acceleration,
     rho: f64,
     most: f64,
-    patient: (f64, u32),
+    schedule: &'static Schedule,
+    round: Rounds,
     /// Iterations left in the round; none before the first one.
     left: u32,
     in_round: u32,
@@ -67,13 +91,15 @@ impl Approach {
         };
         let [metric, hard] = model.stiffness;
         let unit = if metric > 0.0 { metric / hard } else { 1.0 };
+        let schedule = if model.hard.any_exact() { &TO_THE_SHAPE } else { &INTO_BANDS };
         let zeros = || vec![[0.0; 4]; n];
         Approach {
             accelerator: Acceleration::new(&quasi_newton),
             // From a soft solution with a greater weight there is no way back to a small one.
             rho: Lane::max(START * unit, 0.05 * model.parts.energies.weights.shape),
             most: MOST * unit,
-            patient: if model.hard.any_exact() { PATIENT } else { QUICK },
+            schedule,
+            round: schedule.patient,
             left: 0,
             in_round: 0,
             still: 0,
@@ -110,7 +136,7 @@ impl Approach {
         if !gains {
             self.restore(model);
         }
-        if !gains || before - self.merit < LEAST_GAIN * before {
+        if !gains || before - self.merit < self.round.least_gain * before {
             self.left = 0;
         }
         if self.left == 0 {
@@ -120,8 +146,9 @@ impl Approach {
     }
 
     fn begin_round(&mut self, model: &mut Model) -> Result<(), SolveError> {
-        let (growth, most) = if self.iterations < PATIENCE { self.patient } else { HURRIED };
-        let growth = Lane::min(growth, self.most / self.rho);
+        let Schedule { patient, patience, hurried } = *self.schedule;
+        self.round = if self.iterations < patience { patient } else { hurried };
+        let growth = Lane::min(self.round.growth, self.most / self.rho);
         self.rho *= growth;
         model.hard.divide_shifts(growth);
         let scales = model.scales(self.rho);
@@ -129,7 +156,7 @@ impl Approach {
         let system = &mut model.parts.system;
         system.set_matrix(Precision::Single, &scales, diagonal, fixed)?;
         system.prepare()?;
-        (self.left, self.in_round, self.rounds) = (most, 0, self.rounds + 1);
+        (self.left, self.in_round, self.rounds) = (self.round.most, 0, self.rounds + 1);
         self.forget();
         self.evaluate(model);
         Ok(())

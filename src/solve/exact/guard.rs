@@ -1,31 +1,64 @@
 //! The guard: edges between vertices of hard constraints keep a part of their length at rest. Coincident vertices
 //! meet most constraints, and without a bound many a mesh ends there.
 
+use super::requirement::Require;
 use crate::constraint::Kind;
-use crate::mesh::{Ragged, Topology};
+use crate::math::{Lane, Vec3};
+use crate::mesh::{Mesh, Ragged};
 use crate::solve::energy::Constraints;
+use crate::solve::problem::Problem;
 use serde_json::json;
 use std::collections::BTreeSet;
 
-/// The guarded edges as a row of line segments that are at least `ratio` times as long as at rest; none where
-/// there are no such edges.
-///
-/// An edge that a hard constraint is on by itself is not guarded: its length is what is asked for.
-pub(super) fn guard(hard: &[Constraints], topology: &Topology, ratio: f64) -> Option<Constraints> {
-    let is_pair = |members: &&[u32]| members.len() == 2;
-    let pairs = hard.iter().flat_map(|row| row.members.iter()).filter(is_pair);
-    let own: BTreeSet<[u32; 2]> =
-        pairs.map(|ends| [ends[0].min(ends[1]), ends[0].max(ends[1])]).collect();
-    let mut is_hard = vec![false; topology.vertex_faces().len()];
-    for row in hard {
-        row.members.indices().iter().for_each(|&v| is_hard[v as usize] = true);
+/// Where a tolerance is enough for everything else, edges are aimed to be longer by this part, so that the approach
+/// can end without being exact to a digit.
+pub(super) const LONGER: f64 = 0.01;
+
+/// The guarded edges.
+pub(super) struct Guard {
+    /// A row of line segments, each with a least length.
+    pub row: Constraints,
+    pub require: Require,
+}
+
+impl Guard {
+    /// Edges of the `hard` constraints that stay at least `ratio` times as long as at rest; none where there are no
+    /// such edges.
+    ///
+    /// An edge that a hard constraint is on by itself is not guarded: its length is what is asked for.
+    pub(super) fn new(
+        hard: &[Constraints],
+        problem: &Problem<'_>,
+        ratio: f64,
+        all_within: bool,
+    ) -> Option<Guard> {
+        let Problem { mesh, topology, .. } = *problem;
+        let is_pair = |members: &&[u32]| members.len() == 2;
+        let pairs = hard.iter().flat_map(|row| row.members.iter()).filter(is_pair);
+        let own: BTreeSet<[u32; 2]> =
+            pairs.map(|ends| [ends[0].min(ends[1]), ends[0].max(ends[1])]).collect();
+        let mut is_hard = vec![false; topology.vertex_faces().len()];
+        for row in hard {
+            row.members.indices().iter().for_each(|&v| is_hard[v as usize] = true);
+        }
+        let edges = topology.edges().iter().zip(topology.edge_faces().iter());
+        let guarded = edges.filter(|(ends, faces)| {
+            !faces.is_empty() && ends.iter().all(|&v| is_hard[v as usize]) && !own.contains(*ends)
+        });
+        let members: Ragged = guarded.map(|(ends, _)| ends).collect();
+        let aim = if all_within { Lane::min((1.0 + LONGER) * ratio, 1.0) } else { ratio };
+        let lengths = members.iter().map(|ends| length(mesh, ends)).filter(|length| *length > 0.0);
+        let shortest = lengths.fold(f64::INFINITY, Lane::min);
+        // Both ends may be so far from where they make the edge long enough.
+        let slack = 0.5 * (aim - ratio) * shortest;
+        let require = if slack > 0.0 { Require::Within(slack) } else { Require::Exact };
+        let kind = Kind::new("line-segment", json!({ "length": "rest", "strain": [aim, null] }));
+        let kind = kind.ok().filter(|_| !members.is_empty())?;
+        Some(Guard { row: Constraints { kind, weight: 1.0, members }, require })
     }
-    let edges = topology.edges().iter().zip(topology.edge_faces().iter());
-    let guarded = edges.filter(|(ends, faces)| {
-        !faces.is_empty() && ends.iter().all(|&v| is_hard[v as usize]) && !own.contains(*ends)
-    });
-    let members: Ragged = guarded.map(|(ends, _)| ends).collect();
-    let kind = Kind::new("line-segment", json!({ "length": "rest", "strain": [ratio, null] }));
-    let kind = kind.ok().filter(|_| !members.is_empty())?;
-    Some(Constraints { kind, weight: 1.0, members })
+}
+
+fn length(mesh: &Mesh, ends: &[u32]) -> f64 {
+    let [a, b] = [ends[0], ends[1]].map(|v| Vec3::from(mesh.positions[v as usize]));
+    (a - b).length_squared().sqrt()
 }

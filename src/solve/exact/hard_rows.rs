@@ -10,7 +10,7 @@ use crate::math::{LANES, Lane, Lanes, Vec3};
 use crate::solve::energy::Constraints;
 
 /// Bands are aimed at from inside: the approach ends on one side of what it aims at.
-const AIM: f64 = 0.9;
+const AIM: f64 = 0.5;
 
 /// Hard constraints of one row with the same number of points.
 pub(in crate::solve) struct HardBatch {
@@ -95,9 +95,9 @@ impl HardRows {
         }
     }
 
-    /// Whether some row is to be exact; the guard is none.
+    /// Whether something is to be exact.
     pub(in crate::solve) fn any_exact(&self) -> bool {
-        self.batches.iter().any(|hard| hard.row.is_some() && hard.within.is_none())
+        self.batches.iter().any(|hard| hard.within.is_none())
     }
 
     /// The greatest excess, that of the guard included.

@@ -1,9 +1,10 @@
 //! Constraints that are met, not weighed: `min f(x)` subject to `N_i x` in `C_i` for hard rows, where `f` is the
 //! energy of everything else. Both stages need nothing of an operator but its projection `P_i`.
 //!
-//! 1. The approach comes within 1e-5 of the size: the quasi-Newton iteration with shifted projections (the augmented
-//!    Lagrangian of a set constraint) and a weight that grows.
-//! 2. The polish takes least-change Newton steps onto the constraints, and ends at rounding.
+//! 1. The approach is the quasi-Newton iteration with shifted projections (the augmented Lagrangian of a set
+//!    constraint) and a weight that grows. It comes within 1e-5 of the size, or within the distance that is allowed.
+//! 2. The polish takes least-change Newton steps onto the constraints, and ends at rounding. It is for constraints that
+//!    are to be exact, and for others where the approach stands still.
 //!
 //! Penalties alone converge like one over the weight, Newton's steps alone wander; both were tried.
 //!
@@ -48,8 +49,6 @@ use polish::{Polish, Polished};
 /// The approach ends at this part of the size, and the polish begins; or at that part, where it was long.
 const NEAR: f64 = 1e-5;
 const NEAR_ENOUGH: f64 = 1e-4;
-/// Where a tolerance is enough: the polish fails from farther away.
-const NEAR_ENOUGH_WITHIN: f64 = 3e-5;
 
 /// See [`Polish::new`].
 const HELD: f64 = 1e-3;
@@ -58,9 +57,8 @@ const HELD: f64 = 1e-3;
 const NEARER: f64 = 0.3;
 const NEAREST: f64 = 1e-7;
 
-/// So often the polish is tried in a row. Where a tolerance is enough, coming nearer is quicker than a second try.
+/// So often the polish is tried in a row.
 const POLISHES: u32 = 2;
-const POLISHES_WITHIN: u32 = 1;
 
 /// The factor of the polish takes at most so many bytes; larger problems end with the approach.
 const MOST_BYTES: usize = 400_000_000;
@@ -97,7 +95,6 @@ pub struct Exact {
     /// Approaches that have ended, and polishes after the last one.
     tries: u32,
     polishes: u32,
-    most_polishes: u32,
     /// The least worst excess so far, and where.
     best: (f64, Vec<Row>),
     seconds: f64,
@@ -119,8 +116,8 @@ impl Exact {
         let approach = Approach::new(&model, &settings);
         let worst = model.hard.worst(&model.x);
         let can_polish = polish_fits(problem, requirements, &model);
-        let most_polishes = if model.hard.any_exact() { POLISHES } else { POLISHES_WITHIN };
-        let near = NEAR * model.parts.extent;
+        // Bands are reached without a polish, but where rounds stand still.
+        let near = if model.hard.any_exact() { NEAR * model.parts.extent } else { 0.0 };
         let mut exact = Exact {
             best: (worst, model.x.clone()),
             model,
@@ -134,7 +131,6 @@ impl Exact {
             contradicts: false,
             tries: 0,
             polishes: 0,
-            most_polishes,
             seconds: 0.0,
         };
         let goal = if can_polish { exact.model.goal() } else { near };
@@ -196,10 +192,8 @@ impl Exact {
         }
         self.stage = Stage::Round;
         let worst = self.keep_best();
-        if self.approach.iterations >= PATIENCE && self.tries == 0 {
-            let any_exact = self.model.hard.any_exact();
-            let enough = if any_exact { NEAR_ENOUGH } else { NEAR_ENOUGH_WITHIN };
-            self.near = enough * self.model.parts.extent;
+        if self.near > 0.0 && self.approach.iterations >= PATIENCE && self.tries == 0 {
+            self.near = NEAR_ENOUGH * self.model.parts.extent;
         }
         let near = if self.can_polish { worst <= self.near } else { self.model.is_met(self.near) };
         let stands = self.approach.stands_still(worst);
@@ -249,7 +243,7 @@ impl Exact {
     /// Tries again from the best positions with steps that gain; then comes nearer by the approach, if that may go on.
     fn polish_failed(&mut self) {
         if let Some(polish) = &mut self.polish
-            && self.polishes < self.most_polishes
+            && self.polishes < POLISHES
         {
             self.model.x.copy_from_slice(&self.best.1);
             polish.restart(true);

@@ -1,6 +1,6 @@
 //! The shape that both stages work on: its energies, its hard constraints, and the system of the global step.
 
-use super::guard::guard;
+use super::guard::Guard;
 use super::hard_rows::{HardBatch, HardRow, HardRows};
 use super::requirement::{Require, Requirements};
 use crate::constraint::{Centring, Reference, Row};
@@ -63,10 +63,10 @@ impl Model {
         let first_mean = n_vertices + extra_unknowns(&soft, problem.settings.mean_centring);
         let ratio = requirements.shortest_edge.filter(|ratio| *ratio > 0.0);
         let guard = ratio.and_then(|ratio| {
-            let guard = guard(&hard, problem.topology, ratio)?;
-            let ends = guard.members.iter().map(|ends| [ends[0], ends[1]]).collect();
-            hard.push(guard);
-            places.push((None, Require::Exact));
+            let guard = Guard::new(&hard, problem, ratio, requirements.all_within())?;
+            let ends = guard.row.members.iter().map(|ends| [ends[0], ends[1]]).collect();
+            hard.push(guard.row);
+            places.push((None, guard.require));
             Some((ends, ratio))
         });
         let soft_problem = Problem { constraints: &soft, ..*problem };
