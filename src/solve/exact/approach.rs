@@ -24,30 +24,27 @@ struct Rounds {
     least_gain: f64,
 }
 
-/// The rounds of an approach at first, and those after `patience` iterations, which have to end, at the price of
+/// The rounds of an approach at first, and those after [`PATIENCE`], which have to end, at the price of
 /// some energy.
 struct Schedule {
     patient: Rounds,
-    patience: u32,
     hurried: Rounds,
 }
 
 /// Where some rows are to be exact.
 const TO_THE_SHAPE: Schedule = Schedule {
     patient: Rounds { growth: 1.5, most: 60, least_gain: 1e-4 },
-    patience: PATIENCE,
     hurried: Rounds { growth: 3.0, most: 60, least_gain: 1e-4 },
 };
 
 /// Where a tolerance is enough: short rounds come into a band by themselves, without a polish. Growth by 1.5 costs
-/// twice the energy of growth by 1.2 then.
+/// up to twice the energy then.
 const INTO_BANDS: Schedule = Schedule {
-    patient: Rounds { growth: 1.3, most: 25, least_gain: 3e-4 },
-    patience: 500,
-    hurried: Rounds { growth: 1.2, most: 10, least_gain: 1e-3 },
+    patient: Rounds { growth: 1.2, most: 20, least_gain: 5e-4 },
+    hurried: Rounds { growth: 1.3, most: 10, least_gain: 1e-3 },
 };
 
-/// After so many iterations an approach to the shape has to end.
+/// After so many iterations an approach has to end.
 pub(super) const PATIENCE: u32 = 900;
 
 /// The weight stays below this, beside the same: the metric is in single precision, and has to know the energies.
@@ -146,16 +143,18 @@ impl Approach {
     }
 
     fn begin_round(&mut self, model: &mut Model) -> Result<(), SolveError> {
-        let Schedule { patient, patience, hurried } = *self.schedule;
-        self.round = if self.iterations < patience { patient } else { hurried };
+        let Schedule { patient, hurried } = *self.schedule;
+        self.round = if self.iterations < PATIENCE { patient } else { hurried };
         let growth = Lane::min(self.round.growth, self.most / self.rho);
-        self.rho *= growth;
-        model.hard.divide_shifts(growth);
-        let scales = model.scales(self.rho);
-        let (fixed, diagonal) = (model.holding.fixed.clone(), &model.holding.diagonal);
-        let system = &mut model.parts.system;
-        system.set_matrix(Precision::Single, &scales, diagonal, fixed)?;
-        system.prepare()?;
+        if growth > 1.0 || self.rounds == 0 {
+            self.rho *= growth;
+            model.hard.divide_shifts(growth);
+            let scales = model.scales(self.rho);
+            let (fixed, diagonal) = (model.holding.fixed.clone(), &model.holding.diagonal);
+            let system = &mut model.parts.system;
+            system.set_matrix(Precision::Single, &scales, diagonal, fixed)?;
+            system.prepare()?;
+        }
         (self.left, self.in_round, self.rounds) = (self.round.most, 0, self.rounds + 1);
         self.forget();
         self.evaluate(model);
