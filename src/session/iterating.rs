@@ -52,11 +52,11 @@ impl Session {
         Ok(HalfStep::Global { converged, accelerated: self.scene.solver().accelerated() })
     }
 
-    /// Iterates until the tolerance or the limit of the scene is reached; with `trace` the energies of
-    /// all iterations are recorded.
+    /// Iterates until the tolerance or the limit of the scene is reached, and meets the hard constraints, if there are
+    /// any: what cannot be met the report says. With `trace` the energies of all iterations are recorded.
     ///
     /// # Errors
-    /// As [`Session::step`].
+    /// As [`Session::step`], and when the system of the hard constraints is singular.
     pub fn solve(&mut self, trace: bool) -> Result<(), Error> {
         if trace {
             self.progress.record_all(self.scene.solver().energy());
@@ -67,7 +67,7 @@ impl Session {
             }
         }
         self.scene.settle();
-        Ok(())
+        self.meet()
     }
 
     /// Records the energies of the iterations from here on, this one included. Of some thousands

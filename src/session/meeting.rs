@@ -66,11 +66,8 @@ impl Session {
         Ok(())
     }
 
-    /// Meets the hard constraints, if there are any. What cannot be met the report says.
-    ///
-    /// # Errors
-    /// When a set of the scene is not there, or a system is singular.
-    pub fn meet(&mut self) -> Result<(), Error> {
+    /// Meets the hard constraints, if there are any.
+    pub(super) fn meet(&mut self) -> Result<(), Error> {
         let Some(mut exact) = self.meeting()? else { return Ok(()) };
         let ended = exact.run();
         self.accept(&exact)?;

@@ -170,8 +170,8 @@ const STATEMENTS: &[Statement] = &[
     ("canopy", |run| {
         vec![
             ("e_c before", run.e_c()[0], 5.5e-6..6.5e-6),
-            ("e_c", run.e_c()[1], 0.0..1e-10),
-            ("corners", run.worst[0][1], 0.0..0.001),
+            ("e_c", run.e_c()[1], 0.0..1e-20),
+            ("corners", run.worst[0][1], 0.0..1e-9),
         ]
     }),
     ("dome", |run| {

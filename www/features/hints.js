@@ -50,9 +50,9 @@ export function firstHints(card, store) {
     const about = declared(state, measureOfScene(state));
     if (done || !document || !numbers || !about || !firstExample) return;
     const worst = worstOf(state, about.id);
-    const shown = worst < roundingOf(about, size) ? 0 : worst;
-    const within = `within ${valueInWords(about, shown, document.units, toleranceOf(state, about))}`;
-    const met = `${about.met[0].toUpperCase()}${about.met.slice(1)}, ${within}.`;
+    const value = () => valueInWords(about, worst, document.units, toleranceOf(state, about));
+    const how = worst < roundingOf(about, size) ? 'exactly' : `within ${value()}`;
+    const met = `${about.met[0].toUpperCase()}${about.met.slice(1)}, ${how}.`;
     setText(text, numbers.iteration === 0 && at < 2 ? START : hints(met)[at]);
     delete window.document.documentElement.dataset.known;
     card.hidden = false;

@@ -43,7 +43,6 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
         session.arm_guard();
     }
     session.solve(command.trace).map_err(at_input)?;
-    session.meet().map_err(at_input)?;
     let report = session.report();
     remarks.extend(misfits(&session));
     remarks.extend(report.unpaired.iter().map(|row| unpaired(*row, &session)));
