@@ -19,12 +19,15 @@ import {
 } from './measure.mjs';
 import { nativeSolver } from './native.mjs';
 import { optionsOf, usage } from './options.mjs';
+import { measureParts } from './parts.mjs';
 import { comparisons, measurePeer, setUpPeers } from './peers.mjs';
 import { benchFolder } from './problems.mjs';
 import { writeReadme } from './readme.mjs';
 import { measureStart } from './start.mjs';
 import { markdown } from './tables.mjs';
 
+/** Parts are made of so many panels. */
+const PANELS = [1000, 3000, 10_000];
 /** Ten models in turn are of this size, or of the largest one that is measured. */
 const MODELS_SIZE = 10_000;
 
@@ -128,6 +131,10 @@ async function measure(options, words) {
     },
     async start() {
       if (browser) results.start = await measureStart(full ? 5 : 3);
+    },
+    async build() {
+      const panels = trial ? [100] : PANELS;
+      results.parts = await measureParts({ panels, where: options.where, native, trial });
     },
     async operators() {
       results.operators = await measureOperators({ browser, native: places.native });

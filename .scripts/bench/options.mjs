@@ -6,14 +6,14 @@ import { problems } from './problems.mjs';
 
 /** The parts of the benchmark, in the order in which they are measured. */
 export const parts = [
-  ...['iterations', 'factors', 'convergence', 'memory', 'start', 'operators', 'peers'],
+  ...['iterations', 'factors', 'convergence', 'memory', 'start', 'build', 'operators', 'peers'],
 ];
 
 export const usage = `npm run bench -- [options]
 
   --sizes N,N      vertices of the meshes (default 2500,10000; --full 2500,10000,30000,100000)
   --problems A,B   of A, B, C, D (default all)
-  --parts P,P      of ${parts.join(', ')} (default all but factors, operators and peers)
+  --parts P,P      of ${parts.join(', ')} (default all but factors, build, operators and peers)
   --where W,W      of native, browser (default both)
   --peers          the other libraries too, which pip puts under target/
   --full           all sizes and parts, and longer
@@ -63,7 +63,9 @@ export function optionsOf(words) {
   }
   const { full } = values;
   const letters = Object.keys(problems).filter((letter) => !problems[letter].for);
-  const usual = parts.filter((part) => full || !['factors', 'operators', 'peers'].includes(part));
+  const usual = parts.filter(
+    (part) => full || !['factors', 'build', 'operators', 'peers'].includes(part),
+  );
   const chosen = values.parts ? listOf('parts', values.parts, parts) : usual;
   const sizes = values.sizes ?? (full ? '2500,10000,30000,100000' : '2500,10000');
   return {

@@ -80,17 +80,42 @@ function points(side, seed) {
   return rows;
 }
 
-function objText(rows, side, triangles) {
-  const lines = rows.map((row) => `v ${row.join(' ')}`);
+/** The corners of every quad. */
+function quads(side) {
+  const rows = [];
   for (let j = 0; j + 1 < side; j++) {
-    for (let i = 1; i < side; i++) {
+    for (let i = 0; i + 1 < side; i++) {
       const a = j * side + i;
-      const [b, c, d] = [a + 1, a + side + 1, a + side];
-      if (triangles) lines.push(`f ${a} ${b} ${c}`, `f ${a} ${c} ${d}`);
-      else lines.push(`f ${a} ${b} ${c} ${d}`);
+      rows.push([a, a + 1, a + side + 1, a + side]);
     }
   }
+  return rows;
+}
+
+function objText(rows, side, triangles) {
+  const lines = rows.map((row) => `v ${row.join(' ')}`);
+  for (const corners of quads(side)) {
+    const [a, b, c, d] = corners.map((corner) => corner + 1);
+    if (triangles) lines.push(`f ${a} ${b} ${c}`, `f ${a} ${c} ${d}`);
+    else lines.push(`f ${a} ${b} ${c} ${d}`);
+  }
   return `${lines.join('\n')}\n`;
+}
+
+/** The mesh of quads of so many vertices: the path of its file, and its numbers as modules take them. */
+export function quadsOf(size) {
+  const side = Math.round(Math.sqrt(size));
+  const rows = points(side, 0);
+  const mesh = join(benchFolder, `quads-${side * side}.obj`);
+  mkdirSync(benchFolder, { recursive: true });
+  writeFileSync(mesh, objText(rows, side, false));
+  const faces = quads(side);
+  return {
+    mesh,
+    positions: Float64Array.from(rows.flat()),
+    offsets: Uint32Array.from({ length: faces.length + 1 }, (_, face) => 4 * face),
+    indices: Uint32Array.from(faces.flat()),
+  };
 }
 
 /** Four corners, the middle, and one between. */

@@ -161,6 +161,19 @@ export function factorTable(rows) {
   );
 }
 
+/** From a shape to drawings. */
+export function partsTable(rows) {
+  const head = ['panels', 'where', 'build', 'axes of three kinds', 'another distance'];
+  head.push('pictures of all sheets', 'all files');
+  return table(
+    head,
+    rows.map(({ panels, where, build, axes, distance, sheets, files }) => [
+      ...[number(panels), where],
+      ...[build, axes, distance, sheets, files].map(number),
+    ]),
+  );
+}
+
 /** Milliseconds since the navigation began. */
 export function startTable(start) {
   const names = { cold: 'first visit', warm: 'second visit', again: 'third visit' };
@@ -227,6 +240,7 @@ export function machineText({ command, date, processor, cores, browser, rustc, c
 /** Everything that was measured. */
 export function markdown(results) {
   const { iterations, factors, maps, convergence, models, start, operators, peers } = results;
+  const { parts } = results;
   const sections = [`# How fast it is\n\n${machineText(results.machine)} Milliseconds, medians.`];
   const add = (title, ...texts) => sections.push(`## ${title}\n\n${texts.join('\n\n')}`);
   const titles = Object.entries(problems).filter(([, problem]) => !problem.for);
@@ -253,6 +267,7 @@ export function markdown(results) {
     const text = `${models.opened.length} models of problem A with ${number(models.vertices)} vertices, one after the other: ${megabytes(models.empty)} MB before, ${first} MB with the first, ${last} MB with the last.`;
     add('Memory', text);
   }
+  if (parts?.length) add('Parts and sheets', partsTable(parts));
   if (start) add('Opening the page', startTable(start));
   if (peers) {
     const notes = new Map(peers.map(({ what, equal, differs }) => [what, [equal, differs]]));

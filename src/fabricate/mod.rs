@@ -28,6 +28,7 @@
 //! | `report` | all numbers |
 //! | `tables` | lists of panels, beams, pieces, edges, nodes and types |
 //! | `solids` | panels, offset and beams in space |
+//! | `presentation` | shape, offset and beams in space as one file |
 //! | `output` | all files of a build |
 
 pub mod beam;
@@ -40,6 +41,7 @@ pub mod offset;
 mod output;
 pub mod panel;
 pub mod paper;
+mod presentation;
 mod report;
 mod settings;
 pub mod sheet;
@@ -54,6 +56,7 @@ pub use fault::Fault;
 pub use offset::OffsetKind;
 pub use output::BuildFile;
 pub use paper::Pieces;
+pub use presentation::PRESENTATION;
 pub use report::{BuildReport, Choice, FrameReport, OffsetReport, PaperReport};
 pub use settings::{BuildPreset, BuildSettings, CheckLimits, Dxf, PRESETS, Page, Product};
 pub use surface::{Edge, PanelSurface};

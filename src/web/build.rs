@@ -144,6 +144,11 @@ impl Builder {
         plain(&self.build.choices())
     }
 
+    /// Shape, offset and beams as binary glTF; `z_up` says which axis of the mesh is up, z or y.
+    pub fn presentation(&self, z_up: bool) -> Vec<u8> {
+        self.build.presentation(z_up)
+    }
+
     /// All files: `name` and `text`.
     ///
     /// # Errors

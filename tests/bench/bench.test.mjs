@@ -13,7 +13,7 @@ let text;
 
 before(() => {
   const words = ['--trial', '--sizes', '400', '--limit', '0.5'];
-  const asked = ['--parts', 'iterations,factors,convergence,memory'];
+  const asked = ['--parts', 'iterations,factors,convergence,memory,build'];
   const { status, stderr } = spawnSync(
     'node',
     [at('.scripts', 'bench', 'bench.mjs'), ...words, ...asked],
@@ -91,4 +91,17 @@ test('ten models are opened in turn', () => {
   const { empty, opened } = results.models;
   assert.equal(opened.length, 10);
   assert.ok(empty > 0 && opened.every((bytes, k) => bytes >= (opened[k - 1] ?? empty)));
+});
+
+test('parts are measured natively and in WebAssembly', () => {
+  assert.deepEqual(
+    results.parts.map(({ panels, where }) => [panels, where]),
+    [
+      [100, 'native'],
+      [100, 'WebAssembly'],
+    ],
+  );
+  for (const { build, axes, distance, sheets, files } of results.parts)
+    for (const time of [build, axes, distance, sheets, files]) assert.ok(time > 0);
+  assert.match(text, /## Parts and sheets/);
 });

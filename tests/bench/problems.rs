@@ -4,6 +4,7 @@
 //! `bench_problems TASK.json RESULT.json`. A task is a scene with its mesh and what to do with it; times in
 //! the result are milliseconds.
 
+mod parts;
 mod stream;
 
 use serde::{Deserialize, Serialize};
@@ -49,6 +50,8 @@ enum Task {
     },
     /// A conformal map.
     Map { mesh: String, weights: String, rounds: usize },
+    /// Parts on sheets.
+    Parts { mesh: String, rounds: usize },
     /// Reading memory.
     Stream { bytes: Vec<usize> },
 }
@@ -326,6 +329,7 @@ fn perform(task: Task) -> serde_json::Value {
         }
         Task::Handles { problem, rounds } => serde_json::to_value(handles(&problem, rounds)),
         Task::Map { mesh, weights, rounds } => serde_json::to_value(map(&mesh, &weights, rounds)),
+        Task::Parts { mesh, rounds } => serde_json::to_value(parts::parts(&mesh, rounds)),
         Task::Stream { bytes } => {
             let reads: Vec<f64> = bytes.into_iter().map(stream::milliseconds).collect();
             serde_json::to_value(reads)

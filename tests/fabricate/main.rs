@@ -14,6 +14,7 @@ mod check;
 mod dxf;
 mod expected;
 mod files;
+mod glb;
 mod identities;
 mod paper;
 

@@ -208,6 +208,21 @@ export const walks = {
       },
     },
     {
+      name: 'parts and sheets',
+      reach: async (page) => {
+        await showPanel(page, 'Model');
+        await page.getByRole('button', { name: 'Build', exact: true }).click();
+        await waitForState(page, (now) => now.build !== null);
+        await expect(page.getByRole('group', { name: 'Sheets' }).getByRole('img')).not.toHaveCount(
+          0,
+        );
+      },
+      leave: async (page) => {
+        await page.getByRole('button', { name: 'Close parts and sheets' }).click();
+        await hidePanels(page);
+      },
+    },
+    {
       name: 'the second hint',
       only: 'desktop',
       reach: async (page) => {

@@ -431,7 +431,7 @@ export const TRACE_WIDTH = 6;
  * What the worker that makes parts is asked. `build` makes them of a shape (positions `#V by 3`) in a unit of so
  * many metres, and draws so many `sheets` at most; the others are about what was built last. `moveLayer` gives its
  * offset another distance.
- * @typedef {{ type: "offers" } | { type: "choices" } | { type: "zip" } | { type: "moveLayer", distance: number }
+ * @typedef {{ type: "offers" } | { type: "choices" } | { type: "zip", zUp: boolean } | { type: "moveLayer", distance: number }
  *   | { type: "build", positions: Float64Array, offsets: Uint32Array, indices: Uint32Array,
  *       settings: BuildSettings, symbol: string, metres: number, sheets: number }} BuildRequest
  * @typedef {object} BuildReplies

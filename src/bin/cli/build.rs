@@ -2,10 +2,11 @@
 
 use super::{Failure, arguments, input, output};
 use shape_up::fabricate::{
-    Build, BuildReport, BuildSettings, CheckRow, FrameReport, LengthInMetres, PaperReport, Product,
+    Build, BuildReport, BuildSettings, CheckRow, FrameReport, LengthInMetres, PRESENTATION,
+    PaperReport, Product,
 };
 use shape_up::mesh::Mesh;
-use shape_up::scene::{Scene, UNITS};
+use shape_up::scene::{Scene, UNITS, Up};
 use std::path::{Path, PathBuf};
 
 pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {
@@ -28,7 +29,7 @@ pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {
     let unit = LengthInMetres { symbol: unit.symbol.to_owned(), metres: unit.metres };
     let build = Build::new(&mesh, &settings, unit).map_err(|fault| at(fault.to_string()))?;
     let report = build.report();
-    let mut files: Vec<(PathBuf, String)> = Vec::new();
+    let mut files: Vec<(PathBuf, Vec<u8>)> = Vec::new();
     if let Some(folder) = &asked.out {
         std::fs::create_dir_all(folder).map_err(|error| {
             Failure::Input(format!(
@@ -36,14 +37,16 @@ pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {
                 folder.display()
             ))
         })?;
-        files.extend(build.files().into_iter().map(|file| (folder.join(file.name), file.text)));
+        let drawn = build.files().into_iter();
+        files.extend(drawn.map(|file| (folder.join(file.name), file.text.into_bytes())));
+        files.push((folder.join(PRESENTATION), build.presentation(scene.up == Up::Z)));
     }
     if let Some(path) = &asked.report {
         let text = serde_json::to_string_pretty(&report).expect("a report is plain data");
-        files.push((path.clone(), text + "\n"));
+        files.push((path.clone(), (text + "\n").into_bytes()));
     }
-    let files: Vec<(&Path, String)> =
-        files.iter().map(|(path, text)| (path.as_path(), text.clone())).collect();
+    let files: Vec<(&Path, Vec<u8>)> =
+        files.iter().map(|(path, content)| (path.as_path(), content.clone())).collect();
     output::write(&files)?;
     let names = files.iter().map(|(path, _)| format!("{}\n", path.display()));
     output::print(&(words(&report, &remarks) + &names.collect::<String>()))

@@ -8,11 +8,11 @@ use std::path::{Path, PathBuf};
 
 /// Writes all files. Each goes beside its place first and is then moved there, all of them once
 /// all are complete: whatever fails, no file is there in part.
-pub(super) fn write(files: &[(&Path, String)]) -> Result<(), Failure> {
+pub(super) fn write(files: &[(&Path, impl AsRef<[u8]>)]) -> Result<(), Failure> {
     let mut complete: Vec<Complete<'_>> = Vec::new();
     let result = files
         .iter()
-        .try_for_each(|(path, text)| {
+        .try_for_each(|(path, content)| {
             let place = Place::of(path)?;
             let mut options = OpenOptions::new();
             let opened = match &place {
@@ -20,7 +20,7 @@ pub(super) fn write(files: &[(&Path, String)]) -> Result<(), Failure> {
                 Place::Stream => options.write(true).open(path),
             };
             let mut file = opened.map_err(|error| cannot(path, &error))?;
-            let mut written = file.write_all(text.as_bytes());
+            let mut written = file.write_all(content.as_ref());
             if let Place::File { beside, place } = place {
                 complete.push(Complete { path, beside, place });
                 written = written.and_then(|()| file.sync_all());

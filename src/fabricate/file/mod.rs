@@ -8,11 +8,13 @@
 //! | `tiles` | sheets larger than a page, tiled |
 //! | `pdf` | PDF 1:1, a page per sheet or tiled, with layers and a ruler |
 //! | `csv` | tables of panels, edges, nodes, types, and a summary |
+//! | `glb` | binary glTF: the parts in space |
 //! | `number` | numbers with so many places |
 
 mod csv;
 mod drawing;
 mod dxf;
+mod glb;
 mod number;
 mod pdf;
 mod svg;
@@ -21,6 +23,7 @@ mod tiles;
 pub use csv::{Cell, Table};
 pub use drawing::{Drawing, DrawnLine};
 pub use dxf::dxf;
+pub use glb::{GlbPart, glb};
 pub(super) use number::places;
 pub use pdf::pdf;
 pub use svg::{path, svg};

@@ -5,7 +5,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import DxfParser from 'dxf-parser';
-import { strFromU8, unzipSync } from 'fflate';
+import { unzipSync } from 'fflate';
 import { program } from '../../../.scripts/programs.mjs';
 import { downloaded, openText, saved, showPanel } from '../actions.mjs';
 import { wavyGrid } from '../meshes.mjs';
@@ -38,7 +38,7 @@ const areaOf = (points) =>
 /** The files in an archive, by their names. */
 const filesOf = (bytes) =>
   Object.fromEntries(
-    Object.entries(unzipSync(bytes)).map(([name, content]) => [name, strFromU8(content)]),
+    Object.entries(unzipSync(bytes)).map(([name, content]) => [name, Buffer.from(content)]),
   );
 
 test('panels made circular become drawings in mm, the same as those of the command line', async ({
@@ -65,7 +65,7 @@ test('panels made circular become drawings in mm, the same as those of the comma
   const drawings = Object.keys(files).filter((name) => name.endsWith('.dxf'));
   expect(drawings).toHaveLength(build.sheets);
   const outlines = drawings.flatMap((name) => {
-    const drawing = new DxfParser().parseSync(files[name]);
+    const drawing = new DxfParser().parseSync(files[name].toString());
     expect(drawing.header.$INSUNITS, 'mm').toBe(4);
     return drawing.entities.filter(({ shape }) => shape);
   });
@@ -81,8 +81,9 @@ test('panels made circular become drawings in mm, the same as those of the comma
     writeFileSync(input, scene.text);
     execFileSync(program('shape-up'), ['build', input, '--out', folder, '--report', report]);
     expect(JSON.parse(readFileSync(report, 'utf8'))).toEqual(build);
-    for (const [name, text] of Object.entries(files))
-      expect(readFileSync(join(folder, name), 'utf8') === text, name).toBe(true);
+    expect(files['model.glb'].toString('latin1', 0, 4)).toBe('glTF');
+    for (const [name, content] of Object.entries(files))
+      expect(readFileSync(join(folder, name)).equals(content), name).toBe(true);
   } finally {
     rmSync(folder, { recursive: true });
   }

@@ -10,6 +10,9 @@ import { messageOf } from '../../solver/messages.js';
 /** @typedef {import("../../solver/messages.js").BuildRequest} BuildRequest */
 /** @typedef {import("../../solver/messages.js").BuildReplies} BuildReplies */
 
+/** The name of the shape with its offset, as that of the command line. */
+const PRESENTATION = 'model.glb';
+
 const ready = init();
 /** What was built last. @type {Builder | null} */
 let builder = null;
@@ -37,10 +40,13 @@ const ANSWERS = {
     return { report: builder.report(), layer: layerOf(builder) };
   },
   choices: () => builder?.choices() ?? [],
-  zip() {
+  zip({ zUp }) {
     /** @type {{ name: string, text: string }[]} */
     const files = builder?.files() ?? [];
-    return zipSync(Object.fromEntries(files.map(({ name, text }) => [name, strToU8(text)])));
+    /** @type {[string, Uint8Array<ArrayBuffer>][]} */
+    const entries = files.map(({ name, text }) => [name, strToU8(text)]);
+    if (builder) entries.push([PRESENTATION, new Uint8Array(builder.presentation(zUp))]);
+    return zipSync(Object.fromEntries(entries));
   },
 };
 

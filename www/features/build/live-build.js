@@ -108,7 +108,8 @@ export class LiveBuild {
 
   /** All files in one. */
   zip() {
-    return this.#client.ask({ type: 'zip' });
+    const zUp = this.#app.store.get().document?.up === 'z';
+    return this.#client.ask({ type: 'zip', zUp });
   }
 }
 

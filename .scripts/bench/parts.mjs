@@ -1,0 +1,68 @@
+// Parts and sheets, natively and in the module that the page loads for them.
+
+import { readFileSync } from 'node:fs';
+import { pathToFileURL } from 'node:url';
+import { buildModule } from '../wasm.mjs';
+import { at } from '../project.mjs';
+import { say } from '../run.mjs';
+import { quadsOf } from './problems.mjs';
+import { median } from './statistics.mjs';
+
+const ROUNDS = 5;
+const medianOfEach = (times) =>
+  Object.fromEntries(Object.entries(times).map(([key, all]) => [key, median(all)]));
+
+/** Numbers of panels, and in which place. */
+export async function measureParts({ panels, where, native, trial }) {
+  const rounds = trial ? 1 : ROUNDS;
+  const module = where.includes('browser') ? await moduleOfParts() : null;
+  const rows = [];
+  for (const count of panels) {
+    const quads = quadsOf((Math.round(Math.sqrt(count)) + 1) ** 2);
+    const row = { panels: quads.offsets.length - 1 };
+    say(`parts of ${row.panels} panels`);
+    if (where.includes('native')) {
+      const times = await native.perform({ measure: 'parts', mesh: quads.mesh, rounds });
+      rows.push({ ...row, where: 'native', ...medianOfEach(times) });
+    }
+    if (module) {
+      rows.push({ ...row, where: 'WebAssembly', ...medianOfEach(partsOf(module, quads, rounds)) });
+    }
+  }
+  return rows;
+}
+
+/** As it is shipped; the engine of Node.js is that of Chromium. */
+async function moduleOfParts() {
+  await buildModule('build');
+  const folder = at('www', 'pkg', 'build');
+  const module = await import(pathToFileURL(`${folder}/shape_up.js`));
+  module.initSync({ module: readFileSync(`${folder}/shape_up_bg.wasm`) });
+  return module;
+}
+
+function partsOf({ Builder, buildOffers }, { positions, offsets, indices }, rounds) {
+  const times = { build: [], axes: [], distance: [], sheets: [], files: [] };
+  const timed = (key, run) => {
+    const started = performance.now();
+    const value = run();
+    times[key].push(performance.now() - started);
+    return value;
+  };
+  const { defaults } = buildOffers();
+  for (let round = 0; round < rounds; round++) {
+    const builder = timed(
+      'build',
+      () => new Builder(positions, offsets, indices, defaults, 'm', 1),
+    );
+    timed('axes', () => builder.choices());
+    timed('distance', () => {
+      builder.moveLayer(0.1);
+      return [builder.report(), builder.layer()];
+    });
+    timed('sheets', () => builder.sheets(0, 10_000));
+    timed('files', () => builder.files());
+    builder.free();
+  }
+  return times;
+}

@@ -1,0 +1,45 @@
+//! Times of parts and sheets: what `.scripts/bench/parts.mjs` measures in WebAssembly, in the same words.
+
+use super::{black_box, timed};
+use serde::Serialize;
+use shape_up::fabricate::file::svg;
+use shape_up::fabricate::{Build, BuildSettings, LengthInMetres};
+use shape_up::mesh::read;
+
+/// Milliseconds of each round.
+#[derive(Serialize, Default)]
+pub(super) struct Parts {
+    /// Panels flat, named, laid out; the offset with the smaller errors.
+    build: Vec<f64>,
+    /// The axes of all three kinds, and their checks.
+    axes: Vec<f64>,
+    /// The same axes at another distance.
+    distance: Vec<f64>,
+    /// Drawings of all sheets.
+    sheets: Vec<f64>,
+    /// All files.
+    files: Vec<f64>,
+}
+
+/// Builds the mesh of a file so many times.
+pub(super) fn parts(path: &str, rounds: usize) -> Parts {
+    let mesh = read(path, &std::fs::read(path).expect("the mesh was written"));
+    let mesh = mesh.expect("the mesh can be read").mesh;
+    let mut found = Parts::default();
+    for _ in 0..rounds {
+        let unit = LengthInMetres { symbol: "m".to_owned(), metres: 1.0 };
+        let (build, ms) = timed(|| Build::new(&mesh, &BuildSettings::default(), unit));
+        let mut build = build.expect("it can be built");
+        found.build.push(ms);
+        found.axes.push(timed(|| build.choices()).1);
+        let moved = timed(|| {
+            build.move_layer(0.1);
+            black_box((build.report(), build.layer()))
+        });
+        found.distance.push(moved.1);
+        let sheets = || build.drawings().iter().map(svg).collect::<Vec<_>>();
+        found.sheets.push(timed(sheets).1);
+        found.files.push(timed(|| build.files()).1);
+    }
+    found
+}
