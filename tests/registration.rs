@@ -1,9 +1,11 @@
-//! Closeness to another surface: panels that come to lie on it (registration, paper section 6).
+//! Other uses of paper section 6 with a second file: closeness to another surface, to which panels come to lie on
+//! it (registration), and the shapes of another pose (deformation transfer).
 
 #[path = "support/meshes.rs"]
 mod meshes;
 
 use meshes::grid;
+use shape_up::math::{cosine, sine};
 use shape_up::mesh::{Mesh, Point, Ragged, Surface, write_obj};
 use shape_up::scene::{Scene, SceneError};
 use shape_up::session::{Edit, Session};
@@ -103,4 +105,48 @@ fn a_file_that_was_not_read_is_named_and_other_words_are_refused() {
     assert_eq!(refused.path, "closeness.to");
     let refused = scene(r#"{ "mesh": { "faces": [] } }"#).expect_err("it has no positions");
     assert!(refused.path.starts_with("closeness.to.mesh"), "{refused:?}");
+}
+
+#[test]
+fn the_shapes_of_another_pose_are_taken_in_one_step_and_left_in_another() {
+    // A sheet, and the same one rolled up: it stays where its first column is.
+    let flat = grid(6, 2, |i, j| [f64::from(i), f64::from(j), 0.0]);
+    let rolled = grid(6, 2, |i, j| {
+        let turn = f64::from(i) / 24.0;
+        let radius = 12.0 / std::f64::consts::PI;
+        [radius * sine(turn), f64::from(j), radius * (1.0 - cosine(turn))]
+    });
+    let scene = r#"{ "format": "shape-up-scene", "version": 1, "mesh": { "file": "flat.obj" },
+        "constraints": [{ "kind": "rigid", "on": { "each": "ring", "radius": 1 } }],
+        "handles": [{ "vertices": [0, 1, 7, 8, 14, 15], "fixed": true }],
+        "weights": { "shape": 1 }, "solver": { "iterations": 3000, "tolerance": 1e-13 } }"#;
+    let mut session = Session::open(Scene::from_json(scene).expect("it is valid"), flat.clone())
+        .expect("it is regular");
+    let first = session.scene();
+    let take = |mesh: &Mesh| Edit::TakePose {
+        name: "rolled.obj".to_owned(),
+        text: write_obj(mesh, &mesh.positions),
+    };
+    session.edit(take(&rolled)).expect("it has the same faces");
+    session.solve(false).expect("positions stay finite");
+    // As far between its ends as the rolled one, which is 6 long when it is flat.
+    let across = |positions: &[Point]| {
+        let [a, b] = [positions[0], positions[6]];
+        (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt()
+    };
+    let (found, wanted) = (across(&session.positions()), across(&rolled.positions));
+    assert!((found - wanted).abs() < 0.2, "{found} {wanted}");
+    // What is shared has the pose inside.
+    let again = Scene::from_json(&session.scene_with_mesh()).expect("it is valid");
+    assert_eq!(again.pose, session.scene().pose);
+    session.edit(Edit::LeavePose).expect("there is one");
+    session.solve(false).expect("positions stay finite");
+    assert!((across(&session.positions()) - 6.0).abs() < 0.01, "it is flat again");
+    for _ in 0..4 {
+        session.undo().expect("undo works");
+    }
+    assert_eq!(session.scene(), first);
+    let other = grid(4, 9, |i, j| [f64::from(i), f64::from(j), 0.0]);
+    let refused = session.edit(take(&other)).expect_err("it has other faces").to_string();
+    assert!(refused.contains("rolled.obj is no pose of the model"), "{refused}");
 }

@@ -7,8 +7,8 @@ use shape_up::mesh::Mesh;
 use shape_up::scene::{
     Accelerator, BoundaryCloseness, BoundaryRequire, Closeness, ClosenessTo, ClosenessWeight,
     ConstraintSpec, Factorization, Goal, GoalOf, HandleSpec, Hold, Lesson, MeshSource, NamedEnum,
-    Require, Scene, Smoothness, SmoothnessOf, SolverSettings, Up, Variant, Variants, Weighting,
-    Weights,
+    Pose, Require, Scene, Smoothness, SmoothnessOf, SolverSettings, Up, Variant, Variants,
+    Weighting, Weights,
 };
 
 fn constraint(id: &str, on: Selector) -> ConstraintSpec {
@@ -104,6 +104,10 @@ prop_compose! {
             units: texts.1,
             up: if up { Up::Y } else { Up::Z },
             mesh: MeshSource::File("a/b \"c\".obj".into()),
+            pose: match &current {
+                Some(positions) if !up && !positions.is_empty() => Some(Pose::Positions(positions.clone().into())),
+                current => current.as_ref().map(|_| Pose::File("pose.obj".into())),
+            },
             current,
             sets: sets.into_iter().map(|(name, (vertices, faces))| (name, Set { vertices, faces }))
                 .collect(),

@@ -39,7 +39,7 @@ fn message(error: JsValue) -> String {
 
 fn loaded() -> Solver {
     let mut solver = Solver::new();
-    let about = solver.load("two.obj", OBJ.as_bytes(), None).expect("the mesh is valid");
+    let about = solver.load("two.obj", OBJ.as_bytes()).expect("the mesh is valid");
     assert_eq!(number(&about, "vertices"), 6.0);
     assert_eq!(number(&about, "faces"), 2.0);
     assert_eq!(number(&about, "problems.length"), 0.0);
@@ -177,7 +177,7 @@ fn a_selection_becomes_a_set_of_the_scene() {
     let scene = solver.scene().expect("a model is open");
     let mut again = Solver::new();
     assert_eq!(again.scene_mesh_file(scene.as_bytes()), Ok(None), "the mesh is inline");
-    again.load("saved.shapeup.json", scene.as_bytes(), None).expect("what is saved can be opened");
+    again.load("saved.shapeup.json", scene.as_bytes()).expect("what is saved can be opened");
     let document = again.document().expect("a model is open");
     assert_eq!(number(&document, "constraints.0.count"), 1.0);
     assert_eq!(again.obj(), solver.obj());
@@ -228,11 +228,10 @@ fn a_parameter_is_changed_and_a_wrong_one_is_told_with_its_place() {
 #[wasm_bindgen_test]
 fn what_is_wrong_is_said_in_one_line_and_the_old_model_stays() {
     let mut solver = loaded();
-    let error = message(solver.load("broken.obj", b"", None).expect_err("the file is empty"));
+    let error = message(solver.load("broken.obj", b"").expect_err("the file is empty"));
     assert_eq!(error, "broken.obj: the file is empty");
     let scene = br#"{ "format": "shape-up-scene", "version": 9 }"#;
-    let error =
-        message(solver.load("later.json", scene, None).expect_err("it is of a later version"));
+    let error = message(solver.load("later.json", scene).expect_err("it is of a later version"));
     assert!(error.starts_with("later.json: version: ") && !error.contains('\n'), "{error}");
     let error = message(
         solver
@@ -275,10 +274,10 @@ fn what_cannot_be_flattened_is_told() {
     };
     assert_eq!(refused(&solver, "one"), "no model is open");
     assert_eq!(refused(&solver, "two"), "weights \"two\", expected one of inverse-area, one, lscm");
-    solver.load("line.obj", b"v 0 0 0\nv 1 0 0\nl 1 2\n", None).expect("it is a curve");
+    solver.load("line.obj", b"v 0 0 0\nv 1 0 0\nl 1 2\n").expect("it is a curve");
     assert_eq!(refused(&solver, "one"), "the mesh has no faces, expected a surface");
     let tetrahedron = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
-    solver.load("closed.obj", tetrahedron, None).expect("it is a surface");
+    solver.load("closed.obj", tetrahedron).expect("it is a surface");
     let map = solver.parametrize("one", "boundary").expect("it is folded");
     assert_eq!(number(&map, "closedParts"), 1.0);
 }
@@ -303,7 +302,8 @@ const CIRCLES: &str = r#"{ "format": "shape-up-scene", "version": 1, "mesh": { "
     "weights": { "shape": 5, "close": 10, "smooth": 2 } }"#;
 
 fn open_grid(solver: &mut Solver, scene: &str, obj: &str) -> Result<JsValue, JsValue> {
-    solver.load("a.shapeup.json", scene.as_bytes(), Some(obj.as_bytes().to_vec()))
+    solver.bring("grid.obj", obj.as_bytes().to_vec());
+    solver.load("a.shapeup.json", scene.as_bytes())
 }
 
 #[wasm_bindgen_test]

@@ -15,7 +15,8 @@ function timed(call) {
 }
 
 const open = (solver, { sceneBytes, meshBytes }) =>
-  solver.load('problem.shapeup.json', sceneBytes, meshBytes);
+  for (const path of solver.sceneFiles(sceneBytes)) solver.bring(path, meshBytes);
+  solver.load('problem.shapeup.json', sceneBytes);
 
 /** Moves the handles by a part of the way. */
 function drag(solver, { vertices, from, to }, part) {
@@ -154,7 +155,7 @@ function models({ problems }) {
 /** Flat maps of one mesh: the first, in a module that has run nothing yet, and some more. */
 function map({ problem, weights, rounds }) {
   const solver = new Solver();
-  solver.load('problem.obj', problem.meshBytes, null);
+  solver.load('problem.obj', problem.meshBytes);
   const one = () => {
     const [{ eigenvalue, secondsOf }, total] = timed(() => solver.parametrize(weights, 'boundary'));
     const parts = Object.entries(secondsOf).map(([part, seconds]) => [part, 1e3 * seconds]);

@@ -10,12 +10,9 @@ use super::declaration::{Arity, Centring};
 use super::fitted::Fitted;
 use super::kinds::{Kind, KindVisitor};
 use super::projection::{Projection, project_with};
-use super::reference::Reference;
+use super::reference::{Reference, Row};
 use crate::math::{LANES, Lane, Lanes, Vec3, argsort, centre, key_of_pair};
 use crate::mesh::Ragged;
-
-/// A position or a gradient with a pad, so that a row is two 128-bit registers.
-pub type Row = [f64; 4];
 
 /// The result of the local step of a batch.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -71,7 +68,8 @@ impl KindVisitor for MakeBatch<'_> {
     fn visit<P: Projection>(self, operator: &P) -> Batch {
         let mut operator = operator.clone();
         operator.bind(self.reference);
-        let make = MakeBatch { guarded: self.guarded || P::GUARDED, ..self };
+        let rest = self.reference.pose.filter(|_| P::TAKES_POSE).unwrap_or(self.rest);
+        let make = MakeBatch { guarded: self.guarded || P::GUARDED, rest, ..self };
         Batch::new(Box::new(operator), P::READS_REST, make)
     }
 }

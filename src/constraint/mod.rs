@@ -39,13 +39,13 @@ mod select;
 mod sketch;
 mod target_shape;
 
-pub use batch::{Batch, LocalStep, Projected, Row, batches};
+pub use batch::{Batch, LocalStep, Projected, batches};
 pub use declaration::{Arity, Centring, Info};
 pub use fitted::Fitted;
 pub use kinds::{KINDS, Kind, KindVisitor, USUAL_FOR};
 pub use parameter::{Form, KindError, Param, ParamValue};
 pub use projection::Projection;
-pub use reference::Reference;
+pub use reference::{Reference, Row};
 pub use resolve::resolve;
 pub use select::{Element, SelectError, Selector, Set, Sets, describe};
 pub use sketch::Sketch;

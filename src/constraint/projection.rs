@@ -14,6 +14,10 @@ pub trait Projection: Clone + PartialEq + std::fmt::Debug + 'static {
     /// Whether [`Projection::project`] reads the rest points; without, it gets none.
     const READS_REST: bool = false;
 
+    /// Whether its rest points are those of the scene's other pose, if it has one: of kinds whose rest shape is
+    /// what vertices have together, wherever they are.
+    const TAKES_POSE: bool = false;
+
     /// Whether each constraint keeps the previous projection where the new one is farther, also in a scene
     /// that does not ask for it: where projections are so far from the closest at times that the total
     /// energy would rise by more than a few digits.

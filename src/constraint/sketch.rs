@@ -32,7 +32,7 @@ impl Kind {
         let x = to_rows(&sample.points);
         let mesh = sample.mesh();
         let surface = || Rc::new(Surface::new(&mesh.positions, &mesh));
-        let reference = Reference { surface: &surface };
+        let reference = Reference { surface: &surface, pose: None };
         let rest = to_rows(&sample.rest);
         let mut batches = batches(self, &sample.members, &rest, 1.0, false, &reference);
 

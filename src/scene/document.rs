@@ -1,11 +1,12 @@
 //! The scene as a value.
 
+use super::SceneError;
 use super::closeness::Closeness;
 use super::lesson::Lesson;
 use crate::constraint::{Kind, Selector, Sets};
 use crate::fabricate::BuildSettings;
 use crate::json::present;
-use crate::mesh::{Mesh, Point};
+use crate::mesh::{Mesh, Point, Read, counted};
 use crate::solve::{Hold, Require, Smoothness, SolverSettings, Weights};
 use serde::{Deserialize, Deserializer};
 use std::rc::Rc;
@@ -26,6 +27,9 @@ pub struct Scene {
     pub up: Up,
     /// The rest shape.
     pub mesh: MeshSource,
+    /// Another pose of the mesh, from which the kinds that keep a rest shape take it; their own when absent.
+    #[serde(default, deserialize_with = "present")]
+    pub pose: Option<Pose>,
     /// Where the iteration starts, `#V by 3`; at the design, or at rest, when absent.
     #[serde(default, deserialize_with = "present")]
     pub current: Option<Vec<Point>>,
@@ -69,6 +73,7 @@ impl Scene {
             units: String::new(),
             up: Up::Z,
             mesh,
+            pose: None,
             current: None,
             sets: Sets::new(),
             constraints: Vec::new(),
@@ -137,6 +142,50 @@ pub enum MeshSource {
     File(String),
     /// In the scene itself.
     Inline(Box<Mesh>),
+}
+
+/// Another pose of the mesh of a scene: other positions of its vertices (deformation transfer, paper section 6).
+#[derive(Clone, Debug, PartialEq)]
+pub enum Pose {
+    /// A mesh file beside the scene, with the same faces. It has to be read before the scene is opened.
+    File(String),
+    /// `#V by 3`.
+    Positions(Rc<[Point]>),
+}
+
+impl Pose {
+    /// That of the mesh in another file, whose faces have to be those of `mesh`.
+    ///
+    /// # Errors
+    /// When they are not; `name` is that of the file.
+    pub fn of(name: &str, mut posed: Read, mesh: &Mesh) -> Result<Pose, SceneError> {
+        if posed.mesh.positions.len() != mesh.positions.len() {
+            posed.weld();
+        }
+        let Mesh { positions, faces, .. } = posed.mesh;
+        if positions.len() == mesh.positions.len() && faces == mesh.faces {
+            return Ok(Pose::Positions(positions.into()));
+        }
+        let counts = |vertices: usize, faces: usize| {
+            let [vertices, faces] =
+                [counted(vertices, "vertex", "vertices"), counted(faces, "face", "faces")];
+            format!("{vertices} and {faces}")
+        };
+        let message = format!(
+            "{name} is no pose of the model: it has {}, expected the {} of the model, in their order",
+            counts(positions.len(), faces.len()),
+            counts(mesh.positions.len(), mesh.faces.len())
+        );
+        Err(SceneError { path: "pose".to_owned(), message })
+    }
+
+    /// `#V by 3`, if it was read.
+    pub fn positions(&self) -> Option<&[Point]> {
+        match self {
+            Pose::File(_) => None,
+            Pose::Positions(positions) => Some(positions),
+        }
+    }
 }
 
 /// A kind of constraint on a selector.

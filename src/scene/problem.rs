@@ -1,7 +1,7 @@
 //! The problem that a scene poses to the solver.
 
 use super::closeness::Target;
-use super::document::Scene;
+use super::document::{Pose, Scene};
 use crate::mesh::{Mesh, Topology};
 use crate::solve::{Constraints, Problem};
 
@@ -18,6 +18,7 @@ impl Scene {
         Problem {
             mesh,
             design: self.variants.design_positions(),
+            pose: self.pose.as_ref().and_then(Pose::positions),
             topology,
             constraints,
             weights: self.weights,

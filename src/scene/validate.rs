@@ -39,6 +39,7 @@ impl Scene {
         self.check_selectors(mesh)?;
         self.check_handles(vertices)?;
         self.check_weighting(mesh)?;
+        self.check_pose(vertices)?;
         self.check_target()
     }
 
@@ -69,6 +70,26 @@ impl Scene {
                 "variants.design",
                 format!("found {index}, expected the place of one of the {count} that are kept"),
             ),
+            None => Ok(()),
+        }
+    }
+
+    fn check_pose(&self, vertices: usize) -> Result<(), SceneError> {
+        let Some(pose) = &self.pose else { return Ok(()) };
+        let Some(positions) = pose.positions() else {
+            return error("pose.file", "it was not read, expected the positions in the scene");
+        };
+        if positions.len() != vertices {
+            let found = positions.len();
+            return error(
+                "pose.positions",
+                format!("found {found}, expected one for each of the {vertices} vertices"),
+            );
+        }
+        match too_far(positions) {
+            Some(vertex) => {
+                error(&format!("pose.positions[{vertex}]"), "the position is too far out")
+            }
             None => Ok(()),
         }
     }

@@ -1,7 +1,7 @@
 //! A file that somebody opens, read: a mesh with the scene that keeps it whole, or a scene with its mesh.
 
 use crate::mesh::{Mesh, Read, ReadError, Weld, read};
-use crate::scene::{MeshSource, Scene, SceneError, UnitsAndUp};
+use crate::scene::{MeshSource, Pose, Scene, SceneError, Target, UnitsAndUp};
 use serde::Serialize;
 
 /// Reads files as somebody opens them.
@@ -9,6 +9,8 @@ use serde::Serialize;
 pub struct FileReader {
     assumed: UnitsAndUp,
     keeps_apart: bool,
+    /// Files beside the next scene, by the paths that it names them with.
+    beside: Vec<(String, Vec<u8>)>,
 }
 
 /// A file that was read.
@@ -47,18 +49,19 @@ impl FileReader {
         self.keeps_apart = apart;
     }
 
-    /// Reads the file `name`: a mesh, or a scene (`.json`) with the mesh file that it names as `companion`.
+    /// A file beside the next scene, by the path that this names it with: see [`named_files`].
+    pub fn bring(&mut self, path: &str, bytes: Vec<u8>) {
+        self.beside.push((path.to_owned(), bytes));
+    }
+
+    /// Reads the file `name`: a mesh, or a scene (`.json`) with the files that it names, which were brought.
     ///
     /// # Errors
     /// The fault of the file, with its name and the line or the JSON path.
-    pub fn read(
-        &mut self,
-        name: &str,
-        bytes: &[u8],
-        companion: Option<&[u8]>,
-    ) -> Result<OpenedFile, ReadError> {
+    pub fn read(&mut self, name: &str, bytes: &[u8]) -> Result<OpenedFile, ReadError> {
+        let beside = std::mem::take(&mut self.beside);
         if is_scene(name) {
-            let (scene, mut said) = scene_with_mesh(name, bytes, companion)?;
+            let (scene, mut said) = scene_with_files(name, bytes, &beside)?;
             self.keeps_apart = false;
             let mesh = std::mem::take(&mut said.mesh);
             // The indices in a scene are those of its mesh as it is: nothing is welded.
@@ -97,10 +100,28 @@ pub fn is_scene(name: &str) -> bool {
     name.to_ascii_lowercase().ends_with(".json")
 }
 
-fn scene_with_mesh(
+/// The files that a scene names, by their paths: its mesh, another surface to be close to, another pose.
+pub fn named_files(scene: &Scene) -> impl Iterator<Item = &str> {
+    let mesh = match &scene.mesh {
+        MeshSource::File(path) => Some(path.as_str()),
+        MeshSource::Inline(_) => None,
+    };
+    let target = match &scene.closeness.target {
+        Some(Target::File(path)) => Some(path.as_str()),
+        _ => None,
+    };
+    let pose = match &scene.pose {
+        Some(Pose::File(path)) => Some(path.as_str()),
+        _ => None,
+    };
+    mesh.into_iter().chain(target).chain(pose)
+}
+
+/// A scene, with what the files `beside` it hold in their places, and the mesh.
+fn scene_with_files(
     name: &str,
     bytes: &[u8],
-    companion: Option<&[u8]>,
+    beside: &[(String, Vec<u8>)],
 ) -> Result<(Scene, Read), ReadError> {
     let fault = |message: String| ReadError {
         file: name.to_owned(),
@@ -108,18 +129,28 @@ fn scene_with_mesh(
         text: String::new(),
         message,
     };
+    let named = |path: &str| {
+        let (_, bytes) = beside.iter().find(|(other, _)| other == path).ok_or_else(|| {
+            fault(format!("it needs the mesh file {path}: open both files together"))
+        })?;
+        read(path, bytes)
+    };
     let mut scene = OpenedFile::scene_in(bytes).map_err(|error| fault(error.to_string()))?;
     let said = match std::mem::replace(&mut scene.mesh, MeshSource::File(String::new())) {
         MeshSource::Inline(mesh) => Read { mesh: *mesh, problems: Vec::new(), notes: Vec::new() },
         MeshSource::File(path) => {
-            let bytes = companion.ok_or_else(|| {
-                fault(format!("it needs the mesh file {path}: open both files together"))
-            })?;
-            let said = read(&path, bytes)?;
+            let said = named(&path)?;
             scene.mesh = MeshSource::File(path);
             said
         }
     };
+    if let Some(Target::File(path)) = &scene.closeness.target {
+        scene.closeness.target = Some(Target::Mesh(named(path)?.mesh.into()));
+    }
+    if let Some(Pose::File(path)) = &scene.pose {
+        let pose = Pose::of(path, named(path)?, &said.mesh);
+        scene.pose = Some(pose.map_err(|error| fault(error.to_string()))?);
+    }
     Ok((scene, said))
 }
 
@@ -133,7 +164,7 @@ mod tests {
                          f 1 2 3 4\nf 5 6 7 8\n";
 
     fn read_mesh(reader: &mut FileReader) -> OpenedFile {
-        reader.read("two.obj", APART.as_bytes(), None).expect("it is a mesh")
+        reader.read("two.obj", APART.as_bytes()).expect("it is a mesh")
     }
 
     #[test]
@@ -156,7 +187,7 @@ mod tests {
         assert!(read_mesh(&mut reader).guessed.units);
         reader.assume(UnitsAndUp { units: Some("ft".to_owned()), up: None });
         let stated = format!("# units: mm\n# up: y\n{APART}");
-        let opened = reader.read("two.obj", stated.as_bytes(), None).expect("it is a mesh");
+        let opened = reader.read("two.obj", stated.as_bytes()).expect("it is a mesh");
         assert_eq!((opened.scene.units.as_str(), opened.scene.up), ("mm", Up::Y));
         assert_eq!(opened.guessed, Guessed::default());
     }
@@ -166,11 +197,12 @@ mod tests {
         let scene =
             r#"{ "format": "shape-up-scene", "version": 1, "mesh": { "file": "two.obj" } }"#;
         let mut reader = FileReader::default();
-        let opened = reader.read("a.JSON", scene.as_bytes(), Some(APART.as_bytes()));
+        reader.bring("two.obj", APART.as_bytes().to_vec());
+        let opened = reader.read("a.JSON", scene.as_bytes());
         let opened = opened.expect("both are there");
         assert_eq!((opened.mesh.positions.len(), opened.weld.is_none()), (8, true));
         let message = |bytes: &[u8]| {
-            let refused = FileReader::default().read("a.json", bytes, None).map(|_| ());
+            let refused = FileReader::default().read("a.json", bytes).map(|_| ());
             refused.expect_err("something is missing").to_string()
         };
         assert_eq!(
@@ -178,5 +210,40 @@ mod tests {
             "a.json: it needs the mesh file two.obj: open both files together"
         );
         assert_eq!(message(&[0xff]), "a.json: a scene is UTF-8 text, and this is not");
+    }
+
+    #[test]
+    fn another_surface_and_another_pose_come_from_files_beside_the_scene() {
+        let scene = |pose: &str| {
+            format!(
+                r#"{{ "format": "shape-up-scene", "version": 1, "mesh": {{ "file": "two.obj" }},
+                     "pose": {{ "file": "{pose}" }}, "weights": {{ "close": 1 }},
+                     "closeness": {{ "to": {{ "mesh": {{ "file": "far/other.obj" }} }} }} }}"#
+            )
+        };
+        let other = "v 0 0 1\nv 1 0 1\nv 1 1 1\nf 1 2 3\n";
+        let raised = APART.replace(" 0\n", " 2\n");
+        let opened = |pose: &str| {
+            let mut reader = FileReader::default();
+            for (path, text) in
+                [("two.obj", APART), ("raised.obj", &raised), ("far/other.obj", other)]
+            {
+                reader.bring(path, text.as_bytes().to_vec());
+            }
+            reader.read("a.json", scene(pose).as_bytes())
+        };
+        let whole = OpenedFile::scene_in(scene("raised.obj").as_bytes()).expect("it is one");
+        assert!(named_files(&whole).eq(["two.obj", "far/other.obj", "raised.obj"]));
+        let OpenedFile { scene, .. } = opened("raised.obj").expect("all are there");
+        assert!(scene.closeness.target.is_some_and(|target| target.mesh().is_some()));
+        let pose = scene.pose.expect("it has one");
+        assert_eq!(pose.positions().map(|positions| positions[1]), Some([1.0, 0.0, 2.0]));
+        let refused = |pose: &str| opened(pose).map(|_| ()).expect_err("it is no pose").to_string();
+        assert_eq!(
+            refused("far/other.obj"),
+            "a.json: pose: far/other.obj is no pose of the model: it has 3 vertices and 1 face, \
+             expected the 8 vertices and 2 faces of the model, in their order"
+        );
+        assert!(refused("none.obj").contains("needs the mesh file none.obj"));
     }
 }

@@ -37,6 +37,8 @@ pub(super) struct Parts {
     pub energies: Energies,
     /// `#nodes`: the rest position of each.
     pub rest: Vec<Row>,
+    /// Likewise in another pose, if shapes are taken from one.
+    pub pose: Option<Vec<Row>>,
     /// Nodes that the shape energy holds in their place.
     pub held: Vec<bool>,
     /// Corners of the boundary, if these are fixed, and where.
@@ -86,7 +88,8 @@ impl Parts {
         let target = target.map(|target| cache.surface_of(target, centre));
         let SetupCache { surface: made, target: cached, .. } = cache;
         let surface = || Rc::clone(made.get_or_init(|| Rc::new(rest_surface(mesh, centre))));
-        let reference = Reference { surface: &surface };
+        let pose = problem.pose.map(|pose| to_rows(pose, node_of, n, centre));
+        let reference = Reference { surface: &surface, pose: pose.as_deref() };
         let (mut boundary, mut factors) =
             (problem.boundary_closeness, Cow::Borrowed(problem.closeness_factors));
         let exact = boundary.take_if(|boundary| boundary.require == BoundaryRequire::Exact);
@@ -152,6 +155,7 @@ impl Parts {
             target: cached,
             energies,
             rest,
+            pose,
             held,
             corners: corners.into_iter().map(|v| (v, mesh.positions[v as usize])).collect(),
             gliding,

@@ -14,6 +14,8 @@ pub struct Problem<'a> {
     pub mesh: &'a Mesh,
     /// What closeness and smoothness hold the shape to, `#V by 3`, where that is not the rest shape.
     pub design: Option<&'a [Point]>,
+    /// Positions, `#V by 3`, from which the kinds that keep a rest shape take it, in place of those of `mesh`.
+    pub pose: Option<&'a [Point]>,
     /// The topology of `mesh`.
     pub topology: &'a Topology,
     /// Every row of constraints, resolved.

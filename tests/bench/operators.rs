@@ -72,7 +72,7 @@ impl Work {
     /// Calls `run` with what operators may look up.
     fn with_reference<T>(&self, run: impl FnOnce(&Reference<'_>) -> T) -> T {
         let surface = Rc::new(Surface::new(&self.mesh.positions, &self.mesh));
-        run(&Reference { surface: &|| Rc::clone(&surface) })
+        run(&Reference { surface: &|| Rc::clone(&surface), pose: None })
     }
 
     fn batches(&self) -> Vec<Batch> {

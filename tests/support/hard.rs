@@ -65,6 +65,7 @@ impl Case {
     pub(crate) fn problem(&self) -> Problem<'_> {
         Problem {
             mesh: &self.mesh,
+            pose: None,
             design: None,
             topology: &self.topology,
             constraints: &self.rows,

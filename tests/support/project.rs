@@ -17,7 +17,7 @@ impl KindVisitor for Project<'_> {
     fn visit<P: Projection>(self, operator: &P) {
         let mut operator = operator.clone();
         let surface = || Rc::new(strip(&self.rest[0]));
-        operator.bind(&Reference { surface: &surface });
+        operator.bind(&Reference { surface: &surface, pose: None });
         let mut rest = self.rest.to_vec();
         rest.iter_mut().for_each(|rest| operator.prepare(rest));
         if let [points] = self.points {

@@ -114,7 +114,9 @@ export class Files extends Emitter {
       return loaded;
     } catch (error) {
       this.#store.set({ status: '' });
-      this.#alerts.error(messageOf(error));
+      const { offersToChoose } = await import('./missing-files.js');
+      const offers = await offersToChoose(given, this.#solver, this, origin);
+      this.#alerts.error(messageOf(error), ...offers);
       throw error;
     }
   }

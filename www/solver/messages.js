@@ -74,6 +74,8 @@
  * @typedef {{ type: "addConstraint", kind: string, params: Record<string, ParamValue>, on: Selector, weight: number }
  *   | { type: "holdCloser" }
  *   | { type: "fitTo", name: string, text: string }
+ *   | { type: "takePose", name: string, text: string }
+ *   | { type: "leavePose" }
  *   | { type: "removeConstraint", index: number }
  *   | { type: "setConstraint", index: number, weight?: number, enabled?: boolean, require?: Require,
  *       params?: Record<string, ParamValue> }
@@ -226,6 +228,7 @@
  *   vertices, where they have any. `originalPositions`: where the vertices of the original are. `angles`:
  *   of the corners of the faces.
  * - `parametrize`: ends a run. Refused where there is no face, or no area.
+ * - `missingFiles`: the paths of files that the scene among them names and that are not there.
  * - `fewerFlips`: ends a run; the settings whose map turns fewest over, of those that turn fewer than `flipped`.
  * - `scene`, `obj`, `table`: the texts of the files; an `obj` `asItCame` has the vertices and faces of a file
  *   that was welded, one with `uv` (`#V by 2`) has them as texture
@@ -266,6 +269,7 @@
  *   | { type: "scene" }
  *   | { type: "parametrize", weights: MapWeights, norm: MapNorm }
  *   | { type: "fewerFlips", flipped: number }
+ *   | { type: "missingFiles", files: NamedBytes[] }
  *   | { type: "obj", uv?: Float64Array, asItCame?: boolean }
  *   | { type: "table", table: "errors" | "convergence" | "angles" }
  *   | { type: "trace" }
@@ -329,6 +333,7 @@
  * @property {string} results
  * @property {Parametrization} parametrize
  * @property {FewerFlips | null} fewerFlips
+ * @property {string[]} missingFiles
  * @property {string} scene
  * @property {string} obj
  * @property {string} table

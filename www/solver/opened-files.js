@@ -1,4 +1,4 @@
-/** Of files that are opened together: which one is opened, which is the mesh that it names, and which are not read. */
+/** Of files that are opened together: which one is opened, which are those that it names, and which are not read. */
 
 /** @typedef {import("./messages.js").NamedBytes} NamedBytes */
 
@@ -17,7 +17,7 @@ export const isReadable = ({ name }) => /\.(obj|off|mesh|json|3dm)$/i.test(name)
 export const mainOf = (files) => files.find(isScene) ?? files[0];
 
 /**
- * The files that are worth reading: a scene and what may be its mesh, or one mesh. Where none is, the
+ * The files that are worth reading: a scene and what it may name, or one mesh. Where none is, the
  * first one, which is refused with the reason.
  * @template {Named} File
  * @param {File[]} files
@@ -30,17 +30,16 @@ export function worthReading(files) {
 }
 
 /**
- * The mesh that goes with the main file: null where it needs none.
+ * The files that the main one names, each with the one of `files` that has its name, if there is one.
  * @param {NamedBytes[]} files
- * @param {(scene: Uint8Array) => string | undefined} meshOf the path of the mesh that a scene names
+ * @param {(scene: Uint8Array) => string[]} namesOf the paths that a scene names
  */
-export function companionOf(files, meshOf) {
+export function filesNamed(files, namesOf) {
   const main = mainOf(files);
-  const wanted = isScene(main) && meshOf(main.bytes);
-  if (!wanted) return null;
-  const name = wanted.split('/').pop();
-  const companion = files.find((file) => file !== main && file.name === name);
-  if (!companion)
-    throw new Error(`${main.name} needs the mesh file ${wanted}: open both files together`);
-  return companion;
+  const paths = isScene(main) ? namesOf(main.bytes) : [];
+  const isOther = (/** @type {Named} */ file) => file !== main;
+  return paths.map((path) => {
+    const name = path.split('/').pop();
+    return { path, file: files.filter(isOther).find((file) => file.name === name) };
+  });
 }

@@ -1,7 +1,7 @@
 /** What the worker does at each message of the page: one entry for each command and each request. */
 
 import { cancelExperiment, comparison, experimentCsv, runExperiment } from './experiment.js';
-import { open } from './open.js';
+import { missingFiles, open } from './open.js';
 import { findRemedies } from './remedies.js';
 import { inTurns } from './trials.js';
 import { mostFaces, warmUpWhenQuiet } from './warm-up.js';
@@ -90,6 +90,7 @@ export function requestHandlers(solver, scheduler, post, died) {
       return uv ? solver.objWithUv(uv) : solver.obj();
     },
     parametrize: ({ weights, norm }) => paused(() => solver.parametrize(weights, norm)),
+    missingFiles: ({ files }) => missingFiles(solver, files),
     fewerFlips: ({ flipped }) => paused(() => solver.fewerFlips(flipped)),
     table: ({ table }) => solver.table(table),
     trace: () => solver.trace(),

@@ -1,7 +1,7 @@
 /** Opens the files of a model in the worker. */
 
 import { messageOf } from '../solver/messages.js';
-import { companionOf, mainOf } from '../solver/opened-files.js';
+import { filesNamed, mainOf } from '../solver/opened-files.js';
 import { isTrap } from './wasm-errors.js';
 
 /** @typedef {import("../pkg/solver/shape_up.js").Solver} Solver */
@@ -16,14 +16,15 @@ import { isTrap } from './wasm-errors.js';
  */
 export function open(solver, scheduler, post, { files, saved, frame = '', solved, weld }) {
   const main = mainOf(files);
-  const companion = companionOf(files, (scene) => solver.sceneMeshFile(scene));
+  const named = filesNamed(files, (scene) => solver.sceneFiles(scene));
   scheduler.close();
   solver.assume(frame);
   solver.keepApart(weld === false);
+  for (const { path, file } of named) if (file) solver.bring(path, file.bytes);
   /** @type {import("../solver/messages.js").Loaded} */
   const loaded = {
-    ...solver.load(main.name, main.bytes, companion?.bytes ?? null),
-    files: companion ? [main.name, companion.name] : [main.name],
+    ...solver.load(main.name, main.bytes),
+    files: [main.name, ...named.map(({ file }) => file?.name ?? '')],
     undoLost: saved ? restore(solver, saved) : '',
   };
   scheduler.begin(solved ?? false);
@@ -59,4 +60,14 @@ function restore(solver, { iteration, history, progress }) {
     if (isTrap(thrown)) throw thrown;
     return messageOf(thrown);
   }
+}
+
+/**
+ * The paths of files that the main one names and that are not among them.
+ * @param {Solver} solver
+ * @param {import("../solver/messages.js").NamedBytes[]} files
+ */
+export function missingFiles(solver, files) {
+  const named = filesNamed(files, (scene) => solver.sceneFiles(scene));
+  return named.filter(({ file }) => !file).map(({ path }) => path);
 }

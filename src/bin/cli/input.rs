@@ -2,7 +2,7 @@
 
 use super::Failure;
 use shape_up::mesh::{self, Mesh, Read, Weld};
-use shape_up::scene::{MeshSource, Scene, Target, UnitsAndUp};
+use shape_up::scene::{MeshSource, Pose, Scene, Target, UnitsAndUp};
 use std::fs::File;
 use std::io::{self, Read as _};
 use std::path::Path;
@@ -47,15 +47,20 @@ pub(super) fn read(path: &Path) -> Result<Input, Failure> {
         let read = named_mesh(path, "closeness.to.mesh.file", file)?;
         scene.closeness.target = Some(Target::Mesh(read.mesh.into()));
     }
-    match &scene.mesh {
-        MeshSource::Inline(mesh) => {
-            Ok(Input { mesh: (**mesh).clone(), remarks: Vec::new(), scene, weld: None })
-        }
+    let (mesh, remarks) = match &scene.mesh {
+        MeshSource::Inline(mesh) => ((**mesh).clone(), Vec::new()),
         MeshSource::File(file) => {
             let read = named_mesh(path, "mesh.file", file)?;
-            Ok(Input { remarks: remarks(&read), mesh: read.mesh, scene, weld: None })
+            let remarks = remarks(&read);
+            (read.mesh, remarks)
         }
+    };
+    if let Some(Pose::File(file)) = &scene.pose {
+        let posed = named_mesh(path, "pose.file", file)?;
+        let pose = Pose::of(file, posed, &mesh).map_err(|error| at(error.to_string()))?;
+        scene.pose = Some(pose);
     }
+    Ok(Input { scene, mesh, weld: None, remarks })
 }
 
 /// Reads the mesh file that a scene names at `place`.

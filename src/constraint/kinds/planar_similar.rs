@@ -45,6 +45,7 @@ impl Projection for PlanarSimilar {
     };
 
     const READS_REST: bool = true;
+    const TAKES_POSE: bool = true;
 
     /// The coordinates in the least-squares plane, scaled so that their squares sum to one; the third
     /// is zero.

@@ -5,7 +5,9 @@ use crate::constraint::{Element, Selector};
 use crate::example::Example;
 use crate::example::model::{Patch, Tower};
 use crate::mesh::{Mesh, Ragged};
-use crate::scene::{ClosenessTo, Scene, Smoothness, SmoothnessOf, Target, Weighting, Weights};
+use crate::scene::{
+    ClosenessTo, Pose, Scene, Smoothness, SmoothnessOf, Target, Weighting, Weights,
+};
 
 pub(super) const CHOICE: Example = Example {
     id: "limits-choice",
@@ -92,14 +94,14 @@ fn fit(scene: &mut Scene) -> Mesh {
 fn transfer(scene: &mut Scene) -> Mesh {
     let tower = Tower { meridians: 32, rows: 20, ..Tower::default() };
     let upright = tower.mesh();
-    scene.current = Some(upright.positions.clone());
-    // Its rest shape leans over; what holds its foot is the same.
-    let mut posed = upright;
-    for [x, y, z] in &mut posed.positions {
+    // The other one leans over; what holds its foot is the same.
+    let mut posed = upright.positions.clone();
+    for [x, y, z] in &mut posed {
         let above = (*z - 5.0).max(0.0);
         *x += 0.012 * above * above;
         *y -= 0.0001 * above * above * above;
     }
+    scene.pose = Some(Pose::Positions(posed.into()));
     scene.constraints = vec![constraint(
         "similar",
         Selector::Each { element: Element::Ring, within: None, radius: 1 },
@@ -109,5 +111,5 @@ fn transfer(scene: &mut Scene) -> Mesh {
     scene.weights = Weights { shape: 1.0, close: 0.0, smooth: 0.0 };
     scene.closeness.to = ClosenessTo::None;
     scene.solver.iterations = 1000;
-    posed
+    upright
 }

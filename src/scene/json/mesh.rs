@@ -8,7 +8,7 @@
 use super::text::{field, object, point, rows, text};
 use crate::json::{JsonError, indices, present, read};
 use crate::mesh::{Group, GroupKeyword, Mesh, Point, Ragged};
-use crate::scene::{MeshSource, NamedEnum};
+use crate::scene::{MeshSource, NamedEnum, Pose};
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
 use serde_json::Value;
 use std::fmt;
@@ -65,6 +65,16 @@ fn groups<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<(String, Value)>, D:
 impl<'de> Deserialize<'de> for MeshSource {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<MeshSource, D::Error> {
         source_of(MeshFile::deserialize(from)?).map_err(D::Error::custom)
+    }
+}
+
+/// As a mesh, of which the positions count.
+impl<'de> Deserialize<'de> for Pose {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Pose, D::Error> {
+        Ok(match MeshSource::deserialize(from)? {
+            MeshSource::File(path) => Pose::File(path),
+            MeshSource::Inline(mesh) => Pose::Positions(mesh.positions.into()),
+        })
     }
 }
 

@@ -7,7 +7,7 @@ use crate::constraint::Set;
 use crate::fabricate::BuildSettings;
 use crate::json::indices;
 use crate::mesh::Mesh;
-use crate::scene::{MeshSource, NamedEnum, Scene, Up, Variants};
+use crate::scene::{MeshSource, NamedEnum, Pose, Scene, Up, Variants};
 use serde_json::{Map, Value};
 
 impl Scene {
@@ -37,6 +37,13 @@ fn write(scene: &Scene, mesh: &Mesh) -> String {
             MeshSource::Inline(_) => inline_mesh::write(mesh, "  "),
         },
     ));
+    if let Some(pose) = &scene.pose {
+        let own = match pose {
+            Pose::File(path) => field("file", text(path)),
+            Pose::Positions(positions) => field("positions", rows(positions.iter().map(point), "")),
+        };
+        fields.push(field("pose", object(vec![own])));
+    }
     if let Some(current) = &scene.current {
         fields.push(field("current", rows(current.iter().map(point), "")));
     }

@@ -5,9 +5,9 @@ use super::constraint_target::ConstraintTarget;
 use super::edit_list::{Edit, NewConstraint};
 use super::{settings, variants};
 use crate::constraint::{Kind, KindError, Set};
-use crate::mesh::{counted, read};
+use crate::mesh::{Read, counted, read};
 use crate::scene::{
-    ClosenessTo, ConstraintSpec, HANDLE_WEIGHT, Hold, PRESETS, SceneError, Target, Variants,
+    ClosenessTo, ConstraintSpec, HANDLE_WEIGHT, Hold, PRESETS, Pose, SceneError, Target, Variants,
 };
 use crate::session::report::check_lesson;
 use crate::session::run::Start;
@@ -107,14 +107,28 @@ pub(crate) fn apply(
             })
         }
         Edit::FitTo { name, text } => {
-            let read = read(&name, text.as_bytes())
-                .map_err(|error| SceneError { path: String::new(), message: error.to_string() })?;
+            let read = read_text(&name, &text)?;
             draft.set(|document| {
                 document.closeness.to = ClosenessTo::Target;
                 document.closeness.target = Some(Target::Mesh(read.mesh.into()));
                 Ok(())
             })?;
             format!("Fit to {name}")
+        }
+        Edit::TakePose { name, text } => {
+            let pose = Pose::of(&name, read_text(&name, &text)?, draft.mesh())?;
+            draft.set(|document| {
+                document.pose = Some(pose);
+                Ok(())
+            })?;
+            format!("Take the pose of {name}")
+        }
+        Edit::LeavePose => {
+            draft.set(|document| {
+                document.pose = None;
+                Ok(())
+            })?;
+            "Leave the other pose".to_owned()
         }
         Edit::HoldCloser => {
             draft.set(|document| {
@@ -211,6 +225,12 @@ pub(crate) fn apply(
     // Also of a row that is renamed or taken away: the scene could not be opened again.
     check_lesson(draft.document(), draft.mesh())?;
     Ok(name)
+}
+
+/// Reads the text of a mesh file that an edit brings.
+fn read_text(name: &str, text: &str) -> Result<Read, SceneError> {
+    read(name, text.as_bytes())
+        .map_err(|error| SceneError { path: String::new(), message: error.to_string() })
 }
 
 /// Appends a row, and its set under a name of its own.

@@ -93,6 +93,15 @@ pub enum Edit {
         /// Its text, OBJ or OFF.
         text: String,
     },
+    /// Takes the shapes that vertices keep from another pose of the mesh, in a file.
+    TakePose {
+        /// The name of the file.
+        name: String,
+        /// Its text: OBJ or OFF with the faces of the mesh.
+        text: String,
+    },
+    /// Takes the shapes that vertices keep from the mesh itself again.
+    LeavePose,
     /// Makes handles soft, with a weight.
     WeighHandles {
         /// Their vertices.

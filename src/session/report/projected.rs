@@ -4,6 +4,7 @@
 use super::measuring::{Measuring, Shape};
 use crate::constraint::{Centring, Projected};
 use crate::mesh::Topology;
+use crate::scene::Pose;
 use crate::session::state::{RestMesh, SolvedScene};
 use crate::solve::{Constraints, rest_projections};
 
@@ -68,7 +69,8 @@ pub(super) fn residuals(model: &mut Measuring<'_>, shape: Shape) -> Vec<f64> {
             let enabled = model.scene.rows().iter().filter(|row| row.enabled);
             let constraints: Vec<Constraints> =
                 enabled.map(|row| row.constraints.clone()).collect();
-            rest_projections(model.rest.mesh(), &constraints, take);
+            let pose = model.scene.document().pose.as_ref().and_then(Pose::positions);
+            rest_projections(model.rest.mesh(), pose, &constraints, take);
         }
     }
     let worst = |face: &[u32]| face.iter().fold(0.0, |w: f64, &v| w.max(squares[v as usize]));

@@ -4,7 +4,7 @@
 use crate::constraint::{Kind, Selector, Set, Sets};
 use crate::fabricate;
 use crate::scene::{
-    BoundaryCloseness, ClosenessTo, ClosenessWeight, ConstraintSpec, Goal, Lesson, Scene,
+    BoundaryCloseness, ClosenessTo, ClosenessWeight, ConstraintSpec, Goal, Lesson, Pose, Scene,
     Smoothness, SolverSettings, Target, Up, Variants, Weights,
 };
 use crate::solve::Require;
@@ -38,6 +38,7 @@ pub(crate) struct Settings {
     weights: Weights,
     to: ClosenessTo,
     target: Option<Target>,
+    pose: Option<Pose>,
     boundary: Option<BoundaryCloseness>,
     smoothness: Smoothness,
     solver: SolverSettings,
@@ -78,6 +79,7 @@ impl Settings {
             weights: scene.weights,
             to: scene.closeness.to,
             target: scene.closeness.target.clone(),
+            pose: scene.pose.clone(),
             boundary: scene.closeness.boundary,
             smoothness: scene.smoothness,
             solver: scene.solver,
@@ -89,10 +91,11 @@ impl Settings {
     }
 
     fn put_in(self, scene: &mut Scene) {
-        let Settings { weights, to, target, boundary, smoothness, solver } = self;
+        let Settings { weights, to, target, pose, boundary, smoothness, solver } = self;
         scene.weights = weights;
         scene.closeness.to = to;
         scene.closeness.target = target;
+        scene.pose = pose;
         scene.closeness.boundary = boundary;
         scene.smoothness = smoothness;
         scene.solver = solver;

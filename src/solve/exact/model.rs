@@ -85,8 +85,8 @@ impl Model {
         let (mesh, centre) = (problem.mesh, parts.centre);
         let surface =
             || Rc::clone(parts.surface.get_or_init(|| Rc::new(rest_surface(mesh, centre))));
-        let hard_rows =
-            HardRows::new(&rows, node_of, &parts.rest, &Reference { surface: &surface });
+        let reference = Reference { surface: &surface, pose: parts.pose.as_deref() };
+        let hard_rows = HardRows::new(&rows, node_of, &parts.rest, &reference);
         parts.energies.handles = PositionalConstraints::new(handles, node_of, centre);
 
         let mut holding = parts.holding(handles);

@@ -2,8 +2,8 @@
 
 use super::report::Loaded;
 use super::solver::Solver;
-use crate::scene::{MeshSource, UnitsAndUp};
-use crate::session::{OpenedFile, Session, is_scene};
+use crate::scene::UnitsAndUp;
+use crate::session::{OpenedFile, Session, is_scene, named_files};
 use crate::solve::clock;
 use crate::web::plain::plain;
 use crate::web::thrown;
@@ -11,13 +11,16 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
 impl Solver {
-    /// The mesh file that a scene names, or null.
-    #[wasm_bindgen(js_name = sceneMeshFile)]
-    pub fn scene_mesh_file(&self, bytes: &[u8]) -> Result<Option<String>, JsValue> {
-        Ok(match OpenedFile::scene_in(bytes).map_err(thrown)?.mesh {
-            MeshSource::File(path) => Some(path),
-            MeshSource::Inline(_) => None,
-        })
+    /// The files that a scene names, by their paths: its mesh, another surface to be close to, another pose.
+    #[wasm_bindgen(js_name = sceneFiles)]
+    pub fn scene_files(&self, bytes: &[u8]) -> Result<Vec<String>, JsValue> {
+        let scene = OpenedFile::scene_in(bytes).map_err(thrown)?;
+        Ok(named_files(&scene).map(str::to_owned).collect())
+    }
+
+    /// A file beside the next scene, by the path that this names it with.
+    pub fn bring(&mut self, path: &str, bytes: Vec<u8>) {
+        self.files.bring(path, bytes);
     }
 
     /// Unit and axis of the next mesh file unless it states its own, in the words of such a file:
@@ -33,17 +36,12 @@ impl Solver {
         self.files.keep_apart(apart);
     }
 
-    /// Opens a mesh, or a scene with the mesh file that it names as `companion`. The model that is
-    /// open stays when this one is refused.
+    /// Opens a mesh, or a scene with the files that it names, which were brought. The model that is open
+    /// stays when this one is refused.
     #[wasm_bindgen(unchecked_return_type = "Loaded")]
-    pub fn load(
-        &mut self,
-        name: &str,
-        bytes: &[u8],
-        companion: Option<Vec<u8>>,
-    ) -> Result<JsValue, JsValue> {
+    pub fn load(&mut self, name: &str, bytes: &[u8]) -> Result<JsValue, JsValue> {
         let started = clock::now();
-        let file = self.files.read(name, bytes, companion.as_deref()).map_err(thrown)?;
+        let file = self.files.read(name, bytes).map_err(thrown)?;
         let OpenedFile { scene, mesh, weld, said, guessed } = file;
         let session = Session::replace(&mut self.session, scene, mesh).map_err(|error| {
             thrown(if is_scene(name) { format!("{name}: {error}") } else { error.to_string() })

@@ -248,3 +248,43 @@ test('faces with vertices of their own are welded at once, can be opened as they
   await waitForState(page, (now) => now.vertices === 36);
   await expect(message).toBeHidden();
 });
+
+test('a scene asks for the file that it names, and a pose is taken from another file', async ({
+  page,
+}) => {
+  await openPage(page);
+  const scene = {
+    ...{ format: 'shape-up-scene', version: 1, mesh: { file: 'grid.obj' }, weights: { close: 1 } },
+    closeness: { to: { mesh: { file: 'ground.obj' } } },
+    constraints: [{ kind: 'rigid', on: 'faces' }],
+  };
+  const raised = wavyGrid(4).replace(/^(v .*) \S+$/gm, '$1 2');
+  await page
+    .getByLabel('Open file')
+    .setInputFiles([
+      file('roof.shapeup.json', JSON.stringify(scene)),
+      file('grid.obj', wavyGrid(4)),
+    ]);
+  const alert = page.getByRole('alert');
+  await expect(alert).toContainText('needs the mesh file ground.obj');
+  const asked = page.waitForEvent('filechooser');
+  await alert.getByRole('button', { name: 'Choose ground.obj' }).click();
+  // Whatever it is called.
+  await (await asked).setFiles(file('plan.obj', raised));
+  await waitForState(page, (now) => now.vertices === 25);
+  expect((await page.evaluate(() => window.shapeUp.scene())).closeness.to.mesh.faces).toHaveLength(
+    16,
+  );
+
+  await showPanel(page, 'Energies and display');
+  await page.getByText('More settings').click();
+  const pose = page.getByLabel('Take the pose of another file');
+  await pose.setInputFiles(file('house.obj', wavyGrid(3)));
+  await expect(alert).toContainText('house.obj is no pose of the model');
+  await pose.setInputFiles(file('raised.obj', raised));
+  await expect(page.getByRole('status')).toHaveText('Shapes are those of raised.obj');
+  const { pose: taken } = await page.evaluate(() => window.shapeUp.scene());
+  expect(taken.positions.map(([, , z]) => z)).toEqual(Array(25).fill(2));
+  await page.getByRole('button', { name: 'Leave the other pose' }).click();
+  await expect(page.getByRole('button', { name: 'Leave the other pose' })).toBeHidden();
+});

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Emitter } from '../../../www/solver/emitter.js';
-import { companionOf, mainOf, worthReading } from '../../../www/solver/opened-files.js';
+import { filesNamed, mainOf, worthReading } from '../../../www/solver/opened-files.js';
 
 test('listeners are called in their order, once is once, and one that throws hurts no other', () => {
   const reported = [];
@@ -33,13 +33,10 @@ test('a scene is opened with the mesh that it names, else the first file that ca
   assert.equal(mainOf([mesh, scene]), scene);
   assert.deepEqual(worthReading([words, mesh, scene]), [scene, mesh]);
   assert.deepEqual(worthReading([words]), [words]);
-  assert.equal(
-    companionOf([scene, mesh], () => 'models/roof.obj'),
-    mesh,
-  );
-  assert.equal(
-    companionOf([mesh], () => 'roof.obj'),
-    null,
-  );
-  assert.throws(() => companionOf([scene], () => 'roof.obj'), /needs the mesh file roof.obj/);
+  const named = (files) => filesNamed(files, () => ['models/roof.obj', 'other.obj']);
+  assert.deepEqual(named([scene, mesh]), [
+    { path: 'models/roof.obj', file: mesh },
+    { path: 'other.obj', file: undefined },
+  ]);
+  assert.deepEqual(named([mesh]), []);
 });

@@ -10,6 +10,22 @@ import { count } from '../../ui/format.js';
 import { Parameters } from '../../ui/kinds/parameters.js';
 import { sizeOfSelection } from '../../store/selection.js';
 
+/** Another surface to be close to. */
+const FIT = {
+  label: 'Fit to another surface',
+  type: /** @type {const} */ ('fitTo'),
+  words: 'A second file in the same coordinates: the mesh comes to lie on its surface.',
+  done: (/** @type {string} */ name) => `Vertices stay near ${name}`,
+};
+/** Another pose. */
+const POSE = {
+  label: 'Take the pose of another file',
+  type: /** @type {const} */ ('takePose'),
+  words:
+    'A second file with the same faces: rigid and similar constraints keep the shapes that it has.',
+  done: (/** @type {string} */ name) => `Shapes are those of ${name}`,
+};
+
 /** What the buttons give the selected vertices, as factors of the weight of closeness. */
 const HOLDS = [
   { label: 'More', weight: 10, title: 'Ten times the closeness of the others' },
@@ -33,7 +49,8 @@ export function settingsPanel(place, store, actions) {
   place.replaceChildren(
     element('h3', first ?? ''),
     ...inGroup(first),
-    fitRow(actions),
+    fileRow(FIT, actions),
+    poseRow(store, actions),
     holdRow(store, actions),
     ...others.flatMap((group) => [element('h3', group), ...inGroup(group)]),
   );
@@ -70,31 +87,42 @@ function settingRow(setting, store, actions) {
 }
 
 /**
- * Another surface to be close to.
+ * A second file that an edit takes something from.
+ * @param {{ label: string, type: "fitTo" | "takePose", words: string, done: (name: string) => string }} of
  * @param {import("../../store/actions.js").Actions} actions
+ * @param {...HTMLElement} more beside the button
  */
-function fitRow(actions) {
+function fileRow({ label, type, words, done }, actions, ...more) {
   const input = element('input', {
     type: 'file',
     accept: '.obj,.off,.mesh',
-    'aria-label': 'Fit to another surface',
+    'aria-label': label,
     onchange: async () => {
       const [file] = input.files ?? [];
       if (!file) return;
       const text = await file.text();
       input.value = '';
-      const done = await actions.edit({ type: 'fitTo', name: file.name, text });
-      if (done !== undefined) actions.setStatus(`Vertices stay near ${file.name}`);
+      const edited = await actions.edit({ type, name: file.name, text });
+      if (edited !== undefined) actions.setStatus(done(file.name));
     },
   });
   return element(
     'div.setting',
-    element('label.button', 'Fit to another surface …', input),
-    element(
-      'p.quiet',
-      'A second file in the same coordinates: the mesh comes to lie on its surface.',
-    ),
+    element('label.button', `${label} …`, input),
+    ...more,
+    element('p.quiet', words),
   );
+}
+
+/**
+ * The shapes that vertices keep, taken from another pose of the mesh.
+ * @param {import("../../store/state.js").Store} store
+ * @param {import("../../store/actions.js").Actions} actions
+ */
+function poseRow(store, actions) {
+  const leave = button('Leave the other pose', () => actions.edit({ type: 'leavePose' }));
+  store.subscribe(['document'], ({ document }) => (leave.hidden = !document?.pose));
+  return fileRow(POSE, actions, leave);
 }
 
 /**

@@ -24,6 +24,8 @@ pub(crate) struct Document<'a> {
         tsify(type = "\"surface\" | \"rest\" | \"none\" | \"target\"")
     )]
     closeness: &'static str,
+    /// Whether shapes are taken from another pose.
+    pose: bool,
     smoothness: SmoothnessWords,
     /// Of every declared setting its value.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "Record<string, ParamValue>"))]
@@ -173,6 +175,7 @@ impl<'a> Document<'a> {
             handles,
             weights: Weights { shape, close, smooth },
             closeness: scene.closeness.to.word(),
+            pose: scene.pose.is_some(),
             smoothness: SmoothnessWords {
                 of: scene.smoothness.of.word(),
                 weighting: scene.smoothness.weighting.word(),
