@@ -14,9 +14,10 @@ function timed(call) {
   return [value, performance.now() - start];
 }
 
-const open = (solver, { sceneBytes, meshBytes }) =>
+function open(solver, { sceneBytes, meshBytes }) {
   for (const path of solver.sceneFiles(sceneBytes)) solver.bring(path, meshBytes);
   solver.load('problem.shapeup.json', sceneBytes);
+}
 
 /** Moves the handles by a part of the way. */
 function drag(solver, { vertices, from, to }, part) {
