@@ -73,16 +73,16 @@ await main(() => {
     !isOfVariations(path) &&
     !isRhino(path);
   const rows = [
-    row('solver module', [at('www', 'pkg', 'solver', 'shape_up_bg.wasm')], 618 * kB),
-    row('parts module', [at('www', 'pkg', 'build', 'shape_up_bg.wasm')], 212 * kB),
+    row('solver module', [at('www', 'pkg', 'solver', 'shape_up_bg.wasm')], 622 * kB),
+    row('parts module', [at('www', 'pkg', 'build', 'shape_up_bg.wasm')], 216 * kB),
     row('view, WebGPU', [at('www', 'pkg', 'view-webgpu', 'shape_up_bg.wasm')], 165 * kB),
     row('view, WebGL2', [at('www', 'pkg', 'view-webgl2', 'shape_up_bg.wasm')], 900 * kB),
-    row('first visit', [...first], 78.2 * kB),
+    row('first visit', [...first], 78.5 * kB),
     row('first picture', [firstPicture], 14 * kB),
     row('plots', code.filter(isPlot), 30 * kB),
     row('parts and sheets', code.filter(isOfParts), 18 * kB),
     row('variations', code.filter(isOfVariations), 9 * kB),
-    row('other dialogs', code.filter(isLater), 75 * kB),
+    row('other dialogs', code.filter(isLater), 76 * kB),
     row('gallery, projections', code.filter(isBeside), 16 * kB),
     row('licences', code.filter(isLicences), 24 * kB),
     row('files of Rhino', filesUnder(at('dist')).filter(isRhino), 1100 * kB),
