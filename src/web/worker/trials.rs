@@ -121,8 +121,8 @@ impl Solver {
 
     /// The displacement of one, `#V by 3`, for a coefficient of one.
     pub fn variation(&self, index: usize) -> Result<Float32Array, JsValue> {
-        let modes = self.variations.iter().flat_map(|variations| variations.modes());
-        let mode = modes.skip(index).next().ok_or_else(nothing_found)?;
+        let mut modes = self.variations.iter().flat_map(|variations| variations.modes());
+        let mode = modes.nth(index).ok_or_else(nothing_found)?;
         Ok(narrow(mode.displacement.as_flattened()))
     }
 
