@@ -176,7 +176,7 @@ fn a_selection_becomes_a_set_of_the_scene() {
     // What is saved opens again, with the set.
     let scene = solver.scene().expect("a model is open");
     let mut again = Solver::new();
-    assert_eq!(again.scene_mesh_file(scene.as_bytes()), Ok(None), "the mesh is inline");
+    assert_eq!(again.scene_files(scene.as_bytes()), Ok(Vec::new()), "the mesh is inline");
     again.load("saved.shapeup.json", scene.as_bytes()).expect("what is saved can be opened");
     let document = again.document().expect("a model is open");
     assert_eq!(number(&document, "constraints.0.count"), 1.0);
