@@ -475,14 +475,15 @@ fn what_the_mesh_does_not_have_is_named() {
 }
 
 #[test]
-fn a_mesh_without_faces_has_no_surface_to_be_close_to() {
+fn a_mesh_without_faces_is_close_to_its_curves_or_its_points() {
     let mesh = Mesh { positions: vec![[0.0; 3], [1.0, 0.0, 0.0]], ..Mesh::default() };
     let mut scene = Scene::new(MeshSource::File("curve.obj".into()));
     scene.validate(&mesh).unwrap();
     scene.weights.close = 1.0;
-    assert_eq!(scene.validate(&mesh).unwrap_err().path, "closeness.to");
-    scene.closeness.to = ClosenessTo::Rest;
-    scene.validate(&mesh).unwrap();
+    for to in [ClosenessTo::Surface, ClosenessTo::Rest] {
+        scene.closeness.to = to;
+        scene.validate(&mesh).unwrap();
+    }
 }
 
 #[test]

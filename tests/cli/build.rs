@@ -23,6 +23,7 @@ fn sheets_tables_and_a_report_are_written_whole() {
     names.sort();
     let expected = [
         "edges.csv",
+        "model.glb",
         "nodes.csv",
         "panels.csv",
         "sheet-01.dxf",
