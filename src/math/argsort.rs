@@ -6,6 +6,12 @@ pub fn argsort(keys: impl Iterator<Item = u64>) -> Vec<u32> {
     order(keys.zip(0..).collect())
 }
 
+/// Sorts `items` by such keys; those of equal keys stay in order.
+pub fn sort_by_number<T: Clone>(items: &mut Vec<T>, key: impl Fn(&T) -> u64) {
+    let order = argsort(items.iter().map(key));
+    *items = order.into_iter().map(|i| items[i as usize].clone()).collect();
+}
+
 #[inline(never)]
 fn order(mut keyed: Vec<(u64, u32)>) -> Vec<u32> {
     keyed.sort_unstable();

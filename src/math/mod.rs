@@ -23,7 +23,7 @@ mod turns;
 mod vector;
 
 pub use angle::angle;
-pub use argsort::{argsort, key_of_number, key_of_pair};
+pub use argsort::{argsort, key_of_number, key_of_pair, sort_by_number};
 pub use cube_root::cube_root;
 pub use cubic::Cubic;
 pub use eigen::{Eigenvector, PrincipalAxes, Scatter, SingularValues, Symmetric3, symmetric_eigen};

@@ -1,7 +1,7 @@
 //! The beams around a node.
 
 use crate::fabricate::surface::{PanelSurface, unit};
-use crate::math::{Vec3, angle};
+use crate::math::{Vec3, angle, key_of_number, sort_by_number};
 
 /// A beam, seen from one of its nodes.
 #[derive(Clone, Copy, Debug)]
@@ -97,10 +97,9 @@ fn node(surface: &PanelSurface, axis: Vec3<f64>, v: u32, edges: &[u32]) -> Optio
             turn => turn,
         };
     }
-    spokes.sort_by(|a, b| {
-        let key = |spoke: &Spoke| spoke.edge != first_edge;
-        key(a).cmp(&key(b)).then(a.azimuth_deg.total_cmp(&b.azimuth_deg)).then(a.to.cmp(&b.to))
-    });
+    sort_by_number(&mut spokes, |spoke| u64::from(spoke.to));
+    sort_by_number(&mut spokes, |spoke| key_of_number(spoke.azimuth_deg));
+    sort_by_number(&mut spokes, |spoke| u64::from(spoke.edge != first_edge));
     Some(Node { vertex: v, axis, spokes })
 }
 

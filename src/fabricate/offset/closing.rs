@@ -3,7 +3,7 @@
 //! the axis where it was.
 
 use crate::fabricate::surface::PanelSurface;
-use crate::math::{Vec3, symmetric_eigen};
+use crate::math::{Vec3, argsort, key_of_number, symmetric_eigen};
 
 /// A matrix of 3 by 3.
 type Matrix = [[f64; 3]; 3];
@@ -118,7 +118,7 @@ fn closing_form(surface: &PanelSurface) -> [f64; 3] {
     if count > 0.0 {
         sum = sum.map(|row| row.map(|entry| entry / count));
     }
-    let mut values = symmetric_eigen(sum).0;
-    values.sort_by(f64::total_cmp);
-    values
+    let values = symmetric_eigen(sum).0;
+    let order = argsort(values.iter().map(|value| key_of_number(*value)));
+    [0, 1, 2].map(|k| values[order[k] as usize])
 }

@@ -1,5 +1,7 @@
 //! Polygons in the plane, counterclockwise.
 
+use crate::math::{key_of_number, sort_by_number};
+
 /// A point of the plane.
 pub type Point2 = [f64; 2];
 
@@ -92,7 +94,9 @@ fn overlap([a, b]: [Point2; 2], [c, d]: [Point2; 2]) -> bool {
 /// The convex hull, counterclockwise, by Andrew's monotone chain.
 pub fn hull(points: &[Point2]) -> Vec<Point2> {
     let mut sorted = points.to_vec();
-    sorted.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    for axis in [1, 0] {
+        sort_by_number(&mut sorted, |point| key_of_number(point[axis]));
+    }
     sorted.dedup();
     if sorted.len() < 3 {
         return sorted;

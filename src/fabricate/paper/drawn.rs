@@ -4,6 +4,7 @@ use super::model::{Glue, PaperModel};
 use super::net::OutlineSide;
 use crate::fabricate::panel::{Point2, direction_of, rotated, smallest_box};
 use crate::fabricate::sheet::{CutPart, label, strokes, text_width, upright};
+use crate::math::sort_by_number;
 
 /// Dashes of a valley are so long, in mm, and gaps between them this part of it.
 const DASH: f64 = 2.5;
@@ -132,7 +133,7 @@ fn name_places(model: &PaperModel, piece: u32, panel: u32) -> Vec<Vec<OutlineSid
             Some((of_panel, OutlineSide { facet, side }))
         })
         .collect();
-    of_panel.sort_by_key(|(side, _)| *side);
+    sort_by_number(&mut of_panel, |(side, _)| u64::from(*side));
     let all = (0..net.facets.len() as u32).filter(is_own).count();
     match own.len() == all {
         true => vec![of_panel.into_iter().map(|(_, side)| side).collect()],

@@ -6,6 +6,7 @@ use super::strip::{Pieces, foldable};
 use super::tab::{Tab, tab};
 use crate::fabricate::panel::{FlatPanel, Point2};
 use crate::fabricate::surface::PanelSurface;
+use crate::math::sort_by_number;
 
 /// Sizes in mm.
 #[derive(Clone, Copy, Debug)]
@@ -64,7 +65,7 @@ impl PaperModel {
         let mut pieces: Vec<u32> =
             (0..net.pieces.len() as u32).filter(|&p| !net.pieces[p as usize].is_empty()).collect();
         net.pieces.iter_mut().for_each(|own| own.sort_unstable());
-        pieces.sort_by_key(|&piece| net.pieces[piece as usize][0]);
+        sort_by_number(&mut pieces, |&piece| u64::from(net.pieces[piece as usize][0]));
         let glue = glue(&net, &pieces, size.tab);
         PaperModel { net, glue, pieces, without, is_without_quads }
     }

@@ -2,6 +2,7 @@
 
 use super::facet::Joint;
 use crate::fabricate::surface::PanelSurface;
+use crate::math::{key_of_number, sort_by_number};
 use serde::{Deserialize, Serialize};
 
 /// What a paper model is made of.
@@ -41,10 +42,9 @@ pub(super) fn foldable(
     let (mut creases, mut of_edges): (Vec<u32>, Vec<u32>) =
         (0..joints.len() as u32).partition(|&j| joints[j as usize].edge.is_none());
     match pieces {
-        Pieces::Nets => of_edges.sort_by(|&a, &b| {
-            let fold = |j: u32| joints[j as usize].fold.abs();
-            fold(a).total_cmp(&fold(b)).then(a.cmp(&b))
-        }),
+        Pieces::Nets => {
+            sort_by_number(&mut of_edges, |&j| key_of_number(joints[j as usize].fold.abs()));
+        }
         Pieces::Strips | Pieces::Across => {
             let along = strips(surface, usize::from(pieces == Pieces::Across))?;
             let mut of_edge = vec![None; surface.edges.len()];

@@ -2,6 +2,7 @@
 
 use super::part::CutPart;
 use crate::fabricate::panel::{Point2, rotated, smallest_box};
+use crate::math::{key_of_number, sort_by_number};
 use serde::{Deserialize, Serialize};
 
 /// In which order parts are laid out.
@@ -103,7 +104,8 @@ pub fn lay_out(parts: &[CutPart], sheet: SheetSize, order: Order) -> Layout {
         }
     }
     if order == Order::Size {
-        boxes.sort_by(|a, b| b.2[1].total_cmp(&a.2[1]).then(a.0.cmp(&b.0)));
+        // The highest first.
+        sort_by_number(&mut boxes, |(_, _, size)| key_of_number(-size[1]));
     }
     let mut shelves: Vec<Shelf> = Vec::new();
     // Above the highest shelf of each sheet.
