@@ -205,7 +205,7 @@ test('choosing a measure again gives the same picture, whatever came between', a
   await waitForState(page, (now) => now.iteration === 0);
   for (let k = 1; k <= 5; k++) {
     await press('Step');
-    await waitForState(page, (now) => now.iteration === k);
+    await waitForState(page, (now, steps) => now.iteration === steps, k);
   }
   await showPanel(page, 'Energies and display');
   const colours = page.getByLabel('Colour by');
