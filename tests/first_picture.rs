@@ -37,6 +37,8 @@ fn it_shows_every_panel_and_every_handle_of_the_first_example() {
         assert_eq!(svg.matches(r#"<rect class="fixed""#).count(), fixed);
         assert_eq!(svg.matches(r#"<circle class="handle""#).count(), 1);
         assert_eq!(svg.matches(r#"<path class="pull""#).count(), 1);
+        // Their circles, two arcs each.
+        assert_eq!(svg.matches(" 1 0 ").count(), 2 * mesh.faces.len());
         // What a script needs to move it.
         assert_eq!(svg.matches("<g data-vertex=").count(), fixed + 1);
         assert_eq!(attribute(svg, "data-eye").len(), 12);

@@ -4,6 +4,7 @@
 mod pictures;
 
 use glam::Vec2;
+use shape_up::constraint::Fitted;
 use shape_up::example::EXAMPLES;
 use shape_up::session::Session;
 use shape_up::view::svg::picture as still;
@@ -28,6 +29,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut state = pictures::state(&session)?;
     let scale = pictures::scale(&session, greatest);
     state.set_face_values(pictures::values(&session), scale)?;
+    let shapes = session.solver().fitted();
+    let numbers: Vec<f32> =
+        shapes.iter().flat_map(Fitted::numbers).map(|number| number as f32).collect();
+    state.set_shapes(&numbers)?;
     let style = still::style(state.appearance().has_full_map());
     let faces = still::spaced(still::from_far_to_near(&state));
     let mut html = format!(

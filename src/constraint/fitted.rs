@@ -27,6 +27,16 @@ pub enum Fitted {
 const LARGEST_DRAWN: f64 = 4.0;
 
 impl Fitted {
+    /// As the view takes it: 0 for a circle and 1 for a sphere, centre, normal, radius.
+    pub fn numbers(&self) -> [f64; 8] {
+        match *self {
+            Fitted::Circle { centre: c, normal: n, radius } => {
+                [0.0, c.x, c.y, c.z, n.x, n.y, n.z, radius]
+            }
+            Fitted::Sphere { centre: c, radius } => [1.0, c.x, c.y, c.z, 0.0, 0.0, 1.0, radius],
+        }
+    }
+
     /// Whether its radius is not many times the extent of its points.
     pub(super) fn is_of_the_size_of(&self, points: &[Vec3<f64>]) -> bool {
         let (Fitted::Circle { radius, .. } | Fitted::Sphere { radius, .. }) = *self;

@@ -10,6 +10,7 @@ import { colourFaces } from '../viewport/colour-scale.js';
 import { commandTable } from './command-table.js';
 import { bindButtons, bindKeys, bindRunButton } from './commands.js';
 import { byId } from '../ui/dom.js';
+import { acceptDrops } from '../documents/drop-zone.js';
 import { Files } from '../documents/files.js';
 import { animateFirstPicture } from '../viewport/placeholder/placeholder-scene.js';
 import { ended } from '../ui/format.js';
@@ -119,9 +120,11 @@ fileInput.addEventListener('change', async () => {
   const chosen = [...(fileInput.files ?? [])];
   // So that the same file can be opened again after it changed on disk.
   fileInput.value = '';
-  await files.openFiles(chosen);
+  await actions.reportErrors(
+    import('../documents/chosen-files.js').then((it) => it.openChosen(app, chosen)),
+  );
 });
-files.acceptDrops(byId('drop-overlay'));
+acceptDrops(byId('drop-overlay'), app);
 
 app.commands = commandTable(app, pointer, fileInput);
 const { commands } = app;
@@ -151,7 +154,9 @@ byId('recent-button').addEventListener('click', () =>
   ),
 );
 startup.begin().catch((error) => alerts.error(messageOf(error)));
-files.offerExamples(byId('examples')).catch((error) => alerts.error(messageOf(error)));
+actions.reportErrors(
+  import('../documents/examples-menu.js').then((it) => it.examplesMenu(byId('examples'), app)),
+);
 const offline = () =>
   import('./offline/offline.js').then(
     (it) => it.stayOffline(alerts, startup, viewport),

@@ -1,15 +1,14 @@
 /**
- * Files in and out: open, drop, the examples, save and export. Tells `opened` after each model that
- * it has opened.
+ * Files in and out: open, the examples, save and export. Tells `opened` after each model that it has
+ * opened.
  */
 
 import { count, ended, groupDigits, length } from '../ui/format.js';
-import { element } from '../ui/dom.js';
 import { exampleFile, listOfExamples } from '../solver/examples.js';
 import { removeFirstPicture } from '../viewport/placeholder/placeholder-scene.js';
 import { Emitter } from '../solver/emitter.js';
 import { messageOf } from '../solver/messages.js';
-import { isReadable, mainOf, worthReading } from '../solver/opened-files.js';
+import { isReadable, mainOf } from '../solver/opened-files.js';
 import { saveFile } from '../ui/save-file.js';
 import { rememberedFrame } from './units-prompt.js';
 
@@ -29,12 +28,6 @@ import { rememberedFrame } from './units-prompt.js';
  */
 
 const IS_RHINO = /\.3dm$/i;
-
-/** What is dropped below this part of the window is fitted to, where a model is open. */
-const FIT_FROM = 0.8;
-
-/** Bytes from which on it takes a while to read a file. */
-const LARGE = 2_000_000;
 
 /** @extends {Emitter<{ opened: void }>} */
 export class Files extends Emitter {
@@ -122,55 +115,6 @@ export class Files extends Emitter {
   }
 
   /**
-   * What a file input or a drop gives: one model of it, and words on what is left out.
-   * @param {File[]} chosen
-   * @param {string[]} [folders] names of those that were dropped with them
-   */
-  async openFiles(chosen, folders = []) {
-    const wanted = worthReading(chosen);
-    if (wanted.length === 0) {
-      const [name] = folders;
-      if (name) this.#alerts.error(`${name} is a folder. Open the files in it instead.`);
-      return;
-    }
-    const loaded = await this.#read(wanted);
-    if (!loaded) return;
-    const isTaken = (/** @type {File} */ file) =>
-      wanted.includes(file) && loaded.files.includes(meshName(file.name));
-    const others = chosen.filter((file) => !isTaken(file)).map(({ name }) => name);
-    if (others.length + folders.length === 0) return;
-    const { leftOut } = await import('./left-out.js');
-    const taken = wanted.filter(isTaken).map(({ name }) => name);
-    this.#alerts.notice(leftOut(taken, others, folders));
-  }
-
-  /** Opens them together, or says what is wrong. @param {File[]} chosen */
-  async #read(chosen) {
-    if (chosen.some(({ size }) => size > LARGE)) {
-      const { openLarge } = await import('./large-file-import.js');
-      const [store, solver, alerts] = [this.#store, this.#solver, this.#alerts];
-      return openLarge(chosen, {
-        store,
-        solver,
-        alerts,
-        open: (files, cancelled) => this.open(files, {}, cancelled).catch(() => undefined),
-      });
-    }
-    try {
-      const files = await Promise.all(
-        chosen.map(async (file) => ({
-          name: file.name,
-          bytes: new Uint8Array(await file.arrayBuffer()),
-        })),
-      );
-      return await this.open(files).catch(() => undefined);
-    } catch (error) {
-      const names = chosen.map(({ name }) => name).join(' and ');
-      this.#alerts.error(`${names} could not be read from the disk (${messageOf(error)}).`);
-    }
-  }
-
-  /**
    * @param {Example} example
    * @param {boolean} [first] it is what the page opens with, solved
    */
@@ -200,75 +144,6 @@ export class Files extends Emitter {
       throw error;
     });
     return this.#examples;
-  }
-
-  /** Fills the menu with all examples. @param {HTMLElement} menu */
-  async offerExamples(menu) {
-    const examples = await this.examples();
-    menu.replaceChildren(
-      element(
-        'a',
-        { role: 'menuitem', href: './gallery.html' },
-        entry('Gallery', 'All examples with pictures of their start and end, figure by figure.'),
-      ),
-      ...examples.map((example) =>
-        element(
-          'button',
-          {
-            role: 'menuitem',
-            onclick: () => {
-              menu.hidePopover();
-              this.openExample(example).catch((error) => this.#alerts.error(messageOf(error)));
-            },
-          },
-          // It loads when the menu is opened; without a network it is not to be had.
-          element('img', {
-            ...(navigator.onLine && {
-              src: new URL(`pictures/${example.id}-end.svg`, document.baseURI).href,
-            }),
-            alt: '',
-            width: 72,
-            height: 52,
-            loading: 'lazy',
-          }),
-          entry(example.title, example.summary),
-        ),
-      ),
-    );
-  }
-
-  /** Drops anywhere on the window open; the overlay says what will happen. @param {HTMLElement} overlay */
-  acceptDrops(overlay) {
-    const carriesFiles = (/** @type {DragEvent} */ event) =>
-      event.dataTransfer?.types.includes('Files') ?? false;
-    window.addEventListener('dragover', (event) => {
-      if (!carriesFiles(event)) return;
-      event.preventDefault();
-      overlay.classList.toggle('fits', Boolean(this.#store.get().document));
-      overlay.hidden = false;
-    });
-    window.addEventListener('dragleave', (event) => {
-      if (!event.relatedTarget) overlay.hidden = true;
-    });
-    window.addEventListener('drop', (event) => {
-      overlay.hidden = true;
-      if (!carriesFiles(event)) return;
-      event.preventDefault();
-      const { files, items } = /** @type {DataTransfer} */ (event.dataTransfer);
-      // A folder looks like a file that cannot be read.
-      const [file] = files;
-      if (this.#store.get().document && event.clientY > FIT_FROM * window.innerHeight && file) {
-        import('./fit-to.js').then(({ fitTo }) => fitTo(file, this.#solver, this.#alerts));
-        return;
-      }
-      const folders = [...items]
-        .map((item) => item.webkitGetAsEntry())
-        .flatMap((entry) => (entry?.isDirectory ? [entry.name] : []));
-      this.openFiles(
-        [...files].filter(({ name }) => !folders.includes(name)),
-        folders,
-      );
-    });
   }
 
   /**
@@ -325,9 +200,6 @@ export class Files extends Emitter {
   }
 }
 
-/** What the mesh in a file is called. @param {string} name */
-const meshName = (name) => name.replace(IS_RHINO, '.obj');
-
 /**
  * A file of Rhino as the mesh that is in it; any other as it is. What reads it comes when it is needed.
  * @param {NamedBytes} file
@@ -338,14 +210,4 @@ async function asMesh(file, cancelled) {
   if (!IS_RHINO.test(file.name)) return file;
   const { askRhino } = await import('./rhino/rhino-client.js');
   return askRhino({ type: 'read', file }, cancelled);
-}
-
-/**
- * An entry of the menu of examples.
- * @param {string} title
- * @param {string} text
- */
-function entry(title, text) {
-  const parts = [element('strong', title), element('span', text)];
-  return element('span.entry', ...parts);
 }

@@ -1,5 +1,5 @@
-//! A still picture of a stage as SVG: what a page shows before it can draw. Faces, edges, handles
-//! and the lines that pull them, as the view draws them in its first picture, in the colours of
+//! A still picture of a stage as SVG: what a page shows before it can draw. Faces, edges, fitted circles,
+//! handles and the lines that pull them, as the view draws them in its first picture, in the colours of
 //! both themes.
 //!
 //! Faces are painted from the farthest to the nearest, each in one colour with its own edges. So it
@@ -9,6 +9,7 @@
 //! (`www/viewport/placeholder/placeholder-scene.js`): the eye, so that the faces can be drawn at other positions, and where a
 //! handle goes when it is dragged.
 
+use super::circles::circles;
 use super::light::face_colour;
 use crate::math::polygon_sides;
 use crate::view::appearance::{Colour, DARK, Dot, DotKind, LIGHT, LineKind, Palette, Stroke};
@@ -56,7 +57,7 @@ pub fn svg(state: &ViewState, class: &str) -> String {
             let _ = write!(svg, r#"<path class="rim" data-sides="{sides}" d="{rim}"/>"#);
         }
     }
-    svg + &handles(state, &eye) + "</svg>"
+    svg + &circles(state, &eye) + &handles(state, &eye) + "</svg>"
 }
 
 /// The edges on the boundary.
@@ -132,6 +133,11 @@ pub fn style(has_full_map: bool) -> String {
             width,
         );
     }
+    let Stroke { colour, width, .. } = LIGHT.circle;
+    // The pieces of the view's circles overlap, which leaves little of their transparency.
+    let [light, dark] = [colour, DARK.circle.colour].map(|[r, g, b, _]| [r, g, b, 0.95]);
+    let stroke = themed(light, dark);
+    let _ = write!(style, ".still .circles{{fill:none;stroke:{stroke};stroke-width:{width}}}");
     for kind in [DotKind::Target, DotKind::Handle, DotKind::Fixed] {
         let [light, dark] = [LIGHT, DARK].map(|palette| palette.dots[kind as usize]);
         let _ = write!(

@@ -18,17 +18,10 @@ impl Solver {
         values.map(|values| narrow(&values)).ok_or_else(|| unknown(measure))
     }
 
-    /// The fitted shapes to be drawn, eight numbers each: 0 for a circle and 1 for a sphere,
-    /// centre, normal, radius.
+    /// The fitted shapes to be drawn, eight numbers each: [`Fitted::numbers`].
     pub fn fitted(&self) -> Result<Float32Array, JsValue> {
         let shapes = self.open()?.solver().fitted();
-        let numbers = shapes.iter().flat_map(|shape| match *shape {
-            Fitted::Circle { centre: c, normal: n, radius } => {
-                [0.0, c.x, c.y, c.z, n.x, n.y, n.z, radius]
-            }
-            Fitted::Sphere { centre: c, radius } => [1.0, c.x, c.y, c.z, 0.0, 0.0, 1.0, radius],
-        });
-        Ok(narrow(&numbers.collect::<Vec<f64>>()))
+        Ok(narrow(&shapes.iter().flat_map(Fitted::numbers).collect::<Vec<f64>>()))
     }
 
     /// The projections of the constraints at the current positions: per point its vertex

@@ -23,6 +23,9 @@ import { HandleDrag } from '../input/handle-drag.js';
  * @typedef {{ drags: EarlyDrag[], changed: () => void }} EarlyDrags
  */
 
+/** So many corners has a circle that is drawn as a polygon. */
+const CORNERS = 20;
+
 const find = () => document.getElementById('first-picture');
 
 /** While it is there, presses on its handles are not the view's. */
@@ -51,13 +54,15 @@ export function animateFirstPicture(store, solver) {
  * @param {HTMLElement} picture
  * @param {import("../../solver/solver-client.js").Geometry} geometry
  */
-function draw(picture, { connectivity: { faceOffsets, faceIndices }, positions }) {
+function draw(picture, { connectivity: { faceOffsets, faceIndices }, positions, shapes }) {
   const order = numbersOf(picture.dataset.faces);
   const isOther = faceOffsets.length !== order.length + 1;
   if (isOther) return;
   for (const svg of picture.querySelectorAll('svg')) {
     if (svg.getClientRects().length === 0) continue;
-    const place = placing(numbersOf(svg.dataset.eye), positions);
+    const placeOf = placing(numbersOf(svg.dataset.eye));
+    const place = (/** @type {number} */ vertex) =>
+      placeOf(positions.subarray(3 * vertex, 3 * vertex + 3));
     /** @type {string[]} */
     let corners = [];
     let drawn = 0;
@@ -75,23 +80,48 @@ function draw(picture, { connectivity: { faceOffsets, faceIndices }, positions }
         path.setAttribute('d', numbersOf(sides).map(ends).join(''));
       }
     }
+    const circles = svg.querySelector('.circles');
+    if (circles instanceof SVGPathElement && shapes) drawCircles(circles, shapes, placeOf);
     for (const group of svg.querySelectorAll('g')) moveHandle(group, place);
   }
 }
 
 /**
- * The places of vertices in the picture.
+ * The places of points in the picture.
  * @param {number[]} eye three rows of four: to the right and downwards, both over the depth
- * @param {Float64Array} positions
  */
-function placing(eye, positions) {
-  return (/** @type {number} */ vertex) => {
-    const [x, y, z] = positions.subarray(3 * vertex, 3 * vertex + 3);
+function placing(eye) {
+  return (/** @type {ArrayLike<number>} */ point) => {
     const row = (/** @type {number} */ at) =>
-      eye[at] * x + eye[at + 1] * y + eye[at + 2] * z + eye[at + 3];
+      eye[at] * point[0] + eye[at + 1] * point[1] + eye[at + 2] * point[2] + eye[at + 3];
     const depth = row(8);
     return [row(0) / depth, row(4) / depth].map((value) => Math.round(10 * value) / 10);
   };
+}
+
+/**
+ * Fitted circles as polygons.
+ * @param {SVGPathElement} path
+ * @param {Float32Array} shapes eight numbers each: 0 for a circle, centre, normal, radius
+ * @param {(point: number[]) => number[]} placeOf
+ */
+function drawCircles(path, shapes, placeOf) {
+  let data = '';
+  for (let at = 0; at < shapes.length; at += 8) {
+    const [kind, x, y, z, a, b, c, radius] = shapes.subarray(at, at + 8);
+    if (kind !== 0) continue;
+    // Two radii at a right angle: the first is horizontal, or along x where the circle is.
+    const level = Math.hypot(a, b);
+    const u = level > 0 ? [-b / level, a / level, 0] : [1, 0, 0];
+    const v = [-c * u[1], c * u[0], a * u[1] - b * u[0]];
+    const corners = Array.from({ length: CORNERS }, (_, i) => {
+      const turn = (2 * Math.PI * i) / CORNERS;
+      const [p, q] = [radius * Math.cos(turn), radius * Math.sin(turn)];
+      return placeOf([x, y, z].map((centre, axis) => centre + p * u[axis] + q * v[axis])).join(' ');
+    });
+    data += `M${corners.join('L')}z`;
+  }
+  path.setAttribute('d', data);
 }
 
 /**

@@ -1,0 +1,73 @@
+//! Fitted circles of a still picture: the ellipses that they are on the screen, over all faces. So it is a
+//! picture for meshes whose faces are all seen.
+
+use crate::view::camera::Eye;
+use crate::view::state::{SHAPE_NUMBERS, ViewState};
+use glam::{Vec2, Vec3};
+use std::fmt::Write;
+
+/// Axes of ellipses are rounded to so many degrees.
+const TURN: f32 = 6.0;
+
+/// A circle of a scene: centre, and two radii at a right angle.
+struct Circle {
+    centre: Vec3,
+    radii: [Vec3; 2],
+}
+
+/// An ellipse on the screen, CSS pixels.
+struct Ellipse {
+    centre: Vec2,
+    /// The longer semi-axis.
+    axis: Vec2,
+    /// The length of the other.
+    minor: f32,
+}
+
+/// All circles as one path, which a script redraws from the fitted shapes; empty where there are none.
+pub(super) fn circles(state: &ViewState, eye: &Eye) -> String {
+    let mut path = String::new();
+    for circle in fitted(state) {
+        // Rounded before anything is computed from them: equal ellipses are equal text, and pack well.
+        let Ellipse { centre, axis, minor } = on_screen(&circle, eye);
+        let (major, minor) = (half(axis.length()), half(minor));
+        let turn = (axis.y.atan2(axis.x).to_degrees() / TURN).round() * TURN;
+        let axis = (Vec2::from_angle(turn.to_radians()) * major).round();
+        let from = (centre - axis).round();
+        let arc = format!("{major} {minor} {turn} 1 0");
+        let Vec2 { x, y } = 2.0 * axis;
+        // Writing to a string cannot fail.
+        let _ = write!(path, "M{} {}a{arc} {x} {y} {arc} {} {}", from.x, from.y, -x, -y);
+    }
+    if path.is_empty() {
+        return path;
+    }
+    format!(r#"<g><path class="circles" d="{path}"/></g>"#)
+}
+
+fn fitted(state: &ViewState) -> impl Iterator<Item = Circle> + '_ {
+    let shapes = state.shapes().chunks_exact(SHAPE_NUMBERS);
+    shapes.filter(|shape| shape[0] == 0.0).map(|shape| {
+        let normal = Vec3::from_slice(&shape[4..7]);
+        let u = normal.any_orthonormal_vector() * shape[7];
+        Circle { centre: Vec3::from_slice(&shape[1..4]), radii: [u, normal.cross(u)] }
+    })
+}
+
+/// The ellipse whose conjugate semi-diameters are the images of the two radii. In perspective this is the image of
+/// the circle but for terms of the second order in its radius over its distance.
+fn on_screen(circle: &Circle, eye: &Eye) -> Ellipse {
+    let [u, v] = circle.radii.map(|radius| {
+        let [a, b] = [radius, -radius].map(|way| eye.project(circle.centre + way).0);
+        0.5 * (a - b)
+    });
+    // Where the distance from the centre is the greatest.
+    let turn = 0.5 * (2.0 * u.dot(v)).atan2(u.length_squared() - v.length_squared());
+    let (sin, cos) = turn.sin_cos();
+    let [axis, other] = [u * cos + v * sin, v * cos - u * sin];
+    Ellipse { centre: eye.project(circle.centre).0, axis, minor: other.length() }
+}
+
+fn half(value: f32) -> f32 {
+    (2.0 * value).round() / 2.0
+}

@@ -1,0 +1,51 @@
+/** The menu of the examples, with their pictures. It comes after the page itself. */
+
+import { messageOf } from '../solver/messages.js';
+import { element } from '../ui/dom.js';
+
+/**
+ * Fills the menu.
+ * @param {HTMLElement} menu
+ * @param {import("../app/context.js").AppContext} app
+ */
+export async function examplesMenu(menu, { files, alerts }) {
+  const examples = await files.examples();
+  menu.replaceChildren(
+    element(
+      'a',
+      { role: 'menuitem', href: './gallery.html' },
+      entry('Gallery', 'All examples with pictures of their start and end, figure by figure.'),
+    ),
+    ...examples.map((example) =>
+      element(
+        'button',
+        {
+          role: 'menuitem',
+          onclick: () => {
+            menu.hidePopover();
+            files.openExample(example).catch((error) => alerts.error(messageOf(error)));
+          },
+        },
+        // It loads when the menu is opened; without a network it is not to be had.
+        element('img', {
+          ...(navigator.onLine && {
+            src: new URL(`pictures/${example.id}-end.svg`, document.baseURI).href,
+          }),
+          alt: '',
+          width: 72,
+          height: 52,
+          loading: 'lazy',
+        }),
+        entry(example.title, example.summary),
+      ),
+    ),
+  );
+}
+
+/**
+ * @param {string} title
+ * @param {string} text
+ */
+function entry(title, text) {
+  return element('span.entry', element('strong', title), element('span', text));
+}
