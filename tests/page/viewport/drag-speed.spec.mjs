@@ -8,13 +8,15 @@ import { expect, screenOf, state, test, visit, waitForState } from '../support.m
 
 /** The example with about 2500 vertices. */
 const EXAMPLE = 'fig-05-mixed';
-/** Milliseconds of the processor for the page's main thread and each shape. */
-const FRAME_BUDGET = 4;
 /**
- * Milliseconds from when the worker is told of a move, on a machine that does nothing else. Where other
- * programs have the processors too, so many times more as other work takes longer there meanwhile.
+ * Both budgets are parts of what other work takes in the same browser meanwhile, because machines differ and
+ * other programs have them too. Where this was written that is 2.7 ms, the page takes 2.8 and the answer 15.
+ *
+ * The processor's time of the page's main thread for each shape:
  */
-const ANSWER_BUDGET = 16;
+const FRAME_BUDGET = 2;
+/** The time from when the worker is told of a move. */
+const ANSWER_BUDGET = 7;
 /** So many times so many moves, each made when the one before it is answered. */
 const BATCHES = 9;
 const MOVES = 8;
@@ -32,9 +34,7 @@ const otherWork = () =>
 
 const median = (values) => values.toSorted((a, b) => a - b)[values.length >> 1];
 
-test('a drag on 2500 vertices is answered within 16 ms and costs the page less', async ({
-  page,
-}) => {
+test('a drag on 2500 vertices is answered quickly and costs the page less', async ({ page }) => {
   await page.addInitScript(() => {
     window.shapes = { shown: 0, answered: 0 };
     window.Worker = class extends Worker {
@@ -96,13 +96,11 @@ test('a drag on 2500 vertices is answered within 16 ms and costs the page less',
   }
   await page.mouse.up();
   const { answer, latency } = await page.evaluate(() => window.shapeUp.dragTimes());
-  const [work, answers] = [median(perShape), median(answer)];
-  // The best of them had a processor to itself.
-  const slower = median(others) / Math.min(...others);
-  const said = `page ${work.toFixed(2)} ms, worker ${answers.toFixed(2)} ms, other work ${slower.toFixed(2)} times as long as alone, pointer to positions ${median(latency).toFixed(1)} ms`;
+  const [work, answers, unit] = [perShape, answer, others].map(median);
+  const said = `page ${work.toFixed(2)} ms, worker ${answers.toFixed(2)} ms, other work ${unit.toFixed(2)} ms, pointer to positions ${median(latency).toFixed(1)} ms`;
   test.info().annotations.push({ type: 'measured', description: said });
-  expect(work, said).toBeLessThan(FRAME_BUDGET);
-  expect(answers, said).toBeLessThanOrEqual(ANSWER_BUDGET * slower);
+  expect(work, said).toBeLessThan(FRAME_BUDGET * unit);
+  expect(answers, said).toBeLessThan(ANSWER_BUDGET * unit);
   // Told to whom asks for it.
   const told = page.getByTitle('From the pointer to new positions');
   await expect(told).toBeHidden();
