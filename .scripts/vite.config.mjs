@@ -34,14 +34,16 @@ const picture = {
   },
 };
 
-/** Scripts that stand in a page are as small as the others. */
-const inlineScripts = {
-  name: 'inline-scripts',
+/** Pages are not indented, and the scripts that stand in them are as small as the others. */
+const smallPages = {
+  name: 'small-pages',
   apply: 'build',
   transformIndexHtml: {
     order: 'post',
     async handler(html) {
-      const pieces = html.split(/(?<=<script>)([\s\S]*?)(?=<\/script>)/);
+      // The texts of licences are laid out by their spaces.
+      const outdented = html.includes('<pre>') ? html : html.replace(/\n\s+/g, '\n');
+      const pieces = outdented.split(/(?<=<script>)([\s\S]*?)(?=<\/script>)/);
       const small = pieces.map(async (piece, i) =>
         i % 2 ? (await minify('inline.js', piece)).code.trim() : piece,
       );
@@ -117,7 +119,7 @@ export default {
   base: './',
   define: { 'import.meta.env.SOLVER_BYTES': String(solverBytes) },
   publicDir: false,
-  plugins: [layers, examples, picture, readingHead, licences, inlineScripts, told()],
+  plugins: [layers, examples, picture, readingHead, licences, smallPages, told()],
   build: {
     outDir: at('dist'),
     emptyOutDir: true,
