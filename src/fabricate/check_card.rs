@@ -105,6 +105,21 @@ impl Build {
         ]
     }
 
+    /// The values behind the rows of the card, in their order; none behind the distance, which is one number.
+    pub(super) fn spreads(&self) -> [Vec<f64>; 5] {
+        let values = |checked: Checked| checked.values.into_iter().flatten().collect();
+        let checks = self.offset.iter().flat_map(|(_, check)| &check.nodes);
+        // Of a rim nothing is judged.
+        let lean = checks.filter(|node| node.is_inner).map(|node| node.lean_deg).collect();
+        [
+            values(self.warp()),
+            values(self.distance_error()),
+            lean,
+            Vec::new(),
+            values(self.flatness()),
+        ]
+    }
+
     /// All elements that are not within a limit.
     pub fn failed(&self) -> Failed {
         let mut edges: Vec<u32> = self.warp().failed().chain(self.shrinking().failed()).collect();

@@ -26,6 +26,7 @@
 //! | `layer` | the offset as points, and the sides of parts that fail, for the view |
 //! | `tighten` | what a solver could do about it |
 //! | `report` | all numbers |
+//! | `report_page` | the report on one page, as PDF and SVG |
 //! | `tables` | lists of panels, beams, pieces, edges, nodes and types |
 //! | `solids` | panels, offset and beams in space |
 //! | `presentation` | shape, offset and beams in space as one file |
@@ -43,6 +44,7 @@ pub mod panel;
 pub mod paper;
 mod presentation;
 mod report;
+mod report_page;
 mod settings;
 pub mod sheet;
 mod solids;
@@ -58,6 +60,7 @@ pub use output::BuildFile;
 pub use paper::Pieces;
 pub use presentation::PRESENTATION;
 pub use report::{BuildReport, Choice, FrameReport, OffsetReport, PaperReport};
+pub use report_page::{ReportPage, ReportView};
 pub use settings::{BuildPreset, BuildSettings, CheckLimits, Dxf, PRESETS, Page, Product};
 pub use surface::{Edge, PanelSurface};
 pub use tighten::{PanelRemedy, Tighten};

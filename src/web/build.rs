@@ -2,7 +2,7 @@
 
 use super::{log_panics, plain_object as plain, thrown};
 use crate::fabricate::file::{path, svg};
-use crate::fabricate::{Build, BuildPreset, BuildSettings, LengthInMetres, PRESETS};
+use crate::fabricate::{Build, BuildPreset, BuildSettings, LengthInMetres, PRESETS, ReportView};
 use crate::mesh::{Mesh, Ragged};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
@@ -30,6 +30,15 @@ struct SheetPicture {
 struct File {
     name: String,
     text: String,
+}
+
+/// The report on one page.
+#[derive(Serialize, tsify::Tsify)]
+struct ReportPage {
+    /// To be saved.
+    pdf: String,
+    /// To be looked at and printed.
+    svg: String,
 }
 
 /// The presets and the defaults.
@@ -147,6 +156,24 @@ impl Builder {
     /// Shape, offset and beams as binary glTF; `z_up` says which axis of the mesh is up, z or y.
     pub fn presentation(&self, z_up: bool) -> Vec<u8> {
         self.build.presentation(z_up)
+    }
+
+    /// The report on one page of A4: `pdf` and `svg`. `z_up` says which axis of the mesh is up, z or y; the camera is
+    /// turned about it by `turn` and looks down by `tilt`, in radians. An empty `link` is left out.
+    ///
+    /// # Errors
+    /// None: they are plain data.
+    #[wasm_bindgen(js_name = reportPage)]
+    pub fn report_page(
+        &self,
+        title: String,
+        z_up: bool,
+        turn: f64,
+        tilt: f64,
+        link: String,
+    ) -> Result<JsValue, JsValue> {
+        let page = self.build.report_page(&ReportView { title, z_up, turn, tilt, link });
+        plain(&ReportPage { pdf: page.pdf, svg: page.svg })
     }
 
     /// All files: `name` and `text`.

@@ -17,6 +17,7 @@ mod files;
 mod glb;
 mod identities;
 mod paper;
+mod report_page;
 
 use shape_up::fabricate::{Build, BuildSettings, LengthInMetres};
 use shape_up::mesh::Mesh;

@@ -6,18 +6,35 @@ import { byId, leave } from '../ui/dom.js';
 /** Closes the panel that is open. @type {(() => void) | null} */
 let closeOpen = null;
 
-/** @param {HTMLElement} panel of class `docked`, hidden so far @param {() => void} close */
-export function dock(panel, close) {
-  closeOpen?.();
-  closeOpen = close;
-  if (!panel.isConnected) byId('main').after(panel);
-  panel.hidden = false;
-  document.body.dataset.docked = panel.id;
-}
+/**
+ * Makes a panel one of this place: it opens and closes by turns, and Escape closes it.
+ * @param {HTMLElement} panel of class `docked`, hidden so far
+ * @param {{ opened: () => void, closed: () => void }} on
+ * @returns {{ toggle: () => void, close: () => void }}
+ */
+export function docked(panel, { opened, closed }) {
+  function close() {
+    closeOpen = null;
+    leave(panel, () => (panel.hidden = true));
+    delete document.body.dataset.docked;
+    closed();
+  }
 
-/** @param {HTMLElement} panel that is open */
-export function undock(panel) {
-  closeOpen = null;
-  leave(panel, () => (panel.hidden = true));
-  delete document.body.dataset.docked;
+  panel.addEventListener('keydown', (event) => {
+    if (event.key !== 'Escape') return;
+    event.stopPropagation();
+    close();
+  });
+  return {
+    close,
+    toggle() {
+      if (!panel.hidden) return close();
+      closeOpen?.();
+      closeOpen = close;
+      if (!panel.isConnected) byId('main').after(panel);
+      panel.hidden = false;
+      document.body.dataset.docked = panel.id;
+      opened();
+    },
+  };
 }

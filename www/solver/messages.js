@@ -425,6 +425,7 @@ export const TRACE_WIDTH = 6;
 /** @typedef {import("../pkg/build/shape_up.js").CheckRow} CheckRow */
 /** @typedef {import("../pkg/build/shape_up.js").Choice} BuildChoice */
 /** @typedef {import("../pkg/build/shape_up.js").SheetPicture} SheetPicture */
+/** @typedef {import("../pkg/build/shape_up.js").ReportPage} ReportPage */
 
 /**
  * The offset as the view shows it: its points `#V by 3`, edges (two vertices each), vertices and panels that are
@@ -435,8 +436,9 @@ export const TRACE_WIDTH = 6;
 /**
  * What the worker that makes parts is asked. `build` makes them of a shape (positions `#V by 3`) in a unit of so
  * many metres, and draws so many `sheets` at most; the others are about what was built last. `moveLayer` gives its
- * offset another distance.
+ * offset another distance; `reportPage` has a picture from where a camera is turned to, in radians.
  * @typedef {{ type: "offers" } | { type: "choices" } | { type: "zip", zUp: boolean } | { type: "moveLayer", distance: number }
+ *   | { type: "reportPage", title: string, zUp: boolean, turn: number, tilt: number, link: string }
  *   | { type: "build", positions: Float64Array, offsets: Uint32Array, indices: Uint32Array,
  *       settings: BuildSettings, symbol: string, metres: number, sheets: number }} BuildRequest
  * @typedef {object} BuildReplies
@@ -444,6 +446,7 @@ export const TRACE_WIDTH = 6;
  * @property {{ report: BuildReport, sheets: SheetPicture[], layer: OffsetLayer }} build
  * @property {{ report: BuildReport, layer: OffsetLayer } | null} moveLayer
  * @property {BuildChoice[]} choices
+ * @property {ReportPage | null} reportPage
  * @property {Uint8Array<ArrayBuffer>} zip
  */
 

@@ -69,6 +69,10 @@ pub(super) struct Build {
     /// A folder.
     pub(super) out: Option<PathBuf>,
     pub(super) report: Option<PathBuf>,
+    /// The report on one page.
+    pub(super) report_page: Option<PathBuf>,
+    /// The address that it names.
+    pub(super) link: Option<String>,
 }
 
 /// `shape-up parametrize`.
@@ -214,11 +218,19 @@ fn build(mut words: Words) -> Result<Command, String> {
             "--sheet" => build.sheet = Some(words.sheet(&name)?),
             "--out" => build.out = Some(words.file(&name)?),
             "--report" => build.report = Some(words.file(&name)?),
+            "--report-page" => build.report_page = Some(words.file(&name)?),
+            "--link" => build.link = Some(words.text(&name)?),
             _ => return Err(unknown(&Word::Option(name), "build")),
         }
     }
     build.input = input.ok_or("build needs a scene or a mesh file")?;
     not_the_same(&build.out, &build.report)?;
+    if build.report.is_some() && build.report == build.report_page {
+        return Err("--report and --report-page name the same file".to_owned());
+    }
+    if build.link.is_some() && build.report_page.is_none() {
+        return Err("--link is written on the page of --report-page, expected that too".to_owned());
+    }
     Ok(Command::Build(build))
 }
 

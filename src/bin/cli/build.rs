@@ -3,11 +3,14 @@
 use super::{Failure, arguments, input, output};
 use shape_up::fabricate::{
     Build, BuildReport, BuildSettings, CheckRow, FrameReport, LengthInMetres, PRESENTATION,
-    PaperReport, Product,
+    PaperReport, Product, ReportView,
 };
 use shape_up::mesh::Mesh;
 use shape_up::scene::{Scene, UNITS, Up};
 use std::path::{Path, PathBuf};
+
+/// How a shape is first seen in the page too: turn and tilt of the camera in radians.
+const FIRST_SIGHT: (f64, f64) = (0.55, 0.65);
 
 pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {
     let input::Input { scene, mesh, mut remarks, .. } = input::read(&asked.input)?;
@@ -44,6 +47,17 @@ pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {
     if let Some(path) = &asked.report {
         let text = serde_json::to_string_pretty(&report).expect("a report is plain data");
         files.push((path.clone(), (text + "\n").into_bytes()));
+    }
+    if let Some(path) = &asked.report_page {
+        let stem = || asked.input.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let view = ReportView {
+            title: Some(scene.title).filter(|title| !title.is_empty()).unwrap_or_else(stem),
+            z_up: scene.up == Up::Z,
+            turn: FIRST_SIGHT.0,
+            tilt: FIRST_SIGHT.1,
+            link: asked.link.clone().unwrap_or_default(),
+        };
+        files.push((path.clone(), build.report_page(&view).pdf.into_bytes()));
     }
     let files: Vec<(&Path, Vec<u8>)> =
         files.iter().map(|(path, content)| (path.as_path(), content.clone())).collect();

@@ -17,6 +17,7 @@ usage: shape-up solve SCENE|MESH [--panels KIND] [--exact | --within LENGTH]
                 [--distance D] [--joint J] [--scale S] [--material NAME]
                 [--thickness T] [--sheet WxH] [--pieces {}]
                 [--page {}] [--out DIR] [--report FILE.json]
+                [--report-page FILE.pdf [--link URL]]
        shape-up check MESH [--report FILE.json]
        shape-up check RESULTS --scene SCENE
        shape-up parametrize MESH [--weights {}] [--norm {}]
@@ -41,7 +42,8 @@ build lays panels, fins along the edges, or a paper model of strips or nets flat
 whether offsets and beams can be built; --out is the folder for drawings of the sheets (SVG, DXF, PDF),
 tables (CSV) and, with fins, the beams as solids (OBJ). D, negative inwards, and the joint J between
 panels are lengths in the unit of the mesh; the model is 1:S; the material is T mm thick, a sheet W by
-H mm; the PDF is tiled to a --page. What is not given is as in the `build` of the scene.
+H mm; the PDF is tiled to a --page. What is not given is as in the `build` of the scene. --report-page
+is the report on one page of A4 (PDF): picture, plan, build check, bill of materials, and the --link.
 RESULTS is what a student hands in of a lesson: check measures its shape with the goals and the
 constraints of the SCENE, and ends with 1 when one is not met.
 parametrize makes a flat map that keeps angles; --out writes the mesh with the map as its vt.

@@ -7,6 +7,7 @@
 //! | `dxf` | DXF: R2000, or R12 for old machines |
 //! | `tiles` | sheets larger than a page, tiled |
 //! | `pdf` | PDF 1:1, a page per sheet or tiled, with layers and a ruler |
+//! | `pdf_objects` | objects of PDF as a file |
 //! | `csv` | tables of panels, edges, nodes, types, and a summary |
 //! | `glb` | binary glTF: the parts in space |
 //! | `number` | numbers with so many places |
@@ -17,6 +18,7 @@ mod dxf;
 mod glb;
 mod number;
 mod pdf;
+mod pdf_objects;
 mod svg;
 mod tiles;
 
@@ -26,4 +28,6 @@ pub use dxf::dxf;
 pub use glb::{GlbPart, glb};
 pub(super) use number::places;
 pub use pdf::pdf;
+pub(super) use pdf_objects::{POINTS, assembled, stream};
+pub(super) use svg::escaped;
 pub use svg::{path, svg};

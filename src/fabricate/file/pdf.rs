@@ -3,12 +3,11 @@
 
 use super::drawing::{Drawing, DrawnLine};
 use super::number::places;
+use super::pdf_objects::{POINTS, assembled, stream};
 use super::tiles::{FREE, OVERLAP, Tile, tiles};
 use crate::fabricate::panel::Point2;
 use crate::fabricate::sheet::{Role, strokes, text_width};
 
-/// Points of PDF in a mm.
-const POINTS: f64 = 72.0 / 25.4;
 /// The height of the words beside the ruler, in mm.
 const WORDS: f64 = 2.0;
 
@@ -51,23 +50,7 @@ pub fn pdf(drawings: &[Drawing], page: Option<[f64; 2]>) -> String {
         }
     }
     objects[1] = format!("<< /Type /Pages /Kids [{}] /Count {} >>", references(&kids), kids.len());
-    let mut file = "%PDF-1.5\n".to_owned();
-    let mut starts = Vec::new();
-    for (object, number) in objects.iter().zip(1..) {
-        starts.push(file.len());
-        file += &format!("{number} 0 obj\n{object}\nendobj\n");
-    }
-    let table = file.len();
-    let count = objects.len() + 1;
-    file += &format!("xref\n0 {count}\n0000000000 65535 f \n");
-    for start in starts {
-        file += &format!("{start:010} 00000 n \n");
-    }
-    file + &format!("trailer\n<< /Size {count} /Root 1 0 R >>\nstartxref\n{table}\n%%EOF\n")
-}
-
-fn stream(text: &str) -> String {
-    format!("<< /Length {} >>\nstream\n{text}\nendstream", text.len())
+    assembled(&objects)
 }
 
 /// The operators for some lines, layer by layer.

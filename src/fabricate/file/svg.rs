@@ -53,6 +53,7 @@ pub fn path(points: &[Point2], height: f64) -> String {
     points.collect::<String>() + end
 }
 
-fn escaped(text: &str) -> String {
+/// Text inside of XML.
+pub(in crate::fabricate) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

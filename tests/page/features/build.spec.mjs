@@ -175,3 +175,33 @@ test('fins and a paper model are made of the same shape, and saved', async ({ pa
   await waitForState(page, (now) => now.selection.faces.length > 0);
   await expect(panel(page).locator('.cut path.chosen')).toHaveCount(1);
 });
+
+test('the report is one page with the numbers of the card, which is saved and printed', async ({
+  page,
+}) => {
+  await openPage(page);
+  await openText(page, 'roof.obj', `# units: m\n${wavyGrid(4)}`, 25);
+  const { check } = await openBuild(page);
+  await panel(page).getByRole('button', { name: 'Report' }).click();
+  const dialog = page.getByRole('dialog', { name: 'Report' });
+  const paper = dialog.getByRole('img', { name: 'Report on roof' });
+  await expect(paper).toContainText('16 panels on 1 sheet');
+  const states = await paper.locator('text', { hasText: /^(met|not met)/ }).allTextContents();
+  expect(states.map((words) => words === 'met')).toEqual(check.map(({ met }) => met));
+  // The link opens this model.
+  await expect(paper.getByRole('link')).toHaveAttribute('href', /#scene=/);
+
+  const { name, bytes } = await downloaded(page, () =>
+    dialog.getByRole('button', { name: 'Save as PDF' }).click(),
+  );
+  expect(name).toBe('roof-report.pdf');
+  expect(Buffer.from(bytes).toString('latin1')).toMatch(/^%PDF-1\.5[^]*\/URI \(http[^]*%%EOF\n$/);
+
+  await page.evaluate(() => (window.print = () => (window.isPrinted = true)));
+  await dialog.getByRole('button', { name: 'Print' }).click();
+  expect(await page.evaluate(() => window.isPrinted)).toBe(true);
+  await page.emulateMedia({ media: 'print' });
+  await expect(paper).toBeVisible();
+  await expect(dialog.getByRole('button')).toHaveCount(0);
+  await expect(panel(page)).toBeHidden();
+});

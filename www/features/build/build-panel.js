@@ -1,7 +1,7 @@
 /** The docked panel: settings, the build check, sheets, and their files. */
 
 import './build-panel.css';
-import { dock, undock } from '../../docked/docked.js';
+import { docked } from '../../docked/docked.js';
 import { button, closeButton } from '../../ui/controls/fields.js';
 import { element } from '../../ui/dom.js';
 import { showElements } from '../../viewport/reveal-elements.js';
@@ -54,6 +54,9 @@ async function buildPanel(app) {
   const words = element('p', { 'aria-live': 'polite' });
   const notes = element('div');
   const save = button('Save drawings and tables', saveAll, { class: 'primary' });
+  const report = button('Report', () =>
+    actions.reportErrors(import('./dialog-report.js').then((it) => it.showReport(app, live))),
+  );
   const panel = element(
     'section.docked',
     { id: 'parts-panel', 'aria-labelledby': 'heading-parts', hidden: true },
@@ -61,8 +64,9 @@ async function buildPanel(app) {
       'div.heading-row',
       element('h2', { id: 'heading-parts' }, 'Parts and sheets'),
       words,
+      report,
       save,
-      closeButton('Close parts and sheets', close),
+      closeButton('Close parts and sheets', () => place.close()),
     ),
     element(
       'div.parts-columns',
@@ -82,15 +86,15 @@ async function buildPanel(app) {
   }
 
   /** @param {Built} built */
-  function show({ report, sheets, layer }) {
+  function show({ report: found, sheets, layer }) {
     if (panel.hidden) return;
-    actions.look({ build: report });
-    words.textContent = sheetsInWords(report);
-    showOffset({ report, layer });
-    notes.replaceChildren(...warnings(report).map((line) => element('p.notice', line)));
-    pictures.show(sheets, new Set(layer.panels), Math.max(0, report.sheets - MOST_SHEETS));
+    actions.look({ build: found });
+    words.textContent = sheetsInWords(found);
+    showOffset({ report: found, layer });
+    notes.replaceChildren(...warnings(found).map((line) => element('p.notice', line)));
+    pictures.show(sheets, new Set(layer.panels), Math.max(0, found.sheets - MOST_SHEETS));
     pictures.mark(store.get().selection.faces);
-    save.disabled = false;
+    save.disabled = report.disabled = false;
     offerKinds();
   }
 
@@ -107,7 +111,7 @@ async function buildPanel(app) {
     notes.replaceChildren(element('p.notice', why));
     pictures.show([], new Set(), 0);
     layer.show(null);
-    save.disabled = true;
+    save.disabled = report.disabled = true;
   }
 
   /** @param {Partial<BuildSettings>} own */
@@ -133,16 +137,22 @@ async function buildPanel(app) {
     if (bytes) files.save('-parts.zip', bytes, 'application/zip');
   }
 
-  function close() {
-    undock(panel);
-    layer.show(null);
-    actions.tint(null);
-    actions.look({ build: null });
-  }
+  const place = docked(panel, {
+    opened() {
+      form.show(live.settings(), live.unit().symbol);
+      live.again();
+      panel.querySelector('select')?.focus();
+    },
+    closed() {
+      layer.show(null);
+      actions.tint(null);
+      actions.look({ build: null });
+    },
+  });
 
   store.subscribe(['document', 'numbers', 'running', 'model'], ({ document: scene, model }) => {
     if (panel.hidden) return;
-    if (!model?.faces) return close();
+    if (!model?.faces) return place.close();
     if (!scene) return;
     form.show(live.settings(), live.unit().symbol);
     live.update();
@@ -150,19 +160,5 @@ async function buildPanel(app) {
   store.subscribe(['selection'], ({ selection }) => {
     if (!panel.hidden) pictures.mark(selection.faces);
   });
-  panel.addEventListener('keydown', (event) => {
-    if (event.key !== 'Escape') return;
-    event.stopPropagation();
-    close();
-  });
-
-  return {
-    toggle() {
-      if (!panel.hidden) return close();
-      dock(panel, close);
-      form.show(live.settings(), live.unit().symbol);
-      live.again();
-      panel.querySelector('select')?.focus();
-    },
-  };
+  return place;
 }

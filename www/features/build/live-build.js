@@ -108,8 +108,16 @@ export class LiveBuild {
 
   /** All files in one. */
   zip() {
-    const zUp = this.#app.store.get().document?.up === 'z';
-    return this.#client.ask({ type: 'zip', zUp });
+    return this.#client.ask({ type: 'zip', zUp: this.#isZUp() });
+  }
+
+  /** The report on one page. @param {{ title: string, turn: number, tilt: number, link: string }} view */
+  reportPage(view) {
+    return this.#client.ask({ type: 'reportPage', zUp: this.#isZUp(), ...view });
+  }
+
+  #isZUp() {
+    return this.#app.store.get().document?.up === 'z';
   }
 }
 

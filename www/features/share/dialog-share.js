@@ -3,7 +3,7 @@
 import { openDialog } from '../../ui/controls/dialog.js';
 import { element, setText } from '../../ui/dom.js';
 import { groupDigits } from '../../ui/format.js';
-import { writeLink } from '../../documents/share-link.js';
+import { linkTo } from '../../documents/scene-link.js';
 
 /** Lengths in characters up to which a link gets through, and what is true above the one before. */
 const LEVELS = [
@@ -29,16 +29,9 @@ const LEVELS = [
 const NOT_COPIED = 'This browser does not let the page copy: select the link and copy it yourself.';
 
 /** @param {import("../../app/context.js").AppContext} app */
-export async function share({ store, actions, files }) {
-  const text = await actions.sceneText();
-  const { numbers } = store.get();
-  const { example } = files.origin;
-  const { variants, current } = JSON.parse(text);
-  // A design that was kept is as exact as it was.
-  const isKept = variants?.design !== undefined && !current;
-  const run = (numbers?.iteration ?? 0) > 0 && !isKept;
-  const fragment = await writeLink(text, example, files.original, run);
-  const link = new URL(fragment, location.href.split('#')[0]).href;
+export async function share(app) {
+  const { files } = app;
+  const link = await linkTo(app);
   const found = LEVELS.find(({ most }) => link.length <= most);
   const dialog = open(link, found, () => {
     dialog.close();

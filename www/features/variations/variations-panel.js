@@ -1,7 +1,7 @@
 /** The docked panel: ways to change the shape while it stays exact, each with a slider, and the shapes that were kept. */
 
 import './variations.css';
-import { dock, undock } from '../../docked/docked.js';
+import { docked } from '../../docked/docked.js';
 import { button, closeButton } from '../../ui/controls/fields.js';
 import { element, setText } from '../../ui/dom.js';
 import { variationActions } from '../../store/variation-actions.js';
@@ -56,7 +56,7 @@ function variationsPanel(app) {
       words,
       back,
       keep,
-      closeButton('Close variations', close),
+      closeButton('Close variations', () => place.close()),
     ),
     element('div.variation-columns', grid, kept.place),
   );
@@ -154,35 +154,27 @@ function variationsPanel(app) {
     return ways.leave();
   }
 
-  function close() {
-    search++;
-    if (isMoved()) leave();
-    undock(panel);
-  }
+  const place = docked(panel, {
+    opened() {
+      kept.update();
+      actions.reportErrors(find());
+      keep.focus();
+    },
+    closed() {
+      search++;
+      if (isMoved()) leave();
+    },
+  });
 
   store.subscribe(
     ['document', 'running', 'model', 'dark'],
     ({ document: scene, running, model, dark }) => {
       if (panel.hidden) return;
-      if (!model?.faces || !scene) return close();
+      if (!model?.faces || !scene) return place.close();
       kept.update();
       // Every edit and every step of undo may have changed the shape, and with it the ways.
       if (!running && (scene !== searched[0] || dark !== searched[1])) actions.reportErrors(find());
     },
   );
-  panel.addEventListener('keydown', (event) => {
-    if (event.key !== 'Escape') return;
-    event.stopPropagation();
-    close();
-  });
-
-  return {
-    toggle() {
-      if (!panel.hidden) return close();
-      dock(panel, close);
-      kept.update();
-      actions.reportErrors(find());
-      keep.focus();
-    },
-  };
+  return place;
 }

@@ -1,0 +1,42 @@
+/** The report on one page, as it is saved and printed. */
+
+import './dialog-report.css';
+import { linkTo } from '../../documents/scene-link.js';
+import { button } from '../../ui/controls/fields.js';
+import { openDialog } from '../../ui/controls/dialog.js';
+import { element } from '../../ui/dom.js';
+
+/** How a shape is first seen, where nothing can draw it: turn and tilt, in radians. */
+const FIRST_SIGHT = [0.55, 0.65];
+
+/**
+ * @param {import("../../app/context.js").AppContext} app
+ * @param {import("./live-build.js").LiveBuild} live
+ */
+export async function showReport(app, live) {
+  const { store, files } = app;
+  const { document: scene, camera } = store.get();
+  const [turn, tilt] = camera?.slice(4, 6) ?? FIRST_SIGHT;
+  const title = scene?.title || files.name;
+  const page = await live.reportPage({ title, turn, tilt, link: await linkTo(app) });
+  if (!page) return;
+  const picture = new DOMParser().parseFromString(page.svg, 'image/svg+xml').documentElement;
+  picture.setAttribute('role', 'img');
+  picture.setAttribute('aria-label', `Report on ${title}`);
+  const save = button('Save as PDF', () => files.save('-report.pdf', page.pdf, 'application/pdf'), {
+    class: 'primary',
+  });
+  openDialog(
+    { id: 'parts-report', title: 'Report' },
+    element(
+      'div.report-body',
+      element('div.report-paper', { tabindex: '0', role: 'group', 'aria-label': 'Page' }, picture),
+      element(
+        'div.dialog-buttons',
+        save,
+        button('Print', () => print()),
+      ),
+    ),
+  );
+  save.focus();
+}
