@@ -1,12 +1,12 @@
 //! All parts of one shape: panels with joints and names on sheets, and the offset.
 
+use super::alike::Types;
 use super::beam::{Frame, FrameSize};
 use super::fault::Fault;
 use super::file::{Drawing, places};
 use super::offset::{Axes, OffsetCheck, OffsetKind, check, node_axes};
 use super::panel::{
-    FlatPanel, Point2, Types, inset, is_simple, lay_flat, panel_names, panel_types, rotated,
-    smallest_box,
+    FlatPanel, Point2, inset, is_simple, lay_flat, panel_names, panel_types, rotated, smallest_box,
 };
 use super::paper::{PaperModel, PaperSize, PaperStyle, drawn};
 use super::settings::{BuildSettings, Product};

@@ -3,6 +3,7 @@
 
 use super::build::Build;
 use super::offset::{BeamCheck, NodeCheck};
+use super::surface::distinct;
 use serde::Serialize;
 
 /// A number of the build check.
@@ -122,13 +123,8 @@ impl Build {
 
     /// All elements that are not within a limit.
     pub fn failed(&self) -> Failed {
-        let mut edges: Vec<u32> = self.warp().failed().chain(self.shrinking().failed()).collect();
-        let mut nodes: Vec<u32> =
-            self.distance_error().failed().chain(self.lean().failed()).collect();
-        for list in [&mut edges, &mut nodes] {
-            list.sort_unstable();
-            list.dedup();
-        }
+        let edges = distinct(self.warp().failed().chain(self.shrinking().failed()));
+        let nodes = distinct(self.distance_error().failed().chain(self.lean().failed()));
         Failed { panels: self.flatness().failed().collect(), edges, nodes }
     }
 

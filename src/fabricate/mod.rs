@@ -15,6 +15,7 @@
 //! | `settings` | what is asked once: scale, sheet, joint, distance; presets |
 //! | `fault` | what stands in the way, and what is offered all the same |
 //! | `surface` | the panels with an outside, edges with the panels on their two sides |
+//! | `alike` | things sorted into types |
 //! | `panel` | panels laid flat, the joint, names, types |
 //! | `offset` | node axes, exact or fitted, and the check of an offset |
 //! | `beam` | beams along the edges: nodes, fins, prisms |
@@ -32,6 +33,7 @@
 //! | `presentation` | shape, offset and beams in space as one file |
 //! | `output` | all files of a build |
 
+mod alike;
 pub mod beam;
 mod build;
 mod check_card;
@@ -52,6 +54,7 @@ mod surface;
 mod tables;
 mod tighten;
 
+pub use alike::Types;
 pub use build::{Build, CutPanel, LengthInMetres, NotCut};
 pub use check_card::{CheckRow, Failed, Worst};
 pub use fault::Fault;

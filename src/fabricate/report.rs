@@ -1,14 +1,16 @@
 //! All numbers of a build. Lengths are in mm: of the building, but for what is on the sheet.
 
+use super::alike::Types;
+use super::beam::{edge_types, node_types};
 use super::build::Build;
 use super::check_card::CheckRow;
 use super::offset::{OffsetCheck, OffsetKind, closing};
 use super::panel::{area, panel_types, perimeter};
 use super::paper::{Glue, Joint, PaperModel};
 use super::settings::Product;
+use super::surface::distinct;
 use super::tighten::Tighten;
 use serde::Serialize;
-use std::collections::BTreeSet;
 
 /// What one kind of offset would have for errors, before it is chosen.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -72,6 +74,8 @@ pub struct FrameReport {
     pub node_types: usize,
     /// See `node_types`.
     pub alike_deg: f64,
+    /// How many types of nodes there are at each tolerance in degrees.
+    pub node_types_curve: Vec<[f64; 2]>,
     /// By how much a fin is cut back at an end, at most, on the sheet.
     pub cut_back_mm: f64,
     /// The largest change of a distance between corners when fins are laid flat.
@@ -151,8 +155,12 @@ pub struct BuildReport {
     pub small_names: usize,
     /// Types of panels.
     pub types: usize,
-    /// How many types there are at each tolerance in mm of the building.
+    /// How many types of panels there are at each tolerance in mm of the building.
     pub types_curve: Vec<[f64; 2]>,
+    /// Types of edges: lengths within the same tolerance.
+    pub edge_types: usize,
+    /// How many of them there are at each tolerance in mm of the building.
+    pub edge_types_curve: Vec<[f64; 2]>,
     /// The largest change of a distance between corners when panels are laid flat.
     pub flattening_error_mm: f64,
     /// The smallest and the greatest fold, positive for ridges; null without inner edges.
@@ -169,6 +177,18 @@ pub struct BuildReport {
     pub tighten: Tighten,
     /// What is not offered, and why.
     pub problems: Vec<String>,
+}
+
+/// The tolerances at which types are counted, in mm of the building.
+const ALIKE_MM: [f64; 6] = [0.1, 0.3, 1.0, 3.0, 10.0, 30.0];
+/// Those of angles, in degrees.
+const ALIKE_DEG: [f64; 6] = [0.05, 0.1, 0.2, 0.5, 1.0, 2.0];
+
+/// How many types so many things are of at each tolerance; nothing where that would take longer than everything else.
+fn curve(tolerances: &[f64], things: usize, types: impl Fn(f64) -> Types) -> Vec<[f64; 2]> {
+    const MOST: usize = 5000;
+    let tolerances = tolerances.iter().take(if things > MOST { 0 } else { tolerances.len() });
+    tolerances.map(|&at| [at, types(at).leaders.len() as f64]).collect()
 }
 
 impl OffsetCheck {
@@ -202,9 +222,7 @@ impl Build {
         let errors = self.flat.iter().flatten().map(|flat| flat.flattening_error);
         let offset = self.offset_report();
         let check = self.check_rows();
-        let mut nodes: Vec<u32> = self.surface.faces.indices().to_vec();
-        nodes.sort_unstable();
-        nodes.dedup();
+        let nodes = distinct(self.surface.faces.indices().iter().copied());
         BuildReport {
             product: self.settings.product,
             parts: self.parts.len() + self.not_cut.len(),
@@ -234,7 +252,13 @@ impl Build {
             dropped_names: self.dropped_names,
             small_names: self.small_names,
             types: self.types.leaders.len(),
-            types_curve: self.types_curve(),
+            types_curve: curve(&ALIKE_MM, self.flat.len(), |tolerance| {
+                panel_types(&self.flat, tolerance / building, self.settings.mirror)
+            }),
+            edge_types: edge_types(&self.surface, self.settings.alike / building).leaders.len(),
+            edge_types_curve: curve(&ALIKE_MM, self.surface.edges.len(), |tolerance| {
+                edge_types(&self.surface, tolerance / building)
+            }),
             flattening_error_mm: errors.fold(0.0, f64::max) * building,
             fold_deg,
             frame: self.frame_report(),
@@ -276,21 +300,6 @@ impl Build {
         (steepest < 0.0 && cosine > 1e-6).then(|| 2.0 * self.settings.thickness * sine / cosine)
     }
 
-    fn types_curve(&self) -> Vec<[f64; 2]> {
-        // Above this many panels the curve would take longer than everything else.
-        const MOST_PANELS: usize = 2000;
-        if self.flat.len() > MOST_PANELS {
-            return vec![[self.settings.alike, self.types.leaders.len() as f64]];
-        }
-        let building = self.building();
-        let mirror = self.settings.mirror;
-        let at = |tolerance: f64| {
-            let types = panel_types(&self.flat, tolerance / building, mirror);
-            [tolerance, types.leaders.len() as f64]
-        };
-        [0.1, 0.3, 1.0, 3.0, 10.0, 30.0].map(at).into()
-    }
-
     fn frame_report(&self) -> Option<FrameReport> {
         let frame = self.frame.as_ref()?;
         let fins = || frame.fins.iter().flatten();
@@ -300,6 +309,9 @@ impl Build {
             nodes: frame.nodes.iter().flatten().count(),
             node_types: frame.types.leaders.len(),
             alike_deg: self.settings.alike_deg,
+            node_types_curve: curve(&ALIKE_DEG, frame.nodes.len(), |tolerance| {
+                node_types(&frame.nodes, tolerance, self.settings.mirror)
+            }),
             cut_back_mm: largest(&mut fins().flat_map(|fin| fin.cut_back)) * self.model(),
             flattening_error_mm: largest(&mut fins().map(|fin| fin.flattening_error))
                 * self.building(),
@@ -315,10 +327,8 @@ impl Build {
             let joints = net.joints.iter().zip(&net.folded);
             joints.filter(|(_, folded)| **folded).map(|(joint, _)| joint.fold)
         };
-        let creased: BTreeSet<u32> = (net.joints.iter())
-            .filter(|joint| joint.edge.is_none())
-            .map(|joint| net.facets[joint.sides[0].0 as usize].panel)
-            .collect();
+        let creases = net.joints.iter().filter(|joint| joint.edge.is_none());
+        let creased = distinct(creases.map(|joint| net.facets[joint.sides[0].0 as usize].panel));
         let without_tab =
             net.joints.iter().zip(glue).filter(|(_, glue)| matches!(glue, Glue::Bare));
         let panels = |joint: &Joint| {

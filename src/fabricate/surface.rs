@@ -192,10 +192,20 @@ fn about_the_centre(positions: &[[f64; 3]]) -> (Vec<Vec3<f64>>, Vec3<f64>) {
 
 fn count_parts(positions: &[Vec3<f64>], faces: &Ragged) -> usize {
     let labels = components(positions.len(), faces.iter());
-    let mut used: Vec<u32> = faces.iter().map(|face| labels[face[0] as usize]).collect();
-    used.sort_unstable();
-    used.dedup();
-    used.len()
+    distinct(faces.iter().map(|face| labels[face[0] as usize])).len()
+}
+
+/// All of some indices, each once, in ascending order.
+pub(super) fn distinct(indices: impl Iterator<Item = u32>) -> Vec<u32> {
+    let mut is_there: Vec<bool> = Vec::new();
+    for index in indices {
+        let needed = index as usize + 1;
+        if is_there.len() < needed {
+            is_there.resize(needed, false);
+        }
+        is_there[index as usize] = true;
+    }
+    (0..).zip(is_there).filter(|(_, is_there)| *is_there).map(|(index, _)| index).collect()
 }
 
 /// Which faces have to be turned so that neighbours run through their edge in different directions, and why

@@ -158,8 +158,8 @@ impl Builder {
         self.build.presentation(z_up)
     }
 
-    /// The report on one page of A4: `pdf` and `svg`. `z_up` says which axis of the mesh is up, z or y; the camera is
-    /// turned about it by `turn` and looks down by `tilt`, in radians. An empty `link` is left out.
+    /// The report on one page of A4: `pdf` and `svg`. `z_up` says which axis of the mesh is up, z or y; the `camera` is
+    /// turned about it and looks down by these two angles in radians. An empty `link` is left out.
     ///
     /// # Errors
     /// None: they are plain data.
@@ -168,11 +168,11 @@ impl Builder {
         &self,
         title: String,
         z_up: bool,
-        turn: f64,
-        tilt: f64,
+        camera: Option<Vec<f64>>,
         link: String,
     ) -> Result<JsValue, JsValue> {
-        let page = self.build.report_page(&ReportView { title, z_up, turn, tilt, link });
+        let camera = camera.and_then(|camera| <[f64; 2]>::try_from(camera).ok());
+        let page = self.build.report_page(&ReportView { title, z_up, camera, link });
         plain(&ReportPage { pdf: page.pdf, svg: page.svg })
     }
 

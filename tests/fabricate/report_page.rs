@@ -10,7 +10,7 @@ const LINK: &str = "https://example.org/#scene=(a)&b=1";
 
 fn view() -> ReportView {
     let (title, link) = ("Roof (\u{e4}) <1>".to_owned(), LINK.to_owned());
-    ReportView { title, z_up: true, turn: 0.55, tilt: 0.65, link }
+    ReportView { title, z_up: true, camera: Some([0.5, 0.6]), link }
 }
 
 fn page(mesh: &Mesh, settings: &BuildSettings) -> (ReportPage, Vec<String>) {

@@ -436,9 +436,10 @@ export const TRACE_WIDTH = 6;
 /**
  * What the worker that makes parts is asked. `build` makes them of a shape (positions `#V by 3`) in a unit of so
  * many metres, and draws so many `sheets` at most; the others are about what was built last. `moveLayer` gives its
- * offset another distance; `reportPage` has a picture from where a camera is turned to, in radians.
+ * offset another distance; `reportPage` has a picture as a camera sees it that is turned and tilted by two angles in radians, or as
+ * one sees a mesh first.
  * @typedef {{ type: "offers" } | { type: "choices" } | { type: "zip", zUp: boolean } | { type: "moveLayer", distance: number }
- *   | { type: "reportPage", title: string, zUp: boolean, turn: number, tilt: number, link: string }
+ *   | { type: "reportPage", title: string, zUp: boolean, camera: Float64Array | null, link: string }
  *   | { type: "build", positions: Float64Array, offsets: Uint32Array, indices: Uint32Array,
  *       settings: BuildSettings, symbol: string, metres: number, sheets: number }} BuildRequest
  * @typedef {object} BuildReplies

@@ -9,9 +9,6 @@ use shape_up::mesh::Mesh;
 use shape_up::scene::{Scene, UNITS, Up};
 use std::path::{Path, PathBuf};
 
-/// How a shape is first seen in the page too: turn and tilt of the camera in radians.
-const FIRST_SIGHT: (f64, f64) = (0.55, 0.65);
-
 pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {
     let input::Input { scene, mesh, mut remarks, .. } = input::read(&asked.input)?;
     let at = |message: String| Failure::Input(format!("{}: {message}", asked.input.display()));
@@ -53,8 +50,7 @@ pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {
         let view = ReportView {
             title: Some(scene.title).filter(|title| !title.is_empty()).unwrap_or_else(stem),
             z_up: scene.up == Up::Z,
-            turn: FIRST_SIGHT.0,
-            tilt: FIRST_SIGHT.1,
+            camera: None,
             link: asked.link.clone().unwrap_or_default(),
         };
         files.push((path.clone(), build.report_page(&view).pdf.into_bytes()));

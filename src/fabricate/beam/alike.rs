@@ -1,53 +1,20 @@
 //! Nodes that are the same: as many beams, and every angle from one beam to the next and above the plane of the
-//! node equal within a tolerance, from whichever beam one starts, and in a mirror where that is asked for.
+//! node equal within a tolerance, from whichever beam one starts, and in a mirror where that is asked for. And
+//! edges that are the same: of one length.
 
 use super::node::Node;
+use crate::fabricate::alike::{Alike, Types};
+use crate::fabricate::surface::PanelSurface;
 
-/// Nodes sorted into types.
-#[derive(Clone, Debug, Default)]
-pub struct NodeTypes {
-    /// The type of each node, by vertices; none where there is no node.
-    pub of_nodes: Vec<Option<u32>>,
-    /// The first node of each type, which the others are compared with.
-    pub leaders: Vec<u32>,
-    /// How many nodes each type has.
-    pub counts: Vec<u32>,
-    /// The largest difference of an angle to that of the leader, in degrees.
-    pub worst_deg: Vec<f64>,
+/// Sorts nodes into types within `tolerance_deg`.
+pub fn node_types(nodes: &[Option<Node>], tolerance_deg: f64, mirror: bool) -> Types {
+    Types::new(nodes.iter().map(|node| node.as_ref().map(Angles::of)), tolerance_deg, mirror)
 }
 
-/// Sorts nodes: in their order each joins the nearest leader within `tolerance_deg`, else becomes one.
-pub fn node_types(nodes: &[Option<Node>], tolerance_deg: f64, mirror: bool) -> NodeTypes {
-    let mut types = NodeTypes::default();
-    let mut leaders: Vec<Angles> = Vec::new();
-    for (node, v) in nodes.iter().zip(0..) {
-        let Some(node) = node else {
-            types.of_nodes.push(None);
-            continue;
-        };
-        let own = Angles::of(node);
-        let nearest = (0..)
-            .zip(&leaders)
-            .map(|(k, leader)| (own.difference(leader, mirror, tolerance_deg), k))
-            .filter(|(difference, _)| *difference <= tolerance_deg)
-            .min_by(|a, b| a.0.total_cmp(&b.0));
-        let kind = match nearest {
-            Some((difference, k)) => {
-                types.counts[k] += 1;
-                types.worst_deg[k] = types.worst_deg[k].max(difference);
-                k
-            }
-            None => {
-                leaders.push(own);
-                types.leaders.push(v);
-                types.counts.push(1);
-                types.worst_deg.push(0.0);
-                leaders.len() - 1
-            }
-        };
-        types.of_nodes.push(Some(kind as u32));
-    }
-    types
+/// Sorts edges into types: lengths within `tolerance`, in the unit of the mesh.
+pub fn edge_types(surface: &PanelSurface, tolerance: f64) -> Types {
+    let lengths = surface.edges.iter().map(|edge| Some(Length(surface.length(edge))));
+    Types::new(lengths, tolerance, false)
 }
 
 /// Of every beam its elevation and the gap to the next one.
@@ -63,13 +30,20 @@ impl Angles {
             gaps: node.gaps_deg().collect(),
         }
     }
+}
 
-    /// The least over all starts of the largest difference of an angle; something above `most` where it is above.
+impl Alike for Angles {
+    fn count(&self) -> usize {
+        self.gaps.len()
+    }
+
+    fn sum(&self) -> f64 {
+        self.elevations.iter().sum()
+    }
+
+    /// The least over all starts of the largest difference of an angle.
     fn difference(&self, other: &Angles, mirror: bool, most: f64) -> f64 {
         let n = self.gaps.len();
-        if other.gaps.len() != n {
-            return f64::INFINITY;
-        }
         let mut least = f64::INFINITY;
         for start in 0..n {
             for mirrored in [false, true].into_iter().take(1 + usize::from(mirror)) {
@@ -90,5 +64,22 @@ impl Angles {
             }
         }
         least
+    }
+}
+
+/// The length of an edge.
+struct Length(f64);
+
+impl Alike for Length {
+    fn count(&self) -> usize {
+        1
+    }
+
+    fn sum(&self) -> f64 {
+        self.0
+    }
+
+    fn difference(&self, other: &Length, _: bool, _: f64) -> f64 {
+        (self.0 - other.0).abs()
     }
 }

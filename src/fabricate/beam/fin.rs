@@ -6,7 +6,7 @@ use super::node::Node;
 use crate::fabricate::offset::across_edge;
 use crate::fabricate::panel::{Point2, is_simple};
 use crate::fabricate::surface::{PanelSurface, unit};
-use crate::math::Vec3;
+use crate::math::{Vec3, cosine_and_sine_of_degrees};
 
 /// A fin in its plane, in the unit of the mesh.
 #[derive(Clone, Debug)]
@@ -31,7 +31,10 @@ pub fn cut_back(node: &Node, k: usize, thickness: f64) -> f64 {
     let n = gaps.len();
     let smaller = gaps[k].min(gaps[(k + n - 1) % n]);
     match smaller < 180.0 {
-        true => 0.5 * thickness / libm::tan(0.5 * smaller.to_radians()),
+        true => {
+            let [cosine, sine] = cosine_and_sine_of_degrees(0.5 * smaller);
+            0.5 * thickness * cosine / sine
+        }
         false => 0.0,
     }
 }

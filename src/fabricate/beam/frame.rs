@@ -1,9 +1,10 @@
 //! All nodes, fins and prisms of a surface.
 
-use super::alike::{NodeTypes, node_types};
+use super::alike::node_types;
 use super::fin::{Fin, fin};
 use super::node::{Node, nodes};
 use super::prism::{EndCut, Prism, end_cuts, prism};
+use crate::fabricate::alike::Types;
 use crate::fabricate::surface::PanelSurface;
 use crate::math::Vec3;
 
@@ -24,7 +25,7 @@ pub struct Frame {
     /// The node of each vertex.
     pub nodes: Vec<Option<Node>>,
     /// Nodes that are alike.
-    pub types: NodeTypes,
+    pub types: Types,
     /// The fin of each edge, or why there is none.
     pub fins: Vec<Result<Fin, &'static str>>,
     /// The cuts of prisms at each node, one for each of its beams.

@@ -7,7 +7,7 @@
 //! | file | holds |
 //! |---|---|
 //! | `node` | the beams around each node: azimuth and elevation about its axis |
-//! | `alike` | nodes that are the same within a tolerance |
+//! | `alike` | nodes and edges that are the same within a tolerance |
 //! | `fin` | outlines of fins, cut back at the nodes |
 //! | `prism` | prisms with mitres, and the steps between their upper faces |
 //! | `frame` | all of them for one surface |
@@ -18,7 +18,7 @@ mod frame;
 mod node;
 mod prism;
 
-pub use alike::{NodeTypes, node_types};
+pub use alike::{edge_types, node_types};
 pub use fin::{Fin, cut_back, fin};
 pub use frame::{Frame, FrameSize};
 pub use node::{Node, Spoke, nodes};

@@ -4,19 +4,7 @@
 
 use super::flat::FlatPanel;
 use super::polygon::{length, minus, perimeter};
-
-/// Panels sorted into types.
-#[derive(Clone, Debug, Default)]
-pub struct Types {
-    /// The type of each panel, by panels; none of those that could not be laid flat.
-    pub of_panels: Vec<Option<u32>>,
-    /// The first panel of each type, which the others are compared with.
-    pub leaders: Vec<u32>,
-    /// How many panels each type has.
-    pub counts: Vec<u32>,
-    /// The largest `delta` of a panel to the leader of its type.
-    pub worst: Vec<f64>,
-}
+use crate::fabricate::alike::{Alike, Types};
 
 /// Distances from each corner to those behind it, and the perimeter.
 struct Shape {
@@ -34,9 +22,19 @@ impl Shape {
         let distances = (0..n / 2).flat_map(|s| (0..n).map(move |k| distance(s, k))).collect();
         Shape { corners: n, distances, perimeter: perimeter(&panel.corners) }
     }
+}
 
-    /// `delta`, or something above `most` where it is above that.
-    fn delta(&self, other: &Shape, mirror: bool, most: f64) -> f64 {
+impl Alike for Shape {
+    fn count(&self) -> usize {
+        self.corners
+    }
+
+    fn sum(&self) -> f64 {
+        self.perimeter
+    }
+
+    /// `delta`.
+    fn difference(&self, other: &Shape, mirror: bool, most: f64) -> f64 {
         let n = self.corners;
         let mut least = f64::INFINITY;
         for shift in 0..n {
@@ -64,54 +62,7 @@ impl Shape {
     }
 }
 
-/// Sorts panels: in their order each joins the nearest leader within `tolerance`, else becomes one.
+/// Sorts panels into types within `tolerance`.
 pub fn panel_types(panels: &[Option<FlatPanel>], tolerance: f64, mirror: bool) -> Types {
-    let mut types = Types::default();
-    let mut shapes: Vec<Shape> = Vec::new();
-    // Leaders by their corners and perimeters: those of the same shape differ by little.
-    let mut sorted: Vec<(usize, f64, u32)> = Vec::new();
-    for (panel, f) in panels.iter().zip(0..) {
-        let Some(panel) = panel else {
-            types.of_panels.push(None);
-            continue;
-        };
-        let shape = Shape::of(panel);
-        let reach = shape.corners as f64 * tolerance;
-        let from = sorted.partition_point(|&(corners, perimeter, _)| {
-            corners < shape.corners
-                || (corners == shape.corners && perimeter < shape.perimeter - reach)
-        });
-        let mut nearest: Option<(f64, u32)> = None;
-        for &(corners, perimeter, own) in &sorted[from..] {
-            if corners != shape.corners || perimeter > shape.perimeter + reach {
-                break;
-            }
-            let delta = shape.delta(&shapes[own as usize], mirror, tolerance);
-            let is_nearer = nearest.is_none_or(|best| (delta, own) < best);
-            if delta <= tolerance && is_nearer {
-                nearest = Some((delta, own));
-            }
-        }
-        let own = match nearest {
-            Some((delta, own)) => {
-                types.counts[own as usize] += 1;
-                types.worst[own as usize] = types.worst[own as usize].max(delta);
-                own
-            }
-            None => {
-                let own = shapes.len() as u32;
-                let at = sorted.partition_point(|&(corners, perimeter, _)| {
-                    (corners, perimeter) < (shape.corners, shape.perimeter)
-                });
-                sorted.insert(at, (shape.corners, shape.perimeter, own));
-                shapes.push(shape);
-                types.leaders.push(f);
-                types.counts.push(1);
-                types.worst.push(0.0);
-                own
-            }
-        };
-        types.of_panels.push(Some(own));
-    }
-    types
+    Types::new(panels.iter().map(|panel| panel.as_ref().map(Shape::of)), tolerance, mirror)
 }

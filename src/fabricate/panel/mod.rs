@@ -16,7 +16,7 @@ mod name;
 mod plane;
 mod polygon;
 
-pub use alike::{Types, panel_types};
+pub use alike::panel_types;
 pub use flat::{FlatPanel, lay_flat};
 pub use inset::inset;
 pub use name::{Names, panel_names};

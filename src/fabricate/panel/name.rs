@@ -4,6 +4,7 @@
 //! and column may be asked for (`C-07`), because builders read rows.
 
 use crate::fabricate::surface::PanelSurface;
+use crate::math::{argsort, key_of_pair};
 use serde::{Deserialize, Serialize};
 
 /// How panels are named.
@@ -80,13 +81,12 @@ fn grid_places(surface: &PanelSurface) -> Option<Vec<[u32; 2]>> {
     }
     let places: Vec<[i64; 2]> =
         found.into_iter().map(|found| found.map(|(place, _)| place)).collect::<Option<_>>()?;
-    let mut sorted = places.clone();
-    sorted.sort_unstable();
-    if sorted.windows(2).any(|pair| pair[0] == pair[1]) {
-        return None;
-    }
     let low = [0, 1].map(|k| places.iter().map(|place| place[k]).min().unwrap_or(0));
-    Some(places.iter().map(|place| [0, 1].map(|k| (place[k] - low[k]) as u32)).collect())
+    let places: Vec<[u32; 2]> =
+        places.iter().map(|place| [0, 1].map(|k| (place[k] - low[k]) as u32)).collect();
+    let sorted = argsort(places.iter().map(|&place| key_of_pair(place)));
+    let are_two = |pair: &[u32]| places[pair[0] as usize] != places[pair[1] as usize];
+    sorted.windows(2).all(are_two).then_some(places)
 }
 
 #[cfg(test)]

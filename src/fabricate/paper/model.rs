@@ -94,7 +94,10 @@ fn glue(net: &PaperNet, pieces: &[u32], tab_height: f64) -> Vec<Glue> {
         }
         let mut sides =
             joint.sides.map(|side| (place[net.piece_of[side.0 as usize] as usize], side));
-        sides.sort_unstable();
+        // The piece that comes first has the tab.
+        if sides[1] < sides[0] {
+            sides.swap(0, 1);
+        }
         let own =
             sides.into_iter().filter(|_| tab_height > 0.0).find_map(|(piece, (facet, side))| {
                 let outline = &outlines[piece];

@@ -5,6 +5,7 @@ use super::motion::Motion;
 use super::net::{OutlineSide, PaperNet};
 use super::overlap::meet;
 use crate::fabricate::panel::{Point2, direction_of, distance_to_outline, is_inside};
+use crate::math::cosine_and_sine_of_degrees;
 
 /// A tab lower than this holds nothing, in mm.
 const LEAST: f64 = 2.0;
@@ -65,7 +66,10 @@ pub(super) fn tab(
     }
     let along = direction_of(p, q);
     let outwards = [along[1], -along[0]];
-    let slopes = base.map(|angle| 1.0 / libm::tan(angle.to_radians()));
+    let slopes = base.map(|angle| {
+        let [cosine, sine] = cosine_and_sine_of_degrees(angle);
+        cosine / sine
+    });
     let mut height = most.min((1.0 - TOP) * length / (slopes[0] + slopes[1]));
     while height >= LEAST {
         let top = |from: Point2, shift: f64| {

@@ -44,7 +44,13 @@ fn model(build: &Build, report: &BuildReport) -> Vec<Line> {
     ];
     let folds = || build.parts.iter().flat_map(|part| part.ridges.iter().chain(&part.valleys));
     match report.product {
-        Product::Panels => lines.push(("Joint on the sheet", length(report.joint_mm))),
+        Product::Panels => {
+            let [outside, inside] = report.least_joint_mm.map(|mm| length(mm.unwrap_or(0.0)));
+            lines.extend([
+                ("Joint on the sheet", length(report.joint_mm)),
+                ("Least joint for that thickness", format!("{outside} outside, {inside} inside")),
+            ]);
+        }
         Product::Fins => lines.extend(
             report
                 .frame
@@ -67,6 +73,7 @@ fn building(build: &Build, report: &BuildReport) -> Vec<Line> {
     let mut lines = vec![
         ("Panels", format!("{}, {}", report.panels, area(panels * building * building))),
         ("Types of panels", format!("{} within {alike} mm", report.types)),
+        ("Types of edges", format!("{} within {alike} mm", report.edge_types)),
         ("Edges", format!("{}, {}", report.edges, length(edges * building))),
         ("Nodes", report.nodes.to_string()),
     ];

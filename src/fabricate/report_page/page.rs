@@ -7,7 +7,7 @@ use super::mark::{BLACK, GREY, Mark, PALE, RED, heading, line, text, text_to};
 use super::pdf::pdf;
 use super::picture::{Picture, from_above, from_camera};
 use super::svg::svg;
-use super::words::{count, length, short, with_unit};
+use super::words::{count, length, sentence, short, with_unit};
 use crate::fabricate::build::Build;
 use crate::fabricate::check_card::CheckRow;
 use crate::fabricate::offset::OffsetKind;
@@ -31,6 +31,8 @@ const PICTURES: ([f64; 2], [f64; 2], f64) = ([MARGIN, 122.0], [102.0, 74.0], 68.
 const ROW: f64 = 9.5;
 /// The baseline of the last line, and from one line of the link to the next.
 const FOOT: [f64; 2] = [9.0, 3.6];
+/// The camera that every mesh is first seen from, as in the view: turn and tilt in radians.
+const FIRST: [f64; 2] = [0.55, 0.65];
 /// So many lines of a link are written out; a longer one is only pressed.
 const MOST_LINK: usize = 4;
 
@@ -41,10 +43,9 @@ pub struct ReportView {
     pub title: String,
     /// Whether z is the axis of the mesh that is up; else y is.
     pub z_up: bool,
-    /// By how much the camera is turned about that axis, in radians.
-    pub turn: f64,
-    /// By how much it looks down, in radians.
-    pub tilt: f64,
+    /// By how much the camera is turned about that axis, and by how much it looks down, in radians; none is the
+    /// view that every mesh is first seen from.
+    pub camera: Option<[f64; 2]>,
     /// An address that opens the model; empty where there is none.
     pub link: String,
 }
@@ -97,9 +98,7 @@ impl Page {
             count(report.sheets, "sheet"),
             report.unit
         );
-        let mut words = words.chars();
-        let words = words.next().map(|first| first.to_uppercase().chain(words).collect::<String>());
-        let words = words.unwrap_or_default();
+        let words = sentence(&words);
         let shown = fitting(&words, WORDS, RIGHT - MARGIN);
         self.marks.push(text([MARGIN, self.y], WORDS, GREY, shown));
         self.y -= 4.0;
@@ -113,7 +112,7 @@ impl Page {
     fn pictures(&mut self, build: &Build, view: &ReportView) {
         let (from, wide, high) = PICTURES;
         self.y -= 3.0 + high;
-        let seen = Picture::new(build, from_camera(view.z_up, view.turn, view.tilt));
+        let seen = Picture::new(build, from_camera(view.z_up, view.camera.unwrap_or(FIRST)));
         self.marks.extend(seen.shaded([from[0], self.y], [wide[0], high], &build.failed()));
         let plan = Picture::new(build, from_above(view.z_up));
         let building = build.building();
@@ -220,12 +219,8 @@ impl Page {
             return;
         }
         self.section("Notes");
-        let sentence = |note: &String| {
-            let mut letters = note.chars();
-            let first = letters.next().map(|first| first.to_uppercase().to_string());
-            lines(&(first.unwrap_or_default() + letters.as_str()), WORDS, RIGHT - MARGIN)
-        };
-        let all: Vec<String> = notes.iter().flat_map(sentence).collect();
+        let all: Vec<String> =
+            notes.iter().flat_map(|note| lines(&sentence(note), WORDS, RIGHT - MARGIN)).collect();
         let room = ((self.y - floor) / LINE).max(1.0) as usize;
         let (shown, ending) = match all.len() > room {
             true => (&all[..room - 1], Some("The rest is in the report of the program.")),

@@ -5,7 +5,7 @@ use super::mark::{BLACK, Colour, GREY, Mark, RED, Shape, text};
 use crate::fabricate::build::Build;
 use crate::fabricate::check_card::Failed;
 use crate::fabricate::panel::{Point2, roomiest_point};
-use crate::math::{Vec3, argsort, key_of_number};
+use crate::math::{self, Vec3, argsort, key_of_number};
 
 /// Names are on the plan where this share of them has room.
 const MOST: f64 = 0.7;
@@ -29,9 +29,11 @@ pub(super) fn from_above(z_up: bool) -> Sight {
 }
 
 /// As a camera looks that is turned about the upward axis and tilted down, in radians.
-pub(super) fn from_camera(z_up: bool, turn: f64, tilt: f64) -> Sight {
+pub(super) fn from_camera(z_up: bool, camera: [f64; 2]) -> Sight {
     let [east, north, up] = compass(z_up);
-    let ((sine, cosine), (down, level)) = (libm::sincos(turn), libm::sincos(tilt));
+    let turns = |radians: f64| radians / std::f64::consts::TAU;
+    let [[sine, cosine], [down, level]] =
+        camera.map(turns).map(|turns| [math::sine(turns), math::cosine(turns)]);
     let right = east * cosine + north * sine;
     let away = (north * cosine - east * sine) * level - up * down;
     [right, right.cross(away), away]

@@ -35,6 +35,15 @@ pub(super) fn with_unit(value: f64, unit: &str) -> String {
     if unit == "deg" { format!("{}\u{b0}", short(value)) } else { length(value) }
 }
 
+/// A sentence with its first letter in capitals, where that is one of ASCII.
+pub(super) fn sentence(words: &str) -> String {
+    let mut words = words.to_owned();
+    if let Some(first) = words.get_mut(..1) {
+        first.make_ascii_uppercase();
+    }
+    words
+}
+
 /// So many of something.
 pub(super) fn count(number: usize, noun: &str) -> String {
     format!("{number} {noun}{}", if number == 1 { "" } else { "s" })

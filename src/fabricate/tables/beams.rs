@@ -119,7 +119,7 @@ fn around_nodes(build: &Build, frame: &Frame) -> String {
     ]);
     for node in frame.nodes.iter().flatten() {
         let v = node.vertex;
-        let kind = frame.types.of_nodes[v as usize].map(type_name).unwrap_or_default();
+        let kind = frame.types.of[v as usize].map(type_name).unwrap_or_default();
         for (spoke, number) in node.spokes.iter().zip(1..) {
             let edge = &build.surface.edges[spoke.edge as usize];
             let fin = frame.fins[spoke.edge as usize].as_ref().ok();
@@ -148,7 +148,7 @@ fn types(frame: &Frame) -> String {
             Cell::from(frame.types.counts[k] as usize),
             Cell::from(beams),
             Cell::from(&*node_name(leader)),
-            Cell::from(frame.types.worst_deg[k]),
+            Cell::from(frame.types.worst[k]),
         ]);
     }
     table.into_text()

@@ -28,7 +28,7 @@ pub(super) fn panels(build: &Build) -> String {
     let places = build.layout.places(build.parts.len());
     let model = build.model();
     for (f, name) in build.names.iter().enumerate() {
-        let kind = build.types.of_panels[f].map(type_name).unwrap_or_default();
+        let kind = build.types.of[f].map(type_name).unwrap_or_default();
         let corners = build.surface.faces.row(f).len();
         let flat = build.flat[f].as_ref();
         let cut = build.cut[f].as_ref();

@@ -40,8 +40,8 @@ const ANSWERS = {
     return { report: builder.report(), layer: layerOf(builder) };
   },
   choices: () => builder?.choices() ?? [],
-  reportPage: ({ title, zUp, turn, tilt, link }) =>
-    builder?.reportPage(title, zUp, turn, tilt, link) ?? null,
+  reportPage: ({ title, zUp, camera, link }) =>
+    builder?.reportPage(title, zUp, camera, link) ?? null,
   zip({ zUp }) {
     /** @type {{ name: string, text: string }[]} */
     const files = builder?.files() ?? [];

@@ -6,9 +6,6 @@ import { button } from '../../ui/controls/fields.js';
 import { openDialog } from '../../ui/controls/dialog.js';
 import { element } from '../../ui/dom.js';
 
-/** How a shape is first seen, where nothing can draw it: turn and tilt, in radians. */
-const FIRST_SIGHT = [0.55, 0.65];
-
 /**
  * @param {import("../../app/context.js").AppContext} app
  * @param {import("./live-build.js").LiveBuild} live
@@ -16,9 +13,10 @@ const FIRST_SIGHT = [0.55, 0.65];
 export async function showReport(app, live) {
   const { store, files } = app;
   const { document: scene, camera } = store.get();
-  const [turn, tilt] = camera?.slice(4, 6) ?? FIRST_SIGHT;
   const title = scene?.title || files.name;
-  const page = await live.reportPage({ title, turn, tilt, link: await linkTo(app) });
+  // Its turn and its tilt.
+  const angles = camera ? Float64Array.from(camera.slice(4, 6)) : null;
+  const page = await live.reportPage({ title, camera: angles, link: await linkTo(app) });
   if (!page) return;
   const picture = new DOMParser().parseFromString(page.svg, 'image/svg+xml').documentElement;
   picture.setAttribute('role', 'img');

@@ -111,7 +111,7 @@ export class LiveBuild {
     return this.#client.ask({ type: 'zip', zUp: this.#isZUp() });
   }
 
-  /** The report on one page. @param {{ title: string, turn: number, tilt: number, link: string }} view */
+  /** The report on one page. @param {{ title: string, camera: Float64Array | null, link: string }} view */
   reportPage(view) {
     return this.#client.ask({ type: 'reportPage', zUp: this.#isZUp(), ...view });
   }
