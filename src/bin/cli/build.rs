@@ -92,7 +92,7 @@ fn words(report: &BuildReport, remarks: &[String]) -> String {
         "{placed} of {parts} {product} on {sheets} sheets of {width} x {height} mm, {used:.0} % covered, scale 1:{scale}, unit {}",
         report.unit
     )];
-    lines.push(format!("types of panels {types}"));
+    lines.push(format!("types of panels {types}, of edges {}", report.edge_types));
     lines.extend(report.frame.as_ref().map(frame_line));
     lines.extend(report.paper.as_ref().map(paper_line));
     if let Some(offset) = &report.offset {

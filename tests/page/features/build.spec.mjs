@@ -176,6 +176,20 @@ test('fins and a paper model are made of the same shape, and saved', async ({ pa
   await expect(panel(page).locator('.cut path.chosen')).toHaveCount(1);
 });
 
+test('a tolerance is chosen by how many types of panels it leaves', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'roof.obj', `# units: m\n${wavyGrid(4)}`, 25);
+  const { types_curve: curve, types } = await openBuild(page);
+  expect(types).toBe(curve.find(([at]) => at === 1)[1]);
+  const bars = panel(page).getByRole('group', { name: 'Types of panels' }).getByRole('button');
+  await expect(bars).toHaveCount(curve.length);
+  await bars.last().click();
+  const [at, fewest] = curve.at(-1);
+  await waitForState(page, (now, own) => now.build?.types === own, fewest);
+  await expect(bars.last()).toHaveAttribute('aria-pressed', 'true');
+  expect((await sceneOf(page)).build.alike).toBe(at);
+});
+
 test('the report is one page with the numbers of the card, which is saved and printed', async ({
   page,
 }) => {

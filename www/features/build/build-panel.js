@@ -12,6 +12,7 @@ import { offsetLayer } from './offset-layer.js';
 import { settingsForm } from './settings-form.js';
 import { sheetPictures } from './sheet-pictures.js';
 import { thicknessForm } from './thickness.js';
+import { typesCurve } from './types-curve.js';
 
 /** @typedef {import("../../solver/messages.js").BuildReport} BuildReport */
 /** @typedef {import("../../solver/messages.js").BuildSettings} BuildSettings */
@@ -37,6 +38,7 @@ async function buildPanel(app) {
   const form = settingsForm(offers, change);
   const check = checkCard(showWorst, tighten);
   const thickness = thicknessForm({ tryDistance: (distance) => tried.ask(distance), change });
+  const types = typesCurve(change);
   const layer = offsetLayer(app);
   const tried = newest((/** @type {number} */ distance) =>
     actions.reportErrors(live.moveLayer(distance).then(showOffset)),
@@ -71,7 +73,7 @@ async function buildPanel(app) {
     element(
       'div.parts-columns',
       form.form,
-      element('div.parts-check', thickness.place, check.card, notes),
+      element('div.parts-check', thickness.place, check.card, types.place, notes),
       pictures.place,
     ),
   );
@@ -91,6 +93,7 @@ async function buildPanel(app) {
     actions.look({ build: found });
     words.textContent = sheetsInWords(found);
     showOffset({ report: found, layer });
+    types.update(found, live.settings());
     notes.replaceChildren(...warnings(found).map((line) => element('p.notice', line)));
     pictures.show(sheets, new Set(layer.panels), Math.max(0, found.sheets - MOST_SHEETS));
     pictures.mark(store.get().selection.faces);
