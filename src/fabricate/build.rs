@@ -175,7 +175,7 @@ impl Build {
         let flat = self.flat[f].as_ref().ok_or("it has no area")?;
         let scaled: Vec<Point2> =
             flat.corners.iter().map(|corner| corner.map(|x| x * model)).collect();
-        if !is_simple(&scaled) && inset(&scaled, 0.0).is_none_or(|clean| !is_simple(&clean)) {
+        if !is_simple(&scaled) {
             return Err("laid flat it crosses itself");
         }
         let outline = inset(&scaled, by).ok_or("it is too small for the joint")?;

@@ -52,11 +52,14 @@ impl Fault {
     /// Panels that are folded over.
     pub(super) fn folded_over(panels: &[u32]) -> Fault {
         let what = match panels {
-            [one] => format!("panel {one} is folded over"),
-            many => format!("{} panels are folded over (the first is {})", many.len(), many[0]),
+            [one] => format!("panel {one} is folded over, its outside"),
+            many => {
+                let (count, first) = (many.len(), many[0]);
+                format!("{count} panels are folded over (the first is {first}), their outside")
+            }
         };
         Fault(format!(
-            "{what}, their outside is turned against that of their corners: panels can be cut and folded, offsets and beams are not offered"
+            "{what} is turned against the shape around: panels can be cut and folded, offsets and beams are not offered"
         ))
     }
 }

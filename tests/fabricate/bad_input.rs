@@ -167,3 +167,12 @@ fn real_and_awkward_meshes_are_built_without_a_panic() {
         }
     }
 }
+
+#[test]
+fn panels_with_an_edge_without_length_are_cut_as_what_they_are() {
+    // A quad with two corners at one place is a triangle; that it touches itself there is no crossing.
+    let positions = [[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [1.0, 1.0, 0.0], [2.0, 0.0, 0.0]];
+    let made = build(&faces(&[&[0, 1, 2, 3], &[1, 4, 2]], &positions), &BuildSettings::default());
+    assert_eq!(made.not_cut, []);
+    assert_eq!(made.parts.iter().map(|part| part.outline.len()).collect::<Vec<_>>(), [3, 3]);
+}

@@ -51,9 +51,9 @@ pub(in crate::fabricate) fn rotated([x, y]: Point2, [c, s]: Point2) -> Point2 {
     [c * x - s * y, s * x + c * y]
 }
 
-/// Whether no two sides cross or touch but neighbours at their corner.
+/// Whether no two sides cross or touch but neighbours at their corner. Sides without length are none.
 pub fn is_simple(polygon: &[Point2]) -> bool {
-    let all: Vec<[Point2; 2]> = sides(polygon).collect();
+    let all: Vec<[Point2; 2]> = sides(polygon).filter(|[a, b]| a != b).collect();
     let n = all.len();
     let turns_left =
         |k: usize| cross(minus(all[k][1], all[k][0]), minus(all[(k + 1) % n][1], all[k][1])) > 0.0;

@@ -77,7 +77,7 @@ fn lines(content: &mut String, Shape { paths, fill, pen }: &Shape) {
     };
 }
 
-/// Latin-1 as WinAnsi has it, all but ASCII by its number.
+/// Latin-1 as `WinAnsi` has it, all but ASCII by its number.
 fn escaped(text: &str) -> String {
     let letter = |letter: char| match letter {
         '(' | ')' | '\\' => format!("\\{letter}"),
