@@ -7,6 +7,7 @@ import { join } from 'node:path';
 import { build as buildSite } from '../build.mjs';
 import { main, outputOf, Problem, say } from '../run.mjs';
 import { setUp } from '../setup.mjs';
+import { measureExact, measureExactPeers } from './exact/measure.mjs';
 import { browserSolver, buildBenchModule } from './in-browser.mjs';
 import {
   mapSizes,
@@ -135,6 +136,10 @@ async function measure(options, words) {
     async build() {
       const panels = trial ? [100] : PANELS;
       results.parts = await measureParts({ panels, where: options.where, native, trial });
+    },
+    async exact() {
+      results.exact = await measureExact({ places, trial });
+      if (options.parts.has('peers')) results.exactPeers = measureExactPeers({ trial });
     },
     async operators() {
       results.operators = await measureOperators({ browser, native: places.native });

@@ -6,14 +6,27 @@ import { problems } from './problems.mjs';
 
 /** The parts of the benchmark, in the order in which they are measured. */
 export const parts = [
-  ...['iterations', 'factors', 'convergence', 'memory', 'start', 'build', 'operators', 'peers'],
+  ...[
+    'iterations',
+    'factors',
+    'convergence',
+    'memory',
+    'start',
+    'build',
+    'exact',
+    'operators',
+    'peers',
+  ],
 ];
+
+/** Those that are measured only where they are named, or all are. */
+const ASKED_FOR = ['factors', 'build', 'exact', 'operators', 'peers'];
 
 export const usage = `npm run bench -- [options]
 
   --sizes N,N      vertices of the meshes (default 2500,10000; --full 2500,10000,30000,100000)
   --problems A,B   of A, B, C, D (default all)
-  --parts P,P      of ${parts.join(', ')} (default all but factors, build, operators and peers)
+  --parts P,P      of ${parts.join(', ')} (default all but ${ASKED_FOR.join(', ')})
   --where W,W      of native, browser (default both)
   --peers          the other libraries too, which pip puts under target/
   --full           all sizes and parts, and longer
@@ -63,9 +76,7 @@ export function optionsOf(words) {
   }
   const { full } = values;
   const letters = Object.keys(problems).filter((letter) => !problems[letter].for);
-  const usual = parts.filter(
-    (part) => full || !['factors', 'build', 'operators', 'peers'].includes(part),
-  );
+  const usual = parts.filter((part) => full || !ASKED_FOR.includes(part));
   const chosen = values.parts ? listOf('parts', values.parts, parts) : usual;
   const sizes = values.sizes ?? (full ? '2500,10000,30000,100000' : '2500,10000');
   return {

@@ -89,8 +89,14 @@ const versionOf = (name) => `import importlib.metadata as m; print(m.version("${
 export function measurePeer({ call, problem, steps, largest }, size) {
   const { mesh, handles, move, vertices } = problemOf(problem, size);
   if (vertices > largest * 1.01) return { reason: 'takes too long' };
+  const result = askPeer({ call, mesh, handles, move, steps });
+  return result.reason ? result : { setUp: result.setUp, ms: median(result.steps) };
+}
+
+/** What `tests/bench/peers.py` answers to a task, or the reason why it does not. */
+export function askPeer(task) {
   const files = ['peer-task.json', 'peer-result.json'].map((name) => join(benchFolder, name));
-  writeFileSync(files[0], JSON.stringify({ call, mesh, handles, move, steps }));
+  writeFileSync(files[0], JSON.stringify(task));
   const program = at('tests', 'bench', 'peers.py');
   const { status, stderr } = spawnSync(python, [program, ...files], {
     encoding: 'utf8',
@@ -98,6 +104,5 @@ export function measurePeer({ call, problem, steps, largest }, size) {
     env: { ...process.env, OMP_NUM_THREADS: '1', OPENBLAS_NUM_THREADS: '1' },
   });
   if (status !== 0) return { reason: stderr.trim().split('\n').at(-1) ?? 'it fails' };
-  const result = JSON.parse(readFileSync(files[1], 'utf8'));
-  return { setUp: result.setUp, ms: median(result.steps) };
+  return JSON.parse(readFileSync(files[1], 'utf8'));
 }

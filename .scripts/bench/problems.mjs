@@ -92,7 +92,8 @@ function quads(side) {
   return rows;
 }
 
-function objText(rows, side, triangles) {
+/** The text of an OBJ file of a square of quads, each cut in two for triangles. */
+export function objText(rows, side, triangles) {
   const lines = rows.map((row) => `v ${row.join(' ')}`);
   for (const corners of quads(side)) {
     const [a, b, c, d] = corners.map((corner) => corner + 1);

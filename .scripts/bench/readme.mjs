@@ -3,8 +3,9 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import { at } from '../project.mjs';
 import { Problem } from '../run.mjs';
+import { number, table } from './cells.mjs';
 import { accelerators } from './problems.mjs';
-import { accelerated, machineText, number, startTable, table } from './tables.mjs';
+import { accelerated, machineText, startTable } from './tables.mjs';
 
 /** Between these lines of the README. */
 export const marks = [

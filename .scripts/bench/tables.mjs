@@ -1,28 +1,13 @@
 // The results as tables in Markdown.
 
+import { megabytes, missing, number, table } from './cells.mjs';
+import { exactPeerTable, exactTable } from './exact/tables.mjs';
 import { nearness } from './measure.mjs';
 import { problems } from './problems.mjs';
 import { growth } from './statistics.mjs';
 import { targetRows } from './targets.mjs';
 
-const missing = '–';
 const plural = (n, noun) => `${n} ${noun}${n === 1 ? '' : 's'}`;
-
-/** A number with three digits that count, or a dash. */
-export function number(value) {
-  if (value === null || value === undefined || !Number.isFinite(value)) return missing;
-  if (Number.isInteger(value)) return value.toLocaleString('en');
-  const digits = Math.max(0, 2 - Math.floor(Math.log10(Math.max(Math.abs(value), 0.01))));
-  return value.toFixed(Math.min(3, digits));
-}
-
-export const megabytes = (bytes) => number(bytes === undefined ? null : bytes / 1e6);
-
-/** A table from its head and its rows of cells. */
-export function table(head, rows) {
-  const line = (cells) => `| ${cells.join(' | ')} |`;
-  return [line(head), `|${'---|'.repeat(head.length)}`, ...rows.map(line)].join('\n');
-}
 
 const ranged = ({ median, p10, p90 }) => `${number(median)} (${number(p10)}–${number(p90)})`;
 
@@ -240,7 +225,7 @@ export function machineText({ command, date, processor, cores, browser, rustc, c
 /** Everything that was measured. */
 export function markdown(results) {
   const { iterations, factors, maps, convergence, models, start, operators, peers } = results;
-  const { parts } = results;
+  const { parts, exact, exactPeers } = results;
   const sections = [`# How fast it is\n\n${machineText(results.machine)} Milliseconds, medians.`];
   const add = (title, ...texts) => sections.push(`## ${title}\n\n${texts.join('\n\n')}`);
   const titles = Object.entries(problems).filter(([, problem]) => !problem.for);
@@ -268,6 +253,16 @@ export function markdown(results) {
     add('Memory', text);
   }
   if (parts?.length) add('Parts and sheets', partsTable(parts));
+  if (exact?.length) {
+    const note =
+      'Distances are the greatest of a corner to its circle or plane, as parts of the size of the mesh; seconds are those from the soft solution, which is what "soft s" was for. Memory is that of the whole module.';
+    add('Hard constraints', exactTable(exact), note);
+  }
+  if (exactPeers?.length) {
+    const note =
+      'Other libraries, natively, from the mesh as it is, with closeness 10 to it in compas_shapeop; ours from the soft solution, and edges keep three tenths of their length.';
+    add('Hard constraints and other libraries', exactPeerTable(exactPeers, exact), note);
+  }
   if (start) add('Opening the page', startTable(start));
   if (peers) {
     const notes = new Map(peers.map(({ what, equal, differs }) => [what, [equal, differs]]));

@@ -1,5 +1,6 @@
 // What the numbers shall be, in the browser on a quiet machine with two cores, of which one is used.
 
+import { exactTargets } from './exact/tables.mjs';
 import { growth } from './statistics.mjs';
 
 /** Sizes are those of square grids: 173 by 173 counts as 30,000. */
@@ -38,6 +39,7 @@ const changed = (problem, most) => ({
 });
 
 const targets = [
+  ...exactTargets,
   perIteration('A', 10_000, 1.5),
   perIteration('A', 30_000, 6),
   perIteration('A', 100_000, 30),

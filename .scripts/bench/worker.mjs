@@ -141,6 +141,18 @@ function convergence({ problem, goal, limit }) {
   return { energies, steps };
 }
 
+/** Hard constraints met from the soft solution: milliseconds of both together, and what the report says of it. */
+function exact({ problem }) {
+  const solver = new Solver();
+  open(solver, problem);
+  const [, total] = timed(() => {
+    solver.beginRun();
+    while (!solver.step());
+    solver.endRun();
+  });
+  return { total, exact: solver.report().exact, bytes: memory.buffer.byteLength };
+}
+
 /** Bytes of memory before, and after each of some models was opened in turn. */
 function models({ problems }) {
   const solver = new Solver();
@@ -173,7 +185,7 @@ async function stream({ bytes }) {
   return bytes.map((count) => module.stream(count));
 }
 
-const measures = { iterations, factors, convergence, models, map, stream };
+const measures = { iterations, factors, convergence, exact, models, map, stream };
 
 /** Fetches what a task names by address, so that nothing but addresses is sent. */
 async function fetched({ scene, mesh, move, from, spare }) {

@@ -13,7 +13,7 @@ let text;
 
 before(() => {
   const words = ['--trial', '--sizes', '400', '--limit', '0.5'];
-  const asked = ['--parts', 'iterations,factors,convergence,memory,build'];
+  const asked = ['--parts', 'iterations,factors,convergence,memory,build,exact'];
   const { status, stderr } = spawnSync(
     'node',
     [at('.scripts', 'bench', 'bench.mjs'), ...words, ...asked],
@@ -104,4 +104,16 @@ test('parts are measured natively and in WebAssembly', () => {
   for (const { build, axes, distance, sheets, files } of results.parts)
     for (const time of [build, axes, distance, sheets, files]) assert.ok(time > 0);
   assert.match(text, /## Parts and sheets/);
+});
+
+test('hard constraints are met natively and in the browser, by the same way to the same digit', () => {
+  const of = (place) => results.exact.filter(({ where }) => where === place);
+  const [native, browser] = ['native', 'browser'].map(of);
+  assert.equal(native.length, 4);
+  browser.forEach((row, k) => {
+    assert.ok(row.distance < 1e-10 && row.unmet === 0 && row.seconds > 0 && row.bytes > 1e6);
+    for (const key of ['iterations', 'blockFactors', 'distance', 'moved', 'shortestEdge'])
+      assert.equal(row[key], native[k][key], key);
+  });
+  assert.match(text, /\| rough \| 144 \| plane, exact \| browser \|/);
 });

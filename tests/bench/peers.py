@@ -93,6 +93,60 @@ def libigl_lscm(task):
     return {"setUp": None, "steps": runs[1:]}
 
 
+def compas_exact(task):
+    """Circles or planes by a weight of a million beside closeness: the distance that is left, and all of the time."""
+    import numpy
+    from compas_shapeop._shapeop import SolverWrapper
+
+    vertices, faces = read_obj(task["mesh"])
+
+    def run():
+        solver = SolverWrapper()
+        solver.set_points(numpy.asfortranarray(numpy.array(vertices).T))
+        for vertex in range(len(vertices)):
+            solver.add_closeness_constraint(vertex, 10.0)
+        add = solver.add_circle_constraint if task["kind"] == "circle" else solver.add_plane_constraint
+        for face in faces:
+            add(face, 1e6)
+        solver.initialize(False, 1.0, 1.0, 1.0)
+        solver.solve(task["iterations"])
+        return solver.get_points()
+
+    points, ms = timed(run)
+    return {"ms": ms, "distance": worst(numpy.array(points).reshape(3, -1, order="F").T, faces, task["kind"])}
+
+
+def libigl_exact(task):
+    """Planes; the threshold is never reached, so that all iterations are made."""
+    import igl
+    import numpy
+
+    vertices, faces = (numpy.array(rows) for rows in read_obj(task["mesh"]))
+    points, ms = timed(lambda: igl.planarize_quad_mesh(vertices, faces, task["iterations"], 0.0))
+    return {"ms": ms, "distance": worst(points, faces, task["kind"])}
+
+
+def worst(points, faces, kind):
+    """The greatest distance of a corner to the least-squares plane of its quad, or to the algebraic circle in it."""
+    import numpy
+
+    corners = points[numpy.array(faces)]
+    away = corners - corners.mean(axis=1, keepdims=True)
+    axes = numpy.linalg.svd(away)[2]
+    along = away @ axes.transpose(0, 2, 1)
+    height = along[:, :, 2]
+    if kind == "plane":
+        return float(numpy.abs(height).max())
+    flat = along[:, :, :2]
+    squares = (flat**2).sum(axis=2)
+    rows = numpy.concatenate([2 * flat, numpy.ones_like(height)[:, :, None]], axis=2)
+    found = (numpy.linalg.pinv(rows) @ squares[:, :, None])[:, :, 0]
+    centre = found[:, None, :2]
+    radius = numpy.sqrt(found[:, 2] + (found[:, :2] ** 2).sum(axis=1))
+    off = numpy.linalg.norm(flat - centre, axis=2) - radius[:, None]
+    return float(numpy.hypot(off, height).max())
+
+
 def differences(run, steps):
     """Milliseconds of one iteration, from runs of two lengths, some times."""
     run(1)

@@ -10,7 +10,7 @@ mod stream;
 use serde::{Deserialize, Serialize};
 use shape_up::mesh::{Point, Topology, read};
 use shape_up::scene::{NamedEnum, Scene};
-use shape_up::session::{Edit, Report, Session};
+use shape_up::session::{Edit, ExactReport, Report, Session};
 use shape_up::solve::{ConformalNorm, ConformalWeights, Parametrization, clock};
 use std::hint::black_box;
 
@@ -41,6 +41,11 @@ enum Task {
         limit: f64,
         /// Ends after as many iterations in which the energy hardly fell; 0 never does.
         patience: usize,
+    },
+    /// Hard constraints met from the soft solution.
+    Exact {
+        #[serde(flatten)]
+        problem: Problem,
     },
     /// Edits of the handles of all vertices.
     Handles {
@@ -319,6 +324,23 @@ fn map(path: &str, weights: &str, rounds: usize) -> Map {
     Map { eigenvalue: first.eigenvalue, runs: runs.collect() }
 }
 
+/// Milliseconds of the soft solution and of meeting hard constraints together, and what the report says of the latter.
+#[derive(Serialize)]
+struct Exact {
+    total: f64,
+    exact: Option<ExactReport>,
+}
+
+fn exact(problem: &Problem) -> Exact {
+    let mut session = problem.open();
+    let ((), total) = timed(|| {
+        session.begin_run();
+        while !session.step().expect("positions stay finite").ended {}
+        session.end_run();
+    });
+    Exact { total, exact: session.exact() }
+}
+
 fn perform(task: Task) -> serde_json::Value {
     let value = match task {
         Task::Iterations { problem, loads, rounds, steps, edits } => {
@@ -327,6 +349,7 @@ fn perform(task: Task) -> serde_json::Value {
         Task::Convergence { problem, goal, limit, patience } => {
             serde_json::to_value(convergence(&problem, goal, limit, patience))
         }
+        Task::Exact { problem } => serde_json::to_value(exact(&problem)),
         Task::Handles { problem, rounds } => serde_json::to_value(handles(&problem, rounds)),
         Task::Map { mesh, weights, rounds } => serde_json::to_value(map(&mesh, &weights, rounds)),
         Task::Parts { mesh, rounds } => serde_json::to_value(parts::parts(&mesh, rounds)),

@@ -3,10 +3,11 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
+import { number } from '../../.scripts/bench/cells.mjs';
 import { optionsOf } from '../../.scripts/bench/options.mjs';
 import { marks, section } from '../../.scripts/bench/readme.mjs';
 import { growth, reached, spread } from '../../.scripts/bench/statistics.mjs';
-import { firstToConverge, number } from '../../.scripts/bench/tables.mjs';
+import { firstToConverge } from '../../.scripts/bench/tables.mjs';
 import { targetRows } from '../../.scripts/bench/targets.mjs';
 import { at } from '../../.scripts/project.mjs';
 

@@ -1,0 +1,21 @@
+// Cells of tables in Markdown, and tables of them.
+
+/** Where there is no number. */
+export const missing = '–';
+
+/** A number with three digits that count, or a dash. */
+export function number(value) {
+  if (value === null || value === undefined || !Number.isFinite(value)) return missing;
+  if (Number.isInteger(value)) return value.toLocaleString('en');
+  const digits = Math.max(0, 2 - Math.floor(Math.log10(Math.max(Math.abs(value), 0.01))));
+  return value.toFixed(Math.min(3, digits));
+}
+
+/** Bytes as megabytes. */
+export const megabytes = (bytes) => number(bytes === undefined ? null : bytes / 1e6);
+
+/** A table from its head and its rows of cells. */
+export function table(head, rows) {
+  const line = (cells) => `| ${cells.join(' | ')} |`;
+  return [line(head), `|${'---|'.repeat(head.length)}`, ...rows.map(line)].join('\n');
+}
