@@ -123,6 +123,17 @@ fn an_approach_that_begins_slowly_is_not_cut_short() {
 }
 
 #[test]
+fn circles_far_from_any_curvature_line_are_exact() {
+    // Many edges end on the guard. The first polish ended at 2e-5 of the size, and so did all others.
+    let Some(mesh) = shared::mesh("horse_quad.obj") else { return };
+    let case = Case::new(mesh).on_faces("circle", Require::Exact);
+    let (positions, answer) = run(&case, &case.soft());
+    assert!(answer.met && answer.unmet.is_empty(), "{answer:?}");
+    assert!(worst_face(&case.mesh, &positions, 1) <= 1e-11 * case.size());
+    assert!(answer.shortest_edge.expect("there is a guard") >= 0.3 * (1.0 - 1e-6));
+}
+
+#[test]
 fn panels_are_exact_and_edges_keep_their_length() {
     for (which, kind) in ["plane", "circle"].into_iter().enumerate() {
         let case = Case::new(bumps(6)).on_faces(kind, Require::Exact);
@@ -367,8 +378,7 @@ fn off(mesh: &Mesh, part: f64) -> Vec<Point> {
 #[test]
 fn every_kind_can_be_exact() {
     // Right angles at all corners make every quad flat, and the conditions dependent there: Newton's steps lose
-    // their pace before the last digits.
-    const NEARLY: [&str; 1] = ["angle"];
+    // their pace before the last digits, and the polish has to go on as long as it gains.
     let mut tried = 0;
     for info in KINDS {
         let Some((mesh, members)) = members(info) else { continue };
@@ -379,8 +389,7 @@ fn every_kind_can_be_exact() {
         let worst = worst_miss(&case, &positions);
         assert!((worst - answer.max_distance).abs() < 1e-14 || info.centring == Centring::Placed);
         assert!(worst < 1e-8 * case.size(), "{}: {worst}", info.id);
-        assert!(answer.met != NEARLY.contains(&info.id), "{}: {answer:?}", info.id);
-        assert_eq!(answer.met, answer.unmet.is_empty());
+        assert!(answer.met && answer.unmet.is_empty(), "{}: {answer:?}", info.id);
         tried += 1;
     }
     assert!(tried >= 20, "{tried} kinds were tried");

@@ -29,8 +29,8 @@ pub(crate) struct BlockMatrix {
     supernodes: Rc<Supernodes>,
     pivots: Vec<f64>,
     panels: Panels<f64>,
-    /// One right-hand side, a row for each unknown.
-    unknowns: Vec<Row>,
+    /// One right-hand side, a value for each unknown.
+    unknowns: Vec<[f64; 1]>,
 }
 
 impl BlockMatrix {
@@ -62,7 +62,7 @@ impl BlockMatrix {
             panels: Panels::new(Rc::clone(&supernodes)),
             supernodes,
             pivots: vec![0.0; size],
-            unknowns: vec![[0.0; 4]; size],
+            unknowns: vec![[0.0]; size],
         }
     }
 
@@ -131,10 +131,7 @@ impl BlockMatrix {
     /// Applies the inverse of the factored matrix to `right` in place, a row for each node.
     pub(crate) fn solve(&mut self, right: &mut [Row]) {
         for (unknowns, row) in self.unknowns.chunks_exact_mut(TIMES as usize).zip(&*right) {
-            unknowns
-                .iter_mut()
-                .zip(row)
-                .for_each(|(unknown, value)| *unknown = [*value, 0.0, 0.0, 0.0]);
+            unknowns.iter_mut().zip(row).for_each(|(unknown, value)| *unknown = [*value]);
         }
         self.panels.solve(&mut self.unknowns);
         for (unknowns, row) in self.unknowns.chunks_exact(TIMES as usize).zip(right) {

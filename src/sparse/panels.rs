@@ -142,28 +142,28 @@ impl<S: Scalar> Panels<S> {
         }
     }
 
-    /// Solves `L D L^T x = b` in place for the three right-hand sides in the columns of `x`.
-    pub(crate) fn solve(&self, x: &mut [[S; 4]]) {
+    /// Solves `L D L^T x = b` in place for the right-hand sides in the columns of `x`.
+    pub(crate) fn solve<const R: usize>(&self, x: &mut [[S; R]]) {
         assert_eq!(x.len(), self.inverse_pivots.len(), "one row for each column of the factor");
         for panel in &self.panels {
             match panel.width {
-                1 => self.forward::<1>(panel, x),
-                2 => self.forward::<2>(panel, x),
-                3 => self.forward::<3>(panel, x),
-                4 => self.forward::<4>(panel, x),
-                5 if const { S::PANEL_WIDTH >= 5 } => self.forward::<5>(panel, x),
-                6 if const { S::PANEL_WIDTH >= 6 } => self.forward::<6>(panel, x),
+                1 => self.forward::<1, R>(panel, x),
+                2 => self.forward::<2, R>(panel, x),
+                3 => self.forward::<3, R>(panel, x),
+                4 => self.forward::<4, R>(panel, x),
+                5 if const { S::PANEL_WIDTH >= 5 } => self.forward::<5, R>(panel, x),
+                6 if const { S::PANEL_WIDTH >= 6 } => self.forward::<6, R>(panel, x),
                 width => unreachable!("no panel has {width} columns"),
             }
         }
         for panel in self.panels.iter().rev() {
             match panel.width {
-                1 => self.backward::<1>(panel, x),
-                2 => self.backward::<2>(panel, x),
-                3 => self.backward::<3>(panel, x),
-                4 => self.backward::<4>(panel, x),
-                5 if const { S::PANEL_WIDTH >= 5 } => self.backward::<5>(panel, x),
-                6 if const { S::PANEL_WIDTH >= 6 } => self.backward::<6>(panel, x),
+                1 => self.backward::<1, R>(panel, x),
+                2 => self.backward::<2, R>(panel, x),
+                3 => self.backward::<3, R>(panel, x),
+                4 => self.backward::<4, R>(panel, x),
+                5 if const { S::PANEL_WIDTH >= 5 } => self.backward::<5, R>(panel, x),
+                6 if const { S::PANEL_WIDTH >= 6 } => self.backward::<6, R>(panel, x),
                 width => unreachable!("no panel has {width} columns"),
             }
         }
@@ -182,9 +182,9 @@ impl<S: Scalar> Panels<S> {
     /// `L x = b` for the columns of one panel.
     // Functions of their own: V8 replaces wasm functions by optimised code only between calls.
     #[inline(never)]
-    fn forward<const W: usize>(&self, panel: &Panel, x: &mut [[S; 4]]) {
+    fn forward<const W: usize, const R: usize>(&self, panel: &Panel, x: &mut [[S; R]]) {
         let (rows, triangle, block) = self.parts::<W>(panel);
-        let own: &mut [[S; 4]; W] = (&mut x[panel.first as usize..][..W])
+        let own: &mut [[S; R]; W] = (&mut x[panel.first as usize..][..W])
             .try_into()
             .expect("a slice of W rows is an array of W rows");
         let mut t = 0;
@@ -206,10 +206,10 @@ impl<S: Scalar> Panels<S> {
 
     /// `D L^T x = b` for the columns of one panel.
     #[inline(never)]
-    fn backward<const W: usize>(&self, panel: &Panel, x: &mut [[S; 4]]) {
+    fn backward<const W: usize, const R: usize>(&self, panel: &Panel, x: &mut [[S; R]]) {
         let (rows, triangle, block) = self.parts::<W>(panel);
         let first = panel.first as usize;
-        let mut own: [[S; 4]; W] = std::array::from_fn(|c| {
+        let mut own: [[S; R]; W] = std::array::from_fn(|c| {
             x[first + c].map(|value| value * self.inverse_pivots[first + c])
         });
         for (&row, values) in rows.iter().zip(block) {
@@ -228,6 +228,6 @@ impl<S: Scalar> Panels<S> {
 }
 
 #[inline(always)]
-fn minus<S: Scalar>(x: [S; 4], factor: S, y: [S; 4]) -> [S; 4] {
+fn minus<S: Scalar, const R: usize>(x: [S; R], factor: S, y: [S; R]) -> [S; R] {
     std::array::from_fn(|i| x[i] - factor * y[i])
 }

@@ -213,7 +213,7 @@ impl BlockSystem {
         dx.fill([0.0; 4]);
         self.batches.iter_mut().for_each(|batch| batch.multipliers.fill(0.0));
         let before = self.update_images(dx);
-        for pass in 1..=passes {
+        for _ in 0..passes {
             let mut gradient = std::mem::take(&mut self.gradient);
             multiply(&self.metric, dx, &mut gradient);
             for batch in &self.batches {
@@ -239,7 +239,7 @@ impl BlockSystem {
                     *multiplier += scale * image;
                 }
             }
-            if pass > 1 && left <= 1e-3 * before {
+            if left <= 1e-3 * before {
                 break;
             }
         }

@@ -57,8 +57,9 @@ const HELD: f64 = 1e-3;
 const NEARER: f64 = 0.3;
 const NEAREST: f64 = 1e-7;
 
-/// So often the polish is tried in a row.
-const POLISHES: u32 = 2;
+/// So often the polish is tried in a row at most, and again only where the last try has come nearer, to this part.
+const POLISHES: u32 = 8;
+const GAINED: f64 = 0.8;
 
 /// The factor of the polish takes at most so many bytes; larger problems end with the approach.
 const MOST_BYTES: usize = 400_000_000;
@@ -95,6 +96,8 @@ pub struct Exact {
     /// Approaches that have ended, and polishes after the last one.
     tries: u32,
     polishes: u32,
+    /// The best worst excess when the last polish began.
+    polished_from: f64,
     /// The least worst excess so far, and where.
     best: (f64, Vec<Row>),
     seconds: f64,
@@ -131,6 +134,7 @@ impl Exact {
             contradicts: false,
             tries: 0,
             polishes: 0,
+            polished_from: worst,
             seconds: 0.0,
         };
         let goal = if can_polish { exact.model.goal() } else { near };
@@ -220,6 +224,7 @@ impl Exact {
         polish.restart(false);
         self.began = (polish.factors, model.x.clone());
         (self.tries, self.polishes) = (self.tries + 1, 1);
+        self.polished_from = self.best.0;
         self.stage = Stage::Polish;
     }
 
@@ -240,15 +245,18 @@ impl Exact {
         Ok(())
     }
 
-    /// Tries again from the best positions with steps that gain; then comes nearer by the approach, if that may go on.
+    /// Tries again from the best positions with steps that gain, as long as they do; then comes nearer by the approach,
+    /// if that may go on.
     fn polish_failed(&mut self) {
+        let gained = self.best.0 <= GAINED * self.polished_from;
         if let Some(polish) = &mut self.polish
-            && self.polishes < POLISHES
+            && (self.polishes == 1 || (gained && self.polishes < POLISHES))
         {
             self.model.x.copy_from_slice(&self.best.1);
             polish.restart(true);
             self.began.0 = polish.factors;
             self.polishes += 1;
+            self.polished_from = self.best.0;
             return;
         }
         let nearer = NEARER * self.near;
