@@ -53,6 +53,9 @@ pub(in crate::solve) struct BlockSystem {
     gradient: Vec<Row>,
 }
 
+/// What of a direction may be left across the constraints.
+const TANGENT: f64 = 1e-9;
+
 impl BlockSystem {
     /// For the hard constraints of `model`. So much is added to the metric of each node, as a part of the mean:
     /// something has to hold what nothing holds.
@@ -192,7 +195,7 @@ impl BlockSystem {
             }
         }
         let mut change = vec![[0.0; 4]; displacement.len()];
-        self.least_change(&mut change);
+        self.least_change(&mut change, TANGENT);
         for (to, by) in displacement.as_flattened_mut().iter_mut().zip(change.as_flattened()) {
             *to += by;
         }
@@ -206,8 +209,8 @@ impl BlockSystem {
     }
 
     /// The least change `dx`, `#nodes`, in the metric of the energies that meets the linearised constraints with the
-    /// residuals at hand.
-    pub(in crate::solve) fn least_change(&mut self, dx: &mut [Row]) {
+    /// residuals at hand, but for a part `left` of them.
+    pub(in crate::solve) fn least_change(&mut self, dx: &mut [Row], left: f64) {
         // Softer springs are for shorter steps: no multipliers then.
         let passes = if self.is_stiffest() { 7 } else { 1 };
         dx.fill([0.0; 4]);
@@ -232,14 +235,14 @@ impl BlockSystem {
                 *to -= by;
             }
             self.gradient = gradient;
-            let left = self.update_images(dx);
+            let after = self.update_images(dx);
             for batch in &mut self.batches {
                 let scale = self.stiffness * batch.weight;
                 for (multiplier, image) in batch.multipliers.iter_mut().zip(&batch.images) {
                     *multiplier += scale * image;
                 }
             }
-            if left <= 1e-3 * before {
+            if after <= left * before {
                 break;
             }
         }

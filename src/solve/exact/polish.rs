@@ -18,6 +18,9 @@ const STIFFER: f64 = 10.0;
 /// So many full steps with a fresh factor that gain nothing show a contradiction; by then all else is met.
 const STUCK: u32 = 6;
 
+/// A step meets the linearised constraints but for this part: the shape itself is less linear.
+const LINEAR: f64 = 1e-3;
+
 /// A step is halved down to this.
 const SHORTEST: f64 = 0.125;
 
@@ -92,7 +95,7 @@ impl Polish {
         self.left -= 1;
         self.steps += 1;
         let before = self.system.residuals(model, &model.x);
-        self.system.least_change(&mut self.dx);
+        self.system.least_change(&mut self.dx, LINEAR);
         let predicted = self.system.predicted();
         let noise = 1e-14 * model.parts.extent;
         let mut t = 1.0;

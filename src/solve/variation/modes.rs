@@ -116,19 +116,22 @@ fn squared(mode: &[Row]) -> f64 {
     mode.as_flattened().iter().map(|value| value * value).sum()
 }
 
-/// Whether the vertex that goes farthest goes outwards: along its normal, or away from the centre.
+/// Whether the vertex that goes farthest goes outwards: along its normal, or away from the centre, or, where it goes
+/// across both, towards the first vertex that it goes along.
 pub(super) fn goes_outwards(displacement: &[Point], normals: &[Vec3<f64>], at: &[Point]) -> bool {
+    const ALONG: f64 = 0.1;
     let n = at.len() as f64;
     let centre = at.iter().fold(Vec3::zero(), |sum, &p| sum + Vec3::from(p) * (1.0 / n));
     let lengths = || displacement.iter().map(|&d| Vec3::from(d).length());
     let longest = lengths().fold(0.0, f64::max);
     // The first of those that go almost as far: mirror images go equally far.
     let Some(v) = lengths().position(|length| length >= 0.999 * longest) else { return true };
-    let way = Vec3::from(displacement[v]);
-    let along = way.dot(normals[v]);
-    if along.abs() > 0.1 * longest {
-        along > 0.0
-    } else {
-        way.dot(Vec3::from(at[v]) - centre) >= 0.0
-    }
+    let (way, from) = (Vec3::from(displacement[v]), Vec3::from(at[v]));
+    let others = at.iter().map(|&p| Vec3::from(p) - from);
+    let mut directions = [normals[v], from - centre].into_iter().chain(others);
+    let clear = directions.find_map(|direction| {
+        let along = way.dot(direction);
+        (along.abs() > ALONG * longest * direction.length()).then_some(along)
+    });
+    clear.is_none_or(|along| along > 0.0)
 }
