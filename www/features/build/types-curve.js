@@ -26,7 +26,10 @@ export function typesCurve(change) {
       const taken = frame ? settings.alike_deg : settings.alike;
       const total = frame ? frame.nodes : report.panels;
       place.hidden = product === 'paper' || curve.length === 0;
-      setText(title, `Types of ${frame ? 'nodes, angles' : 'panels'} alike within`);
+      setText(
+        title,
+        frame ? 'Types of nodes alike within, degrees' : 'Types of panels alike within, mm',
+      );
       bars.replaceChildren(
         ...curve.map(([at, types]) => {
           const within = frame ? `${at}\u00b0` : `${at} mm`;
@@ -41,7 +44,7 @@ export function typesCurve(change) {
             },
             element('span.column', bar),
             element('span', String(types)),
-            element('span.quiet', within),
+            element('span.quiet', String(at)),
           );
         }),
       );
