@@ -57,8 +57,7 @@ await main(() => {
   // The plots, and uPlot with them, load when they are first shown.
   const isPlot = (path) => basename(path).toLowerCase().includes('plot');
   // Parts and sheets come with their own module: the check in the view and the thickness took 3 kB and 5 kB.
-  const isOfParts = (path) =>
-    /^(build-worker|build-panel|dialog-report|scene-link)/.test(basename(path));
+  const isOfParts = (path) => /^(build-worker|build-panel)/.test(basename(path));
   // Variations come when they are first looked at; 26 kB of the solver module are theirs.
   const isOfVariations = (path) => /^(variation|docked)/.test(basename(path));
   const isRhino = (path) => /^(rhino|__vite)/.test(basename(path));

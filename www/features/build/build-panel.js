@@ -6,6 +6,7 @@ import { button, closeButton } from '../../ui/controls/fields.js';
 import { element } from '../../ui/dom.js';
 import { showElements } from '../../viewport/reveal-elements.js';
 import { checkCard, sheetsInWords, warnings } from './check-card.js';
+import { showReport } from './dialog-report.js';
 import { LiveBuild, MOST_LIVE_VERTICES, MOST_SHEETS } from './live-build.js';
 import { newest } from './newest.js';
 import { offsetLayer } from './offset-layer.js';
@@ -56,9 +57,7 @@ async function buildPanel(app) {
   const words = element('p', { 'aria-live': 'polite' });
   const notes = element('div');
   const save = button('Save drawings and tables', saveAll, { class: 'primary' });
-  const report = button('Report', () =>
-    actions.reportErrors(import('./dialog-report.js').then((it) => it.showReport(app, live))),
-  );
+  const report = button('Report', () => actions.reportErrors(showReport(app, live)));
   const panel = element(
     'section.docked',
     { id: 'parts-panel', 'aria-labelledby': 'heading-parts', hidden: true },

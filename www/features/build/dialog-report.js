@@ -1,7 +1,7 @@
 /** The report on one page, as it is saved and printed. */
 
 import './dialog-report.css';
-import { linkTo } from '../../documents/scene-link.js';
+import { linkTo } from '../../documents/share-link.js';
 import { button } from '../../ui/controls/fields.js';
 import { openDialog } from '../../ui/controls/dialog.js';
 import { element } from '../../ui/dom.js';

@@ -3,7 +3,7 @@
 import { openDialog } from '../../ui/controls/dialog.js';
 import { element, setText } from '../../ui/dom.js';
 import { groupDigits } from '../../ui/format.js';
-import { linkTo } from '../../documents/scene-link.js';
+import { linkTo } from '../../documents/share-link.js';
 
 /** Lengths in characters up to which a link gets through, and what is true above the one before. */
 const LEVELS = [
