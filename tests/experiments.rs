@@ -1,6 +1,5 @@
 //! The paper's comparisons (Fig. 10 and 11): what each method promises, and what the figures claim.
 
-#[expect(dead_code, reason = "other tests use the rest of it")]
 #[path = "support/random.rs"]
 mod random;
 

@@ -1,5 +1,6 @@
 //! How long tests with random input run: seconds in `npm test`, longer with `SHAPE_UP_FUZZ=N`, which
 //! multiplies the cases by N and draws others every time.
+#![allow(dead_code, reason = "each test uses some of these")]
 
 use proptest::prelude::ProptestConfig;
 use proptest::test_runner::RngSeed;

@@ -1,4 +1,5 @@
 //! Grids of quads for tests.
+#![allow(dead_code, reason = "each test uses some of these")]
 
 use shape_up::mesh::{Mesh, Point};
 
@@ -20,7 +21,6 @@ pub(crate) fn grid(columns: u32, rows: u32, point: impl Fn(u32, u32) -> Point) -
 }
 
 /// `n * n` quads over bumps that repeat after four steps.
-#[allow(dead_code, reason = "not every test file uses it")]
 pub(crate) fn bumpy(n: u32) -> Mesh {
     grid(n, n, |i, j| [f64::from(i), f64::from(j), f64::from((i * 5 + j * 7) % 4) / 8.0])
 }

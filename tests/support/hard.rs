@@ -1,5 +1,5 @@
 //! Meshes with hard constraints: the problem of the study that they are measured by.
-#![allow(dead_code, reason = "each file uses some of these")]
+#![allow(dead_code, reason = "each test uses some of these")]
 
 use shape_up::constraint::{Element, Kind, Selector, Sets, resolve};
 use shape_up::mesh::{BoundingSphere, Mesh, Point, Topology};

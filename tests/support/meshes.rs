@@ -1,10 +1,7 @@
 //! Meshes for tests of meshes: a wavy grid, and random ones.
-#![allow(dead_code, reason = "each test file uses some of these")]
+#![allow(dead_code, reason = "each test uses some of these")]
 
-#[path = "grid.rs"]
-mod grid;
-
-pub(crate) use grid::grid;
+pub(crate) use crate::grid::grid;
 use proptest::prelude::*;
 use shape_up::mesh::Mesh;
 

@@ -1,4 +1,5 @@
 //! Runs the operator of a kind.
+#![allow(dead_code, reason = "each test uses some of these")]
 
 use crate::random::Points;
 use shape_up::constraint::{Kind, KindVisitor, Projection, Reference};

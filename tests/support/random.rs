@@ -1,4 +1,5 @@
 //! Random points for tests: seeded, the same on every machine.
+#![allow(dead_code, reason = "each test uses some of these")]
 
 use shape_up::math::Vec3;
 

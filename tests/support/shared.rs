@@ -1,6 +1,6 @@
 //! The material beside the project, in `../shared`: meshes that nobody here made, and what an
 //! independent implementation found. Where it is absent, tests print that they skip.
-#![allow(dead_code, reason = "each test file uses some of these")]
+#![allow(dead_code, reason = "each test uses some of these")]
 
 use serde_json::Value;
 use shape_up::math::Vec3;

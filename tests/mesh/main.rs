@@ -1,0 +1,25 @@
+//! Meshes: files in and out, topology, measures, closest points, Laplacians.
+
+#![allow(clippy::unwrap_used, reason = "a helper that fails here fails its test")]
+
+#[path = "../support/fuzz.rs"]
+mod fuzz;
+#[path = "../support/grid.rs"]
+mod grid;
+#[path = "../support/meshes.rs"]
+mod meshes;
+#[path = "../support/random.rs"]
+mod random;
+#[path = "../support/shared.rs"]
+mod shared;
+
+mod boundary_curves;
+mod closest;
+mod files;
+mod fuzzed;
+mod measure;
+mod polygon_laplacian;
+mod reading;
+mod round_trip;
+mod strips;
+mod topology;

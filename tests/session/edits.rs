@@ -1,0 +1,130 @@
+//! Edits of rows as a whole, of settings, and of how things are held: each acts, each is undone.
+
+use crate::grid::grid;
+use serde_json::json;
+use shape_up::scene::{Accelerator, ClosenessTo, Hold, MeshSource, Scene, Weights};
+use shape_up::session::{Edit, Session};
+
+/// A bumpy grid of five by five quads with planes on all faces, kept close to where it was.
+fn session() -> Session {
+    let mesh =
+        grid(5, 5, |i, j| [f64::from(i), f64::from(j), f64::from((i * 5 + j * 7) % 4) / 8.0]);
+    let text = r#"{ "format": "shape-up-scene", "version": 1, "mesh": { "file": "grid.obj" },
+        "constraints": [{ "kind": "plane", "on": "faces", "weight": 3 }],
+        "closeness": { "to": "rest" } }"#;
+    let mut scene = Scene::from_json(text).expect("the scene is valid");
+    scene.weights = Weights { shape: 5.0, close: 1.0, smooth: 0.0 };
+    scene.mesh = MeshSource::Inline(Box::new(mesh.clone()));
+    Session::open(scene, mesh).expect("it fits")
+}
+
+fn run(session: &mut Session) {
+    for _ in 0..60 {
+        session.step().expect("positions stay finite");
+    }
+}
+
+fn distance(session: &Session, vertex: usize) -> f64 {
+    let (now, rest) = (session.positions()[vertex], session.mesh().positions[vertex]);
+    (0..3).map(|axis| (now[axis] - rest[axis]).powi(2)).sum::<f64>().sqrt()
+}
+
+#[test]
+fn a_row_is_duplicated_with_all_that_it_is() {
+    let mut session = session();
+    session.edit(Edit::DuplicateConstraint { index: 0 }).expect("there is a row");
+    let rows = &session.document().constraints;
+    assert_eq!(rows.len(), 2);
+    assert_eq!(rows[0], rows[1]);
+    assert!(session.edit(Edit::DuplicateConstraint { index: 2 }).is_err());
+    assert_eq!(session.undo().expect("it can be undone").as_deref(), Some("Duplicate plane"));
+    assert_eq!(session.document().constraints.len(), 1);
+}
+
+#[test]
+fn a_row_is_named_in_one_step_that_leaves_the_solver_alone() {
+    let mut session = session();
+    run(&mut session);
+    let before = (session.solver().energy(), session.iteration());
+    let rename = |index, name: &str| Edit::RenameConstraint { index, name: name.to_owned() };
+    session.edit(rename(0, "Skylight is flat")).expect("there is a row");
+    assert_eq!(session.document().constraints[0].label(), "Skylight is flat");
+    assert_eq!((session.solver().energy(), session.iteration()), before);
+    assert!(session.edit(rename(1, "No such row")).is_err());
+    let text = session.scene().to_json(session.mesh());
+    assert!(text.contains(r#""name": "Skylight is flat""#), "{text}");
+    let again = Scene::from_json(&text).expect("it was written here");
+    assert_eq!(again.constraints, session.document().constraints);
+    assert_eq!(session.undo().expect("it can be undone").as_deref(), Some("Rename plane"));
+    assert_eq!(session.document().constraints[0].label(), "Plane");
+    session.redo().expect("it can be done again");
+    session.edit(rename(0, "")).expect("there is a row");
+    assert_eq!(session.document().constraints[0].label(), "Plane");
+}
+
+#[test]
+fn vertices_that_are_held_more_move_less_and_those_let_go_more() {
+    let vertices = vec![14, 15, 20, 21];
+    let mut moved = Vec::new();
+    for weight in [0.0, 1.0, 100.0] {
+        let mut session = session();
+        let hold = Edit::HoldClose { vertices: Some(vertices.clone()), weight };
+        session.edit(hold).expect("the vertices are there");
+        run(&mut session);
+        moved.push(vertices.iter().map(|&v| distance(&session, v as usize)).sum::<f64>());
+        let others = if weight == 1.0 { 0 } else { 4 };
+        assert_eq!(session.held_otherwise(), others);
+        session.edit(Edit::HoldClose { vertices: None, weight: 1.0 }).expect("it is plain");
+        assert_eq!(session.held_otherwise(), 0);
+    }
+    assert!(moved[0] > 1.2 * moved[1] && moved[1] > 3.0 * moved[2], "{moved:?}");
+    let mut session = session();
+    for (vertex, weight) in [(99, 2.0), (3, -1.0), (3, f64::NAN)] {
+        assert!(session.edit(Edit::HoldClose { vertices: Some(vec![vertex]), weight }).is_err());
+        assert_eq!(session.held_otherwise(), 0);
+    }
+}
+
+#[test]
+fn settings_act_on_the_solver_and_are_undone() {
+    let mut session = session();
+    let set = |id: &str, value| Edit::Set { id: id.to_owned(), value };
+    session.edit(set("closeness", json!("none"))).expect("it is declared");
+    assert_eq!(session.document().closeness.to, ClosenessTo::None);
+    session.step().expect("positions stay finite");
+    assert_eq!(session.solver().energy().close, 0.0);
+    session.edit(set("accelerator", json!("none"))).expect("it is declared");
+    assert_eq!(session.document().solver.accelerator, Accelerator::None);
+    // Cotangents need triangles: nothing has changed, and the error says where.
+    let refused = session.edit(set("weighting", json!("cotangent"))).expect_err("these are quads");
+    assert!(refused.to_string().contains("triangle"), "{refused}");
+    assert_eq!(session.undo().expect("undo works").as_deref(), Some("Change setting: Accelerator"));
+    assert_eq!(session.undo().expect("undo works").as_deref(), Some("Change setting: Stay near"));
+    assert_eq!(session.document().closeness.to, ClosenessTo::Rest);
+}
+
+#[test]
+fn the_boundary_stays_on_its_curve_when_it_is_told_to() {
+    let mut session = session();
+    for (id, value) in [("corners", json!(60)), ("boundary", json!("exactly"))] {
+        session.edit(Edit::Set { id: id.to_owned(), value }).expect("it is declared");
+    }
+    run(&mut session);
+    for corner in [0, 5, 30, 35] {
+        assert_eq!(distance(&session, corner), 0.0, "a corner stays");
+    }
+}
+
+#[test]
+fn handles_get_a_weight_and_pull_as_hard() {
+    let mut session = session();
+    session.edit(Edit::AddHandles { vertices: vec![14], fixed: true }).expect("it is there");
+    let weigh = |weight| Edit::WeighHandles { vertices: vec![14], weight };
+    session.edit(weigh(7.5)).expect("it is a handle");
+    assert_eq!(session.solver().handles()[0].hold, Hold::Soft { weight: 7.5 });
+    for weight in [0.0, -1.0, f64::NAN] {
+        assert!(session.edit(weigh(weight)).is_err());
+    }
+    session.undo().expect("undo works");
+    assert_eq!(session.solver().handles()[0].hold, Hold::Fixed);
+}

@@ -1,0 +1,230 @@
+//! Lessons: goals are measured on the shape as it is, and what a student hands in is measured again.
+
+use crate::grid::bumpy;
+use shape_up::mesh::Mesh;
+use shape_up::scene::{Lesson, Results, Scene};
+use shape_up::session::{Edit, Session, check_results};
+
+/// Planes on all faces, which is to be reached without going far.
+fn scene() -> Scene {
+    let text = r#"{ "format": "shape-up-scene", "version": 1, "title": "Roof", "units": "m",
+        "mesh": { "file": "grid.obj" },
+        "constraints": [{ "kind": "plane", "on": "faces", "weight": 100, "name": "Panels" }],
+        "weights": { "close": 0.01 },
+        "lesson": { "text": "Make every panel flat.", "goals": [
+            { "measure": "planarity", "at_most": 0.001 },
+            { "measure": "displacement", "at_most": 1 },
+            { "constraint": "Panels", "at_most": 0.001 } ] } }"#;
+    Scene::from_json(text).expect("the scene is valid")
+}
+
+fn session() -> Session {
+    Session::open(scene(), bumpy(5)).expect("it fits")
+}
+
+fn met(session: &mut Session) -> Vec<bool> {
+    session.goals().iter().map(|goal| goal.met).collect()
+}
+
+/// The scene, solved.
+fn solved() -> Session {
+    let mut session = session();
+    session.solve(false).expect("positions stay finite");
+    session
+}
+
+#[test]
+fn goals_are_measured_on_the_shape_as_it_is() {
+    let mut session = session();
+    assert_eq!(met(&mut session), [false, true, false]);
+    let goals = session.goals();
+    assert_eq!(goals[0].value, Some(session.measures().planarity.max_distance));
+    assert_eq!(goals[1].value, Some(0.0));
+    session.solve(false).expect("positions stay finite");
+    assert_eq!(met(&mut session), [true; 3], "{:?}", session.goals());
+    session.edit(Edit::Reset).expect("it can be reset");
+    assert_eq!(met(&mut session), [false, true, false]);
+}
+
+#[test]
+fn a_goal_on_a_constraint_is_not_met_by_taking_it_away() {
+    let mut session = solved();
+    let off = |enabled| Edit::SetConstraint {
+        index: 0,
+        weight: None,
+        require: None,
+        enabled: Some(enabled),
+        params: Default::default(),
+    };
+    session.edit(off(false)).expect("there is a row");
+    assert_eq!(session.goals()[2].value, None);
+    assert_eq!(met(&mut session), [true, true, false]);
+    session.edit(off(true)).expect("there is a row");
+    assert_eq!(met(&mut session), [true; 3]);
+}
+
+#[test]
+fn a_row_stays_what_a_goal_is_on() {
+    let mut session = solved();
+    let renamed = Edit::RenameConstraint { index: 0, name: "Other".to_owned() };
+    let removed = Edit::RemoveConstraint { index: 0 };
+    for (edit, expected) in [(&renamed, "expected \"Other\""), (&removed, "there are none")] {
+        let refused = session.edit(edit.clone()).expect_err(expected).to_string();
+        assert!(refused.starts_with("lesson.goals[2].constraint: "), "{refused}");
+        assert!(refused.contains("\"Panels\"") && refused.contains(expected), "{refused}");
+        assert_eq!(session.document(), solved().document());
+    }
+    // Of two that are called so, one can go; and both when there is no lesson any more.
+    session.edit(Edit::DuplicateConstraint { index: 0 }).expect("there is a row");
+    session.edit(removed.clone()).expect("another one is called so");
+    session.edit(Edit::SetLesson(None)).expect("it can be taken away");
+    session.edit(renamed).expect("nothing is on it");
+    session.edit(removed).expect("nothing is on it");
+    while session.undo().expect("the state was solvable").is_some() {}
+    assert_eq!(session.document(), solved().document());
+}
+
+#[test]
+fn a_lesson_is_written_in_one_step_that_leaves_the_solver_alone() {
+    let mut session = solved();
+    let before = (session.positions(), session.iteration(), session.solver().energy());
+    let text = r#"{ "text": "Other", "goals": [{ "measure": "angles", "at_most": 5 }] }"#;
+    let lesson = Lesson::from_json(text).expect("it is valid");
+    session.edit(Edit::SetLesson(Some(lesson.clone()))).expect("it can be measured");
+    assert_eq!(session.document().lesson.as_ref(), Some(&lesson));
+    assert_eq!((session.positions(), session.iteration(), session.solver().energy()), before);
+    assert_eq!(session.goals().len(), 1);
+    assert_eq!(session.undo().expect("it can be undone").as_deref(), Some("Change lesson"));
+    assert_eq!(session.document().lesson, scene().lesson);
+    session.edit(Edit::SetLesson(None)).expect("it can be taken away");
+    assert!(session.goals().is_empty());
+    assert_eq!(session.results("Ada", ""), None);
+}
+
+#[test]
+fn what_is_wrong_in_a_lesson_is_named_by_its_place() {
+    let rows = r#"[{ "kind": "plane", "on": "faces", "enabled": false },
+        { "kind": "plane", "on": "faces", "name": "Panels" },
+        { "kind": "circle", "on": "faces", "name": "Panels" }]"#;
+    let in_scene = |rows: &str, lesson: &str, mesh: Mesh| {
+        let text = format!(
+            r#"{{ "format": "shape-up-scene", "version": 1, "mesh": {{ "file": "a.obj" }},
+                "constraints": {rows}, "lesson": {lesson} }}"#
+        );
+        let opened = Scene::from_json(&text)
+            .map_err(shape_up::error::Error::from)
+            .and_then(|scene| Session::open(scene, mesh).map(|_| ()));
+        opened.expect_err(lesson).to_string()
+    };
+    for (lesson, place, what) in [
+        (r#"3"#, "lesson: ", "expected an object"),
+        (r#"{ "goals": [] }"#, "lesson: ", "`text` is missing"),
+        (r#"{ "text": "" }"#, "lesson: ", "`goals` is missing"),
+        (r#"{ "text": "", "goals": [] }"#, "lesson.goals: ", "at least one goal"),
+        (r#"{ "text": "", "goals": [{}] }"#, "lesson.goals[0]: ", "about nothing"),
+        (
+            r#"{ "text": "", "goals": [{ "measure": "e-p", "constraint": "a", "at_most": 1 }] }"#,
+            "lesson.goals[0]: ",
+            "about two",
+        ),
+        (
+            r#"{ "text": "", "goals": [{ "measure": "e-p", "at_most": -1 }] }"#,
+            "lesson.goals[0].at_most: ",
+            "expected a number from 0",
+        ),
+        (
+            r#"{ "text": "", "goals": [{ "measure": "e-p" }] }"#,
+            "lesson.goals[0]: ",
+            "`at_most` is missing",
+        ),
+        (
+            r#"{ "text": "", "goals": [{ "measure": "beauty", "at_most": 1 }] }"#,
+            "lesson.goals[0].measure: ",
+            "expected one of planarity, ",
+        ),
+        (
+            r#"{ "text": "", "goals": [{ "constraint": "Panel", "at_most": 1 }] }"#,
+            "lesson.goals[0].constraint: ",
+            "on the constraint \"Panel\", expected one of \"Panels\", \"Plane\"",
+        ),
+        (r#"{ "text": "", "goals": [], "lock": [] }"#, "lesson: ", "unknown key `lock`"),
+    ] {
+        let message = in_scene(rows, lesson, bumpy(5));
+        assert!(message.starts_with(place) && message.contains(what), "{message}");
+    }
+    let points = Mesh { positions: vec![[0.0; 3], [1.0; 3]], ..Mesh::default() };
+    let lesson = r#"{ "text": "", "goals": [{ "measure": "planarity", "at_most": 1 }] }"#;
+    assert!(in_scene("[]", lesson, points).contains("the mesh has none"));
+    let lesson = r#"{ "text": "", "goals": [{ "constraint": "Plane", "at_most": 1 }] }"#;
+    assert!(
+        in_scene("[]", lesson, bumpy(5)).contains("expected a constraint, of which there are none")
+    );
+}
+
+#[test]
+fn results_are_written_read_and_measured_again() {
+    let mut session = solved();
+    let results = session.results("Ada Lovelace", "2026-11-20T20:00:00Z").expect("it is a lesson");
+    assert!(results.passed);
+    assert_eq!(results.title, "Roof");
+    assert_eq!(results.iterations, session.iteration());
+    let again = Results::from_json(&results.to_json()).expect("it was written here");
+    assert_eq!(again, results);
+    let goals = check_results(&again, scene(), bumpy(5)).expect("they are of this scene");
+    assert!(goals.iter().all(|goal| goal.met), "{goals:?}");
+    for (measured, said) in goals.iter().zip(&results.goals) {
+        let (measured, said) =
+            (measured.value.expect("it has one"), said.value.expect("it has one"));
+        assert!((measured - said).abs() <= 1e-9 * said.abs() + 1e-12, "{measured} is not {said}");
+    }
+}
+
+#[test]
+fn results_are_not_believed() {
+    let mut session = session();
+    let mut results = session.results("Mallory", "").expect("it is a lesson");
+    assert!(!results.passed);
+    results.passed = true;
+    for goal in &mut results.goals {
+        goal.met = true;
+        goal.value = Some(0.0);
+    }
+    let goals = check_results(&results, scene(), bumpy(5)).expect("they are of this scene");
+    assert_eq!(goals.iter().map(|goal| goal.met).collect::<Vec<_>>(), [false, true, false]);
+    results.positions.pop();
+    assert!(check_results(&results, scene(), bumpy(5)).is_err());
+}
+
+#[test]
+fn results_of_another_mesh_or_lesson_are_refused() {
+    let results = solved().results("Ada", "").expect("it is a lesson");
+    let mut other = bumpy(5);
+    other.positions[3][2] += 0.5;
+    let refused = check_results(&results, scene(), other).expect_err("it is another mesh");
+    assert!(refused.to_string().starts_with("scene: "), "{refused}");
+    let mut easier = scene();
+    easier.lesson.as_mut().expect("it has one").goals[0].at_most = 1.0;
+    assert!(check_results(&results, easier, bumpy(5)).is_err());
+    // What students change does not make it another exercise.
+    let mut changed = scene();
+    changed.constraints.clear();
+    changed.weights.close = 3.0;
+    assert_eq!(changed.fingerprint(&bumpy(5)), scene().fingerprint(&bumpy(5)));
+}
+
+#[test]
+fn a_file_that_is_not_of_results_is_refused_at_its_place() {
+    let results = solved().results("Ada", "").expect("it is a lesson").to_json();
+    for (from, to, place) in [
+        ("shape-up-results", "shape-up-scene", "format: "),
+        (r#""version": 1"#, r#""version": 2"#, "version: "),
+        (r#""student""#, r#""pupil""#, ""),
+        (r#""met": true"#, r#""met": 1"#, "goals[0].met: "),
+        (r#""kind": "plane""#, r#""kind": "plain""#, "constraints[0].kind: "),
+    ] {
+        let text = results.replacen(from, to, 1);
+        assert_ne!(text, results);
+        let error = Results::from_json(&text).expect_err(from);
+        assert!(error.to_string().starts_with(place), "{error}");
+    }
+}

@@ -1,0 +1,33 @@
+//! Sessions: what hosts do with them, from the first press to undo.
+
+#![allow(clippy::unwrap_used, reason = "a helper that fails here fails its test")]
+
+#[path = "../support/fuzz.rs"]
+mod fuzz;
+#[path = "../support/grid.rs"]
+mod grid;
+#[path = "../support/meshes.rs"]
+mod meshes;
+#[path = "../support/shared.rs"]
+mod shared;
+
+mod collapse;
+mod edits;
+mod edits_json;
+mod halves;
+mod lessons;
+mod make_panels;
+mod offers;
+mod operators;
+mod own_mesh;
+mod presets;
+mod regions;
+mod remedies;
+mod replacing;
+mod selecting;
+mod shown;
+mod stories;
+mod tables;
+mod undo;
+mod variations;
+mod worst;

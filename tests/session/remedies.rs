@@ -1,0 +1,126 @@
+//! What is offered where constraints are not met: whatever it is, it lowers the worst distance.
+
+use crate::grid::grid;
+use shape_up::mesh::Mesh;
+use shape_up::scene::Scene;
+use shape_up::session::{Edit, Remedies, Remedy, Session};
+
+/// The weights of a mesh that somebody opens, and `more` of the scene.
+fn session(mesh: Mesh, more: &str) -> Session {
+    let text = format!(
+        r#"{{ "format": "shape-up-scene", "version": 1, "mesh": {{ "file": "mesh.obj" }},
+            "weights": {{ "shape": 1000, "close": 1, "smooth": 1 }}, "closeness": {{ "to": "rest" }},
+            "smoothness": {{ "of": "displacement", "weighting": "uniform" }}, {more} }}"#
+    );
+    Session::open(Scene::from_json(&text).expect("the scene is valid"), mesh).expect("it fits")
+}
+
+/// Until nothing would change, as a run of the page, or for so many iterations.
+fn run(session: &mut Session, most: u32) {
+    for _ in 0..most {
+        if session.step().expect("it stays finite").converged {
+            return;
+        }
+    }
+}
+
+fn remedies(session: &Session) -> Vec<Remedy> {
+    let mut remedies = Remedies::new(session).expect("it could be solved before");
+    while remedies.step().expect("it could be solved before") {}
+    remedies.found().to_vec()
+}
+
+/// Takes each remedy as the page does, from the shape that the run led to.
+fn each_helps(session: &mut Session, remedies: &[Remedy]) {
+    let before = session.worst_distance();
+    for Remedy { label, edit, worst } in remedies {
+        let edit = Edit::from_json(&edit.to_string(), session.document()).expect("it is an edit");
+        session.edit(edit).expect("it was tried");
+        // The rest of the way is long, and as good or better.
+        run(session, 250);
+        let after = session.worst_distance();
+        println!("  {label}: {before:.3e} -> {after:.3e}, tried {worst:.3e}");
+        assert!(after < 0.95 * before, "{label}: {before} -> {after}");
+        session.undo().expect("it was one edit").expect("there is one");
+        assert!((session.worst_distance() / before - 1.0).abs() < 1e-9, "{label}");
+    }
+}
+
+/// On a mesh of `../shared/meshes`, circles on all faces.
+fn on_real_mesh(file: &str) {
+    let Some(mesh) = crate::shared::mesh(file) else { return };
+    let mut session = session(mesh, r#""constraints": [{ "kind": "circle", "on": "faces" }]"#);
+    run(&mut session, 3000);
+    let remedies = remedies(&session);
+    println!("{file}");
+    assert!(!remedies.is_empty(), "{file}: nothing is offered");
+    each_helps(&mut session, &remedies);
+}
+
+#[test]
+fn whatever_is_offered_helps_on_a_pillow() {
+    on_real_mesh("pillow_1.obj");
+}
+
+#[test]
+fn whatever_is_offered_helps_on_a_roof() {
+    on_real_mesh("M2_eq_quad2.obj");
+}
+
+#[test]
+fn whatever_is_offered_helps_on_a_bubble() {
+    on_real_mesh("botanic-garden-bubble-0.obj");
+}
+
+#[test]
+fn whatever_is_offered_helps_on_a_tunnel() {
+    on_real_mesh("halftunnel.off");
+}
+
+#[test]
+fn whatever_is_offered_helps_on_a_horse() {
+    on_real_mesh("horse_quad.obj");
+}
+
+#[test]
+fn handles_that_are_in_the_way_can_be_released() {
+    let flat = grid(6, 6, |i, j| [f64::from(i), f64::from(j), 0.0]);
+    let lifted = r#""constraints": [{ "kind": "plane", "on": "faces" }],
+        "handles": [{ "vertices": [0], "targets": [[0, 0, 0.5]], "fixed": true },
+                    { "vertices": [1], "targets": [[0, 1, -0.5]], "fixed": true },
+                    { "vertices": [7], "targets": [[1, 0, -0.5]], "fixed": true },
+                    { "vertices": [8], "targets": [[1, 1, 0.5]], "fixed": true }]"#;
+    let mut session = session(flat, lifted);
+    run(&mut session, 3000);
+    let remedies = remedies(&session);
+    assert_eq!(remedies[0].label, "Release the handles");
+    each_helps(&mut session, &remedies);
+}
+
+#[test]
+fn where_nothing_helps_nothing_is_offered() {
+    // A square cannot be collinear, whatever its weight is, unless it collapses.
+    let square = grid(1, 1, |i, j| [f64::from(i), f64::from(j), 0.0]);
+    let mut session = session(
+        square,
+        r#""constraints": [{ "kind": "line", "on": "faces" }],
+        "handles": [{ "vertices": [0, 1, 2, 3], "fixed": true }]"#,
+    );
+    run(&mut session, 3000);
+    assert_eq!(remedies(&session), []);
+}
+
+#[test]
+fn weighing_constraints_more_brings_all_panels_within_the_tolerance() {
+    // Ten times the weight, which was offered first, left the worst at twice the tolerance.
+    let Some(mesh) = crate::shared::mesh("M2_eq_quad2.obj") else { return };
+    let mut session = session(mesh, r#""constraints": [{ "kind": "circle", "on": "faces" }]"#);
+    run(&mut session, 3000);
+    let remedies = remedies(&session);
+    let more = remedies.iter().find(|remedy| remedy.label == "Weigh constraints more");
+    let edit = more.expect("it helps").edit.to_string();
+    session.edit(Edit::from_json(&edit, session.document()).expect("it is an edit")).expect("fits");
+    run(&mut session, 3000);
+    let verdict = session.verdict(session.tolerance()).expect("all panels are asked to be circles");
+    assert_eq!(verdict.within, verdict.panels, "worst {:e}", verdict.worst);
+}

@@ -1,0 +1,431 @@
+//! Undo of everything: whatever is done to a session, in whatever order, is taken back exactly.
+
+use crate::grid::grid;
+use proptest::prelude::*;
+use serde_json::{Map, json};
+use shape_up::constraint::{Form, Set};
+use shape_up::fabricate::BuildSettings;
+use shape_up::mesh::Mesh;
+use shape_up::scene::{ConstraintSpec, Goal, GoalOf, Lesson, MeshSource, Scene, Up, Weights};
+use shape_up::session::{Edit, NewConstraint, SETTINGS, Session};
+
+const SIDE: u32 = 4;
+const VERTICES: u32 = (SIDE + 1) * (SIDE + 1);
+
+/// A bumpy grid, as far from the origin as a building site may be.
+fn site() -> Mesh {
+    grid(SIDE, SIDE, |i, j| {
+        let bump = f64::from((i * 5 + j * 7) % 4) / 7.0;
+        [f64::from(i) / 3.0 + 482_113.7, f64::from(j) / 3.0 - 65_220.1, bump + 431.9]
+    })
+}
+
+/// What a person does, by the numbers that a strategy draws.
+#[derive(Clone, Debug)]
+enum Deed {
+    Edit(Box<Edit>),
+    Drag { vertex: u32, by: [f64; 3], steps: usize, keep: bool },
+    DragNew { vertex: u32, by: [f64; 3], steps: usize, keep: bool },
+    Run(usize),
+    Undo,
+    Redo,
+}
+
+fn new(kind: &str, on: &str) -> Edit {
+    let text = format!(r#"{{ "kind": "{kind}", "on": {on} }}"#);
+    let spec = ConstraintSpec::from_json(&text).expect("the constraint is valid");
+    Edit::AddConstraint(NewConstraint { spec, set: None })
+}
+
+fn lesson() -> Lesson {
+    let goal = Goal { of: GoalOf::Constraint("Plane".to_owned()), at_most: 0.1 };
+    Lesson { text: "Make it flat.".to_owned(), goals: vec![goal] }
+}
+
+/// One of the declared settings, at one of its values.
+fn setting() -> impl Strategy<Value = Edit> {
+    (0..SETTINGS.len(), 0..3usize, 0.0..1.0).prop_map(|(index, form, part)| {
+        let param = SETTINGS[index].param;
+        let [least, greatest] = param.range;
+        let value = match param.forms[form % param.forms.len()] {
+            Form::Word(word) => json!(word),
+            // A run does not end where the tolerance is 0, and windows are whole.
+            _ => json!(f64::ceil(least + part * (greatest - least))),
+        };
+        Edit::Set { id: param.id.to_owned(), value }
+    })
+}
+
+fn deed() -> impl Strategy<Value = Deed> {
+    let vertices = || proptest::collection::vec(0..VERTICES, 1..4);
+    let edit = prop_oneof![
+        prop_oneof![
+            Just(new("plane", "\"faces\"")),
+            Just(new("circle", "\"faces\"")),
+            Just(new("line-segment", "\"edges\"")),
+            Just(new("sphere", r#"{ "vertices": [0, 1, 5, 6, 7] }"#)),
+        ],
+        (0..3usize).prop_map(|index| Edit::RemoveConstraint { index }),
+        (0..3usize, 0.1..9.0).prop_map(|(index, weight)| Edit::SetConstraint {
+            index,
+            weight: Some(weight),
+            require: None,
+            enabled: None,
+            params: Map::new(),
+        }),
+        (0..3usize, any::<bool>()).prop_map(|(index, on)| Edit::SetConstraint {
+            index,
+            weight: None,
+            require: None,
+            enabled: Some(on),
+            params: Map::new(),
+        }),
+        (0..3usize, 0.2..2.0).prop_map(|(index, length)| {
+            let params = json!({ "length": length }).as_object().cloned();
+            let params = params.expect("it is an object");
+            Edit::SetConstraint { index, weight: None, require: None, enabled: None, params }
+        }),
+        (0.1..9.0, 0.1..9.0, 0.0..9.0)
+            .prop_map(|(shape, close, smooth)| Edit::SetWeights(Weights { shape, close, smooth })),
+        (proptest::collection::vec(0..VERTICES + 2, 0..4), 0.0..9.0)
+            .prop_map(|(vertices, weight)| Edit::WeighHandles { vertices, weight }),
+        (proptest::option::of(vertices()), 0.0..9.0)
+            .prop_map(|(vertices, weight)| Edit::HoldClose { vertices, weight }),
+        "[a-c]".prop_map(|name| Edit::RemoveSet { name }),
+        ("[a-c]", vertices()).prop_map(|(name, vertices)| Edit::NameSet {
+            name,
+            set: Set { vertices, faces: Vec::new() },
+        }),
+        (0..3usize).prop_map(|index| Edit::DuplicateConstraint { index }),
+        setting(),
+        "(m|mm|ft)".prop_map(|units| Edit::SetUnits { units }),
+        any::<bool>().prop_map(|y| Edit::SetUp { up: if y { Up::Y } else { Up::Z } }),
+        (vertices(), any::<bool>())
+            .prop_map(|(vertices, fixed)| Edit::AddHandles { vertices, fixed }),
+        vertices().prop_map(|vertices| Edit::RemoveHandles { vertices }),
+        (0..3usize, "[a-c]{0,2}").prop_map(|(index, name)| Edit::RenameConstraint { index, name }),
+        any::<bool>().prop_map(|is_one| Edit::SetLesson(is_one.then(lesson))),
+        (1.0..3.0f64).prop_map(|scale| Edit::SetBuild {
+            build: Box::new(BuildSettings { scale: scale.round(), ..BuildSettings::default() }),
+        }),
+        Just(Edit::Reset),
+    ];
+    prop_oneof![
+        6 => edit.prop_map(|edit| Deed::Edit(Box::new(edit))),
+        2 => (0..VERTICES, prop::array::uniform3(-1.0..1.0), 0..4usize, any::<bool>())
+            .prop_map(|(vertex, by, steps, keep)| Deed::Drag { vertex, by, steps, keep }),
+        1 => (0..VERTICES, prop::array::uniform3(-1.0..1.0), 0..4usize, any::<bool>())
+            .prop_map(|(vertex, by, steps, keep)| Deed::DragNew { vertex, by, steps, keep }),
+        2 => (1..6usize).prop_map(Deed::Run),
+        1 => Just(Deed::Undo),
+        1 => Just(Deed::Redo),
+    ]
+}
+
+/// Does it; edits that make no sense are refused, which is no step.
+fn act(session: &mut Session, deed: Deed) {
+    let steps = |session: &mut Session, count| {
+        for _ in 0..count {
+            session.step().expect("positions stay finite");
+        }
+    };
+    match deed {
+        Deed::Edit(edit) => drop(session.edit(*edit)),
+        Deed::Drag { vertex, by, steps: count, keep } => {
+            let handles = session.solver().handles();
+            let Some(handle) = handles.get(vertex as usize % handles.len().max(1)) else { return };
+            let (vertex, at) = (handle.vertex, handle.target);
+            session.begin_drag();
+            session
+                .drag([(vertex, std::array::from_fn(|axis| at[axis] + by[axis]))])
+                .expect("the targets are near");
+            steps(session, count);
+            session.end_drag(keep);
+        }
+        Deed::DragNew { vertex, by, steps: count, keep } => {
+            let at = session.positions()[vertex as usize];
+            session.begin_drag_of_new(vec![vertex]).expect("the vertex is there");
+            session
+                .drag([(vertex, std::array::from_fn(|axis| at[axis] + by[axis]))])
+                .expect("the targets are near");
+            steps(session, count);
+            session.end_drag(keep);
+        }
+        Deed::Run(count) => {
+            session.begin_run();
+            steps(session, count);
+            session.end_run();
+        }
+        Deed::Undo => drop(session.undo().expect("the state was solvable")),
+        Deed::Redo => drop(session.redo().expect("the state was solvable")),
+    }
+}
+
+/// All of it: document, handles, positions to the last bit, and the count of iterations.
+fn everything(session: &Session) -> (String, Vec<[u64; 3]>, u32) {
+    let scene = session.scene();
+    let bits = session.positions().iter().map(|point| point.map(f64::to_bits)).collect();
+    (scene.to_json(session.mesh()), bits, session.iteration())
+}
+
+fn open() -> Session {
+    let mut scene = Scene::new(MeshSource::File("site.obj".to_owned()));
+    scene.weights = Weights { shape: 1.0, close: 0.1, smooth: 0.1 };
+    let mut session = Session::open(scene, site()).expect("the scene is valid");
+    session.start_trace();
+    session
+}
+
+#[test]
+fn an_edit_that_changes_nothing_is_no_step() {
+    let mut session = open();
+    session.edit(new("plane", "\"faces\"")).expect("faces can be planes");
+    session.edit(Edit::AddHandles { vertices: vec![6], fixed: true }).expect("it is there");
+    let before = everything(&session);
+    let same = |weight| Edit::SetConstraint {
+        index: 0,
+        weight,
+        require: None,
+        enabled: Some(true),
+        params: Map::new(),
+    };
+    let document = session.document().clone();
+    let nothing = [
+        Edit::Reset,
+        same(Some(1.0)),
+        same(None),
+        Edit::SetWeights(document.weights),
+        Edit::SetUnits { units: document.units },
+        Edit::SetUp { up: document.up },
+        Edit::SetLesson(None),
+        Edit::RenameConstraint { index: 0, name: String::new() },
+        Edit::RemoveSet { name: "eaves".to_owned() },
+        Edit::Set { id: "tolerance".to_owned(), value: json!(1e-9) },
+        Edit::HoldClose { vertices: None, weight: 1.0 },
+        Edit::AddHandles { vertices: vec![6], fixed: true },
+        Edit::AddHandles { vertices: vec![], fixed: true },
+        Edit::WeighHandles { vertices: vec![3], weight: 7.0 },
+        Edit::RemoveHandles { vertices: vec![3, 7] },
+    ];
+    // What was undone can still be done again.
+    act(&mut session, Deed::Run(2));
+    act(&mut session, Deed::Undo);
+    let steps = [Some("Fix 1 vertex"), Some("Run, 2 iterations")];
+    assert_eq!(session.undo_and_redo(), steps);
+    for edit in nothing {
+        let words = format!("{edit:?}");
+        session.edit(edit).expect("it does no harm");
+        assert_eq!(everything(&session), before, "{words}");
+        assert_eq!(session.undo_and_redo(), steps, "{words}");
+    }
+}
+
+proptest! {
+    #![proptest_config(crate::fuzz::cases(96))]
+
+    #[test]
+    fn every_sequence_of_deeds_is_taken_back_to_the_start_and_done_again(
+        deeds in proptest::collection::vec(deed(), 1..24),
+    ) {
+        let mut session = open();
+        let start = everything(&session);
+        for deed in deeds {
+            act(&mut session, deed);
+        }
+        // What was undone on the way is not part of the state at the end.
+        while session.redo().expect("the state was solvable").is_some() {}
+        let end = everything(&session);
+        let again = Session::open(session.scene(), site()).map(|_| ());
+        prop_assert!(again.is_ok(), "what was made can be opened: {again:?}");
+        let mut done = Vec::new();
+        while let Some(name) = session.undo().expect("the state was solvable") {
+            prop_assert!(!name.is_empty());
+            done.push(name);
+        }
+        prop_assert_eq!(everything(&session), start);
+        // The table of the iterations ends where the session is.
+        prop_assert_eq!(session.convergence_csv().lines().count(), 2);
+        let mut again = Vec::new();
+        while let Some(name) = session.redo().expect("the state was solvable") {
+            again.push(name);
+        }
+        again.reverse();
+        prop_assert_eq!(again, done);
+        prop_assert_eq!(everything(&session), end);
+    }
+}
+
+/// Opens anew what was written of a session, as a page does after a reload.
+fn reopened(text: &str, iteration: u32, history: &[u8], progress: &[u8]) -> Session {
+    let scene = Scene::from_json(text).expect("what was written can be read");
+    let mut session = Session::open(scene, site()).expect("it can be opened");
+    session.restore_iteration(iteration);
+    session.restore(history, progress).expect("it was saved a moment ago");
+    session
+}
+
+fn written(session: &Session) -> String {
+    session.scene().to_json(session.mesh())
+}
+
+/// The scene as text, the bits of the positions, the iteration.
+type State = (String, Vec<[u64; 3]>, u32);
+
+/// All states on the way back to the start, and on the way forward to the end, each with its step.
+fn all_states(session: &mut Session) -> Vec<(String, State)> {
+    let mut states = Vec::new();
+    while let Some(name) = session.undo().expect("the state was solvable") {
+        states.push((name, everything(session)));
+    }
+    while let Some(name) = session.redo().expect("the state was solvable") {
+        states.push((name, everything(session)));
+    }
+    states
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 48, failure_persistence: None, ..ProptestConfig::default() })]
+
+    // It was lost with every reload, and with every worker that was replaced.
+    #[test]
+    fn a_session_that_is_opened_again_can_undo_and_redo_all_that_it_could(
+        deeds in proptest::collection::vec(deed(), 1..24),
+    ) {
+        let mut session = open();
+        deeds.into_iter().for_each(|deed| act(&mut session, deed));
+        let (text, history) = (written(&session), session.saved_history());
+        let mut again = reopened(&text, session.iteration(), &history, &[]);
+        prop_assert_eq!(again.undo_and_redo(), session.undo_and_redo());
+        prop_assert_eq!(again.saved_history(), history);
+        prop_assert_eq!(all_states(&mut again), all_states(&mut session));
+    }
+}
+
+#[test]
+fn a_run_and_a_drag_that_were_cut_off_are_steps_of_undo() {
+    let target = [482_114.0, -65_220.0, 433.0];
+    let begin_new = |session: &mut Session| {
+        session.begin_drag_of_new(vec![7]).expect("it is there");
+        session.drag([(7, target)]).expect("it is near");
+    };
+    let begin_drag = |session: &mut Session| {
+        session.begin_drag();
+        session.drag([(6, target)]).expect("it is near");
+    };
+    type Begin<'a> = (&'a dyn Fn(&mut Session), &'a str);
+    let begin: [Begin<'_>; 3] = [
+        (&Session::begin_run, "Run, 3 iterations"),
+        (&begin_drag, "Move handle"),
+        (&begin_new, "Make and move handle"),
+    ];
+    for (begin, name) in begin {
+        let mut session = open();
+        session.edit(new("plane", "\"faces\"")).expect("faces can be planes");
+        session.edit(Edit::AddHandles { vertices: vec![6], fixed: false }).expect("it is there");
+        act(&mut session, Deed::Run(2));
+        let (text, history) = (written(&session), session.saved_history());
+        let before = everything(&session);
+        begin(&mut session);
+        for _ in 0..3 {
+            session.step().expect("positions stay finite");
+        }
+        assert_eq!(session.saved_history(), history, "it belongs to the scene before");
+        let mut again = reopened(&text, before.2, &history, &session.saved_progress());
+        assert_eq!(everything(&again), everything(&session));
+        assert_eq!(again.undo_and_redo(), [Some(name), None]);
+        act(&mut again, Deed::Undo);
+        assert_eq!(everything(&again), before);
+    }
+}
+
+#[test]
+fn saved_steps_that_are_damaged_are_refused_and_leave_the_scene_as_it_was() {
+    let mut session = open();
+    session.edit(new("plane", "\"faces\"")).expect("faces can be planes");
+    act(&mut session, Deed::Run(2));
+    let (text, history) = (written(&session), session.saved_history());
+    let open_again = || {
+        let scene = Scene::from_json(&text).expect("what was written can be read");
+        Session::open(scene, site()).expect("it can be opened")
+    };
+    let mut again = open_again();
+    for end in 1..history.len() {
+        again.restore(&history[..end], &[]).expect_err("it is cut off");
+        again.restore(&[], &history[..end]).expect_err("it is something else");
+    }
+    let error = again.restore(b"anything", &[]).expect_err("it is something else").to_string();
+    assert!(error.starts_with("saved steps: damaged 8 bytes before their end"), "{error}");
+    assert_eq!(again.undo_and_redo(), [None, None]);
+    assert_eq!(everything(&again), everything(&open_again()));
+    // Of a scene with fewer vertices.
+    let small = grid(1, 1, |i, j| [f64::from(i), f64::from(j), 0.0]);
+    let scene = Scene::new(MeshSource::File("small.obj".to_owned()));
+    let mut small = Session::open(scene, small).expect("the scene is valid");
+    small.restore(&history, &[]).expect_err("it is of another mesh");
+}
+
+#[test]
+fn of_a_long_history_of_a_large_mesh_the_newest_steps_are_saved() {
+    let mesh = grid(99, 99, |i, j| [f64::from(i), f64::from(j), f64::from((i + j) % 3)]);
+    let mut scene = Scene::new(MeshSource::File("large.obj".to_owned()));
+    scene.weights = Weights { shape: 1.0, close: 0.1, smooth: 0.1 };
+    let mut session = Session::open(scene, mesh).expect("the scene is valid");
+    // Each moves every vertex: 240 kB.
+    for _ in 0..45 {
+        act(&mut session, Deed::Run(1));
+        act(&mut session, Deed::Edit(Box::new(Edit::Reset)));
+    }
+    let history = session.saved_history();
+    assert!((19_000_000..=20_000_000).contains(&history.len()), "{}", history.len());
+    let text = written(&session);
+    let scene = Scene::from_json(&text).expect("what was written can be read");
+    let mut again = Session::open(scene, session.mesh().clone()).expect("it can be opened");
+    again.restore_iteration(session.iteration());
+    again.restore(&history, &[]).expect("it was saved a moment ago");
+    for _ in 0..9 {
+        act(&mut again, Deed::Undo);
+        act(&mut session, Deed::Undo);
+    }
+    assert_eq!(everything(&again), everything(&session));
+}
+
+#[test]
+fn a_cancelled_drag_leaves_nothing_behind() {
+    let mut session = open();
+    session.edit(new("plane", "\"faces\"")).expect("faces can be planes");
+    session.edit(Edit::AddHandles { vertices: vec![6], fixed: false }).expect("it is there");
+    let before = everything(&session);
+    act(&mut session, Deed::Drag { vertex: 0, by: [0.1, 0.2, 0.5], steps: 3, keep: false });
+    assert_eq!(everything(&session), before);
+    assert_eq!(session.convergence_csv().lines().count(), 2, "the head and iteration 0");
+}
+
+#[test]
+fn a_handle_that_is_made_and_moved_at_once_is_one_step_or_none() {
+    let mut session = open();
+    session.edit(new("plane", "\"faces\"")).expect("faces can be planes");
+    let before = everything(&session);
+    let deed = |keep| Deed::DragNew { vertex: 7, by: [0.1, 0.2, 0.5], steps: 3, keep };
+    act(&mut session, deed(false));
+    assert_eq!(everything(&session), before);
+    assert_eq!(session.undo_and_redo(), [Some("Add plane"), None]);
+    act(&mut session, deed(true));
+    assert_eq!(session.undo_and_redo(), [Some("Make and move handle"), None]);
+    act(&mut session, Deed::Undo);
+    assert_eq!(everything(&session), before);
+    assert!(session.begin_drag_of_new(vec![VERTICES]).is_err());
+    session.end_drag(true);
+    assert_eq!(everything(&session), before);
+}
+
+#[test]
+fn saying_the_unit_and_the_axis_moves_nothing() {
+    let mut session = open();
+    act(&mut session, Deed::Run(2));
+    let before = session.positions();
+    session.edit(Edit::SetUnits { units: "ft".to_owned() }).expect("any unit will do");
+    session.edit(Edit::SetUp { up: Up::Y }).expect("any axis will do");
+    assert_eq!(session.positions(), before);
+    assert!(session.obj().starts_with("# units: ft\n# up: y\nv "));
+    assert_eq!(session.undo_and_redo()[0], Some("Change up axis"));
+}

@@ -1,0 +1,182 @@
+//! Variations in a session: shown, brought back, kept, undone, and read again.
+
+use crate::grid::grid;
+use serde_json::json;
+use shape_up::mesh::{Mesh, Point};
+use shape_up::scene::{ConstraintSpec, MeshSource, Require, Scene, Variants};
+use shape_up::session::{DragPhase, Edit, Session, Variations};
+
+/// Bumps on which all panels are flat.
+fn flat() -> Session {
+    let mesh = grid(5, 5, |i, j| {
+        let (x, y) = (f64::from(i), f64::from(j));
+        [x, y, 0.05 * (x - 2.0) * (x - 2.0) - 0.06 * (y - 2.0) * (y - 2.0) + 0.01 * x * y]
+    });
+    let text = json!({
+        "format": "shape-up-scene", "version": 1, "mesh": { "file": "bumps.obj" },
+        "constraints": [{ "kind": "plane", "on": "faces", "require": "exact" }],
+        "weights": { "shape": 100, "close": 1, "smooth": 1 }, "closeness": { "to": "rest" },
+        "smoothness": { "of": "displacement" },
+        "handles": [{ "vertices": [14], "weight": 10 }],
+    });
+    let scene = Scene::from_json(&text.to_string()).expect("it is a scene");
+    let mut session = Session::open(scene, mesh).expect("it opens");
+    run(&mut session);
+    session
+}
+
+fn run(session: &mut Session) {
+    session.begin_run();
+    while !session.step().expect("positions stay finite").ended {}
+    session.end_run();
+}
+
+fn found(session: &Session) -> Variations {
+    let mut variations = session.variations().expect("regular").expect("all is exact");
+    while variations.step().expect("regular") {}
+    assert_eq!(variations.modes().len(), 8);
+    variations
+}
+
+fn farthest(a: &[Point], b: &[Point]) -> f64 {
+    let away = a.as_flattened().iter().zip(b.as_flattened()).map(|(a, b)| (a - b).abs());
+    away.fold(0.0, f64::max)
+}
+
+/// Goes along the first two variations and keeps that.
+fn keep_one(session: &mut Session) -> Vec<Point> {
+    let mut variations = found(session);
+    assert_eq!(session.reach_variation(&mut variations, &[0.05, 0.02]), Ok(Some(1.0)));
+    assert!(session.keep_variation(&mut variations).expect("there is room"));
+    session.positions()
+}
+
+#[test]
+fn what_is_kept_is_exact_and_one_step_of_undo() {
+    let mut session = flat();
+    let start = session.positions();
+    let mut variations = found(&session);
+    let before = session.undo_and_redo().map(|name| name.map(str::to_owned));
+    assert!(session.show_variation(&mut variations, &[0.05]));
+    assert!(farthest(&session.positions(), &start) > 0.01, "the way is shown at once");
+    assert_eq!(session.keep_variation(&mut variations), Ok(false), "it is not brought back yet");
+    assert_eq!(session.reach_variation(&mut variations, &[0.05]), Ok(Some(1.0)));
+    assert!(session.exact().expect("there is a hard row").met);
+    assert_eq!(session.undo_and_redo().map(|name| name.map(str::to_owned)), before);
+    assert_eq!(session.keep_variation(&mut variations), Ok(true));
+    let kept = session.positions();
+    assert_eq!(session.undo_and_redo()[0], Some("Keep Variant 1"));
+    let names = |session: &Session| -> Vec<String> {
+        session.document().variants.kept.iter().map(|variant| variant.name.clone()).collect()
+    };
+    assert_eq!(names(&session), ["Start", "Variant 1"]);
+    assert!(!session.show_variation(&mut variations, &[0.01]), "those are of the shape before");
+    session.undo().expect("it was solvable");
+    assert!(session.positions() == start && names(&session).is_empty());
+    session.redo().expect("it was solvable");
+    assert!(session.positions() == kept && session.exact().is_some_and(|exact| exact.met));
+}
+
+#[test]
+fn what_is_not_kept_is_left() {
+    let mut session = flat();
+    let start = session.positions();
+    let mut variations = found(&session);
+    session.show_variation(&mut variations, &[0.05]);
+    session.leave_variation();
+    assert_eq!(session.positions(), start);
+    session.reach_variation(&mut variations, &[0.0, 0.05]).expect("regular");
+    run(&mut session);
+    assert_eq!(session.positions(), start, "a run begins at the shape that is open");
+    session.show_variation(&mut variations, &[0.05]);
+    session.edit(Edit::SetUnits { units: "m".to_owned() }).expect("a unit");
+    assert_eq!(session.positions(), start);
+    let ways = session.document().constraints[0].clone();
+    let soft = ConstraintSpec { require: Require::Soft, ..ways };
+    let mut scene = session.scene();
+    scene.constraints = vec![soft];
+    let session = Session::open(scene, session.mesh().clone()).expect("it opens");
+    assert!(session.variations().expect("regular").is_none(), "nothing is hard there");
+}
+
+#[test]
+fn a_design_that_was_kept_is_held_to() {
+    let mut session = flat();
+    let start = session.positions();
+    let kept = keep_one(&mut session);
+    let way = farthest(&kept, &start);
+    // A drag and its end: soft at first, then exact again; to the side a little, and it stays near the new design.
+    let target = [kept[14][0], kept[14][1], kept[14][2] + 0.01 * way];
+    session.drag_through(DragPhase::Start, &[14], &[target]).expect("a handle");
+    for _ in 0..30 {
+        session.step().expect("finite");
+    }
+    session.drag_through(DragPhase::End, &[14], &[target]).expect("a handle");
+    while session.is_running() && !session.step().expect("finite").ended {}
+    session.end_run();
+    let after = session.positions();
+    assert!(session.exact().is_some_and(|exact| exact.met));
+    assert!(farthest(&after, &kept) < 0.1 * way, "{} of {way}", farthest(&after, &kept));
+    // A reset is one of the design too.
+    session.edit(Edit::Reset).expect("it was solvable");
+    assert_eq!(session.document().variants.design, None);
+}
+
+#[test]
+fn variants_are_saved_gone_to_compared_and_taken_away() {
+    let mut session = flat();
+    let start = session.positions();
+    let first = keep_one(&mut session);
+    let second = keep_one(&mut session);
+    let text = session.scene_with_mesh();
+    let history = session.saved_history();
+    let scene = Scene::from_json(&text).expect("it is read");
+    let MeshSource::Inline(mesh) = scene.mesh.clone() else { panic!("the mesh is in the scene") };
+    let mut opened = Session::open(scene, *mesh).expect("it opens");
+    assert_eq!(opened.scene_with_mesh(), text);
+    opened.restore(&history, &[]).expect("it is of that scene");
+    assert_eq!(opened.saved_history(), history);
+    opened.undo().expect("solvable");
+    assert_eq!(opened.positions(), first);
+    opened.redo().expect("solvable");
+
+    opened.edit(Edit::GoToVariant { index: 1 }).expect("it is there");
+    assert!(opened.positions() == first && opened.exact().is_some_and(|exact| exact.met));
+    let table = opened.variant_table(1e-6).expect("solvable");
+    assert_eq!(opened.positions(), first, "comparing moves nothing");
+    let names: Vec<&str> = table.iter().map(|row| &*row.name).collect();
+    assert_eq!(names, ["Start", "Variant 1", "Variant 2"]);
+    for (row, shape) in table.iter().zip([&start, &first, &second]) {
+        assert_eq!(row.is_current, *shape == first);
+        assert_eq!(row.is_design, *shape == first);
+        assert!(row.distance.is_some_and(|distance| distance < 1e-9));
+        assert!(row.area > 20.0 && row.moved.max > 0.0);
+        assert_eq!((row.panels, row.beyond), (25, 0));
+    }
+    let refused = opened.edit(Edit::RemoveVariant { index: 1 });
+    assert!(refused.is_err_and(|error| error.to_string().contains("design")));
+    opened.edit(Edit::RemoveVariant { index: 0 }).expect("it is not the design");
+    assert_eq!(opened.document().variants.design, Some(0));
+}
+
+#[test]
+fn files_with_variants_that_do_not_fit_are_refused_by_name() {
+    let session = flat();
+    let (mesh, scene) = (session.mesh().clone(), session.scene());
+    let positions = session.positions();
+    let variant = |name: &str, positions: Vec<Point>| shape_up::scene::Variant {
+        name: name.to_owned(),
+        positions: positions.into(),
+    };
+    let refused = |variants: Variants, mesh: &Mesh| {
+        let scene = Scene { variants, ..scene.clone() };
+        let error = Session::open(scene, mesh.clone()).err().expect("it is refused");
+        error.to_string()
+    };
+    let kept = vec![variant("short", positions[1..].to_vec())];
+    assert!(refused(Variants { kept, design: None }, &mesh).contains("variants.kept[0].positions"));
+    let kept = vec![variant("one", positions.clone())];
+    assert!(refused(Variants { kept, design: Some(1) }, &mesh).contains("variants.design"));
+    let kept = vec![variant("many", positions); Variants::MOST + 1];
+    assert!(refused(Variants { kept, design: None }, &mesh).contains("variants.kept"));
+}

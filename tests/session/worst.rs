@@ -1,0 +1,118 @@
+//! The list of the worst elements: it agrees with the values that colour the faces, and with the worst
+//! error of each row of constraints.
+
+use crate::grid::grid;
+use shape_up::mesh::{Group, GroupKeyword};
+use shape_up::scene::Scene;
+use shape_up::session::{Edit, FACE_MEASURES, Session};
+
+/// Six by six bumpy quads, the first row of which is a group.
+fn session(constraints: &str) -> Session {
+    let mut mesh = grid(6, 6, |i, j| {
+        let bump = f64::from((i * i * 5 + j * 7 + i * j * 3) % 11) / 16.0;
+        [f64::from(i), f64::from(j), bump]
+    });
+    mesh.groups = vec![Group {
+        name: "eaves".to_owned(),
+        keyword: GroupKeyword::Group,
+        faces: (0..6).collect(),
+        curves: Vec::new(),
+    }];
+    let text = format!(
+        r#"{{ "format": "shape-up-scene", "version": 1, "mesh": {{ "file": "grid.obj" }},
+            "constraints": [{constraints}] }}"#
+    );
+    Session::open(Scene::from_json(&text).expect("the scene is valid"), mesh).expect("it fits")
+}
+
+/// The worst error of every enabled row, as the solver found it.
+fn worst_of_rows(session: &Session) -> Vec<f64> {
+    session.solver().found().map(|found| found.worst_squared.sqrt()).collect()
+}
+
+#[test]
+fn the_worst_faces_are_those_with_the_largest_values() {
+    let mut session = session(r#"{ "kind": "plane", "on": "faces", "name": "Flat" }"#);
+    for measure in FACE_MEASURES {
+        let values = session.face_values(measure.id).expect("it is declared");
+        let worst = session.worst_faces(measure.id, 5).expect("it is declared");
+        assert_eq!(worst.len(), 5, "{}", measure.id);
+        let mut sorted = values.clone();
+        sorted.sort_by(|a, b| b.total_cmp(a));
+        for (element, value) in worst.iter().zip(&sorted) {
+            assert_eq!(element.value, *value, "{}", measure.id);
+            assert_eq!(values[element.faces[0] as usize], element.value);
+            assert_eq!(element.element, format!("face {}", element.faces[0]));
+            let in_group = element.faces[0] < 6;
+            assert_eq!(element.groups, if in_group { vec!["eaves"] } else { vec![] });
+        }
+    }
+    let worst = session.worst_faces("planarity", 100).expect("it is declared");
+    assert_eq!(worst.len(), 36);
+    assert_eq!((worst[0].row, worst[0].constraint.as_str()), (Some(0), "Flat"));
+    assert!(session.worst_faces("beauty", 5).is_none());
+}
+
+#[test]
+fn faces_without_a_value_are_not_in_the_list() {
+    let mut mesh = grid(1, 1, |i, j| [f64::from(i), f64::from(j), 0.0]);
+    mesh.faces.push(&[0, 1, 3]);
+    let scene = Scene::from_json(
+        r#"{ "format": "shape-up-scene", "version": 1, "mesh": { "file": "a.obj" } }"#,
+    );
+    let mut session = Session::open(scene.expect("it is valid"), mesh).expect("it fits");
+    let worst = session.worst_faces("diagonals", 9).expect("it is declared");
+    assert_eq!(worst.iter().map(|one| one.faces[0]).collect::<Vec<_>>(), [0]);
+    assert_eq!((worst[0].row, worst[0].constraint.as_str()), (None, ""));
+}
+
+#[test]
+fn the_worst_constraint_of_a_row_has_the_worst_error_of_that_row() {
+    let mut session = session(
+        r#"{ "kind": "plane", "on": "faces" },
+           { "kind": "line", "on": "curves", "enabled": false },
+           { "kind": "circle", "on": "faces", "weight": 2 },
+           { "kind": "line-segment", "on": "edges", "length": 1 },
+           { "kind": "sphere", "on": "rings" },
+           { "kind": "line", "on": { "vertices": [0, 1, 8] }, "name": "Rim" }"#,
+    );
+    for _ in 0..3 {
+        session.step().expect("positions stay finite");
+        let errors = worst_of_rows(&session);
+        for (found, row) in [0, 2, 3, 4, 5].into_iter().enumerate() {
+            let worst = session.worst_constraints(row, 8);
+            let near = (worst[0].value - errors[found]).abs() <= 1e-9 * errors[found];
+            assert!(near, "row {row}: {} is not {}", worst[0].value, errors[found]);
+            assert!(worst.windows(2).all(|pair| pair[0].value >= pair[1].value));
+            assert!(worst.iter().all(|one| one.row == Some(row)));
+        }
+    }
+    assert!(session.worst_constraints(1, 8).is_empty(), "the row is off");
+    assert!(session.worst_constraints(9, 8).is_empty(), "there is no such row");
+    assert!(session.worst_constraints(0, 0).is_empty());
+    let face = &session.worst_constraints(2, 1)[0];
+    assert_eq!(face.element, format!("face {}", face.faces[0]));
+    assert_eq!(face.constraint, "Circle");
+    let edge = &session.worst_constraints(3, 1)[0];
+    assert_eq!(edge.element, format!("edge {}–{}", edge.vertices[0], edge.vertices[1]));
+    assert!(edge.faces.is_empty());
+    let ring = &session.worst_constraints(4, 1)[0];
+    assert_eq!(ring.element, format!("vertex {}", ring.vertices[0]));
+    let rim = &session.worst_constraints(5, 3);
+    assert_eq!((rim.len(), rim[0].element.as_str()), (1, "3 vertices"));
+    assert_eq!(rim[0].constraint, "Rim");
+}
+
+#[test]
+fn asking_for_the_list_changes_nothing() {
+    let rows = r#"{ "kind": "circle", "on": "faces" }"#;
+    let (mut asked, mut left) = (session(rows), session(rows));
+    for _ in 0..5 {
+        asked.worst_faces("planarity", 3);
+        asked.worst_constraints(0, 3);
+        asked.step().expect("positions stay finite");
+        left.step().expect("positions stay finite");
+    }
+    assert_eq!(asked.positions(), left.positions());
+    asked.edit(Edit::Reset).expect("it can be reset");
+}

@@ -1,0 +1,8 @@
+//! The view without a GPU.
+
+#![cfg(feature = "view")]
+#![allow(clippy::unwrap_used, reason = "a helper that fails here fails its test")]
+
+mod first_picture;
+mod seeing;
+mod stage;

@@ -1,0 +1,211 @@
+//! Ways of seeing, as a user meets them: parallel projection, ghost and ground, the measuring tape.
+
+use glam::{DVec3, Vec2};
+use shape_up::view::appearance::LineKind;
+use shape_up::view::camera::CameraProjection;
+use shape_up::view::gizmo::DragDirection;
+use shape_up::view::state::{Outline, Taking, ViewState};
+
+const CANVAS: Vec2 = Vec2::new(900.0, 600.0);
+
+/// Two floors, ten by ten, four apart: the lower one is vertices 0 to 3 and face 0.
+fn floors() -> Vec<f64> {
+    let floor = |z| [0.0, 0.0, z, 10.0, 0.0, z, 10.0, 10.0, z, 0.0, 10.0, z];
+    [0.0, 4.0].into_iter().flat_map(floor).collect()
+}
+
+fn state() -> ViewState {
+    let mut state = ViewState::default();
+    state.resize(CANVAS);
+    state.set_mesh((vec![0, 4, 8], (0..8).collect()), (vec![], vec![]), &floors()).unwrap();
+    state
+}
+
+fn parallel() -> ViewState {
+    let mut state = state();
+    state.set_parallel(true);
+    state
+}
+
+#[test]
+fn seen_from_above_in_parallel_the_upper_floor_covers_the_lower_one_exactly() {
+    let mut state = parallel();
+    state.preset("top").unwrap();
+    let eye = state.camera().eye();
+    for below in 0..4 {
+        let [a, b] = [below, below + 4].map(|v| eye.project(state.mesh().positions[v]).0);
+        assert!((a - b).length() < 1e-2, "{a} {b}");
+    }
+    // The floor fills the height of the canvas but for the margin.
+    let corner = eye.project(state.mesh().positions[4]).0;
+    assert!((corner.y - CANVAS.y).abs() < 0.06 * CANVAS.y);
+    assert_eq!(state.pick_face(CANVAS * 0.5), Some(1));
+    state.preset("bottom").unwrap();
+    assert_eq!(state.pick_face(CANVAS * 0.5), Some(0));
+}
+
+#[test]
+fn in_parallel_everything_can_be_pointed_at_and_taken_with_a_box() {
+    let mut state = parallel();
+    for side in ["home", "isometric", "front", "left"] {
+        state.preset(side).unwrap();
+        let mut shown = 0;
+        for vertex in 0..8 {
+            if let Some(at) = state.screen(vertex) {
+                shown += 1;
+                let found = state.pick_vertex(at, 4.0).unwrap();
+                let there = state.screen(found).unwrap();
+                assert!((there - at).length() < 1e-2, "{side}, vertex {vertex}");
+            }
+        }
+        assert!(shown >= 4, "{side}");
+    }
+    state.preset("isometric").unwrap();
+    let all = Outline::around(Vec2::ZERO, CANVAS);
+    assert_eq!(state.vertices_in(&all, true).len(), 8);
+    let seen = state.vertices_in(&all, false);
+    let expected: Vec<u32> = (0..8).filter(|&v| state.screen(v).is_some()).collect();
+    assert_eq!(seen, expected);
+    // The lower floor's corner behind the upper floor is not taken.
+    assert!(!seen.contains(&3) && seen.contains(&4));
+    let taking = Taking { touching: true, through: false };
+    assert_eq!(state.faces_in(&all, taking), [0, 1]);
+}
+
+#[test]
+fn in_parallel_a_drag_follows_the_cursor() {
+    let mut state = parallel();
+    let at = state.camera().eye().project(state.mesh().positions[5]).0;
+    let by = Vec2::new(-80.0, 45.0);
+    let to = at + by;
+    state.hold_vertex(5, Some(at)).unwrap();
+    let way = state.constrain_move(DragDirection::Screen, by).unwrap();
+    let target = state.mesh().exact[5] + way.as_dvec3();
+    let seen = state.camera().eye().project(state.mesh().relative(target)).0;
+    assert!((seen - to).length() < 0.05, "{seen} {to}");
+}
+
+#[test]
+fn in_parallel_a_zoom_holds_what_is_under_the_cursor_and_nothing_is_cut_off() {
+    let mut state = parallel();
+    let cursor = state.screen(4).unwrap();
+    for _ in 0..30 {
+        state.zoom(1.3, cursor);
+        let at = state.camera().eye().project(state.mesh().positions[4]).0;
+        assert!((at - cursor).length() < 0.5, "{at} {cursor}");
+        let (near, far) = state.depth_range();
+        let eye = state.camera().eye();
+        for &point in &state.mesh().positions {
+            let (_, depth) = eye.project(point);
+            assert!(near < depth && depth < far, "{near} {depth} {far}");
+        }
+    }
+}
+
+#[test]
+fn the_parallel_eye_stays_behind_a_mesh_that_grows() {
+    let mut state = parallel();
+    let before = state.camera().projection;
+    let grown: Vec<f64> = floors().into_iter().map(|x| 40.0 * x).collect();
+    state.set_positions(&grown).unwrap();
+    let eye = state.camera().eye();
+    assert!(state.mesh().positions.iter().all(|&point| eye.project(point).1 > 0.0));
+    assert_ne!(state.camera().projection, before);
+}
+
+#[test]
+fn back_in_perspective_the_view_is_as_it_was() {
+    let mut state = state();
+    state.orbit(40.0, 12.0);
+    let before = state.camera();
+    state.set_parallel(true);
+    assert!(matches!(state.camera().projection, CameraProjection::Parallel { .. }));
+    state.set_parallel(false);
+    assert_eq!(state.camera(), before);
+}
+
+#[test]
+fn the_ghost_stays_where_the_mesh_was() {
+    let mut state = state();
+    state.set_surroundings(true, false);
+    assert!(state.surrounding_lines().is_empty());
+    state.set_rest(&floors()).unwrap();
+    let ghost: Vec<_> = state.surrounding_points().collect();
+    let lines = state.surrounding_lines();
+    assert_eq!((ghost.len(), lines.len()), (8, 8));
+    assert!(lines.iter().all(|line| line[2] == LineKind::Ghost as u32));
+    let moved: Vec<f64> = floors().into_iter().map(|x| x + 3.0).collect();
+    state.set_positions(&moved).unwrap();
+    assert!(state.surrounding_points().eq(ghost.iter().copied()));
+    // What is far from the mesh is not cut off.
+    let away: Vec<f64> = floors().into_iter().map(|x| x + 300.0).collect();
+    state.set_positions(&away).unwrap();
+    state.fit();
+    let (_, far) = state.depth_range();
+    let eye = state.camera().eye();
+    assert!(ghost.iter().all(|&point| eye.project(point).1 < far));
+    assert!(state.set_rest(&[0.0; 3]).is_err());
+}
+
+#[test]
+fn the_ground_lies_below_and_goes_with_another_mesh() {
+    let mut state = state();
+    state.set_rest(&floors()).unwrap();
+    state.take_changes();
+    state.set_surroundings(false, true);
+    assert!(state.changes().view);
+    assert_eq!(state.around().grid_step(), Some(1.0));
+    let floor = -2.0;
+    assert!(state.surrounding_points().all(|point| point.z < floor));
+    assert!(state.surrounding_lines().iter().all(|line| line[2] == LineKind::Ground as u32));
+    let one = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
+    state.set_mesh((vec![0, 3], vec![0, 1, 2]), (vec![], vec![]), &one).unwrap();
+    assert_eq!(state.around().grid_step(), None);
+    assert_eq!(state.surrounding_points().count(), 0);
+}
+
+#[test]
+fn the_tape_measures_now_and_at_rest() {
+    let mut state = state();
+    state.set_tape(&[0, 6]).unwrap();
+    let measured = state.measured().unwrap();
+    assert_eq!((measured.now, measured.rest), (DVec3::new(10.0, 10.0, 4.0), None));
+    state.set_rest(&floors()).unwrap();
+    let mut moved = floors();
+    moved[18] = 10.5;
+    state.set_positions(&moved).unwrap();
+    let measured = state.measured().unwrap();
+    assert_eq!(measured.now, DVec3::new(10.5, 10.0, 4.0));
+    assert_eq!(measured.rest, Some(DVec3::new(10.0, 10.0, 4.0)));
+    state.set_tape(&[3]).unwrap();
+    assert_eq!(state.measured(), None);
+    assert!(state.set_tape(&[0, 99]).is_err() && state.set_tape(&[0, 1, 2]).is_err());
+    let one = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
+    state.set_mesh((vec![0, 3], vec![0, 1, 2]), (vec![], vec![]), &one).unwrap();
+    assert!(state.tape().is_empty());
+}
+
+#[test]
+fn a_layer_is_joined_to_the_surface_and_what_fails_is_drawn_over_it() {
+    let mut state = state();
+    let above: Vec<f64> =
+        floors().chunks(3).flat_map(|point| [point[0], point[1], point[2] + 1.0]).collect();
+    state.set_layer(&above, &[0, 1], vec![3]).unwrap();
+    let points: Vec<_> = state.layer_points().collect();
+    let lines = state.layer_lines();
+    let of = |kind: LineKind| lines.iter().filter(move |line| line[2] == kind as u32);
+    assert_eq!(of(LineKind::Layer).count(), 8 + 8, "edges of the layer, and posts");
+    // The beam of an edge with its four sides, and a post.
+    assert_eq!(of(LineKind::Failed).count(), 4 + 1);
+    assert!(lines[..16].iter().all(|line| line[2] == LineKind::Layer as u32));
+    for line in lines.iter().filter(|line| line[1] == line[0] + 8) {
+        let post = points[line[0] as usize] - points[line[1] as usize];
+        assert!((post.length() - 1.0).abs() < 1e-6);
+    }
+    assert!(state.set_layer(&above[..9], &[], vec![]).is_err());
+    assert!(state.set_layer(&above, &[0, 8], vec![]).is_err());
+    assert_eq!(state.layer_lines().len(), lines.len(), "what does not fit changes nothing");
+    // Another mesh has no layer of the one before.
+    state.set_mesh((vec![0, 3], vec![0, 1, 2]), (vec![], vec![]), &floors()[..9]).unwrap();
+    assert!(state.layer_lines().is_empty());
+}
