@@ -6,7 +6,6 @@
 //! `operators_wasm.rs` offers the same to a page.
 
 #[path = "../support/random.rs"]
-#[expect(dead_code, reason = "tests use the rest of it")]
 mod random;
 
 use random::Random;
