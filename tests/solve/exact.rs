@@ -116,7 +116,7 @@ fn an_approach_that_begins_slowly_is_not_cut_short() {
 #[test]
 fn circles_far_from_any_curvature_line_are_exact() {
     // Many edges end on the guard. The first polish ended at 2e-5 of the size, and so did all others.
-    let Some(mesh) = shared::mesh("horse_quad.obj") else { return };
+    let Some(mesh) = crate::shared::mesh("horse_quad.obj") else { return };
     let case = Case::new(mesh).on_faces("circle", Require::Exact);
     let (positions, answer) = run(&case, &case.soft());
     assert!(answer.met && answer.unmet.is_empty(), "{answer:?}");
