@@ -12,7 +12,7 @@
 //! | `laplacian` | the weights `w_ij` of Eq. 12 |
 //! | `closest` | closest points `c(v)` on a surface, Eq. 11, and on its boundary curves |
 //! | `measure` | planarity, circularity, angles, distortion of flat maps |
-//! | `edit` | meshes made from meshes: welding |
+//! | `edit` | meshes made from meshes: welding, subdivision |
 
 mod bounds;
 mod closest;
@@ -31,7 +31,10 @@ pub use closest::{
     BoundaryCurve, BoundaryCurves, BoundaryPiece, ClosestPointCache, Polyline, Surface,
 };
 pub use diagnostics::{ElementsWithProblem, diagnose, elements_with_problem};
-pub use edit::Weld;
+pub use edit::{
+    Combinations, Edited, KEPT_TURN, Origins, Scheme, SubdivideError, SubdividedCounts,
+    Subdivision, Weld,
+};
 pub use io::{Decimal, Read, ReadError, read, write_medit, write_obj, write_obj_with_uv};
 pub use laplacian::{LARGEST_COTANGENT, Laplacian};
 pub use measure::{

@@ -5,7 +5,7 @@ use super::{
     Accelerator, BoundaryRequire, ClosenessTo, Factorization, SmoothnessOf, Up, Weighting,
 };
 use crate::json::found;
-use crate::mesh::GroupKeyword;
+use crate::mesh::{GroupKeyword, Scheme};
 use crate::solve::{ConformalNorm, ConformalWeights};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -70,8 +70,17 @@ by_word!(
     Weighting,
     Accelerator,
     Factorization,
-    GroupKeyword
+    GroupKeyword,
+    Scheme
 );
+
+impl NamedEnum for Scheme {
+    const WORDS: &'static [(&'static str, Scheme)] = &[
+        ("catmull-clark", Scheme::CatmullClark),
+        ("linear", Scheme::Linear),
+        ("loop", Scheme::Loop),
+    ];
+}
 
 impl NamedEnum for Up {
     const WORDS: &'static [(&'static str, Up)] = &[("z", Up::Z), ("y", Up::Y)];

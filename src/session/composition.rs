@@ -32,6 +32,16 @@ impl Session {
         self.rest.mesh()
     }
 
+    /// How many meshes the mesh was made through from the one that was opened: 0 for that one.
+    pub fn generation(&self) -> u32 {
+        self.rest.generation()
+    }
+
+    /// What could not be carried over to the mesh from the one before it: a sentence each.
+    pub fn lost(&self) -> &[String] {
+        self.rest.lost()
+    }
+
     /// The topology of the mesh.
     pub fn topology(&self) -> &Topology {
         self.rest.topology()

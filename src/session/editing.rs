@@ -1,10 +1,14 @@
 //! Edits, undo and redo.
 
 use super::Session;
-use super::edit::{Edit, Moment, apply};
+use super::edit::{Carried, Edit, Moment, apply, carry};
+use super::report::{MeasureCache, check_lesson};
 use super::run::Start;
+use super::state::{RestMesh, SceneChange, SolvedScene, resolve_rows};
 use super::undo::{Change, SavedState, read_history, read_state, write_history, write_state};
 use crate::error::Error;
+use crate::mesh::{SubdivideError, Subdivision, counted};
+use crate::scene::{Scene, SceneError};
 use std::rc::Rc;
 
 impl Session {
@@ -101,13 +105,16 @@ impl Session {
 
     /// Makes an edit without a step of undo; its name and the way back, or none where it changes nothing.
     pub(super) fn make(&mut self, edit: Edit) -> Result<Option<(String, Change)>, Error> {
+        if let Edit::Refine { scheme, levels, keep } = edit {
+            return self.refine(&Subdivision { scheme, levels, keep }).map(Some);
+        }
         let (iteration, start) = (self.iteration(), self.guard.start());
         let kept_start = start.clone().filter(|_| self.collapse().is_some());
         let mut moment = Moment { iteration, start: kept_start };
         let (name, back) = self.scene.edit(&self.rest, |draft| apply(edit, draft, &mut moment))?;
         let Some(scene) = back else { return Ok(None) };
         self.arrive(moment.iteration, moment.start);
-        Ok(Some((name, Change { scene, iteration, start })))
+        Ok(Some((name, Change { scene, other: None, iteration, start })))
     }
 
     /// Exchanges a change with the state, which makes of it the way back.
@@ -115,7 +122,10 @@ impl Session {
     /// # Errors
     /// When the system would be singular; nothing has changed then.
     pub(super) fn exchange(&mut self, change: &mut Change) -> Result<(), Error> {
-        self.scene.exchange(&self.rest, &mut change.scene)?;
+        match change.other.take() {
+            None => self.scene.exchange(&self.rest, &mut change.scene)?,
+            Some(other) => self.exchange_mesh(*other, change)?,
+        }
         let (iteration, start) = (self.iteration(), self.guard.start());
         let to = std::mem::replace(&mut change.iteration, iteration);
         let from = std::mem::replace(&mut change.start, start);
@@ -123,10 +133,57 @@ impl Session {
         Ok(())
     }
 
+    /// Makes several faces of each; its name and the way back.
+    ///
+    /// # Errors
+    /// When the mesh cannot be subdivided so, or the system would be singular; nothing has changed then.
+    fn refine(&mut self, subdivision: &Subdivision) -> Result<(String, Change), Error> {
+        let refused =
+            |why: SubdivideError| SceneError { path: "mesh".to_owned(), message: why.to_string() };
+        let refined = subdivision.apply(self.mesh(), self.topology()).map_err(refused)?;
+        let name = format!("Refine to {}", counted(refined.mesh.faces.len(), "face", "faces"));
+        let mut rest = self.rest.next(refined.mesh);
+        let shape = (&**self.scene.handles(), &**self.scene.positions());
+        let carried = carry(self.document(), shape, &self.rest, &refined.origins, &rest);
+        let Carried { document, handles, positions, lost } = carried;
+        rest.set_lost(lost);
+        let scene =
+            SceneChange { parts: Vec::new(), handles: handles.into(), positions: positions.into() };
+        let other = Some(Box::new((rest, document)));
+        let mut change = Change { scene, other, iteration: self.iteration(), start: None };
+        self.exchange(&mut change)?;
+        Ok((name, change))
+    }
+
+    /// Goes to another mesh and exchanges what the change holds with the state.
+    ///
+    /// # Errors
+    /// When the document does not fit the mesh, or the system is singular; nothing has changed then.
+    fn exchange_mesh(
+        &mut self,
+        (rest, document): (RestMesh, Scene),
+        change: &mut Change,
+    ) -> Result<(), Error> {
+        document.validate(rest.mesh())?;
+        check_lesson(&document, rest.mesh())?;
+        let rows = resolve_rows(&document, rest.mesh(), rest.topology())?;
+        let SceneChange { handles, positions, .. } = &change.scene;
+        let scene = SolvedScene::new(document, &rest, rows, handles.to_vec(), positions)?;
+        change.scene = self.scene.way_back();
+        let before = (
+            std::mem::replace(&mut self.rest, rest),
+            std::mem::replace(&mut self.scene, scene).into_document(),
+        );
+        change.other = Some(Box::new(before));
+        self.measured = MeasureCache::default();
+        (self.met, self.met_before, self.meeting) = (None, None, None);
+        Ok(())
+    }
+
     /// The way back to the state as it is.
     pub(super) fn way_back(&self) -> Change {
         let (iteration, start) = (self.iteration(), self.guard.start());
-        Change { scene: self.scene.way_back(), iteration, start }
+        Change { scene: self.scene.way_back(), other: None, iteration, start }
     }
 
     /// Counts on from `iteration` after a jump to another state, to which iterations led from `start`.

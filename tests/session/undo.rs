@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use serde_json::{Map, json};
 use shape_up::constraint::{Form, Set};
 use shape_up::fabricate::BuildSettings;
-use shape_up::mesh::Mesh;
+use shape_up::mesh::{KEPT_TURN, Mesh, Scheme};
 use shape_up::scene::{ConstraintSpec, Goal, GoalOf, Lesson, MeshSource, Scene, Up, Weights};
 use shape_up::session::{Edit, NewConstraint, SETTINGS, Session};
 
@@ -122,6 +122,13 @@ fn deed() -> impl Strategy<Value = Deed> {
     ]
 }
 
+/// One of these, or the mesh is refined.
+fn deed_or_refine() -> impl Strategy<Value = Deed> {
+    let schemes = prop::sample::select(vec![Scheme::CatmullClark, Scheme::Linear, Scheme::Loop]);
+    let refine = schemes.prop_map(|scheme| Edit::Refine { scheme, levels: 1, keep: KEPT_TURN });
+    prop_oneof![12 => deed(), 1 => refine.prop_map(|edit| Deed::Edit(Box::new(edit)))]
+}
+
 /// Does it; edits that make no sense are refused, which is no step.
 fn act(session: &mut Session, deed: Deed) {
     let steps = |session: &mut Session, count| {
@@ -225,7 +232,7 @@ proptest! {
 
     #[test]
     fn every_sequence_of_deeds_is_taken_back_to_the_start_and_done_again(
-        deeds in proptest::collection::vec(deed(), 1..24),
+        deeds in proptest::collection::vec(deed_or_refine(), 1..24),
     ) {
         let mut session = open();
         let start = everything(&session);
@@ -235,7 +242,7 @@ proptest! {
         // What was undone on the way is not part of the state at the end.
         while session.redo().expect("the state was solvable").is_some() {}
         let end = everything(&session);
-        let again = Session::open(session.scene(), site()).map(|_| ());
+        let again = Session::open(session.scene(), session.mesh().clone()).map(|_| ());
         prop_assert!(again.is_ok(), "what was made can be opened: {again:?}");
         let mut done = Vec::new();
         while let Some(name) = session.undo().expect("the state was solvable") {

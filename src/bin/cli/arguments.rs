@@ -2,6 +2,7 @@
 
 use super::words::{Word, Words};
 use shape_up::fabricate::{OffsetKind, Page, Pieces, Product};
+use shape_up::mesh::{KEPT_TURN, Scheme, Subdivision};
 use shape_up::scene::{Accelerator, BoundaryCloseness};
 use shape_up::solve::{ConformalNorm, ConformalWeights, Require};
 use std::ffi::OsString;
@@ -21,6 +22,7 @@ pub(super) enum Command {
         results: PathBuf,
         scene: PathBuf,
     },
+    Refine(Refine),
     Parametrize(Parametrize),
     Examples {
         out: Option<PathBuf>,
@@ -75,6 +77,18 @@ pub(super) struct Build {
     pub(super) link: Option<String>,
 }
 
+/// `shape-up refine`.
+#[derive(Debug, PartialEq)]
+pub(super) struct Refine {
+    /// A scene or a mesh.
+    pub(super) input: PathBuf,
+    pub(super) subdivision: Subdivision,
+    /// The id of the kind that is asked of every face, before the first level and after each.
+    pub(super) panels: Option<&'static str>,
+    pub(super) out: Option<PathBuf>,
+    pub(super) report: Option<PathBuf>,
+}
+
 /// `shape-up parametrize`.
 #[derive(Debug, Default, PartialEq)]
 pub(super) struct Parametrize {
@@ -110,6 +124,7 @@ pub(super) fn parse(arguments: Vec<OsString>) -> Result<Command, String> {
         "solve" => solve(words),
         "build" => build(words),
         "check" => check(words),
+        "refine" => refine(words),
         "parametrize" => parametrize(words),
         "examples" => {
             let mut out = None;
@@ -129,7 +144,7 @@ pub(super) fn parse(arguments: Vec<OsString>) -> Result<Command, String> {
         "help" => Ok(Command::Help),
         "--version" | "-V" => Ok(Command::Version),
         _ => Err(format!(
-            "unknown command `{command}`, expected solve, build, check, parametrize, examples, experiment or operators"
+            "unknown command `{command}`, expected solve, build, refine, check, parametrize, examples, experiment or operators"
         )),
     }
 }
@@ -232,6 +247,25 @@ fn build(mut words: Words) -> Result<Command, String> {
         return Err("--link is written on the page of --report-page, expected that too".to_owned());
     }
     Ok(Command::Build(build))
+}
+
+fn refine(mut words: Words) -> Result<Command, String> {
+    let (mut panels, mut out, mut report, mut input) = (None, None, None, None);
+    let mut subdivision = Subdivision { scheme: Scheme::CatmullClark, levels: 1, keep: KEPT_TURN };
+    while let Some(name) = words.option(&mut input)? {
+        match name.as_str() {
+            "--scheme" => subdivision.scheme = words.one_of(&name)?,
+            "--levels" => subdivision.levels = words.iterations(&name)?,
+            "--keep" => subdivision.keep = words.not_negative(&name)?,
+            "--panels" => panels = Some(words.kind(&name)?),
+            "--out" => out = Some(words.mesh(&name, &["obj", "mesh", "json"])?),
+            "--report" => report = Some(words.file(&name)?),
+            _ => return Err(unknown(&Word::Option(name), "refine")),
+        }
+    }
+    let input = input.ok_or("refine needs a scene or a mesh file")?;
+    not_the_same(&out, &report)?;
+    Ok(Command::Refine(Refine { input, subdivision, panels, out, report }))
 }
 
 /// Asks something of all constraints, once.

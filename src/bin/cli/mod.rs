@@ -8,7 +8,7 @@
 //! | `input` | mesh and scene files in |
 //! | `output` | files and standard output, whole or not at all |
 //! | `mesh_file` | a solved mesh as a file, by the ending of its name |
-//! | `solve`, `build`, `check`, `parametrize`, `examples`, `experiment` | the commands of these names |
+//! | `solve`, `build`, `refine`, `check`, `parametrize`, `examples`, `experiment` | the commands of these names |
 //! | `results` | `check` of what a student hands in |
 
 mod arguments;
@@ -20,6 +20,7 @@ mod input;
 mod mesh_file;
 mod output;
 mod parametrize;
+mod refine;
 mod results;
 mod solve;
 mod usage;
@@ -69,6 +70,7 @@ fn perform(command: Command) -> Result<(), Failure> {
     match command {
         Command::Solve(solve) => solve::solve(&solve),
         Command::Build(build) => build::build(&build),
+        Command::Refine(refine) => refine::refine(&refine),
         Command::Check { mesh, report } => check::check(&mesh, report.as_deref()),
         Command::CheckResults { results, scene } => results::check(&results, &scene),
         Command::Parametrize(parametrize) => parametrize::parametrize(&parametrize),

@@ -2,6 +2,7 @@
 
 use shape_up::constraint::KINDS;
 use shape_up::fabricate::{OffsetKind, Page, Pieces, Product};
+use shape_up::mesh::Scheme;
 use shape_up::scene::{Accelerator, NamedEnum};
 use shape_up::solve::{ConformalNorm, ConformalWeights};
 
@@ -18,6 +19,9 @@ usage: shape-up solve SCENE|MESH [--panels KIND] [--exact | --within LENGTH]
                 [--thickness T] [--sheet WxH] [--pieces {}]
                 [--page {}] [--out DIR] [--report FILE.json]
                 [--report-page FILE.pdf [--link URL]]
+       shape-up refine SCENE|MESH [--scheme {}] [--levels N]
+                [--keep DEGREES] [--panels KIND] [--out FILE.obj|FILE.mesh|FILE.json]
+                [--report FILE.json]
        shape-up check MESH [--report FILE.json]
        shape-up check RESULTS --scene SCENE
        shape-up parametrize MESH [--weights {}] [--norm {}]
@@ -44,6 +48,9 @@ tables (CSV) and, with fins, the beams as solids (OBJ). D, negative inwards, and
 panels are lengths in the unit of the mesh; the model is 1:S; the material is T mm thick, a sheet W by
 H mm; the PDF is tiled to a --page. What is not given is as in the `build` of the scene. --report-page
 is the report on one page of A4 (PDF): picture, plan, build check, bill of materials, and the --link.
+refine makes several faces of each, N times; the boundary is a curve of its own, and creases and corners
+that turn by more than DEGREES (75) stay sharp. With --panels it solves before the first level and after each.
+The scene goes along: --out writes the mesh, or where the name ends in .json, the scene with it.
 RESULTS is what a student hands in of a lesson: check measures its shape with the goals and the
 constraints of the SCENE, and ends with 1 when one is not met.
 parametrize makes a flat map that keeps angles; --out writes the mesh with the map as its vt.
@@ -55,6 +62,7 @@ Exit code: 0 done, 1 the input is at fault, 2 usage, 3 internal.",
         OffsetKind::ALL.map(OffsetKind::word).join("|"),
         Pieces::ALL.map(Pieces::word).join("|"),
         Page::ALL.map(Page::word).join("|"),
+        Scheme::list("|"),
         ConformalWeights::list("|"),
         ConformalNorm::list("|"),
         kinds(),

@@ -214,6 +214,7 @@ pub(crate) fn apply(
             draft.put_handles(handles);
             format!("Release {}", of_vertices(vertices.len()))
         }
+        Edit::Refine { .. } => unreachable!("it makes another mesh, which no draft can"),
         Edit::Reset => {
             draft.put_positions(draft.mesh().positions.as_slice().into());
             let kept = draft.document().variants.kept.clone();

@@ -3,7 +3,7 @@
 use crate::constraint::Set;
 use crate::fabricate::BuildSettings;
 use crate::json::indices::{self, Indices};
-use crate::mesh::Point;
+use crate::mesh::{KEPT_TURN, Point, Scheme};
 use crate::scene::{ConstraintSpec, Lesson, Up, Weights};
 use crate::solve::Require;
 use serde::{Deserialize, Deserializer};
@@ -164,8 +164,22 @@ pub enum Edit {
         #[serde(deserialize_with = "indices::deserialize")]
         vertices: Vec<u32>,
     },
+    /// Makes several faces of each: see [`crate::mesh::Subdivision`]. The scene goes along.
+    Refine {
+        /// The scheme.
+        scheme: Scheme,
+        /// How often, at least once.
+        levels: u32,
+        /// Creases and corners that turn by more than this stay sharp, in degrees.
+        #[serde(default = "kept_turn")]
+        keep: f64,
+    },
     /// Goes back to the rest shape; constraints, handles and weights stay.
     Reset,
+}
+
+fn kept_turn() -> f64 {
+    KEPT_TURN
 }
 
 fn list_or_none<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Vec<u32>>, D::Error> {

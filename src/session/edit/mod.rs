@@ -10,9 +10,11 @@
 //! | `preview` | what adding a constraint would make |
 //! | `closeness_weights` | how close single vertices are kept |
 //! | `variants` | shapes that were kept |
+//! | `carry` | a scene carried over to another mesh |
 //! | `settings` | the declared settings of a scene |
 
 mod apply;
+mod carry;
 mod closeness_weights;
 mod constraint_target;
 mod edit_json;
@@ -23,6 +25,7 @@ mod target_shape;
 mod variants;
 
 pub(crate) use apply::{Moment, apply};
+pub(crate) use carry::{Carried, carry};
 pub use constraint_target::ConstraintTarget;
 pub use edit_list::{Edit, NewConstraint};
 pub use preview::Preview;

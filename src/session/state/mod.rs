@@ -2,7 +2,7 @@
 //!
 //! | file | holds |
 //! |---|---|
-//! | `rest_mesh` | the mesh as it was opened |
+//! | `rest_mesh` | the mesh at rest: as it was opened, or as it was refined |
 //! | `rows` | rows of constraints: selectors resolved, elements that do not fit counted |
 //! | `handles` | handles as a scene lists them and as the solver has them |
 //! | `part` | parts of a document that are exchanged with it |
@@ -23,6 +23,6 @@ pub(crate) use handles::{flat, grouped};
 pub(crate) use part::{Part, RowValues, same_problem};
 pub(crate) use rest_mesh::RestMesh;
 pub use rows::{Paired, ResolvedRow};
-pub(crate) use rows::{edges_among, resolve_rows};
+pub(crate) use rows::{edges_among, resolve_row, resolve_rows};
 pub(crate) use scene_change::{SceneChange, same_positions};
 pub(crate) use solved_scene::SolvedScene;

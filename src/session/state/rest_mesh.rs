@@ -1,4 +1,4 @@
-//! The mesh as it was opened, which stays for as long as the session.
+//! The mesh at rest: as it was opened, or as it was made from that.
 
 use crate::math::Vec3;
 use crate::mesh::{BoundingSphere, Group, Mesh, Point, Topology};
@@ -9,12 +9,43 @@ pub(crate) struct RestMesh {
     topology: Topology,
     /// Of the bounding sphere, in the unit of the mesh.
     diameter: f64,
+    /// How many meshes it was made through from the one that was opened.
+    generation: u32,
+    /// What could not be carried over to it: a sentence each.
+    lost: Vec<String>,
 }
 
 impl RestMesh {
     pub(crate) fn new(mesh: Mesh) -> RestMesh {
         let topology = Topology::new(&mesh);
-        RestMesh { diameter: BoundingSphere::of(&mesh.positions).diameter(), mesh, topology }
+        let diameter = BoundingSphere::of(&mesh.positions).diameter();
+        RestMesh { diameter, mesh, topology, generation: 0, lost: Vec::new() }
+    }
+
+    /// One that was made from this one.
+    pub(crate) fn next(&self, mesh: Mesh) -> RestMesh {
+        RestMesh { generation: self.generation + 1, ..RestMesh::new(mesh) }
+    }
+
+    /// About how many bytes it takes.
+    pub(crate) fn bytes(&self) -> usize {
+        let corners = self.mesh.faces.indices().len() + self.mesh.curves.indices().len();
+        // Of each corner the vertex, and twice an edge with its ends, faces and neighbours.
+        size_of_val(&*self.mesh.positions) + 64 * corners
+    }
+
+    /// How many meshes it was made through from the one that was opened: 0 for that one.
+    pub(crate) fn generation(&self) -> u32 {
+        self.generation
+    }
+
+    /// What could not be carried over to it: a sentence each.
+    pub(crate) fn lost(&self) -> &[String] {
+        &self.lost
+    }
+
+    pub(crate) fn set_lost(&mut self, lost: Vec<String>) {
+        self.lost = lost;
     }
 
     pub(crate) fn mesh(&self) -> &Mesh {

@@ -61,7 +61,7 @@ pub(crate) fn resolve_rows(
     let mut members = 0;
     let resolved = scene.constraints.iter().enumerate().map(|(i, spec)| {
         let error = |message| SceneError { path: format!("constraints[{i}].on"), message };
-        let row = row(spec, scene, mesh, topology).map_err(error)?;
+        let row = resolve_row(spec, scene, mesh, topology).map_err(error)?;
         members += row.constraints.members.indices().len();
         if members > MOST_MEMBERS {
             return Err(error(format!(
@@ -74,7 +74,7 @@ pub(crate) fn resolve_rows(
 }
 
 /// Resolves one row; the error says why none is left.
-fn row(
+pub(crate) fn resolve_row(
     spec: &ConstraintSpec,
     scene: &Scene,
     mesh: &Mesh,

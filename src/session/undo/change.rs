@@ -1,13 +1,15 @@
 //! The difference of two states of a session.
 
+use crate::scene::Scene;
 use crate::session::run::Start;
-use crate::session::state::SceneChange;
+use crate::session::state::{RestMesh, SceneChange};
 use std::rc::Rc;
 
 /// The difference from the current state to another one.
-#[derive(Clone)]
 pub(crate) struct Change {
     pub(crate) scene: SceneChange,
+    /// The mesh of the other state and its whole document, where that is another mesh: then `scene` has no parts.
+    pub(crate) other: Option<Box<(RestMesh, Scene)>>,
     /// Iterations up to the other state.
     pub(crate) iteration: u32,
     /// The shape from which iterations led to it, since somebody last changed something.
@@ -21,6 +23,7 @@ impl Change {
         let start =
             self.start.as_ref().filter(|start| !known.is_some_and(|s| Rc::ptr_eq(s, start)));
         let scene = self.scene.bytes_beside(other.map(|other| &other.scene));
-        scene + start.map_or(0, |start| start.bytes())
+        let other = self.other.as_ref().map_or(0, |other| other.0.bytes());
+        scene + other + start.map_or(0, |start| start.bytes())
     }
 }

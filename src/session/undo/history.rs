@@ -35,7 +35,8 @@ impl History {
 
     /// Makes what happened after the last step a part of it; `back` leads to where that ended.
     pub(crate) fn join(&mut self, back: Change) {
-        if let Some((_, step)) = self.undo.last_mut() {
+        // A step to another mesh takes all of the document back already.
+        if let Some((_, step)) = self.undo.last_mut().filter(|(_, step)| step.other.is_none()) {
             step.scene.parts.extend(back.scene.parts);
         }
     }

@@ -66,6 +66,7 @@ impl SavedState {
                 handles: Rc::clone(handles),
                 positions: Rc::clone(positions),
             },
+            other: None,
             iteration: *iteration,
             start: None,
         }
@@ -79,7 +80,9 @@ pub(crate) fn write_history(steps: [&[NamedStep]; 2], now: &SavedState, mesh: &M
         let mut near = now.clone();
         let mut written = Vec::new();
         let mut count = 0;
-        for (name, change) in steps.iter().rev().take(LIMIT_STEPS) {
+        // What was before the mesh is of no use to a session that is opened on this one.
+        let on_this_mesh = steps.iter().rev().take_while(|(_, change)| change.other.is_none());
+        for (name, change) in on_this_mesh.take(LIMIT_STEPS) {
             let before = written.len();
             let mut state = near.clone();
             state.follow(change);

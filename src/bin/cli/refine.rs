@@ -1,0 +1,122 @@
+//! `shape-up refine`: a scene or a mesh with several faces for each, solved at every level where panels are asked.
+
+use super::arguments::Refine;
+use super::{Failure, input, mesh_file, output};
+use serde::Serialize;
+use shape_up::error::Error;
+use shape_up::mesh::counted;
+use shape_up::session::{Edit, Report, Session, Verdict};
+use shape_up::solve::Require;
+use std::path::Path;
+use std::time::Instant;
+
+/// The `--report`.
+#[derive(Serialize)]
+struct RefineReport {
+    /// From the mesh as it came to the last level.
+    levels: Vec<Level>,
+    /// What could not be carried over, a sentence each.
+    lost: Vec<String>,
+    /// Of the last level.
+    report: Report,
+}
+
+/// A level, where it was solved.
+#[derive(Serialize)]
+struct Level {
+    vertices: usize,
+    faces: usize,
+    total: f64,
+    /// How near the panels are to what they are asked to be.
+    verdict: Option<Verdict>,
+    seconds: f64,
+}
+
+pub(super) fn refine(command: &Refine) -> Result<(), Failure> {
+    let input::Input { mut scene, mesh, mut remarks, .. } = input::read(&command.input)?;
+    let at_input = |error: Error| Failure::Input(format!("{}: {error}", command.input.display()));
+    let subdivision = command.subdivision;
+    if let Some(kind) = command.panels {
+        let asked = scene.ask_of_panels(kind, Require::Soft, &mesh);
+        asked.map_err(|error| at_input(error.into()))?;
+    }
+    let (units, solves) = (scene.units.clone(), command.panels.is_some());
+    let mut session = Session::open(scene, mesh).map_err(at_input)?;
+    let (mut levels, mut lost) = (Vec::new(), Vec::new());
+    let mut refine = |session: &mut Session, levels| {
+        let (scheme, keep) = (subdivision.scheme, subdivision.keep);
+        session.edit(Edit::Refine { scheme, levels, keep })?;
+        lost.extend_from_slice(session.lost());
+        Ok(())
+    };
+    if solves {
+        for level in 0..=subdivision.levels {
+            let start = Instant::now();
+            if level > 0 {
+                refine(&mut session, 1).map_err(at_input)?;
+            }
+            session.solve(false).map_err(at_input)?;
+            levels.push(level_of(&mut session, start));
+        }
+    } else {
+        refine(&mut session, subdivision.levels).map_err(at_input)?;
+    }
+
+    let report = session.report();
+    let mut text = format!(
+        "{}: {}, {}\n",
+        command.input.display(),
+        counted(report.vertices, "vertex", "vertices"),
+        counted(report.faces, "face", "faces")
+    );
+    remarks.extend(lost.iter().cloned());
+    let mut files: Vec<(&Path, String)> = Vec::new();
+    if let Some(path) = &command.out {
+        if input::is_scene(path) {
+            files.push((path, session.scene_with_mesh()));
+        } else {
+            files.push((path, mesh_file::text(path, &session, None)));
+            remarks.extend(mesh_file::left_out(path, session.mesh()));
+        }
+    }
+    remarks.iter().for_each(|remark| text += &format!("note: {remark}\n"));
+    levels.iter().for_each(|level| text += &line(level, &units));
+    if let Some(path) = &command.report {
+        let report = RefineReport { levels, lost, report };
+        let json = serde_json::to_string_pretty(&report);
+        files.push((path, json.expect("a report is plain data with finite numbers") + "\n"));
+    }
+    output::write(&files)?;
+    output::print(&text)
+}
+
+fn level_of(session: &mut Session, start: Instant) -> Level {
+    let tolerance = session.tolerance();
+    Level {
+        vertices: session.mesh().positions.len(),
+        faces: session.mesh().faces.len(),
+        total: session.solver().energy().total,
+        verdict: session.verdict(tolerance),
+        seconds: start.elapsed().as_secs_f64(),
+    }
+}
+
+fn line(level: &Level, units: &str) -> String {
+    let length = |length: f64| {
+        let unit = if units.is_empty() { String::new() } else { format!(" {units}") };
+        format!("{}{unit}", output::short(length))
+    };
+    let faces = counted(level.faces, "face", "faces");
+    let panels = level.verdict.as_ref().map_or_else(String::new, |verdict| {
+        format!(
+            ", {} of {} panels {}, the worst {} off, moved {} at most",
+            verdict.within,
+            verdict.panels,
+            verdict.adjective,
+            length(verdict.worst),
+            length(verdict.moved.max)
+        )
+    });
+    let (total, seconds) = (output::short(level.total), output::short(level.seconds));
+    format!("{faces}{panels}, energy {total}, {seconds} s\n")
+}

@@ -1,0 +1,119 @@
+//! Where the parts of a mesh come from that was made from another one.
+
+use crate::mesh::{Mesh, Point, Ragged};
+
+/// A mesh made from another one, with the map from that.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Edited {
+    /// The new mesh.
+    pub mesh: Mesh,
+    /// Where its parts come from.
+    pub origins: Origins,
+}
+
+/// Where the parts of a mesh come from. The vertices of the old mesh come first, with their indices.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Origins {
+    /// The position of each new vertex as an affine combination of old ones.
+    pub positions: Combinations,
+    /// The old vertices that each new vertex stands between, ascending: one for an old vertex, two for a vertex
+    /// on an old edge, the corners of a face for one inside it.
+    pub between: Ragged,
+    /// The old face that each new face is a part of.
+    pub faces: Vec<u32>,
+}
+
+impl Origins {
+    /// Those of a mesh that is unchanged.
+    pub(super) fn unchanged(mesh: &Mesh) -> Origins {
+        let vertices = 0..mesh.positions.len() as u32;
+        Origins {
+            positions: vertices.clone().map(|v| vec![(v, 1.0)]).collect(),
+            between: vertices.map(|v| [v]).collect(),
+            faces: (0..mesh.faces.len() as u32).collect(),
+        }
+    }
+
+    /// From the mesh before these, where `next` leads on from here.
+    pub(super) fn then(&self, next: &Origins) -> Origins {
+        let union = |row: &[u32]| {
+            let olds = row.iter().flat_map(|&v| self.between.row(v as usize));
+            let mut olds: Vec<u32> = olds.copied().collect();
+            olds.sort_unstable();
+            olds.dedup();
+            olds
+        };
+        Origins {
+            positions: next.positions.of(&self.positions),
+            between: next.between.iter().map(union).collect(),
+            faces: next.faces.iter().map(|&face| self.faces[face as usize]).collect(),
+        }
+    }
+}
+
+/// Points as affine combinations of other points: weighted sums whose weights add up to 1.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Combinations {
+    /// `#points + 1`: those of point `i` are `terms[offsets[i]..offsets[i + 1]]`.
+    offsets: Vec<u32>,
+    /// Index of a point, and its weight.
+    terms: Vec<(u32, f64)>,
+}
+
+impl Combinations {
+    /// The points, from others.
+    pub fn apply(&self, points: &[Point]) -> Vec<Point> {
+        let sum = |terms: &[(u32, f64)]| {
+            // Relative to one of them: far from the origin no digits are lost, and what stays keeps every bit.
+            let base = points[terms[0].0 as usize];
+            let mut sum = [0.0; 3];
+            for &(point, weight) in &terms[1..] {
+                for axis in 0..3 {
+                    sum[axis] += weight * (points[point as usize][axis] - base[axis]);
+                }
+            }
+            std::array::from_fn(|axis| base[axis] + sum[axis])
+        };
+        self.rows().map(sum).collect()
+    }
+
+    /// The weighted points that each point is the sum of, at least one.
+    pub fn rows(&self) -> impl ExactSizeIterator<Item = &[(u32, f64)]> {
+        self.offsets.windows(2).map(|ends| &self.terms[ends[0] as usize..ends[1] as usize])
+    }
+
+    /// Combinations of points that are themselves `combined` from others.
+    fn of(&self, combined: &Combinations) -> Combinations {
+        let row = |place: u32| {
+            let ends = [place, place + 1].map(|i| combined.offsets[i as usize] as usize);
+            &combined.terms[ends[0]..ends[1]]
+        };
+        let expanded = |terms: &[(u32, f64)]| {
+            let all = terms.iter().flat_map(|&(point, weight)| {
+                row(point).iter().map(move |&(old, part)| (old, weight * part))
+            });
+            let mut all: Vec<(u32, f64)> = all.collect();
+            all.sort_by_key(|&(old, _)| old);
+            all.dedup_by(|next, kept| {
+                let same = next.0 == kept.0;
+                if same {
+                    kept.1 += next.1;
+                }
+                same
+            });
+            all
+        };
+        self.rows().map(expanded).collect()
+    }
+}
+
+impl FromIterator<Vec<(u32, f64)>> for Combinations {
+    fn from_iter<T: IntoIterator<Item = Vec<(u32, f64)>>>(rows: T) -> Self {
+        let mut combinations = Combinations { offsets: vec![0], terms: Vec::new() };
+        for row in rows {
+            combinations.terms.extend(row);
+            combinations.offsets.push(combinations.terms.len() as u32);
+        }
+        combinations
+    }
+}

@@ -1,0 +1,76 @@
+//! Edges and corners that a subdivision keeps: the boundary, creases, and where one of these turns sharply.
+
+use crate::math::{Vec3, polygon_sides, twice_vector_area};
+use crate::mesh::{Mesh, Topology};
+
+/// The sharp edges and the corners of a mesh.
+pub(super) struct Sharp {
+    /// `#E`: edges that are smoothed along themselves only.
+    pub(super) edges: Vec<bool>,
+    /// `#V`: vertices that stay where they are.
+    pub(super) corners: Vec<bool>,
+}
+
+impl Sharp {
+    /// Edges without exactly two faces, and those whose faces meet at more than `degrees` from flat, are
+    /// sharp; vertices where two of them turn by more than that, or where more of them meet, are corners.
+    pub(super) fn of(mesh: &Mesh, topology: &Topology, degrees: f64) -> Sharp {
+        let at = |v: u32| Vec3::from(mesh.positions[v as usize]);
+        let least = libm::cos(degrees.to_radians());
+        let normals: Vec<Vec3<f64>> =
+            mesh.faces.iter().map(|face| twice_vector_area(face.iter().map(|&v| at(v)))).collect();
+        let ends = topology.edges().iter().zip(topology.edge_faces().iter());
+        let is_sharp = |(ends, faces): (&[u32; 2], &[u32])| match *faces {
+            [f, g] => {
+                let [along, against] = [f, g].map(|face| runs(mesh.faces.row(face as usize), ends));
+                let turned = if along == against { -1.0 } else { 1.0 };
+                turns(normals[f as usize], normals[g as usize] * turned, least)
+            }
+            _ => true,
+        };
+        let edges: Vec<bool> = ends.map(is_sharp).collect();
+        let is_corner = |v: u32| match *sharp_neighbours(&edges, topology, v) {
+            // One ends inside the surface, if there is any.
+            [] | [_] => topology.vertex_faces().row(v as usize).is_empty(),
+            [a, b] => turns(at(v) - at(a), at(b) - at(v), least),
+            _ => true,
+        };
+        let corners = (0..mesh.positions.len() as u32).map(is_corner).collect();
+        Sharp { edges, corners }
+    }
+
+    /// The same of a subdivided mesh, whose new vertex on edge `e` is `first + e`.
+    pub(super) fn subdivided(&self, before: &Topology, first: u32, after: &Topology) -> Sharp {
+        let mut edges: Vec<bool> =
+            after.edge_faces().iter().map(|faces| faces.len() != 2).collect();
+        let sharp = (first..).zip(before.edges()).zip(&self.edges).filter(|(_, sharp)| **sharp);
+        for ((middle, ends), _) in sharp {
+            for half in ends.iter().filter_map(|&end| after.edge(end, middle)) {
+                edges[half as usize] = true;
+            }
+        }
+        let mut corners = self.corners.clone();
+        corners.resize(after.neighbours().len(), false);
+        Sharp { edges, corners }
+    }
+
+    /// The other ends of the sharp edges at `v`.
+    pub(super) fn neighbours(&self, topology: &Topology, v: u32) -> Vec<u32> {
+        sharp_neighbours(&self.edges, topology, v)
+    }
+}
+
+fn sharp_neighbours(edges: &[bool], topology: &Topology, v: u32) -> Vec<u32> {
+    let sharp = topology.vertex_edges().row(v as usize).iter().filter(|&&e| edges[e as usize]);
+    sharp.map(|&e| topology.other_end(e, v)).collect()
+}
+
+/// Whether one direction turns by more than the angle with this cosine into the other; no direction does not.
+fn turns(a: Vec3<f64>, b: Vec3<f64>, cosine: f64) -> bool {
+    a.dot(b) < cosine * (a.length() * b.length())
+}
+
+/// Whether a face runs along an edge from its first to its second end.
+fn runs(face: &[u32], ends: &[u32; 2]) -> bool {
+    polygon_sides(face).any(|side| side == *ends)
+}

@@ -1,0 +1,390 @@
+//! Subdivision: each face becomes several, and the surface smoother or as it was.
+//!
+//! Catmull and Clark 1978 for polygons, Loop 1987 with the weights of Warren 1995 for triangles; along sharp edges
+//! and the boundary the curve is a cubic B-spline, and corners stay (Hoppe et al. 1994).
+
+use super::origins::{Combinations, Edited, Origins};
+use super::sharp::Sharp;
+use crate::math::polygon_corners;
+use crate::mesh::{Group, Mesh, Ragged, Topology, counted};
+use std::fmt;
+
+/// No mesh is subdivided more often at once.
+const MOST_LEVELS: u32 = 6;
+/// No subdivided mesh has more vertices.
+const MOST_VERTICES: usize = 4_000_000;
+
+/// A way to subdivide.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Scheme {
+    /// Quads from polygons, smooth.
+    #[default]
+    CatmullClark,
+    /// The shape as it is: quads from polygons, or triangles where all faces are triangles.
+    Linear,
+    /// Triangles from triangles, smooth.
+    Loop,
+}
+
+/// A subdivision: its scheme, how often, and what it keeps.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Subdivision {
+    /// The scheme.
+    pub scheme: Scheme,
+    /// How often, at least once.
+    pub levels: u32,
+    /// Creases, and corners of boundaries and creases, that turn by more than this stay sharp, in degrees.
+    pub keep: f64,
+}
+
+/// The least turn of a crease or of a corner that stays sharp, in degrees, where nobody says another: outlines
+/// of hexagons become round, those of quads keep their corners.
+pub const KEPT_TURN: f64 = 75.0;
+
+/// The numbers of vertices and faces that a subdivision makes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SubdividedCounts {
+    /// `#V`
+    pub vertices: usize,
+    /// `#F`
+    pub faces: usize,
+}
+
+/// Why a mesh cannot be subdivided.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SubdivideError {
+    /// So many levels.
+    Levels(u32),
+    /// No angle from 0 to 180 degrees.
+    Turn,
+    /// It has neither faces nor curves.
+    Nothing,
+    /// It has tetrahedra.
+    Tetrahedra,
+    /// Loop's scheme is for triangles only: so many faces are none.
+    NotTriangles(usize),
+    /// This face has a corner twice.
+    Repeated(u32),
+    /// It would have so many vertices.
+    TooMany(usize),
+}
+
+impl fmt::Display for SubdivideError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            SubdivideError::Levels(levels) => {
+                write!(f, "found {levels} levels, expected 1 to {MOST_LEVELS}")
+            }
+            SubdivideError::Turn => {
+                f.write_str("expected an angle of 0 to 180 degrees that stays sharp")
+            }
+            SubdivideError::Nothing => f.write_str("there are no faces and no curves to refine"),
+            SubdivideError::Tetrahedra => {
+                f.write_str("the mesh has tetrahedra, expected faces and curves only")
+            }
+            SubdivideError::NotTriangles(1) => {
+                f.write_str("one face is no triangle, and Loop's scheme takes triangles only")
+            }
+            SubdivideError::NotTriangles(faces) => {
+                write!(f, "{faces} faces are no triangles, and Loop's scheme takes triangles only")
+            }
+            SubdivideError::Repeated(face) => write!(f, "face {face} has a corner twice"),
+            SubdivideError::TooMany(vertices) => write!(
+                f,
+                "it would have {}, expected {MOST_VERTICES} at most",
+                counted(*vertices, "vertex", "vertices")
+            ),
+        }
+    }
+}
+
+impl std::error::Error for SubdivideError {}
+
+impl Subdivision {
+    /// The numbers of vertices and faces that it makes of `mesh`.
+    ///
+    /// # Errors
+    /// When the mesh cannot be subdivided so.
+    pub fn counts(
+        &self,
+        mesh: &Mesh,
+        topology: &Topology,
+    ) -> Result<SubdividedCounts, SubdivideError> {
+        if !(1..=MOST_LEVELS).contains(&self.levels) {
+            return Err(SubdivideError::Levels(self.levels));
+        }
+        if !(0.0..=180.0).contains(&self.keep) {
+            return Err(SubdivideError::Turn);
+        }
+        if mesh.faces.is_empty() && mesh.curves.is_empty() {
+            return Err(SubdivideError::Nothing);
+        }
+        if !mesh.tets.is_empty() {
+            return Err(SubdivideError::Tetrahedra);
+        }
+        let others = mesh.faces.iter().filter(|face| face.len() != 3).count();
+        if self.scheme == Scheme::Loop && others > 0 {
+            return Err(SubdivideError::NotTriangles(others));
+        }
+        let mut corners_seen = vec![u32::MAX; mesh.positions.len()];
+        for (f, face) in (0..).zip(mesh.faces.iter()) {
+            if face.iter().any(|&v| std::mem::replace(&mut corners_seen[v as usize], f) == f) {
+                return Err(SubdivideError::Repeated(f));
+            }
+        }
+        let splits_triangles = self.splits_triangles(mesh);
+        let mut vertices = mesh.positions.len();
+        let mut edges = topology.edges().len();
+        let (mut faces, mut corners) = (mesh.faces.len(), mesh.faces.indices().len());
+        for _ in 0..self.levels {
+            let (inner, children) =
+                if splits_triangles { (0, 4 * faces) } else { (faces, corners) };
+            (vertices, edges) = (vertices + edges + inner, 2 * edges + corners);
+            (faces, corners) = (children, if splits_triangles { 3 } else { 4 } * children);
+            if vertices > MOST_VERTICES {
+                return Err(SubdivideError::TooMany(vertices));
+            }
+        }
+        Ok(SubdividedCounts { vertices, faces })
+    }
+
+    /// Subdivides `mesh`, whose topology is `topology`. The old vertices come first, then those on edges in the order
+    /// of [`Topology::edges`], then those in faces; the children of a face come one after the other.
+    ///
+    /// # Errors
+    /// As [`Subdivision::counts`].
+    pub fn apply(&self, mesh: &Mesh, topology: &Topology) -> Result<Edited, SubdivideError> {
+        self.counts(mesh, topology)?;
+        let mut edited = Edited { mesh: mesh.clone(), origins: Origins::unchanged(mesh) };
+        let mut sharp = Sharp::of(mesh, topology, self.keep);
+        let mut own = None;
+        for level in 1..=self.levels {
+            let topology = own.as_ref().unwrap_or(topology);
+            let next = self.once(&edited.mesh, topology, &sharp);
+            let origins = edited.origins.then(&next.origins);
+            if level < self.levels {
+                let after = Topology::new(&next.mesh);
+                let first = edited.mesh.positions.len() as u32;
+                sharp = sharp.subdivided(topology, first, &after);
+                own = Some(after);
+            }
+            edited = Edited { mesh: next.mesh, origins };
+        }
+        Ok(edited)
+    }
+
+    fn splits_triangles(&self, mesh: &Mesh) -> bool {
+        match self.scheme {
+            Scheme::CatmullClark => false,
+            Scheme::Linear => mesh.faces.iter().all(|face| face.len() == 3),
+            Scheme::Loop => true,
+        }
+    }
+
+    fn once(&self, mesh: &Mesh, topology: &Topology, sharp: &Sharp) -> Edited {
+        let split = Split::new(mesh, topology, self.splits_triangles(mesh));
+        let positions = match self.scheme {
+            Scheme::Linear => split.linear(),
+            Scheme::CatmullClark => split.smoothed(sharp, CATMULL_CLARK),
+            Scheme::Loop => split.smoothed(sharp, LOOP),
+        };
+        let (faces, parents) = split.faces();
+        let mut children = vec![Vec::new(); mesh.faces.len()];
+        (0..).zip(&parents).for_each(|(child, &parent)| children[parent as usize].push(child));
+        let group = |group: &Group| {
+            let faces = group.faces.iter().flat_map(|&face| &children[face as usize]);
+            Group { faces: faces.copied().collect(), ..group.clone() }
+        };
+        let refined = Mesh {
+            positions: positions.apply(&mesh.positions),
+            faces,
+            curves: mesh.curves.iter().map(|curve| split.curve(curve)).collect(),
+            tets: Vec::new(),
+            groups: mesh.groups.iter().map(group).collect(),
+        };
+        let origins = Origins { positions, between: split.between(), faces: parents };
+        Edited { mesh: refined, origins }
+    }
+}
+
+/// The weights of a scheme: of a smooth edge's vertex, and of a smooth vertex.
+#[derive(Clone, Copy)]
+struct Weights {
+    /// Of each end, and of the middle of each face (Catmull-Clark) or its third corner (Loop).
+    edge: [f64; 2],
+    /// Of a vertex with `n` edges: its own, of all neighbours together, of all faces together.
+    vertex: fn(f64) -> [f64; 3],
+}
+
+const CATMULL_CLARK: Weights =
+    Weights { edge: [0.25, 0.25], vertex: |n| [(n - 2.0) / n, 1.0 / n, 1.0 / n] };
+const LOOP: Weights = Weights {
+    edge: [0.375, 0.125],
+    vertex: |n| {
+        let neighbours = if n == 3.0 { 9.0 / 16.0 } else { 3.0 / 8.0 };
+        [1.0 - neighbours, neighbours, 0.0]
+    },
+};
+
+/// A mesh whose edges, and unless it stays triangles its faces, get a vertex each.
+struct Split<'a> {
+    mesh: &'a Mesh,
+    topology: &'a Topology,
+    triangles: bool,
+    /// The first vertex on an edge, and the first one in a face.
+    first: [u32; 2],
+}
+
+impl<'a> Split<'a> {
+    fn new(mesh: &'a Mesh, topology: &'a Topology, triangles: bool) -> Split<'a> {
+        let on_edges = mesh.positions.len() as u32;
+        let first = [on_edges, on_edges + topology.edges().len() as u32];
+        Split { mesh, topology, triangles, first }
+    }
+
+    fn middle(&self, [a, b]: [u32; 2]) -> u32 {
+        self.first[0] + self.topology.edge(a, b).expect("every side of a face is an edge")
+    }
+
+    /// The new faces, and the old one that each is a part of.
+    fn faces(&self) -> (Ragged, Vec<u32>) {
+        let (mut faces, mut parents) = (Ragged::new(), Vec::new());
+        for (f, face) in (0..).zip(self.mesh.faces.iter()) {
+            let inner = self.first[1] + f;
+            let mut middles = Vec::with_capacity(face.len());
+            for [before, here, after] in polygon_corners(face) {
+                let sides = [[before, here], [here, after]].map(|side| self.middle(side));
+                match self.triangles {
+                    true => faces.push(&[here, sides[1], sides[0]]),
+                    false => faces.push(&[here, sides[1], inner, sides[0]]),
+                }
+                middles.push(sides[1]);
+            }
+            if self.triangles {
+                faces.push(&middles);
+            }
+            parents.resize(faces.len(), f);
+        }
+        (faces, parents)
+    }
+
+    /// A curve with the vertices on its edges.
+    fn curve(&self, curve: &[u32]) -> Vec<u32> {
+        let mut refined = vec![curve[0]];
+        for ends in curve.windows(2) {
+            // A segment from a vertex to itself is no edge.
+            if ends[0] != ends[1] {
+                refined.push(self.middle([ends[0], ends[1]]));
+            }
+            refined.push(ends[1]);
+        }
+        refined
+    }
+
+    /// See [`Origins::between`].
+    fn between(&self) -> Ragged {
+        let mut between: Ragged = (0..self.first[0]).map(|v| [v]).collect();
+        self.topology.edges().iter().for_each(|ends| between.push(ends));
+        if !self.triangles {
+            self.mesh.faces.iter().for_each(|face| between.push(face));
+            between.sort_rows();
+        }
+        between
+    }
+
+    /// The vertices in faces: their centroids.
+    fn inner(&self) -> impl Iterator<Item = Vec<(u32, f64)>> {
+        let faces = self.mesh.faces.iter().take(if self.triangles { 0 } else { usize::MAX });
+        faces.map(mean)
+    }
+
+    /// Every vertex stays, and the others are means.
+    fn linear(&self) -> Combinations {
+        let old = (0..self.first[0]).map(|v| vec![(v, 1.0)]);
+        let on_edges = self.topology.edges().iter().map(|ends| mean(ends));
+        old.chain(on_edges).chain(self.inner()).collect()
+    }
+
+    fn smoothed(&self, sharp: &Sharp, weights: Weights) -> Combinations {
+        let old = (0..self.first[0]).map(|v| self.old(v, sharp, weights));
+        let edges = (0..).zip(self.topology.edges());
+        let on_edges = edges.map(|(e, &ends)| {
+            if sharp.edges[e as usize] { mean(&ends) } else { self.on_edge(e, ends, weights) }
+        });
+        old.chain(on_edges).chain(self.inner()).collect()
+    }
+
+    /// The vertex on a smooth edge.
+    fn on_edge(&self, e: u32, ends: [u32; 2], weights: Weights) -> Vec<(u32, f64)> {
+        let [end, beside] = weights.edge;
+        let mut sum = Sum::new(ends[0]);
+        ends.into_iter().for_each(|v| sum.add(v, end));
+        for &face in self.topology.edge_faces().row(e as usize) {
+            self.add_face(&mut sum, face, beside, &ends);
+        }
+        sum.terms
+    }
+
+    /// An old vertex.
+    fn old(&self, v: u32, sharp: &Sharp, weights: Weights) -> Vec<(u32, f64)> {
+        let mut sum = Sum::new(v);
+        match *sharp.neighbours(self.topology, v) {
+            _ if sharp.corners[v as usize] => sum.add(v, 1.0),
+            [a, b] => {
+                [(v, 0.75), (a, 0.125), (b, 0.125)]
+                    .into_iter()
+                    .for_each(|(v, part)| sum.add(v, part));
+            }
+            _ => {
+                let faces = self.topology.vertex_faces().row(v as usize);
+                let edges = self.topology.vertex_edges().row(v as usize).iter();
+                let edges =
+                    edges.filter(|&&e| !self.topology.edge_faces().row(e as usize).is_empty());
+                let n = edges.clone().count() as f64;
+                let [own, all_neighbours, all_faces] = (weights.vertex)(n);
+                sum.add(v, own);
+                for &e in edges {
+                    sum.add(self.topology.other_end(e, v), all_neighbours / n);
+                }
+                if all_faces > 0.0 {
+                    for &face in faces {
+                        self.add_face(&mut sum, face, all_faces / faces.len() as f64, &[]);
+                    }
+                }
+            }
+        }
+        sum.terms
+    }
+
+    /// Adds the middle of a face, or its corner that is not one of the `ends` of an edge.
+    fn add_face(&self, sum: &mut Sum, face: u32, weight: f64, ends: &[u32]) {
+        let corners = self.mesh.faces.row(face as usize);
+        let others = corners.iter().filter(|v| !(self.triangles && ends.contains(v)));
+        let count = others.clone().count() as f64;
+        others.for_each(|&v| sum.add(v, weight / count));
+    }
+}
+
+/// An affine combination while it is added up.
+struct Sum {
+    terms: Vec<(u32, f64)>,
+}
+
+impl Sum {
+    /// Relative to the point `base`.
+    fn new(base: u32) -> Sum {
+        Sum { terms: vec![(base, 0.0)] }
+    }
+
+    fn add(&mut self, point: u32, weight: f64) {
+        match self.terms.iter_mut().find(|(known, _)| *known == point) {
+            Some((_, sum)) => *sum += weight,
+            None => self.terms.push((point, weight)),
+        }
+    }
+}
+
+/// The mean of some points.
+fn mean(points: &[u32]) -> Vec<(u32, f64)> {
+    points.iter().map(|&v| (v, 1.0 / points.len() as f64)).collect()
+}
