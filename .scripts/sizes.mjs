@@ -59,6 +59,8 @@ await main(() => {
   // Parts and sheets come with their own module: the check in the view and the thickness took 3 kB and 5 kB.
   const isOfParts = (path) => /^(build-worker|build-panel)/.test(basename(path));
   // Variations come when they are first looked at; 26 kB of the solver module are theirs.
+  // Refining comes when a mesh has faces, its dialog when it is asked for.
+  const isOfRefining = (path) => /^refine/.test(basename(path));
   const isOfVariations = (path) => /^(variation|docked)/.test(basename(path));
   const isRhino = (path) => /^(rhino|__vite)/.test(basename(path));
   const isOther = (path) => others.includes(path);
@@ -71,6 +73,7 @@ await main(() => {
     !isPlot(path) &&
     !isOfParts(path) &&
     !isOfVariations(path) &&
+    !isOfRefining(path) &&
     !isRhino(path);
   const rows = [
     row('solver module', [at('www', 'pkg', 'solver', 'shape_up_bg.wasm')], 622 * kB),
@@ -83,6 +86,7 @@ await main(() => {
     row('plots', code.filter(isPlot), 30 * kB),
     row('parts and sheets', code.filter(isOfParts), 18 * kB),
     row('variations', code.filter(isOfVariations), 9 * kB),
+    row('refining', code.filter(isOfRefining), 4 * kB),
     // Choosing files and the menu of examples, which were part of the first visit, took 1 kB.
     row('other dialogs', code.filter(isLater), 78 * kB),
     row('gallery, projections', code.filter(isBeside), 16 * kB),

@@ -96,6 +96,7 @@
  *   | { type: "weighHandles", vertices: number[], weight: number }
  *   | { type: "goToVariant", index: number }
  *   | { type: "removeVariant", index: number }
+ *   | { type: "refine", scheme: string, levels: number, keep: number }
  *   | { type: "reset" }} Edit
  */
 
@@ -354,7 +355,8 @@
 /**
  * - `ready`: the solver can be spoken to. First, once.
  * - `loading`: before that, how much of its module is here, where it takes a while.
- * - `model`: another mesh is open. `positions` is one of the two buffers.
+ * - `model`: another mesh is open, or, without a name and files, that of the model was refined or refining was
+ *   undone. `positions` is one of the two buffers.
  * - `document`: after every edit and every load.
  * - `scene`: the scene file's text with its steps of undo, whenever it changed and the solver rests: what
  *   is saved, and what a dead worker is replaced with. `progress`: now and then, how far a run or a drag

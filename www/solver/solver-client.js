@@ -67,6 +67,8 @@ export class SolverClient extends Emitter {
   #ready = false;
   /** The worker was started to replace one that died, and has not opened its scene yet. */
   #restoring = false;
+  /** The model that came last is the one before it, in another worker or with another mesh. */
+  #isSame = false;
   #modelName = '';
   /** It has begun with what may take a while. */
   #working = false;
@@ -93,7 +95,7 @@ export class SolverClient extends Emitter {
 
   /** The model that is open is opened again, in another worker. */
   get restoring() {
-    return this.#restoring;
+    return this.#isSame;
   }
 
   /**
@@ -212,7 +214,8 @@ export class SolverClient extends Emitter {
       }
       case 'model':
         // What is restored is still the model of its file.
-        if (this.#restoring) message.loaded.name = this.#modelName;
+        this.#isSame = this.#restoring || !message.loaded.name;
+        if (this.#isSame) message.loaded.name = this.#modelName;
         this.#modelName = message.loaded.name;
         this.#previous = null;
         this.geometry = {

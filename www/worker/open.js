@@ -10,11 +10,10 @@ import { isTrap } from './wasm-errors.js';
 /**
  * @param {Solver} solver
  * @param {import("./scheduler.js").Scheduler} scheduler
- * @param {(message: import("../solver/messages.js").FromWorker, transfer?: Transferable[]) => void} post
  * @param {Open} message
  * @returns {import("../solver/messages.js").Loaded}
  */
-export function open(solver, scheduler, post, { files, saved, frame = '', solved, weld }) {
+export function open(solver, scheduler, { files, saved, frame = '', solved, weld }) {
   const main = mainOf(files);
   const named = filesNamed(files, (scene) => solver.sceneFiles(scene));
   scheduler.close();
@@ -28,18 +27,7 @@ export function open(solver, scheduler, post, { files, saved, frame = '', solved
     undoLost: saved ? restore(solver, saved) : '',
   };
   scheduler.begin(solved ?? false);
-  const positions = scheduler.frames.renew(loaded.vertices);
-  const connectivity = {
-    faceOffsets: solver.faceOffsets(),
-    faceIndices: solver.faceIndices(),
-    curveOffsets: solver.curveOffsets(),
-    curveIndices: solver.curveIndices(),
-    edges: solver.edges(),
-  };
-  post({ type: 'model', loaded, connectivity, positions }, [
-    positions.buffer,
-    ...Object.values(connectivity).map((array) => array.buffer),
-  ]);
+  scheduler.sendModel(loaded);
   scheduler.reportActivity();
   scheduler.changed();
   return loaded;

@@ -193,11 +193,31 @@ export class Scheduler {
 
   /** After an edit, a load, the end of a run or a drag: everything the page keeps is renewed. */
   changed() {
+    // Refining, and its undo, put another mesh in the place of the one that is open.
+    const loaded = this.#solver.remeshed();
+    if (loaded) this.sendModel({ ...loaded, files: [], undoLost: '' });
     // Whoever sees the document, and with it the mesh, can have the scene.
     this.#sendScene();
     this.#sendDocument();
     this.frames.due = true;
     this.sendFrame();
+  }
+
+  /** The page is given the mesh that is open. @param {import("../solver/messages.js").Loaded} loaded */
+  sendModel(loaded) {
+    const solver = this.#solver;
+    const positions = this.frames.renew(loaded.vertices);
+    const connectivity = {
+      faceOffsets: solver.faceOffsets(),
+      faceIndices: solver.faceIndices(),
+      curveOffsets: solver.curveOffsets(),
+      curveIndices: solver.curveIndices(),
+      edges: solver.edges(),
+    };
+    this.#post({ type: 'model', loaded, connectivity, positions }, [
+      positions.buffer,
+      ...Object.values(connectivity).map((array) => array.buffer),
+    ]);
   }
 
   /** The page is told whether it runs, with the next frame. */

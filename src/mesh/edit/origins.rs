@@ -27,8 +27,10 @@ impl Origins {
     /// Those of a mesh that is unchanged.
     pub(super) fn unchanged(mesh: &Mesh) -> Origins {
         let vertices = 0..mesh.positions.len() as u32;
+        let mut positions = Combinations::default();
+        vertices.clone().for_each(|v| positions.push(&[(v, 1.0)]));
         Origins {
-            positions: vertices.clone().map(|v| vec![(v, 1.0)]).collect(),
+            positions,
             between: vertices.map(|v| [v]).collect(),
             faces: (0..mesh.faces.len() as u32).collect(),
         }
@@ -88,32 +90,41 @@ impl Combinations {
             let ends = [place, place + 1].map(|i| combined.offsets[i as usize] as usize);
             &combined.terms[ends[0]..ends[1]]
         };
-        let expanded = |terms: &[(u32, f64)]| {
-            let all = terms.iter().flat_map(|&(point, weight)| {
-                row(point).iter().map(move |&(old, part)| (old, weight * part))
-            });
-            let mut all: Vec<(u32, f64)> = all.collect();
-            all.sort_by_key(|&(old, _)| old);
-            all.dedup_by(|next, kept| {
-                let same = next.0 == kept.0;
-                if same {
-                    kept.1 += next.1;
-                }
-                same
-            });
-            all
-        };
-        self.rows().map(expanded).collect()
+        let mut expanded = Combinations::default();
+        for terms in self.rows() {
+            let mut sum = Sum::default();
+            for &(point, weight) in terms {
+                row(point).iter().for_each(|&(old, part)| sum.add(old, weight * part));
+            }
+            expanded.push(&sum.terms);
+        }
+        expanded
+    }
+
+    /// Appends a point: indices of old points with weights that add up to 1.
+    pub(super) fn push(&mut self, terms: &[(u32, f64)]) {
+        self.terms.extend_from_slice(terms);
+        self.offsets.push(self.terms.len() as u32);
     }
 }
 
-impl FromIterator<Vec<(u32, f64)>> for Combinations {
-    fn from_iter<T: IntoIterator<Item = Vec<(u32, f64)>>>(rows: T) -> Self {
-        let mut combinations = Combinations { offsets: vec![0], terms: Vec::new() };
-        for row in rows {
-            combinations.terms.extend(row);
-            combinations.offsets.push(combinations.terms.len() as u32);
+impl Default for Combinations {
+    fn default() -> Self {
+        Combinations { offsets: vec![0], terms: Vec::new() }
+    }
+}
+
+/// An affine combination while it is added up.
+#[derive(Default)]
+pub(super) struct Sum {
+    pub(super) terms: Vec<(u32, f64)>,
+}
+
+impl Sum {
+    pub(super) fn add(&mut self, point: u32, weight: f64) {
+        match self.terms.iter_mut().find(|(known, _)| *known == point) {
+            Some((_, sum)) => *sum += weight,
+            None => self.terms.push((point, weight)),
         }
-        combinations
     }
 }

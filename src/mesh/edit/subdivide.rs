@@ -3,7 +3,7 @@
 //! Catmull and Clark 1978 for polygons, Loop 1987 with the weights of Warren 1995 for triangles; along sharp edges
 //! and the boundary the curve is a cubic B-spline, and corners stay (Hoppe et al. 1994).
 
-use super::origins::{Combinations, Edited, Origins};
+use super::origins::{Combinations, Edited, Origins, Sum};
 use super::sharp::Sharp;
 use crate::math::polygon_corners;
 use crate::mesh::{Group, Mesh, Ragged, Topology, counted};
@@ -184,9 +184,9 @@ impl Subdivision {
     fn once(&self, mesh: &Mesh, topology: &Topology, sharp: &Sharp) -> Edited {
         let split = Split::new(mesh, topology, self.splits_triangles(mesh));
         let positions = match self.scheme {
-            Scheme::Linear => split.linear(),
-            Scheme::CatmullClark => split.smoothed(sharp, CATMULL_CLARK),
-            Scheme::Loop => split.smoothed(sharp, LOOP),
+            Scheme::Linear => split.positions(None, sharp),
+            Scheme::CatmullClark => split.positions(Some(CATMULL_CLARK), sharp),
+            Scheme::Loop => split.positions(Some(LOOP), sharp),
         };
         let (faces, parents) = split.faces();
         let mut children = vec![Vec::new(); mesh.faces.len()];
@@ -292,44 +292,46 @@ impl<'a> Split<'a> {
         between
     }
 
-    /// The vertices in faces: their centroids.
-    fn inner(&self) -> impl Iterator<Item = Vec<(u32, f64)>> {
+    /// Every vertex, as the scheme with these weights would have it; without weights old ones stay and the others are
+    /// means.
+    fn positions(&self, smooth: Option<Weights>, sharp: &Sharp) -> Combinations {
+        let mut positions = Combinations::default();
+        for v in 0..self.first[0] {
+            match smooth.filter(|_| !sharp.corners[v as usize]) {
+                Some(weights) => positions.push(&self.old(v, sharp, weights).terms),
+                None => positions.push(&[(v, 1.0)]),
+            }
+        }
+        for (e, &ends) in (0..).zip(self.topology.edges()) {
+            match smooth.filter(|_| !sharp.edges[e as usize]) {
+                Some(weights) => positions.push(&self.on_edge(e, ends, weights).terms),
+                None => positions.push(&ends.map(|v| (v, 0.5))),
+            }
+        }
         let faces = self.mesh.faces.iter().take(if self.triangles { 0 } else { usize::MAX });
-        faces.map(mean)
-    }
-
-    /// Every vertex stays, and the others are means.
-    fn linear(&self) -> Combinations {
-        let old = (0..self.first[0]).map(|v| vec![(v, 1.0)]);
-        let on_edges = self.topology.edges().iter().map(|ends| mean(ends));
-        old.chain(on_edges).chain(self.inner()).collect()
-    }
-
-    fn smoothed(&self, sharp: &Sharp, weights: Weights) -> Combinations {
-        let old = (0..self.first[0]).map(|v| self.old(v, sharp, weights));
-        let edges = (0..).zip(self.topology.edges());
-        let on_edges = edges.map(|(e, &ends)| {
-            if sharp.edges[e as usize] { mean(&ends) } else { self.on_edge(e, ends, weights) }
-        });
-        old.chain(on_edges).chain(self.inner()).collect()
+        for face in faces {
+            let mut sum = Sum::default();
+            face.iter().for_each(|&v| sum.add(v, 1.0 / face.len() as f64));
+            positions.push(&sum.terms);
+        }
+        positions
     }
 
     /// The vertex on a smooth edge.
-    fn on_edge(&self, e: u32, ends: [u32; 2], weights: Weights) -> Vec<(u32, f64)> {
+    fn on_edge(&self, e: u32, ends: [u32; 2], weights: Weights) -> Sum {
         let [end, beside] = weights.edge;
-        let mut sum = Sum::new(ends[0]);
+        let mut sum = Sum::default();
         ends.into_iter().for_each(|v| sum.add(v, end));
         for &face in self.topology.edge_faces().row(e as usize) {
             self.add_face(&mut sum, face, beside, &ends);
         }
-        sum.terms
+        sum
     }
 
-    /// An old vertex.
-    fn old(&self, v: u32, sharp: &Sharp, weights: Weights) -> Vec<(u32, f64)> {
-        let mut sum = Sum::new(v);
+    /// An old vertex that is no corner.
+    fn old(&self, v: u32, sharp: &Sharp, weights: Weights) -> Sum {
+        let mut sum = Sum::default();
         match *sharp.neighbours(self.topology, v) {
-            _ if sharp.corners[v as usize] => sum.add(v, 1.0),
             [a, b] => {
                 [(v, 0.75), (a, 0.125), (b, 0.125)]
                     .into_iter()
@@ -353,7 +355,7 @@ impl<'a> Split<'a> {
                 }
             }
         }
-        sum.terms
+        sum
     }
 
     /// Adds the middle of a face, or its corner that is not one of the `ends` of an edge.
@@ -363,28 +365,4 @@ impl<'a> Split<'a> {
         let count = others.clone().count() as f64;
         others.for_each(|&v| sum.add(v, weight / count));
     }
-}
-
-/// An affine combination while it is added up.
-struct Sum {
-    terms: Vec<(u32, f64)>,
-}
-
-impl Sum {
-    /// Relative to the point `base`.
-    fn new(base: u32) -> Sum {
-        Sum { terms: vec![(base, 0.0)] }
-    }
-
-    fn add(&mut self, point: u32, weight: f64) {
-        match self.terms.iter_mut().find(|(known, _)| *known == point) {
-            Some((_, sum)) => *sum += weight,
-            None => self.terms.push((point, weight)),
-        }
-    }
-}
-
-/// The mean of some points.
-fn mean(points: &[u32]) -> Vec<(u32, f64)> {
-    points.iter().map(|&v| (v, 1.0 / points.len() as f64)).collect()
 }

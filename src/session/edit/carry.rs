@@ -5,7 +5,7 @@
 //! and moves along with it; between fixed neighbours on the boundary the new vertices are fixed too.
 
 use crate::constraint::{Element, Selector, describe};
-use crate::mesh::{Mesh, Origins, Point, Topology};
+use crate::mesh::{Origins, Point, Topology};
 use crate::scene::{ConstraintSpec, Hold, MeshSource, Pose, Scene};
 use crate::session::state::{RestMesh, resolve_row};
 use crate::solve::Handle;
@@ -34,7 +34,7 @@ pub(crate) fn carry(
     let handles = carry_handles(handles, (positions, &moved), before.topology(), origins);
     let mut document = document.clone();
     // The mesh is in no file any more.
-    document.mesh = MeshSource::Inline(Box::new(Mesh::default()));
+    document.mesh = MeshSource::Inline(Box::default());
     if let Some(Pose::Positions(pose)) = &mut document.pose {
         *pose = origins.positions.apply(pose).into();
     }

@@ -2,8 +2,9 @@
 
 use super::report::Loaded;
 use super::solver::Solver;
+use crate::mesh::{Mesh, Read, diagnose};
 use crate::scene::UnitsAndUp;
-use crate::session::{OpenedFile, Session, is_scene, named_files};
+use crate::session::{Guessed, OpenedFile, Session, is_scene, named_files};
 use crate::solve::clock;
 use crate::web::plain::plain;
 use crate::web::thrown;
@@ -51,6 +52,27 @@ impl Solver {
         let loaded = plain(&Loaded::new(name, session, &said, guessed, weld.as_ref()));
         self.step_ms = 0.0;
         self.weld = weld;
+        self.generation = 0;
+        loaded
+    }
+
+    /// The summary of the mesh that has taken the place of the one that was asked for last, without a name;
+    /// undefined while it is the same.
+    #[wasm_bindgen(unchecked_return_type = "Loaded | undefined")]
+    pub fn remeshed(&mut self) -> Result<JsValue, JsValue> {
+        let session = self.open()?;
+        let generation = session.generation();
+        if generation == self.generation {
+            return Ok(JsValue::UNDEFINED);
+        }
+        let said = Read {
+            problems: diagnose(session.mesh()),
+            notes: session.lost().to_vec(),
+            mesh: Mesh::default(),
+        };
+        let weld = self.weld.as_ref().filter(|_| generation == 0);
+        let loaded = plain(&Loaded::new("", session, &said, Guessed::default(), weld));
+        self.generation = generation;
         loaded
     }
 

@@ -17,6 +17,8 @@ pub struct Solver {
     pub(super) files: FileReader,
     /// How the mesh that is open was welded.
     pub(super) weld: Option<Weld>,
+    /// The generation of the mesh that the page knows.
+    pub(super) generation: u32,
     /// Milliseconds that the last step took.
     pub(super) step_ms: f64,
     /// What it would cost to be exact, tried.
@@ -157,7 +159,8 @@ impl Solver {
     #[wasm_bindgen(js_name = objAsItCame)]
     pub fn obj_as_it_came(&self) -> Result<String, JsValue> {
         let session = self.open()?;
-        Ok(self.weld.as_ref().map_or_else(|| session.obj(), |weld| session.obj_as_it_came(weld)))
+        let weld = self.weld.as_ref().filter(|_| session.generation() == 0);
+        Ok(weld.map_or_else(|| session.obj(), |weld| session.obj_as_it_came(weld)))
     }
 
     /// A table as CSV: `errors` of faces, energies of the iterations (`convergence`), or `angles`.

@@ -1,0 +1,93 @@
+/** What the page can do to refine a mesh: it comes when somebody first asks. */
+
+import { count, length } from '../ui/format.js';
+
+/** @typedef {{ scheme: string, levels: number, keep: number }} Refinement */
+
+/**
+ * @param {import("./state.js").Store} store
+ * @param {import("../solver/solver-client.js").SolverClient} solver
+ * @param {import("./actions.js").Actions} actions
+ */
+export function refineActions(store, solver, actions) {
+  /** Begins a run, and settles when it has ended: whether nobody has stopped it. @param {() => unknown} begin */
+  async function untilEnd(begin) {
+    /** @type {() => void} */
+    let stop = () => {};
+    const ended = new Promise((settle) => {
+      let began = false;
+      stop = solver.on('activity', ({ running, converged }) => {
+        began ||= running;
+        if (began && !running) settle(converged);
+      });
+    });
+    try {
+      await begin();
+      return await ended;
+    } finally {
+      stop();
+    }
+  }
+
+  /** How near the panels are to what they are asked to be, for the status line. */
+  async function verdict() {
+    const { tolerance, model, document } = store.get();
+    const within = tolerance ?? model?.tolerance ?? 0;
+    const found = await actions.verdict(within);
+    if (!found) return '';
+    const [worst, limit] = [found.worst, within].map((far) => length(far, document?.units ?? ''));
+    return `, ${found.within} of ${found.panels} panels ${found.adjective} within ${limit}, the worst ${worst}`;
+  }
+
+  return {
+    /**
+     * The numbers of vertices and faces that it makes.
+     * @param {Refinement} how
+     * @param {boolean} triangles whether all faces are triangles
+     */
+    counts({ scheme, levels }, triangles) {
+      const { connectivity } = solver.geometry ?? {};
+      if (!connectivity) return { vertices: 0, faces: 0 };
+      const { edges: ends, faceOffsets, faceIndices } = connectivity;
+      const { vertices: before = 0 } = store.get().model ?? {};
+      let [vertices, edges] = [before, ends.length / 2];
+      let [faces, corners] = [faceOffsets.length - 1, faceIndices.length];
+      const splits = triangles && scheme !== 'catmull-clark';
+      for (let level = 0; level < levels; level++) {
+        [vertices, edges] = [vertices + edges + (splits ? 0 : faces), 2 * edges + corners];
+        faces = splits ? 4 * faces : corners;
+        corners = (splits ? 3 : 4) * faces;
+      }
+      return { vertices, faces };
+    },
+
+    /**
+     * Refines; or solves, refines once and solves again until it is refined so often or somebody pauses.
+     * @param {Refinement} how
+     * @param {boolean} solves
+     * @returns {Promise<string[]>} what could not be carried over
+     */
+    async refine(how, solves) {
+      /** @type {string[]} */
+      const lost = [];
+      const refined = () => {
+        const { model } = store.get();
+        lost.push(...(model?.notes ?? []));
+        return `Refined to ${count(model?.faces ?? 0, 'face')}`;
+      };
+      if (!solves) {
+        await solver.request({ type: 'edit', edit: { type: 'refine', ...how } });
+        actions.setStatus(refined());
+        return lost;
+      }
+      /** @type {import("../solver/messages.js").Edit} */
+      const once = { type: 'refine', ...how, levels: 1 };
+      let goesOn = store.get().converged || (await untilEnd(() => solver.send({ type: 'run' })));
+      for (let level = 1; level <= how.levels && goesOn; level++) {
+        goesOn = await untilEnd(() => solver.request({ type: 'editAndRun', edit: once }));
+        actions.setStatus(`${refined()}${await verdict()}${goesOn ? '' : '; stopped'}`);
+      }
+      return lost;
+    },
+  };
+}
