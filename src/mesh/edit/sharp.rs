@@ -1,6 +1,6 @@
 //! Edges and corners that a subdivision keeps: the boundary, creases, and where one of these turns sharply.
 
-use crate::math::{Vec3, polygon_sides, twice_vector_area};
+use crate::math::{Vec3, angle, polygon_sides, twice_vector_area};
 use crate::mesh::{Mesh, Topology};
 
 /// The sharp edges and the corners of a mesh.
@@ -16,7 +16,7 @@ impl Sharp {
     /// sharp; vertices where two of them turn by more than that, or where more of them meet, are corners.
     pub(super) fn of(mesh: &Mesh, topology: &Topology, degrees: f64) -> Sharp {
         let at = |v: u32| Vec3::from(mesh.positions[v as usize]);
-        let least = libm::cos(degrees.to_radians());
+        let most = degrees.to_radians();
         let normals: Vec<Vec3<f64>> =
             mesh.faces.iter().map(|face| twice_vector_area(face.iter().map(|&v| at(v)))).collect();
         let ends = topology.edges().iter().zip(topology.edge_faces().iter());
@@ -24,7 +24,7 @@ impl Sharp {
             [f, g] => {
                 let [along, against] = [f, g].map(|face| runs(mesh.faces.row(face as usize), ends));
                 let turned = if along == against { -1.0 } else { 1.0 };
-                turns(normals[f as usize], normals[g as usize] * turned, least)
+                turns(normals[f as usize], normals[g as usize] * turned, most)
             }
             _ => true,
         };
@@ -32,7 +32,7 @@ impl Sharp {
         let is_corner = |v: u32| match *sharp_neighbours(&edges, topology, v) {
             // One ends inside the surface, if there is any.
             [] | [_] => topology.vertex_faces().row(v as usize).is_empty(),
-            [a, b] => turns(at(v) - at(a), at(b) - at(v), least),
+            [a, b] => turns(at(v) - at(a), at(b) - at(v), most),
             _ => true,
         };
         let corners = (0..mesh.positions.len() as u32).map(is_corner).collect();
@@ -65,9 +65,9 @@ fn sharp_neighbours(edges: &[bool], topology: &Topology, v: u32) -> Vec<u32> {
     sharp.map(|&e| topology.other_end(e, v)).collect()
 }
 
-/// Whether one direction turns by more than the angle with this cosine into the other; no direction does not.
-fn turns(a: Vec3<f64>, b: Vec3<f64>, cosine: f64) -> bool {
-    a.dot(b) < cosine * (a.length() * b.length())
+/// Whether one direction turns by more than an angle in radians into the other; no direction does not.
+fn turns(a: Vec3<f64>, b: Vec3<f64>, most: f64) -> bool {
+    angle(a.dot(b), a.cross(b).length()) > most
 }
 
 /// Whether a face runs along an edge from its first to its second end.
