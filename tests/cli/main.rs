@@ -320,6 +320,34 @@ fn a_mesh_is_flattened_with_its_texture_coordinates() {
 }
 
 #[test]
+fn a_mesh_is_refined_and_solved_at_every_level() {
+    let folder = Folder::new("refine");
+    folder.write("roof.obj", ROOF);
+    let count = |file: &str| {
+        let mesh = shape_up::mesh::read(file, folder.read(file).as_bytes()).unwrap().mesh;
+        (mesh.positions.len(), mesh.faces.len())
+    };
+    let (vertices, faces) = count("roof.obj");
+    folder.run(&["refine", "roof.obj", "--scheme", "linear", "--out", "fine.obj"]).done();
+    let (fine_vertices, fine_faces) = count("fine.obj");
+    assert!(fine_vertices > vertices && fine_faces > faces);
+    let asked = ["refine", "roof.obj", "--panels", "plane", "--levels", "2"];
+    let out = [&asked[..], &["--out", "fine.json", "--report", "r.json"]].concat();
+    folder.run(&out).done();
+    let report = folder.json("r.json");
+    let levels = report["levels"].as_array().unwrap();
+    assert_eq!(levels.len(), 3);
+    assert_eq!(levels[1]["faces"], fine_faces);
+    assert_eq!(levels[2]["faces"], report["report"]["faces"]);
+    // The scene that is written opens as what it was.
+    folder.run(&["solve", "fine.json", "--iterations", "0", "--report", "again.json"]).done();
+    let total = |json: &Value| json["energy"]["final"]["total"].as_f64().unwrap();
+    let (again, last) = (total(&folder.json("again.json")), total(&report["report"]));
+    assert!((again - last).abs() <= 1e-9 * last, "{again} {last}");
+    folder.run(&["refine", "roof.obj", "--levels", "9"]).refused(&["1 to 6"]);
+}
+
+#[test]
 fn operators_are_listed_with_their_parameters() {
     let out = Folder::new("operators").run(&["operators"]).done();
     let kinds: Value = serde_json::from_str(&out).unwrap();

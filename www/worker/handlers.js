@@ -1,12 +1,10 @@
 /** What the worker does at each message of the page: one entry for each command and each request. */
 
+import { cancelExperiment, comparison, experimentCsv, runExperiment } from './experiment.js';
 import { missingFiles, open } from './open.js';
 import { findRemedies } from './remedies.js';
 import { inTurns } from './trials.js';
 import { mostFaces, warmUpWhenQuiet } from './warm-up.js';
-
-/** Comes when somebody first compares. */
-const experiment = () => import('./experiment.js');
 
 /**
  * @param {import("./scheduler.js").Scheduler} scheduler
@@ -26,7 +24,7 @@ export const commandHandlers = (scheduler) => ({
   run: ({ goOn }) => scheduler.run(goOn),
   pause: () => scheduler.pause(),
   drag: (message) => scheduler.drag(message),
-  cancelExperiment: () => void experiment().then((it) => it.cancelExperiment()),
+  cancelExperiment,
 });
 
 /**
@@ -96,9 +94,8 @@ export function requestHandlers(solver, scheduler, post, died) {
     fewerFlips: ({ flipped }) => paused(() => solver.fewerFlips(flipped)),
     table: ({ table }) => solver.table(table),
     trace: () => solver.trace(),
-    comparison: () => experiment().then((it) => it.comparison()),
-    runExperiment: (message) =>
-      experiment().then((it) => it.runExperiment(message, solver, post, died)),
-    experimentCsv: () => experiment().then((it) => it.experimentCsv()),
+    comparison,
+    runExperiment: (message) => runExperiment(message, solver, post, died),
+    experimentCsv,
   };
 }

@@ -9,6 +9,7 @@ import { isTrap } from './wasm-errors.js';
 
 /** @typedef {import("../solver/messages.js").FromWorker} FromWorker */
 /** @typedef {import("../solver/messages.js").Drag} Drag */
+/** @typedef {import("../solver/messages.js").Loaded} Loaded */
 
 /** While it iterates, frames take at most this part of the time, but where a drag waits for its answer. */
 const FRAME_PART = 0.25;
@@ -195,7 +196,7 @@ export class Scheduler {
   changed() {
     // Refining, and its undo, put another mesh in the place of the one that is open.
     const loaded = this.#solver.remeshed();
-    if (loaded) this.sendModel({ ...loaded, files: [], undoLost: '' });
+    if (loaded) this.sendModel(/** @type {Loaded} */ (loaded));
     // Whoever sees the document, and with it the mesh, can have the scene.
     this.#sendScene();
     this.#sendDocument();
@@ -203,7 +204,7 @@ export class Scheduler {
     this.sendFrame();
   }
 
-  /** The page is given the mesh that is open. @param {import("../solver/messages.js").Loaded} loaded */
+  /** The page is given the mesh that is open. @param {Loaded} loaded */
   sendModel(loaded) {
     const solver = this.#solver;
     const positions = this.frames.renew(loaded.vertices);

@@ -8,7 +8,7 @@ export function offerRefining(app) {
   const open = button(
     'Refine',
     () => actions.reportErrors(import('./refine-dialog.js').then((it) => it.openRefine(app))),
-    { 'aria-haspopup': 'dialog', title: 'Several faces for each, with all that is asked of them' },
+    { 'aria-haspopup': 'dialog' },
   );
   document.querySelector('#model-panel button[data-command="build"]')?.after(' ', open);
   store.subscribe(['model', 'document'], ({ model, document: scene }) => {

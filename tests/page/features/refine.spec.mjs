@@ -1,0 +1,65 @@
+// From a coarse mesh to a fine one: what the dialog says comes, sets and handles go along, level by level it is solved,
+// and undo goes back to the mesh that was opened.
+
+import { openText, showPanel } from '../actions.mjs';
+import { wavyGrid } from '../meshes.mjs';
+import { expect, openPage, sceneOf, state, test, waitForState } from '../support.mjs';
+
+test.use({ pixels: false });
+
+const N = 4;
+const VERTICES = (N + 1) ** 2;
+const FACES = N ** 2;
+
+async function openRefine(page) {
+  await showPanel(page, 'Model');
+  await page.getByRole('button', { name: 'Refine', exact: true }).click();
+  return page.getByRole('dialog', { name: 'Refine' });
+}
+
+test('a mesh is refined as the dialog says, with its scene, and back by one step of undo', async ({
+  page,
+}) => {
+  await openPage(page);
+  await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
+  const before = await page.evaluate(() => [...window.shapeUp.positions()]);
+  const dialog = await openRefine(page);
+  await expect(dialog.getByText(`${FACES} faces become 64 faces, with 81 vertices.`)).toBeVisible();
+  // Nothing is asked yet: there is nothing to solve.
+  await expect(dialog.getByRole('button', { name: 'Refine and solve' })).toBeHidden();
+  await dialog.getByLabel('How often').selectOption('2');
+  await dialog.getByLabel('New faces').selectOption('linear');
+  await expect(dialog.getByText('256 faces, with 289 vertices')).toBeVisible();
+  await dialog.getByRole('button', { name: 'Refine now' }).click();
+  await waitForState(page, (now) => now.faces === 256 && now.vertices === 289);
+  await expect(page.getByRole('status')).toContainText('Refined to 256 faces');
+  expect((await state(page)).moved.max).toBe(0);
+  const scene = await sceneOf(page);
+  expect(scene.mesh.faces).toHaveLength(256);
+  expect(scene.mesh.positions.slice(0, VERTICES).flat()).toEqual(before);
+  // What is saved opens as what it was.
+  await page.evaluate(
+    (text) => window.shapeUp.open(text, 'fine.shapeup.json'),
+    JSON.stringify(scene),
+  );
+  expect((await sceneOf(page)).mesh).toEqual(scene.mesh);
+});
+
+test('level by level it is solved, and undo goes back level by level', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
+  await page.getByRole('button', { name: 'Make panels flat', exact: true }).click();
+  await waitForState(page, (now) => !now.running && now.exact?.met);
+  const dialog = await openRefine(page);
+  await dialog.getByLabel('How often').selectOption('2');
+  await dialog.getByRole('button', { name: 'Refine and solve' }).click();
+  await waitForState(page, (now) => now.faces === 256 && !now.running && now.exact?.met);
+  await expect(page.getByRole('status')).toContainText('256 of 256 panels flat within');
+  const undo = page.getByRole('button', { name: 'Undo', exact: true });
+  await undo.click();
+  await waitForState(page, (now) => now.faces === 64);
+  await undo.click();
+  await waitForState(page, (now) => now.faces === 16 && now.vertices === 25);
+  await page.getByRole('button', { name: 'Redo', exact: true }).click();
+  await waitForState(page, (now) => now.faces === 64);
+});
