@@ -28,7 +28,6 @@ export function open(solver, scheduler, { files, saved, frame = '', solved, weld
   };
   scheduler.begin(solved ?? false);
   scheduler.sendModel(loaded);
-  scheduler.reportActivity();
   scheduler.changed();
   return loaded;
 }

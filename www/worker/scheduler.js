@@ -204,9 +204,10 @@ export class Scheduler {
     this.sendFrame();
   }
 
-  /** The page is given the mesh that is open. @param {Loaded} loaded */
+  /** The page is given the mesh that is open, and with the next frame whether it runs. @param {Loaded} loaded */
   sendModel(loaded) {
     const solver = this.#solver;
+    this.#activityDue = true;
     const positions = this.frames.renew(loaded.vertices);
     const connectivity = {
       faceOffsets: solver.faceOffsets(),
@@ -219,11 +220,6 @@ export class Scheduler {
       positions.buffer,
       ...Object.values(connectivity).map((array) => array.buffer),
     ]);
-  }
-
-  /** The page is told whether it runs, with the next frame. */
-  reportActivity() {
-    this.#activityDue = true;
   }
 
   /**
