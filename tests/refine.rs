@@ -172,7 +172,7 @@ fn level_by_level_the_panels_of_a_real_mesh_become_flat_and_it_is_as_good_as_all
     // The same original, to compare energies on.
     for (a, b) in level_by_level.mesh().positions.iter().zip(&at_once.mesh().positions) {
         (0..3).for_each(|i| {
-            assert!((a[i] - b[i]).abs() < 1e-9 * level_by_level.mean_edge().max(1.0))
+            assert!((a[i] - b[i]).abs() < 1e-9 * level_by_level.mean_edge().max(1.0));
         });
     }
     let [a, b] = [&level_by_level, &at_once].map(|session| session.solver().energy().total);
