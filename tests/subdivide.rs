@@ -1,12 +1,14 @@
 //! Subdivision of meshes: counts, Euler number, manifoldness, orientation, limits against closed forms, and what
 //! stays sharp.
 
+#[path = "support/grid.rs"]
+mod grid;
 #[path = "support/meshes.rs"]
 mod meshes;
 #[path = "support/shared.rs"]
 mod shared;
 
-use meshes::grid;
+use grid::grid;
 use proptest::prelude::*;
 use shape_up::mesh::{
     Edited, KEPT_TURN, Mesh, Scheme, SubdivideError, Subdivision, Topology, read,

@@ -215,8 +215,8 @@ export class SolverClient extends Emitter {
       case 'model':
         // What is restored is still the model of its file.
         this.#isSame = this.#restoring || !message.loaded.name;
-        if (this.#isSame) message.loaded.name = this.#modelName;
-        this.#modelName = message.loaded.name;
+        if (!this.#isSame) this.#modelName = message.loaded.name;
+        message.loaded.name = this.#modelName;
         this.#previous = null;
         this.geometry = {
           connectivity: message.connectivity,

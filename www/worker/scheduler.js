@@ -208,7 +208,6 @@ export class Scheduler {
   sendModel(loaded) {
     const solver = this.#solver;
     this.#activityDue = true;
-    const positions = this.frames.renew(loaded.vertices);
     const connectivity = {
       faceOffsets: solver.faceOffsets(),
       faceIndices: solver.faceIndices(),
@@ -216,10 +215,12 @@ export class Scheduler {
       curveIndices: solver.curveIndices(),
       edges: solver.edges(),
     };
-    this.#post({ type: 'model', loaded, connectivity, positions }, [
-      positions.buffer,
-      ...Object.values(connectivity).map((array) => array.buffer),
-    ]);
+    const positions = this.frames.renew(loaded.vertices);
+    const arrays = [positions, ...Object.values(connectivity)];
+    this.#post(
+      { type: 'model', loaded, connectivity, positions },
+      arrays.map(({ buffer }) => buffer),
+    );
   }
 
   /**
