@@ -22,4 +22,5 @@ mod polygon_laplacian;
 mod reading;
 mod round_trip;
 mod strips;
+mod subdivide;
 mod topology;

@@ -21,6 +21,7 @@ mod offers;
 mod operators;
 mod own_mesh;
 mod presets;
+mod refine;
 mod regions;
 mod remedies;
 mod replacing;

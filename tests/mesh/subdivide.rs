@@ -1,14 +1,8 @@
 //! Subdivision of meshes: counts, Euler number, manifoldness, orientation, limits against closed forms, and what
 //! stays sharp.
 
-#[path = "support/grid.rs"]
-mod grid;
-#[path = "support/meshes.rs"]
-mod meshes;
-#[path = "support/shared.rs"]
-mod shared;
-
-use grid::grid;
+use crate::grid::grid;
+use crate::{meshes, shared};
 use proptest::prelude::*;
 use shape_up::mesh::{
     Edited, KEPT_TURN, Mesh, Scheme, SubdivideError, Subdivision, Topology, read,

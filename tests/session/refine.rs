@@ -1,12 +1,8 @@
 //! A session whose mesh is refined: what goes along, what is left out and said, undo, and the shape at once and level
 //! by level.
 
-#[path = "support/grid.rs"]
-mod grid;
-#[path = "support/shared.rs"]
-mod shared;
-
-use grid::{bumpy, grid};
+use crate::grid::{bumpy, grid};
+use crate::shared;
 use shape_up::mesh::{KEPT_TURN, Mesh, Scheme};
 use shape_up::scene::{MeshSource, Scene};
 use shape_up::session::{Edit, Session};
