@@ -76,7 +76,7 @@ await main(() => {
     !isOfRefining(path) &&
     !isRhino(path);
   const rows = [
-    row('solver module', [at('www', 'pkg', 'solver', 'shape_up_bg.wasm')], 634 * kB),
+    row('solver module', [at('www', 'pkg', 'solver', 'shape_up_bg.wasm')], 636 * kB),
     row('parts module', [at('www', 'pkg', 'build', 'shape_up_bg.wasm')], 216 * kB),
     row('view, WebGPU', [at('www', 'pkg', 'view-webgpu', 'shape_up_bg.wasm')], 165 * kB),
     row('view, WebGL2', [at('www', 'pkg', 'view-webgl2', 'shape_up_bg.wasm')], 900 * kB),

@@ -109,9 +109,11 @@ const solverBytes = statSync(at('www', 'pkg', 'solver', 'shape_up_bg.wasm')).siz
 
 // Files of a wasm module are named for it: every module calls them the same.
 const moduleOf = (path) => /\/?pkg\/([\w-]+)\//.exec(path ?? '')?.[1] ?? '[name]';
+// A hundred files are named in the first visit, where hashes do not pack.
 const output = {
-  chunkFileNames: ({ facadeModuleId }) => `assets/${moduleOf(facadeModuleId)}-[hash].js`,
-  assetFileNames: ({ originalFileNames: [path] }) => `assets/${moduleOf(path)}-[hash][extname]`,
+  entryFileNames: 'assets/[name]-[hash:7].js',
+  chunkFileNames: ({ facadeModuleId }) => `assets/${moduleOf(facadeModuleId)}-[hash:7].js`,
+  assetFileNames: ({ originalFileNames: [path] }) => `assets/${moduleOf(path)}-[hash:7][extname]`,
 };
 
 export default {
