@@ -10,7 +10,7 @@ import { colourFaces } from '../viewport/colour-scale.js';
 import { commandTable } from './command-table.js';
 import { bindButtons, bindKeys, bindRunButton } from './commands.js';
 import { byId } from '../ui/dom.js';
-import { acceptDrops } from '../documents/drop-zone.js';
+import { acceptDrops } from '../documents/opening/drop-zone.js';
 import { Files } from '../documents/files.js';
 import { animateFirstPicture } from '../viewport/placeholder/placeholder-scene.js';
 import { ended } from '../ui/format.js';
@@ -121,7 +121,7 @@ fileInput.addEventListener('change', async () => {
   // So that the same file can be opened again after it changed on disk.
   fileInput.value = '';
   await actions.reportErrors(
-    import('../documents/chosen-files.js').then((it) => it.openChosen(app, chosen)),
+    import('../documents/opening/chosen-files.js').then((it) => it.openChosen(app, chosen)),
   );
 });
 acceptDrops(byId('drop-overlay'), app);

@@ -107,7 +107,7 @@ export class Files extends Emitter {
       return loaded;
     } catch (error) {
       this.#store.set({ status: '' });
-      const { offersToChoose } = await import('./missing-files.js');
+      const { offersToChoose } = await import('./opening/missing-files.js');
       const offers = await offersToChoose(given, this.#solver, this, origin);
       this.#alerts.error(messageOf(error), ...offers);
       throw error;

@@ -6,7 +6,7 @@ import { button, closeButton } from '../../ui/controls/fields.js';
 import { element } from '../../ui/dom.js';
 import { showElements } from '../../viewport/reveal-elements.js';
 import { checkCard, sheetsInWords, warnings } from './check-card.js';
-import { showReport } from './dialog-report.js';
+import { showReport } from './report/dialog-report.js';
 import { LiveBuild, MOST_LIVE_VERTICES, MOST_SHEETS } from './live-build.js';
 import { newest } from './newest.js';
 import { offsetLayer } from './offset-layer.js';

@@ -1,14 +1,14 @@
 /** The report on one page, as it is saved and printed. */
 
 import './dialog-report.css';
-import { linkTo } from '../../documents/share-link.js';
-import { button } from '../../ui/controls/fields.js';
-import { openDialog } from '../../ui/controls/dialog.js';
-import { element } from '../../ui/dom.js';
+import { linkTo } from '../../../documents/share-link.js';
+import { button } from '../../../ui/controls/fields.js';
+import { openDialog } from '../../../ui/controls/dialog.js';
+import { element } from '../../../ui/dom.js';
 
 /**
- * @param {import("../../app/context.js").AppContext} app
- * @param {import("./live-build.js").LiveBuild} live
+ * @param {import("../../../app/context.js").AppContext} app
+ * @param {import("../live-build.js").LiveBuild} live
  */
 export async function showReport(app, live) {
   const { store, files } = app;

@@ -3,11 +3,11 @@
  * is too large to be worked with. Comes when such a file is opened.
  */
 
-import '../ui/styles/waiting.css';
-import { button } from '../ui/controls/fields.js';
-import { byId, element, leave, setText } from '../ui/dom.js';
-import { groupDigits } from '../ui/format.js';
-import { messageOf } from '../solver/messages.js';
+import '../../ui/styles/waiting.css';
+import { button } from '../../ui/controls/fields.js';
+import { byId, element, leave, setText } from '../../ui/dom.js';
+import { groupDigits } from '../../ui/format.js';
+import { messageOf } from '../../solver/messages.js';
 
 const MB = 1_000_000;
 const [LF, CR, SPACE, TAB, F] = [10, 13, 32, 9, 102];
@@ -19,10 +19,10 @@ class Cancelled extends Error {}
  * Opens files as `Files.open` does, and says how far it is.
  * @param {File[]} chosen
  * @param {object} parts
- * @param {import("../store/state.js").Store} parts.store
- * @param {import("../solver/solver-client.js").SolverClient} parts.solver
- * @param {import("../ui/controls/alerts.js").Alerts} parts.alerts
- * @param {(files: import("../solver/messages.js").NamedBytes[], cancelled: AbortSignal) => Promise<import("../solver/messages.js").Loaded | undefined>} parts.open says itself what is wrong with them
+ * @param {import("../../store/state.js").Store} parts.store
+ * @param {import("../../solver/solver-client.js").SolverClient} parts.solver
+ * @param {import("../../ui/controls/alerts.js").Alerts} parts.alerts
+ * @param {(files: import("../../solver/messages.js").NamedBytes[], cancelled: AbortSignal) => Promise<import("../../solver/messages.js").Loaded | undefined>} parts.open says itself what is wrong with them
  */
 export async function openLarge(chosen, { store, solver, alerts, open }) {
   const names = chosen.map(({ name }) => name).join(' and ');
@@ -34,7 +34,7 @@ export async function openLarge(chosen, { store, solver, alerts, open }) {
   limit.catch(() => {});
   store.set({ status: `Reading ${names} …` });
   try {
-    /** @type {import("../solver/messages.js").NamedBytes[]} */
+    /** @type {import("../../solver/messages.js").NamedBytes[]} */
     const files = [];
     let read = 0;
     for (const file of chosen) {

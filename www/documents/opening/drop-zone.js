@@ -6,7 +6,7 @@ const FIT_FROM = 0.8;
 /**
  * Takes drops; the overlay says what will happen.
  * @param {HTMLElement} overlay
- * @param {import("../app/context.js").AppContext} app
+ * @param {import("../../app/context.js").AppContext} app
  */
 export function acceptDrops(overlay, app) {
   const { store, solver, alerts, actions } = app;

@@ -3,15 +3,15 @@
  * somebody chooses files.
  */
 
-import { messageOf } from '../solver/messages.js';
-import { isReadable, worthReading } from '../solver/opened-files.js';
+import { messageOf } from '../../solver/messages.js';
+import { isReadable, worthReading } from '../../solver/opened-files.js';
 
 /** Bytes from which on it takes a while to read a file. */
 const LARGE = 2_000_000;
 
 /**
  * Opens what can be opened, or says what is wrong.
- * @param {import("../app/context.js").AppContext} app
+ * @param {import("../../app/context.js").AppContext} app
  * @param {File[]} chosen
  * @param {string[]} [folders] names of those that were dropped with them
  */
@@ -35,11 +35,11 @@ export async function openChosen(app, chosen, folders = []) {
 
 /**
  * Opens them together.
- * @param {import("../app/context.js").AppContext} app
+ * @param {import("../../app/context.js").AppContext} app
  * @param {File[]} chosen
  */
 async function read({ store, solver, files, alerts }, chosen) {
-  /** @type {(given: import("../solver/messages.js").NamedBytes[], cancelled?: AbortSignal) => Promise<import("../solver/messages.js").Loaded | undefined>} */
+  /** @type {(given: import("../../solver/messages.js").NamedBytes[], cancelled?: AbortSignal) => Promise<import("../../solver/messages.js").Loaded | undefined>} */
   const open = (given, cancelled) => files.open(given, {}, cancelled).catch(() => undefined);
   if (chosen.some(({ size }) => size > LARGE)) {
     const { openLarge } = await import('./large-file-import.js');

@@ -1,17 +1,17 @@
 /** A scene whose mesh, other surface or other pose is in a file that was not given: asks for it. */
 
-import { element } from '../ui/dom.js';
+import { element } from '../../ui/dom.js';
 
-/** @typedef {import("../solver/messages.js").NamedBytes} NamedBytes */
+/** @typedef {import("../../solver/messages.js").NamedBytes} NamedBytes */
 
 /**
  * What can be done about files that could not be opened: choosing those that a scene names and that are not
  * among them. Nothing where none is missing.
  * @param {NamedBytes[]} given
- * @param {import("../solver/solver-client.js").SolverClient} solver
- * @param {import("./files.js").Files} files
- * @param {import("./files.js").Origin} origin
- * @returns {Promise<import("../ui/controls/alerts.js").Offer[]>}
+ * @param {import("../../solver/solver-client.js").SolverClient} solver
+ * @param {import("../files.js").Files} files
+ * @param {import("../files.js").Origin} origin
+ * @returns {Promise<import("../../ui/controls/alerts.js").Offer[]>}
  */
 export async function offersToChoose(given, solver, files, origin) {
   const missing = await solver.request({ type: 'missingFiles', files: given }).catch(() => []);
