@@ -49,8 +49,8 @@ panels are lengths in the unit of the mesh; the model is 1:S; the material is T 
 H mm; the PDF is tiled to a --page. What is not given is as in the `build` of the scene. --report-page
 is the report on one page of A4 (PDF): picture, plan, build check, bill of materials, and the --link.
 refine makes several faces of each, N times; the boundary is a curve of its own, and creases and corners
-that turn by more than DEGREES (75) stay sharp. With --panels it solves before the first level and after each.
-The scene goes along: --out writes the mesh, or where the name ends in .json, the scene with it.
+that turn by more than DEGREES (75) stay sharp. With --panels it solves before the first level and after
+each. The scene goes along: --out writes the mesh, or where the name ends in .json, the scene with it.
 RESULTS is what a student hands in of a lesson: check measures its shape with the goals and the
 constraints of the SCENE, and ends with 1 when one is not met.
 parametrize makes a flat map that keeps angles; --out writes the mesh with the map as its vt.
