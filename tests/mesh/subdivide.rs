@@ -57,7 +57,8 @@ fn check(mesh: &Mesh, how: Subdivision) {
     assert_eq!(euler(&refined, &after), euler(mesh, &topology));
     // Loops that touch can be cut in several ways: their edges are what is twice as many.
     assert_eq!(boundary_edges(&after), boundary_edges(&topology) << how.levels);
-    assert_eq!(most_faces(&after), most_faces(&topology));
+    // Those that were one face share edges.
+    assert_eq!(most_faces(&after), most_faces(&topology).max(2));
     assert_eq!(most_alike(&refined), most_alike(mesh), "faces run as they did");
     assert_eq!(origins.positions.apply(&mesh.positions).len(), refined.positions.len());
     for row in origins.positions.rows().skip(mesh.positions.len()) {
