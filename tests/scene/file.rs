@@ -1,6 +1,7 @@
 //! The scene file: what is read, what is refused and how it is said, and that writing loses nothing.
 
-use shape_up::constraint::{Element, Kind, Selector, Set};
+use crate::asked::constraint;
+use shape_up::constraint::{Element, Selector, Set};
 use shape_up::mesh::{Group, GroupKeyword, Mesh, Ragged};
 use shape_up::scene::{
     Accelerator, BoundaryCloseness, BoundaryRequire, Closeness, ClosenessTo, ClosenessWeight,
@@ -351,18 +352,6 @@ fn an_inline_mesh_that_is_none_is_refused_with_its_path() {
         for word in *words {
             assert!(error.message.contains(word), "{mesh}: {error}: expected {word}");
         }
-    }
-}
-
-fn constraint(id: &str, on: Selector) -> ConstraintSpec {
-    let kind = Kind::new(id, serde_json::json!({})).expect("a kind without parameters");
-    ConstraintSpec {
-        kind,
-        on,
-        weight: 1.0,
-        enabled: true,
-        name: String::new(),
-        require: Require::Soft,
     }
 }
 

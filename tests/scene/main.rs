@@ -5,6 +5,7 @@
 #[path = "../support/fuzz.rs"]
 mod fuzz;
 
+mod asked;
 mod file;
 mod fuzzed;
 mod round_trip;

@@ -1,7 +1,8 @@
 //! Property: a scene that is written reads back the same, bit for bit.
 
+use crate::asked::constraint;
 use proptest::prelude::*;
-use shape_up::constraint::{Element, KINDS, Kind, Selector, Set};
+use shape_up::constraint::{Element, KINDS, Selector, Set};
 use shape_up::fabricate::{BuildSettings, CheckLimits, Dxf, OffsetKind};
 use shape_up::mesh::Mesh;
 use shape_up::scene::{
@@ -10,18 +11,6 @@ use shape_up::scene::{
     Pose, Require, Scene, Smoothness, SmoothnessOf, SolverSettings, Up, Variant, Variants,
     Weighting, Weights,
 };
-
-fn constraint(id: &str, on: Selector) -> ConstraintSpec {
-    let kind = Kind::new(id, serde_json::json!({})).expect("a kind without parameters");
-    ConstraintSpec {
-        kind,
-        on,
-        weight: 1.0,
-        enabled: true,
-        name: String::new(),
-        require: Require::Soft,
-    }
-}
 
 fn require() -> impl Strategy<Value = Require> {
     prop_oneof![Just(Require::Soft), Just(Require::Exact), (1e-9..1e9f64).prop_map(Require::Within)]

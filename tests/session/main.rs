@@ -11,6 +11,7 @@ mod meshes;
 #[path = "../support/shared.rs"]
 mod shared;
 
+mod asked;
 mod collapse;
 mod edits;
 mod edits_json;

@@ -1,31 +1,10 @@
 //! What hosts show of the constraints of a session: what they act on, and their projections.
 
-use crate::grid::grid;
+use crate::asked::{new, scene};
+use crate::grid::bumpy;
 use shape_up::math::Vec3;
-use shape_up::mesh::{Measures, Mesh, Ragged, Surface};
-use shape_up::scene::Scene;
-use shape_up::session::{Edit, NewConstraint, Session};
-
-/// A bumpy grid of `n` by `n` quads, a unit apart.
-fn bumpy(n: u32) -> Mesh {
-    grid(n, n, |i, j| {
-        let bump = f64::from((i * 5 + j * 7) % 4) / 8.0;
-        [f64::from(i), f64::from(j), bump]
-    })
-}
-
-fn scene(rest: &str) -> Scene {
-    let text = format!(
-        r#"{{ "format": "shape-up-scene", "version": 1, "mesh": {{ "file": "grid.obj" }}{rest} }}"#
-    );
-    Scene::from_json(&text).expect("the scene is valid")
-}
-
-fn new(kind: &str, on: &str) -> Edit {
-    let text = format!(r#"{{ "kind": "{kind}", "on": {on} }}"#);
-    let spec = shape_up::scene::ConstraintSpec::from_json(&text).expect("the constraint is valid");
-    Edit::AddConstraint(NewConstraint { spec, set: None })
-}
+use shape_up::mesh::{Measures, Ragged, Surface};
+use shape_up::session::{Edit, Session};
 
 #[test]
 fn a_face_shows_the_row_that_says_the_most_about_it() {

@@ -1,23 +1,11 @@
 //! Stories of a session: what hosts do with it, in the order in which people do it.
 
+use crate::asked::{new, scene};
 use crate::grid::{bumpy, grid};
 use serde_json::Map;
 use shape_up::mesh::Mesh;
 use shape_up::scene::{Accelerator, Hold, MeshSource, Scene, Weights};
-use shape_up::session::{DragPhase, Edit, NewConstraint, Session, check_targets};
-
-fn scene(rest: &str) -> Scene {
-    let text = format!(
-        r#"{{ "format": "shape-up-scene", "version": 1, "mesh": {{ "file": "grid.obj" }}{rest} }}"#
-    );
-    Scene::from_json(&text).expect("the scene is valid")
-}
-
-fn new(kind: &str, on: &str) -> Edit {
-    let text = format!(r#"{{ "kind": "{kind}", "on": {on} }}"#);
-    let spec = shape_up::scene::ConstraintSpec::from_json(&text).expect("the constraint is valid");
-    Edit::AddConstraint(NewConstraint { spec, set: None })
-}
+use shape_up::session::{DragPhase, Edit, Session, check_targets};
 
 const PLANES: &str = r#", "constraints": [{ "kind": "plane", "on": "faces" }]"#;
 

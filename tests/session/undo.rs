@@ -1,13 +1,14 @@
 //! Undo of everything: whatever is done to a session, in whatever order, is taken back exactly.
 
+use crate::asked::new;
 use crate::grid::grid;
 use proptest::prelude::*;
 use serde_json::{Map, json};
 use shape_up::constraint::{Form, Set};
 use shape_up::fabricate::BuildSettings;
 use shape_up::mesh::{KEPT_TURN, Mesh, Scheme};
-use shape_up::scene::{ConstraintSpec, Goal, GoalOf, Lesson, MeshSource, Scene, Up, Weights};
-use shape_up::session::{Edit, NewConstraint, SETTINGS, Session};
+use shape_up::scene::{Goal, GoalOf, Lesson, MeshSource, Scene, Up, Weights};
+use shape_up::session::{Edit, SETTINGS, Session};
 
 const SIDE: u32 = 4;
 const VERTICES: u32 = (SIDE + 1) * (SIDE + 1);
@@ -29,12 +30,6 @@ enum Deed {
     Run(usize),
     Undo,
     Redo,
-}
-
-fn new(kind: &str, on: &str) -> Edit {
-    let text = format!(r#"{{ "kind": "{kind}", "on": {on} }}"#);
-    let spec = ConstraintSpec::from_json(&text).expect("the constraint is valid");
-    Edit::AddConstraint(NewConstraint { spec, set: None })
 }
 
 fn lesson() -> Lesson {

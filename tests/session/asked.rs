@@ -1,0 +1,19 @@
+//! Scenes and constraints from a few words, for stories of sessions.
+
+use shape_up::scene::{ConstraintSpec, Scene};
+use shape_up::session::{Edit, NewConstraint};
+
+/// A scene of `grid.obj` with these keys behind the first ones.
+pub(crate) fn scene(rest: &str) -> Scene {
+    let text = format!(
+        r#"{{ "format": "shape-up-scene", "version": 1, "mesh": {{ "file": "grid.obj" }}{rest} }}"#
+    );
+    Scene::from_json(&text).expect("the scene is valid")
+}
+
+/// Adds a constraint.
+pub(crate) fn new(kind: &str, on: &str) -> Edit {
+    let text = format!(r#"{{ "kind": "{kind}", "on": {on} }}"#);
+    let spec = ConstraintSpec::from_json(&text).expect("the constraint is valid");
+    Edit::AddConstraint(NewConstraint { spec, set: None })
+}
