@@ -9,7 +9,6 @@
 mod grid;
 
 use grid::grid;
-use shape_up::constraint::Set;
 use shape_up::mesh::Mesh;
 use shape_up::scene::{ConstraintSpec, Lesson, MeshSource, Scene, Weights};
 use shape_up::session::{Edit, NewConstraint, Session};
@@ -48,8 +47,8 @@ fn edits_and_undo_leave_the_rest_of_the_scene_where_it_is() {
         let spec = ConstraintSpec::from_json(&text).expect("the constraint is valid");
         Edit::AddConstraint(NewConstraint { spec, set: None })
     };
-    let set = Set { vertices: vertices.clone(), faces: Vec::new() };
-    session.edit(Edit::NameSet { name: "eaves".to_owned(), set }).expect("it is a set");
+    let (name, faces) = ("eaves".to_owned(), Vec::new());
+    session.edit(Edit::NameSet { name, vertices: vertices.clone(), faces }).expect("it is a set");
     session.edit(Edit::HoldClose { vertices: Some(vertices.clone()), weight: 2.0 }).expect("valid");
     session.edit(at(vertices)).expect("any vertices may lie on a sphere");
     let places = |session: &Session| {
@@ -106,7 +105,9 @@ fn steps_are_forgotten_by_the_bytes_that_they_hold() {
     let mut session = open(bumpy(1));
     for k in 0..100 {
         let text = format!("{k}").repeat(1 << 20);
-        session.edit(Edit::SetLesson(Some(Lesson { text, goals: Vec::new() }))).expect("valid");
+        session
+            .edit(Edit::SetLesson { lesson: Some(Lesson { text, goals: Vec::new() }) })
+            .expect("valid");
     }
     // Lessons of one and of two MB, in 64 MB.
     let steps = undone(&mut session);

@@ -23,7 +23,6 @@ fn refused(edit: &serde_json::Value) -> (String, String) {
 #[test]
 fn every_edit_is_read_with_its_fields() {
     let (name, vertices) = ("rim".to_owned(), vec![4, 2]);
-    let set = Set { vertices: vertices.clone(), faces: vec![] };
     let params = json!({ "angle": [10, null] }).as_object().expect("it is one").clone();
     let weights = Weights { shape: 5.0, close: 0.5, smooth: 2.0 };
     for (text, expected) in [
@@ -58,7 +57,7 @@ fn every_edit_is_read_with_its_fields() {
         ),
         (
             json!({ "type": "nameSet", "name": name, "vertices": vertices, "faces": [] }),
-            Edit::NameSet { name: name.clone(), set },
+            Edit::NameSet { name: name.clone(), vertices: vertices.clone(), faces: vec![] },
         ),
         (json!({ "type": "removeSet", "name": name }), Edit::RemoveSet { name }),
         (
@@ -76,7 +75,7 @@ fn every_edit_is_read_with_its_fields() {
         (json!({ "type": "setWeights", "close": 0.5 }), Edit::SetWeights(weights)),
         (json!({ "type": "setUnits", "units": "mm" }), Edit::SetUnits { units: "mm".to_owned() }),
         (json!({ "type": "setUp", "up": "y" }), Edit::SetUp { up: Up::Y }),
-        (json!({ "type": "setLesson", "lesson": null }), Edit::SetLesson(None)),
+        (json!({ "type": "setLesson", "lesson": null }), Edit::SetLesson { lesson: None }),
         (
             json!({ "type": "setBuild", "build": { "scale": 20 } }),
             Edit::SetBuild {

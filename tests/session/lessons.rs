@@ -77,7 +77,7 @@ fn a_row_stays_what_a_goal_is_on() {
     // Of two that are called so, one can go; and both when there is no lesson any more.
     session.edit(Edit::DuplicateConstraint { index: 0 }).expect("there is a row");
     session.edit(removed.clone()).expect("another one is called so");
-    session.edit(Edit::SetLesson(None)).expect("it can be taken away");
+    session.edit(Edit::SetLesson { lesson: None }).expect("it can be taken away");
     session.edit(renamed).expect("nothing is on it");
     session.edit(removed).expect("nothing is on it");
     while session.undo().expect("the state was solvable").is_some() {}
@@ -90,13 +90,13 @@ fn a_lesson_is_written_in_one_step_that_leaves_the_solver_alone() {
     let before = (session.positions(), session.iteration(), session.solver().energy());
     let text = r#"{ "text": "Other", "goals": [{ "measure": "angles", "at_most": 5 }] }"#;
     let lesson = Lesson::from_json(text).expect("it is valid");
-    session.edit(Edit::SetLesson(Some(lesson.clone()))).expect("it can be measured");
+    session.edit(Edit::SetLesson { lesson: Some(lesson.clone()) }).expect("it can be measured");
     assert_eq!(session.document().lesson.as_ref(), Some(&lesson));
     assert_eq!((session.positions(), session.iteration(), session.solver().energy()), before);
     assert_eq!(session.goals().len(), 1);
     assert_eq!(session.undo().expect("it can be undone").as_deref(), Some("Change lesson"));
     assert_eq!(session.document().lesson, scene().lesson);
-    session.edit(Edit::SetLesson(None)).expect("it can be taken away");
+    session.edit(Edit::SetLesson { lesson: None }).expect("it can be taken away");
     assert!(session.goals().is_empty());
     assert_eq!(session.results("Ada", ""), None);
 }

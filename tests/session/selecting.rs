@@ -306,10 +306,7 @@ fn sets_are_kept_in_the_scene_found_again_and_undone() {
         curves: vec![],
     });
     let mut session = session(mesh);
-    let set = Set { vertices: vec![0, 3], faces: vec![] };
-    session
-        .edit(Edit::NameSet { name: "eaves".to_owned(), set: set.clone() })
-        .expect("the vertices are there");
+    session.edit(set_named("eaves", &[0, 3], &[])).expect("the vertices are there");
     assert!(session.scene().to_json(session.mesh()).contains("\"eaves\""));
     let mut named = |name: &str, mode: Mode| {
         ask(&mut session, "named", mode, &Selection::default(), json!({ "name": name }))
@@ -320,8 +317,13 @@ fn sets_are_kept_in_the_scene_found_again_and_undone() {
     assert!(named("attic", Mode::Faces).expect_err("there is none").contains("attic"));
     assert_eq!(session.undo().expect("it can be undone").as_deref(), Some("Save set eaves"));
     assert!(session.document().sets.is_empty());
-    let empty = Edit::NameSet { name: "nothing".to_owned(), set: Set::default() };
+    let empty = set_named("nothing", &[], &[]);
     assert!(session.edit(empty).is_err());
+}
+
+fn set_named(name: &str, vertices: &[u32], faces: &[u32]) -> Edit {
+    let (name, vertices, faces) = (name.to_owned(), vertices.to_vec(), faces.to_vec());
+    Edit::NameSet { name, vertices, faces }
 }
 
 #[test]
@@ -336,8 +338,7 @@ fn a_set_that_a_constraint_uses_takes_the_constraint_with_it() {
         .push(shape_up::scene::ConstraintSpec::from_json(spec).expect("the constraint is valid"));
     let mut session = Session::open(scene, mesh).expect("it fits");
     assert_eq!(session.rows()[0].constraints.members.len(), 1);
-    let name = "some".to_owned();
-    session.edit(Edit::NameSet { name, set: set(&[0, 4, 8]) }).expect("the faces are there");
+    session.edit(set_named("some", &[], &[0, 4, 8])).expect("the faces are there");
     assert_eq!(session.rows()[0].constraints.members.len(), 3);
     let still = session.edit(Edit::RemoveSet { name: "some".to_owned() });
     assert!(still.is_err(), "the constraint needs it");

@@ -4,7 +4,7 @@ use crate::asked::new;
 use crate::grid::grid;
 use proptest::prelude::*;
 use serde_json::{Map, json};
-use shape_up::constraint::{Form, Set};
+use shape_up::constraint::Form;
 use shape_up::fabricate::BuildSettings;
 use shape_up::mesh::{KEPT_TURN, Mesh, Scheme};
 use shape_up::scene::{Goal, GoalOf, Lesson, MeshSource, Scene, Up, Weights};
@@ -89,7 +89,8 @@ fn deed() -> impl Strategy<Value = Deed> {
         "[a-c]".prop_map(|name| Edit::RemoveSet { name }),
         ("[a-c]", vertices()).prop_map(|(name, vertices)| Edit::NameSet {
             name,
-            set: Set { vertices, faces: Vec::new() },
+            vertices,
+            faces: Vec::new(),
         }),
         (0..3usize).prop_map(|index| Edit::DuplicateConstraint { index }),
         setting(),
@@ -99,7 +100,7 @@ fn deed() -> impl Strategy<Value = Deed> {
             .prop_map(|(vertices, fixed)| Edit::AddHandles { vertices, fixed }),
         vertices().prop_map(|vertices| Edit::RemoveHandles { vertices }),
         (0..3usize, "[a-c]{0,2}").prop_map(|(index, name)| Edit::RenameConstraint { index, name }),
-        any::<bool>().prop_map(|is_one| Edit::SetLesson(is_one.then(lesson))),
+        any::<bool>().prop_map(|is_one| Edit::SetLesson { lesson: is_one.then(lesson) }),
         (1.0..3.0f64).prop_map(|scale| Edit::SetBuild {
             build: Box::new(BuildSettings { scale: scale.round(), ..BuildSettings::default() }),
         }),
@@ -199,7 +200,7 @@ fn an_edit_that_changes_nothing_is_no_step() {
         Edit::SetWeights(document.weights),
         Edit::SetUnits { units: document.units },
         Edit::SetUp { up: document.up },
-        Edit::SetLesson(None),
+        Edit::SetLesson { lesson: None },
         Edit::RenameConstraint { index: 0, name: String::new() },
         Edit::RemoveSet { name: "eaves".to_owned() },
         Edit::Set { id: "tolerance".to_owned(), value: json!(1e-9) },

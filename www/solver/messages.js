@@ -58,54 +58,15 @@
 /** @typedef {import("./declarations.js").SettingInfo} SettingInfo */
 /** @typedef {import("./declarations.js").Sketch} Sketch */
 
-/**
- * Which vertices a constraint acts on: the scene file's `on`. In an edit, `in` may also be a set
- * that has no name yet.
- * @typedef {{ each: string, in?: string | { faces: number[] } | { vertices: number[] } } | { vertices: number[] }} Selector
- */
-
-/**
- * How a row of constraints counts: it is weighed, met, or met within a length, as in a scene file.
- * @typedef {"soft" | "exact" | { within: number }} Require
- */
+/** @typedef {import("../pkg/solver/shape_up.js").Selector} Selector */
+/** @typedef {import("../pkg/solver/shape_up.js").Require} Require */
+/** @typedef {import("../pkg/solver/shape_up.js").LessonFile} Lesson */
+/** @typedef {import("../pkg/solver/shape_up.js").SelectRequest} SelectRequest */
 
 /**
  * One edit of the document; each is one step of undo.
- * @typedef {{ type: "addConstraint", kind: string, params: Record<string, ParamValue>, on: Selector, weight: number }
- *   | { type: "holdCloser" }
- *   | { type: "fitTo", name: string, text: string }
- *   | { type: "takePose", name: string, text: string }
- *   | { type: "leavePose" }
- *   | { type: "removeConstraint", index: number }
- *   | { type: "setConstraint", index: number, weight?: number, enabled?: boolean, require?: Require,
- *       params?: Record<string, ParamValue> }
- *   | { type: "setWeights", shape?: number, close?: number, smooth?: number }
- *   | { type: "preset", id: string }
- *   | { type: "setUnits", units: string }
- *   | { type: "setUp", up: "y" | "z" }
- *   | { type: "addHandles", vertices: number[], fixed: boolean }
- *   | { type: "removeHandles", vertices: number[] }
- *   | { type: "duplicateConstraint", index: number }
- *   | { type: "renameConstraint", index: number, name: string }
- *   | { type: "nameSet", name: string, vertices: number[], faces: number[] }
- *   | { type: "removeSet", name: string }
- *   | { type: "set", id: string, value: ParamValue }
- *   | { type: "holdClose", vertices: number[] | null, weight: number }
- *   | { type: "setLesson", lesson: Lesson | null }
- *   | { type: "setBuild", build: Partial<BuildSettings> }
- *   | { type: "weighHandles", vertices: number[], weight: number }
- *   | { type: "goToVariant", index: number }
- *   | { type: "removeVariant", index: number }
- *   | { type: "refine", scheme: string, levels: number, keep: number }
- *   | { type: "reset" }} Edit
+ * @typedef {import("../pkg/solver/shape_up.js").Sent<import("../pkg/solver/shape_up.js").Edit>} Edit
  */
-
-/**
- * The scene file's `lesson`: each goal is about a measure, or about the constraints of a name.
- * @typedef {{ text: string, goals: { measure?: Measure, constraint?: string, at_most: number }[] }} Lesson
- */
-
-/** @typedef {{ operation: string, mode: PickMode, from: Partial<Record<PickMode, number[]>>, params: Record<string, ParamValue> }} SelectRequest */
 
 /**
  * The connectivity of the mesh, sent once.

@@ -2,7 +2,7 @@
 
 import { count, length } from '../ui/format.js';
 
-/** @typedef {{ scheme: string, levels: number, keep: number }} Refinement */
+/** @typedef {Omit<Extract<import("../solver/messages.js").Edit, { type: "refine" }>, "type">} Refinement */
 
 /**
  * @param {import("./state.js").Store} store

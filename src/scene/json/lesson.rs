@@ -25,13 +25,16 @@ impl Lesson {
 
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 struct LessonFile {
     text: String,
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "GoalFile[]"))]
     goals: Vec<Goal>,
 }
 
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 struct GoalFile {
     #[serde(default, deserialize_with = "present")]
     measure: Option<String>,

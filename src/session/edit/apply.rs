@@ -77,7 +77,8 @@ pub(crate) fn apply(
             draft.put(Part::RowName(index, name));
             format!("Rename {label}")
         }
-        Edit::NameSet { name, set } => {
+        Edit::NameSet { name, vertices, faces } => {
+            let set = Set { vertices, faces };
             if name.is_empty() || set == Set::default() {
                 let message = "expected a name and something that it stands for".to_owned();
                 return Err(SceneError { path: "sets".to_owned(), message });
@@ -181,7 +182,7 @@ pub(crate) fn apply(
             draft.put(Part::Up(up));
             "Change up axis".to_owned()
         }
-        Edit::SetLesson(lesson) => {
+        Edit::SetLesson { lesson } => {
             draft.put(Part::Lesson(lesson));
             "Change lesson".to_owned()
         }

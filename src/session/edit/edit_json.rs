@@ -89,18 +89,24 @@ fn with_set_named(mut on: Value) -> Result<(Value, Option<Set>), JsonError> {
     Ok((on, unnamed))
 }
 
-/// The row that an edit adds, read as an entry of a scene file.
+/// The row that an edit adds.
+#[derive(serde::Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+struct ConstraintEntry {
+    kind: String,
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "Selector"))]
+    on: Value,
+    weight: f64,
+    #[serde(default)]
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "Record<string, ParamValue>"))]
+    params: Map<String, Value>,
+}
+
+/// Read as an entry of a scene file.
 impl<'de> Deserialize<'de> for NewConstraint {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<NewConstraint, D::Error> {
-        #[derive(serde::Deserialize)]
-        struct Fields {
-            kind: String,
-            on: Value,
-            weight: f64,
-            #[serde(default)]
-            params: Map<String, Value>,
-        }
-        let Fields { kind, on, weight, params: mut entry } = Fields::deserialize(from)?;
+        let ConstraintEntry { kind, on, weight, params: mut entry } =
+            ConstraintEntry::deserialize(from)?;
         let (on, set) = with_set_named(on).map_err(D::Error::custom)?;
         entry.insert("kind".to_owned(), kind.into());
         entry.insert("on".to_owned(), on);

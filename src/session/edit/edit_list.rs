@@ -13,9 +13,12 @@ use std::rc::Rc;
 /// An edit of the document; [`Edit::from_json`] reads one.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(rename_all = "camelCase")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub enum Edit {
     /// Appends a row of constraints.
-    AddConstraint(NewConstraint),
+    AddConstraint(
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "ConstraintEntry"))] NewConstraint,
+    ),
     /// Asks for one shape of every face that can have it: see [`crate::scene::Scene::ask_of_panels`].
     #[serde(skip_deserializing)]
     MakePanels {
@@ -34,13 +37,18 @@ pub enum Edit {
         /// Which row.
         index: usize,
         /// New `w_i`.
+        #[serde(default)]
         weight: Option<f64>,
         /// Whether it is solved for.
+        #[serde(default)]
         enabled: Option<bool>,
         /// Whether it is weighed, or met: as in scene files.
+        #[serde(default)]
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "Require"))]
         require: Option<Require>,
         /// New values of parameters, as in scene files; those that are not here stay.
         #[serde(default)]
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "Record<string, ParamValue>"))]
         params: Map<String, Value>,
     },
     /// Adds a row like row `index` after it.
@@ -56,12 +64,15 @@ pub enum Edit {
         name: String,
     },
     /// Gives a set a name, instead of what had that name.
-    #[serde(deserialize_with = "named_set")]
     NameSet {
         /// Not empty.
         name: String,
-        /// The set.
-        set: Set,
+        /// Its vertices.
+        #[serde(default, deserialize_with = "indices::deserialize")]
+        vertices: Vec<u32>,
+        /// Its faces.
+        #[serde(default, deserialize_with = "indices::deserialize")]
+        faces: Vec<u32>,
     },
     /// Takes a set away.
     RemoveSet {
@@ -73,6 +84,7 @@ pub enum Edit {
         /// Its id.
         id: String,
         /// Its value, in one of its forms.
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "ParamValue"))]
         value: Value,
     },
     /// Keeps some vertices close more or less than the others.
@@ -111,7 +123,7 @@ pub enum Edit {
         weight: f64,
     },
     /// Replaces the weights of Eq. 13.
-    SetWeights(Weights),
+    SetWeights(#[cfg_attr(target_arch = "wasm32", tsify(type = "Partial<Weights>"))] Weights),
     /// Sets what belongs together: see [`crate::scene::PRESETS`].
     Preset {
         /// The id of a preset.
@@ -125,10 +137,15 @@ pub enum Edit {
     /// Says which axis points up; the coordinates stay as they are.
     SetUp {
         /// Which one.
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "\"y\" | \"z\""))]
         up: Up,
     },
     /// Makes the scene an exercise, or no longer.
-    SetLesson(#[serde(deserialize_with = "lesson")] Option<Lesson>),
+    SetLesson {
+        /// The exercise; none for no longer.
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "LessonFile | null"))]
+        lesson: Option<Lesson>,
+    },
     /// Says what is to be made of the shape.
     SetBuild {
         /// All settings; those that are left out get their defaults.
@@ -167,6 +184,10 @@ pub enum Edit {
     /// Makes several faces of each: see [`crate::mesh::Subdivision`]. The scene goes along.
     Refine {
         /// The scheme.
+        #[cfg_attr(
+            target_arch = "wasm32",
+            tsify(type = "\"catmull-clark\" | \"linear\" | \"loop\"")
+        )]
         scheme: Scheme,
         /// How often, at least once.
         levels: u32,
@@ -184,27 +205,6 @@ fn kept_turn() -> f64 {
 
 fn list_or_none<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Vec<u32>>, D::Error> {
     Option::<Indices>::deserialize(from).map(|list| list.map(|Indices(list)| list))
-}
-
-fn named_set<'de, D: Deserializer<'de>>(from: D) -> Result<(String, Set), D::Error> {
-    #[derive(Deserialize)]
-    struct Fields {
-        name: String,
-        #[serde(default, deserialize_with = "indices::deserialize")]
-        vertices: Vec<u32>,
-        #[serde(default, deserialize_with = "indices::deserialize")]
-        faces: Vec<u32>,
-    }
-    Fields::deserialize(from)
-        .map(|Fields { name, vertices, faces }| (name, Set { vertices, faces }))
-}
-
-fn lesson<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Lesson>, D::Error> {
-    #[derive(Deserialize)]
-    struct Fields {
-        lesson: Option<Lesson>,
-    }
-    Fields::deserialize(from).map(|fields| fields.lesson)
 }
 
 /// A row of constraints to be added.

@@ -26,6 +26,7 @@ impl NamedEnum for Mode {
 /// Some vertices, edges and faces.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Selection {
     /// Indices of vertices.
     #[serde(deserialize_with = "indices::deserialize")]
@@ -40,6 +41,7 @@ pub struct Selection {
 
 /// A way to select, from where.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct SelectRequest {
     /// The id of an [`Operation`](super::Operation).
     pub operation: String,
@@ -50,6 +52,7 @@ pub struct SelectRequest {
     pub from: Selection,
     /// The parameters that are not at their default.
     #[serde(default)]
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "Record<string, ParamValue>"))]
     pub params: Map<String, Value>,
 }
 

@@ -7,10 +7,22 @@ use crate::web::plain::{plain, text, thrown_at};
 use crate::web::thrown;
 use wasm_bindgen::prelude::*;
 
+/// Types that serde reads by hand, and the form of enums with fields: an object whose `type` is the variant.
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"
+export type Sent<E> = E extends string ? { type: E } : { [K in keyof E]: { type: K } & E[K] }[keyof E];
+export type Require = "soft" | "exact" | { within: number };
+export type Within = string | { faces: number[] } | { vertices: number[] };
+export type Selector = { each: string; in?: Within } | { vertices: number[] };
+"#;
+
 #[wasm_bindgen]
 impl Solver {
     /// Makes an edit, one step of undo.
-    pub fn edit(&mut self, edit: JsValue) -> Result<(), JsValue> {
+    pub fn edit(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "Sent<Edit>")] edit: JsValue,
+    ) -> Result<(), JsValue> {
         let session = self.open_mut()?;
         let edit = Edit::from_json(&text(&edit)?, session.document());
         let edit = edit.map_err(|error| thrown_at(&error))?;
@@ -26,7 +38,10 @@ impl Solver {
 
     /// Makes an edit and begins a run, one step of undo together.
     #[wasm_bindgen(js_name = editAndRun)]
-    pub fn edit_and_run(&mut self, edit: JsValue) -> Result<(), JsValue> {
+    pub fn edit_and_run(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "Sent<Edit>")] edit: JsValue,
+    ) -> Result<(), JsValue> {
         let session = self.open_mut()?;
         let edit = Edit::from_json(&text(&edit)?, session.document());
         let edit = edit.map_err(|error| thrown_at(&error))?;
@@ -36,7 +51,10 @@ impl Solver {
     /// How many constraints a row of each kind would hold at each of the places, which are selectors as
     /// in an edit: `#kinds by #places`, null where nothing fits.
     #[wasm_bindgen(unchecked_return_type = "(Preview | null)[][]")]
-    pub fn previews(&self, places: JsValue) -> Result<JsValue, JsValue> {
+    pub fn previews(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "Selector[]")] places: JsValue,
+    ) -> Result<JsValue, JsValue> {
         let places =
             ConstraintTarget::all_from_json(&text(&places)?).map_err(|error| thrown_at(&error))?;
         plain(&self.open()?.previews(&places).map_err(|error| thrown_at(&error))?)

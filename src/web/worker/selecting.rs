@@ -26,7 +26,10 @@ impl Solver {
     }
 
     /// The selection after an operation: `vertices`, `edges` and `faces`, ascending.
-    pub fn select(&mut self, request: JsValue) -> Result<JsValue, JsValue> {
+    pub fn select(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "SelectRequest")] request: JsValue,
+    ) -> Result<JsValue, JsValue> {
         let request =
             SelectRequest::from_json(&text(&request)?).map_err(|error| thrown_at(&error))?;
         let found = self.open_mut()?.select(&request).map_err(|error| thrown_at(&error))?;

@@ -44,7 +44,8 @@ export function openRefine({ store, solver, actions, alerts }) {
     hidden: !hasRows,
   });
   const how = () => ({
-    ...{ scheme: scheme.value, levels: Number(levels.value) },
+    scheme: /** @type {"catmull-clark" | "linear" | "loop"} */ (scheme.value),
+    levels: Number(levels.value),
     keep: keep.validity.valid && keep.value !== '' ? keep.valueAsNumber : KEEP,
   });
 

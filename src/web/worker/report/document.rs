@@ -85,7 +85,7 @@ struct ConstraintRow<'a> {
     weight: f64,
     enabled: bool,
     /// As in a scene file.
-    #[cfg_attr(target_arch = "wasm32", tsify(type = "\"soft\" | \"exact\" | { within: number }"))]
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "Require"))]
     require: Value,
     /// The id of the measure of single faces that it is about, if it is on faces.
     measure: Option<&'static str>,
