@@ -51,7 +51,7 @@ const STYLES = ['name', 'property.name'].map((name) => ({
 }));
 
 /** The rooms that only show and ask: what changes the state or reaches the solver is an action. */
-export const BY_ACTIONS = ['panels', 'features'];
+export const BY_ACTIONS = ['viewport', 'documents', 'panels', 'features'];
 
 /** Writing the state, and calling the solver. */
 const ACTS = [

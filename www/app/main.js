@@ -6,7 +6,7 @@
 import { createActions } from '../store/actions.js';
 import { Alerts } from '../ui/controls/alerts.js';
 import { analysisRegion } from './analysis.js';
-import { colourFaces } from '../viewport/colour-scale.js';
+import { colourFaces } from '../store/colours/colour-scale.js';
 import { commandTable } from './command-table.js';
 import { bindButtons, bindKeys, bindRunButton } from './commands.js';
 import { byId } from '../ui/dom.js';
@@ -15,7 +15,6 @@ import { Files } from '../documents/files.js';
 import { animateFirstPicture } from '../viewport/placeholder/placeholder-scene.js';
 import { ended } from '../ui/format.js';
 import { loadFeatures, loadWhenNeeded } from './features.js';
-import { bindHandleKeys } from '../viewport/input/handle-keys.js';
 import { firstHints } from '../features/hints.js';
 import { arrangeForWidth } from './layout.js';
 import { messageOf } from '../solver/messages.js';
@@ -29,7 +28,7 @@ import { modelPanel } from '../panels/model/model.js';
 import { statusBar } from '../panels/status-bar/status-bar.js';
 import { PointerInput } from '../viewport/input/pointer.js';
 import { RegionSelection } from '../viewport/input/region-selection.js';
-import { colourRows } from '../viewport/constraint-colours.js';
+import { colourRows } from '../store/colours/constraint-colours.js';
 import { sizeOf } from '../ui/rounding.js';
 import { scriptApi } from './script-api.js';
 import { Selecting } from '../store/mesh-queries.js';
@@ -52,12 +51,12 @@ const solver = new SolverClient();
 bindSolver(solver);
 
 animateFirstPicture(store, solver);
-const viewport = new Viewport(byId('viewport'), store, solver);
-const files = new Files(store, solver, alerts);
 const actions = createActions(store, solver, alerts);
-const region = new RegionSelection(store, viewport);
+const viewport = new Viewport(byId('viewport'), store, solver, actions);
+const files = new Files(store, solver, alerts, actions);
+const region = new RegionSelection(store, viewport, actions);
 const selecting = new Selecting(store, solver, actions);
-const pointer = new PointerInput(store, solver, viewport, region, {
+const pointer = new PointerInput(store, solver, viewport, region, actions, {
   addHandles: (vertices) => actions.addHandles(vertices, false),
   chosenHandles: actions.chosenHandles,
   showMenu: (at) =>
@@ -67,7 +66,6 @@ const pointer = new PointerInput(store, solver, viewport, region, {
   fitAll: () => viewport.with((view) => view.fit()),
   doubleClick: (...what) => selecting.doubleClick(...what),
 });
-bindHandleKeys(viewport, store, solver, actions);
 bindViewKeys(viewport);
 const { fit } = colourFaces(store, solver);
 colourRows(store, solver, actions);
@@ -147,7 +145,7 @@ viewport.on('none', (why) => {
 
 Object.assign(window, { shapeUp: scriptApi(store, solver, viewport, files) });
 
-const startup = new Startup(solver, files, alerts, { store, analysis });
+const startup = new Startup(solver, files, alerts, { store, actions, analysis });
 byId('recent-button').addEventListener('click', () =>
   actions.reportErrors(
     import('../documents/recent-menu.js').then((it) => it.showRecent(byId('recent'), startup)),
@@ -165,6 +163,11 @@ const offline = () =>
 viewport.on('ready', offline);
 viewport.on('none', offline);
 actions.reportErrors(import('../ui/controls/tooltips.js').then((it) => it.tooltips()));
+actions.reportErrors(
+  import('../viewport/input/handle-keys.js').then((it) =>
+    it.bindHandleKeys(viewport, store, solver, actions),
+  ),
+);
 import('../panels/status-bar/environment-status.js').then((module) =>
   module.environmentStatus(byId('numbers'), app),
 );

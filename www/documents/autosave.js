@@ -50,7 +50,7 @@ export class Autosave {
    * @param {import("../viewport/saved-view.js").ViewContext} seen
    */
   constructor(solver, files, seen) {
-    const { store } = seen;
+    const { store, actions } = seen;
     this.#store = store;
     this.#solver = solver;
     this.#files = files;
@@ -61,7 +61,7 @@ export class Autosave {
     });
     files.on('opened', () => this.#begin());
     solver.on('scene', () => {
-      if (this.#id && solver.sceneText !== this.#kept.text) store.set({ saved: '' });
+      if (this.#id && solver.sceneText !== this.#kept.text) actions.describeFile({ saved: '' });
       this.save();
     });
     solver.on('progress', () => this.save());
@@ -86,7 +86,7 @@ export class Autosave {
     this.#kept = work && !saved?.progress ? { ...NOTHING, text } : NOTHING;
     this.#confirmed = this.#kept;
     this.#id = id;
-    this.#store.set({ saved: '' });
+    this.#seen.actions.describeFile({ saved: '' });
     remember(MINE, id, 'sessionStorage');
     this.#release();
     // One that goes on was claimed before it was opened.
@@ -111,11 +111,13 @@ export class Autosave {
         this.#confirmed = kept;
         if (kept === this.#kept) forgetUnsaved(next[0].id);
         remember(ANY, 'yes');
-        this.#store.set({ saved: `Saved in this browser ${timeOf(next[0].savedAt)}` });
+        this.#seen.actions.describeFile({
+          saved: `Saved in this browser ${timeOf(next[0].savedAt)}`,
+        });
       } catch {
         // Blocked, as in some private windows, or full.
         this.#kept = NOTHING;
-        this.#store.set({ saved: OFF });
+        this.#seen.actions.describeFile({ saved: OFF });
         return;
       }
     }

@@ -40,6 +40,7 @@ export class Files extends Emitter {
   #store;
   #solver;
   #alerts;
+  #actions;
   /** What was opened last. @type {NamedBytes[]} */
   #given = [];
   /** Base name for what is saved. */
@@ -49,12 +50,14 @@ export class Files extends Emitter {
    * @param {import("../store/state.js").Store} store
    * @param {import("../solver/solver-client.js").SolverClient} solver
    * @param {import("../ui/controls/alerts.js").Alerts} alerts
+   * @param {import("../store/actions.js").Actions} actions
    */
-  constructor(store, solver, alerts) {
+  constructor(store, solver, alerts, actions) {
     super();
     this.#store = store;
     this.#solver = solver;
     this.#alerts = alerts;
+    this.#actions = actions;
   }
 
   /** Base name for what is saved. */
@@ -82,21 +85,18 @@ export class Files extends Emitter {
       // A press that waits for the first model has said so.
       const { document, status } = this.#store.get();
       if (document || !status)
-        this.#store.set({ status: `Reading ${files.map((file) => file.name).join(' and ')} …` });
+        this.#actions.setStatus(`Reading ${files.map((file) => file.name).join(' and ')} …`);
       const main = mainOf(files);
       const { saved, first: solved, asItCame } = origin;
       const frame = rememberedFrame(main.name);
-      const loaded = await this.#solver.request({
-        ...{ type: 'open', files, saved, frame, solved },
-        weld: !asItCame,
-      });
+      const loaded = await this.#actions.open({ files, saved, frame, solved, weld: !asItCame });
       this.#name = main.name.replace(/(\.shapeup)?\.[^.]+$/, '');
       this.#given = files;
       this.origin = origin;
       this.original = origin.work ? null : this.#solver.sceneText;
       this.#alerts.clear();
       if (!origin.first) removeFirstPicture();
-      this.#store.set({
+      this.#actions.describeFile({
         firstExample: Boolean(origin.first),
         fileName: origin.title ?? main.name,
         example: origin.example ?? null,
@@ -106,9 +106,9 @@ export class Files extends Emitter {
       this.emit('opened', undefined);
       return loaded;
     } catch (error) {
-      this.#store.set({ status: '' });
+      this.#actions.setStatus('');
       const { offersToChoose } = await import('./opening/missing-files.js');
-      const offers = await offersToChoose(given, this.#solver, this, origin);
+      const offers = await offersToChoose(given, this.#actions, this, origin);
       this.#alerts.error(messageOf(error), ...offers);
       throw error;
     }
@@ -124,11 +124,11 @@ export class Files extends Emitter {
       names.map(async (name) => ({ name, bytes: await exampleFile(name) })),
     );
     // The first thing that somebody sees of it is what it does.
-    if (first) this.#store.set({ display: { ...this.#store.get().display, shapes: true } });
+    if (first) this.#actions.display({ shapes: true });
     await this.open(files, { first, example });
     const { numbers } = this.#store.get();
     const status = first && numbers && ended(true, numbers.iteration);
-    this.#store.set({ status: status || `Opened the example ${example.title}` });
+    this.#actions.setStatus(status || `Opened the example ${example.title}`);
   }
 
   /** A mesh or a scene of the examples. @param {string} name */
@@ -160,7 +160,7 @@ export class Files extends Emitter {
   /** The current shape in the vertices of the file, before they were welded. */
   async exportAsItCame() {
     if (!(await this.mayExport())) return;
-    this.save('.obj', await this.#solver.request({ type: 'obj', asItCame: true }), 'model/obj');
+    this.save('.obj', await this.#actions.obj({ asItCame: true }), 'model/obj');
   }
 
   /** Whether the shape is wanted as it is: asks where a run took the mesh apart. */
@@ -174,7 +174,7 @@ export class Files extends Emitter {
     try {
       if (!(await this.mayExport())) return;
       const uv = this.#store.get().flatMap?.found.uv;
-      this.save('.obj', await this.#solver.request({ type: 'obj', uv }), 'model/obj');
+      this.save('.obj', await this.#actions.obj({ uv }), 'model/obj');
     } catch (error) {
       this.#alerts.error(messageOf(error));
     }
@@ -182,7 +182,7 @@ export class Files extends Emitter {
 
   async saveScene() {
     // Without a worker, what it sent last is what there is to save.
-    const text = await this.#solver.request({ type: 'scene' }).catch(() => this.#solver.sceneText);
+    const text = await this.#actions.sceneText().catch(() => this.#solver.sceneText);
     if (text === null) this.#alerts.error('There is no scene to save.');
     else this.save('.shapeup.json', text, 'application/json');
   }
@@ -196,7 +196,7 @@ export class Files extends Emitter {
   save(ending, content, type) {
     const name = `${this.#name}${ending}`;
     saveFile(name, content, type);
-    this.#store.set({ status: `Saved ${name}` });
+    this.#actions.setStatus(`Saved ${name}`);
   }
 }
 

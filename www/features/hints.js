@@ -13,7 +13,7 @@ import {
   toleranceOf,
   valueInWords,
   worstOf,
-} from '../store/measures.js';
+} from '../store/colours/measures.js';
 import { recall, remember } from '../ui/safe-storage.js';
 
 const KEY = 'shape-up.hints';

@@ -116,6 +116,9 @@ export function createActions(store, solver, alerts) {
     addHandles,
     removeHandles,
 
+    /** Opens files; rejects with what is wrong. @param {Omit<Extract<import("../solver/messages.js").Request, { type: "open" }>, "type">} given */
+    open: (given) => solver.request({ type: 'open', ...given }),
+
     runOrPause() {
       solver.send({ type: store.get().running ? 'pause' : 'run' });
     },

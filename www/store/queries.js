@@ -79,6 +79,15 @@ export function createQueries(solver, reportErrors) {
     /** A table as CSV. @param {Table} table */
     table: (table) => solver.request({ type: 'table', table }),
 
+    /** The shape as OBJ: with a flat map, or in the vertices of the file. @param {{ uv?: Float64Array, asItCame?: boolean }} how */
+    obj: (how) => solver.request({ type: 'obj', ...how }),
+
+    /** How many faces it can work with while somebody watches. */
+    mostFaces: () => solver.request({ type: 'mostFaces' }),
+
+    /** The files that a scene among these names and that are not there. @param {import("../solver/messages.js").NamedBytes[]} files */
+    missingFiles: (files) => solver.request({ type: 'missingFiles', files }),
+
     /** The text of the scene. */
     sceneText: () => solver.request({ type: 'scene' }),
 

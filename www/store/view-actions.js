@@ -36,8 +36,18 @@ export function createViewActions(store) {
     /** @param {Partial<Pick<State, "tool" | "shape" | "through" | "brush" | "tape">>} tool */
     useTool: (tool) => store.set(tool),
 
-    /** What is shown in another way, or beside the model. @param {Partial<Pick<State, "parallel" | "split" | "flatMap" | "heldOriginal" | "build" | "status">>} look */
+    /**
+     * What is shown in another way, or beside the model, and what shows it.
+     * @param {Partial<Pick<State, "parallel" | "split" | "flatMap" | "heldOriginal" | "build" | "status" |
+     *   "renderer" | "camera" | "tab" | "measure" | "measureChosen" | "tolerance" | "tolerances">>} look
+     */
     look: (look) => store.set(look),
+
+    /** What the pointer is over. @param {Pick<State, "gizmoPart" | "pointedAt">} over */
+    pointAt: (over) => store.set(over),
+
+    /** Whence the model comes, and whether it is kept. @param {Partial<Pick<State, "firstExample" | "fileName" | "example" | "saved" | "status">>} file */
+    describeFile: (file) => store.set(file),
 
     /**
      * Selects faces where there are any, else edges, else vertices, and nothing else.
@@ -48,6 +58,9 @@ export function createViewActions(store) {
       const mode = sets.faces.size > 0 ? 'faces' : sets.edges.size > 0 ? 'edges' : 'vertices';
       store.set({ mode, selection: { ...NOTHING, [mode]: sets[mode] } });
     },
+
+    /** @param {State["selection"]} selection */
+    setSelection: (selection) => store.set({ selection }),
 
     selectNothing: () => store.set({ selection: NOTHING }),
   };

@@ -1,7 +1,7 @@
 /** What the view shows of the state: the mesh's colours, handles, selection and all that is drawn about it. */
 
 import { handlesNow } from '../store/state.js';
-import { declared, toleranceOf } from '../store/measures.js';
+import { declared, toleranceOf } from '../store/colours/measures.js';
 import { modelErrors, showFlatMap } from './flat-map-layer.js';
 import { showSplit } from './split-layer.js';
 

@@ -1,7 +1,5 @@
 /** Shows elements that a list is about: selects them, and moves the camera to where they are. */
 
-import { NOTHING } from '../store/selection.js';
-
 /** @typedef {{ vertices: ArrayLike<number>, edges?: ArrayLike<number>, faces: ArrayLike<number> }} Elements */
 
 /** Rings of faces around that are in the picture too: a face alone says nothing of where it is. */
@@ -11,13 +9,12 @@ const RINGS = 2;
  * @param {import("../app/context.js").AppContext} app
  * @param {Elements} elements faces where there are any, else edges, else vertices
  */
-export function showElements({ store, solver, viewport }, { vertices, edges = [], faces }) {
+export function showElements({ actions, solver, viewport }, { vertices, edges = [], faces }) {
   const { geometry } = solver;
   if (!geometry) return;
   const { connectivity } = geometry;
-  const mode = faces.length > 0 ? 'faces' : edges.length > 0 ? 'edges' : 'vertices';
-  const chosen = new Set(Array.from({ faces, edges, vertices }[mode]));
-  store.set({ mode, selection: { ...NOTHING, [mode]: chosen } });
+  const all = [vertices, edges, faces].map((elements) => Array.from(elements));
+  actions.select({ vertices: all[0], edges: all[1], faces: all[2] });
   let around = new Set(Array.from(vertices));
   for (const edge of Array.from(edges)) {
     around.add(connectivity.edges[2 * edge]).add(connectivity.edges[2 * edge + 1]);

@@ -8,6 +8,7 @@
 /**
  * @typedef {object} ViewContext
  * @property {import("../store/state.js").Store} store
+ * @property {import("../store/actions.js").Actions} actions
  * @property {{ show: (tab: string) => void, shown: () => string }} analysis the region of plots and tables
  */
 
@@ -26,11 +27,11 @@ export function viewOf({ store, analysis }) {
  * @param {SavedView | null} view null where it was not kept
  * @param {ViewContext} parts
  */
-export function restoreView(view, { store, analysis }) {
+export function restoreView(view, { store, actions, analysis }) {
   if (!view) return;
   const { plot, ...parts } = view;
   const known = store.get().measures.some(({ id }) => id === parts.measure);
   if (!known) parts.measure = store.get().measure;
-  store.set(parts);
+  actions.look(parts);
   analysis.show(plot);
 }

@@ -36,6 +36,7 @@ export class Viewport extends Emitter {
 
   #store;
   #solver;
+  #actions;
   #backend = new Backend();
   /** WebGPU is asked once whether its picture is there. */
   #isProven = false;
@@ -59,12 +60,14 @@ export class Viewport extends Emitter {
    * @param {HTMLElement} element
    * @param {import("../store/state.js").Store} store
    * @param {import("../solver/solver-client.js").SolverClient} solver
+   * @param {import("../store/actions.js").Actions} actions
    */
-  constructor(element, store, solver) {
+  constructor(element, store, solver, actions) {
     super();
     this.element = element;
     this.#store = store;
     this.#solver = solver;
+    this.#actions = actions;
     this.#watchSize();
     this.#watchSolver();
     this.#watchStore();
@@ -126,7 +129,7 @@ export class Viewport extends Emitter {
     this.#transition = null;
   }
 
-  /** How far what the view holds goes with the pointer. @type {import("./input/handle-drag.js").Hold} */
+  /** How far what the view holds goes with the pointer. @type {import("../store/handle-drag.js").Hold} */
   constrainMove = (way, dx, dy) => this.view?.constrainMove(way, dx, dy);
   /** Where what the view holds is seen once it has gone so far. @param {number[]} by */
   heldPlace = (by) => this.view?.heldPlace(by[0], by[1], by[2]);
@@ -199,7 +202,7 @@ export class Viewport extends Emitter {
     this.#resize();
     this.#newMesh = true;
     this.#handOver();
-    this.#store.set({ renderer: backend });
+    this.#actions.look({ renderer: backend });
     this.emit('ready', undefined);
   }
 
@@ -213,7 +216,7 @@ export class Viewport extends Emitter {
     view?.free();
     if (renderer !== 'webgpu' || !this.#backend.failed(renderer)) this.#attempts += 1;
     const isOver = this.#attempts > ATTEMPTS;
-    this.#store.set({ status: `The 3D view was lost${isOver ? '' : ' and is being restored'}` });
+    this.#actions.setStatus(`The 3D view was lost${isOver ? '' : ' and is being restored'}`);
     if (isOver) this.#giveUp(reason);
     else this.#create();
   }
@@ -224,7 +227,7 @@ export class Viewport extends Emitter {
     this.#canvas = null;
     this.element.replaceChildren();
     removeFirstPicture();
-    this.#store.set({ renderer: 'none' });
+    this.#actions.look({ renderer: 'none' });
     this.emit('none', reason);
   }
 
@@ -334,7 +337,7 @@ export class Viewport extends Emitter {
     const isSame = this.#camera?.every((number, i) => number === numbers[i]);
     if (isSame) return;
     this.#camera = [...numbers];
-    this.#store.set({ camera: this.#camera });
+    this.#actions.look({ camera: this.#camera });
   }
 
   #draw() {

@@ -38,12 +38,12 @@ export async function openChosen(app, chosen, folders = []) {
  * @param {import("../../app/context.js").AppContext} app
  * @param {File[]} chosen
  */
-async function read({ store, solver, files, alerts }, chosen) {
+async function read({ actions, solver, files, alerts }, chosen) {
   /** @type {(given: import("../../solver/messages.js").NamedBytes[], cancelled?: AbortSignal) => Promise<import("../../solver/messages.js").Loaded | undefined>} */
   const open = (given, cancelled) => files.open(given, {}, cancelled).catch(() => undefined);
   if (chosen.some(({ size }) => size > LARGE)) {
     const { openLarge } = await import('./large-file-import.js');
-    return openLarge(chosen, { store, solver, alerts, open });
+    return openLarge(chosen, { actions, solver, alerts, open });
   }
   try {
     const bytesOf = async (/** @type {File} */ file) => ({

@@ -9,7 +9,7 @@ const FIT_FROM = 0.8;
  * @param {import("../../app/context.js").AppContext} app
  */
 export function acceptDrops(overlay, app) {
-  const { store, solver, alerts, actions } = app;
+  const { store, actions } = app;
   const carriesFiles = (/** @type {DragEvent} */ event) =>
     event.dataTransfer?.types.includes('Files') ?? false;
   window.addEventListener('dragover', (event) => {
@@ -29,7 +29,7 @@ export function acceptDrops(overlay, app) {
     // A folder looks like a file that cannot be read.
     const [file] = files;
     if (store.get().document && event.clientY > FIT_FROM * window.innerHeight && file) {
-      actions.reportErrors(import('./fit-to.js').then((it) => it.fitTo(file, solver, alerts)));
+      actions.reportErrors(import('./fit-to.js').then((it) => it.fitTo(file, actions)));
       return;
     }
     const folders = [...items]

@@ -19,20 +19,20 @@ class Cancelled extends Error {}
  * Opens files as `Files.open` does, and says how far it is.
  * @param {File[]} chosen
  * @param {object} parts
- * @param {import("../../store/state.js").Store} parts.store
+ * @param {import("../../store/actions.js").Actions} parts.actions
  * @param {import("../../solver/solver-client.js").SolverClient} parts.solver
  * @param {import("../../ui/controls/alerts.js").Alerts} parts.alerts
  * @param {(files: import("../../solver/messages.js").NamedBytes[], cancelled: AbortSignal) => Promise<import("../../solver/messages.js").Loaded | undefined>} parts.open says itself what is wrong with them
  */
-export async function openLarge(chosen, { store, solver, alerts, open }) {
+export async function openLarge(chosen, { actions, solver, alerts, open }) {
   const names = chosen.map(({ name }) => name).join(' and ');
   const all = chosen.reduce((sum, { size }) => sum + size, 0);
   const card = new Card(names);
   const count = new FaceCount();
   // The solver measures it, where it has not yet, while the file is read.
-  const limit = solver.request({ type: 'mostFaces' });
+  const limit = actions.mostFaces();
   limit.catch(() => {});
-  store.set({ status: `Reading ${names} …` });
+  actions.setStatus(`Reading ${names} …`);
   try {
     /** @type {import("../../solver/messages.js").NamedBytes[]} */
     const files = [];
@@ -49,7 +49,7 @@ export async function openLarge(chosen, { store, solver, alerts, open }) {
     if (count.faces > most) {
       const size = groupDigits(count.faces);
       const question = `${names} has ${size} faces. Shape-Up stays interactive up to about ${groupDigits(most)} on this computer.`;
-      store.set({ status: `${names}: ${size} faces` });
+      actions.setStatus(`${names}: ${size} faces`);
       await card.ask(question, 'Load anyway');
     }
     card.show(`Opening ${names}${facesIn(count)}`, null);
@@ -60,7 +60,7 @@ export async function openLarge(chosen, { store, solver, alerts, open }) {
   } catch (error) {
     if (!card.cancelled.aborted) return void alerts.error(messageOf(error));
     alerts.clear();
-    store.set({ status: 'Cancelled' });
+    actions.setStatus('Cancelled');
   } finally {
     card.remove();
   }

@@ -8,13 +8,13 @@ import { element } from '../../ui/dom.js';
  * What can be done about files that could not be opened: choosing those that a scene names and that are not
  * among them. Nothing where none is missing.
  * @param {NamedBytes[]} given
- * @param {import("../../solver/solver-client.js").SolverClient} solver
+ * @param {import("../../store/actions.js").Actions} actions
  * @param {import("../files.js").Files} files
  * @param {import("../files.js").Origin} origin
  * @returns {Promise<import("../../ui/controls/alerts.js").Offer[]>}
  */
-export async function offersToChoose(given, solver, files, origin) {
-  const missing = await solver.request({ type: 'missingFiles', files: given }).catch(() => []);
+export async function offersToChoose(given, actions, files, origin) {
+  const missing = await actions.missingFiles(given).catch(() => []);
   if (missing.length === 0) return [];
   const action = async () => {
     const chosen = await choose(missing.length > 1);

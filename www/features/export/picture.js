@@ -3,7 +3,7 @@
 import { rampStops } from '../../viewport/ramp.js';
 import { colourOf } from '../../ui/dom.js';
 import { groupDigits } from '../../ui/format.js';
-import { declared, toleranceOf, valueInWords } from '../../store/measures.js';
+import { declared, toleranceOf, valueInWords } from '../../store/colours/measures.js';
 import { spreadOf } from '../../ui/plot/histogram.js';
 import { axisOf, placeOn } from '../../ui/plot/value-axis.js';
 

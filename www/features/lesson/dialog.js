@@ -4,7 +4,7 @@ import './lesson.css';
 import { openDialog } from '../../ui/controls/dialog.js';
 import { button, choice, closeButton } from '../../ui/controls/fields.js';
 import { element, setText } from '../../ui/dom.js';
-import { declared, measureOfScene, toleranceOf } from '../../store/measures.js';
+import { declared, measureOfScene, toleranceOf } from '../../store/colours/measures.js';
 import { messageOf } from '../../solver/messages.js';
 
 const UNITS = { percent: '%', degrees: '°', number: '' };

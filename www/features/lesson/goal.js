@@ -1,6 +1,6 @@
 /** A goal of a lesson in words. */
 
-import { valueInWords } from '../../store/measures.js';
+import { valueInWords } from '../../store/colours/measures.js';
 
 /** @typedef {import("../../solver/messages.js").LessonWords["goals"][number]} Goal */
 

@@ -6,7 +6,7 @@
 import './lesson.css';
 import { RENEW_MS, byId, element, icon, setText, throttled } from '../../ui/dom.js';
 import { count } from '../../ui/format.js';
-import { movedInWords, roundingOf, valueInWords } from '../../store/measures.js';
+import { movedInWords, roundingOf, valueInWords } from '../../store/colours/measures.js';
 import { goalInWords, measureOf } from './goal.js';
 
 const MARKS = { met: '✓', missed: '✗' };

@@ -7,7 +7,13 @@ import { rampOf } from '../../viewport/ramp.js';
 import { setOptions } from '../../ui/controls/fields.js';
 import { element, setText } from '../../ui/dom.js';
 import { groupDigits } from '../../ui/format.js';
-import { declared, movedInWords, toleranceOf, unitOf, valueInWords } from '../../store/measures.js';
+import {
+  declared,
+  movedInWords,
+  toleranceOf,
+  unitOf,
+  valueInWords,
+} from '../../store/colours/measures.js';
 import { bars, drawBars, drawOutline, outline } from '../../ui/plot/histogram-svg.js';
 import { countsOf, greatestOf } from '../../ui/plot/histogram.js';
 import { axisOf, placeOn } from '../../ui/plot/value-axis.js';

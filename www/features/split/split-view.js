@@ -5,7 +5,7 @@
 
 import { closeButton } from '../../ui/controls/fields.js';
 import { byId } from '../../ui/dom.js';
-import { declared, measureOfScene, roundingOf, toleranceOf } from '../../store/measures.js';
+import { declared, measureOfScene, roundingOf, toleranceOf } from '../../store/colours/measures.js';
 import { splitDivider } from './split-divider.js';
 import { SplitLegend } from './split-legend.js';
 import { greatestOf } from '../../ui/plot/histogram.js';

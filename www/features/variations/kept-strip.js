@@ -3,7 +3,7 @@
 import { closeButton } from '../../ui/controls/fields.js';
 import { element } from '../../ui/dom.js';
 import { groupDigits, length, number } from '../../ui/format.js';
-import { measureOfScene } from '../../store/measures.js';
+import { measureOfScene } from '../../store/colours/measures.js';
 import { isDrawn } from '../../store/state.js';
 import { variationActions } from '../../store/variation-actions.js';
 import { drawShape } from './thumbnail.js';

@@ -8,7 +8,7 @@ import '../../ui/styles/lists.css';
 import { button, closeButton } from '../../ui/controls/fields.js';
 import { element, setText } from '../../ui/dom.js';
 import { count, length, limit } from '../../ui/format.js';
-import { movedInWords } from '../../store/measures.js';
+import { movedInWords } from '../../store/colours/measures.js';
 import { showElements } from '../../viewport/reveal-elements.js';
 
 /** @param {import("../../solver/messages.js").ConstraintRow} row */

@@ -6,7 +6,7 @@
 import { amountField, closeButton } from '../../ui/controls/fields.js';
 import { RENEW_MS, element, icon, setAttribute, setText, throttled } from '../../ui/dom.js';
 import { groupDigits, length, limit, part } from '../../ui/format.js';
-import { movedInWords } from '../../store/measures.js';
+import { movedInWords } from '../../store/colours/measures.js';
 import { valueInWords } from '../../ui/kinds/parameter-forms.js';
 import { energyOrNothing, lengthOrNothing } from '../../ui/rounding.js';
 

@@ -14,7 +14,7 @@ import {
   toleranceOf,
   unitOf,
   valueInWords,
-} from '../../store/measures.js';
+} from '../../store/colours/measures.js';
 import { bars, drawBars, drawOutline, outline } from '../../ui/plot/histogram-svg.js';
 import { isDrawn } from '../../store/state.js';
 import { placeOn } from '../../ui/plot/value-axis.js';

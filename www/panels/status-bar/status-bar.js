@@ -10,7 +10,7 @@ import {
   toleranceOf,
   valueInWords,
   worstOf,
-} from '../../store/measures.js';
+} from '../../store/colours/measures.js';
 import { energyOrNothing } from '../../ui/rounding.js';
 import { sizeOfSelection } from '../../store/selection.js';
 

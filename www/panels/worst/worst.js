@@ -15,7 +15,7 @@ import {
   roundingOf,
   toleranceOf,
   valueInWords,
-} from '../../store/measures.js';
+} from '../../store/colours/measures.js';
 import { lengthOrNothing } from '../../ui/rounding.js';
 import { showElements } from '../../viewport/reveal-elements.js';
 

@@ -4,7 +4,7 @@
  * leaves them, Escape puts them back.
  */
 
-import { HandleDrag } from './handle-drag.js';
+import { HandleDrag } from '../../store/handle-drag.js';
 
 /** Pixels that an arrow key moves a handle by. */
 const STEP = 8;

@@ -16,9 +16,9 @@
  */
 
 import { isFirstPictureThere } from '../placeholder/placeholder-scene.js';
-import { HandleDrag } from './handle-drag.js';
+import { HandleDrag, leaveHandle, makeHandle } from '../../store/handle-drag.js';
 import { near, clickTolerance } from './hit-tolerance.js';
-import { NOTHING, combineOf, select } from '../../store/selection.js';
+import { combineOf, select } from '../../store/selection.js';
 import { pair, wheelFactor } from './zooming.js';
 
 /** So near, a handle goes before the part of the gizmo that lies over it. */
@@ -40,6 +40,7 @@ export class PointerInput {
   #viewport;
   #element;
   #region;
+  #actions;
   #commands;
   /** Where each pointer that is down was last. @type {Map<number, [number, number]>} */
   #down = new Map();
@@ -61,16 +62,18 @@ export class PointerInput {
    * @param {import("../../solver/solver-client.js").SolverClient} solver
    * @param {import("../viewport.js").Viewport} viewport
    * @param {import("./region-selection.js").RegionSelection} region
+   * @param {import("../../store/actions.js").Actions} actions
    * @param {{ addHandles: (vertices: number[]) => Promise<void>, fitAll: () => void, chosenHandles: () => number[],
    *   showMenu: (at: [number, number]) => void,
    *   doubleClick: (mode: import("../../store/state.js").Mode, item: number, event: MouseEvent) => void }} commands
    */
-  constructor(store, solver, viewport, region, commands) {
+  constructor(store, solver, viewport, region, actions, commands) {
     this.#store = store;
     this.#solver = solver;
     this.#viewport = viewport;
     this.#element = viewport.element;
     this.#region = region;
+    this.#actions = actions;
     this.#commands = commands;
     const listen = /** @type {HTMLElement["addEventListener"]} */ (
       this.#element.addEventListener.bind(this.#element)
@@ -79,7 +82,7 @@ export class PointerInput {
     listen('pointermove', (event) => this.#move(event));
     listen('pointerup', (event) => this.#release(event));
     listen('pointercancel', () => this.cancel());
-    listen('pointerleave', () => store.set({ gizmoPart: undefined, pointedAt: undefined }));
+    listen('pointerleave', () => actions.pointAt({ gizmoPart: undefined, pointedAt: undefined }));
     listen('dblclick', (event) => this.#doubleClick(event));
     listen('wheel', (event) => this.#wheel(event), { passive: false });
     listen('contextmenu', (event) => event.preventDefault());
@@ -96,7 +99,7 @@ export class PointerInput {
     const gesture = this.#gesture;
     if (!gesture) return false;
     if (gesture.kind === 'handle') gesture.drag.cancel();
-    if (gesture.kind === 'making') this.#sendNewHandles([], 'cancel');
+    if (gesture.kind === 'making') leaveHandle(this.#store, this.#solver, 'cancel');
     if (gesture.kind === 'region') this.#region.cancel();
     this.#become(this.#down.size > 0 ? { kind: 'spent' } : null);
     return true;
@@ -164,7 +167,7 @@ export class PointerInput {
     const what = this.#handle === undefined ? mode : 'vertices';
     const item = this.#handle ?? this.#pick(mode, event, at);
     if (item !== undefined && !selection[what].has(item))
-      this.#store.set({ selection: select(selection, what, [item], 'replace') });
+      this.#actions.setSelection(select(selection, what, [item], 'replace'));
     this.#become({ kind: 'spent' });
     this.#commands.showMenu([event.clientX, event.clientY]);
   }
@@ -200,7 +203,7 @@ export class PointerInput {
     const making = { kind: vertex === undefined ? 'press' : 'making' };
     this.#become(making);
     if (vertex === undefined) return;
-    this.#sendNewHandles([vertex], 'make');
+    makeHandle(this.#store, this.#solver, vertex);
     const made = () => {
       // Released or taken back meanwhile.
       if (this.#gesture !== making) return;
@@ -209,19 +212,7 @@ export class PointerInput {
       const last = this.#down.get(event.pointerId);
       if (last) this.#drag(event, last);
     };
-    this.#store.set({ dragged: [vertex] });
     this.#solver.once('document', made);
-  }
-
-  /**
-   * What becomes of a handle that is made and has not been dragged.
-   * @param {number[]} vertices
-   * @param {"make" | "end" | "cancel"} phase
-   */
-  #sendNewHandles(vertices, phase) {
-    const targets = new Float64Array(0);
-    this.#solver.send({ type: 'drag', vertices: Uint32Array.from(vertices), targets, phase });
-    if (phase !== 'make') this.#store.set({ dragged: [] });
   }
 
   /**
@@ -316,7 +307,7 @@ export class PointerInput {
         gesture.drag.end();
         break;
       case 'making':
-        this.#sendNewHandles([], 'end');
+        leaveHandle(this.#store, this.#solver, 'end');
         break;
       case 'press':
         if (event.button === 2) this.#askForMenu(event, at);
@@ -339,16 +330,16 @@ export class PointerInput {
     if (tape) {
       const end = this.#handle ?? this.#vertexAt(event, at);
       const isOther = tape.length === 1 && tape[0] !== end;
-      if (end !== undefined) this.#store.set({ tape: isOther ? [...tape, end] : [end] });
+      if (end !== undefined) this.#actions.useTool({ tape: isOther ? [...tape, end] : [end] });
       return;
     }
     const combine = combineOf(event);
     const item = this.#handle ?? this.#pick(mode, event, at);
     if (item !== undefined) {
       const what = this.#handle === undefined ? mode : 'vertices';
-      this.#store.set({ selection: select(selection, what, [item], combine) });
+      this.#actions.setSelection(select(selection, what, [item], combine));
     } else if (combine === 'replace') {
-      this.#store.set({ selection: NOTHING });
+      this.#actions.selectNothing();
     }
   }
 
@@ -414,7 +405,7 @@ export class PointerInput {
     this.#aim(event, at);
     this.#element.dataset.over = this.#handle === undefined ? '' : 'handle';
     const pointedAt = this.#part ? undefined : this.#handle;
-    this.#store.set({ gizmoPart: this.#part, pointedAt });
+    this.#actions.pointAt({ gizmoPart: this.#part, pointedAt });
     this.#region.hover(at);
   }
 

@@ -22,6 +22,7 @@ const SPACE = 'http://www.w3.org/2000/svg';
 export class RegionSelection {
   #store;
   #viewport;
+  #actions;
   #overlay = document.createElementNS(SPACE, 'svg');
   #outline = document.createElementNS(SPACE, 'polygon');
   #brush = document.createElementNS(SPACE, 'circle');
@@ -35,10 +36,12 @@ export class RegionSelection {
   /**
    * @param {import("../../store/state.js").Store} store
    * @param {import("../viewport.js").Viewport} viewport
+   * @param {import("../../store/actions.js").Actions} actions
    */
-  constructor(store, viewport) {
+  constructor(store, viewport, actions) {
     this.#store = store;
     this.#viewport = viewport;
+    this.#actions = actions;
     this.#overlay.id = 'region';
     this.#overlay.setAttribute('aria-hidden', 'true');
     this.#overlay.append(this.#outline, this.#brush);
@@ -63,7 +66,7 @@ export class RegionSelection {
     this.#before = this.#store.get().selection;
     if (!this.paints) return;
     if (combine === 'replace') {
-      this.#store.set({ selection: NOTHING });
+      this.#actions.selectNothing();
       this.#combine = 'add';
     }
     this.move(at);
@@ -104,7 +107,7 @@ export class RegionSelection {
 
   /** Puts back what was selected. */
   cancel() {
-    this.#store.set({ selection: this.#before });
+    this.#actions.setSelection(this.#before);
     this.hide();
   }
 
@@ -145,7 +148,7 @@ export class RegionSelection {
       return view.facesIn(outline, touching, through);
     });
     if (!found || (found.length === 0 && this.#combine !== 'replace')) return;
-    this.#store.set({ selection: select(selection, mode, found, this.#combine) });
+    this.#actions.setSelection(select(selection, mode, found, this.#combine));
   }
 }
 

@@ -4,7 +4,7 @@
  * follows the solver, and the drags of its handles (placeholder-drag.js) go to the solver.
  */
 
-import { HandleDrag } from '../input/handle-drag.js';
+import { HandleDrag } from '../../store/handle-drag.js';
 
 /**
  * A drag of a handle of the first picture: from where to where in pixels of the picture, and the
@@ -176,7 +176,7 @@ function takeOverDrags(store, solver) {
  * How far a handle goes on the screen, as the view tells it.
  * @param {number[]} right displacement per pixel
  * @param {number[]} down
- * @returns {import("../input/handle-drag.js").Hold}
+ * @returns {import("../../store/handle-drag.js").Hold}
  */
 const planeOf = (right, down) => (_, dx, dy) =>
   Float64Array.from(right, (value, axis) => value * dx + down[axis] * dy);

@@ -8,11 +8,11 @@
  * colours mean the same from picture to picture. Either end can be chosen instead.
  */
 
-import { RENEW_MS, throttled } from '../ui/dom.js';
-import { messageOf } from '../solver/messages.js';
-import { declared, measureOfScene, roundingOf, toleranceOf } from '../store/measures.js';
-import { greatestOf, spreadOf } from '../ui/plot/histogram.js';
-import { axisOf, roundUp } from '../ui/plot/value-axis.js';
+import { RENEW_MS, throttled } from '../../ui/dom.js';
+import { messageOf } from '../../solver/messages.js';
+import { declared, measureOfScene, roundingOf, toleranceOf } from './measures.js';
+import { greatestOf, spreadOf } from '../../ui/plot/histogram.js';
+import { axisOf, roundUp } from '../../ui/plot/value-axis.js';
 
 /** A range finer than so many times the rounding would colour what nobody could build or see. */
 const LEAST_RANGE = 1000;
@@ -21,15 +21,15 @@ const LOG_RANGE = 1e-4;
 /** On a logarithmic axis, what is within the tolerance has the room of this factor. */
 const LOG_WITHIN = 0.1;
 
-/** Both ends and the end of the axis follow from the values. @type {import("../store/state.js").OwnRange} */
+/** Both ends and the end of the axis follow from the values. @type {import("../state.js").OwnRange} */
 const AUTOMATIC = { low: null, high: null, top: null };
 
-/** Until there are values. @type {Pick<import("../store/state.js").State, "spread" | "range" | "ownRange">} */
+/** Until there are values. @type {Pick<import("../state.js").State, "spread" | "range" | "ownRange">} */
 const NONE = { spread: null, range: [0, 0], ownRange: AUTOMATIC };
 
 /**
- * @param {import("../store/state.js").Store} store
- * @param {import("../solver/solver-client.js").SolverClient} solver
+ * @param {import("../state.js").Store} store
+ * @param {import("../../solver/solver-client.js").SolverClient} solver
  * @returns {{ fit: () => void }} ends the range of the colours at the worst face of the shape as it is
  */
 export function colourFaces(store, solver) {

@@ -3,7 +3,7 @@
  * selected together, all move alike. The view says where the pointer leads what it holds.
  */
 
-import { handlesNow } from '../../store/state.js';
+import { handlesNow } from './state.js';
 
 const AXES = ['x', 'y', 'z'];
 
@@ -31,8 +31,8 @@ export class HandleDrag {
   #axis = null;
 
   /**
-   * @param {import("../../store/state.js").Store} store
-   * @param {import("../../solver/solver-client.js").SolverClient} solver
+   * @param {import("./state.js").Store} store
+   * @param {import("../solver/solver-client.js").SolverClient} solver
    * @param {Hold} hold
    * @param {number} vertex the handle under the pointer, or one of those at the gizmo
    * @param {string} [part] of the gizmo
@@ -114,4 +114,36 @@ export class HandleDrag {
     const targets = this.#targets.slice();
     this.#solver.send({ type: 'drag', vertices, targets, phase, time });
   }
+}
+
+/**
+ * Makes a vertex a handle, which may be dragged then: one step of undo.
+ * @param {import("./state.js").Store} store
+ * @param {import("../solver/solver-client.js").SolverClient} solver
+ * @param {number} vertex
+ */
+export function makeHandle(store, solver, vertex) {
+  sendOfNew(solver, [vertex], 'make');
+  store.set({ dragged: [vertex] });
+}
+
+/**
+ * What becomes of a handle that was made and has not been dragged.
+ * @param {import("./state.js").Store} store
+ * @param {import("../solver/solver-client.js").SolverClient} solver
+ * @param {"end" | "cancel"} phase
+ */
+export function leaveHandle(store, solver, phase) {
+  sendOfNew(solver, [], phase);
+  store.set({ dragged: [] });
+}
+
+/**
+ * @param {import("../solver/solver-client.js").SolverClient} solver
+ * @param {number[]} vertices
+ * @param {"make" | "end" | "cancel"} phase
+ */
+function sendOfNew(solver, vertices, phase) {
+  const targets = new Float64Array(0);
+  solver.send({ type: 'drag', vertices: Uint32Array.from(vertices), targets, phase });
 }

@@ -1,11 +1,11 @@
 /** Which measure of faces a scene is about, how its values read, and what is nothing but rounding. */
 
-import { length, lengthUnit, number } from '../ui/format.js';
-import { ROUNDING } from '../ui/rounding.js';
+import { length, lengthUnit, number } from '../../ui/format.js';
+import { ROUNDING } from '../../ui/rounding.js';
 
-/** @typedef {import("../solver/messages.js").Measure} Measure */
-/** @typedef {import("../solver/messages.js").FaceMeasure} FaceMeasure */
-/** @typedef {Readonly<import("./state.js").State>} State */
+/** @typedef {import("../../solver/messages.js").Measure} Measure */
+/** @typedef {import("../../solver/messages.js").FaceMeasure} FaceMeasure */
+/** @typedef {Readonly<import("../state.js").State>} State */
 
 const SIGNS = { percent: '%', degrees: '°', number: '' };
 

@@ -4,9 +4,9 @@
  */
 
 /**
- * @param {import("../store/state.js").Store} store
- * @param {import("../solver/solver-client.js").SolverClient} solver
- * @param {import("../store/actions.js").Actions} actions
+ * @param {import("../state.js").Store} store
+ * @param {import("../../solver/solver-client.js").SolverClient} solver
+ * @param {import("../actions.js").Actions} actions
  */
 export function colourRows(store, solver, actions) {
   /** Only the answer to the newest question counts. */
