@@ -6,11 +6,11 @@ import { buildPrograms } from './programs.mjs';
 import { main } from './run.mjs';
 import { setUp } from './setup.mjs';
 import { bundleSite } from './site.mjs';
-import { buildModule, modules } from './wasm.mjs';
+import { buildModules } from './wasm.mjs';
 
 /** Everything that the page loads, in `www/`. */
 export async function buildParts() {
-  for (const feature of modules) await buildModule(feature);
+  await buildModules();
   await buildPrograms();
   await writeExamples();
   await writePictures();

@@ -35,6 +35,20 @@ function sourcesOf(feature) {
   return paths.filter((path) => isPart(relative(root, path)));
 }
 
+const isView = (feature) => feature.startsWith('view');
+
+/**
+ * Builds all of them: views and others side by side, each kind in a folder of its own, since cargo builds one
+ * thing at a time in a folder, most of it on one core, and they share hardly any dependencies.
+ */
+export async function buildModules() {
+  const inTurn = async (features) => {
+    for (const feature of features) await buildModule(feature);
+  };
+  const others = modules.filter((feature) => !isView(feature));
+  await Promise.all([inTurn(others), inTurn(modules.filter(isView))]);
+}
+
 /** Builds one of them into `www/pkg/<feature>/`. */
 export async function buildModule(feature) {
   const folder = at('www', 'pkg', feature);
@@ -52,15 +66,16 @@ export async function buildModule(feature) {
   };
   await unlessUnchanged(work, async () => {
     say(`compiling the ${feature} module`);
+    const target = isView(feature) ? join(targetFolder, 'views') : targetFolder;
     // The crate type is named here because with the two of Cargo.toml cargo leaves out the
     // link-time optimisation without a word.
     await run('cargo', [
       ...['rustc', '--locked', '--lib', '--release', '--crate-type', 'cdylib'],
       ...['--target', wasmTarget, '--no-default-features', '--features', feature],
-      ...['--', ...sizeFlags],
+      ...['--target-dir', target, '--', ...sizeFlags],
     ]);
     rmSync(folder, { recursive: true, force: true });
-    const compiled = join(targetFolder, wasmTarget, 'release', 'shape_up.wasm');
+    const compiled = join(target, wasmTarget, 'release', 'shape_up.wasm');
     await run(wasmBindgen, [...flags, '--out-dir', folder, compiled]);
   });
 }
