@@ -129,3 +129,35 @@ fn it_converges_to_the_last_digits_of_double_precision() {
         assert!(further >= total * (1.0 - 1e-12), "{accelerator:?}: {further} is below {total}");
     }
 }
+
+#[test]
+fn plain_steps_on_a_large_mesh_are_those_of_its_parts() {
+    // Large factors are in single precision for plain steps too, small ones in double. Copies of one part, which
+    // share nothing, are large together: each shall move as it does alone, and as far.
+    const COPIES: usize = 50;
+    let one = bumpy(20);
+    let n = one.positions.len();
+    let mut many = Mesh::default();
+    for k in 0..COPIES {
+        many.positions.extend(&one.positions);
+        for face in one.faces.iter() {
+            many.faces.push(&face.iter().map(|v| v + (k * n) as u32).collect::<Vec<_>>());
+        }
+    }
+    let scene = r#""constraints": [{ "kind": "circle", "on": "faces" }], "closeness": { "to": "rest" },
+                   "weights": { "shape": 5, "close": 10, "smooth": 2 }"#;
+    for steps in [1, 20] {
+        let alone = stepped(session(scene, Accelerator::None, one.clone()), steps);
+        let together = stepped(session(scene, Accelerator::None, many.clone()), steps);
+        let factor = together.report().factor_nonzeros;
+        assert!(factor > 1 << 19, "{factor}: the test needs a larger mesh");
+        let energies = [&together, &alone].map(|session| session.solver().energy().total);
+        let ratio = energies[0] / (COPIES as f64 * energies[1]);
+        assert!((ratio - 1.0).abs() < 1e-9, "{steps} steps: {energies:?}");
+        let places = alone.positions();
+        for (v, place) in together.positions().iter().enumerate() {
+            let apart = (0..3).map(|i| (place[i] - places[v % n][i]).abs()).fold(0.0, f64::max);
+            assert!(apart < 1e-6, "{steps} steps: vertex {v} is {apart} off");
+        }
+    }
+}

@@ -9,11 +9,13 @@
 //! | file | holds |
 //! |---|---|
 //! | `iterate` | positions with their gradient, and the plain step from there |
+//! | `plain` | the plain iteration: in single precision where the factor is large |
 //! | `quasi_newton` | L-BFGS whose initial metric is the factored normal matrix |
 //! | `anderson` | Anderson acceleration |
 
 mod anderson;
 mod iterate;
+mod plain;
 mod quasi_newton;
 
 pub(super) use iterate::Iterate;
@@ -23,12 +25,13 @@ use super::system::System;
 use crate::constraint::Row;
 use crate::sparse::Precision;
 use anderson::Anderson;
+use plain::Plain;
 use quasi_newton::QuasiNewton;
 
 /// The chosen accelerator with its memory.
 pub(in crate::solve) enum Acceleration {
     /// None: the plain two-step iteration of section 2.2.
-    None,
+    None(Plain),
     /// See [`QuasiNewton`].
     QuasiNewton(QuasiNewton),
     /// See [`Anderson`].
@@ -40,17 +43,22 @@ impl Acceleration {
     pub(super) fn new(settings: &SolverSettings) -> Self {
         let window = settings.window as usize;
         match settings.accelerator {
-            _ if window == 0 => Acceleration::None,
-            Accelerator::None => Acceleration::None,
+            _ if window == 0 => Acceleration::None(Plain::default()),
+            Accelerator::None => Acceleration::None(Plain::default()),
             Accelerator::QuasiNewton => Acceleration::QuasiNewton(QuasiNewton::new(window)),
             Accelerator::Anderson => Acceleration::Anderson(Anderson::new(window)),
         }
     }
 
-    /// How the system is to be solved for it.
-    pub(super) fn precision(&self) -> Precision {
+    /// Whether its steps depend on the steps before.
+    pub(super) fn learns(&self) -> bool {
+        !matches!(self, Acceleration::None(_))
+    }
+
+    /// How `system` is to be solved for it.
+    pub(super) fn precision(&self, system: &System) -> Precision {
         match self {
-            Acceleration::None => Precision::Double,
+            Acceleration::None(_) => Plain::precision(system),
             Acceleration::QuasiNewton(_) | Acceleration::Anderson(_) => Precision::Single,
         }
     }
@@ -65,10 +73,7 @@ impl Acceleration {
         to: &mut [Row],
     ) -> bool {
         match self {
-            Acceleration::None => {
-                now.plain_step(system, to);
-                return false;
-            }
+            Acceleration::None(it) => return it.propose(now, system, to),
             Acceleration::QuasiNewton(it) => it.propose(now, before, system.f32_factor(), to),
             Acceleration::Anderson(it) => it.propose(now, before, system.f32_factor(), to),
         }
@@ -78,7 +83,7 @@ impl Acceleration {
     /// Forgets all steps: the problem has changed.
     pub(super) fn forget(&mut self) {
         match self {
-            Acceleration::None => {}
+            Acceleration::None(_) => {}
             Acceleration::QuasiNewton(quasi_newton) => quasi_newton.forget(),
             Acceleration::Anderson(anderson) => anderson.forget(),
         }

@@ -61,7 +61,7 @@ impl Solver {
             Holding::new(&nodes, &self.system, &self.energies, &handles);
         self.pinned = pinned;
         let weights = self.energies.weights;
-        let precision = self.accelerator.precision();
+        let precision = self.accelerator.precision(&self.system);
         self.factored = false;
         self.system.set_matrix(precision, &[weights.shape, weights.smooth], &diagonal, fixed)?;
         self.factored = true;

@@ -30,9 +30,9 @@ impl Solver {
         }
         let now = Iterate { x: &self.x, gradient: &self.gradient };
         let previous = Iterate { x: &self.previous.0, gradient: &self.previous.1 };
-        let learned = self.has_previous;
+        let learned = self.has_previous && self.accelerator.learns();
         let previous = learned.then_some(previous);
-        let accelerated = self.accelerator.propose(now, previous, &mut self.system, &mut self.next);
+        let rounded = self.accelerator.propose(now, previous, &mut self.system, &mut self.next);
         std::mem::swap(&mut self.previous.0, &mut self.x);
         std::mem::swap(&mut self.previous.1, &mut self.gradient);
         std::mem::swap(&mut self.x, &mut self.next);
@@ -41,17 +41,17 @@ impl Solver {
         self.seconds.global += clock::now() - started;
         self.evaluate();
         // Without a step to learn from, a proposal is the plain step in fewer digits.
-        self.accelerated = accelerated && learned;
+        self.accelerated = rounded && learned;
         // Written so that NaN falls back too.
         let falls = |energy: Energy| energy.total < before.total;
-        if accelerated && !falls(self.energy) {
+        if rounded && !falls(self.energy) {
             self.accelerated = false;
             self.take_plain_step();
         }
         if self.gliding.is_some() && !falls(self.energy) {
             self.shorten_step(before.total);
         }
-        if accelerated {
+        if self.accelerator.learns() {
             self.keep_best(before.total);
         }
         self.stop_non_finite()?;
