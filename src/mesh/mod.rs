@@ -11,7 +11,7 @@
 //! | `topology` | edges, neighbours, boundary loops, strips, components, curves on the mesh |
 //! | `laplacian` | the weights `w_ij` of Eq. 12 |
 //! | `closest` | closest points `c(v)` on a surface, Eq. 11, and on its boundary curves |
-//! | `measure` | planarity, circularity, angles, distortion of flat maps |
+//! | `measure` | planarity, circularity, angles, Gauss curvature, strips laid flat, distortion of flat maps |
 //! | `edit` | meshes made from meshes: welding, subdivision |
 
 mod bounds;
@@ -38,8 +38,8 @@ pub use edit::{
 pub use io::{Decimal, Read, ReadError, read, write_medit, write_obj, write_obj_with_uv};
 pub use laplacian::{LARGEST_COTANGENT, Laplacian};
 pub use measure::{
-    Circularity, Histogram, MapErrors, Measures, Planarity, QuasiConformal, angle_histogram,
-    diagonal_ratio, quasi_conformal,
+    Circularity, Histogram, MapErrors, Measures, Planarity, QuasiConformal, UnrolledStrip,
+    angle_histogram, diagonal_ratio, gauss_curvature, quasi_conformal,
 };
 pub use polygon_mesh::{Group, GroupKeyword, Mesh, Point};
 pub use problem::{ElementKind, MeshProblem, ProblemKind, counted};

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a helper that fails here fails its test")]
 
 mod build;
+mod check;
 mod exact;
 mod experiment;
 mod faults;

@@ -1,9 +1,14 @@
 //! What each example states of itself, measured when it is solved with its own settings.
 
 use shape_up::constraint::Selector;
+use shape_up::example::model::Court;
 use shape_up::example::{EXAMPLES, Example};
+use shape_up::fabricate::panel::smallest_box;
 use shape_up::math::Vec3;
-use shape_up::mesh::{MapErrors, Mesh, Point, QuasiConformal, Surface, Topology, angle_histogram};
+use shape_up::mesh::{
+    MapErrors, Mesh, Point, QuasiConformal, Ragged, Surface, Topology, UnrolledStrip,
+    angle_histogram, gauss_curvature, strips,
+};
 use shape_up::scene::{Scene, Target};
 use shape_up::session::{Report, Session};
 use shape_up::solve::{ConformalNorm, ConformalWeights, Parametrization};
@@ -120,6 +125,48 @@ impl Run {
             });
             off.fold(0.0, f64::max)
         })
+    }
+
+    /// The longest over the shortest edge of the rim of the court, before and after.
+    fn rim_unevenness(&self) -> [f64; 2] {
+        let rim = Court::default().ring(0);
+        [&self.mesh.positions, &self.positions].map(|positions| {
+            let at = |v: u32| Vec3::from(positions[v as usize]);
+            let next = |v: u32| if v + 1 == rim.end { rim.start } else { v + 1 };
+            let lengths = rim.clone().map(|v| (at(next(v)) - at(v)).length());
+            lengths.clone().fold(0.0, f64::max) / lengths.fold(f64::MAX, f64::min)
+        })
+    }
+
+    /// How far the rim of the court comes from the edges that it had.
+    fn off_the_first_rim(&self) -> f64 {
+        let rim = Court::default().ring(0);
+        let around = Ragged::from_iter([rim.clone().chain([rim.start]).collect::<Vec<_>>()]);
+        let edges = Mesh { curves: around, ..Mesh::default() };
+        let edges = Surface::new(&self.mesh.positions, &edges);
+        let off = rim.map(|v| {
+            let p = self.positions[v as usize];
+            (Vec3::from(edges.closest(p, &mut { Surface::COLD })) - p.into()).length()
+        });
+        off.fold(0.0, f64::max)
+    }
+
+    /// Length and width of the smallest rectangles that the strips of most panels fit in, laid flat.
+    fn longest_strip(&self) -> [f64; 2] {
+        let topology = Topology::new(&self.mesh);
+        let strips = strips(&self.mesh, &topology);
+        let flat = strips.iter().map(|strip| UnrolledStrip::new(&self.positions, strip, &topology));
+        let flat: Vec<UnrolledStrip> = flat.map(|flat| flat.expect("edges have lengths")).collect();
+        let most = flat.iter().map(|flat| flat.quads).max();
+        let sizes = flat.iter().filter(|flat| Some(flat.quads) == most);
+        let sizes = sizes.map(|flat| smallest_box(&flat.outline).1);
+        sizes.fold([0.0, 0.0], |[a, b], [c, d]| [f64::max(a, c), f64::max(b, d)])
+    }
+
+    /// The greatest Gauss curvature.
+    fn gauss_curvature(&self) -> f64 {
+        let all = gauss_curvature(&self.positions, &self.mesh, &Topology::new(&self.mesh));
+        all.into_iter().filter(|k| k.is_finite()).fold(0.0, |most, k| most.max(k.abs()))
     }
 
     /// How wide the stretched sheet is at its middle, where it was 18 m wide.
@@ -317,6 +364,25 @@ const STATEMENTS: &[Statement] = &[
     }),
     ("other-transfer", |run| {
         vec![("rings before", run.worst[0][0], 0.8..0.83), ("rings", run.worst[0][1], 0.0..0.01)]
+    }),
+    ("other-spline", |run| {
+        let [before, after] = run.rim_unevenness();
+        vec![
+            ("longest over shortest before", before, 6.0..6.5),
+            ("longest over shortest", after, 1.0..1.02),
+            ("from the curve", run.worst[1][1], 0.0..0.01),
+            ("from the first edges", run.off_the_first_rim(), 0.1..0.5),
+        ]
+    }),
+    ("other-strips", |run| {
+        let [length, width] = run.longest_strip();
+        vec![
+            ("worst panel before", run.before.planarity.max_distance, 0.02..0.021),
+            ("worst panel", run.after.planarity.max_distance, 0.0..1e-9),
+            ("length of a strip", length, 28.0..29.0),
+            ("width of a strip", width, 3.0..3.6),
+            ("Gauss curvature", run.gauss_curvature(), 0.035..0.045),
+        ]
     }),
 ];
 

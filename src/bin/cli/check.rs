@@ -2,11 +2,16 @@
 
 use super::{Failure, input, output};
 use serde::Serialize;
+use shape_up::fabricate::panel::smallest_box;
 use shape_up::mesh::{
-    BoundingSphere, Circularity, Measures, Mesh, Planarity, Topology, components,
+    BoundingSphere, Circularity, Measures, Mesh, Planarity, Topology, UnrolledStrip, components,
+    gauss_curvature, strips,
 };
 use std::collections::BTreeMap;
 use std::path::Path;
+
+/// Of so many lengths of strips the text tells; the report has all strips.
+const LINES: usize = 3;
 
 /// The report that `--report` writes.
 #[derive(Serialize)]
@@ -26,6 +31,10 @@ struct Check {
     components: usize,
     planarity: Planarity,
     circularity: Circularity,
+    /// Where it is the greatest; none without a vertex inside a surface.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    gauss_curvature: Option<GaussCurvature>,
+    strips: Vec<StripReport>,
     problems: Vec<Problem>,
     notes: Vec<String>,
 }
@@ -34,6 +43,22 @@ struct Check {
 struct Boundary {
     loops: usize,
     edges: usize,
+}
+
+/// The greatest Gauss curvature, of either sign, in one over squared length.
+#[derive(Serialize)]
+struct GaussCurvature {
+    max: f64,
+    vertex: usize,
+}
+
+/// One strip, by the smallest rectangle around it.
+#[derive(Serialize)]
+struct StripReport {
+    quads: usize,
+    closed: bool,
+    width: f64,
+    length: f64,
 }
 
 #[derive(Serialize)]
@@ -69,6 +94,8 @@ pub(super) fn check(path: &Path, report: Option<&Path>) -> Result<(), Failure> {
         components: parts(mesh),
         planarity: measures.planarity,
         circularity: measures.circularity,
+        gauss_curvature: largest_gauss_curvature(mesh, &topology),
+        strips: strip_reports(mesh, &topology),
         problems: problems.collect(),
         notes: read.notes.clone(),
     };
@@ -102,9 +129,53 @@ fn words(path: &Path, check: &Check) -> String {
         output::planarity(&check.planarity, ""),
         output::circularity(&check.circularity, ""),
     ];
+    if let Some(GaussCurvature { max, vertex }) = check.gauss_curvature {
+        lines.push(format!("Gauss curv. greatest {}, at vertex {vertex}", output::short(max)));
+    }
+    lines.extend(words_of(&check.strips));
     lines.extend(check.problems.iter().map(|problem| format!("problem: {}", problem.message)));
     lines.extend(check.notes.iter().map(|note| format!("note: {note}")));
     lines.join("\n") + "\n"
+}
+
+fn largest_gauss_curvature(mesh: &Mesh, topology: &Topology) -> Option<GaussCurvature> {
+    let at_vertices = gauss_curvature(&mesh.positions, mesh, topology);
+    let known = at_vertices.into_iter().enumerate().filter(|(_, value)| value.is_finite());
+    let (vertex, max) = known.max_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()))?;
+    Some(GaussCurvature { max, vertex })
+}
+
+/// All strips; each quad is in two, one for each of its directions.
+fn strip_reports(mesh: &Mesh, topology: &Topology) -> Vec<StripReport> {
+    let strips = strips(mesh, topology);
+    let flat = strips.iter().filter_map(|s| UnrolledStrip::new(&mesh.positions, s, topology));
+    let report = |UnrolledStrip { quads, closed, outline }| {
+        let (_, [length, width]) = smallest_box(&outline);
+        StripReport { quads, closed, width, length }
+    };
+    flat.map(report).collect()
+}
+
+/// A line for the strips of one number of quads, the longest first.
+fn words_of(strips: &[StripReport]) -> Vec<String> {
+    let mut by_quads: Vec<&StripReport> = strips.iter().collect();
+    by_quads.sort_by_key(|strip| std::cmp::Reverse(strip.quads));
+    let alike = by_quads.chunk_by(|a, b| a.quads == b.quads).take(LINES);
+    let line = |alike: &[&StripReport]| {
+        let widths = alike.iter().map(|strip| strip.width);
+        let [least, most] =
+            [widths.clone().fold(f64::INFINITY, f64::min), widths.fold(0.0, f64::max)];
+        let longest = alike.iter().map(|strip| strip.length).fold(0.0, f64::max);
+        format!(
+            "strips      {} of {} quads: laid flat {} to {} wide, up to {} long",
+            alike.len(),
+            alike[0].quads,
+            output::short(least),
+            output::short(most),
+            output::short(longest)
+        )
+    };
+    alike.map(line).collect()
 }
 
 fn tally(degrees: impl Iterator<Item = usize>) -> BTreeMap<usize, usize> {

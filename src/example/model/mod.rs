@@ -13,7 +13,8 @@ mod tool;
 
 pub use solid::{Archway, Blocks, Creature, Pavilion};
 pub use surface::{
-    Canopy, Dome, Hall, Hypar, Lantern, Mask, Mounds, Net, Patch, Strip, Tower, Vase, honeycomb,
+    Canopy, Court, Dome, Hall, Hypar, Lantern, Mask, Mounds, Net, Patch, Strip, Tower, Vase,
+    honeycomb,
 };
 pub(crate) use tool::Noise;
 pub use tool::{opened, soften};

@@ -1,12 +1,14 @@
 //! What section 5 states as a limit, and what section 6 names as other uses.
 
 use super::parts::{constraint, each, fixed, moved};
+use crate::constraint::Kind;
 use crate::constraint::{Element, Selector};
 use crate::example::Example;
-use crate::example::model::{Patch, Tower};
+use crate::example::model::{Court, Patch, Strip, Tower};
 use crate::mesh::{Mesh, Ragged};
 use crate::scene::{
-    ClosenessTo, Pose, Scene, Smoothness, SmoothnessOf, Target, Weighting, Weights,
+    ClosenessTo, ConstraintSpec, Pose, Require, Scene, Smoothness, SmoothnessOf, Target, Weighting,
+    Weights,
 };
 
 pub(super) const CHOICE: Example = Example {
@@ -34,6 +36,24 @@ pub(super) const TRANSFER: Example = Example {
     statement: "Rings that are up to 83 cm from the shapes of the other pose come within 1 cm of them.",
     ending: "obj",
     make: transfer,
+};
+
+pub(super) const SPLINE: Example = Example {
+    id: "other-spline",
+    title: "Rim that glides on a spline",
+    summary: "The corners around the court crowd on one side and spread until they are equally far apart: they glide on the smooth curve through their first places, not on its straight edges.",
+    statement: "The longest edge of the rim is 6 times as long as the shortest one before and at most 2 % longer after; the rim stays within 1 cm of the curve, and leaves its first edges by more than 10 cm.",
+    ending: "obj",
+    make: spline,
+};
+
+pub(super) const STRIPS: Example = Example {
+    id: "other-strips",
+    title: "Strips that unroll",
+    summary: "Long rows of panels, each exactly flat: every row unrolls into a strip of sheet metal or paper without stretch, though the whole surface does not. Build, Paper model, Strips lays them out.",
+    statement: "Panels that are up to 2 cm warped become flat, and each of the eight rows unrolls into a strip at most 29 m long and 3.6 m wide; the surface keeps a Gauss curvature of up to 0.04 per square metre, so that as one piece it would not.",
+    ending: "obj",
+    make: strips,
 };
 
 /// The panels of the sheet of [`CHOICE`], along x and along y.
@@ -112,4 +132,31 @@ fn transfer(scene: &mut Scene) -> Mesh {
     scene.closeness.to = ClosenessTo::None;
     scene.solver.iterations = 1000;
     upright
+}
+
+fn spline(scene: &mut Scene) -> Mesh {
+    let court = Court::default();
+    let rim = || Selector::Vertices(court.ring(0).collect());
+    let glides = Kind::new("on-curve", serde_json::json!({ "closed": "yes", "between": "spline" }));
+    let glides = glides.expect("the kind is in the list of kinds");
+    scene.constraints = vec![
+        constraint("equal-length", rim(), 1.0),
+        // Meant as it is.
+        ConstraintSpec { kind: glides, ..constraint("on-curve", rim(), 5.0) },
+    ];
+    scene.handles = vec![fixed(court.ring(court.rows).collect())];
+    scene.weights = Weights { shape: 100.0, close: 0.0, smooth: 0.1 };
+    scene.closeness.to = ClosenessTo::None;
+    scene.smoothness = Smoothness { of: SmoothnessOf::Displacement, weighting: Weighting::Uniform };
+    scene.solver.iterations = 500;
+    court.mesh()
+}
+
+fn strips(scene: &mut Scene) -> Mesh {
+    let strip = Strip { panels: [48, 8], size: [24.0, 6.0], swing: 3.0, twist: 5.0 };
+    let flat = constraint("plane", each(Element::Face), 1.0);
+    scene.constraints = vec![ConstraintSpec { require: Require::Exact, ..flat }];
+    scene.weights = Weights { shape: 1000.0, close: 1.0, smooth: 1.0 };
+    scene.smoothness = Smoothness { of: SmoothnessOf::Displacement, weighting: Weighting::Uniform };
+    strip.mesh()
 }

@@ -68,4 +68,6 @@ pub const EXAMPLES: &[Example] = &[
     beyond::CHOICE,
     beyond::FIT,
     beyond::TRANSFER,
+    beyond::SPLINE,
+    beyond::STRIPS,
 ];

@@ -3,6 +3,7 @@
 //! | file | makes |
 //! |---|---|
 //! | `canopy`, `dome`, `hypar` | the models that the page shows first |
+//! | `court` | a roof around a court |
 //! | `hall` | a flowing roof with a swelling and a waist |
 //! | `honeycomb` | hexagons over a height field |
 //! | `lantern` | a surface of revolution, whose panels have circles |
@@ -15,6 +16,7 @@
 //! | `vase` | a surface of revolution of triangles, out of the round |
 
 mod canopy;
+mod court;
 mod dome;
 mod hall;
 mod honeycomb;
@@ -29,6 +31,7 @@ mod tower;
 mod vase;
 
 pub use canopy::Canopy;
+pub use court::Court;
 pub use dome::Dome;
 pub use hall::Hall;
 pub use honeycomb::honeycomb;
