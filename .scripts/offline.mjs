@@ -3,6 +3,7 @@
 import { createHash } from 'node:crypto';
 import { copyFileSync, readFileSync, writeFileSync } from 'node:fs';
 import { relative, sep } from 'node:path';
+import { minifySync } from 'vite';
 import { at } from './project.mjs';
 import { filesUnder } from './stamp.mjs';
 
@@ -35,5 +36,6 @@ export function writeOfflineParts(folder) {
     else if (!SELDOM.test(name)) files.push(name === 'index.html' ? './' : `./${name}`);
   }
   const site = { version: hash.digest('hex').slice(0, 12), files, views, pictures };
-  writeFileSync(`${folder}/${WORKER}`, `const SITE = ${JSON.stringify(site)};\n${source}`);
+  const { code } = minifySync(WORKER, source, { module: false });
+  writeFileSync(`${folder}/${WORKER}`, `const SITE = ${JSON.stringify(site)};\n${code}`);
 }
