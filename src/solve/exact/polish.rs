@@ -8,7 +8,7 @@ use crate::solve::error::SolveError;
 
 /// Factors at most, and steps with one factor at most.
 const MOST_FACTORS: u32 = 12;
-const MOST_STEPS: u32 = 8;
+const MOST_STEPS: u32 = 20;
 
 /// Where only steps that gain are taken: after one that was cut, the springs are so many times softer, after one
 /// that was not, stiffer.
@@ -18,8 +18,16 @@ const STIFFER: f64 = 10.0;
 /// So many full steps with a fresh factor that gain nothing show a contradiction; by then all else is met.
 const STUCK: u32 = 6;
 
-/// A step meets the linearised constraints but for this part: the shape itself is less linear.
+/// A step meets the linearised constraints but for this part: the shape itself is less linear. With a factor of other
+/// positions it need not be so close.
 const LINEAR: f64 = 1e-3;
+const ROUGHLY: f64 = 0.1;
+
+/// The factor serves as long as a step with it leaves less than this part of the residuals.
+const SERVES: f64 = 0.9;
+
+/// What is left of the denominator of a correction: with less, the steps so far say nothing.
+const LEAST_LEFT: f64 = 0.05;
 
 /// A step is halved down to this.
 const SHORTEST: f64 = 0.125;
@@ -38,6 +46,8 @@ pub(in crate::solve) struct Polish {
     stuck: u32,
     /// Whether only steps that gain are taken.
     damped: bool,
+    /// The last steps with the factor at hand, all of them full.
+    taken: Vec<Vec<Row>>,
 }
 
 /// What a step has come to.
@@ -65,6 +75,7 @@ impl Polish {
             left: 0,
             stuck: 0,
             damped: false,
+            taken: Vec::new(),
         }
     }
 
@@ -72,6 +83,13 @@ impl Polish {
     pub(in crate::solve) fn restart(&mut self, damped: bool) {
         (self.left, self.stuck, self.damped) = (0, 0, damped);
         self.system.stiffen(f64::INFINITY);
+    }
+
+    /// Begins anew from other positions with the factor at hand, as long as that serves.
+    pub(in crate::solve) fn resume(&mut self) {
+        self.restart(false);
+        self.left = MOST_STEPS;
+        self.taken.clear();
     }
 
     /// One step, with a new factor where the last one has served.
@@ -91,12 +109,14 @@ impl Polish {
             self.system.factor(model, true)?;
             self.factors += 1;
             self.left = MOST_STEPS;
+            self.taken.clear();
         }
         self.left -= 1;
         self.steps += 1;
         let before = self.system.residuals(model, &model.x);
-        self.system.least_change(&mut self.dx, LINEAR);
+        self.system.least_change(&mut self.dx, if fresh { LINEAR } else { ROUGHLY });
         let predicted = self.system.predicted();
+        self.correct();
         let noise = 1e-14 * model.parts.extent;
         let mut t = 1.0;
         let after = loop {
@@ -123,11 +143,29 @@ impl Polish {
         if self.damped && (!gains || t < 1.0) {
             self.system.stiffen(1.0 / SOFTER);
             self.left = 0;
-        } else if after > 0.3 * before || !self.system.is_stiffest() {
+        } else if after > SERVES * before || !self.system.is_stiffest() {
             self.system.stiffen(STIFFER);
             self.left = 0;
+        } else if t == 1.0 {
+            self.taken.push(self.dx.clone());
+        } else {
+            self.taken.clear();
         }
         Ok(Polished::Goes)
+    }
+
+    /// Corrects a step by what those before it with the same factor have shown: Broyden's method, as Kelley has it
+    /// (*Iterative Methods for Linear and Nonlinear Equations*, 1995, section 7.3).
+    fn correct(&mut self) {
+        let Some(last) = self.taken.last() else { return };
+        for pair in self.taken.windows(2) {
+            let along = product(&pair[0], &self.dx) / product(&pair[0], &pair[0]);
+            add(&mut self.dx, along, &pair[1]);
+        }
+        let left = 1.0 - product(last, &self.dx) / product(last, last);
+        if left > LEAST_LEFT {
+            self.dx.as_flattened_mut().iter_mut().for_each(|value| *value /= left);
+        }
     }
 
     fn displace(&mut self, model: &Model, t: f64) {
@@ -136,5 +174,15 @@ impl Polish {
             let (row, by) = (&mut self.next[node as usize], self.dx[own as usize]);
             (0..3).for_each(|c| row[c] += t * by[c]);
         }
+    }
+}
+
+fn product(a: &[Row], b: &[Row]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a[0] * b[0] + a[1] * b[1] + a[2] * b[2]).sum()
+}
+
+fn add(to: &mut [Row], factor: f64, from: &[Row]) {
+    for (to, from) in to.iter_mut().zip(from) {
+        (0..3).for_each(|c| to[c] += factor * from[c]);
     }
 }

@@ -43,6 +43,10 @@ pub struct ShapeSpace {
     subspace: Option<Subspace>,
     modes: Vec<Variation>,
     untried: VecDeque<Trial>,
+    /// Whether the factor at hand is that of the shape.
+    is_at_shape: bool,
+    /// Whether nothing is required within a distance: the factor of the shape serves steps from it then.
+    is_exact: bool,
 }
 
 /// The end of the range of a mode that is to be found.
@@ -119,6 +123,8 @@ impl ShapeSpace {
             subspace: Some(subspace),
             modes: Vec::new(),
             untried: VecDeque::new(),
+            is_at_shape: true,
+            is_exact: !requires.iter().any(|require| matches!(require, Require::Within(_))),
             model,
             polish,
         })
@@ -172,7 +178,11 @@ impl ShapeSpace {
         if coefficients.iter().any(|coefficient| *coefficient != 0.0) {
             for part in SHORTER {
                 let shorter: Vec<f64> = coefficients.iter().map(|c| part * c).collect();
-                if self.bring_back(&shorter, MOST_FACTORS)? {
+                // The factor of the shape may lead a long way elsewhere.
+                let is_quick = part == 1.0
+                    && self.is_exact
+                    && self.bring_back(&shorter, MOST_FACTORS, true)?;
+                if is_quick || self.bring_back(&shorter, MOST_FACTORS, false)? {
                     reached = part;
                     break;
                 }
@@ -229,7 +239,7 @@ impl ShapeSpace {
         let middle = 0.5 * (trial.between[0] + trial.between[1]);
         let mut coefficients = vec![0.0; self.modes.len()];
         coefficients[trial.mode] = if trial.side == 1 { middle } else { -middle };
-        let possible = self.bring_back(&coefficients, MOST_FACTORS_TRIED)?;
+        let possible = self.bring_back(&coefficients, MOST_FACTORS_TRIED, false)?;
         trial.between[usize::from(!possible)] = middle;
         trial.halvings += 1;
         if (possible && middle == SLIDE) || trial.halvings > HALVINGS {
@@ -241,21 +251,36 @@ impl ShapeSpace {
         Ok(())
     }
 
-    /// Goes along the modes and back onto the constraints, with so many factors at most; whether it got there.
-    fn bring_back(&mut self, coefficients: &[f64], factors: u32) -> Result<bool, SolveError> {
+    /// Goes along the modes and back onto the constraints, with so many factors at most beside that of the shape, which
+    /// serves first where steps are to be quick; whether it got there.
+    fn bring_back(
+        &mut self,
+        coefficients: &[f64],
+        factors: u32,
+        from_shape: bool,
+    ) -> Result<bool, SolveError> {
         let there = self.model.parts.to_rows(&self.towards(coefficients));
-        let model = &mut self.model;
+        let (model, polish) = (&mut self.model, &mut self.polish);
+        polish.restart(false);
+        if from_shape {
+            if !self.is_at_shape {
+                model.x.copy_from_slice(&model.start);
+                polish.system.factor(model, false)?;
+            }
+            polish.resume();
+        }
         let goal = model.goal();
         let fixed = model.holding.fixed.iter().zip(&there).enumerate();
         for (node, (_, row)) in fixed.filter(|(_, (fixed, _))| !**fixed) {
             model.x[node] = *row;
         }
         let from: Vec<Row> = model.x.clone();
-        let polish = &mut self.polish;
-        polish.restart(false);
         let began = polish.factors;
+        self.is_at_shape = from_shape;
         while !model.is_met(goal) {
-            let goes = match polish.step(model, began) {
+            let goes = polish.step(model, began);
+            self.is_at_shape &= goes.is_ok() && polish.factors == began;
+            let goes = match goes {
                 Ok(polished) => polished == Polished::Goes,
                 // A step too far may leave what can be factored.
                 Err(SolveError::NotPositiveDefinite { .. }) => false,
