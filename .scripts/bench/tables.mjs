@@ -1,7 +1,7 @@
 // The results as tables in Markdown.
 
 import { megabytes, missing, number, table } from './cells.mjs';
-import { exactPeerTable, exactTable } from './exact/tables.mjs';
+import { exactPeerTable, exactTable, variationTable } from './exact/tables.mjs';
 import { nearness } from './measure.mjs';
 import { problems } from './problems.mjs';
 import { growth } from './statistics.mjs';
@@ -257,6 +257,8 @@ export function markdown(results) {
     const note =
       'Distances are the greatest of a corner to its circle or plane, as parts of the size of the mesh; seconds are those from the soft solution, which is what "soft s" was for. Memory is that of the whole module.';
     add('Hard constraints', exactTable(exact), note);
+    const variations = 'Milliseconds; each step is a fiftieth of the size along one mode.';
+    add('Variations', variationTable(exact), variations);
   }
   if (exactPeers?.length) {
     const note =

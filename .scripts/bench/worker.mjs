@@ -141,8 +141,11 @@ function convergence({ problem, goal, limit }) {
   return { energies, steps };
 }
 
-/** Hard constraints met from the soft solution: milliseconds of both together, and what the report says of it. */
-function exact({ problem }) {
+/**
+ * Hard constraints met from the soft solution: milliseconds of both together, what the report says of it, and what
+ * variations take where they are asked for.
+ */
+function exact({ problem, step }) {
   const solver = new Solver();
   open(solver, problem);
   const [, total] = timed(() => {
@@ -150,7 +153,26 @@ function exact({ problem }) {
     while (!solver.step());
     solver.endRun();
   });
-  return { total, exact: solver.report().exact, bytes: memory.buffer.byteLength };
+  const bytes = memory.buffer.byteLength;
+  return { total, exact: solver.report().exact, bytes, varied: step && variations(solver, step) };
+}
+
+/** Milliseconds until the modes are there, and for a step along each of them. */
+function variations(solver, step) {
+  const [found, modes] = timed(() => {
+    if (!solver.findVariations()) return 0;
+    for (;;) {
+      const { found } = solver.advanceVariations(8);
+      if (found !== null && found !== undefined) return found;
+    }
+  });
+  const reach = (k) => {
+    const coefficients = new Float64Array(found);
+    coefficients[k] = step;
+    const [part, ms] = timed(() => solver.reachVariation(coefficients));
+    return { part, ms, distance: solver.report().exact.max_distance };
+  };
+  return { modes, steps: Array.from({ length: found }, (_, k) => reach(k)) };
 }
 
 /** Bytes of memory before, and after each of some models was opened in turn. */

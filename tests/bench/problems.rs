@@ -42,10 +42,11 @@ enum Task {
         /// Ends after as many iterations in which the energy hardly fell; 0 never does.
         patience: usize,
     },
-    /// Hard constraints met from the soft solution.
+    /// Hard constraints met from the soft solution, and steps of so much of the size along each variation.
     Exact {
         #[serde(flatten)]
         problem: Problem,
+        step: Option<f64>,
     },
     /// Edits of the handles of all vertices.
     Handles {
@@ -329,16 +330,53 @@ fn map(path: &str, weights: &str, rounds: usize) -> Map {
 struct Exact {
     total: f64,
     exact: Option<ExactReport>,
+    varied: Option<Varied>,
 }
 
-fn exact(problem: &Problem) -> Exact {
+/// Milliseconds until the modes are there, and steps along each of them.
+#[derive(Serialize)]
+struct Varied {
+    modes: f64,
+    steps: Vec<VariationStep>,
+}
+
+#[derive(Serialize)]
+struct VariationStep {
+    part: Option<f64>,
+    ms: f64,
+    distance: Option<f64>,
+}
+
+fn exact(problem: &Problem, step: Option<f64>) -> Exact {
     let mut session = problem.open();
     let ((), total) = timed(|| {
         session.begin_run();
         while !session.step().expect("positions stay finite").ended {}
         session.end_run();
     });
-    Exact { total, exact: session.exact() }
+    let exact = session.exact();
+    let varied = step.and_then(|step| varied(&mut session, step));
+    Exact { total, exact, varied }
+}
+
+fn varied(session: &mut Session, step: f64) -> Option<Varied> {
+    let (variations, modes) = timed(|| {
+        let mut variations = session.variations().expect("its systems are regular")?;
+        while !variations.are_found() {
+            variations.step().expect("its systems are regular");
+        }
+        Some(variations)
+    });
+    let mut variations = variations?;
+    let count = variations.modes().len();
+    let steps = (0..count).map(|k| {
+        let mut coefficients = vec![0.0; count];
+        coefficients[k] = step;
+        let (part, ms) = timed(|| session.reach_variation(&mut variations, &coefficients));
+        let distance = session.exact().map(|exact| exact.max_distance);
+        VariationStep { part: part.expect("its systems are regular"), ms, distance }
+    });
+    Some(Varied { modes, steps: steps.collect() })
 }
 
 fn perform(task: Task) -> serde_json::Value {
@@ -349,7 +387,7 @@ fn perform(task: Task) -> serde_json::Value {
         Task::Convergence { problem, goal, limit, patience } => {
             serde_json::to_value(convergence(&problem, goal, limit, patience))
         }
-        Task::Exact { problem } => serde_json::to_value(exact(&problem)),
+        Task::Exact { problem, step } => serde_json::to_value(exact(&problem, step)),
         Task::Handles { problem, rounds } => serde_json::to_value(handles(&problem, rounds)),
         Task::Map { mesh, weights, rounds } => serde_json::to_value(map(&mesh, &weights, rounds)),
         Task::Parts { mesh, rounds } => serde_json::to_value(parts::parts(&mesh, rounds)),

@@ -9,6 +9,9 @@ const SIZES = [2500, 10_000, 30_000];
 /** A tolerance, as a part of the size. */
 const WITHIN = 1e-3;
 const WITHIN_AT = 10_000;
+/** Variations are measured up to so many vertices, by steps along each mode of so much of the size. */
+const VARIED = 2500;
+const STEP = 0.02;
 
 /** On the mesh of every problem with so many vertices at most. */
 const peers = [
@@ -44,6 +47,8 @@ function problemsOf(sizes) {
   return [...each, ...within];
 }
 
+const inSizes = (step, size) => ({ ...step, distance: step.distance / size });
+
 /** A row for each problem and place. */
 export async function measureExact({ places, trial }) {
   const rows = [];
@@ -53,7 +58,10 @@ export async function measureExact({ places, trial }) {
       say(
         `${asked.kind} ${asked.surface}, ${problem.vertices} vertices, ${where}: hard constraints`,
       );
-      const { total, exact, bytes } = await place.perform({ measure: 'exact', problem });
+      const step = asked.within === null && asked.vertices <= VARIED ? STEP : null;
+      const { total, exact, bytes, varied } = await place.perform({
+        ...{ measure: 'exact', problem, step },
+      });
       rows.push({
         ...asked,
         vertices: problem.vertices,
@@ -67,6 +75,9 @@ export async function measureExact({ places, trial }) {
         shortestEdge: exact.shortest_edge,
         unmet: exact.misses,
         bytes: bytes ?? null,
+        varied: varied
+          ? { ...varied, steps: varied.steps.map((one) => inSizes(one, problem.size)) }
+          : null,
       });
     }
   }

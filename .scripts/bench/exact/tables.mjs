@@ -1,6 +1,7 @@
 // Hard constraints: the tables, and what the numbers shall be.
 
 import { megabytes, missing, number, table } from '../cells.mjs';
+import { median } from '../statistics.mjs';
 import { titleOf } from './problems.mjs';
 
 const tiny = (value) => (value === null || value === undefined ? missing : value.toExponential(0));
@@ -19,6 +20,25 @@ export function exactTable(rows) {
       ...[tiny(row.distance), number(row.moved), number(row.shortestEdge), row.unmet],
       megabytes(row.bytes ?? undefined),
     ]),
+  );
+}
+
+/** Variations of what is exact: milliseconds, and the worst distance after a step, as a part of the size. */
+export function variationTable(rows) {
+  const head = ['mesh', 'vertices', 'panels', 'where', 'modes', 'until they are found'];
+  head.push('a step', 'the slowest step', 'whole steps', 'worst distance');
+  return table(
+    head,
+    rows
+      .filter(({ varied }) => varied)
+      .map(({ varied: { modes, steps }, ...row }) => [
+        ...[titleOf(row.surface), number(row.vertices), row.kind, row.where, steps.length],
+        ...[modes, median(steps.map(({ ms }) => ms)), Math.max(...steps.map(({ ms }) => ms))].map(
+          number,
+        ),
+        ...[steps.filter(({ part }) => part === 1).length],
+        ...[tiny(Math.max(...steps.map(({ distance }) => distance)))],
+      ]),
   );
 }
 
@@ -75,6 +95,21 @@ export const exactTargets = [
     most: 0.7,
     find: ({ exact }) => inBrowser(exact, surface, 'circle', 1e-3, 10_000)?.seconds,
   })),
+  ...['circle', 'plane'].flatMap((kind) => [
+    {
+      name: `${title('net', 2500)}, ${kind}: milliseconds until eight variations are found`,
+      most: 1000,
+      find: ({ exact }) => inBrowser(exact, 'net', kind, null, 2500)?.varied?.modes,
+    },
+    {
+      name: `${title('net', 2500)}, ${kind}: milliseconds of a step of a fiftieth of the size`,
+      most: 50,
+      find: ({ exact }) => {
+        const steps = inBrowser(exact, 'net', kind, null, 2500)?.varied?.steps;
+        return steps && median(steps.map(({ ms }) => ms));
+      },
+    },
+  ]),
   ...['circle', 'plane'].map((kind) => ({
     name: `${title('net', 30_000)}, ${kind}: MB of wasm memory`,
     most: 400,
