@@ -152,6 +152,34 @@ fn kind_digest(info: &Info) -> u64 {
     })
 }
 
+/// Panels that are required to be exact, and what their positions are then, and after a step along the softest
+/// variation.
+const EXACT_DIGESTS: [(&str, [u64; 2]); 2] = [
+    ("circle", [0x6381_7706_2bb4_3913, 0x3674_5030_4a2a_5995]),
+    ("plane", [0xfabe_c47c_60b1_aff4, 0xd243_1f6a_61eb_5063]),
+];
+
+fn exact_digests(kind: &str) -> [u64; 2] {
+    let text = format!(
+        r#"{{ "format": "shape-up-scene", "version": 1, "mesh": {{ "file": "grid.obj" }},
+              "constraints": [{{ "kind": "{kind}", "on": "faces", "require": "exact" }}],
+              "weights": {{ "shape": 5, "close": 10, "smooth": 2 }}, "closeness": {{ "to": "rest" }} }}"#
+    );
+    let scene = Scene::from_json(&text).expect("the scene is valid");
+    let mut session = Session::open(scene, bumpy(12)).expect("the scene fits the grid");
+    session.begin_run();
+    while !session.step().expect("positions stay finite").ended {}
+    session.end_run();
+    let exact = digest(&session.positions());
+    let mut variations =
+        session.variations().expect("its systems are regular").expect("all panels are exact");
+    while !variations.are_found() {
+        variations.step().expect("its systems are regular");
+    }
+    session.reach_variation(&mut variations, &[0.02]).expect("its systems are regular");
+    [exact, digest(&session.positions())]
+}
+
 /// FNV-1a over the bits of all coordinates.
 fn digest(positions: &[Point]) -> u64 {
     let bytes = positions.as_flattened().iter().flat_map(|value| value.to_bits().to_le_bytes());
@@ -192,6 +220,12 @@ pub(crate) fn check() {
         let expected = KIND_DIGESTS.iter().find(|(id, _)| *id == info.id);
         if expected.is_none_or(|(_, digest)| *digest != found) {
             wrong.push(format!("    (\"{}\", {found:#018x}),", info.id));
+        }
+    }
+    for (kind, expected) in EXACT_DIGESTS {
+        let found = exact_digests(kind);
+        if found != expected {
+            wrong.push(format!("    (\"{kind}\", {found:#018x?}),"));
         }
     }
     assert!(wrong.is_empty(), "digests differ:\n{}", wrong.join("\n"));
