@@ -56,6 +56,20 @@ impl Session {
         Ok(Some(make(&problem, &requirements, handles, start, cache)))
     }
 
+    /// Said before a run: where exact constraints would not fit in memory, the distance that they are met up to
+    /// instead, in the unit of the mesh.
+    ///
+    /// # Errors
+    /// When a set of the scene is not there.
+    pub fn nearest_to_exact(&self) -> Result<Option<f64>, Error> {
+        let nonzeros = self.solver().system().factor_nonzeros();
+        let nearest = self.with_requirements(
+            |require| require,
+            |problem, requirements, _, _, _| Exact::nearest(problem, requirements, nonzeros),
+        )?;
+        Ok(nearest.flatten())
+    }
+
     /// Takes the shape that was found, as a part of the run that is under way.
     ///
     /// # Errors

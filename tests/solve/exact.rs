@@ -269,6 +269,26 @@ fn it_can_be_stopped_after_any_round_and_begun_again() {
 }
 
 #[test]
+fn what_is_too_large_to_be_exact_is_said_beforehand() {
+    let mesh = bumps(67);
+    let all: Vec<u32> = (0..mesh.positions.len() as u32).collect();
+    // One plane through all vertices couples each with each.
+    let asked = |require| {
+        let case = Case::new(mesh.clone()).with("plane", json!({}), [all.clone()], require);
+        (case.nearest(0), case)
+    };
+    let (nearest, case) = asked(Require::Exact);
+    let nearest = nearest.expect("it is too large");
+    assert!((0.9e-5..2e-5).contains(&(nearest / case.size())), "{nearest}");
+    let (_, answer) = run(&case, &case.mesh.positions);
+    assert!(answer.max_distance <= nearest && answer.block_factors == 0);
+    assert_eq!(asked(Require::Within(0.1)).0, None, "a tolerance needs no polish");
+    let panels = Case::new(bumps(8)).on_faces("plane", Require::Exact);
+    assert_eq!(panels.nearest(1000), None);
+    assert!(panels.nearest(4_000_000).is_some(), "a factor of half a gigabyte");
+}
+
+#[test]
 fn degenerate_input_has_a_finite_answer() {
     let flat = |mut mesh: Mesh, by: [f64; 3]| {
         for p in &mut mesh.positions {

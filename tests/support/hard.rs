@@ -108,6 +108,16 @@ impl Case {
         Exact::new(&self.problem(), &requirements, &self.handles, start, SetupCache::default())
     }
 
+    /// Where being exact would not fit in memory, how near it comes instead.
+    pub(crate) fn nearest(&self, nonzeros: usize) -> Option<f64> {
+        let requirements = Requirements {
+            rows: &self.requires,
+            shortest_edge: self.shortest_edge,
+            iterations: Requirements::ITERATIONS,
+        };
+        Exact::nearest(&self.problem(), &requirements, nonzeros)
+    }
+
     /// The ways to change a shape where all is met.
     pub(crate) fn shape_space(&self, shape: &[Point]) -> ShapeSpace {
         let requirements = Requirements {

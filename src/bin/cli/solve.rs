@@ -42,6 +42,12 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
     if command.panels.is_some() {
         session.arm_guard();
     }
+    if let Some(nearest) = session.nearest_to_exact().map_err(at_input)? {
+        let nearest = output::short(nearest);
+        eprintln!(
+            "note: too large to be exact: met up to about {nearest}; --within takes a LENGTH"
+        );
+    }
     session.solve(command.trace).map_err(at_input)?;
     let report = session.report();
     remarks.extend(misfits(&session));

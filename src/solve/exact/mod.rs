@@ -36,6 +36,7 @@ pub use requirement::{Require, Requirements};
 use super::clock;
 use super::energy::{Energy, Handle, IterateSeconds};
 use super::error::SolveError;
+use super::local_frame::centre_and_extent;
 use super::problem::Problem;
 use super::settings::SolverSettings;
 use super::setup_cache::SetupCache;
@@ -118,7 +119,7 @@ impl Exact {
         let model = Model::new(problem, requirements, handles, start, cache);
         let approach = Approach::new(&model, &settings);
         let worst = model.hard.worst(&model.x);
-        let can_polish = polish_fits(problem, requirements, &model);
+        let can_polish = polish_fits(problem, requirements, model.parts.system.factor_nonzeros());
         // Bands are reached without a polish, but where rounds stand still.
         let near = if model.hard.any_exact() { NEAR * model.parts.extent } else { 0.0 };
         let mut exact = Exact {
@@ -326,18 +327,30 @@ impl Exact {
         }
     }
 
+    /// Said beforehand: where a polish would not fit in memory, the distance that the approach aims at, which is all
+    /// there is then, in the unit of the mesh. None where it fits, and where a tolerance is enough. The factor with all rows soft has so
+    /// many `nonzeros`.
+    pub fn nearest(
+        problem: &Problem<'_>,
+        requirements: &Requirements<'_>,
+        nonzeros: usize,
+    ) -> Option<f64> {
+        let asked = requirements.rows.contains(&Require::Exact);
+        let is_too_large = asked && !polish_fits(problem, requirements, nonzeros);
+        is_too_large.then(|| NEAR * centre_and_extent(&problem.mesh.positions).1)
+    }
+
     /// Whether the polish fits in memory; where it does not, constraints are met to 1e-5 of the size only.
     pub fn can_polish(&self) -> bool {
         self.can_polish
     }
 }
 
-/// Whether the system of the polish fits in memory.
-fn polish_fits(problem: &Problem<'_>, requirements: &Requirements<'_>, model: &Model) -> bool {
+/// Whether the system of the polish fits in memory, where the factor of the scalar one has so many nonzeros.
+fn polish_fits(problem: &Problem<'_>, requirements: &Requirements<'_>, nonzeros: usize) -> bool {
     let hard = problem.constraints.iter().zip(requirements.rows).filter(|(_, it)| it.is_hard());
     let coupled: usize = hard
         .flat_map(|(row, _)| row.members.iter().map(|members| members.len() * members.len()))
         .sum();
-    coupled <= MOST_COUPLED
-        && BlockMatrix::bytes(model.parts.system.factor_nonzeros()) <= MOST_BYTES
+    coupled <= MOST_COUPLED && BlockMatrix::bytes(nonzeros) <= MOST_BYTES
 }
