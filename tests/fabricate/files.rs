@@ -199,6 +199,17 @@ fn every_name_is_once_on_its_panel_and_every_inner_edge_is_named_from_both_sides
 }
 
 #[test]
+fn names_stand_on_their_feet_on_the_sheet() {
+    let made = build(&vault(), &settings());
+    let places: Vec<_> = made.layout.sheets.iter().flat_map(|sheet| &sheet.places).collect();
+    assert_eq!(places.len(), made.parts.len());
+    for place in places {
+        // What is written along the part is at most turned to read upwards.
+        assert!((-12.0..=90.001).contains(&place.turn_deg()), "{}", place.turn_deg());
+    }
+}
+
+#[test]
 fn engraved_lines_stay_inside_of_their_outline() {
     let made = build(&vault(), &settings());
     for part in &made.parts {

@@ -7,12 +7,16 @@ use crate::fabricate::panel::{
     Point2, direction_of, distance_to_outline, is_inside, roomiest_point,
 };
 
-/// Letters are at most so high, in mm.
+/// The letters of neighbours are at most so high, in mm.
 const TALLEST: f64 = 8.0;
 /// And at least.
 const LEAST: f64 = 2.0;
-/// The name in the middle is a quarter of the radius of the largest circle in the outline high.
+/// They are a quarter of the radius of the largest circle in the outline high.
 const OF_RADIUS: f64 = 0.25;
+/// The name in the middle is so many times as high, or less where that leaves room for more.
+const OWN: [f64; 3] = [1.7, 1.3, 1.0];
+/// The sine of the angle by which a vertical text may lean over backwards: such texts all read upwards.
+const LEANING: f64 = 0.2;
 /// The name of a neighbour is at most this part of its edge long.
 const OF_EDGE: f64 = 0.7;
 /// Room around a text, in its heights.
@@ -93,11 +97,34 @@ pub fn label(
     neighbours: &[Option<String>],
     with_arrow: bool,
 ) -> Labels {
+    let room = roomiest_point(outline);
+    let mut best: Option<(usize, Labels)> = None;
+    for own in OWN {
+        let (labels, has_arrow) = label_of_height(outline, name, neighbours, with_arrow, room, own);
+        let missing = labels.dropped + usize::from(with_arrow && !has_arrow);
+        if best.as_ref().is_none_or(|(least, _)| missing < *least) {
+            best = Some((missing, labels));
+        }
+        if missing == 0 {
+            break;
+        }
+    }
+    best.map_or_else(Labels::default, |(_, labels)| labels)
+}
+
+/// The same with the `own` name so many times as high as those of the neighbours, and whether the arrow is there.
+fn label_of_height(
+    outline: &[Point2],
+    name: &str,
+    neighbours: &[Option<String>],
+    with_arrow: bool,
+    (centre, radius): (Point2, f64),
+    own: f64,
+) -> (Labels, bool) {
     let mut labels = Labels::default();
-    let (centre, radius) = roomiest_point(outline);
     if radius <= 0.0 {
         labels.small = true;
-        return labels;
+        return (labels, false);
     }
     let n = outline.len();
     let longest = (0..n).max_by(|&a, &b| {
@@ -106,10 +133,10 @@ pub fn label(
     });
     let longest = longest.unwrap_or(0);
     let across = direction_of(outline[longest], outline[(longest + 1) % n]);
-    let wanted = (OF_RADIUS * radius).clamp(LEAST, TALLEST);
-    let (mut height, mut own) = (wanted, None);
+    let beside = (OF_RADIUS * radius).clamp(LEAST, TALLEST);
+    let (mut height, mut own) = (own * beside, None);
     // Along x, else along the longest edge, ever smaller until it is inside.
-    while own.is_none() && height > 0.02 * wanted {
+    while own.is_none() && height > 0.02 * beside {
         for along in [[1.0, 0.0], upright(across)] {
             let found = Box2::of_text(name, height, centre, along);
             if own.is_none() && found.is_in(outline) {
@@ -122,22 +149,20 @@ pub fn label(
     }
     let Some(own) = own else {
         labels.small = true;
-        return labels;
+        return (labels, false);
     };
     labels.small = height < LEAST;
     labels.lines.extend(strokes(name, height, centre, own.along));
     labels.texts.push(name.to_owned());
     let mut taken = vec![own];
-    if with_arrow {
-        arrow(outline, &mut labels, &mut taken, height, radius);
-    }
+    let has_arrow = with_arrow && arrow(outline, &mut labels, &mut taken, height, radius);
     for (k, neighbour) in neighbours.iter().enumerate() {
         let Some(neighbour) = neighbour else { continue };
-        if !beside_edge(outline, k, neighbour, wanted.min(height), &mut labels, &mut taken) {
+        if !beside_edge(outline, k, neighbour, beside.min(height), &mut labels, &mut taken) {
             labels.dropped += 1;
         }
     }
-    labels
+    (labels, has_arrow)
 }
 
 /// The name of a neighbour inside its edge, read from inside; false where there is no room.
@@ -174,9 +199,15 @@ fn beside_edge(
     }
 }
 
-/// An arrow from the middle towards edge 0, as long as a letter is high.
-fn arrow(outline: &[Point2], labels: &mut Labels, taken: &mut Vec<Box2>, height: f64, radius: f64) {
-    let Some(own) = taken.first().copied() else { return };
+/// An arrow from the middle towards edge 0, as long as a letter is high; false where there is no room.
+fn arrow(
+    outline: &[Point2],
+    labels: &mut Labels,
+    taken: &mut Vec<Box2>,
+    height: f64,
+    radius: f64,
+) -> bool {
+    let Some(own) = taken.first().copied() else { return false };
     let n = outline.len();
     let aim = [0, 1].map(|x| 0.5 * (outline[0][x] + outline[1 % n][x]));
     let along = direction_of(own.centre, aim);
@@ -193,7 +224,7 @@ fn arrow(outline: &[Point2], labels: &mut Labels, taken: &mut Vec<Box2>, height:
     let found = room(away);
     let tip = [0, 1].map(|x| found.centre[x] + half[0] * along[x]);
     if !found.is_in(outline) || distance_to_outline(outline, tip) < 0.2 * height {
-        return;
+        return false;
     }
     let at = |x: f64, y: f64| {
         let [c, s] = along;
@@ -203,14 +234,48 @@ fn arrow(outline: &[Point2], labels: &mut Labels, taken: &mut Vec<Box2>, height:
     labels.lines.push(vec![at(-x, 0.0), at(x, 0.0)]);
     labels.lines.push(vec![at(0.1 * x, y), at(x, 0.0), at(0.1 * x, -y)]);
     taken.push(found);
+    true
 }
 
-/// The direction or its opposite, whichever does not put letters on their heads.
+/// The direction or its opposite, whichever does not put letters on their heads: what is nearly vertical reads
+/// upwards.
 pub(in crate::fabricate) fn upright([c, s]: Point2) -> Point2 {
-    if c < -1e-9 || (c.abs() <= 1e-9 && s < 0.0) { [-c, -s] } else { [c, s] }
+    if c < -LEANING || (c <= LEANING && s < 0.0) { [-c, -s] } else { [c, s] }
 }
 
 fn distance([a, b]: Point2, [c, d]: Point2) -> f64 {
     let [x, y] = [a - c, b - d];
     (x * x + y * y).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Height and width of polylines.
+    fn extent(lines: &[Vec<Point2>]) -> [f64; 2] {
+        [0, 1].map(|x| {
+            let at = || lines.iter().flatten().map(|point| point[x]);
+            at().fold(f64::NEG_INFINITY, f64::max) - at().fold(f64::INFINITY, f64::min)
+        })
+    }
+
+    #[test]
+    fn the_own_name_is_larger_than_those_of_the_neighbours() {
+        let outline = [[0.0, 0.0], [60.0, 0.0], [60.0, 60.0], [0.0, 60.0]];
+        let own = label(&outline, "H", &[], false);
+        let both = label(&outline, "H", &[Some("H".to_owned())], false);
+        let beside = &both.lines[own.lines.len()..];
+        assert!(extent(&own.lines)[1] > 1.5 * extent(beside)[1]);
+        assert_eq!((both.dropped, both.texts.len()), (0, 2));
+    }
+
+    #[test]
+    fn what_is_nearly_vertical_reads_upwards() {
+        for degrees in (-180..180).step_by(5) {
+            let (s, c) = libm::sincos(f64::from(degrees).to_radians());
+            let [x, y] = upright([c, s]);
+            assert!(x > 0.25 || (y > 0.0 && x > -0.25), "{degrees}");
+        }
+    }
 }

@@ -1,5 +1,6 @@
 //! Parts on sheets: in shelves of their smallest boxes, on the first sheet and shelf that has room.
 
+use super::label::upright;
 use super::part::CutPart;
 use crate::fabricate::panel::{Point2, rotated, smallest_box};
 use crate::math::{key_of_number, sort_by_number};
@@ -95,10 +96,11 @@ pub fn lay_out(parts: &[CutPart], sheet: SheetSize, order: Order) -> Layout {
     let mut boxes: Vec<(usize, Point2, [f64; 2])> = Vec::new();
     for (k, part) in parts.iter().enumerate() {
         let (turn, size) = smallest_box(&part.outline);
-        // Wide, else upright.
-        let upright = ([-turn[1], turn[0]], [size[1], size[0]]);
+        // Wide, else high; either way names stand on their feet.
+        let wide = (upright(turn), size);
+        let high = (upright([-turn[1], turn[0]]), [size[1], size[0]]);
         let fits = |size: [f64; 2]| size[0] <= width && size[1] <= height;
-        match [(turn, size), upright].into_iter().find(|(_, size)| fits(*size)) {
+        match [wide, high].into_iter().find(|(_, size)| fits(*size)) {
             Some((turn, size)) => boxes.push((k, turn, size)),
             None => layout.too_large.push(k),
         }
