@@ -12,10 +12,12 @@
 //! | `laplacian` | the weights `w_ij` of Eq. 12 |
 //! | `closest` | closest points `c(v)` on a surface, Eq. 11, and on its boundary curves |
 //! | `measure` | planarity, circularity, angles, Gauss curvature, strips laid flat, distortion of flat maps |
+//! | `curvature` | principal curvatures, and the angles between them and the edges |
 //! | `edit` | meshes made from meshes: welding, subdivision |
 
 mod bounds;
 mod closest;
+mod curvature;
 mod diagnostics;
 mod edit;
 mod io;
@@ -30,6 +32,7 @@ pub use bounds::{BoundingSphere, FARTHEST, too_far};
 pub use closest::{
     BoundaryCurve, BoundaryCurves, BoundaryPiece, ClosestPointCache, Polyline, Surface,
 };
+pub use curvature::{Curvature, CurvatureLines, curvatures};
 pub use diagnostics::{ElementsWithProblem, diagnose, elements_with_problem};
 pub use edit::{
     Combinations, Edited, KEPT_TURN, Origins, Scheme, SubdivideError, SubdividedCounts,

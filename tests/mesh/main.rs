@@ -15,6 +15,7 @@ mod shared;
 
 mod boundary_curves;
 mod closest;
+mod curvature;
 mod developable;
 mod files;
 mod fuzzed;

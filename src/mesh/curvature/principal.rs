@@ -1,0 +1,78 @@
+//! Principal curvatures and directions at the vertices of a mesh.
+
+use super::quadric::{SecondForm, fit};
+use crate::math::{Vec3, twice_vector_area};
+use crate::mesh::{Point, Ragged, Topology};
+
+/// So many rings of neighbours are fitted.
+const RINGS: u32 = 2;
+
+/// The curvature of the surface at a vertex, in one over the unit of the mesh.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Curvature {
+    /// The larger and the smaller principal curvature. Positive ones bend towards the normal: a sphere whose
+    /// faces look outwards has negative ones.
+    pub principal: [f64; 2],
+    /// Their unit directions, at right angles; any two where the curvatures are equal.
+    pub directions: [Vec3<f64>; 2],
+    /// The unit normal, on the side from which the faces at the vertex turn counterclockwise.
+    pub normal: Vec3<f64>,
+}
+
+impl Curvature {
+    /// The product of the principal curvatures.
+    pub fn gauss(&self) -> f64 {
+        self.principal[0] * self.principal[1]
+    }
+
+    /// The mean of the principal curvatures; its sign is that of the normal.
+    pub fn mean(&self) -> f64 {
+        0.5 * (self.principal[0] + self.principal[1])
+    }
+
+    /// The second fundamental form of two tangent vectors.
+    pub fn form(&self, a: Vec3<f64>, b: Vec3<f64>) -> f64 {
+        let along =
+            |i: usize| self.principal[i] * self.directions[i].dot(a) * self.directions[i].dot(b);
+        along(0) + along(1)
+    }
+
+    fn of(SecondForm { axes: [x, y], values: [l, m, n] }: SecondForm) -> Curvature {
+        let (mean, half) = (0.5 * (l + n), 0.5 * (l - n));
+        let radius = (half * half + m * m).sqrt();
+        // Of the two equations of an eigenvector the one without cancellation.
+        let (u, v) = if half >= 0.0 { (radius + half, m) } else { (m, radius - half) };
+        let length = (u * u + v * v).sqrt();
+        let first = if length > 0.0 { x * (u / length) + y * (v / length) } else { x };
+        let normal = x.cross(y);
+        Curvature {
+            principal: [mean + radius, mean - radius],
+            directions: [first, normal.cross(first)],
+            normal,
+        }
+    }
+}
+
+/// The curvature at each vertex, `#V`, of the quadric that fits its two rings of neighbours. On a smooth surface it
+/// tends to the true one with the length of the edges, and with its square where the neighbours lie
+/// symmetrically. None without faces, with fewer than five neighbours, and where they determine no quadric.
+pub fn curvatures(
+    positions: &[Point],
+    faces: &Ragged,
+    topology: &Topology,
+) -> Vec<Option<Curvature>> {
+    let at = |v: u32| Vec3::from(positions[v as usize]);
+    let area = |face: &[u32]| twice_vector_area(face.iter().map(|&v| at(v)));
+    let areas: Vec<Vec3<f64>> = faces.iter().map(area).collect();
+    let of_vertex = |v: u32| {
+        let around = topology.vertex_faces().row(v as usize);
+        let sum = around.iter().fold(Vec3::zero(), |sum, &f| sum + areas[f as usize]);
+        let (_, normal) = sum.length_and_direction();
+        let normal = normal?;
+        let x = normal.across();
+        let neighbours: Vec<Vec3<f64>> =
+            topology.ring(v, RINGS)[1..].iter().map(|&u| at(u) - at(v)).collect();
+        fit(&neighbours, [x, normal.cross(x)]).map(Curvature::of)
+    };
+    (0..positions.len() as u32).map(of_vertex).collect()
+}

@@ -1,0 +1,88 @@
+//! The quadric through a point that is closest to the points around it, in least squares over their heights,
+//! and its second fundamental form there (Cazals and Pouget 2005, osculating jets of degree two).
+
+use crate::math::Vec3;
+
+/// Unknowns: those of `h(x, y) = a x^2 + b x y + c y^2 + d x + e y`.
+const N: usize = 5;
+/// Below this part of the largest pivot the points lie on a conic through the origin: they have many quadrics.
+const SINGULAR: f64 = 1e-10;
+
+/// A symmetric second fundamental form in an orthonormal frame of the tangent plane.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SecondForm {
+    /// Orthonormal axes of the tangent plane; their cross product is the normal.
+    pub(super) axes: [Vec3<f64>; 2],
+    /// The values on (first, first), (first, second) and (second, second) axis.
+    pub(super) values: [f64; 3],
+}
+
+/// The form of the quadric over the plane of the orthonormal `axes` that fits `around`, points relative to where
+/// it goes through. Positive curvature bends towards the normal, the cross product of the axes. None for fewer than
+/// five points, and where they do not determine a quadric.
+pub(super) fn fit(around: &[Vec3<f64>], [x_axis, y_axis]: [Vec3<f64>; 2]) -> Option<SecondForm> {
+    let normal = x_axis.cross(y_axis);
+    let mean_square =
+        around.iter().map(|p| p.length_squared()).sum::<f64>() / around.len().max(1) as f64;
+    if around.len() < N || mean_square.is_nan() || mean_square <= 0.0 {
+        return None;
+    }
+    // In the unit of the mean distance all coefficients have the same size.
+    let unit = 1.0 / mean_square.sqrt();
+    let mut normal_matrix = [[0.0; N + 1]; N];
+    for &point in around {
+        let [x, y, h] = [x_axis, y_axis, normal].map(|axis| axis.dot(point) * unit);
+        let row = [x * x, x * y, y * y, x, y, h];
+        for (i, equation) in normal_matrix.iter_mut().enumerate() {
+            for (entry, value) in equation.iter_mut().zip(row) {
+                *entry += row[i] * value;
+            }
+        }
+    }
+    let [a, b, c, d, e] = solve(normal_matrix)?;
+    // First form (E, F, G) and second form (L, M, N) of the graph at the origin.
+    let area = (1.0 + d * d + e * e).sqrt();
+    let [l, m, n] = [2.0 * a, b, 2.0 * c].map(|value| value * unit / area);
+    let (big_e, f) = (1.0 + d * d, d * e);
+    let length = big_e.sqrt();
+    // The first axis along x on the surface, the second at right angles to it: (-F, E) / (sqrt(E) area).
+    let (u, v) = (-f / (length * area), length / area);
+    let tangent_x = x_axis + normal * d;
+    let tangent_y = y_axis + normal * e;
+    Some(SecondForm {
+        axes: [tangent_x * (1.0 / length), tangent_x * u + tangent_y * v],
+        values: [l / big_e, (l * u + m * v) / length, l * u * u + 2.0 * m * u * v + n * v * v],
+    })
+}
+
+/// Elimination of a symmetric positive matrix with its right side, by the largest pivots on the diagonal.
+fn solve(mut rows: [[f64; N + 1]; N]) -> Option<[f64; N]> {
+    let mut left: Vec<usize> = (0..N).collect();
+    let mut order = Vec::with_capacity(N);
+    let mut largest = 0.0;
+    while !left.is_empty() {
+        let place = (0..left.len()).fold(0, |best, k| {
+            if rows[left[k]][left[k]] > rows[left[best]][left[best]] { k } else { best }
+        });
+        let k = left.remove(place);
+        let pivot = rows[k][k];
+        largest = if pivot > largest { pivot } else { largest };
+        if pivot.is_nan() || pivot <= SINGULAR * largest {
+            return None;
+        }
+        let pivot_row = rows[k];
+        for &i in &left {
+            let factor = rows[i][k] / pivot;
+            for (entry, value) in rows[i].iter_mut().zip(pivot_row) {
+                *entry -= factor * value;
+            }
+        }
+        order.push(k);
+    }
+    let mut found = [0.0; N];
+    for (place, &k) in order.iter().enumerate().rev() {
+        let known: f64 = order[place + 1..].iter().map(|&j| rows[k][j] * found[j]).sum();
+        found[k] = (rows[k][N] - known) / rows[k][k];
+    }
+    Some(found)
+}
