@@ -7,6 +7,7 @@
 //! | `error` | why it cannot be solved |
 //! | `energy` | the energies of Eq. 13, each with its gradient and its part of the matrix |
 //! | `local_frame` | coordinates relative to the centre of the model |
+//! | `rows` | rows of numbers as vectors |
 //! | `assemble` | the normal matrix `Q^T Q` in compressed columns |
 //! | `system` | the linear system of the global step: matrix, factor, and when each is made |
 //! | `gliding` | boundary vertices that are on their curve exactly |
@@ -32,6 +33,7 @@ mod local_frame;
 mod parts;
 mod problem;
 mod rest_projections;
+mod rows;
 mod settings;
 mod setup_cache;
 mod solver;

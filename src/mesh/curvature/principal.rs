@@ -20,7 +20,7 @@ pub struct Curvature {
 }
 
 impl Curvature {
-    /// The product of the principal curvatures.
+    /// The product of the principal curvatures; [`crate::mesh::gauss_curvature`] has that of the faces themselves.
     pub fn gauss(&self) -> f64 {
         self.principal[0] * self.principal[1]
     }

@@ -10,7 +10,7 @@ use std::f64::consts::TAU;
 ///
 /// A face of four or more corners counts as triangles around its centre, the mean of its corners, so that a face which
 /// is not flat has its curvature too; the corners share what the centre has, as they share the area, alike. Faces are
-/// meant to be convex.
+/// meant to be convex. [`crate::mesh::curvatures`] has that of a smooth surface through the vertices.
 pub fn gauss_curvature(positions: &[Point], mesh: &Mesh, topology: &Topology) -> Vec<f64> {
     let n = positions.len();
     let (mut defects, mut areas) = (vec![TAU; n], vec![0.0; n]);

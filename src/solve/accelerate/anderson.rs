@@ -4,6 +4,7 @@
 
 use super::iterate::Iterate;
 use crate::constraint::Row;
+use crate::solve::rows::{add_scaled, dot};
 use crate::sparse::{F32Factor, F32Row, round};
 use nalgebra::{DMatrix, DVector};
 use std::collections::VecDeque;
@@ -101,26 +102,6 @@ impl Anderson {
         let right = DVector::from_fn(m, |j, _| dot(of(j), &self.now.residual) * scale[j]);
         let theta = gram.cholesky()?.solve(&right).component_mul(&scale);
         theta.iter().all(|value| value.is_finite()).then_some(theta)
-    }
-}
-
-/// Sum of products, in an order that is the same on every machine.
-#[inline(never)]
-fn dot(a: &[Row], b: &[Row]) -> f64 {
-    let mut sum = [0.0; 4];
-    for (a, b) in a.iter().zip(b) {
-        for i in 0..4 {
-            sum[i] += a[i] * b[i];
-        }
-    }
-    (sum[0] + sum[1]) + (sum[2] + sum[3])
-}
-
-/// `y += factor * x`.
-#[inline(never)]
-fn add_scaled(y: &mut [Row], factor: f64, x: &[Row]) {
-    for (y, x) in y.as_flattened_mut().iter_mut().zip(x.as_flattened()) {
-        *y += factor * x;
     }
 }
 

@@ -327,9 +327,9 @@ impl Exact {
         }
     }
 
-    /// Said beforehand: where a polish would not fit in memory, the distance that the approach aims at, which is all
-    /// there is then, in the unit of the mesh. None where it fits, and where a tolerance is enough. The factor with all rows soft has so
-    /// many `nonzeros`.
+    /// Where a polish would not fit in memory, the distance to which exact constraints are met instead, in the unit of
+    /// the mesh: that at which the approach ends. None where it fits, and where nothing is asked to be exact.
+    /// `nonzeros` are those of the factor with all rows soft.
     pub fn nearest(
         problem: &Problem<'_>,
         requirements: &Requirements<'_>,

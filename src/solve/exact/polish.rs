@@ -5,6 +5,7 @@ use super::block_system::BlockSystem;
 use super::model::Model;
 use crate::constraint::Row;
 use crate::solve::error::SolveError;
+use crate::solve::rows::{add_scaled, dot};
 
 /// Factors at most, and steps with one factor at most.
 const MOST_FACTORS: u32 = 12;
@@ -159,10 +160,10 @@ impl Polish {
     fn correct(&mut self) {
         let Some(last) = self.taken.last() else { return };
         for pair in self.taken.windows(2) {
-            let along = product(&pair[0], &self.dx) / product(&pair[0], &pair[0]);
-            add(&mut self.dx, along, &pair[1]);
+            let along = dot(&pair[0], &self.dx) / dot(&pair[0], &pair[0]);
+            add_scaled(&mut self.dx, along, &pair[1]);
         }
-        let left = 1.0 - product(last, &self.dx) / product(last, last);
+        let left = 1.0 - dot(last, &self.dx) / dot(last, last);
         if left > LEAST_LEFT {
             self.dx.as_flattened_mut().iter_mut().for_each(|value| *value /= left);
         }
@@ -174,15 +175,5 @@ impl Polish {
             let (row, by) = (&mut self.next[node as usize], self.dx[own as usize]);
             (0..3).for_each(|c| row[c] += t * by[c]);
         }
-    }
-}
-
-fn product(a: &[Row], b: &[Row]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a[0] * b[0] + a[1] * b[1] + a[2] * b[2]).sum()
-}
-
-fn add(to: &mut [Row], factor: f64, from: &[Row]) {
-    for (to, from) in to.iter_mut().zip(from) {
-        (0..3).for_each(|c| to[c] += factor * from[c]);
     }
 }

@@ -1,0 +1,23 @@
+//! Rows of numbers, one for each node, as vectors.
+
+use crate::constraint::Row;
+
+/// Sum of products, in an order that is the same on every machine.
+#[inline(never)]
+pub(super) fn dot(a: &[Row], b: &[Row]) -> f64 {
+    let mut sum = [0.0; 4];
+    for (a, b) in a.iter().zip(b) {
+        for i in 0..4 {
+            sum[i] += a[i] * b[i];
+        }
+    }
+    (sum[0] + sum[1]) + (sum[2] + sum[3])
+}
+
+/// `y += factor * x`.
+#[inline(never)]
+pub(super) fn add_scaled(y: &mut [Row], factor: f64, x: &[Row]) {
+    for (y, x) in y.as_flattened_mut().iter_mut().zip(x.as_flattened()) {
+        *y += factor * x;
+    }
+}
