@@ -9,6 +9,7 @@ mod experiment;
 mod faults;
 mod folder;
 mod lessons;
+mod new_mesh;
 mod written;
 
 use folder::{Folder, PLANES, ROOF, scene};

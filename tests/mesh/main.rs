@@ -13,6 +13,7 @@ mod random;
 #[path = "../support/shared.rs"]
 mod shared;
 
+mod begin;
 mod boundary_curves;
 mod closest;
 mod curvature;

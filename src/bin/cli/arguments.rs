@@ -1,5 +1,6 @@
 //! The commands with their arguments.
 
+use super::new_mesh::{self, New};
 use super::words::{Word, Words};
 use shape_up::fabricate::{OffsetKind, Page, Pieces, Product};
 use shape_up::mesh::{KEPT_TURN, Scheme, Subdivision};
@@ -23,6 +24,7 @@ pub(super) enum Command {
         scene: PathBuf,
     },
     Refine(Refine),
+    New(New),
     Parametrize(Parametrize),
     Examples {
         out: Option<PathBuf>,
@@ -125,6 +127,7 @@ pub(super) fn parse(arguments: Vec<OsString>) -> Result<Command, String> {
         "build" => build(words),
         "check" => check(words),
         "refine" => refine(words),
+        "new" => new_mesh::parse(words).map(Command::New),
         "parametrize" => parametrize(words),
         "examples" => {
             let mut out = None;
@@ -144,7 +147,7 @@ pub(super) fn parse(arguments: Vec<OsString>) -> Result<Command, String> {
         "help" => Ok(Command::Help),
         "--version" | "-V" => Ok(Command::Version),
         _ => Err(format!(
-            "unknown command `{command}`, expected solve, build, refine, check, parametrize, examples, experiment or operators"
+            "unknown command `{command}`, expected solve, build, refine, check, new, parametrize, examples, experiment or operators"
         )),
     }
 }

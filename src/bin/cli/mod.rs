@@ -9,6 +9,7 @@
 //! | `output` | files and standard output, whole or not at all |
 //! | `mesh_file` | a solved mesh as a file, by the ending of its name |
 //! | `solve`, `build`, `refine`, `check`, `parametrize`, `examples`, `experiment` | the commands of these names |
+//! | `new_mesh` | the command `new`, with its arguments |
 //! | `results` | `check` of what a student hands in |
 
 mod arguments;
@@ -18,6 +19,7 @@ mod examples;
 mod experiment;
 mod input;
 mod mesh_file;
+mod new_mesh;
 mod output;
 mod parametrize;
 mod refine;
@@ -73,6 +75,7 @@ fn perform(command: Command) -> Result<(), Failure> {
         Command::Refine(refine) => refine::refine(&refine),
         Command::Check { mesh, report } => check::check(&mesh, report.as_deref()),
         Command::CheckResults { results, scene } => results::check(&results, &scene),
+        Command::New(new) => new_mesh::make(&new),
         Command::Parametrize(parametrize) => parametrize::parametrize(&parametrize),
         Command::Examples { out: None } => examples::list(),
         Command::Examples { out: Some(folder) } => examples::write(&folder),

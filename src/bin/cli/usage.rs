@@ -1,5 +1,6 @@
 //! How the program is called, in words.
 
+use shape_up::begin::NEW_KINDS;
 use shape_up::constraint::KINDS;
 use shape_up::fabricate::{OffsetKind, Page, Pieces, Product};
 use shape_up::mesh::Scheme;
@@ -24,6 +25,7 @@ usage: shape-up solve SCENE|MESH [--panels KIND] [--exact | --within LENGTH]
                 [--report FILE.json]
        shape-up check MESH [--report FILE.json]
        shape-up check RESULTS --scene SCENE
+       shape-up new KIND [--SIZE VALUE ...] [--units UNIT] [--out FILE.obj]
        shape-up parametrize MESH [--weights {}] [--norm {}]
                 [--out UV.obj] [--report FILE.json]
        shape-up examples [--out DIR]
@@ -53,6 +55,8 @@ that turn by more than DEGREES (75) stay sharp. With --panels it solves before t
 each. The scene goes along: --out writes the mesh, or where the name ends in .json, the scene with it.
 RESULTS is what a student hands in of a lesson: check measures its shape with the goals and the
 constraints of the SCENE, and ends with 1 when one is not met.
+new makes a mesh to begin with, of lengths in the UNIT (m); what is not given is as here:
+{}
 parametrize makes a flat map that keeps angles; --out writes the mesh with the map as its vt.
 experiment solves a scene by several methods, and prints how far each came; --csv writes all iterations.
 Without a scene it lists the examples that have a comparison of the paper. The limits are per method.
@@ -66,7 +70,17 @@ Exit code: 0 done, 1 the input is at fault, 2 usage, 3 internal.",
         ConformalWeights::list("|"),
         ConformalNorm::list("|"),
         kinds(),
+        new_kinds(),
     )
+}
+
+/// The kinds of new meshes, a line each, with their sizes.
+fn new_kinds() -> String {
+    let lines = NEW_KINDS.iter().map(|kind| {
+        let sizes = kind.sizes.iter().map(|size| format!(" --{} {}", size.id, size.default));
+        format!(" {}{}", kind.id, sizes.collect::<String>())
+    });
+    lines.collect::<Vec<_>>().join("\n")
 }
 
 /// The ids of the kinds, in lines under each other.

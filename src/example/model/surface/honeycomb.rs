@@ -12,6 +12,18 @@ pub fn honeycomb(
     across: impl Fn(f64) -> usize,
     point: impl Fn(f64, f64) -> Point,
 ) -> Mesh {
+    let triangles = triangle_rows(rows, &across);
+    let at_corner = |v: u32| {
+        let [u, v, _] = triangles.positions[v as usize];
+        u.abs() == 1.0 && v.abs() == 1.0
+    };
+    let mut cells = dual(&triangles, at_corner);
+    cells.positions.iter_mut().for_each(|p| *p = point(p[0], p[1]));
+    rounded(cells)
+}
+
+/// Rows of triangles over the square from -1 to 1 in x and y, whose dual [`honeycomb`] is.
+pub(crate) fn triangle_rows(rows: usize, across: &dyn Fn(f64) -> usize) -> Mesh {
     let mut positions: Vec<Point> = Vec::new();
     let mut faces = Ragged::new();
     let mut below = 0..0;
@@ -25,14 +37,7 @@ pub fn honeycomb(
         }
         below = above;
     }
-    let triangles = Mesh { positions, faces, ..Mesh::default() };
-    let at_corner = |v: u32| {
-        let [u, v, _] = triangles.positions[v as usize];
-        u.abs() == 1.0 && v.abs() == 1.0
-    };
-    let mut cells = dual(&triangles, at_corner);
-    cells.positions.iter_mut().for_each(|p| *p = point(p[0], p[1]));
-    rounded(cells)
+    Mesh { positions, faces, ..Mesh::default() }
 }
 
 /// Places from -1 to 1: `n` at equal distances, or both ends and the middles between the `n`.

@@ -1,0 +1,17 @@
+//! Meshes to begin with: a few kinds, each with the sizes that it is made by. All are in the frame that `z` points up
+//! in, stand on the ground or lie on it, and have the same bits on every machine.
+//!
+//! | file | holds |
+//! |---|---|
+//! | `declaration` | what a kind and its sizes are, and what sizes are refused |
+//! | `list` | the kinds |
+//! | `sheets` | the flat and the arched ones: quads, triangles, hexagons |
+//! | `round` | those around an axis |
+
+mod declaration;
+mod list;
+mod round;
+mod sheets;
+
+pub use declaration::{NewKind, NewMeshError, NewSize, SizeOf};
+pub use list::NEW_KINDS;
