@@ -14,7 +14,8 @@ pub struct Lesson {
 pub struct Goal {
     /// Of what.
     pub of: GoalOf,
-    /// How large it may be, not negative, in the unit of what is measured.
+    /// How large it may be, not negative, in the unit of what is measured. Zero asks a constraint to be met
+    /// exactly, up to [`crate::solve::exact_tolerance`].
     pub at_most: f64,
 }
 

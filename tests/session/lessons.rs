@@ -4,6 +4,7 @@ use crate::grid::bumpy;
 use shape_up::mesh::Mesh;
 use shape_up::scene::{Lesson, Results, Scene};
 use shape_up::session::{Edit, Session, check_results};
+use shape_up::solve::Require;
 
 /// Planes on all faces, which is to be reached without going far.
 fn scene() -> Scene {
@@ -44,6 +45,19 @@ fn goals_are_measured_on_the_shape_as_it_is() {
     assert_eq!(met(&mut session), [true; 3], "{:?}", session.goals());
     session.edit(Edit::Reset).expect("it can be reset");
     assert_eq!(met(&mut session), [false, true, false]);
+}
+
+#[test]
+fn at_most_zero_asks_a_constraint_to_be_exact() {
+    let mut exact = scene();
+    exact.lesson.as_mut().expect("it has one").goals[2].at_most = 0.0;
+    let mut session = Session::open(exact.clone(), bumpy(5)).expect("it fits");
+    session.solve(false).expect("positions stay finite");
+    assert!(!session.goals()[2].met, "a soft row is not exact: {:?}", session.goals()[2]);
+    exact.constraints[0].require = Require::Exact;
+    let mut session = Session::open(exact, bumpy(5)).expect("it fits");
+    session.solve(false).expect("positions stay finite");
+    assert!(session.goals()[2].met, "{:?}", session.goals()[2]);
 }
 
 #[test]

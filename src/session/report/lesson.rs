@@ -4,6 +4,7 @@ use super::face_measure::{FACE_MEASURES, FaceMeasure, MeasureUnit, face_values};
 use super::measuring::{Measuring, Shape};
 use crate::mesh::Mesh;
 use crate::scene::{ConstraintSpec, Goal, GoalOf, GoalResult, Lesson, Scene, SceneError};
+use crate::solve::exact_tolerance;
 use serde::Serialize;
 
 /// A goal in words.
@@ -107,9 +108,15 @@ fn goal_in_words(goal: &Goal) -> GoalWords<'_> {
 pub(crate) fn goals(model: &mut Measuring<'_>) -> Vec<GoalResult> {
     let lesson = model.scene.document().lesson.as_ref();
     let goals = lesson.map(|lesson| lesson.goals.clone()).unwrap_or_default();
+    let exact = exact_tolerance(model.rest.positions());
     let result = |goal: Goal| {
         let value = worst_of(model, &goal.of);
-        GoalResult { met: value.is_some_and(|value| value <= goal.at_most), goal, value }
+        // At most zero asks for exact, which rounding keeps from zero itself.
+        let at_most = match goal.of {
+            GoalOf::Constraint(_) => goal.at_most.max(exact),
+            GoalOf::Measure(_) => goal.at_most,
+        };
+        GoalResult { met: value.is_some_and(|value| value <= at_most), goal, value }
     };
     goals.into_iter().map(result).collect()
 }

@@ -132,7 +132,7 @@ export function write(app) {
     element('div', add),
     element(
       'p.quiet',
-      'Students see the text and whether each goal is met while they work. They start from the scene as it is now.',
+      'Students see the text and whether each goal is met while they work. They start from the scene as it is now. A constraint at most 0 is to be exact.',
     ),
     error,
     element(

@@ -18,6 +18,7 @@ export function measureOf({ measure, label, words, unit }) {
  * @param {string} units of the mesh
  */
 export function goalInWords(goal, units) {
+  if (goal.measure === null && goal.atMost === 0) return `${goal.label} exact`;
   const most = valueInWords(measureOf(goal), goal.atMost, units);
   return `Worst ${goal.label.toLowerCase()} at most ${most}`;
 }
