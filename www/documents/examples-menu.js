@@ -8,9 +8,25 @@ import { element } from '../ui/dom.js';
  * @param {HTMLElement} menu
  * @param {import("../app/context.js").AppContext} app
  */
-export async function examplesMenu(menu, { files, alerts }) {
+export async function examplesMenu(menu, { files, alerts, commands }) {
   const examples = await files.examples();
+  const begin = commands.find(({ id }) => id === 'new-mesh');
   menu.replaceChildren(
+    element(
+      'button.new-mesh',
+      {
+        role: 'menuitem',
+        'aria-haspopup': 'dialog',
+        onclick: () => {
+          menu.hidePopover();
+          begin?.action();
+        },
+      },
+      entry(
+        'New mesh',
+        'A grid, a vault, a dome, hexagons and others, in the sizes that you give.',
+      ),
+    ),
     element(
       'a',
       { role: 'menuitem', href: './gallery.html' },

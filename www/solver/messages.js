@@ -198,6 +198,7 @@
  *   corners, as CSV.
  * - `trace`: the energies of the iterations that led to the current shape; of very many as many as a plot
  *   can show, evenly spaced.
+ * - `newKinds`: the kinds of meshes to begin with. `newMesh`: one of them as the text of an OBJ file.
  * - `comparison`: what the experiment on whatever is open declares.
  * - `runExperiment`: starts the experiment of an example, on its files, the scene first, or the comparison on
  *   what is open, from its original shape; the model that is open is not touched. `experimentCsv`: what was
@@ -237,7 +238,9 @@
  *   | { type: "trace" }
  *   | { type: "comparison" }
  *   | { type: "runExperiment", of: { example: string, files: NamedBytes[] } | null, iterations: number }
- *   | { type: "experimentCsv" }} Request
+ *   | { type: "experimentCsv" }
+ *   | { type: "newKinds" }
+ *   | { type: "newMesh", kind: string, sizes: number[], units: string }} Request
  */
 
 /**
@@ -303,6 +306,8 @@
  * @property {import("./examples.js").Experiment} comparison
  * @property {null} runExperiment
  * @property {string} experimentCsv
+ * @property {import("../pkg/solver/shape_up.js").NewKind[]} newKinds
+ * @property {string} newMesh
  */
 
 /**

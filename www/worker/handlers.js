@@ -97,5 +97,7 @@ export function requestHandlers(solver, scheduler, post, died) {
     comparison,
     runExperiment: (message) => runExperiment(message, solver, post, died),
     experimentCsv,
+    newKinds: () => solver.newKinds(),
+    newMesh: ({ kind, sizes, units }) => solver.newMesh(kind, Float64Array.from(sizes), units),
   };
 }

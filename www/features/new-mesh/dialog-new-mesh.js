@@ -1,0 +1,165 @@
+/**
+ * The dialog of New mesh: the kinds that the solver declares, their sizes, and the mesh in the view as it is with
+ * them. Until it is kept, what was open before comes back.
+ */
+
+import './new-mesh.css';
+import { openDialog } from '../../ui/controls/dialog.js';
+import { button, choice } from '../../ui/controls/fields.js';
+import { element, setText } from '../../ui/dom.js';
+import { count } from '../../ui/format.js';
+import { messageOf } from '../../solver/messages.js';
+import { UNITS } from '../../ui/units.js';
+
+/** @typedef {import("../../pkg/solver/shape_up.js").NewKind} NewKind */
+/** @typedef {import("../../pkg/solver/shape_up.js").NewSize} NewSize */
+
+/** The unit of the defaults. */
+const METRE = 'm';
+/** So long nobody types before a mesh is made. */
+const QUIET_MS = 150;
+
+/** @param {import("../../app/context.js").AppContext} app */
+export async function newMesh({ store, files, actions, alerts }) {
+  const kinds = await actions.newKinds();
+  const before = await whatIsOpen();
+  /** One work for all that is tried. */
+  const work = crypto.randomUUID();
+  let kept = false;
+  let timer = 0;
+  /** What is being made, or undefined. @type {Promise<void> | undefined} */
+  let making;
+  let again = false;
+
+  const kind = choice(
+    {},
+    showSizes,
+    kinds.map(({ id, label }) => [id, label]),
+  );
+  const units = choice(
+    {},
+    changed,
+    UNITS.map(({ symbol }) => [symbol, symbol]),
+  );
+  units.value = METRE;
+  const summary = element('p.quiet');
+  const sizes = element('div.sizes');
+  const said = element('p', { 'aria-live': 'polite' });
+  const keep = button('Begin with this', keepIt, { class: 'primary' });
+
+  async function whatIsOpen() {
+    const { document: scene, fileName } = store.get();
+    if (!scene) return null;
+    const bytes = new TextEncoder().encode(await actions.sceneText());
+    const origin = { ...files.origin, first: false };
+    return {
+      given: [{ name: `${files.name}.shapeup.json`, bytes }],
+      origin: { ...origin, title: fileName },
+    };
+  }
+
+  const chosen = () => kinds.find(({ id }) => id === kind.value) ?? kinds[0];
+  const fields = () => [...sizes.querySelectorAll('input')];
+
+  function showSizes() {
+    const { summary: words, sizes: declared } = chosen();
+    setText(summary, words);
+    sizes.replaceChildren(...declared.map(sizeField));
+    changed();
+  }
+
+  /** @param {NewSize} size */
+  function sizeField({ label, of, default: value, least, most }) {
+    const unit = { length: () => units.value, degrees: () => '°', count: () => '' }[of]();
+    const length = of === 'length';
+    const field = element('input', {
+      ...{
+        type: 'number',
+        min: String(least),
+        max: String(most),
+        value: String(inUnit(value, of)),
+      },
+      ...{ step: length ? 'any' : '1', inputmode: length ? 'decimal' : 'numeric' },
+      required: true,
+      oninput: changed,
+    });
+    return element(
+      'label',
+      element('span', label),
+      field,
+      element('span.unit', { 'data-of': of }, unit),
+    );
+  }
+
+  /** A default, in metres, in the unit that is chosen. @param {number} value @param {NewSize["of"]} of */
+  function inUnit(value, of) {
+    const metres = UNITS.find(({ symbol }) => symbol === units.value)?.metres ?? 1;
+    return of === 'length' ? Number((value / metres).toPrecision(4)) : value;
+  }
+
+  function changed() {
+    clearTimeout(timer);
+    timer = window.setTimeout(make, QUIET_MS);
+  }
+
+  function make() {
+    again = Boolean(making);
+    making ??= makeOne().finally(() => {
+      making = undefined;
+      if (again && dialog.open) make();
+    });
+    return making;
+  }
+
+  async function makeOne() {
+    const wrong = fields().find((field) => !field.validity.valid);
+    keep.disabled = true;
+    if (wrong) {
+      const label = wrong.closest('label')?.firstChild?.textContent;
+      return setText(said, `${label}: ${wrong.validationMessage}`);
+    }
+    const values = fields().map((field) => field.valueAsNumber);
+    const { id, label } = chosen();
+    try {
+      const text = await actions.newMesh(id, values, units.value);
+      const bytes = new TextEncoder().encode(text);
+      const loaded = await files.open([{ name: `${label}.obj`, bytes }], { work, title: label });
+      const vertices = count(loaded.vertices, 'vertex', 'vertices');
+      setText(said, `${count(loaded.faces, 'face')}, ${vertices}.`);
+      keep.disabled = false;
+    } catch (error) {
+      setText(said, messageOf(error));
+    }
+  }
+
+  async function keepIt() {
+    kept = true;
+    dialog.close();
+    actions.setStatus(`New mesh: ${chosen().label}`);
+  }
+
+  const dialog = openDialog(
+    { id: 'new-mesh', title: 'New mesh' },
+    element(
+      'div.dialog-body',
+      element('label', element('span', 'Shape'), kind),
+      summary,
+      element('label', element('span', 'Unit'), units),
+      sizes,
+      said,
+      element(
+        'div.dialog-buttons',
+        keep,
+        button('Cancel', () => dialog.close()),
+      ),
+    ),
+  );
+  dialog.addEventListener('close', async () => {
+    clearTimeout(timer);
+    await making;
+    if (kept || !before) return;
+    await files.open(before.given, before.origin).catch((error) => alerts.error(messageOf(error)));
+  });
+  units.addEventListener('change', showSizes);
+  showSizes();
+}

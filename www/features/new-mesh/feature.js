@@ -1,0 +1,15 @@
+/** A mesh to begin with, by its kind and sizes. */
+
+/** @type {import("../../app/context.js").Feature} */
+export default {
+  commands: (app) => [
+    {
+      id: 'new-mesh',
+      group: 'File',
+      label: 'New mesh',
+      keys: [],
+      action: () =>
+        app.actions.reportErrors(import('./dialog-new-mesh.js').then((it) => it.newMesh(app))),
+    },
+  ],
+};
