@@ -38,10 +38,11 @@ export async function newMesh({ store, files, actions, alerts }) {
   );
   const units = choice(
     {},
-    changed,
+    convert,
     UNITS.map(({ symbol }) => [symbol, symbol]),
   );
   units.value = METRE;
+  let unit = METRE;
   const summary = element('p.quiet');
   const sizes = element('div.sizes');
   const said = element('p', { 'aria-live': 'polite' });
@@ -70,8 +71,8 @@ export async function newMesh({ store, files, actions, alerts }) {
 
   /** @param {NewSize} size */
   function sizeField({ label, of, default: value, least, most }) {
-    const unit = { length: () => units.value, degrees: () => '°', count: () => '' }[of]();
     const length = of === 'length';
+    const shown = { length: unit, degrees: '°', count: '' }[of];
     const field = element('input', {
       ...{
         type: 'number',
@@ -87,14 +88,27 @@ export async function newMesh({ store, files, actions, alerts }) {
       'label',
       element('span', label),
       field,
-      element('span.unit', { 'data-of': of }, unit),
+      element('span.unit', { 'data-of': of }, shown),
     );
   }
 
+  /** @param {string} symbol of a unit */
+  const metresOf = (symbol) => UNITS.find((one) => one.symbol === symbol)?.metres ?? 1;
   /** A default, in metres, in the unit that is chosen. @param {number} value @param {NewSize["of"]} of */
-  function inUnit(value, of) {
-    const metres = UNITS.find(({ symbol }) => symbol === units.value)?.metres ?? 1;
-    return of === 'length' ? Number((value / metres).toPrecision(4)) : value;
+  const inUnit = (value, of) =>
+    of === 'length' ? Number((value / metresOf(unit)).toPrecision(4)) : value;
+
+  /** The same sizes in the unit that is now chosen. */
+  function convert() {
+    const factor = metresOf(unit) / metresOf(units.value);
+    unit = units.value;
+    for (const field of fields()) {
+      const shown = field.nextElementSibling;
+      if (!(shown instanceof HTMLElement) || shown.dataset.of !== 'length') continue;
+      setText(shown, unit);
+      if (field.value) field.value = String(Number((field.valueAsNumber * factor).toPrecision(4)));
+    }
+    changed();
   }
 
   function changed() {
@@ -146,11 +160,14 @@ export async function newMesh({ store, files, actions, alerts }) {
       summary,
       element('label', element('span', 'Unit'), units),
       sizes,
-      said,
       element(
-        'div.dialog-buttons',
-        keep,
-        button('Cancel', () => dialog.close()),
+        'footer',
+        said,
+        element(
+          'div.dialog-buttons',
+          keep,
+          button('Cancel', () => dialog.close()),
+        ),
       ),
     ),
   );
@@ -160,6 +177,5 @@ export async function newMesh({ store, files, actions, alerts }) {
     if (kept || !before) return;
     await files.open(before.given, before.origin).catch((error) => alerts.error(messageOf(error)));
   });
-  units.addEventListener('change', showSizes);
   showSizes();
 }
