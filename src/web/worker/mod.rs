@@ -7,8 +7,8 @@
 //! | `reading`, `edit`, `drag` | files in; edits and previews; handles that are dragged |
 //! | `shown`, `original` | what is drawn of the session, and of what it was before |
 //! | `report` | what is told of the session |
-//! | `selecting`, `lists`, `lesson` | selections and settings, lists of elements, goals |
-//! | `saved` | steps of undo and unfinished work as bytes, to go on after a restart |
+//! | `selecting`, `lists` | selections and settings, lists of elements |
+//! | `saved` | steps of undo and unfinished work as bytes, to go on after a restart; what a student hands in |
 //! | `parametrize`, `experiment` | the flat map, the paper's comparisons |
 //! | `trials` | what would help where constraints are not met, what it would cost to be exact, and variations |
 //! | `measure` | what benchmarks ask |
@@ -17,7 +17,6 @@ mod begin;
 mod drag;
 mod edit;
 pub mod experiment;
-mod lesson;
 mod lists;
 mod measure;
 mod original;

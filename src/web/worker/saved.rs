@@ -1,4 +1,4 @@
-//! Undo history and unfinished work as bytes, which the page saves beside the scene.
+//! Steps of undo and unfinished work as bytes, to go on after a restart, and what a student hands in.
 
 use super::solver::Solver;
 use crate::web::thrown;
@@ -23,5 +23,12 @@ impl Solver {
     /// can be restored is, also when an error says that something cannot.
     pub fn restore(&mut self, history: &[u8], progress: &[u8]) -> Result<(), JsValue> {
         self.open_mut()?.restore(history, progress).map_err(thrown)
+    }
+
+    /// The file that `student` hands in.
+    pub fn results(&mut self, student: &str, time: &str) -> Result<String, JsValue> {
+        let results = self.open_mut()?.results(student, time);
+        let results = results.ok_or_else(|| thrown("the scene has no lesson"))?;
+        Ok(results.to_json())
     }
 }
