@@ -50,8 +50,8 @@ await main(() => {
   // So is the service worker, after the first picture.
   const worker = at('dist', 'service-worker.js');
   const first = new Set([...firstNeeded(at('dist', 'index.html')), largest, worker]);
-  const beside = ['gallery.html', 'projections.html'].flatMap((name) =>
-    firstNeeded(at('dist', name)),
+  const beside = ['gallery.html', 'projections.html', 'embed.html', 'embedding.html'].flatMap(
+    (name) => firstNeeded(at('dist', name)),
   );
   const isBeside = (path) => beside.includes(path) && !first.has(path);
   // The plots, and uPlot with them, load when they are first shown.
@@ -65,6 +65,8 @@ await main(() => {
   // The dialog of New mesh comes when it is asked for, too.
   const isOfBegin = (path) => /^dialog-new-mesh/.test(basename(path));
   const isOfVariations = (path) => /^(variation|docked)/.test(basename(path));
+  // An embedded view, once it is started, and the dialog of Share with its code to scan come for themselves.
+  const isOfSharing = (path) => /^(embedded-view|dialog-share|share)/.test(basename(path));
   const isRhino = (path) => /^(rhino|__vite)/.test(basename(path));
   const isOther = (path) => others.includes(path);
   const isLicences = (path) => /^licences/.test(basename(path));
@@ -78,13 +80,15 @@ await main(() => {
     !isOfVariations(path) &&
     !isOfRefining(path) &&
     !isOfBegin(path) &&
+    !isOfSharing(path) &&
     !isRhino(path);
   const rows = [
     row('solver module', [at('www', 'pkg', 'solver', 'shape_up_bg.wasm')], 645 * kB),
     row('parts module', [at('www', 'pkg', 'build', 'shape_up_bg.wasm')], 216 * kB),
     row('view, WebGPU', [at('www', 'pkg', 'view-webgpu', 'shape_up_bg.wasm')], 165 * kB),
     row('view, WebGL2', [at('www', 'pkg', 'view-webgl2', 'shape_up_bg.wasm')], 900 * kB),
-    row('first visit', [...first], 78 * kB),
+    // Of it, 0.2 kB say that the page is embedded.
+    row('first visit', [...first], 78.5 * kB),
     // With the circles of its panels, 9 kB.
     row('first picture', [firstPicture], 23 * kB),
     row('plots', code.filter(isPlot), 30 * kB),
@@ -92,9 +96,11 @@ await main(() => {
     row('variations', code.filter(isOfVariations), 9 * kB),
     row('new mesh', code.filter(isOfBegin), 3 * kB),
     row('refining', code.filter(isOfRefining), 4 * kB),
+    row('sharing, embedded', code.filter(isOfSharing), 12 * kB),
     // Choosing files and the menu of examples, which were part of the first visit, took 1 kB.
     row('other dialogs', code.filter(isLater), 78 * kB),
-    row('gallery, projections', code.filter(isBeside), 16 * kB),
+    // With the embedded view before it is started, and the page about it.
+    row('other pages', code.filter(isBeside), 20 * kB),
     row('licences', code.filter(isLicences), 24 * kB),
     row('files of Rhino', filesUnder(at('dist')).filter(isRhino), 1100 * kB),
   ];

@@ -102,7 +102,7 @@ const layers = {
 };
 
 /** The pages of the site. */
-const pages = ['index', 'gallery', 'projections', 'licences'];
+const pages = ['index', 'gallery', 'projections', 'licences', 'embed', 'embedding'];
 
 /** What is told of the solver's module while it loads. */
 const solverBytes = statSync(at('www', 'pkg', 'solver', 'shape_up_bg.wasm')).size;

@@ -27,6 +27,7 @@
  * @property {import("../ui/controls/alerts.js").Alerts} alerts
  * @property {import("../features/hold-original.js").HoldOriginal} hold
  * @property {(choices: [import("../store/view-modes.js").Choice, import("../store/view-modes.js").Choice]) => Promise<void>} showSides two pictures, left and right
+ * @property {ReturnType<typeof import("./script-api.js").scriptApi>} script the page for scripts
  * @property {Command[]} commands those that operations of selecting declare come later
  */
 

@@ -75,6 +75,7 @@ const hold = new HoldOriginal(store, actions);
 const app = {
   ...{ store, solver, viewport, files, actions, selecting, alerts, hold, commands: [] },
   showSides: (choices) => splitInto(app, choices),
+  script: scriptApi(store, solver, viewport, files),
 };
 viewport.once('ready', showLegend);
 modelPanel(byId('model'), app, () => analysis.bring('log'));
@@ -143,7 +144,7 @@ viewport.on('none', (why) => {
   import('../viewport/no-picture.js').then((module) => module.explainNoPicture(why));
 });
 
-Object.assign(window, { shapeUp: scriptApi(store, solver, viewport, files) });
+Object.assign(window, { shapeUp: app.script });
 
 const startup = new Startup(solver, files, alerts, { store, actions, analysis });
 byId('recent-button').addEventListener('click', () =>

@@ -5,6 +5,7 @@
 
 import { messageOf } from '../solver/messages.js';
 import { saveFile } from '../ui/save-file.js';
+import { isEmbedded } from '../ui/embedded.js';
 import { recall } from '../ui/safe-storage.js';
 
 /** @typedef {import("../documents/files.js").Files} Files */
@@ -127,6 +128,7 @@ export class Startup {
   }
 
   #startAutosave() {
+    if (isEmbedded) return;
     const [solver, files, seen] = [this.#solver, this.#files, this.#seen];
     this.#autosave ??= import('../documents/autosave.js').then(
       ({ Autosave }) => new Autosave(solver, files, seen),

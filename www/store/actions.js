@@ -165,7 +165,7 @@ export function createActions(store, solver, alerts) {
 
     /**
      * Sends where handles are moved to.
-     * @param {import("../solver/messages.js").Handle[]} handles
+     * @param {Pick<import("../solver/messages.js").Handle, "vertex" | "target">[]} handles
      * @param {"start" | "move" | "end"} phase
      */
     moveHandles(handles, phase) {

@@ -1,16 +1,24 @@
 /**
  * What is remembered in this browser, or in this tab. Where storage is blocked, as in some private
- * windows, nothing is, and the page works without.
+ * windows, or the page is embedded in another one, nothing is, and the page works without.
  */
+
+import { isEmbedded } from './embedded.js';
+
+/** @param {"localStorage" | "sessionStorage"} name throws where nothing may be remembered */
+function storage(name) {
+  if (isEmbedded) throw new Error('an embedded view stores nothing');
+  return window[name];
+}
 
 /**
  * @param {string} key
- * @param {"localStorage" | "sessionStorage"} [storage] of the browser, or of the tab
+ * @param {"localStorage" | "sessionStorage"} [where] the browser, or the tab
  * @returns {string | null}
  */
-export function recall(key, storage = 'localStorage') {
+export function recall(key, where = 'localStorage') {
   try {
-    return window[storage].getItem(key);
+    return storage(where).getItem(key);
   } catch {
     return null;
   }
@@ -19,11 +27,11 @@ export function recall(key, storage = 'localStorage') {
 /**
  * @param {string} key
  * @param {string} value
- * @param {"localStorage" | "sessionStorage"} [storage]
+ * @param {"localStorage" | "sessionStorage"} [where]
  */
-export function remember(key, value, storage = 'localStorage') {
+export function remember(key, value, where = 'localStorage') {
   try {
-    window[storage].setItem(key, value);
+    storage(where).setItem(key, value);
   } catch {
     // It holds for this visit.
   }
@@ -32,7 +40,7 @@ export function remember(key, value, storage = 'localStorage') {
 /** @param {string} key of what is remembered in this browser */
 export function forget(key) {
   try {
-    window.localStorage.removeItem(key);
+    storage('localStorage').removeItem(key);
   } catch {
     // Nothing was remembered.
   }
@@ -41,7 +49,7 @@ export function forget(key) {
 /** The keys in this browser that begin so. @param {string} beginning */
 export function keysOf(beginning) {
   try {
-    return Object.keys(window.localStorage).filter((key) => key.startsWith(beginning));
+    return Object.keys(storage('localStorage')).filter((key) => key.startsWith(beginning));
   } catch {
     return [];
   }

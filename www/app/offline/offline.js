@@ -5,6 +5,8 @@
  * is no service worker.
  */
 
+import { isEmbedded } from '../../ui/embedded.js';
+
 /**
  * To be called after what the first picture needs, and again when another backend had to take over.
  * @param {import("../../ui/controls/alerts.js").Alerts} alerts
@@ -12,7 +14,7 @@
  * @param {import("../../viewport/viewport.js").Viewport} viewport
  */
 export function stayOffline(alerts, startup, viewport) {
-  if (!import.meta.env.PROD || !('serviceWorker' in navigator)) return;
+  if (!import.meta.env.PROD || isEmbedded || !('serviceWorker' in navigator)) return;
   // Whoever looks for a fault can do without.
   if (new URLSearchParams(location.search).has('nosw')) {
     navigator.serviceWorker.getRegistration().then((registration) => registration?.unregister());

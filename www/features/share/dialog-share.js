@@ -1,9 +1,15 @@
-/** The dialog of Share: the link, how long it is, and where a link of that length gets through. */
+/**
+ * The dialog of Share: the link, how long it is, and where a link of that length gets through; the same
+ * as a code to scan, and as the line that puts the model into another page.
+ */
 
+import './share.css';
 import { openDialog } from '../../ui/controls/dialog.js';
 import { element, setText } from '../../ui/dom.js';
 import { groupDigits } from '../../ui/format.js';
 import { linkTo } from '../../documents/share-link.js';
+import { frameLine } from './frame-line.js';
+import { MOST_SCANNED, qrCode } from './qr-code.js';
 
 /** Lengths in characters up to which a link gets through, and what is true above the one before. */
 const LEVELS = [
@@ -32,8 +38,10 @@ const NOT_COPIED = 'This browser does not let the page copy: select the link and
 export async function share(app) {
   const { files } = app;
   const link = await linkTo(app);
+  const { example, fileName } = app.store.get();
+  const title = example?.title ?? fileName;
   const found = LEVELS.find(({ most }) => link.length <= most);
-  const dialog = open(link, found, () => {
+  const dialog = open(link, found, title, () => {
     dialog.close();
     files.saveScene();
   });
@@ -49,9 +57,10 @@ export async function share(app) {
 /**
  * @param {string} link
  * @param {{ level: string, words: string } | undefined} found
+ * @param {string} title of what is shared
  * @param {() => void} save
  */
-function open(link, found, save) {
+function open(link, found, title, save) {
   const length = groupDigits(link.length);
   const words = found
     ? `${length} characters. ${found.words}`
@@ -67,7 +76,7 @@ function open(link, found, save) {
       found
         ? element('textarea', {
             readonly: true,
-            rows: 4,
+            rows: 3,
             'aria-label': 'Link',
             spellcheck: 'false',
           })
@@ -83,6 +92,7 @@ function open(link, found, save) {
       }),
       element('p', { class: `length ${found?.level ?? 'poor'}` }, words),
       element('p.quiet', { 'aria-live': 'polite', id: 'share-copied' }),
+      found ? others(link, title) : '',
       element(
         'div.dialog-buttons',
         found ? element('button.primary', { onclick: () => copy(link, dialog) }, 'Copy link') : '',
@@ -92,7 +102,42 @@ function open(link, found, save) {
   );
   const field = dialog.querySelector('textarea');
   if (field) field.value = link;
+  const line = dialog.querySelector('input');
+  if (line) line.value = frameLine(link, title);
   return dialog;
+}
+
+/**
+ * The code to scan, and the line for another page.
+ * @param {string} link
+ * @param {string} title
+ */
+function others(link, title) {
+  const copyLine = () => {
+    const dialog = /** @type {HTMLDialogElement | null} */ (document.querySelector('#share'));
+    if (dialog) copy(frameLine(link, title), dialog);
+  };
+  return element(
+    'div.share-others',
+    link.length <= MOST_SCANNED
+      ? qrCode(link, 'Code to scan: the link')
+      : element('p.quiet.no-code', 'Too long for a code to scan: save the scene instead.'),
+    element(
+      'div.embed',
+      element('label', { for: 'share-line' }, 'To embed it in a page of your own'),
+      element('input', { id: 'share-line', readonly: true, spellcheck: 'false' }),
+      element(
+        'p.quiet',
+        'A live model that loads when somebody starts it, and stores nothing. ',
+        element(
+          'a',
+          { href: './embedding.html', target: '_blank', rel: 'noopener' },
+          'Options, and how a page drives it',
+        ),
+      ),
+      element('button.bordered', { onclick: copyLine }, 'Copy line'),
+    ),
+  );
 }
 
 /**

@@ -1,0 +1,104 @@
+/**
+ * What an embedded view shows beside the model, and when it takes the wheel and fingers: only while
+ * it has the focus, so that whoever scrolls the page around it gets past.
+ *
+ * Options in the address, after `?embed`, which is also how it was started (`CALLED`, `PRESSED`):
+ *
+ * | option | is |
+ * |---|---|
+ * | `autoplay` | the view starts at once, and iterates |
+ * | `panel=model`, `panel=inspector` | shows that panel |
+ * | `measure=ID` | what the faces are coloured by; `none` is the plain material |
+ * | `theme=light`, `theme=dark` | instead of the system's |
+ */
+
+import './embedded-view.css';
+import { byId, element, icon, setText } from '../../ui/dom.js';
+import { linkTo } from '../../documents/share-link.js';
+import { answerMessages } from './answer.js';
+import { PRESSED } from './protocol.js';
+
+/** @param {import("../../app/context.js").AppContext} app */
+export async function embeddedView(app) {
+  const asked = new URLSearchParams(location.search);
+  document.documentElement.dataset.panel = asked.get('panel') ?? '';
+  document.body.append(bar(app));
+  takeTurns(byId('viewport'), asked.get('embed') === PRESSED);
+  app.files.on('opened', () => {
+    const measure = asked.get('measure');
+    if (measure) app.actions.colourBy(measure === 'none' ? null : measure);
+    if (asked.has('autoplay')) app.actions.run();
+  });
+  answerMessages(app);
+}
+
+/** @param {import("../../app/context.js").AppContext} app */
+function bar(app) {
+  const { actions, store } = app;
+  const runs = element('span', 'Run');
+  const run = element('button.primary', { onclick: () => actions.runOrPause() }, icon('run'), runs);
+  const reset = element('button', { onclick: () => actions.reset() }, icon('reset'), 'Reset');
+  const title = element('p.title');
+  const home = element(
+    'a',
+    {
+      href: `./${location.hash}`,
+      target: '_blank',
+      rel: 'noopener',
+      onpointerenter: refresh,
+      onfocus: refresh,
+    },
+    'Open in Shape-Up',
+  );
+  /** The link goes to what is seen now. */
+  async function refresh() {
+    if (store.get().document) home.href = await linkTo(app);
+  }
+  store.subscribe(['running', 'document'], ({ running, document }) => {
+    setText(runs, running ? 'Pause' : 'Run');
+    run.querySelector('use')?.setAttribute('href', running ? '#icon-pause' : '#icon-run');
+    run.disabled = reset.disabled = !document;
+  });
+  store.subscribe(['example', 'fileName'], ({ example, fileName }) =>
+    setText(title, example?.title ?? fileName),
+  );
+  return element(
+    'footer',
+    { id: 'embed-bar', 'aria-label': 'Embedded view' },
+    run,
+    reset,
+    title,
+    home,
+  );
+}
+
+/**
+ * The wheel and fingers are the view's from a press in it until the focus is elsewhere, and else of the
+ * page around it.
+ * @param {HTMLElement} view
+ * @param {boolean} isPressed it was started by a press
+ */
+function takeTurns(view, isPressed) {
+  const hint = element('p', { id: 'embed-hint', hidden: true }, 'Click the view to zoom in it');
+  byId('main').append(hint);
+  const activate = (/** @type {boolean} */ isActive) => {
+    view.dataset.active = String(isActive);
+    hint.hidden = true;
+  };
+  activate(isPressed);
+  for (const name of ['pointerdown', 'keydown']) addEventListener(name, () => activate(true), true);
+  addEventListener('blur', () => activate(false));
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let fading;
+  view.addEventListener(
+    'wheel',
+    (event) => {
+      if (view.dataset.active === 'true') return;
+      event.stopImmediatePropagation();
+      hint.hidden = false;
+      clearTimeout(fading);
+      fading = setTimeout(() => (hint.hidden = true), 1200);
+    },
+    { capture: true, passive: true },
+  );
+}

@@ -1,0 +1,14 @@
+/** The page as a quiet view in another one: `?embed` in its address. */
+
+import { isEmbedded } from '../../ui/embedded.js';
+
+/** @type {import("../../app/context.js").Feature} */
+export default {
+  parts: [
+    {
+      keys: ['renderer'],
+      isNeeded: () => isEmbedded,
+      load: (app) => import('./embedded-view.js').then((it) => it.embeddedView(app)),
+    },
+  ],
+};

@@ -1,0 +1,49 @@
+/** What an embedded view is until somebody starts it: a picture, a button, and where it comes from. */
+
+import { CALLED, PRESSED, callIn, post } from '../../features/embed/protocol.js';
+import { readLink } from '../../documents/share-link.js';
+import { listOfExamples } from '../../solver/examples.js';
+import { messageOf } from '../../solver/messages.js';
+import { byId, setText } from '../../ui/dom.js';
+
+const { hash, search } = location;
+const link = readLink(hash);
+/** @type {HTMLAnchorElement} */ (byId('home')).href = `./${hash}`;
+byId('start').addEventListener('click', () => start(PRESSED));
+
+addEventListener('message', (event) => {
+  const call = callIn(event);
+  if (!call) return;
+  const { id } = call;
+  if (call.name === 'start') {
+    post({ shapeUp: 'answer', id }, event.origin);
+    start(CALLED);
+  } else post({ shapeUp: 'answer', id, error: 'The view has not been started.' }, event.origin);
+});
+post({ shapeUp: 'news', news: 'waiting' });
+
+if (link?.example) showExample(link.example);
+else setText(byId('title'), 'A mesh to shape');
+
+/** The page itself takes this one's place, with the same options. @param {string} how */
+function start(how) {
+  const options = new URLSearchParams(search);
+  options.set('embed', how);
+  location.replace(`./?${options}${hash}`);
+}
+
+/** @param {string} id */
+async function showExample(id) {
+  try {
+    const example = (await listOfExamples()).find((one) => one.id === id);
+    if (!example)
+      throw new Error(`There is no example called ${id}: the link is an old one or wrong.`);
+    setText(byId('title'), example.title);
+    const picture = /** @type {HTMLImageElement} */ (byId('picture'));
+    picture.src = `pictures/${example.id}-${link?.run || link?.code ? 'start' : 'end'}.svg`;
+    picture.alt = example.title;
+    picture.hidden = false;
+  } catch (error) {
+    setText(byId('trouble'), messageOf(error));
+  }
+}
