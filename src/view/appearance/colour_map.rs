@@ -174,7 +174,7 @@ mod tests {
         let rgb = |[r, g, b, _]: Colour| Vec3::new(r, g, b);
         for palette in [LIGHT, DARK] {
             for light in [0.0, 0.25, 0.5, 0.75, 1.0] {
-                let modelled = 0.74 + 0.32 * light;
+                let modelled = 0.68 + 0.37 * light;
                 let neutral = lab(rgb(palette.shade).lerp(rgb(palette.material), light));
                 for texel in 0..=255 {
                     let colour = ColourMap::Beyond.colour(texel) * modelled;

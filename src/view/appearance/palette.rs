@@ -98,8 +98,14 @@ pub const DOT_KINDS: usize = 10;
 /// One theme.
 #[derive(Clone, Copy, Debug)]
 pub struct Palette {
-    /// Behind everything; the page has the same colour behind the canvas.
+    /// Behind everything, at the bottom; the page has the same gradient behind the canvas.
     pub background: Colour,
+    /// Behind everything, at the top.
+    pub backdrop: Colour,
+    /// The shadow on the ground; the opacity is that where all light is kept off.
+    pub shadow: Colour,
+    /// What the light of faces that are seen from behind is multiplied by.
+    pub back: Colour,
     /// Faces in full light.
     pub material: Colour,
     /// Faces in shade; the light goes from one to the other.
@@ -162,9 +168,12 @@ const fn dot(fill: Colour, rim: Colour, radius: f32, rim_width: f32) -> Dot {
 
 /// On a light page.
 pub const LIGHT: Palette = Palette {
-    background: [0.925, 0.933, 0.929, 1.0],
-    material: [0.998, 0.994, 0.985, 1.0],
-    shade: [0.470, 0.505, 0.565, 1.0],
+    background: [0.863, 0.875, 0.878, 1.0],
+    backdrop: [0.965, 0.969, 0.965, 1.0],
+    shadow: [0.165, 0.188, 0.235, 0.62],
+    back: [0.875, 0.918, 0.985, 1.0],
+    material: [1.0, 0.992, 0.975, 1.0],
+    shade: [0.455, 0.470, 0.520, 1.0],
     no_value: [0.72, 0.72, 0.73, 1.0],
     selected: [0.99, 0.62, 0.16, 0.72],
     strokes: [
@@ -208,9 +217,12 @@ pub const LIGHT: Palette = Palette {
 
 /// On a dark page.
 pub const DARK: Palette = Palette {
-    background: [0.071, 0.078, 0.086, 1.0],
-    material: [0.640, 0.665, 0.705, 1.0],
-    shade: [0.150, 0.168, 0.205, 1.0],
+    background: [0.094, 0.106, 0.114, 1.0],
+    backdrop: [0.208, 0.224, 0.243, 1.0],
+    shadow: [0.0, 0.004, 0.012, 0.85],
+    back: [0.830, 0.900, 1.0, 1.0],
+    material: [0.735, 0.720, 0.690, 1.0],
+    shade: [0.160, 0.170, 0.200, 1.0],
     no_value: [0.40, 0.41, 0.43, 1.0],
     selected: [0.96, 0.56, 0.10, 0.72],
     strokes: [

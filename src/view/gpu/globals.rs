@@ -6,7 +6,7 @@ use crate::view::state::ViewState;
 use glam::{Vec3, Vec4};
 
 /// How many numbers there are.
-pub const NUMBERS: usize = 16 + 4 * (5 + 1 + 7 + 2) + 8 + 8 * LINE_KINDS + 12 * DOT_KINDS;
+pub const NUMBERS: usize = 16 + 4 * (5 + 1 + 7 + 2 + 4) + 8 + 8 * LINE_KINDS + 12 * DOT_KINDS;
 
 /// The numbers for a canvas of `width` by `height` pixels, with a veil of this colour.
 pub fn numbers(state: &ViewState, veil: Colour, (width, height): (u32, u32)) -> Vec<f32> {
@@ -36,6 +36,11 @@ pub fn numbers(state: &ViewState, veil: Colour, (width, height): (u32, u32)) -> 
     let [begins, ends] = state.appearance().corner_steps().unwrap_or_default();
     let tolerance = state.appearance().tolerance_in_steps();
     numbers.extend([state.checks().per_length, begins, ends, tolerance]);
+    let behind = state.background();
+    let above = if state.is_white() { behind } else { palette.backdrop };
+    for colour in [above, behind, palette.shadow, palette.back] {
+        numbers.extend(colour);
+    }
     extend_stroke(&mut numbers, &palette.circle, state.circle_pieces());
     let mut strokes = palette.strokes;
     if state.checks().per_length > 0.0 {

@@ -39,4 +39,4 @@ pub use loss::Loss;
 pub use pipeline::{Layer, Recipe, VertexBuffer, build};
 #[cfg(target_arch = "wasm32")]
 pub use renderer::Renderer;
-pub use shaders::{CIRCLES, FACES, GIZMO, LINES, POINTS, PROJECTIONS, SPHERES};
+pub use shaders::{BACKDROP, CIRCLES, FACES, GIZMO, LINES, POINTS, PROJECTIONS, SPHERES};

@@ -5,8 +5,9 @@ use super::device::{Device, DeviceError};
 use super::gpu_tables::GpuTables;
 use super::viewport::Viewport;
 use crate::view::gpu::primitive::{
-    Circles, Faces, GizmoMarks, Lines, Points, ProjectionLines, Spheres,
+    Backdrop, Circles, Faces, GizmoMarks, Lines, Points, ProjectionLines, Spheres,
 };
+use crate::view::overlay::GroundShadow;
 use crate::view::side_by_side::{Region, Split};
 use crate::view::state::ViewState;
 use glam::Vec2;
@@ -22,6 +23,7 @@ pub struct Renderer {
     map_store: GpuTables,
     /// Of the two sides of a split picture.
     sides: Option<[Viewport; 2]>,
+    backdrop: Backdrop,
     faces: Faces,
     lines: Lines,
     projections: ProjectionLines,
@@ -37,6 +39,7 @@ impl Renderer {
         let (gpu, format) = (&device.device, device.format());
         let tables = GpuTables::new(gpu, &device.queue);
         Renderer {
+            backdrop: Backdrop::new(gpu, &device.queue, &tables, format),
             faces: Faces::new(gpu, &tables, format),
             lines: Lines::new(gpu, &tables, format),
             projections: ProjectionLines::new(gpu, &tables, format),
@@ -98,11 +101,11 @@ impl Renderer {
                 for ((part, is_original), viewport) in sides.into_iter().zip(panes) {
                     let [left, top, width, height] = part;
                     pass.set_scissor_rect(left, top, width, height);
-                    self.draw_model(&mut pass, viewport, state, is_original);
+                    self.draw_model(&mut pass, viewport, state, Some(is_original));
                 }
                 pass.set_scissor_rect(0, 0, canvas.0, canvas.1);
             }
-            _ => self.draw_model(&mut pass, &self.whole, state, false),
+            _ => self.draw_model(&mut pass, &self.whole, state, None),
         }
         if let Some([_, part]) = parts {
             confine(&mut pass, part);
@@ -118,16 +121,20 @@ impl Renderer {
         Ok(true)
     }
 
-    /// Everything that is drawn of the model, as `pane` has it. Of the original there is only the mesh
-    /// and what is about it: handles, projections and fitted shapes are those of the current shape.
+    /// Everything that is drawn of the model, as `viewport` has it. A side of a split picture tells whether it
+    /// is of the original, of which there is only the mesh and what is about it: handles, projections and
+    /// fitted shapes are those of the current shape. Only the whole picture has a shadow.
     fn draw_model(
         &self,
         pass: &mut wgpu::RenderPass<'_>,
         viewport: &Viewport,
         state: &ViewState,
-        is_original: bool,
+        side: Option<bool>,
     ) {
         let display = state.display();
+        let is_original = side == Some(true);
+        pass.set_bind_group(0, viewport.tables.group(), &[]);
+        self.backdrop.draw(pass, side.is_none());
         viewport.draw(pass, &self.faces, &self.lines, display.edges);
         if display.shapes && !is_original {
             self.spheres.draw(pass);
@@ -172,6 +179,11 @@ impl Renderer {
         let (device, queue) = (&self.device.device, &self.device.queue);
         let changes = state.changes();
         self.gizmo.update(device, queue, state);
+        if changes.mesh || changes.positions {
+            let mesh = state.mesh();
+            let shadow = GroundShadow::new(&mesh.positions, &mesh.triangles, state.camera().up);
+            self.backdrop.update(device, queue, &shadow);
+        }
         if changes.mesh {
             self.faces.update(device, queue, state.mesh());
             self.lines.update_mesh(device, queue, state.mesh());

@@ -6,6 +6,8 @@
 const SCENE: &str = include_str!("shaders/scene.wgsl");
 const STROKE: &str = include_str!("shaders/stroke.wgsl");
 
+/// What is behind the model.
+pub const BACKDROP: [&str; 2] = [SCENE, include_str!("shaders/backdrop.wgsl")];
 /// Lit faces.
 pub const FACES: [&str; 2] = [SCENE, include_str!("shaders/faces.wgsl")];
 /// Edges, curves, pulling lines.
@@ -27,8 +29,9 @@ mod tests {
     use naga::back::glsl;
     use naga::valid::{Capabilities, ValidationFlags, Validator};
 
-    fn all() -> [(&'static str, String); 7] {
+    fn all() -> [(&'static str, String); 8] {
         [
+            ("backdrop", BACKDROP.concat()),
             ("faces", FACES.concat()),
             ("lines", LINES.concat()),
             ("projections", PROJECTIONS.concat()),

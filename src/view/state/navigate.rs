@@ -60,6 +60,8 @@ impl ViewState {
     pub fn set_up(&mut self, up: UpAxis) {
         if up != self.viewpoint.camera.up {
             self.viewpoint.camera.up = up;
+            // The ground is on another side, and the shadow with it.
+            self.changes.positions = true;
             self.surround();
             self.fit();
         }

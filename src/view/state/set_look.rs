@@ -36,6 +36,11 @@ impl ViewState {
         if self.look.white { [1.0; 4] } else { self.palette().background }
     }
 
+    /// Whether everything is on plain white.
+    pub fn is_white(&self) -> bool {
+        self.look.white
+    }
+
     /// Light or dark.
     pub fn set_dark(&mut self, dark: bool) {
         self.changes.view |= dark != self.look.dark;

@@ -8,9 +8,10 @@ use glam::Vec3;
 
 /// The sRGB colour of a face in the middle, each part 0 to 1; marks are not seen.
 pub fn face_colour(state: &ViewState, face: u32, palette: &Palette) -> Vec3 {
-    let light = light_on(state, face);
-    let modelled = 0.74 + (1.06 - 0.74) * light;
-    let plain = rgb(palette.shade).lerp(rgb(palette.material), light);
+    let (light, is_front) = light_on(state, face);
+    let modelled = 0.68 + (1.05 - 0.68) * light;
+    let side = if is_front { Vec3::ONE } else { rgb(palette.back) };
+    let plain = rgb(palette.shade).lerp(rgb(palette.material), light) * side;
     let colour = match state.appearance().colour_of(face as usize) {
         FaceColour::Plain => plain,
         FaceColour::Row(place) => {
@@ -28,8 +29,11 @@ fn rgb([r, g, b, _]: Colour) -> Vec3 {
     Vec3::new(r, g, b)
 }
 
-/// From 0 in the shade to 1 in full light.
-fn light_on(state: &ViewState, face: u32) -> f32 {
+/// So far beyond the terminator the large light still reaches.
+const WRAP: f32 = 0.3;
+
+/// From 0 in the shade to 1 in full light, and whether the face is seen from its front.
+fn light_on(state: &ViewState, face: u32) -> (f32, bool) {
     let mesh = state.mesh();
     let corners = mesh.faces.row(face as usize);
     let mean = |values: &[Vec3]| {
@@ -38,15 +42,17 @@ fn light_on(state: &ViewState, face: u32) -> f32 {
     let Eye { at: eye, right, up, forward, .. } = state.camera().eye();
     let to_eye = (eye - mean(&mesh.positions)).normalize();
     let flat = mesh.normals.faces[face as usize];
-    let normal = towards(if flat.length_squared() < 0.5 { to_eye } else { flat }, to_eye);
+    let outwards = if flat.length_squared() < 0.5 { to_eye } else { flat };
+    let normal = towards(outwards, to_eye);
     let soft = towards(mean(&mesh.normals.vertices), normal);
     let bent = (normal + 0.4 * soft).normalize();
-    let key = (up * 0.75 - right * 0.62 - forward * 0.45).normalize();
+    let key = (up * 0.78 - right * 0.58 - forward * 0.40).normalize();
     let [_, _, sky] = state.camera().up.axes();
-    let from_key = (bent.dot(key) * 0.8 + 0.2).max(0.0);
+    let wrapped = ((bent.dot(key) + WRAP) / (1.0 + WRAP)).max(0.0);
     let from_sky = 0.5 + 0.5 * bent.dot(sky);
     let from_eye = bent.dot(to_eye).max(0.0);
-    (0.70 * from_key + 0.22 * from_sky + 0.14 * from_eye).clamp(0.0, 1.0)
+    let light = (0.68 * wrapped + 0.24 * from_sky + 0.12 * from_eye).clamp(0.0, 1.0);
+    (light, outwards.dot(to_eye) >= 0.0)
 }
 
 /// The vector or its opposite, whichever is on the side of `side`.

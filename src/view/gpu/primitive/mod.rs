@@ -2,6 +2,7 @@
 //!
 //! | file | holds |
 //! |---|---|
+//! | `backdrop` | what is behind the model |
 //! | `faces` | lit faces |
 //! | `lines` | edges, curves, lines from handles to targets |
 //! | `points` | dots |
@@ -11,6 +12,8 @@
 //! | `surrounding_lines` | ghost and ground |
 //! | `gizmo_marks` | the gizmo |
 
+#[cfg(target_arch = "wasm32")]
+pub mod backdrop;
 #[cfg(target_arch = "wasm32")]
 pub mod circles;
 #[cfg(target_arch = "wasm32")]
@@ -28,6 +31,8 @@ pub mod spheres;
 #[cfg(target_arch = "wasm32")]
 pub mod surrounding_lines;
 
+#[cfg(target_arch = "wasm32")]
+pub use backdrop::Backdrop;
 #[cfg(target_arch = "wasm32")]
 pub use circles::Circles;
 #[cfg(target_arch = "wasm32")]

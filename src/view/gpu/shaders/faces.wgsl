@@ -1,5 +1,6 @@
-// Faces: flat panels, lit from both sides by a light over the viewer's left shoulder, a sky, and a
-// little light from the eye, so that shape reads from everywhere.
+// Faces: flat panels, lit from both sides by a large soft light over the viewer's left shoulder, whose
+// light reaches a little around the shape, a sky, and a little light from the eye, so that shape reads
+// from everywhere. From behind they are cooler.
 
 struct Corner {
     @builtin(position) position: vec4f,
@@ -64,31 +65,38 @@ fn on_isoline(value: f32, change: f32) -> f32 {
 
 const BAND: u32 = 10u;
 
-fn light_on(in: Corner) -> f32 {
+// How much light there is, and 1 where the face is seen from its front, else 0.
+fn light_on(in: Corner) -> vec2f {
     let to_eye = to_eye_from(in.at);
     var normal = in.normal;
     if dot(normal, normal) < 0.5 {
         normal = to_eye;
     }
-    normal = select(-normal, normal, dot(normal, to_eye) >= 0.0);
+    let is_front = dot(normal, to_eye) >= 0.0;
+    normal = select(-normal, normal, is_front);
     let soft = select(-in.soft_normal, in.soft_normal, dot(in.soft_normal, normal) >= 0.0);
     let bent = normalize(normal + 0.4 * soft);
-    let key = normalize(scene.up.xyz * 0.75 - scene.right.xyz * 0.62 - scene.forward.xyz * 0.45);
-    let from_key = max(dot(bent, key) * 0.8 + 0.2, 0.0);
+    let key = normalize(scene.up.xyz * 0.78 - scene.right.xyz * 0.58 - scene.forward.xyz * 0.40);
+    let wrapped = max((dot(bent, key) + WRAP) / (1.0 + WRAP), 0.0);
     let from_sky = 0.5 + 0.5 * dot(bent, scene.sky.xyz);
     let from_eye = max(dot(bent, to_eye), 0.0);
-    return clamp(0.70 * from_key + 0.22 * from_sky + 0.14 * from_eye, 0.0, 1.0);
+    let light = 0.68 * wrapped + 0.24 * from_sky + 0.12 * from_eye;
+    return vec2f(clamp(light, 0.0, 1.0), select(0.0, 1.0, is_front));
 }
+
+// So far beyond the terminator the large light still reaches.
+const WRAP: f32 = 0.3;
 
 @fragment
 fn lit(in: Corner) -> @location(0) vec4f {
-    let light = light_on(in);
+    let seen = light_on(in);
+    let light = seen.x;
     // Differences between pixels are there only where all of them come by.
     let pixel = fwidth(in.place);
     let change = length(vec2f(dpdx(in.steps), dpdy(in.steps)));
-    let modelled = mix(0.74, 1.06, light);
+    let modelled = mix(0.68, 1.05, light);
     let place = u32(in.look.x * 255.0 + 0.5);
-    var colour = mix(scene.shade.rgb, scene.material.rgb, light);
+    var colour = mix(scene.shade.rgb, scene.material.rgb, light) * mix(scene.back.rgb, vec3f(1.0), seen.y);
     if in.look.y > 0.875 {
         colour = scene.no_value.rgb * modelled;
     } else if in.look.y > 0.375 {

@@ -38,6 +38,13 @@ struct Scene {
     // Squares of the checkerboard along a unit of length, 0 for none; then, where vertices have values
     // in steps, how many steps from a limit the range begins and ends, and where the tolerance is, else 0.
     checks: vec4f,
+    // Behind everything, from the top of the picture to its bottom.
+    behind_top: vec4f,
+    behind_bottom: vec4f,
+    // On the ground; its opacity is that where all light is kept off.
+    shadow: vec4f,
+    // The light of faces that are seen from behind is multiplied by this.
+    back: vec4f,
     circle: Stroke,
     strokes: array<Stroke, 14>,
     dots: array<Dot, 10>,

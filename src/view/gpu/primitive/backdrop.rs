@@ -1,0 +1,88 @@
+//! Draws what is behind the model: `shaders/backdrop.wgsl`.
+
+use crate::view::gpu::{BACKDROP, GpuTables, Layer, Recipe, VertexBuffer, build};
+use crate::view::overlay::GroundShadow;
+
+const CORNER: [wgpu::VertexAttribute; 1] = wgpu::vertex_attr_array![0 => Float32x2];
+const CELL: [wgpu::VertexAttribute; 2] = wgpu::vertex_attr_array![0 => Float32x4, 1 => Unorm8x4];
+/// One triangle that covers the picture.
+const PICTURE: [[f32; 2]; 3] = [[-1.0, -1.0], [3.0, -1.0], [-1.0, 3.0]];
+
+/// The gradient and the shadow.
+#[derive(Debug)]
+pub struct Backdrop {
+    gradient: wgpu::RenderPipeline,
+    shadow: wgpu::RenderPipeline,
+    picture: VertexBuffer,
+    cells: VertexBuffer,
+}
+
+/// A cell as the shader reads it.
+#[derive(Clone, Copy, bytemuck::NoUninit)]
+#[repr(C)]
+struct Cell {
+    /// Its corner, and the length of its sides.
+    place: [f32; 4],
+    /// How dark its corners are.
+    dark: [u8; 4],
+}
+
+impl Backdrop {
+    /// No shadow yet.
+    pub fn new(
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        tables: &GpuTables,
+        format: wgpu::TextureFormat,
+    ) -> Backdrop {
+        let source = BACKDROP.concat();
+        let recipe = Recipe {
+            label: "backdrop",
+            source: &source,
+            vertex: "corner_of_picture",
+            fragment: "gradient",
+            attributes: &CORNER,
+            stride: 8,
+            step: wgpu::VertexStepMode::Vertex,
+            layer: Layer::Over,
+        };
+        let gradient = build(device, tables, format, &recipe);
+        let recipe = Recipe {
+            label: "shadow",
+            vertex: "corner_of_cell",
+            fragment: "shadow",
+            attributes: &CELL,
+            stride: 20,
+            step: wgpu::VertexStepMode::Instance,
+            ..recipe
+        };
+        let shadow = build(device, tables, format, &recipe);
+        let mut picture = VertexBuffer::new(device);
+        picture.write(device, queue, &PICTURE);
+        Backdrop { gradient, shadow, picture, cells: VertexBuffer::new(device) }
+    }
+
+    /// Takes the shadow of the mesh as it is now.
+    pub fn update(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, shadow: &GroundShadow) {
+        let cells: Vec<Cell> = shadow
+            .cells()
+            .map(|(corner, dark)| Cell {
+                place: corner.extend(shadow.side).to_array(),
+                dark: dark.map(|part| (255.0 * part).round() as u8),
+            })
+            .collect();
+        self.cells.write(device, queue, &cells);
+    }
+
+    /// Draws the gradient, and the shadow where it is wanted.
+    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, has_shadow: bool) {
+        pass.set_pipeline(&self.gradient);
+        pass.set_vertex_buffer(0, self.picture.slice());
+        pass.draw(0..self.picture.count(), 0..1);
+        if has_shadow && self.cells.count() > 0 {
+            pass.set_pipeline(&self.shadow);
+            pass.set_vertex_buffer(0, self.cells.slice());
+            pass.draw(0..6, 0..self.cells.count());
+        }
+    }
+}
