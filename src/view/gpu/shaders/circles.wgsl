@@ -6,6 +6,7 @@ struct Corner {
     @location(0) at: vec2f,
     @location(1) @interpolate(flat) ends: vec4f,
     @location(2) @interpolate(flat) half_width: f32,
+    @location(3) @interpolate(flat) opacity: f32,
 }
 
 @vertex
@@ -25,7 +26,7 @@ fn corner_of_circle(
     let end = select((piece + 1.0) / pieces * 6.283185307, 0.0, piece + 1.5 > pieces);
     let a = centre + u * cos(start) + v * sin(start);
     let b = centre + u * cos(end) + v * sin(end);
-    // Circles of a few pixels are drawn finer, or many of them would be one patch.
+    // Circles of a few pixels are drawn finer and fainter, or many of them would be one patch.
     let depth = max(scale_depth(centre), 1e-12);
     let radius_on_screen = radius / (depth * scene.canvas.w * scene.canvas.z);
     let fineness = clamp(radius_on_screen / 16.0, 0.5, 1.0);
@@ -37,11 +38,12 @@ fn corner_of_circle(
     out.at = quad.at;
     out.ends = vec4f(quad.start, quad.end);
     out.half_width = half_width;
+    out.opacity = scene.circle.colour.a * clamp(radius_on_screen / 9.0, 0.3, 1.0);
     return out;
 }
 
 @fragment
 fn drawn(in: Corner) -> @location(0) vec4f {
     let coverage = stroke_coverage(in.at, in.ends.xy, in.ends.zw, in.half_width);
-    return vec4f(scene.circle.colour.rgb, scene.circle.colour.a * coverage);
+    return vec4f(scene.circle.colour.rgb, in.opacity * coverage);
 }
