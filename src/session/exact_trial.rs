@@ -1,4 +1,5 @@
-//! What it would cost to be exact, tried from the current shape on without touching it.
+//! What it would cost to be exact, or what an improvement would gain, tried from the current shape on without
+//! touching it.
 
 use super::Session;
 use super::state::{Part, RowValues};
@@ -9,9 +10,12 @@ use crate::solve::{Exact, ExactAnswer, Moved, Require, Stage};
 use serde::Serialize;
 use std::rc::Rc;
 
-/// A trial of being exact instead of within a distance, one step after the other.
+/// A trial of being exact instead of within a distance, or of an improvement, one step after the other.
 pub struct ExactTrial {
     exact: Exact,
+    /// The rows that are to be exact, and the name of the step of undo.
+    rows: Vec<usize>,
+    name: &'static str,
     /// The shape that it began from, and that at rest, `#V by 3`.
     from: Rc<[Point]>,
     rest: Vec<Point>,
@@ -53,21 +57,38 @@ impl Session {
     /// # Errors
     /// As [`Session::meeting`].
     pub fn exact_trial(&self) -> Result<Option<ExactTrial>, Error> {
-        if self.rows_within().next().is_none() {
+        let rows: Vec<usize> = self.rows_within().collect();
+        if rows.is_empty() {
             return Ok(None);
         }
         let exact = |require| match require {
             Require::Within(_) => Require::Exact,
             other => other,
         };
-        let Some(mut exact) = self.meeting_with(exact)? else { return Ok(None) };
-        let before = Price { energy: exact.energy().total, moved: self.moved() };
-        let from = Rc::clone(self.scene.positions());
-        let rest = self.rest.positions().to_vec();
-        Ok(Some(ExactTrial { exact, from, rest, before }))
+        let exact = self.meeting_with(exact)?;
+        Ok(exact.map(|exact| self.trial(exact, rows, "Make exact")))
     }
 
-    /// Takes the exact shape of a trial and requires it, as a step of undo or as a part of the last one; whether the
+    /// Looks for less energy among the shapes that meet what is required; none where that is not met now.
+    ///
+    /// # Errors
+    /// As [`Session::meeting`].
+    pub fn improvement(&self) -> Result<Option<ExactTrial>, Error> {
+        if !self.exact().is_some_and(|report| report.met) {
+            return Ok(None);
+        }
+        let Some(mut exact) = self.meeting()? else { return Ok(None) };
+        exact.improve();
+        Ok(Some(self.trial(exact, Vec::new(), "Improve")))
+    }
+
+    fn trial(&self, mut exact: Exact, rows: Vec<usize>, name: &'static str) -> ExactTrial {
+        let before = Price { energy: exact.energy().total, moved: self.moved() };
+        let from = Rc::clone(self.scene.positions());
+        ExactTrial { exact, rows, name, from, rest: self.rest.positions().to_vec(), before }
+    }
+
+    /// Takes the shape of a trial as far as it has come and requires it, as a step of undo or as a part of the last one; whether the
     /// trial was of the current shape.
     ///
     /// # Errors
@@ -77,18 +98,17 @@ impl Session {
         if !Rc::ptr_eq(&trial.from, self.scene.positions()) {
             return Ok(false);
         }
-        let rows: Vec<usize> = self.rows_within().collect();
         let values = |&row: &usize| {
             let now = RowValues::of(&self.document().constraints[row]);
             Part::RowValues(row, RowValues { require: Require::Exact, ..now })
         };
         let mut change = self.way_back();
-        change.scene.parts = rows.iter().map(values).collect();
+        change.scene.parts = trial.rows.iter().map(values).collect();
         change.scene.positions = trial.exact.positions().into();
         self.exchange(&mut change)?;
         match joins_last {
             true => self.history.join(change),
-            false => self.history.push("Make exact".to_owned(), change),
+            false => self.history.push(trial.name.to_owned(), change),
         }
         self.note_met(&trial.exact);
         Ok(true)

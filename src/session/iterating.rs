@@ -58,6 +58,21 @@ impl Session {
     /// # Errors
     /// As [`Session::step`], and when the system of the hard constraints is singular.
     pub fn solve(&mut self, trace: bool) -> Result<(), Error> {
+        self.iterate_all(trace)?;
+        self.meet(false)
+    }
+
+    /// [`Session::solve`], and then looks for less energy among the shapes that meet the hard constraints. It never
+    /// ends with more, nor with constraints that are not met.
+    ///
+    /// # Errors
+    /// As [`Session::solve`].
+    pub fn solve_and_improve(&mut self, trace: bool) -> Result<(), Error> {
+        self.iterate_all(trace)?;
+        self.meet(true)
+    }
+
+    fn iterate_all(&mut self, trace: bool) -> Result<(), Error> {
         if trace {
             self.progress.record_all(self.scene.solver().energy());
         }
@@ -67,7 +82,7 @@ impl Session {
             }
         }
         self.scene.settle();
-        self.meet()
+        Ok(())
     }
 
     /// Records the energies of the iterations from here on, this one included. Of some thousands

@@ -80,9 +80,12 @@ impl Session {
         Ok(())
     }
 
-    /// Meets the hard constraints, if there are any.
-    pub(super) fn meet(&mut self) -> Result<(), Error> {
+    /// Meets the hard constraints, if there are any, and improves the shape where that is asked for.
+    pub(super) fn meet(&mut self, improves: bool) -> Result<(), Error> {
         let Some(mut exact) = self.meeting()? else { return Ok(()) };
+        if improves {
+            exact.improve();
+        }
         let ended = exact.run();
         self.accept(&exact)?;
         Ok(ended?)

@@ -46,7 +46,9 @@ pub use conformal::{
 };
 pub use energy::{Constraints, Energy, Handle, HandleIndex, Hold, IterateSeconds};
 pub use error::SolveError;
-pub use exact::{Exact, ExactAnswer, Moved, Require, Requirements, Stage, Unmet, exact_tolerance};
+pub use exact::{
+    Exact, ExactAnswer, Improved, Moved, Require, Requirements, Stage, Unmet, exact_tolerance,
+};
 pub use problem::Problem;
 pub use rest_projections::rest_projections;
 pub use settings::{

@@ -17,8 +17,22 @@ use shape_up::solve::{Exact, Require, Stage, clock};
 
 fn main() {
     println!(
-        "{:<40} {:<7} {:>6} {:>8} {:>5} {:>7} {:>8} {:>10} {:>6} {:>5} {:>6}  (approach, polish)",
-        "mesh", "kind", "n", "soft", "its", "blocks", "end", "f", "edge", "unmet", "s"
+        "{:<40} {:<7} {:>6} {:>8} {:>5} {:>7} {:>8} {:>10} {:>6} {:>5} {:>6}  (approach, polish) {:>10} {:>8} {:>3} {:>6}",
+        "mesh",
+        "kind",
+        "n",
+        "soft",
+        "its",
+        "blocks",
+        "end",
+        "f",
+        "edge",
+        "unmet",
+        "s",
+        "improved",
+        "end",
+        "blk",
+        "s"
     );
     for argument in std::env::args().skip(1) {
         let mut parts: Vec<&str> = argument.split(':').collect();
@@ -80,8 +94,15 @@ fn row(name: &str, kind: &str, mesh: Mesh) {
     let energy = exact.energy();
     let f = (10.0 * energy.close + 2.0 * energy.smooth) / (size * size);
     let answer = exact.answer();
+    let improved = clock::now();
+    exact.improve();
+    exact.run().expect("its systems are regular");
+    let energy = exact.energy();
+    let better = (10.0 * energy.close + 2.0 * energy.smooth) / (size * size);
+    let improved = clock::now() - improved;
+    let end = exact.answer();
     println!(
-        "{name:<40} {kind:<7} {:>6} {soft:>8.1e} {:>5} {:>3}/{:<3} {:>8.1e} {f:>10.5} {:>6.3} {:>5} {:>6.2}  ({approach:.2}, {polish:.2})",
+        "{name:<40} {kind:<7} {:>6} {soft:>8.1e} {:>5} {:>3}/{:<3} {:>8.1e} {f:>10.5} {:>6.3} {:>5} {:>6.2}  ({approach:.2}, {polish:.2}) {better:>10.5} {:>8.1e} {:>3} {improved:>6.2}",
         case.mesh.positions.len(),
         answer.iterations,
         answer.block_factors,
@@ -90,5 +111,7 @@ fn row(name: &str, kind: &str, mesh: Mesh) {
         answer.shortest_edge.unwrap_or(f64::NAN),
         answer.unmet.len(),
         answer.seconds,
+        end.max_distance / size,
+        end.block_factors - answer.block_factors,
     );
 }

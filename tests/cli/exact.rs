@@ -40,6 +40,20 @@ fn a_tolerance_is_met_and_moves_less() {
 }
 
 #[test]
+fn an_improvement_says_what_it_gained() {
+    let folder = Folder::new("improve");
+    folder.write("roof.obj", ROOF);
+    let asked = ["solve", "roof.obj", "--panels", "circle", "--report", "r.json", "--improve"];
+    let words = folder.run(&[&asked[..], &["--exact"]].concat()).done();
+    assert!(words.contains("improved by "), "{words}");
+    let exact = &folder.json("r.json")["exact"];
+    let [before, after] = ["before", "after"].map(|name| number(&exact["improved"][name]));
+    assert!(after <= before && exact["met"] == true, "{exact}");
+    let words = folder.run(&asked).done();
+    assert!(words.contains("--improve did nothing"), "{words}");
+}
+
+#[test]
 fn a_scene_says_what_is_to_be_met_and_is_told_what_cannot_be() {
     let folder = Folder::new("unmet");
     folder.write("roof.obj", ROOF);

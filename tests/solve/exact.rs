@@ -62,7 +62,7 @@ fn plane_and_circle(points: &[Point]) -> [f64; 2] {
 }
 
 /// The greatest of these distances over all faces with more than three corners.
-fn worst_face(mesh: &Mesh, positions: &[Point], which: usize) -> f64 {
+pub(crate) fn worst_face(mesh: &Mesh, positions: &[Point], which: usize) -> f64 {
     let faces = mesh.faces.iter().filter(|face| face.len() > 3);
     let distances = faces.map(|face| {
         let points: Vec<Point> = face.iter().map(|&v| positions[v as usize]).collect();

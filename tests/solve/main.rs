@@ -22,6 +22,7 @@ mod exact;
 mod exact_boundary;
 mod expected;
 mod factor;
+mod improve;
 mod precision;
 mod registration;
 mod variation;

@@ -45,6 +45,8 @@ pub(super) struct Solve {
     pub(super) panels: Option<&'static str>,
     /// The requirement for all constraints; none leaves it to the scene.
     pub(super) require: Option<Require>,
+    /// Whether less energy is looked for once the constraints are met.
+    pub(super) improve: bool,
     /// How the boundary is held; none leaves it to the scene.
     pub(super) boundary: Option<BoundaryCloseness>,
     pub(super) iterations: Option<u32>,
@@ -199,6 +201,7 @@ fn solve(mut words: Words) -> Result<Command, String> {
                 let length = words.positive(&name)?;
                 require(&mut solve, Require::Within(length))?;
             }
+            "--improve" => solve.improve = words.flag(&name)?,
             "--boundary" => solve.boundary = Some(words.boundary(&name)?),
             "--trace" => solve.trace = words.flag(&name)?,
             "--out" => solve.out = Some(words.mesh(&name, &["obj", "mesh"])?),

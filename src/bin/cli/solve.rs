@@ -6,7 +6,7 @@ use shape_up::constraint::describe;
 use shape_up::error::Error;
 use shape_up::mesh::counted;
 use shape_up::session::{ExactReport, Report, Session, Unpaired};
-use shape_up::solve::Require;
+use shape_up::solve::{Improved, Require};
 use std::fmt::Write;
 use std::path::Path;
 use std::time::Instant;
@@ -48,8 +48,16 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
             "note: too large to be exact: met up to about {nearest}; --within takes a LENGTH"
         );
     }
-    session.solve(command.trace).map_err(at_input)?;
+    if command.improve {
+        session.solve_and_improve(command.trace).map_err(at_input)?;
+    } else {
+        session.solve(command.trace).map_err(at_input)?;
+    }
     let report = session.report();
+    if command.improve && report.exact.as_ref().is_none_or(|exact| exact.improved.is_none()) {
+        let why = "--improve did nothing: it needs constraints that are exact or within a length, and met";
+        remarks.push(why.to_owned());
+    }
     remarks.extend(misfits(&session));
     remarks.extend(report.unpaired.iter().map(|row| unpaired(*row, &session)));
     remarks.extend(session.collapse().map(|collapse| {
@@ -156,6 +164,14 @@ fn summary(input: &Path, report: &Report, remarks: &[String], units: &str) -> St
     line(format_args!("{}", output::circularity(&report.circularity, units)));
     if let Some(exact) = &report.exact {
         line(format_args!("{}", exact_line(exact, units)));
+        if let Some(Improved { before, after, steps }) = exact.improved {
+            line(format_args!(
+                "improved by {}: energy without hard constraints {} -> {}",
+                counted(steps as usize, "step", "steps"),
+                output::short(before),
+                output::short(after)
+            ));
+        }
     }
     for entry in report.trace.iter().flatten() {
         line(format_args!(

@@ -12,7 +12,7 @@ pub(super) fn usage() -> String {
     format!(
         "\
 usage: shape-up solve SCENE|MESH [--panels KIND] [--exact | --within LENGTH]
-                [--boundary exact|WEIGHT] [--iterations N] [--tolerance T]
+                [--improve] [--boundary exact|WEIGHT] [--iterations N] [--tolerance T]
                 [--accelerator {}]
                 [--out FILE.obj|FILE.mesh] [--report FILE.json] [--trace]
        shape-up build SCENE|MESH [--product {}] [--kind {}]
@@ -37,7 +37,8 @@ A SCENE is a *.json file, a MESH is OBJ, OFF or Medit (.obj, .off, .mesh).
 --panels asks for a KIND of shape on every face that can have it. The kinds are:
  {}
 --exact meets all constraints instead of weighing them; --within meets them up to a LENGTH in the
-unit of the mesh. Without, each constraint of a scene says itself what it is.
+unit of the mesh. Without, each constraint of a scene says itself what it is. --improve then looks for
+a shape with less energy that meets them too.
 --boundary exact holds boundary vertices on their curve, where they glide, and its corners; a WEIGHT
 holds them near it.
 A MESH is solved with the settings that keep it whole, a scene with its own.

@@ -3,7 +3,7 @@
 use crate::mesh::Point;
 use crate::scene::Scene;
 use crate::session::state::{SolvedScene, same_problem};
-use crate::solve::{ExactAnswer, Handle, Moved, Unmet};
+use crate::solve::{ExactAnswer, Handle, Improved, Moved, Unmet};
 use serde::Serialize;
 use std::rc::Rc;
 
@@ -80,6 +80,8 @@ pub struct ExactReport {
     pub refactorizations: u32,
     /// Numeric factors of the matrix of blocks.
     pub block_factors: u32,
+    /// What an improvement gained, where one was asked for.
+    pub improved: Option<Improved>,
     /// Seconds of all of it.
     pub seconds: f64,
 }
@@ -101,6 +103,7 @@ impl ExactReport {
             iterations: 0,
             refactorizations: 0,
             block_factors: 0,
+            improved: None,
             seconds: 0.0,
         }
     }
@@ -126,6 +129,7 @@ impl ExactReport {
             iterations: answer.iterations,
             refactorizations: answer.refactorizations,
             block_factors: answer.block_factors,
+            improved: answer.improved,
             seconds: answer.seconds,
         }
     }

@@ -41,6 +41,18 @@ impl Moved {
     }
 }
 
+/// What an improvement gained: energies of all but the hard rows, in squared units of the mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct Improved {
+    /// The energy when all was met.
+    pub before: f64,
+    /// The energy at its end, never more.
+    pub after: f64,
+    /// Its steps.
+    pub steps: u32,
+}
+
 /// How well hard constraints are met, and what that cost. Lengths are in the unit of the mesh.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ExactAnswer {
@@ -68,6 +80,8 @@ pub struct ExactAnswer {
     pub block_factors: u32,
     /// Steps of the polish.
     pub steps: u32,
+    /// What an improvement gained; none where none was asked for, or none was possible.
+    pub improved: Option<Improved>,
     /// Seconds of all of it.
     pub seconds: f64,
 }
@@ -142,6 +156,7 @@ impl Model {
             refactorizations: 0,
             block_factors: 0,
             steps: 0,
+            improved: None,
             seconds: 0.0,
         }
     }

@@ -6,6 +6,7 @@ use super::normal_space::{BAND, Differences, Linear};
 use crate::constraint::Row;
 use crate::math::Lane;
 use crate::solve::error::SolveError;
+use crate::solve::rows::add_scaled;
 use crate::solve::system::System;
 use crate::sparse::{BlockMatrix, UpperTriangle};
 
@@ -52,6 +53,9 @@ pub(in crate::solve) struct BlockSystem {
     /// Room for a gradient.
     gradient: Vec<Row>,
 }
+
+/// Passes of the multipliers for a step downhill.
+const DOWNHILL: u32 = 4;
 
 /// What of a direction may be left across the constraints.
 const TANGENT: f64 = 1e-9;
@@ -213,39 +217,60 @@ impl BlockSystem {
     pub(in crate::solve) fn least_change(&mut self, dx: &mut [Row], left: f64) {
         // Softer springs are for shorter steps: no multipliers then.
         let passes = if self.is_stiffest() { 7 } else { 1 };
-        dx.fill([0.0; 4]);
-        self.batches.iter_mut().for_each(|batch| batch.multipliers.fill(0.0));
-        let before = self.update_images(dx);
+        let before = self.begin_change(dx);
         for _ in 0..passes {
-            let mut gradient = std::mem::take(&mut self.gradient);
-            multiply(&self.metric, dx, &mut gradient);
-            for batch in &self.batches {
-                let scale = self.stiffness * batch.weight;
-                let rows = batch.multipliers.chunks_exact(3).zip(batch.images.chunks_exact(3));
-                for ((multiplier, image), &node) in rows.zip(&batch.nodes) {
-                    for c in 0..3 {
-                        gradient[node as usize][c] += multiplier[c] + scale * image[c];
-                    }
-                }
-            }
-            let fixed = gradient.iter_mut().zip(&self.fixed).filter(|(_, fixed)| **fixed);
-            fixed.for_each(|(row, _)| *row = [0.0; 4]);
-            self.matrix.solve(&mut gradient);
-            for (to, by) in dx.as_flattened_mut().iter_mut().zip(gradient.as_flattened()) {
-                *to -= by;
-            }
-            self.gradient = gradient;
-            let after = self.update_images(dx);
-            for batch in &mut self.batches {
-                let scale = self.stiffness * batch.weight;
-                for (multiplier, image) in batch.multipliers.iter_mut().zip(&batch.images) {
-                    *multiplier += scale * image;
-                }
-            }
-            if after <= left * before {
+            if self.change(dx, None) <= left * before {
                 break;
             }
         }
+    }
+
+    /// The displacement `dx`, `#nodes`, along the linearised constraints that is the lowest in the metric of the energies,
+    /// where half the gradient of the energies is `pull`.
+    pub(in crate::solve) fn downhill(&mut self, pull: &[Row], dx: &mut [Row]) {
+        self.begin_change(dx);
+        for _ in 0..DOWNHILL {
+            self.change(dx, Some(pull));
+        }
+    }
+
+    fn begin_change(&mut self, dx: &mut [Row]) -> f64 {
+        dx.fill([0.0; 4]);
+        self.batches.iter_mut().for_each(|batch| batch.multipliers.fill(0.0));
+        self.update_images(dx)
+    }
+
+    /// A pass of the multipliers; gives the norm of what is left of the linearised constraints.
+    fn change(&mut self, dx: &mut [Row], pull: Option<&[Row]>) -> f64 {
+        let mut gradient = std::mem::take(&mut self.gradient);
+        multiply(&self.metric, dx, &mut gradient);
+        if let Some(pull) = pull {
+            add_scaled(&mut gradient, 1.0, pull);
+        }
+        for batch in &self.batches {
+            let scale = self.stiffness * batch.weight;
+            let rows = batch.multipliers.chunks_exact(3).zip(batch.images.chunks_exact(3));
+            for ((multiplier, image), &node) in rows.zip(&batch.nodes) {
+                for c in 0..3 {
+                    gradient[node as usize][c] += multiplier[c] + scale * image[c];
+                }
+            }
+        }
+        let fixed = gradient.iter_mut().zip(&self.fixed).filter(|(_, fixed)| **fixed);
+        fixed.for_each(|(row, _)| *row = [0.0; 4]);
+        self.matrix.solve(&mut gradient);
+        for (to, by) in dx.as_flattened_mut().iter_mut().zip(gradient.as_flattened()) {
+            *to -= by;
+        }
+        self.gradient = gradient;
+        let after = self.update_images(dx);
+        for batch in &mut self.batches {
+            let scale = self.stiffness * batch.weight;
+            for (multiplier, image) in batch.multipliers.iter_mut().zip(&batch.images) {
+                *multiplier += scale * image;
+            }
+        }
+        after
     }
 
     /// `M (r + dx)` of every constraint; gives the norm of all.

@@ -18,6 +18,7 @@
 //! | `normal_space` | where a constraint holds, by central differences of its projection |
 //! | `block_system` | the system of the polish |
 //! | `polish` | the second stage |
+//! | `improve` | from an exact shape to a better one |
 //! | `answer` | what has come of it |
 
 mod answer;
@@ -25,12 +26,13 @@ mod approach;
 pub(super) mod block_system;
 mod guard;
 mod hard_rows;
+mod improve;
 pub(super) mod model;
 mod normal_space;
 pub(super) mod polish;
 mod requirement;
 
-pub use answer::{ExactAnswer, Moved, Unmet, exact_tolerance};
+pub use answer::{ExactAnswer, Improved, Moved, Unmet, exact_tolerance};
 pub use requirement::{Require, Requirements};
 
 use super::clock;
@@ -44,6 +46,7 @@ use crate::constraint::Row;
 use crate::mesh::Point;
 use crate::sparse::BlockMatrix;
 use approach::{Approach, PATIENCE};
+use improve::Improve;
 use model::Model;
 use polish::{Polish, Polished};
 
@@ -77,6 +80,8 @@ pub enum Stage {
     Round,
     /// A step of the polish.
     Polish,
+    /// A step of the improvement.
+    Improve,
     /// All is done.
     Ended,
 }
@@ -86,6 +91,9 @@ pub struct Exact {
     model: Model,
     approach: Approach,
     polish: Option<Polish>,
+    improve: Option<Improve>,
+    /// Whether an improvement is to follow.
+    is_to_improve: bool,
     stage: Stage,
     /// The approach ends when the worst excess is this.
     near: f64,
@@ -127,6 +135,8 @@ impl Exact {
             model,
             approach,
             polish: None,
+            improve: None,
+            is_to_improve: false,
             stage: Stage::Approach,
             near,
             began: (0, Vec::new()),
@@ -148,7 +158,14 @@ impl Exact {
         exact
     }
 
-    /// One iteration of the approach, or one step of the polish; nothing once it has ended.
+    /// Goes on, once all is met, to a shape with less energy where all is met too. It stays as it is where constraints
+    /// are not met, or the problem is too large for it. To be called before or after the other steps.
+    pub fn improve(&mut self) {
+        self.is_to_improve = true;
+        self.begin_improvement();
+    }
+
+    /// One iteration of the approach, or one step of the polish or of the improvement; nothing once it has ended.
     ///
     /// # Errors
     /// When a system is not positive definite. The best positions so far stay.
@@ -157,10 +174,13 @@ impl Exact {
         let result = match self.stage {
             Stage::Approach | Stage::Round => self.approach_step(),
             Stage::Polish => self.polish_step(),
+            Stage::Improve => self.improve_step(),
             Stage::Ended => Ok(()),
         };
         if result.is_err() {
             self.end();
+        } else {
+            self.begin_improvement();
         }
         self.seconds += clock::now() - started;
         result.map(|()| self.stage)
@@ -184,8 +204,12 @@ impl Exact {
 
     /// Ends it where it is, with the best positions so far.
     pub fn stop(&mut self) {
+        self.is_to_improve = false;
         if self.stage != Stage::Ended {
-            self.keep_best();
+            // An improvement holds the best one, whatever is less by rounding.
+            if self.stage != Stage::Improve {
+                self.keep_best();
+            }
             self.end();
         }
     }
@@ -242,6 +266,32 @@ impl Exact {
             self.end();
         } else if polished == Polished::Ended {
             self.polish_failed();
+        }
+        Ok(())
+    }
+
+    fn begin_improvement(&mut self) {
+        let model = &mut self.model;
+        let is_free = model.holding.fixed.iter().any(|fixed| !*fixed);
+        if self.stage != Stage::Ended || !std::mem::take(&mut self.is_to_improve) {
+            return;
+        }
+        if self.can_polish && is_free && model.is_met(model.tolerance()) {
+            let polish = self.polish.get_or_insert_with(|| Polish::new(model, HELD));
+            polish.restart(false);
+            self.improve = Some(Improve::new(model, polish));
+            self.stage = Stage::Improve;
+        }
+    }
+
+    fn improve_step(&mut self) -> Result<(), SolveError> {
+        let (Some(improve), Some(polish)) = (&mut self.improve, &mut self.polish) else {
+            return Ok(());
+        };
+        let goes = improve.step(&mut self.model, polish)?;
+        self.best = (self.model.hard.worst(&self.model.x), self.model.x.clone());
+        if !goes {
+            self.end();
         }
         Ok(())
     }
@@ -322,6 +372,7 @@ impl Exact {
             block_factors: polish.map_or(0, |polish| polish.factors),
             steps: polish.map_or(0, |polish| polish.steps),
             seconds: self.seconds,
+            improved: self.improve.as_ref().map(Improve::gained),
             contradiction: self.contradicts && !measured.met,
             ..measured
         }

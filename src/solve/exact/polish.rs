@@ -93,6 +93,16 @@ impl Polish {
         self.taken.clear();
     }
 
+    /// Factors at the positions of `model`, for steps that begin there.
+    ///
+    /// # Errors
+    /// When the matrix cannot be factored.
+    pub(super) fn begin_at(&mut self, model: &Model) -> Result<(), SolveError> {
+        self.system.stiffen(f64::INFINITY);
+        self.factors += 1;
+        self.system.factor(model, true)
+    }
+
     /// One step, with a new factor where the last one has served.
     ///
     /// # Errors
@@ -171,9 +181,19 @@ impl Polish {
 
     fn displace(&mut self, model: &Model, t: f64) {
         self.next.copy_from_slice(&model.x);
-        for (&node, &own) in model.parts.system.node_of().iter().zip(self.system.node_of()) {
-            let (row, by) = (&mut self.next[node as usize], self.dx[own as usize]);
-            (0..3).for_each(|c| row[c] += t * by[c]);
-        }
+        add_displacement(&mut self.next, (model, &self.system), &self.dx, t);
+    }
+}
+
+/// Adds `t` times a displacement by nodes of the system of blocks to positions of the model.
+pub(super) fn add_displacement(
+    x: &mut [Row],
+    (model, system): (&Model, &BlockSystem),
+    dx: &[Row],
+    t: f64,
+) {
+    for (&node, &own) in model.parts.system.node_of().iter().zip(system.node_of()) {
+        let (row, by) = (&mut x[node as usize], dx[own as usize]);
+        (0..3).for_each(|c| row[c] += t * by[c]);
     }
 }
