@@ -39,6 +39,8 @@ pub struct Price {
 pub struct ExactOffer {
     /// Whether all that is required can be met.
     pub met: bool,
+    /// Whether the mesh is too large for it, so that nothing was tried.
+    pub too_large: bool,
     /// How many constraints cannot.
     pub misses: usize,
     /// The greatest distance that is left.
@@ -126,7 +128,8 @@ impl ExactTrial {
     /// # Errors
     /// As [`Exact::step`].
     pub fn step(&mut self) -> Result<bool, Error> {
-        Ok(self.exact.step()? != Stage::Ended)
+        // A long approach would end far from what is asked.
+        Ok(self.exact.can_polish() && self.exact.step()? != Stage::Ended)
     }
 
     /// What it costs, as of now.
@@ -136,6 +139,14 @@ impl ExactTrial {
         let ways = ways.iter().zip(&self.rest);
         let ways = ways.map(|(&now, &rest)| (Vec3::from(now) - Vec3::from(rest)).length());
         let after = Price { energy: self.exact.energy().total, moved: Moved::of(ways) };
-        ExactOffer { met, misses: unmet.len(), max_distance, before: self.before, after, moved }
+        ExactOffer {
+            met,
+            too_large: !self.exact.can_polish(),
+            misses: unmet.len(),
+            max_distance,
+            before: self.before,
+            after,
+            moved,
+        }
     }
 }

@@ -10,6 +10,22 @@ impl Session {
     /// # Errors
     /// When a position leaves the finite numbers; the shape is then that before the step.
     pub fn step(&mut self) -> Result<Step, Error> {
+        self.iterate(true)
+    }
+
+    /// One iteration as a run of its own, with hard constraints as soft ones: that they are met is for the end of a
+    /// run. Where they are met it changes nothing.
+    ///
+    /// # Errors
+    /// As [`Session::step`].
+    pub fn single_step(&mut self) -> Result<Step, Error> {
+        self.begin_run();
+        let step = self.iterate(false);
+        self.end_run();
+        step
+    }
+
+    fn iterate(&mut self, meets: bool) -> Result<Step, Error> {
         self.progress.leave_half();
         if let Some(step) = self.meeting_step()? {
             return Ok(step);
@@ -25,7 +41,7 @@ impl Session {
         self.progress.advance(self.scene.solver().energy());
         let collapsed = self.guard.watch(&self.scene, &self.rest, dragging);
         let ended = self.scene.solver().converged() || collapsed;
-        if ended && !collapsed && self.is_running() && self.begin_meeting()? {
+        if meets && ended && !collapsed && self.is_running() && self.begin_meeting()? {
             return Ok(Step { converged: false, ended: false });
         }
         Ok(Step { converged: self.converged(), ended })
@@ -45,10 +61,7 @@ impl Session {
             self.progress.begin_half();
             return Ok(HalfStep::Local { fitted: fitted(self.scene.rows()) });
         }
-        self.begin_run();
-        let step = self.step();
-        self.end_run();
-        let Step { converged, .. } = step?;
+        let Step { converged, .. } = self.single_step()?;
         Ok(HalfStep::Global { converged, accelerated: self.scene.solver().accelerated() })
     }
 

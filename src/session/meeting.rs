@@ -56,6 +56,11 @@ impl Session {
         Ok(Some(make(&problem, &requirements, handles, start, cache)))
     }
 
+    /// Whether the mesh is too large for anything to be exact, whatever is asked; within a length it can be met.
+    pub fn is_too_large_for_exact(&self) -> bool {
+        Exact::is_too_large(self.solver().system().factor_nonzeros())
+    }
+
     /// Said before a run: where exact constraints would not fit in memory, the distance that they are met up to
     /// instead, in the unit of the mesh.
     ///

@@ -16,6 +16,7 @@ mod collapse;
 mod edits;
 mod edits_json;
 mod halves;
+mod improving;
 mod lessons;
 mod make_panels;
 mod offers;

@@ -119,9 +119,10 @@ fileInput.addEventListener('change', async () => {
   const chosen = [...(fileInput.files ?? [])];
   // So that the same file can be opened again after it changed on disk.
   fileInput.value = '';
-  await actions.reportErrors(
-    import('../documents/opening/chosen-files.js').then((it) => it.openChosen(app, chosen)),
+  const opened = import('../documents/opening/chosen-files.js').then((it) =>
+    it.openChosen(app, chosen),
   );
+  await actions.reportErrors(app.files.expect(opened));
 });
 acceptDrops(byId('drop-overlay'), app);
 

@@ -35,6 +35,8 @@ export class Files extends Emitter {
   origin = {};
   /** The text of its scene when it was opened; null when it is work that goes on. @type {string | null} */
   original = null;
+  /** Settles when what somebody chose last is open, or refused; null while nothing is on its way. @type {Promise<unknown> | null} */
+  coming = null;
   /** @type {Promise<Example[]> | null} */
   #examples = null;
   #store;
@@ -58,6 +60,20 @@ export class Files extends Emitter {
     this.#solver = solver;
     this.#alerts = alerts;
     this.#actions = actions;
+  }
+
+  /**
+   * What somebody chose is on its way: whatever is pressed meanwhile is for that.
+   * @template T
+   * @param {Promise<T>} opening
+   * @returns {Promise<T>}
+   */
+  expect(opening) {
+    const coming = opening.finally(() => {
+      if (this.coming === coming) this.coming = null;
+    });
+    this.coming = coming;
+    return coming;
   }
 
   /** Base name for what is saved. */

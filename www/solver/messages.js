@@ -177,6 +177,8 @@
  * - `exactOffer`: what it would cost to be exact instead of within a distance, tried beside all else; ends early,
  *   with null, when something changes. `makeExact`: takes the exact shape that was tried, if it is still of the
  *   current one, as a step of undo or a part of the last one.
+ * - `improvement`: looks for less energy among the shapes that are as exact, until `endTrial` or something changes;
+ *   how far it came, which `makeExact` takes.
  * - `variations`: other shapes that are as exact, and those that were kept; see {@link VariationAsk}. `faceValues` can
  *   be of one that was kept, a `variant`.
  * - `members`: what a constraint acts on. `rowColours`: the colours of all of them. `previews`: what
@@ -209,6 +211,8 @@
  *   | { type: "makePanels", kind: string, tolerance: number }
  *   | { type: "editAndRun", edit: Edit }
  *   | { type: "exactOffer" }
+ *   | { type: "improvement" }
+ *   | { type: "endTrial" }
  *   | { type: "makeExact", joins: boolean }
  *   | { type: "variations", ask: VariationAsk }
  *   | { type: "undo" }
@@ -276,6 +280,8 @@
  * @property {null} makePanels
  * @property {null} editAndRun
  * @property {ExactOffer | null} exactOffer
+ * @property {ExactOffer | null} improvement
+ * @property {null} endTrial
  * @property {boolean} makeExact whether it was done
  * @property {unknown} variations as `VariationAnswers` says
  * @property {string | null} undo the name of what was undone

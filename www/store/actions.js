@@ -126,7 +126,10 @@ export function createActions(store, solver, alerts) {
     async step() {
       const converged = await reportErrors(solver.request({ type: 'step' }));
       if (converged === undefined) return;
-      setStatus(converged ? ended(true, store.get().numbers?.iteration ?? 0) : 'One iteration');
+      const { document, numbers } = store.get();
+      const done = converged ? ended(true, numbers?.iteration ?? 0) : 'One iteration';
+      const isHard = document?.constraints.some((row) => row.enabled && row.require !== 'soft');
+      setStatus(isHard && !numbers?.exact?.met ? `${done}; Run makes it exact` : done);
     },
 
     /** The local step, or the global step after it. */

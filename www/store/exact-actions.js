@@ -16,6 +16,12 @@ export const exactActions = (solver, { reportErrors }) => ({
   /** What it would cost to be exact instead of within a distance. */
   offer: () => solver.request({ type: 'exactOffer' }),
 
-  /** Takes the exact shape of the last offer. @param {boolean} joins as a part of the last step of undo */
+  /** Looks for a shape that is as exact and costs less; how far it came. */
+  improve: () => solver.request({ type: 'improvement' }),
+
+  /** Ends that where it is. */
+  endTrial: () => solver.request({ type: 'endTrial' }),
+
+  /** Takes the shape of the last offer. @param {boolean} joins as a part of the last step of undo */
   accept: (joins) => reportErrors(solver.request({ type: 'makeExact', joins })),
 });

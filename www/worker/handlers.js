@@ -3,7 +3,7 @@
 import { cancelExperiment, comparison, experimentCsv, runExperiment } from './experiment.js';
 import { missingFiles, open } from './open.js';
 import { findRemedies } from './remedies.js';
-import { inTurns } from './trials.js';
+import { inTurns, stopTrials } from './trials.js';
 import { mostFaces, warmUpWhenQuiet } from './warm-up.js';
 
 /**
@@ -58,6 +58,15 @@ export function requestHandlers(solver, scheduler, post, died) {
     async exactOffer() {
       solver.tryExact();
       return (await inTurns(solver)) ? solver.offer() : null;
+    },
+    async improvement() {
+      solver.tryImprovement();
+      await inTurns(solver);
+      return solver.offer();
+    },
+    endTrial() {
+      stopTrials();
+      return null;
     },
     makeExact: ({ joins }) => paused(() => scheduler.betweenRuns(() => solver.accept(joins))),
     variations: ({ ask }) =>

@@ -80,7 +80,7 @@ export class Scheduler {
     this.#isLoaded = true;
     this.#isSettled = this.#isDragging = false;
     this.#move = this.#answering = null;
-    if (solved) this.#iterate(true);
+    if (solved) this.#iterate();
   }
 
   /** @param {boolean} [goOn] whatever becomes of the shape */
@@ -106,7 +106,7 @@ export class Scheduler {
 
   /** Iterates once. @returns {boolean} whether it has converged */
   step() {
-    this.#iterate(false);
+    this.#isSettled = this.#solver.singleStep();
     this.#activityDue = true;
     this.changed();
     return this.#isSettled;
@@ -264,12 +264,12 @@ export class Scheduler {
     this.#isRunning = this.#isDragging = this.#isLoaded = false;
   }
 
-  /** Iterates once or until nothing would change, as a run of its own. @param {boolean} toTheEnd */
-  #iterate(toTheEnd) {
+  /** Iterates until nothing would change, as a run of its own. */
+  #iterate() {
     this.#solver.beginRun();
     try {
       do this.#isSettled = this.#solver.step();
-      while (toTheEnd && !this.#isSettled);
+      while (!this.#isSettled);
     } finally {
       this.#solver.endRun();
     }

@@ -64,6 +64,9 @@ pub struct ExactReport {
     pub contradiction: bool,
     /// The entries of the scene's list of constraints that are not met.
     pub unmet: Vec<usize>,
+    /// Whether the mesh is too large for what is to be exact: that is met up to about a hundred-thousandth of the size
+    /// only.
+    pub too_large: bool,
     /// How many constraints are not met, counted one by one.
     pub misses: usize,
     /// The worst of them, by the entry of the list.
@@ -95,6 +98,7 @@ impl ExactReport {
             met: true,
             contradiction: false,
             unmet: Vec::new(),
+            too_large: false,
             misses: 0,
             worst: Vec::new(),
             moved: Moved::default(),
@@ -121,6 +125,7 @@ impl ExactReport {
             met: answer.met,
             contradiction: answer.contradiction,
             unmet,
+            too_large: answer.too_large,
             misses,
             worst: named.map(|miss| Unmet { row: places[miss.row], ..miss }).collect(),
             moved: answer.moved,

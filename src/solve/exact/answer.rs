@@ -64,6 +64,8 @@ pub struct ExactAnswer {
     pub met: bool,
     /// Whether those that are not contradict each other: all else is met then, and no step brings them nearer.
     pub contradiction: bool,
+    /// Whether something is to be exact, and the problem is too large for the polish.
+    pub too_large: bool,
     /// Those that are not, the worst first.
     pub unmet: Vec<Unmet>,
     /// The way of the vertices from where it started.
@@ -148,6 +150,7 @@ impl Model {
             tolerance: rows().map(allowed).reduce(f64::max).unwrap_or(tolerance),
             met: unmet.is_empty(),
             contradiction: false,
+            too_large: false,
             unmet,
             moved: self.moved(x),
             on_guard,

@@ -374,8 +374,14 @@ impl Exact {
             seconds: self.seconds,
             improved: self.improve.as_ref().map(Improve::gained),
             contradiction: self.contradicts && !measured.met,
+            too_large: !self.can_polish && self.model.hard.any_exact(),
             ..measured
         }
+    }
+
+    /// Whether the polish of a problem whose factor has so many nonzeros would not fit in memory, whatever is to be exact.
+    pub fn is_too_large(nonzeros: usize) -> bool {
+        BlockMatrix::bytes(nonzeros) > MOST_BYTES
     }
 
     /// Where a polish would not fit in memory, the distance to which exact constraints are met instead, in the unit of
@@ -403,5 +409,5 @@ fn polish_fits(problem: &Problem<'_>, requirements: &Requirements<'_>, nonzeros:
     let coupled: usize = hard
         .flat_map(|(row, _)| row.members.iter().map(|members| members.len() * members.len()))
         .sum();
-    coupled <= MOST_COUPLED && BlockMatrix::bytes(nonzeros) <= MOST_BYTES
+    coupled <= MOST_COUPLED && !Exact::is_too_large(nonzeros)
 }

@@ -78,6 +78,12 @@ impl Solver {
         Ok(step.ended)
     }
 
+    /// One iteration as a run of its own, which ends before hard constraints are met; whether it has converged.
+    #[wasm_bindgen(js_name = singleStep)]
+    pub fn single_step(&mut self) -> Result<bool, JsValue> {
+        Ok(self.open_mut()?.single_step().map_err(thrown)?.ended)
+    }
+
     /// How the shape has collapsed, as the end of a sentence, or undefined.
     pub fn collapse(&self) -> Result<Option<String>, JsValue> {
         Ok(self.open()?.collapse().map(|collapse| collapse.to_string()))

@@ -53,6 +53,13 @@ impl Solver {
         Ok(())
     }
 
+    /// Begins to look for less energy among the shapes that meet what is required.
+    #[wasm_bindgen(js_name = tryImprovement)]
+    pub fn try_improvement(&mut self) -> Result<(), JsValue> {
+        self.trial = self.open()?.improvement().map_err(thrown)?;
+        Ok(())
+    }
+
     /// Goes on with that for about so many milliseconds; whether there is more to do.
     pub fn advance(&mut self, milliseconds: f64) -> Result<bool, JsValue> {
         let Some(trial) = &mut self.trial else { return Ok(false) };
@@ -65,7 +72,7 @@ impl Solver {
         Ok(false)
     }
 
-    /// What it costs; null where nothing is asked within a distance.
+    /// What it costs; null where there is nothing to try.
     pub fn offer(&mut self) -> Result<JsValue, JsValue> {
         plain(&self.trial.as_mut().map(ExactTrial::offer))
     }

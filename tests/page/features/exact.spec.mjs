@@ -75,3 +75,60 @@ test('what contradicts is named, and one click makes it soft', async ({ page }) 
   await required.selectOption('within');
   await expect(page.getByRole('spinbutton', { name: /: within$/ })).toBeVisible();
 });
+
+test('an exact shape is improved, which says what it gained and can be undone', async ({
+  page,
+}) => {
+  await openPage(page);
+  await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
+  await page.getByRole('button', { name: 'Make panels circular', exact: true }).click();
+  const make = verdict(page).getByRole('button', { name: 'Make exact' });
+  const improve = verdict(page).getByRole('button', { name: 'Improve' });
+  await expect(make.or(improve)).toBeVisible();
+  if (await make.isVisible()) await make.click();
+  await improve.click();
+  await expect(verdict(page).getByText(/^Improved: |There is no better exact shape/)).toBeVisible();
+  const after = await exact(page);
+  expect(after).toMatchObject({ met: true });
+  expect(after.max_distance).toBeLessThan(1e-8);
+  const undo = page.getByRole('button', { name: 'Undo', exact: true });
+  if (
+    (await verdict(page)
+      .getByText(/^Improved: /)
+      .count()) > 0
+  ) {
+    await expect(page.getByRole('table', { name: 'What was gained' })).toBeVisible();
+    await expect(undo).toHaveAttribute('title', /Improve/);
+  }
+});
+
+test('a step iterates once, and says that a run makes it exact', async ({ page }) => {
+  await openPage(page);
+  const scene = JSON.parse(quadScene(N));
+  delete scene.current;
+  scene.constraints = [{ kind: 'circle', on: 'faces', require: 'exact' }];
+  await openText(page, 'hard.shapeup.json', JSON.stringify(scene), VERTICES);
+  await page.getByRole('button', { name: 'Step', exact: true }).click();
+  await expect(page.getByRole('status')).toHaveText(/Run makes it exact/);
+  expect((await exact(page))?.met ?? false).toBe(false);
+});
+
+test('what is pressed while a file is on its way is for that file', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'first.obj', wavyGrid(N), VERTICES);
+  // The file takes a while to read.
+  await page.evaluate(() => {
+    const read = File.prototype.arrayBuffer;
+    File.prototype.arrayBuffer = async function () {
+      await new Promise((resolve) => setTimeout(resolve, 600));
+      return read.call(this);
+    };
+  });
+  const larger = N + 2;
+  const text = wavyGrid(larger);
+  const chosen = { name: 'second.obj', mimeType: 'text/plain', buffer: Buffer.from(text) };
+  await page.getByLabel('Open file').setInputFiles(chosen);
+  await page.getByRole('button', { name: 'Make panels circular', exact: true }).click();
+  const end = await waitForState(page, (now) => !now.running && now.exact?.met);
+  expect(end.vertices).toBe((larger + 1) ** 2);
+});

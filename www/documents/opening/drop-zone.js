@@ -36,8 +36,7 @@ export function acceptDrops(overlay, app) {
       .map((item) => item.webkitGetAsEntry())
       .flatMap((entry) => (entry?.isDirectory ? [entry.name] : []));
     const chosen = [...files].filter(({ name }) => !folders.includes(name));
-    actions.reportErrors(
-      import('./chosen-files.js').then((it) => it.openChosen(app, chosen, folders)),
-    );
+    const opened = import('./chosen-files.js').then((it) => it.openChosen(app, chosen, folders));
+    actions.reportErrors(app.files.expect(opened));
   });
 }

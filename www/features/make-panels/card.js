@@ -68,7 +68,8 @@ export class MakePanels {
 
   /** Makes all panels of this kind, visibly. @param {KindInfo} kind */
   async #make(kind) {
-    const { store, viewport, actions } = this.#app;
+    const { store, viewport, actions, files } = this.#app;
+    if (files.coming && !(await this.#nextTakes(kind.id))) return;
     const { model, display } = store.get();
     this.#pressed = this.#underWay = model;
     this.#closed = null;
@@ -90,6 +91,17 @@ export class MakePanels {
     if (store.get().model !== model) return;
     this.#underWay = null;
     this.#showVerdict(true);
+  }
+
+  /** Waits for the model that is on its way; whether it has come, and its panels can be that. @param {string} id */
+  async #nextTakes(id) {
+    const { store, actions, files } = this.#app;
+    const { model: before } = store.get();
+    actions.setStatus('Starts when the model is here');
+    await files.coming?.catch(() => {});
+    const { model } = store.get();
+    const offered = model?.panels.find(({ kind }) => kind === id);
+    return model !== before && offered !== undefined && !offered.reason;
   }
 
   /** Settles when the run that goes on has ended. */

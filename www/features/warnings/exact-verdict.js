@@ -5,13 +5,16 @@
 
 import './exact-verdict.css';
 import { element } from '../../ui/dom.js';
-import { count, groupDigits, length, limit, number } from '../../ui/format.js';
+import { count, groupDigits, length, limit, number, part } from '../../ui/format.js';
 import { exactActions } from '../../store/exact-actions.js';
 import { showElements } from '../../viewport/reveal-elements.js';
 
 /** @typedef {import("../../solver/messages.js").ConstraintRow} ConstraintRow */
 /** @typedef {import("../../solver/messages.js").ExactOffer} ExactOffer */
 /** @typedef {import("../../solver/messages.js").ExactReport} ExactReport */
+
+/** An improvement that gains less than this part of the energy is not worth a step of undo. */
+const LEAST_GAIN = 1e-4;
 
 /** The colour of what cannot be met. @type {[number, number, number]} */
 const UNMET = [214, 40, 57];
@@ -39,7 +42,9 @@ export async function showExact(app, told) {
 }
 
 /** @param {import("../../app/context.js").AppContext} app @param {Told} told @param {ExactReport} exact */
-function showMet({ store }, { showMessage, hasCard }, { max_distance, on_guard, shortest_edge }) {
+function showMet(app, told, { max_distance, on_guard, shortest_edge }) {
+  const { store } = app;
+  const { showMessage, hasCard } = told;
   const { document: scene, numbers } = store.get();
   if (!scene || !numbers) return;
   const units = scene.units;
@@ -51,11 +56,44 @@ function showMet({ store }, { showMessage, hasCard }, { max_distance, on_guard, 
   const moved = hasCard()
     ? ''
     : ` Moved at most ${length(max, units)}, ${length(mean, units)} on average.`;
-  showMessage(`Exact: farthest ${length(max_distance, units)}.${moved}${guarded}`);
+  const text = `Exact: farthest ${length(max_distance, units)}.${moved}${guarded}`;
+  showMessage(text, improveButton(app, told));
+}
+
+/** @param {import("../../app/context.js").AppContext} app @param {Told} told */
+const improveButton = (app, told) =>
+  told.offer(
+    'Improve',
+    () => improve(app, told),
+    'Looks for a shape that is as exact and costs less energy',
+  );
+
+/** Looks for a better shape, until it is stopped, and says what was gained. @param {import("../../app/context.js").AppContext} app @param {Told} told */
+async function improve(app, told) {
+  const { store, solver, actions } = app;
+  const { showMessage, offer } = told;
+  const exact = exactActions(solver, actions);
+  const units = store.get().document?.units ?? '';
+  const stop = offer('Stop', () => exact.endTrial(), 'Keeps what was gained until then');
+  showMessage('Improving: looking for a shape as exact that costs less …', stop);
+  const found = await actions.reportErrors(exact.improve());
+  if (!found) return;
+  const { before, after, moved, maxDistance } = found;
+  const gained = 1 - after.energy / before.energy;
+  if (!(gained > LEAST_GAIN)) {
+    showMessage(`There is no better exact shape near: the energy stays ${number(before.energy)}.`);
+    return;
+  }
+  const distance = store.get().numbers?.exact?.max_distance ?? maxDistance;
+  if (!(await exact.accept(false))) return;
+  const words = `Improved: ${part(gained)} less energy, moved by up to ${length(moved.max, units)}.`;
+  showMessage(words).append(table(found, distance, units, 'Improved'));
 }
 
 /** What exactness would cost. @param {import("../../app/context.js").AppContext} app @param {Told} told */
-async function showCost({ store, solver, actions }, { showMessage, offer, hasCard }) {
+async function showCost(app, told) {
+  const { store, solver, actions } = app;
+  const { showMessage, offer, hasCard } = told;
   const { document: scene, model, tolerance, numbers } = store.get();
   if (!scene || !model || !numbers?.exact) return;
   const exact = exactActions(solver, actions);
@@ -69,8 +107,13 @@ async function showCost({ store, solver, actions }, { showMessage, offer, hasCar
   const allowed = tolerance ?? model.tolerance;
   if (cost.met && cost.moved.max <= allowed) {
     if (await exact.accept(true)) {
-      showMessage(`${met}Made exact as well: farthest ${length(cost.maxDistance, units)}.`);
+      const words = `${met}Made exact as well: farthest ${length(cost.maxDistance, units)}.`;
+      showMessage(words, improveButton(app, told));
     }
+    return;
+  }
+  if (cost.tooLarge) {
+    showMessage(`${met}The mesh is too large to be exact; within a length it can be met.`);
     return;
   }
   if (!cost.met) {
@@ -78,14 +121,19 @@ async function showCost({ store, solver, actions }, { showMessage, offer, hasCar
     showMessage(`${met}Exactly, ${constraints} could not be met together.`);
     return;
   }
+  const take = async () => {
+    if (!(await exact.accept(false))) return;
+    const report = store.get().numbers?.exact;
+    if (report) showMet(app, told, report);
+  };
   showMessage(
     `${met}Exact, it would move by up to ${length(cost.moved.max, units)} more.`,
-    offer('Make exact', () => exact.accept(false), 'Takes the shape in the right column'),
-  ).append(table(cost, numbers.exact.max_distance, units));
+    offer('Make exact', take, 'Takes the shape in the right column'),
+  ).append(table(cost, numbers.exact.max_distance, units, 'Exact'));
 }
 
-/** @param {ExactOffer} cost @param {number} distance @param {string} units */
-function table({ before, after, maxDistance }, distance, units) {
+/** @param {ExactOffer} cost @param {number} distance @param {string} units @param {string} then what the other shape is */
+function table({ before, after, maxDistance }, distance, units, then) {
   /** @type {[string, string, string][]} */
   const rows = [
     ['Farthest', length(distance, units), length(maxDistance, units, distance)],
@@ -100,10 +148,12 @@ function table({ before, after, maxDistance }, distance, units) {
       element('td.figure', now),
       element('td.figure', then),
     );
-  const heads = ['', 'Now', 'Exact'].map((name) => element('th', { scope: 'col' }, name));
+  const heads = ['', then === 'Exact' ? 'Now' : 'Before', then].map((name) =>
+    element('th', { scope: 'col' }, name),
+  );
   return element(
     'table.cost',
-    { 'aria-label': 'What exact would cost' },
+    { 'aria-label': then === 'Exact' ? 'What exact would cost' : 'What was gained' },
     element('thead', element('tr', ...heads)),
     element('tbody', ...rows.map(row)),
   );
@@ -116,7 +166,7 @@ function table({ before, after, maxDistance }, distance, units) {
  * @param {ExactReport} exact
  */
 function showUnmet(app, { showMessage, offer }, exact) {
-  const { unmet, misses, worst, max_distance, tolerance, contradiction } = exact;
+  const { unmet, misses, worst, max_distance, tolerance, contradiction, too_large } = exact;
   const { store, solver, actions } = app;
   const { document: scene } = store.get();
   if (!scene) return;
@@ -142,9 +192,9 @@ function showUnmet(app, { showMessage, offer }, exact) {
   ];
   const where = rows.map(({ label, on }) => `${label} on ${on}`).join(', ');
   const many = `${groupDigits(misses)} of ${groupDigits(all)}`;
-  const [cannot, closest] = contradiction
-    ? ['cannot be met together', 'The smallest miss is']
-    : ['are not met yet', 'The farthest is off by'];
+  let [cannot, closest] = ['are not met yet', 'The farthest is off by'];
+  if (too_large) cannot = 'are not exact: the mesh is too large for that';
+  else if (contradiction) [cannot, closest] = ['cannot be met together', 'The smallest miss is'];
   showMessage(
     `${many} ${cannot}: ${where}. ${closest} ${far}.`,
     offer('Show them', show),

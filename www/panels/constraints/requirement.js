@@ -36,10 +36,15 @@ export function requirementOf({ index, require }, name, store, actions) {
     OPTIONS,
   );
   select.value = required;
+  const isTooLarge = Boolean(document?.tooLargeForExact);
+  for (const option of select.options) {
+    option.disabled = isTooLarge && option.value === 'exact' && required !== 'exact';
+  }
   return element(
     'label.requirement',
     'Required',
     select,
     ...(required === 'within' ? [within.field, element('span', unit)] : []),
+    ...(isTooLarge ? [element('small', 'Too large to be exact: Within can be met.')] : []),
   );
 }

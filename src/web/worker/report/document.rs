@@ -53,6 +53,9 @@ pub(crate) struct Document<'a> {
     variants: Vec<&'a str>,
     /// Which of them is the design.
     design: Option<usize>,
+    /// Whether the mesh is too large for anything to be exact.
+    #[serde(rename = "tooLargeForExact")]
+    too_large_for_exact: bool,
 }
 
 #[derive(Serialize)]
@@ -203,6 +206,7 @@ impl<'a> Document<'a> {
             lesson: scene.lesson.as_ref().map(LessonWords::new),
             variants: scene.variants.kept.iter().map(|variant| &*variant.name).collect(),
             design: scene.variants.design,
+            too_large_for_exact: session.is_too_large_for_exact(),
             build: scene.build.as_deref().and_then(|build| serde_json::to_value(build).ok()),
         }
     }

@@ -1,0 +1,79 @@
+//! An improvement of an exact shape in a session, and single steps on a scene with hard constraints.
+
+use crate::grid::grid;
+use serde_json::json;
+use shape_up::scene::Scene;
+use shape_up::session::Session;
+
+/// Rough bumps on which all panels are to be flat.
+fn rough() -> Session {
+    let mesh = grid(6, 6, |i, j| {
+        let (x, y) = (f64::from(i), f64::from(j));
+        let off = |k: u32| f64::from((i * 31 + j * 17 + k * 11) % 23) / 23.0 - 0.5;
+        let height = 0.05 * (x - 2.0) * (x - 2.0) - 0.06 * (y - 2.0) * (y - 2.0);
+        [x + 0.2 * off(0), y + 0.2 * off(1), height + 0.3 * off(2)]
+    });
+    let text = json!({
+        "format": "shape-up-scene", "version": 1, "mesh": { "file": "bumps.obj" },
+        "constraints": [{ "kind": "plane", "on": "faces", "require": "exact" }],
+        "weights": { "shape": 5, "close": 10, "smooth": 2 }, "closeness": { "to": "rest" },
+        "smoothness": { "of": "displacement" },
+    });
+    let scene = Scene::from_json(&text.to_string()).expect("it is a scene");
+    Session::open(scene, mesh).expect("it opens")
+}
+
+fn run(session: &mut Session) {
+    session.begin_run();
+    while !session.step().expect("positions stay finite").ended {}
+    session.end_run();
+}
+
+#[test]
+fn an_improvement_is_one_step_of_undo_and_as_exact() {
+    let mut session = rough();
+    assert!(session.improvement().expect("regular").is_none(), "nothing is met yet");
+    run(&mut session);
+    let before = session.positions();
+    let mut trial = session.improvement().expect("regular").expect("all is met");
+    // Stopped after some steps it has gained what it gained until then.
+    for _ in 0..3 {
+        trial.step().expect("regular");
+    }
+    let offer = trial.offer();
+    assert!(offer.met && offer.after.energy < offer.before.energy, "{offer:?}");
+    assert_eq!(session.positions(), before, "nothing has changed yet");
+    assert!(session.make_exact(&trial, false).expect("regular"));
+    assert!(session.exact().expect("there is a hard row").met);
+    assert_eq!(session.undo_and_redo()[0], Some("Improve"));
+    assert_ne!(session.positions(), before);
+    session.undo().expect("regular");
+    assert_eq!(session.positions(), before);
+    // It began at another shape than that of now.
+    run(&mut session);
+    session.redo().expect("regular");
+    assert!(!session.make_exact(&trial, false).expect("regular"));
+}
+
+#[test]
+fn a_single_step_iterates_softly_and_leaves_the_rest_to_a_run() {
+    let mut session = rough();
+    let (mut steps, start) = (0, session.positions());
+    while !session.single_step().expect("positions stay finite").ended {
+        steps += 1;
+        assert_eq!(session.iteration(), steps);
+        assert!(steps < 1000, "it converges");
+    }
+    assert!(session.exact().is_none_or(|exact| !exact.met), "steps meet nothing");
+    // One step more stays where it is, and says nothing of what cannot be met.
+    let there = session.positions();
+    session.single_step().expect("positions stay finite");
+    assert!(session.exact().is_none(), "nobody has tried");
+    run(&mut session);
+    assert!(session.exact().expect("there is a hard row").met);
+    let exact = session.positions();
+    assert!(exact != there && there != start);
+    let single = session.single_step().expect("positions stay finite");
+    assert!(single.ended, "what is met stays");
+    assert_eq!(session.positions(), exact);
+}
