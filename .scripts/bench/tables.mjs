@@ -262,7 +262,7 @@ export function markdown(results) {
   }
   if (exactPeers?.length) {
     const note =
-      'Other libraries, natively, from the mesh as it is, with closeness 10 to it in compas_shapeop; ours from the soft solution, and edges keep three tenths of their length.';
+      'Other libraries, natively, from the mesh as it is; of compas_shapeop the weights that come nearest, of several. Ours from the soft solution, and edges keep three tenths of their length.';
     add('Hard constraints and other libraries', exactPeerTable(exactPeers, exact), note);
   }
   if (start) add('Opening the page', startTable(start));

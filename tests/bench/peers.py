@@ -93,27 +93,61 @@ def libigl_lscm(task):
     return {"setUp": None, "steps": runs[1:]}
 
 
+# Weights of the circles or planes: one after the other, each from the shape before, and the weight of closeness.
+COMPAS_WAYS = [
+    ([10.0], 10.0),
+    ([1e3], 10.0),
+    ([1e6], 10.0),
+    ([1e3], 1e-3),
+    ([10.0**power for power in range(1, 7)], 1e-3),
+    ([1.0], 0.0),
+]
+
+
 def compas_exact(task):
-    """Circles or planes by a weight of a million beside closeness: the distance that is left, and all of the time."""
+    """Circles or planes by their weight beside closeness, in each of the ways above: the least distance that is left,
+    the way that has it, and all of its time."""
     import numpy
     from compas_shapeop._shapeop import SolverWrapper
 
     vertices, faces = read_obj(task["mesh"])
 
-    def run():
-        solver = SolverWrapper()
-        solver.set_points(numpy.asfortranarray(numpy.array(vertices).T))
-        for vertex in range(len(vertices)):
-            solver.add_closeness_constraint(vertex, 10.0)
-        add = solver.add_circle_constraint if task["kind"] == "circle" else solver.add_plane_constraint
-        for face in faces:
-            add(face, 1e6)
-        solver.initialize(False, 1.0, 1.0, 1.0)
-        solver.solve(task["iterations"])
-        return solver.get_points()
+    def run(weights, closeness):
+        points = numpy.asfortranarray(numpy.array(vertices).T)
+        for weight in weights:
+            solver = SolverWrapper()
+            solver.set_points(points)
+            if closeness > 0.0:
+                for vertex in range(len(vertices)):
+                    solver.add_closeness_constraint(vertex, closeness)
+            add = solver.add_circle_constraint if task["kind"] == "circle" else solver.add_plane_constraint
+            for face in faces:
+                add(face, weight)
+            solver.initialize(False, 1.0, 1.0, 1.0)
+            solver.solve(max(1, task["iterations"] // len(weights)))
+            points = numpy.asfortranarray(numpy.array(solver.get_points()).reshape(3, -1, order="F"))
+        return points.T
 
-    points, ms = timed(run)
-    return {"ms": ms, "distance": worst(numpy.array(points).reshape(3, -1, order="F").T, faces, task["kind"])}
+    tried = []
+    for weights, closeness in COMPAS_WAYS:
+        points, ms = timed(lambda: run(weights, closeness))
+        distance = worst(points, faces, task["kind"])
+        if numpy.isfinite(distance) and not collapsed(points, vertices, faces):
+            words = f"weight {'10 to ' if len(weights) > 1 else ''}{weights[-1]:g}, closeness {closeness:g}"
+            tried.append({"ms": ms, "distance": distance, "way": words})
+    return min(tried, key=lambda one: one["distance"])
+
+
+def collapsed(points, vertices, faces):
+    """Whether an edge has less than a hundredth of its length: then everything is met."""
+    import numpy
+
+    faces, before = numpy.array(faces), numpy.array(vertices)
+
+    def lengths(points):
+        return numpy.linalg.norm(points[faces] - points[numpy.roll(faces, 1, axis=1)], axis=2)
+
+    return bool((lengths(points) < 0.01 * lengths(before)).any())
 
 
 def libigl_exact(task):

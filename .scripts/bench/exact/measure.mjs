@@ -21,7 +21,6 @@ const peers = [
     kinds: KINDS,
     largest: 2500,
     iterations: 2000,
-    way: 'weight 1e6, 2,000 iterations',
   },
   {
     peer: 'libigl',
@@ -100,7 +99,8 @@ export function measureExactPeers({ trial }) {
       const distance = theirs.distance === undefined ? null : theirs.distance / size;
       const seconds = theirs.ms === undefined ? null : theirs.ms / 1e3;
       const reached = { distance, seconds, reason: theirs.reason ?? null };
-      rows.push({ ...asked, vertices, peer, version: version ?? null, way, ...reached });
+      const its = theirs.way ? `${theirs.way}, ${iterations} iterations` : (way ?? '');
+      rows.push({ ...asked, vertices, peer, version: version ?? null, way: its, ...reached });
     }
   }
   return rows;
