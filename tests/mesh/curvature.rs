@@ -125,6 +125,32 @@ fn edges_along_lines_of_curvature_have_no_angle_to_them_and_turned_ones_theirs()
 }
 
 #[test]
+fn a_face_has_the_mean_angle_of_its_edges_and_none_where_the_surface_is_flat() {
+    // A vault beside which the ground is flat.
+    let mesh = crate::grid::grid(24, 6, |i, j| {
+        let u = (f64::from(i) - 12.0).max(0.0) / 12.0;
+        [12.0 + if i < 12 { f64::from(i) - 12.0 } else { sine(u) }, f64::from(j), cosine(u)]
+    });
+    let topology = Topology::new(&mesh);
+    let lines = CurvatureLines::new(&mesh.positions, &mesh.faces, &topology);
+    let values = lines.of_faces(&mesh.faces, &topology);
+    assert_eq!(values.len(), mesh.faces.len());
+    for (face, value) in mesh.faces.iter().zip(&values) {
+        let x = face.iter().map(|&v| mesh.positions[v as usize][0]).fold(f64::MIN, f64::max);
+        // Beside the line where the vault begins there are points of both in a fit.
+        let right = if x < 9.5 { value.is_nan() } else { x < 12.3 || *value < 0.1 };
+        assert!(right, "{x}: {value}");
+    }
+    // Turned edges: the faces' values have the mean of all edges.
+    let mesh = patch(24, PI / 9.0, |u, v| [cosine(u), sine(u), v]);
+    let topology = Topology::new(&mesh);
+    let lines = CurvatureLines::new(&mesh.positions, &mesh.faces, &topology);
+    for value in lines.of_faces(&mesh.faces, &topology) {
+        assert!((value - 20.0).abs() < 2.0, "{value}");
+    }
+}
+
+#[test]
 fn a_sphere_and_a_plane_have_no_directions() {
     for surface in [sphere, |u, v| [u, v, 0.0]] {
         let mesh = patch(12, 0.2, surface);

@@ -176,7 +176,8 @@ fn the_original_keeps_its_measures_while_the_shape_changes() {
     let original = values(&mut session, Shape::Original);
     for (measure, (before, original)) in FACE_MEASURES.iter().zip(before.iter().zip(&original)) {
         for (a, b) in before.iter().zip(original) {
-            assert!((a - b).abs() <= 1e-12 * (1.0 + a.abs()), "{}: {a} and {b}", measure.id);
+            let same = (a.is_nan() && b.is_nan()) || (a - b).abs() <= 1e-12 * (1.0 + a.abs());
+            assert!(same, "{}: {a} and {b}", measure.id);
         }
     }
     assert_ne!(values(&mut session, Shape::Now), original);

@@ -4,7 +4,7 @@
 //! Suris 2008, Liu et al. 2006): where they lie otherwise, the mesh has to turn them to become circular.
 
 use super::principal::{Curvature, curvatures};
-use crate::math::{Vec3, angle};
+use crate::math::{Vec3, angle, polygon_sides};
 use crate::mesh::{Point, Ragged, Topology};
 
 /// The difference of the principal curvatures as a part of the sum of their sizes below which they are taken to be
@@ -51,6 +51,18 @@ impl CurvatureLines {
             mean: (known > 0.0).then(|| sum / known),
             directed: if whole > 0.0 { known / whole } else { 0.0 },
         }
+    }
+
+    /// The mean angle of the sides of each face, `#F`, of those that have one, in degrees from 0 to 45; not a number
+    /// where none has.
+    pub fn of_faces(&self, faces: &Ragged, topology: &Topology) -> Vec<f64> {
+        let mean = |face: &[u32]| {
+            let sides = polygon_sides(face).filter_map(|[a, b]| topology.edge(a, b));
+            let known = sides.map(|e| self.angles[e as usize]).filter(|angle| !angle.is_nan());
+            let (sum, count) = known.fold((0.0, 0.0), |(sum, n), angle| (sum + angle, n + 1.0));
+            if count > 0.0 { sum / count } else { f64::NAN }
+        };
+        faces.iter().map(mean).collect()
     }
 }
 

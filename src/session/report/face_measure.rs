@@ -8,7 +8,7 @@ use super::measuring::{Measuring, Shape};
 use super::moved::displacements;
 use super::projected::residuals;
 use crate::math::{Vec3, angle, polygon_corners, polygon_sides};
-use crate::mesh::{Point, diagonal_ratio};
+use crate::mesh::{CurvatureLines, Point, diagonal_ratio};
 use crate::session::state::{RestMesh, SolvedScene};
 use serde::Serialize;
 use std::f64::consts::PI;
@@ -150,6 +150,15 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         values: angles,
     },
     FaceMeasure {
+        id: "curvature-lines",
+        label: "Off the lines of curvature",
+        words: "mean angle of a face’s edges to the directions in which the surface bends most and least",
+        met: "the edges follow the lines of curvature",
+        unit: MeasureUnit::Degrees,
+        toleranced: false,
+        values: off_curvature_lines,
+    },
+    FaceMeasure {
         id: "surface",
         label: "Distance to original",
         words: "largest distance of a face’s corners to the surface of the model that was opened",
@@ -276,6 +285,11 @@ fn angles(model: &mut Measuring<'_>, shape: Shape) -> Vec<f64> {
     model.faces().iter().map(worst).collect()
 }
 
+fn off_curvature_lines(model: &mut Measuring<'_>, shape: Shape) -> Vec<f64> {
+    let (faces, topology) = (model.faces(), model.rest.topology());
+    CurvatureLines::new(&model.positions(shape), faces, topology).of_faces(faces, topology)
+}
+
 fn worst_surface_distances(model: &mut Measuring<'_>, shape: Shape) -> Vec<f64> {
     worst_corner(model, &model.surface_distances(shape))
 }
@@ -357,7 +371,9 @@ mod tests {
         session = Session::open(scene, session.mesh().clone()).expect("it opens");
         for measure in FACE_MEASURES {
             let value = session.face_values(measure.id).expect("it is declared")[0];
-            assert!(value.abs() < 1e-12, "{}: {value}", measure.id);
+            // What is flat has no lines of curvature.
+            let none = measure.id == "curvature-lines" && value.is_nan();
+            assert!(none || value.abs() < 1e-12, "{}: {value}", measure.id);
         }
         assert!(session.face_values("beauty").is_none());
     }
