@@ -33,7 +33,7 @@ pub struct Requirements<'a> {
 
 impl Requirements<'_> {
     /// Iterations of the approach that are enough for every mesh that was tried.
-    pub const ITERATIONS: u32 = 1500;
+    pub const ITERATIONS: u32 = 2000;
 
     /// Whether a tolerance is enough for all hard rows.
     pub(super) fn all_within(&self) -> bool {
