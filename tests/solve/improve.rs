@@ -1,6 +1,6 @@
 //! From an exact shape to a better one: it never costs energy, and never exactness.
 
-use crate::exact::worst_face;
+use crate::exact::{Known, known, worst_face};
 use crate::grid::grid;
 use crate::hard::Case;
 use proptest::prelude::*;
@@ -23,25 +23,13 @@ fn gained(answer: &ExactAnswer) -> Improved {
 
 #[test]
 fn it_ends_at_the_best_known_energy_or_below_on_real_meshes() {
-    let cases = [
-        ("exact_tubemesh_circle", "compas_tubemesh.obj", "circle", None),
-        ("exact_bubble_plane", "botanic-garden-bubble-0.obj", "plane", Some(0.3)),
-    ];
-    for (name, file, kind, shortest_edge) in cases {
-        let (Some(expected), Some(mesh)) =
-            (crate::shared::expected(name), crate::shared::mesh(file))
-        else {
-            continue;
-        };
-        let mut case = Case::new(mesh).on_faces(kind, Require::Exact);
-        case.shortest_edge = shortest_edge;
-        let diameter = crate::shared::diameter(&expected, &case.mesh);
-        let [_, (positions, answer)] = improved(&case);
+    for known in known() {
+        let Known { name, case, expected, diameter, .. } = &known;
+        let [_, (positions, answer)] = improved(case);
         let f = gained(&answer).after / (diameter * diameter);
         let best = expected["best"]["f"].as_f64().expect("a number");
         assert!(f <= (1.0 + 1e-4) * best, "{name}: {f} is more than {best}");
-        let which = usize::from(kind == "circle");
-        let worst = worst_face(&case.mesh, &positions, which) / diameter;
+        let worst = known.worst(&positions);
         assert!(worst <= 1e-12 && answer.met, "{name}: {worst}");
     }
 }
