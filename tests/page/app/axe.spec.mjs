@@ -99,3 +99,10 @@ test('axe: projections', async ({ page }) => {
   await expect(page.getByRole('status')).toContainText('Step I, iteration 1');
   await expectNothing(page);
 });
+
+test('axe: embedding, with two views that wait', async ({ page }) => {
+  await page.goto('./embedding.html');
+  const view = page.frameLocator('#right');
+  await expect(view.getByRole('img', { name: 'Hall of circular panels' })).toBeVisible();
+  await expectNothing(page);
+});

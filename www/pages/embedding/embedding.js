@@ -43,7 +43,9 @@ reset.addEventListener('click', () => both('reset'));
 addEventListener('message', ({ source, data }) => {
   const view = views.find(({ frame }) => frame.contentWindow === source);
   if (!view) return;
-  const message = /** @type {News | Answer} */ (data);
+  // Extensions of the browser post messages, too.
+  const message = /** @type {News | Answer | { shapeUp: undefined }} */ (data ?? {});
+  if (!message.shapeUp) return;
   if (message.shapeUp === 'answer') {
     if (message.error) setText(byId('said'), message.error);
   } else if (message.news === 'camera') {
