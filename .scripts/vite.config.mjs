@@ -52,15 +52,20 @@ const smallPages = {
   },
 };
 
-/** What the pages to read have in common. */
-const readingHead = {
-  name: 'reading-head',
+/** What the pages to read have in common: their head, and the links above them, of which one is the page. */
+const readingPages = {
+  name: 'reading-pages',
   transformIndexHtml: {
     order: 'pre',
-    handler: (html) =>
-      html.replace('<!-- reading head -->', () =>
-        readFileSync(at('www', 'pages', 'reading-head.html'), 'utf8'),
-      ),
+    handler(html, { path }) {
+      const part = (name) => readFileSync(at('www', 'pages', `${name}.html`), 'utf8');
+      const link = `href=".${path}"`;
+      return html
+        .replace('<!-- reading head -->', () => part('reading-head'))
+        .replace('<!-- reading header -->', () =>
+          part('reading-header').replace(link, `${link} aria-current="page"`),
+        );
+    },
   },
 };
 
@@ -121,7 +126,7 @@ export default {
   base: './',
   define: { 'import.meta.env.SOLVER_BYTES': String(solverBytes) },
   publicDir: false,
-  plugins: [layers, examples, picture, readingHead, licences, smallPages, told()],
+  plugins: [layers, examples, picture, readingPages, licences, smallPages, told()],
   build: {
     outDir: at('dist'),
     emptyOutDir: true,

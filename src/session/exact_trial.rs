@@ -90,8 +90,8 @@ impl Session {
         ExactTrial { exact, rows, name, from, rest: self.rest.positions().to_vec(), before }
     }
 
-    /// Takes the shape of a trial as far as it has come and requires it, as a step of undo or as a part of the last one; whether the
-    /// trial was of the current shape.
+    /// Takes the shape of a trial as far as it has come and requires it, as a step of undo or as a part of the last
+    /// one; whether the trial was of the current shape.
     ///
     /// # Errors
     /// When the system would be singular; nothing has changed then.

@@ -2,31 +2,7 @@
  * What another page and the embedded view say to each other with `postMessage`. The page around posts
  * a `Call` to the frame's window and gets one `Answer` with the same `id`; the view posts `News` by
  * itself. Messages that are no calls are left alone. The view takes calls from its parent only.
- *
- * ```js
- * frame.contentWindow.postMessage({ shapeUp: 'call', id: 1, name: 'run' }, origin);
- * addEventListener('message', ({ source, data }) => {
- *   if (source === frame.contentWindow && data.shapeUp === 'answer') console.log(data.id, data.result);
- * });
- * ```
- *
- * | call | arguments | answers |
- * |---|---|---|
- * | `start` | | nothing; starts a view that waits for a click |
- * | `open` | `text` of a mesh or a scene; `as`: its file name | what was opened |
- * | `run`, `pause`, `step`, `reset` | | nothing |
- * | `weight` | `constraint` in the list, from 0, `weight` | nothing |
- * | `handle` | `vertex`, `target` [x, y, z]: makes it one and moves it there | nothing |
- * | `measure` | `measure`: id, or null for the plain material | nothing |
- * | `camera` | `camera`: numbers of the news with that name | nothing |
- * | `state`, `scene`, `positions` | | as `window.shapeUp` gives them |
- *
- * | news | with |
- * |---|---|
- * | `waiting` | nothing: the view starts with a click or a call |
- * | `ready` | `state` of the model that was opened |
- * | `state` | `state`, whenever it changed, at most once per picture |
- * | `camera` | `camera`, when somebody turned the view |
+ * `embedding.html` explains each call and each piece of news, with an example.
  */
 
 /** @typedef {{ shapeUp: "call", id: number | string } & Asked} Call */

@@ -102,8 +102,6 @@ function open(link, found, title, save) {
   );
   const field = dialog.querySelector('textarea');
   if (field) field.value = link;
-  const line = dialog.querySelector('input');
-  if (line) line.value = frameLine(link, title);
   return dialog;
 }
 
@@ -113,9 +111,11 @@ function open(link, found, title, save) {
  * @param {string} title
  */
 function others(link, title) {
+  const value = frameLine(link, title);
+  const line = element('input', { id: 'share-line', readonly: true, spellcheck: 'false', value });
   const copyLine = () => {
-    const dialog = /** @type {HTMLDialogElement | null} */ (document.querySelector('#share'));
-    if (dialog) copy(frameLine(link, title), dialog);
+    const dialog = line.closest('dialog');
+    if (dialog) copy(value, dialog);
   };
   return element(
     'div.share-others',
@@ -125,7 +125,7 @@ function others(link, title) {
     element(
       'div.embed',
       element('label', { for: 'share-line' }, 'To embed it in a page of your own'),
-      element('input', { id: 'share-line', readonly: true, spellcheck: 'false' }),
+      line,
       element(
         'p.quiet',
         'A live model that loads when somebody starts it, and stores nothing. ',
