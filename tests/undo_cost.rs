@@ -106,7 +106,10 @@ fn steps_are_forgotten_by_the_bytes_that_they_hold() {
     for k in 0..100 {
         let text = format!("{k}").repeat(1 << 20);
         session
-            .edit(Edit::SetLesson { lesson: Some(Lesson { text, goals: Vec::new() }) })
+            .edit(Edit::SetLesson {
+                lesson: Some(Lesson { text, goals: Vec::new(), lock: Vec::new() }),
+                unsolved: false,
+            })
             .expect("valid");
     }
     // Lessons of one and of two MB, in 64 MB.

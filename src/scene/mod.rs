@@ -46,7 +46,7 @@ pub use document::{
 pub use error::SceneError;
 pub use frame::UnitsAndUp;
 pub use json::{FORMAT, VERSION};
-pub use lesson::{Goal, GoalOf, Lesson};
+pub use lesson::{Goal, GoalOf, Lesson, Lock};
 pub use panels::{PanelOffer, panel_offers};
 pub use presets::{PRESETS, Preset, PresetOffer};
 pub use results::{GoalResult, Results};

@@ -2,8 +2,11 @@
 
 use super::document::{ConstraintSpec, HandleSpec, MeshSource, Scene};
 use super::lesson::Goal;
+use crate::json::present;
 use crate::mesh::{Mesh, Point};
+use crate::solve::Weights;
 use serde::Deserialize;
+use serde_json::{Map, Value};
 
 /// The results of a student: the shape, and the values of the goals.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -27,6 +30,21 @@ pub struct Results {
     pub constraints: Vec<ConstraintSpec>,
     /// The handles at the end.
     pub handles: Vec<HandleSpec>,
+    /// The names of the steps that led here, as Undo says them; the first may be forgotten.
+    #[serde(default)]
+    pub steps: Vec<String>,
+    /// The weights of the energies at the end; none in files before they were kept.
+    #[serde(default, deserialize_with = "present")]
+    pub weights: Option<Weights>,
+    /// The declared settings at the end, by id.
+    #[serde(default)]
+    pub settings: Map<String, Value>,
+    /// How far a vertex is from where it was, at most, in the unit of the mesh.
+    #[serde(default, deserialize_with = "present")]
+    pub moved: Option<f64>,
+    /// The largest distance of a vertex to the shape of a constraint, in that unit.
+    #[serde(default, deserialize_with = "present")]
+    pub distance: Option<f64>,
     /// The shape, `#V by 3`.
     pub positions: Vec<Point>,
 }

@@ -2,7 +2,7 @@
 //! read and write them.
 
 use super::{
-    Accelerator, BoundaryRequire, ClosenessTo, Factorization, SmoothnessOf, Up, Weighting,
+    Accelerator, BoundaryRequire, ClosenessTo, Factorization, Lock, SmoothnessOf, Up, Weighting,
 };
 use crate::json::found;
 use crate::mesh::{GroupKeyword, Scheme};
@@ -71,7 +71,8 @@ by_word!(
     Accelerator,
     Factorization,
     GroupKeyword,
-    Scheme
+    Scheme,
+    Lock
 );
 
 impl NamedEnum for Scheme {
@@ -79,6 +80,15 @@ impl NamedEnum for Scheme {
         ("catmull-clark", Scheme::CatmullClark),
         ("linear", Scheme::Linear),
         ("loop", Scheme::Loop),
+    ];
+}
+
+impl NamedEnum for Lock {
+    const WORDS: &'static [(&'static str, Lock)] = &[
+        ("weights", Lock::Weights),
+        ("constraints", Lock::Constraints),
+        ("handles", Lock::Handles),
+        ("mesh", Lock::Mesh),
     ];
 }
 

@@ -1,11 +1,11 @@
 //! Drags and runs: many changes that are one step of undo together.
 
 use super::Session;
-use super::edit::Edit;
+use super::edit::{Edit, check_lock};
 use super::undo::{Change, Transaction, check_targets};
 use crate::error::Error;
 use crate::mesh::Point;
-use crate::scene::{NamedEnum, SceneError};
+use crate::scene::{Lock, NamedEnum, SceneError};
 
 /// The phases of a drag.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,7 +37,8 @@ impl Session {
     /// where none moves. What goes on or ends without having begun, because an edit ended it, is no error.
     ///
     /// # Errors
-    /// As [`check_targets`]: nothing moves then, an end keeps the move before. Or when a vertex is not there.
+    /// As [`check_targets`]: nothing moves then, an end keeps the move before. Or when a vertex is not there, or
+    /// the lesson locks the handles.
     pub fn drag_through(
         &mut self,
         phase: DragPhase,
@@ -59,6 +60,7 @@ impl Session {
                 self.begin_drag_of_new(vertices.to_vec())?;
             }
             DragPhase::Start => {
+                check_lock(Lock::Handles, self.document())?;
                 checked?;
                 self.begin_drag();
             }
@@ -98,12 +100,13 @@ impl Session {
     /// Moves the targets of handles, in the unit of the mesh.
     ///
     /// # Errors
-    /// As [`check_targets`]; nothing has moved then.
+    /// As [`check_targets`], or when the lesson locks the handles; nothing has moved then.
     pub fn drag(
         &mut self,
         targets: impl IntoIterator<Item = (u32, Point)>,
     ) -> Result<(), SceneError> {
         let (vertices, targets): (Vec<u32>, Vec<Point>) = targets.into_iter().unzip();
+        check_lock(Lock::Handles, self.document())?;
         check_targets(&vertices, &targets)?;
         self.move_handles(&vertices, &targets);
         Ok(())

@@ -1,7 +1,7 @@
 //! Edits, undo and redo.
 
 use super::Session;
-use super::edit::{Carried, Edit, Moment, apply, carry};
+use super::edit::{Carried, Edit, Moment, apply, carry, check_locks};
 use super::report::{MeasureCache, check_lesson};
 use super::run::Start;
 use super::state::{RestMesh, SceneChange, SolvedScene, resolve_rows};
@@ -15,7 +15,7 @@ impl Session {
     /// Makes an edit, and returns whether it is a step of undo: one that changes nothing is none.
     ///
     /// # Errors
-    /// When it names a row or vertex that is not there, leaves a row without constraints or a goal without
+    /// When the lesson locks what it would change, it names a row or vertex that is not there, leaves a row without constraints or a goal without
     /// the row that it is on, or makes the system singular; nothing has changed then.
     pub fn edit(&mut self, edit: Edit) -> Result<bool, Error> {
         self.end_transaction();
@@ -105,6 +105,7 @@ impl Session {
 
     /// Makes an edit without a step of undo; its name and the way back, or none where it changes nothing.
     pub(super) fn make(&mut self, edit: Edit) -> Result<Option<(String, Change)>, Error> {
+        check_locks(&edit, self.document())?;
         if let Edit::Refine { scheme, levels, keep } = edit {
             return self.refine(&Subdivision { scheme, levels, keep }).map(Some);
         }

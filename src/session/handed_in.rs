@@ -1,16 +1,20 @@
 //! The results that a student hands in, and what a teacher finds when they are checked.
 
 use super::Session;
+use super::edit::{is_of_solver, settings_of};
 use crate::error::Error;
 use crate::mesh::Mesh;
-use crate::scene::{ClosenessTo, GoalResult, MeshSource, Results, Scene, SceneError};
+use crate::scene::{
+    ClosenessTo, ConstraintSpec, GoalResult, Lock, MeshSource, Results, Scene, SceneError,
+};
 
 impl Session {
     /// The results that `student` hands in at `time`; none without a lesson.
     pub fn results(&mut self, student: &str, time: &str) -> Option<Results> {
         self.document().lesson.as_ref()?;
         let goals = self.goals();
-        let Scene { title, constraints, handles, .. } = self.scene();
+        let settings = settings_of(self.document());
+        let Scene { title, constraints, handles, weights, .. } = self.scene();
         Some(Results {
             student: student.to_owned(),
             title,
@@ -21,9 +25,29 @@ impl Session {
             goals,
             constraints,
             handles,
+            steps: self.history.steps()[0].iter().map(|(name, _)| name.clone()).collect(),
+            weights: Some(weights),
+            settings,
+            moved: Some(self.moved().max),
+            distance: Some(self.worst_distance()),
             positions: self.positions(),
         })
     }
+}
+
+/// What was found when results were measured again.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Checked {
+    /// The goals as measured.
+    pub goals: Vec<GoalResult>,
+    /// How far a vertex is from where it was, at most, in the unit of the mesh.
+    pub moved: f64,
+    /// The largest distance of a vertex to the shape of a constraint of the scene, in that unit.
+    pub distance: f64,
+    /// What the lesson locks, and is not as in the scene.
+    pub altered: Vec<Lock>,
+    /// What else the student changed, in words.
+    pub changed: Vec<String>,
 }
 
 /// Measures the shape of `results` with the lesson and the constraints of `scene`, on its `mesh`: what
@@ -31,15 +55,12 @@ impl Session {
 ///
 /// # Errors
 /// When the results are of another scene, or the scene has no lesson.
-pub fn check_results(
-    results: &Results,
-    scene: Scene,
-    mesh: Mesh,
-) -> Result<Vec<GoalResult>, Error> {
+pub fn check_results(results: &Results, scene: Scene, mesh: Mesh) -> Result<Checked, Error> {
     let at = |path: &str, message: String| SceneError { path: path.to_owned(), message };
-    if scene.lesson.is_none() {
+    let Some(lesson) = &scene.lesson else {
         return Err(at("", "the scene has no lesson, expected goals to check".to_owned()).into());
-    }
+    };
+    let locks = lesson.lock.clone();
     let expected = scene.fingerprint(&mesh);
     if results.scene != expected {
         let found = &results.scene;
@@ -48,6 +69,14 @@ pub fn check_results(
         );
         return Err(at("scene", message).into());
     }
+    // As it is written when it is handed in unchanged.
+    let given = Session::open(scene.clone(), mesh.clone())?.scene();
+    let different = differences(results, &given);
+    let (altered, changed) =
+        different.into_iter().partition::<Vec<_>, _>(|(part, _)| locks.contains(part));
+    let mut altered: Vec<Lock> = altered.into_iter().map(|(part, _)| part).collect();
+    altered.dedup();
+
     // Nothing may move a vertex: neither handles nor a boundary that is held exactly.
     let mut still = Scene::new(MeshSource::Inline(Box::default()));
     still.closeness.to = ClosenessTo::None;
@@ -55,5 +84,56 @@ pub fn check_results(
     still.sets = scene.sets;
     still.constraints = scene.constraints;
     still.current = Some(results.positions.clone());
-    Ok(Session::open(still, mesh)?.goals())
+    let mut still = Session::open(still, mesh)?;
+    Ok(Checked {
+        goals: still.goals(),
+        moved: still.moved().max,
+        distance: still.worst_distance(),
+        altered,
+        changed: changed.into_iter().map(|(_, words)| words).collect(),
+    })
+}
+
+/// What is otherwise than in the scene that was given, in words: by the part that it belongs to.
+fn differences(results: &Results, given: &Scene) -> Vec<(Lock, String)> {
+    let mut found = Vec::new();
+    match results.weights {
+        Some(weights) => {
+            let [from, to] = [given.weights, weights];
+            let pairs = [
+                ("shape", from.shape, to.shape),
+                ("close", from.close, to.close),
+                ("smooth", from.smooth, to.smooth),
+            ];
+            for (name, from, to) in pairs.into_iter().filter(|(_, from, to)| from != to) {
+                found.push((Lock::Weights, format!("{name} weight {from} to {to}")));
+            }
+        }
+        None => found.push((Lock::Weights, "weights not told".to_owned())),
+    }
+    for (id, from) in &settings_of(given) {
+        let to = results.settings.get(id);
+        if !is_of_solver(id) && to.is_none_or(|to| !same_value(to, from)) {
+            found.push((Lock::Weights, format!("setting {id}")));
+        }
+    }
+    if results.constraints != given.constraints {
+        // A row that was added brings a weight of its own, which is no change of another.
+        let unweighed = |specs: &[ConstraintSpec]| -> Vec<ConstraintSpec> {
+            specs.iter().map(|spec| ConstraintSpec { weight: 1.0, ..spec.clone() }).collect()
+        };
+        if unweighed(&results.constraints) == unweighed(&given.constraints) {
+            found.push((Lock::Weights, "weights of constraints".to_owned()));
+        }
+        found.push((Lock::Constraints, "constraints".to_owned()));
+    }
+    if results.handles != given.handles {
+        found.push((Lock::Handles, "handles".to_owned()));
+    }
+    found
+}
+
+/// Whole numbers are the same with a point and without.
+fn same_value(a: &serde_json::Value, b: &serde_json::Value) -> bool {
+    a == b || a.as_f64().is_some_and(|a| b.as_f64() == Some(a))
 }

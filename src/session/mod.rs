@@ -52,7 +52,7 @@ pub use composition::Session;
 pub use dragging::DragPhase;
 pub use edit::{ConstraintTarget, Edit, NewConstraint, Preview, SETTINGS, Setting, settings_of};
 pub use exact_trial::{ExactOffer, ExactTrial, Price};
-pub use handed_in::check_results;
+pub use handed_in::{Checked, check_results};
 pub use opened_file::{FileReader, Guessed, OpenedFile, is_scene, named_files};
 pub use remedies::{Remedies, Remedy};
 pub use report::{

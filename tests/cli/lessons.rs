@@ -57,3 +57,48 @@ fn results_of_something_else_are_refused() {
         .run(&["check", "good.json", "--scene", "s.json", "--report", "r.json"])
         .misused("report");
 }
+
+#[test]
+fn a_folder_of_results_becomes_a_table() {
+    let folder = folder("class");
+    let class = folder.0.join("class");
+    std::fs::create_dir_all(&class).unwrap();
+    folder.write("class/roof.obj", ROOF).write("class/s.shapeup.json", folder.read("s.json"));
+    folder.write("class/1.results.json", folder.read("good.json"));
+    let other = folder.read("bad.json").replace("Ada Lovelace", "=HYPERLINK(\\\"x\\\")");
+    folder.write("class/2.results.json", other.replace("\"passed\": false", "\"passed\": true"));
+    let scene = folder.read("bad.json");
+    let at = scene.find("\"scene\": \"").unwrap() + 10;
+    let strange = format!("{}0000000000000000{}", &scene[..at], &scene[at + 16..]);
+    folder.write("class/3.results.json", strange.replace("Ada Lovelace", "Charles Babbage"));
+    let out = folder.run(&["check", "class", "--csv", "t.csv"]).done();
+    let lines: Vec<&str> = out.lines().collect();
+    assert_eq!(lines.len(), 5, "{out}");
+    assert!(lines[0].starts_with("student ") && lines[0].contains("worst distance"), "{out}");
+    assert!(lines[1].starts_with("=HYPERLINK") && lines[1].contains("0 of 2"), "{out}");
+    assert!(lines[2].starts_with("Ada Lovelace ") && lines[2].contains("2 of 2"), "{out}");
+    assert!(lines[3].contains("another mesh or lesson"), "{out}");
+    assert_eq!(lines[4], "1 passed, of 3 files");
+    let table = folder.read("t.csv");
+    assert!(table.contains("\"'=HYPERLINK(\"\"x\"\")\",\"0\",\"2\""), "{table}");
+    assert_eq!(table.lines().count(), 4);
+    // What cannot be read is a row too, and the end says so.
+    folder.write("class/4.results.json", "{");
+    let ended = folder.run(&["check", "class", "--scene", "s.json"]);
+    assert_eq!(ended.code, Some(1), "{ended:?}");
+    assert!(
+        ended.out.contains("unreadable") && ended.err.starts_with("class/4.results.json: "),
+        "{ended:?}"
+    );
+}
+
+#[test]
+fn a_folder_without_a_scene_or_results_is_refused() {
+    let folder = Folder::new("no-class");
+    std::fs::create_dir_all(folder.0.join("class")).unwrap();
+    folder.run(&["check", "class"]).refused(&["class: no scene", "--scene"]);
+    folder.write("roof.obj", ROOF).write("s.json", scene(&format!("{PLANES}{LESSON}")));
+    folder.run(&["check", "class", "--scene", "s.json"]).refused(&["class: no results"]);
+    folder.run(&["check", "class", "--report", "r.json"]).misused("--csv");
+    folder.run(&["check", "s.json", "--csv", "t.csv"]).misused("folder");
+}

@@ -7,9 +7,9 @@ use shape_up::fabricate::{BuildSettings, CheckLimits, Dxf, OffsetKind};
 use shape_up::mesh::Mesh;
 use shape_up::scene::{
     Accelerator, BoundaryCloseness, BoundaryRequire, Closeness, ClosenessTo, ClosenessWeight,
-    ConstraintSpec, Factorization, Goal, GoalOf, HandleSpec, Hold, Lesson, MeshSource, NamedEnum,
-    Pose, Require, Scene, Smoothness, SmoothnessOf, SolverSettings, Up, Variant, Variants,
-    Weighting, Weights,
+    ConstraintSpec, Factorization, Goal, GoalOf, HandleSpec, Hold, Lesson, Lock, MeshSource,
+    NamedEnum, Pose, Require, Scene, Smoothness, SmoothnessOf, SolverSettings, Up, Variant,
+    Variants, Weighting, Weights,
 };
 
 fn require() -> impl Strategy<Value = Require> {
@@ -131,8 +131,13 @@ prop_compose! {
             },
             lesson: lesson.map(|(text, goals)| Lesson {
                 text,
+                lock: Lock::WORDS.iter().map(|(_, lock)| *lock).take(goals.len()).collect(),
                 goals: goals.into_iter().map(|(named, of, at_most)| Goal {
-                    of: if named { GoalOf::Constraint(of) } else { GoalOf::Measure(of) },
+                    of: match named {
+                        true => GoalOf::Constraint(of),
+                        false if at_most < 1.0 => GoalOf::Measure(of),
+                        false => GoalOf::Beyond { measure: of, tolerance: at_most / 2.0 },
+                    },
                     at_most,
                 }).collect(),
             }),

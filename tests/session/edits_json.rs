@@ -75,7 +75,10 @@ fn every_edit_is_read_with_its_fields() {
         (json!({ "type": "setWeights", "close": 0.5 }), Edit::SetWeights(weights)),
         (json!({ "type": "setUnits", "units": "mm" }), Edit::SetUnits { units: "mm".to_owned() }),
         (json!({ "type": "setUp", "up": "y" }), Edit::SetUp { up: Up::Y }),
-        (json!({ "type": "setLesson", "lesson": null }), Edit::SetLesson { lesson: None }),
+        (
+            json!({ "type": "setLesson", "lesson": null }),
+            Edit::SetLesson { lesson: None, unsolved: false },
+        ),
         (
             json!({ "type": "setBuild", "build": { "scale": 20 } }),
             Edit::SetBuild {

@@ -91,7 +91,7 @@ fn a_row_stays_what_a_goal_is_on() {
     // Of two that are called so, one can go; and both when there is no lesson any more.
     session.edit(Edit::DuplicateConstraint { index: 0 }).expect("there is a row");
     session.edit(removed.clone()).expect("another one is called so");
-    session.edit(Edit::SetLesson { lesson: None }).expect("it can be taken away");
+    session.edit(Edit::SetLesson { lesson: None, unsolved: false }).expect("it can be taken away");
     session.edit(renamed).expect("nothing is on it");
     session.edit(removed).expect("nothing is on it");
     while session.undo().expect("the state was solvable").is_some() {}
@@ -104,13 +104,15 @@ fn a_lesson_is_written_in_one_step_that_leaves_the_solver_alone() {
     let before = (session.positions(), session.iteration(), session.solver().energy());
     let text = r#"{ "text": "Other", "goals": [{ "measure": "angles", "at_most": 5 }] }"#;
     let lesson = Lesson::from_json(text).expect("it is valid");
-    session.edit(Edit::SetLesson { lesson: Some(lesson.clone()) }).expect("it can be measured");
+    session
+        .edit(Edit::SetLesson { lesson: Some(lesson.clone()), unsolved: false })
+        .expect("it can be measured");
     assert_eq!(session.document().lesson.as_ref(), Some(&lesson));
     assert_eq!((session.positions(), session.iteration(), session.solver().energy()), before);
     assert_eq!(session.goals().len(), 1);
     assert_eq!(session.undo().expect("it can be undone").as_deref(), Some("Change lesson"));
     assert_eq!(session.document().lesson, scene().lesson);
-    session.edit(Edit::SetLesson { lesson: None }).expect("it can be taken away");
+    session.edit(Edit::SetLesson { lesson: None, unsolved: false }).expect("it can be taken away");
     assert!(session.goals().is_empty());
     assert_eq!(session.results("Ada", ""), None);
 }
@@ -161,7 +163,7 @@ fn what_is_wrong_in_a_lesson_is_named_by_its_place() {
             "lesson.goals[0].constraint: ",
             "on the constraint \"Panel\", expected one of \"Panels\", \"Plane\"",
         ),
-        (r#"{ "text": "", "goals": [], "lock": [] }"#, "lesson: ", "unknown key `lock`"),
+        (r#"{ "text": "", "goals": [], "locks": [] }"#, "lesson: ", "unknown key `locks`"),
     ] {
         let message = in_scene(rows, lesson, bumpy(5));
         assert!(message.starts_with(place) && message.contains(what), "{message}");
@@ -184,7 +186,7 @@ fn results_are_written_read_and_measured_again() {
     assert_eq!(results.iterations, session.iteration());
     let again = Results::from_json(&results.to_json()).expect("it was written here");
     assert_eq!(again, results);
-    let goals = check_results(&again, scene(), bumpy(5)).expect("they are of this scene");
+    let goals = check_results(&again, scene(), bumpy(5)).expect("they are of this scene").goals;
     assert!(goals.iter().all(|goal| goal.met), "{goals:?}");
     for (measured, said) in goals.iter().zip(&results.goals) {
         let (measured, said) =
@@ -203,7 +205,7 @@ fn results_are_not_believed() {
         goal.met = true;
         goal.value = Some(0.0);
     }
-    let goals = check_results(&results, scene(), bumpy(5)).expect("they are of this scene");
+    let goals = check_results(&results, scene(), bumpy(5)).expect("they are of this scene").goals;
     assert_eq!(goals.iter().map(|goal| goal.met).collect::<Vec<_>>(), [false, true, false]);
     results.positions.pop();
     assert!(check_results(&results, scene(), bumpy(5)).is_err());

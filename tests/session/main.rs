@@ -18,6 +18,7 @@ mod edits_json;
 mod halves;
 mod improving;
 mod lessons;
+mod locks;
 mod make_panels;
 mod offers;
 mod operators;

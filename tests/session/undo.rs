@@ -34,7 +34,7 @@ enum Deed {
 
 fn lesson() -> Lesson {
     let goal = Goal { of: GoalOf::Constraint("Plane".to_owned()), at_most: 0.1 };
-    Lesson { text: "Make it flat.".to_owned(), goals: vec![goal] }
+    Lesson { text: "Make it flat.".to_owned(), goals: vec![goal], lock: Vec::new() }
 }
 
 /// One of the declared settings, at one of its values.
@@ -100,7 +100,8 @@ fn deed() -> impl Strategy<Value = Deed> {
             .prop_map(|(vertices, fixed)| Edit::AddHandles { vertices, fixed }),
         vertices().prop_map(|vertices| Edit::RemoveHandles { vertices }),
         (0..3usize, "[a-c]{0,2}").prop_map(|(index, name)| Edit::RenameConstraint { index, name }),
-        any::<bool>().prop_map(|is_one| Edit::SetLesson { lesson: is_one.then(lesson) }),
+        any::<bool>()
+            .prop_map(|is_one| Edit::SetLesson { lesson: is_one.then(lesson), unsolved: false }),
         (1.0..3.0f64).prop_map(|scale| Edit::SetBuild {
             build: Box::new(BuildSettings { scale: scale.round(), ..BuildSettings::default() }),
         }),
@@ -200,7 +201,7 @@ fn an_edit_that_changes_nothing_is_no_step() {
         Edit::SetWeights(document.weights),
         Edit::SetUnits { units: document.units },
         Edit::SetUp { up: document.up },
-        Edit::SetLesson { lesson: None },
+        Edit::SetLesson { lesson: None, unsolved: false },
         Edit::RenameConstraint { index: 0, name: String::new() },
         Edit::RemoveSet { name: "eaves".to_owned() },
         Edit::Set { id: "tolerance".to_owned(), value: json!(1e-9) },

@@ -23,6 +23,12 @@ pub(super) enum Command {
         results: PathBuf,
         scene: PathBuf,
     },
+    /// `shape-up check FOLDER`.
+    CheckClass {
+        folder: PathBuf,
+        scene: Option<PathBuf>,
+        csv: Option<PathBuf>,
+    },
     Refine(Refine),
     New(New),
     Parametrize(Parametrize),
@@ -155,15 +161,25 @@ pub(super) fn parse(arguments: Vec<OsString>) -> Result<Command, String> {
 }
 
 fn check(mut words: Words) -> Result<Command, String> {
-    let (mut mesh, mut report, mut scene) = (None, None, None);
+    let (mut mesh, mut report, mut scene, mut csv) = (None, None, None, None);
     while let Some(name) = words.option(&mut mesh)? {
         match name.as_str() {
             "--report" => report = Some(words.file(&name)?),
+            "--csv" => csv = Some(words.file(&name)?),
             "--scene" => scene = Some(words.file(&name)?),
             _ => return Err(unknown(&Word::Option(name), "check")),
         }
     }
-    let file = mesh.ok_or("check needs a mesh file")?;
+    let file = mesh.ok_or("check needs a mesh file, results or a folder of them")?;
+    if file.is_dir() {
+        return match report {
+            None => Ok(Command::CheckClass { folder: file, scene, csv }),
+            Some(_) => Err("check writes no report of results, expected --csv".to_owned()),
+        };
+    }
+    if csv.is_some() {
+        return Err("check writes a table of a folder, expected one before --csv".to_owned());
+    }
     match (scene, report) {
         (None, report) => Ok(Command::Check { mesh: file, report }),
         (Some(scene), None) => Ok(Command::CheckResults { results: file, scene }),

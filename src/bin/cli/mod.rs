@@ -75,6 +75,9 @@ fn perform(command: Command) -> Result<(), Failure> {
         Command::Refine(refine) => refine::refine(&refine),
         Command::Check { mesh, report } => check::check(&mesh, report.as_deref()),
         Command::CheckResults { results, scene } => results::check(&results, &scene),
+        Command::CheckClass { folder, scene, csv } => {
+            results::check_class(&folder, scene.as_deref(), csv.as_deref())
+        }
         Command::New(new) => new_mesh::make(&new),
         Command::Parametrize(parametrize) => parametrize::parametrize(&parametrize),
         Command::Examples { out: None } => examples::list(),

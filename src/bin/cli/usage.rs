@@ -25,6 +25,7 @@ usage: shape-up solve SCENE|MESH [--panels KIND] [--exact | --within LENGTH]
                 [--report FILE.json]
        shape-up check MESH [--report FILE.json]
        shape-up check RESULTS --scene SCENE
+       shape-up check FOLDER [--scene SCENE] [--csv FILE.csv]
        shape-up new KIND [--SIZE VALUE ...] [--units UNIT] [--out FILE.obj]
        shape-up parametrize MESH [--weights {}] [--norm {}]
                 [--out UV.obj] [--report FILE.json]
@@ -55,7 +56,9 @@ refine makes several faces of each, N times; the boundary is a curve of its own,
 that turn by more than DEGREES (75) stay sharp. With --panels it solves before the first level and after
 each. The scene goes along: --out writes the mesh, or where the name ends in .json, the scene with it.
 RESULTS is what a student hands in of a lesson: check measures its shape with the goals and the
-constraints of the SCENE, and ends with 1 when one is not met.
+constraints of the SCENE, and ends with 1 when one is not met. Of a FOLDER of them it writes a table:
+goals met, worst distance, moved, and whether the mesh or what the lesson locks was altered. The scene
+may be in the folder.
 new makes a mesh to begin with, of lengths in the UNIT (m); what is not given is as here:
 {}
 parametrize makes a flat map that keeps angles; --out writes the mesh with the map as its vt.

@@ -41,6 +41,7 @@ fn glass_roof(scene: &mut Scene) -> Mesh {
     scene.lesson = Some(Lesson {
         text: TEXT.to_owned(),
         goals: vec![goal("planarity", 0.001), goal("surface", 0.05)],
+        lock: Vec::new(),
     });
     roof.mesh()
 }

@@ -3,14 +3,16 @@
 //! ```json
 //! { "text": "Make every panel flat.",
 //!   "goals": [ { "measure": "planarity", "at_most": 0.001 },
-//!              { "constraint": "Eaves", "at_most": 0.01 } ] }
+//!              { "measure": "planarity", "beyond": 0.001, "at_most": 3 },
+//!              { "constraint": "Eaves", "at_most": 0.01 } ],
+//!   "lock": ["mesh", "constraints"] }
 //! ```
 
 use super::file::{RESULTS, VERSION, from_json};
 use super::text::{field, lines, number, object, point, rows, text};
 use super::{constraint, handle};
 use crate::json::{JsonError, found, present};
-use crate::scene::{Goal, GoalOf, GoalResult, Lesson, Results, SceneError};
+use crate::scene::{Goal, GoalOf, GoalResult, Lesson, Lock, NamedEnum, Results, SceneError};
 use serde::de::{Deserialize, Deserializer, Error};
 
 impl Lesson {
@@ -30,6 +32,12 @@ struct LessonFile {
     text: String,
     #[cfg_attr(target_arch = "wasm32", tsify(type = "GoalFile[]"))]
     goals: Vec<Goal>,
+    #[serde(default)]
+    #[cfg_attr(
+        target_arch = "wasm32",
+        tsify(optional, type = "(\"weights\" | \"constraints\" | \"handles\" | \"mesh\")[]")
+    )]
+    lock: Vec<Lock>,
 }
 
 #[derive(serde::Deserialize)]
@@ -40,6 +48,8 @@ struct GoalFile {
     measure: Option<String>,
     #[serde(default, deserialize_with = "present")]
     constraint: Option<String>,
+    #[serde(default, deserialize_with = "present")]
+    beyond: Option<f64>,
     #[serde(default, deserialize_with = "present")]
     at_most: Option<f64>,
 }
@@ -52,6 +62,8 @@ struct ResultFile {
     #[serde(default, deserialize_with = "present")]
     constraint: Option<String>,
     #[serde(default, deserialize_with = "present")]
+    beyond: Option<f64>,
+    #[serde(default, deserialize_with = "present")]
     at_most: Option<f64>,
     value: Option<f64>,
     met: bool,
@@ -59,12 +71,12 @@ struct ResultFile {
 
 impl<'de> Deserialize<'de> for Lesson {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Lesson, D::Error> {
-        let LessonFile { text, goals } = LessonFile::deserialize(from)?;
+        let LessonFile { text, goals, lock } = LessonFile::deserialize(from)?;
         if goals.is_empty() {
             let message = "found an array of 0, expected at least one goal";
             return Err(D::Error::custom(JsonError::new("goals", message)));
         }
-        Ok(Lesson { text, goals })
+        Ok(Lesson { text, goals, lock })
     }
 }
 
@@ -76,9 +88,9 @@ impl<'de> Deserialize<'de> for Goal {
 
 impl<'de> Deserialize<'de> for GoalResult {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<GoalResult, D::Error> {
-        let ResultFile { measure, constraint, at_most, value, met } =
+        let ResultFile { measure, constraint, beyond, at_most, value, met } =
             ResultFile::deserialize(from)?;
-        let goal = goal_of(GoalFile { measure, constraint, at_most });
+        let goal = goal_of(GoalFile { measure, constraint, beyond, at_most });
         Ok(GoalResult { goal: goal.map_err(D::Error::custom)?, value, met })
     }
 }
@@ -86,31 +98,49 @@ impl<'de> Deserialize<'de> for GoalResult {
 fn goal_of(file: GoalFile) -> Result<Goal, JsonError> {
     const WHAT: &str = "{\"measure\": ...} or {\"constraint\": ...}";
     let error = |message: String| Err(JsonError::new("", message));
+    let from_zero = |key: &str, value: f64| match value >= 0.0 {
+        true => Ok(value),
+        false => Err(found(&value.into(), "a number from 0").below_key(key)),
+    };
+    let beyond = file.beyond.map(|beyond| from_zero("beyond", beyond)).transpose()?;
     let of = match (file.measure, file.constraint) {
-        (Some(id), None) => GoalOf::Measure(id),
+        (Some(measure), None) => match beyond {
+            Some(tolerance) => GoalOf::Beyond { measure, tolerance },
+            None => GoalOf::Measure(measure),
+        },
+        (None, Some(_)) if beyond.is_some() => {
+            return error("`beyond` counts faces by a measure, expected a \"measure\"".to_owned());
+        }
         (None, Some(name)) => GoalOf::Constraint(name),
         (None, None) => return error(format!("the goal is about nothing, expected {WHAT}")),
         (Some(_), Some(_)) => return error(format!("the goal is about two, expected {WHAT}")),
     };
     let at_most = file.at_most.ok_or_else(|| JsonError::missing_field("at_most"))?;
-    if at_most < 0.0 {
-        return Err(found(&at_most.into(), "a number from 0").below_key("at_most"));
-    }
-    Ok(Goal { of, at_most })
+    Ok(Goal { of, at_most: from_zero("at_most", at_most)? })
 }
 
 /// The lesson, each goal on a line.
 pub(super) fn write(lesson: &Lesson) -> String {
     let goals = lesson.goals.iter().map(|goal| object(goal_fields(goal))).collect();
-    object(vec![field("text", text(&lesson.text)), field("goals", lines('[', goals, ']'))])
+    let mut fields =
+        vec![field("text", text(&lesson.text)), field("goals", lines('[', goals, ']'))];
+    if !lesson.lock.is_empty() {
+        let words: Vec<_> = lesson.lock.iter().map(|lock| text(lock.word())).collect();
+        fields.push(field("lock", format!("[{}]", words.join(", "))));
+    }
+    object(fields)
 }
 
 fn goal_fields(goal: &Goal) -> Vec<String> {
-    let of = match &goal.of {
-        GoalOf::Measure(id) => field("measure", text(id)),
-        GoalOf::Constraint(name) => field("constraint", text(name)),
+    let mut fields = match &goal.of {
+        GoalOf::Measure(id) => vec![field("measure", text(id))],
+        GoalOf::Beyond { measure, tolerance } => {
+            vec![field("measure", text(measure)), field("beyond", number(*tolerance))]
+        }
+        GoalOf::Constraint(name) => vec![field("constraint", text(name))],
     };
-    vec![of, field("at_most", number(goal.at_most))]
+    fields.push(field("at_most", number(goal.at_most)));
+    fields
 }
 
 impl Results {
@@ -124,7 +154,8 @@ impl Results {
         });
         let constraints = self.constraints.iter().map(constraint::write).collect();
         let handles = self.handles.iter().map(handle::write).collect();
-        let fields = [
+        let steps: Vec<_> = self.steps.iter().map(|step| text(step)).collect();
+        let mut fields = vec![
             field("format", text(RESULTS)),
             field("version", VERSION.to_string()),
             field("student", text(&self.student)),
@@ -136,8 +167,17 @@ impl Results {
             field("goals", lines('[', goals.collect(), ']')),
             field("constraints", lines('[', constraints, ']')),
             field("handles", lines('[', handles, ']')),
-            field("positions", rows(self.positions.iter().map(point), "")),
+            field("steps", format!("[{}]", steps.join(", "))),
         ];
+        fields.extend(self.weights.map(|w| {
+            let values = [("shape", w.shape), ("close", w.close), ("smooth", w.smooth)];
+            field("weights", object(values.map(|(key, value)| field(key, number(value))).into()))
+        }));
+        let settings = self.settings.iter().map(|(id, value)| field(id, value.to_string()));
+        fields.push(field("settings", object(settings.collect())));
+        fields.extend(self.moved.map(|moved| field("moved", number(moved))));
+        fields.extend(self.distance.map(|distance| field("distance", number(distance))));
+        fields.push(field("positions", rows(self.positions.iter().map(point), "")));
         format!("{{\n  {}\n}}\n", fields.join(",\n  "))
     }
 }

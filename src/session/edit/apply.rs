@@ -182,8 +182,11 @@ pub(crate) fn apply(
             draft.put(Part::Up(up));
             "Change up axis".to_owned()
         }
-        Edit::SetLesson { lesson } => {
+        Edit::SetLesson { lesson, unsolved } => {
             draft.put(Part::Lesson(lesson));
+            if unsolved {
+                back_to_rest(Variants::default(), draft, moment);
+            }
             "Change lesson".to_owned()
         }
         Edit::SetBuild { build } => {
@@ -217,16 +220,21 @@ pub(crate) fn apply(
         }
         Edit::Refine { .. } => unreachable!("it makes another mesh, which no draft can"),
         Edit::Reset => {
-            draft.put_positions(draft.mesh().positions.as_slice().into());
             let kept = draft.document().variants.kept.clone();
-            draft.put(Part::Variants(Variants { kept, design: None }));
-            *moment = Moment { iteration: 0, start: None };
+            back_to_rest(Variants { kept, design: None }, draft, moment);
             "Reset".to_owned()
         }
     };
     // Also of a row that is renamed or taken away: the scene could not be opened again.
     check_lesson(draft.document(), draft.mesh())?;
     Ok(name)
+}
+
+/// Goes back to the rest shape, with these variants.
+fn back_to_rest(variants: Variants, draft: &mut Draft<'_>, moment: &mut Moment) {
+    draft.put_positions(draft.mesh().positions.as_slice().into());
+    draft.put(Part::Variants(variants));
+    *moment = Moment { iteration: 0, start: None };
 }
 
 /// Reads the text of a mesh file that an edit brings.

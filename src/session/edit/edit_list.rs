@@ -145,6 +145,10 @@ pub enum Edit {
         /// The exercise; none for no longer.
         #[cfg_attr(target_arch = "wasm32", tsify(type = "LessonFile | null"))]
         lesson: Option<Lesson>,
+        /// Goes back to the rest shape and forgets the variants: students get no solution.
+        #[serde(default)]
+        #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+        unsolved: bool,
     },
     /// Says what is to be made of the shape.
     SetBuild {

@@ -9,6 +9,7 @@
 //! | `target_shape` | what that is to the mesh, for the usual kind |
 //! | `preview` | what adding a constraint would make |
 //! | `closeness_weights` | how close single vertices are kept |
+//! | `locks` | which edits a lesson refuses |
 //! | `variants` | shapes that were kept |
 //! | `carry` | a scene carried over to another mesh |
 //! | `settings` | the declared settings of a scene |
@@ -19,6 +20,7 @@ mod closeness_weights;
 mod constraint_target;
 mod edit_json;
 mod edit_list;
+mod locks;
 mod preview;
 mod settings;
 mod target_shape;
@@ -28,6 +30,8 @@ pub(crate) use apply::{Moment, apply};
 pub(crate) use carry::{Carried, carry};
 pub use constraint_target::ConstraintTarget;
 pub use edit_list::{Edit, NewConstraint};
+pub(crate) use locks::{check_lock, check_locks};
 pub use preview::Preview;
 pub(crate) use preview::previews;
+pub(crate) use settings::is_of_solver;
 pub use settings::{SETTINGS, Setting, settings_of};

@@ -155,6 +155,11 @@ pub const SETTINGS: &[Setting] = &[
     },
 ];
 
+/// Whether the setting `id` is one of how it is solved, not of what.
+pub(crate) fn is_of_solver(id: &str) -> bool {
+    SETTINGS.iter().any(|setting| setting.param.id == id && setting.group == SOLVER)
+}
+
 /// The value of every setting in `scene`, by id.
 pub fn settings_of(scene: &Scene) -> Map<String, Value> {
     let boundary = scene.closeness.boundary.unwrap_or_default();

@@ -22,6 +22,8 @@ pub struct GoalWords<'a> {
     pub at_most: f64,
     /// The id of the measure; none where it is about a constraint.
     pub measure: Option<&'static str>,
+    /// Where faces beyond this value are counted, the value, in that unit; `at_most` is a count then.
+    pub beyond: Option<f64>,
 }
 
 /// Checks that `scene` asks for nothing that cannot be measured on `mesh`.
@@ -33,7 +35,9 @@ pub(crate) fn check_lesson(scene: &Scene, mesh: &Mesh) -> Result<(), SceneError>
     let goals = scene.lesson.iter().flat_map(|lesson| &lesson.goals);
     for (i, goal) in goals.enumerate() {
         let (key, checked) = match &goal.of {
-            GoalOf::Measure(id) => ("measure", check_measure(id, mesh)),
+            GoalOf::Measure(id) | GoalOf::Beyond { measure: id, .. } => {
+                ("measure", check_measure(id, mesh))
+            }
             GoalOf::Constraint(name) => ("constraint", check_constraint(name, scene)),
         };
         let path = || format!("lesson.goals[{i}].{key}");
@@ -84,7 +88,7 @@ pub fn goals_in_words(lesson: &Lesson) -> Vec<GoalWords<'_>> {
 
 fn goal_in_words(goal: &Goal) -> GoalWords<'_> {
     match &goal.of {
-        GoalOf::Measure(id) => {
+        GoalOf::Measure(id) | GoalOf::Beyond { measure: id, .. } => {
             let measure = declared(id).expect("goals are checked when a scene is taken over");
             GoalWords {
                 label: measure.label,
@@ -92,6 +96,10 @@ fn goal_in_words(goal: &Goal) -> GoalWords<'_> {
                 unit: measure.unit,
                 at_most: goal.at_most,
                 measure: Some(measure.id),
+                beyond: match goal.of {
+                    GoalOf::Beyond { tolerance, .. } => Some(tolerance),
+                    _ => None,
+                },
             }
         }
         GoalOf::Constraint(name) => GoalWords {
@@ -100,6 +108,7 @@ fn goal_in_words(goal: &Goal) -> GoalWords<'_> {
             unit: MeasureUnit::Length,
             at_most: goal.at_most,
             measure: None,
+            beyond: None,
         },
     }
 }
@@ -114,19 +123,25 @@ pub(crate) fn goals(model: &mut Measuring<'_>) -> Vec<GoalResult> {
         // At most zero asks for exact, which rounding keeps from zero itself.
         let at_most = match goal.of {
             GoalOf::Constraint(_) => goal.at_most.max(exact),
-            GoalOf::Measure(_) => goal.at_most,
+            GoalOf::Measure(_) | GoalOf::Beyond { .. } => goal.at_most,
         };
         GoalResult { met: value.is_some_and(|value| value <= at_most), goal, value }
     };
     goals.into_iter().map(result).collect()
 }
 
-/// The largest value; none where nothing has one.
+/// The largest value, or how many are beyond; none where nothing has one.
 fn worst_of(model: &mut Measuring<'_>, of: &GoalOf) -> Option<f64> {
     match of {
         GoalOf::Measure(id) => {
             let values = face_values(model, id, Shape::Now)?.into_iter();
             values.filter(|value| !value.is_nan()).reduce(f64::max)
+        }
+        GoalOf::Beyond { measure, tolerance } => {
+            let values = face_values(model, measure, Shape::Now)?;
+            let has_one = values.iter().any(|value| !value.is_nan());
+            let beyond = values.iter().filter(|value| *value > tolerance).count();
+            has_one.then_some(beyond as f64)
         }
         GoalOf::Constraint(name) => {
             let specs = model.scene.document().constraints.iter();

@@ -37,10 +37,10 @@ async function write(page) {
   const dialog = page.getByRole('dialog', { name: 'Lesson' });
   await dialog.getByLabel('Task').fill(WORDS);
   await worst(dialog, 1).selectOption({ label: 'Planarity' });
-  await most(dialog, 'Goal 1: planarity at most, m').fill('0.005');
+  await most(dialog, 'Goal 1: planarity at most, mm').fill('5');
   await dialog.getByRole('button', { name: 'Add goal' }).click();
   await worst(dialog, 2).selectOption({ label: 'Constraint: Plane' });
-  await most(dialog, 'Goal 2: constraint: plane at most, m').fill('0.01');
+  await most(dialog, 'Goal 2: constraint: plane at most, mm').fill('10');
   return dialog;
 }
 
@@ -140,13 +140,13 @@ test('a lesson comes through a link, and is undone', async ({ page, context }) =
 
 test('a lesson without an end is not kept, and one can be taken away', async ({ page }) => {
   const dialog = await write(page);
-  await most(dialog, 'Goal 1: planarity at most, m').fill('');
+  await most(dialog, 'Goal 1: planarity at most, mm').fill('');
   await dialog.getByRole('button', { name: 'Save lesson' }).click();
   await expect(dialog).toBeVisible();
   // What is left is the first one then.
   await dialog.getByRole('button', { name: 'Remove Goal 1: planarity' }).click();
   await worst(dialog, 1).selectOption({ label: 'Angle quality' });
-  await expect(most(dialog, 'Goal 1: angle quality at most, °')).toHaveValue('0.01');
+  await expect(most(dialog, 'Goal 1: angle quality at most, °')).toHaveValue('10');
   await dialog.getByRole('button', { name: 'Remove Goal 1: angle quality' }).click();
   await dialog.getByRole('button', { name: 'Save lesson' }).click();
   await expect(dialog).toContainText('expected at least one goal');

@@ -2,10 +2,12 @@
 
 import './lesson.css';
 import { openDialog } from '../../ui/controls/dialog.js';
-import { button, choice, closeButton } from '../../ui/controls/fields.js';
+import { button, checkbox, choice, closeButton } from '../../ui/controls/fields.js';
 import { element, setText } from '../../ui/dom.js';
 import { declared, measureOfScene, toleranceOf } from '../../store/colours/measures.js';
+import { length, lengthUnit } from '../../ui/format.js';
 import { messageOf } from '../../solver/messages.js';
+import { LOCKS } from './locks.js';
 
 const UNITS = { percent: '%', degrees: '°', number: '' };
 const ERROR_AT = /^goals\[(\d+)\]/;
@@ -19,19 +21,45 @@ export function write(app) {
   const state = store.get();
   const scene = state.document;
   if (!scene) return;
-  const units = scene.units || 'unit of the mesh';
+  // Goals are written in the unit of the tolerance.
+  const { tolerance } = state;
+  const { unit, factor } = lengthUnit(tolerance ?? 0, scene.units);
+  const lengths = { unit: unit || 'unit of the mesh', factor };
+  const measures = state.model?.faces ? state.measures : [];
+  /** @type {{ value: string, label: string, unit: string, factor: number, goal: object }[]} */
   const about = [
-    ...(state.model?.faces ? state.measures : []).map((measure) => ({
-      value: `measure ${measure.id}`,
-      label: measure.label,
-      unit: measure.unit === 'length' ? units : UNITS[measure.unit],
+    ...measures.map(({ id, label, unit }) => ({
+      value: `measure ${id}`,
+      label,
+      ...(unit === 'length' ? lengths : { unit: UNITS[unit], factor: 1 }),
+      goal: { measure: id },
     })),
+    ...measures
+      .filter(({ toleranced }) => toleranced && tolerance)
+      .map(({ id }) => counting(id, tolerance ?? 0)),
     ...[...new Set(scene.constraints.map(({ label }) => label))].map((label) => ({
       value: `constraint ${label}`,
       label: `Constraint: ${label}`,
-      unit: units,
+      ...lengths,
+      goal: { constraint: label },
     })),
   ];
+
+  /**
+   * Faces beyond a length, counted.
+   * @param {string} id of the measure
+   * @param {number} beyond
+   */
+  function counting(id, beyond) {
+    const label = declared(state, id)?.label ?? id;
+    return {
+      value: `beyond ${beyond} ${id}`,
+      label: `Panels beyond ${length(beyond, scene?.units ?? '')}: ${label}`,
+      unit: 'panels',
+      factor: 1,
+      goal: { measure: id, beyond },
+    };
+  }
 
   const text = element('textarea', { rows: 5, id: 'lesson-words', required: true });
   text.value = scene.lesson?.text ?? '';
@@ -52,7 +80,9 @@ export function write(app) {
     );
     if (about.some((one) => one.value === value)) of.value = value;
     const most = element('input', { type: 'number', min: '0', step: 'any', required: true });
-    if (atMost !== null) most.value = String(atMost);
+    const chosen = () => about.find((one) => one.value === of.value);
+    if (atMost !== null)
+      most.value = String(Number((atMost * (chosen()?.factor ?? 1)).toPrecision(12)));
     const unit = element('span.unit');
     const remove = closeButton('', () => {
       goals = goals.filter((goal) => goal.of !== of);
@@ -62,7 +92,7 @@ export function write(app) {
     });
     const row = element('li', 'worst', of, 'at most', most, unit, remove);
     function showUnit() {
-      setText(unit, about.find((one) => one.value === of.value)?.unit ?? '');
+      setText(unit, chosen()?.unit ?? '');
       nameGoals();
     }
     goals.push({ row, of, most, unit, remove });
@@ -88,8 +118,12 @@ export function write(app) {
   const add = button('Add goal', addEmpty, { disabled: about.length === 0 });
   const asked = declared(state, state.measure ?? measureOfScene(state));
   const first = `measure ${asked?.id ?? ''}`;
-  for (const { measure, label, atMost } of scene.lesson?.goals ?? []) {
-    addGoal(measure ? `measure ${measure}` : `constraint ${label}`, atMost);
+  for (const { measure, label, atMost, beyond } of scene.lesson?.goals ?? []) {
+    if (measure && beyond !== null) {
+      const counted = counting(measure, beyond);
+      if (!about.some(({ value }) => value === counted.value)) about.push(counted);
+      addGoal(counted.value, atMost);
+    } else addGoal(measure ? `measure ${measure}` : `constraint ${label}`, atMost);
   }
   if (goals.length === 0 && about.length > 0)
     addGoal(first, asked ? toleranceOf(state, asked) : null);
@@ -100,11 +134,17 @@ export function write(app) {
     const lesson = {
       text: text.value.trim(),
       goals: goals.map(({ of, most }) => {
-        const [what, ...name] = of.value.split(' ');
-        return { [what]: name.join(' '), at_most: most.valueAsNumber };
+        const { goal, factor } = about.find(({ value }) => value === of.value) ?? about[0];
+        return { ...goal, at_most: most.valueAsNumber / factor };
       }),
+      lock: locks.filter(({ box }) => box.checked).map(({ id }) => id),
     };
-    const kept = await actions.edit({ type: 'setLesson', lesson }, (refused) => {
+    const edit = /** @type {const} */ ({
+      type: 'setLesson',
+      lesson,
+      unsolved: unsolved.box.checked,
+    });
+    const kept = await actions.edit(edit, (refused) => {
       const path = refused instanceof Error && 'path' in refused ? String(refused.path) : '';
       setText(error, messageOf(refused));
       goals[Number(ERROR_AT.exec(path)?.[1])]?.most.focus();
@@ -115,6 +155,11 @@ export function write(app) {
     actions.setStatus('The scene is a lesson');
     then?.();
   }
+
+  const locks = LOCKS.map(([id, label]) => ({ id, ...checkbox(label, () => {}) }));
+  for (const { id, box } of locks) box.checked = scene.lesson?.lock.includes(id) ?? false;
+  const unsolved = checkbox('Students start from the model as it was opened, unsolved', () => {});
+  unsolved.box.checked = true;
 
   async function forget() {
     dialog.close();
@@ -131,8 +176,14 @@ export function write(app) {
     list,
     element('div', add),
     element(
+      'fieldset',
+      element('legend', 'Students may not change'),
+      ...locks.map((it) => it.label),
+    ),
+    unsolved.label,
+    element(
       'p.quiet',
-      'Students see the text and whether each goal is met while they work. They start from the scene as it is now. A constraint at most 0 is to be exact.',
+      'Students see the text and whether each goal is met while they work. What is locked is shown as locked, and refused. Take a lock off by undoing this step. A constraint at most 0 is to be exact.',
     ),
     error,
     element(

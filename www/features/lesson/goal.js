@@ -1,6 +1,7 @@
 /** A goal of a lesson in words. */
 
-import { valueInWords } from '../../store/colours/measures.js';
+import { roundingOf, valueInWords } from '../../store/colours/measures.js';
+import { count } from '../../ui/format.js';
 
 /** @typedef {import("../../solver/messages.js").LessonWords["goals"][number]} Goal */
 
@@ -18,7 +19,25 @@ export function measureOf({ measure, label, words, unit }) {
  * @param {string} units of the mesh
  */
 export function goalInWords(goal, units) {
+  if (goal.beyond !== null) {
+    const beyond = valueInWords(measureOf(goal), goal.beyond, units);
+    return `${goal.label} beyond ${beyond}: at most ${count(goal.atMost, 'panel')}`;
+  }
   if (goal.measure === null && goal.atMost === 0) return `${goal.label} exact`;
   const most = valueInWords(measureOf(goal), goal.atMost, units);
   return `Worst ${goal.label.toLowerCase()} at most ${most}`;
+}
+
+/**
+ * The value of a goal as it is now.
+ * @param {Goal} goal
+ * @param {number} value
+ * @param {{ units: string, size: number }} model
+ */
+export function nowInWords(goal, value, { units, size }) {
+  if (goal.beyond !== null) return count(value, 'panel');
+  const measure = measureOf(goal);
+  const shown = value < roundingOf(measure, size) ? 0 : value;
+  // As the goal is written: both are read against each other.
+  return valueInWords(measure, shown, units, goal.atMost || null);
 }

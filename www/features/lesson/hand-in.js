@@ -21,7 +21,7 @@ export function handIn({ store, files, actions }) {
     element('label.line', 'Your name', name),
     element(
       'p',
-      `${met} of ${goals.length} goals are met now. The file holds the shape, the goals with their values, your constraints and handles, and the time.`,
+      `${met} of ${goals.length} goals are met now. The file holds the shape, the goals with their values, what you changed, step by step, and the time.`,
     ),
     element(
       'p.quiet',

@@ -6,8 +6,9 @@
 import './lesson.css';
 import { RENEW_MS, byId, element, icon, setText, throttled } from '../../ui/dom.js';
 import { count } from '../../ui/format.js';
-import { movedInWords, roundingOf, valueInWords } from '../../store/colours/measures.js';
-import { goalInWords, measureOf } from './goal.js';
+import { movedInWords } from '../../store/colours/measures.js';
+import { goalInWords, nowInWords } from './goal.js';
+import { lockedPlaces, locksInWords } from './locks.js';
 
 const MARKS = { met: '✓', missed: '✗' };
 
@@ -16,6 +17,9 @@ export function lessonPanel(app) {
   const { store } = app;
   const text = element('p.lesson-text');
   const list = element('ul', { 'aria-label': 'Goals' });
+  const locked = element('p.quiet');
+  /** @type {ReturnType<typeof lockedPlaces> | null} */
+  let showLocks = null;
   const sum = element('p.lesson-sum', { 'aria-live': 'polite' });
   const cost = element('p.quiet');
   const place = element(
@@ -24,6 +28,7 @@ export function lessonPanel(app) {
     element('h2', { id: 'heading-lesson' }, 'Lesson'),
     text,
     list,
+    locked,
     sum,
     cost,
     element(
@@ -60,11 +65,10 @@ export function lessonPanel(app) {
     if (!goals || numbers?.goals.length !== goals.length) return;
     numbers.goals.forEach(({ value, met }, index) => {
       const { mark, value: place, row } = rows[index];
-      const measure = measureOf(goals[index]);
       const words =
         value === null
           ? 'nothing has it'
-          : valueInWords(measure, value < roundingOf(measure, size) ? 0 : value, document.units);
+          : nowInWords(goals[index], value, { units: document.units, size });
       row.className = met ? 'met' : 'missed';
       setText(mark, met ? MARKS.met : MARKS.missed);
       setText(place, `${met ? 'met' : 'not met'}: ${words}`);
@@ -88,6 +92,9 @@ export function lessonPanel(app) {
     if (document) place.hidden = card.hidden = !lesson;
     // Where it was written from is farther down.
     if (isNew) place.parentElement?.scrollTo(0, 0);
+    const lock = lesson?.lock ?? [];
+    if (document && (lock.length > 0 || showLocks)) (showLocks ??= lockedPlaces())(lock);
+    setText(locked, lock.length > 0 ? `🔒 Locked: ${locksInWords(lock)}` : '');
     const now = JSON.stringify([lesson, document?.units]);
     if (!lesson || now === shown) return;
     shown = now;

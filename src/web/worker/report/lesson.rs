@@ -1,6 +1,6 @@
 //! Lessons, as the page shows them.
 
-use crate::scene::Lesson;
+use crate::scene::{Lesson, Lock};
 use crate::session::{GoalWords, Session, goals_in_words};
 use serde::Serialize;
 
@@ -10,11 +10,17 @@ use serde::Serialize;
 pub(crate) struct LessonWords<'a> {
     text: &'a str,
     goals: Vec<GoalWords<'a>>,
+    /// What may not be changed.
+    #[cfg_attr(
+        target_arch = "wasm32",
+        tsify(type = "(\"weights\" | \"constraints\" | \"handles\" | \"mesh\")[]")
+    )]
+    lock: &'a [Lock],
 }
 
 impl<'a> LessonWords<'a> {
     pub(crate) fn new(lesson: &'a Lesson) -> Self {
-        LessonWords { text: &lesson.text, goals: goals_in_words(lesson) }
+        LessonWords { text: &lesson.text, goals: goals_in_words(lesson), lock: &lesson.lock }
     }
 }
 

@@ -1,0 +1,166 @@
+//! `shape-up check FOLDER [--scene SCENE] [--csv FILE.csv]`: a table of what a class hands in.
+
+use super::super::{Failure, input, output};
+use super::read;
+use shape_up::mesh::counted;
+use shape_up::scene::{NamedEnum, Results};
+use shape_up::session::{Checked, check_results};
+use std::path::{Path, PathBuf};
+
+/// The ending of the name of a scene.
+const SCENE: &str = ".shapeup.json";
+
+const HEAD: [&str; 9] = [
+    "student",
+    "goals met",
+    "of",
+    "worst distance",
+    "moved",
+    "iterations",
+    "altered",
+    "changed",
+    "file",
+];
+
+/// What a table says where a file cannot be read or is of something else.
+const NOT_RESULTS: &str = "unreadable";
+const OTHER: &str = "another mesh or lesson";
+
+/// Checks every file of results in `folder`, by the name of the student. The scene is the one in the folder
+/// where none is given.
+pub(crate) fn check(
+    folder: &Path,
+    scene: Option<&Path>,
+    csv: Option<&Path>,
+) -> Result<(), Failure> {
+    let at = |message: String| Failure::Input(format!("{}: {message}", folder.display()));
+    let (scenes, handed_in): (Vec<PathBuf>, Vec<PathBuf>) =
+        files(folder)?.into_iter().partition(|path| name(path).ends_with(SCENE));
+    let scene = match (scene, &*scenes) {
+        (Some(scene), _) => scene,
+        (None, [one]) => one,
+        (None, []) => return Err(at(format!("no scene, expected one *{SCENE}, or --scene SCENE"))),
+        (None, _) => return Err(at(format!("{} scenes, expected --scene SCENE", scenes.len()))),
+    };
+    let input = input::read(scene)?;
+    let mut unreadable = Vec::new();
+    let mut rows = Vec::new();
+    for path in handed_in.iter().filter(|path| path.as_path() != scene) {
+        match read(path) {
+            Ok(results) => {
+                let checked = check_results(&results, input.scene.clone(), input.mesh.clone());
+                rows.push(row(path, &results, checked.ok()));
+            }
+            Err(failure) => {
+                let mut row = [""; 9].map(str::to_owned);
+                (row[6], row[8]) = (NOT_RESULTS.to_owned(), name(path));
+                rows.push(row);
+                unreadable.push(failure);
+            }
+        }
+    }
+    if rows.is_empty() {
+        return Err(at("no results, expected files *.results.json".to_owned()));
+    }
+    rows.sort_by_key(|row| (row[0].to_lowercase(), row[8].clone()));
+    if let Some(csv) = csv {
+        let lines = std::iter::once(HEAD.map(str::to_owned).to_vec());
+        let lines = lines.chain(rows.iter().map(|row| row.to_vec()));
+        let text: String = lines.map(|row| comma_separated(&row)).collect();
+        output::write(&[(csv, text)])?;
+    }
+    output::print(&aligned(&rows, &input.scene.units))?;
+    match unreadable.into_iter().next() {
+        Some(first) => Err(first),
+        None => Ok(()),
+    }
+}
+
+/// The files in a folder that may be scenes or results, by name.
+fn files(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+    let entries = std::fs::read_dir(folder).map_err(|error| {
+        Failure::Input(format!("{}: cannot be read: {error}, expected a folder", folder.display()))
+    })?;
+    let paths = entries.filter_map(|entry| entry.ok().map(|entry| entry.path()));
+    let mut paths: Vec<PathBuf> =
+        paths.filter(|path| path.is_file() && name(path).ends_with(".json")).collect();
+    paths.sort();
+    Ok(paths)
+}
+
+fn name(path: &Path) -> String {
+    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
+}
+
+fn row(path: &Path, results: &Results, checked: Option<Checked>) -> [String; 9] {
+    let student = results.student.clone();
+    let iterations = results.iterations.to_string();
+    let Some(checked) = checked else {
+        let none = String::new;
+        let altered = OTHER.to_owned();
+        return [student, none(), none(), none(), none(), iterations, altered, none(), name(path)];
+    };
+    let met = checked.goals.iter().filter(|goal| goal.met).count();
+    let altered: Vec<_> = checked.altered.iter().map(|lock| lock.word()).collect();
+    [
+        student,
+        met.to_string(),
+        checked.goals.len().to_string(),
+        short(checked.distance),
+        short(checked.moved),
+        iterations,
+        altered.join(" "),
+        checked.changed.join("; "),
+        name(path),
+    ]
+}
+
+/// Three digits tell students apart.
+fn short(value: f64) -> String {
+    let digits =
+        if value == 0.0 { 0 } else { (2 - value.abs().log10().floor() as i32).clamp(0, 12) };
+    format!("{value:.*}", digits as usize)
+}
+
+/// Columns one below the other, without what was changed, which is long.
+fn aligned(rows: &[[String; 9]], units: &str) -> String {
+    let shown = |row: &[String; 9]| {
+        let [student, met, of, distance, moved, iterations, altered, _, file] = row.clone();
+        let goals = if of.is_empty() { "-".to_owned() } else { format!("{met} of {of}") };
+        let altered = if altered.is_empty() { "no".to_owned() } else { altered };
+        [student, goals, distance, moved, iterations, altered, file]
+    };
+    let unit = if units.is_empty() { String::new() } else { format!(" ({units})") };
+    let head = [
+        "student".to_owned(),
+        "goals met".to_owned(),
+        format!("worst distance{unit}"),
+        format!("moved{unit}"),
+        "iterations".to_owned(),
+        "altered".to_owned(),
+        "file".to_owned(),
+    ];
+    let lines: Vec<[String; 7]> = std::iter::once(head).chain(rows.iter().map(shown)).collect();
+    let width = |column: usize| lines.iter().map(|line| line[column].chars().count()).max();
+    let widths: Vec<usize> = (0..7).map(|column| width(column).unwrap_or_default()).collect();
+    let padded = |line: &[String; 7]| {
+        let cells = line.iter().zip(&widths).map(|(cell, &width)| format!("{cell:<width$}"));
+        cells.collect::<Vec<_>>().join("  ").trim_end().to_owned() + "\n"
+    };
+    let passed =
+        rows.iter().filter(|row| !row[2].is_empty() && row[1] == row[2] && row[6].is_empty());
+    let sum = format!("{} passed, of {}\n", passed.count(), counted(rows.len(), "file", "files"));
+    lines.iter().map(padded).collect::<String>() + &sum
+}
+
+/// A line of fields. One that a spreadsheet would take for a formula, as a student may be called, becomes text.
+fn comma_separated(row: &[String]) -> String {
+    let field = |text: &String| {
+        let text = match text.chars().next() {
+            Some('=' | '+' | '-' | '@' | '\t' | '\r') => format!("'{text}"),
+            _ => text.clone(),
+        };
+        format!("\"{}\"", text.replace('"', "\"\""))
+    };
+    row.iter().map(field).collect::<Vec<_>>().join(",") + "\n"
+}

@@ -1,0 +1,78 @@
+//! What a lesson keeps as it is: which edits it refuses.
+
+use super::edit_list::Edit;
+use super::settings::is_of_solver;
+use crate::scene::{Lesson, Lock, Scene, SceneError};
+
+/// Refuses `edit` where the lesson of `document` locks what it would change.
+///
+/// # Errors
+/// With the path `lesson.lock`.
+pub(crate) fn check_locks(edit: &Edit, document: &Scene) -> Result<(), SceneError> {
+    let Some(Lesson { lock, .. }) = &document.lesson else { return Ok(()) };
+    // Without it everything could be changed, and then it could be put back.
+    if matches!(edit, Edit::SetLesson { .. }) && !lock.is_empty() {
+        let message = "locked by the lesson, and so is the lesson itself: expected to undo where it was written, or its file without `lock`".to_owned();
+        return Err(SceneError { path: "lesson.lock".to_owned(), message });
+    }
+    let changed = changed_by(edit, document);
+    changed.iter().find(|part| lock.contains(part)).map_or(Ok(()), |part| Err(locked(*part)))
+}
+
+/// Refuses what would change `part` where the lesson of `document` locks it.
+///
+/// # Errors
+/// As [`check_locks`].
+pub(crate) fn check_lock(part: Lock, document: &Scene) -> Result<(), SceneError> {
+    let is_locked = document.lesson.as_ref().is_some_and(|lesson| lesson.lock.contains(&part));
+    if is_locked { Err(locked(part)) } else { Ok(()) }
+}
+
+fn locked(part: Lock) -> SceneError {
+    let stays = match part {
+        Lock::Weights => "the weights, and what is kept close and smooth, stay as they are",
+        Lock::Constraints => "the constraints stay as they are",
+        Lock::Handles => "the handles stay as they are",
+        Lock::Mesh => "the mesh stays as it is",
+    };
+    let message = format!("locked by the lesson: {stays}");
+    SceneError { path: "lesson.lock".to_owned(), message }
+}
+
+/// The parts that an edit changes, of those that can be locked.
+fn changed_by(edit: &Edit, document: &Scene) -> &'static [Lock] {
+    match edit {
+        Edit::AddConstraint(_)
+        | Edit::MakePanels { .. }
+        | Edit::RemoveConstraint { .. }
+        | Edit::DuplicateConstraint { .. }
+        | Edit::RenameConstraint { .. }
+        | Edit::RemoveSet { .. } => &[Lock::Constraints],
+        // One under a new name is no part of any constraint.
+        Edit::NameSet { name, .. } if document.sets.contains_key(name) => &[Lock::Constraints],
+        Edit::NameSet { .. } => &[],
+        Edit::SetConstraint { weight: Some(_), .. } => &[Lock::Weights, Lock::Constraints],
+        Edit::SetConstraint { .. } => &[Lock::Constraints],
+        Edit::Set { id, .. } if is_of_solver(id) => &[],
+        Edit::Set { .. }
+        | Edit::HoldClose { .. }
+        | Edit::HoldCloser
+        | Edit::SetWeights(_)
+        | Edit::Preset { .. } => &[Lock::Weights],
+        // The design is what is kept close, and handles go along.
+        Edit::KeepVariant { .. } | Edit::GoToVariant { .. } => &[Lock::Weights, Lock::Handles],
+        Edit::FitTo { .. } => &[Lock::Weights, Lock::Mesh],
+        Edit::TakePose { .. }
+        | Edit::LeavePose
+        | Edit::SetUnits { .. }
+        | Edit::SetUp { .. }
+        | Edit::Refine { .. } => &[Lock::Mesh],
+        Edit::WeighHandles { .. } | Edit::AddHandles { .. } | Edit::RemoveHandles { .. } => {
+            &[Lock::Handles]
+        }
+        Edit::SetLesson { .. }
+        | Edit::SetBuild { .. }
+        | Edit::RemoveVariant { .. }
+        | Edit::Reset => &[],
+    }
+}

@@ -1,0 +1,180 @@
+//! What a lesson locks stays as it is, whoever asks; and what was altered in a file is found.
+
+use crate::grid::bumpy;
+use shape_up::error::Error;
+use shape_up::scene::{Lock, NamedEnum, Results, Scene};
+use shape_up::session::{DragPhase, Edit, Session, check_results};
+
+const VARIANT: &str = r#"{ "type": "goToVariant", "index": 0 }"#;
+
+/// An edit of each locked part.
+const EDITS: &[(Lock, &str)] = &[
+    (Lock::Weights, r#"{ "type": "setWeights", "close": 3 }"#),
+    (Lock::Weights, r#"{ "type": "set", "id": "closeness", "value": "rest" }"#),
+    (Lock::Weights, r#"{ "type": "setConstraint", "index": 0, "weight": 3 }"#),
+    (Lock::Weights, r#"{ "type": "holdClose", "weight": 3, "vertices": [1] }"#),
+    (Lock::Weights, VARIANT),
+    (Lock::Constraints, r#"{ "type": "setConstraint", "index": 0, "require": "exact" }"#),
+    (Lock::Constraints, r#"{ "type": "setConstraint", "index": 0, "enabled": false }"#),
+    (Lock::Constraints, r#"{ "type": "duplicateConstraint", "index": 0 }"#),
+    (Lock::Handles, r#"{ "type": "addHandles", "vertices": [3], "fixed": true }"#),
+    (Lock::Handles, r#"{ "type": "removeHandles", "vertices": [0] }"#),
+    (Lock::Handles, VARIANT),
+    (Lock::Mesh, r#"{ "type": "refine", "scheme": "linear", "levels": 1 }"#),
+    (Lock::Mesh, r#"{ "type": "setUnits", "units": "km" }"#),
+];
+
+fn scene(lock: &str) -> Scene {
+    let text = r#"{ "format": "shape-up-scene", "version": 1, "title": "Roof", "units": "m",
+        "mesh": { "file": "grid.obj" },
+        "constraints": [{ "kind": "plane", "on": "faces" }],
+        "handles": [{ "vertices": [0] }],
+        "lesson": { "text": "Flat.", "lock": LOCK, "goals": [
+            { "measure": "planarity", "beyond": 0.001, "at_most": 3 } ] } }"#;
+    Scene::from_json(&text.replace("LOCK", lock)).expect("the scene is valid")
+}
+
+fn session(lock: &str) -> Session {
+    let mut session = Session::open(scene("[]"), bumpy(5)).expect("it fits");
+    let start = session.positions().into();
+    session.edit(Edit::KeepVariant { start }).expect("there is room");
+    let mut opened = session.scene();
+    opened.lesson = scene(lock).lesson;
+    Session::open(opened, bumpy(5)).expect("it fits")
+}
+
+fn refused(outcome: Result<bool, Error>) -> bool {
+    match outcome {
+        Err(Error::Scene(error)) => {
+            error.path == "lesson.lock" && error.message.contains("locked by the lesson")
+        }
+        Err(other) => panic!("{other}"),
+        Ok(_) => false,
+    }
+}
+
+#[test]
+fn each_lock_refuses_the_edits_of_its_part_and_no_other() {
+    for lock in Lock::WORDS {
+        for (part, edit) in EDITS.iter().filter(|(_, edit)| *edit != VARIANT) {
+            let mut session = session(&format!("[\"{}\"]", lock.0));
+            let before = session.scene();
+            let edit = Edit::from_json(edit, session.document()).expect("it is an edit");
+            let outcome = session.edit(edit.clone());
+            // A weight of a constraint is of both.
+            let of_both = matches!(edit, Edit::SetConstraint { weight: Some(_), .. });
+            let expected = *part == lock.1 || of_both && lock.1 == Lock::Constraints;
+            assert_eq!(refused(outcome), expected, "{edit:?} under {lock:?}");
+            assert_eq!(session.scene() == before, expected, "{edit:?} under {lock:?}");
+        }
+    }
+}
+
+#[test]
+fn nothing_gets_round_a_lock() {
+    for (part, edit) in EDITS {
+        let mut session = session(r#"["weights", "constraints", "handles", "mesh"]"#);
+        let edit = Edit::from_json(edit, session.document()).expect("it is an edit");
+        let before = session.scene();
+        assert!(refused(session.edit(edit.clone())), "{part:?} {edit:?}");
+        assert!(refused(session.edit_and_run(edit).map(|()| true)), "{part:?}");
+        for lesson in [None, scene("[]").lesson] {
+            assert!(refused(session.edit(Edit::SetLesson { lesson, unsolved: false })));
+        }
+        assert!(refused(session.make_panels("plane", 0.1).map(|()| true)));
+        for phase in [DragPhase::Make, DragPhase::Start] {
+            let dragged = session.drag_through(phase, &[0], &[[9.0; 3]]);
+            assert!(refused(dragged.map(|()| true)));
+        }
+        assert!(refused(session.drag([(0, [9.0; 3])]).map_err(Error::from).map(|()| true)));
+        assert_eq!(session.scene(), before);
+        // To solve, to go back, and how it is solved, are the student's.
+        let solver = r#"{ "type": "set", "id": "window", "value": 3 }"#;
+        let solver = Edit::from_json(solver, session.document()).expect("it is an edit");
+        session.edit(solver).expect("it is not locked");
+        session.solve(false).expect("positions stay finite");
+        session.edit(Edit::Reset).expect("it is not locked");
+    }
+}
+
+#[test]
+fn a_lesson_that_is_saved_unsolved_starts_at_rest() {
+    let mut session = session("[]");
+    session.solve(false).expect("positions stay finite");
+    let solved = session.scene();
+    assert!(solved.current.is_some());
+    let lesson = scene(r#"["mesh"]"#).lesson;
+    session.edit(Edit::SetLesson { lesson, unsolved: true }).expect("nothing is locked yet");
+    assert_eq!(session.positions(), bumpy(5).positions);
+    assert_eq!(session.iteration(), 0);
+    assert!(session.document().variants.kept.is_empty(), "a variant may be the solution");
+    session.undo().expect("it can be undone");
+    assert_eq!(session.scene(), solved);
+}
+
+#[test]
+fn panels_beyond_a_value_are_counted() {
+    let mut session = session("[]");
+    let values = session.face_values("planarity").expect("it is declared");
+    let beyond = values.iter().filter(|value| **value > 0.001).count();
+    assert!(beyond > 3);
+    assert_eq!(session.goals()[0].value, Some(beyond as f64));
+    assert!(!session.goals()[0].met);
+    let again = Scene::from_json(&session.scene().to_json(session.mesh())).expect("written here");
+    assert_eq!(again.lesson, session.document().lesson);
+}
+
+#[test]
+fn results_tell_what_was_done() {
+    let mut session = session("[]");
+    let edit = r#"{ "type": "setWeights", "shape": 100 }"#;
+    let edit = Edit::from_json(edit, session.document()).expect("it is an edit");
+    session.edit(edit).expect("nothing is locked");
+    session.begin_run();
+    session.step().expect("positions stay finite");
+    session.end_run();
+    let results = session.results("Ada", "").expect("it is a lesson");
+    let results = Results::from_json(&results.to_json()).expect("it was written here");
+    assert_eq!(results.steps, ["Change weights", "Run, 1 iteration"]);
+    assert_eq!(results.weights.map(|weights| weights.shape), Some(100.0));
+    assert_eq!(results.moved, Some(session.moved().max));
+    assert_eq!(results.distance, Some(session.worst_distance()));
+    assert_eq!(results.settings["window"], 5);
+}
+
+#[test]
+fn what_was_altered_is_found_by_the_part_that_is_locked() {
+    let handed_in = |lock: &str| {
+        let mut session = session("[]");
+        for (part, edit) in EDITS.iter().filter(|(_, edit)| *edit != VARIANT) {
+            let edit = Edit::from_json(edit, session.document()).expect("it is an edit");
+            if *part != Lock::Mesh {
+                session.edit(edit).expect("nothing is locked");
+            }
+        }
+        let mut results = session.results("Mallory", "").expect("it is a lesson");
+        let given = session_scene(lock);
+        results.scene = given.fingerprint(&bumpy(5));
+        check_results(&results, given, bumpy(5)).expect("they say that they are of it")
+    };
+    let open = handed_in("[]");
+    assert!(open.altered.is_empty());
+    assert!(open.changed.iter().any(|words| words == "close weight 0 to 3"), "{:?}", open.changed);
+    for lock in [Lock::Weights, Lock::Constraints, Lock::Handles] {
+        assert_eq!(handed_in(&format!("[\"{}\"]", lock.word())).altered, [lock]);
+    }
+    let all = handed_in(r#"["weights", "constraints", "handles", "mesh"]"#);
+    assert_eq!(all.altered, [Lock::Weights, Lock::Constraints, Lock::Handles]);
+    assert!(all.changed.is_empty());
+    // What is handed in as it was given is not.
+    let mut untouched = session("[\"weights\"]");
+    let results = untouched.results("Ada", "").expect("it is a lesson");
+    let results = Results::from_json(&results.to_json()).expect("it was written here");
+    let checked = check_results(&results, session_scene("[\"weights\"]"), bumpy(5));
+    let checked = checked.expect("they are of it");
+    assert!(checked.altered.is_empty() && checked.changed.is_empty(), "{checked:?}");
+}
+
+fn session_scene(lock: &str) -> Scene {
+    session(lock).scene()
+}

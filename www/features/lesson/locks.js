@@ -1,0 +1,51 @@
+/** What a lesson locks, shown as locked: controls that are switched off, and the reason. The session refuses it too. */
+
+import { byId, element } from '../../ui/dom.js';
+
+/** @typedef {import("../../solver/messages.js").LessonWords["lock"][number]} Lock */
+
+/** Which part of the page changes what, and the reason. @type {{ lock: Lock, id: string, words: string }[]} */
+const PLACES = [
+  { lock: 'weights', id: 'energies', words: 'the weights stay as they are' },
+  { lock: 'constraints', id: 'add-constraint-button', words: '' },
+  { lock: 'constraints', id: 'constraints', words: 'the constraints stay as they are' },
+  { lock: 'constraints', id: 'make-panels', words: '' },
+  { lock: 'constraints', id: 'make-panels-card', words: '' },
+  { lock: 'handles', id: 'handles', words: 'the handles stay as they are' },
+];
+
+/** In the order in which they are listed. @type {[Lock, string][]} */
+export const LOCKS = [
+  ['mesh', 'Mesh'],
+  ['constraints', 'Constraints'],
+  ['weights', 'Weights'],
+  ['handles', 'Handles'],
+];
+
+/** @param {readonly Lock[]} lock */
+export const locksInWords = (lock) =>
+  LOCKS.filter(([id]) => lock.includes(id))
+    .map(([, label]) => label.toLowerCase())
+    .join(', ');
+
+/** Gives back what shows the locks of a lesson. */
+export function lockedPlaces() {
+  const places = PLACES.map(({ lock, id, words }) => {
+    const place = byId(id);
+    const note = element('p.locked-note.quiet', { id: `${id}-locked`, hidden: true });
+    note.textContent = words && `🔒 Locked by the lesson: ${words}.`;
+    // Whatever comes into it later is switched off too.
+    const set = element('fieldset.locked', words && { 'aria-describedby': note.id });
+    place.before(...(words ? [note, set] : [set]));
+    set.append(place);
+    return { lock, note, set };
+  });
+  /** @param {readonly Lock[]} locked */
+  return (locked) => {
+    for (const { lock, note, set } of places) {
+      set.disabled = locked.includes(lock);
+      set.title = set.disabled ? 'Locked by the lesson' : '';
+      note.hidden = !set.disabled || !note.textContent;
+    }
+  };
+}
