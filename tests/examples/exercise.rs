@@ -1,8 +1,9 @@
-//! The example that is a lesson: it is missed as it stands, and can be met and handed in.
+//! The examples that are lessons: they are missed as they stand, and can be met and handed in.
 
 use shape_up::example::{EXAMPLES, Example};
 use shape_up::scene::{Results, Weights};
 use shape_up::session::{Edit, Session, check_results};
+use shape_up::solve::Require;
 
 fn lessons() -> impl Iterator<Item = &'static Example> {
     EXAMPLES.iter().filter(|example| example.build().0.lesson.is_some())
@@ -16,10 +17,11 @@ fn run(session: &mut Session) -> Vec<f64> {
 }
 
 #[test]
-fn there_is_a_lesson_among_the_examples() {
+fn there_are_lessons_among_the_examples() {
     let ids: Vec<_> = lessons().map(|example| example.id).collect();
-    assert_eq!(ids, ["lesson-glass-roof"]);
-    assert!(ids.iter().all(|id| id.starts_with("lesson-")));
+    let expected =
+        ["glass-roof", "circles-and-offsets", "curvature-and-panels", "stiffness-of-hexagons"];
+    assert_eq!(ids, expected.map(|id| format!("lesson-{id}")));
 }
 
 #[test]
@@ -47,4 +49,50 @@ fn the_glass_roof_pulls_both_ways_and_can_be_met() {
     let (scene, mesh) = example.build();
     let goals = check_results(&results, scene, mesh).expect("they are of this lesson").goals;
     assert!(goals.iter().all(|goal| goal.met), "{goals:?}");
+}
+
+/// What the goals are after the row of a lesson is required so, before or after a run.
+fn required(id: &str, require: Require, runs_first: bool) -> Vec<bool> {
+    let example = lessons().find(|example| example.id == id).expect("it is a lesson");
+    let (scene, mesh) = example.build();
+    let mut session = Session::open(scene, mesh).expect("it can be solved");
+    let met = |session: &mut Session| -> Vec<bool> {
+        session.goals().iter().map(|goal| goal.met).collect()
+    };
+    assert_eq!(met(&mut session), [false, true], "{id} starts unsolved");
+    if runs_first {
+        session.solve(false).expect("positions stay finite");
+        assert!(!met(&mut session)[0], "{id} is not met by Run alone");
+    }
+    let edit = Edit::SetConstraint {
+        index: 0,
+        weight: None,
+        enabled: None,
+        require: Some(require),
+        params: Default::default(),
+    };
+    session.edit(edit).expect("it is not locked");
+    session.solve(false).expect("positions stay finite");
+    let weights = Weights { shape: 1e5, close: 0.0, smooth: 0.0 };
+    session.edit(Edit::SetWeights(weights)).expect_err("it is locked");
+    met(&mut session)
+}
+
+#[test]
+fn near_is_not_exact_and_exact_is_within_reach() {
+    for runs_first in [false, true] {
+        for id in ["lesson-circles-and-offsets", "lesson-stiffness-of-hexagons"] {
+            assert_eq!(required(id, Require::Exact, runs_first), [true, true], "{id}");
+            assert!(!required(id, Require::Within(0.001), runs_first)[0], "{id}");
+        }
+    }
+}
+
+#[test]
+fn across_the_lines_of_curvature_exact_costs_more_than_within() {
+    let id = "lesson-curvature-and-panels";
+    for runs_first in [false, true] {
+        assert_eq!(required(id, Require::Within(0.001), runs_first), [true, true]);
+        assert_eq!(required(id, Require::Exact, runs_first), [true, false]);
+    }
 }

@@ -52,6 +52,13 @@ impl Run {
         }
     }
 
+    /// How far a vertex of the first half of the mesh has moved, at most.
+    fn first_half_moved(&self) -> f64 {
+        let half = self.positions.len() / 2;
+        let pairs = self.positions[..half].iter().zip(&self.mesh.positions);
+        pairs.map(|(now, rest)| (Vec3::from(*now) - Vec3::from(*rest)).length()).fold(0.0, f64::max)
+    }
+
     /// How many iterations bring the total to this part of what it was at the start.
     fn iterations_to(&self, part: f64) -> Option<usize> {
         self.totals.iter().position(|&total| total < part * self.totals[0])
@@ -346,6 +353,29 @@ const STATEMENTS: &[Statement] = &[
             ("worst pane before", run.before.planarity.max_distance, 0.009..0.0095),
             ("worst pane", run.after.planarity.max_distance, 0.001..0.003),
             ("goals met", run.goals_met as f64, 0.0..0.5),
+        ]
+    }),
+    ("lesson-circles-and-offsets", |run| {
+        let [before, after] = run.worst_of_all();
+        vec![
+            ("corners before", before, 0.154..0.155),
+            ("corners", after, 1e-5..0.001),
+            ("goals met", run.goals_met as f64, 1.0..1.5),
+        ]
+    }),
+    ("lesson-curvature-and-panels", |run| {
+        vec![
+            ("panels before", run.before.planarity.max_distance, 0.0075..0.0076),
+            ("panels", run.after.planarity.max_distance, 0.001..0.002),
+            ("left moved", run.first_half_moved(), 0.0..1e-9),
+            ("goals met", run.goals_met as f64, 1.0..1.5),
+        ]
+    }),
+    ("lesson-stiffness-of-hexagons", |run| {
+        vec![
+            ("plates before", run.before.planarity.max_distance, 0.0076..0.0077),
+            ("plates", run.after.planarity.max_distance, 1e-5..0.001),
+            ("goals met", run.goals_met as f64, 1.0..1.5),
         ]
     }),
     ("limits-choice", |run| {

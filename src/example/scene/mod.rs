@@ -13,7 +13,7 @@
 //! | `recovery` | Fig. 10: from a collapsed start, and from a scattered one |
 //! | `strip` | Fig. 11: edges that collapse |
 //! | `curves_and_points` | curves on a mesh, points without faces |
-//! | `exercise` | a lesson to hand in |
+//! | `exercise` | lessons to hand in |
 //! | `beyond` | a limit of section 5, and other uses of section 6 |
 //! | `parts` | constraints and handles, as these files write them |
 
@@ -65,6 +65,9 @@ pub const EXAMPLES: &[Example] = &[
     curves_and_points::SLABS,
     curves_and_points::POINTS,
     exercise::GLASS_ROOF,
+    exercise::OFFSETS,
+    exercise::CURVATURE,
+    exercise::HEXAGONS,
     beyond::CHOICE,
     beyond::FIT,
     beyond::TRANSFER,
