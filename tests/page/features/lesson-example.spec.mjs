@@ -25,7 +25,7 @@ test('the gallery has a lesson with its goals, which opens as one', async ({ pag
   await expect(card).toContainText('Worst planarity at most 1.00 mm');
   await expect(card).toContainText('Worst distance to original at most 50.0 mm');
   await page.getByRole('searchbox', { name: 'Search' }).fill('lesson');
-  await expect(page.getByRole('article')).toHaveCount(1);
+  await expect(page.getByRole('article')).toHaveCount(4);
   await card.getByRole('link', { name: TITLE }).click();
   await waitForState(page, (now) => now.vertices === 315);
   await showPanel(page, 'Model');

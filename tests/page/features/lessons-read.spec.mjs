@@ -1,0 +1,78 @@
+// The lessons among the examples, done as a student reads them: each text leads to its goals.
+
+import { openExample, showPanel } from '../actions.mjs';
+import { expect, openPage, test, waitForState } from '../support.mjs';
+
+test.use({ pixels: false });
+
+const lesson = (page) => page.getByRole('region', { name: 'Lesson' });
+
+/** "Under Constraints open …, and set Required to …": it is met at once. */
+async function require(page, kind, word) {
+  await showPanel(page, 'Model');
+  const row = page.getByRole('button', { name: new RegExp(`^${kind} on .*: parameters`) });
+  if ((await row.getAttribute('aria-expanded')) !== 'true') await row.click();
+  await page
+    .getByRole('combobox', { name: new RegExp(`^${kind} on .*: required`) })
+    .selectOption({ label: word });
+  await waitForState(page, (state) => state.converged && !state.running);
+}
+
+/** "Under Display colour by …". */
+const colourBy = (page, label) =>
+  page.getByRole('combobox', { name: 'Colour by' }).selectOption({ label });
+
+const expectGoals = (page, words) => expect(lesson(page)).toContainText(words);
+
+for (const [title, kind, measure] of [
+  ['Lesson: circles and offsets, why circular', 'Circle', 'Moved'],
+  ['Lesson: the stiffness of hexagons', 'Plane', 'Planarity'],
+]) {
+  test(`${title}: near misses, exact meets`, async ({ page }) => {
+    await openPage(page);
+    await openExample(page, title);
+    await expectGoals(page, '1 of 2 goals met');
+    await colourBy(page, measure);
+    await page.getByRole('button', { name: 'Run' }).click();
+    await waitForState(page, (state) => state.iteration > 0 && !state.running);
+    await expectGoals(page, '1 of 2 goals met');
+    await require(page, kind, 'Exact');
+    await expectGoals(page, 'Passed: 2 goals met');
+  });
+}
+
+test('Lesson: curvature and panels: within meets, exact goes too far', async ({ page }) => {
+  await openPage(page);
+  await openExample(page, 'Lesson: curvature and panels');
+  await expectGoals(page, '1 of 2 goals met');
+  await expect(lesson(page)).toContainText('144 panels');
+  for (const measure of ['Off the lines of curvature', 'Planarity']) await colourBy(page, measure);
+  await require(page, 'Plane', 'Within');
+  await colourBy(page, 'Moved');
+  await expectGoals(page, 'Passed: 2 goals met');
+  await require(page, 'Plane', 'Exact');
+  await expectGoals(page, '1 of 2 goals met');
+});
+
+test('what is locked is shown as locked with its reason, and scripts are refused', async ({
+  page,
+}) => {
+  await openPage(page);
+  await openExample(page, 'Lesson: the stiffness of hexagons');
+  await expect(lesson(page)).toContainText('Locked: mesh, weights, handles');
+  const weight = page.getByRole('spinbutton', { name: 'Close weight' });
+  await expect(weight).toBeVisible();
+  await expect(weight).toBeDisabled();
+  await expect(page.getByText('Locked by the lesson: the weights stay as they are.')).toBeVisible();
+  const before = await weight.inputValue();
+  // Keys and the mouse do not go through the panel.
+  await page.getByRole('button', { name: 'Write a lesson' }).click();
+  const dialog = page.getByRole('dialog', { name: 'Lesson' });
+  await dialog.getByRole('button', { name: 'Remove lesson' }).click();
+  await expect(page.getByRole('alert')).toContainText('locked by the lesson');
+  await expect(weight).toHaveValue(before);
+  // Another scene is open again.
+  await openExample(page, 'Hypar of straight beams');
+  await expect(weight).toBeEnabled();
+  await expect(page.getByText('Locked by the lesson').filter({ visible: true })).toHaveCount(0);
+});
