@@ -1,6 +1,6 @@
 //! What a kind of mesh to begin with says of itself, and what sizes it refuses.
 
-use crate::mesh::Mesh;
+use crate::mesh::{Mesh, Size, SizeError};
 use serde::Serialize;
 use std::fmt;
 
@@ -18,59 +18,16 @@ pub struct NewKind {
     /// One sentence.
     pub summary: &'static str,
     /// What it is made by, in the order of the values of [`NewKind::mesh`].
-    pub sizes: &'static [NewSize],
+    pub sizes: &'static [Size],
     #[serde(skip)]
     pub(super) make: fn(&[f64]) -> Result<Mesh, NewMeshError>,
-}
-
-/// What a size counts.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-#[serde(rename_all = "camelCase")]
-pub enum SizeOf {
-    /// In the unit of the mesh.
-    Length,
-    /// A whole number.
-    Count,
-    /// An angle.
-    Degrees,
-}
-
-/// A size of a kind, from `least` to `most`.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
-pub struct NewSize {
-    /// The word for it.
-    pub id: &'static str,
-    /// Its name.
-    pub label: &'static str,
-    /// What it counts.
-    pub of: SizeOf,
-    /// For a length, in metres.
-    pub default: f64,
-    /// The smallest that is taken.
-    pub least: f64,
-    /// The largest that is taken.
-    pub most: f64,
 }
 
 /// Why a mesh cannot be made.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NewMeshError {
-    /// Another number of sizes than the kind has.
-    Sizes {
-        /// How many it has.
-        expected: usize,
-        /// How many there are.
-        found: usize,
-    },
-    /// A size is out of its limits, or is no whole number where it counts something.
-    Outside {
-        /// The size.
-        size: NewSize,
-        /// Its value.
-        found: f64,
-    },
+    /// A size is missing, or out of its limits.
+    Size(SizeError),
     /// Two sizes do not go together.
     Together {
         /// What was expected of them.
@@ -83,17 +40,7 @@ pub enum NewMeshError {
 impl fmt::Display for NewMeshError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            NewMeshError::Sizes { expected, found } => {
-                write!(f, "expected {expected} sizes, found {found}")
-            }
-            NewMeshError::Outside { size: NewSize { label, of, least, most, .. }, found } => {
-                let number = match of {
-                    SizeOf::Length => "a length",
-                    SizeOf::Count => "a whole number",
-                    SizeOf::Degrees => "an angle in degrees",
-                };
-                write!(f, "{label}: expected {number} from {least} to {most}, found {found}")
-            }
+            NewMeshError::Size(why) => why.fmt(f),
             NewMeshError::Together { expected } => write!(f, "expected {expected}"),
             NewMeshError::TooMany(faces) => {
                 write!(f, "that would be {faces:.0} faces, expected at most {MOST_FACES}")
@@ -116,16 +63,7 @@ impl NewKind {
     /// When a size is missing or out of its limits, two of them contradict each other, or there would be too
     /// many faces.
     pub fn mesh(&self, values: &[f64]) -> Result<Mesh, NewMeshError> {
-        let (expected, found) = (self.sizes.len(), values.len());
-        if expected != found {
-            return Err(NewMeshError::Sizes { expected, found });
-        }
-        for (&size, &found) in self.sizes.iter().zip(values) {
-            let inside = (size.least..=size.most).contains(&found);
-            if !inside || size.of == SizeOf::Count && found.fract() != 0.0 {
-                return Err(NewMeshError::Outside { size, found });
-            }
-        }
+        Size::check(self.sizes, values).map_err(NewMeshError::Size)?;
         (self.make)(values)
     }
 }

@@ -1,29 +1,30 @@
 //! The kinds.
 
-use super::declaration::{NewKind, NewSize, SizeOf};
+use super::declaration::NewKind;
 use super::{round, sheets};
+use crate::mesh::{Size, SizeOf};
 
-const fn length(id: &'static str, label: &'static str, default: f64) -> NewSize {
-    NewSize { id, label, of: SizeOf::Length, default, least: 1e-3, most: 1e6 }
+const fn length(id: &'static str, label: &'static str, default: f64) -> Size {
+    Size { id, label, of: SizeOf::Length, default, least: 1e-3, most: 1e6 }
 }
 
 /// A length that may be zero.
-const fn from_zero(id: &'static str, label: &'static str, default: f64) -> NewSize {
-    NewSize { least: 0.0, ..length(id, label, default) }
+const fn from_zero(id: &'static str, label: &'static str, default: f64) -> Size {
+    Size { least: 0.0, ..length(id, label, default) }
 }
 
-const fn count(id: &'static str, label: &'static str, default: f64, least: f64) -> NewSize {
-    NewSize { id, label, of: SizeOf::Count, default, least, most: 500.0 }
+const fn count(id: &'static str, label: &'static str, default: f64, least: f64) -> Size {
+    Size { id, label, of: SizeOf::Count, default, least, most: 500.0 }
 }
 
-const ALONG: NewSize = count("along", "Panels along", 16.0, 1.0);
-const ACROSS: NewSize = count("across", "Panels across", 12.0, 1.0);
-const AROUND: NewSize = count("around", "Panels around", 24.0, 3.0);
-const ROWS: NewSize = count("rows", "Rows of panels", 8.0, 1.0);
-const LENGTH: NewSize = length("length", "Length", 20.0);
-const WIDTH: NewSize = length("width", "Width", 12.0);
-const HEIGHT: NewSize = length("height", "Height", 8.0);
-const DIAMETER: NewSize = length("diameter", "Diameter", 16.0);
+const ALONG: Size = count("along", "Panels along", 16.0, 1.0);
+const ACROSS: Size = count("across", "Panels across", 12.0, 1.0);
+const AROUND: Size = count("around", "Panels around", 24.0, 3.0);
+const ROWS: Size = count("rows", "Rows of panels", 8.0, 1.0);
+const LENGTH: Size = length("length", "Length", 20.0);
+const WIDTH: Size = length("width", "Width", 12.0);
+const HEIGHT: Size = length("height", "Height", 8.0);
+const DIAMETER: Size = length("diameter", "Diameter", 16.0);
 
 /// The kinds, in the order in which hosts list them.
 pub const NEW_KINDS: &[NewKind] = &[
@@ -81,7 +82,7 @@ pub const NEW_KINDS: &[NewKind] = &[
         sizes: &[
             length("radius", "Radius of the arc", 15.0),
             length("section", "Radius of the section", 5.0),
-            NewSize {
+            Size {
                 id: "turn",
                 label: "Turn",
                 of: SizeOf::Degrees,

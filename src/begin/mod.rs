@@ -13,5 +13,5 @@ mod list;
 mod round;
 mod sheets;
 
-pub use declaration::{NewKind, NewMeshError, NewSize, SizeOf};
+pub use declaration::{NewKind, NewMeshError};
 pub use list::NEW_KINDS;

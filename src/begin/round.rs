@@ -3,7 +3,7 @@
 use super::declaration::{NewMeshError, few};
 use crate::example::model::Rings;
 use crate::math::{angle, cosine, sine};
-use crate::mesh::Mesh;
+use crate::mesh::{Mesh, SizeError};
 use std::f64::consts::TAU;
 
 /// A cap of a sphere, in equal steps along its meridians.
@@ -77,5 +77,5 @@ fn revolved(
 }
 
 fn wrong(sizes: &[f64], expected: usize) -> NewMeshError {
-    NewMeshError::Sizes { expected, found: sizes.len() }
+    NewMeshError::Size(SizeError::Number { expected, found: sizes.len() })
 }

@@ -3,7 +3,7 @@
 use super::declaration::{NewMeshError, few};
 use crate::example::model::{grid, honeycomb, triangle_rows};
 use crate::math::{angle, cosine, sine};
-use crate::mesh::{Mesh, Point};
+use crate::mesh::{Mesh, Point, SizeError};
 use std::f64::consts::TAU;
 
 pub(super) fn flat(sizes: &[f64]) -> Result<Mesh, NewMeshError> {
@@ -79,5 +79,5 @@ fn quads(along: f64, across: f64, point: &dyn Fn(f64, f64) -> Point) -> Result<M
 }
 
 fn wrong(sizes: &[f64], expected: usize) -> NewMeshError {
-    NewMeshError::Sizes { expected, found: sizes.len() }
+    NewMeshError::Size(SizeError::Number { expected, found: sizes.len() })
 }

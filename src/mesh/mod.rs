@@ -13,7 +13,7 @@
 //! | `closest` | closest points `c(v)` on a surface, Eq. 11, and on its boundary curves |
 //! | `measure` | planarity, circularity, angles, Gauss curvature, strips laid flat, distortion of flat maps |
 //! | `curvature` | principal curvatures, and the angles between them and the edges |
-//! | `edit` | meshes made from meshes: welding, subdivision |
+//! | `edit` | meshes made from meshes: welding, subdivision, operations by hand |
 
 mod bounds;
 mod closest;
@@ -35,8 +35,9 @@ pub use closest::{
 pub use curvature::{Curvature, CurvatureLines, curvatures};
 pub use diagnostics::{ElementsWithProblem, diagnose, elements_with_problem};
 pub use edit::{
-    Combinations, Edited, KEPT_TURN, Origins, Scheme, SubdivideError, SubdividedCounts,
-    Subdivision, Weld,
+    Combinations, Edited, KEPT_TURN, MESH_OPERATIONS, MeshOperation, OperationError, Origins,
+    Picks, Scheme, Size, SizeError, SizeOf, SubdivideError, SubdividedCounts, Subdivision, Task,
+    Weld,
 };
 pub use io::{Decimal, Read, ReadError, read, write_medit, write_obj, write_obj_with_uv};
 pub use laplacian::{LARGEST_COTANGENT, Laplacian};

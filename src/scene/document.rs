@@ -135,6 +135,16 @@ pub enum Up {
     Z,
 }
 
+impl Up {
+    /// The unit vector that points up.
+    pub fn direction(self) -> Point {
+        match self {
+            Up::Y => [0.0, 1.0, 0.0],
+            Up::Z => [0.0, 0.0, 1.0],
+        }
+    }
+}
+
 /// Where the mesh of a scene comes from.
 #[derive(Clone, Debug, PartialEq)]
 pub enum MeshSource {

@@ -1,13 +1,18 @@
 //! Edits, undo and redo.
 
 use super::Session;
-use super::edit::{Carried, Edit, Moment, apply, carry, check_locks};
+use super::edit::{
+    Carried, Edit, Moment, OfferedOperation, Remeshing, RemeshingPreview, apply, carry,
+    check_locks, offered,
+};
 use super::report::{MeasureCache, check_lesson};
 use super::run::Start;
 use super::state::{RestMesh, SceneChange, SolvedScene, resolve_rows};
 use super::undo::{Change, SavedState, read_history, read_state, write_history, write_state};
 use crate::error::Error;
-use crate::mesh::{SubdivideError, Subdivision, counted};
+use crate::mesh::{
+    Edited, Mesh, MeshOperation, OperationError, Point, SubdivideError, Subdivision, Task, counted,
+};
 use crate::scene::{Scene, SceneError};
 use std::rc::Rc;
 
@@ -109,6 +114,9 @@ impl Session {
         if let Edit::Refine { scheme, levels, keep } = edit {
             return self.refine(&Subdivision { scheme, levels, keep }).map(Some);
         }
+        if let Edit::Remesh(remeshing) = edit {
+            return self.remesh(&remeshing).map(Some);
+        }
         let (iteration, start) = (self.iteration(), self.guard.start());
         let kept_start = start.clone().filter(|_| self.collapse().is_some());
         let mut moment = Moment { iteration, start: kept_start };
@@ -143,17 +151,74 @@ impl Session {
             |why: SubdivideError| SceneError { path: "mesh".to_owned(), message: why.to_string() };
         let refined = subdivision.apply(self.mesh(), self.topology()).map_err(refused)?;
         let name = format!("Refine to {}", counted(refined.mesh.faces.len(), "face", "faces"));
-        let mut rest = self.rest.next(refined.mesh);
+        let (rest, carried) = self.carried_to(&refined, self.rest.positions());
+        Ok((name, self.go_to_mesh(rest, carried)?))
+    }
+
+    /// Changes the mesh by an operation; its name and the way back.
+    ///
+    /// # Errors
+    /// When the operation is refused, or the system would be singular; nothing has changed then.
+    fn remesh(&mut self, remeshing: &Remeshing) -> Result<(String, Change), Error> {
+        let (operation, edited) = self.remeshed(remeshing)?;
+        let (rest, carried) = self.carried_to(&edited, self.scene.positions());
+        Ok((operation.label.to_owned(), self.go_to_mesh(rest, carried)?))
+    }
+
+    /// The operations on the mesh, with sizes that fit it.
+    pub fn operations(&self) -> Vec<OfferedOperation> {
+        offered(self.rest.mean_edge())
+    }
+
+    /// What an operation would make of the mesh, before it does.
+    ///
+    /// # Errors
+    /// When the operation is refused.
+    pub fn remeshing(&self, remeshing: &Remeshing) -> Result<RemeshingPreview, Error> {
+        let (_, edited) = self.remeshed(remeshing)?;
+        let (rest, _) = self.carried_to(&edited, self.scene.positions());
+        Ok(RemeshingPreview::of([self.rest.mesh(), rest.mesh()], rest.lost()))
+    }
+
+    /// The mesh as it is seen after an operation.
+    fn remeshed(
+        &self,
+        remeshing: &Remeshing,
+    ) -> Result<(&'static MeshOperation, Edited), SceneError> {
+        let Remeshing { operation, sizes, vertices, faces } = remeshing;
+        let refused =
+            |why: OperationError| SceneError { path: String::new(), message: why.to_string() };
+        let operation = MeshOperation::of(operation).map_err(refused)?;
+        let mesh = Mesh { positions: self.scene.positions().to_vec(), ..self.mesh().clone() };
+        let up = self.document().up.direction();
+        let topology = self.topology();
+        let task = Task { mesh: &mesh, topology, up, sizes, vertices, faces };
+        Ok((operation, operation.apply(&task).map_err(refused)?))
+    }
+
+    /// The scene carried over to a mesh that was made from its own with the positions `from`, `#V by 3`; and that mesh
+    /// at rest.
+    fn carried_to(&self, edited: &Edited, from: &[Point]) -> (RestMesh, Carried) {
+        let positions = edited.in_other_state(from, self.rest.positions());
+        let mut rest = self.rest.next(Mesh { positions, ..edited.mesh.clone() });
         let shape = (&**self.scene.handles(), &**self.scene.positions());
-        let carried = carry(self.document(), shape, &self.rest, &refined.origins, &rest);
-        let Carried { document, handles, positions, lost } = carried;
-        rest.set_lost(lost);
+        let mut carried = carry(self.document(), shape, &self.rest, (edited, from), &rest);
+        rest.set_lost(std::mem::take(&mut carried.lost));
+        (rest, carried)
+    }
+
+    /// Goes to another mesh with a scene; the way back.
+    ///
+    /// # Errors
+    /// When the document does not fit the mesh, or the system is singular; nothing has changed then.
+    fn go_to_mesh(&mut self, rest: RestMesh, carried: Carried) -> Result<Change, Error> {
+        let Carried { document, handles, positions, .. } = carried;
         let scene =
             SceneChange { parts: Vec::new(), handles: handles.into(), positions: positions.into() };
         let other = Some(Box::new((rest, document)));
         let mut change = Change { scene, other, iteration: self.iteration(), start: None };
         self.exchange(&mut change)?;
-        Ok((name, change))
+        Ok(change)
     }
 
     /// Goes to another mesh and exchanges what the change holds with the state.

@@ -50,7 +50,10 @@ mod variations;
 pub use crate::solve::Moved;
 pub use composition::Session;
 pub use dragging::DragPhase;
-pub use edit::{ConstraintTarget, Edit, NewConstraint, Preview, SETTINGS, Setting, settings_of};
+pub use edit::{
+    ConstraintTarget, Edit, NewConstraint, OfferedOperation, Preview, Remeshing, RemeshingPreview,
+    SETTINGS, Setting, settings_of,
+};
 pub use exact_trial::{ExactOffer, ExactTrial, Price};
 pub use handed_in::{Checked, check_results};
 pub use opened_file::{FileReader, Guessed, OpenedFile, is_scene, named_files};

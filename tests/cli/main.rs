@@ -4,6 +4,7 @@
 
 mod build;
 mod check;
+mod edit;
 mod exact;
 mod experiment;
 mod faults;

@@ -1,8 +1,8 @@
 //! Meshes to begin with: sound, as large as they were asked to be, and refused where sizes are wrong.
 
-use shape_up::begin::{NEW_KINDS, NewKind, NewMeshError, SizeOf};
+use shape_up::begin::{NEW_KINDS, NewKind, NewMeshError};
 use shape_up::math::{Vec3, twice_vector_area};
-use shape_up::mesh::{CurvatureLines, Mesh, Topology, diagnose};
+use shape_up::mesh::{CurvatureLines, Mesh, SizeError, SizeOf, Topology, diagnose};
 
 fn of(id: &str) -> &'static NewKind {
     NewKind::of(id).unwrap()
@@ -115,11 +115,14 @@ fn wrong_sizes_are_refused_with_what_was_expected() {
                 let mut sizes = kind.defaults();
                 sizes[i] = bad;
                 let error = kind.mesh(&sizes).unwrap_err();
-                assert!(matches!(error, NewMeshError::Outside { .. }), "{error}");
+                assert!(matches!(error, NewMeshError::Size(SizeError::Outside { .. })), "{error}");
             }
         }
         let (expected, found) = (kind.sizes.len(), 0);
-        assert_eq!(kind.mesh(&[]).unwrap_err(), NewMeshError::Sizes { expected, found });
+        assert_eq!(
+            kind.mesh(&[]).unwrap_err(),
+            NewMeshError::Size(SizeError::Number { expected, found })
+        );
     }
     let message = |id: &str, sizes: &[f64]| of(id).mesh(sizes).unwrap_err().to_string();
     assert_eq!(

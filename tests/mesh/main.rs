@@ -21,6 +21,7 @@ mod developable;
 mod files;
 mod fuzzed;
 mod measure;
+mod operations;
 mod polygon_laplacian;
 mod reading;
 mod round_trip;

@@ -20,12 +20,12 @@ fn subdivided(mesh: &Mesh, how: Subdivision) -> Edited {
 }
 
 /// The number of vertices less that of edges plus that of faces.
-fn euler(mesh: &Mesh, topology: &Topology) -> i64 {
+pub(crate) fn euler(mesh: &Mesh, topology: &Topology) -> i64 {
     mesh.positions.len() as i64 - topology.edges().len() as i64 + mesh.faces.len() as i64
 }
 
 /// How many sides of faces run from one vertex to another, most of all.
-fn most_alike(mesh: &Mesh) -> usize {
+pub(crate) fn most_alike(mesh: &Mesh) -> usize {
     let mut sides = BTreeMap::new();
     for face in mesh.faces.iter() {
         for k in 0..face.len() {
@@ -35,11 +35,11 @@ fn most_alike(mesh: &Mesh) -> usize {
     sides.into_values().max().unwrap_or(0)
 }
 
-fn most_faces(topology: &Topology) -> usize {
+pub(crate) fn most_faces(topology: &Topology) -> usize {
     topology.edge_faces().iter().map(<[u32]>::len).max().unwrap_or(0)
 }
 
-fn boundary_edges(topology: &Topology) -> usize {
+pub(crate) fn boundary_edges(topology: &Topology) -> usize {
     topology.edge_faces().iter().filter(|faces| faces.len() == 1).count()
 }
 
@@ -133,7 +133,7 @@ fn triangles_rise_as_the_box_spline_does() {
     }
 }
 
-fn cube() -> Mesh {
+pub(crate) fn cube() -> Mesh {
     let text = "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n\
                 f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
     read("cube.obj", text.as_bytes()).expect("it is a mesh").mesh
@@ -196,7 +196,7 @@ fn groups_and_curves_go_along() {
     let text = "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\ng left\nf 1 2 5 4\ng right\nf 2 3 6 5\nl 1 2 3\n";
     let mesh = read("two.obj", text.as_bytes()).expect("it is a mesh").mesh;
     let Edited { mesh: refined, origins } = subdivided(&mesh, subdivision(Scheme::Linear, 1));
-    assert_eq!(origins.faces, [0, 0, 0, 0, 1, 1, 1, 1]);
+    assert_eq!(origins.faces.indices(), [0, 0, 0, 0, 1, 1, 1, 1]);
     let groups: Vec<_> = refined.groups.iter().map(|g| (&*g.name, g.faces.clone())).collect();
     assert_eq!(groups, [("left", vec![0, 1, 2, 3]), ("right", vec![4, 5, 6, 7])]);
     let along: Vec<f64> =

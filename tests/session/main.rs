@@ -27,6 +27,7 @@ mod presets;
 mod refine;
 mod regions;
 mod remedies;
+mod remesh;
 mod replacing;
 mod selecting;
 mod shown;

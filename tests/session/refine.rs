@@ -7,7 +7,7 @@ use shape_up::mesh::{KEPT_TURN, Mesh, Scheme};
 use shape_up::scene::{MeshSource, Scene};
 use shape_up::session::{Edit, Session};
 
-fn open(text: &str, mesh: Mesh) -> Session {
+pub(crate) fn open(text: &str, mesh: Mesh) -> Session {
     let head = r#"{ "format": "shape-up-scene", "version": 1, "mesh": { "file": "own.obj" }"#;
     let scene = Scene::from_json(&format!("{head}, {text} }}")).expect("the scene is valid");
     Session::open(scene, mesh).expect("it fits the mesh")
@@ -17,7 +17,7 @@ fn refine(scheme: Scheme, levels: u32) -> Edit {
     Edit::Refine { scheme, levels, keep: KEPT_TURN }
 }
 
-fn everything(session: &Session) -> (String, Vec<[u64; 3]>) {
+pub(crate) fn everything(session: &Session) -> (String, Vec<[u64; 3]>) {
     let bits = session.positions().iter().map(|point| point.map(f64::to_bits)).collect();
     (session.scene().to_json(session.mesh()), bits)
 }

@@ -106,6 +106,8 @@ export function requestHandlers(solver, scheduler, post, died) {
     comparison,
     runExperiment: (message) => runExperiment(message, solver, post, died),
     experimentCsv,
+    meshOperations: () => solver.meshOperations(),
+    remeshing: ({ asked }) => solver.remeshing(asked),
     newKinds: () => solver.newKinds(),
     newMesh: ({ kind, sizes, units }) => solver.newMesh(kind, Float64Array.from(sizes), units),
   };

@@ -1,6 +1,7 @@
 //! The commands with their arguments.
 
-use super::new_mesh::{self, New};
+use super::meshes::edit::{self, Remesh};
+use super::meshes::new_mesh::{self, New};
 use super::words::{Word, Words};
 use shape_up::fabricate::{OffsetKind, Page, Pieces, Product};
 use shape_up::mesh::{KEPT_TURN, Scheme, Subdivision};
@@ -30,6 +31,7 @@ pub(super) enum Command {
         csv: Option<PathBuf>,
     },
     Refine(Refine),
+    Edit(Remesh),
     New(New),
     Parametrize(Parametrize),
     Examples {
@@ -135,6 +137,7 @@ pub(super) fn parse(arguments: Vec<OsString>) -> Result<Command, String> {
         "build" => build(words),
         "check" => check(words),
         "refine" => refine(words),
+        "edit" => edit::parse(words).map(Command::Edit),
         "new" => new_mesh::parse(words).map(Command::New),
         "parametrize" => parametrize(words),
         "examples" => {
@@ -155,7 +158,7 @@ pub(super) fn parse(arguments: Vec<OsString>) -> Result<Command, String> {
         "help" => Ok(Command::Help),
         "--version" | "-V" => Ok(Command::Version),
         _ => Err(format!(
-            "unknown command `{command}`, expected solve, build, refine, check, new, parametrize, examples, experiment or operators"
+            "unknown command `{command}`, expected solve, build, refine, edit, check, new, parametrize, examples, experiment or operators"
         )),
     }
 }

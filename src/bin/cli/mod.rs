@@ -7,9 +7,8 @@
 //! | `usage` | how the program is called |
 //! | `input` | mesh and scene files in |
 //! | `output` | files and standard output, whole or not at all |
-//! | `mesh_file` | a solved mesh as a file, by the ending of its name |
-//! | `solve`, `build`, `refine`, `check`, `parametrize`, `examples`, `experiment` | the commands of these names |
-//! | `new_mesh` | the command `new`, with its arguments |
+//! | `meshes` | the commands `new`, `edit` and `refine`, and a solved mesh as a file |
+//! | `solve`, `build`, `check`, `parametrize`, `examples`, `experiment` | the commands of these names |
 //! | `results` | `check` of what a student hands in |
 
 mod arguments;
@@ -18,17 +17,16 @@ mod check;
 mod examples;
 mod experiment;
 mod input;
-mod mesh_file;
-mod new_mesh;
+mod meshes;
 mod output;
 mod parametrize;
-mod refine;
 mod results;
 mod solve;
 mod usage;
 mod words;
 
 use arguments::Command;
+use meshes::{edit, new_mesh, refine};
 use std::ffi::OsString;
 use std::process::ExitCode;
 
@@ -78,6 +76,7 @@ fn perform(command: Command) -> Result<(), Failure> {
         Command::CheckClass { folder, scene, csv } => {
             results::check_class(&folder, scene.as_deref(), csv.as_deref())
         }
+        Command::Edit(asked) => edit::edit(&asked),
         Command::New(new) => new_mesh::make(&new),
         Command::Parametrize(parametrize) => parametrize::parametrize(&parametrize),
         Command::Examples { out: None } => examples::list(),

@@ -1,7 +1,8 @@
 //! `shape-up solve`: solves a scene or a mesh, with the kind of the command line on every face.
 
 use super::arguments::Solve;
-use super::{Failure, input, mesh_file, output};
+use super::meshes::mesh_file;
+use super::{Failure, input, output};
 use shape_up::constraint::describe;
 use shape_up::error::Error;
 use shape_up::mesh::counted;

@@ -3,7 +3,7 @@
 use shape_up::begin::NEW_KINDS;
 use shape_up::constraint::KINDS;
 use shape_up::fabricate::{OffsetKind, Page, Pieces, Product};
-use shape_up::mesh::Scheme;
+use shape_up::mesh::{MESH_OPERATIONS, Scheme, Size};
 use shape_up::scene::{Accelerator, NamedEnum};
 use shape_up::solve::{ConformalNorm, ConformalWeights};
 
@@ -23,6 +23,8 @@ usage: shape-up solve SCENE|MESH [--panels KIND] [--exact | --within LENGTH]
        shape-up refine SCENE|MESH [--scheme {}] [--levels N]
                 [--keep DEGREES] [--panels KIND] [--out FILE.obj|FILE.mesh|FILE.json]
                 [--report FILE.json]
+       shape-up edit SCENE|MESH OPERATION [--SIZE VALUE ...] [--vertices LIST] [--faces LIST]
+                [--out FILE.obj|FILE.mesh|FILE.json]
        shape-up check MESH [--report FILE.json]
        shape-up check RESULTS --scene SCENE
        shape-up check FOLDER [--scene SCENE] [--csv FILE.csv]
@@ -55,6 +57,9 @@ is the report on one page of A4 (PDF): picture, plan, build check, bill of mater
 refine makes several faces of each, N times; the boundary is a curve of its own, and creases and corners
 that turn by more than DEGREES (75) stay sharp. With --panels it solves before the first level and after
 each. The scene goes along: --out writes the mesh, or where the name ends in .json, the scene with it.
+edit changes the faces of a mesh; the scene goes along. A LIST is like 0-4,7, a length is in the unit of
+the mesh, and what is not given is as here, lengths in mean edges:
+{}
 RESULTS is what a student hands in of a lesson: check measures its shape with the goals and the
 constraints of the SCENE, and ends with 1 when one is not met. Of a FOLDER of them it writes a table:
 goals met, worst distance, moved, and whether the mesh or what the lesson locks was altered. The scene
@@ -74,17 +79,26 @@ Exit code: 0 done, 1 the input is at fault, 2 usage, 3 internal.",
         ConformalWeights::list("|"),
         ConformalNorm::list("|"),
         kinds(),
+        operations(),
         new_kinds(),
     )
 }
 
+/// The operations on meshes, a line each, with their sizes.
+fn operations() -> String {
+    let lines = MESH_OPERATIONS.iter().map(|operation| line(operation.id, operation.sizes));
+    lines.collect::<Vec<_>>().join("\n")
+}
+
 /// The kinds of new meshes, a line each, with their sizes.
 fn new_kinds() -> String {
-    let lines = NEW_KINDS.iter().map(|kind| {
-        let sizes = kind.sizes.iter().map(|size| format!(" --{} {}", size.id, size.default));
-        format!(" {}{}", kind.id, sizes.collect::<String>())
-    });
+    let lines = NEW_KINDS.iter().map(|kind| line(kind.id, kind.sizes));
     lines.collect::<Vec<_>>().join("\n")
+}
+
+fn line(id: &str, sizes: &[Size]) -> String {
+    let sizes = sizes.iter().map(|size| format!(" --{} {}", size.id, size.default));
+    format!(" {id}{}", sizes.collect::<String>())
 }
 
 /// The ids of the kinds, in lines under each other.

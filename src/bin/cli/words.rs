@@ -99,6 +99,13 @@ impl Words {
         parsed.ok_or_else(|| format!("{name} takes a number from 0, found `{value}`"))
     }
 
+    /// The value of an option that takes any number.
+    pub(super) fn number(&mut self, name: &str) -> Result<f64, String> {
+        let value = self.text(name)?;
+        let parsed = value.parse().ok().filter(|number: &f64| number.is_finite());
+        parsed.ok_or_else(|| format!("{name} takes a number, found `{value}`"))
+    }
+
     /// The value of an option that says how a boundary is held.
     pub(super) fn boundary(&mut self, name: &str) -> Result<BoundaryCloseness, String> {
         let value = self.text(name)?;

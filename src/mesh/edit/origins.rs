@@ -11,16 +11,36 @@ pub struct Edited {
     pub origins: Origins,
 }
 
-/// Where the parts of a mesh come from. The vertices of the old mesh come first, with their indices.
+impl Edited {
+    /// Where the new vertices are in another state of the old mesh than the one `from` that this was made of; all
+    /// three `#V by 3`.
+    pub fn in_other_state(&self, from: &[Point], other: &[Point]) -> Vec<Point> {
+        let combined = [from, other].map(|points| self.origins.positions.apply(points));
+        let [from, mut other] = combined;
+        for ((other, from), to) in other.iter_mut().zip(from).zip(&self.mesh.positions) {
+            for axis in 0..3 {
+                // What is a combination of old ones keeps every bit.
+                if to[axis] != from[axis] {
+                    other[axis] += to[axis] - from[axis];
+                }
+            }
+        }
+        other
+    }
+}
+
+/// Where the parts of a mesh come from. Old vertices that are left come first, in their order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Origins {
+    /// The new index of each old vertex: none where it is gone, the same where several became one.
+    pub vertices: Vec<Option<u32>>,
     /// The position of each new vertex as an affine combination of old ones.
     pub positions: Combinations,
     /// The old vertices that each new vertex stands between, ascending: one for an old vertex, two for a vertex
     /// on an old edge, the corners of a face for one inside it.
     pub between: Ragged,
-    /// The old face that each new face is a part of.
-    pub faces: Vec<u32>,
+    /// The old faces that each new face is a part of, or was made of, ascending: none for one that closes a hole.
+    pub faces: Ragged,
 }
 
 impl Origins {
@@ -30,25 +50,28 @@ impl Origins {
         let mut positions = Combinations::default();
         vertices.clone().for_each(|v| positions.push(&[(v, 1.0)]));
         Origins {
+            vertices: vertices.clone().map(Some).collect(),
             positions,
             between: vertices.map(|v| [v]).collect(),
-            faces: (0..mesh.faces.len() as u32).collect(),
+            faces: (0..mesh.faces.len() as u32).map(|face| [face]).collect(),
         }
     }
 
     /// From the mesh before these, where `next` leads on from here.
     pub(super) fn then(&self, next: &Origins) -> Origins {
-        let union = |row: &[u32]| {
-            let olds = row.iter().flat_map(|&v| self.between.row(v as usize));
+        let union = |olds: &Ragged, row: &[u32]| {
+            let olds = row.iter().flat_map(|&i| olds.row(i as usize));
             let mut olds: Vec<u32> = olds.copied().collect();
             olds.sort_unstable();
             olds.dedup();
             olds
         };
+        let now = |v: &Option<u32>| v.and_then(|v| next.vertices[v as usize]);
         Origins {
+            vertices: self.vertices.iter().map(now).collect(),
             positions: next.positions.of(&self.positions),
-            between: next.between.iter().map(union).collect(),
-            faces: next.faces.iter().map(|&face| self.faces[face as usize]).collect(),
+            between: next.between.iter().map(|row| union(&self.between, row)).collect(),
+            faces: next.faces.iter().map(|row| union(&self.faces, row)).collect(),
         }
     }
 }

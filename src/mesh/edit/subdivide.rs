@@ -202,7 +202,12 @@ impl Subdivision {
             tets: Vec::new(),
             groups: mesh.groups.iter().map(group).collect(),
         };
-        let origins = Origins { positions, between: split.between(), faces: parents };
+        let origins = Origins {
+            vertices: (0..mesh.positions.len() as u32).map(Some).collect(),
+            positions,
+            between: split.between(),
+            faces: parents.iter().map(|&parent| [parent]).collect(),
+        };
         Edited { mesh: refined, origins }
     }
 }

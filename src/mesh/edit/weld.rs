@@ -1,6 +1,7 @@
 //! Welding: a mesh whose faces have their own vertices has no edges in common, and what its faces are
 //! asked would tear it apart. Vertices at one place become one.
 
+use super::rebuild::has_twice;
 use crate::math::{Vec3, argsort, key_of_number, polygon_sides};
 use crate::mesh::{GroupKeyword, Mesh, Point, ProblemKind, Read, diagnose, elements_with_problem};
 
@@ -99,7 +100,7 @@ fn merged(mesh: &Mesh, first: &[u32], least: f64) -> Option<(Mesh, Vec<u32>)> {
     let on_each_other =
         |mesh: &Mesh| elements_with_problem(mesh, ProblemKind::DuplicateFace).faces.len();
     let is_sound =
-        !welded.faces.iter().any(comes_back) && on_each_other(&welded) == on_each_other(mesh);
+        !welded.faces.iter().any(has_twice) && on_each_other(&welded) == on_each_other(mesh);
     is_sound.then_some((welded, to))
 }
 
@@ -137,7 +138,7 @@ fn tolerance(mesh: &Mesh) -> Option<f64> {
 }
 
 /// Of each vertex the first one at its place and of its part, within `tolerance`.
-fn first_at_each_place(positions: &[Point], parts: &[u32], tolerance: f64) -> Vec<u32> {
+pub(super) fn first_at_each_place(positions: &[Point], parts: &[u32], tolerance: f64) -> Vec<u32> {
     // In cells of twice the tolerance what is near is in the same or in a neighbouring cell.
     // Adding zero makes one zero of the two.
     let cell = |x: f64| (x / (2.0 * tolerance)).floor() + 0.0;
@@ -179,11 +180,6 @@ fn sorted_by_cell(cells: Vec<[f64; 3]>) -> Vec<u32> {
         order = argsort(keys).into_iter().map(|place| order[place as usize]).collect();
     }
     order
-}
-
-/// Whether a face has a corner twice.
-fn comes_back(face: &[u32]) -> bool {
-    (1..face.len()).any(|k| face[..k].contains(&face[k]))
 }
 
 #[cfg(test)]

@@ -218,7 +218,9 @@ pub(crate) fn apply(
             draft.put_handles(handles);
             format!("Release {}", of_vertices(vertices.len()))
         }
-        Edit::Refine { .. } => unreachable!("it makes another mesh, which no draft can"),
+        Edit::Refine { .. } | Edit::Remesh(_) => {
+            unreachable!("it makes another mesh, which no draft can")
+        }
         Edit::Reset => {
             let kept = draft.document().variants.kept.clone();
             back_to_rest(Variants { kept, design: None }, draft, moment);

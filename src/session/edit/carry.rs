@@ -1,11 +1,11 @@
 //! A scene carried over to a mesh that was made from its own: its sets, constraints, handles and shapes.
 //!
-//! A set of faces becomes the faces made of them; a set of vertices also gets those between its vertices. Where all of
+//! A set of faces becomes the faces made of them alone; a set of vertices also gets those between its vertices. Where all of
 //! these are on the boundary, it is a curve and gets the vertices on the boundary only. A handle stays at its vertex
 //! and moves along with it; between fixed neighbours on the boundary the new vertices are fixed too.
 
-use crate::constraint::{Element, Selector, describe};
-use crate::mesh::{Origins, Point, Topology};
+use crate::constraint::{Element, Selector, Sets, describe};
+use crate::mesh::{Edited, Origins, Point, Topology, counted};
 use crate::scene::{ConstraintSpec, Hold, MeshSource, Pose, Scene};
 use crate::session::state::{RestMesh, resolve_row};
 use crate::solve::Handle;
@@ -22,87 +22,150 @@ pub(crate) struct Carried {
     pub(crate) lost: Vec<String>,
 }
 
-/// Carries a document with its handles and positions (`#V by 3`) from the mesh `before` to the mesh `after`.
+/// Carries a document with its handles and positions (`#V by 3`) from the mesh `before` to the mesh `after`, which
+/// was edited with the positions `from`, `#V by 3`.
 pub(crate) fn carry(
     document: &Scene,
     (handles, positions): (&[Handle], &[Point]),
     before: &RestMesh,
-    origins: &Origins,
+    (edited, from): (&Edited, &[Point]),
     after: &RestMesh,
 ) -> Carried {
-    let moved = origins.positions.apply(positions);
-    let handles = carry_handles(handles, (positions, &moved), before.topology(), origins);
+    let origins = &edited.origins;
+    let moved = |state: &[Point]| edited.in_other_state(from, state);
+    let mut lost = Vec::new();
+    let now = moved(positions);
+    let carried = carry_handles(handles, (positions, &now), before.topology(), origins);
+    let gone = handles.iter().filter(|handle| is_gone(handle.vertex, origins)).count();
+    if gone > 0 {
+        let handles = counted(gone, "handle", "handles");
+        lost.push(format!("Left out: {handles} on vertices that are gone."));
+    }
     let mut document = document.clone();
     // The mesh is in no file any more.
     document.mesh = MeshSource::Inline(Box::default());
     if let Some(Pose::Positions(pose)) = &mut document.pose {
-        *pose = origins.positions.apply(pose).into();
+        *pose = moved(pose).into();
     }
     for variant in &mut document.variants.kept {
-        variant.positions = origins.positions.apply(&variant.positions).into();
+        variant.positions = moved(&variant.positions).into();
     }
-    for set in document.sets.values_mut() {
+    document.sets.retain(|name, set| {
         set.vertices = carry_vertices(&set.vertices, before.topology(), origins);
         set.faces = carry_faces(&set.faces, origins);
-    }
-    let on_vertices = |on: &mut Selector, takes: &dyn Fn(usize) -> bool| {
-        if let Selector::Vertices(vertices) = on {
-            let all = carry_vertices(vertices, before.topology(), origins);
-            if takes(all.len()) {
-                *vertices = all;
-            }
+        let is_left = !set.vertices.is_empty() || !set.faces.is_empty();
+        if !is_left {
+            lost.push(format!("Left out: the set {name}, which has nothing left."));
         }
-    };
-    for row in &mut document.constraints {
-        let info = row.kind.info();
-        // Where their order means something, they stay those that they are.
-        on_vertices(&mut row.on, &|count| info.elements.is_empty() && info.arity.fits(count));
-    }
-    document.closeness.weights.iter_mut().for_each(|entry| on_vertices(&mut entry.on, &|_| true));
-    let mut lost = Vec::new();
+        is_left
+    });
+    document.closeness.weights.retain_mut(|entry| match &mut entry.on {
+        Selector::Vertices(vertices) => {
+            *vertices = carry_vertices(vertices, before.topology(), origins);
+            !vertices.is_empty()
+        }
+        Selector::Set(name) => has_set(name, &document.sets, after),
+        Selector::Each { .. } => true,
+    });
+    let has_other_sizes = !(0.9..1.1).contains(&(after.mean_edge() / before.mean_edge()));
     let rows = std::mem::take(&mut document.constraints);
-    for row in rows {
-        match resolve_row(&row, &document, after.mesh(), after.topology()) {
-            Err(why) => lost.push(format!("Left out: {}: {why}.", named(&row))),
+    for mut row in rows {
+        let label = named(&row);
+        let resolved = carry_row(&mut row, before.topology(), origins).and_then(|()| {
+            let resolved = resolve_row(&row, &document, after.mesh(), after.topology());
+            resolved.map_err(|why| why.to_string())
+        });
+        match resolved {
+            Err(why) => lost.push(format!("Left out: {label}: {why}.")),
             Ok(_) => {
-                if has_sizes_of_elements(&row) {
-                    lost.push(format!(
-                        "{} keeps its sizes; its elements are smaller.",
-                        named(&row)
-                    ));
+                if has_other_sizes && has_sizes_of_elements(&row) {
+                    lost.push(format!("{label} keeps its sizes; its elements have others now."));
                 }
                 document.constraints.push(row);
             }
         }
     }
-    Carried { document, handles, positions: moved, lost }
+    Carried { document, handles: carried, positions: now, lost }
 }
 
-/// The vertices with those between them, ascending behind them.
+fn has_set(name: &str, sets: &Sets, after: &RestMesh) -> bool {
+    sets.contains_key(name) || after.mesh().groups.iter().any(|group| group.name == name)
+}
+
+/// Carries the vertices that a row is on.
+///
+/// # Errors
+/// When one of them is gone, where their number or order means something; or all of them.
+fn carry_row(
+    row: &mut ConstraintSpec,
+    topology: &Topology,
+    origins: &Origins,
+) -> Result<(), String> {
+    let info = row.kind.info();
+    let Selector::Vertices(vertices) = &mut row.on else { return Ok(()) };
+    let carried = carry_vertices(vertices, topology, origins);
+    // Where their order means something, they stay those that they are.
+    if info.elements.is_empty() && info.arity.fits(carried.len()) {
+        *vertices = carried;
+        return Ok(());
+    }
+    let same: Option<Vec<u32>> = vertices.iter().map(|&v| origins.vertices[v as usize]).collect();
+    let same = same.ok_or("some of its vertices are gone")?;
+    if (1..same.len()).any(|k| same[..k].contains(&same[k])) {
+        return Err("some of its vertices became one".to_owned());
+    }
+    *vertices = same;
+    Ok(())
+}
+
+fn is_gone(vertex: u32, origins: &Origins) -> bool {
+    origins.vertices[vertex as usize].is_none()
+}
+
+/// The vertices that are left, in their order, and behind them, ascending, those between them.
 fn carry_vertices(vertices: &[u32], topology: &Topology, origins: &Origins) -> Vec<u32> {
     let mut has = vec![false; topology.neighbours().len()];
     vertices.iter().for_each(|&v| has[v as usize] = true);
     let is_on_boundary = boundary_vertices(topology);
     let is_curve = vertices.iter().all(|&v| is_on_boundary[v as usize]);
-    let mut carried = vertices.to_vec();
-    for (v, between) in (0..).zip(origins.between.iter()).skip(has.len()) {
+    let mut is_known = known(origins);
+    let mut carried = Vec::with_capacity(vertices.len());
+    let mut is_in = vec![false; is_known.len()];
+    for now in vertices.iter().filter_map(|&v| origins.vertices[v as usize]) {
+        if !std::mem::replace(&mut is_in[now as usize], true) {
+            carried.push(now);
+        }
+    }
+    for (v, between) in (0..).zip(origins.between.iter()) {
         let all = between.iter().all(|&old| has[old as usize]);
-        if all && (!is_curve || on_boundary(between, topology)) {
+        let is_new = !std::mem::replace(&mut is_known[v as usize], true);
+        if is_new && all && (!is_curve || on_boundary(between, topology)) {
             carried.push(v);
         }
     }
     carried
 }
 
-/// The faces that were made of `faces`, in the order of these.
+/// Of each new vertex whether it is an old one.
+fn known(origins: &Origins) -> Vec<bool> {
+    let mut is_known = vec![false; origins.between.len()];
+    origins.vertices.iter().flatten().for_each(|&v| is_known[v as usize] = true);
+    is_known
+}
+
+/// The faces that were made of `faces` alone, in the order of these.
 fn carry_faces(faces: &[u32], origins: &Origins) -> Vec<u32> {
-    if faces.is_empty() {
-        return Vec::new();
+    let last = origins.faces.indices().iter().chain(faces).max().copied().unwrap_or(0);
+    let mut places = vec![usize::MAX; last as usize + 1];
+    (0..faces.len()).rev().for_each(|place| places[faces[place] as usize] = place);
+    let mut made = vec![Vec::new(); faces.len()];
+    for (child, parents) in (0..).zip(origins.faces.iter()) {
+        let of = || parents.iter().map(|&parent| places[parent as usize]);
+        if let (Some(first), Some(0..usize::MAX)) = (of().min(), of().max()) {
+            made[first].push(child);
+        }
     }
-    let last = origins.faces.iter().max().copied().unwrap_or(0);
-    let mut children = vec![Vec::new(); last as usize + 1];
-    (0..).zip(&origins.faces).for_each(|(child, &face)| children[face as usize].push(child));
-    faces.iter().flat_map(|&face| children[face as usize].iter().copied()).collect()
+    made.concat()
 }
 
 fn carry_handles(
@@ -111,19 +174,26 @@ fn carry_handles(
     topology: &Topology,
     origins: &Origins,
 ) -> Vec<Handle> {
-    let along = |handle: &Handle| {
-        let (from, to) = (before[handle.vertex as usize], after[handle.vertex as usize]);
+    let mut has_handle = vec![false; after.len()];
+    let mut is_fixed = vec![false; before.len()];
+    let mut carried = Vec::with_capacity(handles.len());
+    for handle in handles {
+        is_fixed[handle.vertex as usize] = handle.hold == Hold::Fixed;
+        let Some(vertex) = origins.vertices[handle.vertex as usize] else { continue };
+        // Of several on one vertex the first stays.
+        if std::mem::replace(&mut has_handle[vertex as usize], true) {
+            continue;
+        }
+        let (from, to) = (before[handle.vertex as usize], after[vertex as usize]);
         let target = std::array::from_fn(|i| {
             if handle.target[i] == from[i] { to[i] } else { handle.target[i] + (to[i] - from[i]) }
         });
-        Handle { target, ..*handle }
-    };
-    let mut carried: Vec<Handle> = handles.iter().map(along).collect();
-    let mut is_fixed = vec![false; before.len()];
-    let fixed = handles.iter().filter(|handle| handle.hold == Hold::Fixed);
-    fixed.for_each(|handle| is_fixed[handle.vertex as usize] = true);
-    for (vertex, between) in (0..).zip(origins.between.iter()).skip(before.len()) {
-        if on_boundary(between, topology) && between.iter().all(|&old| is_fixed[old as usize]) {
+        carried.push(Handle { vertex, target, ..*handle });
+    }
+    let is_known = known(origins);
+    for (vertex, between) in (0..).zip(origins.between.iter()) {
+        let is_new = !is_known[vertex as usize] && on_boundary(between, topology);
+        if is_new && between.iter().all(|&old| is_fixed[old as usize]) {
             let target = after[vertex as usize];
             carried.push(Handle { vertex, target, hold: Hold::Fixed });
         }

@@ -2,6 +2,7 @@
 
 use super::constraint_target::ConstraintTarget;
 use super::edit_list::{Edit, NewConstraint};
+use super::remeshing::Remeshing;
 use crate::constraint::Set;
 use crate::json::{JsonError, Tree, indices, parse, read, read_tree};
 use crate::scene::{Scene, SceneError};
@@ -41,6 +42,16 @@ impl Edit {
             },
         });
         Ok(read?)
+    }
+}
+
+impl Remeshing {
+    /// Reads an operation with what it is applied to: its fields by their names.
+    ///
+    /// # Errors
+    /// As [`Scene::from_json`].
+    pub fn from_json(text: &str) -> Result<Remeshing, SceneError> {
+        Ok(read_tree(&tree(text)?)?)
     }
 }
 

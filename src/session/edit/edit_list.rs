@@ -1,5 +1,6 @@
 //! The edits of the document: each is one step of undo.
 
+use super::remeshing::Remeshing;
 use crate::constraint::Set;
 use crate::fabricate::BuildSettings;
 use crate::json::indices::{self, Indices};
@@ -199,6 +200,8 @@ pub enum Edit {
         #[serde(default = "kept_turn")]
         keep: f64,
     },
+    /// Changes the mesh by one of the [`crate::mesh::MESH_OPERATIONS`]. The scene goes along.
+    Remesh(Remeshing),
     /// Goes back to the rest shape; constraints, handles and weights stay.
     Reset,
 }

@@ -66,7 +66,8 @@ fn changed_by(edit: &Edit, document: &Scene) -> &'static [Lock] {
         | Edit::LeavePose
         | Edit::SetUnits { .. }
         | Edit::SetUp { .. }
-        | Edit::Refine { .. } => &[Lock::Mesh],
+        | Edit::Refine { .. }
+        | Edit::Remesh(_) => &[Lock::Mesh],
         Edit::WeighHandles { .. } | Edit::AddHandles { .. } | Edit::RemoveHandles { .. } => {
             &[Lock::Handles]
         }

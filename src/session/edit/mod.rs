@@ -12,6 +12,7 @@
 //! | `locks` | which edits a lesson refuses |
 //! | `variants` | shapes that were kept |
 //! | `carry` | a scene carried over to another mesh |
+//! | `remeshing` | an operation on the mesh, and what it would make |
 //! | `settings` | the declared settings of a scene |
 
 mod apply;
@@ -22,6 +23,7 @@ mod edit_json;
 mod edit_list;
 mod locks;
 mod preview;
+mod remeshing;
 mod settings;
 mod target_shape;
 mod variants;
@@ -33,5 +35,7 @@ pub use edit_list::{Edit, NewConstraint};
 pub(crate) use locks::{check_lock, check_locks};
 pub use preview::Preview;
 pub(crate) use preview::previews;
+pub(crate) use remeshing::offered;
+pub use remeshing::{OfferedOperation, Remeshing, RemeshingPreview};
 pub(crate) use settings::is_of_solver;
 pub use settings::{SETTINGS, Setting, settings_of};

@@ -2,7 +2,7 @@
 
 use super::solver::Solver;
 use crate::error::Error;
-use crate::session::{ConstraintTarget, Edit};
+use crate::session::{ConstraintTarget, Edit, Remeshing};
 use crate::web::plain::{plain, text, thrown_at};
 use crate::web::thrown;
 use wasm_bindgen::prelude::*;
@@ -46,6 +46,22 @@ impl Solver {
         let edit = Edit::from_json(&text(&edit)?, session.document());
         let edit = edit.map_err(|error| thrown_at(&error))?;
         session.edit_and_run(edit).map_err(refused)
+    }
+
+    /// The operations on the mesh, with sizes that fit it.
+    #[wasm_bindgen(js_name = meshOperations, unchecked_return_type = "OfferedOperation[]")]
+    pub fn mesh_operations(&self) -> Result<JsValue, JsValue> {
+        plain(&self.open()?.operations())
+    }
+
+    /// What an operation would make of the mesh.
+    #[wasm_bindgen(unchecked_return_type = "RemeshingPreview")]
+    pub fn remeshing(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "Remeshing")] asked: JsValue,
+    ) -> Result<JsValue, JsValue> {
+        let asked = Remeshing::from_json(&text(&asked)?).map_err(|error| thrown_at(&error))?;
+        plain(&self.open()?.remeshing(&asked).map_err(refused)?)
     }
 
     /// How many constraints a row of each kind would hold at each of the places, which are selectors as

@@ -8,7 +8,6 @@ import './make-panels.css';
 import { button, closeButton } from '../../ui/controls/fields.js';
 import { RENEW_MS, byId, element, leave, setText, throttled } from '../../ui/dom.js';
 import { panelButtons } from './buttons.js';
-import { offerRefining } from './refine-button.js';
 import { progressWords, verdictWords } from './verdict.js';
 
 /** @typedef {import("../../solver/messages.js").KindInfo} KindInfo */
@@ -41,7 +40,6 @@ export class MakePanels {
   constructor(app) {
     this.#app = app;
     const { store, solver } = app;
-    offerRefining(app);
     store.subscribe(['model', 'kinds', 'document', 'example'], () => this.#show());
     store.subscribe(['split', 'flatMap'], () => this.#show());
     // The next mesh starts as the first one did.

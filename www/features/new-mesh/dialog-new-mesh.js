@@ -6,13 +6,14 @@
 import './new-mesh.css';
 import { openDialog } from '../../ui/controls/dialog.js';
 import { button, choice } from '../../ui/controls/fields.js';
+import { sizeField } from '../../ui/controls/size-field.js';
 import { element, setText } from '../../ui/dom.js';
 import { count } from '../../ui/format.js';
 import { messageOf } from '../../solver/messages.js';
 import { UNITS } from '../../ui/units.js';
 
 /** @typedef {import("../../pkg/solver/shape_up.js").NewKind} NewKind */
-/** @typedef {import("../../pkg/solver/shape_up.js").NewSize} NewSize */
+/** @typedef {import("../../pkg/solver/shape_up.js").Size} Size */
 
 /** The unit of the defaults. */
 const METRE = 'm';
@@ -65,36 +66,15 @@ export async function newMesh({ store, files, actions, alerts }) {
   function showSizes() {
     const { summary: words, sizes: declared } = chosen();
     setText(summary, words);
-    sizes.replaceChildren(...declared.map(sizeField));
+    const field = (/** @type {Size} */ size) =>
+      sizeField(size, { value: inUnit(size.default, size.of), unit, onchange: changed });
+    sizes.replaceChildren(...declared.map(field));
     changed();
-  }
-
-  /** @param {NewSize} size */
-  function sizeField({ label, of, default: value, least, most }) {
-    const length = of === 'length';
-    const shown = { length: unit, degrees: '°', count: '' }[of];
-    const field = element('input', {
-      ...{
-        type: 'number',
-        min: String(least),
-        max: String(most),
-        value: String(inUnit(value, of)),
-      },
-      ...{ step: length ? 'any' : '1', inputmode: length ? 'decimal' : 'numeric' },
-      required: true,
-      oninput: changed,
-    });
-    return element(
-      'label',
-      element('span', label),
-      field,
-      element('span.unit', { 'data-of': of }, shown),
-    );
   }
 
   /** @param {string} symbol of a unit */
   const metresOf = (symbol) => UNITS.find((one) => one.symbol === symbol)?.metres ?? 1;
-  /** A default, in metres, in the unit that is chosen. @param {number} value @param {NewSize["of"]} of */
+  /** A default, in metres, in the unit that is chosen. @param {number} value @param {Size["of"]} of */
   const inUnit = (value, of) =>
     of === 'length' ? Number((value / metresOf(unit)).toPrecision(4)) : value;
 

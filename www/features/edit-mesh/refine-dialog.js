@@ -5,7 +5,7 @@ import { openDialog } from '../../ui/controls/dialog.js';
 import { button, choice } from '../../ui/controls/fields.js';
 import { element, setText } from '../../ui/dom.js';
 import { count } from '../../ui/format.js';
-import { refineActions } from '../../store/refine-actions.js';
+import { meshActions } from '../../store/mesh-actions.js';
 
 /** @type {[string, string][]} */
 const SCHEMES = [
@@ -19,7 +19,7 @@ const KEEP = 75;
 
 /** @param {import("../../app/context.js").AppContext} app */
 export function openRefine({ store, solver, actions, alerts }) {
-  const refining = refineActions(store, solver, actions);
+  const refining = meshActions(store, solver, actions);
   const { geometry } = solver;
   const offsets = geometry?.connectivity.faceOffsets ?? new Uint32Array(1);
   const triangles = geometry?.connectivity.faceIndices.length === 3 * (offsets.length - 1);

@@ -1,11 +1,12 @@
 //! A solved mesh as a file, by the ending of its name: Medit (`.mesh`), else OBJ.
 
+use crate::cli::input;
 use shape_up::mesh::{Mesh, Weld, counted, write_medit};
 use shape_up::session::Session;
 use std::path::Path;
 
 /// The text of the file `path`; with the vertices and faces as they came where they were welded.
-pub(super) fn text(path: &Path, session: &Session, weld: Option<&Weld>) -> String {
+pub(in crate::cli) fn text(path: &Path, session: &Session, weld: Option<&Weld>) -> String {
     let now = session.positions();
     match (is_medit(path), weld) {
         (false, None) => session.obj(),
@@ -18,8 +19,23 @@ pub(super) fn text(path: &Path, session: &Session, weld: Option<&Weld>) -> Strin
     }
 }
 
+/// Adds to `files` the mesh of a session that has changed it, or where the name ends in .json, the scene with it;
+/// what the format cannot hold, if anything.
+pub(in crate::cli) fn write_changed<'a>(
+    path: &'a Path,
+    session: &Session,
+    files: &mut Vec<(&'a Path, String)>,
+) -> Option<String> {
+    if input::is_scene(path) {
+        files.push((path, session.scene_with_mesh()));
+        return None;
+    }
+    files.push((path, text(path, session, None)));
+    left_out(path, session.mesh())
+}
+
 /// The parts of the mesh that the format of `path` cannot hold: none where all of it is written.
-pub(super) fn left_out(path: &Path, mesh: &Mesh) -> Option<String> {
+pub(in crate::cli) fn left_out(path: &Path, mesh: &Mesh) -> Option<String> {
     let larger = mesh.faces.iter().filter(|face| face.len() > 4).count();
     let (format, parts) = if is_medit(path) {
         let faces = (larger, "face of more than four corners", "faces of more than four corners");

@@ -1,7 +1,7 @@
 //! `shape-up new`: a mesh to begin with.
 
-use super::words::{Word, Words};
-use super::{Failure, output};
+use crate::cli::words::{Word, Words};
+use crate::cli::{Failure, output};
 use shape_up::begin::{NEW_KINDS, NewKind};
 use shape_up::mesh::{counted, write_obj};
 use shape_up::scene::{UnitsAndUp, Up};
@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 /// `shape-up new`.
 #[derive(Debug, PartialEq)]
-pub(super) struct New {
+pub(in crate::cli) struct New {
     /// The id of the kind.
     kind: &'static str,
     /// In the order of the sizes of the kind.
@@ -19,7 +19,7 @@ pub(super) struct New {
 }
 
 /// Reads the arguments: the kind comes first, because it says which sizes there are.
-pub(super) fn parse(mut words: Words) -> Result<New, String> {
+pub(in crate::cli) fn parse(mut words: Words) -> Result<New, String> {
     let known = || NEW_KINDS.iter().map(|kind| kind.id).collect::<Vec<_>>().join(", ");
     let Some(Word::File(id)) = words.next()? else {
         return Err(format!("new needs a kind first: {}", known()));
@@ -51,7 +51,7 @@ pub(super) fn parse(mut words: Words) -> Result<New, String> {
 }
 
 /// Writes it to the file, or to standard output.
-pub(super) fn make(command: &New) -> Result<(), Failure> {
+pub(in crate::cli) fn make(command: &New) -> Result<(), Failure> {
     let at_kind = |error| Failure::Input(format!("new {}: {error}", command.kind));
     let kind = NewKind::of(command.kind).expect("it was found when it was read");
     let mesh = kind.mesh(&command.sizes).map_err(|error| at_kind(error.to_string()))?;

@@ -1,7 +1,8 @@
 //! `shape-up refine`: a scene or a mesh with several faces for each, solved at every level where panels are asked.
 
-use super::arguments::Refine;
-use super::{Failure, input, mesh_file, output};
+use super::mesh_file;
+use crate::cli::arguments::Refine;
+use crate::cli::{Failure, input, output};
 use serde::Serialize;
 use shape_up::error::Error;
 use shape_up::mesh::counted;
@@ -32,7 +33,7 @@ struct Level {
     seconds: f64,
 }
 
-pub(super) fn refine(command: &Refine) -> Result<(), Failure> {
+pub(in crate::cli) fn refine(command: &Refine) -> Result<(), Failure> {
     let input::Input { mut scene, mesh, mut remarks, .. } = input::read(&command.input)?;
     let at_input = |error: Error| Failure::Input(format!("{}: {error}", command.input.display()));
     let subdivision = command.subdivision;
@@ -72,12 +73,7 @@ pub(super) fn refine(command: &Refine) -> Result<(), Failure> {
     remarks.extend(lost.iter().cloned());
     let mut files: Vec<(&Path, String)> = Vec::new();
     if let Some(path) = &command.out {
-        if input::is_scene(path) {
-            files.push((path, session.scene_with_mesh()));
-        } else {
-            files.push((path, mesh_file::text(path, &session, None)));
-            remarks.extend(mesh_file::left_out(path, session.mesh()));
-        }
+        remarks.extend(mesh_file::write_changed(path, &session, &mut files));
     }
     remarks.iter().for_each(|remark| text += &format!("note: {remark}\n"));
     levels.iter().for_each(|level| text += &line(level, &units));

@@ -1,7 +1,8 @@
-/** What the page can do to refine a mesh: it comes when somebody first asks. */
+/** What the page can do to the mesh itself: it comes when somebody first asks. */
 
 import { count, length } from '../ui/format.js';
 
+/** @typedef {import("../pkg/solver/shape_up.js").Remeshing} Remeshing */
 /** @typedef {Omit<Extract<import("../solver/messages.js").Edit, { type: "refine" }>, "type">} Refinement */
 
 /**
@@ -9,7 +10,7 @@ import { count, length } from '../ui/format.js';
  * @param {import("../solver/solver-client.js").SolverClient} solver
  * @param {import("./actions.js").Actions} actions
  */
-export function refineActions(store, solver, actions) {
+export function meshActions(store, solver, actions) {
   /** Begins a run, and settles when it has ended: whether nobody has stopped it. @param {() => unknown} begin */
   async function untilEnd(begin) {
     /** @type {() => void} */
@@ -40,6 +41,23 @@ export function refineActions(store, solver, actions) {
   }
 
   return {
+    /** The operations that there are, with sizes that fit the mesh. */
+    operations: () => solver.request({ type: 'meshOperations' }),
+
+    /** What an operation would make of the mesh. @param {Remeshing} asked */
+    remeshing: (asked) => solver.request({ type: 'remeshing', asked }),
+
+    /** Does an operation. @param {Remeshing} asked @param {string} label @returns {Promise<string[]>} what is lost */
+    async remesh(asked, label) {
+      const { faces: before = 0 } = store.get().model ?? {};
+      await solver.request({ type: 'edit', edit: { type: 'remesh', ...asked } });
+      const { model } = store.get();
+      actions.setStatus(
+        `${label}: ${count(before, 'face')} became ${count(model?.faces ?? 0, 'face')}`,
+      );
+      return model?.notes ?? [];
+    },
+
     /**
      * The numbers of vertices and faces that it makes.
      * @param {Refinement} how

@@ -1,0 +1,39 @@
+//! The dual mesh: a face for each vertex.
+
+use super::declaration::{OperationError, Task};
+use crate::mesh::edit::origins::Edited;
+use crate::mesh::edit::rebuild::{Rebuild, around};
+use crate::mesh::edit::sharp::Sharp;
+
+/// Corners are in the middles of faces. A vertex on the boundary has a face that ends at the middles of its two
+/// boundary edges, and at the vertex itself where the boundary turns there by more than the size.
+pub(super) fn apply(task: &Task<'_>) -> Result<Edited, OperationError> {
+    let Task { mesh, topology, .. } = task;
+    let sharp = Sharp::of(mesh, topology, task.sizes[0]);
+    let mut rebuild = Rebuild::new(mesh);
+    let middles: Vec<u32> = mesh.faces.iter().map(|face| rebuild.vertex(face)).collect();
+    for v in 0..mesh.positions.len() as u32 {
+        if topology.vertex_faces().row(v as usize).is_empty() {
+            continue;
+        }
+        let steps = around(mesh, topology, v).ok_or(OperationError::Expected(
+            "faces that turn the same way around every vertex: unify the orientation first",
+        ))?;
+        let (Some(first), Some(last)) = (steps.first(), steps.last()) else { continue };
+        let mut corners: Vec<u32> = steps.iter().map(|step| middles[step.face as usize]).collect();
+        let is_open = first.out != last.back;
+        if is_open {
+            corners.insert(0, rebuild.middle([v, first.out]));
+            corners.push(rebuild.middle([v, last.back]));
+            // A triangle at least.
+            if sharp.corners[v as usize] || corners.len() < 3 {
+                corners.push(v);
+            }
+        }
+        if corners.len() > 2 {
+            let parents: Vec<u32> = steps.iter().map(|step| step.face).collect();
+            rebuild.face(&corners, &parents);
+        }
+    }
+    Ok(rebuild.finish())
+}

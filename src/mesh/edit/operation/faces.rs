@@ -1,0 +1,95 @@
+//! Faces deleted, merged, split.
+
+use super::declaration::{OperationError, Task};
+use crate::math::polygon_sides;
+use crate::mesh::edit::origins::Edited;
+use crate::mesh::edit::rebuild::Rebuild;
+
+/// Takes the picked faces away.
+pub(super) fn delete(task: &Task<'_>) -> Result<Edited, OperationError> {
+    let is_picked = task.picked_faces();
+    let mut rebuild = Rebuild::new(task.mesh);
+    rebuild.keep(task.all_faces().filter(|&face| !is_picked[face as usize]))?;
+    Ok(rebuild.finish())
+}
+
+/// Makes one face of the picked ones, in the place of the first of them.
+pub(super) fn merge(task: &Task<'_>) -> Result<Edited, OperationError> {
+    let mut picked = task.faces.to_vec();
+    picked.sort_unstable();
+    picked.dedup();
+    let outline = outline(task, &picked).ok_or(OperationError::Expected(
+        "at least two selected faces that lie side by side, without a hole, and face the same side",
+    ))?;
+    let mut rebuild = Rebuild::new(task.mesh);
+    for face in task.all_faces() {
+        if face == picked[0] {
+            rebuild.face(&outline, &picked);
+        } else if picked.binary_search(&face).is_err() {
+            rebuild.keep(std::iter::once(face))?;
+        }
+    }
+    Ok(rebuild.finish())
+}
+
+/// The corners around faces, where they are one piece.
+fn outline(task: &Task<'_>, faces: &[u32]) -> Option<Vec<u32>> {
+    let is_picked = task.picked_faces();
+    let mut next = vec![u32::MAX; task.mesh.positions.len()];
+    let mut count = 0;
+    for &face in faces {
+        for [a, b] in polygon_sides(task.mesh.faces.row(face as usize)) {
+            let edge = task.topology.edge(a, b)?;
+            let around = task.topology.edge_faces().row(edge as usize).iter();
+            match around.filter(|&&other| is_picked[other as usize]).count() {
+                1 if next[a as usize] == u32::MAX => next[a as usize] = b,
+                // Between two of them.
+                2 => continue,
+                _ => return None,
+            }
+            count += 1;
+        }
+    }
+    let first = *task
+        .mesh
+        .faces
+        .row(*faces.first()? as usize)
+        .iter()
+        .find(|&&v| next[v as usize] != u32::MAX)?;
+    let mut corners = vec![first];
+    while next[*corners.last()? as usize] != first {
+        corners.push(next[*corners.last()? as usize]);
+        if corners.len() > count || corners.last() == Some(&u32::MAX) {
+            return None;
+        }
+    }
+    (faces.len() > 1 && corners.len() == count && count > 2).then_some(corners)
+}
+
+/// Cuts the face that has both picked vertices, between which there is no edge.
+pub(super) fn split(task: &Task<'_>) -> Result<Edited, OperationError> {
+    let wrong =
+        OperationError::Expected("two selected corners of one face without an edge between them");
+    let &[a, b] = task.vertices else { return Err(wrong) };
+    let is_cut = |corners: &[u32]| {
+        corners.contains(&a) && corners.contains(&b) && a != b && task.topology.edge(a, b).is_none()
+    };
+    let cut = task.all_faces().find(|&face| is_cut(task.mesh.faces.row(face as usize)));
+    let cut = cut.ok_or(wrong)?;
+    let mut rebuild = Rebuild::new(task.mesh);
+    for face in task.all_faces() {
+        if face != cut {
+            rebuild.keep(std::iter::once(face))?;
+            continue;
+        }
+        let corners = task.mesh.faces.row(face as usize);
+        let from = corners.iter().position(|corner| *corner == a).unwrap_or(0);
+        let turned: Vec<u32> = corners[from..].iter().chain(&corners[..from]).copied().collect();
+        let to = turned.iter().position(|corner| *corner == b).unwrap_or(0);
+        rebuild.face(&turned[..=to], &[face]);
+        let mut rest = turned[to..].to_vec();
+        rest.push(a);
+        rebuild.face(&rest, &[face]);
+    }
+    Ok(rebuild.finish())
+}

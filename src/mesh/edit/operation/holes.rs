@@ -1,0 +1,40 @@
+//! Holes closed with faces.
+
+use super::declaration::{OperationError, Task};
+use crate::math::Vec3;
+use crate::mesh::edit::origins::Edited;
+use crate::mesh::edit::rebuild::Rebuild;
+
+/// Closes the boundaries that have a picked vertex; without one all but the longest, which is the outline.
+pub(super) fn apply(task: &Task<'_>) -> Result<Edited, OperationError> {
+    let Task { mesh, topology, .. } = task;
+    let at = |v: u32| Vec3::from(mesh.positions[v as usize]);
+    let loops: Vec<&[u32]> = topology.boundary_loops().iter().collect();
+    let is_picked = task.picked_vertices();
+    let length = |corners: &[u32]| -> f64 {
+        crate::math::polygon_sides(corners).map(|[a, b]| (at(b) - at(a)).length()).sum()
+    };
+    let outline = (0..loops.len())
+        .max_by(|&i, &j| length(loops[i]).total_cmp(&length(loops[j])))
+        .filter(|_| task.vertices.is_empty());
+    let is_meant = |(i, corners): &(usize, &[u32])| {
+        Some(*i) != outline && corners.iter().any(|&v| is_picked[v as usize])
+    };
+    let holes: Vec<&[u32]> =
+        loops.iter().copied().enumerate().filter(is_meant).map(|(_, corners)| corners).collect();
+    if holes.is_empty() {
+        return Err(OperationError::Expected(if task.vertices.is_empty() {
+            "a hole beside the outline; select a vertex of the outline to close that"
+        } else {
+            "a selected vertex on a boundary"
+        }));
+    }
+    let mut rebuild = Rebuild::new(mesh);
+    rebuild.keep(task.all_faces())?;
+    for corners in holes.into_iter().filter(|corners| corners.len() > 2) {
+        // Loops run as their faces do; a face beyond runs the other way.
+        let closing: Vec<u32> = corners.iter().rev().copied().collect();
+        rebuild.face(&closing, &[]);
+    }
+    Ok(rebuild.finish())
+}

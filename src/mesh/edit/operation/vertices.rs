@@ -1,0 +1,49 @@
+//! Vertices welded, merged, snapped.
+
+use super::declaration::{OperationError, Task};
+use crate::mesh::edit::origins::Edited;
+use crate::mesh::edit::rebuild::Rebuild;
+use crate::mesh::edit::weld::first_at_each_place;
+
+/// Makes one vertex, at the first of them, of picked ones that are no farther away from it than the size.
+pub(super) fn weld(task: &Task<'_>) -> Result<Edited, OperationError> {
+    let is_picked = task.picked_vertices();
+    // One that is not picked is in a part of its own.
+    let parts: Vec<u32> =
+        (1..).zip(is_picked).map(|(own, picked)| if picked { 0 } else { own }).collect();
+    let first = first_at_each_place(&task.mesh.positions, &parts, task.sizes[0]);
+    let mut rebuild = Rebuild::new(task.mesh);
+    let mut welds = 0;
+    for (v, &first) in (0..).zip(&first).filter(|(v, first)| *v != **first) {
+        rebuild.merge(&[v, first], &[first]);
+        welds += 1;
+    }
+    if welds == 0 {
+        return Err(OperationError::Expected("two vertices that are nearer to each other"));
+    }
+    rebuild.keep(task.all_faces())?;
+    Ok(rebuild.finish())
+}
+
+/// Makes one vertex of the picked ones, in their middle.
+pub(super) fn merge(task: &Task<'_>) -> Result<Edited, OperationError> {
+    if task.vertices.iter().all(|v| *v == task.vertices[0]) {
+        return Err(OperationError::Expected("at least two selected vertices"));
+    }
+    let mut rebuild = Rebuild::new(task.mesh);
+    rebuild.merge(task.vertices, task.vertices);
+    rebuild.keep(task.all_faces())?;
+    Ok(rebuild.finish())
+}
+
+/// Rounds the coordinates of the picked vertices to multiples of the size.
+pub(super) fn snap(task: &Task<'_>) -> Result<Edited, OperationError> {
+    let step = task.sizes[0];
+    let is_picked = task.picked_vertices();
+    let mut rebuild = Rebuild::new(task.mesh);
+    for (v, at) in (0..).zip(&task.mesh.positions).filter(|(v, _)| is_picked[*v as usize]) {
+        rebuild.place(v, at.map(|x| (x / step).round() * step));
+    }
+    rebuild.keep(task.all_faces())?;
+    Ok(rebuild.finish())
+}

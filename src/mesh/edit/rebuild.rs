@@ -1,0 +1,231 @@
+//! A mesh while it is rebuilt from another one, with the record of where its parts come from.
+
+use super::origins::{Combinations, Edited, Origins};
+use crate::math::polygon_sides;
+use crate::mesh::{Group, Mesh, Point, Ragged, Topology};
+use std::collections::BTreeMap;
+
+/// A mesh in the making. Old vertices keep their indices and new ones follow them until it is finished: then those
+/// that nothing uses any more go. It begins without faces.
+pub(super) struct Rebuild<'a> {
+    mesh: &'a Mesh,
+    /// What each old vertex is called.
+    names: Vec<u32>,
+    /// Old and new ones.
+    vertices: Vec<Vertex>,
+    faces: Ragged,
+    /// See [`Origins::faces`].
+    parents: Ragged,
+    /// The vertex on an old edge, from its smaller to its greater end.
+    on_edges: BTreeMap<[u32; 2], u32>,
+}
+
+struct Vertex {
+    position: Point,
+    /// See [`Origins::positions`].
+    of: Vec<(u32, f64)>,
+    /// See [`Origins::between`].
+    between: Vec<u32>,
+}
+
+/// A face that would have a corner twice.
+pub(super) struct Touching(pub(super) u32);
+
+impl<'a> Rebuild<'a> {
+    pub(super) fn new(mesh: &'a Mesh) -> Rebuild<'a> {
+        let old = |(v, &position): (u32, &Point)| Vertex {
+            position,
+            of: vec![(v, 1.0)],
+            between: vec![v],
+        };
+        Rebuild {
+            mesh,
+            names: (0..mesh.positions.len() as u32).collect(),
+            vertices: (0..).zip(&mesh.positions).map(old).collect(),
+            faces: Ragged::new(),
+            parents: Ragged::new(),
+            on_edges: BTreeMap::new(),
+        }
+    }
+
+    /// A vertex in the mean of old ones.
+    pub(super) fn vertex(&mut self, between: &[u32]) -> u32 {
+        let mean = mean(self.mesh, between);
+        self.vertices.push(mean);
+        self.vertices.len() as u32 - 1
+    }
+
+    /// A vertex at `position`, which moves with the old vertex `with`.
+    pub(super) fn vertex_at(&mut self, position: Point, with: u32) -> u32 {
+        self.vertices.push(Vertex { position, of: vec![(with, 1.0)], between: vec![with] });
+        self.vertices.len() as u32 - 1
+    }
+
+    /// The vertex in the middle of an old edge: the same one whenever it is asked for. Curves along the edge get it.
+    pub(super) fn middle(&mut self, [a, b]: [u32; 2]) -> u32 {
+        let ends = [a.min(b), a.max(b)];
+        if let Some(&middle) = self.on_edges.get(&ends) {
+            return middle;
+        }
+        let middle = self.vertex(&ends);
+        self.on_edges.insert(ends, middle);
+        middle
+    }
+
+    /// Puts an old vertex elsewhere.
+    pub(super) fn place(&mut self, v: u32, position: Point) {
+        self.vertices[v as usize].position = position;
+    }
+
+    /// Makes old vertices one, which is the smallest of them, at the mean of `at`.
+    pub(super) fn merge(&mut self, vertices: &[u32], at: &[u32]) {
+        let Some(&first) = vertices.iter().min() else { return };
+        self.vertices[first as usize] = mean(self.mesh, at);
+        vertices.iter().for_each(|&v| self.names[v as usize] = first);
+    }
+
+    /// A face with these corners, made of the old faces `parents`.
+    pub(super) fn face(&mut self, corners: &[u32], parents: &[u32]) {
+        self.faces.push(corners);
+        self.parents.push(parents);
+    }
+
+    /// Keeps old faces, with the names of their vertices; those that have fewer than three of them left go.
+    ///
+    /// # Errors
+    /// When one would have a corner twice.
+    pub(super) fn keep(&mut self, faces: impl Iterator<Item = u32>) -> Result<(), Touching> {
+        for face in faces {
+            let old = self.mesh.faces.row(face as usize);
+            let named = old.iter().map(|&v| self.names[v as usize]);
+            let mut corners: Vec<u32> = named.collect();
+            corners.dedup();
+            if corners.len() > 1 && corners.first() == corners.last() {
+                corners.pop();
+            }
+            if corners.len() < 3 {
+                continue;
+            }
+            // What the file has twice may stay so.
+            if has_twice(&corners) && !has_twice(old) {
+                return Err(Touching(face));
+            }
+            self.face(&corners, &[face]);
+        }
+        Ok(())
+    }
+
+    /// The mesh, and where its parts come from. Groups have the faces that were made of theirs only.
+    pub(super) fn finish(self) -> Edited {
+        let Rebuild { mesh, names, vertices, faces, parents, on_edges } = self;
+        let rename = |curve: &[u32]| {
+            let mut renamed = vec![names[curve[0] as usize]];
+            for ends in polygon_sides(curve).take(curve.len() - 1) {
+                let edge = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+                renamed.extend(on_edges.get(&edge));
+                renamed.push(names[ends[1] as usize]);
+            }
+            renamed.dedup();
+            renamed
+        };
+        let curves: Vec<Vec<u32>> = mesh.curves.iter().map(rename).collect();
+        // A point of the file that is in nothing stays.
+        let mut is_used = vec![false; vertices.len()];
+        is_used[..names.len()].fill(true);
+        let old = mesh.faces.indices().iter().chain(mesh.curves.indices());
+        old.for_each(|&v| is_used[v as usize] = false);
+        for (v, &name) in names.iter().enumerate() {
+            is_used[v] &= name as usize == v;
+        }
+        let of_curves = curves.iter().filter(|curve| curve.len() > 1).flatten();
+        faces.indices().iter().chain(of_curves).for_each(|&v| is_used[v as usize] = true);
+
+        let mut next = 0..;
+        let index: Vec<Option<u32>> =
+            is_used.iter().map(|used| if *used { next.next() } else { None }).collect();
+        let places: Vec<u32> = index.iter().map(|new| new.unwrap_or(u32::MAX)).collect();
+        let mut edited = Mesh { faces, ..Mesh::default() };
+        let (mut positions, mut between) = (Combinations::default(), Ragged::new());
+        for (vertex, _) in vertices.iter().zip(&is_used).filter(|(_, used)| **used) {
+            edited.positions.push(vertex.position);
+            positions.push(&vertex.of);
+            between.push(&vertex.between);
+        }
+        edited.faces.rename(&places);
+        let kept: Vec<bool> = curves.iter().map(|curve| curve.len() > 1).collect();
+        edited.curves = curves.iter().filter(|curve| curve.len() > 1).collect();
+        edited.curves.rename(&places);
+        edited.groups =
+            mesh.groups.iter().filter_map(|group| rebuilt(group, &parents, &kept)).collect();
+        let vertices = names.iter().map(|&name| index[name as usize]).collect();
+        let origins = Origins { vertices, positions, between, faces: parents };
+        Edited { mesh: edited, origins }
+    }
+}
+
+/// A group with the faces that were made of its own and the curves that were `kept`; none where there are none.
+fn rebuilt(group: &Group, parents: &Ragged, kept: &[bool]) -> Option<Group> {
+    let is_in = |face: &u32| group.faces.binary_search(face).is_ok();
+    let made = (0..).zip(parents.iter()).filter(|(_, of)| !of.is_empty() && of.iter().all(is_in));
+    let faces: Vec<u32> = made.map(|(face, _)| face).collect();
+    let before = |curve: u32| kept[..curve as usize].iter().filter(|kept| **kept).count() as u32;
+    let curves: Vec<u32> = group.curves.iter().copied().filter(|&c| kept[c as usize]).collect();
+    let curves: Vec<u32> = curves.into_iter().map(before).collect();
+    let has_any = !faces.is_empty() || !curves.is_empty();
+    has_any.then(|| Group { faces, curves, ..group.clone() })
+}
+
+fn mean(mesh: &Mesh, vertices: &[u32]) -> Vertex {
+    let mut between = vertices.to_vec();
+    between.sort_unstable();
+    between.dedup();
+    let part = 1.0 / between.len() as f64;
+    let of: Vec<(u32, f64)> = between.iter().map(|&v| (v, part)).collect();
+    let mut combination = Combinations::default();
+    combination.push(&of);
+    Vertex { position: combination.apply(&mesh.positions)[0], of, between }
+}
+
+/// Whether a face has a corner twice.
+pub(super) fn has_twice(face: &[u32]) -> bool {
+    (1..face.len()).any(|k| face[..k].contains(&face[k]))
+}
+
+/// The faces around a vertex in turn, as far as one gets from the first of them, and whether they close: none where
+/// more than two faces meet at an edge of it.
+pub(super) fn around(mesh: &Mesh, topology: &Topology, v: u32) -> Option<Vec<Step>> {
+    let faces = topology.vertex_faces().row(v as usize);
+    let mut steps = Vec::with_capacity(faces.len());
+    let step = |face: u32| -> Option<Step> {
+        let corners = mesh.faces.row(face as usize);
+        let at = corners.iter().position(|&corner| corner == v)?;
+        let n = corners.len();
+        Some(Step { face, out: corners[(at + 1) % n], back: corners[(at + n - 1) % n] })
+    };
+    let all: Vec<Step> = faces.iter().map(|&face| step(face)).collect::<Option<_>>()?;
+    // One begins where nothing leads to, or anywhere.
+    let leads_to = |end: u32| all.iter().filter(|step| step.back == end).count();
+    let first = all.iter().find(|step| leads_to(step.out) == 0).or(all.first())?;
+    let mut at = *first;
+    loop {
+        steps.push(at);
+        let mut next = all.iter().filter(|step| step.out == at.back);
+        match (next.next(), next.next()) {
+            (None, _) => break,
+            (Some(next), None) if next.face == first.face => break,
+            (Some(next), None) if steps.len() < all.len() => at = *next,
+            _ => return None,
+        }
+    }
+    (steps.len() == all.len()).then_some(steps)
+}
+
+/// A face at a vertex, and its two neighbours of the vertex in it.
+#[derive(Clone, Copy)]
+pub(super) struct Step {
+    pub(super) face: u32,
+    /// The corner after the vertex.
+    pub(super) out: u32,
+    /// The corner before the vertex.
+    pub(super) back: u32,
+}

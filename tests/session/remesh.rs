@@ -1,0 +1,142 @@
+//! A session whose mesh is edited: what goes along, what is left out and said, undo, and what is said beforehand.
+
+use crate::grid::{bumpy, grid};
+use crate::refine::{everything, open};
+use shape_up::mesh::Mesh;
+use shape_up::session::{Edit, Remeshing, RemeshingPreview, Session};
+
+fn remeshing(operation: &str, sizes: &[f64], vertices: &[u32], faces: &[u32]) -> Remeshing {
+    Remeshing {
+        operation: operation.to_owned(),
+        sizes: sizes.to_vec(),
+        vertices: vertices.to_vec(),
+        faces: faces.to_vec(),
+    }
+}
+
+fn flat(columns: u32, rows: u32) -> Mesh {
+    grid(columns, rows, |i, j| [f64::from(i), f64::from(j), 0.0])
+}
+
+/// A grid of 4 by 4 quads, with something of everything.
+const ALL: &str = r#"
+    "sets": { "left": { "faces": [0, 4, 8, 12] }, "corner": { "vertices": [23, 24], "faces": [15] } },
+    "constraints": [
+        { "kind": "circle", "on": "faces" },
+        { "kind": "plane", "on": { "each": "face", "in": "left" } },
+        { "kind": "line", "on": { "vertices": [20, 21, 22, 23, 24] } },
+        { "kind": "line-segment", "on": { "vertices": [23, 24] }, "length": 1.5 } ],
+    "handles": [ { "vertices": [0, 24], "fixed": true }, { "vertices": [12], "targets": [[2, 2, 3]], "weight": 7 } ],
+    "closeness": { "to": "rest", "weights": [{ "on": { "vertices": [24] }, "weight": 0 }] }"#;
+
+#[test]
+fn what_is_left_goes_along_and_what_is_gone_is_said() {
+    let mut session = open(ALL, bumpy(4));
+    let before = everything(&session);
+    // The corner face goes, with vertex 24.
+    let asked = remeshing("delete", &[], &[], &[15]);
+    let said = session.remeshing(&asked).expect("it can be deleted");
+    assert_eq!(everything(&session), before, "asking changes nothing");
+    session.edit(Edit::Remesh(asked)).expect("it can be deleted");
+    assert_eq!((session.mesh().positions.len(), session.mesh().faces.len()), (24, 15));
+    let scene = session.document();
+    assert_eq!(scene.sets["left"].faces, [0, 4, 8, 12]);
+    assert_eq!(
+        (&scene.sets["corner"].vertices[..], scene.sets["corner"].faces.len()),
+        (&[23][..], 0)
+    );
+    // The line keeps what is left of it; a segment needs both of its ends.
+    let labels: Vec<_> = scene.constraints.iter().map(|row| row.kind.info().id).collect();
+    assert_eq!(labels, ["circle", "plane", "line"]);
+    assert_eq!(session.rows()[2].constraints.members.row(0), [20, 21, 22, 23]);
+    assert_eq!(session.solver().handles().len(), 2);
+    assert!(scene.closeness.weights.is_empty());
+    let lost = session.lost();
+    assert_eq!(said.lost, lost);
+    assert!(lost.len() == 2 && lost.iter().all(|s| s.starts_with("Left out: ")), "{lost:?}");
+    assert!(lost.iter().any(|sentence| sentence.contains("1 handle")), "{lost:?}");
+    session.undo().expect("it was solvable");
+    assert_eq!(everything(&session), before);
+    session.redo().expect("it was solvable");
+    assert_eq!(session.mesh().faces.len(), 15);
+}
+
+#[test]
+fn sets_go_to_what_was_made_of_them_alone() {
+    let mut session = open(ALL, bumpy(4));
+    session.edit(Edit::Remesh(remeshing("triangles", &[], &[], &[]))).expect("it can be cut");
+    assert_eq!(session.document().sets["left"].faces, [0, 1, 8, 9, 16, 17, 24, 25]);
+    session.edit(Edit::Remesh(remeshing("quads", &[180.0], &[], &[]))).expect("they are pairs");
+    assert_eq!(session.mesh().faces.len(), 16);
+    assert_eq!(session.document().sets["left"].faces.len(), 4);
+    for _ in 0..2 {
+        session.undo().expect("it was solvable");
+    }
+    assert_eq!(session.generation(), 0);
+}
+
+#[test]
+fn the_mesh_is_edited_as_it_is_seen_and_moved_stays_what_it_was() {
+    let mut session = open(
+        r#""constraints": [{ "kind": "plane", "on": "faces" }], "weights": { "shape": 9, "close": 1, "smooth": 1 }"#,
+        bumpy(4),
+    );
+    session.solve(false).expect("it can be solved");
+    let (shape, moved) = (session.positions(), session.moved());
+    session
+        .edit(Edit::Remesh(remeshing("extrude", &[1.0, 0.5], &[], &[])))
+        .expect("it has a boundary");
+    let now = session.positions();
+    assert_eq!(now[..shape.len()], shape[..], "what was there stays where it is");
+    // A new vertex has moved as far as the one that it hangs on.
+    let after = session.moved();
+    assert!((after.max - moved.max).abs() < 1e-12 * moved.max, "{moved:?} {after:?}");
+    // And the row goes on with the new faces.
+    assert_eq!(session.rows()[0].constraints.members.len(), 16 + 16);
+}
+
+#[test]
+fn what_it_will_do_is_said_in_numbers() {
+    let session = open(r#""constraints": []"#, flat(6, 4));
+    let said = |asked: Remeshing| session.remeshing(&asked).expect("it can be done");
+    let found = said(remeshing("dual", &[75.0], &[], &[]));
+    let expected = RemeshingPreview {
+        vertices: [35, 48],
+        faces: [24, 35],
+        corners: [0, 35, 0],
+        lost: Vec::new(),
+    };
+    assert_eq!(found, expected);
+    let refused =
+        session.remeshing(&remeshing("fill", &[], &[], &[])).expect_err("there is no hole");
+    assert!(refused.to_string().contains("select a vertex of the outline"), "{refused}");
+}
+
+#[test]
+fn lengths_fit_the_mesh() {
+    for scale in [1e-3, 1.0, 2500.0] {
+        let mesh = grid(5, 5, |i, j| [scale * f64::from(i), scale * f64::from(j), 0.0]);
+        let session: Session = open(r#""constraints": []"#, mesh);
+        let offered = session.operations();
+        let extrude =
+            offered.iter().find(|one| one.operation.id == "extrude").expect("it is there");
+        assert_eq!(extrude.defaults, [scale, 0.0]);
+    }
+}
+
+#[test]
+fn a_refused_operation_changes_nothing() {
+    let mut session = open(ALL, bumpy(4));
+    let before = everything(&session);
+    for asked in [
+        remeshing("iron", &[], &[], &[]),
+        remeshing("delete", &[], &[], &[]),
+        remeshing("delete", &[], &[], &[99]),
+        remeshing("weld", &[f64::NAN], &[], &[]),
+        remeshing("remove-strip", &[], &[0, 12], &[]),
+    ] {
+        session.edit(Edit::Remesh(asked)).expect_err("it cannot be done");
+        assert_eq!(everything(&session), before);
+    }
+    assert_eq!(session.undo_and_redo(), [None, None]);
+}

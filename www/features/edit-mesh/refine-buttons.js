@@ -1,0 +1,19 @@
+/** The buttons that change the mesh, among those of the model. */
+
+import { button } from '../../ui/controls/fields.js';
+
+/** @param {import("../../app/context.js").AppContext} app */
+export function addButtons(app) {
+  const { store, actions } = app;
+  const offer = (/** @type {string} */ label, /** @type {() => Promise<unknown>} */ open) =>
+    button(label, () => actions.reportErrors(open()), { 'aria-haspopup': 'dialog' });
+  const buttons = [
+    offer('Refine', () => import('./refine-dialog.js').then((it) => it.openRefine(app))),
+    offer('Edit mesh', () => import('./refine-operation.js').then((it) => it.openEdit(app))),
+  ];
+  const build = document.querySelector('#model-panel button[data-command="build"]');
+  build?.after(...buttons.flatMap((one) => [' ', one]));
+  store.subscribe(['model', 'document'], ({ model, document: scene }) => {
+    for (const one of buttons) one.disabled = !model?.faces || model.tets > 0 || !scene;
+  });
+}

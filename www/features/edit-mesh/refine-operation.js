@@ -1,0 +1,124 @@
+/** The dialog of Edit mesh: the operations that the solver declares, their sizes, and what each would make. */
+
+import './refine.css';
+import { messageOf } from '../../solver/messages.js';
+import { meshActions } from '../../store/mesh-actions.js';
+import { openDialog } from '../../ui/controls/dialog.js';
+import { button, choice } from '../../ui/controls/fields.js';
+import { sizeField } from '../../ui/controls/size-field.js';
+import { element, setText } from '../../ui/dom.js';
+import { count } from '../../ui/format.js';
+
+/** What was done last is what one does again. */
+let last = '';
+
+/** @param {import("../../app/context.js").AppContext} app */
+export async function openEdit({ store, solver, actions, alerts }) {
+  const mesh = meshActions(store, solver, actions);
+  const operations = await mesh.operations();
+  const { selection, document: scene } = store.get();
+  const picked = { vertices: actions.chosenVertices(), faces: [...selection.faces] };
+  /** How often it was asked what an operation would make. */
+  let asked = 0;
+
+  const operation = choice(
+    {},
+    showSizes,
+    operations.map(({ id, label }) => [id, label]),
+  );
+  const summary = element('p.quiet');
+  const sizes = element('div.sizes');
+  const said = element('p', { 'aria-live': 'polite' });
+  const lost = element('ul.quiet');
+  const apply = button('Apply', start, { class: 'primary' });
+
+  const chosen = () => operations.find(({ id }) => id === operation.value) ?? operations[0];
+  const fields = () => [...sizes.querySelectorAll('input')];
+  const how = () => ({
+    operation: chosen().id,
+    sizes: fields().map((field) => field.valueAsNumber),
+    ...picked,
+  });
+
+  function showSizes() {
+    const { summary: words, sizes: declared, defaults } = chosen();
+    setText(summary, words);
+    const unit = scene?.units ?? '';
+    sizes.replaceChildren(
+      ...declared.map((size, i) => sizeField(size, { value: defaults[i], unit, onchange: show })),
+    );
+    show();
+  }
+
+  /** Says beforehand what comes of it. */
+  async function show() {
+    const question = ++asked;
+    apply.disabled = true;
+    lost.replaceChildren();
+    const wrong = fields().find((field) => !field.validity.valid);
+    if (wrong) {
+      const label = wrong.closest('label')?.firstChild?.textContent;
+      return setText(said, `${label}: ${wrong.validationMessage}`);
+    }
+    try {
+      const made = await mesh.remeshing(how());
+      if (question !== asked) return;
+      setText(said, sentence(made));
+      lost.replaceChildren(...made.lost.map((words) => element('li', words)));
+      apply.disabled = false;
+    } catch (error) {
+      if (question === asked) setText(said, `Not yet: ${messageOf(error)}.`);
+    }
+  }
+
+  async function start() {
+    const { label } = chosen();
+    const asking = how();
+    last = asking.operation;
+    dialog.close();
+    const notes = await actions.reportErrors(mesh.remesh(asking, label));
+    if (notes?.length) alerts.notice(notes.join(' '));
+  }
+
+  const dialog = openDialog(
+    { id: 'edit-mesh', title: 'Edit mesh', light: true },
+    element(
+      'div.dialog-body',
+      element('label', element('span', 'Operation'), operation),
+      summary,
+      sizes,
+      said,
+      lost,
+      element(
+        'p.quiet',
+        'The mesh is changed as it is seen; sets, constraints and handles go along. One step of undo.',
+      ),
+      element('div.dialog-buttons', apply),
+    ),
+  );
+  operation.value = last || (await firstThatFits());
+  showSizes();
+
+  /** The first operation that can be done here. */
+  async function firstThatFits() {
+    for (const { id, defaults } of operations) {
+      const made = mesh.remeshing({ ...picked, operation: id, sizes: defaults });
+      if (await made.catch(() => null)) return id;
+    }
+    return operations[0].id;
+  }
+}
+
+/** What an operation would make. @param {import("../../pkg/solver/shape_up.js").RemeshingPreview} made */
+function sentence({ vertices, faces, corners: [triangles, quads, larger] }) {
+  /** @type {[number, string][]} */
+  const kinds = [
+    [triangles, 'triangle'],
+    [quads, 'quad'],
+    [larger, 'larger face'],
+  ];
+  const words = kinds.filter(([number]) => number).map(([number, word]) => count(number, word));
+  const of = words.length === 1 ? words[0] : `${count(faces[1], 'face')} (${words.join(', ')})`;
+  const points = count(vertices[1], 'vertex', 'vertices');
+  return `${count(faces[0], 'face')} become ${of}, with ${points}.`;
+}

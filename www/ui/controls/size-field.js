@@ -1,0 +1,26 @@
+/** A labelled field for a size that the solver declares. */
+
+import { element } from '../dom.js';
+
+/** @typedef {import("../../pkg/solver/shape_up.js").Size} Size */
+
+/**
+ * @param {Size} size
+ * @param {{ value: number, unit: string, onchange: () => unknown }} shown `unit`: of lengths
+ */
+export function sizeField({ label, of, least, most }, { value, unit, onchange }) {
+  const length = of === 'length';
+  const symbol = { length: unit, degrees: '°', count: '' }[of];
+  const field = element('input', {
+    ...{ type: 'number', min: String(least), max: String(most), value: String(value) },
+    ...{ step: length ? 'any' : '1', inputmode: length ? 'decimal' : 'numeric' },
+    required: true,
+    oninput: onchange,
+  });
+  return element(
+    'label',
+    element('span', label),
+    field,
+    element('span.unit', { 'data-of': of }, symbol),
+  );
+}
