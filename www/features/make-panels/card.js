@@ -8,6 +8,7 @@ import './make-panels.css';
 import { button, closeButton } from '../../ui/controls/fields.js';
 import { RENEW_MS, byId, element, leave, setText, throttled } from '../../ui/dom.js';
 import { panelButtons } from './buttons.js';
+import { addButtons } from './refine-buttons.js';
 import { progressWords, verdictWords } from './verdict.js';
 
 /** @typedef {import("../../solver/messages.js").KindInfo} KindInfo */
@@ -39,6 +40,7 @@ export class MakePanels {
   /** @param {import("../../app/context.js").AppContext} app */
   constructor(app) {
     this.#app = app;
+    addButtons(app);
     const { store, solver } = app;
     store.subscribe(['model', 'kinds', 'document', 'example'], () => this.#show());
     store.subscribe(['split', 'flatMap'], () => this.#show());
