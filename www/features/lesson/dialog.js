@@ -198,4 +198,6 @@ export function write(app) {
   form.addEventListener('submit', (event) => event.preventDefault());
   const dialog = openDialog({ id: 'lesson-dialog', title: 'Lesson' }, form);
   text.focus();
+  text.setSelectionRange(0, 0);
+  text.scrollTop = 0;
 }

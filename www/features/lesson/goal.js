@@ -21,6 +21,7 @@ export function measureOf({ measure, label, words, unit }) {
 export function goalInWords(goal, units) {
   if (goal.beyond !== null) {
     const beyond = valueInWords(measureOf(goal), goal.beyond, units);
+    if (goal.atMost === 0) return `${goal.label}: no panel beyond ${beyond}`;
     return `${goal.label} beyond ${beyond}: at most ${count(goal.atMost, 'panel')}`;
   }
   if (goal.measure === null && goal.atMost === 0) return `${goal.label} exact`;

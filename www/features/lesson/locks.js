@@ -6,6 +6,7 @@ import { byId, element } from '../../ui/dom.js';
 
 /** Which part of the page changes what, and the reason. @type {{ lock: Lock, id: string, words: string }[]} */
 const PLACES = [
+  { lock: 'mesh', id: 'model', words: 'the mesh stays as it is' },
   { lock: 'weights', id: 'energies', words: 'the weights stay as they are' },
   { lock: 'constraints', id: 'add-constraint-button', words: '' },
   { lock: 'constraints', id: 'constraints', words: 'the constraints stay as they are' },
@@ -33,7 +34,7 @@ export function lockedPlaces() {
   const places = PLACES.map(({ lock, id, words }) => {
     const place = byId(id);
     const note = element('p.locked-note.quiet', { id: `${id}-locked`, hidden: true });
-    note.textContent = words && `🔒 Locked by the lesson: ${words}.`;
+    note.textContent = words && `Locked by the lesson: ${words}.`;
     // Whatever comes into it later is switched off too.
     const set = element('fieldset.locked', words && { 'aria-describedby': note.id });
     place.before(...(words ? [note, set] : [set]));

@@ -69,7 +69,7 @@ export function lessonPanel(app) {
         value === null
           ? 'nothing has it'
           : nowInWords(goals[index], value, { units: document.units, size });
-      row.className = met ? 'met' : 'missed';
+      row.className = met ? 'goal-met' : 'goal-missed';
       setText(mark, met ? MARKS.met : MARKS.missed);
       setText(place, `${met ? 'met' : 'not met'}: ${words}`);
     });
@@ -78,8 +78,8 @@ export function lessonPanel(app) {
     const words = passed
       ? `Passed: ${count(met, 'goal')} met`
       : `${met} of ${count(goals.length, 'goal')} met`;
-    sum.classList.toggle('met', passed);
-    card.classList.toggle('met', passed);
+    sum.classList.toggle('passed', passed);
+    card.classList.toggle('passed', passed);
     setText(sum, passed ? `${MARKS.met} ${words}` : words);
     const moved = movedInWords(store.get());
     setText(cost, moved && `Moved ${moved}`);
@@ -94,7 +94,7 @@ export function lessonPanel(app) {
     if (isNew) place.parentElement?.scrollTo(0, 0);
     const lock = lesson?.lock ?? [];
     if (document && (lock.length > 0 || showLocks)) (showLocks ??= lockedPlaces())(lock);
-    setText(locked, lock.length > 0 ? `🔒 Locked: ${locksInWords(lock)}` : '');
+    setText(locked, lock.length > 0 ? `Locked: ${locksInWords(lock)}` : '');
     const now = JSON.stringify([lesson, document?.units]);
     if (!lesson || now === shown) return;
     shown = now;
