@@ -58,6 +58,8 @@ export function showHelp(dialog, commands) {
       'p.about',
       'Everything is computed in this browser; nothing is uploaded. After “Shape-Up: Shaping Discrete Geometry with Projections”, Bouaziz, Deuss, Schwartzburg, Weise, Pauly, 2012. ',
       element('a', { href: './licences.html', target: '_blank' }, 'Licences'),
+      ' ',
+      element('button.bordered', { onclick: cite, 'aria-haspopup': 'dialog' }, 'Cite'),
     ),
   );
   dialog.onclick = (event) => {
@@ -65,6 +67,8 @@ export function showHelp(dialog, commands) {
   };
   dialog.showModal();
 }
+
+const cite = () => import('./cite.js').then((it) => it.showCitation());
 
 /** @param {import("../../app/context.js").Command} command @returns {[(Node | string)[], string]} */
 function keysOf({ keys, label }) {

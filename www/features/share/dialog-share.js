@@ -5,6 +5,7 @@
 
 import './share.css';
 import { openDialog } from '../../ui/controls/dialog.js';
+import { copyText } from '../../ui/copy-text.js';
 import { element, setText } from '../../ui/dom.js';
 import { groupDigits } from '../../ui/format.js';
 import { linkTo } from '../../documents/share-link.js';
@@ -31,8 +32,6 @@ const LEVELS = [
     words: 'Too long for some browsers and for all chat programs. Send the scene file instead.',
   },
 ];
-
-const NOT_COPIED = 'This browser does not let the page copy: select the link and copy it yourself.';
 
 /** @param {import("../../app/context.js").AppContext} app */
 export async function share(app) {
@@ -145,11 +144,8 @@ function others(link, title) {
  * @param {HTMLDialogElement} dialog
  * @param {string} [refused] what is said where it cannot be copied
  */
-async function copy(link, dialog, refused = NOT_COPIED) {
+async function copy(link, dialog, refused) {
   const place = dialog.querySelector('#share-copied');
-  const said = await navigator.clipboard.writeText(link).then(
-    () => 'Copied to the clipboard.',
-    () => refused,
-  );
+  const said = await copyText(link, refused);
   if (place) setText(place, said);
 }
