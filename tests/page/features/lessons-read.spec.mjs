@@ -64,6 +64,8 @@ test('what is locked is shown as locked with its reason, and scripts are refused
   await expect(weight).toBeVisible();
   await expect(weight).toBeDisabled();
   await expect(page.getByText('Locked by the lesson: the weights stay as they are.')).toBeVisible();
+  const edit = page.getByRole('button', { name: 'Edit mesh' });
+  await expect(edit).toBeDisabled();
   const before = await weight.inputValue();
   // Keys and the mouse do not go through the panel.
   await page.getByRole('button', { name: 'Write a lesson' }).click();
@@ -74,5 +76,6 @@ test('what is locked is shown as locked with its reason, and scripts are refused
   // Another scene is open again.
   await openExample(page, 'Hypar of straight beams');
   await expect(weight).toBeEnabled();
+  await expect(edit).toBeEnabled();
   await expect(page.getByText('Locked by the lesson').filter({ visible: true })).toHaveCount(0);
 });

@@ -14,6 +14,10 @@ export function addButtons(app) {
   const build = document.querySelector('#model-panel button[data-command="build"]');
   build?.after(...buttons.flatMap((one) => [' ', one]));
   store.subscribe(['model', 'document'], ({ model, document: scene }) => {
-    for (const one of buttons) one.disabled = !model?.faces || model.tets > 0 || !scene;
+    const locked = scene?.lesson?.lock.includes('mesh') ?? false;
+    for (const one of buttons) {
+      one.disabled = !model?.faces || model.tets > 0 || !scene || locked;
+      one.title = locked ? 'Locked by the lesson' : '';
+    }
   });
 }
