@@ -77,7 +77,10 @@ test('selected faces are deleted, the hole is filled, and what is lost is said b
   await page.mouse.click(...(await middleOf(mesh.faces[5])));
   await page.keyboard.up('Shift');
   await expect(page.getByRole('status')).toHaveText('2 faces selected');
-  const again = await openEdit(page);
+  // From the menu of what is selected.
+  await page.mouse.click(...(await middleOf(mesh.faces[5])), { button: 'right' });
+  await page.getByRole('menuitem', { name: 'Edit mesh' }).click();
+  const again = page.getByRole('dialog', { name: 'Edit mesh' });
   await again.getByLabel('Operation').selectOption('Delete faces');
   await expect(again.getByText('16 faces become 14 quads, with 24 vertices.')).toBeVisible();
   await expect(again.getByText('1 handle on vertices that are gone')).toBeVisible();

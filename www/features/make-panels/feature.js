@@ -1,7 +1,19 @@
-/** One press for all panels of a mesh that was opened. */
+/** What a mesh is offered: one press for all panels, and changes of the mesh itself. */
 
 /** @type {import("../../app/context.js").Feature} */
 export default {
+  commands: (app) => [
+    {
+      id: 'edit-mesh',
+      group: 'Edit',
+      label: 'Edit mesh',
+      keys: [],
+      enabled: ({ model, document }) =>
+        Boolean(model?.faces && !model.tets && !document?.lesson?.lock.includes('mesh')),
+      action: () =>
+        app.actions.reportErrors(import('./refine-operation.js').then((it) => it.openEdit(app))),
+    },
+  ],
   parts: [
     {
       keys: ['fileName'],

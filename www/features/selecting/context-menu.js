@@ -106,6 +106,7 @@ function sectionsOf({ store, actions, selecting, commands }) {
       ],
     ],
     ['Constraints', [offer(true, 'Add constraint', 'add-constraint')]],
+    ['Mesh', [offer(true, 'Edit mesh', 'edit-mesh')]],
     [
       'Selection',
       [
