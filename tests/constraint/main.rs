@@ -4,6 +4,8 @@
 
 #[path = "../support/degenerate.rs"]
 mod degenerate;
+#[path = "../support/fuzz.rs"]
+mod fuzz;
 #[path = "../support/grid.rs"]
 mod grid;
 #[path = "../support/meshes.rs"]

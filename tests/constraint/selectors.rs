@@ -293,7 +293,7 @@ fn elements_have_ids_and_words_of_their_own() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(crate::fuzz::cases(64))]
 
     #[test]
     fn rows_are_distinct_vertices_and_restriction_only_takes_away(

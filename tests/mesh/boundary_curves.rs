@@ -95,7 +95,7 @@ fn a_vertex_on_two_loops_and_the_end_of_an_open_row_are_corners() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(crate::fuzz::cases(64))]
 
     #[test]
     fn each_boundary_vertex_is_a_corner_or_on_one_curve(

@@ -67,7 +67,7 @@ fn steps() -> impl Strategy<Value = Vec<Point>> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(48))]
+    #![proptest_config(crate::fuzz::cases(48))]
 
     #[test]
     fn is_as_near_as_brute_force_finds_from_any_warm_start(mesh in mixed(), steps in steps()) {

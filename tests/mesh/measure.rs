@@ -41,7 +41,7 @@ fn rotate([w, x, y, z]: [f64; 4], p: Point) -> Point {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(256))]
+    #![proptest_config(crate::fuzz::cases(256))]
 
     #[test]
     fn concyclic_points_have_no_error_and_lifted_ones_have_theirs(
@@ -281,7 +281,7 @@ fn mean_square(ways: &[Vector3<f64>], moved: bool) -> f64 {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(256))]
+    #![proptest_config(crate::fuzz::cases(256))]
 
     /// The error was once that to the circle moved to the mean of the corners, as in the shape energy,
     /// which is less.

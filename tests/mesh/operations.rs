@@ -94,7 +94,7 @@ fn check(mesh: &Mesh, id: &str, picked: &Picked) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 64, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(crate::fuzz::cases(64))]
 
     #[test]
     fn counts_orientation_and_origins_are_right(

@@ -90,7 +90,7 @@ fn it_is_the_matrix_of_its_definition_on_polygons_that_are_not_planar() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(crate::fuzz::cases(64))]
 
     #[test]
     fn on_triangles_it_is_the_laplacian_of_cotangents(mesh in crate::meshes::triangles()) {

@@ -83,6 +83,8 @@ fn bits(positions: &[Point]) -> Vec<[u64; 3]> {
 }
 
 proptest! {
+    #![proptest_config(crate::fuzz::cases(256))]
+
     #[test]
     fn what_is_written_reads_back_bit_for_bit(mesh in mesh()) {
         let text = write_obj(&mesh, &mesh.positions);

@@ -79,7 +79,7 @@ fn faces_that_repeat_corners_are_survived() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(crate::fuzz::cases(64))]
 
     #[test]
     fn each_quad_is_crossed_once_in_each_direction(mesh in mixed()) {

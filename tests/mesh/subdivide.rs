@@ -72,7 +72,7 @@ fn check(mesh: &Mesh, how: Subdivision) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 48, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(crate::fuzz::cases(48))]
 
     #[test]
     fn counts_euler_number_boundary_and_orientation_are_right(mesh in meshes::mixed(), levels in 1..3_u32) {

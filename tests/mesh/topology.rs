@@ -27,7 +27,7 @@ fn edges_along(row: &[u32]) -> Vec<[u32; 2]> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(128))]
+    #![proptest_config(crate::fuzz::cases(128))]
 
     #[test]
     fn neighbours_edges_and_faces_agree(mesh in mixed()) {

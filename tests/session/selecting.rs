@@ -104,7 +104,7 @@ fn cube() -> Mesh {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(48))]
+    #![proptest_config(crate::fuzz::cases(48))]
 
     #[test]
     fn growing_and_shrinking_undo_each_other_where_they_can(

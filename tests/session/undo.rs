@@ -288,7 +288,7 @@ fn all_states(session: &mut Session) -> Vec<(String, State)> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 48, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(crate::fuzz::cases(48))]
 
     // It was lost with every reload, and with every worker that was replaced.
     #[test]

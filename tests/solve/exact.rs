@@ -455,7 +455,7 @@ fn random_row() -> impl Strategy<Value = (usize, Vec<bool>, u32, f64)> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
+    #![proptest_config(crate::fuzz::cases(24))]
     #[test]
     fn random_scenes_end_in_time_with_a_true_answer(
         rows in prop::collection::vec(random_row(), 1..4),

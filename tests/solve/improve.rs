@@ -58,7 +58,7 @@ fn pulled(off: &[f64], kind: &str, pull: f64) -> Case {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
+    #![proptest_config(crate::fuzz::cases(24))]
 
     #[test]
     fn it_is_never_worse_never_less_exact_and_the_same_again(

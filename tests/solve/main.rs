@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used, reason = "a helper that fails here fails its test")]
 
+#[path = "../support/fuzz.rs"]
+mod fuzz;
 #[path = "../support/grid.rs"]
 mod grid;
 #[path = "../support/hard.rs"]

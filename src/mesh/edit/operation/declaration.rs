@@ -79,6 +79,8 @@ pub enum OperationError {
     Expected(&'static str),
     /// This face would touch itself.
     Touching(u32),
+    /// More than two faces would meet at an edge, and none did.
+    Joining,
     /// Nothing of the mesh would be left.
     NothingLeft,
 }
@@ -101,6 +103,9 @@ impl fmt::Display for OperationError {
             OperationError::Touching(face) => {
                 write!(f, "face {face} would touch itself; a smaller distance may do")
             }
+            OperationError::Joining => f.write_str(
+                "more than two faces would meet at an edge: some faces have several edges in common",
+            ),
             OperationError::NothingLeft => f.write_str("nothing of the mesh would be left"),
         }
     }
@@ -149,8 +154,26 @@ impl MeshOperation {
         if edited.mesh.faces.is_empty() {
             return Err(OperationError::NothingLeft);
         }
+        if is_manifold(task.topology)
+            && !merges(&edited)
+            && !is_manifold(&Topology::new(&edited.mesh))
+        {
+            return Err(OperationError::Joining);
+        }
         Ok(edited)
     }
+}
+
+/// Whether at most two faces meet at every edge.
+fn is_manifold(topology: &Topology) -> bool {
+    topology.edge_faces().iter().all(|faces| faces.len() <= 2)
+}
+
+/// Whether vertices become one: where that is wanted, so are the edges that become one by it.
+fn merges(edited: &Edited) -> bool {
+    let mut is_taken = vec![false; edited.mesh.positions.len()];
+    let mut into = edited.origins.vertices.iter().flatten();
+    into.any(|&v| std::mem::replace(&mut is_taken[v as usize], true))
 }
 
 impl Task<'_> {
