@@ -7,11 +7,14 @@
 //! | `list` | the kinds |
 //! | `sheets` | the flat and the arched ones: quads, triangles, hexagons |
 //! | `round` | those around an axis |
+//! | `plan` | a mesh from a closed outline on the ground |
 
 mod declaration;
 mod list;
+mod plan;
 mod round;
 mod sheets;
 
 pub use declaration::{NewKind, NewMeshError};
 pub use list::NEW_KINDS;
+pub use plan::{Plan, PlanError, PlanLayout, PlanPoint, Standing};

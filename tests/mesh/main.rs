@@ -22,6 +22,7 @@ mod files;
 mod fuzzed;
 mod measure;
 mod operations;
+mod plan;
 mod polygon_laplacian;
 mod reading;
 mod round_trip;

@@ -1,0 +1,299 @@
+//! A straight grid cut to the outline and its holes.
+//!
+//! Vertices of the grid near a loop are moved onto it, one to each of its corners; edges that it still crosses get
+//! a vertex there. What each cell has inside is a face: whole cells stay squares, and no face is a sliver.
+
+use super::declaration::PlanError;
+use super::outline::{
+    Loop, Place, along, closest, cross, dot, is_inside, minus, turned, twice_area,
+};
+use super::raise::Ground;
+use crate::begin::declaration::MOST_FACES;
+use crate::math::{cosine_and_sine_of_degrees, polygon_sides};
+use crate::mesh::{Mesh, Ragged};
+use std::collections::BTreeMap;
+
+/// Vertices of the grid so near to a loop, in sides of a cell, are moved onto it.
+const NEAR: f64 = 0.3;
+/// Faces of a smaller area, in cells, that have nothing but vertices on loops are left out.
+const SLIVER: f64 = 0.02;
+/// How far the places of an arc leave it, in sides of a cell.
+const FLAT: f64 = 1e-3;
+
+/// Where a vertex lies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Lies {
+    Inside,
+    Outside,
+    /// On this loop.
+    On(usize),
+}
+
+/// The grid over the extent of a plan; its cells have side 1.
+struct Cells {
+    /// In each direction.
+    count: [usize; 2],
+    /// The loops, the outline first.
+    polygons: Vec<Vec<Place>>,
+    /// Of each vertex of the grid, then of each crossing.
+    places: Vec<Place>,
+    lies: Vec<Lies>,
+    /// Of each edge of the grid that a loop crosses the vertex there.
+    crossings: BTreeMap<[u32; 2], u32>,
+}
+
+/// The surface inside the first loop and outside the others.
+pub(super) fn mesh(loops: &[&Loop], size: f64, turn: f64) -> Result<Ground, PlanError> {
+    let [c, s] = cosine_and_sine_of_degrees(turn);
+    let flattened: Vec<Vec<(Place, usize)>> =
+        loops.iter().map(|one| one.flattened(FLAT * size)).collect();
+    let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    for (place, _) in &flattened[0] {
+        let place = turned(*place, [c, -s]);
+        low = [low[0].min(place[0]), low[1].min(place[1])];
+        high = [high[0].max(place[0]), high[1].max(place[1])];
+    }
+    let extent = minus(high, low);
+    let count = extent.map(|length| (length / size).round().max(1.0));
+    if count[0] * count[1] > MOST_FACES {
+        return Err(PlanError::TooMany(count[0] * count[1]));
+    }
+    // A little longer or shorter, so that whole cells fit.
+    let step = [extent[0] / count[0], extent[1] / count[1]];
+    let into = |place: Place| {
+        let place = minus(turned(place, [c, -s]), low);
+        [place[0] / step[0], place[1] / step[1]]
+    };
+    let polygons =
+        flattened.iter().map(|places| places.iter().map(|&(place, _)| into(place)).collect());
+    let mut cells = Cells::new(count.map(|n| n as usize), polygons.collect());
+    let mut corners = Vec::new();
+    for (l, one) in loops.iter().enumerate() {
+        let sharp = one.sharp();
+        for (side, _) in one.sides.iter().zip(sharp).filter(|(_, is_sharp)| *is_sharp) {
+            match cells.corner(into(side.at(0.0)), l) {
+                Some(v) if side.is_corner => corners.push(v),
+                None if side.is_corner => return Err(PlanError::TooCoarse(l.checked_sub(1))),
+                _ => {}
+            }
+        }
+    }
+    cells.snap();
+    cells.cross();
+    let faces = cells.faces();
+    // A narrow piece of the outline between the vertices of a cell turns it over.
+    if faces.iter().any(|face| cells.twice_area(face) <= 0.0) {
+        return Err(PlanError::TooCoarse(None));
+    }
+    for l in 0..loops.len() {
+        if faces.is_empty() || !cells.lies.contains(&Lies::On(l)) {
+            return Err(PlanError::TooCoarse(l.checked_sub(1)));
+        }
+    }
+    let out = |place: &Place| {
+        let place = [low[0] + place[0] * step[0], low[1] + place[1] * step[1]];
+        turned(place, [c, s])
+    };
+    let mut ground = cells.compact(&faces, &corners, out);
+    ground.corners.retain(|&v| v != u32::MAX);
+    Ok(ground)
+}
+
+impl Cells {
+    fn new(count: [usize; 2], polygons: Vec<Vec<Place>>) -> Cells {
+        let [nx, ny] = count;
+        let places: Vec<Place> =
+            (0..=ny).flat_map(|j| (0..=nx).map(move |i| [i as f64, j as f64])).collect();
+        let is_in = |place: &Place| {
+            is_inside(&polygons[0], *place)
+                && !polygons[1..].iter().any(|hole| is_inside(hole, *place))
+        };
+        let lies = places
+            .iter()
+            .map(|place| if is_in(place) { Lies::Inside } else { Lies::Outside })
+            .collect();
+        Cells { count, polygons, places, lies, crossings: BTreeMap::new() }
+    }
+
+    fn vertex(&self, i: usize, j: usize) -> u32 {
+        (j * (self.count[0] + 1) + i) as u32
+    }
+
+    /// The vertices of the grid at most one step from the cell of a place.
+    fn around(&self, place: Place, steps: f64) -> impl Iterator<Item = u32> + use<> {
+        let [nx, ny] = self.count;
+        let range = |x: f64, n: usize| {
+            let low = (x.floor() - steps).max(0.0) as usize;
+            low..=((x.floor() + 1.0 + steps).max(0.0) as usize).min(n)
+        };
+        let columns = range(place[0], nx);
+        range(place[1], ny)
+            .flat_map(move |j| columns.clone().map(move |i| (j * (nx + 1) + i) as u32))
+    }
+
+    /// Moves a vertex of the grid to the corner of a loop: the nearest one of its cell where it is near, else one
+    /// outside, whose faces are cut anyway. None where other corners took them all.
+    fn corner(&mut self, place: Place, on: usize) -> Option<u32> {
+        let far = |&v: &u32| {
+            let by = minus(self.places[v as usize], place);
+            let is_kept = self.lies[v as usize] != Lies::Outside;
+            let square = dot(by, by);
+            if square > NEAR * NEAR && is_kept { 4.0 + square } else { square }
+        };
+        let free =
+            self.around(place, 0.0).filter(|&v| !matches!(self.lies[v as usize], Lies::On(_)));
+        let nearest = free.min_by(|a, b| far(a).total_cmp(&far(b)))?;
+        self.places[nearest as usize] = place;
+        self.lies[nearest as usize] = Lies::On(on);
+        Some(nearest)
+    }
+
+    /// Moves the vertices that are near a loop onto it.
+    fn snap(&mut self) {
+        let mut nearest: BTreeMap<u32, (f64, Place, usize)> = BTreeMap::new();
+        for (l, polygon) in self.polygons.iter().enumerate() {
+            for [a, b] in polygon_sides(polygon) {
+                let by = minus(b, a);
+                // Cell by cell along the segment.
+                let pieces = by[0].abs().max(by[1].abs()).ceil().max(1.0);
+                for k in 0..pieces as usize {
+                    for v in self.around(along(a, (k as f64 + 0.5) / pieces, by), 1.0) {
+                        let place = self.places[v as usize];
+                        let on = closest([a, b], place);
+                        let away = minus(on, place);
+                        let square = dot(away, away);
+                        let is_nearest = nearest.get(&v).is_none_or(|(least, ..)| square < *least);
+                        if square < NEAR * NEAR && is_nearest {
+                            nearest.insert(v, (square, on, l));
+                        }
+                    }
+                }
+            }
+        }
+        for (v, (_, place, l)) in nearest {
+            if !matches!(self.lies[v as usize], Lies::On(_)) {
+                self.places[v as usize] = place;
+                self.lies[v as usize] = Lies::On(l);
+            }
+        }
+    }
+
+    /// Puts a vertex where a loop crosses an edge of the grid from inside to outside.
+    fn cross(&mut self) {
+        let [nx, ny] = self.count;
+        let across = (0..=ny).flat_map(|j| (0..nx).map(move |i| ([i, j], [i + 1, j])));
+        let up = (0..ny).flat_map(|j| (0..=nx).map(move |i| ([i, j], [i, j + 1])));
+        let edges: Vec<[u32; 2]> = across
+            .chain(up)
+            .map(|(a, b)| [a, b].map(|[i, j]| self.vertex(i, j)))
+            .filter(|ends| {
+                let lies = ends.map(|v| self.lies[v as usize]);
+                matches!(lies, [Lies::Inside, Lies::Outside] | [Lies::Outside, Lies::Inside])
+            })
+            .collect();
+        for ends in edges {
+            let (place, l) = self.crossing(ends);
+            self.crossings.insert(ends, self.places.len() as u32);
+            self.places.push(place);
+            self.lies.push(Lies::On(l));
+        }
+    }
+
+    /// Where a loop crosses an edge first, from its end inside, and which one.
+    fn crossing(&self, ends: [u32; 2]) -> (Place, usize) {
+        let is_turned = self.lies[ends[0] as usize] == Lies::Outside;
+        let [p, q] = ends.map(|v| self.places[v as usize]);
+        let [p, q] = if is_turned { [q, p] } else { [p, q] };
+        let by = minus(q, p);
+        let mut first = (f64::INFINITY, 0);
+        for (l, polygon) in self.polygons.iter().enumerate() {
+            for [a, b] in polygon_sides(polygon) {
+                let side = minus(b, a);
+                let turn = cross(by, side);
+                let t = cross(minus(a, p), side) / turn;
+                let s = cross(minus(a, p), by) / turn;
+                if (0.0..=1.0).contains(&t) && (0.0..=1.0).contains(&s) && t < first.0 {
+                    first = (t, l);
+                }
+            }
+        }
+        // Rounding alone keeps a loop from an edge whose ends it parts.
+        let t = if first.0.is_finite() { first.0 } else { 0.5 };
+        (along(p, t, by), first.1)
+    }
+
+    /// What each cell has inside, counterclockwise.
+    fn faces(&self) -> Vec<Vec<u32>> {
+        let [nx, ny] = self.count;
+        let mut faces = Vec::new();
+        for j in 0..ny {
+            for i in 0..nx {
+                let cell = [[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]];
+                let cell = cell.map(|[i, j]| self.vertex(i, j));
+                let mut face = Vec::new();
+                for [a, b] in polygon_sides(&cell) {
+                    if self.lies[a as usize] != Lies::Outside {
+                        face.push(a);
+                    }
+                    face.extend(self.crossings.get(&[a.min(b), a.max(b)]));
+                }
+                if face.len() > 2 {
+                    self.push_face(&mut faces, face);
+                }
+            }
+        }
+        faces
+    }
+
+    fn twice_area(&self, face: &[u32]) -> f64 {
+        let places: Vec<Place> = face.iter().map(|&v| self.places[v as usize]).collect();
+        twice_area(&places)
+    }
+
+    /// Adds the face of a cell: none where that lies outside, two where the cell is inside at two opposite corners.
+    fn push_face(&self, faces: &mut Vec<Vec<u32>>, face: Vec<u32>) {
+        let share = 1.0 / face.len() as f64;
+        let places = face.iter().map(|&v| self.places[v as usize]);
+        let middle = places.fold([0.0; 2], |sum, place| along(sum, share, place));
+        let is_middle_in = is_inside(&self.polygons[0], middle)
+            && !self.polygons[1..].iter().any(|hole| is_inside(hole, middle));
+        let inner: Vec<usize> =
+            (0..face.len()).filter(|&k| self.lies[face[k] as usize] == Lies::Inside).collect();
+        if inner.is_empty() {
+            if is_middle_in && self.twice_area(&face) > 2.0 * SLIVER {
+                faces.push(face);
+            }
+        } else if face.len() == 6 && inner.len() == 2 && !is_middle_in {
+            let at = |k: usize| face[k % 6];
+            faces.extend(inner.iter().map(|&k| vec![at(k + 5), at(k), at(k + 1)]));
+        } else {
+            faces.push(face);
+        }
+    }
+
+    /// The vertices that faces have, in their order, in the coordinates of the plan.
+    fn compact(
+        &self,
+        faces: &[Vec<u32>],
+        corners: &[u32],
+        out: impl Fn(&Place) -> Place,
+    ) -> Ground {
+        let mut name = vec![u32::MAX; self.places.len()];
+        faces.iter().flatten().for_each(|&v| name[v as usize] = 0);
+        let mut positions = Vec::new();
+        for (name, place) in name.iter_mut().zip(&self.places).filter(|(name, _)| **name == 0) {
+            *name = positions.len() as u32;
+            let [x, y] = out(place);
+            positions.push([x, y, 0.0]);
+        }
+        let mut named = Ragged::from_iter(faces);
+        named.rename(&name);
+        let on_outline = (0..).zip(&self.lies).filter(|(_, lies)| **lies == Lies::On(0));
+        let outline = on_outline.map(|(v, _): (usize, _)| name[v]).filter(|&v| v != u32::MAX);
+        Ground {
+            outline: outline.collect(),
+            corners: corners.iter().map(|&v| name[v as usize]).collect(),
+            mesh: Mesh { positions, faces: named, ..Mesh::default() },
+        }
+    }
+}

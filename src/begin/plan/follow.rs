@@ -1,0 +1,143 @@
+//! A grid whose four sides follow the outline.
+
+use super::declaration::PlanError;
+use super::outline::{Loop, Place, Side, along, cross, dot, minus};
+use super::raise::Ground;
+use crate::begin::declaration::MOST_FACES;
+use crate::example::model::grid;
+
+/// Places that are smoothed in all sweeps together, so that the largest grids take a second.
+const MOST_MOVES: usize = 40_000_000;
+
+/// The grid between the four marked corners.
+pub(super) fn mesh(outline: &Loop, size: f64) -> Result<Ground, PlanError> {
+    let marked: Vec<usize> =
+        (0..outline.sides.len()).filter(|&k| outline.sides[k].is_corner).collect();
+    let &[a, b, c, d] = &marked[..] else { return Err(PlanError::FourCorners(marked.len())) };
+    let pieces = [(a, b), (b, c), (c, d), (d, a)].map(|(from, to)| piece(outline, from, to));
+    let lengths = pieces.each_ref().map(|sides| sides.iter().map(Side::length).sum::<f64>());
+    let count =
+        |one: usize, other: usize| (0.5 * (lengths[one] + lengths[other]) / size).round().max(1.0);
+    let panels = [count(0, 2), count(1, 3)];
+    if panels[0] * panels[1] > MOST_FACES {
+        return Err(PlanError::TooMany(panels[0] * panels[1]));
+    }
+    let [nx, ny] = panels.map(|n| n as usize);
+    let [south, east, north, west] =
+        [0, 1, 2, 3].map(|k| places(&pieces[k], if k % 2 == 0 { nx } else { ny }));
+    let mut places = blended(&south, &east, &north, &west);
+    smooth(&mut places, nx + 1);
+    let mut mesh = grid([nx, ny], |_, _| [0.0; 3]);
+    for (position, [x, y]) in mesh.positions.iter_mut().zip(&places) {
+        *position = [*x, *y, 0.0];
+    }
+    let is_folded = |face: &[u32]| {
+        let at = |k: usize| places[face[k % 4] as usize];
+        (0..4).any(|k| cross(minus(at(k + 1), at(k)), minus(at(k + 3), at(k))) <= 0.0)
+    };
+    if mesh.faces.iter().any(is_folded) {
+        return Err(PlanError::Folded);
+    }
+    let corner = |i: usize, j: usize| (j * (nx + 1) + i) as u32;
+    let is_outer = |v: &u32| {
+        let (i, j) = (*v as usize % (nx + 1), *v as usize / (nx + 1));
+        i == 0 || j == 0 || i == nx || j == ny
+    };
+    Ok(Ground {
+        outline: (0..mesh.positions.len() as u32).filter(is_outer).collect(),
+        corners: vec![corner(0, 0), corner(nx, 0), corner(nx, ny), corner(0, ny)],
+        mesh,
+    })
+}
+
+/// The sides from one corner to the next.
+fn piece(outline: &Loop, from: usize, to: usize) -> Vec<Side> {
+    let n = outline.sides.len();
+    (0..(to + n - from) % n).map(|k| outline.sides[(from + k) % n]).collect()
+}
+
+/// `n + 1` places in equal steps along some sides; the points between these are among them where there are
+/// enough.
+fn places(sides: &[Side], n: usize) -> Vec<Place> {
+    let mut ends = vec![0.0];
+    sides.iter().for_each(|side| ends.push(ends[ends.len() - 1] + side.length()));
+    let whole = ends[sides.len()];
+    let mut at: Vec<f64> = (0..=n).map(|k| whole * k as f64 / n as f64).collect();
+    let mut last = 0;
+    for &end in &ends[1..sides.len()] {
+        let nearest = ((end / whole * n as f64).round() as usize).max(last + 1);
+        if nearest < n {
+            at[nearest] = end;
+            last = nearest;
+        }
+    }
+    let place = |&s: &f64| {
+        let k = ends[1..sides.len()].partition_point(|&end| end <= s);
+        sides[k].at(((s - ends[k]) / sides[k].length()).min(1.0))
+    };
+    at.iter().map(place).collect()
+}
+
+/// Coons' patch between four sides, each counterclockwise around it.
+fn blended(south: &[Place], east: &[Place], north: &[Place], west: &[Place]) -> Vec<Place> {
+    let (nx, ny) = (south.len() - 1, east.len() - 1);
+    let mut places = Vec::with_capacity((nx + 1) * (ny + 1));
+    for j in 0..=ny {
+        for i in 0..=nx {
+            let (u, v) = (i as f64 / nx as f64, j as f64 / ny as f64);
+            let terms = [
+                (1.0 - v, south[i]),
+                (v, north[nx - i]),
+                (1.0 - u, west[ny - j]),
+                (u, east[j]),
+                (-(1.0 - u) * (1.0 - v), south[0]),
+                (-u * (1.0 - v), south[nx]),
+                (-u * v, north[0]),
+                (-(1.0 - u) * v, north[nx]),
+            ];
+            // A place of a side as it is, not rounded.
+            places.push(match (i, j) {
+                (_, 0) => south[i],
+                (_, j) if j == ny => north[nx - i],
+                (0, _) => west[ny - j],
+                (i, _) if i == nx => east[j],
+                _ => terms.iter().fold([0.0; 2], |sum, &(t, place)| along(sum, t, place)),
+            });
+        }
+    }
+    places
+}
+
+/// Winslow's smoothing (1966): the inverse of the map onto a square whose coordinates are harmonic, which lies
+/// over itself nowhere. Gauss-Seidel sweeps over its differences.
+fn smooth(places: &mut [Place], row: usize) {
+    let inner = (row - 2) * (places.len() / row).saturating_sub(2);
+    let extent = places.iter().flatten().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let sweeps = (MOST_MOVES / inner.max(1)).min(4 * row * row);
+    for _ in 0..sweeps {
+        let mut farthest = 0.0_f64;
+        for j in 1..(places.len() / row).saturating_sub(1) {
+            for i in 1..row - 1 {
+                let at = |di: isize, dj: isize| {
+                    places[((j * row + i) as isize + dj * row as isize + di) as usize]
+                };
+                let [e, w, n, s] = [at(1, 0), at(-1, 0), at(0, 1), at(0, -1)];
+                let (across, up) = (minus(e, w), minus(n, s));
+                let (alpha, beta, gamma) = (dot(up, up), dot(across, up), dot(across, across));
+                let twist = minus(minus(at(1, 1), at(-1, 1)), minus(at(1, -1), at(-1, -1)));
+                let sum = along(along(e, 1.0, w), gamma / alpha, along(n, 1.0, s));
+                let sum = along(sum, -0.5 * beta / alpha, twist);
+                let scale = 0.5 / (1.0 + gamma / alpha);
+                let new = [scale * sum[0], scale * sum[1]];
+                if new.iter().all(|x| x.is_finite()) {
+                    let old = std::mem::replace(&mut places[j * row + i], new);
+                    let by = minus(new, old);
+                    farthest = farthest.max(dot(by, by));
+                }
+            }
+        }
+        if farthest.sqrt() <= 1e-9 * extent {
+            break;
+        }
+    }
+}

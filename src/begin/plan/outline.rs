@@ -1,0 +1,227 @@
+//! Closed loops of straight and arc sides.
+
+use super::declaration::{PlanError, PlanPoint, check};
+use crate::math::{angle, cosine, sine};
+use std::f64::consts::TAU;
+
+/// A place on the ground.
+pub(super) type Place = [f64; 2];
+
+/// Flatter sides are straight.
+const STRAIGHT: f64 = 1e-9;
+/// The cosine of the turn that makes a point of an outline sharp: 20 degrees.
+const SHARP: f64 = 0.939_692_620_785_908_4;
+
+/// A side: straight, or an arc.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Side {
+    from: Place,
+    to: Place,
+    bulge: f64,
+    /// The index of the point where it begins, as it was given.
+    pub(super) point: usize,
+    /// Whether that is marked as a corner.
+    pub(super) is_corner: bool,
+}
+
+/// A loop, counterclockwise.
+#[derive(Clone, Debug)]
+pub(super) struct Loop {
+    pub(super) sides: Vec<Side>,
+    path: String,
+}
+
+pub(super) fn minus(a: Place, b: Place) -> Place {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+/// `a + t b`.
+pub(super) fn along(a: Place, t: f64, b: Place) -> Place {
+    [a[0] + t * b[0], a[1] + t * b[1]]
+}
+
+pub(super) fn dot(a: Place, b: Place) -> f64 {
+    a[0] * b[0] + a[1] * b[1]
+}
+
+pub(super) fn cross(a: Place, b: Place) -> f64 {
+    a[0] * b[1] - a[1] * b[0]
+}
+
+pub(super) fn length(a: Place) -> f64 {
+    dot(a, a).sqrt()
+}
+
+/// Twice the area of a polygon, positive where it is counterclockwise.
+pub(super) fn twice_area(points: &[Place]) -> f64 {
+    let first = points[0];
+    points.windows(2).map(|w| cross(minus(w[0], first), minus(w[1], first))).sum()
+}
+
+/// A place turned around the origin by the angle of this cosine and sine.
+pub(super) fn turned([x, y]: Place, [c, s]: [f64; 2]) -> Place {
+    [c * x - s * y, s * x + c * y]
+}
+
+/// The place of a segment that is nearest to `to`.
+pub(super) fn closest([a, b]: [Place; 2], to: Place) -> Place {
+    let by = minus(b, a);
+    let t = dot(minus(to, a), by) / dot(by, by);
+    if t > 0.0 { along(a, t.min(1.0), by) } else { a }
+}
+
+impl Side {
+    /// The angle that the arc spans, in turns; negative where it goes inward.
+    fn turns(&self) -> f64 {
+        4.0 * self.bulge.signum() * angle(1.0, self.bulge.abs()) / TAU
+    }
+
+    fn is_straight(&self) -> bool {
+        self.bulge.abs() < STRAIGHT
+    }
+
+    /// The radius of the arc; negative where it goes inward.
+    fn radius(&self) -> f64 {
+        length(minus(self.to, self.from)) * (1.0 + self.bulge * self.bulge) / (4.0 * self.bulge)
+    }
+
+    pub(super) fn length(&self) -> f64 {
+        if self.is_straight() {
+            return length(minus(self.to, self.from));
+        }
+        self.radius() * self.turns() * TAU
+    }
+
+    /// The place after the share `t` of its length.
+    pub(super) fn at(&self, t: f64) -> Place {
+        let chord = minus(self.to, self.from);
+        if self.is_straight() || t == 0.0 || t == 1.0 {
+            return if t == 1.0 { self.to } else { along(self.from, t, chord) };
+        }
+        let size = length(chord);
+        let direction = [chord[0] / size, chord[1] / size];
+        let outward = [direction[1], -direction[0]];
+        let (radius, turns) = (self.radius(), (t - 0.5) * self.turns());
+        let middle = along(self.from, 0.5, chord);
+        let centre = along(middle, 0.5 * self.bulge * size - radius, outward);
+        let place = along(centre, radius * sine(turns), direction);
+        along(place, radius * cosine(turns), outward)
+    }
+
+    /// The unit directions in which it begins and ends.
+    fn ends(&self) -> [Place; 2] {
+        let chord = minus(self.to, self.from);
+        let direction = chord.map(|c| c / length(chord));
+        let half = if self.is_straight() { 0.0 } else { 0.5 * self.turns() };
+        [-half, half].map(|by| turned(direction, [cosine(by), sine(by)]))
+    }
+
+    /// Places along it that leave it by at most `tolerance`, without its end.
+    fn flattened(&self, tolerance: f64) -> impl Iterator<Item = Place> + '_ {
+        let pieces = if self.is_straight() {
+            1.0
+        } else {
+            let step = (8.0 * tolerance / self.radius().abs()).sqrt();
+            (self.turns().abs() * TAU / step).ceil().clamp(2.0, 400.0)
+        };
+        (0..pieces as usize).map(move |k| self.at(k as f64 / pieces))
+    }
+}
+
+impl Loop {
+    /// The loop through these points, of which errors speak by `path`.
+    pub(super) fn of(points: &[PlanPoint], path: &str) -> Result<Loop, PlanError> {
+        check(points, path)?;
+        let n = points.len();
+        let places: Vec<Place> = points.iter().map(|point| point.at).collect();
+        // Of two arcs both directions are the same.
+        let is_clockwise = twice_area(&places) < 0.0;
+        let side = |k: usize| {
+            let (from, to, arc) = match is_clockwise {
+                false => (k, (k + 1) % n, k),
+                true => (n - 1 - k, (2 * n - 2 - k) % n, (2 * n - 2 - k) % n),
+            };
+            let [from_point, to_point] = [from, to].map(|v| points[v]);
+            Side {
+                from: from_point.at,
+                to: to_point.at,
+                bulge: points[arc].bulge,
+                point: from,
+                is_corner: from_point.corner,
+            }
+        };
+        Ok(Loop { sides: (0..n).map(side).collect(), path: path.to_owned() })
+    }
+
+    /// Of each side whether the loop has a corner where it begins: a marked one, or a sharp turn.
+    pub(super) fn sharp(&self) -> Vec<bool> {
+        let n = self.sides.len();
+        let is_sharp = |k: usize| {
+            let [before, here] = [&self.sides[(k + n - 1) % n], &self.sides[k]];
+            here.is_corner || dot(before.ends()[1], here.ends()[0]) < SHARP
+        };
+        (0..n).map(is_sharp).collect()
+    }
+
+    /// Places along it, and of each the side that it is on.
+    pub(super) fn flattened(&self, tolerance: f64) -> Vec<(Place, usize)> {
+        let of = |(k, side): (usize, &Side)| -> Vec<_> {
+            side.flattened(tolerance).map(|place| (place, k)).collect()
+        };
+        self.sides.iter().enumerate().flat_map(of).collect()
+    }
+
+    /// Refuses loops, the outline first, that cross themselves or each other, and holes outside the outline.
+    pub(super) fn apart(loops: &[&Loop]) -> Result<(), PlanError> {
+        let size = loops[0].sides.iter().map(Side::length).sum::<f64>();
+        let mut segments = Vec::new();
+        for (l, one) in loops.iter().enumerate() {
+            let places = one.flattened(1e-4 * size);
+            let n = places.len();
+            segments.extend(
+                (0..n).map(|k| ([places[k].0, places[(k + 1) % n].0], [l, k], (l, places[k].1, n))),
+            );
+        }
+        for (i, (first, [l, k], (_, side, n))) in segments.iter().enumerate() {
+            for (second, [m, j], (_, other, _)) in &segments[i + 1..] {
+                let is_next = l == m && (k + 1 == *j || (j + 1) % n == *k);
+                if !is_next && meet(*first, *second) {
+                    let name = |l: usize, side: usize| {
+                        format!("{}[{}]", loops[l].path, loops[l].sides[side].point)
+                    };
+                    return Err(PlanError::Crossing([name(*l, *side), name(*m, *other)]));
+                }
+            }
+        }
+        for (hole, inner) in loops[1..].iter().enumerate() {
+            let outer: Vec<Place> =
+                loops[0].flattened(1e-4 * size).into_iter().map(|(place, _)| place).collect();
+            if !is_inside(&outer, inner.sides[0].from) {
+                return Err(PlanError::Outside(hole));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Whether two segments have a point in common.
+fn meet([a, b]: [Place; 2], [c, d]: [Place; 2]) -> bool {
+    let apart = |k: usize| a[k].max(b[k]) < c[k].min(d[k]) || c[k].max(d[k]) < a[k].min(b[k]);
+    if apart(0) || apart(1) {
+        return false;
+    }
+    let side = |p: Place, q: Place, r: Place| cross(minus(q, p), minus(r, p));
+    side(a, b, c) * side(a, b, d) <= 0.0 && side(c, d, a) * side(c, d, b) <= 0.0
+}
+
+/// Whether a place lies inside a polygon: a ray from it crosses an odd number of sides.
+pub(super) fn is_inside(polygon: &[Place], [x, y]: Place) -> bool {
+    let mut inside = false;
+    for (k, a) in polygon.iter().enumerate() {
+        let b = polygon[(k + 1) % polygon.len()];
+        if (a[1] > y) != (b[1] > y) && x < a[0] + (y - a[1]) * (b[0] - a[0]) / (b[1] - a[1]) {
+            inside = !inside;
+        }
+    }
+    inside
+}

@@ -1,0 +1,68 @@
+//! The height of every vertex: a net under its own weight, turned over.
+
+use super::declaration::{PlanError, Standing};
+use crate::math::{Vec3, twice_vector_area};
+use crate::mesh::{Mesh, Topology};
+use crate::solve::{System, Terms};
+
+/// Free edges pull so much more than the edges between panels: they are arches that carry the rest.
+const EDGE: f64 = 4.0;
+
+/// A divided plan.
+pub(super) struct Ground {
+    pub(super) mesh: Mesh,
+    /// The vertices on the outline.
+    pub(super) outline: Vec<u32>,
+    /// The vertices at marked corners.
+    pub(super) corners: Vec<u32>,
+}
+
+/// Raises the mesh until its highest vertex is at `height`. The force densities of all edges are equal, the loads
+/// are the areas around the vertices (Schek 1974); the vertices that it stands on stay at zero.
+pub(super) fn raised(ground: Ground, stands: Standing, height: f64) -> Result<Mesh, PlanError> {
+    let Ground { mut mesh, outline, corners } = ground;
+    let held = match stands {
+        Standing::Corners if corners.len() < 3 => return Err(PlanError::NoCorners(corners.len())),
+        Standing::Corners => corners,
+        Standing::Outline => outline,
+    };
+    let n = mesh.positions.len();
+    let topology = Topology::new(&mesh);
+    let mut terms = Terms::default();
+    for (e, ends) in (0..).zip(topology.edges()) {
+        let density = if topology.is_boundary_edge(e) { EDGE } else { 1.0 };
+        terms.push(ends, [1.0, -1.0], 0.0, density);
+    }
+    let mut system = System::new(n, vec![terms]);
+    let node_of = system.node_of().to_vec();
+    let mut fixed = vec![false; n];
+    held.iter().for_each(|&v| fixed[node_of[v as usize] as usize] = true);
+    let mut loads = vec![[0.0; 4]; n];
+    for face in mesh.faces.iter() {
+        let area =
+            twice_vector_area(face.iter().map(|&v| Vec3::from(mesh.positions[v as usize]))).z;
+        for &v in face {
+            let node = node_of[v as usize] as usize;
+            if !fixed[node] {
+                loads[node][0] += area / face.len() as f64;
+            }
+        }
+    }
+    // A piece that stands nowhere could be at any height.
+    let components = system.components();
+    let mut stands = vec![false; n];
+    (0..n).filter(|&k| fixed[k]).for_each(|k| stands[components[k] as usize] = true);
+    if components.iter().any(|&part| !stands[part as usize]) {
+        return Err(PlanError::Apart);
+    }
+    // Each vertex hangs on one that is held.
+    system.factor(&[1.0], &vec![0.0; n], fixed).map_err(|_| PlanError::Apart)?;
+    system.solve(&mut loads);
+    let top = loads.iter().map(|load| load[0]).fold(0.0, f64::max);
+    if top > 0.0 {
+        for (position, &node) in mesh.positions.iter_mut().zip(&node_of) {
+            position[2] = height * loads[node as usize][0] / top;
+        }
+    }
+    Ok(mesh)
+}

@@ -1,0 +1,195 @@
+//! Meshes from plans: sound, inside their outline, as high as they were asked to be, and refused where they are wrong.
+
+use proptest::prelude::*;
+use shape_up::begin::{Plan, PlanError, PlanLayout, PlanPoint, Standing};
+use shape_up::math::{Vec3, cosine, sine, twice_vector_area};
+use shape_up::mesh::{Mesh, Topology, diagnose};
+
+fn points(places: &[[f64; 2]]) -> Vec<PlanPoint> {
+    places.iter().map(|&at| PlanPoint { at, bulge: 0.0, corner: true }).collect()
+}
+
+fn circle([x, y]: [f64; 2], radius: f64) -> Vec<PlanPoint> {
+    let point = |x| PlanPoint { at: [x, y], bulge: 1.0, corner: false };
+    vec![point(x - radius), point(x + radius)]
+}
+
+fn plan(outline: Vec<PlanPoint>, layout: PlanLayout) -> Plan {
+    Plan {
+        outline,
+        holes: Vec::new(),
+        layout,
+        size: 1.0,
+        turn: 0.0,
+        height: 3.0,
+        stands: Standing::Outline,
+    }
+}
+
+const RECTANGLE: [[f64; 2]; 4] = [[0.0, 0.0], [20.0, 0.0], [20.0, 12.0], [0.0, 12.0]];
+const ELL: [[f64; 2]; 6] =
+    [[0.0, 0.0], [20.0, 0.0], [20.0, 7.0], [9.0, 7.0], [9.0, 16.0], [0.0, 16.0]];
+
+/// The areas of the faces seen from above.
+fn areas(mesh: &Mesh) -> Vec<f64> {
+    let corners = |face: &[u32]| -> Vec<_> {
+        face.iter().map(|&v| Vec3::from(mesh.positions[v as usize])).collect()
+    };
+    mesh.faces.iter().map(|face| 0.5 * twice_vector_area(corners(face)).z).collect()
+}
+
+fn assert_sound(mesh: &Mesh) {
+    assert!(diagnose(mesh).is_empty(), "{:?}", diagnose(mesh));
+    assert!(areas(mesh).iter().all(|&area| area > 0.0), "seen from above counterclockwise");
+    let topology = Topology::new(mesh);
+    assert!(topology.edge_faces().iter().all(|faces| faces.len() <= 2));
+}
+
+#[test]
+fn a_rectangle_becomes_squares_in_both_layouts() {
+    for layout in [PlanLayout::Follow, PlanLayout::Cut] {
+        let mesh = plan(points(&RECTANGLE), layout).mesh().unwrap();
+        assert_sound(&mesh);
+        assert_eq!((mesh.positions.len(), mesh.faces.len()), (21 * 13, 240), "{layout:?}");
+        assert!(areas(&mesh).iter().all(|area| (area - 1.0).abs() < 1e-9));
+        let top = mesh.positions.iter().map(|p| p[2]).fold(0.0, f64::max);
+        assert!((top - 3.0).abs() < 1e-12);
+        let is_edge = |p: &[f64; 3]| (p[0] * (p[0] - 20.0) * p[1] * (p[1] - 12.0)).abs() < 1e-9;
+        assert!(mesh.positions.iter().all(|p| is_edge(p) == (p[2] == 0.0)));
+    }
+}
+
+#[test]
+fn the_direction_of_the_points_does_not_matter() {
+    let mut outline = points(&RECTANGLE);
+    outline[1].bulge = 0.5;
+    let there = plan(outline.clone(), PlanLayout::Cut).mesh().unwrap();
+    // A side belongs to the point where it begins.
+    let back: Vec<PlanPoint> =
+        (0..4).map(|k| PlanPoint { bulge: outline[(6 - k) % 4].bulge, ..outline[3 - k] }).collect();
+    let back = plan(back, PlanLayout::Cut).mesh().unwrap();
+    assert_eq!(there.faces.len(), back.faces.len());
+    let sum = |mesh: &Mesh| areas(mesh).iter().sum::<f64>();
+    assert!((sum(&there) - sum(&back)).abs() < 1e-9);
+    // The half ellipse-like bay lies outside the rectangle.
+    assert!(sum(&there) > 240.0 + 10.0, "{}", sum(&there));
+}
+
+#[test]
+fn a_circle_is_as_large_as_it_is() {
+    let mesh = plan(circle([3.0, -2.0], 8.0), PlanLayout::Cut).mesh().unwrap();
+    assert_sound(&mesh);
+    let area: f64 = areas(&mesh).iter().sum();
+    assert!((area / (64.0 * std::f64::consts::PI) - 1.0).abs() < 0.01, "{area}");
+    for p in &mesh.positions {
+        let radius = ((p[0] - 3.0).powi(2) + (p[1] + 2.0).powi(2)).sqrt();
+        assert!(radius < 8.0 + 1e-9);
+        assert_eq!(p[2] == 0.0, radius > 8.0 - 2e-3, "it stands on its outline alone");
+    }
+}
+
+#[test]
+fn a_grid_follows_arcs_and_points_between_corners() {
+    let mut outline = points(&[[0.0, 0.0], [10.0, -1.0], [20.0, 0.0], [20.0, 12.0], [0.0, 12.0]]);
+    outline[1].corner = false;
+    outline[2].bulge = 0.3;
+    let plan = Plan { stands: Standing::Corners, ..plan(outline, PlanLayout::Follow) };
+    let mesh = plan.mesh().unwrap();
+    assert_sound(&mesh);
+    let at = |x: f64, y: f64| mesh.positions.iter().filter(|p| p[0] == x && p[1] == y).count();
+    assert_eq!([at(10.0, -1.0), at(20.0, 12.0), at(0.0, 0.0)], [1, 1, 1]);
+    assert_eq!(mesh.positions.iter().filter(|p| p[2] == 0.0).count(), 4);
+    // The rise of the arc is its bulge times half its chord.
+    let east = mesh.positions.iter().map(|p| p[0]).fold(0.0, f64::max);
+    assert!((east - 21.8).abs() < 0.05, "{east}");
+}
+
+#[test]
+fn holes_stay_open_and_the_corners_of_all_loops_are_there() {
+    let hole = points(&[[3.0, 3.0], [6.3, 3.0], [6.3, 6.1], [3.0, 6.1]]);
+    let plan =
+        Plan { holes: vec![hole, circle([15.0, 3.5], 1.7)], ..plan(points(&ELL), PlanLayout::Cut) };
+    let mesh = plan.mesh().unwrap();
+    assert_sound(&mesh);
+    let topology = Topology::new(&mesh);
+    assert_eq!(topology.boundary_loops().len(), 3);
+    let area: f64 = areas(&mesh).iter().sum();
+    let expected = 20.0 * 7.0 + 9.0 * 9.0 - 3.3 * 3.1 - std::f64::consts::PI * 1.7 * 1.7;
+    assert!((area / expected - 1.0).abs() < 0.01, "{area} of {expected}");
+    for corner in ELL.iter().chain(&[[6.3, 6.1]]) {
+        let is_there = |p: &[f64; 3]| (p[0] - corner[0]).abs() + (p[1] - corner[1]).abs() < 1e-9;
+        assert!(mesh.positions.iter().any(is_there), "{corner:?}");
+    }
+}
+
+#[test]
+fn what_is_wrong_is_said() {
+    let of = |change: fn(&mut Plan)| {
+        let mut plan = plan(points(&RECTANGLE), PlanLayout::Follow);
+        change(&mut plan);
+        plan.mesh().unwrap_err()
+    };
+    assert_eq!(of(|plan| plan.outline[1].corner = false), PlanError::FourCorners(3));
+    assert_eq!(of(|plan| plan.holes = vec![circle([5.0, 5.0], 2.0)]), PlanError::Holes);
+    let crossing = of(|plan| plan.outline.swap(0, 1));
+    assert_eq!(
+        crossing.to_string(),
+        "the sides from outline[1] and from outline[3] cross or touch"
+    );
+    assert_eq!(
+        of(|plan| {
+            plan.layout = PlanLayout::Cut;
+            plan.holes = vec![circle([50.0, 5.0], 2.0)];
+        }),
+        PlanError::Outside(0)
+    );
+    assert_eq!(
+        of(|plan| {
+            plan.layout = PlanLayout::Cut;
+            plan.holes = vec![circle([5.4, 5.4], 0.1)];
+        }),
+        PlanError::TooCoarse(Some(0))
+    );
+    assert!(matches!(of(|plan| plan.size = 1e-3), PlanError::TooMany(_)));
+    let text = r#"{"outline":[{"at":[0,0],"bulge":"x"}],"layout":"cut","size":1,"height":1,"stands":"outline"}"#;
+    let error = Plan::from_json(text).unwrap_err().to_string();
+    assert!(error.starts_with("outline[0].bulge: found \"x\", expected a number"), "{error}");
+}
+
+prop_compose! {
+    /// A star-shaped outline with straight and arc sides.
+    fn outlines()(
+        radii in prop::collection::vec((4.0..12.0_f64, -0.2..0.6_f64, any::<bool>()), 4..11),
+        turn in 0.0..1.0_f64,
+    ) -> Vec<PlanPoint> {
+        let n = radii.len() as f64;
+        let at = |k: usize, radius: f64| {
+            let turns = turn + k as f64 / n;
+            [radius * cosine(turns), radius * sine(turns)]
+        };
+        radii.iter().enumerate().map(|(k, &(radius, bulge, corner))| {
+            PlanPoint { at: at(k, radius), bulge, corner }
+        }).collect()
+    }
+}
+
+proptest! {
+    #![proptest_config(crate::fuzz::cases(128))]
+
+    #[test]
+    fn any_outline_is_a_sound_mesh_inside_it_or_is_refused(
+        outline in outlines(),
+        hole in prop::option::of((0.5..2.5_f64, -1.0..1.0_f64)),
+        size in 0.4..2.0_f64,
+        turn in -90.0..90.0_f64,
+        follows in any::<bool>(),
+    ) {
+        let holes = hole.map(|(radius, at)| circle([at, 0.0], radius)).into_iter().collect();
+        let layout = if follows { PlanLayout::Follow } else { PlanLayout::Cut };
+        let plan = Plan { holes, size, turn, ..plan(outline, layout) };
+        if let Ok(mesh) = plan.mesh() {
+            assert_sound(&mesh);
+            prop_assert!(mesh.positions.iter().all(|p| (0.0..=3.0 + 1e-9).contains(&p[2])));
+        }
+    }
+}
