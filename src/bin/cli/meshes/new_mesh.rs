@@ -1,30 +1,40 @@
 //! `shape-up new`: a mesh to begin with.
 
 use crate::cli::words::{Word, Words};
-use crate::cli::{Failure, output};
-use shape_up::begin::{NEW_KINDS, NewKind};
-use shape_up::mesh::{counted, write_obj};
+use crate::cli::{Failure, input, output};
+use shape_up::begin::{NEW_KINDS, NewKind, Plan};
+use shape_up::mesh::{Mesh, counted, write_obj};
 use shape_up::scene::{UnitsAndUp, Up};
 use std::path::{Path, PathBuf};
 
 /// `shape-up new`.
 #[derive(Debug, PartialEq)]
 pub(in crate::cli) struct New {
-    /// The id of the kind.
-    kind: &'static str,
-    /// In the order of the sizes of the kind.
-    sizes: Vec<f64>,
+    from: From,
     units: String,
     out: Option<PathBuf>,
 }
 
+/// What the mesh is made from.
+#[derive(Debug, PartialEq)]
+enum From {
+    /// The id of a kind, and sizes in the order of its own.
+    Kind(&'static str, Vec<f64>),
+    /// The file of a plan.
+    Plan(PathBuf),
+}
+
 /// Reads the arguments: the kind comes first, because it says which sizes there are.
 pub(in crate::cli) fn parse(mut words: Words) -> Result<New, String> {
-    let known = || NEW_KINDS.iter().map(|kind| kind.id).collect::<Vec<_>>().join(", ");
+    let known =
+        || NEW_KINDS.iter().map(|kind| kind.id).collect::<Vec<_>>().join(", ") + " or plan FILE";
     let Some(Word::File(id)) = words.next()? else {
         return Err(format!("new needs a kind first: {}", known()));
     };
     let id = id.to_string_lossy();
+    if id == "plan" {
+        return parse_plan(words);
+    }
     let kind = NewKind::of(&id).ok_or_else(|| format!("new makes {}, found `{id}`", known()))?;
     let mut sizes = kind.defaults();
     let (mut units, mut out) = ("m".to_owned(), None);
@@ -47,18 +57,43 @@ pub(in crate::cli) fn parse(mut words: Words) -> Result<New, String> {
             }
         }
     }
-    Ok(New { kind: kind.id, sizes, units, out })
+    Ok(New { from: From::Kind(kind.id, sizes), units, out })
+}
+
+fn parse_plan(mut words: Words) -> Result<New, String> {
+    let (mut units, mut out, mut file) = ("m".to_owned(), None, None);
+    while let Some(name) = words.option(&mut file)? {
+        match name.as_str() {
+            "--units" => units = words.text(&name)?,
+            "--out" => out = Some(words.mesh(&name, &["obj"])?),
+            _ => return Err(format!("new plan takes --units, --out, found `{name}`")),
+        }
+    }
+    let file = file.ok_or("new plan needs the file of a plan")?;
+    Ok(New { from: From::Plan(file), units, out })
 }
 
 /// Writes it to the file, or to standard output.
 pub(in crate::cli) fn make(command: &New) -> Result<(), Failure> {
-    let at_kind = |error| Failure::Input(format!("new {}: {error}", command.kind));
-    let kind = NewKind::of(command.kind).expect("it was found when it was read");
-    let mesh = kind.mesh(&command.sizes).map_err(|error| at_kind(error.to_string()))?;
+    let mesh = mesh(&command.from)?;
     let text = UnitsAndUp::comments(&command.units, Up::Z) + &write_obj(&mesh, &mesh.positions);
     let Some(path) = &command.out else { return output::print(&text) };
     output::write(&[(path as &Path, text)])?;
     let vertices = counted(mesh.positions.len(), "vertex", "vertices");
     let faces = counted(mesh.faces.len(), "face", "faces");
     output::print(&format!("{}: {vertices}, {faces}\n", path.display()))
+}
+
+fn mesh(from: &From) -> Result<Mesh, Failure> {
+    match from {
+        From::Kind(id, sizes) => {
+            let kind = NewKind::of(id).expect("it was found when it was read");
+            kind.mesh(sizes).map_err(|error| Failure::Input(format!("new {id}: {error}")))
+        }
+        From::Plan(file) => {
+            let text = String::from_utf8_lossy(&input::bytes(file)?).into_owned();
+            let plan = Plan::from_json(&text).and_then(|plan| plan.mesh());
+            plan.map_err(|error| Failure::Input(format!("{}: {error}", file.display())))
+        }
+    }
 }
