@@ -135,6 +135,7 @@ export default {
     assetsInlineLimit: 0,
     rolldownOptions: { input: pages.map((page) => at('www', `${page}.html`)), output },
   },
-  worker: { format: 'es', plugins: () => [told()] },
+  // The same names: what the page and a worker both load is one file.
+  worker: { format: 'es', plugins: () => [told()], rolldownOptions: { output } },
   server: { host: '127.0.0.1' },
 };

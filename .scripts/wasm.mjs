@@ -23,9 +23,11 @@ export const sizeFlags = [
 /** The rooms of `src/` that a view is compiled from; `src/lib.rs` says so. */
 const isOfView = (path) => /^src\/(lib\.rs|math\/|view\/|web\/(mod\.rs|page\/))/.test(path);
 
-/** The rooms that the module of parts is compiled from. */
+/** The rooms that the module of parts, and of meshes to begin with, is compiled from. */
 const isOfBuild = (path) =>
-  /^src\/(lib\.rs|math\/|mesh\/|sparse\/|fabricate\/|web\/(mod|build)\.rs)/.test(path);
+  /^src\/(lib\.rs|math\/|mesh\/|sparse\/|example\/|begin\/|fabricate\/|web\/(mod|begin|build)\.rs)/.test(
+    path,
+  );
 
 /** The sources of a module: an edit of the solver compiles no view anew, which takes minutes. */
 function sourcesOf(feature) {

@@ -28,7 +28,7 @@
 //! | [`scene`] | the scene file: serde form and validation; the problem that it poses | math, json, mesh, constraint, sparse, solve, fabricate |
 //! | [`error`] | the one error that hosts see | mesh, scene, solve |
 //! | [`example`] | the example scenes, and the generators of their meshes | math, mesh, constraint, scene |
-//! | [`begin`] | meshes to begin with, by kinds and sizes, or from a plan | math, json, mesh, solve, example |
+//! | [`begin`] | meshes to begin with, by kinds and sizes, or from a plan | math, json, mesh, sparse, example |
 //! | [`session`] | what every host drives: load, edit, drag, step, undo, report | all above |
 //! | [`experiment`] | the paper's comparisons with other methods (Fig. 10, 11), run live | all above |
 //! | [`view`] | wgpu: camera, picking, faces, edges, handles, fitted shapes | math |
@@ -109,13 +109,17 @@
 //! `f64`. The solver uses only `+ - * / sqrt` and, for angles, `libm`, so that native and wasm builds give
 //! the same bits.
 
-#[cfg(any(feature = "cli", feature = "solver"))]
+#[cfg(any(feature = "cli", feature = "build"))]
 pub mod begin;
 #[cfg(any(feature = "cli", feature = "solver"))]
 pub mod constraint;
 #[cfg(any(feature = "cli", feature = "solver"))]
 pub mod error;
-#[cfg(any(feature = "cli", feature = "solver"))]
+#[cfg(any(feature = "cli", feature = "solver", feature = "build"))]
+#[cfg_attr(
+    not(feature = "cli"),
+    allow(dead_code, unused_imports, reason = "meshes to begin with use some of its generators")
+)]
 pub mod example;
 #[cfg(any(feature = "cli", feature = "solver"))]
 pub mod experiment;

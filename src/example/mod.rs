@@ -8,11 +8,17 @@
 //! | `model` | the meshes |
 //! | `suggestions` | views that hosts offer of some examples |
 
+#[cfg(any(feature = "cli", feature = "solver"))]
 mod declaration;
 pub mod model;
+#[cfg(any(feature = "cli", feature = "solver"))]
 mod scene;
+#[cfg(any(feature = "cli", feature = "solver"))]
 mod suggestions;
 
+#[cfg(any(feature = "cli", feature = "solver"))]
 pub use declaration::Example;
+#[cfg(any(feature = "cli", feature = "solver"))]
 pub use scene::EXAMPLES;
+#[cfg(any(feature = "cli", feature = "solver"))]
 pub use suggestions::{Shows, SplitSide, Suggestion, suggestions};

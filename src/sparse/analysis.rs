@@ -30,6 +30,23 @@ impl SymbolicAnalysis {
         SymbolicAnalysis { structure, permutation, place_of, upper, supernodes }
     }
 
+    /// Orders and analyses the pattern of `n` unknowns that `edges` couple, each edge once.
+    pub(crate) fn of_edges(n: usize, edges: impl Iterator<Item = [u32; 2]>) -> SymbolicAnalysis {
+        let mut near: Vec<Vec<u32>> = (0..n as u32).map(|v| vec![v]).collect();
+        for [i, j] in edges {
+            near[i as usize].push(j);
+            near[j as usize].push(i);
+        }
+        let (mut columns, mut rows) = (vec![0], Vec::new());
+        for mut row in near {
+            row.sort_unstable();
+            rows.append(&mut row);
+            columns.push(rows.len() as u32);
+        }
+        let values = vec![(); rows.len()];
+        SymbolicAnalysis::new(CsStructureI::new_csc((n, n), columns, rows, values))
+    }
+
     /// Whether this is the analysis of that pattern.
     pub(crate) fn fits(&self, structure: &CsStructureI<u32>) -> bool {
         self.structure == *structure

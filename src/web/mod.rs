@@ -1,14 +1,17 @@
 //! wasm-bindgen faces: one for the worker (feature `solver`), one for the page (feature `view`), one for what
-//! is built of a shape (feature `build`).
+//! comes before and after it: meshes to begin with, and what is built of a shape (feature `build`).
 //!
 //! | file or folder | holds |
 //! |---|---|
 //! | `worker` | the face of the solver |
 //! | `page` | the face of the view |
 //! | `build` | the face of sheets and the build check |
+//! | `begin` | the face of meshes to begin with |
 //! | `plain` | between Rust and JavaScript |
 //! | `warm_up` | what makes the first steps fast |
 
+#[cfg(feature = "build")]
+pub mod begin;
 #[cfg(feature = "build")]
 pub mod build;
 #[cfg(feature = "view")]

@@ -134,7 +134,7 @@ fn what_is_wrong_is_said() {
     let crossing = of(|plan| plan.outline.swap(0, 1));
     assert_eq!(
         crossing.to_string(),
-        "the sides from outline[1] and from outline[3] cross or touch"
+        "side 2 of the outline (outline[1]) and side 4 of the outline (outline[3]) cross or touch"
     );
     assert_eq!(
         of(|plan| {

@@ -201,7 +201,6 @@
  * - `trace`: the energies of the iterations that led to the current shape; of very many as many as a plot
  *   can show, evenly spaced.
  * - `meshOperations`: what can be done to the mesh. `remeshing`: what one of them would make of it.
- * - `newKinds`: the kinds of meshes to begin with. `newMesh`: one of them as the text of an OBJ file.
  * - `comparison`: what the experiment on whatever is open declares.
  * - `runExperiment`: starts the experiment of an example, on its files, the scene first, or the comparison on
  *   what is open, from its original shape; the model that is open is not touched. `experimentCsv`: what was
@@ -245,9 +244,7 @@
  *   | { type: "runExperiment", of: { example: string, files: NamedBytes[] } | null, iterations: number }
  *   | { type: "experimentCsv" }
  *   | { type: "meshOperations" }
- *   | { type: "remeshing", asked: import("../pkg/solver/shape_up.js").Remeshing }
- *   | { type: "newKinds" }
- *   | { type: "newMesh", kind: string, sizes: number[], units: string }} Request
+ *   | { type: "remeshing", asked: import("../pkg/solver/shape_up.js").Remeshing }} Request
  */
 
 /**
@@ -317,8 +314,6 @@
  * @property {string} experimentCsv
  * @property {import("../pkg/solver/shape_up.js").OfferedOperation[]} meshOperations
  * @property {import("../pkg/solver/shape_up.js").RemeshingPreview} remeshing
- * @property {import("../pkg/solver/shape_up.js").NewKind[]} newKinds
- * @property {string} newMesh
  */
 
 /**

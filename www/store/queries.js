@@ -88,12 +88,6 @@ export function createQueries(solver, reportErrors) {
     /** The files that a scene among these names and that are not there. @param {import("../solver/messages.js").NamedBytes[]} files */
     missingFiles: (files) => solver.request({ type: 'missingFiles', files }),
 
-    /** The kinds of meshes to begin with. */
-    newKinds: () => solver.request({ type: 'newKinds' }),
-
-    /** One of them as OBJ. @param {string} kind @param {number[]} sizes as it declares them @param {string} units */
-    newMesh: (kind, sizes, units) => solver.request({ type: 'newMesh', kind, sizes, units }),
-
     /** The text of the scene. */
     sceneText: () => solver.request({ type: 'scene' }),
 

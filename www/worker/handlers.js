@@ -108,7 +108,5 @@ export function requestHandlers(solver, scheduler, post, died) {
     experimentCsv,
     meshOperations: () => solver.meshOperations(),
     remeshing: ({ asked }) => solver.remeshing(asked),
-    newKinds: () => solver.newKinds(),
-    newMesh: ({ kind, sizes, units }) => solver.newMesh(kind, Float64Array.from(sizes), units),
   };
 }

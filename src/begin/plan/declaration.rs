@@ -1,7 +1,6 @@
 //! What a plan says, and what is wrong with one.
 
 use crate::begin::declaration::MOST_FACES;
-use crate::json::{parse, read_tree};
 use serde::Deserialize;
 use std::fmt;
 
@@ -69,6 +68,26 @@ pub enum Standing {
     Corners,
 }
 
+/// A side of a plan, by where it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PlanSide {
+    /// The hole that it bounds, or none for the outline.
+    pub hole: Option<usize>,
+    /// The point where it begins.
+    pub point: usize,
+}
+
+impl fmt::Display for PlanSide {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let PlanSide { hole, point } = *self;
+        write!(f, "side {} of ", point + 1)?;
+        match hole {
+            None => write!(f, "the outline (outline[{point}])"),
+            Some(hole) => write!(f, "hole {} (holes[{hole}][{point}])", hole + 1),
+        }
+    }
+}
+
 /// What is wrong with a plan.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PlanError {
@@ -79,8 +98,8 @@ pub enum PlanError {
         /// What was found and expected there.
         message: String,
     },
-    /// Two sides meet that should not; see the paths of the points where they begin.
-    Crossing([String; 2]),
+    /// Two sides meet that should not.
+    Crossing([PlanSide; 2]),
     /// A hole lies outside the outline.
     Outside(usize),
     /// So many corners are marked; a grid that follows the outline has four.
@@ -105,9 +124,11 @@ impl fmt::Display for PlanError {
             PlanError::Entry { path, message } if path.is_empty() => f.write_str(message),
             PlanError::Entry { path, message } => write!(f, "{path}: {message}"),
             PlanError::Crossing([first, second]) => {
-                write!(f, "the sides from {first} and from {second} cross or touch")
+                write!(f, "{first} and {second} cross or touch")
             }
-            PlanError::Outside(hole) => write!(f, "holes[{hole}] lies outside the outline"),
+            PlanError::Outside(hole) => {
+                write!(f, "hole {} (holes[{hole}]) lies outside the outline", hole + 1)
+            }
             PlanError::FourCorners(marked) => write!(
                 f,
                 "expected four corners for panels along the outline, found {marked}: mark four, or cut a grid"
@@ -121,9 +142,11 @@ impl fmt::Display for PlanError {
             PlanError::Folded => f.write_str(
                 "panels along this outline would lie over each other: choose other corners, or cut a grid",
             ),
-            PlanError::TooCoarse(Some(hole)) => {
-                write!(f, "holes[{hole}] is too small for these panels: make them smaller")
-            }
+            PlanError::TooCoarse(Some(hole)) => write!(
+                f,
+                "hole {} (holes[{hole}]) is too small for these panels: make them smaller",
+                hole + 1
+            ),
             PlanError::TooCoarse(None) => {
                 f.write_str("the outline is too small for these panels: make them smaller")
             }
@@ -144,11 +167,10 @@ impl Plan {
     ///
     /// # Errors
     /// Where it is no JSON, or an entry is not one of a plan.
+    #[cfg(feature = "cli")]
     pub fn from_json(text: &str) -> Result<Plan, PlanError> {
-        let at = |error: crate::json::JsonError| PlanError::Entry {
-            path: error.path,
-            message: error.message,
-        };
+        use crate::json::{JsonError, parse, read_tree};
+        let at = |error: JsonError| PlanError::Entry { path: error.path, message: error.message };
         read_tree(&parse(text).map_err(at)?).map_err(at)
     }
 }

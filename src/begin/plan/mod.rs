@@ -16,4 +16,4 @@ mod outline;
 mod raise;
 mod surface;
 
-pub use declaration::{Plan, PlanError, PlanLayout, PlanPoint, Standing};
+pub use declaration::{Plan, PlanError, PlanLayout, PlanPoint, PlanSide, Standing};

@@ -1,6 +1,6 @@
 //! Closed loops of straight and arc sides.
 
-use super::declaration::{PlanError, PlanPoint, check};
+use super::declaration::{PlanError, PlanPoint, PlanSide, check};
 use crate::math::{angle, cosine, sine};
 use std::f64::consts::TAU;
 
@@ -18,7 +18,7 @@ pub(super) struct Side {
     from: Place,
     to: Place,
     bulge: f64,
-    /// The index of the point where it begins, as it was given.
+    /// The index of the point where it begins in the order in which they were given.
     pub(super) point: usize,
     /// Whether that is marked as a corner.
     pub(super) is_corner: bool,
@@ -28,7 +28,7 @@ pub(super) struct Side {
 #[derive(Clone, Debug)]
 pub(super) struct Loop {
     pub(super) sides: Vec<Side>,
-    path: String,
+    hole: Option<usize>,
 }
 
 pub(super) fn minus(a: Place, b: Place) -> Place {
@@ -129,9 +129,9 @@ impl Side {
 }
 
 impl Loop {
-    /// The loop through these points, of which errors speak by `path`.
-    pub(super) fn of(points: &[PlanPoint], path: &str) -> Result<Loop, PlanError> {
-        check(points, path)?;
+    /// The loop through these points: the outline, or a hole.
+    pub(super) fn of(points: &[PlanPoint], hole: Option<usize>) -> Result<Loop, PlanError> {
+        check(points, &hole.map_or("outline".into(), |hole| format!("holes[{hole}]")))?;
         let n = points.len();
         let places: Vec<Place> = points.iter().map(|point| point.at).collect();
         // Of two arcs both directions are the same.
@@ -146,11 +146,11 @@ impl Loop {
                 from: from_point.at,
                 to: to_point.at,
                 bulge: points[arc].bulge,
-                point: from,
+                point: arc,
                 is_corner: from_point.corner,
             }
         };
-        Ok(Loop { sides: (0..n).map(side).collect(), path: path.to_owned() })
+        Ok(Loop { sides: (0..n).map(side).collect(), hole })
     }
 
     /// Of each side whether the loop has a corner where it begins: a marked one, or a sharp turn.
@@ -186,8 +186,9 @@ impl Loop {
             for (second, [m, j], (_, other, _)) in &segments[i + 1..] {
                 let is_next = l == m && (k + 1 == *j || (j + 1) % n == *k);
                 if !is_next && meet(*first, *second) {
-                    let name = |l: usize, side: usize| {
-                        format!("{}[{}]", loops[l].path, loops[l].sides[side].point)
+                    let name = |l: usize, side: usize| PlanSide {
+                        hole: loops[l].hole,
+                        point: loops[l].sides[side].point,
                     };
                     return Err(PlanError::Crossing([name(*l, *side), name(*m, *other)]));
                 }

@@ -3,7 +3,7 @@
 use super::declaration::{PlanError, Standing};
 use crate::math::{Vec3, twice_vector_area};
 use crate::mesh::{Mesh, Topology};
-use crate::solve::{System, Terms};
+use crate::sparse::{BlockMatrix, SymbolicAnalysis};
 
 /// Free edges pull so much more than the edges between panels: they are arches that carry the rest.
 const EDGE: f64 = 4.0;
@@ -28,15 +28,23 @@ pub(super) fn raised(ground: Ground, stands: Standing, height: f64) -> Result<Me
     };
     let n = mesh.positions.len();
     let topology = Topology::new(&mesh);
-    let mut terms = Terms::default();
-    for (e, ends) in (0..).zip(topology.edges()) {
-        let density = if topology.is_boundary_edge(e) { EDGE } else { 1.0 };
-        terms.push(ends, [1.0, -1.0], 0.0, density);
-    }
-    let mut system = System::new(n, vec![terms]);
-    let node_of = system.node_of().to_vec();
+    let analysis = SymbolicAnalysis::of_edges(n, topology.edges().iter().copied());
+    let node_of = analysis.place_of();
     let mut fixed = vec![false; n];
     held.iter().for_each(|&v| fixed[node_of[v as usize] as usize] = true);
+    // The same for each coordinate, of which the height is one.
+    let mut matrix = BlockMatrix::new(&analysis);
+    for (e, ends) in (0..).zip(topology.edges()) {
+        let density = if topology.is_boundary_edge(e) { EDGE } else { 1.0 };
+        let [p, q] = ends.map(|v| node_of[v as usize]);
+        let on_diagonal = |value: f64| move |r, c| if r == c { value } else { 0.0 };
+        matrix.add(p, p, on_diagonal(density));
+        matrix.add(q, q, on_diagonal(density));
+        // Those that are held are at zero and load nobody.
+        if !fixed[p as usize] && !fixed[q as usize] {
+            matrix.add(p.min(q), p.max(q), on_diagonal(-density));
+        }
+    }
     let mut loads = vec![[0.0; 4]; n];
     for face in mesh.faces.iter() {
         let area =
@@ -49,18 +57,18 @@ pub(super) fn raised(ground: Ground, stands: Standing, height: f64) -> Result<Me
         }
     }
     // A piece that stands nowhere could be at any height.
-    let components = system.components();
+    let components = analysis.components();
     let mut stands = vec![false; n];
     (0..n).filter(|&k| fixed[k]).for_each(|k| stands[components[k] as usize] = true);
     if components.iter().any(|&part| !stands[part as usize]) {
         return Err(PlanError::Apart);
     }
     // Each vertex hangs on one that is held.
-    system.factor(&[1.0], &vec![0.0; n], fixed).map_err(|_| PlanError::Apart)?;
-    system.solve(&mut loads);
+    matrix.factor(&fixed).map_err(|_| PlanError::Apart)?;
+    matrix.solve(&mut loads);
     let top = loads.iter().map(|load| load[0]).fold(0.0, f64::max);
     if top > 0.0 {
-        for (position, &node) in mesh.positions.iter_mut().zip(&node_of) {
+        for (position, &node) in mesh.positions.iter_mut().zip(node_of) {
             position[2] = height * loads[node as usize][0] / top;
         }
     }

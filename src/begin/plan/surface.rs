@@ -19,8 +19,8 @@ impl Plan {
         expect("size", size, (1e-6..=1e6).contains(&size), "a length above 0")?;
         expect("height", height, (0.0..=1e6).contains(&height), "a length from 0")?;
         expect("turn", turn, (-360.0..=360.0).contains(&turn), "an angle in degrees")?;
-        let outline = Loop::of(&self.outline, "outline")?;
-        let holes = (0..).zip(&self.holes).map(|(k, hole)| Loop::of(hole, &format!("holes[{k}]")));
+        let outline = Loop::of(&self.outline, None)?;
+        let holes = (0..).zip(&self.holes).map(|(k, hole)| Loop::of(hole, Some(k)));
         let holes = holes.collect::<Result<Vec<_>, _>>()?;
         let loops: Vec<&Loop> = std::iter::once(&outline).chain(&holes).collect();
         Loop::apart(&loops)?;

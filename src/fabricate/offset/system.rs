@@ -3,7 +3,6 @@
 use crate::fabricate::surface::PanelSurface;
 use crate::math::Vec3;
 use crate::sparse::{BlockMatrix, SymbolicAnalysis, UpperTriangle};
-use sprs::CsStructureI;
 
 /// `A n = b` with a block of `A` for each vertex and each edge. What is added to it is a square form: the
 /// matrix has `c c'` for every term `(c . n - 1)^2`, the right-hand side `c`.
@@ -20,20 +19,8 @@ impl System {
     /// In the pattern of the edges of `surface`.
     pub(super) fn new(surface: &PanelSurface) -> System {
         let n = surface.positions.len();
-        let mut near: Vec<Vec<u32>> = (0..n as u32).map(|v| vec![v]).collect();
-        for edge in &surface.edges {
-            let [i, j] = edge.ends;
-            near[i as usize].push(j);
-            near[j as usize].push(i);
-        }
-        let (mut columns, mut rows) = (vec![0], Vec::new());
-        for mut row in near {
-            row.sort_unstable();
-            rows.append(&mut row);
-            columns.push(rows.len() as u32);
-        }
-        let values = vec![(); rows.len()];
-        let analysis = SymbolicAnalysis::new(CsStructureI::new_csc((n, n), columns, rows, values));
+        let edges = surface.edges.iter().map(|edge| edge.ends);
+        let analysis = SymbolicAnalysis::of_edges(n, edges);
         let mut used = vec![false; n];
         surface.faces.indices().iter().for_each(|&v| used[v as usize] = true);
         System {

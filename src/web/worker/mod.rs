@@ -3,7 +3,6 @@
 //! | file or folder | holds |
 //! |---|---|
 //! | `solver` | the model that is open, its state, its numbers |
-//! | `begin` | meshes to begin with |
 //! | `reading`, `edit`, `drag` | files in; edits and previews; handles that are dragged |
 //! | `shown`, `original` | what is drawn of the session, and of what it was before |
 //! | `report` | what is told of the session |
@@ -13,7 +12,6 @@
 //! | `trials` | what would help where constraints are not met, what it would cost to be exact, and variations |
 //! | `measure` | what benchmarks ask |
 
-mod begin;
 mod drag;
 mod edit;
 pub mod experiment;

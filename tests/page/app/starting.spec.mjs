@@ -15,12 +15,12 @@ const FAILURES = {
     words: `Shape-Up could not be started (a part of the page could not be fetched). ${REMEDY}`,
   },
   "the solver's module is not there": {
-    missing: '**/assets/shape_up_bg-*.wasm',
+    missing: '**/assets/solver-*.wasm',
     status: 404,
     words: `The solver could not be started (its module could not be fetched: 404). ${REMEDY}`,
   },
   "the network fails at the solver's module": {
-    missing: '**/assets/shape_up_bg-*.wasm',
+    missing: '**/assets/solver-*.wasm',
     words: `The solver could not be started (its module could not be fetched). ${REMEDY}`,
   },
   "the solver's worker is not there": {

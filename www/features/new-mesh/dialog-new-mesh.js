@@ -6,23 +6,25 @@
 import './new-mesh.css';
 import { openDialog } from '../../ui/controls/dialog.js';
 import { button, choice } from '../../ui/controls/fields.js';
-import { sizeField } from '../../ui/controls/size-field.js';
 import { element, setText } from '../../ui/dom.js';
 import { count } from '../../ui/format.js';
+import init, { newKinds, newMesh as meshOf, newPlan } from '../../pkg/build/shape_up.js';
 import { messageOf } from '../../solver/messages.js';
 import { UNITS } from '../../ui/units.js';
-
-/** @typedef {import("../../pkg/solver/shape_up.js").NewKind} NewKind */
-/** @typedef {import("../../pkg/solver/shape_up.js").Size} Size */
+import { planForm } from './plan-form.js';
+import { sizesForm } from './sizes-form.js';
 
 /** The unit of the defaults. */
 const METRE = 'm';
+/** What is drawn, not a kind with sizes. */
+const PLAN = { id: 'plan', label: 'From a plan' };
 /** So long nobody types before a mesh is made. */
 const QUIET_MS = 150;
 
 /** @param {import("../../app/context.js").AppContext} app */
 export async function newMesh({ store, files, actions, alerts }) {
-  const kinds = await actions.newKinds();
+  await init();
+  const kinds = newKinds();
   const before = await whatIsOpen();
   /** One work for all that is tried. */
   const work = crypto.randomUUID();
@@ -34,8 +36,8 @@ export async function newMesh({ store, files, actions, alerts }) {
 
   const kind = choice(
     {},
-    showSizes,
-    kinds.map(({ id, label }) => [id, label]),
+    showForm,
+    [...kinds, PLAN].map(({ id, label }) => [id, label]),
   );
   const units = choice(
     {},
@@ -44,9 +46,10 @@ export async function newMesh({ store, files, actions, alerts }) {
   );
   units.value = METRE;
   let unit = METRE;
-  const summary = element('p.quiet');
-  const sizes = element('div.sizes');
   const said = element('p', { 'aria-live': 'polite' });
+  const place = element('div.form');
+  /** @type {ReturnType<typeof planForm>} */
+  let form;
   const keep = button('Begin with this', keepIt, { class: 'primary' });
 
   async function whatIsOpen() {
@@ -60,34 +63,29 @@ export async function newMesh({ store, files, actions, alerts }) {
     };
   }
 
-  const chosen = () => kinds.find(({ id }) => id === kind.value) ?? kinds[0];
-  const fields = () => [...sizes.querySelectorAll('input')];
+  const chosen = () => kinds.find(({ id }) => id === kind.value) ?? PLAN;
 
-  function showSizes() {
-    const { summary: words, sizes: declared } = chosen();
-    setText(summary, words);
-    const field = (/** @type {Size} */ size) =>
-      sizeField(size, { value: inUnit(size.default, size.of), unit, onchange: changed });
-    sizes.replaceChildren(...declared.map(field));
+  function showForm() {
+    const found = kinds.find(({ id }) => id === kind.value);
+    const given = { unit, metre: 1 / metresOf(unit), onchange: changed };
+    form = found
+      ? sizesForm(found, {
+          ...given,
+          make: (sizes, units) => meshOf(found.id, Float64Array.from(sizes), units),
+        })
+      : planForm({ ...given, make: newPlan });
+    dialog.classList.toggle('wide', !found);
+    place.replaceChildren(form.element);
+    form.show();
     changed();
   }
 
   /** @param {string} symbol of a unit */
   const metresOf = (symbol) => UNITS.find((one) => one.symbol === symbol)?.metres ?? 1;
-  /** A default, in metres, in the unit that is chosen. @param {number} value @param {Size["of"]} of */
-  const inUnit = (value, of) =>
-    of === 'length' ? Number((value / metresOf(unit)).toPrecision(4)) : value;
 
-  /** The same sizes in the unit that is now chosen. */
   function convert() {
-    const factor = metresOf(unit) / metresOf(units.value);
+    form.convert(units.value, metresOf(unit) / metresOf(units.value));
     unit = units.value;
-    for (const field of fields()) {
-      const shown = field.nextElementSibling;
-      if (!(shown instanceof HTMLElement) || shown.dataset.of !== 'length') continue;
-      setText(shown, unit);
-      if (field.value) field.value = String(Number((field.valueAsNumber * factor).toPrecision(4)));
-    }
     changed();
   }
 
@@ -106,16 +104,16 @@ export async function newMesh({ store, files, actions, alerts }) {
   }
 
   async function makeOne() {
-    const wrong = fields().find((field) => !field.validity.valid);
+    const fields = [...place.querySelectorAll('input')];
+    const wrong = fields.find((field) => !field.validity.valid);
     keep.disabled = true;
     if (wrong) {
       const label = wrong.closest('label')?.firstChild?.textContent;
       return setText(said, `${label}: ${wrong.validationMessage}`);
     }
-    const values = fields().map((field) => field.valueAsNumber);
-    const { id, label } = chosen();
+    const { label } = chosen();
     try {
-      const text = await actions.newMesh(id, values, units.value);
+      const text = form.text(units.value);
       const bytes = new TextEncoder().encode(text);
       const loaded = await files.open([{ name: `${label}.obj`, bytes }], { work, title: label });
       const vertices = count(loaded.vertices, 'vertex', 'vertices');
@@ -136,10 +134,12 @@ export async function newMesh({ store, files, actions, alerts }) {
     { id: 'new-mesh', title: 'New mesh' },
     element(
       'div.dialog-body',
-      element('label', element('span', 'Shape'), kind),
-      summary,
-      element('label', element('span', 'Unit'), units),
-      sizes,
+      element(
+        'div.choices',
+        element('label', element('span', 'Shape'), kind),
+        element('label', element('span', 'Unit'), units),
+      ),
+      place,
       element(
         'footer',
         said,
@@ -157,5 +157,5 @@ export async function newMesh({ store, files, actions, alerts }) {
     if (kept || !before) return;
     await files.open(before.given, before.origin).catch((error) => alerts.error(messageOf(error)));
   });
-  showSizes();
+  showForm();
 }

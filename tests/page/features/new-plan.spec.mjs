@@ -1,0 +1,130 @@
+// A roof from a plan that is drawn here, to panels that are exactly circular.
+
+import { expect, openPage, sceneOf, state, test, waitForState } from '../support.mjs';
+
+test.use({ pixels: false });
+
+async function openPlan(page) {
+  await openPage(page);
+  await page.getByRole('button', { name: 'Examples' }).click();
+  await page.getByRole('menuitem', { name: 'New mesh' }).click();
+  const dialog = page.getByRole('dialog', { name: 'New mesh' });
+  await dialog.getByLabel('Shape').selectOption({ label: 'From a plan' });
+  await waitForState(page, (now) => now.faces === 160);
+  return dialog;
+}
+
+const point = (dialog, number) =>
+  dialog.getByRole('button', { name: new RegExp(`^Point ${number} of the outline`) });
+
+/** A press in the drawing, in shares of its size. */
+async function pressAt(page, dialog, [x, y]) {
+  const box = await dialog.getByRole('group', { name: 'Plan' }).boundingBox();
+  await page.mouse.move(box.x + x * box.width, box.y + y * box.height);
+  await page.mouse.down();
+  await page.mouse.up();
+}
+
+test('a roof from a drawn plan to exactly circular panels', async ({ page }) => {
+  const dialog = await openPlan(page);
+
+  // A corner is dragged outward, by what the grid of the drawing lets it; the roof follows.
+  const corner = await point(dialog, 3).boundingBox();
+  const at = [corner.x + corner.width / 2, corner.y + corner.height / 2];
+  await page.mouse.move(...at);
+  await page.mouse.down();
+  await page.mouse.move(at[0] + 20, at[1] - 20, { steps: 4 });
+  await page.mouse.up();
+  const [x, y] = [dialog.getByLabel('x', { exact: true }), dialog.getByLabel('y', { exact: true })];
+  expect(Number(await x.inputValue())).toBeGreaterThan(20);
+  expect(Number(await x.inputValue()) % 0.5).toBe(0);
+  const farthest = async () =>
+    Math.max(...(await sceneOf(page)).mesh.positions.map((vertex) => vertex[0]));
+  await expect.poll(farthest).toBeCloseTo(Number(await x.inputValue()), 9);
+
+  // Lengths are typed: the side from point 2 is 14 m long, and an arc that rises by 1.5 m.
+  await x.fill('20');
+  await x.press('Enter');
+  await y.fill('12');
+  await y.press('Enter');
+  await point(dialog, 2).focus();
+  await dialog.getByLabel('Side').fill('14');
+  await dialog.getByLabel('Side').press('Enter');
+  await expect(point(dialog, 3)).toHaveAccessibleName(/20, 14 m/);
+  await dialog.getByLabel('Rise').fill('1.5');
+  await dialog.getByLabel('Rise').press('Enter');
+  await expect.poll(farthest).toBeCloseTo(21.5, 1);
+  await dialog.getByRole('button', { name: 'Undo' }).click();
+  await expect.poll(farthest).toBeCloseTo(20, 9);
+
+  await dialog.getByRole('button', { name: 'Begin with this' }).click();
+  await expect(dialog).toBeHidden();
+  await page.getByRole('button', { name: 'Make panels circular', exact: true }).click();
+  await waitForState(page, (now) => !now.running && now.exact?.met);
+  await page.getByRole('button', { name: 'Make exact' }).first().click();
+  const isExact = (now) => !now.running && now.exact?.met && now.exact.max_distance < 1e-9;
+  const done = await waitForState(page, isExact);
+  expect(done.constraints.circle).toBe(done.faces);
+});
+
+test('an outline and a hole are drawn, with panels cut to them; what is wrong is said', async ({
+  page,
+}) => {
+  const dialog = await openPlan(page);
+  await dialog.getByRole('button', { name: 'Draw the outline' }).click();
+  const outline = [
+    [0.2, 0.8],
+    [0.85, 0.8],
+    [0.85, 0.45],
+    [0.5, 0.45],
+    [0.5, 0.15],
+    [0.2, 0.15],
+  ];
+  for (const place of [...outline, outline[0]]) await pressAt(page, dialog, place);
+  await expect(dialog.getByLabel('Panels')).toHaveValue('cut');
+  await expect(point(dialog, 6)).toBeVisible();
+  await waitForState(page, (now) => now.faces !== 160);
+  const whole = await state(page);
+  await expect(dialog.getByRole('button', { name: 'Begin with this' })).toBeEnabled();
+
+  await dialog.getByRole('button', { name: 'Draw a hole' }).click();
+  const hole = [
+    [0.28, 0.58],
+    [0.38, 0.58],
+    [0.38, 0.72],
+    [0.28, 0.72],
+  ];
+  for (const place of [...hole, hole[0]]) await pressAt(page, dialog, place);
+  await expect(dialog.getByRole('heading', { name: 'Point 1 of hole 1' })).toBeVisible();
+  await waitForState(page, (now, faces) => now.faces < faces, whole.faces);
+
+  // A point over the opposite side: the sides cross.
+  await point(dialog, 1).focus();
+  await dialog.getByLabel('y', { exact: true }).fill('100');
+  await dialog.getByLabel('y', { exact: true }).press('Enter');
+  await expect(dialog.getByText(/side \d of the outline .* cross or touch/)).toBeVisible();
+  await expect(dialog.getByRole('button', { name: 'Begin with this' })).toBeDisabled();
+  await dialog.getByRole('button', { name: 'Undo' }).click();
+  await expect(dialog.getByRole('button', { name: 'Begin with this' })).toBeEnabled();
+
+  // Esc ends what is drawn, not the dialog.
+  await dialog.getByRole('button', { name: 'Draw the outline' }).click();
+  await pressAt(page, dialog, [0.5, 0.5]);
+  await page.keyboard.press('Escape');
+  await expect(dialog).toBeVisible();
+  await expect(point(dialog, 6)).toBeVisible();
+});
+
+test('points are moved, added and removed by keys', async ({ page }) => {
+  const dialog = await openPlan(page);
+  await point(dialog, 2).focus();
+  await page.keyboard.press('ArrowRight');
+  await expect(point(dialog, 2)).toHaveAccessibleName('Point 2 of the outline, 22, 0 m, corner');
+  await page.keyboard.press('Control+z');
+  await expect(point(dialog, 2)).toHaveAccessibleName('Point 2 of the outline, 20, 0 m, corner');
+  await dialog.getByRole('button', { name: 'Add a point' }).click();
+  await expect(point(dialog, 3)).toHaveAccessibleName('Point 3 of the outline, 20, 6 m');
+  await expect(point(dialog, 3)).toBeFocused();
+  await page.keyboard.press('Delete');
+  await expect(point(dialog, 5)).toHaveCount(0);
+});

@@ -1,0 +1,71 @@
+// The loops of a plan: arcs outward and inward, what is drawn anew, steps of the grid.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import {
+  bulgeThrough,
+  extentOf,
+  loopThrough,
+  pathOf,
+  roundStep,
+  sideOf,
+} from '../../../www/features/new-mesh/plan-geometry.js';
+
+const SQUARE = [
+  [0, 0],
+  [4, 0],
+  [4, 4],
+  [0, 4],
+];
+
+test('an arc rises outward in either direction of the loop', () => {
+  for (const places of [SQUARE, SQUARE.toReversed()]) {
+    const points = places.map((at) => ({ at, bulge: 0.5 }));
+    for (const [k] of points.entries()) {
+      const { middle, rise } = sideOf(points, k);
+      assert.equal(rise, 1);
+      assert.ok(middle.some((x) => x === -1 || x === 5));
+      assert.equal(bulgeThrough(points, k, middle), 0.5);
+      assert.equal(bulgeThrough(points, k, [2, 2]), -1);
+    }
+    assert.deepEqual(extentOf([points]), { low: [-1, -1], high: [5, 5] });
+  }
+});
+
+test('the path of a half circle has its radius and leaves its chord on the outer side', () => {
+  const onto = ([x, y]) => [10 * x, -10 * y];
+  const points = SQUARE.map((at, k) => ({ at, bulge: k === 0 ? 1 : 0 }));
+  // Below the square, from left to right: in a drawing whose y points down that is counterclockwise, sweep 0.
+  assert.match(pathOf(points, onto, 10), /^M0 -?0A20 20 0 0 0 40 -?0L40 -40L0 -40L0 -?0Z$/);
+  const inward = SQUARE.map((at, k) => ({ at, bulge: k === 0 ? -1 : 0 }));
+  assert.match(pathOf(inward, onto, 10), /A20 20 0 0 1 40/);
+});
+
+test('a drawn loop is counterclockwise, and its sharp turns outward are corners', () => {
+  const letterL = [
+    [0, 0],
+    [0, 4],
+    [2, 4],
+    [2, 2],
+    [4, 2],
+    [4, 0],
+  ];
+  const points = loopThrough(letterL, true);
+  assert.deepEqual(
+    points.map(({ at }) => at),
+    letterL.toReversed(),
+  );
+  const inner = points.filter(({ corner }) => !corner);
+  assert.deepEqual(
+    inner.map(({ at }) => at),
+    [[2, 2]],
+  );
+  assert.ok(loopThrough(letterL, false).every(({ corner }) => !corner));
+});
+
+test('steps of the grid are 1, 2 or 5 times a power of ten', () => {
+  assert.equal(roundStep(24, 24), 1);
+  assert.equal(roundStep(25, 24), 2);
+  assert.equal(roundStep(100, 24), 5);
+  assert.equal(roundStep(30000, 24), 2000);
+});

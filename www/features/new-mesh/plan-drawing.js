@@ -1,0 +1,323 @@
+/** The plan as a drawing: points that are dragged, arcs that are pulled out of sides, loops that are drawn anew. */
+
+import { element } from '../../ui/dom.js';
+import { bulgeThrough, extentOf, pathOf, roundStep, sideOf } from './plan-geometry.js';
+
+/** @typedef {import("../../pkg/build/shape_up.js").PlanPoint} PlanPoint */
+/** @typedef {import("./plan-geometry.js").Place} Place */
+/** A point by its loop, the outline first, and its index there. @typedef {{ loop: number, point: number }} Spot */
+
+/** The grid has about so many steps over the drawing. */
+const STEPS = 24;
+/** The share of the drawing around the plan. */
+const MARGIN = 0.14;
+/** So near, in pixels, a place is where another one is. */
+const NEAR = 8;
+const SPACE = 'http://www.w3.org/2000/svg';
+
+/**
+ * @template {keyof SVGElementTagNameMap} Tag
+ * @param {Tag} tag
+ * @param {Record<string, string | number>} attributes
+ * @returns {SVGElementTagNameMap[Tag]}
+ */
+function svg(tag, attributes) {
+  const made = document.createElementNS(SPACE, tag);
+  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, String(value));
+  return made;
+}
+
+/** @param {Spot} spot */
+const loopName = ({ loop }) => (loop ? `hole ${loop}` : 'the outline');
+
+/**
+ * @param {object} on what is told
+ * @param {(spot: Spot) => void} on.select
+ * @param {() => void} on.begin something is about to change
+ * @param {(spot: Spot, point: Partial<PlanPoint>) => void} on.change
+ * @param {(spot: Spot) => void} on.remove
+ * @param {(places: Place[]) => void} on.drawn
+ * @param {(hint: string) => void} on.hint
+ */
+export function planDrawing(on) {
+  const picture = svg('svg', { role: 'group', 'aria-label': 'Plan' });
+  const place = element('div.plan-drawing', picture);
+  /** @type {PlanPoint[][]} */
+  let loops = [];
+  /** @type {Spot} */
+  let selected = { loop: 0, point: 0 };
+  let unit = '';
+  /** What of the ground is shown: its middle, and pixels for a unit. */
+  let view = { middle: /** @type {Place} */ ([0, 0]), scale: 1 };
+  let step = 1;
+  /** What is dragged. @type {{ spot: Spot, arc: boolean, moved: boolean } | null} */
+  let drag = null;
+  /** The points of a loop that is being drawn. @type {Place[] | null} */
+  let drawing = null;
+  /** Where the pointer is while one draws. @type {Place | null} */
+  let pointer = null;
+
+  /** @param {Place} at @returns {Place} */
+  const onto = ([x, y]) => [
+    picture.clientWidth / 2 + view.scale * (x - view.middle[0]),
+    picture.clientHeight / 2 - view.scale * (y - view.middle[1]),
+  ];
+  /** @param {PointerEvent} event @returns {Place} */
+  function under(event) {
+    const { left, top } = picture.getBoundingClientRect();
+    return [
+      view.middle[0] + (event.clientX - left - picture.clientWidth / 2) / view.scale,
+      view.middle[1] - (event.clientY - top - picture.clientHeight / 2) / view.scale,
+    ];
+  }
+
+  /**
+   * Each coordinate that of a point nearby, else on the grid; as it is while Alt is held.
+   * @param {Place} at
+   * @param {boolean} free
+   * @param {Spot} [own] the point that is moved
+   * @returns {Place}
+   */
+  function snapped(at, free, own) {
+    if (free) return at;
+    const others = loops.flatMap((points, loop) =>
+      points.filter((_, point) => loop !== own?.loop || point !== own.point).map((one) => one.at),
+    );
+    const all = [...others, ...(drawing ?? [])];
+    const near = (/** @type {0 | 1} */ axis) => {
+      const other = all.find((one) => Math.abs(one[axis] - at[axis]) * view.scale < NEAR);
+      return other ? other[axis] : Number((Math.round(at[axis] / step) * step).toPrecision(12));
+    };
+    return [near(0), near(1)];
+  }
+
+  function fit() {
+    const { low, high } = extentOf(loops);
+    const size = [high[0] - low[0], high[1] - low[1]];
+    const room = 1 - 2 * MARGIN;
+    const scale = Math.min(
+      (room * picture.clientWidth) / (size[0] || 1),
+      (room * picture.clientHeight) / (size[1] || 1),
+    );
+    view = { middle: [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2], scale };
+    step = roundStep(picture.clientWidth / scale, STEPS);
+  }
+
+  function grid() {
+    const [width, height] = [picture.clientWidth, picture.clientHeight];
+    const lines = [];
+    const first = (/** @type {number} */ low) => Math.ceil(low / step) * step;
+    const [left, bottom] = [
+      view.middle[0] - width / 2 / view.scale,
+      view.middle[1] - height / 2 / view.scale,
+    ];
+    for (let x = first(left); x < left + width / view.scale; x += step)
+      lines.push(`M${onto([x, 0])[0]} 0V${height}`);
+    for (let y = first(bottom); y < bottom + height / view.scale; y += step)
+      lines.push(`M0 ${onto([0, y])[1]}H${width}`);
+    return svg('path', { class: 'grid', d: lines.join('') });
+  }
+
+  /** @param {Spot} spot @param {boolean} arc */
+  const keyOf = ({ loop, point }, arc) => `${arc ? 'arc' : 'point'} ${loop} ${point}`;
+
+  /** @param {PlanPoint} point @param {Spot} spot */
+  function pointHandle({ at, corner }, spot) {
+    const isSelected = spot.loop === selected.loop && spot.point === selected.point;
+    const where = at.map((x) => Number(x.toPrecision(6))).join(', ');
+    const handle = svg('g', {
+      class: `point${corner ? ' corner' : ''}`,
+      role: 'button',
+      tabindex: isSelected ? 0 : -1,
+      'aria-pressed': String(isSelected),
+      'aria-label': `Point ${spot.point + 1} of ${loopName(spot)}, ${where} ${unit}${corner ? ', corner' : ''}`,
+      'data-key': keyOf(spot, false),
+      transform: `translate(${onto(at).join(' ')})`,
+    });
+    handle.append(svg('circle', { class: 'reach', r: 14 }));
+    handle.append(
+      corner
+        ? svg('rect', { class: 'dot', x: -5, y: -5, width: 10, height: 10 })
+        : svg('circle', { class: 'dot', r: 5 }),
+    );
+    return handle;
+  }
+
+  /** @param {PlanPoint[]} points @param {Spot} spot */
+  function arcHandle(points, spot) {
+    const { middle } = sideOf(points, spot.point);
+    const handle = svg('g', {
+      class: 'arc',
+      'data-key': keyOf(spot, true),
+      transform: `translate(${onto(middle).join(' ')})`,
+    });
+    handle.append(svg('circle', { class: 'reach', r: 12 }), svg('circle', { class: 'dot', r: 3 }));
+    return handle;
+  }
+
+  function sketch() {
+    if (!drawing) return [];
+    const all = [...drawing, ...(pointer ? [pointer] : [])].map((at) => onto(at).join(' '));
+    const dots = drawing.map((at) => {
+      const [cx, cy] = onto(at);
+      return svg('circle', { class: 'drawn', cx, cy, r: 5 });
+    });
+    return all.length ? [svg('path', { class: 'drawn', d: `M${all.join('L')}` }), ...dots] : [];
+  }
+
+  function draw() {
+    const focused = document.activeElement?.closest('[data-key]')?.getAttribute('data-key');
+    const shape = loops.map((points) => pathOf(points, onto, view.scale)).join('');
+    const handles = loops.flatMap((points, loop) => [
+      ...points.map((_, point) => arcHandle(points, { loop, point })),
+      ...points.map((one, point) => pointHandle(one, { loop, point })),
+    ]);
+    picture.classList.toggle('drawing', Boolean(drawing));
+    picture.replaceChildren(
+      grid(),
+      svg('path', { class: 'shape', d: shape, 'fill-rule': 'evenodd' }),
+      ...(drawing ? [] : handles),
+      ...sketch(),
+    );
+    const again = focused && picture.querySelector(`[data-key="${focused}"]`);
+    if (again instanceof SVGElement) again.focus({ preventScroll: true });
+  }
+
+  /** @param {Event} event */
+  function handleUnder(event) {
+    const target = event.target instanceof Element ? event.target.closest('[data-key]') : null;
+    const [kind, loop, point] = target?.getAttribute('data-key')?.split(' ') ?? [];
+    if (!kind) return null;
+    return { arc: kind === 'arc', spot: { loop: Number(loop), point: Number(point) } };
+  }
+
+  /** @param {Spot} spot */
+  function focusOn(spot) {
+    const handle = picture.querySelector(`[data-key="${keyOf(spot, false)}"]`);
+    if (handle instanceof SVGElement) handle.focus({ preventScroll: true });
+  }
+
+  picture.addEventListener('pointerdown', (event) => {
+    if (event.button !== 0) return;
+    event.preventDefault();
+    if (drawing) return addPlace(snapped(under(event), event.altKey));
+    const found = handleUnder(event);
+    if (!found) return;
+    drag = { ...found, moved: false };
+    picture.setPointerCapture(event.pointerId);
+    on.select(found.spot);
+    focusOn(found.spot);
+  });
+  picture.addEventListener('pointermove', (event) => {
+    if (drawing) {
+      pointer = snapped(under(event), event.altKey);
+      const last = drawing.at(-1);
+      if (last) {
+        const length = Math.hypot(pointer[0] - last[0], pointer[1] - last[1]);
+        on.hint(`${Number(length.toPrecision(4))} ${unit}`);
+      }
+      return draw();
+    }
+    if (!drag) return;
+    if (!drag.moved) on.begin();
+    drag.moved = true;
+    const { spot, arc } = drag;
+    if (!arc) return on.change(spot, { at: snapped(under(event), event.altKey, spot) });
+    const bulge = bulgeThrough(loops[spot.loop], spot.point, under(event));
+    const { chord } = sideOf(loops[spot.loop], spot.point);
+    const isFlat = Math.abs(bulge) * chord * view.scale < 2 * NEAR && !event.altKey;
+    on.change(spot, { bulge: isFlat ? 0 : bulge });
+  });
+  const release = () => {
+    const wasMoved = drag?.moved;
+    drag = null;
+    if (wasMoved) show();
+  };
+  picture.addEventListener('pointerup', release);
+  picture.addEventListener('pointercancel', release);
+
+  picture.addEventListener('focusin', (event) => {
+    const found = handleUnder(event);
+    const { loop, point } = selected;
+    if (found && (found.spot.loop !== loop || found.spot.point !== point)) on.select(found.spot);
+  });
+  const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+  place.addEventListener('keydown', (event) => {
+    if (drawing) return drawByKey(event);
+    if (!handleUnder(event)) return;
+    const { at } = loops[selected.loop][selected.point];
+    const by = ARROWS[/** @type {keyof typeof ARROWS} */ (event.key)];
+    if (by) {
+      on.begin();
+      const one = event.shiftKey ? step / 10 : step;
+      on.change(selected, { at: [at[0] + one * by[0], at[1] + one * by[1]] });
+    } else if (event.key === 'Delete' || event.key === 'Backspace') on.remove(selected);
+    else return;
+    event.preventDefault();
+  });
+
+  /** @param {Place} at */
+  function addPlace(at) {
+    if (!drawing) return;
+    const [first] = drawing;
+    const isSame = (/** @type {Place | undefined} */ other) =>
+      other && Math.hypot(at[0] - other[0], at[1] - other[1]) * view.scale < NEAR;
+    if (isSame(first)) return close();
+    if (!isSame(drawing.at(-1))) drawing.push(at);
+    draw();
+  }
+
+  function close() {
+    if (!drawing || drawing.length < 3) return;
+    const places = drawing;
+    drawing = null;
+    on.drawn(places);
+  }
+
+  /** @param {KeyboardEvent} event */
+  function drawByKey(event) {
+    if (event.key === 'Enter') close();
+    else if (event.key === 'Backspace') drawing?.pop();
+    else return;
+    event.preventDefault();
+    draw();
+  }
+
+  function show() {
+    if (!drag && !drawing) fit();
+    draw();
+  }
+  new ResizeObserver(show).observe(picture);
+
+  return {
+    element: place,
+    /**
+     * @param {PlanPoint[][]} shown
+     * @param {Spot} spot the point that is selected
+     * @param {string} symbol of the unit
+     */
+    show(shown, spot, symbol) {
+      [loops, selected, unit] = [shown, spot, symbol];
+      show();
+    },
+    focus: () => focusOn(selected),
+    /** Begins to draw a loop. */
+    draw() {
+      drawing = [];
+      pointer = null;
+      picture.setAttribute('tabindex', '-1');
+      picture.focus({ preventScroll: true });
+      draw();
+    },
+    isDrawing: () => Boolean(drawing),
+    /** Ends drawing; what was begun is gone. */
+    stop() {
+      drawing = null;
+    },
+    /** Takes the last point that was drawn back; where there is none, drawing ends. */
+    back() {
+      if (!drawing?.pop()) drawing = null;
+      draw();
+    },
+  };
+}

@@ -1,0 +1,329 @@
+/** From a plan: an outline that is drawn or typed, how it is divided, and how high it stands. */
+
+import './plan.css';
+import { button, checkbox, choice } from '../../ui/controls/fields.js';
+import { sizeField } from '../../ui/controls/size-field.js';
+import { element, setText } from '../../ui/dom.js';
+import { planDrawing } from './plan-drawing.js';
+import { clamped, loopThrough, sideOf } from './plan-geometry.js';
+
+/** @typedef {Required<import("../../pkg/build/shape_up.js").Plan>} Plan */
+/** @typedef {import("../../pkg/build/shape_up.js").PlanPoint} PlanPoint */
+/** @typedef {import("./plan-drawing.js").Spot} Spot */
+/** @typedef {import("./plan-geometry.js").Place} Place */
+
+const HINT = 'Drag points; pull the middle of a side to make it an arc. Hold Alt to move freely.';
+const DRAW_HINT =
+  'Press where the points shall be, and on the first one again to close. Undo takes the last one back.';
+/** Steps back that are kept. */
+const MOST_STEPS = 100;
+const DIGITS = 6;
+
+/** A roof of 20 by 12 metres with one arched side. @param {number} metre in the unit @returns {Plan} */
+const firstPlan = (metre) => {
+  const corners = [
+    [0, 0, 0.2],
+    [20, 0, 0],
+    [20, 12, 0],
+    [0, 12, 0],
+  ];
+  return {
+    outline: corners.map(([x, y, bulge]) => ({
+      at: [x * metre, y * metre],
+      bulge,
+      corner: true,
+    })),
+    holes: [],
+    layout: 'follow',
+    size: 1.25 * metre,
+    turn: 0,
+    height: 5 * metre,
+    stands: 'corners',
+  };
+};
+
+/** @param {number} value */
+const rounded = (value) => Number(value.toPrecision(DIGITS));
+
+/**
+ * A length that is typed, and taken when it is left.
+ * @param {string} name
+ * @param {(value: number) => void} onchange
+ */
+function lengthField(name, onchange) {
+  const field = element('input', {
+    ...{ type: 'number', step: 'any', inputmode: 'decimal', 'aria-label': name },
+    onchange: () => (field.value !== '' ? onchange(field.valueAsNumber) : show(shown)),
+  });
+  const unit = element('span.unit');
+  let shown = 0;
+  /** @param {number} value */
+  function show(value) {
+    shown = value;
+    field.value = String(rounded(value));
+  }
+  const label = element('label', element('span', name), field, unit);
+  return { label, show, unit };
+}
+
+/**
+ * @param {object} given
+ * @param {string} given.unit
+ * @param {number} given.metre in that unit
+ * @param {() => void} given.onchange
+ * @param {(plan: Plan, units: string) => string} given.make
+ */
+export function planForm({ unit, metre, onchange, make }) {
+  let plan = firstPlan(metre);
+  /** @type {Spot} */
+  let selected = { loop: 0, point: 0 };
+  /** Earlier plans. @type {Plan[]} */
+  const steps = [];
+  /** What is drawn anew. @type {"outline" | "hole"} */
+  let drawn = 'outline';
+
+  const drawing = planDrawing({
+    select(spot) {
+      selected = spot;
+      show();
+    },
+    begin: remember,
+    change: (spot, point) => edit(() => Object.assign(loops()[spot.loop][spot.point], point)),
+    remove: removePoint,
+    drawn(places) {
+      remember();
+      const points = loopThrough(places, drawn === 'outline');
+      if (drawn === 'hole') {
+        plan.holes.push(points);
+        plan.layout = 'cut';
+      } else {
+        plan.outline = points;
+        plan.holes = [];
+        plan.layout = points.filter(({ corner }) => corner).length === 4 ? 'follow' : 'cut';
+      }
+      selected = { loop: drawn === 'hole' ? plan.holes.length : 0, point: 0 };
+      changed();
+    },
+    hint: (words) => setText(hint, words),
+  });
+
+  const loops = () => [plan.outline, ...plan.holes];
+  const points = () => loops()[selected.loop];
+
+  function remember() {
+    steps.push(structuredClone(plan));
+    steps.splice(0, steps.length - MOST_STEPS);
+  }
+
+  /** @param {() => unknown} change */
+  function edit(change) {
+    change();
+    changed();
+  }
+
+  /** One step of it. @param {() => unknown} change */
+  function step(change) {
+    remember();
+    edit(change);
+  }
+
+  function changed() {
+    show();
+    onchange();
+  }
+
+  function undo() {
+    if (drawing.isDrawing()) {
+      drawing.back();
+      return show();
+    }
+    const before = steps.pop();
+    if (!before) return;
+    plan = before;
+    changed();
+  }
+
+  /** @param {Spot} spot */
+  function removePoint({ loop, point }) {
+    if (points().length <= 3) return;
+    step(() => {
+      loops()[loop].splice(point, 1);
+      selected = { loop, point: point % loops()[loop].length };
+    });
+    drawing.focus();
+  }
+
+  function insertPoint() {
+    step(() => {
+      const { middle } = sideOf(points(), selected.point);
+      const at = /** @type {Place} */ (middle.map(rounded));
+      points()[selected.point].bulge = 0;
+      points().splice(selected.point + 1, 0, { at, bulge: 0, corner: false });
+      selected = { ...selected, point: selected.point + 1 };
+    });
+    drawing.focus();
+  }
+
+  /** @param {number} length of the selected side, whose end moves */
+  function setLength(length) {
+    const { from, along, chord } = sideOf(points(), selected.point);
+    const share = length / chord;
+    if (!(share > 0)) return show();
+    const next = points()[(selected.point + 1) % points().length];
+    step(() => (next.at = [from[0] + share * along[0], from[1] + share * along[1]]));
+  }
+
+  /** @param {"outline" | "hole"} what */
+  function begin(what) {
+    drawn = what;
+    drawing.draw();
+    show();
+    setText(hint, DRAW_HINT);
+  }
+
+  const hint = element('p.quiet.hint', HINT);
+  const which = element('h3');
+  const selectedPoint = () => points()[selected.point];
+  const x = lengthField('x', (value) => step(() => (selectedPoint().at[0] = value)));
+  const y = lengthField('y', (value) => step(() => (selectedPoint().at[1] = value)));
+  const length = lengthField('Side', setLength);
+  const rise = lengthField('Rise', (value) =>
+    step(() => {
+      const { chord } = sideOf(points(), selected.point);
+      selectedPoint().bulge = clamped((2 * value) / chord);
+    }),
+  );
+  const lengths = [x, y, length, rise];
+  const corner = checkbox('Corner of the roof', (checked) =>
+    step(() => (selectedPoint().corner = checked)),
+  );
+  const insert = button('Add a point', insertPoint, {
+    title: 'In the middle of the side that begins at this point',
+  });
+  const remove = button('Delete', () => removePoint(selected));
+  const removeHole = button('Delete the hole', () => {
+    const { loop } = selected;
+    selected = { loop: 0, point: 0 };
+    step(() => plan.holes.splice(loop - 1, 1));
+  });
+  const back = button('Undo', undo);
+
+  const layout = choice({}, (value) => step(() => (plan.layout = toLayout(value))), [
+    ['follow', 'Along the outline'],
+    ['cut', 'A grid, cut'],
+  ]);
+  const stands = choice({}, (value) => step(() => (plan.stands = toStands(value))), [
+    ['corners', 'Its corners'],
+    ['outline', 'The whole outline'],
+  ]);
+  const panel = /** @type {const} */ ({ least: 1e-6, most: 1e6 });
+  const sizes = element('div.sizes');
+
+  /** The fields of the plan as a whole; made anew where the plan is another one. */
+  function showSizes() {
+    const field = (
+      /** @type {"size" | "height" | "turn"} */ id,
+      /** @type {string} */ label,
+      /** @type {Partial<import("../../pkg/build/shape_up.js").Size>} */ limits,
+    ) => {
+      const size = { id, label, of: 'length', ...panel, default: plan[id], ...limits };
+      const made = sizeField(/** @type {any} */ (size), {
+        value: rounded(plan[id]),
+        unit,
+        onchange: () => {
+          const input = made.querySelector('input');
+          if (!input?.validity.valid) return onchange();
+          plan[id] = input.valueAsNumber;
+          onchange();
+        },
+      });
+      return made;
+    };
+    sizes.replaceChildren(
+      field('size', 'Panel', {}),
+      field('height', 'Height', { least: 0 }),
+      ...(plan.layout === 'cut'
+        ? [field('turn', 'Turned by', { of: 'degrees', least: -180, most: 180 })]
+        : []),
+    );
+  }
+
+  function show() {
+    const { loop, point } = selected;
+    if (!points()?.[point]) selected = { loop: 0, point: 0 };
+    const { chord, rise: height } = sideOf(points(), selected.point);
+    const { at, corner: isCorner } = selectedPoint();
+    setText(which, `Point ${selected.point + 1} of ${loop ? `hole ${loop}` : 'the outline'}`);
+    [at[0], at[1], chord, height].forEach((value, k) => lengths[k].show(value));
+    for (const one of lengths) setText(one.unit, unit);
+    corner.box.checked = Boolean(isCorner);
+    corner.label.hidden = loop > 0;
+    removeHole.hidden = loop === 0;
+    remove.disabled = points().length <= 3;
+    back.disabled = steps.length === 0 && !drawing.isDrawing();
+    layout.value = plan.layout;
+    stands.value = plan.stands;
+    if (!drawing.isDrawing()) setText(hint, HINT);
+    drawing.show(loops(), selected, unit);
+    const isFocused = sizes.contains(document.activeElement);
+    if (!isFocused) showSizes();
+  }
+
+  const form = element(
+    'div.plan',
+    element(
+      'div.dialog-buttons',
+      button('Draw the outline', () => begin('outline')),
+      button('Draw a hole', () => begin('hole')),
+      back,
+    ),
+    drawing.element,
+    hint,
+    element(
+      'section.point',
+      which,
+      element('div.lengths', ...lengths.map(({ label }) => label)),
+      corner.label,
+      element('div.dialog-buttons', insert, remove, removeHole),
+    ),
+    element('label', element('span', 'Panels'), layout),
+    element('label', element('span', 'Stands on'), stands),
+    sizes,
+  );
+  form.addEventListener('keydown', (event) => {
+    if (event.key === 'Escape' && drawing.isDrawing()) {
+      event.preventDefault();
+      drawing.stop();
+      show();
+    }
+    if (event.key === 'z' && (event.ctrlKey || event.metaKey) && event.target !== layout) {
+      event.preventDefault();
+      undo();
+    }
+  });
+
+  return {
+    element: form,
+    show,
+    /** @param {string} units */
+    text: (units) => make(plan, units),
+    /**
+     * The same plan in another unit.
+     * @param {string} symbol
+     * @param {number} factor
+     */
+    convert(symbol, factor) {
+      unit = symbol;
+      for (const { at } of loops().flat()) at.splice(0, 2, at[0] * factor, at[1] * factor);
+      plan.size *= factor;
+      plan.height *= factor;
+      steps.length = 0;
+      show();
+    },
+  };
+}
+
+/** @param {string} value @returns {Plan["layout"]} */
+const toLayout = (value) => (value === 'cut' ? 'cut' : 'follow');
+/** @param {string} value @returns {Plan["stands"]} */
+const toStands = (value) => (value === 'outline' ? 'outline' : 'corners');
