@@ -3,7 +3,17 @@
 use super::{log_panics, plain_object as plain, thrown};
 use crate::begin::{NEW_KINDS, NewKind, Plan};
 use crate::mesh::{Mesh, write_obj};
+use serde::Serialize;
 use wasm_bindgen::prelude::*;
+
+/// The surface over a drawn plan.
+#[derive(Serialize, tsify::Tsify)]
+struct NewPlan {
+    /// Of an OBJ file.
+    text: String,
+    /// The vertices that it stands on where those are its corners alone; else none.
+    feet: Vec<u32>,
+}
 
 /// The kinds of meshes to begin with.
 ///
@@ -25,17 +35,18 @@ pub fn new_mesh(kind: &str, sizes: &[f64], units: &str) -> Result<String, JsValu
     Ok(obj(&kind.mesh(sizes).map_err(thrown)?, units))
 }
 
-/// The surface over a drawn plan, as the text of an OBJ file.
+/// The surface over a drawn plan.
 ///
 /// # Errors
 /// What is wrong with the plan, in one sentence.
-#[wasm_bindgen(js_name = newPlan)]
+#[wasm_bindgen(js_name = newPlan, unchecked_return_type = "NewPlan")]
 pub fn new_plan(
     #[wasm_bindgen(unchecked_param_type = "Plan")] plan: JsValue,
     units: &str,
-) -> Result<String, JsValue> {
+) -> Result<JsValue, JsValue> {
     let plan: Plan = serde_wasm_bindgen::from_value(plan).map_err(thrown)?;
-    Ok(obj(&plan.mesh().map_err(thrown)?, units))
+    let surface = plan.surface().map_err(thrown)?;
+    plain(&NewPlan { text: obj(&surface.mesh, units), feet: surface.feet })
 }
 
 fn obj(mesh: &Mesh, units: &str) -> String {

@@ -1,9 +1,10 @@
 //! Meshes from plans: sound, inside their outline, as high as they were asked to be, and refused where they are wrong.
 
 use proptest::prelude::*;
-use shape_up::begin::{Plan, PlanError, PlanLayout, PlanPoint, Standing};
+use shape_up::begin::{Plan, PlanError, PlanLayout, PlanPoint, Raised, Standing};
 use shape_up::math::{Vec3, cosine, sine, twice_vector_area};
 use shape_up::mesh::{Mesh, Topology, diagnose};
+use std::collections::BTreeSet;
 
 fn points(places: &[[f64; 2]]) -> Vec<PlanPoint> {
     places.iter().map(|&at| PlanPoint { at, bulge: 0.0, corner: true }).collect()
@@ -94,11 +95,12 @@ fn a_grid_follows_arcs_and_points_between_corners() {
     outline[1].corner = false;
     outline[2].bulge = 0.3;
     let plan = Plan { stands: Standing::Corners, ..plan(outline, PlanLayout::Follow) };
-    let mesh = plan.mesh().unwrap();
+    let Raised { mesh, feet } = plan.surface().unwrap();
     assert_sound(&mesh);
     let at = |x: f64, y: f64| mesh.positions.iter().filter(|p| p[0] == x && p[1] == y).count();
     assert_eq!([at(10.0, -1.0), at(20.0, 12.0), at(0.0, 0.0)], [1, 1, 1]);
-    assert_eq!(mesh.positions.iter().filter(|p| p[2] == 0.0).count(), 4);
+    let on_ground = (0..).zip(&mesh.positions).filter(|(_, p)| p[2] == 0.0).map(|(v, _)| v);
+    assert_eq!(on_ground.collect::<BTreeSet<u32>>(), feet.into_iter().collect());
     // The rise of the arc is its bulge times half its chord.
     let east = mesh.positions.iter().map(|p| p[0]).fold(0.0, f64::max);
     assert!((east - 21.8).abs() < 0.05, "{east}");

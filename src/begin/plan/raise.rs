@@ -17,10 +17,20 @@ pub(super) struct Ground {
     pub(super) corners: Vec<u32>,
 }
 
+/// The surface over a plan.
+#[derive(Clone, Debug)]
+pub struct Raised {
+    /// It; `z = 0` is the ground.
+    pub mesh: Mesh,
+    /// The vertices that it stands on where those are its corners alone, which a designer holds; else none.
+    pub feet: Vec<u32>,
+}
+
 /// Raises the mesh until its highest vertex is at `height`. The force densities of all edges are equal, the loads
 /// are the areas around the vertices (Schek 1974); the vertices that it stands on stay at zero.
-pub(super) fn raised(ground: Ground, stands: Standing, height: f64) -> Result<Mesh, PlanError> {
+pub(super) fn raised(ground: Ground, stands: Standing, height: f64) -> Result<Raised, PlanError> {
     let Ground { mut mesh, outline, corners } = ground;
+    let feet = if stands == Standing::Corners { corners.clone() } else { Vec::new() };
     let held = match stands {
         Standing::Corners if corners.len() < 3 => return Err(PlanError::NoCorners(corners.len())),
         Standing::Corners => corners,
@@ -72,5 +82,5 @@ pub(super) fn raised(ground: Ground, stands: Standing, height: f64) -> Result<Me
             position[2] = height * loads[node as usize][0] / top;
         }
     }
-    Ok(mesh)
+    Ok(Raised { mesh, feet })
 }

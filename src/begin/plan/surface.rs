@@ -2,6 +2,7 @@
 
 use super::declaration::{Plan, PlanError, PlanLayout, entry};
 use super::outline::Loop;
+use super::raise::Raised;
 use super::{cut, follow, raise};
 use crate::mesh::Mesh;
 
@@ -10,7 +11,7 @@ impl Plan {
     ///
     /// # Errors
     /// Where a number is out of its limits, sides cross, or the plan cannot be divided as it says.
-    pub fn mesh(&self) -> Result<Mesh, PlanError> {
+    pub fn surface(&self) -> Result<Raised, PlanError> {
         let expect = |path: &str, found: f64, is_good: bool, expected: &str| match is_good {
             true => Ok(()),
             false => Err(entry(path, format!("expected {expected}, found {found}"))),
@@ -30,5 +31,13 @@ impl Plan {
             PlanLayout::Cut => cut::mesh(&loops, size, turn)?,
         };
         raise::raised(ground, self.stands, height)
+    }
+
+    /// The same, without what it stands on.
+    ///
+    /// # Errors
+    /// As `surface`.
+    pub fn mesh(&self) -> Result<Mesh, PlanError> {
+        Ok(self.surface()?.mesh)
     }
 }

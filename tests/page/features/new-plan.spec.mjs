@@ -65,6 +65,8 @@ test('a roof from a drawn plan to exactly circular panels', async ({ page }) => 
   const isExact = (now) => !now.running && now.exact?.met && now.exact.max_distance < 1e-9;
   const done = await waitForState(page, isExact);
   expect(done.constraints.circle).toBe(done.faces);
+  // It stands where it was drawn.
+  expect((await state(page)).handles.map(({ fixed }) => fixed)).toEqual([true, true, true, true]);
 });
 
 test('an outline and a hole are drawn, with panels cut to them; what is wrong is said', async ({

@@ -33,6 +33,8 @@ export async function newMesh({ store, files, actions, alerts }) {
   /** What is being made, or undefined. @type {Promise<void> | undefined} */
   let making;
   let again = false;
+  /** The vertices that it stands on, which stay where they are. @type {number[]} */
+  let held = [];
 
   const kind = choice(
     {},
@@ -113,11 +115,12 @@ export async function newMesh({ store, files, actions, alerts }) {
     }
     const { label } = chosen();
     try {
-      const text = form.text(units.value);
+      const { text, feet } = form.made(units.value);
       const bytes = new TextEncoder().encode(text);
       const loaded = await files.open([{ name: `${label}.obj`, bytes }], { work, title: label });
       const vertices = count(loaded.vertices, 'vertex', 'vertices');
       setText(said, `${count(loaded.faces, 'face')}, ${vertices}.`);
+      held = feet;
       keep.disabled = false;
     } catch (error) {
       setText(said, messageOf(error));
@@ -127,6 +130,7 @@ export async function newMesh({ store, files, actions, alerts }) {
   async function keepIt() {
     kept = true;
     dialog.close();
+    if (held.length) await actions.addHandles(held, true);
     actions.setStatus(`New mesh: ${chosen().label}`);
   }
 

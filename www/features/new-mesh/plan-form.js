@@ -71,7 +71,7 @@ function lengthField(name, onchange) {
  * @param {string} given.unit
  * @param {number} given.metre in that unit
  * @param {() => void} given.onchange
- * @param {(plan: Plan, units: string) => string} given.make
+ * @param {(plan: Plan, units: string) => { text: string, feet: number[] }} given.make
  */
 export function planForm({ unit, metre, onchange, make }) {
   let plan = firstPlan(metre);
@@ -306,7 +306,7 @@ export function planForm({ unit, metre, onchange, make }) {
     element: form,
     show,
     /** @param {string} units */
-    text: (units) => make(plan, units),
+    made: (units) => make(plan, units),
     /**
      * The same plan in another unit.
      * @param {string} symbol

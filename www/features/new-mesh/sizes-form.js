@@ -23,12 +23,11 @@ export function sizesForm(kind, { unit, metre, onchange, make }) {
   return {
     element: element('div.kind', element('p.quiet', kind.summary), sizes),
     show() {},
-    /** @param {string} units */
-    text: (units) =>
-      make(
-        fields().map((field) => field.valueAsNumber),
-        units,
-      ),
+    /** @param {string} units @returns {{ text: string, feet: number[] }} */
+    made(units) {
+      const sizes = fields().map((field) => field.valueAsNumber);
+      return { text: make(sizes, units), feet: [] };
+    },
     /**
      * The same sizes in another unit.
      * @param {string} symbol
