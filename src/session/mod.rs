@@ -12,12 +12,11 @@
 //! | `dragging` | drags and runs, one step of undo each |
 //! | `iterating` | iterations, whole and in halves |
 //! | `meeting` | hard constraints met |
-//! | `exact_trial` | what it would cost to be exact |
 //! | `variations` | ways to change the shape while hard constraints stay met: shown, brought back, kept |
 //! | `variant_table` | the numbers of the shapes that were kept |
 //! | `asking` | what hosts ask: selections, measures, reports, files |
 //! | `handed_in` | the results of a lesson, and their check |
-//! | `remedies` | changes that help where constraints are not met, tried on a copy |
+//! | `trial` | what would help and what it would cost, tried on a copy |
 //! | `state` | the parts: the mesh at rest, and the scene with its solver; how that changes |
 //! | `run` | the parts: progress and the guard against collapse |
 //! | `undo` | the parts: the history, and the drag or run that is under way |
@@ -31,18 +30,17 @@ mod composition;
 mod dragging;
 mod edit;
 mod editing;
-mod exact_trial;
 mod export;
 mod handed_in;
 mod iterating;
 mod load;
 mod meeting;
 mod opened_file;
-mod remedies;
 mod report;
 mod run;
 mod selection;
 mod state;
+mod trial;
 mod undo;
 mod variant_table;
 mod variations;
@@ -54,14 +52,12 @@ pub use edit::{
     ConstraintTarget, Edit, NewConstraint, OfferedOperation, Preview, Remeshing, RemeshingPreview,
     SETTINGS, Setting, settings_of,
 };
-pub use exact_trial::{ExactOffer, ExactTrial, Price};
 pub use handed_in::{Checked, check_results};
 pub use opened_file::{FileReader, Guessed, OpenedFile, is_scene, named_files};
-pub use remedies::{Remedies, Remedy};
 pub use report::{
-    ConstraintMap, EnergyReport, FACE_MEASURES, FaceMeasure, GoalWords, MeasureUnit, Projections,
-    Report, RowPalette, Seconds, Shape, Unpaired, Verdict, WorstElement, ZERO_SIZE_FACES, flaw_of,
-    goals_in_words,
+    ConstraintMap, EnergyReport, FACE_MEASURES, FOLDED_FACES, FaceMeasure, GoalWords, MeasureUnit,
+    Projections, Report, RowPalette, Seconds, Shape, Unpaired, Verdict, WorstElement,
+    ZERO_SIZE_FACES, flaw_of, goals_in_words,
 };
 pub use run::{
     Collapse, CollapseReason, ExactReport, FittedCount, HalfStep, Step, TraceEntry,
@@ -69,6 +65,8 @@ pub use run::{
 };
 pub use selection::{Mode, OPERATIONS, Operation, SelectRequest, Selection};
 pub use state::{Paired, ResolvedRow};
+pub use trial::{ExactOffer, ExactTrial, Price, Remedies, Remedy, Unfolded, Unfolding};
 pub use undo::check_targets;
+
 pub use variant_table::VariantRow;
 pub use variations::Variations;

@@ -19,6 +19,7 @@ mod closest;
 mod curvature;
 mod developable;
 mod files;
+mod folds;
 mod fuzzed;
 mod measure;
 mod operations;

@@ -1,13 +1,10 @@
 // Meshes for the page tests, small enough to be solved in a blink.
 
-/** A wavy grid of n by n quads, one unit each: the text of an OBJ file. */
-export function wavyGrid(n) {
+/** A grid of n by n quads, one unit each, at these heights: the text of an OBJ file. */
+function gridText(n, height) {
   const lines = [];
   for (let y = 0; y <= n; y++) {
-    for (let x = 0; x <= n; x++) {
-      const z = 0.4 * Math.sin(1.3 * x + 0.4 * y) + 0.3 * Math.cos(0.9 * y);
-      lines.push(`v ${x} ${y} ${z.toFixed(6)}`);
-    }
+    for (let x = 0; x <= n; x++) lines.push(`v ${x} ${y} ${height(x, y).toFixed(6)}`);
   }
   for (let y = 0; y < n; y++) {
     for (let x = 0; x < n; x++) {
@@ -17,6 +14,13 @@ export function wavyGrid(n) {
   }
   return `${lines.join('\n')}\n`;
 }
+
+/** A wavy one. */
+export const wavyGrid = (n) =>
+  gridText(n, (x, y) => 0.4 * Math.sin(1.3 * x + 0.4 * y) + 0.3 * Math.cos(0.9 * y));
+
+/** One over bumps so steep that some circular panels fold. */
+export const bumpyGrid = (n) => gridText(n, (x, y) => 2 * Math.sin(0.5 * x) * Math.sin(0.5 * y));
 
 /** A tube of 12 by 4 quads, open at both ends: the text of an OBJ file. */
 export function tube() {

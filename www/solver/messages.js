@@ -187,6 +187,7 @@
  *   with a flaw of a {@link Problem}, or `zero-size-faces`. `results`: what a student hands in.
  * - `verdict`: how many panels are as asked, within a tolerance.
  * - `remedies`: changes that lower the worst distance, tried on a copy; ends early when something changes.
+ * - `unfolded`: a larger tolerance within which fewer faces are folded, tried in the same way.
  * - `mostFaces`: of a mesh that this machine works with at once.
  * - `faceValues`: of a measure, of the current shape or the original. `cornerValues`: those of the
  *   vertices, where they have any. `originalPositions`: where the vertices of the original are. `angles`:
@@ -231,6 +232,7 @@
  *   | { type: "flawed", flaw: string }
  *   | { type: "verdict", tolerance: number }
  *   | { type: "remedies" }
+ *   | { type: "unfolded", tolerance: number }
  *   | { type: "mostFaces" }
  *   | { type: "results", student: string, time: string }
  *   | { type: "scene" }
@@ -300,6 +302,7 @@
  * @property {Record<PickMode, Uint32Array>} flawed
  * @property {Verdict | null} verdict null where nothing is asked of the panels
  * @property {Remedy[]} remedies the greatest help first
+ * @property {import("../pkg/solver/shape_up.js").Unfolded | null} unfolded
  * @property {number} mostFaces
  * @property {string} results
  * @property {Parametrization} parametrize

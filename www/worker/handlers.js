@@ -2,7 +2,7 @@
 
 import { cancelExperiment, comparison, experimentCsv, runExperiment } from './experiment.js';
 import { missingFiles, open } from './open.js';
-import { findRemedies } from './remedies.js';
+import { findRemedies, findUnfolded } from './remedies.js';
 import { inTurns, stopTrials } from './trials.js';
 import { mostFaces, warmUpWhenQuiet } from './warm-up.js';
 
@@ -90,6 +90,7 @@ export function requestHandlers(solver, scheduler, post, died) {
     flawed: ({ flaw }) => solver.flawed(flaw),
     verdict: ({ tolerance }) => solver.verdict(tolerance),
     remedies: () => findRemedies(solver),
+    unfolded: ({ tolerance }) => findUnfolded(solver, tolerance),
     mostFaces,
     results: ({ student, time }) => solver.results(student, time),
     select: ({ request }) => solver.select(request),

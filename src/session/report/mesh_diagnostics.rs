@@ -1,11 +1,13 @@
 //! Elements of the mesh that have something wrong, so that a host can show which they are.
 
 use crate::math::Vec3;
-use crate::mesh::{ElementsWithProblem, Point, ProblemKind};
+use crate::mesh::{ElementsWithProblem, Point, ProblemKind, folded_faces};
 use crate::session::state::RestMesh;
 
 /// The name of a problem that no file has: faces without an area in the current shape.
 pub const ZERO_SIZE_FACES: &str = "zero-size-faces";
+/// The name of faces that are folded over where they are not at rest.
+pub const FOLDED_FACES: &str = "folded-faces";
 
 /// A face that is thinner than this part of the size of the mesh has no area but by rounding.
 const ROUNDING: f64 = 1e-12;
@@ -30,11 +32,13 @@ pub(crate) fn elements_with_problem(
     positions: &[Point],
     rest: &RestMesh,
 ) -> Option<ElementsWithProblem> {
-    if name == ZERO_SIZE_FACES {
-        return Some(ElementsWithProblem {
-            faces: zero_size_faces(positions, rest),
-            ..ElementsWithProblem::default()
-        });
+    let found = match name {
+        ZERO_SIZE_FACES => Some(zero_size_faces(positions, rest)),
+        FOLDED_FACES => Some(folded_faces(rest.mesh(), rest.topology(), positions)),
+        _ => None,
+    };
+    if let Some(faces) = found {
+        return Some(ElementsWithProblem { faces, ..ElementsWithProblem::default() });
     }
     let (_, kind) = PROBLEMS.iter().find(|(other, _)| *other == name)?;
     Some(crate::mesh::elements_with_problem(rest.mesh(), *kind))

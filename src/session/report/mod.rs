@@ -44,7 +44,7 @@ pub(crate) use measure_cache::MeasureCache;
 pub(crate) use measuring::Measuring;
 pub use measuring::Shape;
 pub(crate) use mesh_diagnostics::elements_with_problem;
-pub use mesh_diagnostics::{ZERO_SIZE_FACES, flaw_of};
+pub use mesh_diagnostics::{FOLDED_FACES, ZERO_SIZE_FACES, flaw_of};
 pub(crate) use moved::{moved, shortest_edge};
 pub use projected::Projections;
 pub(crate) use projected::projections;

@@ -1,7 +1,7 @@
 //! The report of a solved scene.
 
 use super::moved::{moved, shortest_edge};
-use crate::mesh::{Circularity, Measures, Planarity};
+use crate::mesh::{Circularity, Measures, Planarity, folded_faces};
 use crate::scene::{Accelerator, NamedEnum};
 use crate::session::run::{ExactReport, Progress, TraceEntry};
 use crate::session::state::{Paired, RestMesh, SolvedScene};
@@ -45,6 +45,8 @@ pub struct Report {
     pub moved: Moved,
     /// The least length of an edge as a part of its length at rest.
     pub shortest_edge: f64,
+    /// Faces that are folded over where they are not at rest.
+    pub folded: usize,
     /// How well hard constraints are met, where there are some and they were.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub exact: Option<ExactReport>,
@@ -136,6 +138,7 @@ impl Report {
             circularity: measures.circularity,
             moved: moved(scene, rest),
             shortest_edge: shortest_edge(scene, rest),
+            folded: folded_faces(rest.mesh(), rest.topology(), scene.positions()).len(),
             exact,
             seconds: Seconds {
                 load: progress.load_seconds(),

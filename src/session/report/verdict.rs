@@ -5,6 +5,7 @@ use super::face_measure::face_values;
 use super::inspect::{asked_measure, members};
 use super::measuring::{Measuring, Shape};
 use super::moved::moved;
+use crate::mesh::folded_faces;
 use crate::session::state::RestMesh;
 use crate::solve::Moved;
 use serde::Serialize;
@@ -26,6 +27,8 @@ pub struct Verdict {
     pub worst: f64,
     /// The face that it belongs to.
     pub worst_face: u32,
+    /// How many faces of the mesh are folded over where they are not at rest.
+    pub folded: usize,
     /// How far the vertices are from their rest positions.
     pub moved: Moved,
 }
@@ -54,6 +57,8 @@ impl Verdict {
             within: faces.iter().filter(|&&face| distance(face) <= tolerance).count(),
             worst: distance(worst_face),
             worst_face,
+            folded: folded_faces(model.rest.mesh(), model.rest.topology(), model.scene.positions())
+                .len(),
             moved: moved(model.scene, model.rest),
         })
     }

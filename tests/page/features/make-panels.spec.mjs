@@ -1,8 +1,8 @@
 // One press for all panels: from a file to the verdict, and what happens where a run takes a mesh apart.
 
 import { downloaded, openText, showPanel, tool } from '../actions.mjs';
-import { quadScene, triangleScene, wavyGrid } from '../meshes.mjs';
-import { expect, openPage, screenOf, test, waitForState } from '../support.mjs';
+import { bumpyGrid, quadScene, triangleScene, wavyGrid } from '../meshes.mjs';
+import { expect, openPage, screenOf, state, test, waitForState } from '../support.mjs';
 
 test.use({ pixels: false });
 
@@ -54,6 +54,22 @@ test('a mesh that was opened is made circular by one press; a verdict says how f
 
   await offer(page).getByRole('button', { name: 'Close', exact: true }).click();
   await expect(offer(page)).toBeHidden();
+});
+
+test('panels that fold are said to, shown, and avoided by a larger tolerance', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'bumps.obj', bumpyGrid(12), 169);
+  await press(page, 'circular').click();
+  await waitForState(page, (now) => !now.running && now.exact?.met);
+  const folds = offer(page).getByText(/But \d+ faces are folded or dented\./);
+  await expect(folds).toBeVisible();
+  await offer(page).getByRole('button', { name: 'Show the folds' }).click();
+  await waitForState(page, (now) => now.selection.faces.length > 0);
+  const tight = (await state(page)).exact.tolerance;
+  await offer(page).getByRole('button', { name: 'Avoid them' }).click();
+  await waitForState(page, (now, least) => !now.running && now.exact?.tolerance > least, tight);
+  await expect(folds).toBeHidden();
+  await expect(offer(page).getByText(/^All 144 panels are circular within/)).toBeVisible();
 });
 
 for (const [window, width, height] of [

@@ -7,6 +7,7 @@
 import './make-panels.css';
 import { button, closeButton } from '../../ui/controls/fields.js';
 import { RENEW_MS, byId, element, leave, setText, throttled } from '../../ui/dom.js';
+import { showElements } from '../../viewport/reveal-elements.js';
 import { panelButtons } from './buttons.js';
 import { addButtons } from './refine-buttons.js';
 import { progressWords, verdictWords } from './verdict.js';
@@ -34,6 +35,13 @@ export class MakePanels {
   /** Fitted shapes are shown since a press, whose model it was. @type {unknown} */
   #shown = null;
   #text = element('p');
+  #folds = element(
+    'div.folds',
+    button('Show the folds', () => this.#showFolded()),
+    button('Avoid them', () => this.#avoidFolds(), {
+      title: 'Looks for a larger tolerance within which nothing folds, and makes the panels anew',
+    }),
+  );
   /** A verdict is asked for. */
   #isBusy = false;
 
@@ -145,6 +153,7 @@ export class MakePanels {
     const show = () => {
       this.#card.hidden = what === 'nothing';
       this.#card.dataset.shows = what;
+      this.#card.classList.remove('warning');
       this.#card.replaceChildren();
     };
     leave(this.#card, show);
@@ -152,7 +161,8 @@ export class MakePanels {
     setText(this.#text, '');
     const hold = button('Hold to see the original', () => {});
     this.#app.hold.bind(hold);
-    this.#card.append(this.#text, hold, this.#cross());
+    this.#folds.hidden = true;
+    this.#card.append(this.#text, this.#folds, hold, this.#cross());
     this.#showVerdict(false);
   }
 
@@ -183,7 +193,33 @@ export class MakePanels {
     const words = running || this.#isUnderWay() ? progressWords : verdictWords;
     const text = words(verdict, tolerance, document?.units ?? '');
     setText(this.#text, text);
+    const isFolded = words === verdictWords && verdict.folded > 0;
+    this.#card.classList.toggle('warning', isFolded);
+    this.#folds.hidden = !isFolded;
     if (atEnd && !running && !numbers?.collapse) actions.setStatus(text);
+  }
+
+  /** Selects the faces that are folded, and shows where they are. */
+  async #showFolded() {
+    const { actions } = this.#app;
+    const found = await actions.reportErrors(actions.flawed('folded-faces'));
+    if (found) showElements(this.#app, found);
+  }
+
+  /** Makes the panels again within a larger tolerance, where one is found that folds fewer faces. */
+  async #avoidFolds() {
+    const { store, actions } = this.#app;
+    const { model, kinds } = store.get();
+    const tolerance = store.get().tolerance ?? model?.tolerance ?? 0;
+    const verdict = await actions.verdict(tolerance).catch(() => null);
+    actions.setStatus('Looking for a tolerance within which nothing folds …');
+    const found = await actions.reportErrors(actions.unfolded(tolerance));
+    if (found === undefined || !verdict || store.get().model !== model) return;
+    if (!found) return actions.setStatus('No larger tolerance that was tried folds less.');
+    const kind = kinds.find(({ id }) => id === verdict.kind);
+    if (!kind || (await actions.edit({ type: 'reset' })) === undefined) return;
+    actions.setTolerance({ id: '', toleranced: true }, found.tolerance);
+    await this.#make(kind);
   }
 
   /** What is framed is seen whole above the card. */

@@ -1,6 +1,6 @@
 /** What came of making all panels of one shape, in words. */
 
-import { groupDigits, length } from '../../ui/format.js';
+import { count, groupDigits, length } from '../../ui/format.js';
 
 /** @typedef {import("../../solver/messages.js").Verdict} Verdict */
 
@@ -36,7 +36,11 @@ export function progressWords({ adjective, panels, within }, tolerance, units) {
  * @param {string} units of the mesh
  */
 export function verdictWords(verdict, tolerance, units) {
-  const { worst, moved } = verdict;
+  const { worst, moved, folded } = verdict;
+  const folds =
+    folded > 0
+      ? ` But ${count(folded, 'face')} ${folded === 1 ? 'is' : 'are'} folded or dented.`
+      : '';
   const far = `at most ${about(moved.max, units)}, ${about(moved.mean, units)} on average`;
-  return `${progressWords(verdict, tolerance, units)} Worst ${about(worst, units)}. Your mesh moved by ${far}.`;
+  return `${progressWords(verdict, tolerance, units)}${folds} Worst ${about(worst, units)}. Your mesh moved by ${far}.`;
 }

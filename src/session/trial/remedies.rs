@@ -1,11 +1,11 @@
 //! Edits to offer where a run has ended and constraints are not met. Each is tried on a copy of the session,
 //! so that only edits that lower the worst distance are offered.
 
-use super::Session;
-use super::edit::Edit;
 use crate::error::Error;
 use crate::mesh::BoundingSphere;
 use crate::scene::ClosenessTo;
+use crate::session::Session;
+use crate::session::edit::Edit;
 use serde::Serialize;
 use serde_json::{Value, json};
 

@@ -1,11 +1,11 @@
 //! What it would cost to be exact, or what an improvement would gain, tried from the current shape on without
 //! touching it.
 
-use super::Session;
-use super::state::{Part, RowValues};
 use crate::error::Error;
 use crate::math::Vec3;
 use crate::mesh::Point;
+use crate::session::Session;
+use crate::session::state::{Part, RowValues};
 use crate::solve::{Exact, ExactAnswer, Moved, Require, Stage};
 use serde::Serialize;
 use std::rc::Rc;

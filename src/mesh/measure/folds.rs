@@ -1,0 +1,64 @@
+//! Faces that a change of shape has folded over.
+
+use crate::math::{Vec3, polygon_sides, twice_vector_area};
+use crate::mesh::{Mesh, Point, Ragged, Topology};
+
+/// The cosine of the least angle between the normals of two faces that are folded onto each other: 120 degrees.
+const FOLDED: f64 = -0.5;
+/// The cosine of the greatest angle between them before: 80 degrees. Sharper edges are meant.
+const SMOOTH: f64 = 0.17;
+/// The sine of the turn of a corner that turns to one side, before and after.
+const TURN: f64 = 0.1;
+
+/// The faces, ascending, that `now` (`#V by 3`) has folded over, where the mesh has not: those on both sides of an
+/// edge whose normals are more than 120 degrees apart, and those with a corner that turns the other way round, so
+/// that their outline crosses itself or is dented.
+pub fn folded_faces(mesh: &Mesh, topology: &Topology, now: &[Point]) -> Vec<u32> {
+    let [before, after] = [&mesh.positions[..], now].map(|at| normals(&mesh.faces, at));
+    let mut is_folded: Vec<bool> = (0..mesh.faces.len())
+        .map(|f| {
+            let corners = mesh.faces.row(f);
+            let turned = |at, normal| turns(corners, at, normal);
+            let pairs = turned(&mesh.positions, before[f]).zip(turned(now, after[f]));
+            let mut reversed = pairs.filter(|(was, is)| was * is < 0.0);
+            reversed.any(|(was, is)| was.abs() > TURN && is.abs() > TURN)
+        })
+        .collect();
+    for (e, sides) in topology.edge_faces().iter().enumerate() {
+        let &[a, b] = sides else { continue };
+        let [start, end] = topology.edges()[e];
+        let runs = |face: u32| {
+            polygon_sides(mesh.faces.row(face as usize))
+                .any(|[from, to]| [from, to] == [start, end])
+        };
+        // Neighbours that run along the edge in the same direction have opposite sides up.
+        let sign = if runs(a) == runs(b) { -1.0 } else { 1.0 };
+        let cosine = |normals: &[Vec3<f64>]| sign * normals[a as usize].dot(normals[b as usize]);
+        if cosine(&before) > SMOOTH && cosine(&after) < FOLDED {
+            is_folded[a as usize] = true;
+            is_folded[b as usize] = true;
+        }
+    }
+    (0..).zip(is_folded).filter(|(_, is_folded)| *is_folded).map(|(face, _)| face).collect()
+}
+
+/// The unit normal of each face; zero where it has no area.
+fn normals(faces: &Ragged, at: &[Point]) -> Vec<Vec3<f64>> {
+    let normal = |face: &[u32]| {
+        let area = twice_vector_area(face.iter().map(|&v| Vec3::from(at[v as usize])));
+        let length = area.length();
+        if length > 0.0 { area * (1.0 / length) } else { Vec3::zero() }
+    };
+    faces.iter().map(normal).collect()
+}
+
+/// The sine of the turn at each corner, positive where it turns to the left seen from the tip of the normal.
+fn turns(corners: &[u32], at: &[Point], normal: Vec3<f64>) -> impl Iterator<Item = f64> {
+    let n = corners.len();
+    let place = move |k: usize| Vec3::from(at[corners[k % n] as usize]);
+    (0..n).map(move |k| {
+        let [into, out] = [place(k) - place(k + n - 1), place(k + 1) - place(k)];
+        let lengths = into.length() * out.length();
+        if lengths > 0.0 { into.cross(out).dot(normal) / lengths } else { 0.0 }
+    })
+}
