@@ -162,7 +162,7 @@ export class MakePanels {
     const hold = button('Hold to see the original', () => {});
     this.#app.hold.bind(hold);
     this.#folds.hidden = true;
-    this.#card.append(this.#text, this.#folds, hold, this.#cross());
+    this.#card.append(this.#text, hold, this.#cross(), this.#folds);
     this.#showVerdict(false);
   }
 
