@@ -163,8 +163,8 @@ fn summary(input: &Path, report: &Report, remarks: &[String], units: &str) -> St
     ));
     line(format_args!("{}", output::planarity(&report.planarity, units)));
     line(format_args!("{}", output::circularity(&report.circularity, units)));
-    if report.folded > 0 {
-        line(format_args!("folded      {} faces that are not at rest", report.folded));
+    if let Some(folded) = report.folded {
+        line(format_args!("folded      {folded} faces that are not at rest"));
     }
     if let Some(exact) = &report.exact {
         line(format_args!("{}", exact_line(exact, units)));

@@ -8,6 +8,7 @@ use crate::session::state::{Paired, RestMesh, SolvedScene};
 use crate::solve::{Energy, IterateSeconds, Moved};
 use serde::Serialize;
 use std::collections::BTreeMap;
+use std::num::NonZeroUsize;
 
 /// The report of `shape-up solve --report`, which the page shows in the same words and units.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -45,8 +46,9 @@ pub struct Report {
     pub moved: Moved,
     /// The least length of an edge as a part of its length at rest.
     pub shortest_edge: f64,
-    /// Faces that are folded over where they are not at rest.
-    pub folded: usize,
+    /// Faces that are folded over where they are not at rest, if there are any.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub folded: Option<NonZeroUsize>,
     /// How well hard constraints are met, where there are some and they were.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub exact: Option<ExactReport>,
@@ -138,7 +140,9 @@ impl Report {
             circularity: measures.circularity,
             moved: moved(scene, rest),
             shortest_edge: shortest_edge(scene, rest),
-            folded: folded_faces(rest.mesh(), rest.topology(), scene.positions()).len(),
+            folded: NonZeroUsize::new(
+                folded_faces(rest.mesh(), rest.topology(), scene.positions()).len(),
+            ),
             exact,
             seconds: Seconds {
                 load: progress.load_seconds(),
