@@ -22,7 +22,7 @@ export function createViewActions(store) {
 
     /**
      * What may be off, in the unit of the measure.
-     * @param {import("../solver/messages.js").FaceMeasure} measure
+     * @param {Pick<import("../solver/messages.js").FaceMeasure, "id" | "toleranced">} measure
      * @param {number | null} value
      */
     setTolerance({ id, toleranced }, value) {
