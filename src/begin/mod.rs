@@ -17,4 +17,4 @@ mod sheets;
 
 pub use declaration::{NewKind, NewMeshError};
 pub use list::NEW_KINDS;
-pub use plan::{Plan, PlanError, PlanLayout, PlanPoint, PlanSide, Raised, Standing};
+pub use plan::{Plan, PlanError, PlanLayout, PlanPoint, PlanSide, PlanSurface, Standing};

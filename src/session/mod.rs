@@ -67,6 +67,5 @@ pub use selection::{Mode, OPERATIONS, Operation, SelectRequest, Selection};
 pub use state::{Paired, ResolvedRow};
 pub use trial::{ExactOffer, ExactTrial, Price, Remedies, Remedy, Unfolded, Unfolding};
 pub use undo::check_targets;
-
 pub use variant_table::VariantRow;
 pub use variations::Variations;

@@ -1,7 +1,7 @@
 //! Meshes from plans: sound, inside their outline, as high as they were asked to be, and refused where they are wrong.
 
 use proptest::prelude::*;
-use shape_up::begin::{Plan, PlanError, PlanLayout, PlanPoint, Raised, Standing};
+use shape_up::begin::{Plan, PlanError, PlanLayout, PlanPoint, PlanSurface, Standing};
 use shape_up::math::{Vec3, cosine, sine, twice_vector_area};
 use shape_up::mesh::{Mesh, Topology, diagnose};
 use std::collections::BTreeSet;
@@ -95,7 +95,7 @@ fn a_grid_follows_arcs_and_points_between_corners() {
     outline[1].corner = false;
     outline[2].bulge = 0.3;
     let plan = Plan { stands: Standing::Corners, ..plan(outline, PlanLayout::Follow) };
-    let Raised { mesh, feet } = plan.surface().unwrap();
+    let PlanSurface { mesh, feet } = plan.surface().unwrap();
     assert_sound(&mesh);
     let at = |x: f64, y: f64| mesh.positions.iter().filter(|p| p[0] == x && p[1] == y).count();
     assert_eq!([at(10.0, -1.0), at(20.0, 12.0), at(0.0, 0.0)], [1, 1, 1]);

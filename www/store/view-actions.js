@@ -20,15 +20,16 @@ export function createViewActions(store) {
     setRange: (change) =>
       store.set({ ownRange: { ...store.get().ownRange, top: null, ...change } }),
 
+    /** What lengths may be off, in the unit of the mesh. @param {number | null} tolerance */
+    setTolerance: (tolerance) => store.set({ tolerance }),
+
     /**
-     * What may be off, in the unit of the measure.
-     * @param {Pick<import("../solver/messages.js").FaceMeasure, "id" | "toleranced">} measure
+     * What a measure that this does not apply to may be off, in its unit.
+     * @param {string} id
      * @param {number | null} value
      */
-    setTolerance({ id, toleranced }, value) {
-      if (toleranced) store.set({ tolerance: value });
-      else store.set({ tolerances: { ...store.get().tolerances, [id]: value } });
-    },
+    setToleranceOf: (id, value) =>
+      store.set({ tolerances: { ...store.get().tolerances, [id]: value } }),
 
     /** @param {State["tint"]} tint */
     tint: (tint) => store.set({ tint }),

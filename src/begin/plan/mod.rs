@@ -17,4 +17,4 @@ mod raise;
 mod surface;
 
 pub use declaration::{Plan, PlanError, PlanLayout, PlanPoint, PlanSide, Standing};
-pub use raise::Raised;
+pub use raise::PlanSurface;

@@ -19,8 +19,8 @@ pub(super) struct Ground {
 
 /// The surface over a plan.
 #[derive(Clone, Debug)]
-pub struct Raised {
-    /// It; `z = 0` is the ground.
+pub struct PlanSurface {
+    /// Its faces; `z = 0` is the ground.
     pub mesh: Mesh,
     /// The vertices that it stands on where those are its corners alone, which a designer holds; else none.
     pub feet: Vec<u32>,
@@ -28,13 +28,16 @@ pub struct Raised {
 
 /// Raises the mesh until its highest vertex is at `height`. The force densities of all edges are equal, the loads
 /// are the areas around the vertices (Schek 1974); the vertices that it stands on stay at zero.
-pub(super) fn raised(ground: Ground, stands: Standing, height: f64) -> Result<Raised, PlanError> {
+pub(super) fn raised(
+    ground: Ground,
+    stands: Standing,
+    height: f64,
+) -> Result<PlanSurface, PlanError> {
     let Ground { mut mesh, outline, corners } = ground;
-    let feet = if stands == Standing::Corners { corners.clone() } else { Vec::new() };
-    let held = match stands {
+    let (held, feet) = match stands {
         Standing::Corners if corners.len() < 3 => return Err(PlanError::NoCorners(corners.len())),
-        Standing::Corners => corners,
-        Standing::Outline => outline,
+        Standing::Corners => (corners.clone(), corners),
+        Standing::Outline => (outline, Vec::new()),
     };
     let n = mesh.positions.len();
     let topology = Topology::new(&mesh);
@@ -82,5 +85,5 @@ pub(super) fn raised(ground: Ground, stands: Standing, height: f64) -> Result<Ra
             position[2] = height * loads[node as usize][0] / top;
         }
     }
-    Ok(Raised { mesh, feet })
+    Ok(PlanSurface { mesh, feet })
 }

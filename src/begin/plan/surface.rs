@@ -2,7 +2,7 @@
 
 use super::declaration::{Plan, PlanError, PlanLayout, entry};
 use super::outline::Loop;
-use super::raise::Raised;
+use super::raise::PlanSurface;
 use super::{cut, follow, raise};
 use crate::mesh::Mesh;
 
@@ -11,7 +11,7 @@ impl Plan {
     ///
     /// # Errors
     /// Where a number is out of its limits, sides cross, or the plan cannot be divided as it says.
-    pub fn surface(&self) -> Result<Raised, PlanError> {
+    pub fn surface(&self) -> Result<PlanSurface, PlanError> {
         let expect = |path: &str, found: f64, is_good: bool, expected: &str| match is_good {
             true => Ok(()),
             false => Err(entry(path, format!("expected {expected}, found {found}"))),

@@ -164,7 +164,7 @@ fn summary(input: &Path, report: &Report, remarks: &[String], units: &str) -> St
     line(format_args!("{}", output::planarity(&report.planarity, units)));
     line(format_args!("{}", output::circularity(&report.circularity, units)));
     if let Some(folded) = report.folded {
-        line(format_args!("folded      {folded} faces that are not at rest"));
+        line(format_args!("folds       {folded} faces are folded or dented"));
     }
     if let Some(exact) = &report.exact {
         line(format_args!("{}", exact_line(exact, units)));

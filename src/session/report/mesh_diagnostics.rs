@@ -1,12 +1,12 @@
 //! Elements of the mesh that have something wrong, so that a host can show which they are.
 
 use crate::math::Vec3;
-use crate::mesh::{ElementsWithProblem, Point, ProblemKind, folded_faces};
+use crate::mesh::{ElementsWithProblem, Point, ProblemKind};
 use crate::session::state::RestMesh;
 
 /// The name of a problem that no file has: faces without an area in the current shape.
 pub const ZERO_SIZE_FACES: &str = "zero-size-faces";
-/// The name of faces that are folded over where they are not at rest.
+/// The name of faces that are folded or dented in the current shape and are not at rest.
 pub const FOLDED_FACES: &str = "folded-faces";
 
 /// A face that is thinner than this part of the size of the mesh has no area but by rounding.
@@ -34,7 +34,7 @@ pub(crate) fn elements_with_problem(
 ) -> Option<ElementsWithProblem> {
     let found = match name {
         ZERO_SIZE_FACES => Some(zero_size_faces(positions, rest)),
-        FOLDED_FACES => Some(folded_faces(rest.mesh(), rest.topology(), positions)),
+        FOLDED_FACES => Some(rest.folded_by(positions)),
         _ => None,
     };
     if let Some(faces) = found {

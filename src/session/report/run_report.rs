@@ -1,7 +1,7 @@
 //! The report of a solved scene.
 
 use super::moved::{moved, shortest_edge};
-use crate::mesh::{Circularity, Measures, Planarity, folded_faces};
+use crate::mesh::{Circularity, Measures, Planarity};
 use crate::scene::{Accelerator, NamedEnum};
 use crate::session::run::{ExactReport, Progress, TraceEntry};
 use crate::session::state::{Paired, RestMesh, SolvedScene};
@@ -46,7 +46,7 @@ pub struct Report {
     pub moved: Moved,
     /// The least length of an edge as a part of its length at rest.
     pub shortest_edge: f64,
-    /// Faces that are folded over where they are not at rest, if there are any.
+    /// How many faces are folded or dented and are not at rest, if there are any.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub folded: Option<NonZeroUsize>,
     /// How well hard constraints are met, where there are some and they were.
@@ -140,9 +140,7 @@ impl Report {
             circularity: measures.circularity,
             moved: moved(scene, rest),
             shortest_edge: shortest_edge(scene, rest),
-            folded: NonZeroUsize::new(
-                folded_faces(rest.mesh(), rest.topology(), scene.positions()).len(),
-            ),
+            folded: NonZeroUsize::new(rest.folded_by(scene.positions()).len()),
             exact,
             seconds: Seconds {
                 load: progress.load_seconds(),

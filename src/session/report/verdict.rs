@@ -5,7 +5,6 @@ use super::face_measure::face_values;
 use super::inspect::{asked_measure, members};
 use super::measuring::{Measuring, Shape};
 use super::moved::moved;
-use crate::mesh::folded_faces;
 use crate::session::state::RestMesh;
 use crate::solve::Moved;
 use serde::Serialize;
@@ -27,7 +26,7 @@ pub struct Verdict {
     pub worst: f64,
     /// The face that it belongs to.
     pub worst_face: u32,
-    /// How many faces of the mesh are folded over where they are not at rest.
+    /// How many faces of the mesh are folded or dented and are not at rest.
     pub folded: usize,
     /// How far the vertices are from their rest positions.
     pub moved: Moved,
@@ -57,8 +56,7 @@ impl Verdict {
             within: faces.iter().filter(|&&face| distance(face) <= tolerance).count(),
             worst: distance(worst_face),
             worst_face,
-            folded: folded_faces(model.rest.mesh(), model.rest.topology(), model.scene.positions())
-                .len(),
+            folded: model.rest.folded_by(model.scene.positions()).len(),
             moved: moved(model.scene, model.rest),
         })
     }

@@ -1,7 +1,7 @@
 //! The mesh at rest: as it was opened, or as it was made from that.
 
 use crate::math::Vec3;
-use crate::mesh::{BoundingSphere, Group, Mesh, Point, Topology};
+use crate::mesh::{BoundingSphere, Group, Mesh, Point, Topology, folded_faces};
 
 /// A mesh at rest with its topology.
 pub(crate) struct RestMesh {
@@ -63,6 +63,11 @@ impl RestMesh {
     /// Positions at rest, `#V by 3`.
     pub(crate) fn positions(&self) -> &[Point] {
         &self.mesh.positions
+    }
+
+    /// The faces that `now` (`#V by 3`) has folded or dented; see [`folded_faces`].
+    pub(crate) fn folded_by(&self, now: &[Point]) -> Vec<u32> {
+        folded_faces(&self.mesh, &self.topology, now)
     }
 
     /// Diameter of the bounding sphere, in the unit of the mesh.

@@ -1,7 +1,6 @@
 //! The tolerance to offer where panels are as asked and faces are folded: within a larger one they may not be.
 
 use crate::error::Error;
-use crate::mesh::folded_faces;
 use crate::session::Session;
 use crate::session::edit::Edit;
 use serde::Serialize;
@@ -15,6 +14,8 @@ const MOST: f64 = 0.1;
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Unfolded {
+    /// The id of the kind that panels are asked to be.
+    pub kind: &'static str,
     /// In the unit of the mesh.
     pub tolerance: f64,
     /// How many faces are folded within it.
@@ -65,11 +66,9 @@ impl Unfolding {
         self.session
             .edit(Edit::MakePanels { kind: self.kind.to_owned(), within: Some(tolerance) })?;
         self.session.solve(false)?;
-        let rest = &self.session.rest;
-        let folded =
-            folded_faces(rest.mesh(), rest.topology(), self.session.scene.positions()).len();
+        let folded = self.session.rest.folded_by(self.session.scene.positions()).len();
         if folded < self.best.map_or(self.before, |best| best.folded) {
-            self.best = Some(Unfolded { tolerance, folded });
+            self.best = Some(Unfolded { kind: self.kind, tolerance, folded });
         }
         if folded == 0 {
             self.untried.clear();

@@ -122,6 +122,12 @@ test('points are moved, added and removed by keys', async ({ page }) => {
   await point(dialog, 2).focus();
   await page.keyboard.press('ArrowRight');
   await expect(point(dialog, 2)).toHaveAccessibleName('Point 2 of the outline, 22, 0 m, corner');
+  // A size that is typed is a step of its own.
+  await dialog.getByLabel('Height').fill('6.5');
+  await dialog.getByRole('button', { name: 'Undo' }).click();
+  await expect(dialog.getByLabel('Height')).toHaveValue('5');
+  await expect(point(dialog, 2)).toHaveAccessibleName('Point 2 of the outline, 22, 0 m, corner');
+  await point(dialog, 2).focus();
   await page.keyboard.press('Control+z');
   await expect(point(dialog, 2)).toHaveAccessibleName('Point 2 of the outline, 20, 0 m, corner');
   await dialog.getByRole('button', { name: 'Add a point' }).click();

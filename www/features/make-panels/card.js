@@ -209,16 +209,14 @@ export class MakePanels {
   /** Makes the panels again within a larger tolerance, where one is found that folds fewer faces. */
   async #avoidFolds() {
     const { store, actions } = this.#app;
-    const { model, kinds } = store.get();
-    const tolerance = store.get().tolerance ?? model?.tolerance ?? 0;
-    const verdict = await actions.verdict(tolerance).catch(() => null);
+    const { model, kinds, tolerance } = store.get();
     actions.setStatus('Looking for a tolerance within which nothing folds …');
-    const found = await actions.reportErrors(actions.unfolded(tolerance));
-    if (found === undefined || !verdict || store.get().model !== model) return;
+    const found = await actions.reportErrors(actions.unfolded(tolerance ?? model?.tolerance ?? 0));
+    if (found === undefined || store.get().model !== model) return;
     if (!found) return actions.setStatus('No larger tolerance that was tried folds less.');
-    const kind = kinds.find(({ id }) => id === verdict.kind);
+    const kind = kinds.find(({ id }) => id === found.kind);
     if (!kind || (await actions.edit({ type: 'reset' })) === undefined) return;
-    actions.setTolerance({ id: '', toleranced: true }, found.tolerance);
+    actions.setTolerance(found.tolerance);
     await this.#make(kind);
   }
 

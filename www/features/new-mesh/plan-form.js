@@ -18,6 +18,8 @@ const DRAW_HINT =
 /** Steps back that are kept. */
 const MOST_STEPS = 100;
 const DIGITS = 6;
+/** What a length of the plan can be. */
+const LENGTH = /** @type {const} */ ({ of: 'length', least: 1e-6, most: 1e6 });
 
 /** A roof of 20 by 12 metres with one arched side. @param {number} metre in the unit @returns {Plan} */
 const firstPlan = (metre) => {
@@ -145,10 +147,11 @@ export function planForm({ unit, metre, onchange, make }) {
 
   /** @param {Spot} spot */
   function removePoint({ loop, point }) {
-    if (points().length <= 3) return;
+    const all = loops()[loop];
+    if (all.length <= 3) return;
     step(() => {
-      loops()[loop].splice(point, 1);
-      selected = { loop, point: point % loops()[loop].length };
+      all.splice(point, 1);
+      selected = { loop, point: point % all.length };
     });
     drawing.focus();
   }
@@ -208,16 +211,33 @@ export function planForm({ unit, metre, onchange, make }) {
   });
   const back = button('Undo', undo);
 
-  const layout = choice({}, (value) => step(() => (plan.layout = toLayout(value))), [
-    ['follow', 'Along the outline'],
-    ['cut', 'A grid, cut'],
-  ]);
-  const stands = choice({}, (value) => step(() => (plan.stands = toStands(value))), [
-    ['corners', 'Its corners'],
-    ['outline', 'The whole outline'],
-  ]);
-  const panel = /** @type {const} */ ({ least: 1e-6, most: 1e6 });
+  const layout = choice(
+    {},
+    (value) => step(() => (plan.layout = /** @type {Plan["layout"]} */ (value))),
+    [
+      ['follow', 'Along the outline'],
+      ['cut', 'A grid, cut'],
+    ],
+  );
+  const stands = choice(
+    {},
+    (value) => step(() => (plan.stands = /** @type {Plan["stands"]} */ (value))),
+    [
+      ['corners', 'Its corners'],
+      ['outline', 'The whole outline'],
+    ],
+  );
+  // What is typed into a field is one step.
+  let isTyped = false;
   const sizes = element('div.sizes');
+  sizes.addEventListener('focusin', () => (isTyped = false));
+  /** @param {() => unknown} change */
+  function type(change) {
+    if (!isTyped) remember();
+    isTyped = true;
+    back.disabled = false;
+    change();
+  }
 
   /** The fields of the plan as a whole; made anew where the plan is another one. */
   function showSizes() {
@@ -226,14 +246,13 @@ export function planForm({ unit, metre, onchange, make }) {
       /** @type {string} */ label,
       /** @type {Partial<import("../../pkg/build/shape_up.js").Size>} */ limits,
     ) => {
-      const size = { id, label, of: 'length', ...panel, default: plan[id], ...limits };
-      const made = sizeField(/** @type {any} */ (size), {
+      const size = { label, ...LENGTH, ...limits };
+      const made = sizeField(size, {
         value: rounded(plan[id]),
         unit,
         onchange: () => {
           const input = made.querySelector('input');
-          if (!input?.validity.valid) return onchange();
-          plan[id] = input.valueAsNumber;
+          if (input?.validity.valid) type(() => (plan[id] = input.valueAsNumber));
           onchange();
         },
       });
@@ -249,8 +268,8 @@ export function planForm({ unit, metre, onchange, make }) {
   }
 
   function show() {
-    const { loop, point } = selected;
-    if (!points()?.[point]) selected = { loop: 0, point: 0 };
+    if (!points()?.[selected.point]) selected = { loop: 0, point: 0 };
+    const { loop } = selected;
     const { chord, rise: height } = sideOf(points(), selected.point);
     const { at, corner: isCorner } = selectedPoint();
     setText(which, `Point ${selected.point + 1} of ${loop ? `hole ${loop}` : 'the outline'}`);
@@ -296,7 +315,9 @@ export function planForm({ unit, metre, onchange, make }) {
       drawing.stop();
       show();
     }
-    if (event.key === 'z' && (event.ctrlKey || event.metaKey) && event.target !== layout) {
+    // Text that is typed has an undo of its own.
+    const isText = event.target instanceof HTMLInputElement && event.target.type === 'number';
+    if (event.key === 'z' && (event.ctrlKey || event.metaKey) && !isText) {
       event.preventDefault();
       undo();
     }
@@ -322,8 +343,3 @@ export function planForm({ unit, metre, onchange, make }) {
     },
   };
 }
-
-/** @param {string} value @returns {Plan["layout"]} */
-const toLayout = (value) => (value === 'cut' ? 'cut' : 'follow');
-/** @param {string} value @returns {Plan["stands"]} */
-const toStands = (value) => (value === 'outline' ? 'outline' : 'corners');

@@ -47,7 +47,8 @@ export function legend(place, { store, viewport, actions }, fit) {
   const tolerance = field('Tolerance', (value) => {
     const state = store.get();
     const about = declared(state, state.measure);
-    if (about) actions.setTolerance(about, value);
+    if (about?.toleranced) actions.setTolerance(value);
+    else if (about) actions.setToleranceOf(about.id, value);
   });
   tolerance.placeholder = 'none';
   const toggle = (

@@ -5,7 +5,7 @@ import { element } from '../dom.js';
 /** @typedef {import("../../pkg/solver/shape_up.js").Size} Size */
 
 /**
- * @param {Size} size
+ * @param {Pick<Size, "label" | "of" | "least" | "most">} size
  * @param {{ value: number, unit: string, onchange: () => unknown }} shown `unit`: of lengths
  */
 export function sizeField({ label, of, least, most }, { value, unit, onchange }) {
