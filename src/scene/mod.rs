@@ -14,7 +14,7 @@
 //! | `frame` | the unit and the vertical axis of a mesh file, stated or guessed |
 //! | `up_guess` | which axis of a mesh likely points up |
 //! | `opened` | the settings of a mesh file that somebody opens |
-//! | `panels` | the same shape for all panels, by one press |
+//! | `panels` | the same shape for all panels, by one press, and how far that will move the mesh |
 //! | `presets` | settings that belong together |
 //! | `problem` | the problem that the solver is given |
 
@@ -47,7 +47,7 @@ pub use error::SceneError;
 pub use frame::UnitsAndUp;
 pub use json::{FORMAT, VERSION};
 pub use lesson::{Goal, GoalOf, Lesson, Lock};
-pub use panels::{PanelOffer, panel_offers};
+pub use panels::{Forecast, ForecastOfKind, HowFar, PanelOffer, panel_offers};
 pub use presets::{PRESETS, Preset, PresetOffer};
 pub use results::{GoalResult, Results};
 pub use units::{LengthUnit, UNITS};

@@ -8,7 +8,7 @@ use super::report::{
 };
 use super::selection::{SelectRequest, Selection, select};
 use crate::mesh::{ElementsWithProblem, Measures, Mesh, Weld, write_obj_with_uv};
-use crate::scene::{GoalResult, MeshSource, Scene, SceneError};
+use crate::scene::{Forecast, GoalResult, MeshSource, Scene, SceneError};
 use crate::solve::{
     ConformalNorm, ConformalWeights, FewerFlips, Moved, Parametrization, SolveError,
 };
@@ -107,6 +107,11 @@ impl Session {
     /// single faces: distances up to `tolerance` are within. None where nothing of the kind is asked.
     pub fn verdict(&mut self, tolerance: f64) -> Option<Verdict> {
         Verdict::of(&mut self.measuring(), tolerance)
+    }
+
+    /// How far the mesh as it was opened will move for panels of one shape; none where no such shape is offered.
+    pub fn forecast(&self) -> Option<Forecast> {
+        Forecast::of(self.mesh(), self.topology())
     }
 
     /// The value of each goal of the lesson on the shape as it is, in their order; empty without a lesson.

@@ -22,3 +22,21 @@ fn rows_of_quads_are_told_with_their_size_laid_flat() {
     folder.write("roof.obj", ROOF).run(&["check", "roof.obj", "--report", "roof.json"]).done();
     assert!(folder.json("roof.json")["gauss_curvature"]["max"].is_number());
 }
+
+#[test]
+fn how_far_a_mesh_will_move_for_panels_of_one_shape_is_said() {
+    let folder = Folder::new("forecast");
+    folder.write("roof.obj", ROOF);
+    let text = folder.run(&["check", "roof.obj", "--report", "report.json"]).done();
+    let line = text.lines().find(|line| line.starts_with("panels "));
+    assert!(line.is_some_and(|line| line.contains("This mesh will move ")), "{text}");
+    let kinds = &folder.json("report.json")["forecast"]["kinds"];
+    for (place, kind) in ["plane", "circle"].into_iter().enumerate() {
+        assert_eq!(kinds[place]["kind"], kind);
+        assert!(kinds[place]["least_move"].is_number() && kinds[place]["how_far"].is_string());
+    }
+    folder.write("triangle.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    let text = folder.run(&["check", "triangle.obj", "--report", "report.json"]).done();
+    assert!(!text.contains("panels "), "{text}");
+    assert!(folder.json("report.json").get("forecast").is_none());
+}

@@ -4,8 +4,15 @@
 
 #[path = "../support/fuzz.rs"]
 mod fuzz;
+#[path = "../support/grid.rs"]
+mod grid;
+#[path = "../support/random.rs"]
+mod random;
+#[path = "../support/shared.rs"]
+mod shared;
 
 mod asked;
 mod file;
+mod forecast;
 mod fuzzed;
 mod round_trip;

@@ -185,7 +185,7 @@
  *   adding one of each kind at each of some places would make. `select`: what is selected then.
  * - `worst`: the worst faces by a measure, or the worst constraints of a row. `flawed`: the elements
  *   with a flaw of a {@link Problem}, or `zero-size-faces`. `results`: what a student hands in.
- * - `verdict`: how many panels are as asked, within a tolerance.
+ * - `verdict`: how many panels are as asked, within a tolerance. `forecast`: how far the mesh will move for that.
  * - `remedies`: changes that lower the worst distance, tried on a copy; ends early when something changes.
  * - `unfolded`: a larger tolerance within which fewer faces are folded, tried in the same way.
  * - `mostFaces`: of a mesh that this machine works with at once.
@@ -231,6 +231,7 @@
  *   | { type: "worst", measure: Measure | null, row: number | null, count: number }
  *   | { type: "flawed", flaw: string }
  *   | { type: "verdict", tolerance: number }
+ *   | { type: "forecast" }
  *   | { type: "remedies" }
  *   | { type: "unfolded", tolerance: number }
  *   | { type: "mostFaces" }
@@ -301,6 +302,7 @@
  * @property {WorstElement[]} worst
  * @property {Record<PickMode, Uint32Array>} flawed
  * @property {Verdict | null} verdict null where nothing is asked of the panels
+ * @property {string | null} forecast null where no shape is offered for all panels
  * @property {Remedy[]} remedies the greatest help first
  * @property {import("../pkg/solver/shape_up.js").Unfolded | null} unfolded
  * @property {number} mostFaces

@@ -38,6 +38,9 @@ export function createQueries(solver, reportErrors) {
     /** The energies of each iteration. */
     trace: () => solver.request({ type: 'trace' }),
 
+    /** How far the mesh will move for panels of one shape, in words. */
+    forecast: () => solver.request({ type: 'forecast' }),
+
     /** How many panels are within the tolerance. @param {number} tolerance */
     verdict: (tolerance) => solver.request({ type: 'verdict', tolerance }),
 

@@ -89,6 +89,7 @@ export function requestHandlers(solver, scheduler, post, died) {
       measure ? solver.worstFaces(measure, count) : solver.worstConstraints(row ?? 0, count),
     flawed: ({ flaw }) => solver.flawed(flaw),
     verdict: ({ tolerance }) => solver.verdict(tolerance),
+    forecast: () => solver.forecast(),
     remedies: () => findRemedies(solver),
     unfolded: ({ tolerance }) => findUnfolded(solver, tolerance),
     mostFaces,

@@ -7,6 +7,7 @@ use shape_up::mesh::{
     BoundingSphere, Circularity, CurvatureLines, Measures, Mesh, Planarity, Topology,
     UnrolledStrip, components, gauss_curvature, strips,
 };
+use shape_up::scene::Forecast;
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -36,6 +37,9 @@ struct Check {
     gauss_curvature: Option<GaussCurvature>,
     strips: Vec<StripReport>,
     curvature: Curvature,
+    /// What to expect of panels of one shape; none where no such shape is offered.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    forecast: Option<Forecast>,
     problems: Vec<Problem>,
     notes: Vec<String>,
 }
@@ -48,14 +52,7 @@ struct Curvature {
     mean_degrees: Option<f64>,
     /// The part of the edges, by length, that has such an angle.
     directed: f64,
-    /// Whether most faces are quads, which have to turn them to become circular.
-    #[serde(skip)]
-    quads: bool,
 }
-
-/// From here on edges turn so far that circular panels moved the vertices by more than 0.3 of the mean edge on
-/// average, on six of six meshes, and by less on three of three below (`tests/mesh/curvature.rs` has the angles).
-const TURNS_A_LOT: f64 = 10.0;
 
 #[derive(Serialize)]
 struct Boundary {
@@ -115,11 +112,8 @@ pub(super) fn check(path: &Path, report: Option<&Path>) -> Result<(), Failure> {
         circularity: measures.circularity,
         gauss_curvature: largest_gauss_curvature(mesh, &topology),
         strips: strip_reports(mesh, &topology),
-        curvature: Curvature {
-            mean_degrees: lines.mean,
-            directed: lines.directed,
-            quads: topology.is_quad_dominant(),
-        },
+        curvature: Curvature { mean_degrees: lines.mean, directed: lines.directed },
+        forecast: Forecast::of(mesh, &topology),
         problems: problems.collect(),
         notes: read.notes.clone(),
     };
@@ -158,6 +152,9 @@ fn words(path: &Path, check: &Check) -> String {
     }
     lines.extend(words_of(&check.strips));
     lines.extend(curvature(&check.curvature));
+    lines.extend(
+        check.forecast.as_ref().map(|forecast| format!("panels      {}", forecast.words())),
+    );
     lines.extend(check.problems.iter().map(|problem| format!("problem: {}", problem.message)));
     lines.extend(check.notes.iter().map(|note| format!("note: {note}")));
     lines.join("\n") + "\n"
@@ -203,16 +200,10 @@ fn words_of(strips: &[StripReport]) -> Vec<String> {
     alike.map(line).collect()
 }
 
-/// The angle of the edges to the lines of curvature, and what follows for quads; nothing without an angle.
+/// The angle of the edges to the lines of curvature; nothing without an angle.
 fn curvature(edges: &Curvature) -> Option<String> {
     let mean = edges.mean_degrees?;
-    let outlook = if edges.quads && mean >= TURNS_A_LOT {
-        ": circular panels will move this mesh a lot"
-    } else {
-        ""
-    };
-    let off = "degrees off the lines of curvature on average";
-    Some(format!("curvature   edges are {mean:.0} {off}{outlook}"))
+    Some(format!("curvature   edges are {mean:.0} degrees off the lines of curvature on average"))
 }
 
 fn tally(degrees: impl Iterator<Item = usize>) -> BTreeMap<usize, usize> {

@@ -3,8 +3,8 @@
 //! Everything is found by sorting, so the order of all lists depends on the mesh alone. A mesh need
 //! not be a manifold: an edge may have any number of faces, a vertex any number of fans.
 
-use crate::math::{argsort, key_of_pair, polygon_sides};
-use crate::mesh::{Mesh, Ragged};
+use crate::math::{Vec3, argsort, key_of_pair, polygon_sides};
+use crate::mesh::{Mesh, Point, Ragged};
 
 /// The adjacency of a mesh. Indices are those of the mesh; edges are numbered in lexicographic
 /// order of their ends.
@@ -96,6 +96,14 @@ impl Topology {
     pub fn edge_faces(&self) -> &Ragged {
         &self.edge_faces
     }
+    /// Mean length of an edge at `positions`, `#V by 3`, in their unit; zero without edges.
+    pub fn mean_edge(&self, positions: &[Point]) -> f64 {
+        let at = |v: u32| Vec3::from(positions[v as usize]);
+        let edges = self.edges();
+        let sum: f64 = edges.iter().map(|&[a, b]| (at(b) - at(a)).length()).sum();
+        sum / edges.len().max(1) as f64
+    }
+
     /// Whether edge `e` has exactly one face.
     pub fn is_boundary_edge(&self, e: u32) -> bool {
         self.edge_faces.row(e as usize).len() == 1

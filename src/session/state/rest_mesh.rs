@@ -1,6 +1,5 @@
 //! The mesh at rest: as it was opened, or as it was made from that.
 
-use crate::math::Vec3;
 use crate::mesh::{BoundingSphere, Group, Mesh, Point, Topology, folded_faces};
 
 /// A mesh at rest with its topology.
@@ -77,10 +76,7 @@ impl RestMesh {
 
     /// Mean length of an edge, in the unit of the mesh; zero without edges.
     pub(crate) fn mean_edge(&self) -> f64 {
-        let at = |v: u32| Vec3::from(self.mesh.positions[v as usize]);
-        let edges = self.topology.edges();
-        let sum: f64 = edges.iter().map(|&[a, b]| (at(b) - at(a)).length()).sum();
-        sum / edges.len().max(1) as f64
+        self.topology.mean_edge(&self.mesh.positions)
     }
 
     /// The names of the groups that one of `faces` is in, in the order of the file.

@@ -19,6 +19,7 @@
 //! | `block_system` | the system of the polish |
 //! | `polish` | the second stage |
 //! | `improve` | from an exact shape to a better one |
+//! | `least_move` | how far vertices have to move, before anything is solved |
 //! | `answer` | what has come of it |
 
 mod answer;
@@ -27,12 +28,14 @@ pub(super) mod block_system;
 mod guard;
 mod hard_rows;
 mod improve;
+mod least_move;
 pub(super) mod model;
 mod normal_space;
 pub(super) mod polish;
 mod requirement;
 
 pub use answer::{ExactAnswer, Improved, Moved, Unmet, exact_tolerance};
+pub use least_move::least_move;
 pub use requirement::{Require, Requirements};
 
 use super::clock;

@@ -26,6 +26,12 @@ impl Solver {
         plain(&self.open_mut()?.verdict(tolerance))
     }
 
+    /// How far the mesh will move for panels of one shape, in words; null where no such shape is offered.
+    #[wasm_bindgen(unchecked_return_type = "string | null")]
+    pub fn forecast(&self) -> Result<JsValue, JsValue> {
+        plain(&self.open()?.forecast().map(|forecast| forecast.words()))
+    }
+
     /// The vertices, edges and faces that have a flaw, as the page selects them.
     pub fn flawed(&self, name: &str) -> Result<JsValue, JsValue> {
         let session = self.open()?;

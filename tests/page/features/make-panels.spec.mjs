@@ -23,6 +23,9 @@ test('a mesh that was opened is made circular by one press; a verdict says how f
 }) => {
   await openPage(page);
   await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
+  // What it will cost is said before it is pressed.
+  const forecast = 'This mesh will move a little for flat or circular panels.';
+  await expect(offer(page).getByText(forecast)).toBeVisible();
   // Each is on the page once.
   await press(page, 'circular').click();
   const status = page.getByRole('status');

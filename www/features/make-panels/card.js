@@ -35,6 +35,10 @@ export class MakePanels {
   /** Fitted shapes are shown since a press, whose model it was. @type {unknown} */
   #shown = null;
   #text = element('p');
+  /** How far the mesh will move, and why. */
+  #forecast = element('p.quiet');
+  /** The model that the forecast is of. @type {unknown} */
+  #foreseen = null;
   #folds = element(
     'div.folds',
     button('Show the folds', () => this.#showFolded()),
@@ -142,8 +146,25 @@ export class MakePanels {
     const { buttons, reasons } = panelButtons(state, 'make-panels-reason', press);
     this.#panel.hidden = !offers || here !== this.#panel;
     if (here === this.#panel) renew(here, element('div', ...buttons), ...reasons);
-    else renew(here, ...reasons, element('div', ...buttons, this.#somethingElse()), this.#cross());
+    else {
+      const press = element('div', ...buttons, this.#somethingElse());
+      renew(here, ...reasons, this.#forecast, press, this.#cross());
+      this.#foresee();
+    }
     this.#cover();
+  }
+
+  /** Says how far the mesh will move for what is offered; asked once for each. */
+  async #foresee() {
+    const { store, actions } = this.#app;
+    const { model } = store.get();
+    if (this.#foreseen === model) return;
+    this.#foreseen = model;
+    this.#forecast.hidden = true;
+    const words = await actions.forecast().catch(() => null);
+    if (store.get().model !== model) return;
+    setText(this.#forecast, words ?? '');
+    this.#forecast.hidden = !words;
   }
 
   /** @param {"nothing" | "offer" | "verdict"} what */

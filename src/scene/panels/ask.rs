@@ -1,8 +1,8 @@
-//! The same shape for all panels, by one press.
+//! The shapes that are offered for all panels, and the scene that asks for one.
 
-use super::{ConstraintSpec, Scene, SceneError};
 use crate::constraint::{Centring, Element, Info, KINDS, Kind, KindError, Selector};
 use crate::mesh::Mesh;
+use crate::scene::{ConstraintSpec, Scene, SceneError};
 use crate::solve::Require;
 use serde::Serialize;
 

@@ -1,0 +1,139 @@
+//! How far vertices have to move at least for constraints to hold, to first order; nothing is solved for it.
+
+use super::answer::Moved;
+use super::hard_rows::{HardRow, HardRows};
+use super::normal_space::{Differences, Linear};
+use super::requirement::Require;
+use crate::constraint::{Reference, Row};
+use crate::math::Vec3;
+use crate::mesh::{Mesh, Ragged};
+use crate::solve::energy::Constraints;
+use crate::solve::local_frame::{centre_and_extent, relative, rest_surface};
+use std::rc::Rc;
+
+/// Steps of conjugate gradients at most; with fewer the movement is smaller, never greater.
+const STEPS: usize = 60;
+/// The steps end at this part of the residual.
+const PRECISION: f64 = 0.02;
+/// A column of what is nearly an orthogonal projector counts from this length on: all else is rounding, as where
+/// every position is as asked.
+const RANK: f64 = 1e-3;
+
+/// The smallest change of the positions of `mesh`, in least squares, after which `constraints` hold as far as their
+/// linearisation tells: the first step of the polish, with all ways equally short. Lengths are in the unit of the mesh.
+pub fn least_move(mesh: &Mesh, constraints: &[Constraints]) -> Moved {
+    let (centre, extent) = centre_and_extent(&mesh.positions);
+    let x: Vec<Row> = mesh.positions.iter().map(|&point| relative(point, centre)).collect();
+    let surface = || Rc::new(rest_surface(mesh, centre));
+    let reference = Reference { surface: &surface, pose: None };
+    let own_nodes: Vec<u32> = (0..x.len() as u32).collect();
+    let rows: Vec<HardRow<'_>> =
+        constraints.iter().map(|row| (row, None, Require::Exact)).collect();
+    let mut conditions = Conditions::default();
+    for hard in &HardRows::new(&rows, &own_nodes, &x, &reference).batches {
+        let (points, count) = (hard.batch.points(), hard.batch.count());
+        let size = 3 * points;
+        let mut residuals = vec![0.0; size * count];
+        hard.residuals(&x, None, &mut residuals);
+        let mut differences = Differences::new(points);
+        let mut normal = vec![0.0; size * size];
+        for (i, residual) in residuals.chunks_exact_mut(size).enumerate() {
+            let to = Linear { residual: &mut *residual, normal: &mut normal };
+            differences.linearise((hard, None), i, &x, extent, to);
+            let vertices: Vec<u32> = hard.batch.nodes_of(i).collect();
+            conditions.add(&vertices, &mut normal, residual);
+        }
+    }
+    let step = conditions.least_step(x.len());
+    Moved::of(step.iter().map(|way| way.length()))
+}
+
+/// Linear conditions `direction . (residual + change) = 0` on the points of single constraints.
+#[derive(Default)]
+struct Conditions {
+    /// The vertices of each.
+    vertices: Ragged,
+    /// For each of them the part of the direction there; each direction is a unit vector.
+    directions: Vec<Vec3<f64>>,
+    /// The residual along each direction.
+    residuals: Vec<f64>,
+}
+
+impl Conditions {
+    /// Adds a condition for each dimension of the normal space of a constraint, which the columns of the symmetric
+    /// `normal` span: an orthonormal basis by Gram and Schmidt, the largest column first. Leaves nothing in `normal`.
+    fn add(&mut self, vertices: &[u32], normal: &mut [f64], residual: &[f64]) {
+        let size = residual.len();
+        for _ in 0..size {
+            let columns = normal.chunks_exact(size).map(|column| dot(column, column));
+            let longest = columns.enumerate().max_by(|(_, a), (_, b)| a.total_cmp(b));
+            let Some((place, squared)) = longest else { return };
+            if squared.is_nan() || squared <= RANK * RANK {
+                return;
+            }
+            let scale = 1.0 / squared.sqrt();
+            let direction: Vec<f64> =
+                normal[place * size..][..size].iter().map(|value| value * scale).collect();
+            for column in normal.chunks_exact_mut(size) {
+                let along = dot(column, &direction);
+                column.iter_mut().zip(&direction).for_each(|(value, part)| *value -= along * part);
+            }
+            self.vertices.push(vertices);
+            self.residuals.push(dot(&direction, residual));
+            let parts = direction.chunks_exact(3).map(|part| Vec3::new(part[0], part[1], part[2]));
+            self.directions.extend(parts);
+        }
+    }
+
+    /// `J^T (J J^T)^-1 r`, where `J` are the directions and `r` the residuals, by conjugate gradients; `#V by 3`.
+    fn least_step(&self, n_vertices: usize) -> Vec<Vec3<f64>> {
+        let mut residual = self.residuals.clone();
+        let mut along = residual.clone();
+        let mut step = vec![Vec3::zero(); n_vertices];
+        let mut change = step.clone();
+        let mut left = dot(&residual, &residual);
+        let enough = PRECISION * PRECISION * left;
+        for _ in 0..STEPS {
+            if left <= enough {
+                break;
+            }
+            self.transposed(&along, &mut change);
+            let image = self.times(&change);
+            let size = left / dot(&along, &image);
+            if !size.is_finite() {
+                break;
+            }
+            step.iter_mut().zip(&change).for_each(|(step, &change)| *step += change * size);
+            residual.iter_mut().zip(&image).for_each(|(left, image)| *left -= size * image);
+            let before = std::mem::replace(&mut left, dot(&residual, &residual));
+            let kept = left / before;
+            along.iter_mut().zip(&residual).for_each(|(along, left)| *along = left + kept * *along);
+        }
+        step
+    }
+
+    /// `J^T`, of a number for each condition.
+    fn transposed(&self, numbers: &[f64], change: &mut [Vec3<f64>]) {
+        change.fill(Vec3::zero());
+        let mut directions = self.directions.iter();
+        for (vertices, &number) in self.vertices.iter().zip(numbers) {
+            for (&vertex, &direction) in vertices.iter().zip(&mut directions) {
+                change[vertex as usize] += direction * number;
+            }
+        }
+    }
+
+    /// `J`, of a change of the positions.
+    fn times(&self, change: &[Vec3<f64>]) -> Vec<f64> {
+        let mut directions = self.directions.iter();
+        let each = self.vertices.iter().map(|vertices| {
+            let both = vertices.iter().zip(&mut directions);
+            both.map(|(&vertex, direction)| direction.dot(change[vertex as usize])).sum()
+        });
+        each.collect()
+    }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}

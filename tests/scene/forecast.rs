@@ -1,0 +1,172 @@
+//! How far a mesh will move for panels of one shape, said before it is solved.
+
+use crate::grid::grid;
+use shape_up::constraint::{KINDS, Kind};
+use shape_up::math;
+use shape_up::mesh::{Mesh, Topology};
+use shape_up::scene::{Forecast, ForecastOfKind, HowFar, Scene};
+use shape_up::session::Session;
+use shape_up::solve::{Constraints, Require, least_move};
+
+/// A vault, whose panels are all circular, with every vertex off by up to `off` of an edge.
+fn vault(off: f64) -> Mesh {
+    let mut noise = crate::random::Random::new(7);
+    let mut mesh = grid(12, 9, |i, j| {
+        let turn = f64::from(i) / 40.0;
+        [6.0 * math::cosine(turn), f64::from(j), 6.0 * math::sine(turn)]
+    });
+    let coordinates = mesh.positions.as_flattened_mut().iter_mut();
+    coordinates.for_each(|coordinate| *coordinate += off * noise.uniform());
+    mesh
+}
+
+fn forecast(mesh: &Mesh) -> Forecast {
+    Forecast::of(mesh, &Topology::new(mesh)).unwrap()
+}
+
+/// How far the mesh moves on average to have exact panels of this kind, as a part of its mean edge, and the forecast.
+fn moved_and_forecast(mesh: &Mesh, kind: &str) -> (f64, ForecastOfKind, Forecast) {
+    let forecast = forecast(mesh);
+    let of_kind = *forecast.kinds.iter().find(|one| one.kind == kind).unwrap();
+    let mut scene = Scene::opened("own.obj");
+    scene.ask_of_panels(kind, Require::Exact, mesh).unwrap();
+    let mut session = Session::open(scene, mesh.clone()).unwrap();
+    session.solve(false).unwrap();
+    (session.moved().mean / session.mean_edge(), of_kind, forecast)
+}
+
+#[test]
+fn what_is_as_asked_does_not_move() {
+    for kind in forecast(&vault(0.0)).kinds {
+        assert_eq!(kind.how_far, HowFar::Nothing, "{kind:?}");
+    }
+    assert_eq!(
+        forecast(&vault(0.0)).words(),
+        "This mesh will move not at all for flat or circular panels."
+    );
+    let triangle = Mesh {
+        positions: vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.3]],
+        faces: [[0, 1, 2]].into_iter().collect(),
+        ..Mesh::default()
+    };
+    // Every triangle is flat: nothing is offered, and rounding is no movement.
+    assert_eq!(Forecast::of(&triangle, &Topology::new(&triangle)), None);
+    let kind = Kind::new("circle", serde_json::json!({})).unwrap();
+    let row = Constraints { kind, weight: 1.0, members: triangle.faces.clone() };
+    assert!(least_move(&triangle, &[row]).max < 1e-12);
+}
+
+#[test]
+fn near_a_shape_that_is_as_asked_it_is_the_way_of_the_exact_solution() {
+    for kind in ["circle", "plane"] {
+        let (moved, forecast, _) = moved_and_forecast(&vault(0.02), kind);
+        let ratio = forecast.least_move / moved;
+        assert!((0.9..1.1).contains(&ratio), "{kind}: {} for {moved}", forecast.least_move);
+    }
+}
+
+#[test]
+fn it_does_not_depend_on_the_unit_and_on_where_a_mesh_lies() {
+    let mesh = vault(0.1);
+    let expected = forecast(&mesh).kinds;
+    for scale in [1e-3, 1e3] {
+        let moved =
+            mesh.positions.iter().map(|&[x, y, z]| [scale * (y + 1e3), scale * z, scale * x]);
+        let moved = Mesh { positions: moved.collect(), ..mesh.clone() };
+        for (a, b) in forecast(&moved).kinds.iter().zip(&expected) {
+            assert!((a.least_move - b.least_move).abs() < 1e-6 * b.least_move, "{a:?}, {b:?}");
+        }
+    }
+}
+
+#[test]
+fn every_kind_has_a_least_movement_on_degenerate_faces() {
+    // A face without size, one that is folded to a line, and one that is far from flat.
+    let mesh = Mesh {
+        positions: vec![
+            [0.0; 3],
+            [0.0; 3],
+            [0.0; 3],
+            [0.0; 3],
+            [1.0, 0.0, 0.0],
+            [2.0, 0.0, 0.0],
+            [1.0, 0.0, 0.0],
+            [0.0, 3.0, 1.0],
+        ],
+        faces: [[0, 1, 2, 3], [0, 4, 5, 6], [4, 5, 7, 0]].into_iter().collect(),
+        ..Mesh::default()
+    };
+    for info in KINDS {
+        let Ok(kind) = Kind::new(info.id, serde_json::json!({})) else { continue };
+        let members = mesh.faces.iter().filter(|face| info.arity.fits(face.len())).collect();
+        let moved = least_move(&mesh, &[Constraints { kind, weight: 1.0, members }]);
+        assert!(moved.max.is_finite() && moved.mean.is_finite(), "{}: {moved:?}", info.id);
+    }
+}
+
+#[test]
+fn flat_panels_of_six_corners_on_a_saddle_are_said_to_be_impossible() {
+    // Two rows of bricks: each has six corners.
+    let bricks = |saddle: f64| {
+        let point = |i: u32, j: u32| {
+            let [x, y] = [f64::from(i) - 8.0, f64::from(j) - 8.0];
+            [x, y, 0.02 * (x * x + saddle * y * y)]
+        };
+        let at = |i: u32, j: u32| i * 17 + j;
+        let brick = |i, j| {
+            [at(i, j), at(i + 1, j), at(i + 2, j), at(i + 2, j + 1), at(i + 1, j + 1), at(i, j + 1)]
+        };
+        let bricks = (0..16).flat_map(|j| (j % 2..15).step_by(2).map(move |i| brick(i, j)));
+        Mesh {
+            positions: (0..17).flat_map(|i| (0..17).map(move |j| point(i, j))).collect(),
+            faces: bricks.collect(),
+            ..Mesh::default()
+        }
+    };
+    let [saddle, bowl] = [-1.0, 1.0].map(|saddle| forecast(&bricks(saddle)));
+    assert!(saddle.saddles.unwrap() > 0.9 && saddle.words().contains("cannot be convex"));
+    assert!(bowl.saddles.unwrap() < 0.05 && !bowl.words().contains("convex"));
+    // The edges of what is no mesh of quads need not follow anything.
+    assert_eq!(saddle.off_curvature_lines, None);
+}
+
+/// Quad meshes of `../shared/meshes` that are solved in a second.
+const MESHES: [&str; 9] = [
+    "M2_eq_quad2.obj",
+    "botanic-garden-bubble-0.obj",
+    "chebyshev_sphere.obj",
+    "cmc1.obj",
+    "compas_hypar.obj",
+    "compas_tubemesh.obj",
+    "halftunnel.off",
+    "pillow_1.obj",
+    "trimesh_quadknot.obj",
+];
+
+#[test]
+fn what_is_said_of_real_meshes_is_what_becomes_of_them() {
+    for file in MESHES {
+        let Some(mesh) = crate::shared::mesh(file) else { return };
+        for kind in ["circle", "plane"] {
+            let (moved, of_kind, forecast) = moved_and_forecast(&mesh, kind);
+            let ForecastOfKind { least_move, how_far, .. } = of_kind;
+            let angle = forecast.off_curvature_lines;
+            println!("{file} {kind}: {angle:?} {least_move:.3} {how_far:?}, moved {moved:.3}");
+            let is_true = match how_far {
+                HowFar::Lot => moved > 0.19,
+                HowFar::Little => (0.03..0.21).contains(&moved),
+                HowFar::Hardly => moved < 0.04,
+                HowFar::Nothing => moved < 1e-6,
+            };
+            assert!(is_true, "{file} {kind}: said {how_far:?}, moved {moved:.3}");
+            // Far away the constraints bend, and the straight way is too long.
+            let ratio = least_move / moved;
+            let near = if moved < 0.2 && least_move < 0.2 { 0.65..1.2 } else { 0.8..4.6 };
+            assert!(moved < 1e-4 || near.contains(&ratio), "{file} {kind}: {least_move} {moved}");
+            let words = forecast.words();
+            let named = words.contains("off the lines of curvature");
+            let far = forecast.kinds.iter().any(|kind| kind.how_far == HowFar::Lot);
+            assert_eq!(named, far && angle.is_some_and(|angle| angle >= 10.0), "{file}: {words}");
+        }
+    }
+}
