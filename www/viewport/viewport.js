@@ -177,6 +177,12 @@ export class Viewport extends Emitter {
     }
   }
 
+  /** The lines that are seen, as an SVG file for print; nothing without a view. */
+  lineDrawing() {
+    this.#handOver();
+    return this.view?.lineDrawing();
+  }
+
   async #create() {
     const canvas = document.createElement('canvas');
     canvas.addEventListener('webglcontextlost', (event) => {

@@ -5,10 +5,14 @@ use crate::view::camera::{Camera, Eye};
 use crate::view::model::RenderMesh;
 use glam::{Vec2, Vec3};
 
-/// Pixels along the longer side of the canvas.
-const LONGER_SIDE: f32 = 512.0;
+/// Pixels along the longer side of the canvas, to tell what can be selected.
+pub const COARSE: f32 = 512.0;
 /// A point this much farther away than the surface, in parts of its depth, still counts as on it.
 const TOLERANCE: f32 = 4e-3;
+/// The same for lines that are sides of faces, which need no tolerance on these.
+const TOLERANCE_OF_SIDES: f32 = 5e-4;
+/// A surface this much farther away than a line on another one is not its continuation.
+const BEHIND: f32 = 2e-2;
 /// No face.
 const NONE: u32 = u32::MAX;
 
@@ -28,9 +32,9 @@ pub struct DepthMap {
 }
 
 impl DepthMap {
-    /// Draws all triangles as the camera sees them.
-    pub fn new(mesh: &RenderMesh, camera: &Camera) -> DepthMap {
-        let scale = LONGER_SIDE / camera.canvas.max_element().max(1.0);
+    /// Draws all triangles as the camera sees them, with so many pixels along the longer side.
+    pub fn new(mesh: &RenderMesh, camera: &Camera, longer_side: f32) -> DepthMap {
+        let scale = longer_side / camera.canvas.max_element().max(1.0);
         let size = (camera.canvas * scale).ceil().max(Vec2::ONE);
         let (width, height) = (size.x as usize, size.y as usize);
         let mut map = DepthMap {
@@ -115,18 +119,45 @@ impl DepthMap {
     /// Whether a point of the surface is in front at some pixel around it. The neighbours count so
     /// that points on the outline are seen.
     pub fn shows(&self, screen: Vec2, depth: f32) -> bool {
-        let at = (screen * self.scale).floor();
-        let nearness = match self.parallel {
-            None => (1.0 + TOLERANCE) / depth,
-            Some(scale) => TOLERANCE * scale - depth,
-        };
-        (-1..=1).any(|dy| {
-            (-1..=1).any(|dx| {
-                let x = (at.x as i64 + dx).clamp(0, self.width as i64 - 1) as usize;
-                let y = (at.y as i64 + dy).clamp(0, self.height as i64 - 1) as usize;
-                self.nearness[y * self.width + x] <= nearness
-            })
+        let nearness = self.nearness_of(depth, TOLERANCE);
+        self.around(screen, |pixel| self.nearness[pixel] <= nearness)
+    }
+
+    /// Whether a point of a line is in front at its pixel, or one of the `faces` that have the line for a side is at
+    /// some pixel around it.
+    pub fn shows_line(&self, screen: Vec2, depth: f32, faces: &[u32]) -> bool {
+        let tolerance = if faces.is_empty() { TOLERANCE } else { TOLERANCE_OF_SIDES };
+        self.nearness[self.pixel_at(screen, 0, 0)] <= self.nearness_of(depth, tolerance)
+            || self.around(screen, |pixel| faces.contains(&self.faces[pixel]))
+    }
+
+    /// Whether at some pixel around a point there is nothing, or something that is much farther away and none of `faces`.
+    pub fn ends_at(&self, screen: Vec2, depth: f32, faces: &[u32]) -> bool {
+        let behind = self.nearness_of(depth, -BEHIND);
+        self.around(screen, |pixel| {
+            self.nearness[pixel] < behind && !faces.contains(&self.faces[pixel])
         })
+    }
+
+    /// What hides a point at a depth is nearer than this.
+    fn nearness_of(&self, depth: f32, tolerance: f32) -> f32 {
+        match self.parallel {
+            None => (1.0 + tolerance) / depth,
+            Some(scale) => tolerance * scale - depth,
+        }
+    }
+
+    /// Whether `is_so` of the pixel at a place, or of one around it.
+    fn around(&self, screen: Vec2, is_so: impl Fn(usize) -> bool) -> bool {
+        (-1..=1).any(|dy| (-1..=1).any(|dx| is_so(self.pixel_at(screen, dx, dy))))
+    }
+
+    /// The pixel at a place, so many to the right and down of it; beyond the picture that at its rim.
+    fn pixel_at(&self, screen: Vec2, dx: i64, dy: i64) -> usize {
+        let at = (screen * self.scale).floor();
+        let x = (at.x as i64 + dx).clamp(0, self.width as i64 - 1) as usize;
+        let y = (at.y as i64 + dy).clamp(0, self.height as i64 - 1) as usize;
+        y * self.width + x
     }
 
     /// Per face, whether it is in front at some pixel.

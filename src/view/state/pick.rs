@@ -1,7 +1,8 @@
 //! Picking elements under the cursor, and the places of vertices on the canvas.
 
 use super::view_state::ViewState;
-use crate::view::picking::{DepthMap, pick};
+use crate::view::picking::depth_map::{COARSE, DepthMap};
+use crate::view::picking::pick;
 use glam::Vec2;
 
 impl ViewState {
@@ -23,9 +24,9 @@ impl ViewState {
 
     /// Makes sure that it is known what is in front.
     pub(crate) fn look(&mut self) {
-        self.viewpoint
-            .depth_map
-            .get_or_insert_with(|| DepthMap::new(&self.content.mesh, &self.viewpoint.camera));
+        self.viewpoint.depth_map.get_or_insert_with(|| {
+            DepthMap::new(&self.content.mesh, &self.viewpoint.camera, COARSE)
+        });
     }
 
     /// The depth map, once [`ViewState::look`] has made it.

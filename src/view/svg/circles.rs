@@ -10,9 +10,9 @@ use std::fmt::Write;
 const TURN: f32 = 6.0;
 
 /// A circle of a scene: centre, and two radii at a right angle.
-struct Circle {
-    centre: Vec3,
-    radii: [Vec3; 2],
+pub(super) struct Circle {
+    pub centre: Vec3,
+    pub radii: [Vec3; 2],
 }
 
 /// An ellipse on the screen, CSS pixels.
@@ -45,7 +45,8 @@ pub(super) fn circles(state: &ViewState, eye: &Eye) -> String {
     format!(r#"<g><path class="circles" d="{path}"/></g>"#)
 }
 
-fn fitted(state: &ViewState) -> impl Iterator<Item = Circle> + '_ {
+/// The fitted circles of a scene.
+pub(super) fn fitted(state: &ViewState) -> impl Iterator<Item = Circle> + '_ {
     let shapes = state.shapes().chunks_exact(SHAPE_NUMBERS);
     shapes.filter(|shape| shape[0] == 0.0).map(|shape| {
         let normal = Vec3::from_slice(&shape[4..7]);

@@ -1,13 +1,15 @@
-//! Pictures as SVG, for a page that cannot draw yet.
+//! Pictures as SVG: for a page that cannot draw yet, and for print.
 //!
 //! | file | holds |
 //! |---|---|
 //! | `picture` | the picture that the page begins with |
 //! | `circles` | its fitted circles |
+//! | `line_drawing` | visible lines in ink, for print |
 //! | `thumbnail` | small pictures for the gallery |
 //! | `light` | the colour of a face in the light |
 
 mod circles;
 pub mod light;
+pub mod line_drawing;
 pub mod picture;
 pub mod thumbnail;

@@ -3,6 +3,7 @@
 use super::view::View;
 use crate::view::appearance::Bands;
 use crate::view::overlay::scale_bar;
+use crate::view::svg::line_drawing::line_drawing;
 use crate::web::thrown;
 use wasm_bindgen::prelude::*;
 
@@ -15,6 +16,12 @@ impl View {
     #[wasm_bindgen(js_name = setParallel)]
     pub fn set_parallel(&mut self, parallel: bool) {
         self.pictures.set_parallel(parallel);
+    }
+
+    /// The lines of the model that are seen, as an SVG file for print.
+    #[wasm_bindgen(js_name = lineDrawing)]
+    pub fn line_drawing(&mut self) -> String {
+        line_drawing(self.model())
     }
 
     /// Prepares a flight to a view of `preset`, from where the camera is; `fly` makes it.

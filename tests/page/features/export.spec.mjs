@@ -12,6 +12,11 @@ import { expect, openPage, positionOf, state, test, waitForState } from '../supp
 
 const STEPS = 5;
 
+const BOX = [
+  ...[0, 1].flatMap((z) => [0, 2].flatMap((y) => [0, 3].map((x) => `v ${x} ${y} ${z}`))),
+  ...['1 3 4 2', '5 6 8 7', '1 2 6 5', '3 7 8 4', '1 5 7 3', '2 4 8 6'].map((f) => `f ${f}`),
+].join('\n');
+
 /** The rows of a table, each an object by the beginnings of the heads. */
 function rowsOf(csv) {
   const [head, ...rows] = csv.trim().split('\n');
@@ -133,6 +138,27 @@ test('a picture is as large as wanted, with its legend, on white', async ({ page
   expect(inCorner(pictures['1 false true'])).toBeLessThan(inCorner(pictures['1 true true']) / 2);
   // The view itself is as it was.
   await expect.poll(async () => (await state(page)).renderer).not.toBe('none');
+});
+
+test('a line drawing for print has the lines that are seen, in millimetres', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'box.obj', BOX, 8);
+  const { name, text } = await exported(page, 'Line drawing');
+  expect(name).toBe('box-drawing.svg');
+  const lines = await page.evaluate((svg) => {
+    const drawing = new DOMParser().parseFromString(svg, 'image/svg+xml').documentElement;
+    const count = (id) =>
+      drawing.querySelector(`#${id} path`)?.getAttribute('d').match(/M/g).length ?? 0;
+    const [outlines, edges, circles] = ['outlines', 'edges', 'circles'].map(count);
+    const [width, height] = ['width', 'height'].map((side) => drawing.getAttribute(side));
+    return { outlines, edges, circles, width, height };
+  }, text);
+  // Three of twelve edges are behind.
+  expect([lines.outlines, lines.edges, lines.circles]).toEqual([6, 3, 0]);
+  const side = /^[\d.]+mm$/;
+  expect(lines.width).toMatch(side);
+  expect(lines.height).toMatch(side);
+  expect([parseFloat(lines.width) <= 277, parseFloat(lines.height) <= 190]).toEqual([true, true]);
 });
 
 test('a file of Rhino goes out and comes back', async ({ page }) => {

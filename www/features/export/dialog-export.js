@@ -100,6 +100,12 @@ export function showExport(app) {
           },
           canDraw,
         ),
+        format(
+          'Line drawing',
+          'SVG: the lines that are seen, in ink on A4',
+          () => files.save('-drawing.svg', viewport.lineDrawing() ?? '', 'image/svg+xml'),
+          canDraw,
+        ),
         format('SVG', 'The plot of the convergence, on white', async () => {
           const title = `${model?.title || files.name}: convergence`;
           const svg = convergenceSvg(await actions.table('convergence'), title, squared);
