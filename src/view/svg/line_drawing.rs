@@ -217,9 +217,8 @@ impl Sight {
             Some(_) => depth_a + (depth_b - depth_a) * part,
         };
         let [low, high] = self.frame;
-        if place.cmplt(low).any() || place.cmpgt(high).any() {
-            Seen::Hidden
-        } else if !self.map.shows_line(place, depth, faces) {
+        let is_inside = place.cmpge(low).all() && place.cmple(high).all();
+        if !is_inside || !self.map.shows_line(place, depth, faces) {
             Seen::Hidden
         } else if !faces.is_empty() && self.map.ends_at(place, depth, faces) {
             Seen::Outline

@@ -103,7 +103,7 @@ export function showExport(app) {
         format(
           'Line drawing',
           'SVG: the lines that are seen, in ink on A4',
-          () => files.save('-drawing.svg', viewport.lineDrawing() ?? '', 'image/svg+xml'),
+          async () => files.save('-drawing.svg', viewport.lineDrawing() ?? '', 'image/svg+xml'),
           canDraw,
         ),
         format('SVG', 'The plot of the convergence, on white', async () => {
