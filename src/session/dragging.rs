@@ -140,13 +140,14 @@ impl Session {
     }
 
     /// Asks one shape of all panels ([`Edit::MakePanels`]), within `tolerance` (in the unit of the mesh, infinite
-    /// for none), and begins a run. It is one step of undo.
+    /// for none), from the shape as it is or `afresh` from the one that was opened, and begins a run. It is one step of
+    /// undo.
     ///
     /// # Errors
     /// As [`Session::edit`].
-    pub fn make_panels(&mut self, kind: &str, tolerance: f64) -> Result<(), Error> {
+    pub fn make_panels(&mut self, kind: &str, tolerance: f64, afresh: bool) -> Result<(), Error> {
         let within = tolerance.is_finite().then_some(tolerance);
-        self.edit_and_run(Edit::MakePanels { kind: kind.to_owned(), within })
+        self.edit_and_run(Edit::MakePanels { kind: kind.to_owned(), within, afresh })
     }
 
     /// Makes an edit and begins a run, one step of undo together.

@@ -14,7 +14,9 @@ fn with_weights_of_fig_5(mesh: Mesh) -> Session {
     scene.closeness = Closeness::default();
     scene.smoothness = Smoothness::default();
     let mut session = Session::open(scene, mesh).unwrap();
-    session.edit(Edit::MakePanels { kind: "circle".to_owned(), within: None }).unwrap();
+    session
+        .edit(Edit::MakePanels { kind: "circle".to_owned(), within: None, afresh: false })
+        .unwrap();
     session.edit(Edit::SetWeights(FIG_5)).unwrap();
     session
 }
@@ -97,7 +99,9 @@ fn a_mesh_that_is_dragged_across_the_scene_has_not_collapsed() {
     let mut scene = Scene::opened("own.obj");
     scene.weights = Weights::default();
     let mut session = Session::open(scene, crate::grid::bumpy(6)).unwrap();
-    session.edit(Edit::MakePanels { kind: "plane".to_owned(), within: None }).unwrap();
+    session
+        .edit(Edit::MakePanels { kind: "plane".to_owned(), within: None, afresh: false })
+        .unwrap();
     session.edit(Edit::SetWeights(Weights::default())).unwrap();
     session.edit(Edit::AddHandles { vertices: vec![0], fixed: true }).unwrap();
     session.begin_drag();
@@ -115,7 +119,9 @@ fn real_meshes_with_the_settings_of_an_opened_mesh_do_not_trip_it() {
         let Some(mesh) = crate::shared::mesh(file) else { return };
         for kind in ["circle", "plane"] {
             let mut session = Session::open(Scene::opened("own.obj"), mesh.clone()).unwrap();
-            session.edit(Edit::MakePanels { kind: kind.to_owned(), within: None }).unwrap();
+            session
+                .edit(Edit::MakePanels { kind: kind.to_owned(), within: None, afresh: false })
+                .unwrap();
             assert!(run(&mut session, 2000, false), "{file}");
             assert!(session.collapse().is_none() && session.converged(), "{file} {kind}");
         }

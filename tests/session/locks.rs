@@ -81,7 +81,7 @@ fn nothing_gets_round_a_lock() {
         for lesson in [None, scene("[]").lesson] {
             assert!(refused(session.edit(Edit::SetLesson { lesson, unsolved: false })));
         }
-        assert!(refused(session.make_panels("plane", 0.1).map(|()| true)));
+        assert!(refused(session.make_panels("plane", 0.1, false).map(|()| true)));
         for phase in [DragPhase::Make, DragPhase::Start] {
             let dragged = session.drag_through(phase, &[0], &[[9.0; 3]]);
             assert!(refused(dragged.map(|()| true)));

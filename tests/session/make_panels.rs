@@ -41,12 +41,12 @@ fn a_press_brings_all_panels_of_real_meshes_within_the_tolerance() {
         for kind in ["circle", "plane"] {
             let Some(mesh) = crate::shared::mesh(file) else { continue };
             let mut soft = session(mesh.clone(), "");
-            soft.make_panels(kind, f64::INFINITY).expect("it has quads");
+            soft.make_panels(kind, f64::INFINITY, false).expect("it has quads");
             run(&mut soft);
             let cheaper = verdict(&mut soft).moved;
 
             let mut session = session(mesh, "");
-            session.make_panels(kind, session.tolerance()).expect("it has quads");
+            session.make_panels(kind, session.tolerance(), false).expect("it has quads");
             let iterations = run(&mut session);
             let Verdict { panels, within, worst, moved, .. } = verdict(&mut session);
             println!(
@@ -67,7 +67,7 @@ fn a_press_brings_all_panels_of_real_meshes_within_the_tolerance() {
 fn a_press_is_one_step_of_undo() {
     let mut session = wave();
     let before = session.scene();
-    session.make_panels("plane", 1e-3).expect("it has quads");
+    session.make_panels("plane", 1e-3, false).expect("it has quads");
     run(&mut session);
     assert_eq!(session.document().constraints[0].require, Require::Within(1e-3));
     let after = session.scene();
@@ -81,12 +81,28 @@ fn a_press_is_one_step_of_undo() {
 }
 
 #[test]
+fn a_press_afresh_begins_from_the_original_and_is_one_step_of_undo() {
+    let mut expected = wave();
+    expected.make_panels("plane", 1e-2, false).expect("it has quads");
+    run(&mut expected);
+    let mut session = wave();
+    session.make_panels("plane", 1e-3, false).expect("it has quads");
+    run(&mut session);
+    let before = session.scene();
+    session.make_panels("plane", 1e-2, true).expect("it has quads");
+    run(&mut session);
+    assert_eq!(session.positions(), expected.positions());
+    session.undo().expect("solvable");
+    assert_eq!(session.scene(), before);
+}
+
+#[test]
 fn a_press_on_what_is_met_already_changes_nothing() {
     let mut session = wave();
-    session.make_panels("plane", 1e-3).expect("it has quads");
+    session.make_panels("plane", 1e-3, false).expect("it has quads");
     run(&mut session);
     let after = session.scene();
-    session.make_panels("plane", 1e-3).expect("it has quads");
+    session.make_panels("plane", 1e-3, false).expect("it has quads");
     run(&mut session);
     assert_eq!(session.scene(), after);
     session.undo().expect("solvable");
@@ -96,10 +112,10 @@ fn a_press_on_what_is_met_already_changes_nothing() {
 #[test]
 fn a_press_changes_no_weight_and_without_tolerance_requires_nothing() {
     let mut session = wave();
-    session.make_panels("plane", f64::INFINITY).expect("it has quads");
+    session.make_panels("plane", f64::INFINITY, false).expect("it has quads");
     run(&mut session);
     assert_eq!(session.document().constraints[0].require, Require::Soft);
-    session.make_panels("plane", 1.0).expect("it has quads");
+    session.make_panels("plane", 1.0, false).expect("it has quads");
     run(&mut session);
     assert_eq!(session.document().weights.shape, 1000.0);
 }
@@ -110,7 +126,7 @@ fn what_cannot_be_had_ends_with_what_was_reached_and_says_so() {
     let fixed = r#", "handles": [{ "vertices": [0, 1, 2, 3], "fixed": true }]"#;
     let mesh = grid(1, 1, |i, j| [f64::from(i), f64::from(j), f64::from(i * j)]);
     let mut session = session(mesh, fixed);
-    session.make_panels("plane", 1e-3).expect("it has a quad");
+    session.make_panels("plane", 1e-3, false).expect("it has a quad");
     run(&mut session);
     assert_eq!(verdict(&mut session).within, 0);
     let exact = session.exact().expect("it was tried");
@@ -120,7 +136,7 @@ fn what_cannot_be_had_ends_with_what_was_reached_and_says_so() {
 #[test]
 fn a_drag_ends_the_press_and_its_end_meets_again_in_the_same_step() {
     let mut session = wave();
-    session.make_panels("plane", 1e-3).expect("it has quads");
+    session.make_panels("plane", 1e-3, false).expect("it has quads");
     session.begin_drag_of_new(vec![0]).expect("it is there");
     assert!(!session.is_running() && session.exact().is_none());
     session.drag([(0, [-0.5, -0.5, 0.5])]).expect("it is a handle");

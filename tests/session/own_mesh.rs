@@ -30,7 +30,7 @@ const WANTED: &[(&str, [f64; 3], [f64; 3])] = &[
 /// A mesh whose panels are asked for `kind`, after the press.
 fn pressed(mesh: Mesh, kind: &str) -> Session {
     let mut session = Session::open(Scene::opened("own.obj"), mesh).unwrap();
-    session.edit(Edit::MakePanels { kind: kind.to_owned(), within: None }).unwrap();
+    session.edit(Edit::MakePanels { kind: kind.to_owned(), within: None, afresh: false }).unwrap();
     session
 }
 
@@ -71,13 +71,19 @@ fn the_press_is_one_step_and_a_choice_between_shapes() {
         rows.map(|row| (row.kind.info().id, row.enabled)).collect::<Vec<_>>()
     };
     assert_eq!(rows(&session), [("plane", true)]);
-    session.edit(Edit::MakePanels { kind: "circle".to_owned(), within: None }).unwrap();
+    session
+        .edit(Edit::MakePanels { kind: "circle".to_owned(), within: None, afresh: false })
+        .unwrap();
     assert_eq!(rows(&session), [("plane", false), ("circle", true)]);
     assert_eq!(session.verdict(1.0).unwrap().adjective, "circular");
-    session.edit(Edit::MakePanels { kind: "plane".to_owned(), within: None }).unwrap();
+    session
+        .edit(Edit::MakePanels { kind: "plane".to_owned(), within: None, afresh: false })
+        .unwrap();
     assert_eq!(rows(&session), [("plane", true), ("circle", false)]);
     // What is none of the choice stays.
-    session.edit(Edit::MakePanels { kind: "rectangle".to_owned(), within: None }).unwrap();
+    session
+        .edit(Edit::MakePanels { kind: "rectangle".to_owned(), within: None, afresh: false })
+        .unwrap();
     assert_eq!(rows(&session), [("plane", true), ("circle", false), ("rectangle", true)]);
     assert_eq!(session.undo().unwrap().as_deref(), Some("Make panels rectangle"));
     assert_eq!(session.undo().unwrap().as_deref(), Some("Make panels flat"));

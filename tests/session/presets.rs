@@ -57,7 +57,9 @@ fn presets_of_the_paper_keep_real_meshes_whole_when_they_do_not_warn() {
             if preset.offer(session.topology(), 0).warning.is_some() {
                 continue;
             }
-            session.edit(Edit::MakePanels { kind: "plane".to_owned(), within: None }).unwrap();
+            session
+                .edit(Edit::MakePanels { kind: "plane".to_owned(), within: None, afresh: false })
+                .unwrap();
             session.edit(Edit::Preset { id: preset.id.to_owned() }).unwrap();
             session.begin_run();
             for _ in 0..300 {

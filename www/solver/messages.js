@@ -172,8 +172,8 @@
  *   `frame` what a mesh file is taken for that does not say its unit and axis: `# units: m`, `# up: y`;
  *   `weld: false` leaves a mesh file whose faces have their own vertices as it came; `solved` runs before anything is shown: only for what is known to converge soon.
  * - `edit`, `undo`, `redo`, `step`; `halfStep`: the local step, or the global step after it.
- * - `makePanels`: asks one shape of all panels, within the tolerance, and runs. `editAndRun`: makes an edit
- *   and runs. Either is one step of undo.
+ * - `makePanels`: asks one shape of all panels, within the tolerance, from the shape as it is or `afresh` from the
+ *   original, and runs. `editAndRun`: makes an edit and runs. Either is one step of undo.
  * - `exactOffer`: what it would cost to be exact instead of within a distance, tried beside all else; ends early,
  *   with null, when something changes. `makeExact`: takes the exact shape that was tried, if it is still of the
  *   current one, as a step of undo or a part of the last one.
@@ -209,7 +209,7 @@
  * @typedef {{ type: "open", files: NamedBytes[], saved?: Saved, frame?: string,
  *       solved?: boolean, weld?: boolean }
  *   | { type: "edit", edit: Edit }
- *   | { type: "makePanels", kind: string, tolerance: number }
+ *   | { type: "makePanels", kind: string, tolerance: number, afresh: boolean }
  *   | { type: "editAndRun", edit: Edit }
  *   | { type: "exactOffer" }
  *   | { type: "improvement" }

@@ -46,12 +46,13 @@ export function createActions(store, solver, alerts) {
    * Asks one shape of all panels, and runs until they are within the tolerance.
    * @param {string} kind
    * @param {number} [within] another tolerance than what is shown goes by, in the unit of the mesh
+   * @param {boolean} [afresh] from the original, instead of the shape as it is
    * @returns {Promise<null | undefined>}
    */
-  function makePanels(kind, within) {
+  function makePanels(kind, within, afresh = false) {
     const { tolerance: own, model } = store.get();
     const tolerance = within ?? own ?? model?.tolerance ?? 0;
-    return attempt({ type: 'makePanels', kind, tolerance });
+    return attempt({ type: 'makePanels', kind, tolerance, afresh });
   }
 
   /**

@@ -47,8 +47,8 @@ export function requestHandlers(solver, scheduler, post, died) {
       scheduler.betweenRuns(() => solver.edit(edit));
       return null;
     },
-    makePanels({ kind, tolerance }) {
-      scheduler.runFor(() => solver.makePanels(kind, tolerance));
+    makePanels({ kind, tolerance, afresh }) {
+      scheduler.runFor(() => solver.makePanels(kind, tolerance, afresh));
       return null;
     },
     editAndRun({ edit }) {

@@ -35,7 +35,11 @@ pub(crate) fn apply(
 ) -> Result<String, SceneError> {
     let name = match edit {
         Edit::AddConstraint(new) => add(new, draft),
-        Edit::MakePanels { kind, within } => {
+        Edit::MakePanels { kind, within, afresh } => {
+            if afresh {
+                let kept = draft.document().variants.kept.clone();
+                back_to_rest(Variants { kept, design: None }, draft, moment);
+            }
             let require = within.map_or(Require::Soft, Require::Within);
             let info =
                 draft.set_rows(|document, mesh| document.ask_of_panels(&kind, require, mesh))?;

@@ -27,6 +27,8 @@ pub enum Edit {
         kind: String,
         /// The tolerance that they have to be within; none weighs them.
         within: Option<f64>,
+        /// From the shape as it was opened, whatever it is now.
+        afresh: bool,
     },
     /// Removes row `index`.
     RemoveConstraint {

@@ -62,9 +62,8 @@ impl Unfolding {
     /// As [`Session::solve`].
     pub fn step(&mut self) -> Result<bool, Error> {
         let Some(tolerance) = self.untried.pop() else { return Ok(false) };
-        self.session.edit(Edit::Reset)?;
-        self.session
-            .edit(Edit::MakePanels { kind: self.kind.to_owned(), within: Some(tolerance) })?;
+        let (kind, within) = (self.kind.to_owned(), Some(tolerance));
+        self.session.edit(Edit::MakePanels { kind, within, afresh: true })?;
         self.session.solve(false)?;
         let folded = self.session.rest.folded_by(self.session.scene.positions()).len();
         if folded < self.best.map_or(self.before, |best| best.folded) {

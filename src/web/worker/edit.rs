@@ -32,8 +32,8 @@ impl Solver {
     /// Asks one shape of all panels, within `tolerance`, and begins a run: see
     /// [`crate::session::Session::make_panels`].
     #[wasm_bindgen(js_name = makePanels)]
-    pub fn make_panels(&mut self, kind: &str, tolerance: f64) -> Result<(), JsValue> {
-        self.open_mut()?.make_panels(kind, tolerance).map_err(refused)
+    pub fn make_panels(&mut self, kind: &str, tolerance: f64, afresh: bool) -> Result<(), JsValue> {
+        self.open_mut()?.make_panels(kind, tolerance, afresh).map_err(refused)
     }
 
     /// Makes an edit and begins a run, one step of undo together.

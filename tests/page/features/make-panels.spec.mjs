@@ -73,6 +73,9 @@ test('panels that fold are said to, shown, and avoided by a larger tolerance', a
   await waitForState(page, (now, least) => !now.running && now.exact?.tolerance > least, tight);
   await expect(folds).toBeHidden();
   await expect(offer(page).getByText(/^All 144 panels are circular within/)).toBeVisible();
+  // It is one step of undo, back to the shape with the folds.
+  await tool(page, 'Undo');
+  await expect(offer(page).getByText(/folded or dented/)).toBeVisible();
 });
 
 for (const [window, width, height] of [

@@ -78,8 +78,12 @@ export class MakePanels {
     return this.#underWay !== null && this.#underWay === this.#app.store.get().model;
   }
 
-  /** Makes all panels of this kind, visibly. @param {KindInfo} kind */
-  async #make(kind) {
+  /**
+   * Makes all panels of this kind, visibly.
+   * @param {KindInfo} kind
+   * @param {boolean} [afresh] from the original
+   */
+  async #make(kind, afresh = false) {
     const { store, viewport, actions, files } = this.#app;
     if (files.coming && !(await this.#nextTakes(kind.id))) return;
     const { model, display } = store.get();
@@ -89,7 +93,7 @@ export class MakePanels {
     const show = (/** @type {boolean} */ shapes) => actions.display({ shapes });
     // They are those of the shape at the end of the way.
     if (arrived) show(false);
-    if ((await actions.makePanels(kind.id)) === undefined) {
+    if ((await actions.makePanels(kind.id, undefined, afresh)) === undefined) {
       this.#underWay = null;
       viewport.endTransition();
       return show(display.shapes);
@@ -236,9 +240,9 @@ export class MakePanels {
     if (found === undefined || store.get().model !== model) return;
     if (!found) return actions.setStatus('No larger tolerance that was tried folds less.');
     const kind = kinds.find(({ id }) => id === found.kind);
-    if (!kind || (await actions.edit({ type: 'reset' })) === undefined) return;
+    if (!kind) return;
     actions.setTolerance(found.tolerance);
-    await this.#make(kind);
+    await this.#make(kind, true);
   }
 
   /** What is framed is seen whole above the card. */
