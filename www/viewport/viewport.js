@@ -143,11 +143,11 @@ export class Viewport extends Emitter {
    * Draws one picture of another size, in the proportions and the framing of the one that is shown,
    * and gives the canvas to `take`, which must read it at once. The shown one is drawn again then.
    * @param {{ width: number, height: number, scale: number }} size in pixels; `scale` of them are a CSS pixel
-   * @param {boolean} white light colours on white
+   * @param {number | undefined} ground a grey from 0 to 1, with the light colours, or as it is shown
    * @param {(canvas: HTMLCanvasElement) => void} take
    * @returns {boolean} whether it could be drawn
    */
-  still({ width, height, scale }, white, take) {
+  still({ width, height, scale }, ground, take) {
     const { view } = this;
     const canvas = this.#canvas;
     if (!view || !canvas) return false;
@@ -157,9 +157,9 @@ export class Viewport extends Emitter {
     const { dark } = this.#store.get();
     try {
       view.resize(width, height, scale);
-      if (white) view.setTheme(false);
+      if (ground !== undefined) view.setTheme(false);
       view.setGizmo(false, false);
-      view.setWhite(white);
+      view.setGround(ground);
       const drawn = view.draw();
       if (drawn) take(canvas);
       return drawn;
@@ -168,7 +168,7 @@ export class Viewport extends Emitter {
       return false;
     } finally {
       if (this.view === view) {
-        view.setWhite(false);
+        view.setGround(undefined);
         view.setTheme(dark);
         showDisplay(view, this.#store.get());
         view.resize(shownWidth, shownHeight, shownWidth / this.#size[0]);

@@ -37,7 +37,7 @@ pub fn numbers(state: &ViewState, veil: Colour, (width, height): (u32, u32)) -> 
     let tolerance = state.appearance().tolerance_in_steps();
     numbers.extend([state.checks().per_length, begins, ends, tolerance]);
     let behind = state.background();
-    let above = if state.is_white() { behind } else { palette.backdrop };
+    let above = if state.is_on_plain_ground() { behind } else { palette.backdrop };
     for colour in [above, behind, palette.shadow, palette.back] {
         numbers.extend(colour);
     }

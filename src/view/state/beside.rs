@@ -63,7 +63,7 @@ impl ViewState {
         }
         self.viewpoint.camera.clone_from(&model.viewpoint.camera);
         let (own, other) = (&mut self.look, &model.look);
-        (own.display, own.dark, own.white) = (other.display, other.dark, other.white);
+        (own.display, own.dark, own.ground) = (other.display, other.dark, other.ground);
         self.keep_reach();
         self.changes.view |= model.changes.view;
     }

@@ -30,8 +30,8 @@ pub(super) struct Look {
     pub(super) tint: [f32; 3],
     pub(super) display: Display,
     pub(super) dark: bool,
-    /// White behind everything, for figures, instead of the theme's colour.
-    pub(super) white: bool,
+    /// A grey behind everything, for figures, instead of the colours of the theme.
+    pub(super) ground: Option<f32>,
 }
 
 impl Default for Look {
@@ -41,7 +41,7 @@ impl Default for Look {
             tint: [0.2, 0.7, 0.3],
             display: Display { edges: true, ..Display::default() },
             dark: false,
-            white: false,
+            ground: None,
         }
     }
 }

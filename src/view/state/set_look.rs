@@ -33,12 +33,15 @@ impl ViewState {
 
     /// The colour behind everything.
     pub fn background(&self) -> Colour {
-        if self.look.white { [1.0; 4] } else { self.palette().background }
+        match self.look.ground {
+            Some(grey) => [grey, grey, grey, 1.0],
+            None => self.palette().background,
+        }
     }
 
-    /// Whether everything is on plain white.
-    pub fn is_white(&self) -> bool {
-        self.look.white
+    /// Whether everything is on one grey, as for a picture that is cut out.
+    pub fn is_on_plain_ground(&self) -> bool {
+        self.look.ground.is_some()
     }
 
     /// Light or dark.
@@ -47,10 +50,10 @@ impl ViewState {
         self.look.dark = dark;
     }
 
-    /// White behind everything, or the colour of the theme.
-    pub fn set_white(&mut self, white: bool) {
-        self.changes.view |= white != self.look.white;
-        self.look.white = white;
+    /// A grey behind everything, from 0 (black) to 1 (white), or the colours of the theme.
+    pub fn set_ground(&mut self, grey: Option<f32>) {
+        self.changes.view |= grey != self.look.ground;
+        self.look.ground = grey;
     }
 
     /// Switches parts of the view on and off.

@@ -179,10 +179,10 @@ impl View {
         self.model().set_dark(dark);
     }
 
-    /// White behind everything, or the colour of the theme.
-    #[wasm_bindgen(js_name = setWhite)]
-    pub fn set_white(&mut self, white: bool) {
-        self.model().set_white(white);
+    /// A grey behind everything, from 0 (black) to 1 (white), or the colours of the theme.
+    #[wasm_bindgen(js_name = setGround)]
+    pub fn set_ground(&mut self, grey: Option<f32>) {
+        self.model().set_ground(grey);
     }
 
     /// Switches edges, dots on vertices, fitted shapes, outlines of projected shapes, and arrows to

@@ -96,17 +96,18 @@ test('a picture is as large as wanted, with its legend, on white', async ({ page
   const view = await page.getByRole('application', { name: '3D view' }).boundingBox();
   /** @type {Record<string, ReturnType<typeof decodePng>>} */
   const pictures = {};
-  for (const [scale, legend, white] of [
-    [1, true, true],
-    [1, false, true],
-    [2, false, false],
-    [4, true, true],
+  for (const [scale, legend, ground] of [
+    [1, true, 'white'],
+    [1, false, 'white'],
+    [1, false, 'none'],
+    [2, false, 'view'],
+    [4, true, 'white'],
   ]) {
     await tool(page, 'More formats');
     const dialog = page.getByRole('dialog', { name: 'Export' });
     await dialog.getByRole('radio', { name: `${scale}×` }).check();
     await dialog.getByLabel('Legend').setChecked(legend);
-    await dialog.getByLabel('White background').setChecked(white);
+    await dialog.getByRole('combobox', { name: 'Background' }).selectOption(ground);
     await page.keyboard.press('Escape');
     const { bytes, name } = await exported(page, 'PNG');
     expect(name).toMatch(/\.png$/);
@@ -118,11 +119,11 @@ test('a picture is as large as wanted, with its legend, on white', async ({ page
     if (scale > 2) continue;
     const picture = decodePng(bytes);
     expect(distinctColours(picture)).toBeGreaterThan(50);
-    pictures[`${scale} ${legend} ${white}`] = picture;
+    pictures[`${scale} ${legend} ${ground}`] = picture;
   }
   const corner = (picture) => [...picture.pixels.slice(0, 3)];
-  expect(corner(pictures['1 true true'])).toEqual([255, 255, 255]);
-  expect(corner(pictures['2 false false'])).not.toEqual([255, 255, 255]);
+  expect(corner(pictures['1 true white'])).toEqual([255, 255, 255]);
+  expect(corner(pictures['2 false view'])).not.toEqual([255, 255, 255]);
   // The legend is in the lower left corner, where there is nothing without it.
   const inCorner = ({ pixels, width, height, channels }) => {
     const found = new Set();
@@ -134,8 +135,21 @@ test('a picture is as large as wanted, with its legend, on white', async ({ page
     }
     return found.size;
   };
-  expect(inCorner(pictures['1 true true'])).toBeGreaterThan(20);
-  expect(inCorner(pictures['1 false true'])).toBeLessThan(inCorner(pictures['1 true true']) / 2);
+  expect(inCorner(pictures['1 true white'])).toBeGreaterThan(20);
+  expect(inCorner(pictures['1 false white'])).toBeLessThan(inCorner(pictures['1 true white']) / 2);
+  // Cut out, and laid on white, it is the picture on white.
+  const [cut, white] = ['none', 'white'].map((ground) => pictures[`1 false ${ground}`]);
+  expect(cut.channels).toBe(4);
+  expect(cut.pixels[3], 'nothing in the corner').toBe(0);
+  let worst = 0;
+  for (let pixel = 0; pixel < cut.width * cut.height; pixel++) {
+    const covered = cut.pixels[4 * pixel + 3] / 255;
+    for (let i = 0; i < 3; i++) {
+      const laid = covered * cut.pixels[4 * pixel + i] + 255 * (1 - covered);
+      worst = Math.max(worst, Math.abs(laid - white.pixels[white.channels * pixel + i]));
+    }
+  }
+  expect(worst).toBeLessThan(6);
   // The view itself is as it was.
   await expect.poll(async () => (await state(page)).renderer).not.toBe('none');
 });

@@ -11,7 +11,15 @@ import { isDrawn } from '../../store/state.js';
 const SCALES = [1, 2, 4];
 
 /** What was chosen last stays chosen. */
-const picture = { scale: 2, legend: true, white: false };
+/** @type {{ scale: number, legend: boolean, ground: import("./picture.js").Ground }} */
+const picture = { scale: 2, legend: true, ground: 'view' };
+
+/** @type {[import("./picture.js").Ground, string][]} */
+const GROUNDS = [
+  ['view', 'as in the view'],
+  ['white', 'white'],
+  ['none', 'none (transparent)'],
+];
 
 /** @param {import("../../app/context.js").AppContext} app */
 export function showExport(app) {
@@ -142,11 +150,13 @@ function pictureOptions(viewport) {
     const { width, height } = pictureSize(viewport, picture.scale);
     setText(size, `${width} × ${height} pixels`);
   };
-  const box = (/** @type {"legend" | "white"} */ key, /** @type {string} */ label) => {
-    const { box, label: row } = checkbox(label, (checked) => (picture[key] = checked));
-    box.checked = picture[key];
-    return row;
-  };
+  const { box, label: legend } = checkbox('Legend', (checked) => (picture.legend = checked));
+  box.checked = picture.legend;
+  const grounds = GROUNDS.map(([value, words]) =>
+    element('option', { value, selected: value === picture.ground }, words),
+  );
+  const ground = element('select', ...grounds);
+  ground.onchange = () => (picture.ground = GROUNDS[ground.selectedIndex][0]);
   showSize();
   return element(
     'div.picture',
@@ -166,8 +176,8 @@ function pictureOptions(viewport) {
         );
       }),
     ),
-    box('legend', 'Legend'),
-    box('white', 'White background'),
+    legend,
+    element('label', 'Background ', ground),
     size,
   );
 }

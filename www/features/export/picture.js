@@ -1,11 +1,14 @@
 /** A picture of the view as PNG, larger than the screen if wanted, with the legend drawn into it. */
 
+import { cutOut } from './cut-out.js';
 import { rampStops } from '../../viewport/ramp.js';
 import { colourOf } from '../../ui/dom.js';
 import { groupDigits } from '../../ui/format.js';
 import { declared, toleranceOf, valueInWords } from '../../store/colours/measures.js';
 import { spreadOf } from '../../ui/plot/histogram.js';
 import { axisOf, placeOn } from '../../ui/plot/value-axis.js';
+
+/** What is behind the model: as in the view, white, nothing. @typedef {"view" | "white" | "none"} Ground */
 
 /** More pixels than this are too many for common graphics cards, with their samples and depths. */
 const MOST_PIXELS = 36e6;
@@ -25,26 +28,33 @@ export function pictureSize(viewport, scale) {
 /**
  * @param {import("../../viewport/viewport.js").Viewport} viewport
  * @param {import("../../store/state.js").State} state
- * @param {{ scale: number, legend: boolean, white: boolean }} options
+ * @param {{ scale: number, legend: boolean, ground: Ground }} options
  * @returns {Promise<Blob>}
  */
-export async function pictureOf(viewport, state, { scale, legend, white }) {
+export async function pictureOf(viewport, state, { scale, legend, ground }) {
   const size = pictureSize(viewport, scale);
-  const canvas = document.createElement('canvas');
-  [canvas.width, canvas.height] = [size.width, size.height];
-  const context = canvas.getContext('2d');
-  if (!context) throw new Error('This browser gives the page no canvas to draw the picture on.');
-  const drawn = viewport.still(size, white, (view) => {
-    context.drawImage(view, 0, 0, size.width, size.height);
-  });
-  if (!drawn) throw new Error('The picture could not be drawn: try a smaller one.');
+  const drawnOn = (/** @type {number | undefined} */ grey) => {
+    const canvas = document.createElement('canvas');
+    [canvas.width, canvas.height] = [size.width, size.height];
+    const context = canvas.getContext('2d', { willReadFrequently: ground === 'none' });
+    if (!context) throw new Error('This browser gives the page no canvas to draw the picture on.');
+    const drawn = viewport.still(size, grey, (view) => {
+      context.drawImage(view, 0, 0, size.width, size.height);
+    });
+    if (!drawn) throw new Error('The picture could not be drawn: try a smaller one.');
+    return context;
+  };
+  const context = drawnOn({ view: undefined, white: 1, none: 0 }[ground]);
+  if (ground === 'none') cutOut(context, drawnOn(1));
+  const { canvas } = context;
+  const onLight = ground !== 'view';
   if (legend && state.model?.faces) {
     legendsOf(state).forEach(([from, shown], i) => {
       context.setTransform(size.scale, 0, 0, size.scale, from * size.width, 0);
-      drawLegend(context, shown, rampStops(viewport, state.split ? i : undefined), size, white);
+      drawLegend(context, shown, rampStops(viewport, state.split ? i : undefined), size, onLight);
     });
   }
-  drawLabels(context, viewport.labels(), size.scale, state.dark && !white);
+  drawLabels(context, viewport.labels(), size.scale, state.dark && !onLight);
   const blob = await new Promise((done) => canvas.toBlob(done, 'image/png'));
   if (!blob) throw new Error('The picture is too large for this browser: try a smaller one.');
   return blob;
@@ -96,9 +106,9 @@ function legendsOf(state) {
  * @param {import("../../store/state.js").State} state
  * @param {[number, string][]} stops
  * @param {{ height: number, scale: number }} size
- * @param {boolean} white
+ * @param {boolean} onLight
  */
-function drawLegend(context, state, stops, size, white) {
+function drawLegend(context, state, stops, size, onLight) {
   const { spread, range, document: scene, dark, display } = state;
   const about = declared(state, state.measure);
   if (!about || !spread || spread.measure !== about.id) return;
@@ -108,7 +118,7 @@ function drawLegend(context, state, stops, size, white) {
   const words = (/** @type {number} */ value) => valueInWords(about, value, units, tolerance);
   const bottom = size.height / size.scale - (tolerance === null ? 16 : 28);
   const [left, width] = [16, 212];
-  const ink = dark && !white ? '#e6e8e8' : '#1d2123';
+  const ink = dark && !onLight ? '#e6e8e8' : '#1d2123';
   const [foot, tallest] = [bottom - 26, 28];
   context.textAlign = 'left';
   context.font = `12px ${getComputedStyle(document.body).fontFamily}`;
@@ -132,7 +142,7 @@ function drawLegend(context, state, stops, size, white) {
   if (tolerance === null) return;
   const limit = left + placeOn(axis, tolerance) * width;
   if (!display.full) {
-    context.fillStyle = white ? '#f1efea' : colourOf(document.body, '--material');
+    context.fillStyle = onLight ? '#f1efea' : colourOf(document.body, '--material');
     context.fillRect(left, foot, limit - left, 10);
   }
   context.fillStyle = ink;
