@@ -14,6 +14,9 @@ use crate::solve::{
 };
 use std::rc::Rc;
 
+/// A forecast for so many faces takes about half a second.
+const MOST_FORESEEN: usize = 50_000;
+
 impl Session {
     /// The selection after `request`, on the current shape; indices ascending.
     ///
@@ -109,9 +112,11 @@ impl Session {
         Verdict::of(&mut self.measuring(), tolerance)
     }
 
-    /// How far the mesh as it was opened will move for panels of one shape; none where no such shape is offered.
+    /// How far the mesh as it was opened will move for panels of one shape; none where no such shape is offered, and
+    /// where it would be waited for.
     pub fn forecast(&self) -> Option<Forecast> {
-        Forecast::of(self.mesh(), self.topology())
+        let is_quick = self.mesh().faces.len() <= MOST_FORESEEN;
+        is_quick.then(|| Forecast::of(self.mesh(), self.topology())).flatten()
     }
 
     /// The value of each goal of the lesson on the shape as it is, in their order; empty without a lesson.
