@@ -6,7 +6,7 @@ use crate::mesh::{CurvatureLines, Mesh, Ragged, Topology, curvatures};
 use crate::solve::{Constraints, least_move};
 use serde::Serialize;
 
-/// Vertices move a lot from this part of the mean edge on, by the estimate; and they hardly move below the other.
+/// Vertices move a lot from the first part of the mean edge on, by the estimate, and hardly below the second.
 const A_LOT: f64 = 0.2;
 const A_LITTLE: f64 = 0.03;
 /// Panels are as asked where they need to move by less than this part.
@@ -41,7 +41,7 @@ pub struct ForecastOfKind {
     #[serde(skip)]
     adjective: &'static str,
     /// How far the vertices have to move on average, as a part of the mean edge, see [`least_move`]. Up to a third of
-    /// an edge it is what an exact shape costs, beyond that rather too much (`tests/scene/forecast.rs`).
+    /// an edge it is within a third of what an exact shape costs, beyond that rather too much (`tests/scene/forecast.rs`).
     pub least_move: f64,
     /// The same in words.
     pub how_far: HowFar,
@@ -56,7 +56,7 @@ pub struct Forecast {
     /// most faces are no quads, whose edges need not follow them.
     #[serde(skip)]
     pub off_curvature_lines: Option<f64>,
-    /// How many of the vertices with known curvatures are on saddles, where most faces have more than four corners;
+    /// The part of the vertices with known curvatures that is on saddles, where most faces have more than four corners;
     /// none where they have not.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub saddles: Option<f64>,

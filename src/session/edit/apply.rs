@@ -37,8 +37,7 @@ pub(crate) fn apply(
         Edit::AddConstraint(new) => add(new, draft),
         Edit::MakePanels { kind, within, afresh } => {
             if afresh {
-                let kept = draft.document().variants.kept.clone();
-                back_to_rest(Variants { kept, design: None }, draft, moment);
+                reset(draft, moment);
             }
             let require = within.map_or(Require::Soft, Require::Within);
             let info =
@@ -226,14 +225,19 @@ pub(crate) fn apply(
             unreachable!("it makes another mesh, which no draft can")
         }
         Edit::Reset => {
-            let kept = draft.document().variants.kept.clone();
-            back_to_rest(Variants { kept, design: None }, draft, moment);
+            reset(draft, moment);
             "Reset".to_owned()
         }
     };
     // Also of a row that is renamed or taken away: the scene could not be opened again.
     check_lesson(draft.document(), draft.mesh())?;
     Ok(name)
+}
+
+/// Goes back to the rest shape; the variants that were kept stay.
+fn reset(draft: &mut Draft<'_>, moment: &mut Moment) {
+    let kept = draft.document().variants.kept.clone();
+    back_to_rest(Variants { kept, design: None }, draft, moment);
 }
 
 /// Goes back to the rest shape, with these variants.

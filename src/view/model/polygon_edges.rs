@@ -15,19 +15,22 @@ pub struct PolygonEdge {
 /// Every edge of `faces` once, in the order of its vertices. Sides that start and end at the same
 /// vertex are left out.
 pub fn polygon_edges(faces: &Lists) -> Vec<PolygonEdge> {
-    let mut sides: Vec<[u32; 2]> = Vec::new();
-    for face in faces.iter() {
-        for [from, to] in polygon_sides(face) {
-            if from != to {
-                sides.push([from.min(to), from.max(to)]);
-            }
-        }
+    sides_by_edge(faces)
+        .chunk_by(|a, b| a.0 == b.0)
+        .map(|same| PolygonEdge { ends: same[0].0, boundary: same.len() == 1 })
+        .collect()
+}
+
+/// Every side of every face, the smaller vertex first, with the face: those of one edge side by side, edges in the
+/// order of [`polygon_edges`].
+pub fn sides_by_edge(faces: &Lists) -> Vec<([u32; 2], u32)> {
+    let mut sides = Vec::new();
+    for (index, face) in (0..).zip(faces.iter()) {
+        let own = polygon_sides(face).filter(|[from, to]| from != to);
+        sides.extend(own.map(|[from, to]| ([from.min(to), from.max(to)], index)));
     }
     sides.sort_unstable();
     sides
-        .chunk_by(|a, b| a == b)
-        .map(|same| PolygonEdge { ends: same[0], boundary: same.len() == 1 })
-        .collect()
 }
 
 #[cfg(test)]

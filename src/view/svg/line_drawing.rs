@@ -7,8 +7,8 @@
 
 use super::circles::fitted;
 use super::picture::line;
-use crate::math::polygon_sides;
 use crate::view::camera::Eye;
+use crate::view::model::polygon_edges::sides_by_edge;
 use crate::view::picking::DepthMap;
 use crate::view::state::ViewState;
 use glam::{Vec2, Vec3};
@@ -52,18 +52,20 @@ pub fn line_drawing(state: &ViewState) -> String {
     let mesh = state.mesh();
     let at = |v: u32| mesh.positions[v as usize];
     let display = state.display();
-    for ([a, b], faces) in sides_with_faces(state) {
+    for sides in sides_by_edge(&mesh.faces).chunk_by(|a, b| a.0 == b.0) {
+        let faces: Vec<u32> = sides.iter().map(|side| side.1).collect();
         let from_eye = |face: u32| {
             let corner = at(mesh.faces.row(face as usize)[0]);
             mesh.normals.faces[face as usize].dot(corner - sight.eye.seen_from(corner))
         };
         let is_outline = match faces[..] {
-            // Faces that turn the other way have the other normal: no outline is missing, one may be too many.
+            // Where neighbours turn opposite ways it is the other way round: then the depths tell.
             [one, other] => from_eye(one) * from_eye(other) < 0.0,
             _ => true,
         };
-        sight.draw([at(a), at(b)], &faces, is_outline, &mut edges);
+        sight.draw(sides[0].0.map(at), &faces, is_outline, &mut edges);
     }
+    // Outlines are drawn without edges, too.
     if !display.edges {
         edges.on_surface.clear();
     }
@@ -103,18 +105,6 @@ pub fn line_drawing(state: &ViewState) -> String {
         }
     }
     svg + "</g></svg>\n"
-}
-
-/// Each side of the faces once, the smaller vertex first, with the faces that have it.
-fn sides_with_faces(state: &ViewState) -> Vec<([u32; 2], Vec<u32>)> {
-    let mut sides: Vec<([u32; 2], u32)> = Vec::new();
-    for (face, corners) in (0..).zip(state.mesh().faces.iter()) {
-        let own = polygon_sides(corners).filter(|[a, b]| a != b);
-        sides.extend(own.map(|[a, b]| ([a.min(b), a.max(b)], face)));
-    }
-    sides.sort_unstable();
-    let same = sides.chunk_by(|a, b| a.0 == b.0);
-    same.map(|same| (same[0].0, same.iter().map(|side| side.1).collect())).collect()
 }
 
 /// The part of the canvas that the model is in, with a margin: two corners.
@@ -161,8 +151,8 @@ impl Sight {
     /// Adds what is seen of the line between two points, a side of `faces`. Where it is no outline by itself, it is
     /// one where there is nothing near behind it.
     fn draw(&self, ends: [Vec3; 2], faces: &[u32], is_outline: bool, to: &mut Lines) {
-        let Some([from, to_point]) = self.in_front(ends) else { return };
-        let [a, b] = [from, to_point].map(|point| self.eye.project(point));
+        let Some(ends) = self.in_front(ends) else { return };
+        let [a, b] = ends.map(|point| self.eye.project(point));
         let count = ((b.0 - a.0).length() * self.samples).ceil().clamp(1.0, MOST_SAMPLES) as usize;
         let part = |k: usize, to_middle: f32| (k as f32 + to_middle) / count as f32;
         let mut seen: Vec<Seen> = (0..count)

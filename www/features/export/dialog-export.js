@@ -111,7 +111,11 @@ export function showExport(app) {
         format(
           'Line drawing',
           'SVG: the lines that are seen, in ink on A4',
-          async () => files.save('-drawing.svg', viewport.lineDrawing() ?? '', 'image/svg+xml'),
+          async () => {
+            const drawing = viewport.lineDrawing();
+            if (!drawing) throw new Error('There is no view to draw from.');
+            files.save('-drawing.svg', drawing, 'image/svg+xml');
+          },
           canDraw,
         ),
         format('SVG', 'The plot of the convergence, on white', async () => {
