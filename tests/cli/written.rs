@@ -136,11 +136,14 @@ fn a_mesh_that_shrinks_to_a_dot_is_told() {
 fn a_scene_is_fitted_to_the_surface_of_a_file_beside_it() {
     let folder = Folder::new("target");
     let raised = "v -5 -5 1\nv 5 -5 1\nv 5 5 1\nv -5 5 1\nf 1 2 3 4\n";
-    let keys = r#", "weights": { "shape": 0, "close": 1 }, "closeness": { "to": { "mesh": { "file": "flat.obj" } } }"#;
     folder.write("roof.obj", ROOF).write("flat.obj", raised);
-    folder.write("scene.json", scene(keys));
-    folder.run(&["solve", "scene.json", "--out", "out.obj"]).done();
-    assert!(mesh(&folder, "out.obj").positions.iter().all(|p| (p[2] - 1.0).abs() < 1e-9));
+    for target in [r#"{ "file": "flat.obj" }"#, r#""flat.obj""#] {
+        let weights = r#""weights": { "shape": 0, "close": 1 }"#;
+        let keys = format!(r#", {weights}, "closeness": {{ "to": {{ "mesh": {target} }} }}"#);
+        folder.write("scene.json", scene(&keys));
+        folder.run(&["solve", "scene.json", "--out", "out.obj"]).done();
+        assert!(mesh(&folder, "out.obj").positions.iter().all(|p| (p[2] - 1.0).abs() < 1e-9));
+    }
     std::fs::remove_file(folder.0.join("flat.obj")).unwrap();
     folder.run(&["solve", "scene.json"]).refused(&["closeness.to.mesh.file", "flat.obj"]);
 }

@@ -28,7 +28,17 @@ struct To(ClosenessTo, Option<Target>);
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 struct TargetFile {
+    #[serde(deserialize_with = "mesh_or_path")]
     mesh: MeshSource,
+}
+
+/// A mesh as that of the scene, or the path of its file alone.
+fn mesh_or_path<'de, D: Deserializer<'de>>(from: D) -> Result<MeshSource, D::Error> {
+    match Value::deserialize(from)? {
+        Value::String(path) => Ok(MeshSource::File(path)),
+        mesh @ Value::Object(_) => read(&mesh).map_err(D::Error::custom),
+        other => Err(D::Error::custom(found(&other, "the path of a mesh file, or a mesh"))),
+    }
 }
 
 impl<'de> Deserialize<'de> for Closeness {

@@ -16,7 +16,7 @@
 //! | "constraints" | `kind`, `on`, `weight` (1), `enabled` (true), `name`, `require` (`"soft"`, `"exact"` or `{ "within": LENGTH }`), and the parameters of the kind |
 //! | "handles" | `vertices`, `targets` (the rest positions), and `weight` (100) or `"fixed": true` |
 //! | "weights" | `shape`, `close`, `smooth`: the weights of Eq. 13, by default 1, 0, 0 |
-//! | "closeness" | `"to"`: `"surface"`, `"rest"`, `"none"`, or another surface, `{ "mesh": ... }` as the scene's own; `"weights"` of single sets; `"boundary"`: of its vertices to their curves, `corners` (45 degrees), `require` (`"soft"` or `"exact"`), `weight` (1, where it is soft) |
+//! | "closeness" | `"to"`: `"surface"`, `"rest"`, `"none"`, or another surface, `{ "mesh": ... }` as the scene's own or the path of its file; `"weights"` of single sets; `"boundary"`: of its vertices to their curves, `corners` (45 degrees), `require` (`"soft"` or `"exact"`), `weight` (1, where it is soft) |
 //! | "smoothness" | `"of"`: `"surface"` or `"displacement"`; `"weighting"`: `"auto"`, `"uniform"`, `"cotangent"` (triangles) or `"polygon"` (any faces) |
 //! | "solver" | `iterations`, `tolerance`, `accelerator` (`"quasi-newton"`, `"anderson"`, `"none"`), `window`, `mean_centring`, `monotone`, `factorization` (`"auto"`, `"supernodal"`, `"sprs-ldl"`), `shortest_edge` (0 to 1, or null) |
 //! | "lesson" | a text and goals |
