@@ -4,6 +4,7 @@ import { byId } from '../ui/dom.js';
 import { halfStepTitle } from '../store/half-step.js';
 import { featureCommands } from './features.js';
 import { isDrawn } from '../store/state.js';
+import { fly } from '../viewport/flight.js';
 import { toggleTheme } from './theme.js';
 
 /** @typedef {import("./context.js").Command} Command */
@@ -20,7 +21,7 @@ export function commandTable(app, pointer, fileInput) {
 
   function fitSelection() {
     const vertices = actions.chosenVertices();
-    viewport.with((view) =>
+    fly(viewport, (view) =>
       vertices.length > 0 ? view.fitVertices(Uint32Array.from(vertices)) : view.fit(),
     );
   }
@@ -184,7 +185,7 @@ export function commandTable(app, pointer, fileInput) {
       label: 'Fit all',
       keys: ['Home'],
       action: () =>
-        viewport.with((view) => {
+        fly(viewport, (view) => {
           view.fit();
           view.fitMap();
         }),

@@ -138,7 +138,7 @@ bindHalfStepSwitches(store);
 const early = window;
 runEarlyPresses(commands, store, early.earlyPresses ?? []);
 delete early.earlyPresses;
-bindViewMenu(byId('view-menu'), byId('view-menu-button'), commands, store);
+bindViewMenu(byId('view-menu'), byId('view-menu-button'), commands, app);
 selecting.bindKeys(commands);
 
 viewport.on('none', (why) => {
@@ -192,7 +192,7 @@ function bindSolver(client) {
     store.set({
       // In another worker it is looked at as before.
       ...(!client.restoring && {
-        ...{ camera: null, measureChosen: false },
+        ...{ camera: null, views: [], measureChosen: false },
         ...{ tolerance: loaded.tolerance || null, tolerances: {} },
       }),
       model: loaded,
@@ -208,6 +208,7 @@ function bindSolver(client) {
       dragMs: 0,
       tint: null,
       tape: null,
+      section: null,
     }),
   );
   client.on('loading', ({ bytes, all }) =>

@@ -77,6 +77,7 @@ export function scriptApi(store, solver, viewport, files) {
 
     /** Resolves when the picture shows all that was asked for so far. */
     async drawn() {
+      viewport.refine();
       // A frame may have waited for the picture before it.
       for (let turn = 0; turn < 2; turn++) {
         await solver.request({ type: 'scene' });
@@ -100,11 +101,16 @@ export function scriptApi(store, solver, viewport, files) {
     },
 
     /**
-     * Where a vertex is on the page, [x, y] in CSS pixels; null when it is hidden or outside.
+     * Where a vertex is on the page, [x, y] in CSS pixels; null when it is hidden or outside. The camera is where
+     * it is going to be.
      * @param {number} vertex
      */
     screen(vertex) {
-      return onPage(viewport.with((view) => view.screen(vertex)));
+      const at = viewport.with((view) => {
+        view.arrive();
+        return view.screen(vertex);
+      });
+      return onPage(at);
     },
 
     /**
@@ -122,6 +128,29 @@ export function scriptApi(store, solver, viewport, files) {
      */
     dragTimes() {
       return structuredClone(drags);
+    },
+
+    /**
+     * A picture of the view as a PNG: of a width in pixels up to 7680, in its proportions; on the ground of the
+     * view, on white or on nothing (transparent); with the legend or without.
+     * @param {{ width?: number, ground?: "view" | "white" | "none", legend?: boolean }} [options] the width of
+     *   the view, its ground, with the legend
+     * @returns {Promise<Blob>} rejects where nothing can draw
+     */
+    async picture({ width, ground = 'view', legend = true } = {}) {
+      const { pictureOf } = await import('../features/export/picture.js');
+      const scale = (width ?? viewport.width) / viewport.width;
+      return pictureOf(viewport, store.get(), { scale, ground, legend });
+    },
+
+    /**
+     * A film (WebM) in which the model turns once.
+     * @param {number} [seconds] that it takes, 6 if none are given
+     * @returns {Promise<Blob>} rejects where the browser cannot record
+     */
+    async turntable(seconds) {
+      const { turntableVideo } = await import('../features/export/turntable-video.js');
+      return turntableVideo(viewport, seconds);
     },
 
     /**

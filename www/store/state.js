@@ -49,10 +49,12 @@
  * @property {Record<Measure, number | null>} tolerances of measures that it does not apply to, in their units
  * @property {{ edges: boolean, vertices: boolean, shapes: boolean, outlines: boolean, arrows: boolean,
  *   ghost: boolean, ground: boolean, bands: boolean, full: boolean, log: boolean, gizmo: boolean,
- *   timings: boolean }} display
+ *   timings: boolean, map: "viridis" | "diverging" | "grey" }} display `map` is that of all values
  * @property {number[] | null} camera where the view is seen from, as `View.camera` gives it; what somebody else
  *   than the viewport sets here is where the camera goes
  * @property {boolean} parallel projection, instead of perspective
+ * @property {Section | null} section where the model is cut open
+ * @property {{ name: string, camera: number[], parallel: boolean }[]} views that somebody has kept
  * @property {number[] | null} tape the ends of the measuring tape that are chosen, while there is one
  * @property {import("./view-modes.js").FlatMap | null} flatMap what is shown beside the model
  * @property {import("./view-modes.js").Split | null} split two pictures in place of one
@@ -68,6 +70,11 @@
  * The ends of the range of the colours and of the axis of the legend, where somebody chose them; null
  * where they follow from the values.
  * @typedef {{ low: number | null, high: number | null, top: number | null }} OwnRange
+ */
+/**
+ * A plane across an axis of the file (0 to 2), a part of the way through the model from 0 to 1. What comes
+ * before it along the axis is kept, or what comes after it when it is turned.
+ * @typedef {{ axis: number, at: number, turned: boolean }} Section
  */
 /** @typedef {"vertices" | "edges" | "faces"} Mode */
 /** Edges by their places in `Connectivity.edges`. @typedef {Record<Mode, ReadonlySet<number>>} Selection */
@@ -137,9 +144,12 @@ const INITIAL = {
     log: false,
     gizmo: true,
     timings: false,
+    map: 'viridis',
   },
   camera: null,
   parallel: false,
+  section: null,
+  views: [],
   tape: null,
   flatMap: null,
   split: null,

@@ -40,7 +40,7 @@ export function createViewActions(store) {
     /**
      * What is shown in another way, or beside the model, and what shows it.
      * @param {Partial<Pick<State, "parallel" | "split" | "flatMap" | "heldOriginal" | "build" | "status" |
-     *   "renderer" | "camera" | "tab" | "measure" | "measureChosen" | "tolerance" | "tolerances">>} look
+     *   "renderer" | "camera" | "section" | "views" | "tab" | "measure" | "measureChosen" | "tolerance" | "tolerances">>} look
      */
     look: (look) => store.set(look),
 

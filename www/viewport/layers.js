@@ -26,6 +26,10 @@ export const LAYERS = [
   [['document'], (view, { document }) => document && view.setUp(document.up)],
   [['display', 'halfway', 'heldOriginal'], showDisplay],
   [['parallel'], (view, { parallel }) => view.setParallel(parallel)],
+  [
+    ['section', 'model'],
+    (view, { section }) => view.setSection(section?.axis, section?.at ?? 0, !!section?.turned),
+  ],
   [['tape'], (view, { tape }) => view.setTape(Uint32Array.from(tape ?? []))],
   [
     ['document', 'dragged', 'moved', 'pointedAt', 'selection', 'model', 'heldOriginal'],
@@ -55,9 +59,11 @@ export function showValues(view, state, geometry) {
   // Right after another choice, the values are still those of the one before, or have no range.
   const isRanged = geometry?.measure === state.measure && state.spread;
   const values = isRanged ? (heldOriginal ?? geometry)?.values : null;
-  const { full, log } = state.display;
+  const { full, log, map } = state.display;
   const about = declared(state, state.measure);
-  const tolerance = about && !full ? toleranceOf(state, about) : null;
+  const allowed = about && toleranceOf(state, about);
+  const tolerance = full ? null : allowed;
+  view.setColourMap(map, allowed ?? undefined);
   view.setFaceValues(values ?? undefined, ...state.range, tolerance ?? undefined, log);
 }
 

@@ -12,8 +12,17 @@
  * @property {{ show: (tab: string) => void, shown: () => string }} analysis the region of plots and tables
  */
 
-/** @type {["camera", "parallel", "tab", "measure", "measureChosen", "tolerance", "tolerances"]} */
-const PARTS = ['camera', 'parallel', 'tab', 'measure', 'measureChosen', 'tolerance', 'tolerances'];
+/** @type {["camera", "parallel", "views", "tab", "measure", "measureChosen", "tolerance", "tolerances"]} */
+const PARTS = [
+  'camera',
+  'parallel',
+  'views',
+  'tab',
+  'measure',
+  'measureChosen',
+  'tolerance',
+  'tolerances',
+];
 
 /** @param {ViewContext} parts @returns {SavedView} */
 export function viewOf({ store, analysis }) {

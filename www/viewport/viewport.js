@@ -6,6 +6,7 @@
 
 import { Backend, isBlank, openView } from './backend.js';
 import { removeFirstPicture } from './placeholder/placeholder-scene.js';
+import { Refinement } from './refinement.js';
 import { ShapeTransition } from './shape-transition.js';
 import { Emitter } from '../solver/emitter.js';
 import { messageOf } from '../solver/messages.js';
@@ -20,6 +21,8 @@ import { LAYERS, showDisplay, showValues } from './layers.js';
 
 /** A view that is lost this often in a row is given up. */
 const ATTEMPTS = 3;
+/** A larger picture is drawn in tiles of so many pixels, which every graphics card can. */
+const TILE = 2048;
 /**
  * Something can draw; nothing can, and why; a picture was drawn.
  * @typedef {{ ready: void, none: string, drawn: void }} ViewportEvents
@@ -55,6 +58,7 @@ export class Viewport extends Emitter {
   #newFrame = false;
   /** @type {{ shapes: ShapeTransition, arrived: () => void } | null} */
   #transition = null;
+  #refinement = new Refinement(() => this.ask());
 
   /**
    * @param {HTMLElement} element
@@ -140,11 +144,12 @@ export class Viewport extends Emitter {
   }
 
   /**
-   * Draws one picture of another size, in the proportions and the framing of the one that is shown,
-   * and gives the canvas to `take`, which must read it at once. The shown one is drawn again then.
+   * Draws one picture of another size, in the proportions and the framing of the one that is shown, tile by
+   * tile: each is on the canvas while `take` is called with it and its place in the picture, and must be read
+   * at once. The shown one is drawn again then.
    * @param {{ width: number, height: number, scale: number }} size in pixels; `scale` of them are a CSS pixel
    * @param {number | undefined} ground a grey from 0 to 1, with the light colours, or as it is shown
-   * @param {(canvas: HTMLCanvasElement) => void} take
+   * @param {(tile: HTMLCanvasElement, left: number, top: number) => void} take
    * @returns {boolean} whether it could be drawn
    */
   still({ width, height, scale }, ground, take) {
@@ -156,13 +161,19 @@ export class Viewport extends Emitter {
     const [shownWidth, shownHeight] = [canvas.width, canvas.height];
     const { dark } = this.#store.get();
     try {
-      view.resize(width, height, scale);
+      view.arrive();
       if (ground !== undefined) view.setTheme(false);
       view.setGizmo(false, false);
       view.setGround(ground);
-      const drawn = view.draw();
-      if (drawn) take(canvas);
-      return drawn;
+      view.setOcclusion(1);
+      for (let top = 0; top < height; top += TILE)
+        for (let left = 0; left < width; left += TILE) {
+          const size = [Math.min(TILE, width - left), Math.min(TILE, height - top)];
+          view.setTile(width, height, scale, Uint32Array.of(left, top, ...size));
+          if (!view.draw()) return false;
+          take(canvas, left, top);
+        }
+      return true;
     } catch (thrown) {
       this.#lost(messageOf(thrown));
       return false;
@@ -172,9 +183,19 @@ export class Viewport extends Emitter {
         view.setTheme(dark);
         showDisplay(view, this.#store.get());
         view.resize(shownWidth, shownHeight, shownWidth / this.#size[0]);
-        this.ask();
+        this.#refinement.finish();
       }
     }
+  }
+
+  /** What is drawn as a stream of pictures; none where the browser has no such thing. @returns {MediaStream | undefined} */
+  stream() {
+    return this.#canvas?.captureStream?.();
+  }
+
+  /** Shows all that the view shows once nothing moves, with the next picture. */
+  refine() {
+    this.#refinement.finish();
   }
 
   /** The lines that are seen, as an SVG file for print; nothing without a view. */
@@ -350,7 +371,9 @@ export class Viewport extends Emitter {
     this.#handOver();
     this.#solver.recycle();
     // Without a mesh there is nothing to draw.
-    if (!this.#solver.geometry || !this.view?.needsDraw()) return;
+    if (!this.#solver.geometry || !this.view) return;
+    this.#refinement.prepare(this.view);
+    if (!this.view.needsDraw()) return;
     try {
       if (!this.view.draw()) return;
       if (!this.#isProven && this.view.backend() === 'webgpu' && this.#canvas) {
@@ -358,6 +381,7 @@ export class Viewport extends Emitter {
         this.#isProven = true;
       }
       this.#attempts = 0;
+      this.#refinement.drawn();
       // Which has its colours at once.
       if (this.#store.get().spread) removeFirstPicture();
       this.#storeCamera(this.view.camera());

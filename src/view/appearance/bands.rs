@@ -148,7 +148,7 @@ mod tests {
         assert_eq!(found, [0, 0, 0, 1, 4, 4]);
         assert_eq!(bands.band(f32::NAN), None);
         assert_eq!(bands.texels, [26, 77, 128, 179, 230]);
-        assert_eq!(bands.colours(ColourMap::Full).len(), 5);
+        assert_eq!(bands.colours(ColourMap::Viridis).len(), 5);
     }
 
     #[test]

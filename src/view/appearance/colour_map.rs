@@ -1,31 +1,80 @@
 //! The perceptually uniform colour maps of errors, which also read to colour-blind eyes: viridis (van
-//! der Walt and Smith 2015) for all values, and a map of our own for those beyond a tolerance.
+//! der Walt and Smith 2015) from its light end to its dark one, a grey, one that diverges at a tolerance, and
+//! one for values beyond a tolerance. No error is light in all of them: what is asked for is calm, and what
+//! is wrong is seen.
 //!
-//! Values within the tolerance have the colour of the material, light or dark. So the second map
-//! begins pale, but where it differs from every grey, and ends before it is dark: a shape that is
-//! nearly as asked is calm, and the worst faces are seen on both themes. It goes along straight lines
+//! Values within the tolerance have the colour of the material, light or dark. So the map of those beyond
+//! it begins pale, but where it differs from every grey, and ends before it is dark: a shape that is
+//! nearly as asked is calm, and the worst faces are seen on both themes. Our own maps go along straight lines
 //! of Oklab (Ottosson 2020) at an even speed.
 
+use crate::view::model::ViewError;
 use glam::{DVec3, Vec3};
 
 /// Texels of the map's texture.
 pub const TEXELS: usize = 256;
 
 /// Which values have which colours.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ColourMap {
-    /// For all values: dark is least.
-    Full,
+    /// For all values: from yellow over green to violet.
+    Viridis,
+    /// For all values: from nearly white to dark.
+    Grey,
+    /// For all values: from light blue to nearly white, which is at this part of the range, and on over
+    /// orange to dark red.
+    Diverging(f64),
     /// For values beyond a tolerance: from apricot over coral and magenta to violet.
     Beyond,
 }
 
+/// Which map somebody wants for all values.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum MapChoice {
+    /// [`ColourMap::Viridis`].
+    #[default]
+    Viridis,
+    /// [`ColourMap::Grey`].
+    Grey,
+    /// [`ColourMap::Diverging`] from both sides of this value.
+    Diverging(f32),
+}
+
+impl MapChoice {
+    /// The map of that name: `viridis`, `grey`, or `diverging` from both sides of `middle`, without which it
+    /// is viridis.
+    ///
+    /// # Errors
+    /// Any other name.
+    pub fn named(name: &str, middle: Option<f32>) -> Result<MapChoice, ViewError> {
+        match (name, middle) {
+            ("diverging", Some(middle)) => Ok(MapChoice::Diverging(middle)),
+            ("viridis" | "diverging", _) => Ok(MapChoice::Viridis),
+            ("grey", _) => Ok(MapChoice::Grey),
+            _ => {
+                let (got, known) = (name.to_owned(), "viridis, grey or diverging");
+                Err(ViewError::Word { what: "colour map", got, known })
+            }
+        }
+    }
+}
+
 /// Where [`ColourMap::Beyond`] turns, in Oklab.
 const BEYOND: [DVec3; 4] = [
-    DVec3::new(0.879, 0.037, 0.044),
+    DVec3::new(0.873, 0.040, 0.050),
     DVec3::new(0.737, 0.106, 0.078),
     DVec3::new(0.579, 0.184, -0.027),
     DVec3::new(0.432, 0.122, -0.150),
+];
+/// The same of [`ColourMap::Grey`].
+const GREY: [DVec3; 2] = [DVec3::new(0.965, 0.0, 0.0), DVec3::new(0.32, 0.0, 0.0)];
+/// Of [`ColourMap::Diverging`], below the middle and above it.
+const WITHIN: [DVec3; 2] = [DVec3::new(0.79, -0.045, -0.085), DVec3::new(0.97, 0.0, 0.008)];
+const ABOVE: [DVec3; 4] = [
+    WITHIN[1],
+    DVec3::new(0.80, 0.065, 0.050),
+    DVec3::new(0.60, 0.145, 0.055),
+    DVec3::new(0.36, 0.125, 0.030),
 ];
 
 /// The colour at a part of the way along a polyline in Oklab.
@@ -70,7 +119,11 @@ impl ColourMap {
     /// The colour of a place from 0 to 1.
     fn at(self, part: f64) -> colorous::Color {
         match self {
-            ColourMap::Full => colorous::VIRIDIS.eval_continuous(part),
+            ColourMap::Viridis => colorous::VIRIDIS.eval_continuous(1.0 - part),
+            ColourMap::Grey => along(&GREY, part),
+            ColourMap::Diverging(middle) if part < middle => along(&WITHIN, part / middle),
+            ColourMap::Diverging(middle) if middle >= 1.0 => along(&WITHIN, 1.0),
+            ColourMap::Diverging(middle) => along(&ABOVE, (part - middle) / (1.0 - middle)),
             ColourMap::Beyond => along(&BEYOND, part),
         }
     }
@@ -78,8 +131,8 @@ impl ColourMap {
     fn of_texel(self, texel: usize) -> colorous::Color {
         match self {
             // The nearest of the 256 colours by which viridis is defined.
-            ColourMap::Full => colorous::VIRIDIS.eval_rational(texel, TEXELS),
-            ColourMap::Beyond => self.at(texel as f64 / (TEXELS - 1) as f64),
+            ColourMap::Viridis => colorous::VIRIDIS.eval_rational(TEXELS - 1 - texel, TEXELS),
+            _ => self.at(texel as f64 / (TEXELS - 1) as f64),
         }
     }
 
@@ -121,6 +174,9 @@ mod tests {
     use super::*;
     use crate::view::appearance::{Colour, DARK, LIGHT};
 
+    const ALL: [ColourMap; 4] =
+        [ColourMap::Viridis, ColourMap::Grey, ColourMap::Diverging(0.4), ColourMap::Beyond];
+
     #[test]
     fn places_fall_on_the_map_and_stay_on_it() {
         let texels = [0.0, 0.5, 1.0, 9.0, -9.0].map(texel);
@@ -129,7 +185,7 @@ mod tests {
 
     #[test]
     fn the_legend_and_the_texture_show_the_same_colours() {
-        for map in [ColourMap::Full, ColourMap::Beyond] {
+        for map in ALL {
             let texels = map.texels();
             assert_eq!(texels.len(), TEXELS * 4);
             let stops = map.stops(3);
@@ -139,16 +195,40 @@ mod tests {
             }
             assert_eq!(map.stops(1).len(), 1);
         }
-        assert!(ColourMap::Full.stops(3)[2].starts_with("rgb(253 231 "));
+        assert!(ColourMap::Viridis.stops(3)[0].starts_with("rgb(253 231 "));
     }
 
     #[test]
-    fn the_map_grows_lighter_all_the_way() {
-        let light = |t: &[u8]| 0.2126 * t[0] as f32 + 0.7152 * t[1] as f32 + 0.0722 * t[2] as f32;
-        let texels = ColourMap::Full.texels();
-        let lights: Vec<f32> = texels.chunks(4).map(light).collect();
-        assert!(lights.windows(2).all(|w| w[1] > w[0] - 0.5));
-        assert!(lights[255] - lights[0] > 150.0);
+    fn no_error_is_light_and_the_greatest_is_dark() {
+        for map in ALL {
+            let lightness = |texel: u8| lab(map.colour(texel)).x;
+            assert!(lightness(0) > 72.0, "{map:?}: {}", lightness(0));
+            assert!(lightness(255) < 40.0, "{map:?}: {}", lightness(255));
+            // Beyond the middle of a diverging map, and in all others everywhere, more is darker.
+            let first = if let ColourMap::Diverging(middle) = map { texel(middle) } else { 0 };
+            let all: Vec<f32> = (first..=255).map(lightness).collect();
+            assert!(all.windows(2).all(|pair| pair[1] < pair[0] + 0.25), "{map:?}");
+        }
+    }
+
+    #[test]
+    fn a_diverging_map_is_lightest_at_its_middle_wherever_that_is() {
+        for middle in [0.0, 0.02, 0.3, 1.0] {
+            let map = ColourMap::Diverging(middle);
+            let lightest = lab(map.colour(texel(middle))).x;
+            assert!(lightest > 93.0, "{middle}: {lightest}");
+            assert!((0..=255).all(|texel| lab(map.colour(texel)).x <= lightest + 0.6));
+        }
+        let [below, above] = [0.0, 1.0].map(|part| ColourMap::Diverging(0.5).colour(texel(part)));
+        assert!(below.z > below.x + 0.2 && above.x > above.z + 0.2, "blue below, red above");
+    }
+
+    #[test]
+    fn maps_are_chosen_by_name() {
+        assert_eq!(MapChoice::named("grey", Some(1.0)), Ok(MapChoice::Grey));
+        assert_eq!(MapChoice::named("diverging", Some(0.5)), Ok(MapChoice::Diverging(0.5)));
+        assert_eq!(MapChoice::named("diverging", None), Ok(MapChoice::Viridis));
+        assert!(MapChoice::named("jet", None).is_err());
     }
 
     /// CIE L*a*b* of an sRGB colour, white D65.
@@ -185,15 +265,33 @@ mod tests {
         }
     }
 
+    /// Eighths of the map, or of each side of a diverging one: no step is much larger than another. Those of
+    /// viridis are even in a newer space of colours; in this one its lightness is.
     #[test]
-    fn beyond_the_tolerance_equal_steps_look_equal() {
-        let stops: Vec<Vec3> =
-            (0..=8).map(|i| lab(ColourMap::Beyond.colour(texel(f64::from(i) / 8.0)))).collect();
-        let steps: Vec<f32> = stops.windows(2).map(|pair| pair[0].distance(pair[1])).collect();
-        let (least, most) = steps
-            .iter()
-            .fold((f32::MAX, 0.0_f32), |(least, most), &step| (least.min(step), most.max(step)));
-        assert!(least > 10.0 && most < 1.4 * least, "{steps:?}");
-        assert!(stops.windows(2).all(|pair| pair[1].x < pair[0].x), "it grows darker all the way");
+    fn equal_steps_look_equal() {
+        let sides = [(0.0, 0.4), (0.4, 1.0)];
+        let parts = [
+            (ColourMap::Grey, (0.0, 1.0)),
+            (ColourMap::Beyond, (0.0, 1.0)),
+            (ColourMap::Diverging(0.4), sides[0]),
+            (ColourMap::Diverging(0.4), sides[1]),
+        ];
+        for (map, (from, to)) in parts {
+            let part = |i: usize| from + (to - from) * i as f64 / 8.0;
+            let colour = |i: usize| map.at(part(i));
+            let stops: Vec<Vec3> = (0..=8)
+                .map(colour)
+                .map(|c| lab(Vec3::new(f32::from(c.r), f32::from(c.g), f32::from(c.b)) / 255.0))
+                .collect();
+            let steps: Vec<f32> = stops.windows(2).map(|pair| pair[0].distance(pair[1])).collect();
+            let least = steps.iter().copied().fold(f32::MAX, f32::min);
+            let most = steps.iter().copied().fold(0.0, f32::max);
+            assert!(least > 3.0 && most < 1.5 * least, "{map:?} from {from}: {steps:?}");
+        }
+        let lightness = |i: usize| lab(ColourMap::Viridis.colour(texel(i as f64 / 8.0))).x;
+        for i in 0..8 {
+            let step = lightness(i) - lightness(i + 1);
+            assert!((7.5..12.0).contains(&step), "{step} at {i}");
+        }
     }
 }

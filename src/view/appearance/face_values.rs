@@ -3,7 +3,7 @@
 //! pointed at. Four bytes per face.
 
 use super::bands::Bands;
-use super::colour_map::{ColourMap, texel};
+use super::colour_map::{ColourMap, MapChoice, texel};
 use super::colour_scale::ColourScale;
 use super::row_colours::RowColours;
 use crate::view::model::{ViewError, check_indices};
@@ -44,6 +44,8 @@ pub struct Appearance {
     /// #V, what the values of the faces are the greatest of; nothing where they are not of vertices.
     corners: Option<Vec<f32>>,
     in_bands: bool,
+    /// For when all values have colours.
+    map: MapChoice,
     /// When values are shown in bands.
     bands: Option<Bands>,
     /// Selected vertices.
@@ -77,6 +79,11 @@ impl Appearance {
         self.values = values.map(|values| (values, scale));
         self.part();
         Ok(())
+    }
+
+    /// Chooses the map for when all values have colours.
+    pub fn set_map(&mut self, map: MapChoice) {
+        self.map = map;
     }
 
     /// Shows values in bands, or gradually.
@@ -160,14 +167,26 @@ impl Appearance {
 
     /// Whether all faces have colours of values; with a tolerance, only those beyond it have.
     pub fn has_full_map(&self) -> bool {
-        self.has_values() && self.map() == ColourMap::Full
+        self.has_values() && self.map() != ColourMap::Beyond
     }
 
     /// The map of the values.
     pub fn map(&self) -> ColourMap {
         match &self.values {
             Some((_, ColourScale { tolerance: Some(_), .. })) => ColourMap::Beyond,
-            _ => ColourMap::Full,
+            values => self.full_map(values.as_ref().map(|(_, scale)| scale)),
+        }
+    }
+
+    /// The map of values that all have colours.
+    fn full_map(&self, scale: Option<&ColourScale>) -> ColourMap {
+        match self.map {
+            MapChoice::Viridis => ColourMap::Viridis,
+            MapChoice::Grey => ColourMap::Grey,
+            MapChoice::Diverging(middle) => {
+                let part = scale.and_then(|scale| scale.part(middle));
+                part.map_or(ColourMap::Viridis, ColourMap::Diverging)
+            }
         }
     }
 
@@ -203,8 +222,9 @@ impl Appearance {
         Ok(())
     }
 
-    /// Marks the same vertices and faces as `other`.
+    /// Marks the same vertices and faces as `other`, and has the same map.
     pub fn mark_as(&mut self, other: &Appearance) {
+        self.map = other.map;
         self.selected_vertices.clone_from(&other.selected_vertices);
         self.selected_faces.clone_from(&other.selected_faces);
         self.tinted_vertices.clone_from(&other.tinted_vertices);
@@ -278,6 +298,20 @@ mod tests {
         assert_eq!(appearance.colour_of(1), FaceColour::Plain);
         appearance.set_corners(Some(vec![0.2]), 1).unwrap();
         assert_eq!(appearance.tolerance_in_steps(), appearance.corner_in_steps(0));
+    }
+
+    #[test]
+    fn a_diverging_map_turns_where_its_middle_is_in_the_range() {
+        let mut appearance = Appearance::default();
+        assert_eq!(appearance.map(), ColourMap::Viridis);
+        appearance.set_map(MapChoice::Diverging(2.5));
+        appearance.set_values(Some(vec![1.0]), ColourScale::linear(0.0, 10.0), 1).unwrap();
+        assert_eq!(appearance.map(), ColourMap::Diverging(0.25));
+        assert!(appearance.has_full_map());
+        // Values within a tolerance keep the material, whatever the map.
+        let scale = ColourScale { tolerance: Some(2.5), ..ColourScale::linear(2.5, 10.0) };
+        appearance.set_values(Some(vec![1.0]), scale, 1).unwrap();
+        assert_eq!(appearance.map(), ColourMap::Beyond);
     }
 
     #[test]

@@ -19,7 +19,7 @@ pub mod round_length;
 pub mod row_colours;
 
 pub use bands::{Bands, Seam, seams};
-pub use colour_map::{ColourMap, TEXELS};
+pub use colour_map::{ColourMap, MapChoice, TEXELS};
 pub use colour_scale::ColourScale;
 pub use face_values::{Appearance, FaceColour};
 pub use palette::{

@@ -116,7 +116,7 @@ pub struct Palette {
     pub selected: Colour,
     /// By [`LineKind`].
     pub strokes: [Stroke; LINE_KINDS],
-    /// Edges between faces that have values: light, because the colour of no error is dark and is
+    /// Edges between faces that have values: dark, because the colour of no error is light and is
     /// what most faces have in the end. Where errors are large, faces differ from their neighbours.
     pub edge_of_values: Colour,
     /// Dark squares of the checkerboard of a flat map.
@@ -173,11 +173,11 @@ pub const LIGHT: Palette = Palette {
     shadow: [0.165, 0.188, 0.235, 0.62],
     back: [0.875, 0.918, 0.985, 1.0],
     material: [1.0, 0.992, 0.975, 1.0],
-    shade: [0.455, 0.470, 0.520, 1.0],
+    shade: [0.665, 0.665, 0.690, 1.0],
     no_value: [0.72, 0.72, 0.73, 1.0],
     selected: [0.99, 0.62, 0.16, 0.72],
     strokes: [
-        stroke([0.27, 0.31, 0.37, 0.85], 1.1),
+        stroke([0.22, 0.26, 0.33, 0.72], 1.0),
         stroke([0.13, 0.16, 0.21, 1.0], 1.9),
         stroke([0.10, 0.12, 0.16, 1.0], 2.4),
         stroke([0.13, 0.40, 0.93, 0.9], 1.5),
@@ -192,7 +192,7 @@ pub const LIGHT: Palette = Palette {
         seen_through(0.26, [0.40, 0.22, 0.70, 0.80], 1.2),
         seen_through(0.45, [0.84, 0.16, 0.20, 1.0], 2.8),
     ],
-    edge_of_values: [1.0, 1.0, 1.0, 0.40],
+    edge_of_values: [0.10, 0.12, 0.17, 0.50],
     check: [0.20, 0.26, 0.36, 0.94],
     edge_of_checks: [0.45, 0.49, 0.56, 0.45],
     dots: [
@@ -221,8 +221,8 @@ pub const DARK: Palette = Palette {
     backdrop: [0.208, 0.224, 0.243, 1.0],
     shadow: [0.0, 0.004, 0.012, 0.85],
     back: [0.830, 0.900, 1.0, 1.0],
-    material: [0.735, 0.720, 0.690, 1.0],
-    shade: [0.160, 0.170, 0.200, 1.0],
+    material: [0.800, 0.785, 0.755, 1.0],
+    shade: [0.225, 0.235, 0.270, 1.0],
     no_value: [0.40, 0.41, 0.43, 1.0],
     selected: [0.96, 0.56, 0.10, 0.72],
     strokes: [
@@ -241,7 +241,7 @@ pub const DARK: Palette = Palette {
         seen_through(0.26, [0.74, 0.62, 1.0, 0.75], 1.2),
         seen_through(0.45, [1.0, 0.40, 0.38, 1.0], 2.8),
     ],
-    edge_of_values: [1.0, 1.0, 1.0, 0.34],
+    edge_of_values: [0.05, 0.06, 0.09, 0.60],
     check: [0.125, 0.145, 0.185, 0.95],
     edge_of_checks: [0.40, 0.43, 0.48, 0.45],
     dots: [

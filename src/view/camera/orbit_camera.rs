@@ -4,6 +4,7 @@
 //! Lengths are those of the scene relative to the view's centre; screen positions are CSS pixels
 //! from the upper left corner of the canvas.
 
+use super::section::Section;
 use crate::view::model::ViewError;
 use glam::{Mat4, Vec2, Vec3, Vec4};
 use std::f32::consts::{FRAC_1_SQRT_2, FRAC_PI_2, FRAC_PI_4};
@@ -72,6 +73,8 @@ pub struct Camera {
     pub canvas: Vec2,
     /// At the lower edge of the canvas, what framing leaves free for what lies over it, CSS pixels.
     pub covered: f32,
+    /// What is seen of the model; all of it without one.
+    pub section: Option<Section>,
 }
 
 /// The camera's axes and place, computed once per use.
@@ -104,6 +107,7 @@ impl Default for Camera {
             projection: CameraProjection::Perspective,
             canvas: Vec2::new(300.0, 150.0),
             covered: 0.0,
+            section: None,
         }
     }
 }
@@ -133,6 +137,11 @@ impl Camera {
         }
     }
 
+    /// Whether the section leaves a point.
+    pub fn keeps(&self, point: Vec3) -> bool {
+        self.section.is_none_or(|section| section.within(point) >= 0.0)
+    }
+
     /// Turns the eye about the pivot by a drag of so many CSS pixels.
     pub fn orbit(&mut self, dx: f32, dy: f32) {
         self.turn = (self.turn - dx * TURN_PER_PIXEL).rem_euclid(std::f32::consts::TAU);
@@ -149,6 +158,11 @@ impl Camera {
         self.orbit(dx, dy);
         let after = self.eye();
         self.pivot = anchor + after.right * right + after.up * up + after.forward * forward;
+    }
+
+    /// Turns the model about the vertical through `anchor` by an angle in radians, to the right in front.
+    pub fn spin(&mut self, anchor: Vec3, angle: f32) {
+        self.orbit_about(anchor, angle / TURN_PER_PIXEL, 0.0);
     }
 
     /// Slides the picture by so many CSS pixels: what lies at the pivot's depth follows the cursor.

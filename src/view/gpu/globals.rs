@@ -1,31 +1,49 @@
 //! The numbers that every shader reads: camera, canvas, colours. The order is that of `Scene` in
 //! `shaders/scene.wgsl`, all of it in groups of four.
 
+use super::placement::Placement;
 use crate::view::appearance::{Colour, DOT_KINDS, Dot, DotKind, LINE_KINDS, LineKind, Stroke};
 use crate::view::state::ViewState;
-use glam::{Vec3, Vec4};
+use glam::{Mat4, Vec3, Vec4};
 
 /// How many numbers there are.
-pub const NUMBERS: usize = 16 + 4 * (5 + 1 + 7 + 2 + 4) + 8 + 8 * LINE_KINDS + 12 * DOT_KINDS;
+pub const NUMBERS: usize = 16 + 4 * (5 + 1 + 7 + 2 + 4 + 3) + 8 + 8 * LINE_KINDS + 12 * DOT_KINDS;
 
-/// The numbers for a canvas of `width` by `height` pixels, with a veil of this colour.
-pub fn numbers(state: &ViewState, veil: Colour, (width, height): (u32, u32)) -> Vec<f32> {
+/// What lies farther than this part of the size of the model keeps no light off a point.
+const REACH: f32 = 0.26;
+
+/// The numbers for a picture that lies so on the canvas, with a veil of this colour.
+pub fn numbers(state: &ViewState, veil: Colour, placement: Placement) -> Vec<f32> {
     let camera = state.camera();
     let eye = camera.eye();
     let palette = state.palette();
-    let ratio = width as f32 / camera.canvas.x;
+    let ratio = placement.size.0 as f32 / camera.canvas.x;
+    let [x, y, right, up] = placement.transform();
     let (near, far) = state.depth_range();
     let [_, _, sky] = camera.up.axes();
+    let [low, high] = state.bounds();
+    let floor = low.dot(sky).min(high.dot(sky));
     let [r, g, b] = state.tint();
 
     let mut numbers = Vec::with_capacity(NUMBERS);
-    numbers.extend(camera.clip_from_scene(near, far).to_cols_array());
+    let onto_canvas = Mat4::from_cols(
+        Vec4::new(x, 0.0, 0.0, 0.0),
+        Vec4::new(0.0, y, 0.0, 0.0),
+        Vec4::Z,
+        Vec4::new(right, up, 0.0, 1.0),
+    );
+    numbers.extend((onto_canvas * camera.clip_from_scene(near, far)).to_cols_array());
     numbers.extend(eye.at.extend(eye.parallel.unwrap_or(0.0)).to_array());
-    for axis in [eye.right, eye.up, eye.forward, sky] {
+    for axis in [eye.right, eye.up, eye.forward] {
         numbers.extend(Vec3::extend(axis, 0.0).to_array());
     }
+    numbers.extend(sky.extend(floor).to_array());
     let pixel = 1.0 / (eye.focal * ratio);
+    let (width, height) = placement.canvas;
     numbers.extend(Vec4::new(width as f32, height as f32, ratio, pixel).to_array());
+    numbers.extend([x, y, right, up]);
+    numbers.extend([near, far - near, REACH * state.size(), state.occlusion()]);
+    numbers.extend(camera.section.map_or(NO_SECTION, |section| section.numbers()).to_array());
     for colour in [palette.material, palette.shade, palette.no_value, palette.selected] {
         numbers.extend(colour);
     }
@@ -61,6 +79,9 @@ pub fn numbers(state: &ViewState, veil: Colour, (width, height): (u32, u32)) -> 
     numbers
 }
 
+/// Every point is on the side that is kept.
+const NO_SECTION: Vec4 = Vec4::new(0.0, 0.0, 0.0, 1.0);
+
 /// How much of the tint is mixed into a face.
 const TINT_STRENGTH: f32 = 0.55;
 
@@ -75,6 +96,9 @@ mod tests {
 
     #[test]
     fn there_are_as_many_numbers_as_the_shaders_read() {
-        assert_eq!(numbers(&ViewState::default(), [0.0; 4], (800, 400)).len(), NUMBERS);
+        assert_eq!(
+            numbers(&ViewState::default(), [0.0; 4], Placement::whole((800, 400))).len(),
+            NUMBERS
+        );
     }
 }

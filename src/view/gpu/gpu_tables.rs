@@ -3,6 +3,7 @@
 //! number of writes that costs time, not their size.
 
 use super::globals::{NUMBERS, numbers};
+use super::placement::Placement;
 use crate::view::appearance::{Colour, ColourMap, TEXELS, row_colours};
 use crate::view::state::ViewState;
 use glam::{Vec3, Vec4};
@@ -117,6 +118,8 @@ pub struct GpuTables {
     face_normals: Table,
     face_looks: Table,
     colour_map: wgpu::Texture,
+    /// The map in the first row of it.
+    full_map: ColourMap,
     places: Table,
     layout: wgpu::BindGroupLayout,
     group: wgpu::BindGroup,
@@ -148,7 +151,7 @@ impl GpuTables {
         });
         let texels = TEXELS as u32;
         let colours = create(device, "colour maps", bytes, texels, 4);
-        for (row, map) in [(0, ColourMap::Full), (3, ColourMap::Beyond)] {
+        for (row, map) in [(0, ColourMap::Viridis), (3, ColourMap::Beyond)] {
             write(queue, &colours, &map.texels(), texels * 4, [row, texels, 1]);
         }
         let positions = Table::new(device, "positions", float);
@@ -172,6 +175,7 @@ impl GpuTables {
             face_normals,
             face_looks,
             colour_map: colours,
+            full_map: ColourMap::Viridis,
             places,
             layout,
             group,
@@ -188,14 +192,14 @@ impl GpuTables {
         &self.group
     }
 
-    /// Writes what has changed on the stage, and always the globals, for a canvas of `width` by
-    /// `height` pixels.
+    /// Writes what has changed on the stage, and always the globals, for a picture that lies so on the
+    /// canvas.
     pub fn update(
         &mut self,
         device: &wgpu::Device,
         queue: &wgpu::Queue,
         state: &ViewState,
-        size: (u32, u32),
+        placement: Placement,
     ) {
         let changes = state.changes();
         let mesh = state.mesh();
@@ -223,6 +227,12 @@ impl GpuTables {
         if changes.mesh || changes.appearance {
             let appearance = state.appearance().bytes(mesh.faces.len());
             rebind |= self.face_looks.write(device, queue, appearance);
+            let map = state.appearance().map();
+            if map != ColourMap::Beyond && map != self.full_map {
+                self.full_map = map;
+                let width = TEXELS as u32;
+                write(queue, &self.colour_map, &map.texels(), width * 4, [0, width, 1]);
+            }
         }
         if changes.mesh || changes.marks {
             self.write_colours(queue, 1, &state.appearance().rows.palette);
@@ -238,7 +248,7 @@ impl GpuTables {
         if rebind {
             self.bind(device);
         }
-        let numbers = numbers(state, state.palette().ghost, size);
+        let numbers = numbers(state, state.palette().ghost, placement);
         queue.write_buffer(&self.globals, 0, bytemuck::cast_slice(&numbers));
     }
 
@@ -251,14 +261,14 @@ impl GpuTables {
         state: &ViewState,
         points: Option<Vec<Vec3>>,
         veil: Colour,
-        size: (u32, u32),
+        placement: Placement,
     ) {
         let points =
             points.map(|points| four_each(points.into_iter().map(|point| point.extend(0.0))));
         if points.is_some_and(|points| self.positions.write(device, queue, points)) {
             self.bind(device);
         }
-        let numbers = numbers(state, veil, size);
+        let numbers = numbers(state, veil, placement);
         queue.write_buffer(&self.globals, 0, bytemuck::cast_slice(&numbers));
     }
 

@@ -6,6 +6,7 @@
 //! | `viewport` | the part of the canvas that a view is drawn to |
 //! | `device` | adapter, device and surface |
 //! | `loss` | what happens when a device is lost |
+//! | `placement` | where a picture, or a tile of it, lies on the canvas |
 //! | `canvas_size` | the size of a canvas in device pixels |
 //! | `gpu_tables` | buffers and textures that shaders read |
 //! | `globals` | the uniform block of all shaders |
@@ -22,6 +23,7 @@ pub mod gpu_tables;
 pub mod loss;
 #[cfg(target_arch = "wasm32")]
 pub mod pipeline;
+pub mod placement;
 #[cfg(target_arch = "wasm32")]
 pub mod primitive;
 #[cfg(target_arch = "wasm32")]
@@ -36,7 +38,10 @@ pub use device::{Device, DeviceError};
 pub use gpu_tables::GpuTables;
 pub use loss::Loss;
 #[cfg(target_arch = "wasm32")]
-pub use pipeline::{Layer, Recipe, VertexBuffer, build};
+pub use pipeline::{Layer, Onto, Recipe, VertexBuffer, build, build_onto};
+pub use placement::Placement;
 #[cfg(target_arch = "wasm32")]
 pub use renderer::Renderer;
-pub use shaders::{BACKDROP, CIRCLES, FACES, GIZMO, LINES, POINTS, PROJECTIONS, SPHERES};
+pub use shaders::{
+    BACKDROP, CIRCLES, FACES, GIZMO, LINES, OCCLUSION, POINTS, PROJECTIONS, SPHERES,
+};

@@ -24,6 +24,18 @@ pub enum Layer {
     Over,
 }
 
+/// What a pipeline draws onto.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Onto {
+    /// The picture, whose canvas has this format, with several samples per pixel.
+    Picture(wgpu::TextureFormat),
+    /// A texture that later passes read, of [`FOUND_FORMAT`]; it has depths for a surface alone.
+    Found,
+}
+
+/// Format of what one pass finds for the next: four bytes that everything can draw to.
+pub const FOUND_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+
 /// The description of a primitive's pipeline.
 #[derive(Clone, Copy, Debug)]
 pub struct Recipe<'a> {
@@ -45,11 +57,21 @@ pub struct Recipe<'a> {
     pub layer: Layer,
 }
 
-/// Makes a pipeline that draws triangles from both sides.
+/// Makes a pipeline that draws triangles from both sides onto the picture and reads the tables.
 pub fn build(
     device: &wgpu::Device,
     tables: &GpuTables,
     format: wgpu::TextureFormat,
+    recipe: &Recipe<'_>,
+) -> wgpu::RenderPipeline {
+    build_onto(device, &[Some(tables.layout())], Onto::Picture(format), recipe)
+}
+
+/// Makes a pipeline that draws triangles from both sides, with bind groups of these layouts.
+pub fn build_onto(
+    device: &wgpu::Device,
+    groups: &[Option<&wgpu::BindGroupLayout>],
+    onto: Onto,
     recipe: &Recipe<'_>,
 ) -> wgpu::RenderPipeline {
     let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
@@ -58,7 +80,7 @@ pub fn build(
     });
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label: Some(recipe.label),
-        bind_group_layouts: &[Some(tables.layout())],
+        bind_group_layouts: groups,
         immediate_size: 0,
     });
     let surface = recipe.layer == Layer::Surface;
@@ -72,6 +94,23 @@ pub fn build(
         Layer::Behind => wgpu::CompareFunction::Greater,
         Layer::Over => wgpu::CompareFunction::Always,
     };
+    let (format, samples) = match onto {
+        Onto::Picture(format) => (format, SAMPLES),
+        Onto::Found => (FOUND_FORMAT, 1),
+    };
+    let depth = wgpu::DepthStencilState {
+        format: DEPTH_FORMAT,
+        depth_write_enabled: Some(surface),
+        depth_compare: Some(compare),
+        stencil: wgpu::StencilState::default(),
+        bias,
+    };
+    let vertex_buffers = [Some(wgpu::VertexBufferLayout {
+        array_stride: recipe.stride,
+        step_mode: recipe.step,
+        attributes: recipe.attributes,
+    })];
+    let has_vertices = !recipe.attributes.is_empty();
     device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
         label: Some(recipe.label),
         layout: Some(&layout),
@@ -79,21 +118,11 @@ pub fn build(
             module: &module,
             entry_point: Some(recipe.vertex),
             compilation_options: wgpu::PipelineCompilationOptions::default(),
-            buffers: &[Some(wgpu::VertexBufferLayout {
-                array_stride: recipe.stride,
-                step_mode: recipe.step,
-                attributes: recipe.attributes,
-            })],
+            buffers: if has_vertices { &vertex_buffers } else { &[] },
         },
         primitive: wgpu::PrimitiveState::default(),
-        depth_stencil: Some(wgpu::DepthStencilState {
-            format: DEPTH_FORMAT,
-            depth_write_enabled: Some(surface),
-            depth_compare: Some(compare),
-            stencil: wgpu::StencilState::default(),
-            bias,
-        }),
-        multisample: wgpu::MultisampleState { count: SAMPLES, ..Default::default() },
+        depth_stencil: (samples > 1 || surface).then_some(depth),
+        multisample: wgpu::MultisampleState { count: samples, ..Default::default() },
         fragment: Some(wgpu::FragmentState {
             module: &module,
             entry_point: Some(recipe.fragment),

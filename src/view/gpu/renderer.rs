@@ -3,9 +3,11 @@
 
 use super::device::{Device, DeviceError};
 use super::gpu_tables::GpuTables;
+use super::placement::Placement;
 use super::viewport::Viewport;
+use crate::view::camera::Camera;
 use crate::view::gpu::primitive::{
-    Backdrop, Circles, Faces, GizmoMarks, Lines, Points, ProjectionLines, Spheres,
+    Backdrop, Circles, Faces, GizmoMarks, Lines, Occlusion, Points, ProjectionLines, Spheres,
 };
 use crate::view::overlay::GroundShadow;
 use crate::view::side_by_side::{Region, Split};
@@ -24,6 +26,9 @@ pub struct Renderer {
     /// Of the two sides of a split picture.
     sides: Option<[Viewport; 2]>,
     backdrop: Backdrop,
+    occlusion: Occlusion,
+    /// From where, how deep and how large the picture was that the occlusion was found for.
+    found_for: Option<Seen>,
     faces: Faces,
     lines: Lines,
     projections: ProjectionLines,
@@ -33,14 +38,20 @@ pub struct Renderer {
     gizmo: GizmoMarks,
 }
 
+/// What the occlusion depends on, beside the shape: camera, near and far depth, size of the picture.
+type Seen = (Camera, (f32, f32), (u32, u32));
+
 impl Renderer {
     /// Builds the pipelines.
     pub fn new(device: Device) -> Renderer {
         let (gpu, format) = (&device.device, device.format());
         let tables = GpuTables::new(gpu, &device.queue);
+        let occlusion = Occlusion::new(gpu, &tables);
         Renderer {
             backdrop: Backdrop::new(gpu, &device.queue, &tables, format),
-            faces: Faces::new(gpu, &tables, format),
+            faces: Faces::new(gpu, &tables, occlusion.layout(), format),
+            occlusion,
+            found_for: None,
             lines: Lines::new(gpu, &tables, format),
             projections: ProjectionLines::new(gpu, &tables, format),
             points: Points::new(gpu, &tables, format),
@@ -54,8 +65,17 @@ impl Renderer {
         }
     }
 
+    /// Whether the occlusion that was found last is still that of the shape as it is seen now, in a picture of
+    /// this size in pixels.
+    pub fn occlusion_fits(&self, state: &ViewState, size: (u32, u32)) -> bool {
+        let changes = state.changes();
+        let is_moved = changes.mesh || changes.positions;
+        !is_moved && self.found_for == Some((state.camera(), state.depth_range(), size))
+    }
+
     /// Draws the stage, and beside it its flat map if there is one, or else the two sides of a split
-    /// picture in its place, if anything has changed; returns whether it did. `ratio` is pixels per CSS pixel.
+    /// picture in its place, if anything has changed; returns whether it did. `ratio` is pixels per CSS pixel;
+    /// `tile` is where the canvas lies in a picture that is larger, if it is.
     ///
     /// # Errors
     /// The device is lost; a new picture on a new canvas is needed.
@@ -65,6 +85,7 @@ impl Renderer {
         mut map: Option<&mut ViewState>,
         split: Option<&mut Split>,
         ratio: f32,
+        tile: Option<Placement>,
     ) -> Result<bool, DeviceError> {
         let split = split.filter(|_| map.is_none());
         let is_new = state.changes().any()
@@ -74,48 +95,60 @@ impl Renderer {
             return Ok(false);
         }
         let Some(frame) = self.device.frame()? else { return Ok(false) };
-        let canvas = self.device.size();
+        let picture = tile.unwrap_or_else(|| Placement::whole(self.device.size()));
+        let css = Vec2::new(picture.size.0 as f32, picture.size.1 as f32) / ratio;
         let parts = map.as_ref().map(|_| {
-            let css = Vec2::new(canvas.0 as f32, canvas.1 as f32) / ratio;
-            Region::halves(css).map(|part| pixels(part, ratio, canvas))
+            Region::halves(css).map(|part| picture.part(pixels(part, ratio, picture.size)))
         });
-        self.update(state, parts.map_or(canvas, |[[.., width, height], _]| (width, height)));
+        let fits = self.occlusion_fits(state, picture.size);
+        self.update(state, parts.map_or(picture, |[part, _]| part));
         state.take_changes();
-        if let (Some(map), Some([_, [.., width, height]])) = (&mut map, parts) {
+        if let (Some(map), Some([_, part])) = (&mut map, parts) {
             let (device, queue) = (&self.device.device, &self.device.queue);
-            self.map_store.update(device, queue, map, (width, height));
+            self.map_store.update(device, queue, map, part);
             if map.changes().mesh || map.changes().marks {
                 self.lines.update_map(device, queue, map);
             }
             map.take_changes();
         }
-        let sides = split.map(|split| self.update_sides(split, canvas, ratio));
+        let sides = split.map(|split| self.update_sides(split, picture, ratio));
         let label = wgpu::CommandEncoderDescriptor { label: Some("picture") };
         let mut encoder = self.device.device.create_command_encoder(&label);
-        let mut pass = self.device.pass(&mut encoder, &frame, state.background());
-        if let Some([part, _]) = parts {
-            confine(&mut pass, part);
+        if sides.is_none() && state.occlusion() > 0.0 && !fits {
+            let size = parts.map_or(picture.size, |[part, _]| part.size);
+            let (device, tables) = (&self.device.device, &self.whole.tables);
+            self.occlusion.find(device, &mut encoder, tables, &self.faces, size);
+            self.found_for = Some((state.camera(), state.depth_range(), picture.size));
+        } else if !fits {
+            self.found_for = None;
         }
+        let mut pass = self.device.pass(&mut encoder, &frame, state.background());
+        pass.set_bind_group(1, self.occlusion.group(), &[]);
         match (sides, &self.sides) {
             (Some(sides), Some(panes)) => {
                 for ((part, is_original), viewport) in sides.into_iter().zip(panes) {
-                    let [left, top, width, height] = part;
-                    pass.set_scissor_rect(left, top, width, height);
-                    self.draw_model(&mut pass, viewport, state, Some(is_original));
+                    if confine(&mut pass, part) {
+                        self.draw_model(&mut pass, viewport, state, Some(is_original));
+                    }
                 }
-                pass.set_scissor_rect(0, 0, canvas.0, canvas.1);
             }
-            _ => self.draw_model(&mut pass, &self.whole, state, None),
+            _ => {
+                if confine(&mut pass, parts.map_or(picture, |[part, _]| part)) {
+                    self.draw_model(&mut pass, &self.whole, state, None);
+                }
+            }
         }
-        if let Some([_, part]) = parts {
-            confine(&mut pass, part);
+        if let Some([_, part]) = parts
+            && confine(&mut pass, part)
+        {
             pass.set_bind_group(0, self.map_store.group(), &[]);
             self.faces.draw(&mut pass);
             self.lines.draw(&mut pass, state.display().edges);
             self.lines.draw_flipped(&mut pass);
-            // On WebGL2 only what is inside the last rectangle arrives on the canvas.
-            confine(&mut pass, [0, 0, canvas.0, canvas.1]);
         }
+        // On WebGL2 only what is inside the last rectangle arrives on the canvas.
+        let (width, height) = picture.canvas;
+        pass.set_scissor_rect(0, 0, width, height);
         drop(pass);
         self.device.show(encoder, frame);
         Ok(true)
@@ -154,28 +187,29 @@ impl Renderer {
         }
     }
 
-    /// Brings the tables of both sides up to date; gives of each its part of the canvas, and whether it
+    /// Brings the tables of both sides up to date; gives of each its part of the picture, and whether it
     /// shows the original.
     fn update_sides(
         &mut self,
         split: &mut Split,
-        canvas: (u32, u32),
+        picture: Placement,
         ratio: f32,
-    ) -> [([u32; 4], bool); 2] {
+    ) -> [(Placement, bool); 2] {
         let (device, queue) = (&self.device.device, &self.device.queue);
         let like = &self.map_store;
         let panes =
             self.sides.get_or_insert_with(|| [(); 2].map(|()| Viewport::new(device, queue, like)));
         for (side, viewport) in split.sides.iter_mut().zip(panes) {
-            viewport.update((device, queue), &mut side.state, &self.lines, canvas);
+            viewport.update((device, queue), &mut side.state, &self.lines, picture);
             side.state.take_changes();
         }
-        let css = Vec2::new(canvas.0 as f32, canvas.1 as f32) / ratio;
-        let [left, right] = split.parts(css).map(|part| pixels(part, ratio, canvas));
+        let css = Vec2::new(picture.size.0 as f32, picture.size.1 as f32) / ratio;
+        let parts = split.parts(css);
+        let [left, right] = parts.map(|part| picture.part(pixels(part, ratio, picture.size)));
         [(left, split.sides[0].is_original), (right, split.sides[1].is_original)]
     }
 
-    fn update(&mut self, state: &mut ViewState, size: (u32, u32)) {
+    fn update(&mut self, state: &mut ViewState, placement: Placement) {
         let (device, queue) = (&self.device.device, &self.device.queue);
         let changes = state.changes();
         self.gizmo.update(device, queue, state);
@@ -189,7 +223,7 @@ impl Renderer {
             self.lines.update_mesh(device, queue, state.mesh());
             self.points.update_mesh(device, queue, state);
         }
-        self.whole.update((device, queue), state, &self.lines, size);
+        self.whole.update((device, queue), state, &self.lines, placement);
         if changes.mesh || changes.marks {
             self.lines.update_marks(device, queue, state);
             self.lines.update_handles(device, queue, state);
@@ -206,7 +240,7 @@ impl Renderer {
     }
 }
 
-/// A part of the canvas in pixels: left, top, width, height, all of it on the canvas.
+/// A part of the picture in pixels: left, top, width, height, all of it in the picture.
 fn pixels(part: Region, ratio: f32, (width, height): (u32, u32)) -> [u32; 4] {
     let low = (part.at * ratio).round();
     let high = ((part.at + part.size) * ratio).round();
@@ -215,9 +249,11 @@ fn pixels(part: Region, ratio: f32, (width, height): (u32, u32)) -> [u32; 4] {
     [left, top, right.saturating_sub(left).max(1), bottom.saturating_sub(top).max(1)]
 }
 
-/// Restricts drawing to a part of the canvas from here on.
-fn confine(pass: &mut wgpu::RenderPass<'_>, [left, top, width, height]: [u32; 4]) {
-    let [x, y, w, h] = [left, top, width, height].map(|side| side as f32);
-    pass.set_viewport(x, y, w, h, 0.0, 1.0);
-    pass.set_scissor_rect(left, top, width, height);
+/// Restricts drawing to what the canvas shows of a picture; whether that is anything.
+fn confine(pass: &mut wgpu::RenderPass<'_>, part: Placement) -> bool {
+    let shown = part.shown();
+    if let Some([left, top, width, height]) = shown {
+        pass.set_scissor_rect(left, top, width, height);
+    }
+    shown.is_some()
 }

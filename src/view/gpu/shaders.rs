@@ -1,15 +1,18 @@
 //! The shaders of the primitives, each as the parts that make it whole.
 //!
 //! Names that primitives share are in `shaders/scene.wgsl`, lines of constant width in
-//! `shaders/stroke.wgsl`.
+//! `shaders/stroke.wgsl`, depths in textures in `shaders/depth.wgsl`.
 
 const SCENE: &str = include_str!("shaders/scene.wgsl");
 const STROKE: &str = include_str!("shaders/stroke.wgsl");
+const DEPTH: &str = include_str!("shaders/depth.wgsl");
 
 /// What is behind the model.
 pub const BACKDROP: [&str; 2] = [SCENE, include_str!("shaders/backdrop.wgsl")];
 /// Lit faces.
-pub const FACES: [&str; 2] = [SCENE, include_str!("shaders/faces.wgsl")];
+pub const FACES: [&str; 3] = [SCENE, DEPTH, include_str!("shaders/faces.wgsl")];
+/// How open the surroundings of what is seen are.
+pub const OCCLUSION: [&str; 3] = [SCENE, DEPTH, include_str!("shaders/occlusion.wgsl")];
 /// Edges, curves, pulling lines.
 pub const LINES: [&str; 3] = [SCENE, STROKE, include_str!("shaders/lines.wgsl")];
 /// Outlines of projected shapes, and arrows to projected points.
@@ -29,10 +32,11 @@ mod tests {
     use naga::back::glsl;
     use naga::valid::{Capabilities, ValidationFlags, Validator};
 
-    fn all() -> [(&'static str, String); 8] {
+    fn all() -> [(&'static str, String); 9] {
         [
             ("backdrop", BACKDROP.concat()),
             ("faces", FACES.concat()),
+            ("occlusion", OCCLUSION.concat()),
             ("lines", LINES.concat()),
             ("projections", PROJECTIONS.concat()),
             ("points", POINTS.concat()),

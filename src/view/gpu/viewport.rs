@@ -4,6 +4,7 @@
 
 use super::gpu_tables::GpuTables;
 use super::pipeline::VertexBuffer;
+use super::placement::Placement;
 use crate::view::gpu::primitive::{Faces, Lines, SurroundingLines};
 use crate::view::state::ViewState;
 
@@ -28,23 +29,23 @@ impl Viewport {
         }
     }
 
-    /// Takes what has changed on the stage, whose mesh `lines` has already, for a canvas of `size`
-    /// pixels.
+    /// Takes what has changed on the stage, whose mesh `lines` has already, for a picture that lies so on
+    /// the canvas.
     pub fn update(
         &mut self,
         (device, queue): (&wgpu::Device, &wgpu::Queue),
         state: &mut ViewState,
         lines: &Lines,
-        size: (u32, u32),
+        placement: Placement,
     ) {
-        self.tables.update(device, queue, state, size);
+        self.tables.update(device, queue, state, placement);
         let changed = state.take_changed_surroundings();
         let new =
             changed.then(|| (state.surrounding_lines(), state.surrounding_points().collect()));
-        self.around.update((device, queue), state, new, state.palette().ghost, size);
+        self.around.update((device, queue), state, new, state.palette().ghost, placement);
         let changed = state.take_changed_layer();
         let new = changed.then(|| (state.layer_lines(), state.layer_points().collect()));
-        self.layer.update((device, queue), state, new, state.palette().layer, size);
+        self.layer.update((device, queue), state, new, state.palette().layer, placement);
         if state.changes().mesh || state.changes().appearance {
             self.bands.write(device, queue, &lines.between_bands(state));
         }

@@ -1,6 +1,7 @@
 //! A small picture of the surface made on the CPU: per pixel the nearest depth and its face. It
 //! tells what is visible for box selections, where a ray per candidate would be too slow.
 
+use crate::view::camera::section::clipped;
 use crate::view::camera::{Camera, Eye};
 use crate::view::model::RenderMesh;
 use glam::{Vec2, Vec3};
@@ -46,31 +47,24 @@ impl DepthMap {
             parallel: camera.eye().parallel,
         };
         let eye = camera.eye();
-        let near = camera.distance * 1e-3;
         for (triangle, &face) in mesh.triangles.iter().zip(&mesh.triangle_face) {
             let corners = triangle.map(|v| mesh.positions[v as usize]);
-            map.draw_clipped(&eye, corners, near, face);
+            map.draw_clipped(camera, &eye, corners, face);
         }
         map
     }
 
-    /// Cuts a triangle at the near depth and draws what is in front of the eye.
-    fn draw_clipped(&mut self, eye: &Eye, corners: [Vec3; 3], near: f32, face: u32) {
-        let depths = corners.map(|p| (p - eye.at).dot(eye.forward));
-        if depths.iter().all(|&d| d >= near) {
+    /// Cuts a triangle at the near depth and at the section, and draws what is left.
+    fn draw_clipped(&mut self, camera: &Camera, eye: &Eye, corners: [Vec3; 3], face: u32) {
+        let near = camera.distance * 1e-3;
+        let beyond_near = |point: Vec3| (point - eye.at).dot(eye.forward) - near;
+        if corners.iter().all(|&p| beyond_near(p) >= 0.0 && camera.keeps(p)) {
             self.draw(corners.map(|p| self.pixel(eye, p)), face);
             return;
         }
-        let mut kept: Vec<Vec3> = Vec::with_capacity(4);
-        for i in 0..3 {
-            let j = (i + 1) % 3;
-            if depths[i] >= near {
-                kept.push(corners[i]);
-            }
-            if (depths[i] >= near) != (depths[j] >= near) {
-                let part = (near - depths[i]) / (depths[j] - depths[i]);
-                kept.push(corners[i].lerp(corners[j], part));
-            }
+        let mut kept = clipped(&corners, beyond_near);
+        if let Some(section) = camera.section {
+            kept = clipped(&kept, |point| section.within(point));
         }
         for i in 2..kept.len() {
             self.draw([kept[0], kept[i - 1], kept[i]].map(|p| self.pixel(eye, p)), face);

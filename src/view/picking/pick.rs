@@ -8,14 +8,16 @@ use glam::Vec2;
 /// A vertex this much behind the surface, in parts of its distance from the eye, is still seen.
 const HIDING_TOLERANCE: f32 = 1e-3;
 
-/// Whether the vertex is in front of the eye and not behind the surface.
+/// Whether the vertex is in front of the eye, not behind the surface, and left by the section.
 pub fn visible(mesh: &RenderMesh, camera: &Camera, vertex: u32) -> bool {
     let eye = camera.eye();
     let point = mesh.positions[vertex as usize];
     let (_, depth) = eye.project(point);
     let from = eye.seen_from(point);
     let tolerance = eye.scale_depth((point - from).length()) * HIDING_TOLERANCE;
-    depth > 0.0 && !hidden(mesh, from, vertex, tolerance)
+    depth > 0.0
+        && camera.keeps(point)
+        && !hidden(mesh, from, vertex, tolerance, |point| camera.keeps(point))
 }
 
 /// The visible vertex nearest to a screen position, within a radius.
@@ -61,5 +63,5 @@ fn near_cursor(
 /// The face under a screen position, with the depth at which it was met.
 pub fn pick_face(mesh: &RenderMesh, camera: &Camera, at: Vec2) -> Option<Hit> {
     let (from, direction) = camera.eye().ray(at);
-    first_hit(mesh, from, direction)
+    first_hit(mesh, from, direction, |point| camera.keeps(point))
 }

@@ -15,13 +15,19 @@ pub struct Hit {
     pub along: f32,
 }
 
-/// The first meeting of a ray with the surface.
-pub fn first_hit(mesh: &RenderMesh, from: Vec3, direction: Vec3) -> Option<Hit> {
+/// The first meeting of a ray with the surface, where `is_there` says that there is one.
+pub fn first_hit(
+    mesh: &RenderMesh,
+    from: Vec3,
+    direction: Vec3,
+    is_there: impl Fn(Vec3) -> bool,
+) -> Option<Hit> {
     let mut nearest: Option<Hit> = None;
     for (triangle, &face) in mesh.triangles.iter().zip(&mesh.triangle_face) {
         let corners = triangle.map(|v| mesh.positions[v as usize]);
         if let Some(along) = meet(corners, from, direction)
             && nearest.is_none_or(|hit| along < hit.along)
+            && is_there(from + direction * along)
         {
             nearest = Some(Hit { face, along });
         }
@@ -31,14 +37,21 @@ pub fn first_hit(mesh: &RenderMesh, from: Vec3, direction: Vec3) -> Option<Hit> 
 
 /// Whether the surface hides a vertex from an eye. Triangles that have the vertex as a corner do
 /// not count, nor does anything nearer to it than `tolerance` (units of length), so that corners on
-/// the outline, and copies of a vertex in the same place, are seen.
-pub fn hidden(mesh: &RenderMesh, eye: Vec3, vertex: u32, tolerance: f32) -> bool {
+/// the outline, and copies of a vertex in the same place, are seen; nor does the surface where `is_there`
+/// says that there is none.
+pub fn hidden(
+    mesh: &RenderMesh,
+    eye: Vec3,
+    vertex: u32,
+    tolerance: f32,
+    is_there: impl Fn(Vec3) -> bool,
+) -> bool {
     let to_vertex = mesh.positions[vertex as usize] - eye;
     let limit = 1.0 - tolerance / to_vertex.length().max(f32::MIN_POSITIVE);
     mesh.triangles.iter().any(|triangle| {
         !triangle.contains(&vertex)
             && meet(triangle.map(|v| mesh.positions[v as usize]), eye, to_vertex)
-                .is_some_and(|along| along < limit)
+                .is_some_and(|along| along < limit && is_there(eye + to_vertex * along))
     })
 }
 
@@ -85,12 +98,16 @@ mod tests {
     fn the_nearer_floor_is_met_from_either_side() {
         let mesh = two_floors();
         let above = Vec3::new(0.1, 0.2, 3.0);
-        let hit = first_hit(&mesh, above, Vec3::NEG_Z * 2.0).unwrap();
+        let hit = first_hit(&mesh, above, Vec3::NEG_Z * 2.0, |_| true).unwrap();
         assert_eq!(hit.face, 1);
         assert!((hit.along - 1.25).abs() < 1e-6);
-        assert_eq!(first_hit(&mesh, -above, Vec3::Z).unwrap().face, 0);
-        assert_eq!(first_hit(&mesh, above, Vec3::Z), None);
-        assert_eq!(first_hit(&mesh, Vec3::new(2.0, 0.0, 3.0), Vec3::NEG_Z), None);
+        // Where the upper one is cut away, the lower one is met.
+        let below = |point: Vec3| point.z < 0.0;
+        assert_eq!(first_hit(&mesh, above, Vec3::NEG_Z, below).unwrap().face, 0);
+        let first = |from: Vec3, way: Vec3| first_hit(&mesh, from, way, |_| true);
+        assert_eq!(first(-above, Vec3::Z).unwrap().face, 0);
+        assert_eq!(first(above, Vec3::Z), None);
+        assert_eq!(first(Vec3::new(2.0, 0.0, 3.0), Vec3::NEG_Z), None);
     }
 
     #[test]
@@ -99,9 +116,10 @@ mod tests {
         // The centre of the view is the middle of the box: the floors lie at -0.5 and 0.5.
         let eye = Vec3::new(0.0, 0.0, 4.0);
         for vertex in 0..8 {
-            assert_eq!(hidden(&mesh, eye, vertex, 1e-3), vertex < 4, "{vertex}");
+            assert_eq!(hidden(&mesh, eye, vertex, 1e-3, |_| true), vertex < 4, "{vertex}");
+            assert!(!hidden(&mesh, eye, vertex, 1e-3, |point| point.z < 0.0));
         }
         let far_aside = Vec3::new(40.0, 0.0, 0.1);
-        assert!((0..8).all(|v| !hidden(&mesh, far_aside, v, 1e-3)));
+        assert!((0..8).all(|v| !hidden(&mesh, far_aside, v, 1e-3, |_| true)));
     }
 }

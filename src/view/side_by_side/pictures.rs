@@ -3,7 +3,7 @@
 use super::flat_map::{Region, flat_map, follow, show_flipped};
 use super::split::{Colours, Split};
 use crate::view::appearance::{Appearance, ColourScale};
-use crate::view::camera::Flight;
+use crate::view::camera::{Camera, Flight};
 use crate::view::model::ViewError;
 use crate::view::state::ViewState;
 use glam::Vec2;
@@ -16,6 +16,8 @@ pub struct Pictures {
     split: Option<Split>,
     /// On its way to another view.
     flight: Option<Flight>,
+    /// Where the next flight begins.
+    take_off_from: Option<Camera>,
     /// Size of the canvas in CSS pixels.
     canvas: Vec2,
 }
@@ -23,7 +25,14 @@ pub struct Pictures {
 impl Default for Pictures {
     fn default() -> Self {
         let model = ViewState::default();
-        Pictures { canvas: model.camera().canvas, model, map: None, split: None, flight: None }
+        Pictures {
+            canvas: model.camera().canvas,
+            model,
+            map: None,
+            split: None,
+            flight: None,
+            take_off_from: None,
+        }
     }
 }
 
@@ -183,6 +192,11 @@ impl Pictures {
         }
     }
 
+    /// Whether two pictures are shown in place of one.
+    pub fn is_split(&self) -> bool {
+        self.split.is_some() && self.map.is_none()
+    }
+
     /// Shows values of faces in bands, or gradually.
     pub fn set_in_bands(&mut self, in_bands: bool) {
         self.model.set_in_bands(in_bands);
@@ -203,13 +217,16 @@ impl Pictures {
         self.model.set_parallel(parallel);
     }
 
-    /// Prepares a flight to a view of [`ViewState::preset`], from where the camera is.
-    ///
-    /// # Errors
-    /// An unknown name.
-    pub fn fly_to(&mut self, side: &str) -> Result<(), ViewError> {
-        self.flight = Some(self.model.flight_to(side)?);
-        Ok(())
+    /// Prepares a flight from where the camera is now to where it is when [`Pictures::take_off`] is called.
+    pub fn plan_flight(&mut self) {
+        self.arrive();
+        self.take_off_from = Some(self.model.camera());
+    }
+
+    /// Puts the camera back to where the flight begins.
+    pub fn take_off(&mut self) {
+        let from = self.take_off_from.take();
+        self.flight = from.map(|from| self.model.flight_from(from));
     }
 
     /// Flies on to `part` of the way, from 0 to 1. Whether the flight goes on: it ends where it arrives,
@@ -224,7 +241,7 @@ impl Pictures {
     }
 
     /// Ends a flight where it leads.
-    fn arrive(&mut self) {
+    pub fn arrive(&mut self) {
         self.fly(1.0);
     }
 
@@ -318,7 +335,12 @@ mod tests {
     fn a_flight_ends_where_it_leads() {
         let mut pictures = quad();
         let from = pictures.model().camera();
-        pictures.fly_to("top").unwrap();
+        let prepare = |pictures: &mut Pictures, side: &str| {
+            pictures.plan_flight();
+            pictures.model_mut().preset(side).unwrap();
+            pictures.take_off();
+        };
+        prepare(&mut pictures, "top");
         assert_eq!(pictures.model().camera(), from);
         assert!(pictures.fly(0.5));
         assert!(!pictures.fly(1.0));
@@ -327,6 +349,11 @@ mod tests {
         let forward = |pictures: &Pictures| pictures.model().camera().eye().forward;
         assert!((forward(&pictures) - forward(&there)).length() < 1e-5);
         assert!(!pictures.fly(0.5), "it has ended");
-        assert!(pictures.fly_to("inside").is_err());
+        // Another one begins where the one before would have ended.
+        prepare(&mut pictures, "front");
+        assert!(pictures.fly(0.1));
+        let front = forward(&pictures);
+        prepare(&mut pictures, "top");
+        assert!((forward(&pictures) - front).length() > 1e-3);
     }
 }

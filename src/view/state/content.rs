@@ -32,6 +32,8 @@ pub(super) struct Look {
     pub(super) dark: bool,
     /// A grey behind everything, for figures, instead of the colours of the theme.
     pub(super) ground: Option<f32>,
+    /// How much of it is seen that what is near keeps light off, from 0 to 1.
+    pub(super) occlusion: f32,
 }
 
 impl Default for Look {
@@ -42,6 +44,7 @@ impl Default for Look {
             display: Display { edges: true, ..Display::default() },
             dark: false,
             ground: None,
+            occlusion: 0.0,
         }
     }
 }

@@ -19,15 +19,11 @@ impl ViewState {
         done
     }
 
-    /// The flight from where the camera is to a view of [`ViewState::preset`].
-    ///
-    /// # Errors
-    /// An unknown name.
-    pub fn flight_to(&mut self, side: &str) -> Result<Flight, ViewError> {
-        let from = self.viewpoint.camera;
-        self.preset(side)?;
+    /// The flight to where the camera is from where it was, and leaves it there.
+    pub fn flight_from(&mut self, from: Camera) -> Flight {
         let to = std::mem::replace(&mut self.viewpoint.camera, from);
-        Ok(Flight::new(from, to))
+        self.view_changed();
+        Flight::new(from, to)
     }
 
     /// Sets the size of the canvas in CSS pixels.
@@ -89,6 +85,14 @@ impl ViewState {
     /// Turns the camera about the point of [`ViewState::begin_turn`], which keeps its place.
     pub fn turn(&mut self, dx: f32, dy: f32) {
         self.viewpoint.camera.orbit_about(self.viewpoint.turned_about, dx, dy);
+        self.viewpoint.framed = false;
+        self.view_changed();
+    }
+
+    /// Turns the model about the vertical through its middle, as on a turntable, by an angle in radians.
+    pub fn spin(&mut self, angle: f32) {
+        let [low, high] = self.bounds();
+        self.viewpoint.camera.spin((low + high) * 0.5, angle);
         self.viewpoint.framed = false;
         self.view_changed();
     }

@@ -2,7 +2,9 @@
 
 use super::parts::Display;
 use super::view_state::ViewState;
-use crate::view::appearance::{Appearance, Colour, ColourScale, DARK, LIGHT, Palette, RowColours};
+use crate::view::appearance::{
+    Appearance, Colour, ColourScale, DARK, LIGHT, MapChoice, Palette, RowColours,
+};
 use crate::view::model::ViewError;
 
 impl ViewState {
@@ -56,6 +58,18 @@ impl ViewState {
         self.look.ground = grey;
     }
 
+    /// How much of it is seen that what is near keeps light off, from 0 to 1.
+    pub fn occlusion(&self) -> f32 {
+        self.look.occlusion
+    }
+
+    /// Shows so much of it that what is near keeps light off, from 0 (none) to 1.
+    pub fn set_occlusion(&mut self, amount: f32) {
+        let amount = amount.clamp(0.0, 1.0);
+        self.changes.view |= amount != self.look.occlusion;
+        self.look.occlusion = amount;
+    }
+
     /// Switches parts of the view on and off.
     pub fn set_display(&mut self, display: Display) {
         self.changes.view |= display != self.look.display;
@@ -93,6 +107,16 @@ impl ViewState {
     pub fn set_in_bands(&mut self, in_bands: bool) {
         self.look.appearance.set_in_bands(in_bands);
         self.changes.appearance = true;
+    }
+
+    /// Chooses the map of values when all of them have colours; see [`MapChoice`].
+    ///
+    /// # Errors
+    /// A name that no map has.
+    pub fn set_colour_map(&mut self, name: &str, middle: Option<f32>) -> Result<(), ViewError> {
+        self.look.appearance.set_map(MapChoice::named(name, middle)?);
+        self.changes.appearance = true;
+        Ok(())
     }
 
     /// Gives faces and vertices the colours of the rows that act on them.

@@ -2,7 +2,7 @@
 
 use super::view_state::ViewState;
 use crate::view::appearance::LineKind;
-use crate::view::camera::{CameraProjection, depth_range};
+use crate::view::camera::{CameraProjection, Section, depth_range};
 use crate::view::model::{ViewError, read_points};
 use crate::view::overlay::Ground;
 use glam::{DVec3, Vec3};
@@ -90,6 +90,21 @@ impl ViewState {
         };
         self.refit();
         self.view_changed();
+    }
+
+    /// Cuts the model open across an axis of the file (0 to 2), at a part of the way through it from 0 to 1;
+    /// kept is what comes before the plane along the axis, or after it when it is turned. Nothing shows all.
+    ///
+    /// # Errors
+    /// An axis that does not exist.
+    pub fn set_section(&mut self, plane: Option<(usize, f32, bool)>) -> Result<(), ViewError> {
+        let bounds = self.bounds();
+        self.viewpoint.camera.section = match plane {
+            Some((axis, part, is_turned)) => Some(Section::across(axis, part, is_turned, bounds)?),
+            None => None,
+        };
+        self.view_changed();
+        Ok(())
     }
 
     /// In parallel projection, keeps the eye behind everything.

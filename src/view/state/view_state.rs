@@ -69,6 +69,7 @@ impl ViewState {
         self.look.appearance = Appearance::default();
         self.changes = Changes::ALL;
         self.layer = ShownLayer { changed: true, ..ShownLayer::default() };
+        self.viewpoint.camera.section = None;
         self.leave_surroundings();
         self.preset("home")
     }

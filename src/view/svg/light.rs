@@ -1,7 +1,7 @@
 //! The colour of a face without a GPU: what `shaders/faces.wgsl` computes for the middle of the
 //! face. A page test holds the still picture, which is made of these, to what the view draws.
 
-use crate::view::appearance::{Colour, ColourMap, FaceColour, Palette, row_colours};
+use crate::view::appearance::{Colour, FaceColour, Palette, row_colours};
 use crate::view::camera::Eye;
 use crate::view::state::ViewState;
 use glam::Vec3;
@@ -19,8 +19,9 @@ pub fn face_colour(state: &ViewState, face: u32, palette: &Palette) -> Vec3 {
             plain.lerp(row * modelled, row_colours::STRENGTH)
         }
         FaceColour::NoValue => rgb(palette.no_value) * modelled,
-        FaceColour::Value(texel) => ColourMap::Full.colour(texel) * modelled,
-        FaceColour::Beyond(texel) => ColourMap::Beyond.colour(texel) * modelled,
+        FaceColour::Value(texel) | FaceColour::Beyond(texel) => {
+            state.appearance().map().colour(texel) * modelled
+        }
     };
     colour.min(Vec3::ONE)
 }
@@ -51,7 +52,7 @@ fn light_on(state: &ViewState, face: u32) -> (f32, bool) {
     let wrapped = ((bent.dot(key) + WRAP) / (1.0 + WRAP)).max(0.0);
     let from_sky = 0.5 + 0.5 * bent.dot(sky);
     let from_eye = bent.dot(to_eye).max(0.0);
-    let light = (0.68 * wrapped + 0.24 * from_sky + 0.12 * from_eye).clamp(0.0, 1.0);
+    let light = (0.62 * wrapped + 0.22 * from_sky + 0.24 * from_eye).clamp(0.0, 1.0);
     (light, outwards.dot(to_eye) >= 0.0)
 }
 

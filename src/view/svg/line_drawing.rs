@@ -7,7 +7,7 @@
 
 use super::circles::fitted;
 use super::picture::line;
-use crate::view::camera::Eye;
+use crate::view::camera::{Eye, Section};
 use crate::view::model::polygon_edges::sides_by_edge;
 use crate::view::picking::DepthMap;
 use crate::view::state::ViewState;
@@ -43,6 +43,7 @@ pub fn line_drawing(state: &ViewState) -> String {
         map: DepthMap::new(state.mesh(), &camera, PIXELS),
         eye: camera.eye(),
         near: camera.distance * 1e-3,
+        section: camera.section,
         samples: PIXELS / camera.canvas.max_element().max(1.0),
         frame: [low, high],
         scale,
@@ -64,6 +65,15 @@ pub fn line_drawing(state: &ViewState) -> String {
             _ => true,
         };
         sight.draw(sides[0].0.map(at), &faces, is_outline, &mut edges);
+    }
+    // Where the surface is cut it ends.
+    if let Some(section) = camera.section {
+        for (&triangle, &face) in mesh.triangles.iter().zip(&mesh.triangle_face) {
+            let corners = triangle.map(at);
+            if let Some(ends) = section.through(corners) {
+                sight.draw(ends, &[face], true, &mut edges);
+            }
+        }
     }
     // Outlines are drawn without edges, too.
     if !display.edges {
@@ -139,6 +149,8 @@ struct Sight {
     eye: Eye,
     /// The depth in front of which nothing is drawn.
     near: f32,
+    /// What is cut off is not drawn.
+    section: Option<Section>,
     /// Samples per CSS pixel.
     samples: f32,
     /// See [`frame`].
@@ -151,7 +163,8 @@ impl Sight {
     /// Adds what is seen of the line between two points, a side of `faces`. Where it is no outline by itself, it is
     /// one where there is nothing near behind it.
     fn draw(&self, ends: [Vec3; 2], faces: &[u32], is_outline: bool, to: &mut Lines) {
-        let Some(ends) = self.in_front(ends) else { return };
+        let kept = self.section.map_or(Some(ends), |section| section.cut(ends));
+        let Some(ends) = kept.and_then(|ends| self.in_front(ends)) else { return };
         let [a, b] = ends.map(|point| self.eye.project(point));
         let count = ((b.0 - a.0).length() * self.samples).ceil().clamp(1.0, MOST_SAMPLES) as usize;
         let part = |k: usize, to_middle: f32| (k as f32 + to_middle) / count as f32;

@@ -175,7 +175,7 @@ pub(crate) fn sides(corners: &[u32]) -> impl Iterator<Item = [u32; 2]> + '_ {
 pub(crate) fn is_hidden(state: &ViewState, eye: &Eye, vertex: u32) -> bool {
     let point = state.mesh().positions[vertex as usize];
     let from = eye.seen_from(point);
-    hidden(state.mesh(), from, vertex, eye.scale_depth((point - from).length()) * NEAR)
+    hidden(state.mesh(), from, vertex, eye.scale_depth((point - from).length()) * NEAR, |_| true)
 }
 
 /// A line through places, as the data of a path: the first as it is, the others by their steps.

@@ -43,6 +43,11 @@ impl View {
         self.model().turn(dx, dy);
     }
 
+    /// Turns the model about the vertical through its middle, as on a turntable, by an angle in radians.
+    pub fn spin(&mut self, angle: f32) {
+        self.model().spin(angle);
+    }
+
     /// Slides the picture by a drag.
     pub fn pan(&mut self, dx: f32, dy: f32) {
         self.model().pan(dx, dy);

@@ -24,13 +24,54 @@ impl View {
         line_drawing(self.model())
     }
 
-    /// Prepares a flight to a view of `preset`, from where the camera is; `fly` makes it.
+    /// Shows so much of it that what is near keeps light off, from 0 (none) to 1.
+    #[wasm_bindgen(js_name = setOcclusion)]
+    pub fn set_occlusion(&mut self, amount: f32) {
+        self.model().set_occlusion(amount);
+    }
+
+    /// Cuts the model open across an axis of the file (0 to 2), at a part of the way through it from 0 to 1;
+    /// kept is what comes before the plane along the axis, or after it when it is turned. Without an axis all
+    /// is shown.
     ///
     /// # Errors
-    /// A name that `preset` does not know.
-    #[wasm_bindgen(js_name = flyTo)]
-    pub fn fly_to(&mut self, name: &str) -> Result<(), JsValue> {
-        self.pictures.fly_to(name).map_err(thrown)
+    /// An axis that does not exist.
+    #[wasm_bindgen(js_name = setSection)]
+    pub fn set_section(
+        &mut self,
+        axis: Option<usize>,
+        part: f32,
+        is_turned: bool,
+    ) -> Result<(), JsValue> {
+        let plane = axis.map(|axis| (axis, part, is_turned));
+        self.model().set_section(plane).map_err(thrown)
+    }
+
+    /// The map of values when all of them have colours: `viridis`, `grey`, or `diverging` from both sides of a
+    /// value in the middle, without which it is viridis.
+    ///
+    /// # Errors
+    /// Any other name.
+    #[wasm_bindgen(js_name = setColourMap)]
+    pub fn set_colour_map(&mut self, name: &str, middle: Option<f32>) -> Result<(), JsValue> {
+        self.model().set_colour_map(name, middle).map_err(thrown)
+    }
+
+    /// Prepares a flight from where the camera is now to where it is at `takeOff`; `fly` makes it.
+    #[wasm_bindgen(js_name = planFlight)]
+    pub fn plan_flight(&mut self) {
+        self.pictures.plan_flight();
+    }
+
+    /// Puts the camera back to where the flight begins.
+    #[wasm_bindgen(js_name = takeOff)]
+    pub fn take_off(&mut self) {
+        self.pictures.take_off();
+    }
+
+    /// Ends a flight where it leads.
+    pub fn arrive(&mut self) {
+        self.pictures.arrive();
     }
 
     /// Flies on to `part` of the way, from 0 to 1. Whether the flight goes on: it ends where it

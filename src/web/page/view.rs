@@ -4,7 +4,7 @@
 //! of the file. What is thrown is an `Error` whose message is one complete line.
 
 use crate::view::appearance::{ColourMap, ColourScale, RowColours};
-use crate::view::gpu::{Device, DeviceError, Loss, Renderer};
+use crate::view::gpu::{Device, DeviceError, Loss, Placement, Renderer};
 use crate::view::model::ProjectionMarks;
 use crate::view::side_by_side::Pictures;
 use crate::view::state::{Display, ViewState};
@@ -22,6 +22,8 @@ pub struct View {
     /// Model, flat map and split pictures, without a GPU.
     pub(super) pictures: Pictures,
     pixel_ratio: f32,
+    /// Where the canvas lies in a picture that is larger.
+    tile: Option<Placement>,
     renderer: Renderer,
     backend: &'static str,
     frames: u32,
@@ -99,6 +101,7 @@ impl View {
         Ok(View {
             pictures: Pictures::default(),
             pixel_ratio: 1.0,
+            tile: None,
             renderer: Renderer::new(device),
             backend,
             frames: 0,
@@ -116,8 +119,23 @@ impl View {
     /// nobody has moved since it was fitted is fitted again.
     pub fn resize(&mut self, width: u32, height: u32, device_pixel_ratio: f32) {
         self.renderer.device.resize(width, height);
+        self.tile = None;
         self.pixel_ratio = if device_pixel_ratio > 0.0 { device_pixel_ratio } else { 1.0 };
         self.pictures.resize(Vec2::new(width as f32, height as f32) / self.pixel_ratio);
+    }
+
+    /// Makes the canvas one tile of a picture of `width` by `height` pixels: `part` is the tile's left and upper
+    /// edge in the picture, and its width and height. `resize` ends this.
+    #[wasm_bindgen(js_name = setTile)]
+    pub fn set_tile(&mut self, width: u32, height: u32, device_pixel_ratio: f32, part: &[u32]) {
+        let &[left, top, across, down] = part else { return };
+        self.renderer.device.resize(across, down);
+        self.pixel_ratio = if device_pixel_ratio > 0.0 { device_pixel_ratio } else { 1.0 };
+        let canvas = self.renderer.device.size();
+        let at = (-(left as i32), -(top as i32));
+        self.tile = Some(Placement { size: (width, height), at, canvas });
+        self.pictures.resize(Vec2::new(width as f32, height as f32) / self.pixel_ratio);
+        self.model().view_changed();
     }
 
     /// Shows a mesh: rows of faces and of curves as offsets and indices, #V by 3 positions. Another
@@ -167,10 +185,10 @@ impl View {
         self.model().set_face_values(values, scale).map_err(thrown)
     }
 
-    /// CSS colours of the map from low to high, for a legend.
+    /// CSS colours of the map of all values from low to high, for a legend.
     #[wasm_bindgen(js_name = colourStops)]
     pub fn colour_stops(&self, count: usize) -> Vec<String> {
-        ColourMap::Full.stops(count)
+        ColourMap::Viridis.stops(count)
     }
 
     /// Light or dark.
@@ -318,9 +336,18 @@ impl View {
     /// The device is lost; the page makes a new view on a new canvas.
     pub fn draw(&mut self) -> Result<bool, JsValue> {
         let (model, map, split) = self.pictures.to_draw();
-        let drawn = self.renderer.draw(model, map, split, self.pixel_ratio).map_err(thrown)?;
+        let drawn = self.renderer.draw(model, map, split, self.pixel_ratio, self.tile);
+        let drawn = drawn.map_err(thrown)?;
         self.frames += u32::from(drawn);
         Ok(drawn)
+    }
+
+    /// Whether the occlusion that was found last is still that of what is seen: then showing it costs nothing.
+    #[wasm_bindgen(js_name = occlusionFits)]
+    pub fn occlusion_fits(&self) -> bool {
+        let size = self.tile.map_or(self.renderer.device.size(), |tile| tile.size);
+        // Two pictures side by side have none.
+        self.pictures.is_split() || self.renderer.occlusion_fits(self.pictures.model(), size)
     }
 
     /// Pictures drawn so far.

@@ -223,12 +223,17 @@ test('choosing a measure again gives the same picture, whatever came between', a
   await colours.selectOption('circularity');
   await expect.poll(() => rangeOf(page)).toEqual(before[0]);
   expect(differingBytes(await middleOfPicture(page), before[1])).toBe(0);
-  // Full map and back.
-  const full = page.getByLabel('Full map');
-  await full.check();
+  // All values and back.
+  const map = page.getByLabel('Colour map');
+  await map.selectOption('Viridis');
   await expect(page.getByLabel('Colours from')).toHaveValue('0');
   expect(differingBytes(await middleOfPicture(page), before[1])).toBeGreaterThan(2000);
-  await full.uncheck();
+  const viridis = await middleOfPicture(page);
+  for (const other of ['Diverging', 'Grey']) {
+    await map.selectOption(other);
+    expect(differingBytes(await middleOfPicture(page), viridis)).toBeGreaterThan(2000);
+  }
+  await map.selectOption('Beyond tolerance');
   expect(differingBytes(await middleOfPicture(page), before[1])).toBe(0);
 });
 

@@ -6,9 +6,16 @@ import { element, setText } from '../../ui/dom.js';
 import { messageOf } from '../../solver/messages.js';
 import { pictureOf, pictureSize } from './picture.js';
 import { convergenceSvg } from './plot-svg.js';
+import { canRecord, turntableVideo } from './turntable-video.js';
 import { isDrawn } from '../../store/state.js';
 
-const SCALES = [1, 2, 4];
+/** Pixels per CSS pixel, and how that is called. @type {[number, string][]} */
+const SCALES = [
+  [1, '1×'],
+  [2, '2×'],
+  [4, '4×'],
+  [Infinity, '8k'],
+];
 
 /** What was chosen last stays chosen. */
 /** @type {{ scale: number, legend: boolean, ground: import("./picture.js").Ground }} */
@@ -108,6 +115,15 @@ export function showExport(app) {
           },
           canDraw,
         ),
+        canRecord() &&
+          format(
+            'WebM',
+            'A film of 6 seconds, in which the model turns once',
+            async () => {
+              files.save('.webm', await turntableVideo(viewport), 'video/webm');
+            },
+            canDraw,
+          ),
         format(
           'Line drawing',
           'SVG: the lines that are seen, in ink on A4',
@@ -167,7 +183,7 @@ function pictureOptions(viewport) {
     element(
       'fieldset',
       { 'aria-label': 'Size of the picture' },
-      ...SCALES.map((scale) => {
+      ...SCALES.map(([scale, name]) => {
         const choose = () => {
           picture.scale = scale;
           showSize();
@@ -176,7 +192,7 @@ function pictureOptions(viewport) {
         return element(
           'label',
           element('input', { type: 'radio', name: 'scale', checked, onchange: choose }),
-          `${scale}×`,
+          name,
         );
       }),
     ),

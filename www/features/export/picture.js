@@ -10,18 +10,18 @@ import { axisOf, placeOn } from '../../ui/plot/value-axis.js';
 
 /** What is behind the model: as in the view, white, nothing. @typedef {"view" | "white" | "none"} Ground */
 
-/** More pixels than this are too many for common graphics cards, with their samples and depths. */
-const MOST_PIXELS = 36e6;
+/** The longer side, and all pixels: more are too many for the memory of common browsers. */
+const [LONGEST, MOST_PIXELS] = [7680, 60e6];
 
 /**
  * The size of the picture, in pixels.
  * @param {import("../../viewport/viewport.js").Viewport} viewport
- * @param {number} scale pixels per CSS pixel
+ * @param {number} scale pixels per CSS pixel; as many as there can be, if infinite
  */
 export function pictureSize(viewport, scale) {
   const { width, height } = viewport.element.getBoundingClientRect();
   const most = Math.sqrt(MOST_PIXELS / Math.max(width * height, 1));
-  const used = Math.min(scale, most);
+  const used = Math.min(scale, most, LONGEST / Math.max(width, height, 1));
   return { width: Math.round(width * used), height: Math.round(height * used), scale: used };
 }
 
@@ -38,8 +38,8 @@ export async function pictureOf(viewport, state, { scale, legend, ground }) {
     [canvas.width, canvas.height] = [size.width, size.height];
     const context = canvas.getContext('2d', { willReadFrequently: ground === 'none' });
     if (!context) throw new Error('This browser gives the page no canvas to draw the picture on.');
-    const drawn = viewport.still(size, grey, (view) => {
-      context.drawImage(view, 0, 0, size.width, size.height);
+    const drawn = viewport.still(size, grey, (tile, left, top) => {
+      context.drawImage(tile, left, top);
     });
     if (!drawn) throw new Error('The picture could not be drawn: try a smaller one.');
     return context;

@@ -27,8 +27,9 @@ export function viewCommands(app) {
   const see = async () => (await load()).Seeing.of(app);
   const enabled = (/** @type {import("../../store/state.js").State} */ { renderer }) =>
     renderer !== 'none';
-  store.subscribe(['display', 'parallel', 'tape'], ({ display, parallel, tape }) => {
-    if (display.ghost || display.ground || parallel || tape) actions.reportErrors(see());
+  store.subscribe(['display', 'parallel', 'tape', 'section'], (state) => {
+    const { display, parallel, tape, section } = state;
+    if (display.ghost || display.ground || parallel || tape || section) actions.reportErrors(see());
   });
   return [
     ...VIEWS.map(([name, ...keys], i) => ({
@@ -73,6 +74,28 @@ export function viewCommands(app) {
       enabled,
       pressed: ({ tape }) => tape !== null,
     },
+    {
+      id: 'section',
+      group: 'View',
+      label: 'Section plane',
+      keys: [],
+      action: () => {
+        const section = store.get().section ? null : { axis: 0, at: 0.5, turned: false };
+        actions.look({ section });
+      },
+      needsModel: true,
+      enabled,
+      pressed: ({ section }) => section !== null,
+    },
+    {
+      id: 'turn-slowly',
+      group: 'View',
+      label: 'Turn slowly, until the view is touched',
+      keys: [],
+      action: () => void actions.reportErrors(load().then((it) => it.turnSlowly(app.viewport))),
+      needsModel: true,
+      enabled,
+    },
   ];
 }
 
@@ -81,12 +104,12 @@ export function viewCommands(app) {
  * @param {HTMLElement} menu
  * @param {HTMLElement} button
  * @param {import("../../app/context.js").Command[]} commands
- * @param {import("../../store/state.js").Store} store
+ * @param {import("../../app/context.js").AppContext} app
  */
-export function bindViewMenu(menu, button, commands, store) {
+export function bindViewMenu(menu, button, commands, app) {
   placeMenu(menu, () => button);
   const build = async () => {
-    (await load()).buildViewMenu(menu, commands, store);
+    (await load()).buildViewMenu(menu, commands, app);
     // It has its size only now.
     menu.hidePopover();
     menu.showPopover();

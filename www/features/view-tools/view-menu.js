@@ -3,13 +3,15 @@
 import { isEnabled, press } from '../../store/press.js';
 import { element } from '../../ui/dom.js';
 import { keyName } from '../../ui/keys.js';
+import { keptViews } from './kept-views.js';
 
 /**
  * @param {HTMLElement} menu
  * @param {import("../../app/context.js").Command[]} commands
- * @param {import("../../store/state.js").Store} store
+ * @param {import("../../app/context.js").AppContext} app
  */
-export function buildViewMenu(menu, commands, store) {
+export function buildViewMenu(menu, commands, app) {
+  const { store } = app;
   const button = (/** @type {string} */ id, /** @type {string} */ label, closes = false) => {
     const command = commands.find((known) => known.id === id);
     if (!command) throw new Error(`no command is called ${id}`);
@@ -29,7 +31,7 @@ export function buildViewMenu(menu, commands, store) {
     if (command.pressed && key) made.append(element('kbd', keyName(key)));
     const { pressed } = command;
     if (pressed)
-      store.subscribe(['parallel', 'display', 'tape'], (state) =>
+      store.subscribe(['parallel', 'display', 'tape', 'section'], (state) =>
         made.setAttribute('aria-pressed', `${pressed(state)}`),
       );
     store.subscribe(store.steady, (state) => {
@@ -45,5 +47,8 @@ export function buildViewMenu(menu, commands, store) {
     button('ghost', 'Original ghost'),
     button('ground', 'Ground grid'),
     button('tape', 'Measure a distance', true),
+    button('section', 'Section plane'),
+    button('turn-slowly', 'Turn slowly', true),
+    keptViews(app),
   );
 }

@@ -6,15 +6,15 @@
 import './view-tools.css';
 import { element, setText } from '../../ui/dom.js';
 import { lengthUnit } from '../../ui/format.js';
+import { fly } from '../../viewport/flight.js';
+import { SectionCard } from './section-card.js';
 import { Tape } from './tape.js';
 
+export { turnSlowly } from './turntable.js';
 export { buildViewMenu } from './view-menu.js';
 
-const FLIGHT_MS = 320;
 /** The scale bar is at most so many CSS pixels long. */
 const BAR = 120;
-const still = matchMedia('(prefers-reduced-motion: reduce)');
-
 /** @type {Seeing | null} */
 let only = null;
 
@@ -46,6 +46,7 @@ export class Seeing {
     this.#actions = actions;
     this.#viewport = viewport;
     this.#tape = new Tape(store, viewport, actions);
+    new SectionCard(store, viewport, actions);
     viewport.element.after(this.#scale);
     viewport.on('ready', () => this.#handOver());
     viewport.on('drawn', () => this.#show());
@@ -66,14 +67,7 @@ export class Seeing {
   flyTo(name) {
     const { parallel } = this.#store.get();
     this.#actions.setStatus(`View: ${name}${parallel ? ', parallel' : ''}`);
-    if (still.matches) return void this.#viewport.with((view) => view.preset(name));
-    this.#viewport.with((view) => view.flyTo(name));
-    const started = performance.now();
-    const fly = () => {
-      const part = Math.min(1, (performance.now() - started) / FLIGHT_MS);
-      if (this.#viewport.with((view) => view.fly(part))) requestAnimationFrame(fly);
-    };
-    requestAnimationFrame(fly);
+    fly(this.#viewport, (view) => view.preset(name));
   }
 
   /** Asks for the shape that was opened, once for each model that needs it. */

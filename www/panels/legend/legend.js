@@ -4,7 +4,7 @@
  */
 
 import { rampOf } from '../../viewport/ramp.js';
-import { checkbox } from '../../ui/controls/fields.js';
+import { checkbox, choice, setOptions } from '../../ui/controls/fields.js';
 import { element, setAttribute, setText } from '../../ui/dom.js';
 import { groupDigits, number, round } from '../../ui/format.js';
 import {
@@ -19,6 +19,18 @@ import { bars, drawBars, drawOutline, outline } from '../../ui/plot/histogram-sv
 import { isDrawn } from '../../store/state.js';
 import { placeOn } from '../../ui/plot/value-axis.js';
 import { rangeEnd } from './range-end.js';
+
+/** @typedef {import("../../store/state.js").State} State */
+
+/** Only what is beyond the tolerance has colours. */
+const BEYOND = 'beyond';
+/** The maps with their names, and what they are for. @type {[string, string, string][]} */
+const MAPS = [
+  [BEYOND, 'Beyond tolerance', 'Only what is beyond the tolerance has colours'],
+  ['viridis', 'Viridis', 'All values have colours'],
+  ['diverging', 'Diverging', 'Blue within the tolerance, red beyond it'],
+  ['grey', 'Grey', 'All values, for print'],
+];
 
 /**
  * @param {HTMLElement} place
@@ -51,13 +63,16 @@ export function legend(place, { store, viewport, actions }, fit) {
     else if (about) actions.setToleranceOf(about.id, value);
   });
   tolerance.placeholder = 'none';
-  const toggle = (
-    /** @type {"full" | "log"} */ key,
-    /** @type {string} */ label,
-    /** @type {string} */ title,
-  ) => checkbox(label, (checked) => actions.display({ [key]: checked }), { title });
-  const full = toggle('full', 'Full map', 'Colours for values within the tolerance, too');
-  const log = toggle('log', 'Log scale', 'Equal factors are equal steps');
+  const log = checkbox('Log scale', (checked) => actions.display({ log: checked }), {
+    title: 'Equal factors are equal steps',
+  });
+  const map = choice({ 'aria-label': 'Colour map' }, (name) =>
+    actions.display(
+      name === BEYOND
+        ? { full: false }
+        : { full: true, map: /** @type {State["display"]["map"]} */ (name) },
+    ),
+  );
   place.replaceChildren(
     element(
       'div.title',
@@ -73,7 +88,7 @@ export function legend(place, { store, viewport, actions }, fit) {
     element('div.ends', low, unit, high),
     element('div.ends', element('label', 'Tolerance', tolerance, toleranceUnit), within),
     facts,
-    element('div.ends.switches', full.label, log.label),
+    element('div.ends.switches', map, log.label),
   );
 
   /** The unit of all values of the measure: that of its tolerance, or of its greatest value. */
@@ -113,11 +128,20 @@ export function legend(place, { store, viewport, actions }, fit) {
     if (!about || place.hidden) return;
     setText(title, about.label);
     setAttribute(title, 'title', about.words);
-    full.box.checked = display.full;
     log.box.checked = display.log;
     if (!spread) return;
     const allowed = toleranceOf(state, about);
-    full.label.hidden = allowed === null;
+    // Without a tolerance there is nothing to be beyond of, and no middle.
+    setOptions(
+      map,
+      MAPS.filter(([name]) => allowed !== null || (name !== BEYOND && name !== 'diverging')),
+    );
+    const isFull = allowed === null || display.full;
+    map.value = !isFull
+      ? BEYOND
+      : map.querySelector(`[value=${display.map}]`)
+        ? display.map
+        : 'viridis';
     const units = document?.units ?? '';
     const { unit: sign, factor } = unitNow();
     const step = display.log ? null : viewport.unmeasured((view) => view.bandStep());

@@ -1,9 +1,10 @@
 //! Draws the faces, and those of the ghost as a veil: `shaders/faces.wgsl`.
 
-use crate::view::gpu::{FACES, GpuTables, Layer, Recipe, VertexBuffer, build};
+use crate::view::gpu::{FACES, GpuTables, Layer, Onto, Recipe, VertexBuffer, build_onto};
 use crate::view::model::RenderMesh;
 
-const CORNER: [wgpu::VertexAttribute; 1] = wgpu::vertex_attr_array![0 => Uint32x2];
+/// A corner of a triangle: its vertex and its face.
+pub const CORNER_OF_FACE: [wgpu::VertexAttribute; 1] = wgpu::vertex_attr_array![0 => Uint32x2];
 
 /// The faces' triangles.
 #[derive(Debug)]
@@ -15,20 +16,26 @@ pub struct Faces {
 }
 
 impl Faces {
-    /// Nothing to draw yet.
-    pub fn new(device: &wgpu::Device, tables: &GpuTables, format: wgpu::TextureFormat) -> Faces {
+    /// Nothing to draw yet; `occlusion` is how that is bound which tells how open their surroundings are.
+    pub fn new(
+        device: &wgpu::Device,
+        tables: &GpuTables,
+        occlusion: &wgpu::BindGroupLayout,
+        format: wgpu::TextureFormat,
+    ) -> Faces {
+        let groups = [Some(tables.layout()), Some(occlusion)];
         let pipeline = |vertex: &str, fragment: &str, layer: Layer| {
             let recipe = Recipe {
                 label: "faces",
                 source: &FACES.concat(),
                 vertex,
                 fragment,
-                attributes: &CORNER,
+                attributes: &CORNER_OF_FACE,
                 stride: 8,
                 step: wgpu::VertexStepMode::Vertex,
                 layer,
             };
-            build(device, tables, format, &recipe)
+            build_onto(device, &groups, Onto::Picture(format), &recipe)
         };
         Faces {
             surface: pipeline("corner_of_face", "lit", Layer::Surface),
@@ -48,7 +55,7 @@ impl Faces {
         self.corners.write(device, queue, &corners);
     }
 
-    /// Draws them.
+    /// Draws them; how open their surroundings are is bound as the second group.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
         self.draw_with(pass, &self.surface);
     }
@@ -58,7 +65,8 @@ impl Faces {
         self.draw_with(pass, &self.veil);
     }
 
-    fn draw_with(&self, pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline) {
+    /// Draws them with a pipeline that takes [`CORNER_OF_FACE`].
+    pub fn draw_with(&self, pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline) {
         if self.corners.count() > 0 {
             pass.set_pipeline(pipeline);
             pass.set_vertex_buffer(0, self.corners.slice());

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `backdrop` | what is behind the model |
 //! | `faces` | lit faces |
+//! | `occlusion` | how much light from all around reaches the faces |
 //! | `lines` | edges, curves, lines from handles to targets |
 //! | `points` | dots |
 //! | `circles` | fitted circles |
@@ -23,6 +24,8 @@ pub mod gizmo_marks;
 #[cfg(target_arch = "wasm32")]
 pub mod lines;
 #[cfg(target_arch = "wasm32")]
+pub mod occlusion;
+#[cfg(target_arch = "wasm32")]
 pub mod points;
 #[cfg(target_arch = "wasm32")]
 pub mod projection_lines;
@@ -41,6 +44,8 @@ pub use faces::Faces;
 pub use gizmo_marks::GizmoMarks;
 #[cfg(target_arch = "wasm32")]
 pub use lines::Lines;
+#[cfg(target_arch = "wasm32")]
+pub use occlusion::Occlusion;
 #[cfg(target_arch = "wasm32")]
 pub use points::Points;
 #[cfg(target_arch = "wasm32")]

@@ -4,7 +4,7 @@
 use super::faces::Faces;
 use super::lines::Lines;
 use crate::view::appearance::{Colour, LineKind};
-use crate::view::gpu::{GpuTables, VertexBuffer};
+use crate::view::gpu::{GpuTables, Placement, VertexBuffer};
 use crate::view::state::ViewState;
 use glam::Vec3;
 
@@ -24,15 +24,15 @@ impl SurroundingLines {
         SurroundingLines { tables: beside.beside(device, queue), lines, through: 0 }
     }
 
-    /// Takes lines, of which those of the ground are last, and points, where they are new; for a canvas of
-    /// `size` pixels.
+    /// Takes lines, of which those of the ground are last, and points, where they are new; for a picture that
+    /// lies so on the canvas.
     pub fn update(
         &mut self,
         (device, queue): (&wgpu::Device, &wgpu::Queue),
         state: &ViewState,
         new: Option<(Vec<[u32; 3]>, Vec<Vec3>)>,
         veil: Colour,
-        size: (u32, u32),
+        placement: Placement,
     ) {
         let points = new.map(|(lines, points)| {
             let is_through = |line: &&[u32; 3]| line[2] != LineKind::Ground as u32;
@@ -41,7 +41,7 @@ impl SurroundingLines {
             points
         });
         if self.lines.count() > 0 {
-            self.tables.update_points(device, queue, state, points, veil, size);
+            self.tables.update_points(device, queue, state, points, veil, placement);
         }
     }
 

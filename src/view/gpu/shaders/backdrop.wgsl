@@ -10,7 +10,7 @@ struct Behind {
 fn corner_of_picture(@location(0) at: vec2f) -> Behind {
     var out: Behind;
     out.position = vec4f(at, 0.5, 1.0);
-    out.height = 0.5 + 0.5 * at.y;
+    out.height = 0.5 + 0.5 * on_picture(at).y;
     return out;
 }
 

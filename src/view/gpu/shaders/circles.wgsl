@@ -32,7 +32,7 @@ fn corner_of_circle(
     let fineness = clamp(radius_on_screen / 16.0, 0.5, 1.0);
     let half_width = 0.5 * scene.circle.size.x * scene.canvas.z * fineness;
     let lift = LIFT + min(0.12 * radius / depth, 0.1);
-    let quad = stroke_corner(a, b, index % 6u, half_width, lift);
+    let quad = cut_stroke_corner(a, b, index % 6u, half_width, lift);
     var out: Corner;
     out.position = quad.position;
     out.at = quad.at;

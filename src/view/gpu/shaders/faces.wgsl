@@ -63,7 +63,24 @@ fn on_isoline(value: f32, change: f32) -> f32 {
     return select(0.0, clamp(half_width + 0.5 - away, 0.0, 1.0) * fading, is_inside);
 }
 
+// How much of a pixel is on a diagonal line of the hatching, which stays where it is on the canvas.
+fn hatched(pixel: vec2f) -> f32 {
+    let ratio = scene.canvas.z;
+    let across = (pixel.x + pixel.y) * 0.70710678 / ratio;
+    let away = abs(fract(across / HATCH_STEP) - 0.5) * HATCH_STEP;
+    return clamp((0.5 * HATCH_WIDTH - away) * ratio + 0.5, 0.0, 1.0);
+}
+
+// In CSS pixels, and how opaque the lines are.
+const HATCH_STEP: f32 = 7.0;
+const HATCH_WIDTH: f32 = 1.5;
+const HATCH: f32 = 0.92;
+const HATCH_OF_SELECTED: vec3f = vec3f(0.06, 0.08, 0.11);
+const HATCH_OF_TINT: vec3f = vec3f(1.0);
+
 const BAND: u32 = 10u;
+// A section is drawn as a rim is.
+const CUT: u32 = 1u;
 
 // How much light there is, and 1 where the face is seen from its front, else 0.
 fn light_on(in: Corner) -> vec2f {
@@ -80,9 +97,39 @@ fn light_on(in: Corner) -> vec2f {
     let wrapped = max((dot(bent, key) + WRAP) / (1.0 + WRAP), 0.0);
     let from_sky = 0.5 + 0.5 * dot(bent, scene.sky.xyz);
     let from_eye = max(dot(bent, to_eye), 0.0);
-    let light = 0.68 * wrapped + 0.24 * from_sky + 0.12 * from_eye;
+    let light = 0.62 * wrapped + 0.22 * from_sky + 0.24 * from_eye;
     return vec2f(clamp(light, 0.0, 1.0), select(0.0, 1.0, is_front));
 }
+
+// How much of the light from all around reaches a point: 1 where nothing near keeps it off. Found for fewer
+// pixels than there are: of the four around, those that are as far away count.
+fn openness(in: Corner) -> f32 {
+    if scene.nearby.w <= 0.0 {
+        return 1.0;
+    }
+    let on_canvas = vec2f(2.0, -2.0) * in.position.xy / scene.canvas.xy + vec2f(-1.0, 1.0);
+    let place = vec2f(0.5, -0.5) * on_picture(on_canvas) + 0.5;
+    let extent = vec2i(textureDimensions(found));
+    let at = place * vec2f(extent) - 0.5;
+    let first = floor(at);
+    let part = at - first;
+    let own = depth_part(in.at);
+    let scale = 12.0 * scene.nearby.y / scene.nearby.z;
+    var sum = 0.0;
+    var weights = 0.0;
+    for (var i = 0; i < 4; i++) {
+        let step = vec2i(i & 1, i >> 1u);
+        let texel = textureLoad(found, clamp(vec2i(first) + step, vec2i(0), extent - 1), 0);
+        let share = mix(1.0 - part, part, vec2f(step));
+        let weight = (share.x * share.y + 1e-3) / (1e-2 + scale * abs(unpacked(texel.yz) - own));
+        sum += weight * texel.x;
+        weights += weight;
+    }
+    return mix(1.0, sum / weights, scene.nearby.w);
+}
+
+// Where no light from all around arrives, this is left of the colour.
+const CLOSED: vec3f = vec3f(0.47, 0.47, 0.50);
 
 // So far beyond the terminator the large light still reaches.
 const WRAP: f32 = 0.3;
@@ -94,9 +141,12 @@ fn lit(in: Corner) -> @location(0) vec4f {
     // Differences between pixels are there only where all of them come by.
     let pixel = fwidth(in.place);
     let change = length(vec2f(dpdx(in.steps), dpdy(in.steps)));
+    let within = within_section(in.at);
+    let within_change = fwidth(within);
     let modelled = mix(0.68, 1.05, light);
     let place = u32(in.look.x * 255.0 + 0.5);
-    var colour = mix(scene.shade.rgb, scene.material.rgb, light) * mix(scene.back.rgb, vec3f(1.0), seen.y);
+    let open = mix(CLOSED, vec3f(1.0), openness(in));
+    var colour = mix(scene.shade.rgb, scene.material.rgb, light) * mix(scene.back.rgb, vec3f(1.0), seen.y) * open;
     if in.look.y > 0.875 {
         colour = scene.no_value.rgb * modelled;
     } else if in.look.y > 0.375 {
@@ -113,14 +163,23 @@ fn lit(in: Corner) -> @location(0) vec4f {
         }
     } else if in.look.y > 0.125 {
         let row = colour_of_row(place);
-        colour = mix(colour, row.rgb * modelled, row.a);
+        colour = mix(colour, row.rgb * modelled * open, row.a);
     }
     if scene.checks.x > 0.0 {
         let dark = dark_part(in.place, pixel) * scene.check.a;
         colour = mix(colour, scene.check.rgb * modelled, dark);
     }
-    colour = mix(colour, scene.tint.rgb * modelled, in.look.w * scene.tint.a);
-    colour = mix(colour, scene.selected.rgb * modelled, in.look.z * scene.selected.a);
+    // Over values a mark is hatched as well, with white or ink: one of its two colours is seen on any other.
+    let hatch = select(0.0, 1.0, in.look.y > 0.375) * hatched(in.position.xy);
+    colour = mix(colour, mix(scene.tint.rgb * modelled, HATCH_OF_TINT, hatch * in.look.w), in.look.w * mix(scene.tint.a, HATCH, hatch));
+    colour = mix(colour, mix(scene.selected.rgb * modelled, HATCH_OF_SELECTED, hatch), in.look.z * mix(scene.selected.a, HATCH, hatch));
+    // Along the section the surface ends in a heavy line.
+    let cut = scene.strokes[CUT];
+    let beside_cut = within / max(within_change, 1e-12);
+    colour = mix(colour, cut.colour.rgb, clamp(cut.size.x * scene.canvas.z + 0.5 - beside_cut, 0.0, 1.0));
+    if within < 0.0 {
+        discard;
+    }
     return vec4f(min(colour, vec3f(1.0)), 1.0);
 }
 
@@ -148,5 +207,8 @@ fn veil(in: VeilCorner) -> @location(0) vec4f {
     let normal = cross(dpdx(in.at), dpdy(in.at));
     let facing = abs(dot(normal, to_eye_from(in.at))) / max(length(normal), 1e-20);
     let edge_on = 1.0 - min(facing, 1.0);
+    if within_section(in.at) < 0.0 {
+        discard;
+    }
     return vec4f(scene.ghost.rgb, scene.ghost.a * (1.0 + 1.5 * edge_on * edge_on));
 }

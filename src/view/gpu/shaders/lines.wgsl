@@ -19,7 +19,15 @@ fn corner_of_line(
     let stroke = scene.strokes[kind];
     let ratio = scene.canvas.z;
     let half_width = 0.5 * stroke.size.x * ratio;
-    let quad = stroke_corner(position_of(ends.x), position_of(ends.y), corner, half_width, LIFT);
+    let from_point = position_of(ends.x);
+    let to_point = position_of(ends.y);
+    var quad: StrokeCorner;
+    if kind == GROUND || kind == PULL {
+        // What is about the model is not cut.
+        quad = stroke_corner(from_point, to_point, corner, half_width, LIFT);
+    } else {
+        quad = cut_stroke_corner(from_point, to_point, corner, half_width, LIFT);
+    }
     var out: Corner;
     out.position = quad.position;
     out.at = quad.at;
@@ -27,9 +35,9 @@ fn corner_of_line(
     out.colour = stroke.colour;
     out.style = vec2f(half_width, stroke.size.w);
     if kind == 0u || kind == GHOST || kind == LAYER {
-        // Where panels are only a few pixels wide, their edges fade instead of filling everything.
+        // The denser edges are, the lighter: panels of a few pixels would be nothing but edges.
         let length_on_screen = distance(quad.start, quad.end) / ratio;
-        out.colour.a *= clamp(length_on_screen / 7.0, 0.12, 1.0);
+        out.colour.a *= clamp(0.16 + length_on_screen / 26.0, 0.16, 1.0);
     }
     return out;
 }
@@ -39,7 +47,9 @@ fn line_colour(in: Corner) -> vec4f {
     return vec4f(in.colour.rgb, in.colour.a * coverage);
 }
 
+const PULL: u32 = 3u;
 const GHOST: u32 = 7u;
+const GROUND: u32 = 8u;
 const LAYER: u32 = 12u;
 
 @fragment

@@ -35,7 +35,9 @@ fn corner_of_dot(
     }
     let offset = out.at / (0.5 * scene.canvas.xy);
     out.position = vec4f(clip.xy + offset * clip.w, clip.z, clip.w);
-    if depth <= 0.0 {
+    // A handle is there to be taken wherever it is.
+    let is_cut = within_section(middle) < 0.0 && ids.y <= SELECTED;
+    if depth <= 0.0 || is_cut {
         out.position = vec4f(0.0, 0.0, -1.0, 1.0);
     }
     return out;
@@ -63,3 +65,6 @@ fn behind(in: Corner) -> @location(0) vec4f {
     let colour = dot_colour(in);
     return vec4f(colour.rgb, colour.a * 0.38);
 }
+
+// The kinds up to this one are marks of vertices, those after it handles and the tape.
+const SELECTED: u32 = 3u;

@@ -36,7 +36,7 @@ fn corner_of_projection(
     let half_width = 0.5 * stroke.size.x * ratio;
     let casing = stroke.size.z * ratio;
     let reach = max(half_width, head * HEAD_SLOPE) + casing;
-    let quad = stroke_corner(from_point.xyz, to_point.xyz, corner, reach, lift);
+    let quad = cut_stroke_corner(from_point.xyz, to_point.xyz, corner, reach, lift);
     let length_on_screen = distance(quad.start, quad.end);
     var out: Corner;
     out.position = quad.position;
@@ -78,6 +78,7 @@ fn drawn(in: Corner) -> @location(0) vec4f {
 struct InsideCorner {
     @builtin(position) position: vec4f,
     @location(0) @interpolate(flat) colour: vec4f,
+    @location(1) within: f32,
 }
 
 // How much of its colour is on a shape that lies clear of the surface.
@@ -104,11 +105,15 @@ fn corner_of_inside(
     let colour = textureLoad(colour_map, vec2u(ids.y, 2u), 0).rgb;
     let opacity = INSIDE * clamp(beside_on_screen / CLEAR, 0.0, 1.0);
     out.colour = vec4f(mix(colour, vec3f(1.0), PAPER), opacity);
+    out.within = within_section(at);
     return out;
 }
 
 @fragment
 fn inside(in: InsideCorner) -> @location(0) vec4f {
+    if in.within < 0.0 {
+        discard;
+    }
     return in.colour;
 }
 

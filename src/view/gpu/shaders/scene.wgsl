@@ -22,9 +22,16 @@ struct Scene {
     right: vec4f,
     up: vec4f,
     forward: vec4f,
+    // To the sky, then how high the lowest point of the model is along it.
     sky: vec4f,
     // Width and height in pixels, pixels per CSS pixel, length of a pixel at depth 1.
     canvas: vec4f,
+    // From clip coordinates of the picture to those of the canvas: factors, then what is added.
+    placement: vec4f,
+    // Near depth, from there to the far depth, and how far away things keep light off each other.
+    nearby: vec4f,
+    // The half space that is kept: its points times the first three are at most the fourth.
+    section: vec4f,
     material: vec4f,
     shade: vec4f,
     no_value: vec4f,
@@ -100,4 +107,14 @@ fn nearer(point: vec3f, part: f32) -> vec3f {
         return point - scene.forward.xyz * (part * scene.eye.w);
     }
     return mix(point, scene.eye.xyz, part);
+}
+
+// How far a point is on the side of the section plane that is kept; less than nothing where it is cut off.
+fn within_section(point: vec3f) -> f32 {
+    return scene.section.w - dot(point, scene.section.xyz);
+}
+
+// Where a place in clip coordinates of the canvas is in those of the picture.
+fn on_picture(at: vec2f) -> vec2f {
+    return (at - scene.placement.zw) / scene.placement.xy;
 }

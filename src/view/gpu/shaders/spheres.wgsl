@@ -46,9 +46,9 @@ fn corner_of_sphere(
         let clip = scene.clip_from_scene * vec4f(corner_at, 1.0);
         out.position = vec4f(clip.xy, 0.5 * clip.w, clip.w);
     } else {
-        let half_size = 0.5 * scene.canvas.xy * scene.canvas.w;
-        out.sight = scene.forward.xyz + scene.right.xyz * right * half_size.x
-            + scene.up.xyz * high * half_size.y;
+        let half_size = 0.5 * scene.canvas.xy * scene.placement.xy * scene.canvas.w;
+        let place = on_picture(vec2f(right, high)) * half_size;
+        out.sight = scene.forward.xyz + scene.right.xyz * place.x + scene.up.xyz * place.y;
         out.position = vec4f(right, high, 0.5, 1.0);
     }
     return out;
@@ -77,7 +77,7 @@ fn glass(in: Corner) -> Pixel {
     let great_circles = clamp(0.6 * ratio + 0.5 - abs(normal) / steepness, vec3f(0.0), vec3f(1.0));
     let great_circle = max(great_circles.x, max(great_circles.y, great_circles.z));
 
-    if miss > radius || along <= 0.0 {
+    if miss > radius || along <= 0.0 || within_section(point) < 0.0 {
         discard;
     }
     var opacity = 0.035 + 0.28 * edge_on * edge_on * edge_on;

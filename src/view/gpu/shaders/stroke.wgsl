@@ -17,6 +17,20 @@ fn pixels(clip: vec4f) -> vec2f {
     return clip.xy / clip.w * 0.5 * scene.canvas.xy;
 }
 
+// The same of the part of the segment that the section plane leaves.
+fn cut_stroke_corner(a: vec3f, b: vec3f, corner: u32, half_width: f32, lift: f32) -> StrokeCorner {
+    let inside = vec2f(within_section(a), within_section(b));
+    if max(inside.x, inside.y) < 0.0 {
+        var out: StrokeCorner;
+        out.position = vec4f(0.0, 0.0, -1.0, 1.0);
+        return out;
+    }
+    let middle = mix(a, b, inside.x / max(abs(inside.x - inside.y), 1e-20) * sign(inside.x - inside.y));
+    let start = select(a, middle, inside.x < 0.0);
+    let end = select(b, middle, inside.y < 0.0);
+    return stroke_corner(start, end, corner, half_width, lift);
+}
+
 // Corner 0 to 5 of the two triangles around the segment from a to b, lifted towards the eye.
 fn stroke_corner(a: vec3f, b: vec3f, corner: u32, half_width: f32, lift: f32) -> StrokeCorner {
     var from_clip = scene.clip_from_scene * vec4f(nearer(a, lift), 1.0);

@@ -1,0 +1,117 @@
+//! A plane that cuts the model open: what is on its far side is neither drawn nor picked.
+
+use crate::view::model::ViewError;
+use glam::{Vec3, Vec4};
+
+/// The half space that is kept: of all points whose part along `normal` is at most `offset`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Section {
+    /// Out of what is kept, of length 1.
+    pub normal: Vec3,
+    /// Of the plane along the normal, relative to the view's centre.
+    pub offset: f32,
+}
+
+impl Section {
+    /// Across an axis of the file (0 to 2), at a part of the way through the box from `low` to `high`, from
+    /// 0 to 1. Kept is what comes before the plane along the axis, or after it when it is turned.
+    ///
+    /// # Errors
+    /// An axis that does not exist.
+    pub fn across(
+        axis: usize,
+        part: f32,
+        is_turned: bool,
+        [low, high]: [Vec3; 2],
+    ) -> Result<Section, ViewError> {
+        let Some(&along) = Vec3::AXES.get(axis) else {
+            let index = u32::try_from(axis).unwrap_or(u32::MAX);
+            return Err(ViewError::Index { what: "axes", index, count: Vec3::AXES.len() });
+        };
+        let at = low.lerp(high, part.clamp(0.0, 1.0)).dot(along);
+        Ok(if is_turned {
+            Section { normal: -along, offset: -at }
+        } else {
+            Section { normal: along, offset: at }
+        })
+    }
+
+    /// How far a point is on the side that is kept; less than nothing where it is cut off.
+    pub fn within(&self, point: Vec3) -> f32 {
+        self.offset - point.dot(self.normal)
+    }
+
+    /// Normal and offset as four numbers.
+    pub fn numbers(&self) -> Vec4 {
+        self.normal.extend(self.offset)
+    }
+
+    /// Where the plane goes through a triangle; nothing where it passes by.
+    pub fn through(&self, corners: [Vec3; 3]) -> Option<[Vec3; 2]> {
+        let sides = [0, 1, 2].map(|i| [corners[i], corners[(i + 1) % 3]]);
+        let mut met = sides.into_iter().filter_map(|[a, b]| {
+            let (from, to) = (self.within(a), self.within(b));
+            ((from >= 0.0) != (to >= 0.0)).then(|| a.lerp(b, from / (from - to)))
+        });
+        Some([met.next()?, met.next()?])
+    }
+
+    /// What is left of a segment; nothing where all of it is cut off.
+    pub fn cut(&self, [a, b]: [Vec3; 2]) -> Option<[Vec3; 2]> {
+        let (from, to) = (self.within(a), self.within(b));
+        if from < 0.0 && to < 0.0 {
+            return None;
+        }
+        let middle = || a.lerp(b, from / (from - to));
+        Some([if from < 0.0 { middle() } else { a }, if to < 0.0 { middle() } else { b }])
+    }
+}
+
+/// What is left of a convex polygon where `within` is not negative, which is linear.
+pub fn clipped(corners: &[Vec3], within: impl Fn(Vec3) -> f32) -> Vec<Vec3> {
+    let mut kept = Vec::with_capacity(corners.len() + 1);
+    for (i, &from) in corners.iter().enumerate() {
+        let to = corners[(i + 1) % corners.len()];
+        let (here, there) = (within(from), within(to));
+        if here >= 0.0 {
+            kept.push(from);
+        }
+        if (here >= 0.0) != (there >= 0.0) {
+            kept.push(from.lerp(to, here / (here - there)));
+        }
+    }
+    kept
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const BOX: [Vec3; 2] = [Vec3::splat(-1.0), Vec3::new(3.0, 1.0, 1.0)];
+
+    #[test]
+    fn it_lies_a_part_of_the_way_through_the_model() {
+        let section = Section::across(0, 0.25, false, BOX).unwrap();
+        assert_eq!(section.within(Vec3::new(-1.0, 9.0, 9.0)), 1.0);
+        assert_eq!(section.within(Vec3::new(3.0, 0.0, 0.0)), -3.0);
+        let turned = Section::across(0, 0.25, true, BOX).unwrap();
+        assert_eq!(turned.within(Vec3::new(3.0, 0.0, 0.0)), 3.0);
+        assert!(Section::across(3, 0.5, false, BOX).is_err());
+    }
+
+    #[test]
+    fn segments_and_polygons_end_at_the_plane() {
+        let section = Section::across(0, 0.25, false, BOX).unwrap();
+        let ends = [Vec3::NEG_X, Vec3::X * 3.0];
+        assert_eq!(section.cut(ends), Some([Vec3::NEG_X, Vec3::ZERO]));
+        assert_eq!(section.cut([ends[1], ends[0]]), Some([Vec3::ZERO, Vec3::NEG_X]));
+        assert_eq!(section.cut([Vec3::X, ends[1]]), None);
+        let corners = [Vec3::NEG_X, Vec3::X, Vec3::new(1.0, 1.0, 0.0), Vec3::new(-1.0, 1.0, 0.0)];
+        let kept = clipped(&corners, |point| section.within(point));
+        assert_eq!(kept, [Vec3::NEG_X, Vec3::ZERO, Vec3::Y, Vec3::new(-1.0, 1.0, 0.0)]);
+        let triangle = [corners[0], corners[1], corners[3]];
+        assert_eq!(section.through(triangle), Some([Vec3::ZERO, Vec3::Y * 0.5]));
+        assert_eq!(section.through([Vec3::X, Vec3::ONE, ends[1]]), None);
+        assert!(clipped(&corners[1..3], |point| section.within(point)).is_empty());
+    }
+}

@@ -1,0 +1,98 @@
+//! Where a picture lies on the canvas: over all of it, on a part of it, or so that the canvas holds one
+//! tile of a picture that is larger than what the adapter can draw at once.
+
+/// A picture on a canvas, in pixels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Placement {
+    /// Width and height of the picture.
+    pub size: (u32, u32),
+    /// Its left and upper edges on the canvas; less than zero where they are beyond it.
+    pub at: (i32, i32),
+    /// Width and height of the canvas.
+    pub canvas: (u32, u32),
+}
+
+impl Placement {
+    /// A picture that fills a canvas.
+    pub fn whole(canvas: (u32, u32)) -> Placement {
+        Placement { size: canvas, at: (0, 0), canvas }
+    }
+
+    /// A part of this picture (left, top, width, height) as a picture of its own.
+    pub fn part(&self, [left, top, width, height]: [u32; 4]) -> Placement {
+        let at = (self.at.0 + left as i32, self.at.1 + top as i32);
+        Placement { size: (width, height), at, ..*self }
+    }
+
+    /// From the clip coordinates of the picture to those of the canvas: the factors of x and y, and what
+    /// is added to each, times w.
+    pub fn transform(&self) -> [f32; 4] {
+        let along = |size: u32, at: i32, canvas: u32| {
+            let canvas = canvas.max(1) as f32;
+            (size as f32 / canvas, (2.0 * at as f32 + size as f32) / canvas - 1.0)
+        };
+        let (x, right) = along(self.size.0, self.at.0, self.canvas.0);
+        let (y, down) = along(self.size.1, self.at.1, self.canvas.1);
+        [x, y, right, -down]
+    }
+
+    /// What the canvas shows of the picture: left, top, width, height on the canvas. Nothing where the
+    /// picture is beside it.
+    pub fn shown(&self) -> Option<[u32; 4]> {
+        let along = |size: u32, at: i32, canvas: u32| {
+            let from = i64::from(at).max(0);
+            let to = (i64::from(at) + i64::from(size)).min(i64::from(canvas));
+            (to > from).then_some([from as u32, (to - from) as u32])
+        };
+        let [left, width] = along(self.size.0, self.at.0, self.canvas.0)?;
+        let [top, height] = along(self.size.1, self.at.1, self.canvas.1)?;
+        Some([left, top, width, height])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Where a point of the picture, in pixels from its upper left corner, comes to lie on the canvas.
+    fn on_canvas(placement: &Placement, [x, y]: [f32; 2]) -> [f32; 2] {
+        let (width, height) = (placement.size.0 as f32, placement.size.1 as f32);
+        let clip = [2.0 * x / width - 1.0, 1.0 - 2.0 * y / height];
+        let [sx, sy, ox, oy] = placement.transform();
+        let (width, height) = (placement.canvas.0 as f32, placement.canvas.1 as f32);
+        [0.5 * (clip[0] * sx + ox + 1.0) * width, 0.5 * (1.0 - clip[1] * sy - oy) * height]
+    }
+
+    #[test]
+    fn tiles_show_every_pixel_of_a_picture_where_it_is() {
+        let (size, tile) = ((1000, 700), (256, 300));
+        for (left, top) in [(0, 0), (256, 300), (768, 600)] {
+            let placement = Placement { size, at: (-left, -top), canvas: tile };
+            for point in [[0.0, 0.0], [999.0, 700.0], [300.0, 310.0]] {
+                let [x, y] = on_canvas(&placement, point);
+                assert!((x - (point[0] - left as f32)).abs() < 1e-2, "{x}");
+                assert!((y - (point[1] - top as f32)).abs() < 1e-2, "{y}");
+            }
+        }
+        let last = Placement { size, at: (-768, -600), canvas: tile };
+        assert_eq!(last.shown(), Some([0, 0, 232, 100]));
+    }
+
+    #[test]
+    fn parts_of_a_picture_are_cut_by_the_canvas() {
+        let tile = Placement { size: (1000, 700), at: (-256, 0), canvas: (256, 256) };
+        let [left, right] = [[0, 0, 500, 700], [500, 0, 500, 700]].map(|part| tile.part(part));
+        assert_eq!(left.shown(), Some([0, 0, 244, 256]));
+        assert_eq!(right.shown(), Some([244, 0, 12, 256]));
+        assert_eq!(right.part([300, 0, 200, 700]).shown(), None);
+        let [x, _] = on_canvas(&right, [3.0, 0.0]);
+        assert!((x - 247.0).abs() < 1e-2);
+    }
+
+    #[test]
+    fn a_whole_picture_keeps_its_clip_coordinates() {
+        let whole = Placement::whole((1440, 900));
+        assert_eq!(whole.transform(), [1.0, 1.0, 0.0, 0.0]);
+        assert_eq!(whole.shown(), Some([0, 0, 1440, 900]));
+    }
+}

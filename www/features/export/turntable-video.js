@@ -1,0 +1,60 @@
+/** The model as it turns once, as a film, where the browser can record what it draws. */
+
+const SECONDS = 6;
+/** The first one that the browser can write. */
+const KINDS = ['video/webm;codecs=vp9', 'video/webm;codecs=vp8', 'video/webm'];
+/** Lines stay crisp: in bits per second. */
+const BITS = 16e6;
+
+const kind = () => KINDS.find((name) => globalThis.MediaRecorder?.isTypeSupported(name));
+
+export const canRecord = () =>
+  kind() !== undefined && typeof HTMLCanvasElement.prototype.captureStream === 'function';
+
+/**
+ * Turns the model once and records it as WebM; the camera is where it was then.
+ * @param {import("../../viewport/viewport.js").Viewport} viewport
+ * @param {number} [seconds] for the turn
+ * @returns {Promise<Blob>}
+ */
+export async function turntableVideo(viewport, seconds = SECONDS) {
+  const stream = canRecord() ? viewport.stream() : undefined;
+  if (!stream) throw new Error('This browser cannot record what it draws.');
+  const recorder = new MediaRecorder(stream, { mimeType: kind(), videoBitsPerSecond: BITS });
+  /** @type {Blob[]} */
+  const parts = [];
+  recorder.ondataavailable = ({ data }) => parts.push(data);
+  const stopped = new Promise((done, failed) => {
+    recorder.onstop = done;
+    recorder.onerror = () => failed(new Error('The browser could not record the film.'));
+  });
+  const camera = viewport.with((view) => {
+    view.arrive();
+    return view.camera();
+  });
+  recorder.start();
+  await turnOnce(viewport, seconds);
+  recorder.stop();
+  stream.getTracks().forEach((track) => track.stop());
+  if (camera) viewport.with((view) => view.placeCamera(camera));
+  await stopped;
+  return new Blob(parts, { type: 'video/webm' });
+}
+
+/**
+ * @param {import("../../viewport/viewport.js").Viewport} viewport
+ * @param {number} seconds
+ */
+function turnOnce(viewport, seconds) {
+  const began = performance.now();
+  let part = 0;
+  return new Promise((done) => {
+    const turn = () => {
+      const now = Math.min(1, (performance.now() - began) / 1000 / seconds);
+      viewport.unmeasured((view) => view.spin(2 * Math.PI * (now - part)));
+      part = now;
+      requestAnimationFrame(now < 1 ? turn : () => done(undefined));
+    };
+    requestAnimationFrame(turn);
+  });
+}

@@ -1,0 +1,38 @@
+/** Turns the model slowly, as on a turntable, until somebody touches the view. */
+
+/** Seconds for a whole turn. */
+const TURN = 24;
+const EVENTS = /** @type {const} */ (['pointerdown', 'wheel', 'keydown']);
+
+/** What ends the one that turns now. @type {(() => void) | null} */
+let end = null;
+
+/**
+ * Begins to turn, or ends it.
+ * @param {import("../../viewport/viewport.js").Viewport} viewport
+ */
+export function turnSlowly(viewport) {
+  if (end) return end();
+  let last = performance.now();
+  let request = requestAnimationFrame(turn);
+  const listening = new AbortController();
+  end = () => {
+    cancelAnimationFrame(request);
+    listening.abort();
+    end = null;
+  };
+  for (const event of EVENTS)
+    viewport.element.addEventListener(event, end, {
+      capture: true,
+      passive: true,
+      signal: listening.signal,
+    });
+
+  function turn(/** @type {number} */ now) {
+    // A page that was hidden goes on where it was.
+    const passed = Math.min(Math.max(now - last, 0), 100);
+    last = now;
+    viewport.unmeasured((view) => view.spin((2 * Math.PI * passed) / 1000 / TURN));
+    request = requestAnimationFrame(turn);
+  }
+}

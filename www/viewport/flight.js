@@ -1,0 +1,24 @@
+/** Moves of the camera on short flights. */
+
+const FLIGHT_MS = 320;
+const still = matchMedia('(prefers-reduced-motion: reduce)');
+
+/**
+ * Moves the camera as `change` does, gradually, or at once for those who want no motion.
+ * @param {import("./viewport.js").Viewport} viewport
+ * @param {(view: import("./layers.js").View) => void} change
+ */
+export function fly(viewport, change) {
+  if (still.matches) return void viewport.with(change);
+  viewport.with((view) => {
+    view.planFlight();
+    change(view);
+    view.takeOff();
+  });
+  const started = performance.now();
+  const on = () => {
+    const part = Math.min(1, (performance.now() - started) / FLIGHT_MS);
+    if (viewport.unmeasured((view) => view.fly(part))) requestAnimationFrame(on);
+  };
+  requestAnimationFrame(on);
+}
