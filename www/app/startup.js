@@ -179,13 +179,13 @@ export class Startup {
   /** Opens what the address links to. @returns {Promise<boolean>} whether it links to anything */
   async #openLink() {
     if (location.hash.length < 2) return false;
-    const { readLink, unpack } = await import('../documents/share-link.js');
-    const link = readLink(location.hash);
+    const { readLink } = await import('../documents/share-link.js');
+    const link = await readLink(location.hash);
     if (!link) return false;
-    const text = link.code && (await unpack(link.code));
-    if (link.example) await this.#openExample(link.example, text);
+    const { example, text, run } = link;
+    if (example) await this.#openExample(example, text);
     else if (text) await this.#files.open([sceneFile('shared', text)]);
-    if (link.run) this.#solver.send({ type: 'run' });
+    if (run) this.#solver.send({ type: 'run' });
     return true;
   }
 

@@ -1,30 +1,167 @@
-// What a link unpacks to, and where that ends.
+// What is in a link, what it unpacks to, and that nothing is read of one that was cut or changed.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { deflateRawSync } from 'node:zlib';
-import { MOST_BYTES, readLink, unpack, writeLink } from '../../../www/documents/share-link.js';
+import { readLink, writeLink } from '../../../www/documents/share-link.js';
+import { MOST_BYTES, inflate } from '../../../www/documents/short-link/deflated.js';
+import { wavyGrid } from '../meshes.mjs';
 
-const code = (bytes) => deflateRawSync(bytes).toString('base64url');
+const TOLERANCE = 0.001;
+const LETTERS = 'ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_.~!';
 
-test('a scene comes out of its link as it went in', async () => {
-  const text = JSON.stringify({ format: 'shape-up-scene', title: 'Dach ✓', many: 'x'.repeat(3e6) });
-  const link = readLink(await writeLink(text, undefined, null, true));
-  assert.equal(await unpack(link.code), text);
-  assert.equal(link.run, true);
+/** The mesh of an OBJ file of vertices and faces. */
+function meshOf(obj) {
+  const words = obj.split('\n').map((line) => line.split(' '));
+  const rows = (name, from) => words.filter(([word]) => word === name).map(from);
+  const numbers = ([, ...values]) => values.map(Number);
+  return {
+    positions: rows('v', numbers),
+    faces: rows('f', (row) => numbers(row).map((index) => index - 1)),
+  };
+}
+
+const sceneWith = (mesh, more = {}) => ({
+  format: 'shape-up-scene',
+  version: 1,
+  mesh,
+  constraints: [{ kind: 'plane', on: 'faces' }],
+  ...more,
 });
 
-test('a link that was cut is refused', async () => {
-  const whole = code(Buffer.from('a scene with some words '.repeat(999)));
-  await assert.rejects(unpack(whole.slice(0, -9)), /incomplete or damaged/);
-  await assert.rejects(unpack('!'), /incomplete or damaged/);
+const linkOf = (scene, how = {}) =>
+  writeLink(JSON.stringify(scene), {
+    ...{ example: undefined, original: null, run: true, tolerance: TOLERANCE },
+    ...how,
+  });
+
+const opened = async (fragment) => JSON.parse((await readLink(fragment)).text);
+
+/** The same numbers in every run. */
+function numbers(seed) {
+  let state = seed;
+  return () => (state = (state * 1103515245 + 12345) % 2 ** 31) / 2 ** 31;
+}
+
+test('what gets through everywhere as it is comes out as it went in', async () => {
+  const scene = sceneWith(meshOf(wavyGrid(4)), { title: 'Dach ✓' });
+  const { fragment, rounded } = await linkOf(scene);
+  assert.equal(rounded, null);
+  assert.deepEqual(await opened(fragment), scene);
+  assert.equal((await readLink(fragment)).run, true);
 });
 
-test('a link that unpacks to more than a scene can be is refused, and the page has its turns', async () => {
-  const bomb = code(Buffer.alloc(MOST_BYTES * 2));
+test('nine hundred panels are in 6,000 characters, rounded to a hundredth of the tolerance', async () => {
+  const mesh = meshOf(wavyGrid(30));
+  const scene = sceneWith(
+    { ...mesh, groups: { east: { faces: '0-99' } } },
+    { handles: [{ vertices: [7], targets: [[0.123456789, 2, 3]] }] },
+  );
+  const { fragment, rounded } = await linkOf(scene);
+  assert.equal(mesh.faces.length, 900);
+  assert.ok(fragment.length <= 6000, `${fragment.length} characters`);
+  assert.ok(rounded > 0 && rounded <= TOLERANCE / 100);
+  const { mesh: found, handles, ...rest } = await opened(fragment);
+  assert.deepEqual(found.faces, mesh.faces);
+  assert.deepEqual(found.groups, scene.mesh.groups);
+  found.positions.flat().forEach((value, i) => {
+    assert.ok(Math.abs(value - mesh.positions.flat()[i]) <= rounded / 2 + 1e-12);
+  });
+  assert.deepEqual(handles, [{ vertices: [7], targets: [[0.12346, 2, 3]] }]);
+  const { mesh: _, handles: __, ...others } = scene;
+  assert.deepEqual(rest, others);
+});
+
+test('meshes of any sort come back with their vertices and faces in their order', async () => {
+  const random = numbers(7);
+  for (let turn = 0; turn < 60; turn++) {
+    const vertices = 150 + Math.floor(random() * 200);
+    const scale = 10 ** Math.floor(random() * 9 - 4);
+    const far = turn % 3 === 0 ? 1e6 * scale : 0;
+    const flat = turn % 4 === 0;
+    const positions = Array.from({ length: vertices }, () =>
+      [random(), random(), flat ? 0 : random()].map((value) => far + value * scale),
+    );
+    const faces = Array.from({ length: Math.floor(random() * 300) + 1 }, () => {
+      const face = new Set();
+      const corners = 3 + Math.floor(random() * 5);
+      while (face.size < corners) face.add(Math.floor(random() * vertices));
+      return [...face];
+    });
+    const step = 10 ** -Math.floor(5 + random() * 3) * scale;
+    const { fragment, rounded } = await linkOf(sceneWith({ positions, faces }), {
+      tolerance: 100 * step,
+    });
+    assert.ok(rounded !== null, `turn ${turn} is not rounded`);
+    const { mesh } = await opened(fragment);
+    assert.deepEqual(mesh.faces, faces);
+    mesh.positions.flat().forEach((value, i) => {
+      const error = Math.abs(value - positions.flat()[i]);
+      assert.ok(error <= 0.5001 * rounded + 1e-15 * far, `turn ${turn}: ${error} of ${rounded}`);
+    });
+  }
+});
+
+test('vertices that rounding would join, lessons, and meshes without a tolerance stay exact', async () => {
+  const mesh = meshOf(wavyGrid(20));
+  const close = structuredClone(mesh);
+  close.positions[5] = close.positions[4].map((value) => value + 1e-9);
+  for (const [scene, how] of [
+    [sceneWith(close), {}],
+    [sceneWith(mesh, { lesson: { text: 'Flat!', goals: [] } }), {}],
+    [sceneWith(mesh), { tolerance: 0 }],
+  ]) {
+    const { fragment, rounded } = await linkOf(scene, how);
+    assert.equal(rounded, null);
+    assert.deepEqual(await opened(fragment), scene);
+  }
+});
+
+test('every link that was cut, and every one with a changed character, is refused', async () => {
+  const small = await linkOf(sceneWith(meshOf(wavyGrid(1))));
+  const rounded = await linkOf(sceneWith(meshOf(wavyGrid(12))));
+  for (const { fragment } of [small, rounded]) {
+    const start = '#link='.length;
+    for (let end = start; end < fragment.length; end++)
+      await assert.rejects(readLink(fragment.slice(0, end)), /incomplete or damaged/);
+    for (let at = start; at < fragment.length; at++)
+      for (const other of fragment === small.fragment ? LETTERS : 'Aq-.') {
+        if (other === fragment[at]) continue;
+        const changed = fragment.slice(0, at) + other + fragment.slice(at + 1);
+        await assert.rejects(readLink(changed), /incomplete or damaged/);
+      }
+    await assert.rejects(readLink(`${fragment}.`), /incomplete or damaged/);
+  }
+});
+
+test('links of earlier versions open', async () => {
+  const text = JSON.stringify(sceneWith(meshOf(wavyGrid(3))));
+  const code = deflateRawSync(Buffer.from(text)).toString('base64url');
+  assert.deepEqual(await readLink(`#scene=${code}&run`), { example: null, text, run: true });
+  const edits = await readLink(`#example=hypar&edits=${code}`);
+  assert.deepEqual(edits, { example: 'hypar', text, run: false });
+  await assert.rejects(readLink(`#scene=${code.slice(0, -9)}`), /incomplete or damaged/);
+  await assert.rejects(readLink('#scene=!'), /incomplete or damaged/);
+});
+
+test('an example is its name, and what was edited is in the code', async () => {
+  const example = { id: 'hypar', mesh: 'hypar.obj' };
+  const original = JSON.stringify(sceneWith({ file: 'hypar.obj' }));
+  const how = { example, original, run: false };
+  const plain = await linkOf(JSON.parse(original), how);
+  assert.equal(plain.fragment, '#example=hypar');
+  const edited = sceneWith({ file: 'hypar.obj' }, { weights: { close: 3 } });
+  const { fragment } = await linkOf(edited, how);
+  assert.deepEqual(await readLink(fragment), {
+    ...{ example: 'hypar', text: JSON.stringify(edited), run: false },
+  });
+});
+
+test('what unpacks to more than a scene can be is refused, and the page has its turns', async () => {
+  const bomb = deflateRawSync(Buffer.alloc(MOST_BYTES * 2));
   let turns = 0;
   const timer = setInterval(() => (turns += 1), 1);
-  await assert.rejects(unpack(bomb), /more than 32 MB/);
+  await assert.rejects(inflate(bomb), /more than 32 MB/);
   clearInterval(timer);
   assert.ok(turns >= 10, `${turns} turns while it was unpacked`);
 });

@@ -40,7 +40,7 @@ test('a mesh of your own travels in the link and is solved again', async ({ page
   await addConstraint(page, 'Plane', 'each face');
   const before = await runToTheEnd(page);
   const link = await linkOf(page);
-  expect(new URL(link).hash).toMatch(/^#scene=[\w-]+&run$/);
+  expect(new URL(link).hash).toMatch(/^#link=[\w-]+$/);
   await expect(dialogOf(page).getByText('Short enough')).toBeVisible();
 
   const other = await openElsewhere(browser, link);
@@ -64,7 +64,7 @@ test('an example is its name, and its name with what was edited', async ({ page,
 
   await addConstraint(page, 'Plane', 'each face');
   const edited = await linkOf(page);
-  expect(new URL(edited).hash).toMatch(/^#example=hypar&edits=[\w-]+$/);
+  expect(new URL(edited).hash).toMatch(/^#link=[\w-]+$/);
   expect(edited.length).toBeLessThan(1000);
   expect((await sceneOf(page)).constraints).not.toEqual(asItCame);
 
@@ -115,17 +115,18 @@ test('what may not be copied unasked is copied by the button, or it is said', as
 
 test('a link that is long says what becomes of it', async ({ page }) => {
   await openPage(page);
-  await openText(page, 'large.obj', wavyGrid(40), 41 * 41);
+  await openText(page, 'large.obj', wavyGrid(60), 61 * 61);
   const link = await linkOf(page);
   expect(link.length).toBeGreaterThan(8000);
   await expect(dialogOf(page).getByText('chat programs')).toBeVisible();
+  await expect(dialogOf(page).getByText('positions are rounded to')).toBeVisible();
   const download = page.waitForEvent('download');
   await dialogOf(page).getByRole('button', { name: 'Save scene instead' }).click();
   expect((await download).suggestedFilename()).toBe('large.shapeup.json');
 });
 
 test('a link that was cut says so, and the page works', async ({ page }) => {
-  for (const hash of ['#scene=bVLLbt', '#example=no-such-example']) {
+  for (const hash of ['#link=AaqrVip', '#scene=bVLLbt', '#example=no-such-example']) {
     await page.goto(`./${hash}`);
     await page.waitForFunction(() => window.shapeUp?.state().vertices > 0);
     await expect(page.getByRole('alert')).toContainText('link');

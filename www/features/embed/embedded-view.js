@@ -52,7 +52,7 @@ function bar(app) {
   );
   /** The link goes to what is seen now. */
   async function refresh() {
-    if (store.get().document) home.href = await linkTo(app);
+    if (store.get().document) home.href = (await linkTo(app)).address;
   }
   store.subscribe(['running', 'document'], ({ running, document }) => {
     setText(runs, running ? 'Pause' : 'Run');

@@ -7,7 +7,7 @@ import './share.css';
 import { openDialog } from '../../ui/controls/dialog.js';
 import { copyText } from '../../ui/copy-text.js';
 import { element, setText } from '../../ui/dom.js';
-import { groupDigits } from '../../ui/format.js';
+import { groupDigits, limit } from '../../ui/format.js';
 import { linkTo } from '../../documents/share-link.js';
 import { frameLine } from './frame-line.js';
 import { MOST_SCANNED, qrCode } from './qr-code.js';
@@ -36,11 +36,15 @@ const LEVELS = [
 /** @param {import("../../app/context.js").AppContext} app */
 export async function share(app) {
   const { files } = app;
-  const link = await linkTo(app);
-  const { example, fileName } = app.store.get();
+  const { address: link, rounded } = await linkTo(app);
+  const { example, fileName, document: scene } = app.store.get();
   const title = example?.title ?? fileName;
   const found = LEVELS.find(({ most }) => link.length <= most);
-  const dialog = open(link, found, title, () => {
+  const loss =
+    rounded === null
+      ? ''
+      : `So that it is short, positions are rounded to ${limit(rounded, scene?.units ?? '')}, a hundredth of the tolerance at most. A scene file is exact.`;
+  const dialog = open({ link, found, title, loss }, () => {
     dialog.close();
     files.saveScene();
   });
@@ -54,16 +58,18 @@ export async function share(app) {
 }
 
 /**
- * @param {string} link
- * @param {{ level: string, words: string } | undefined} found
- * @param {string} title of what is shared
+ * @param {object} what
+ * @param {string} what.link
+ * @param {{ level: string, words: string } | undefined} what.found
+ * @param {string} what.title of what is shared
+ * @param {string} what.loss what the link has not as it is
  * @param {() => void} save
  */
-function open(link, found, title, save) {
-  const length = groupDigits(link.length);
+function open({ link, found, title, loss }, save) {
+  const characters = groupDigits(link.length);
   const words = found
-    ? `${length} characters. ${found.words}`
-    : `${length} characters are more than a link can have. Save the scene and send the file.`;
+    ? `${characters} characters. ${found.words}`
+    : `${characters} characters are more than a link can have. Save the scene and send the file.`;
   const dialog = openDialog(
     { id: 'share', title: 'Share' },
     element(
@@ -90,6 +96,7 @@ function open(link, found, title, save) {
         value: Math.min(link.length, 9_000),
       }),
       element('p', { class: `length ${found?.level ?? 'poor'}` }, words),
+      loss && element('p.quiet', loss),
       element('p.quiet', { 'aria-live': 'polite', id: 'share-copied' }),
       found ? others(link, title) : '',
       element(

@@ -7,7 +7,6 @@ import { messageOf } from '../../solver/messages.js';
 import { byId, setText } from '../../ui/dom.js';
 
 const { hash, search } = location;
-const link = readLink(hash);
 /** @type {HTMLAnchorElement} */ (byId('home')).href = `./${hash}`;
 byId('start').addEventListener('click', () => start(PRESSED));
 
@@ -22,8 +21,13 @@ addEventListener('message', (event) => {
 });
 post({ shapeUp: 'news', news: 'waiting' });
 
-if (link?.example) showExample(link.example);
-else setText(byId('title'), 'A mesh to shape');
+readLink(hash).then(
+  (link) =>
+    link?.example
+      ? showExample(link.example, link.run || link.text ? 'start' : 'end')
+      : setText(byId('title'), 'A mesh to shape'),
+  (error) => setText(byId('trouble'), messageOf(error)),
+);
 
 /** The page itself takes this one's place, with the same options. @param {string} how */
 function start(how) {
@@ -32,15 +36,18 @@ function start(how) {
   location.replace(`./?${options}${hash}`);
 }
 
-/** @param {string} id */
-async function showExample(id) {
+/**
+ * @param {string} id
+ * @param {"start" | "end"} pose
+ */
+async function showExample(id, pose) {
   try {
     const example = (await listOfExamples()).find((one) => one.id === id);
     if (!example)
       throw new Error(`There is no example called ${id}: the link is an old one or wrong.`);
     setText(byId('title'), example.title);
     const picture = /** @type {HTMLImageElement} */ (byId('picture'));
-    picture.src = `pictures/${example.id}-${link?.run || link?.code ? 'start' : 'end'}.svg`;
+    picture.src = `pictures/${example.id}-${pose}.svg`;
     picture.alt = example.title;
     picture.hidden = false;
   } catch (error) {

@@ -16,7 +16,8 @@ export async function showReport(app, live) {
   const title = scene?.title || files.name;
   // Its turn and its tilt.
   const angles = camera ? Float64Array.from(camera.slice(4, 6)) : null;
-  const page = await live.reportPage({ title, camera: angles, link: await linkTo(app) });
+  const { address } = await linkTo(app);
+  const page = await live.reportPage({ title, camera: angles, link: address });
   if (!page) return;
   const picture = new DOMParser().parseFromString(page.svg, 'image/svg+xml').documentElement;
   picture.setAttribute('role', 'img');

@@ -1,0 +1,57 @@
+/** Bytes as text that a link can hold, with a check sum: what was cut or changed is not read. */
+
+/** Digits of base64url, each of which is in a link what it is. */
+const DIGITS = 'ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_';
+const SUM_BYTES = 4;
+
+/**
+ * CRC-32 of IEEE 802.3, which sees every change within 32 bits.
+ * @param {Uint8Array} bytes
+ */
+function checkSum(bytes) {
+  let sum = ~0;
+  for (const byte of bytes) {
+    sum ^= byte;
+    for (let bit = 0; bit < 8; bit++) sum = (sum >>> 1) ^ (sum & 1 ? 0xedb88320 : 0);
+  }
+  return ~sum >>> 0;
+}
+
+/** @param {Uint8Array} bytes */
+export function writeCode(bytes) {
+  const all = new Uint8Array(bytes.length + SUM_BYTES);
+  all.set(bytes);
+  new DataView(all.buffer).setUint32(bytes.length, checkSum(bytes));
+  let code = '';
+  for (let at = 0; at < all.length; at += 3) {
+    const three = (all[at] << 16) | ((all[at + 1] ?? 0) << 8) | (all[at + 2] ?? 0);
+    const digits = Math.min(all.length - at, 3) + 1;
+    for (let i = 0; i < digits; i++) code += DIGITS[(three >> (18 - 6 * i)) & 63];
+  }
+  return code;
+}
+
+/**
+ * The bytes of a code; null where it is not as it was written.
+ * @param {string} code
+ */
+export function readCode(code) {
+  const all = new Uint8Array(Math.floor((code.length * 3) / 4));
+  let bits = 0;
+  let held = 0;
+  let at = 0;
+  for (const letter of code) {
+    const digit = DIGITS.indexOf(letter);
+    if (digit < 0) return null;
+    held = ((held << 6) | digit) & 0xffff;
+    bits += 6;
+    if (bits < 8) continue;
+    bits -= 8;
+    all[at++] = held >> bits;
+  }
+  // What is left over is 0, and less than a digit.
+  if (bits >= 6 || (held & ((1 << bits) - 1)) !== 0 || at < SUM_BYTES) return null;
+  const bytes = all.subarray(0, at - SUM_BYTES);
+  const sum = new DataView(all.buffer).getUint32(bytes.length);
+  return sum === checkSum(bytes) ? bytes : null;
+}

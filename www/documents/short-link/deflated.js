@@ -1,0 +1,77 @@
+/** Text that is deflated, as bytes; and unpacked no further than a scene can be. */
+
+/** A scene that unpacks to more than this is not a scene that somebody made here, in bytes. */
+export const MOST_BYTES = 32 << 20;
+/** So many bytes are unpacked at once: each of them can become a thousand. */
+const PIECE = 768;
+/** After so many unpacked bytes the page has a turn. */
+const TURN = 1 << 20;
+const FORMAT = 'deflate-raw';
+
+/** What is said of a link that was cut or changed. */
+export const damaged = () =>
+  new Error(
+    'The link is incomplete or damaged: it was probably cut when it was sent. Ask for it again, or for the scene as a file.',
+  );
+
+/** @param {string} text */
+export async function deflate(text) {
+  const packed = new Blob([text]).stream().pipeThrough(new CompressionStream(FORMAT));
+  return new Uint8Array(await new Response(packed).arrayBuffer());
+}
+
+/**
+ * The text that was deflated. It is unpacked piece by piece.
+ * @param {Uint8Array} bytes
+ */
+export async function inflate(bytes) {
+  const decoder = new TextDecoder();
+  let text = '';
+  let size = 0;
+  let turn = TURN;
+  try {
+    const reader = inPieces(bytes).pipeThrough(new DecompressionStream(FORMAT)).getReader();
+    for (;;) {
+      const { done, value } = await reader.read();
+      if (done) return text + decoder.decode();
+      size += value.length;
+      // Nothing more is unpacked than is read.
+      if (size > MOST_BYTES) break;
+      text += decoder.decode(value, { stream: true });
+      if (size < turn) continue;
+      turn = size + TURN;
+      await new Promise((resolve) => setTimeout(resolve));
+    }
+  } catch {
+    throw damaged();
+  }
+  const most = MOST_BYTES >> 20;
+  throw new Error(`The link unpacks to more than ${most} MB. Ask for the scene as a file.`);
+}
+
+/** The text of a link of an earlier version, deflated in base64url. @param {string} code */
+export function inflated(code) {
+  let binary = '';
+  try {
+    binary = atob(code.replaceAll('-', '+').replaceAll('_', '/'));
+  } catch {
+    throw damaged();
+  }
+  return inflate(Uint8Array.from(binary, (character) => character.charCodeAt(0)));
+}
+
+/**
+ * A stream of bytes, each piece when it is asked for.
+ * @param {Uint8Array} bytes
+ * @returns {ReadableStream<Uint8Array<ArrayBuffer>>}
+ */
+function inPieces(bytes) {
+  let from = 0;
+  const source = {
+    pull(/** @type {ReadableStreamDefaultController} */ controller) {
+      if (from >= bytes.length) return controller.close();
+      controller.enqueue(bytes.slice(from, (from += PIECE)));
+    },
+  };
+  return new ReadableStream(source, { highWaterMark: 0 });
+}

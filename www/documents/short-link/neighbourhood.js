@@ -1,0 +1,72 @@
+/** Which faces and vertices are beside a vertex, and in which order faces say most of the next. */
+
+/** Faces that miss so many vertices or more are alike. */
+const MOST_MISSING = 6;
+
+export class Neighbourhood {
+  /** Faces at each vertex. @type {number[][]} */
+  facesAt;
+  /** Vertices that share a side with each. @type {number[][]} */
+  beside;
+
+  /**
+   * @param {number[][]} faces
+   * @param {number} vertices
+   */
+  constructor(faces, vertices) {
+    this.faces = faces;
+    const each = Array.from({ length: vertices });
+    this.facesAt = each.map(() => []);
+    const beside = each.map(() => new Set());
+    faces.forEach((face, index) =>
+      face.forEach((vertex, at) => {
+        const next = face[(at + 1) % face.length];
+        if (this.facesAt[vertex].at(-1) !== index) this.facesAt[vertex].push(index);
+        beside[vertex].add(next);
+        beside[next].add(vertex);
+      }),
+    );
+    this.beside = beside.map((others) => [...others]);
+  }
+
+  /** Whether a face has both. @param {number} a @param {number} b */
+  share(a, b) {
+    return this.facesAt[a].some((face) => this.facesAt[b].includes(face));
+  }
+
+  /** The faces, one after the other, each time one of those that lack fewest vertices. */
+  order() {
+    const { faces, facesAt } = this;
+    const missing = faces.map((face) => new Set(face).size);
+    const isDone = new Uint8Array(faces.length);
+    const isKnown = new Uint8Array(facesAt.length);
+    /** Faces by how many vertices they lacked when they were put there. @type {number[][]} */
+    const queues = Array.from({ length: MOST_MISSING + 1 }, () => []);
+    const heads = queues.map(() => 0);
+    const order = [];
+
+    const next = () => {
+      for (const [lack, queue] of queues.entries())
+        while (heads[lack] < queue.length) {
+          const face = queue[heads[lack]++];
+          if (!isDone[face] && Math.min(missing[face], MOST_MISSING) === lack) return face;
+        }
+      return -1;
+    };
+    const take = (/** @type {number} */ face) => {
+      isDone[face] = 1;
+      order.push(face);
+      for (const vertex of faces[face]) {
+        if (isKnown[vertex]) continue;
+        isKnown[vertex] = 1;
+        for (const other of facesAt[vertex]) {
+          missing[other] -= 1;
+          if (!isDone[other]) queues[Math.min(missing[other], MOST_MISSING)].push(other);
+        }
+      }
+    };
+    for (let seed = 0; seed < faces.length; seed++)
+      for (let face = isDone[seed] ? -1 : seed; face >= 0; face = next()) take(face);
+    return order;
+  }
+}

@@ -1,0 +1,109 @@
+/**
+ * The code of a link: a scene, whether it is run, and the example whose mesh it has. In bytes: what it
+ * holds, the length of the mesh where it has one, the mesh, and the rest as deflated JSON.
+ *
+ * Where the scene as it is makes a code that gets through everywhere, that is the code. Else the positions of
+ * the mesh and of its handles are rounded to a hundredth of the tolerance at most.
+ */
+
+import { readCode, writeCode } from './checked-code.js';
+import { damaged, deflate, inflate } from './deflated.js';
+import { readMesh, scaled, stepBelow, writeMesh } from './mesh-code.js';
+
+export { inflated } from './deflated.js';
+
+/** So many characters get through everywhere. */
+const SHORT = 1_900;
+/** Positions are rounded to this part of the tolerance, or less. */
+const PART = 0.01;
+/** What the first byte says. */
+const RUN = 1;
+const HAS_MESH = 2;
+const LENGTH_BYTES = 4;
+
+/** @typedef {Record<string, any>} SceneFile */
+
+/**
+ * @param {object} given
+ * @param {SceneFile} given.scene
+ * @param {string} [given.example]
+ * @param {boolean} given.run
+ * @param {number} given.tolerance in the unit of the mesh
+ * @returns {Promise<{ code: string, rounded: number | null }>} with the step of positions, if they are rounded
+ */
+export async function packScene({ scene, example, run, tolerance }) {
+  const exact = await packed({ scene, example }, run, null);
+  const step = tolerance > 0 ? stepBelow(PART * tolerance) : null;
+  // What is handed in of a lesson is compared with its mesh, bit by bit.
+  if (exact.length <= SHORT || !scene.mesh?.faces || scene.lesson || !step)
+    return { code: exact, rounded: null };
+  const { positions, faces, ...others } = scene.mesh;
+  const mesh = writeMesh({ positions, faces }, step);
+  const rest = { ...scene, mesh: others };
+  if (scene.handles) rest.handles = scene.handles.map(roundedHandle(positions, step));
+  const code = mesh && (await packed({ scene: rest, example }, run, mesh));
+  if (!code || code.length >= exact.length) return { code: exact, rounded: null };
+  return { code, rounded: scaled(1, step) };
+}
+
+/**
+ * @param {unknown} content
+ * @param {boolean} run
+ * @param {Uint8Array | null} mesh
+ */
+async function packed(content, run, mesh) {
+  const text = await deflate(JSON.stringify(content));
+  const head = new DataView(new ArrayBuffer(1 + (mesh ? LENGTH_BYTES : 0)));
+  head.setUint8(0, (run ? RUN : 0) | (mesh ? HAS_MESH : 0));
+  if (mesh) head.setUint32(1, mesh.length);
+  const parts = [new Uint8Array(head.buffer), mesh ?? new Uint8Array(), text];
+  return writeCode(new Uint8Array(await new Blob(parts).arrayBuffer()));
+}
+
+/**
+ * @param {string} code
+ * @returns {Promise<{ text: string, example: string | null, run: boolean }>} rejects where it is not as it was written
+ */
+export async function unpackScene(code) {
+  const bytes = readCode(code);
+  if (!bytes?.length) throw damaged();
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
+  const holds = view.getUint8(0);
+  if (holds > (RUN | HAS_MESH))
+    throw new Error('The link is one of a later version of this page: reload it, or update it.');
+  const run = (holds & RUN) !== 0;
+  if (!(holds & HAS_MESH)) {
+    const { scene, example = null } = JSON.parse(await inflate(bytes.subarray(1)));
+    return { text: JSON.stringify(scene), example, run };
+  }
+  const start = 1 + LENGTH_BYTES;
+  const end = start + view.getUint32(1);
+  const { scene } = JSON.parse(await inflate(bytes.subarray(end)));
+  const { positions, faces } = readMesh(bytes.subarray(start, end));
+  // Keys that the mesh has beside them are curves, tetrahedra and groups.
+  const mesh = { positions, faces, ...scene.mesh };
+  return { text: JSON.stringify({ ...scene, mesh }), example: null, run };
+}
+
+/**
+ * A handle with rounded targets; without, where they are the rest positions, which it has then.
+ * @param {number[][]} positions
+ * @param {import("./mesh-code.js").Step} step
+ */
+function roundedHandle(positions, step) {
+  const length = scaled(1, step);
+  return (/** @type {SceneFile} */ handle) => {
+    const { targets, vertices } = handle;
+    if (!targets) return handle;
+    const isAtRest = (/** @type {number[]} */ target, /** @type {number} */ i) =>
+      String(positions[vertices[i]]) === String(target);
+    if (Array.isArray(vertices) && targets.every(isAtRest)) {
+      const { targets: _, ...others } = handle;
+      return others;
+    }
+    const rounded = targets.map((/** @type {number[]} */ target) =>
+      target.map((value) => scaled(Math.round(value / length), step)),
+    );
+    return { ...handle, targets: rounded };
+  };
+}
