@@ -3,6 +3,7 @@
 use super::SceneError;
 use super::closeness::Closeness;
 use super::lesson::Lesson;
+use super::presentation::Step;
 use crate::constraint::{Kind, Selector, Sets};
 use crate::fabricate::BuildSettings;
 use crate::json::present;
@@ -63,6 +64,9 @@ pub struct Scene {
     /// Shapes that were kept.
     #[serde(default)]
     pub variants: Variants,
+    /// The steps in which it is shown to others, [`Step::MOST`] at most.
+    #[serde(default)]
+    pub steps: Vec<Step>,
 }
 
 impl Scene {
@@ -85,6 +89,7 @@ impl Scene {
             lesson: None,
             build: None,
             variants: Variants::default(),
+            steps: Vec::new(),
         }
     }
 }

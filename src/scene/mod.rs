@@ -5,6 +5,7 @@
 //! | `document` | the scene as a value: mesh, constraints, handles, settings |
 //! | `closeness` | what vertices are kept close to, and how much |
 //! | `lesson` | exercises: a text and goals |
+//! | `presentation` | the steps in which a scene is shown |
 //! | `results` | what a student hands in |
 //! | `error` | what is wrong with a scene, with its JSON path |
 //! | `json` | the scene file, version 1, in and out |
@@ -26,6 +27,7 @@ mod json;
 mod lesson;
 mod opened;
 mod panels;
+mod presentation;
 mod presets;
 mod problem;
 mod results;
@@ -48,6 +50,7 @@ pub use frame::UnitsAndUp;
 pub use json::{FORMAT, VERSION};
 pub use lesson::{Goal, GoalOf, Lesson, Lock};
 pub use panels::{Forecast, ForecastOfKind, HowFar, PanelOffer, panel_offers};
+pub use presentation::Step;
 pub use presets::{PRESETS, Preset, PresetOffer};
 pub use results::{GoalResult, Results};
 pub use units::{LengthUnit, UNITS};

@@ -1,7 +1,7 @@
 //! The checks of a scene beyond its form: numbers in range, and indices and names that the mesh has.
 
 use super::{
-    ClosenessTo, HandleSpec, Hold, NamedEnum, Scene, SceneError, Target, Variant, Variants,
+    ClosenessTo, HandleSpec, Hold, NamedEnum, Scene, SceneError, Step, Target, Variant, Variants,
     Weighting,
 };
 use crate::constraint::Selector;
@@ -35,6 +35,7 @@ impl Scene {
             );
         }
         self.check_variants(vertices)?;
+        self.check_steps()?;
         self.check_sets(mesh)?;
         self.check_selectors(mesh)?;
         self.check_handles(vertices)?;
@@ -72,6 +73,34 @@ impl Scene {
             ),
             None => Ok(()),
         }
+    }
+
+    /// Checks that the steps of the presentation go to variants that there are, with weights that there can be.
+    pub(crate) fn check_steps(&self) -> Result<(), SceneError> {
+        let (count, kept) = (self.steps.len(), self.variants.kept.len());
+        if count > Step::MOST {
+            return error("steps", format!("found {count}, expected {} at most", Step::MOST));
+        }
+        for (i, Step { original, variant, weights, .. }) in self.steps.iter().enumerate() {
+            let path = format!("steps[{i}].variant");
+            match variant {
+                Some(index) if *index >= kept => {
+                    let expected = "the place of one of the variants that are kept";
+                    return error(&path, format!("found {index}, expected {expected}: {kept}"));
+                }
+                Some(_) if *original => {
+                    return error(&path, "the step goes to the rest shape, expected one of both");
+                }
+                _ => {}
+            }
+            for (key, weight) in weights
+                .iter()
+                .flat_map(|w| [("shape", w.shape), ("close", w.close), ("smooth", w.smooth)])
+            {
+                from_zero(&format!("steps[{i}].weights.{key}"), weight)?;
+            }
+        }
+        Ok(())
     }
 
     fn check_pose(&self, vertices: usize) -> Result<(), SceneError> {
@@ -116,10 +145,6 @@ impl Scene {
 
     /// The checks that need no mesh: every number is finite and in its range.
     pub(super) fn check_numbers(&self) -> Result<(), SceneError> {
-        let from_zero = |path: &str, value: f64| match value.is_finite() && value >= 0.0 {
-            true => Ok(()),
-            false => error(path, format!("found {value}, expected a number from 0")),
-        };
         for (i, spec) in self.constraints.iter().enumerate() {
             from_zero(&format!("constraints[{i}].weight"), spec.weight)?;
             if let Require::Within(length) = spec.require
@@ -339,6 +364,13 @@ fn check_indices(path: &str, what: &str, indices: &[u32], count: usize) -> Resul
             &format!("{path}[{k}]"),
             format!("{what} {} is listed twice, expected it once", indices[k as usize]),
         ),
+    }
+}
+
+fn from_zero(path: &str, value: f64) -> Result<(), SceneError> {
+    match value.is_finite() && value >= 0.0 {
+        true => Ok(()),
+        false => error(path, format!("found {value}, expected a number from 0")),
     }
 }
 

@@ -5,7 +5,7 @@ use super::edit::{
     Carried, Edit, Moment, OfferedOperation, Remeshing, RemeshingPreview, apply, carry,
     check_locks, offered,
 };
-use super::report::{MeasureCache, check_lesson};
+use super::report::{MeasureCache, check_lesson, check_presentation};
 use super::run::Start;
 use super::state::{RestMesh, SceneChange, SolvedScene, resolve_rows};
 use super::undo::{Change, SavedState, read_history, read_state, write_history, write_state};
@@ -232,6 +232,7 @@ impl Session {
     ) -> Result<(), Error> {
         document.validate(rest.mesh())?;
         check_lesson(&document, rest.mesh())?;
+        check_presentation(&document, rest.mesh())?;
         let rows = resolve_rows(&document, rest.mesh(), rest.topology())?;
         let SceneChange { handles, positions, .. } = &change.scene;
         let scene = SolvedScene::new(document, &rest, rows, handles.to_vec(), positions)?;

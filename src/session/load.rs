@@ -3,7 +3,7 @@
 //! which is most of what it takes, until the next one is there.
 
 use super::Session;
-use super::report::{MeasureCache, check_lesson};
+use super::report::{MeasureCache, check_lesson, check_presentation};
 use super::run::{CollapseGuard, Progress};
 use super::state::{ResolvedRow, RestMesh, SolvedScene, flat, resolve_rows};
 use super::undo::{History, Transaction};
@@ -74,6 +74,7 @@ impl Checked {
     fn new(scene: Scene, mesh: Mesh) -> Result<Checked, Error> {
         scene.validate(&mesh)?;
         check_lesson(&scene, &mesh)?;
+        check_presentation(&scene, &mesh)?;
         let rest = RestMesh::new(mesh);
         let rows = resolve_rows(&scene, rest.mesh(), rest.topology())?;
         Ok(Checked { scene, rest, rows })

@@ -8,7 +8,7 @@ use shape_up::mesh::Mesh;
 use shape_up::scene::{
     Accelerator, BoundaryCloseness, BoundaryRequire, Closeness, ClosenessTo, ClosenessWeight,
     ConstraintSpec, Factorization, Goal, GoalOf, HandleSpec, Hold, Lesson, Lock, MeshSource,
-    NamedEnum, Pose, Require, Scene, Smoothness, SmoothnessOf, SolverSettings, Up, Variant,
+    NamedEnum, Pose, Require, Scene, Smoothness, SmoothnessOf, SolverSettings, Step, Up, Variant,
     Variants, Weighting, Weights,
 };
 
@@ -62,6 +62,29 @@ prop_compose! {
 }
 
 prop_compose! {
+    fn step()(
+        texts in (".{0,6}", "\\PC{0,6}"),
+        camera in prop::option::of(prop::array::uniform7(finite())),
+        switches in prop::array::uniform3(any::<bool>()),
+        measure in prop::option::of(".{0,6}"),
+        variant in prop::option::of(0..20usize),
+        weights in prop::option::of(prop::array::uniform3(not_negative())),
+    ) -> Step {
+        Step {
+            title: texts.0,
+            text: texts.1,
+            camera,
+            parallel: switches[0],
+            measure,
+            original: switches[1],
+            variant,
+            weights: weights.map(|[shape, close, smooth]| Weights { shape, close, smooth }),
+            run: switches[2],
+        }
+    }
+}
+
+prop_compose! {
     fn scene()(
         texts in ("\\PC{0,8}", ".{0,4}"),
         up in any::<bool>(),
@@ -81,8 +104,10 @@ prop_compose! {
         build in prop::option::of((0..4usize, 1e-3..1e3f64, ".{0,5}", any::<bool>())),
         kept in prop::collection::vec(
             (".{0,4}", prop::collection::vec(prop::array::uniform3(finite()), 0..4)), 0..3),
+        steps in prop::collection::vec(step(), 0..4),
     ) -> Scene {
         Scene {
+            steps,
             variants: Variants {
                 design: kept.len().checked_sub(1),
                 kept: kept.into_iter()

@@ -23,6 +23,7 @@ mod make_panels;
 mod offers;
 mod operators;
 mod own_mesh;
+mod presentation;
 mod presets;
 mod refine;
 mod regions;

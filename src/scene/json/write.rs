@@ -7,7 +7,7 @@ use crate::constraint::Set;
 use crate::fabricate::BuildSettings;
 use crate::json::indices;
 use crate::mesh::Mesh;
-use crate::scene::{MeshSource, NamedEnum, Pose, Scene, Up, Variants};
+use crate::scene::{MeshSource, NamedEnum, Pose, Scene, Step, Up, Variants};
 use serde_json::{Map, Value};
 
 impl Scene {
@@ -101,7 +101,15 @@ fn write(scene: &Scene, mesh: &Mesh) -> String {
     if !scene.variants.kept.is_empty() {
         fields.push(field("variants", object(write_variants(&scene.variants))));
     }
+    if !scene.steps.is_empty() {
+        let steps = scene.steps.iter().map(write_step).collect();
+        fields.push(field("steps", lines('[', steps, ']')));
+    }
     format!("{{\n  {}\n}}\n", fields.join(",\n  "))
+}
+
+fn write_step(step: &Step) -> String {
+    serde_json::to_string(step).expect("a step is an object")
 }
 
 fn write_variants(variants: &Variants) -> Vec<String> {

@@ -3,13 +3,13 @@
 use super::closeness_weights::{set_closeness_weight, strengthen_closeness};
 use super::constraint_target::ConstraintTarget;
 use super::edit_list::{Edit, NewConstraint};
-use super::{settings, variants};
+use super::{presenting, settings, variants};
 use crate::constraint::{Kind, KindError, Set};
 use crate::mesh::{Read, counted, read};
 use crate::scene::{
     ClosenessTo, ConstraintSpec, HANDLE_WEIGHT, Hold, PRESETS, Pose, SceneError, Target, Variants,
 };
-use crate::session::report::check_lesson;
+use crate::session::report::{check_lesson, check_presentation};
 use crate::session::run::Start;
 use crate::session::state::{Draft, Part, RowValues};
 use crate::solve::{Handle, HandleIndex, Require};
@@ -200,6 +200,8 @@ pub(crate) fn apply(
             draft.put(Part::Build(Some(build)));
             "Change build settings".to_owned()
         }
+        Edit::SetSteps { steps } => presenting::set(steps, draft)?,
+        Edit::ShowStep { index } => presenting::show(index, draft, moment)?,
         Edit::KeepVariant { start } => variants::keep(start, draft)?,
         Edit::GoToVariant { index } => variants::go_to(index, draft)?,
         Edit::RemoveVariant { index } => variants::remove(index, draft)?,
@@ -231,11 +233,12 @@ pub(crate) fn apply(
     };
     // Also of a row that is renamed or taken away: the scene could not be opened again.
     check_lesson(draft.document(), draft.mesh())?;
+    check_presentation(draft.document(), draft.mesh())?;
     Ok(name)
 }
 
 /// Goes back to the rest shape; the variants that were kept stay.
-fn reset(draft: &mut Draft<'_>, moment: &mut Moment) {
+pub(super) fn reset(draft: &mut Draft<'_>, moment: &mut Moment) {
     let kept = draft.document().variants.kept.clone();
     back_to_rest(Variants { kept, design: None }, draft, moment);
 }

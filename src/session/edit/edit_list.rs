@@ -5,7 +5,7 @@ use crate::constraint::Set;
 use crate::fabricate::BuildSettings;
 use crate::json::indices::{self, Indices};
 use crate::mesh::{KEPT_TURN, Point, Scheme};
-use crate::scene::{ConstraintSpec, Lesson, Up, Weights};
+use crate::scene::{ConstraintSpec, Lesson, Step, Up, Weights};
 use crate::solve::Require;
 use serde::{Deserialize, Deserializer};
 use serde_json::{Map, Value};
@@ -157,6 +157,16 @@ pub enum Edit {
     SetBuild {
         /// All settings; those that are left out get their defaults.
         build: Box<BuildSettings>,
+    },
+    /// Replaces the steps of the presentation.
+    SetSteps {
+        /// All of them; none for no presentation.
+        steps: Vec<Step>,
+    },
+    /// Makes the shape and the weights those of step `index` of the presentation.
+    ShowStep {
+        /// Which one.
+        index: usize,
     },
     /// Keeps the current shape among the variants, and makes it the design.
     #[serde(skip_deserializing)]

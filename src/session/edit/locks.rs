@@ -59,6 +59,7 @@ fn changed_by(edit: &Edit, document: &Scene) -> &'static [Lock] {
         | Edit::HoldCloser
         | Edit::SetWeights(_)
         | Edit::Preset { .. } => &[Lock::Weights],
+        Edit::ShowStep { .. } => &[Lock::Weights, Lock::Handles],
         // The design is what is kept close, and handles go along.
         Edit::KeepVariant { .. } | Edit::GoToVariant { .. } => &[Lock::Weights, Lock::Handles],
         Edit::FitTo { .. } => &[Lock::Weights, Lock::Mesh],
@@ -73,6 +74,7 @@ fn changed_by(edit: &Edit, document: &Scene) -> &'static [Lock] {
         }
         Edit::SetLesson { .. }
         | Edit::SetBuild { .. }
+        | Edit::SetSteps { .. }
         | Edit::RemoveVariant { .. }
         | Edit::Reset => &[],
     }

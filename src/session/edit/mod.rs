@@ -11,6 +11,7 @@
 //! | `closeness_weights` | how close single vertices are kept |
 //! | `locks` | which edits a lesson refuses |
 //! | `variants` | shapes that were kept |
+//! | `presenting` | the steps of a presentation |
 //! | `carry` | a scene carried over to another mesh |
 //! | `remeshing` | an operation on the mesh, and what it would make |
 //! | `settings` | the declared settings of a scene |
@@ -22,6 +23,7 @@ mod constraint_target;
 mod edit_json;
 mod edit_list;
 mod locks;
+mod presenting;
 mod preview;
 mod remeshing;
 mod settings;

@@ -46,6 +46,19 @@ pub(crate) fn check_lesson(scene: &Scene, mesh: &Mesh) -> Result<(), SceneError>
     Ok(())
 }
 
+/// Checks that each step of the presentation of `scene` colours faces by a measure that there is.
+///
+/// # Errors
+/// As [`check_lesson`].
+pub(crate) fn check_presentation(scene: &Scene, mesh: &Mesh) -> Result<(), SceneError> {
+    for (i, step) in scene.steps.iter().enumerate() {
+        let checked = step.measure.as_ref().map_or(Ok(()), |id| check_measure(id, mesh));
+        let path = || format!("steps[{i}].measure");
+        checked.map_err(|message| SceneError { path: path(), message })?;
+    }
+    Ok(())
+}
+
 fn check_measure(id: &str, mesh: &Mesh) -> Result<(), String> {
     if declared(id).is_none() {
         let known: Vec<_> = FACE_MEASURES.iter().map(|measure| measure.id).collect();

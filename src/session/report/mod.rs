@@ -39,7 +39,7 @@ pub use face_measure::{FACE_MEASURES, FaceMeasure, MeasureUnit};
 pub(crate) use face_measure::{corner_values, face_values};
 pub(crate) use inspect::{asked_measure, free, held_otherwise, members};
 pub use lesson::{GoalWords, goals_in_words};
-pub(crate) use lesson::{check_lesson, goals};
+pub(crate) use lesson::{check_lesson, check_presentation, goals};
 pub(crate) use measure_cache::MeasureCache;
 pub(crate) use measuring::Measuring;
 pub use measuring::Shape;

@@ -5,7 +5,7 @@ use crate::constraint::{Kind, Selector, Set, Sets};
 use crate::fabricate;
 use crate::scene::{
     BoundaryCloseness, ClosenessTo, ClosenessWeight, ConstraintSpec, Goal, Lesson, Pose, Scene,
-    Smoothness, SolverSettings, Target, Up, Variants, Weights,
+    Smoothness, SolverSettings, Step, Target, Up, Variants, Weights,
 };
 use crate::solve::Require;
 use std::mem::{size_of_val, swap};
@@ -18,6 +18,7 @@ pub(crate) enum Part {
     Lesson(Option<Lesson>),
     Build(Option<Box<fabricate::BuildSettings>>),
     Variants(Variants),
+    Steps(Vec<Step>),
     Settings(Settings),
     ClosenessWeights(Vec<ClosenessWeight>),
     /// A named set; none takes it away.
@@ -111,6 +112,7 @@ impl Part {
             Part::Lesson(lesson) => swap(lesson, &mut scene.lesson),
             Part::Build(build) => swap(build, &mut scene.build),
             Part::Variants(variants) => swap(variants, &mut scene.variants),
+            Part::Steps(steps) => swap(steps, &mut scene.steps),
             Part::Settings(settings) => {
                 let before = Settings::of(scene);
                 std::mem::replace(settings, before).put_in(scene);
@@ -151,6 +153,7 @@ impl Part {
             Part::Lesson(lesson) => *lesson == scene.lesson,
             Part::Build(build) => *build == scene.build,
             Part::Variants(variants) => *variants == scene.variants,
+            Part::Steps(steps) => *steps == scene.steps,
             Part::Settings(settings) => *settings == Settings::of(scene),
             Part::ClosenessWeights(weights) => *weights == scene.closeness.weights,
             Part::Set(name, set) => set.as_ref() == scene.sets.get(name),
@@ -164,9 +167,12 @@ impl Part {
     /// The effect of having been exchanged with `scene`.
     pub(crate) fn effect(&self, scene: &Scene) -> Effect {
         match self {
-            Part::Units(_) | Part::Up(_) | Part::Lesson(_) | Part::Build(_) | Part::RowName(..) => {
-                Effect::Nothing
-            }
+            Part::Units(_)
+            | Part::Up(_)
+            | Part::Lesson(_)
+            | Part::Build(_)
+            | Part::Steps(_)
+            | Part::RowName(..) => Effect::Nothing,
             Part::Variants(before) => match same_design(before, &scene.variants) {
                 true => Effect::Nothing,
                 false => Effect::Problem,
@@ -197,6 +203,7 @@ impl Part {
             Part::Lesson(to.lesson.clone()),
             Part::Build(to.build.clone()),
             Part::Variants(to.variants.clone()),
+            Part::Steps(to.steps.clone()),
             Part::Settings(Settings::of(to)),
             Part::ClosenessWeights(to.closeness.weights.clone()),
         ];
@@ -224,6 +231,7 @@ impl Part {
             }
             // Lists that follow each other share their shapes.
             Part::Variants(variants) => size_of_val(&*variants.kept),
+            Part::Steps(steps) => steps.iter().map(bytes_of_step).sum(),
             Part::ClosenessWeights(weights) => {
                 size_of_val(&**weights)
                     + weights.iter().map(|entry| bytes_of_selector(&entry.on)).sum::<usize>()
@@ -276,6 +284,10 @@ fn bytes_of_selector(on: &Selector) -> usize {
 
 fn bytes_of_set(set: &Set) -> usize {
     size_of_val(&*set.vertices) + size_of_val(&*set.faces)
+}
+
+fn bytes_of_step(step: &Step) -> usize {
+    size_of::<Step>() + step.title.len() + step.text.len()
 }
 
 fn bytes_of_lesson(lesson: &Lesson) -> usize {

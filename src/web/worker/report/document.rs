@@ -2,7 +2,7 @@
 
 use super::lesson::LessonWords;
 use crate::constraint::describe;
-use crate::scene::{Hold, NamedEnum, PRESETS, Preset, PresetOffer};
+use crate::scene::{Hold, NamedEnum, PRESETS, Preset, PresetOffer, Step};
 use crate::session::{Paired, Session, settings_of};
 use crate::solve::Require;
 use serde::Serialize;
@@ -46,6 +46,8 @@ pub(crate) struct Document<'a> {
     /// Vertices that were fixed because nothing else holds their part.
     pinned: &'a [u32],
     lesson: Option<LessonWords<'a>>,
+    /// The presentation.
+    steps: &'a [Step],
     /// What is to be made of the shape.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "Required<BuildSettings> | null"))]
     build: Option<Value>,
@@ -204,6 +206,7 @@ impl<'a> Document<'a> {
             redo,
             pinned: session.solver().pinned(),
             lesson: scene.lesson.as_ref().map(LessonWords::new),
+            steps: &scene.steps,
             variants: scene.variants.kept.iter().map(|variant| &*variant.name).collect(),
             design: scene.variants.design,
             too_large_for_exact: session.is_too_large_for_exact(),

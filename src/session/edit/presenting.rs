@@ -1,0 +1,60 @@
+//! Edits of a presentation: its steps, and the shape and the weights of one of them.
+
+use super::apply::{Moment, reset};
+use super::variants;
+use crate::scene::{SceneError, Step};
+use crate::session::state::{Draft, Part};
+
+/// Replaces the steps.
+///
+/// # Errors
+/// When there are too many, or one names a variant or has a weight that there cannot be.
+pub(super) fn set(steps: Vec<Step>, draft: &mut Draft<'_>) -> Result<String, SceneError> {
+    draft.put(Part::Steps(steps));
+    draft.document().check_steps()?;
+    Ok("Change presentation".to_owned())
+}
+
+/// Makes the shape and the weights those of a step.
+///
+/// # Errors
+/// When it is not there.
+pub(super) fn show(
+    index: usize,
+    draft: &mut Draft<'_>,
+    moment: &mut Moment,
+) -> Result<String, SceneError> {
+    let steps = &draft.document().steps;
+    let step = steps.get(index).ok_or_else(|| SceneError {
+        path: format!("steps[{index}]"),
+        message: format!("there is none: the presentation has {}", steps.len()),
+    })?;
+    let words = format!("Show {}", step.title);
+    let Step { original, variant, weights, .. } = *step;
+    if original {
+        reset(draft, moment);
+    }
+    if let Some(variant) = variant {
+        variants::go_to(variant, draft)?;
+    }
+    if let Some(weights) = weights {
+        draft.set(|document| {
+            document.weights = weights;
+            Ok(())
+        })?;
+    }
+    Ok(words)
+}
+
+/// A variant was taken away: steps that go there stay where they are, and those behind it are one nearer.
+pub(super) fn forget_variant(index: usize, draft: &mut Draft<'_>) {
+    let mut steps = draft.document().steps.clone();
+    for step in &mut steps {
+        step.variant = match step.variant {
+            Some(variant) if variant == index => None,
+            Some(variant) => Some(variant - usize::from(variant > index)),
+            None => None,
+        };
+    }
+    draft.put(Part::Steps(steps));
+}
