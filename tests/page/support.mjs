@@ -26,15 +26,23 @@ function leaveOutPixels() {
     prototype[name] = () => {};
 }
 
+/** Runs in the page: it begins with every control, as somebody left it. */
+function showAdvanced() {
+  if (self === top && !location.search.includes('embed'))
+    localStorage.setItem('shape-up.advanced', 'shown');
+}
+
 /**
  * Fails a test when the page throws, or when the console has an error or a warning. `pixels` is
  * whether the picture has any: software takes more time for them than for all the rest, and most
- * tests do not look.
+ * tests do not look. `advanced` is whether the page begins with every control.
  */
 export const test = base.extend({
   pixels: [true, { option: true }],
-  context: async ({ context, pixels }, use) => {
+  advanced: [true, { option: true }],
+  context: async ({ context, pixels, advanced }, use) => {
     if (!pixels) await context.addInitScript(leaveOutPixels);
+    if (advanced) await context.addInitScript(showAdvanced);
     await use(context);
   },
   complaints: [

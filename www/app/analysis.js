@@ -106,6 +106,8 @@ export function analysisRegion(place, app) {
     shown: () => shown,
     async bring(id) {
       const filled = show(id);
+      app.store.set({ advanced: true });
+      await null;
       // In a narrow window the panel may be behind another, or closed.
       if (place.offsetParent === null) byId('tab-inspector').click();
       await filled;

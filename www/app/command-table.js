@@ -229,6 +229,14 @@ export function commandTable(app, pointer, fileInput) {
         `Save the shape as it is now${flatMap ? ', with its flat map,' : ''} as OBJ`,
     },
     {
+      id: 'advanced',
+      group: 'Page',
+      label: 'Every control, or the essentials',
+      keys: [],
+      action: () => store.set({ advanced: !store.get().advanced }),
+      pressed: ({ advanced }) => advanced,
+    },
+    {
       id: 'theme',
       group: 'Page',
       label: 'Light or dark',

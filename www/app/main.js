@@ -37,6 +37,7 @@ import { SolverClient } from '../solver/solver-client.js';
 import { splitInto } from '../features/split/split.js';
 import { runEarlyPresses } from '../store/press.js';
 import { createStore } from '../store/state.js';
+import { followAdvanced } from './advanced.js';
 import { followTheme } from './theme.js';
 import { bindViewMenu } from '../features/view-tools/view-commands.js';
 import { bindViewKeys } from '../viewport/input/view-keys.js';
@@ -45,6 +46,7 @@ import { Viewport } from '../viewport/viewport.js';
 
 const store = createStore();
 followTheme(store);
+followAdvanced(store);
 const alerts = new Alerts(byId('alert'));
 reportUncaughtErrors(alerts, store);
 const solver = new SolverClient();
@@ -170,6 +172,7 @@ actions.reportErrors(
     it.bindHandleKeys(viewport, store, solver, actions),
   ),
 );
+import('./next-step.js').then((it) => it.followNextStep(store));
 import('../panels/status-bar/environment-status.js').then((module) =>
   module.environmentStatus(byId('numbers'), app),
 );

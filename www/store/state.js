@@ -60,6 +60,7 @@
  * @property {import("./view-modes.js").Split | null} split two pictures in place of one
  * @property {import("../solver/messages.js").BuildReport | null} build what the panel of parts shows; null while it is closed
  * @property {HeldOriginal | null} heldOriginal shown in place of the current shape while somebody holds
+ * @property {boolean} advanced every control is shown, not the essentials alone
  * @property {boolean} dark
  * @property {"webgpu" | "webgl2" | "none" | "starting"} renderer
  * @property {string} saved what became of the autosave, in words
@@ -155,6 +156,7 @@ const INITIAL = {
   split: null,
   heldOriginal: null,
   build: null,
+  advanced: false,
   dark: false,
   renderer: 'starting',
   saved: '',

@@ -1,6 +1,7 @@
 /** The buttons that change the mesh, among those of the model. */
 
 import { button } from '../../ui/controls/fields.js';
+import { byId } from '../../ui/dom.js';
 
 /** @param {import("../../app/context.js").AppContext} app */
 export function addButtons(app) {
@@ -11,8 +12,7 @@ export function addButtons(app) {
     offer('Refine', () => import('./refine-dialog.js').then((it) => it.openRefine(app))),
     offer('Edit mesh', () => import('./refine-operation.js').then((it) => it.openEdit(app))),
   ];
-  const build = document.querySelector('#model-panel button[data-command="build"]');
-  build?.after(...buttons.flatMap((one) => [' ', one]));
+  byId('mesh-tools').prepend(...buttons);
   store.subscribe(['model', 'document'], ({ model, document: scene }) => {
     const locked = scene?.lesson?.lock.includes('mesh') ?? false;
     for (const one of buttons) {

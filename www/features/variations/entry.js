@@ -1,6 +1,7 @@
 /** The button that opens the variations, among those of the model. */
 
 import { button } from '../../ui/controls/fields.js';
+import { byId } from '../../ui/dom.js';
 
 /** @param {import("../../app/context.js").AppContext} app */
 export function offerVariations(app) {
@@ -8,7 +9,7 @@ export function offerVariations(app) {
   const open = button('Variations', () =>
     actions.reportErrors(import('./variations-panel.js').then((it) => it.toggleVariations(app))),
   );
-  document.querySelector('#model-panel button[data-command="build"]')?.after(' ', open);
+  byId('mesh-tools').prepend(open);
   store.subscribe(['document', 'numbers', 'running'], ({ document: scene, numbers, running }) => {
     const isHard = scene?.constraints.some((row) => row.enabled && row.require !== 'soft');
     open.hidden = !isHard && !scene?.variants.length;

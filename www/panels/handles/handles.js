@@ -39,6 +39,8 @@ export function handlesPanel(place, { store, actions }) {
     add.disabled = fix.disabled = !chosen;
     const vertices = new Set(actions.chosenVertices());
     remove.disabled = !handles.some(({ vertex }) => vertices.has(vertex));
+    // Without either they would do nothing.
+    row.hidden = !chosen && handles.length === 0;
     if (remove.disabled || asked) return;
     asked = true;
     actions.reportErrors(
@@ -54,7 +56,7 @@ export function handlesPanel(place, { store, actions }) {
  * @param {number} fixed of them
  */
 function wordsFor(all, fixed) {
-  if (all === 0) return 'None. Double-click a vertex to make one.';
+  if (all === 0) return 'No handle yet. Double-click a vertex to make one, then drag it.';
   const share = fixed === all ? ', fixed' : fixed > 0 ? `, ${fixed} of them fixed` : '';
   return `${count(all, 'handle')}${share}. Drag the blue handles in the view.`;
 }

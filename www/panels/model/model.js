@@ -53,7 +53,9 @@ function groups(model) {
   const rows = model.groups.map((group) =>
     element('li', `${group.name}: ${count(group.faces, 'face')}`),
   );
-  return [details(count(model.groups.length, 'group'), rows, false)];
+  const shown = details(count(model.groups.length, 'group'), rows, false);
+  shown.classList.add('advanced');
+  return [shown];
 }
 
 /**
@@ -71,6 +73,7 @@ function report(model, showLog) {
       : count(notes.length, 'note');
   const more = button('Details', showLog, { class: 'small bordered' });
   const shown = details(title, [...problems, ...notes], problems.length > 0);
+  shown.classList.toggle('advanced', problems.length === 0);
   shown.append(more);
   return [shown];
 }

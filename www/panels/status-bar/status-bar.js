@@ -23,15 +23,15 @@ const RENDERERS = { webgpu: 'WebGPU', webgl2: 'WebGL2', none: 'no 3D', starting:
 export function statusBar(places, store) {
   const cells = new Map();
   for (const [key, name, style] of [
-    ['iteration', 'iteration', 'narrow-hidden'],
-    ['energy', 'energy', 'wide narrow-hidden'],
+    ['iteration', 'iteration', 'narrow-hidden advanced'],
+    ['energy', 'energy', 'wide narrow-hidden advanced'],
     ['worst', 'worst panel', ''],
     ['moved', 'moved', 'narrow-hidden'],
     ['step', '', 'narrow-hidden'],
     ['drag', 'drag', 'narrow-hidden'],
-    ['units', '', 'wide narrow-hidden'],
+    ['units', '', 'wide narrow-hidden advanced'],
     ['saved', '', ''],
-    ['renderer', '', 'wide narrow-hidden'],
+    ['renderer', '', 'wide narrow-hidden advanced'],
   ]) {
     const value = element('dd');
     const label = name && element('dt', name);
@@ -117,7 +117,9 @@ function hintOf(state) {
   if (!model || !document) return '';
   if (dragged.length > 0) return 'Release to place it · Esc cancels';
   if (document.constraints.length === 0)
-    return 'Add a constraint to say what shape its parts should take';
+    return model.panels.some(({ reason }) => !reason)
+      ? 'Next: make its panels circular or flat, or add another constraint'
+      : 'Next: add a constraint that says what shape its parts should take';
   if (document.handles.some(({ vertex }) => selection.vertices.has(vertex)))
     return 'Drag the handle, an arrow or a square · Enter moves it by arrow keys';
   if (sizeOfSelection(selection) > 0) {
@@ -126,8 +128,8 @@ function hintOf(state) {
   if (renderer === 'none') return 'Run, Export and the panels work without the picture';
   if (tool === 'select')
     return `${SHAPES[shape]} over ${mode} · Shift adds, Ctrl removes · V goes back to Drag`;
+  if (!running && !converged) return 'Next: Run, or drag a blue handle · drag elsewhere to orbit';
   if (document.handles.length === 0)
-    return 'Double-click a vertex to make it a handle · drag to orbit';
-  if (!running && !converged) return 'Space runs · drag a blue handle · drag elsewhere to orbit';
+    return 'Next: Build · or double-click a vertex and drag it · drag elsewhere to orbit';
   return 'Drag a blue handle · drag elsewhere to orbit, wheel to zoom';
 }
