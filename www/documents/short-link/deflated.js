@@ -50,14 +50,18 @@ export async function inflate(bytes) {
 }
 
 /** The text of a link of an earlier version, deflated in base64url. @param {string} code */
-export function inflated(code) {
-  let binary = '';
+export async function inflated(code) {
+  const binary = plain(code.replaceAll('-', '+').replaceAll('_', '/'));
+  return inflate(Uint8Array.from(binary, (character) => character.charCodeAt(0)));
+}
+
+/** @param {string} code in base64 */
+function plain(code) {
   try {
-    binary = atob(code.replaceAll('-', '+').replaceAll('_', '/'));
+    return atob(code);
   } catch {
     throw damaged();
   }
-  return inflate(Uint8Array.from(binary, (character) => character.charCodeAt(0)));
 }
 
 /**

@@ -43,6 +43,7 @@ export class Neighbourhood {
     /** Faces by how many vertices they lacked when they were put there. @type {number[][]} */
     const queues = Array.from({ length: MOST_MISSING + 1 }, () => []);
     const heads = queues.map(() => 0);
+    /** @type {number[]} */
     const order = [];
 
     const next = () => {

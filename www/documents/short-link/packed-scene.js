@@ -39,8 +39,9 @@ export async function packScene({ scene, example, run, tolerance }) {
     return { code: exact, rounded: null };
   const { positions, faces, ...others } = scene.mesh;
   const mesh = writeMesh({ positions, faces }, step);
-  const rest = { ...scene, mesh: others };
-  if (scene.handles) rest.handles = scene.handles.map(roundedHandle(positions, step));
+  const handles = scene.handles?.map(roundedHandle(positions, step));
+  // What is undefined is not written.
+  const rest = { ...scene, mesh: others, handles };
   const code = mesh && (await packed({ scene: rest, example }, run, mesh));
   if (!code || code.length >= exact.length) return { code: exact, rounded: null };
   return { code, rounded: scaled(1, step) };
@@ -57,7 +58,7 @@ async function packed(content, run, mesh) {
   head.setUint8(0, (run ? RUN : 0) | (mesh ? HAS_MESH : 0));
   if (mesh) head.setUint32(1, mesh.length);
   const parts = [new Uint8Array(head.buffer), mesh ?? new Uint8Array(), text];
-  return writeCode(new Uint8Array(await new Blob(parts).arrayBuffer()));
+  return writeCode(Uint8Array.from(parts.flatMap((part) => [...part])));
 }
 
 /**
@@ -97,10 +98,8 @@ function roundedHandle(positions, step) {
     if (!targets) return handle;
     const isAtRest = (/** @type {number[]} */ target, /** @type {number} */ i) =>
       String(positions[vertices[i]]) === String(target);
-    if (Array.isArray(vertices) && targets.every(isAtRest)) {
-      const { targets: _, ...others } = handle;
-      return others;
-    }
+    if (Array.isArray(vertices) && targets.every(isAtRest))
+      return { ...handle, targets: undefined };
     const rounded = targets.map((/** @type {number[]} */ target) =>
       target.map((value) => scaled(Math.round(value / length), step)),
     );
