@@ -67,6 +67,9 @@ await main(() => {
   const isOfVariations = (path) => /^(variation|docked)/.test(basename(path));
   // An embedded view, once it is started, and the dialog of Share with its code to scan come for themselves.
   const isOfSharing = (path) => /^(embedded-view|dialog-share|share)/.test(basename(path));
+  // Presentations, and what codes the mesh of a link, come when they are asked for.
+  const isOfPresenting = (path) => /^(present|stage|steps-dialog)/.test(basename(path));
+  const isOfLinks = (path) => /^packed-scene/.test(basename(path));
   const isRhino = (path) => /^(rhino|__vite)/.test(basename(path));
   const isOther = (path) => others.includes(path);
   const isLicences = (path) => /^licences/.test(basename(path));
@@ -81,10 +84,12 @@ await main(() => {
     !isOfRefining(path) &&
     !isOfBegin(path) &&
     !isOfSharing(path) &&
+    !isOfPresenting(path) &&
+    !isOfLinks(path) &&
     !isRhino(path);
   const rows = [
-    // The forecast of how far a mesh will move is 5 kB of it.
-    row('solver module', [at('www', 'pkg', 'solver', 'shape_up_bg.wasm')], 689 * kB),
+    // The forecast of how far a mesh will move is 5 kB of it, the steps of a presentation 7 kB.
+    row('solver module', [at('www', 'pkg', 'solver', 'shape_up_bg.wasm')], 696 * kB),
     // Meshes to begin with are 32 kB of it: a plan, which is divided and raised, took 24 kB.
     row('parts module', [at('www', 'pkg', 'build', 'shape_up_bg.wasm')], 249 * kB),
     // 5 kB of both are the gradient and the shadow on the ground.
@@ -93,7 +98,8 @@ await main(() => {
     row('view, WebGL2', [at('www', 'pkg', 'view-webgl2', 'shape_up_bg.wasm')], 900 * kB),
     // Of it, 0.2 kB say that the page is embedded.
     // What a lesson locks is shown as locked from the start: 0.1 kB.
-    row('first visit', [...first], 79 * kB),
+    // The essentials, and telephones on their side, took 0.6 kB.
+    row('first visit', [...first], 79.6 * kB),
     // With the circles of its panels, 9 kB.
     row('first picture', [firstPicture], 23 * kB),
     row('plots', code.filter(isPlot), 30 * kB),
@@ -102,9 +108,12 @@ await main(() => {
     // The plan that is drawn is 4 kB of it, what calls the module of parts another 4 kB.
     row('new mesh', code.filter(isOfBegin), 11 * kB),
     row('refining', code.filter(isOfRefining), 4 * kB),
+    row('presentations', code.filter(isOfPresenting), 6 * kB),
+    row('links', code.filter(isOfLinks), 8 * kB),
     row('sharing, embedded', code.filter(isOfSharing), 12 * kB),
     // What lessons lock took 1 kB, how to cite 0.9 kB. Choosing files and the menu of examples, which were part of the first visit, took 1 kB.
-    row('other dialogs', code.filter(isLater), 82 * kB),
+    // What follows from the step that comes next took 0.7 kB.
+    row('other dialogs', code.filter(isLater), 82.5 * kB),
     // With the embedded view before it is started, and the page about it.
     row('other pages', code.filter(isBeside), 20 * kB),
     row('licences', code.filter(isLicences), 24 * kB),

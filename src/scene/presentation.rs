@@ -18,7 +18,7 @@ pub struct Step {
     /// Where it is seen from: pivot, distance, turn, tilt, and whether it is framed
     /// ([`crate::view::state::saved_camera`]).
     #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(target_arch = "wasm32", tsify(type = "number[]"))]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "number[]"))]
     pub camera: Option<[f64; 7]>,
     /// In parallel projection, not in perspective.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
@@ -34,7 +34,7 @@ pub struct Step {
     pub variant: Option<usize>,
     /// The weights of Eq. 13.
     #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(target_arch = "wasm32", tsify(type = "Partial<Weights>"))]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "Weights"))]
     pub weights: Option<Weights>,
     /// Iterates from there.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]

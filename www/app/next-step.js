@@ -3,6 +3,8 @@
  * and whether the model moves, while which nothing lies over it in small windows.
  */
 
+import './next-step.css';
+
 /** @param {import("../store/state.js").Store} store */
 export function followNextStep(store) {
   const { dataset } = document.body;

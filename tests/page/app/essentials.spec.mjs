@@ -1,0 +1,127 @@
+// The essentials come first; every other control is behind one button, which is remembered. In small
+// windows nothing lies over the model while it moves.
+
+import { openText } from '../actions.mjs';
+import { wavyGrid } from '../meshes.mjs';
+import { expect, openPage, state, test, visit, waitForState } from '../support.mjs';
+
+test.use({ pixels: false, advanced: false });
+
+const inspector = (page) => page.getByRole('complementary', { name: 'Energies and display' });
+
+test('a first visit has what it takes, and no more', async ({ page }) => {
+  await visit(page);
+  for (const name of [
+    ...['Run', 'Step', 'Reset', 'Undo', 'Redo', 'Export', 'Share', 'Add constraint'],
+    ...['Make panels circular', 'Make panels flat'],
+  ])
+    await expect(page.getByRole('button', { name })).toBeVisible();
+  await expect(page.getByRole('button', { name: 'Build', exact: true })).toBeVisible();
+  await expect(page.getByLabel('Open file')).toBeAttached();
+  await expect(inspector(page)).toBeHidden();
+  for (const name of ['Refine', 'Edit mesh', 'Write a lesson', 'Compare methods', 'Edges'])
+    await expect(page.getByRole('button', { name })).toBeHidden();
+});
+
+test('Advanced shows every control, now and at the next visit', async ({ page }) => {
+  await visit(page);
+  const advanced = page.getByRole('button', { name: 'Advanced' });
+  await expect(advanced).toHaveAttribute('aria-pressed', 'false');
+  await advanced.click();
+  await expect(advanced).toHaveAttribute('aria-pressed', 'true');
+  await expect(inspector(page)).toBeVisible();
+  await expect(page.getByRole('button', { name: 'Edit mesh' })).toBeVisible();
+  await page.reload();
+  await waitForState(page, (now) => now.vertices > 0);
+  await expect(inspector(page)).toBeVisible();
+  await page.getByRole('button', { name: 'Advanced' }).click();
+  await expect(inspector(page)).toBeHidden();
+  await page.reload();
+  await waitForState(page, (now) => now.vertices > 0);
+  await expect(inspector(page)).toBeHidden();
+});
+
+test('the button that comes next is the filled one', async ({ page }) => {
+  await openPage(page);
+  const next = () => page.evaluate(() => document.body.dataset.next);
+  await expect.poll(next).toBe('run');
+  await openText(page, 'roof.obj', wavyGrid(6), 49);
+  await expect.poll(next).toBe('shape');
+  await expect(page.getByText('Next: make its panels circular or flat')).toBeVisible();
+  const press = page.getByRole('button', { name: 'Make panels flat' });
+  await press.click();
+  await waitForState(page, (now) => now.converged && !now.running);
+  await expect.poll(next).toBe('build');
+  const colour = (name) =>
+    page
+      .getByRole('button', { name, exact: true })
+      .evaluate((button) => getComputedStyle(button).backgroundColor);
+  expect(await colour('Build')).not.toBe(await colour('Run'));
+});
+
+test('what is done with what is selected is offered once there is something', async ({ page }) => {
+  await visit(page);
+  await openText(page, 'roof.obj', wavyGrid(6), 49);
+  const fix = page.getByRole('button', { name: 'Fix', exact: true });
+  await expect(fix).toBeHidden();
+  await page.getByRole('application', { name: '3D view' }).focus();
+  await page.keyboard.press('Control+A');
+  await expect(fix).toBeEnabled();
+});
+
+test.describe('in small windows', () => {
+  for (const [width, height] of [
+    [390, 844],
+    [844, 390],
+  ]) {
+    test(`nothing lies over a model that moves at ${width} by ${height}`, async ({ browser }) => {
+      const context = await browser.newContext({
+        ...{ viewport: { width, height }, hasTouch: true, isMobile: true },
+        serviceWorkers: 'block',
+      });
+      const page = await context.newPage();
+      await visit(page);
+      await openText(page, 'roof.obj', wavyGrid(6), 49);
+      const card = page.getByRole('group', { name: 'Panels', exact: true });
+      const opacity = () => card.evaluate((element) => getComputedStyle(element).opacity);
+      await expect.poll(opacity).toBe('1');
+      // As it is in the middle of a gesture, and in a run.
+      const view = page.getByRole('application', { name: '3D view' });
+      await view.evaluate((element) => (element.dataset.gesture = 'orbit'));
+      await expect.poll(opacity).toBe('0');
+      await view.evaluate((element) => (element.dataset.gesture = ''));
+      await expect.poll(opacity).toBe('1');
+      await card.getByRole('button', { name: 'Make panels flat' }).click();
+      await expect(card).toContainText('panels are flat within');
+      await expect.poll(opacity).toBe('1');
+      // The verdict leaves most of the view free.
+      const [lies, all] = [await card.boundingBox(), await view.boundingBox()];
+      expect(lies.height / all.height).toBeLessThan(0.45);
+      await context.close();
+    });
+
+    test(`what is pressed is large enough at ${width} by ${height}`, async ({ browser }) => {
+      const context = await browser.newContext({
+        ...{ viewport: { width, height }, hasTouch: true, isMobile: true },
+        serviceWorkers: 'block',
+      });
+      const page = await context.newPage();
+      await visit(page);
+      await expect.poll(async () => (await state(page)).converged).toBe(true);
+      const small = await page.evaluate(() =>
+        [...document.querySelectorAll('button, label.button, summary, select')]
+          .filter((control) => control.checkVisibility() && !control.closest('#legend'))
+          .map((control) => ({
+            name: control.textContent.trim() || control.title,
+            box: control.getBoundingClientRect(),
+          }))
+          .filter(({ box }) => box.width > 0 && (box.height < 43.5 || box.width < 39.5))
+          .map(({ name, box }) => `${name}: ${box.width} by ${box.height}`),
+      );
+      expect(small).toEqual([]);
+      const beyond = await page.evaluate(() => document.documentElement.scrollWidth > innerWidth);
+      expect(beyond).toBe(false);
+      await context.close();
+    });
+  }
+});

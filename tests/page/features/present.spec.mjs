@@ -1,0 +1,95 @@
+// A presentation: steps are made from views, kept in the scene, and shown one after the other.
+
+import { openText, tool } from '../actions.mjs';
+import { wavyGrid } from '../meshes.mjs';
+import { expect, openPage, sceneOf, state, test, waitForState } from '../support.mjs';
+
+test.use({ pixels: false });
+
+const dialogOf = (page) => page.getByRole('dialog', { name: 'Presentation' });
+const stageOf = (page) => page.getByRole('region', { name: 'Presentation' });
+
+/** Opens the dialog of the steps. */
+async function openSteps(page) {
+  await page.getByRole('button', { name: 'Present', exact: true }).click();
+  await expect(dialogOf(page)).toBeVisible();
+}
+
+/** A roof whose two steps are the original and flat panels, with other measures. */
+async function makeSteps(page) {
+  await openPage(page);
+  await openText(page, 'roof.obj', wavyGrid(6), 49);
+  await page.getByLabel('Colour by').selectOption({ label: 'Planarity' });
+  await openSteps(page);
+  await dialogOf(page).getByRole('button', { name: 'Add this view' }).click();
+  await dialogOf(page).getByLabel('Title of step 1').fill('The design');
+  await dialogOf(page).getByLabel('Shape of step 1').selectOption('original');
+  await dialogOf(page).getByRole('button', { name: 'Close' }).click();
+
+  await page.getByRole('button', { name: 'Make panels flat' }).click();
+  await waitForState(page, (now) => now.converged && !now.running);
+  await page.getByLabel('Colour by').selectOption({ label: 'Moved' });
+  await page.getByRole('application', { name: '3D view' }).focus();
+  await page.keyboard.press('ArrowLeft');
+  await openSteps(page);
+  await dialogOf(page).getByRole('button', { name: 'Add this view' }).click();
+  await dialogOf(page).getByLabel('Title of step 2').fill('Flat panels');
+  await dialogOf(page).getByLabel('Text of step 2').fill('Each can be cut from a sheet.');
+  await dialogOf(page).getByLabel('Text of step 2').blur();
+  await dialogOf(page).getByRole('listitem').nth(1).getByLabel('Run').check();
+  await expect.poll(async () => (await sceneOf(page)).steps?.[1].run).toBe(true);
+}
+
+test('steps are shown by buttons and by the keys of a presenter', async ({ page }) => {
+  await makeSteps(page);
+  const { steps } = await sceneOf(page);
+  expect(steps.map(({ title, measure }) => [title, measure])).toEqual([
+    ['The design', 'planarity'],
+    ['Flat panels', 'displacement'],
+  ]);
+  expect(steps[0].original).toBe(true);
+  expect(steps[0].camera).not.toEqual(steps[1].camera);
+
+  await dialogOf(page).getByRole('button', { name: 'Start' }).click();
+  const stage = stageOf(page);
+  await expect(stage.getByRole('heading', { name: 'The design' })).toBeVisible();
+  await expect(stage).toContainText('1 of 2');
+  await expect(page.getByRole('banner')).toBeHidden();
+  const moved = async () => (await state(page)).moved.max;
+  await expect.poll(moved).toBe(0);
+  await expect(stage.getByRole('button', { name: 'Previous' })).toBeDisabled();
+
+  await page.keyboard.press('PageDown');
+  await expect(stage.getByRole('heading', { name: 'Flat panels' })).toBeVisible();
+  await expect(stage).toContainText('Each can be cut from a sheet.');
+  await expect.poll(moved).toBeGreaterThan(0);
+  await page.keyboard.press('ArrowLeft');
+  await expect(stage).toContainText('1 of 2');
+  await expect.poll(moved).toBe(0);
+  await stage.getByRole('button', { name: 'Next' }).click();
+  await expect(stage).toContainText('2 of 2');
+  const isDark = () => stage.evaluate((element) => element.hasAttribute('data-dark'));
+  await page.keyboard.press('b');
+  expect(await isDark()).toBe(true);
+  await page.keyboard.press('b');
+  expect(await isDark()).toBe(false);
+
+  await page.keyboard.press('Escape');
+  await expect(stage).toHaveCount(0);
+  await expect(page.getByRole('banner')).toBeVisible();
+});
+
+test('the steps are in the scene: they can be moved, taken away, and undone', async ({ page }) => {
+  await makeSteps(page);
+  const titles = async () => (await sceneOf(page)).steps?.map(({ title }) => title) ?? [];
+  await dialogOf(page).getByRole('button', { name: 'Step 2 earlier' }).click();
+  await expect.poll(titles).toEqual(['Flat panels', 'The design']);
+  await dialogOf(page).getByRole('button', { name: 'Remove step 1' }).click();
+  await expect.poll(titles).toEqual(['The design']);
+  await dialogOf(page).getByRole('button', { name: 'Close' }).click();
+  await tool(page, 'Undo');
+  await expect.poll(titles).toEqual(['Flat panels', 'The design']);
+  const text = await page.evaluate(() => JSON.stringify(window.shapeUp.scene()));
+  await page.evaluate((text) => window.shapeUp.open(text, 'again.shapeup.json'), text);
+  await expect.poll(titles).toEqual(['Flat panels', 'The design']);
+});

@@ -1,0 +1,104 @@
+/** Showing a presentation: the model on the whole screen, and of each step its title and text in large type. */
+
+import './present.css';
+import { button } from '../../ui/controls/fields.js';
+import { byId, element, setText } from '../../ui/dom.js';
+import { presentActions } from '../../store/present-actions.js';
+
+const { dataset } = document.documentElement;
+
+/** What keys do, those of presenters too. @type {Record<string, "next" | "previous" | "first" | "last" | "dark" | "end">} */
+const KEYS = {
+  ArrowRight: 'next',
+  ArrowDown: 'next',
+  PageDown: 'next',
+  n: 'next',
+  ArrowLeft: 'previous',
+  ArrowUp: 'previous',
+  PageUp: 'previous',
+  p: 'previous',
+  Home: 'first',
+  End: 'last',
+  b: 'dark',
+  '.': 'dark',
+  Escape: 'end',
+};
+
+/** @param {import("../../app/context.js").AppContext} app */
+export async function present(app) {
+  const { store, actions } = app;
+  const ways = presentActions(store, actions);
+  const title = element('h2');
+  const text = element('p');
+  const place = element('span', { 'aria-live': 'polite' });
+  const previous = button('Previous', () => go(at - 1));
+  const next = button('Next', () => go(at + 1), { class: 'primary' });
+  const stage = element(
+    'section',
+    { id: 'stage', 'aria-label': 'Presentation' },
+    element('div.said', title, text),
+    element('div.stage-bar', previous, place, next, button('End', end)),
+  );
+  let at = 0;
+  const steps = () => store.get().document?.steps ?? [];
+
+  /** @param {number} to */
+  async function go(to) {
+    const all = steps();
+    at = Math.min(Math.max(to, 0), all.length - 1);
+    if (at < 0) return end();
+    stage.removeAttribute('data-dark');
+    const { title: heading, text: words = '' } = all[at];
+    setText(title, heading);
+    setText(text, words);
+    text.hidden = words === '';
+    setText(place, `${at + 1} of ${all.length}`);
+    previous.disabled = at === 0;
+    next.disabled = at === all.length - 1;
+    await ways.showStep(at);
+  }
+
+  const done = {
+    next: () => go(at + 1),
+    previous: () => go(at - 1),
+    first: () => go(0),
+    last: () => go(steps().length - 1),
+    dark: () => stage.toggleAttribute('data-dark'),
+    end,
+  };
+
+  /** @param {KeyboardEvent} event */
+  function press(event) {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    // Presenters start with it what has started.
+    if (event.key === 'F5') return event.preventDefault();
+    const what = KEYS[event.key.length === 1 ? event.key.toLowerCase() : event.key];
+    if (!what) return;
+    event.preventDefault();
+    event.stopPropagation();
+    done[what]();
+  }
+
+  function leftScreen() {
+    if (!document.fullscreenElement) end();
+  }
+
+  function end() {
+    if (!stage.isConnected) return;
+    removeEventListener('keydown', press, true);
+    document.removeEventListener('fullscreenchange', leftScreen);
+    delete dataset.presenting;
+    stage.remove();
+    if (document.fullscreenElement) document.exitFullscreen().catch(() => {});
+    actions.setStatus('The presentation has ended');
+  }
+
+  dataset.presenting = '';
+  byId('main').append(stage);
+  addEventListener('keydown', press, true);
+  document.addEventListener('fullscreenchange', leftScreen);
+  // Where it is refused, as in some frames, the window is enough.
+  await document.documentElement.requestFullscreen?.().catch(() => {});
+  next.focus();
+  await go(0);
+}

@@ -1,0 +1,147 @@
+/** The dialog of a presentation: its steps in their order, what each shows, and the button that starts it. */
+
+import './present.css';
+import { openDialog } from '../../ui/controls/dialog.js';
+import { button, checkbox, choice, closeButton } from '../../ui/controls/fields.js';
+import { element, setText } from '../../ui/dom.js';
+import { count } from '../../ui/format.js';
+import { presentActions } from '../../store/present-actions.js';
+import { present } from './stage.js';
+
+/** @typedef {import("../../solver/messages.js").Step} Step */
+
+/** @param {import("../../app/context.js").AppContext} app */
+export function openSteps(app) {
+  const { store, actions } = app;
+  const ways = presentActions(store, actions);
+  const stepsNow = () => store.get().document?.steps ?? [];
+  const list = element('ol.steps');
+  const said = element('p.quiet', { 'aria-live': 'polite' });
+  const start = button('Start', begin, { class: 'primary' });
+  const add = button('Add this view', () => {
+    const steps = stepsNow();
+    return change([...steps, ways.stepNow(`Step ${steps.length + 1}`)]);
+  });
+
+  /** @param {Step[]} steps */
+  async function change(steps) {
+    await ways.setSteps(steps);
+    show();
+  }
+
+  function begin() {
+    dialog.close();
+    return actions.reportErrors(present(app));
+  }
+
+  /** @param {number} index @param {Partial<Step>} values */
+  const put = (index, values) =>
+    change(stepsNow().map((step, i) => (i === index ? { ...step, ...values } : step)));
+
+  /** @param {number} index @param {number} by */
+  function move(index, by) {
+    const steps = [...stepsNow()];
+    const [step] = steps.splice(index, 1);
+    steps.splice(index + by, 0, step);
+    return change(steps);
+  }
+
+  /** @param {Step} step @param {number} index @param {number} all */
+  function row(step, index, all) {
+    const number = index + 1;
+    const title = element('input', {
+      type: 'text',
+      'aria-label': `Title of step ${number}`,
+      value: step.title,
+      onchange: () => put(index, { title: title.value }),
+    });
+    const text = element('textarea', {
+      rows: 2,
+      'aria-label': `Text of step ${number}`,
+      placeholder: 'What is said beside it',
+      onchange: () => put(index, { text: text.value }),
+    });
+    text.value = step.text ?? '';
+    const run = checkbox('Run', (run) => put(index, { run }), { title: 'Iterates from there' });
+    run.box.checked = step.run ?? false;
+    return element(
+      'li',
+      element(
+        'div',
+        title,
+        closeButton(`Remove step ${number}`, () => remove(index)),
+      ),
+      text,
+      element(
+        'div',
+        shapeOf(step, index),
+        run.label,
+        button('Take this view', () => take(index), {
+          class: 'bordered small',
+          title: 'The view, the measure and the weights as they are now',
+        }),
+        button('↑', () => move(index, -1), {
+          class: 'small',
+          'aria-label': `Step ${number} earlier`,
+          disabled: index === 0,
+        }),
+        button('↓', () => move(index, 1), {
+          class: 'small',
+          'aria-label': `Step ${number} later`,
+          disabled: index === all - 1,
+        }),
+      ),
+    );
+  }
+
+  /** Which shape a step shows. @param {Step} step @param {number} index */
+  function shapeOf(step, index) {
+    const variants = store.get().document?.variants ?? [];
+    const shape = choice(
+      { 'aria-label': `Shape of step ${index + 1}` },
+      (value) => {
+        const steps = [...stepsNow()];
+        const original = value === 'original';
+        const variant = original || value === '' ? undefined : Number(value);
+        steps[index] = { ...steps[index], original, variant };
+        change(steps);
+      },
+      [
+        ['', 'Shape as it is then'],
+        ['original', 'The original'],
+        ...variants.map((name, i) => [String(i), name]),
+      ],
+    );
+    shape.value = step.original ? 'original' : String(step.variant ?? '');
+    return shape;
+  }
+
+  /** @param {number} index */
+  function take(index) {
+    const { title, text, run } = stepsNow()[index];
+    const steps = [...stepsNow()];
+    steps[index] = { ...ways.stepNow(title), text, run };
+    return change(steps);
+  }
+
+  /** @param {number} index */
+  const remove = (index) => change(stepsNow().filter((_, i) => i !== index));
+
+  function show() {
+    const steps = stepsNow();
+    list.replaceChildren(...steps.map((step, index) => row(step, index, steps.length)));
+    start.disabled = steps.length === 0;
+    setText(
+      said,
+      steps.length === 0
+        ? 'Turn the model, choose a measure, then add the view. Each step also keeps the weights.'
+        : `${count(steps.length, 'step')}, saved in the scene. Keys: → and ← or a presenter, B darkens, Space runs, Esc ends.`,
+    );
+  }
+
+  const dialog = openDialog(
+    { id: 'presentation', title: 'Presentation' },
+    element('div.dialog-body', said, list, element('div.dialog-buttons', start, add)),
+  );
+  show();
+}
