@@ -28,7 +28,8 @@ function leaveOutPixels() {
 
 /** Runs in the page: it begins with every control, as somebody left it. */
 function showAdvanced() {
-  if (self === top && !location.search.includes('embed'))
+  // A blank page has no storage.
+  if (self === top && location.protocol === 'http:' && !location.search.includes('embed'))
     localStorage.setItem('shape-up.advanced', 'shown');
 }
 

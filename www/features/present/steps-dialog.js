@@ -35,8 +35,11 @@ export function openSteps(app) {
   }
 
   /** @param {number} index @param {Partial<Step>} values */
-  const put = (index, values) =>
-    change(stepsNow().map((step, i) => (i === index ? { ...step, ...values } : step)));
+  const changed = (index, values) =>
+    stepsNow().map((step, i) => (i === index ? { ...step, ...values } : step));
+
+  /** What is written stays in its field. @param {number} index @param {Partial<Step>} words */
+  const say = (index, words) => ways.setSteps(changed(index, words));
 
   /** @param {number} index @param {number} by */
   function move(index, by) {
@@ -53,16 +56,18 @@ export function openSteps(app) {
       type: 'text',
       'aria-label': `Title of step ${number}`,
       value: step.title,
-      onchange: () => put(index, { title: title.value }),
+      onchange: () => say(index, { title: title.value }),
     });
     const text = element('textarea', {
       rows: 2,
       'aria-label': `Text of step ${number}`,
       placeholder: 'What is said beside it',
-      onchange: () => put(index, { text: text.value }),
+      onchange: () => say(index, { text: text.value }),
     });
     text.value = step.text ?? '';
-    const run = checkbox('Run', (run) => put(index, { run }), { title: 'Iterates from there' });
+    const run = checkbox('Run', (run) => change(changed(index, { run })), {
+      title: 'Iterates from there',
+    });
     run.box.checked = step.run ?? false;
     return element(
       'li',
