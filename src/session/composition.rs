@@ -1,7 +1,7 @@
 //! The session itself: what it is made of, and plain access to that.
 
 use super::report::MeasureCache;
-use super::run::{Collapse, CollapseGuard, Meeting, Met, Progress, TraceEntry};
+use super::run::{Collapse, CollapseGuard, Meeting, Met, Progress, TraceEntry, Unfolding};
 use super::state::{ResolvedRow, RestMesh, SolvedScene};
 use super::undo::{History, Transaction};
 use crate::mesh::{Mesh, Point, Topology};
@@ -24,6 +24,8 @@ pub struct Session {
     pub(super) met_before: Option<Met>,
     /// What the run that is under way is meeting.
     pub(super) meeting: Option<Meeting>,
+    /// What may be done for it not to fold faces.
+    pub(super) unfolding: Unfolding,
 }
 
 impl Session {

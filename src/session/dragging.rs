@@ -2,6 +2,7 @@
 
 use super::Session;
 use super::edit::{Edit, check_lock};
+use super::run::Unfolding;
 use super::undo::{Change, Transaction, check_targets};
 use crate::error::Error;
 use crate::mesh::Point;
@@ -122,6 +123,7 @@ impl Session {
                 if self.has_hard_rows() {
                     self.begin_run();
                     self.join_last();
+                    self.unfolding = Unfolding::Off;
                 }
             }
         } else {
@@ -134,6 +136,7 @@ impl Session {
     pub fn begin_run(&mut self) {
         self.guard.let_go_on(false);
         self.leave_variation();
+        self.unfolding = Unfolding::Smoother;
         if self.transaction.is_none() {
             self.begin(Transaction::run);
         }
@@ -141,13 +144,17 @@ impl Session {
 
     /// Asks one shape of all panels ([`Edit::MakePanels`]), within `tolerance` (in the unit of the mesh, infinite
     /// for none), from the shape as it is or `afresh` from the one that was opened, and begins a run. It is one step of
-    /// undo.
+    /// undo. Where faces fold within it and not within a larger one, that is taken instead ([`super::Eased`]).
     ///
     /// # Errors
     /// As [`Session::edit`].
     pub fn make_panels(&mut self, kind: &str, tolerance: f64, afresh: bool) -> Result<(), Error> {
         let within = tolerance.is_finite().then_some(tolerance);
-        self.edit_and_run(Edit::MakePanels { kind: kind.to_owned(), within, afresh })
+        self.edit_and_run(Edit::MakePanels { kind: kind.to_owned(), within, afresh })?;
+        if let Some(asked) = within {
+            self.unfolding = Unfolding::Eased(asked);
+        }
+        Ok(())
     }
 
     /// Makes an edit and begins a run, one step of undo together.
@@ -182,7 +189,7 @@ impl Session {
 
     /// Ends a run, at the lowest total that it saw, or at the best shape for its hard constraints.
     pub fn end_run(&mut self) {
-        let met = self.end_meeting().expect("the state was solvable before");
+        let met = self.end_meeting(false).expect("the state was solvable before");
         let Some(transaction) = self.transaction.take_if(|t| t.is_run()) else { return };
         if !met && !self.is_met() {
             self.scene.settle();

@@ -2,7 +2,8 @@
 //! same call goes on, one iteration or one step at a time, and shows the way now and then.
 
 use super::Session;
-use super::run::{ExactReport, Meeting, Met, Step};
+use super::run::{Eased, ExactReport, Meeting, MeetingEnd, Met, Step, Unfolding};
+use super::state::{Part, RowValues};
 use crate::error::Error;
 use crate::mesh::Point;
 use crate::solve::{
@@ -24,7 +25,9 @@ impl Session {
         &self,
         instead: impl Fn(Require) -> Require,
     ) -> Result<Option<Exact>, Error> {
-        self.with_requirements(instead, Exact::new)
+        self.with_requirements(instead, |problem, requirements, handles, start, cache| {
+            Exact::new(&problem, &requirements, handles, start, cache)
+        })
     }
 
     /// Poses the problem with something else required of the rows that are on, from the current shape on; none where
@@ -32,7 +35,7 @@ impl Session {
     pub(super) fn with_requirements<T>(
         &self,
         instead: impl Fn(Require) -> Require,
-        make: impl FnOnce(&Problem<'_>, &Requirements<'_>, &[Handle], &[Point], SetupCache) -> T,
+        make: impl FnOnce(Problem<'_>, Requirements<'_>, &[Handle], &[Point], SetupCache) -> T,
     ) -> Result<Option<T>, Error> {
         let document = self.document();
         let places: Vec<usize> = self.scene.enabled_rows().collect();
@@ -53,7 +56,7 @@ impl Session {
         };
         let (handles, start) = (self.scene.handles(), self.scene.positions());
         let cache = self.solver().setup_cache();
-        Ok(Some(make(&problem, &requirements, handles, start, cache)))
+        Ok(Some(make(problem, requirements, handles, start, cache)))
     }
 
     /// Whether the mesh is too large for anything to be exact, whatever is asked; within a length it can be met.
@@ -70,7 +73,7 @@ impl Session {
         let nonzeros = self.solver().system().factor_nonzeros();
         let nearest = self.with_requirements(
             |require| require,
-            |problem, requirements, _, _, _| Exact::nearest(problem, requirements, nonzeros),
+            |problem, requirements, _, _, _| Exact::nearest(&problem, &requirements, nonzeros),
         )?;
         Ok(nearest.flatten())
     }
@@ -80,20 +83,25 @@ impl Session {
     /// # Errors
     /// When the system would be singular; nothing has changed then.
     pub fn accept(&mut self, exact: &Exact) -> Result<(), Error> {
-        self.go_to(&exact.positions())?;
+        self.go_to(&exact.positions(), Vec::new())?;
         self.note_met(exact);
         Ok(())
     }
 
     /// Meets the hard constraints, if there are any, and improves the shape where that is asked for.
     pub(super) fn meet(&mut self, improves: bool) -> Result<(), Error> {
-        let Some(mut exact) = self.meeting()? else { return Ok(()) };
-        if improves {
-            exact.improve();
+        if !self.begin_meeting()? {
+            return Ok(());
         }
-        let ended = exact.run();
-        self.accept(&exact)?;
-        Ok(ended?)
+        while let Some(meeting) = &mut self.meeting {
+            let ended = meeting.step();
+            if ended == Ok(false) || (ended == Ok(true) && self.try_next()?) {
+                continue;
+            }
+            self.end_meeting(improves)?;
+            ended?;
+        }
+        Ok(())
     }
 
     /// How well the hard constraints are met; none while nobody has met those of the current shape.
@@ -140,7 +148,7 @@ impl Session {
     }
 
     /// What was met, if that is the current shape.
-    fn met_here(&self) -> Option<&Met> {
+    pub(super) fn met_here(&self) -> Option<&Met> {
         self.met.as_ref().filter(|met| met.is_of(&self.scene))
     }
 
@@ -153,7 +161,7 @@ impl Session {
     pub(super) fn begin_meeting(&mut self) -> Result<bool, Error> {
         self.scene.settle();
         let Some(exact) = self.meeting()? else { return Ok(false) };
-        self.meeting = Some(Meeting::new(exact));
+        self.meeting = Some(Meeting::new(exact, self.attempts()));
         Ok(true)
     }
 
@@ -161,13 +169,15 @@ impl Session {
     pub(super) fn meeting_step(&mut self) -> Result<Option<Step>, Error> {
         let Some(meeting) = &mut self.meeting else { return Ok(None) };
         let ended = meeting.step();
-        if ended != Ok(false) {
+        let shown = meeting.due_positions();
+        let goes = ended == Ok(false) || (ended == Ok(true) && self.try_next()?);
+        if !goes {
             self.progress.count();
-            self.end_meeting()?;
+            self.end_meeting(false)?;
             ended?;
             return Ok(Some(Step { converged: self.converged(), ended: true }));
         }
-        match meeting.due_positions() {
+        match shown {
             Some(positions) => {
                 self.scene.show(&positions);
                 self.progress.advance(self.scene.solver().energy());
@@ -177,20 +187,50 @@ impl Session {
         Ok(Some(Step { converged: false, ended: false }))
     }
 
-    /// Ends what a run is meeting, with the best shape so far; whether there was anything.
-    pub(super) fn end_meeting(&mut self) -> Result<bool, Error> {
-        let Some((exact, ended)) = self.meeting.take().map(Meeting::end) else { return Ok(false) };
-        self.accept(&exact)?;
-        if let Some(met) = self.met.as_mut().filter(|_| !ended) {
-            met.interrupt();
+    /// Ends what a run is meeting, with the best shape so far, improved where that is asked for; whether there was
+    /// anything.
+    pub(super) fn end_meeting(&mut self, improves: bool) -> Result<bool, Error> {
+        let Some(end) = self.meeting.take().map(Meeting::end) else { return Ok(false) };
+        let MeetingEnd { mut exact, within, is_whole, folded_at_first, attempts } = end;
+        let mut improved = Ok(());
+        if improves {
+            exact.improve();
+            improved = exact.run();
         }
-        Ok(true)
+        let eased = match (self.unfolding, within) {
+            (Unfolding::Eased(asked), Some(within)) => {
+                Some(Eased { asked, within, folded: folded_at_first })
+            }
+            _ => None,
+        };
+        self.go_to(&exact.positions(), self.rows_eased(eased))?;
+        self.note_met(&exact);
+        if let Some(met) = &mut self.met {
+            (met.report.attempts, met.report.eased) = (attempts, eased);
+            if !is_whole {
+                met.interrupt();
+            }
+        }
+        Ok(improved.map(|()| true)?)
     }
 
-    /// Goes to other positions, `#V by 3`, as a part of the run that is under way.
-    fn go_to(&mut self, positions: &[Point]) -> Result<(), Error> {
+    /// What makes rows within the tolerance that was asked such within the one that was taken.
+    fn rows_eased(&self, eased: Option<Eased>) -> Vec<Part> {
+        let Some(Eased { asked, within, .. }) = eased else { return Vec::new() };
+        let rows = self.document().constraints.iter().enumerate();
+        let asked = rows.filter(|(_, row)| row.require == Require::Within(asked));
+        let eased = |(index, row)| {
+            let require = Require::Within(within);
+            Part::RowValues(index, RowValues { require, ..RowValues::of(row) })
+        };
+        asked.map(eased).collect()
+    }
+
+    /// Goes to other positions, `#V by 3`, and puts parts of the document, as a part of the run that is under way.
+    fn go_to(&mut self, positions: &[Point], parts: Vec<Part>) -> Result<(), Error> {
         let mut change = self.way_back();
         change.scene.positions = positions.into();
+        change.scene.parts = parts;
         self.exchange(&mut change)?;
         self.include(change);
         Ok(())

@@ -12,6 +12,7 @@
 //! | `dragging` | drags and runs, one step of undo each |
 //! | `iterating` | iterations, whole and in halves |
 //! | `meeting` | hard constraints met |
+//! | `unfolding` | other ways to meet them where faces fold |
 //! | `variations` | ways to change the shape while hard constraints stay met: shown, brought back, kept |
 //! | `variant_table` | the numbers of the shapes that were kept |
 //! | `asking` | what hosts ask: selections, measures, reports, files |
@@ -42,6 +43,7 @@ mod selection;
 mod state;
 mod trial;
 mod undo;
+mod unfolding;
 mod variant_table;
 mod variations;
 
@@ -60,12 +62,12 @@ pub use report::{
     ZERO_SIZE_FACES, flaw_of, goals_in_words,
 };
 pub use run::{
-    Collapse, CollapseReason, ExactReport, FittedCount, HalfStep, Step, TraceEntry,
+    Collapse, CollapseReason, Eased, ExactReport, FittedCount, HalfStep, Step, TraceEntry,
     max_interactive_faces,
 };
 pub use selection::{Mode, OPERATIONS, Operation, SelectRequest, Selection};
 pub use state::{Paired, ResolvedRow};
-pub use trial::{ExactOffer, ExactTrial, Price, Remedies, Remedy, Unfolded, Unfolding};
+pub use trial::{ExactOffer, ExactTrial, Price, Remedies, Remedy};
 pub use undo::check_targets;
 pub use variant_table::VariantRow;
 pub use variations::Variations;

@@ -48,7 +48,13 @@ impl Session {
         if !self.exact().is_some_and(|exact| exact.met) {
             return Ok(None);
         }
-        let Some(space) = self.with_requirements(|require| require, ShapeSpace::new)? else {
+        let Some(space) = self.with_requirements(
+            |require| require,
+            |problem, requirements, handles, start, cache| {
+                ShapeSpace::new(&problem, &requirements, handles, start, cache)
+            },
+        )?
+        else {
             return Ok(None);
         };
         let from = Rc::clone(self.scene.positions());

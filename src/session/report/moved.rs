@@ -6,7 +6,7 @@ use crate::solve::Moved;
 
 /// Distances of the vertices from their rest positions, in the unit of the mesh.
 pub(crate) fn moved(scene: &SolvedScene, rest: &RestMesh) -> Moved {
-    Moved::of(displacements(scene, rest).into_iter())
+    rest.moved_by(scene.positions())
 }
 
 /// The least length of an edge as a part of its length at rest; those without a length at rest do not
@@ -25,6 +25,5 @@ pub(crate) fn shortest_edge(scene: &SolvedScene, rest: &RestMesh) -> f64 {
 
 /// The distance of each vertex from its rest position, `#V`, in the unit of the mesh.
 pub(super) fn displacements(scene: &SolvedScene, rest: &RestMesh) -> Vec<f64> {
-    let pairs = scene.positions().iter().zip(rest.positions());
-    pairs.map(|(&now, &rest)| (Vec3::from(now) - Vec3::from(rest)).length()).collect()
+    rest.displacements(scene.positions()).collect()
 }

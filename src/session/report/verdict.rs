@@ -5,6 +5,7 @@ use super::face_measure::face_values;
 use super::inspect::{asked_measure, members};
 use super::measuring::{Measuring, Shape};
 use super::moved::moved;
+use crate::session::run::Eased;
 use crate::session::state::RestMesh;
 use crate::solve::Moved;
 use serde::Serialize;
@@ -22,6 +23,10 @@ pub struct Verdict {
     pub panels: usize,
     /// How many have their worst vertex within the tolerance.
     pub within: usize,
+    /// The tolerance, in the unit of the mesh.
+    pub tolerance: f64,
+    /// Where it is larger than the one that is asked, why that is.
+    pub eased: Option<Eased>,
     /// The distance of the worst vertex, units of the mesh.
     pub worst: f64,
     /// The face that it belongs to.
@@ -35,7 +40,14 @@ pub struct Verdict {
 impl Verdict {
     /// How near the panels are to what they are asked to be, by the last row that is on and asks it of
     /// single faces: distances up to `tolerance` are within. None where nothing of the kind is asked.
-    pub(crate) fn of(model: &mut Measuring<'_>, tolerance: f64) -> Option<Verdict> {
+    /// `eased` is a larger one that was taken.
+    pub(crate) fn of(
+        model: &mut Measuring<'_>,
+        tolerance: f64,
+        eased: Option<Eased>,
+    ) -> Option<Verdict> {
+        let eased = eased.filter(|eased| eased.asked == tolerance);
+        let tolerance = eased.map_or(tolerance, |eased| eased.within);
         let document = model.scene.document();
         let rows = document.constraints.iter().enumerate().rev();
         let mut asking = rows.filter(|(_, row)| row.enabled);
@@ -54,6 +66,8 @@ impl Verdict {
             adjective,
             panels: faces.len(),
             within: faces.iter().filter(|&&face| distance(face) <= tolerance).count(),
+            tolerance,
+            eased,
             worst: distance(worst_face),
             worst_face,
             folded: model.rest.folded_by(model.scene.positions()).len(),

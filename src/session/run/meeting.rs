@@ -1,28 +1,66 @@
 //! Hard constraints that a run is meeting.
 
+use super::attempts::{Attempt, Attempts, Outcome};
 use crate::mesh::Point;
 use crate::solve::{Exact, SolveError, Stage, clock};
 
 /// Positions on the way are shown so often, in seconds: each time the energies are evaluated there.
 const SHOWN_EVERY: f64 = 0.03;
 
-/// What meets them, and when its positions were shown last.
+/// What meets them, in one attempt or several, and when its positions were shown last.
 pub(crate) struct Meeting {
     exact: Exact,
+    attempts: Attempts,
+    /// The best attempt that has ended.
+    best: Option<(Exact, Attempt)>,
     shown: f64,
 }
 
+/// What has come of a meeting.
+pub(crate) struct MeetingEnd {
+    /// The best shape.
+    pub(crate) exact: Exact,
+    /// The tolerance that it is within instead of the one that was asked.
+    pub(crate) within: Option<f64>,
+    /// Whether all attempts have ended.
+    pub(crate) is_whole: bool,
+    /// How many faces the first attempt has folded, and how many attempts there were.
+    pub(crate) folded_at_first: usize,
+    pub(crate) attempts: u32,
+}
+
 impl Meeting {
-    pub(crate) fn new(exact: Exact) -> Meeting {
-        Meeting { exact, shown: clock::now() }
+    pub(crate) fn new(exact: Exact, attempts: Attempts) -> Meeting {
+        Meeting { exact, attempts, best: None, shown: clock::now() }
     }
 
-    /// One iteration or step; whether it has ended.
+    /// One iteration or step of an attempt; whether that has ended.
     ///
     /// # Errors
     /// As [`Exact::step`].
     pub(crate) fn step(&mut self) -> Result<bool, SolveError> {
         Ok(self.exact.step()? == Stage::Ended)
+    }
+
+    /// What meets them in this attempt.
+    pub(crate) fn exact(&self) -> &Exact {
+        &self.exact
+    }
+
+    /// The next attempt, and where it begins, `#V by 3`: at the best shape where the tolerance was larger before, else at
+    /// rest, which is none. There is none after the last. `outcome` is what has come of the attempt at hand.
+    pub(crate) fn next(&mut self, outcome: Outcome) -> Option<(Attempt, Option<Vec<Point>>)> {
+        let next = self.attempts.after(outcome)?;
+        let was_eased = self.attempts.now().within.is_some();
+        Some((next, was_eased.then(|| self.exact.positions())))
+    }
+
+    /// Turns to what meets them in the next attempt.
+    pub(crate) fn turn_to(&mut self, exact: Exact, attempt: Attempt) {
+        let before = std::mem::replace(&mut self.exact, exact);
+        if let Some(attempt) = self.attempts.begin(attempt) {
+            self.best = Some((before, attempt));
+        }
     }
 
     /// The positions, `#V by 3`, if it is time to show them.
@@ -35,10 +73,15 @@ impl Meeting {
         Some(self.exact.positions())
     }
 
-    /// The best shape so far, and whether it had ended.
-    pub(crate) fn end(mut self) -> (Exact, bool) {
-        let ended = self.exact.stage() == Stage::Ended;
+    /// The best shape so far.
+    pub(crate) fn end(mut self) -> MeetingEnd {
+        let is_whole = self.exact.stage() == Stage::Ended;
         self.exact.stop();
-        (self.exact, ended)
+        let (folded_at_first, attempts) = (self.attempts.folded_at_first(), self.attempts.count());
+        let (exact, attempt) = match self.best {
+            Some(best) if !self.attempts.is_best() => best,
+            _ => (self.exact, self.attempts.now()),
+        };
+        MeetingEnd { exact, within: attempt.within, is_whole, folded_at_first, attempts }
     }
 }

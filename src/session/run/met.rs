@@ -47,6 +47,18 @@ impl Met {
     }
 }
 
+/// A larger tolerance than was asked, within which no face is folded.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct Eased {
+    /// The tolerance that was asked, in the unit of the mesh.
+    pub asked: f64,
+    /// The one that was taken.
+    pub within: f64,
+    /// How many faces were folded within the one that was asked.
+    pub folded: usize,
+}
+
 /// Constraints that are not met are named up to this many.
 const MOST_NAMED: usize = 1000;
 
@@ -83,6 +95,10 @@ pub struct ExactReport {
     pub refactorizations: u32,
     /// Numeric factors of the matrix of blocks.
     pub block_factors: u32,
+    /// How many ways to meet them were tried, so that no face is folded.
+    pub attempts: u32,
+    /// The larger tolerance that was taken for that.
+    pub eased: Option<Eased>,
     /// What an improvement gained, where one was asked for.
     pub improved: Option<Improved>,
     /// Seconds of all of it.
@@ -107,6 +123,8 @@ impl ExactReport {
             iterations: 0,
             refactorizations: 0,
             block_factors: 0,
+            attempts: 0,
+            eased: None,
             improved: None,
             seconds: 0.0,
         }
@@ -134,6 +152,8 @@ impl ExactReport {
             iterations: answer.iterations,
             refactorizations: answer.refactorizations,
             block_factors: answer.block_factors,
+            attempts: 1,
+            eased: None,
             improved: answer.improved,
             seconds: answer.seconds,
         }

@@ -9,8 +9,10 @@
 //! | `collapse_guard` | the guard against that while nobody drags |
 //! | `interactive_size` | how large a mesh can be that is still dragged smoothly |
 //! | `meeting` | hard constraints that a run is meeting |
+//! | `attempts` | the ways to meet them that are tried where faces fold |
 //! | `met` | how well hard constraints were met, and where |
 
+mod attempts;
 mod collapse;
 mod collapse_guard;
 mod half_step;
@@ -20,14 +22,15 @@ mod met;
 mod progress;
 mod trace;
 
+pub(crate) use attempts::{Attempt, Attempts, Outcome, Unfolding};
 pub(crate) use collapse::Start;
 pub use collapse::{Collapse, CollapseReason};
 pub(crate) use collapse_guard::CollapseGuard;
 pub(crate) use half_step::fitted;
 pub use half_step::{FittedCount, HalfStep, Step};
 pub use interactive_size::max_interactive_faces;
-pub(crate) use meeting::Meeting;
-pub use met::ExactReport;
+pub(crate) use meeting::{Meeting, MeetingEnd};
 pub(crate) use met::Met;
+pub use met::{Eased, ExactReport};
 pub(crate) use progress::Progress;
 pub use trace::TraceEntry;

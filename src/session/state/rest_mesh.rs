@@ -1,6 +1,8 @@
 //! The mesh at rest: as it was opened, or as it was made from that.
 
+use crate::math::Vec3;
 use crate::mesh::{BoundingSphere, Group, Mesh, Point, Topology, folded_faces};
+use crate::solve::Moved;
 
 /// A mesh at rest with its topology.
 pub(crate) struct RestMesh {
@@ -67,6 +69,20 @@ impl RestMesh {
     /// The faces that `now` (`#V by 3`) has folded or dented; see [`folded_faces`].
     pub(crate) fn folded_by(&self, now: &[Point]) -> Vec<u32> {
         folded_faces(&self.mesh, &self.topology, now)
+    }
+
+    /// The distances of `now` (`#V by 3`) from the positions at rest, in the unit of the mesh.
+    pub(crate) fn displacements<'a>(
+        &'a self,
+        now: &'a [Point],
+    ) -> impl ExactSizeIterator<Item = f64> + 'a {
+        let pairs = now.iter().zip(self.positions());
+        pairs.map(|(&now, &rest)| (Vec3::from(now) - Vec3::from(rest)).length())
+    }
+
+    /// How far `now` (`#V by 3`) is from the positions at rest.
+    pub(crate) fn moved_by(&self, now: &[Point]) -> Moved {
+        Moved::of(self.displacements(now))
     }
 
     /// Diameter of the bounding sphere, in the unit of the mesh.

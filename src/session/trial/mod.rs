@@ -4,12 +4,9 @@
 //! |---|---|
 //! | `exact_trial` | what it would cost to be exact |
 //! | `remedies` | changes that help where constraints are not met |
-//! | `unfolding` | a tolerance within which no face is folded |
 
 mod exact_trial;
 mod remedies;
-mod unfolding;
 
 pub use exact_trial::{ExactOffer, ExactTrial, Price};
 pub use remedies::{Remedies, Remedy};
-pub use unfolding::{Unfolded, Unfolding};

@@ -2,7 +2,7 @@
 //! and of ways to change a shape that is.
 
 use super::solver::Solver;
-use crate::session::{ExactTrial, Remedies, Unfolding};
+use crate::session::{ExactTrial, Remedies};
 use crate::solve::{SLIDE, clock};
 use crate::web::plain::{narrow, plain};
 use crate::web::{log_panics, thrown};
@@ -41,33 +41,6 @@ impl RemedyTrials {
     #[wasm_bindgen(unchecked_return_type = "Remedy[]")]
     pub fn found(&self) -> Result<JsValue, JsValue> {
         plain(&self.remedies.found())
-    }
-}
-
-/// Trials of larger tolerances on a copy of the model that is open.
-#[wasm_bindgen(js_name = UnfoldingTrials)]
-pub struct UnfoldingTrials {
-    unfolding: Option<Unfolding>,
-}
-
-#[wasm_bindgen(js_class = UnfoldingTrials)]
-impl UnfoldingTrials {
-    /// Begins, where faces are folded and panels are asked to be something within `tolerance`.
-    #[wasm_bindgen(constructor)]
-    pub fn new(solver: &mut Solver, tolerance: f64) -> Result<UnfoldingTrials, JsValue> {
-        let unfolding = Unfolding::new(solver.open_mut()?, tolerance).map_err(thrown)?;
-        Ok(UnfoldingTrials { unfolding })
-    }
-
-    /// Tries the next one; whether there is more to try.
-    pub fn advance(&mut self) -> Result<bool, JsValue> {
-        self.unfolding.as_mut().map_or(Ok(false), Unfolding::step).map_err(thrown)
-    }
-
-    /// The smallest tolerance that folds the fewest faces; null where none folds fewer.
-    #[wasm_bindgen(unchecked_return_type = "Unfolded | null")]
-    pub fn found(&self) -> Result<JsValue, JsValue> {
-        plain(&self.unfolding.as_ref().and_then(Unfolding::found))
     }
 }
 
