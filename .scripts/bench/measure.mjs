@@ -15,6 +15,8 @@ const RUNS_MS = 1500;
 const MS_PER_VERTEX = 2.5e-4;
 /** The site's own worker: milliseconds before it is measured, and of the measurement. */
 const RUN_MS = { usual: { settle: 1000, during: 2500 }, trial: { settle: 50, during: 100 } };
+/** The plain iteration has a factor in double precision up to so many nonzeros. */
+const MOST_DOUBLE = 2 ** 19;
 /** How far below zero no energy is. */
 const NO_GOAL = -1;
 /** A run has converged after so many iterations that change nothing. */
@@ -39,8 +41,8 @@ async function measureOne(place, problem, { vertices, accelerator }) {
   });
   const { report, cold, openings, steps, fresh, handle, change, drag, bytes } = result;
   const nonzeros = report.factor_nonzeros;
-  const perValue = isDefault ? 4 : 8;
-  const limit = await place.stream(nonzeros * perValue);
+  const bytesOfNumber = isDefault || nonzeros > MOST_DOUBLE ? 4 : 8;
+  const limit = await place.stream(nonzeros * bytesOfNumber);
   return {
     nonzeros,
     unknowns: report.unknowns,
@@ -53,6 +55,7 @@ async function measureOne(place, problem, { vertices, accelerator }) {
     change: median(change),
     drag: byPart(drag),
     bytes: bytes ?? null,
+    bytesOfNumber,
     /** Milliseconds to read the factor twice; its nonzeros only. */
     limit: limit === null ? null : 2 * limit,
   };

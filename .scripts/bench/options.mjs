@@ -25,7 +25,7 @@ const ASKED_FOR = ['factors', 'build', 'exact', 'operators', 'peers'];
 export const usage = `npm run bench -- [options]
 
   --sizes N,N      vertices of the meshes (default 2500,10000; --full 2500,10000,30000,100000)
-  --problems A,B   of A, B, C, D (default all)
+  --problems A,B   of A, B, C, D, E (default all but E: A with boundary curves and a trace)
   --parts P,P      of ${parts.join(', ')} (default all but ${ASKED_FOR.join(', ')})
   --where W,W      of native, browser (default both)
   --peers          the other libraries too, which pip puts under target/
@@ -76,12 +76,13 @@ export function optionsOf(words) {
   }
   const { full } = values;
   const letters = Object.keys(problems).filter((letter) => !problems[letter].for);
+  const unnamed = letters.filter((letter) => !problems[letter].named);
   const usual = parts.filter((part) => full || !ASKED_FOR.includes(part));
   const chosen = values.parts ? listOf('parts', values.parts, parts) : usual;
   const sizes = values.sizes ?? (full ? '2500,10000,30000,100000' : '2500,10000');
   return {
     sizes: sizes.split(',').map((size) => Math.round(numberOf('sizes', size, 36))),
-    problems: values.problems ? listOf('problems', values.problems, letters) : letters,
+    problems: values.problems ? listOf('problems', values.problems, letters) : unnamed,
     parts: new Set(values.peers ? [...chosen, 'peers'] : chosen),
     where: listOf('where', values.where, ['native', 'browser']),
     limitMs: 1e3 * numberOf('limit', values.limit ?? (full ? 20 : 3), 0.01),

@@ -17,19 +17,23 @@ const rigid = {
   converges: true,
 };
 const circles = { kind: 'circle', on: 'faces' };
+const circular = {
+  mesh: 'quads',
+  constraints: [circles],
+  weights: { shape: 5, close: 10, smooth: 2 },
+};
 
 /**
  * By letter: what it is in words, its mesh, and what its scene holds. `maps` is not a scene but a
- * conformal map; `for` marks those that are only measured beside a peer. `converges`: its energy has
+ * conformal map; `for` marks those that are only measured beside a peer, `named` those that are only
+ * measured where they are asked for. `converges`: its energy has
  * a least value to which others can be compared. That of A is zero: nothing holds the boundary, so
  * smoothness draws the mesh together on its surface without end.
  */
 export const problems = {
   A: {
     title: 'a circle for every quad, weights 5, 10, 2, closeness to the surface',
-    mesh: 'quads',
-    constraints: [circles],
-    weights: { shape: 5, close: 10, smooth: 2 },
+    ...circular,
     closeness: { to: 'surface' },
   },
   B: {
@@ -45,6 +49,13 @@ export const problems = {
     ...rigid,
   },
   D: { title: 'a conformal map of triangles', mesh: 'triangles', maps: 'inverse-area' },
+  E: {
+    title: 'A with the boundary close to its curves, and every iteration recorded',
+    ...circular,
+    closeness: { to: 'surface', boundary: { corners: 40 } },
+    traced: true,
+    named: true,
+  },
   circles: {
     title: 'a circle for every quad, every vertex close to where it was (weights 5, 10)',
     mesh: 'quads',
@@ -133,7 +144,7 @@ function sixHandles(side) {
  * vertices that are no handles. `seed` makes another mesh of the same kind.
  */
 export function problemOf(letter, size, { accelerator = 'quasi-newton', seed = 0 } = {}) {
-  const { mesh: kind, handles: held, constraints, weights, closeness } = problems[letter];
+  const { mesh: kind, handles: held, constraints, weights, closeness, traced } = problems[letter];
   const side = Math.max(6, Math.round(Math.sqrt(size)));
   const rows = points(side, seed);
   mkdirSync(benchFolder, { recursive: true });
@@ -161,6 +172,7 @@ export function problemOf(letter, size, { accelerator = 'quasi-newton', seed = 0
     move: held ? [[middle, [x, y, z + 0.3 * side]]] : [],
     from: held ? [rows[middle]] : [],
     handles: all,
+    traced: traced ?? false,
     spare: [1, 2, 3].map((k) => k * fifth * side + k * fifth + 1),
     vertices: side * side,
   };

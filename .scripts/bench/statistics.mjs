@@ -9,8 +9,9 @@ export function quantile(values, q) {
 
 export const median = (values) => quantile(values, 0.5);
 
-/** Median, 10th and 90th percentile. */
+/** The least, median, 10th and 90th percentile. */
 export const spread = (values) => ({
+  least: quantile(values, 0),
   median: median(values),
   p10: quantile(values, 0.1),
   p90: quantile(values, 0.9),

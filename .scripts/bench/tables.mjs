@@ -37,6 +37,29 @@ export function iterationTable(rows) {
   );
 }
 
+/** The browser beside the native program: medians and least times of an iteration, and their ratios. */
+export function ratioTable(rows) {
+  const pairs = rows.flatMap((native) => {
+    const same = (row) =>
+      row.where === 'browser' &&
+      ['problem', 'vertices', 'accelerator'].every((key) => row[key] === native[key]);
+    const browser = native.where === 'native' && rows.find(same);
+    return browser ? [{ native, browser }] : [];
+  });
+  const head = ['problem', 'vertices', 'accelerator', 'native', 'browser', 'ratio'];
+  head.push('least, native', 'least, browser', 'ratio');
+  return table(
+    head,
+    pairs.map(({ native, browser }) => {
+      const of = (key) => [native.step.total[key], browser.step.total[key]];
+      const withRatio = ([a, b]) => [a, b, b / a];
+      const cells = [...withRatio(of('median')), ...withRatio(of('least'))];
+      const key = [native.problem, number(native.vertices), accelerated(native.accelerator)];
+      return [...key, ...cells.map(number)];
+    }),
+  );
+}
+
 /** Setting up and editing, of the default accelerator: milliseconds. */
 export function setUpTable(rows) {
   const head = [
@@ -80,7 +103,7 @@ export function solveTable(rows) {
     head,
     rows.map((row) => {
       const solve = row.fresh.global.median;
-      const precision = row.accelerator === 'none' ? 'f64' : 'f32';
+      const precision = `f${8 * row.bytesOfNumber}`;
       const cells = [solve, row.limit, row.limit === null ? null : solve / row.limit];
       return [row.problem, number(row.vertices), row.where, precision, ...cells.map(number)];
     }),
@@ -232,8 +255,12 @@ export function markdown(results) {
   add('Problems', titles.map(([letter, { title }]) => `- ${letter}: ${title}`).join('\n'));
   if (iterations?.length) {
     const note =
-      'The limit is the time to read the nonzeros of the factor twice (4 bytes each, 8 in the plain iteration). "Run in the page" is the site\'s own worker, with all that it does beside iterating.';
+      'The limit is the time to read the nonzeros of the factor twice (4 bytes each; 8 in the plain iteration of a small factor). "Run in the page" is the site\'s own worker, with all that it does beside iterating.';
     add('An iteration', iterationTable(iterations), note);
+    const both = ['native', 'browser'].every((place) =>
+      iterations.some((row) => row.where === place),
+    );
+    if (both) add('The browser beside the native program', ratioTable(iterations));
     add('One solve against the limit', solveTable(iterations));
     add('Setting up and editing', setUpTable(iterations));
     if (results.sizes.length > 1) add('Growth', growthTable(iterations));

@@ -15,10 +15,22 @@ const inBrowser = (rows, problem, size, accelerator = 'quasi-newton') =>
       near(row.vertices, size),
   );
 
+const plainAt30000 = (rows, problem, place) =>
+  rows?.find(
+    ({ where, problem: letter, accelerator, vertices }) =>
+      where === place && letter === problem && accelerator === 'none' && near(vertices, 30_000),
+  );
+
 const perIteration = (problem, size, most) => ({
   name: `${problem} at ${size.toLocaleString('en')}: ms per iteration`,
   most,
   find: ({ iterations }) => inBrowser(iterations, problem, size)?.step.total.median,
+});
+
+const natively = (problem, most) => ({
+  name: `${problem} at 30,000, plain, natively: ms per iteration`,
+  most,
+  find: ({ iterations }) => plainAt30000(iterations, problem, 'native')?.step.total.median,
 });
 
 /** The first map of a visit: who looks at one does not make it four times. */
@@ -44,6 +56,16 @@ const targets = [
   perIteration('A', 30_000, 6),
   perIteration('A', 100_000, 30),
   perIteration('B', 10_000, 1.2),
+  natively('A', 6),
+  natively('E', 8),
+  {
+    name: 'A at 30,000, plain: the browser over native',
+    most: 1.2,
+    find: ({ iterations }) => {
+      const of = (where) => plainAt30000(iterations, 'A', where)?.step.total.median;
+      return of('browser') / of('native') || undefined;
+    },
+  },
   changed('A', 120),
   changed('B', 60),
   firstMap(35_000, 0.7),

@@ -71,6 +71,8 @@ struct Problem {
     moved: Vec<(u32, Point)>,
     /// Vertices that edits make handles.
     spare: Vec<u32>,
+    /// Whether the energies of every iteration are recorded, as on the page.
+    traced: bool,
 }
 
 impl Problem {
@@ -78,7 +80,11 @@ impl Problem {
         let bytes = std::fs::read(&self.mesh).expect("the mesh was written");
         let file = read(&self.mesh, &bytes).expect("the mesh can be read");
         let scene = Scene::from_json(&self.scene).expect("the scene is valid");
-        Session::open(scene, file.mesh).expect("the problem can be set up")
+        let mut session = Session::open(scene, file.mesh).expect("the problem can be set up");
+        if self.traced {
+            session.start_trace();
+        }
+        session
     }
 
     /// Opens it and moves its handles.

@@ -11,10 +11,10 @@ import { firstToConverge } from '../../.scripts/bench/tables.mjs';
 import { targetRows } from '../../.scripts/bench/targets.mjs';
 import { at } from '../../.scripts/project.mjs';
 
-test('a spread is the median and the tenths', () => {
+test('a spread is the least, the median and the tenths', () => {
   const values = Array.from({ length: 11 }, (_, k) => 10 - k);
-  assert.deepEqual(spread(values), { median: 5, p10: 1, p90: 9 });
-  assert.deepEqual(spread([]), { median: null, p10: null, p90: null });
+  assert.deepEqual(spread(values), { least: 0, median: 5, p10: 1, p90: 9 });
+  assert.deepEqual(spread([]), { least: null, median: null, p10: null, p90: null });
 });
 
 test('an energy is reached at the first iteration that is as near', () => {
