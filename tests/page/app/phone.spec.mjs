@@ -11,7 +11,7 @@ import {
   showPanel,
   tool,
 } from '../actions.mjs';
-import { wavyGrid } from '../meshes.mjs';
+import { file, wavyGrid } from '../meshes.mjs';
 import {
   coloursOfView,
   drawn,
@@ -168,4 +168,48 @@ test('the page about projections: the point, its steps and the sums', async ({ p
   for (let half = 0; half < 4; half++) await page.getByRole('button', { name: 'Step' }).click();
   await expect(page.getByRole('status')).toContainText('Step II, iteration 2');
   await expect(page.getByRole('img', { name: /^φ falls from/ })).toBeVisible();
+});
+
+test.describe('with a finger', () => {
+  test.use({ hasTouch: true, isMobile: true, pixels: false });
+
+  test('files of another surface and of another pose are chosen', async ({ page }) => {
+    await openPage(page);
+    await openText(page, 'grid.obj', wavyGrid(3), 16);
+    await addConstraint(page, 'Rigid', 'each face');
+    await showPanel(page, SHEET);
+    await page.getByText('More settings').click();
+    /** Presses what asks for a file, and gives it one. */
+    const choose = async (label, given) => {
+      const pressed = page.locator('label', { has: page.getByLabel(label) });
+      await pressed.scrollIntoViewIfNeeded();
+      await expect(pressed).toBeInViewport({ ratio: 1 });
+      const { height } = await pressed.boundingBox();
+      expect(height).toBeGreaterThanOrEqual(44);
+      const asked = page.waitForEvent('filechooser');
+      await pressed.tap();
+      await (await asked).setFiles(given);
+    };
+    const scene = () => page.evaluate(() => window.shapeUp.scene());
+    const status = page.getByRole('status');
+
+    const flat = 'v -50 -50 9\nv 50 -50 9\nv 50 50 9\nv -50 50 9\nf 1 2 3 4\n';
+    await choose('Fit to another surface', file('ground.obj', flat));
+    await expect(status).toHaveText('Vertices stay near ground.obj');
+    expect((await scene()).closeness.to.mesh.positions).toHaveLength(4);
+
+    const raised = wavyGrid(3).replace(/^(v .*) \S+$/gm, '$1 2');
+    await choose('Take the pose of another file', file('raised.obj', raised));
+    await expect(status).toHaveText('Shapes are those of raised.obj');
+    const { pose } = await scene();
+    expect(pose.positions.map(([, , z]) => z)).toEqual(Array(16).fill(2));
+    const leave = page.getByRole('button', { name: 'Leave the other pose' });
+    await expect(leave).toBeInViewport();
+    await leave.tap();
+    await expect(leave).toBeHidden();
+    expect((await scene()).pose ?? null).toBeNull();
+    await hidePanels(page);
+    await page.getByRole('button', { name: 'Run' }).tap();
+    await expect.poll(async () => (await positionOf(page, 5))[2]).toBeGreaterThan(1);
+  });
 });
