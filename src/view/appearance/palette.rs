@@ -207,7 +207,7 @@ pub const LIGHT: Palette = Palette {
         dot(ORANGE, WHITE, 3.6, 1.0),
         dot(TAPE, WHITE, 4.6, 1.4),
     ],
-    circle: stroke([0.07, 0.24, 0.53, 0.72], 1.1),
+    circle: stroke([0.07, 0.24, 0.53, 0.66], 1.1),
     sphere: [0.10, 0.36, 0.72, 1.0],
     ghost: [0.00, 0.50, 0.50, 0.13],
     layer: [0.46, 0.28, 0.78, 0.12],

@@ -46,6 +46,23 @@ impl Section {
         self.normal.extend(self.offset)
     }
 
+    /// What is left of a mesh: its points, and the triangles between them.
+    pub fn kept(&self, positions: &[Vec3], triangles: &[[u32; 3]]) -> (Vec<Vec3>, Vec<[u32; 3]>) {
+        let mut points = positions.to_vec();
+        let mut left = Vec::with_capacity(triangles.len());
+        for &triangle in triangles {
+            let corners = triangle.map(|vertex| positions[vertex as usize]);
+            if corners.iter().all(|&corner| self.within(corner) >= 0.0) {
+                left.push(triangle);
+                continue;
+            }
+            let first = points.len() as u32;
+            points.extend(clipped(&corners, |point| self.within(point)));
+            left.extend((first + 2..points.len() as u32).map(|last| [first, last - 1, last]));
+        }
+        (points, left)
+    }
+
     /// Where the plane goes through a triangle; nothing where it passes by.
     pub fn through(&self, corners: [Vec3; 3]) -> Option<[Vec3; 2]> {
         let sides = [0, 1, 2].map(|i| [corners[i], corners[(i + 1) % 3]]);
@@ -97,6 +114,20 @@ mod tests {
         let turned = Section::across(0, 0.25, true, BOX).unwrap();
         assert_eq!(turned.within(Vec3::new(3.0, 0.0, 0.0)), 3.0);
         assert!(Section::across(3, 0.5, false, BOX).is_err());
+    }
+
+    #[test]
+    fn a_mesh_loses_what_is_beyond_the_plane() {
+        let section = Section::across(0, 0.25, false, BOX).unwrap();
+        let points = [Vec3::NEG_X, Vec3::X, Vec3::Y - Vec3::X, Vec3::X * 2.0, Vec3::ONE];
+        let (kept, triangles) = section.kept(&points, &[[0, 1, 2], [1, 3, 4]]);
+        let area = |[a, b, c]: [u32; 3]| {
+            let [a, b, c] = [a, b, c].map(|vertex| kept[vertex as usize]);
+            (b - a).cross(c - a).length() * 0.5
+        };
+        // Of a triangle of area 1 the corner beyond, which is half as long and half as high.
+        assert_eq!(triangles.into_iter().map(area).sum::<f32>(), 0.75);
+        assert!(section.kept(&points, &[[1, 3, 4]]).1.is_empty());
     }
 
     #[test]

@@ -5,10 +5,11 @@ use super::device::{Device, DeviceError};
 use super::gpu_tables::GpuTables;
 use super::placement::Placement;
 use super::viewport::Viewport;
-use crate::view::camera::Camera;
+use crate::view::camera::{Camera, Section};
 use crate::view::gpu::primitive::{
     Backdrop, Circles, Faces, GizmoMarks, Lines, Occlusion, Points, ProjectionLines, Spheres,
 };
+use crate::view::model::RenderMesh;
 use crate::view::overlay::GroundShadow;
 use crate::view::side_by_side::{Region, Split};
 use crate::view::state::ViewState;
@@ -29,6 +30,8 @@ pub struct Renderer {
     occlusion: Occlusion,
     /// From where, how deep and how large the picture was that the occlusion was found for.
     found_for: Option<Seen>,
+    /// What the shadow on the ground is that of.
+    shadow_of: Option<Section>,
     faces: Faces,
     lines: Lines,
     projections: ProjectionLines,
@@ -52,6 +55,7 @@ impl Renderer {
             faces: Faces::new(gpu, &tables, occlusion.layout(), format),
             occlusion,
             found_for: None,
+            shadow_of: None,
             lines: Lines::new(gpu, &tables, format),
             projections: ProjectionLines::new(gpu, &tables, format),
             points: Points::new(gpu, &tables, format),
@@ -213,9 +217,14 @@ impl Renderer {
         let (device, queue) = (&self.device.device, &self.device.queue);
         let changes = state.changes();
         self.gizmo.update(device, queue, state);
-        if changes.mesh || changes.positions {
-            let mesh = state.mesh();
-            let shadow = GroundShadow::new(&mesh.positions, &mesh.triangles, state.camera().up);
+        let Camera { section, up, .. } = state.camera();
+        if changes.mesh || changes.positions || section != self.shadow_of {
+            self.shadow_of = section;
+            let RenderMesh { positions, triangles, .. } = state.mesh();
+            let shadow = match section.map(|section| section.kept(positions, triangles)) {
+                Some((points, left)) => GroundShadow::new(&points, &left, up),
+                None => GroundShadow::new(positions, triangles, up),
+            };
             self.backdrop.update(device, queue, &shadow);
         }
         if changes.mesh {

@@ -28,8 +28,11 @@ fn corner_of_circle(
     let b = centre + u * cos(end) + v * sin(end);
     // Circles of a few pixels are drawn finer and fainter, or many of them would be one patch.
     let depth = max(scale_depth(centre), 1e-12);
-    let radius_on_screen = radius / (depth * scene.canvas.w * scene.canvas.z);
-    let fineness = clamp(radius_on_screen / 16.0, 0.5, 1.0);
+    // So are those that are seen nearly edge on.
+    let facing = abs(dot(normal, to_eye_from(centre)));
+    let radius_on_screen =
+        radius * mix(0.4, 1.0, facing) / (depth * scene.canvas.w * scene.canvas.z);
+    let fineness = clamp(radius_on_screen / 14.0, 0.5, 1.0);
     let half_width = 0.5 * scene.circle.size.x * scene.canvas.z * fineness;
     let lift = LIFT + min(0.12 * radius / depth, 0.1);
     let quad = cut_stroke_corner(a, b, index % 6u, half_width, lift);
@@ -38,7 +41,7 @@ fn corner_of_circle(
     out.at = quad.at;
     out.ends = vec4f(quad.start, quad.end);
     out.half_width = half_width;
-    out.opacity = scene.circle.colour.a * clamp(radius_on_screen / 9.0, 0.3, 1.0);
+    out.opacity = scene.circle.colour.a * clamp(radius_on_screen / 15.0, 0.22, 1.0);
     return out;
 }
 

@@ -16,7 +16,7 @@ fn corner_of_dot(
     @location(0) ids: vec3u,
 ) -> Corner {
     let size = scene.dots[ids.y].size;
-    let reach = size.x * scene.canvas.z + 1.0;
+    let reach = (size.x + select(0.0, GLOW, ids.y == ACTIVE)) * scene.canvas.z + 1.0;
     let right = corner == 1u || corner == 2u || corner == 4u;
     let high = corner == 2u || corner == 4u || corner == 5u;
     let middle = position_of(ids.x);
@@ -52,7 +52,11 @@ fn dot_colour(in: Corner) -> vec4f {
     let coverage = clamp(style.size.x * ratio + 0.5 - away, 0.0, 1.0);
     let inside = clamp((style.size.x - style.size.y) * ratio + 0.5 - away, 0.0, 1.0);
     let colour = mix(style.rim, in.fill, inside);
-    return vec4f(colour.rgb, colour.a * coverage);
+    // The one under the pointer glows.
+    let beyond = clamp((away / ratio - style.size.x) / GLOW, 0.0, 1.0);
+    let glow = select(0.0, 0.5 * (1.0 - beyond) * (1.0 - beyond), in.kind == ACTIVE);
+    let opacity = max(colour.a * coverage, glow);
+    return vec4f(mix(in.fill.rgb, colour.rgb, coverage), opacity);
 }
 
 @fragment
@@ -65,6 +69,10 @@ fn behind(in: Corner) -> @location(0) vec4f {
     let colour = dot_colour(in);
     return vec4f(colour.rgb, colour.a * 0.38);
 }
+
+// The handle under the pointer, and how far it glows, in CSS pixels.
+const ACTIVE: u32 = 7u;
+const GLOW: f32 = 9.0;
 
 // The kinds up to this one are marks of vertices, those after it handles and the tape.
 const SELECTED: u32 = 3u;
